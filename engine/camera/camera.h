@@ -1,0 +1,20 @@
+#pragma once
+
+#include "engine/fixed/angle.h"
+#include "engine/fixed/fixed.h"
+#include "engine/math/vec.h"
+
+namespace oblong {
+
+/// Degrees at the door: field of view, angles of a command line. 16.48.
+using Degrees = Fixed<std::int64_t, 48>;
+
+/// Where one looks from, whither, and how wide. Yaw counter-clockwise from +x seen from above, pitch positive looking
+/// down, roll positive leaning right (Quake's).
+struct Camera {
+    Vec3<World> eye;
+    Angle yaw, pitch, roll;
+    Degrees field_of_view = Degrees::from_int(90);  ///< across the whole width; above 0, below 180
+};
+
+}  // namespace oblong

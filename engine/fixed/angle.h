@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+namespace oblong {
+
+/// An angle in binary degrees: 65,536 to the turn, so that it wraps by itself; never negative, so that shifting it to
+/// index a table is safe. Degrees exist at the door only (degrees_to_angle, fixed/trig.h).
+struct Angle {
+    std::uint16_t bam = 0;
+
+    static constexpr Angle from_bam(std::int64_t any) { return Angle{static_cast<std::uint16_t>(any)}; }
+
+    constexpr Angle operator-() const { return from_bam(-std::int64_t{bam}); }
+    constexpr Angle operator+(Angle other) const { return from_bam(std::int64_t{bam} + other.bam); }
+    constexpr Angle operator-(Angle other) const { return from_bam(std::int64_t{bam} - other.bam); }
+    constexpr bool operator==(const Angle&) const = default;
+};
+
+inline constexpr Angle kQuarterTurn{0x4000}, kHalfTurn{0x8000};
+
+}  // namespace oblong

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+namespace oblong {
+
+/// How a value that falls between two steps of a format is rounded.
+enum class Rounding {
+    Floor,         ///< toward minus infinity: what an arithmetic shift does
+    NearestHalfUp  ///< to the nearest step, a tie toward plus infinity
+};
+
+/// `value >> bits` toward minus infinity for every sign, `bits` 0 to 63. The only place in engine/ that shifts
+/// negatives.
+template <class Int>
+constexpr Int floor_shift(Int value, int bits) {
+    return static_cast<Int>(value >> bits);  // C++20: two's complement, arithmetic
+}
+
+/// `value` divided by 2^bits and rounded. `bits` 0 to 62; for NearestHalfUp |value| must leave room for half a step.
+template <class Int>
+constexpr Int rounded_shift(Int value, int bits, Rounding rounding) {
+    if (bits == 0) return value;
+    if (rounding == Rounding::NearestHalfUp) value = static_cast<Int>(value + (Int{1} << (bits - 1)));
+    return floor_shift(value, bits);
+}
+
+/// A number of Int's width with `Frac` fraction bits: value = raw / 2^Frac. The format is in the type; nothing converts
+/// silently. Sums keep the format (the caller's formats leave head-room: engine/fixed/README.md), products widen.
+template <class Int, int Frac>
+struct Fixed {
+    static_assert(std::is_integral_v<Int> && std::is_signed_v<Int>, "a signed integer holds the value");
+    static_assert(Frac >= 0 && Frac < static_cast<int>(sizeof(Int)) * 8, "the fraction fits the integer");
+
+    using Raw = Int;
+    static constexpr int kFractionBits = Frac;
+
+    Int raw = 0;
+
+    static constexpr Fixed from_raw(Int value) { return Fixed{value}; }
+    static constexpr Fixed from_int(Int value) { return Fixed{static_cast<Int>(value * (Int{1} << Frac))}; }
+    static constexpr Fixed lowest() { return Fixed{std::numeric_limits<Int>::min()}; }
+    static constexpr Fixed highest() { return Fixed{std::numeric_limits<Int>::max()}; }
+    /// One step of the format.
+    static constexpr Fixed ulp() { return Fixed{1}; }
+
+    constexpr Fixed operator-() const { return Fixed{static_cast<Int>(-raw)}; }
+    constexpr Fixed operator+(Fixed other) const { return Fixed{static_cast<Int>(raw + other.raw)}; }
+    constexpr Fixed operator-(Fixed other) const { return Fixed{static_cast<Int>(raw - other.raw)}; }
+    constexpr Fixed& operator+=(Fixed other) { return *this = *this + other; }
+    constexpr Fixed& operator-=(Fixed other) { return *this = *this - other; }
+    constexpr auto operator<=>(const Fixed&) const = default;
+};
+
+/// `value` in another format, rounded by name where fraction bits are lost. The result must fit (saturating_convert
+/// asks).
+template <class To, class Int, int Frac>
+constexpr To convert(Fixed<Int, Frac> value, Rounding rounding = Rounding::NearestHalfUp) {
+    using Wide = std::conditional_t<(sizeof(Int) > sizeof(typename To::Raw)), Int, typename To::Raw>;
+    const auto wide = static_cast<Wide>(value.raw);
+    if constexpr (To::kFractionBits >= Frac)
+        return To::from_raw(static_cast<typename To::Raw>(wide * (Wide{1} << (To::kFractionBits - Frac))));
+    else
+        return To::from_raw(static_cast<typename To::Raw>(rounded_shift(wide, Frac - To::kFractionBits, rounding)));
+}
+
+/// The exact product, in 64 bits: fraction bits add up. Both factors are of 32 bits or fewer.
+template <class A, int FracA, class B, int FracB>
+constexpr auto widening_product(Fixed<A, FracA> a, Fixed<B, FracB> b) {
+    static_assert(sizeof(A) <= 4 && sizeof(B) <= 4, "the product must fit 64 bits");
+    return Fixed<std::int64_t, FracA + FracB>::from_raw(std::int64_t{a.raw} * b.raw);
+}
+
+// The engine's formats; the budget that they come from is the table in engine/fixed/README.md.
+using World = Fixed<std::int32_t, 12>;          ///< world coordinates: 20.12, +-524,288 units by 1/4,096
+using Unit = Fixed<std::int32_t, 30>;           ///< components of unit vectors and rotations: 2.30, [-2, 2)
+using View = Fixed<std::int64_t, 16>;           ///< view positions: 48.16
+using PlaneDistance = Fixed<std::int64_t, 42>;  ///< World times Unit: 22.42
+using TexelAxis = Fixed<std::int32_t, 23>;      ///< components of texture axes, texels per world unit: 9.23
+using TexelOffset = Fixed<std::int64_t, 16>;    ///< texture offsets, texels: 48.16
+using Multiplier = Fixed<std::int64_t, 32>;     ///< projection multipliers, pixels: 32.32
+using Screen = Fixed<std::int32_t, 8>;          ///< screen positions after clipping, pixels: 24.8
+
+}  // namespace oblong

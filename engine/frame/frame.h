@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "engine/camera/camera.h"
+#include "engine/frame/settings.h"
+#include "engine/level/level.h"
+#include "engine/screen/framebuffer.h"
+#include "engine/screen/screen_mode.h"
+#include "engine/surface/colormap.h"
+
+namespace oblong {
+
+class FrameWorkspace;  // engine/frame/workspace.h: scratch and caches, owned by the caller, never part of the picture
+
+/// A brush model at its place: model 1 and up of the level, moved by `offset`.
+struct PlacedModel {
+    std::int32_t model = 0;
+    Vec3<World> offset;
+};
+
+/// All that a frame shows. The level outlives the workspace that draws it.
+struct Scene {
+    const Level& level;
+    const Colormap& colormap;
+    std::span<const PlacedModel> models;
+    std::int64_t time_ms = 0;
+};
+
+/// Draws one picture: a pure function of its first four arguments. Every pixel of `out` (whose size is the mode's) is
+/// written.
+void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
+                FrameWorkspace& work, Framebuffer out);
+
+}  // namespace oblong

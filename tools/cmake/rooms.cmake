@@ -1,0 +1,18 @@
+# oblong_room(NAME FOLDER DEPENDS ...): one library per room, named oblong_NAME, of all the .cpp files right in FOLDER.
+# A room of headers alone becomes an interface library, so that who depends on it need not know.
+function(oblong_room NAME FOLDER)
+    cmake_parse_arguments(ROOM "" "" "DEPENDS;EXTRA_FOLDERS" ${ARGN})
+    file(GLOB SOURCES CONFIGURE_DEPENDS ${FOLDER}/*.cpp)
+    foreach(EXTRA ${ROOM_EXTRA_FOLDERS})
+        file(GLOB MORE CONFIGURE_DEPENDS ${EXTRA}/*.cpp)
+        list(APPEND SOURCES ${MORE})
+    endforeach()
+    list(TRANSFORM ROOM_DEPENDS PREPEND oblong_)
+    if(SOURCES)
+        add_library(oblong_${NAME} STATIC ${SOURCES})
+        target_link_libraries(oblong_${NAME} PUBLIC ${ROOM_DEPENDS})
+    else()
+        add_library(oblong_${NAME} INTERFACE)
+        target_link_libraries(oblong_${NAME} INTERFACE ${ROOM_DEPENDS})
+    endif()
+endfunction()
