@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/surface/palette.h"
+
+namespace oblong {
+
+/// The bytes of a PNG file of colour type 3 (8-bit palette) that holds `pixels` (rows top to bottom, one palette index
+/// each, exactly width_px * height_px of them) as they are. The same input gives the same file. Throws InputError where
+/// the sizes do not agree.
+std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixels, std::int32_t width_px,
+                                             std::int32_t height_px, const Palette& palette);
+
+/// The same, written to a file. Throws InputError where it can't be written.
+void write_indexed_png(const std::string& path, std::span<const std::uint8_t> pixels, std::int32_t width_px,
+                       std::int32_t height_px, const Palette& palette);
+
+}  // namespace oblong
