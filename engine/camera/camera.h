@@ -6,9 +6,6 @@
 
 namespace oblong {
 
-/// Degrees at the door: field of view, angles of a command line. 16.48.
-using Degrees = Fixed<std::int64_t, 48>;
-
 /// Where one looks from, whither, and how wide. Yaw counter-clockwise from +x seen from above, pitch positive looking
 /// down, roll positive leaning right (Quake's).
 struct Camera {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "engine/fixed/angle.h"
+#include "engine/fixed/fixed.h"
+
+namespace oblong {
+
+/// Sine of a binary angle, the nearest step of 2^-30. Bit for bit: sin(-a) = -sin(a), sin(a + half) = -sin(a).
+Unit sine(Angle angle);
+/// Cosine of a binary angle; bit for bit sine(angle + kQuarterTurn).
+Unit cosine(Angle angle);
+
+/// What sines are made of before they are rounded: products of several stay exact enough to be rounded once.
+using Sine60 = Fixed<std::int64_t, 60>;
+
+struct SineCosine60 {
+    Sine60 sine, cosine;
+};
+
+/// Both of a binary angle, each within 2^-58.
+SineCosine60 sine_cosine(Angle angle);
+/// Both of a decimal angle from 0 to 180 degrees, each within 2^-57: for half a field of view.
+SineCosine60 sine_cosine(Degrees angle);
+
+/// The nearest binary angle (a tie: the larger). Any sign; whole turns fall away.
+Angle degrees_to_angle(Degrees degrees);
+
+/// The binary angle nearest to that of the point (x, y), counter-clockwise from +x; of any length. (0, 0) gives 0.
+Angle arctangent2(std::int64_t y, std::int64_t x);
+
+}  // namespace oblong

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "engine/fixed/angle.h"
+#include "engine/fixed/fixed.h"
+#include "engine/math/vec.h"
+
+namespace oblong {
+
+/// The axes of a view, in the world's coordinates: three unit vectors at right angles.
+struct Basis {
+    Vec3<Unit> right, up, forward;
+    constexpr bool operator==(const Basis&) const = default;
+};
+
+/// The view's axes in the engine's world (x east, y north, z up, right-handed): yaw counter-clockwise from +x seen from
+/// above, then pitch, positive looking down, then roll, positive leaning right. At 0, 0, 0: forward = +x, right = -y,
+/// up = +z. Each component is within 0.51 steps of 2^-30 of the true rotation by these binary angles.
+Basis view_basis(Angle yaw, Angle pitch, Angle roll);
+
+/// The same in a world with y up (x right, z forward, left-handed: a view that has not been turned): yaw turns forward
+/// toward +x, then pitch turns forward toward up, then roll turns right toward up. At 0, 0, 0 the axes are the world's.
+Basis y_up_basis(Angle yaw, Angle pitch, Angle roll);
+
+/// A coordinate along an axis, rounded once. The difference has 33 bits, and by Cauchy's inequality the sum stays
+/// below sqrt(3) 2^62 + 2^25: no world position overflows.
+constexpr View view_coordinate(const Vec3<Unit>& axis, std::int64_t dx, std::int64_t dy, std::int64_t dz) {
+    return convert<View>(PlaneDistance::from_raw(dx * axis.x.raw + dy * axis.y.raw + dz * axis.z.raw));
+}
+
+/// A world point as seen from `world_eye`: x right, y up, z forward.
+constexpr Vec3<View> to_view(const Vec3<World>& world_point, const Vec3<World>& world_eye, const Basis& basis) {
+    const std::int64_t dx = std::int64_t{world_point.x.raw} - world_eye.x.raw;
+    const std::int64_t dy = std::int64_t{world_point.y.raw} - world_eye.y.raw;
+    const std::int64_t dz = std::int64_t{world_point.z.raw} - world_eye.z.raw;
+    return {view_coordinate(basis.right, dx, dy, dz), view_coordinate(basis.up, dx, dy, dz),
+            view_coordinate(basis.forward, dx, dy, dz)};
+}
+
+}  // namespace oblong

@@ -1,0 +1,133 @@
+#include "engine/math/basis.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace oblong {
+namespace {
+
+using Vector = std::array<long double, 3>;
+
+struct Axes {
+    Vector right, up, forward;
+};
+
+long double radians_of(Angle angle) {
+    return angle.bam * (std::numbers::pi_v<long double> / 32768);
+}
+
+/// a cos(angle) + b sin(angle): a turned toward b.
+Vector turned(const Vector& a, const Vector& b, long double angle) {
+    Vector result{};
+    for (std::size_t i = 0; i < 3; ++i) result[i] = a[i] * std::cos(angle) + b[i] * std::sin(angle);
+    return result;
+}
+
+/// One turn after the other, as the conventions tell them: the reference that the closed formulas must equal.
+Axes turn_by_turn(Axes axes, long double yaw_to_right, long double pitch_up, long double roll) {
+    const Axes start = axes;
+    axes.forward = turned(start.forward, start.right, yaw_to_right);
+    axes.right = turned(start.right, start.forward, -yaw_to_right);
+    const Axes yawed = axes;
+    axes.forward = turned(yawed.forward, yawed.up, pitch_up);
+    axes.up = turned(yawed.up, yawed.forward, -pitch_up);
+    const Axes pitched = axes;
+    axes.right = turned(pitched.right, pitched.up, roll);
+    axes.up = turned(pitched.up, pitched.right, -roll);
+    return axes;
+}
+
+void expect_near(const Vec3<Unit>& got, const Vector& expected) {
+    ASSERT_LE(std::abs(got.x.raw - std::ldexp(expected[0], 30)), 0.51);
+    ASSERT_LE(std::abs(got.y.raw - std::ldexp(expected[1], 30)), 0.51);
+    ASSERT_LE(std::abs(got.z.raw - std::ldexp(expected[2], 30)), 0.51);
+}
+
+void expect_near(const Basis& got, const Axes& expected) {
+    expect_near(got.right, expected.right);
+    expect_near(got.up, expected.up);
+    expect_near(got.forward, expected.forward);
+}
+
+constexpr auto kOne = Unit::from_int(1), kNone = Unit{};
+
+TEST(Basis, UnturnedViewLooksEast) {
+    const Basis basis = view_basis({}, {}, {});
+    EXPECT_EQ(basis.forward, (Vec3<Unit>{kOne, kNone, kNone}));
+    EXPECT_EQ(basis.right, (Vec3<Unit>{kNone, -kOne, kNone}));
+    EXPECT_EQ(basis.up, (Vec3<Unit>{kNone, kNone, kOne}));
+}
+
+TEST(Basis, YawTurnsNorthPitchLooksDownRollLeansRight) {
+    EXPECT_EQ(view_basis(kQuarterTurn, {}, {}).forward, (Vec3<Unit>{kNone, kOne, kNone}));
+    EXPECT_EQ(view_basis({}, kQuarterTurn, {}).forward, (Vec3<Unit>{kNone, kNone, -kOne}));
+    EXPECT_EQ(view_basis({}, {}, kQuarterTurn).up, (Vec3<Unit>{kNone, -kOne, kNone}));
+}
+
+TEST(Basis, UnturnedYUpViewIsTheWorld) {
+    const Basis basis = y_up_basis({}, {}, {});
+    EXPECT_EQ(basis.right, (Vec3<Unit>{kOne, kNone, kNone}));
+    EXPECT_EQ(basis.up, (Vec3<Unit>{kNone, kOne, kNone}));
+    EXPECT_EQ(basis.forward, (Vec3<Unit>{kNone, kNone, kOne}));
+}
+
+TEST(Basis, EqualsOneTurnAfterTheOther) {
+    const Axes quake{{0, -1, 0}, {0, 0, 1}, {1, 0, 0}};
+    const Axes y_up{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    std::mt19937 random(1);
+    for (int i = 0; i < 20'000; ++i) {
+        const Angle yaw = Angle::from_bam(random()), pitch = Angle::from_bam(random()),
+                    roll = Angle::from_bam(random());
+        const long double y = radians_of(yaw), p = radians_of(pitch), r = radians_of(roll);
+        // Quake's angles run the other way: counter-clockwise yaw turns left, pitch down, roll sinks the right side.
+        expect_near(view_basis(yaw, pitch, roll), turn_by_turn(quake, -y, -p, -r));
+        expect_near(y_up_basis(yaw, pitch, roll), turn_by_turn(y_up, y, p, r));
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(HardCaseT3, WholeTurnsChangeNoBit) {
+    const Basis once = view_basis(Angle::from_bam(1234), Angle::from_bam(-777), Angle::from_bam(31));
+    const Basis many = view_basis(Angle::from_bam(1234 + 65536 * 1'000'000LL), Angle::from_bam(-777 - 65536 * 99LL),
+                                  Angle::from_bam(31 + 65536));
+    EXPECT_EQ(once, many);
+}
+
+TEST(ToView, IsTheExactDotProductRoundedOnce) {
+    __extension__ using Int128 = __int128;
+    std::mt19937_64 random(2);
+    const auto any_point = [&random] {
+        const auto any = [&random] { return World::from_raw(static_cast<std::int32_t>(random())); };
+        return Vec3<World>{any(), any(), any()};
+    };
+    for (int i = 0; i < 20'000; ++i) {
+        const Basis basis = view_basis(Angle::from_bam(random() % 65536), Angle::from_bam(random() % 65536),
+                                       Angle::from_bam(random() % 65536));
+        const Vec3<World> point = any_point(), eye = any_point();
+        const auto exact = [&](const Vec3<Unit>& axis) {
+            const Int128 sum = Int128{axis.x.raw} * (Int128{point.x.raw} - eye.x.raw) +
+                               Int128{axis.y.raw} * (Int128{point.y.raw} - eye.y.raw) +
+                               Int128{axis.z.raw} * (Int128{point.z.raw} - eye.z.raw) + (1 << 25);
+            return static_cast<std::int64_t>(sum >> 26);
+        };
+        const Vec3<View> seen = to_view(point, eye, basis);
+        ASSERT_EQ(seen.x.raw, exact(basis.right));
+        ASSERT_EQ(seen.y.raw, exact(basis.up));
+        ASSERT_EQ(seen.z.raw, exact(basis.forward));
+    }
+}
+
+TEST(HardCaseV1, OppositeCornersOfTheWorldDoNotOverflow) {
+    const auto lowest = World::lowest(), highest = World::highest();
+    const Vec3<World> far_corner{highest, highest, highest}, eye{lowest, lowest, lowest};
+    // Straight along the diagonal: the longest distance there is, sqrt(3) 2^20 units.
+    const Basis basis = view_basis(Angle::from_bam(0x2000), Angle::from_bam(-6421), {});
+    const Vec3<View> seen = to_view(far_corner, eye, basis);
+    EXPECT_NEAR(static_cast<double>(seen.z.raw), std::ldexp(std::sqrt(3.0), 36), 0x1p20);
+}
+
+}  // namespace
+}  // namespace oblong
