@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "engine/platform/platform.h"
+
+namespace oblong {
+
+/// A machine without a screen: hands by script, a clock that moves one tick a poll, frames to whoever takes them.
+class HeadlessPlatform final : public Platform {
+  public:
+    /// What the hands do at each poll; poll 0 is the first.
+    using Script = std::function<Controls(std::int64_t poll)>;
+    using FrameSink = std::function<void(Framebuffer, const Palette&)>;
+
+    /// Open for `frames` pictures, its clock moves 1/`polls_per_second` s a poll (rounded up to the microsecond, so
+    /// that poll n is never before tick n).
+    HeadlessPlatform(std::int64_t frames, std::int64_t polls_per_second, Script script, FrameSink sink);
+
+    bool is_open() const override { return presented_ < frames_; }
+    Controls poll() override { return script_(polls_++); }
+    std::uint64_t now_us() override;
+    WindowSize window_size() const override { return {1600, 1200}; }
+    void set_title(const char*) override {}
+    void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
+
+  private:
+    std::int64_t frames_, polls_per_second_;
+    std::int64_t polls_ = 0, presented_ = 0;
+    Script script_;
+    FrameSink sink_;
+};
+
+}  // namespace oblong

@@ -1,0 +1,105 @@
+#include "engine/platform/sdl/input.h"
+
+#include <SDL.h>
+
+#include <array>
+#include <utility>
+
+namespace oblong {
+namespace {
+
+constexpr std::array<std::pair<SDL_Scancode, Command>, 7> kCommandKeys{{
+    {SDL_SCANCODE_F1, Command::ShowHelp},
+    {SDL_SCANCODE_F2, Command::ProjectionAspect},
+    {SDL_SCANCODE_F3, Command::DisplayAspect},
+    {SDL_SCANCODE_F4, Command::AccuracyTier},
+    {SDL_SCANCODE_F5, Command::ScalingMode},
+    {SDL_SCANCODE_F6, Command::FrameCost},
+    {SDL_SCANCODE_F12, Command::Screenshot},
+}};
+
+bool is_mouse_captured() {
+    return SDL_GetRelativeMouseMode() == SDL_TRUE;
+}
+void capture_mouse(bool captured) {
+    SDL_SetRelativeMouseMode(captured ? SDL_TRUE : SDL_FALSE);
+}
+
+// Scancodes, not letters: WASD are four places on the keyboard, in every country.
+void read_held_keys(Controls& controls) {
+    const std::uint8_t* held = SDL_GetKeyboardState(nullptr);
+    controls.forward = held[SDL_SCANCODE_W] || held[SDL_SCANCODE_UP];
+    controls.back = held[SDL_SCANCODE_S] || held[SDL_SCANCODE_DOWN];
+    controls.left = held[SDL_SCANCODE_A];
+    controls.right = held[SDL_SCANCODE_D];
+    controls.turn_left = held[SDL_SCANCODE_LEFT];
+    controls.turn_right = held[SDL_SCANCODE_RIGHT];
+    controls.look_up = held[SDL_SCANCODE_PAGEUP];
+    controls.look_down = held[SDL_SCANCODE_PAGEDOWN];
+    controls.walk_slowly = held[SDL_SCANCODE_LSHIFT] || held[SDL_SCANCODE_RSHIFT];
+    controls.jump |= held[SDL_SCANCODE_SPACE] != 0;
+}
+
+}  // namespace
+
+Controls SdlInput::poll() {
+    Controls controls;
+    for (SDL_Event event; SDL_PollEvent(&event);) take(event, controls);
+    read_held_keys(controls);
+    return controls;
+}
+
+bool SdlInput::take_textures_lost() {
+    return std::exchange(are_textures_lost_, false);
+}
+
+void SdlInput::take(const SDL_Event& event, Controls& controls) {
+    switch (event.type) {
+        case SDL_QUIT:
+            is_closed_ = true;
+            break;
+        case SDL_KEYDOWN:
+            if (event.key.repeat == 0) take_key(event.key, controls);
+            break;
+        case SDL_MOUSEBUTTONDOWN:
+            capture_mouse(true);
+            break;
+        case SDL_MOUSEMOTION:
+            if (!is_mouse_captured()) break;
+            controls.mouse_x += event.motion.xrel;
+            controls.mouse_y += event.motion.yrel;
+            break;
+        case SDL_WINDOWEVENT:
+            if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) capture_mouse(false);
+            break;
+        case SDL_RENDER_TARGETS_RESET:
+        case SDL_RENDER_DEVICE_RESET:
+            are_textures_lost_ = true;
+            break;
+        default:
+            break;
+    }
+}
+
+void SdlInput::take_key(const SDL_KeyboardEvent& key, Controls& controls) {
+    const SDL_Scancode code = key.keysym.scancode;
+    if (code == SDL_SCANCODE_ESCAPE) return leave();
+    if (code == SDL_SCANCODE_RETURN && (key.keysym.mod & KMOD_ALT) != 0) return toggle_fullscreen();
+    if (code == SDL_SCANCODE_SPACE) controls.jump = true;  // also when let go before the poll
+    for (const auto& [command_key, command] : kCommandKeys)
+        if (code == command_key) controls.commands.push_back(command);
+}
+
+void SdlInput::toggle_fullscreen() {
+    const bool is_full = (SDL_GetWindowFlags(window_) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
+    SDL_SetWindowFullscreen(window_, is_full ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
+}
+
+void SdlInput::leave() {
+    if (is_mouse_captured())
+        capture_mouse(false);
+    else
+        is_closed_ = true;
+}
+
+}  // namespace oblong

@@ -1,0 +1,176 @@
+#include "engine/platform/sdl/window.h"
+
+#include <SDL.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "engine/platform/sdl/input.h"
+
+namespace oblong {
+namespace {
+
+struct Destroy {
+    void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
+    void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
+    void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
+};
+template <class T>
+using Owned = std::unique_ptr<T, Destroy>;
+
+[[noreturn]] void fail(const char* what) {
+    throw std::runtime_error(std::string(what) + ": " + SDL_GetError());
+}
+
+struct Video {
+    Video() {
+        if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("no display");
+    }
+    ~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
+    Video(const Video&) = delete;
+    Video& operator=(const Video&) = delete;
+};
+
+// The largest whole multiple of 320x240 that leaves the desktop's bars free.
+WindowSize comfortable_size() {
+    SDL_Rect desktop{0, 0, 1280, 960};
+    SDL_GetDisplayUsableBounds(0, &desktop);
+    const int times = std::clamp(std::min(desktop.w / 320, (desktop.h - 40) / 240), 1, 5);
+    return {320 * times, 240 * times};
+}
+
+Owned<SDL_Window> make_window(const char* title, WindowSize size) {
+    if (size == WindowSize{}) size = comfortable_size();
+    Owned<SDL_Window> window(SDL_CreateWindow(title, SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, size.width_px,
+                                              size.height_px, SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI));
+    if (!window) fail("no window");
+    return window;
+}
+
+// The graphics card where there is one, the processor where not.
+Owned<SDL_Renderer> make_renderer(SDL_Window* window) {
+    constexpr std::array<std::uint32_t, 3> wishes{SDL_RENDERER_ACCELERATED | SDL_RENDERER_PRESENTVSYNC,
+                                                  SDL_RENDERER_ACCELERATED, SDL_RENDERER_SOFTWARE};
+    for (const std::uint32_t wish : wishes)
+        if (Owned<SDL_Renderer> renderer{SDL_CreateRenderer(window, -1, wish | SDL_RENDERER_TARGETTEXTURE)})
+            return renderer;
+    fail("no renderer");
+}
+
+// How soon the next frame may follow, so that a display that doesn't wait is not fed for nothing.
+std::uint32_t shortest_frame_ms(SDL_Renderer* renderer) {
+    SDL_RendererInfo info{};
+    SDL_GetRendererInfo(renderer, &info);
+    return (info.flags & SDL_RENDERER_PRESENTVSYNC) != 0 ? 2 : 7;
+}
+
+void write_colours(Framebuffer picture, const Palette& palette, SDL_Texture* texture) {
+    std::array<std::uint32_t, 256> argb{};
+    for (std::size_t i = 0; i < argb.size(); ++i) {
+        const Rgb8 colour = palette.colours[i];
+        argb[i] = 0xff000000u | std::uint32_t{colour.red} << 16 | std::uint32_t{colour.green} << 8 | colour.blue;
+    }
+    void* pixels = nullptr;
+    int pitch = 0;
+    if (SDL_LockTexture(texture, nullptr, &pixels, &pitch) != 0) return;
+    for (std::int32_t y = 0; y < picture.height_px; ++y) {
+        auto* to = reinterpret_cast<std::uint32_t*>(static_cast<std::uint8_t*>(pixels) + std::ptrdiff_t{pitch} * y);
+        std::transform(picture.row(y), picture.row(y) + picture.width_px, to, [&](std::uint8_t i) { return argb[i]; });
+    }
+    SDL_UnlockTexture(texture);
+}
+
+class SdlPlatform final : public Platform {
+  public:
+    SdlPlatform(const char* title, WindowSize size)
+        : window_(make_window(title, size)),
+          renderer_(make_renderer(window_.get())),
+          shortest_frame_ms_(shortest_frame_ms(renderer_.get())),
+          input_(window_.get()) {}
+
+    bool is_open() const override { return !input_.is_closed(); }
+    Controls poll() override { return input_.poll(); }
+    std::uint64_t now_us() override;
+    WindowSize window_size() const override;
+    void set_title(const char* title) override { SDL_SetWindowTitle(window_.get(), title); }
+    void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
+
+  private:
+    SDL_Texture* fitted(Owned<SDL_Texture>& texture, int access, WindowSize size, SDL_ScaleMode scale_mode);
+    SDL_Texture* upscaled(SDL_Texture* picture, WindowSize size);
+    void wait_for_turn();
+
+    Video video_;  // first: it outlives the rest
+    Owned<SDL_Window> window_;
+    Owned<SDL_Renderer> renderer_;
+    Owned<SDL_Texture> picture_, upscaled_;
+    std::uint32_t shortest_frame_ms_;
+    std::uint64_t last_frame_ms_ = 0;
+    SdlInput input_;
+};
+
+std::uint64_t SdlPlatform::now_us() {
+    const std::uint64_t counter = SDL_GetPerformanceCounter(), rate = SDL_GetPerformanceFrequency();
+    return counter / rate * 1'000'000 + counter % rate * 1'000'000 / rate;
+}
+
+WindowSize SdlPlatform::window_size() const {
+    WindowSize size;
+    SDL_GetRendererOutputSize(renderer_.get(), &size.width_px, &size.height_px);
+    return size;
+}
+
+// `texture`, made anew where its size is another.
+SDL_Texture* SdlPlatform::fitted(Owned<SDL_Texture>& texture, int access, WindowSize size, SDL_ScaleMode scale_mode) {
+    WindowSize is;
+    if (texture) SDL_QueryTexture(texture.get(), nullptr, nullptr, &is.width_px, &is.height_px);
+    if (is == size) return texture.get();
+    texture.reset(SDL_CreateTexture(renderer_.get(), SDL_PIXELFORMAT_ARGB8888, access, size.width_px, size.height_px));
+    if (texture) SDL_SetTextureScaleMode(texture.get(), scale_mode);
+    return texture.get();
+}
+
+// The picture in whole multiples, to be blended down; the picture itself where the renderer has no room for them.
+SDL_Texture* SdlPlatform::upscaled(SDL_Texture* picture, WindowSize size) {
+    SDL_Texture* target = fitted(upscaled_, SDL_TEXTUREACCESS_TARGET, size, SDL_ScaleModeLinear);
+    if (target == nullptr || SDL_SetRenderTarget(renderer_.get(), target) != 0) return picture;
+    SDL_RenderCopy(renderer_.get(), picture, nullptr, nullptr);
+    SDL_SetRenderTarget(renderer_.get(), nullptr);
+    return target;
+}
+
+void SdlPlatform::present(Framebuffer picture, const Palette& palette, const PresentRect& shown) {
+    if (input_.take_textures_lost()) {
+        picture_.reset();
+        upscaled_.reset();
+    }
+    SDL_Texture* source =
+        fitted(picture_, SDL_TEXTUREACCESS_STREAMING, {picture.width_px, picture.height_px}, SDL_ScaleModeNearest);
+    if (source == nullptr) fail("no texture");
+    write_colours(picture, palette, source);
+    if (shown.is_blended)
+        source = upscaled(source, {picture.width_px * shown.upscale_x, picture.height_px * shown.upscale_y});
+
+    SDL_SetRenderDrawColor(renderer_.get(), 0, 0, 0, 255);
+    SDL_RenderClear(renderer_.get());
+    const SDL_Rect target{shown.x_px, shown.y_px, shown.width_px, shown.height_px};
+    if (target.w > 0) SDL_RenderCopy(renderer_.get(), source, nullptr, &target);
+    wait_for_turn();
+    SDL_RenderPresent(renderer_.get());
+}
+
+void SdlPlatform::wait_for_turn() {
+    const std::uint64_t since_ms = SDL_GetTicks64() - last_frame_ms_;
+    if (since_ms < shortest_frame_ms_) SDL_Delay(shortest_frame_ms_ - static_cast<std::uint32_t>(since_ms));
+    last_frame_ms_ = SDL_GetTicks64();
+}
+
+}  // namespace
+
+std::unique_ptr<Platform> open_window(const char* title, WindowSize size) {
+    return std::make_unique<SdlPlatform>(title, size);
+}
+
+}  // namespace oblong

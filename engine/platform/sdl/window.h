@@ -1,0 +1,13 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/platform/platform.h"
+
+namespace oblong {
+
+/// Opens a window of `size` pixels (0x0: the largest whole multiple of 320x240 with room on the desktop), and the
+/// user's keyboard and mouse with it. Throws std::runtime_error with SDL's words where there is no display.
+std::unique_ptr<Platform> open_window(const char* title, WindowSize size);
+
+}  // namespace oblong
