@@ -13,8 +13,9 @@ struct Colormap {
     std::array<std::array<std::uint8_t, 256>, kShades> shades{};
 };
 
-/// The colormap of a palette: the nearest palette entry to each darkened colour. The last `fullbright_count` colours
-/// glow: they are the same in every shade (Quake's last 32).
+/// The colormap of a palette: the palette entry nearest to the colour times (63 - shade) / 63. The last
+/// `fullbright_count` colours glow: they are the same in every shade, and no other colour becomes one (Quake's last
+/// 32).
 Colormap make_colormap(const Palette& palette, int fullbright_count = 32);
 
 }  // namespace oblong

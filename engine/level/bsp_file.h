@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "engine/level/bsp_floats.h"
+#include "engine/level/bsp_format.h"
+
+namespace oblong {
+
+/// Throws the InputError of a fault in a lump; `file_offset` is the byte of the file where the wrong field starts.
+[[noreturn]] void fail_in_lump(Lump lump, std::int64_t file_offset, const std::string& what_is_wrong);
+
+/// "index 9, expected 0 to 7", or "... expected none: there is no plane" when there is nothing to point at.
+std::string describe_bad_index(const char* what, std::int64_t index, std::int64_t count);
+
+struct LumpRange {
+    std::int32_t offset = 0, size = 0;  ///< bytes of the file
+};
+
+/// A level file whose version and table of lumps have been checked.
+struct BspFile {
+    std::span<const std::uint8_t> bytes;
+    BspFormat format;
+    std::array<LumpRange, kLumpCount> lumps;
+
+    LumpRange range(Lump lump) const { return lumps[static_cast<std::size_t>(lump)]; }
+    std::span<const std::uint8_t> lump_bytes(Lump lump) const;
+    /// How many records the lump holds (bytes, where it is not made of records).
+    std::int32_t count(Lump lump) const;
+};
+
+/// Checks the version and that every lump lies behind the header, inside the file, and holds whole records.
+BspFile open_bsp(std::span<const std::uint8_t> bytes);
+
+/// Reads the little-endian numbers of one lump, one after the other, whatever the machine's own byte order. Reading
+/// past the lump's end is an InputError.
+class LumpReader {
+  public:
+    LumpReader(const BspFile& file, Lump lump)
+        : bytes_(file.lump_bytes(lump)), file_offset_(file.range(lump).offset), lump_(lump), format_(file.format) {}
+
+    std::int64_t size() const { return static_cast<std::int64_t>(bytes_.size()); }
+    void seek(std::int64_t lump_offset);
+    std::span<const std::uint8_t> read_bytes(std::int64_t size);
+    void skip(std::int64_t size) { read_bytes(size); }
+
+    std::uint8_t read_u8() { return take(1)[0]; }
+    std::uint32_t read_u16();
+    std::int32_t read_i16();
+    std::uint32_t read_u32();
+    std::int32_t read_i32() { return static_cast<std::int32_t>(read_u32()); }
+    FloatBits read_float() { return FloatBits{read_u32()}; }
+
+    /// An index or count of the format's width.
+    std::int32_t read_index() { return format_.has_wide_indices ? read_i32() : static_cast<std::int32_t>(read_u16()); }
+    /// A child in a tree of `record_count` nodes: an index of them, or negative.
+    std::int32_t read_child(std::int32_t record_count);
+
+    /// Throws unless 0 <= index < count; `what` is what the index counts.
+    std::int32_t check_index(std::int32_t index, std::int32_t count, const char* what) const;
+    /// Throws unless [first, first + size) lies in [0, count).
+    void check_range(std::int64_t first, std::int64_t size, std::int64_t count, const char* what) const;
+    /// The float in fixed point: value * 2^fraction_bits, rounded to nearest. Throws unless |value| < limit.
+    std::int64_t read_fixed(int fraction_bits, std::int32_t limit, const char* what);
+
+    /// Throws an InputError that names the lump and the field last read.
+    [[noreturn]] void fail(const std::string& what_is_wrong) const;
+
+  private:
+    std::span<const std::uint8_t> take(std::int64_t size);
+
+    std::span<const std::uint8_t> bytes_;
+    std::int64_t file_offset_ = 0, position_ = 0, field_ = 0;
+    Lump lump_;
+    BspFormat format_;
+};
+
+}  // namespace oblong

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "engine/level/level.h"
+
+namespace oblong {
+
+/// A float of a level file, as its 32 bits. bsp_floats.cpp is the one place of engine/ that computes with floating
+/// point: on single correctly rounded operations in double, so every machine gets the same numbers.
+struct FloatBits {
+    std::uint32_t bits = 0;
+};
+using FloatBits3 = std::array<FloatBits, 3>;
+
+/// value * 2^fraction_bits rounded to nearest, a tie upward; nothing unless |value| < limit (so for NaN and infinity).
+/// limit * 2^fraction_bits must be at most 2^62.
+std::optional<std::int64_t> to_fixed(FloatBits value, int fraction_bits, std::int32_t limit);
+
+/// What is left of `value` after its first `fraction_bits` bits, in units of 2^-(fraction_bits + 30), rounded to
+/// nearest: from -2^29 to 2^29. The same range of values as to_fixed, which must have accepted it.
+std::int32_t rest_of_fixed(FloatBits value, int fraction_bits);
+
+/// The largest whole number not above `value`, or smallest not below; nothing unless |value| <= 2^20.
+std::optional<std::int32_t> floor_to_int(FloatBits value);
+std::optional<std::int32_t> ceil_to_int(FloatBits value);
+
+/// For messages: "1.5", "nan", "inf".
+std::string describe(FloatBits value);
+
+/// Where a face lies along one axis of its texture, in texels: both multiples of 16.
+struct TexelRange {
+    std::int32_t min = 0, extent = 0;
+};
+
+/// The range of axis . p + offset over a polygon, rounded outward to multiples of 16, the size of a lightmap's cell.
+/// In double, as the light compilers do, whose lightmaps have extent / 16 + 1 samples a side. The caller has checked
+/// that all floats are finite and that the result is far within 32 bits.
+TexelRange texel_range(std::span<const FloatBits3> polygon, const std::array<FloatBits, 4>& axis);
+
+}  // namespace oblong

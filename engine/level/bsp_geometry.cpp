@@ -1,0 +1,115 @@
+#include <tuple>
+#include <utility>
+
+#include "engine/level/bsp_parts.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr std::int32_t kWorldLimit = 1 << 19;                ///< units: what World holds
+constexpr std::int32_t kDistanceLimit = 1 << 20;             ///< units: the corner of the world is at 0.87 of it
+constexpr std::int32_t kComponentLimit = 2;                  ///< what Unit holds
+constexpr std::int64_t kUnitSquare = std::int64_t{1} << 30;  ///< 1 in the format of squared_length_30
+
+using NormalPart = std::pair<Unit, std::int32_t>;  ///< 2.30 and the rest in 2^-60
+
+NormalPart read_normal_part(LumpReader& in) {
+    LumpReader again = in;
+    const auto part = static_cast<std::int32_t>(in.read_fixed(30, kComponentLimit, "component of the normal"));
+    return {Unit::from_raw(part), rest_of_fixed(again.read_float(), 30)};
+}
+
+std::int64_t squared_length_30(const Vec3<Unit>& v) {
+    const auto square = [](Unit part) { return floor_shift(std::int64_t{part.raw} * part.raw, 30); };
+    return square(v.x) + square(v.y) + square(v.z);
+}
+
+/// plane_side() (level/side.h) has head-room for normals of about unit length only.
+void check_unit_length(const LumpReader& in, const Vec3<Unit>& normal) {
+    const std::int64_t difference = squared_length_30(normal) - kUnitSquare;
+    if (difference < -kUnitSquare / 16 || difference > kUnitSquare / 16)
+        in.fail("the normal's length is not 1, expected a difference of 3 % at most");
+}
+
+std::uint8_t axis_of(const LevelPlane& plane) {
+    const std::array<Unit, 3> normal = {plane.normal.x, plane.normal.y, plane.normal.z};
+    const std::array<std::int32_t, 3>& rest = plane.normal_rest_60;
+    for (std::uint8_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1u) % 3, k = (i + 2u) % 3;
+        const bool is_axis = normal[i] == Unit::from_int(1) && rest[i] == 0;
+        if (is_axis && normal[j].raw == 0 && rest[j] == 0 && normal[k].raw == 0 && rest[k] == 0) return i;
+    }
+    return 3;
+}
+
+LevelPlane read_plane(LumpReader& in) {
+    LevelPlane plane;
+    std::tie(plane.normal.x, plane.normal_rest_60[0]) = read_normal_part(in);
+    std::tie(plane.normal.y, plane.normal_rest_60[1]) = read_normal_part(in);
+    std::tie(plane.normal.z, plane.normal_rest_60[2]) = read_normal_part(in);
+    check_unit_length(in, plane.normal);
+
+    LumpReader again = in;
+    plane.distance = PlaneDistance::from_raw(in.read_fixed(42, kDistanceLimit, "distance"));
+    plane.distance_rest_72 = rest_of_fixed(again.read_float(), 42);
+    in.skip(4);  // the type: axis_of() asks the normal itself
+    plane.axis = axis_of(plane);
+    return plane;
+}
+
+}  // namespace
+
+std::vector<LevelPlane> read_planes(const BspFile& file) {
+    LumpReader in(file, Lump::Planes);
+    std::vector<LevelPlane> planes(static_cast<std::size_t>(file.count(Lump::Planes)));
+    for (LevelPlane& plane : planes) plane = read_plane(in);
+    return planes;
+}
+
+std::vector<FloatBits3> read_vertex_floats(const BspFile& file) {
+    LumpReader in(file, Lump::Vertices);
+    std::vector<FloatBits3> vertices(static_cast<std::size_t>(file.count(Lump::Vertices)));
+    for (FloatBits3& vertex : vertices)
+        for (FloatBits& part : vertex) part = in.read_float();
+    return vertices;
+}
+
+std::vector<Vec3<World>> read_vertices(const BspFile& file) {
+    LumpReader in(file, Lump::Vertices);
+    const auto read_part = [&in] {
+        return World::from_raw(static_cast<std::int32_t>(in.read_fixed(12, kWorldLimit, "coordinate")));
+    };
+    std::vector<Vec3<World>> vertices(static_cast<std::size_t>(file.count(Lump::Vertices)));
+    for (Vec3<World>& vertex : vertices) {
+        vertex.x = read_part();
+        vertex.y = read_part();
+        vertex.z = read_part();
+    }
+    return vertices;
+}
+
+std::vector<EdgeIndices> read_edges(const BspFile& file) {
+    LumpReader in(file, Lump::Edges);
+    const std::int32_t vertex_count = file.count(Lump::Vertices);
+    std::vector<EdgeIndices> edges(static_cast<std::size_t>(file.count(Lump::Edges)));
+    for (EdgeIndices& edge : edges) {
+        edge.from = in.check_index(in.read_index(), vertex_count, "vertex");
+        edge.to = in.check_index(in.read_index(), vertex_count, "vertex");
+    }
+    return edges;
+}
+
+std::vector<std::int32_t> read_surf_edges(const BspFile& file) {
+    LumpReader in(file, Lump::SurfEdges);
+    const std::int64_t edge_count = file.count(Lump::Edges);
+    std::vector<std::int32_t> surf_edges(static_cast<std::size_t>(file.count(Lump::SurfEdges)));
+    for (std::int32_t& surf_edge : surf_edges) {
+        surf_edge = in.read_i32();
+        const std::int64_t edge = surf_edge < 0 ? -std::int64_t{surf_edge} : surf_edge;
+        if (edge >= edge_count) in.fail(describe_bad_index("edge", edge, edge_count));
+    }
+    return surf_edges;
+}
+
+}  // namespace oblong

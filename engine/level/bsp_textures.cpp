@@ -1,0 +1,85 @@
+#include "engine/level/bsp_parts.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr std::int32_t kNameSize = 16;
+constexpr std::int32_t kMissingSize = 64;                     ///< texels a side of the checkerboard
+constexpr std::uint8_t kMissingLight = 15, kMissingDark = 0;  ///< white and black in Quake's palette
+constexpr std::uint32_t kMaxTextureSize = 1 << 14;            ///< texels a side: sizes multiply within 32 bits
+
+std::string read_name(LumpReader& in) {
+    const auto bytes = in.read_bytes(kNameSize);
+    std::string name;
+    for (const std::uint8_t letter : bytes) {
+        if (letter == 0) break;
+        name += static_cast<char>(letter);
+    }
+    return name;
+}
+
+/// What stands in for a texture that the file does not hold: squares of an eighth of its size, at every mip level.
+MipTexture make_checkerboard(std::string name) {
+    MipTexture texture{std::move(name), kMissingSize, kMissingSize, {}, true};
+    std::int32_t size = kMissingSize;
+    for (auto& mip : texture.mips) {
+        for (std::int32_t texel = 0; texel < size * size; ++texel) {
+            const std::int32_t column = texel % size * 8 / size, row = texel / size * 8 / size;
+            mip.push_back((column + row) % 2 == 0 ? kMissingLight : kMissingDark);
+        }
+        size /= 2;
+    }
+    return texture;
+}
+
+std::int32_t read_size(LumpReader& in) {
+    const std::uint32_t size = in.read_u32();
+    if (size == 0 || size > kMaxTextureSize || size % 16 != 0)
+        in.fail("texture of " + std::to_string(size) + " texels a side, expected a multiple of 16 from 16 to 16384");
+    return static_cast<std::int32_t>(size);
+}
+
+/// `texels_left`: how many bytes textures may still take; those of an honest file lie beside each other in the lump.
+MipTexture read_texture(LumpReader& in, std::int64_t start, std::int64_t& texels_left) {
+    in.seek(start);
+    MipTexture texture;
+    texture.name = read_name(in);
+    texture.width = read_size(in);
+    texture.height = read_size(in);
+    std::array<std::uint32_t, 4> offsets{};
+    for (std::uint32_t& offset : offsets) offset = in.read_u32();
+    if (offsets == std::array<std::uint32_t, 4>{}) return make_checkerboard(texture.name);
+
+    for (int level = 0; level < 4; ++level) {
+        const auto i = static_cast<std::size_t>(level);
+        const std::int64_t size = std::int64_t{texture.width >> level} * (texture.height >> level);
+        in.seek(start + offsets[i]);
+        const auto texels = in.read_bytes(size);
+        texels_left -= size;
+        if (texels_left < 0)
+            in.fail("texture '" + texture.name + "' overlaps others, expected each to have its own bytes");
+        texture.mips[i].assign(texels.begin(), texels.end());
+    }
+    return texture;
+}
+
+}  // namespace
+
+std::vector<MipTexture> read_textures(const BspFile& file) {
+    LumpReader in(file, Lump::Textures);
+    std::vector<MipTexture> textures;
+    if (in.size() == 0) return textures;
+
+    const std::int32_t count = in.read_i32();
+    in.check_range(0, std::int64_t{count} * 4, in.size() - 4, "bytes of texture offsets");
+    std::int64_t texels_left = in.size();
+    for (std::int32_t i = 0; i < count; ++i) {
+        in.seek(4 + std::int64_t{i} * 4);
+        const std::int32_t start = in.read_i32();
+        textures.push_back(start == -1 ? make_checkerboard("") : read_texture(in, start, texels_left));
+    }
+    return textures;
+}
+
+}  // namespace oblong

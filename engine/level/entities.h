@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "engine/level/level.h"
+
+namespace oblong {
+
+/// The entities of a level's text: `{ "key" "value" ... }` one after the other, up to the end or a zero byte; white
+/// space and `//` comments between them do not count. Throws InputError whose `where` is `source` and the offset of the
+/// fault, the text's first byte being `first_offset`.
+std::vector<Entity> parse_entities(std::string_view text, std::string_view source, std::int64_t first_offset = 0);
+
+/// A decimal number such as "-12.5" in fixed point: value * 2^fraction_bits (0 to 16), rounded to nearest, a tie away
+/// from zero. Digits past the ninth of the fraction are not read. Nothing unless the whole text is a number and
+/// |value| < 2^31.
+std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bits);
+
+/// Three decimal numbers "x y z", as in an entity's origin, in world units. Nothing unless there are three that fit.
+std::optional<Vec3<World>> parse_world_vector(std::string_view text);
+
+}  // namespace oblong

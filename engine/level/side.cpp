@@ -1,0 +1,54 @@
+#include "engine/level/side.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr int sign_of(std::int64_t value) {
+    return (value > 0) - (value < 0);
+}
+
+std::int64_t coordinate(Vec3<World> p, std::uint8_t axis) {
+    return axis == 0 ? p.x.raw : axis == 1 ? p.y.raw : p.z.raw;
+}
+
+/// The part of normal . p - distance that plane_distance_42 leaves out, in units of 2^-72: below 2^62, as each rest is
+/// at most 2^29 and each coordinate 2^31.
+std::int64_t distance_rest_72(const LevelPlane& plane, Vec3<World> p) {
+    return std::int64_t{p.x.raw} * plane.normal_rest_60[0] + std::int64_t{p.y.raw} * plane.normal_rest_60[1] +
+           std::int64_t{p.z.raw} * plane.normal_rest_60[2] - plane.distance_rest_72;
+}
+
+}  // namespace
+
+std::int64_t plane_distance_42(const LevelPlane& plane, Vec3<World> p) {
+    // Below 0.9 * 2^62 (a point of length 0.87 * 2^32 by a normal of 1.03 * 2^30) plus 2^62. But part sums need not be.
+    const auto product = [](World a, Unit b) { return static_cast<std::uint64_t>(std::int64_t{a.raw} * b.raw); };
+    const std::uint64_t sum =
+        product(p.x, plane.normal.x) + product(p.y, plane.normal.y) + product(p.z, plane.normal.z);
+    return static_cast<std::int64_t>(sum - static_cast<std::uint64_t>(plane.distance.raw));
+}
+
+int plane_side(const LevelPlane& plane, Vec3<World> p) {
+    constexpr int kSpaceFraction = 30;  // a World coordinate shifted to 42 fraction bits
+    if (plane.axis < 3 && plane.distance_rest_72 == 0)
+        return sign_of(coordinate(p, plane.axis) * (std::int64_t{1} << kSpaceFraction) - plane.distance.raw);
+
+    // The rest is below 2^62 in units of 2^-72, 2^32 in those of 2^-42: it only decides when the distance is smaller.
+    const std::int64_t distance = plane_distance_42(plane, p);
+    constexpr std::int64_t kUndecided = std::int64_t{1} << 32;
+    if (distance >= kUndecided || distance <= -kUndecided) return sign_of(distance);
+    return sign_of(distance * (std::int64_t{1} << 30) + distance_rest_72(plane, p));
+}
+
+std::int32_t find_leaf(const Level& level, const SubModel& model, Vec3<World> p) {
+    std::int32_t child = model.head_nodes[0];
+    while (child >= 0) {
+        const Node& node = level.nodes[static_cast<std::size_t>(child)];
+        const bool is_front = plane_side(level.planes[static_cast<std::size_t>(node.plane)], p) > 0;
+        child = node.children[is_front ? 0 : 1];
+    }
+    return -1 - child;
+}
+
+}  // namespace oblong

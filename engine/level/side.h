@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/level/level.h"
+
+namespace oblong {
+
+/// normal . p - distance to 42 fraction bits, in world units: within 2^-10 units of the exact value (2^-17 for
+/// points within 4,096 units of the origin), as the rests of LevelPlane are left out. Any p, any plane that the level
+/// reader accepts.
+std::int64_t plane_distance_42(const LevelPlane& plane, Vec3<World> p);
+
+/// The exact side of a point, by all the bits that LevelPlane keeps of the file's floats: +1 in front (normal . p >
+/// distance), 0 on the plane, -1 behind.
+int plane_side(const LevelPlane& plane, Vec3<World> p);
+
+/// The leaf of a model that holds a point: down the front child where plane_side is +1, else down the back one, so
+/// that a point on a plane belongs to its back. `p` is in the model's own coordinates.
+std::int32_t find_leaf(const Level& level, const SubModel& model, Vec3<World> p);
+
+}  // namespace oblong

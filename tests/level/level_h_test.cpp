@@ -1,7 +1,0 @@
-#include <gtest/gtest.h>
-
-#include "engine/level/level.h"
-
-TEST(Level, StartsEmpty) {
-    EXPECT_TRUE(oblong::Level{}.faces.empty());
-}
