@@ -1,0 +1,90 @@
+#include "tools/map/compile.h"
+
+#include <cstdio>
+
+#include "tools/map/emit.h"
+#include "tools/map/entities.h"
+#include "tools/map/light.h"
+#include "tools/map/model.h"
+#include "tools/map/vis.h"
+
+namespace oblong::map {
+namespace {
+
+// What a level is made of, before it is compiled: the brushes of the world, and of each brush entity.
+struct LevelBrushes {
+    PlaneList planes;
+    TextureList textures;
+    std::vector<std::vector<Brush>> models;
+};
+
+LevelBrushes make_brushes(const std::vector<MapEntity>& entities) {
+    LevelBrushes level;
+    level.models.emplace_back();
+    for (const MapEntity& entity : entities) {
+        if (entity.brushes.empty()) continue;
+        if (!belongs_to_world(entity)) level.models.emplace_back();
+        auto& model = belongs_to_world(entity) ? level.models.front() : level.models.back();
+        for (const MapBrush& brush : entity.brushes) model.push_back(make_brush(brush, level.planes, level.textures));
+    }
+    if (level.models.front().empty())
+        throw InputError("line " + std::to_string(entities.front().line),
+                         "the world has no brushes, expected a room that encloses the entities");
+    return level;
+}
+
+CompiledModel compile_world(LevelBrushes& level, const std::vector<MapEntity>& entities) {
+    std::vector<Point> starts;
+    std::vector<const MapEntity*> at_start;
+    for (const MapEntity& entity : entities) {
+        const auto origin = origin_of(entity);
+        if (!origin || !entity.brushes.empty()) continue;
+        starts.push_back(*origin);
+        at_start.push_back(&entity);
+    }
+    ModelResult world = compile_model(level.models.front(), level.planes, level.textures.texinfos(), starts);
+    if (world.leak) throw LeakError(*at_start[world.leak->start], world.leak->path);
+    return std::move(world.model);
+}
+
+std::string number_text(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+}  // namespace
+
+LeakError::LeakError(const MapEntity& entity, std::vector<Point> way_out)
+    : InputError("line " + std::to_string(entity.line), "the level leaks: " + entity.value("classname", "an entity") +
+                                                            " at " + points_text({way_out.front()}) +
+                                                            " is open to the void, expected brushes all around"),
+      path(std::move(way_out)) {}
+
+std::string points_text(const std::vector<Point>& path) {
+    std::string text;
+    for (const Point& point : path) {
+        if (!text.empty()) text += '\n';
+        text += number_text(point.x) + ' ' + number_text(point.y) + ' ' + number_text(point.z);
+    }
+    return text;
+}
+
+BspFile compile_map(std::string_view text, const std::vector<Wad>& wads, const CompileOptions& options) {
+    const std::vector<MapEntity> entities = parse_map(text);
+    LevelBrushes level = make_brushes(entities);
+    BspFile bsp;
+    bsp.textures = collect_textures(level.textures.names(), wads);
+    const CompiledModel world = compile_world(level, entities);
+    Emitter emitter(bsp, level.planes);
+    emitter.add_texinfos(level.textures.texinfos());
+    const std::vector<int> leaf_indices = emitter.add_model(world);
+    for (std::size_t i = 1; i < level.models.size(); ++i)
+        emitter.add_model(compile_model(level.models[i], level.planes, level.textures.texinfos(), std::nullopt).model);
+    bsp.entities = entities_text(entities);
+    add_visibility(bsp, world, leaf_indices, level.planes, options.is_fast);
+    add_light(bsp, entities, options.is_fast);
+    return bsp;
+}
+
+}  // namespace oblong::map

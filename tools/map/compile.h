@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/base/input_error.h"
+#include "tools/map/bsp_file.h"
+#include "tools/map/map_parse.h"
+#include "tools/map/wad.h"
+
+namespace oblong::map {
+
+struct CompileOptions {
+    bool is_fast = false;  ///< rougher visibility and light
+};
+
+/// An entity of the level is open to the void around it.
+class LeakError : public InputError {
+  public:
+    LeakError(const MapEntity& entity, std::vector<Point> way_out);
+
+    std::vector<Point> path;  ///< from the entity to the void
+};
+
+/// Compiles the text of a map source with the textures of the WADs. Throws InputError (LeakError).
+BspFile compile_map(std::string_view text, const std::vector<Wad>& wads, const CompileOptions& options);
+
+/// A path as text, one point a line: "x y z".
+std::string points_text(const std::vector<Point>& path);
+
+}  // namespace oblong::map

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "tools/map/map_parse.h"
+
+namespace oblong::map {
+
+/// Whether the entity's brushes are part of the world: the worldspawn's, and those that editors group.
+bool belongs_to_world(const MapEntity& entity);
+
+/// The three numbers of the key "origin"; nothing if it is missing. Throws InputError if it is malformed.
+std::optional<Point> origin_of(const MapEntity& entity);
+
+/// The number that is the value of a key, or `otherwise` if it is missing. Throws InputError if it is malformed.
+double number_of(const MapEntity& entity, std::string_view key, double otherwise);
+
+/// The entities lump: all pairs as written; brush entities get a "model" "*N", N counting from 1.
+std::string entities_text(const std::vector<MapEntity>& entities);
+
+}  // namespace oblong::map

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "tools/map/portals.h"
+
+namespace oblong::map {
+
+/// Sets the box, an inner point and the contents of every leaf: those that `contents_of` tells of the inner point.
+void fill_leaves(Tree& tree, const Portals& portals, const std::function<int(const Point&)>& contents_of);
+
+/// The way from a point inside the level to the void around it.
+struct Leak {
+    std::size_t start = 0;  ///< index of the starting point
+    std::vector<Point> path;
+};
+
+/// Makes all leaves solid that can be reached from the outer box without passing solid or sky. If one of `starts`
+/// can, that is a leak: the shortest way (in leaves) is returned and the tree is left as it was.
+std::optional<Leak> fill_outside(Tree& tree, const PlaneList& planes, const Portals& portals,
+                                 const std::vector<Point>& starts);
+
+}  // namespace oblong::map
