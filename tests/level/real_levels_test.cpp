@@ -1,17 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/level/bsp_read.h"
+#include "engine/level/pvs.h"
+#include "tests/support/bsp_writer.h"
 #include "tests/support/shared_levels.h"
 
 namespace oblong {
 namespace {
-
-/// A number of the file, read without the engine.
-std::int64_t number_at(const std::vector<std::uint8_t>& file, std::size_t offset, int bytes) {
-    std::int64_t value = 0;
-    for (int i = bytes; i-- > 0;) value = value * 256 + file[offset + static_cast<std::size_t>(i)];
-    return value;
-}
 
 class RealLevel : public testing::TestWithParam<const char*> {
   protected:
@@ -21,12 +18,8 @@ class RealLevel : public testing::TestWithParam<const char*> {
         level_ = read_bsp(file_);
     }
 
-    std::size_t lump_offset(std::size_t lump) const {
-        return static_cast<std::size_t>(number_at(file_, 4 + lump * 8, 4));
-    }
-    std::size_t lump_size(std::size_t lump) const {
-        return static_cast<std::size_t>(number_at(file_, 8 + lump * 8, 4));
-    }
+    std::size_t lump_offset(std::size_t lump) const { return test::number_at(file_, 4 + lump * 8, 4); }
+    std::size_t lump_size(std::size_t lump) const { return test::number_at(file_, 8 + lump * 8, 4); }
 
     std::vector<std::uint8_t> file_;
     Level level_;
@@ -47,12 +40,72 @@ TEST_P(RealLevel, HoldsEveryRecordOfTheFile) {
     EXPECT_EQ(level_.edges.size() * 4, lump_size(12));
     EXPECT_EQ(level_.surf_edges.size() * 4, lump_size(13));
     EXPECT_EQ(level_.models.size() * 64, lump_size(14));
-    EXPECT_EQ(level_.textures.size(), static_cast<std::size_t>(number_at(file_, lump_offset(2), 4)));
+    EXPECT_EQ(level_.textures.size(), test::number_at(file_, lump_offset(2), 4));
 }
 
 TEST_P(RealLevel, BeginsWithTheWorldspawn) {
     ASSERT_FALSE(level_.entities.empty());
     EXPECT_EQ(level_.entities[0].value("classname"), "worldspawn");
+}
+
+// The light compiler wrote the samples of each face behind those of the face before, from a multiple of 4 bytes on:
+// with extents too small or too large by one cell, there would be larger gaps or overlaps.
+TEST_P(RealLevel, LightmapsOfTheExtentsTileTheLightingLump) {
+    std::vector<std::pair<std::int64_t, std::int64_t>> ranges;
+    for (const Face& face : level_.faces) {
+        if (face.light_offset < 0) continue;
+        const auto maps = std::find(face.styles.begin(), face.styles.end(), 255) - face.styles.begin();
+        const std::int64_t samples = (face.texel_extent_u / 16 + 1) * (face.texel_extent_v / 16 + 1);
+        ranges.emplace_back(face.light_offset, face.light_offset + maps * samples);
+    }
+    std::sort(ranges.begin(), ranges.end());
+    ASSERT_FALSE(ranges.empty());
+    for (std::size_t i = 1; i < ranges.size(); ++i) {
+        const std::int64_t gap = ranges[i].first - ranges[i - 1].second;
+        EXPECT_TRUE(gap >= 0 && gap < 4) << "gap of " << gap << " before byte " << ranges[i].first;
+    }
+    EXPECT_EQ(ranges.back().second, static_cast<std::int64_t>(level_.lighting.size()));
+}
+
+// Only shapes of records differ between the formats: a level written in each must be the same level.
+TEST_P(RealLevel, IsTheSameInBsp2And2Psb) {
+    const test::Lumps lumps = test::split_lumps(file_);
+    EXPECT_EQ(level_, read_bsp(test::join_lumps(version_from_letters("BSP2"), test::widen_lumps(lumps, true))));
+    EXPECT_EQ(level_, read_bsp(test::join_lumps(version_from_letters("2PSB"), test::widen_lumps(lumps, false))));
+}
+
+/// A row of the visibility lump, unpacked bit by bit.
+std::vector<bool> unpack_row(const std::vector<std::uint8_t>& packed, std::size_t at, std::size_t leaf_count) {
+    std::vector<bool> bits;
+    for (; bits.size() < leaf_count; ++at) {
+        const std::uint8_t byte = packed[at];
+        if (byte == 0) bits.insert(bits.end(), 8u * packed[++at], false);
+        for (int bit = 0; byte != 0 && bit < 8; ++bit) bits.push_back((byte >> bit & 1) != 0);
+    }
+    return bits;
+}
+
+TEST_P(RealLevel, VisibleSetsAreThoseOfTheFile) {
+    const std::int32_t leaf_count = level_.models[0].visible_leaf_count;
+    std::vector<std::uint8_t> visible(visible_set_size(level_));
+    for (std::int32_t leaf = 1; leaf <= leaf_count; ++leaf) {
+        const std::int32_t start = level_.leaves[static_cast<std::size_t>(leaf)].visibility_offset;
+        ASSERT_GE(start, 0);
+        const auto expected =
+            unpack_row(level_.visibility, static_cast<std::size_t>(start), static_cast<std::size_t>(leaf_count));
+        unpack_visible_set(level_, leaf, visible);
+        for (std::int32_t other = 1; other <= leaf_count; ++other)
+            ASSERT_EQ(is_in_set(visible, other), expected[static_cast<std::size_t>(other - 1)]) << leaf << ' ' << other;
+    }
+}
+
+TEST_P(RealLevel, FromOutsideEveryLeafIsVisible) {
+    std::vector<std::uint8_t> visible(visible_set_size(level_));
+    unpack_visible_set(level_, 0, visible);
+    for (std::int32_t leaf = 1; leaf <= level_.models[0].visible_leaf_count; ++leaf)
+        ASSERT_TRUE(is_in_set(visible, leaf));
+    EXPECT_FALSE(is_in_set(visible, 0));
+    EXPECT_FALSE(is_in_set(visible, level_.models[0].visible_leaf_count + 1));
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, RealLevel, testing::ValuesIn(test::kRealLevels));

@@ -1,0 +1,93 @@
+#include <gtest/gtest.h>
+
+#include "engine/level/bsp_read.h"
+#include "engine/level/side.h"
+#include "tests/support/tiny_bsp.h"
+
+namespace oblong {
+namespace {
+
+Level read_tiny(test::Lumps lumps = test::make_tiny_lumps()) {
+    return read_bsp(test::join_lumps(29, lumps));
+}
+
+Vec3<World> point(std::int32_t x, std::int32_t y, std::int32_t z) {
+    return {World::from_int(x), World::from_int(y), World::from_int(z)};
+}
+
+TEST(TinyLevel, FaceCoversItsTexels) {
+    const Level level = read_tiny();
+    ASSERT_EQ(level.faces.size(), 1u);
+    const Face& face = level.faces[0];
+    // u = x + 4 runs from 4 to 36: cells 0 to 48. v = -y runs from -16 to 0: one cell.
+    EXPECT_EQ(face.texel_min_u, 0);
+    EXPECT_EQ(face.texel_extent_u, 48);
+    EXPECT_EQ(face.texel_min_v, -16);
+    EXPECT_EQ(face.texel_extent_v, 16);
+    EXPECT_EQ(face.light_offset, 0);
+}
+
+TEST(TinyLevel, NumbersAreInTheFormatsOfTheEngine) {
+    const Level level = read_tiny();
+    EXPECT_EQ(level.vertices[3], point(32, 16, 8));
+    EXPECT_EQ(level.planes[0].normal.z, Unit::from_int(1));
+    EXPECT_EQ(level.planes[0].distance, PlaneDistance::from_int(8));
+    EXPECT_EQ(level.planes[0].axis, 2);
+    EXPECT_EQ(level.texinfos[0].s.x, TexelAxis::from_int(1));
+    EXPECT_EQ(level.texinfos[0].s_offset, TexelOffset::from_int(4));
+    EXPECT_EQ(level.textures[0].name, "floor");
+    EXPECT_EQ(level.textures[0].mips[3].size(), 4u);
+}
+
+TEST(TinyLevel, PointOnThePlaneBelongsToItsBack) {
+    const Level level = read_tiny();
+    Vec3<World> p = point(1, 1, 8);
+    EXPECT_EQ(find_leaf(level, level.models[0], p), 0);
+    p.z += World::ulp();
+    EXPECT_EQ(find_leaf(level, level.models[0], p), 1);
+}
+
+TEST(TinyLevel, IsTheSameInAllFormats) {
+    const test::Lumps lumps = test::make_tiny_lumps();
+    EXPECT_EQ(read_tiny(), read_bsp(test::join_lumps(version_from_letters("BSP2"), test::widen_lumps(lumps, true))));
+    EXPECT_EQ(read_tiny(), read_bsp(test::join_lumps(version_from_letters("2PSB"), test::widen_lumps(lumps, false))));
+}
+
+TEST(TinyLevel, MissingTextureBecomesACheckerboard) {
+    test::Lumps lumps = test::make_tiny_lumps();
+    test::put_number(test::lump_of(lumps, Lump::Textures), 4, 4, -1);
+    const Level level = read_tiny(lumps);
+    ASSERT_EQ(level.textures.size(), 1u);
+    const MipTexture& texture = level.textures[0];
+    EXPECT_TRUE(texture.is_missing);
+    for (std::size_t mip = 0; mip < 4; ++mip)
+        EXPECT_EQ(texture.mips[mip].size(), static_cast<std::size_t>((texture.width >> mip) * (texture.height >> mip)));
+    EXPECT_NE(texture.mips[0][0], texture.mips[0][8]);
+    EXPECT_EQ(texture.mips[0][0], texture.mips[0][16]);
+}
+
+TEST(TinyLevel, SkyAndLiquidsAreSpecialByNameOrFlag) {
+    for (const char* name : {"*lava", "sky1", "floor"}) {
+        test::Lumps lumps = test::make_tiny_lumps();
+        test::Bytes& textures = test::lump_of(lumps, Lump::Textures);
+        std::fill_n(textures.begin() + 8, 16, std::uint8_t{0});
+        std::copy_n(name, std::string_view(name).size(), textures.begin() + 8);
+        EXPECT_EQ(read_tiny(lumps).texinfos[0].is_special, name != std::string("floor")) << name;
+    }
+    test::Lumps flagged = test::make_tiny_lumps();
+    test::put_number(test::lump_of(flagged, Lump::TexInfos), 36, 4, 1);
+    EXPECT_TRUE(read_tiny(flagged).texinfos[0].is_special);
+    EXPECT_EQ(read_tiny(flagged).faces[0].light_offset, -1);
+}
+
+TEST(TinyLevel, WithoutLightOrVisibilityThereAreNoOffsets) {
+    test::Lumps lumps = test::make_tiny_lumps();
+    test::lump_of(lumps, Lump::Lighting).clear();
+    test::lump_of(lumps, Lump::Visibility).clear();
+    const Level level = read_tiny(lumps);
+    EXPECT_EQ(level.faces[0].light_offset, -1);
+    EXPECT_EQ(level.leaves[1].visibility_offset, -1);
+}
+
+}  // namespace
+}  // namespace oblong

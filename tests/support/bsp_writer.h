@@ -1,0 +1,120 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "engine/level/bsp_format.h"
+
+/// Writes level files for tests: by hand, and from the lumps of another file.
+namespace oblong::test {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// The lumps of a file, without their places in it.
+using Lumps = std::array<Bytes, kLumpCount>;
+
+inline Bytes& lump_of(Lumps& lumps, Lump lump) {
+    return lumps[static_cast<std::size_t>(lump)];
+}
+
+inline std::uint32_t number_at(const Bytes& bytes, std::size_t offset, int size) {
+    std::uint32_t value = 0;
+    for (int i = size; i-- > 0;) value = value << 8 | bytes[offset + static_cast<std::size_t>(i)];
+    return value;
+}
+
+inline void put_number(Bytes& bytes, std::size_t offset, int size, std::int64_t value) {
+    for (int i = 0; i < size; ++i)
+        bytes[offset + static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(value >> (8 * i));
+}
+
+/// Appends little-endian numbers.
+class ByteWriter {
+  public:
+    explicit ByteWriter(Bytes& bytes) : bytes_(bytes) {}
+
+    ByteWriter& number(int size, std::int64_t value) {
+        bytes_.resize(bytes_.size() + static_cast<std::size_t>(size));
+        put_number(bytes_, bytes_.size() - static_cast<std::size_t>(size), size, value);
+        return *this;
+    }
+    ByteWriter& u8(std::int64_t value) { return number(1, value); }
+    ByteWriter& i16(std::int64_t value) { return number(2, value); }
+    ByteWriter& i32(std::int64_t value) { return number(4, value); }
+    ByteWriter& f32(float value) { return number(4, std::bit_cast<std::uint32_t>(value)); }
+    ByteWriter& text(std::string_view letters) {
+        bytes_.insert(bytes_.end(), letters.begin(), letters.end());
+        return *this;
+    }
+
+  private:
+    Bytes& bytes_;
+};
+
+/// A file of the lumps, one behind the other.
+inline Bytes join_lumps(std::uint32_t version, const Lumps& lumps) {
+    Bytes file;
+    ByteWriter out(file);
+    out.i32(version);
+    auto offset = static_cast<std::int64_t>(kBspHeaderSize);
+    for (const Bytes& lump : lumps) {
+        out.i32(offset).i32(static_cast<std::int64_t>(lump.size()));
+        offset += static_cast<std::int64_t>(lump.size());
+    }
+    for (const Bytes& lump : lumps) file.insert(file.end(), lump.begin(), lump.end());
+    return file;
+}
+
+inline Lumps split_lumps(const Bytes& file) {
+    Lumps lumps;
+    for (std::size_t i = 0; i < lumps.size(); ++i) {
+        const auto start = file.begin() + number_at(file, 4 + i * 8, 4);
+        lumps[i].assign(start, start + number_at(file, 8 + i * 8, 4));
+    }
+    return lumps;
+}
+
+/// Rewrites the records of one BSP 29 lump in a wide format. A layout has a letter a field: `4` copies 4 bytes, `u`
+/// widens an unsigned number of 2 bytes, `c` widens a child (negative if it is not below the number of records), `b`
+/// copies a bound of a box of 2 bytes, or makes it a float.
+inline Bytes widen_records(const Bytes& narrow, std::string_view layout, std::size_t record_size, bool float_boxes) {
+    Bytes wide;
+    ByteWriter out(wide);
+    const auto record_count = static_cast<std::int64_t>(narrow.size() / record_size);
+    std::size_t in = 0;
+    while (in < narrow.size()) {
+        for (const char field : layout) {
+            const int size = field == '4' ? 4 : 2;
+            const std::int64_t value = number_at(narrow, in, size);
+            const std::int64_t as_signed = value < 0x8000 ? value : value - 0x10000;
+            in += static_cast<std::size_t>(size);
+            if (field == 'c')
+                out.i32(value < record_count ? value : value - 0x10000);
+            else if (field == 'b' && float_boxes)
+                out.f32(static_cast<float>(as_signed));
+            else
+                out.number(field == 'b' ? 2 : 4, value);
+        }
+    }
+    return wide;
+}
+
+/// The lumps of a BSP 29 file as those of BSP2 (float boxes) or 2PSB (boxes as they were).
+inline Lumps widen_lumps(Lumps lumps, bool float_boxes) {
+    const auto widen = [&](Lump which, std::string_view layout, std::size_t record_size) {
+        Bytes& lump = lump_of(lumps, which);
+        lump = widen_records(lump, layout, record_size, float_boxes);
+    };
+    widen(Lump::Nodes, "4ccbbbbbbuu", 24);
+    widen(Lump::Faces, "uu4uu44", 20);
+    widen(Lump::ClipNodes, "4cc", 8);
+    widen(Lump::Leaves, "44bbbbbbuu4", 28);
+    widen(Lump::MarkFaces, "u", 2);
+    widen(Lump::Edges, "uu", 4);
+    return lumps;
+}
+
+}  // namespace oblong::test
