@@ -4,44 +4,17 @@
 #include <array>
 #include <utility>
 
+#include "engine/fixed/sine_series.h"
 #include "engine/fixed/wide.h"
 
 namespace oblong {
 
 namespace {
 
-// Inside, sines have 62 fraction bits and angles half a binary degree, so that the middle between two angles has one.
-constexpr std::int64_t kOne62 = std::int64_t{1} << 62;
-constexpr int kQuarterHalves = 1 << 15;
+using namespace detail;
+
 constexpr int kFineSteps = 256;
 constexpr int kCoarseSteps = kQuarterHalves / kFineSteps;
-
-// pi / 65536, half a binary degree in radians, times 2^76; pi / 180 times 2^68; both to the nearest.
-constexpr std::int64_t kRadiansPerHalf76 = 3622009729038561421;
-constexpr std::int64_t kRadiansPerDegree68 = 5151302725743731799;
-
-/// first - first x^2 / (n (n+1)) + first x^4 / (n (n+1) (n+2) (n+3)) - ..., until the terms vanish.
-constexpr std::int64_t alternating_series_62(std::int64_t first, std::int64_t x_squared, std::int64_t n) {
-    std::int64_t sum = first;
-    for (std::int64_t term = first; term != 0; n += 2) {
-        term = -mul_shift(term, x_squared, 62) / (n * (n + 1));
-        sum += term;
-    }
-    return sum;
-}
-
-/// Taylor's series; 0 <= radians <= pi / 4.
-constexpr std::int64_t sine_series_62(std::int64_t radians) {
-    return alternating_series_62(radians, mul_shift(radians, radians, 62), 2);
-}
-
-constexpr std::int64_t cosine_series_62(std::int64_t radians) {
-    return alternating_series_62(kOne62, mul_shift(radians, radians, 62), 1);
-}
-
-constexpr std::int64_t radians_of_halves_62(int halves) {
-    return mul_shift(halves, kRadiansPerHalf76, 14);
-}
 
 struct FineEntry {
     std::int64_t sine, cosine;
@@ -50,11 +23,7 @@ struct FineEntry {
 /// Sines of a quarter turn in 128 steps.
 constexpr auto kCoarseSines = [] {
     std::array<std::int64_t, kCoarseSteps + 1> table{};
-    for (int i = 0; i <= kCoarseSteps / 2; ++i) {
-        const std::int64_t radians = radians_of_halves_62(i * kFineSteps);
-        table[static_cast<std::size_t>(kCoarseSteps - i)] = cosine_series_62(radians);
-        table[static_cast<std::size_t>(i)] = sine_series_62(radians);
-    }
+    for (int i = 0; i <= kCoarseSteps; ++i) table[static_cast<std::size_t>(i)] = quarter_sine_series_62(i * kFineSteps);
     return table;
 }();
 
@@ -77,11 +46,15 @@ std::int64_t quarter_sine_62(int halves) {
 }
 
 /// The sine of any angle is that of one in the first quarter, mirrored. Rounds magnitudes, so that sin(-a) = -sin(a).
-std::int64_t rounded_sine(Angle angle, int fraction_bits) {
-    const int halves = 2 * (angle.bam & 0x7fff);
-    const int in_quarter = std::min(halves, 2 * kQuarterHalves - halves);
+std::int64_t rounded_sine(int halves, int fraction_bits) {
+    const int in_half_turn = halves & (2 * kQuarterHalves - 1);
+    const int in_quarter = std::min(in_half_turn, 2 * kQuarterHalves - in_half_turn);
     const std::int64_t size = rounded_shift(quarter_sine_62(in_quarter), 62 - fraction_bits, Rounding::NearestHalfUp);
-    return angle.bam < kHalfTurn.bam ? size : -size;
+    return (halves & (2 * kQuarterHalves)) == 0 ? size : -size;
+}
+
+SineCosine60 sine_cosine_of_halves(int halves) {
+    return {Sine60::from_raw(rounded_sine(halves, 60)), Sine60::from_raw(rounded_sine(halves + kQuarterHalves, 60))};
 }
 
 Sine60 sine60_of_62(std::int64_t sine62) {
@@ -109,7 +82,7 @@ int octant_arctangent(std::uint64_t small, std::uint64_t big) {
 }  // namespace
 
 Unit sine(Angle angle) {
-    return Unit::from_raw(static_cast<std::int32_t>(rounded_sine(angle, Unit::kFractionBits)));
+    return Unit::from_raw(static_cast<std::int32_t>(rounded_sine(2 * angle.bam, Unit::kFractionBits)));
 }
 
 Unit cosine(Angle angle) {
@@ -117,7 +90,11 @@ Unit cosine(Angle angle) {
 }
 
 SineCosine60 sine_cosine(Angle angle) {
-    return {Sine60::from_raw(rounded_sine(angle, 60)), Sine60::from_raw(rounded_sine(angle + kQuarterTurn, 60))};
+    return sine_cosine_of_halves(2 * angle.bam);
+}
+
+SineCosine60 half_angle_sine_cosine(Angle angle) {
+    return sine_cosine_of_halves(angle.bam);
 }
 
 SineCosine60 sine_cosine(Degrees angle) {

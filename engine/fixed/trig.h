@@ -19,6 +19,8 @@ struct SineCosine60 {
 
 /// Both of a binary angle, each within 2^-58.
 SineCosine60 sine_cosine(Angle angle);
+/// Both of half the angle, which may lie between two binary angles (0 to less than half a turn): for quaternions.
+SineCosine60 half_angle_sine_cosine(Angle angle);
 /// Both of a decimal angle from 0 to 180 degrees, each within 2^-57: for half a field of view.
 SineCosine60 sine_cosine(Degrees angle);
 

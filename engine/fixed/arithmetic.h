@@ -1,0 +1,66 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "engine/fixed/fixed.h"
+#include "engine/fixed/wide.h"
+
+// Total arithmetic: every input has a result. A result is exact and rounded once by name; where the format cannot hold
+// it, it is the end of the range on the right side.
+
+namespace oblong {
+
+/// The number with this raw value, or the end of the range that it lies beyond.
+template <class To>
+constexpr To saturated_to(std::int64_t raw) {
+    using Raw = typename To::Raw;
+    constexpr std::int64_t kLowest = std::numeric_limits<Raw>::min(), kHighest = std::numeric_limits<Raw>::max();
+    return To::from_raw(static_cast<Raw>(std::clamp(raw, kLowest, kHighest)));
+}
+
+/// `value` in another format; saturates where that one is too narrow.
+template <class To, class Int, int Frac>
+constexpr To saturating_convert(Fixed<Int, Frac> value, Rounding rounding = Rounding::NearestHalfUp) {
+    constexpr int kMoreBits = To::kFractionBits - Frac;
+    static_assert(kMoreBits <= 62);
+    if constexpr (kMoreBits >= 0) return saturated_to<To>(mul_shift(value.raw, std::int64_t{1} << kMoreBits, 0));
+    return saturated_to<To>(mul_shift(value.raw, 1, std::max(-kMoreBits, 0), rounding));
+}
+
+/// The product in the factors' own format; saturates.
+template <class Int, int Frac>
+constexpr Fixed<Int, Frac> multiply(Fixed<Int, Frac> a, Fixed<Int, Frac> b,
+                                    Rounding rounding = Rounding::NearestHalfUp) {
+    if constexpr (sizeof(Int) <= 2)
+        return saturated_to<Fixed<Int, Frac>>(rounded_shift(std::int32_t{a.raw} * b.raw, Frac, rounding));
+    else if constexpr (sizeof(Int) <= 4)
+        return saturated_to<Fixed<Int, Frac>>(rounded_shift(std::int64_t{a.raw} * b.raw, Frac, rounding));
+    else
+        return saturated_to<Fixed<Int, Frac>>(mul_shift(a.raw, b.raw, Frac, rounding));
+}
+
+/// a / b; saturates. Division by zero gives the end of the range on the side of `a`, and 0 / 0 gives 0.
+template <class To, class A, int FracA, class B, int FracB>
+constexpr To divide(Fixed<A, FracA> a, Fixed<B, FracB> b, Rounding rounding = Rounding::NearestHalfUp) {
+    constexpr int kShift = To::kFractionBits + FracB - FracA;
+    static_assert(kShift >= 0 && kShift <= 62, "the quotient's scale fits 64 bits");
+    return saturated_to<To>(mul_div(a.raw, std::int64_t{1} << kShift, b.raw, rounding));
+}
+
+/// 1 / value; saturates, 1 / 0 gives the highest number. The engine's exact answer to reciprocal.h.
+template <class To, class Int, int Frac>
+constexpr To reciprocal(Fixed<Int, Frac> value, Rounding rounding = Rounding::NearestHalfUp) {
+    static_assert(To::kFractionBits <= 62 && Frac <= 62);
+    const std::int64_t raw =
+        mul_div(std::int64_t{1} << To::kFractionBits, std::int64_t{1} << Frac, value.raw, rounding);
+    return saturated_to<To>(raw);
+}
+
+/// The place of the highest bit: the floor of the logarithm to base 2. `value` is not 0.
+constexpr int log2_floor(std::uint64_t value) {
+    return 63 - std::countl_zero(value);
+}
+
+}  // namespace oblong

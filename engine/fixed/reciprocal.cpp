@@ -1,0 +1,125 @@
+#include "engine/fixed/reciprocal.h"
+
+#include <bit>
+
+#include "engine/fixed/fixed.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr std::uint64_t kOne62 = std::uint64_t{1} << 62;
+constexpr std::uint64_t kFirstMantissa = std::uint64_t{1} << 31;
+
+constexpr std::uint64_t nearest_quotient(std::uint64_t n, std::uint64_t d) {
+    return (n + d / 2) / d;
+}
+
+/// The reciprocal of the middle of each of 2^Bits equal parts of the mantissas: the least relative error.
+template <int Bits>
+constexpr auto reciprocals_of_middles() {
+    std::array<std::uint32_t, std::size_t{1} << Bits> table{};
+    for (std::uint64_t i = 0; i < table.size(); ++i)
+        table[i] = static_cast<std::uint32_t>(nearest_quotient(kOne62, kFirstMantissa + ((2 * i + 1) << (30 - Bits))));
+    return table;
+}
+
+/// The reciprocals of the ends of the parts, for lines between them.
+template <int Bits>
+constexpr auto reciprocals_of_ends() {
+    std::array<std::uint32_t, (std::size_t{1} << Bits) + 1> table{};
+    for (std::uint64_t i = 0; i < table.size(); ++i)
+        table[i] = static_cast<std::uint32_t>(nearest_quotient(kOne62, kFirstMantissa + (i << (31 - Bits))));
+    return table;
+}
+
+/// Seeds for one step of Newton's, which squares their error: a step's result would rise from one part to the next
+/// if a part began with a smaller error than the last one ended with. So each begins with the size of error at which
+/// the last one ended (and a little more, for the rounding), the sign reversed. Errors have 44 fraction bits.
+template <int Bits>
+constexpr auto reciprocals_for_newton() {
+    constexpr int kErrorBits = 44;
+    constexpr std::int64_t kOne = std::int64_t{1} << kErrorBits, kSlack = std::int64_t{1} << (kErrorBits - 18);
+    std::array<std::uint32_t, std::size_t{1} << Bits> table{};
+    std::int64_t error = kOne >> (Bits + 1);
+    for (std::uint64_t i = 0; i < table.size(); ++i) {
+        const std::uint64_t first = kFirstMantissa + (i << (31 - Bits)),
+                            last = first + (std::uint64_t{1} << (31 - Bits));
+        const std::uint64_t above_first = static_cast<std::uint64_t>(kOne - error - kSlack) << (62 - kErrorBits);
+        table[i] = static_cast<std::uint32_t>(above_first / first);
+        error = static_cast<std::int64_t>((table[i] * last) >> (62 - kErrorBits)) - kOne;
+    }
+    return table;
+}
+
+constexpr auto kMiddles256 = reciprocals_of_middles<8>();
+constexpr auto kEnds256 = reciprocals_of_ends<8>();
+constexpr auto kSeeds1024 = reciprocals_for_newton<10>();
+
+std::uint32_t lerp_256(std::uint32_t mantissa) {
+    const std::uint32_t part = (mantissa >> 23) & 0xff, along_23 = mantissa & 0x7fffff;
+    const std::uint64_t fall = kEnds256[part] - kEnds256[part + 1];
+    return static_cast<std::uint32_t>(kEnds256[part] - ((fall * along_23) >> 23));
+}
+
+/// Newton's r + r (1 - m r) with `more_bits` (0 to 10) below the 31 of the result, which is floored.
+std::uint64_t newton_step(std::uint32_t mantissa, std::uint64_t r, int more_bits) {
+    const auto error_62 = static_cast<std::int64_t>(kOne62 - mantissa * r);
+    // Seeds are right within 2^-8.9, so that the error has 54 bits; 40 fraction bits of it are enough.
+    const std::int64_t correction = static_cast<std::int64_t>(r) * floor_shift(error_62, 22);
+    return (r << more_bits) + static_cast<std::uint64_t>(floor_shift(correction, 40 - more_bits));
+}
+
+/// The first step keeps 10 bits more than the result has, so that the second is within 1/8 of a step before it is
+/// rounded, and can not rise where the true quotient falls by 1/4 of a step or more.
+std::uint32_t two_newton_steps(std::uint32_t mantissa, std::uint32_t seed) {
+    constexpr int kMoreBits = 10;
+    const std::uint64_t r = newton_step(mantissa, seed, kMoreBits);
+    // 2^72 - m r modulo 2^64: the error is below 2^55, so that its low 64 bits are all of it.
+    const auto error_72 = static_cast<std::int64_t>(0 - mantissa * r);
+    const std::int64_t correction = static_cast<std::int64_t>(r >> kMoreBits) * floor_shift(error_72, 24);
+    const auto sharpened = static_cast<std::int64_t>(r) + floor_shift(correction, 72 - 24 - kMoreBits);
+    return static_cast<std::uint32_t>(rounded_shift(sharpened, kMoreBits, Rounding::NearestHalfUp));
+}
+
+}  // namespace
+
+const char* name_of(ReciprocalMethod method) {
+    switch (method) {
+        case ReciprocalMethod::Table256:
+            return "table 256";
+        case ReciprocalMethod::Table256Lerp:
+            return "table 256, lerp";
+        case ReciprocalMethod::Table1024Newton:
+            return "table 1024, Newton";
+        case ReciprocalMethod::Table256TwoNewton:
+            return "table 256, two Newton";
+        case ReciprocalMethod::Exact:
+            break;
+    }
+    return "exact";
+}
+
+std::uint32_t mantissa_reciprocal(std::uint32_t mantissa, ReciprocalMethod method) {
+    switch (method) {
+        case ReciprocalMethod::Table256:
+            return kMiddles256[(mantissa >> 23) & 0xff];
+        case ReciprocalMethod::Table256Lerp:
+            return lerp_256(mantissa);
+        case ReciprocalMethod::Table1024Newton:
+            return static_cast<std::uint32_t>(newton_step(mantissa, kSeeds1024[(mantissa >> 21) & 0x3ff], 0));
+        case ReciprocalMethod::Table256TwoNewton:
+            return two_newton_steps(mantissa, kMiddles256[(mantissa >> 23) & 0xff]);
+        case ReciprocalMethod::Exact:
+            break;
+    }
+    return static_cast<std::uint32_t>(nearest_quotient(kOne62, mantissa));
+}
+
+ScaledReciprocal scaled_reciprocal(std::uint64_t n, ReciprocalMethod method) {
+    const int zeros = std::countl_zero(n);
+    const auto mantissa = static_cast<std::uint32_t>((n << zeros) >> 32);
+    return {mantissa_reciprocal(mantissa, method), 94 - zeros};
+}
+
+}  // namespace oblong

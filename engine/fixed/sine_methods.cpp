@@ -1,0 +1,162 @@
+#include "engine/fixed/sine_methods.h"
+
+#include <algorithm>
+
+#include "engine/fixed/sine_series.h"
+#include "engine/fixed/trig.h"
+
+namespace oblong {
+
+namespace {
+
+using namespace detail;
+
+constexpr int kQuarterEntries = 1024;
+constexpr int kTurnEntries = 4 * kQuarterEntries;
+
+/// Sines of a quarter turn in 1,024 steps, both ends included, 2.30.
+constexpr auto kQuarterSines = [] {
+    std::array<std::int32_t, kQuarterEntries + 1> table{};
+    for (int i = 0; i <= kQuarterEntries; ++i) {
+        const std::int64_t sine_62 = quarter_sine_series_62(i * (kQuarterHalves / kQuarterEntries));
+        table[static_cast<std::size_t>(i)] =
+            static_cast<std::int32_t>(rounded_shift(sine_62, 32, Rounding::NearestHalfUp));
+    }
+    return table;
+}();
+
+/// Sines of a whole turn in 4,096 steps; the tables of 256 and 1,024 are every 16th and every 4th.
+constexpr auto kTurnSines = [] {
+    std::array<std::int32_t, kTurnEntries> table{};
+    for (int i = 0; i < kTurnEntries; ++i) {
+        const int in_half = i % (2 * kQuarterEntries);
+        const std::int32_t size =
+            kQuarterSines[static_cast<std::size_t>(std::min(in_half, 2 * kQuarterEntries - in_half))];
+        table[static_cast<std::size_t>(i)] = i < 2 * kQuarterEntries ? size : -size;
+    }
+    return table;
+}();
+
+/// Entry `index` (any whole number) of a table of 2^bits entries to the turn.
+std::int32_t entry(int index, int bits) {
+    return kTurnSines[static_cast<std::size_t>(index << (12 - bits)) % kTurnEntries];
+}
+
+std::int32_t nearest_entry(Angle angle, int bits) {
+    const int angle_bits = 16 - bits;
+    return entry((angle.bam + (1 << (angle_bits - 1))) >> angle_bits, bits);
+}
+
+std::int32_t between_entries(Angle angle, int bits) {
+    const int angle_bits = 16 - bits;
+    const int index = angle.bam >> angle_bits, along = angle.bam & ((1 << angle_bits) - 1);
+    const std::int64_t rise = std::int64_t{entry(index + 1, bits)} - entry(index, bits);
+    return static_cast<std::int32_t>(entry(index, bits) + floor_shift(rise * along, angle_bits));
+}
+
+std::int32_t between_quarter_entries(Angle angle) {
+    const int in_half = angle.bam & 0x7fff, in_quarter = std::min(in_half, 0x8000 - in_half);
+    const auto index = static_cast<std::size_t>(in_quarter >> 4);
+    const int along = in_quarter & 15;
+    std::int32_t size = kQuarterSines[index];
+    if (along != 0) size += ((kQuarterSines[index + 1] - size) * along) >> 4;
+    return angle.bam < kHalfTurn.bam ? size : -size;
+}
+
+constexpr int kMostRotations = 30;
+
+/// arctan 2^-i in 2^-32 of a turn, by x - x^3 / 3 + x^5 / 5 - ...
+constexpr auto kArctangents = [] {
+    constexpr std::int64_t kTurnsPerRadian64 = 2935890503282001226;  // 2^64 / (2 pi)
+    std::array<std::int32_t, kMostRotations> table{1 << 29};         // arctan 1 is an eighth of a turn
+    for (int i = 1; i < kMostRotations; ++i) {
+        std::int64_t radians_62 = 0;
+        for (int n = 1; i * n <= 62; n += 2) radians_62 += (n % 4 == 1 ? 1 : -1) * ((kOne62 >> (i * n)) / n);
+        table[static_cast<std::size_t>(i)] =
+            static_cast<std::int32_t>(mul_shift(radians_62, kTurnsPerRadian64, 62 + 64 - 32));
+    }
+    return table;
+}();
+
+/// The product of cos(arctan 2^-i) over all i, 2.30: what the rotations lengthen a vector by, taken off beforehand.
+/// From 16 rotations on it is the same number.
+constexpr std::int32_t kShortened = 652032874;
+
+/// Volder's CORDIC: turns (1, 0) by the angle, as a sum of arctangents of powers of two with signs.
+std::int32_t cordic_sine(Angle angle, int rotations) {
+    std::int32_t x = kShortened, y = 0;
+    std::int32_t rest = (angle.bam & 0x3fff) << 16;
+    for (int i = 0; i < rotations; ++i) {
+        const std::int32_t sign = rest >= 0 ? 1 : -1;
+        const std::int32_t turned_x = x - sign * floor_shift(y, i);
+        y += sign * floor_shift(x, i);
+        x = turned_x;
+        rest -= sign * kArctangents[static_cast<std::size_t>(i)];
+    }
+    const std::int32_t size = (angle.bam & kQuarterTurn.bam) == 0 ? y : x;
+    return angle.bam < kHalfTurn.bam ? size : -size;
+}
+
+std::int32_t raw_sine(Angle angle, SineMethod method) {
+    switch (method) {
+        case SineMethod::Nearest256:
+            return nearest_entry(angle, 8);
+        case SineMethod::Nearest1024:
+            return nearest_entry(angle, 10);
+        case SineMethod::Nearest4096:
+            return nearest_entry(angle, 12);
+        case SineMethod::Lerp256:
+            return between_entries(angle, 8);
+        case SineMethod::Lerp1024:
+            return between_entries(angle, 10);
+        case SineMethod::Quarter1024Lerp:
+            return between_quarter_entries(angle);
+        case SineMethod::Cordic16:
+            return cordic_sine(angle, 16);
+        case SineMethod::Cordic24:
+            return cordic_sine(angle, 24);
+        case SineMethod::Cordic30:
+            return cordic_sine(angle, 30);
+        case SineMethod::NearestStep:
+            break;
+    }
+    return sine(angle).raw;
+}
+
+}  // namespace
+
+const char* name_of(SineMethod method) {
+    switch (method) {
+        case SineMethod::Nearest256:
+            return "nearest of 256";
+        case SineMethod::Nearest1024:
+            return "nearest of 1024";
+        case SineMethod::Nearest4096:
+            return "nearest of 4096";
+        case SineMethod::Lerp256:
+            return "256, lerp";
+        case SineMethod::Lerp1024:
+            return "1024, lerp";
+        case SineMethod::Quarter1024Lerp:
+            return "quarter of 1024, lerp";
+        case SineMethod::Cordic16:
+            return "CORDIC, 16 steps";
+        case SineMethod::Cordic24:
+            return "CORDIC, 24 steps";
+        case SineMethod::Cordic30:
+            return "CORDIC, 30 steps";
+        case SineMethod::NearestStep:
+            break;
+    }
+    return "nearest step";
+}
+
+Unit sine(Angle angle, SineMethod method) {
+    return Unit::from_raw(raw_sine(angle, method));
+}
+
+Unit cosine(Angle angle, SineMethod method) {
+    return sine(angle + kQuarterTurn, method);
+}
+
+}  // namespace oblong

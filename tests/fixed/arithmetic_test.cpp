@@ -1,0 +1,134 @@
+#include "engine/fixed/arithmetic.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <array>
+
+namespace oblong {
+namespace {
+
+__extension__ using Int128 = __int128;
+using Fixed16 = Fixed<std::int32_t, 16>;
+
+constexpr std::int32_t kLowest = std::numeric_limits<std::int32_t>::min();
+constexpr std::int32_t kHighest = std::numeric_limits<std::int32_t>::max();
+
+Fixed16 quotient(std::int32_t a, std::int32_t b) {
+    return divide<Fixed16>(Fixed16::from_raw(a), Fixed16::from_raw(b), Rounding::Floor);
+}
+
+Fixed16 product(std::int32_t a, std::int32_t b, Rounding rounding = Rounding::NearestHalfUp) {
+    return multiply(Fixed16::from_raw(a), Fixed16::from_raw(b), rounding);
+}
+
+/// The floor of a 2^16 / b in 64 bits, cut to 32.
+std::int32_t expected_quotient(std::int64_t a, std::int64_t b) {
+    const std::int64_t n = b < 0 ? -a * 65536 : a * 65536, d = std::abs(b);
+    const std::int64_t floor = n / d - (n % d < 0 ? 1 : 0);
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(floor, kLowest, kHighest));
+}
+
+TEST(HardCaseA1, DivisionIsTotalAndSaturatesWithTheRightSign) {
+    EXPECT_EQ(quotient(kLowest, -1), Fixed16::highest());
+    EXPECT_EQ(quotient(kLowest, 1), Fixed16::lowest());
+    EXPECT_EQ(quotient(kLowest, -65536), Fixed16::highest());  // 32768 does not fit
+    EXPECT_EQ(quotient(kLowest, 65536), Fixed16::lowest());    // -32768 does
+    EXPECT_EQ(quotient(1, 0), Fixed16::highest());
+    EXPECT_EQ(quotient(-1, 0), Fixed16::lowest());
+    EXPECT_EQ(quotient(0, 0), Fixed16{});
+    EXPECT_EQ(quotient(20000 * 65536, 65536).raw, 20000 * 65536) << "a quotient that fits is exact";
+}
+
+TEST(HardCaseA2, SaturationBeginsExactlyWhereTheQuotientNoLongerFits) {
+    for (const std::int32_t b : {1, 2, 3, 16 * 65536, 65535, 65536, 65537, kHighest, -1, -16 * 65536, -65536, kLowest})
+        for (const std::int64_t limit : {std::int64_t{kHighest}, std::int64_t{kLowest}})
+            for (std::int64_t near = -2; near <= 2; ++near) {
+                const std::int64_t a = limit * b / 65536 + near;
+                if (a < kLowest || a > kHighest) continue;
+                ASSERT_EQ(quotient(static_cast<std::int32_t>(a), b).raw, expected_quotient(a, b)) << a << " / " << b;
+            }
+}
+
+RC_GTEST_PROP(HardCaseA1, QuotientIsTheFloorOrSaturates, (std::int32_t a, std::int32_t b)) {
+    RC_PRE(b != 0);
+    RC_ASSERT(quotient(a, b).raw == expected_quotient(a, b));
+}
+
+TEST(HardCaseA3, ProductsRoundByOneRuleAndSaturate) {
+    EXPECT_EQ(product(kHighest, kHighest), Fixed16::highest());  // 32767.99 * 32767.99
+    EXPECT_EQ(product(kHighest, -kHighest), Fixed16::lowest());
+    EXPECT_EQ(product(kLowest, kLowest), Fixed16::highest());
+    EXPECT_EQ(product(-1, 32768).raw, 0) << "-1/2 ulp: the tie goes up";
+    EXPECT_EQ(product(1, 32768).raw, 1);
+    EXPECT_EQ(product(-1, 32768, Rounding::Floor).raw, -1);
+    EXPECT_EQ(product(1, 32768, Rounding::Floor).raw, 0);
+}
+
+RC_GTEST_PROP(HardCaseA3, ProductOfTheNegativeIsWithinAStepOfTheNegativeProduct, (std::int32_t a, std::int32_t b)) {
+    RC_PRE(a != kLowest);
+    for (const Rounding rounding : {Rounding::Floor, Rounding::NearestHalfUp}) {
+        const std::int64_t sum = std::int64_t{product(a, b, rounding).raw} + product(-a, b, rounding).raw;
+        RC_ASSERT(-1 <= sum && sum <= 1);
+    }
+}
+
+RC_GTEST_PROP(Multiply, WideProductsEqualThoseOf128Bits, (std::int64_t a, std::int64_t b)) {
+    const Int128 exact = (Int128{a} * b) >> 42;
+    const Int128 expected =
+        std::clamp<Int128>(exact, std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::max());
+    const auto got = multiply(PlaneDistance::from_raw(a), PlaneDistance::from_raw(b), Rounding::Floor);
+    RC_ASSERT(Int128{got.raw} == expected);
+}
+
+TEST(HardCaseA9, ShiftsOfNegativesFloorAtEveryWidth) {
+    for (int bits = 0; bits < 64; ++bits) {
+        EXPECT_EQ(floor_shift(std::int64_t{-1}, bits), -1);
+        EXPECT_EQ(floor_shift(std::numeric_limits<std::int64_t>::min(), bits) + 1,
+                  -((std::numeric_limits<std::int64_t>::max() >> bits)));
+    }
+    EXPECT_EQ(floor_shift(-5, 1), -3);
+    EXPECT_EQ(rounded_shift(-5, 1, Rounding::NearestHalfUp), -2) << "-2.5: the tie goes up";
+    EXPECT_EQ(rounded_shift(-6, 2, Rounding::NearestHalfUp), -1) << "-1.5";
+    EXPECT_EQ(rounded_shift(-7, 2, Rounding::NearestHalfUp), -2) << "-1.75";
+}
+
+TEST(Conversion, SaturatesInBothDirections) {
+    EXPECT_EQ(saturating_convert<Unit>(World::from_int(2)), Unit::highest());
+    EXPECT_EQ(saturating_convert<Unit>(World::from_int(-2)), Unit::lowest());
+    EXPECT_EQ(saturating_convert<Unit>(World::from_int(-3)), Unit::lowest());
+    EXPECT_EQ(saturating_convert<Unit>(World::from_int(1)), Unit::from_int(1));
+    EXPECT_EQ(saturating_convert<World>(View::from_int(524'288)), World::highest());
+    EXPECT_EQ(saturating_convert<World>(View::highest()), World::highest());
+    EXPECT_EQ(saturating_convert<World>(View::lowest()), World::lowest());
+    EXPECT_EQ(saturating_convert<PlaneDistance>(View::lowest()), PlaneDistance::lowest());
+}
+
+TEST(Reciprocal, OfTheLeastAndGreatest16Dot16Number) {
+    using Fixed46 = Fixed<std::int64_t, 46>;
+    EXPECT_EQ(reciprocal<Fixed46>(Fixed16::from_raw(1)), Fixed46::from_int(65536));
+    EXPECT_EQ(reciprocal<Fixed46>(Fixed16::from_int(2)).raw, std::int64_t{1} << 45);
+    EXPECT_EQ(reciprocal<Fixed46>(Fixed16::from_raw(kHighest)).raw, (std::int64_t{1} << 31) + 1)
+        << "2^62 = (2^31 - 1)(2^31 + 1) + 1";
+    EXPECT_EQ(reciprocal<Fixed46>(Fixed16{}), Fixed46::highest());
+}
+
+RC_GTEST_PROP(Reciprocal, IsTheNearest, (std::int32_t n)) {
+    RC_PRE(n != 0);
+    const Int128 r = reciprocal<Fixed<std::int64_t, 46>>(Fixed16::from_raw(n)).raw;
+    const Int128 off = 2 * (r * n - (Int128{1} << 62));
+    RC_ASSERT(off <= std::abs(std::int64_t{n}) && -off <= std::abs(std::int64_t{n}));
+}
+
+TEST(Log2Floor, AroundEveryPowerOfTwo) {
+    for (int bit = 1; bit < 64; ++bit) {
+        const std::uint64_t power = std::uint64_t{1} << bit;
+        EXPECT_EQ(log2_floor(power), bit);
+        EXPECT_EQ(log2_floor(power - 1), bit - 1);
+        EXPECT_EQ(log2_floor(power + 1), bit);
+    }
+    EXPECT_EQ(log2_floor(1), 0);
+}
+
+}  // namespace
+}  // namespace oblong

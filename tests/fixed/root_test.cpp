@@ -1,0 +1,90 @@
+#include "engine/fixed/root.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+namespace oblong {
+namespace {
+
+__extension__ using Uint128 = unsigned __int128;
+
+/// r r <= value < (r + 1)(r + 1), the definition.
+bool is_root(std::uint64_t r, Uint128 value) {
+    const Uint128 square = Uint128{r} * r;
+    return square <= value && value - square <= 2 * Uint128{r};
+}
+
+Uint128 joined(portable::Wide value) {
+    return (Uint128{value.high} << 64) | value.low;
+}
+
+TEST(HardCaseA6, RootAroundEveryPowerOfTwo) {
+    EXPECT_EQ(integer_root(std::uint64_t{0}), 0u);
+    EXPECT_EQ(integer_root(std::uint64_t{1}), 1u);
+    EXPECT_EQ(integer_root(std::uint64_t{0xffffffff}), 65535u);
+    EXPECT_EQ(integer_root(std::numeric_limits<std::uint64_t>::max()), 0xffffffffu);
+    for (int bit = 1; bit < 64; ++bit)
+        for (std::uint64_t off = 0; off < 3; ++off) {
+            const std::uint64_t value = (std::uint64_t{1} << bit) - 1 + off;
+            ASSERT_TRUE(is_root(integer_root(value), value)) << value;
+        }
+}
+
+TEST(HardCaseA6, RootOfRandomNumbersOfEveryLength) {
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 1'000'000; ++i) {
+        const std::uint64_t value = random() >> (random() % 64);
+        ASSERT_TRUE(is_root(integer_root(value), value)) << value;
+    }
+}
+
+TEST(HardCaseA6, RootOf128BitNumbersOfEveryLength) {
+    std::mt19937_64 random(2);
+    for (int i = 0; i < 1'000'000; ++i) {
+        const portable::Wide value{random() >> (random() % 64), random()};
+        ASSERT_TRUE(is_root(integer_root(value), joined(value))) << value.high << " " << value.low;
+    }
+}
+
+/// r^2 - 1, r^2 and r^2 + 2 r for roots of every length, long runs of ones among them: where a digit is one too great.
+TEST(HardCaseA6, RootOf128BitNumbersNextToSquares) {
+    std::mt19937_64 random(3);
+    for (int i = 0; i < 300'000; ++i) {
+        const std::uint64_t r = (i % 2 == 0 ? random() : ~(random() >> (random() % 64))) >> (random() % 60);
+        const portable::Wide square = portable::multiply(r, r);
+        if (r == 0) continue;
+        const portable::Wide below{square.low == 0 ? square.high - 1 : square.high, square.low - 1};
+        ASSERT_EQ(integer_root(square), r);
+        ASSERT_EQ(integer_root(below), r - 1);
+        const Uint128 last = joined(square) + 2 * Uint128{r};
+        ASSERT_EQ(
+            integer_root(portable::Wide{static_cast<std::uint64_t>(last >> 64), static_cast<std::uint64_t>(last)}), r);
+    }
+}
+
+TEST(SquareRoot, OfA16Dot16NumberIsTheNearestOf32FractionBits) {
+    using Fixed16 = Fixed<std::int32_t, 16>;
+    using Fixed32 = Fixed<std::int64_t, 32>;
+    EXPECT_EQ(square_root<Fixed32>(Fixed16::from_int(4), Rounding::NearestHalfUp), Fixed32::from_int(2));
+    EXPECT_EQ(square_root<Fixed32>(Fixed16::from_int(2), Rounding::NearestHalfUp).raw, 6074001000);  // 6074000999.95
+    EXPECT_EQ(square_root<Fixed32>(Fixed16::from_int(2), Rounding::Floor).raw, 6074000999);
+    std::mt19937 random(4);
+    for (int i = 0; i < 200'000; ++i) {
+        const auto n = static_cast<std::int32_t>(random() >> 1 >> (random() % 31));
+        const Uint128 exact = Uint128{static_cast<std::uint32_t>(n)} << 48;
+        const auto r =
+            static_cast<std::uint64_t>(square_root<Fixed32>(Fixed16::from_raw(n), Rounding::NearestHalfUp).raw);
+        // |r - root| <= 1/2 as squares: (2 r - 1)^2 <= 4 exact <= (2 r + 1)^2.
+        ASSERT_TRUE(r == 0 || Uint128{2 * r - 1} * (2 * r - 1) <= 4 * exact) << n;
+        ASSERT_TRUE(Uint128{2 * r + 1} * (2 * r + 1) >= 4 * exact) << n;
+    }
+}
+
+TEST(SquareRoot, OfNegativesIsZero) {
+    EXPECT_EQ(square_root<World>(World::from_int(-1)), World{});
+}
+
+}  // namespace
+}  // namespace oblong
