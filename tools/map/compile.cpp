@@ -5,6 +5,7 @@
 #include "tools/map/emit.h"
 #include "tools/map/entities.h"
 #include "tools/map/light.h"
+#include "tools/map/light_sources.h"
 #include "tools/map/model.h"
 #include "tools/map/vis.h"
 
@@ -71,7 +72,8 @@ std::string points_text(const std::vector<Point>& path) {
 }
 
 BspFile compile_map(std::string_view text, const std::vector<Wad>& wads, const CompileOptions& options) {
-    const std::vector<MapEntity> entities = parse_map(text);
+    std::vector<MapEntity> entities = parse_map(text);
+    assign_switchable_styles(entities);
     LevelBrushes level = make_brushes(entities);
     BspFile bsp;
     bsp.textures = collect_textures(level.textures.names(), wads);

@@ -5,9 +5,6 @@
 #include "engine/base/input_error.h"
 
 namespace oblong::map {
-namespace {
-
-// The first `count` numbers of a value; throws if there are fewer.
 std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, std::size_t count) {
     const std::string text = entity.value(key);
     std::vector<double> numbers;
@@ -26,8 +23,6 @@ std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, st
     }
     return numbers;
 }
-
-}  // namespace
 
 bool belongs_to_world(const MapEntity& entity) {
     const std::string name = entity.value("classname");

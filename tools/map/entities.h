@@ -12,6 +12,9 @@ bool belongs_to_world(const MapEntity& entity);
 /// The three numbers of the key "origin"; nothing if it is missing. Throws InputError if it is malformed.
 std::optional<Point> origin_of(const MapEntity& entity);
 
+/// The first `count` numbers of a key's value. Throws InputError if there are fewer.
+std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, std::size_t count);
+
 /// The number that is the value of a key, or `otherwise` if it is missing. Throws InputError if it is malformed.
 double number_of(const MapEntity& entity, std::string_view key, double otherwise);
 
