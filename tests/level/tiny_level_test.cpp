@@ -66,6 +66,15 @@ TEST(TinyLevel, MissingTextureBecomesACheckerboard) {
     EXPECT_EQ(texture.mips[0][0], texture.mips[0][16]);
 }
 
+TEST(TinyLevel, TextureWhoseTexelsAreElsewhereKeepsItsName) {
+    test::Lumps lumps = test::make_tiny_lumps();
+    for (std::size_t mip = 0; mip < 4; ++mip)
+        test::put_number(test::lump_of(lumps, Lump::Textures), 32 + mip * 4, 4, 0);
+    const Level level = read_tiny(lumps);
+    EXPECT_TRUE(level.textures[0].is_missing);
+    EXPECT_EQ(level.textures[0].name, "floor");
+}
+
 TEST(TinyLevel, SkyAndLiquidsAreSpecialByNameOrFlag) {
     for (const char* name : {"*lava", "sky1", "floor"}) {
         test::Lumps lumps = test::make_tiny_lumps();

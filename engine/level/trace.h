@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/level/level.h"
+
+namespace oblong {
+
+/// The sizes of body that a level was compiled for: each has a tree of its own, in which the body is a point.
+enum class Hull : std::uint8_t {
+    Point,   ///< nodes and leaves
+    Player,  ///< a box from (-16, -16, -24) to (16, 16, 32) around the point
+    Large    ///< a box from (-32, -32, -24) to (32, 32, 64)
+};
+
+/// How far a body went.
+struct TraceResult {
+    Vec3<World> end;
+    Unit fraction = Unit::from_int(1);  ///< of the way, 0 to 1
+    Vec3<Unit> normal;                  ///< of the plane that stopped it, toward the body; 0 if nothing did
+    bool is_hit = false;
+    bool starts_solid = false;  ///< `from` is solid
+    bool is_all_solid = false;  ///< so is all the way: the body stays where it is
+};
+
+/// What fills a model at a point (contents::k...), for a body of the hull's size. A point on a plane belongs to its
+/// front. `p` is in the model's own coordinates, for a model that has moved: less what it has moved by.
+std::int32_t hull_contents(const Level& level, const SubModel& model, Hull hull, Vec3<World> p);
+
+/// Moves a body in a straight line until it would touch solid: it stops 1/32 unit before the plane, measured along the
+/// normal, or where it starts if that is nearer already. The end is never solid unless `from` is. From solid, the body
+/// moves out freely and is stopped by what it meets then. The way a line is cut at planes is that of Quake's hull
+/// check.
+TraceResult trace_hull(const Level& level, const SubModel& model, Hull hull, Vec3<World> from, Vec3<World> to);
+
+}  // namespace oblong
