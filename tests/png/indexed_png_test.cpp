@@ -1,14 +1,7 @@
 #include "tools/png/indexed_png.h"
 
 #include <gtest/gtest.h>
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_PNG
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wsign-conversion"
 #include <stb/stb_image.h>
-#pragma GCC diagnostic pop
 
 #include "engine/base/input_error.h"
 
@@ -42,6 +35,26 @@ TEST(IndexedPng, AnotherDecoderReadsTheSameColours) {
         ASSERT_EQ(read, palette.colours[pixels[i]]) << "pixel " << i;
     }
     stbi_image_free(rgb);
+}
+
+TEST(IndexedPng, DecodesToTheSameIndices) {
+    std::vector<std::uint8_t> pixels;
+    for (int i = 0; i < 48 * 5; ++i) pixels.push_back(static_cast<std::uint8_t>(i * 37));
+    const auto decoded = decode_indexed_png(encode_indexed_png(pixels, 48, 5, distinct_colours()));
+    ASSERT_TRUE(decoded);
+    EXPECT_EQ(decoded->width_px, 48);
+    EXPECT_EQ(decoded->height_px, 5);
+    EXPECT_EQ(decoded->pixels, pixels);
+    EXPECT_EQ(decoded->palette.colours, distinct_colours().colours);
+}
+
+TEST(IndexedPng, NoPrefixOfAFileDecodes) {
+    const std::vector<std::uint8_t> pixels(64, 9);
+    const auto file = encode_indexed_png(pixels, 8, 8, distinct_colours());
+    constexpr std::size_t kLastChunkBytes = 12;  // IEND says nothing
+    for (std::size_t size = 0; size < file.size() - kLastChunkBytes; ++size) {
+        EXPECT_FALSE(decode_indexed_png(std::span(file).first(size))) << size;
+    }
 }
 
 TEST(IndexedPng, SaysInItsHeaderThatItIsIndexed) {

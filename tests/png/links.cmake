@@ -1,1 +1,1 @@
-set(LINKS oblong_tool_png)
+set(LINKS oblong_tool_texture)

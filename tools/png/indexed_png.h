@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,5 +19,16 @@ std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixel
 /// The same, written to a file. Throws InputError where it can't be written.
 void write_indexed_png(const std::string& path, std::span<const std::uint8_t> pixels, std::int32_t width_px,
                        std::int32_t height_px, const Palette& palette);
+
+/// What an indexed PNG holds.
+struct IndexedPng {
+    std::int32_t width_px = 0, height_px = 0;
+    std::vector<std::uint8_t> pixels;
+    Palette palette;
+};
+
+/// The indices of an 8-bit palette PNG without interlacing, or nothing if the bytes are anything else (or broken).
+/// Checksums are not checked.
+std::optional<IndexedPng> decode_indexed_png(std::span<const std::uint8_t> file);
 
 }  // namespace oblong

@@ -1,0 +1,63 @@
+#include "tools/texture/mipmaps.h"
+
+#include "tools/texture/nearest_colour.h"
+
+namespace oblong {
+namespace {
+
+/// What a block of texels adds up to.
+struct BlockSum {
+    int red = 0, green = 0, blue = 0, texels = 0, fullbright = 0;
+
+    void add(std::uint8_t index, const Palette& palette) {
+        const Rgb8 colour = palette.colours[index];
+        red += colour.red;
+        green += colour.green;
+        blue += colour.blue;
+        ++texels;
+        if (index >= kFirstFullbright) ++fullbright;
+    }
+    std::uint8_t mean(int sum) const { return static_cast<std::uint8_t>((sum + texels / 2) / texels); }
+    Rgb8 mean_colour() const { return {mean(red), mean(green), mean(blue)}; }
+    bool mostly_glows() const { return 2 * fullbright > texels; }
+};
+
+BlockSum sum_block(const MipTexture& texture, const Palette& palette, int left, int top, int size) {
+    BlockSum sum;
+    for (int y = top; y < top + size; ++y) {
+        for (int x = left; x < left + size; ++x) {
+            sum.add(texture.mips[0][static_cast<std::size_t>(y * texture.width + x)], palette);
+        }
+    }
+    return sum;
+}
+
+std::vector<std::uint8_t> shrink(const MipTexture& texture, const Palette& palette, int level) {
+    const int size = 1 << level;
+    std::vector<std::uint8_t> texels;
+    for (int top = 0; top < texture.height; top += size) {
+        for (int left = 0; left < texture.width; left += size) {
+            const BlockSum sum = sum_block(texture, palette, left, top, size);
+            const ColourRange range = sum.mostly_glows() ? kFullbrightColours : kOrdinaryColours;
+            texels.push_back(nearest_colour(palette, sum.mean_colour(), range));
+        }
+    }
+    return texels;
+}
+
+}  // namespace
+
+MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::int32_t height,
+                            std::vector<std::uint8_t> texels, const Palette& palette) {
+    MipTexture texture;
+    texture.name = name;
+    texture.width = width;
+    texture.height = height;
+    texture.mips[0] = std::move(texels);
+    for (int level = 1; level < 4; ++level) {
+        texture.mips[static_cast<std::size_t>(level)] = shrink(texture, palette, level);
+    }
+    return texture;
+}
+
+}  // namespace oblong
