@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/surface/palette.h"
+
+namespace oblong::art {
+
+/// A run of the palette from dark to bright in one hue. The last five glow.
+enum class Ramp : std::uint8_t {
+    Grey,
+    Stone,
+    Sand,
+    Wood,
+    Brass,
+    Verdigris,
+    Night,
+    Water,
+    Red,
+    Terracotta,
+    Ivory,
+    Violet,
+    Moss,
+    Star,
+    Flame,
+    Ice,
+    Magenta,
+    Green,
+    Cyan
+};
+
+struct RampPlace {
+    int first = 0, count = 16;  ///< palette indices
+};
+
+inline constexpr int kOrdinaryRamps = 14, kRampSteps = 16;
+
+constexpr RampPlace place_of(Ramp ramp) {
+    constexpr std::array<RampPlace, 5> kGlowing{{{224, 8}, {232, 8}, {240, 4}, {244, 4}, {248, 4}}};
+    const int index = static_cast<int>(ramp);
+    if (index < kOrdinaryRamps) return {index * kRampSteps, kRampSteps};
+    return kGlowing[static_cast<std::size_t>(index - kOrdinaryRamps)];
+}
+
+/// The palette of the demo level: fourteen ramps of sixteen steps that begin near black (index 0 is black), then 32
+/// colours that glow. No colour appears twice.
+Palette design_palette();
+
+}  // namespace oblong::art

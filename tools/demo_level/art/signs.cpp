@@ -1,0 +1,74 @@
+#include "tools/demo_level/art/signs.h"
+
+#include "tools/demo_level/art/font.h"
+#include "tools/demo_level/art/noise.h"
+
+namespace oblong::art {
+namespace {
+
+/// A dark blue board in a rounded brass frame.
+void paint_board(Canvas& canvas) {
+    const NoiseField field{canvas.width(), canvas.height(), 120};
+    canvas.paint(canvas.whole(), [&](int x, int y) {
+        return Texel{Ramp::Night, steps(2) + fractal_noise(field, x, y, 16) / 3 + (hash_255(x, y, 121) - 128) / 2};
+    });
+    const Box whole = canvas.whole();
+    for (const auto& [inset, level] : {std::pair{0, 5}, {1, 11}, {2, 14}, {3, 8}, {4, 3}}) {
+        const Box frame{inset, inset, whole.width - 2 * inset, whole.height - 2 * inset};
+        canvas.outline(frame, {Ramp::Brass, steps(level)});
+    }
+    for (const int x : {2, whole.width - 4}) {
+        for (const int y : {2, whole.height - 4}) canvas.fill({x, y, 2, 2}, {Ramp::Brass, steps(15)});
+    }
+}
+
+/// Letters with a shadow below and right.
+void engrave(Canvas& canvas, std::string_view text, int y, int scale, Texel ink) {
+    const int x = (canvas.width() - text_width(text, scale)) / 2;
+    draw_text(canvas, text, x + 1, y + 1, scale, {Ramp::Night, steps(0)});
+    draw_text(canvas, text, x, y, scale, ink);
+}
+
+}  // namespace
+
+Canvas paint_sign(std::string_view first, std::string_view second) {
+    Canvas canvas(128, 32);
+    paint_board(canvas);
+    const Texel gold{Ramp::Brass, steps(14)};
+    if (!second.empty()) {
+        engrave(canvas, first, 7, 1, gold);
+        engrave(canvas, second, 18, 1, gold);
+        return canvas;
+    }
+    const bool is_short = text_width(first, 2) <= canvas.width() - 16;
+    engrave(canvas, first, is_short ? 9 : 12, is_short ? 2 : 1, gold);
+    return canvas;
+}
+
+Canvas paint_title(std::string_view text) {
+    Canvas canvas(128, 32);
+    paint_board(canvas);
+    engrave(canvas, text, 6, 3, {Ramp::Flame, steps(5)});
+    const int x = (canvas.width() - text_width(text, 3)) / 2;
+    for (int row = 6; row < 14; ++row) {
+        for (int column = x; column < canvas.width() - 8; ++column) {
+            Texel& texel = canvas.at(column, row);
+            if (texel.ramp == Ramp::Flame) texel.level = steps(6);
+        }
+    }
+    return canvas;
+}
+
+Canvas paint_exit_sign(int frame) {
+    Canvas canvas(64, 32);
+    paint_board(canvas);
+    const Texel ink{Ramp::Green, steps(frame == 0 ? 2 : 3)};
+    draw_text(canvas, "EXIT", 9, 12, 1, ink);
+    for (int arrow = 0; arrow < 3; ++arrow) {
+        const bool is_lit = arrow % 2 == frame;
+        draw_text(canvas, ">", 36 + arrow * 7, 12, 1, {Ramp::Green, steps(is_lit ? 3 : 1)});
+    }
+    return canvas;
+}
+
+}  // namespace oblong::art

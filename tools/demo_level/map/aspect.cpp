@@ -1,0 +1,43 @@
+#include "tools/demo_level/map/fittings.h"
+#include "tools/demo_level/map/museum.h"
+#include "tools/demo_level/map/round.h"
+
+namespace oblong::map_source {
+namespace {
+
+constexpr double kWindowX = 112, kWindowZ = 144, kWindowHalf = 88;
+
+/// The sphere rests on a pedestal before a plain dark wall, lit from the left and above.
+void add_sphere(Draft& draft) {
+    const Point centre{-112, 352, 128};
+    draft.add(extrude({2, circle(8, centre.x, centre.y, 44, 22.5)}, 0, 16, "marble_green"));
+    draft.add(extrude({2, circle(8, centre.x, centre.y, 32, 22.5)}, 16, 64, "brass_panel"));
+    draft.add(extrude({2, circle(8, centre.x, centre.y, 40, 22.5)}, 64, 73, "marble_green"));
+    draft.add(make_sphere(centre, "plaster_ivory", "cube_red"));
+    draft.add_light({centre.x - 80, centre.y - 120, 220}, 260);
+    draft.add_light({centre.x + 90, centre.y - 40, 60}, 60);
+}
+
+}  // namespace
+
+void build_aspect_room(Draft& draft) {
+    const Opening entrance{Side::South, -48, 48, 0, 112}, east{Side::East, 368, 464, 0, 112};
+    const Opening window{Side::North, kWindowX - kWindowHalf, kWindowX + kWindowHalf, kWindowZ - kWindowHalf,
+                         kWindowZ + kWindowHalf};
+    build_room(draft, {{{-256, 0, 0}, {256, 512, 288}},
+                       "diamond",
+                       "wood_planks",
+                       {{48, "wood_panel"}, {256, "plaster_night"}, {288, "sand_frieze"}},
+                       {entrance, east, window}});
+    add_round_window(draft, kWindowX, kWindowZ, 512, kWindowHalf, 72, "brass_panel");
+    add_sphere(draft);
+    add_panel(draft, {Side::South, {{-192, 508, 196}, {-32, 512, 236}}, "sign_aspect", 128, 32});
+    add_panel(draft, {Side::West, {{252, 352, 128}, {256, 480, 160}}, "sign_vanish", 128, 32});
+    add_door_frame(draft, Side::West, east, 256);
+    for (const double x : {-248.0, 248.0}) {
+        add_wall_lamp(draft, {x, 128, 120}, x < 0 ? Side::East : Side::West, 200);
+    }
+    add_hanging_lamp(draft, {112, 256, 200}, 288, 180);
+}
+
+}  // namespace oblong::map_source

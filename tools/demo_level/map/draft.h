@@ -1,0 +1,40 @@
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/demo_level/map/brush.h"
+
+namespace oblong::map_source {
+
+/// An entity of a .map: keys with values, and the brushes it is made of (none: a point).
+struct MapEntity {
+    std::vector<std::pair<std::string, std::string>> pairs;
+    std::vector<Brush> brushes;
+};
+
+/// A level while it is built: the first entity is the world.
+class Draft {
+  public:
+    explicit Draft(std::vector<std::pair<std::string, std::string>> world_pairs);
+
+    void add(Brush brush) { entities_.front().brushes.push_back(std::move(brush)); }
+    void add_box(const Box& box, const Skin& skin) { add(make_box(box, skin)); }
+    /// A point entity; `more` are pairs after classname and origin.
+    void add_point(const std::string& classname, const Point& origin,
+                   std::vector<std::pair<std::string, std::string>> more = {});
+    void add_light(const Point& origin, int brightness, int style = 0);
+    void add_entity(MapEntity entity) { entities_.push_back(std::move(entity)); }
+
+    const std::vector<MapEntity>& entities() const { return entities_; }
+
+  private:
+    std::vector<MapEntity> entities_;
+};
+
+/// Quake's .map format.
+void write_map(const Draft& draft, std::ostream& out);
+
+}  // namespace oblong::map_source

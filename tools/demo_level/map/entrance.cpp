@@ -1,0 +1,36 @@
+#include "tools/demo_level/map/fittings.h"
+#include "tools/demo_level/map/museum.h"
+
+namespace oblong::map_source {
+namespace {
+
+void furnish(Draft& draft) {
+    draft.add_box({{-40, -416, 0}, {40, 0, 1}}, "carpet");
+    for (const double y : {-352.0, -224.0, -96.0}) {
+        for (const double x : {-104.0, 104.0}) {
+            add_column(draft, {x, y, 0}, 224, 16, "marble_ivory");
+            add_wall_lamp(draft, {x, y + 26, 112}, Side::North, 150);
+        }
+    }
+    add_panel(draft, {Side::South, {{-128, -40, 148}, {128, -32, 212}}, "title", 128, 32});
+    add_panel(draft, {Side::South, {{-64, -36, 114}, {64, -32, 146}}, "sign_museum", 128, 32});
+    add_panel(draft, {Side::East, {{-160, -208, 72}, {-154, -112, 168}}, "picture_moon"});
+    add_panel(draft, {Side::West, {{154, -208, 72}, {160, -112, 168}}, "picture_eye"});
+}
+
+}  // namespace
+
+void build_entrance(Draft& draft) {
+    const Opening door{Side::North, -48, 48, 0, 112};
+    build_room(draft, {{{-160, -416, 0}, {160, -32, 224}},
+                       "stone_floor",
+                       "coffer",
+                       {{64, "wood_panel"}, {192, "sand_wall"}, {224, "sand_frieze"}},
+                       {door}});
+    add_arch(draft, 1, {{-48, -32, 0}, {48, 0, 112}}, "sand_wall");
+    furnish(draft);
+    draft.add_light({0, -96, 180}, 160);
+    draft.add_point("info_player_start", {0, -368, 32}, {{"angle", "90"}});
+}
+
+}  // namespace oblong::map_source

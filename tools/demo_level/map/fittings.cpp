@@ -1,0 +1,152 @@
+#include "tools/demo_level/map/fittings.h"
+
+namespace oblong::map_source {
+namespace {
+
+Box box_around(const Point& centre, double half) {
+    return {{centre.x - half, centre.y - half, centre.z - half}, {centre.x + half, centre.y + half, centre.z + half}};
+}
+
+Point towards(Side side) {
+    switch (side) {
+        case Side::North:
+            return {0, 1, 0};
+        case Side::East:
+            return {1, 0, 0};
+        case Side::South:
+            return {0, -1, 0};
+        default:
+            return {-1, 0, 0};
+    }
+}
+
+bool looks_to(const Point& normal, Side side) {
+    const Point wanted = towards(side);
+    return normal.x * wanted.x + normal.y * wanted.y > 0 && normal.z == 0;
+}
+
+/// The whole texture on the panel's front. Texture axes run east and north, so that a front that faces north or west
+/// would show it mirrored: its scale is negative.
+Placement panel_placement(const Panel& panel) {
+    const bool spans_x = panel.facing == Side::North || panel.facing == Side::South;
+    const double low = spans_x ? panel.box.low.x : panel.box.low.y,
+                 high = spans_x ? panel.box.high.x : panel.box.high.y;
+    const bool is_mirrored = panel.facing == Side::North || panel.facing == Side::West;
+    Placement placement{panel.texture, 0, 0, (high - low) / panel.texture_width,
+                        (panel.box.high.z - panel.box.low.z) / panel.texture_height};
+    if (is_mirrored) placement.scale_u = -placement.scale_u;
+    placement.offset_u = -(is_mirrored ? high : low) / placement.scale_u;
+    placement.offset_v = panel.box.high.z / placement.scale_v;
+    return placement;
+}
+
+void add_lamp_body(Draft& draft, const Point& centre) {
+    const Box box = box_around(centre, 8);
+    Brush brush = make_box(box, "lamp");
+    fit_textures(brush, box, 0.5);
+    draft.add(std::move(brush));
+}
+
+}  // namespace
+
+void add_column(Draft& draft, const Point& foot, double height, double radius, const Skin& skin) {
+    const double plinth = radius + 4, slab = radius / 2 + 2;
+    const auto square = [&](double z_low, double z_high) {
+        return Box{{foot.x - plinth, foot.y - plinth, z_low}, {foot.x + plinth, foot.y + plinth, z_high}};
+    };
+    draft.add_box(square(foot.z, foot.z + slab), skin);
+    draft.add_box(square(foot.z + height - slab, foot.z + height), skin);
+    draft.add(extrude({2, circle(12, foot.x, foot.y, radius, 15)}, foot.z + slab, foot.z + height - slab, skin));
+}
+
+void add_panel(Draft& draft, const Panel& panel) {
+    Brush brush = make_box(panel.box, "brass_trim");
+    for (BrushFace& face : brush.faces) {
+        if (looks_to(outward_normal(face), panel.facing)) face.placement = panel_placement(panel);
+    }
+    draft.add(std::move(brush));
+}
+
+void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightness) {
+    add_lamp_body(draft, centre);
+    draft.add_box({{centre.x - 4, centre.y - 4, centre.z - 16}, {centre.x + 4, centre.y + 4, centre.z - 8}},
+                  "brass_trim");
+    draft.add_box({{centre.x - 10, centre.y - 10, centre.z + 8}, {centre.x + 10, centre.y + 10, centre.z + 12}},
+                  "brass_trim");
+    const Point out = towards(facing);
+    draft.add_light({centre.x + out.x * 24, centre.y + out.y * 24, centre.z}, brightness);
+}
+
+void add_hanging_lamp(Draft& draft, const Point& centre, double ceiling_z, int brightness) {
+    add_lamp_body(draft, centre);
+    draft.add_box({{centre.x - 1, centre.y - 1, centre.z + 8}, {centre.x + 1, centre.y + 1, ceiling_z}}, "brass_trim");
+    draft.add_light({centre.x, centre.y, centre.z - 20}, brightness);
+    // What the lamp itself shades would be a black square on the ceiling.
+    draft.add_light({centre.x + 14, centre.y + 14, centre.z + 6}, brightness / 3);
+}
+
+void add_lamp_post(Draft& draft, const Point& foot, int brightness) {
+    constexpr double kLampHeight = 76;
+    const auto square = [&](double half, double z_low, double z_high) {
+        return Box{{foot.x - half, foot.y - half, foot.z + z_low}, {foot.x + half, foot.y + half, foot.z + z_high}};
+    };
+    draft.add_box(square(8, 0, 8), "marble_green");
+    draft.add_box(square(3, 8, kLampHeight - 8), "brass_trim");
+    add_lamp_body(draft, {foot.x, foot.y, foot.z + kLampHeight});
+    draft.add_box(square(10, kLampHeight + 8, kLampHeight + 12), "brass_trim");
+    // The lamp's own body would shade a single light in its middle: one on each side of it, and the ground is lit all
+    // round.
+    for (const double side : {-14.0, 14.0}) {
+        draft.add_light({foot.x + side, foot.y + side, foot.z + kLampHeight}, brightness);
+    }
+}
+
+void add_balustrade(Draft& draft, const Point& from, const Point& to, const Skin& skin) {
+    constexpr double kSpacing = 24, kHalf = 2;
+    draft.add_box({{from.x - kHalf, from.y - kHalf, from.z + 26}, {to.x + kHalf, to.y + kHalf, from.z + 32}}, skin);
+    const double length = (to.x - from.x) + (to.y - from.y);
+    const bool along_x = to.x > from.x;
+    for (double at = 0; at <= length; at += kSpacing) {
+        const Point foot{from.x + (along_x ? at : 0), from.y + (along_x ? 0 : at), from.z};
+        draft.add_box({{foot.x - kHalf, foot.y - kHalf, foot.z}, {foot.x + kHalf, foot.y + kHalf, foot.z + 26}}, skin);
+    }
+}
+
+void add_arch(Draft& draft, int axis, const Box& doorway, const Skin& skin) {
+    const double low = axis == 0 ? doorway.low.y : doorway.low.x, high = axis == 0 ? doorway.high.y : doorway.high.x;
+    const double radius = (high - low) / 2, spring = doorway.high.z - radius;
+    const double begin = axis == 0 ? doorway.low.x : doorway.low.y, end = axis == 0 ? doorway.high.x : doorway.high.y;
+    const auto arc = circle(16, (low + high) / 2, spring, radius, 0);
+    for (std::size_t i = 0; i < 8; ++i) {
+        const std::array<double, 2> corner{i < 4 ? high : low, doorway.high.z};
+        draft.add(extrude({axis, {corner, arc[i], arc[i + 1]}}, begin, end, skin));
+    }
+}
+
+void add_door_frame(Draft& draft, Side facing, const Opening& opening, double wall_at) {
+    constexpr double kWidth = 8, kProud = 4;
+    const bool spans_x = facing == Side::North || facing == Side::South;
+    const bool faces_up_axis = facing == Side::North || facing == Side::East;
+    const double near = faces_up_axis ? wall_at : wall_at - kProud, far = near + kProud;
+    const auto add_bar = [&](double low, double high, double z_low, double z_high) {
+        const Box bar =
+            spans_x ? Box{{low, near, z_low}, {high, far, z_high}} : Box{{near, low, z_low}, {far, high, z_high}};
+        draft.add_box(bar, "brass_trim");
+    };
+    add_bar(opening.low - kWidth, opening.low, opening.z_low, opening.z_high);
+    add_bar(opening.high, opening.high + kWidth, opening.z_low, opening.z_high);
+    add_bar(opening.low - kWidth, opening.high + kWidth, opening.z_high, opening.z_high + kWidth);
+}
+
+void add_stairs(Draft& draft, const Stairs& stairs, const Skin& skin) {
+    constexpr double kRise = 16;
+    const double direction = stairs.climbs_north ? 1 : -1;
+    for (int step = 0; step < stairs.count; ++step) {
+        const double begin = stairs.y_start + direction * step * stairs.run, end = begin + direction * stairs.run;
+        draft.add_box({{stairs.x_low, begin < end ? begin : end, stairs.z_foot},
+                       {stairs.x_high, begin < end ? end : begin, stairs.z_foot + (step + 1) * kRise}},
+                      skin);
+    }
+}
+
+}  // namespace oblong::map_source

@@ -1,0 +1,28 @@
+#include "tools/demo_level/map/museum.h"
+
+namespace oblong::map_source {
+
+Draft make_museum() {
+    Draft draft({{"message", "A museum of perspective at night"},
+                 {"wad", "demo.wad"},
+                 {"_minlight", "8"},
+                 {"light", "8"},
+                 {"_sky", "sky_night"}});
+    build_entrance(draft);
+    build_aspect_room(draft);
+    build_gallery(draft);
+    build_axonometry_room(draft);
+    build_plane_room(draft);
+    build_lift(draft);
+    build_courtyard(draft);
+    build_canal(draft);
+    build_balcony(draft);
+    build_colonnade(draft);
+    build_tower(draft);
+    build_forced_perspective(draft);
+    build_passages(draft);
+    build_accuracy_room(draft);
+    return draft;
+}
+
+}  // namespace oblong::map_source

@@ -1,0 +1,39 @@
+#include "tools/demo_level/map/fittings.h"
+#include "tools/demo_level/map/museum.h"
+
+namespace oblong::map_source {
+
+/// Three ways at 48 units' height: from forced perspective to accuracy, the long pale corridor where distance shows,
+/// and the bridge from it into the tower.
+void build_passages(Draft& draft) {
+    const std::vector<WallBand> stone{{80, "wood_panel"}, {176, "sand_wall"}};
+    build_room(draft, {{{-848, 1520, 48}, {-736, 2112, 176}},
+                       "stone_floor",
+                       "wood_planks",
+                       stone,
+                       {{Side::East, 1536, 1632, 48, 160}, {Side::North, -840, -744, 48, 160}}});
+    for (const double y : {1700.0, 1860.0, 2020.0}) add_hanging_lamp(draft, {-792, y, 148}, 176, 120);
+    add_panel(draft, {Side::West, {{-740, 1740, 84}, {-736, 1804, 148}}, "picture_road"});
+
+    build_room(draft, {{{-64, 2256, 48}, {592, 2384, 192}},
+                       "stone_floor",
+                       "plaster_ivory",
+                       {{192, "plaster_ivory"}},
+                       {{Side::West, 2272, 2368, 48, 160}, {Side::South, 464, 560, 48, 160}}});
+    for (double x = 0; x < 448; x += 96) {
+        for (const double y : {2268.0, 2372.0}) add_column(draft, {x, y, 48}, 144, 8, "marble_ivory");
+    }
+    for (const double x : {48.0, 240.0, 432.0}) draft.add_light({x, 2320, 150}, 120);
+
+    draft.add_box({{448, 1856, 0}, {576, 1984, 32}}, "stone_dark");
+    build_room(draft, {{{464, 1856, 48}, {560, 2224, 160}},
+                       "stone_floor",
+                       "stone_dark",
+                       {{160, "stone_dark"}},
+                       {{Side::North, 464, 560, 48, 160}, {Side::South, 472, 552, 48, 160}}});
+    add_panel(draft, {Side::East, {{464, 2040, 112}, {468, 2104, 144}}, "+0exit", 64, 32});
+    draft.add_light({512, 2180, 130}, 140);
+    draft.add_light({512, 1960, 130}, 110);
+}
+
+}  // namespace oblong::map_source

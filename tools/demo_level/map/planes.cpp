@@ -1,0 +1,50 @@
+#include "tools/demo_level/map/fittings.h"
+#include "tools/demo_level/map/museum.h"
+
+namespace oblong::map_source {
+namespace {
+
+/// Two pyramids base to base on a stem: eight faces, no two of them parallel to an axis.
+void add_crystal(Draft& draft, const Point& middle, double radius, double height, double turn_degrees,
+                 const char* texture) {
+    std::vector<std::vector<Point>> triangles;
+    const auto base = circle(4, middle.x, middle.y, radius, turn_degrees);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto &a = base[i], &b = base[(i + 1) % 4];
+        for (const double tip : {middle.z + height, middle.z - height}) {
+            triangles.push_back({{a[0], a[1], middle.z}, {b[0], b[1], middle.z}, {middle.x, middle.y, tip}});
+        }
+    }
+    draft.add(make_solid(triangles, middle, texture));
+    draft.add(extrude({2, circle(8, middle.x, middle.y, 20, 22.5)}, 0, middle.z - height + 10, "marble_green"));
+}
+
+/// Walls that lean in and out, and a folded ceiling.
+void add_tilted_walls(Draft& draft) {
+    draft.add(extrude({1, {{1760, 0}, {1760, 256}, {1632, 256}}}, 656, 1072, "brick"));
+    draft.add(extrude({0, {{1072, 0}, {1072, 256}, {960, 0}}}, 1344, 1760, "stone_wall"));
+    draft.add(extrude({0, {{656, 256}, {1072, 256}, {896, 176}}}, 1344, 1640, "wood_planks"));
+    draft.add(extrude({2, {{1760, 656}, {1760, 800}, {1640, 656}}}, 0, 256, "plaster_night"));
+}
+
+}  // namespace
+
+void build_plane_room(Draft& draft) {
+    const Opening south{Side::South, 1440, 1536, 0, 112};
+    const Opening arcade{Side::West, 696, 784, 0, 112}, lift{Side::West, 840, 936, 0, 112};
+    build_room(draft, {{{1344, 656, 0}, {1760, 1072, 256}},
+                       "diamond",
+                       "wood_planks",
+                       {{32, "wood_panel"}, {256, "sand_wall"}},
+                       {south, arcade, lift}});
+    add_tilted_walls(draft);
+    add_crystal(draft, {1600, 856, 96}, 40, 64, 20, "cube_blue");
+    add_crystal(draft, {1480, 900, 72}, 26, 44, 50, "cube_gold");
+    for (const Opening& door : {arcade, lift}) add_door_frame(draft, Side::East, door, 1344);
+    add_panel(draft, {Side::East, {{1344, 824, 128}, {1348, 952, 160}}, "sign_fov", 128, 32});
+    draft.add_light({1560, 760, 150}, 230);
+    draft.add_light({1420, 820, 120}, 150);
+    draft.add_light({1690, 900, 60}, 140);
+}
+
+}  // namespace oblong::map_source

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "tools/demo_level/map/draft.h"
+
+namespace oblong::map_source {
+
+enum class Side { North, East, South, West };
+
+/// Walls, floors and ceilings are this thick; rooms stand two walls apart.
+inline constexpr double kWall = 16;
+
+/// A rectangular hole in a wall: from `low` to `high` along it (x for north and south, y for east and west).
+struct Opening {
+    Side side = Side::North;
+    double low = 0, high = 0, z_low = 0, z_high = 0;
+};
+
+/// From the height before it up to `z_high` a wall wears this texture.
+struct WallBand {
+    double z_high = 0;
+    std::string texture;
+};
+
+struct Room {
+    Box inside;
+    std::string floor, ceiling;
+    std::vector<WallBand> walls;  ///< from the floor up; the last one ends at the ceiling
+    std::vector<Opening> openings;
+};
+
+/// A closed box with holes. Floor and ceiling go on under the walls, so that doorways have a floor.
+void build_room(Draft& draft, const Room& room);
+
+/// The four walls alone.
+void build_walls(Draft& draft, const Room& room);
+
+}  // namespace oblong::map_source

@@ -1,0 +1,76 @@
+#include "tools/demo_level/map/round.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oblong::map_source {
+namespace {
+
+/// A ring of the sphere: heights above the centre, and the sixteen-gon below times `times_8` / 8.
+struct Ring {
+    double height, times_8;
+};
+
+/// Every ring is the same polygon scaled, so that the edges above and below a facet are parallel and its four corners
+/// lie on one plane, exactly. cos and sin of multiples of 15 degrees, times 56.
+constexpr std::array<Ring, 13> kRings{{{56, 0},
+                                       {54, 11.5},
+                                       {48.5, 22.5},
+                                       {39.5, 31.5},
+                                       {28, 39},
+                                       {14.5, 43.5},
+                                       {0, 45},
+                                       {-14.5, 43.5},
+                                       {-28, 39},
+                                       {-39.5, 31.5},
+                                       {-48.5, 22.5},
+                                       {-54, 11.5},
+                                       {-56, 0}}};
+constexpr double kPolygonRadius = 10;
+
+Point ring_point(const Point& centre, const Ring& ring, const std::array<double, 2>& corner) {
+    return {centre.x + corner[0] * ring.times_8 / 8, centre.y + corner[1] * ring.times_8 / 8, centre.z + ring.height};
+}
+
+/// Three points of a facet: both corners of its wider edge and one of the other (a pole's edge is a point).
+std::vector<Point> facet(const Point& centre, std::size_t band, const std::array<double, 2>& corner,
+                         const std::array<double, 2>& next_corner) {
+    const bool is_upper = kRings[band].times_8 < kRings[band + 1].times_8;
+    const Ring &wide = kRings[is_upper ? band + 1 : band], &narrow = kRings[is_upper ? band : band + 1];
+    return {ring_point(centre, wide, corner), ring_point(centre, wide, next_corner),
+            ring_point(centre, narrow, corner)};
+}
+
+/// Where the ray from the middle of a square through `corner` meets its outline, rounded to whole units.
+std::array<double, 2> on_square(const std::array<double, 2>& corner, double x, double z, double half) {
+    const double across = corner[0] - x, up = corner[1] - z;
+    const double reach = std::max(std::abs(across), std::abs(up));
+    return {x + std::round(across * half / reach), z + std::round(up * half / reach)};
+}
+
+}  // namespace
+
+Brush make_sphere(const Point& centre, const std::string& even_texture, const std::string& odd_texture) {
+    const auto polygon = circle(16, 0, 0, kPolygonRadius, 0);
+    Brush sphere;
+    for (std::size_t band = 0; band + 1 < kRings.size(); ++band) {
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const auto points = facet(centre, band, polygon[i], polygon[(i + 1) % polygon.size()]);
+            const std::string& texture = (band + i) % 2 == 0 ? even_texture : odd_texture;
+            sphere.faces.push_back(make_solid({points}, centre, texture).faces.front());
+        }
+    }
+    return sphere;
+}
+
+void add_round_window(Draft& draft, double x, double z, double y_low, double half, double radius, const Skin& skin) {
+    constexpr double kDepth = 32;
+    const auto hole = circle(24, x, z, radius, 0);
+    for (std::size_t i = 0; i < hole.size(); ++i) {
+        const auto &corner = hole[i], &next = hole[(i + 1) % hole.size()];
+        const Outline sector{1, {corner, on_square(corner, x, z, half), on_square(next, x, z, half), next}};
+        draft.add(extrude(sector, y_low, y_low + kDepth, skin));
+    }
+}
+
+}  // namespace oblong::map_source
