@@ -1,0 +1,86 @@
+#include "tools/map/vis_flow.h"
+
+#include <algorithm>
+#include <deque>
+#include <numeric>
+
+#include "tools/map/separators.h"
+
+namespace oblong::map {
+namespace {
+
+// One portal's flow through the level.
+class Flow {
+  public:
+    Flow(const VisGraph& graph, const std::vector<BitSet>& seen, const std::vector<bool>& is_done,
+         const VisPortal& base)
+        : graph_(graph), seen_(seen), is_done_(is_done), base_(base), found_(graph.portals.size()) {}
+
+    BitSet run() {
+        pass_leaf(base_.leaf, base_.winding, nullptr, base_.might_see, 0);
+        return std::move(found_);
+    }
+
+  private:
+    // `source`: what of the base portal is still looked from; `pass`: the portal last looked through (null: none yet).
+    void pass_leaf(int leaf, const Winding& source, const Winding* pass, const BitSet& might_see, std::size_t depth) {
+        for (const int index : graph_.portals_of_leaf[static_cast<std::size_t>(leaf)]) {
+            const auto i = static_cast<std::size_t>(index);
+            if (!might_see.has(i)) continue;
+            const BitSet& beyond = is_done_[i] ? seen_[i] : graph_.portals[i].might_see;
+            BitSet& next_might_see = scratch(depth);
+            const bool has_news = next_might_see.set_common(might_see, beyond, found_);
+            if (has_news || !found_.has(i)) pass_portal(i, source, pass, next_might_see, depth);
+        }
+    }
+
+    void pass_portal(std::size_t index, const Winding& source, const Winding* pass, const BitSet& might_see,
+                     std::size_t depth) {
+        const VisPortal& portal = graph_.portals[index];
+        Winding target = split(portal.winding, base_.plane).front;
+        if (target.empty()) return;
+        const Winding near_source = split(source, portal.plane).back;
+        if (near_source.empty()) return;
+        if (pass != nullptr) target = seen_through(near_source, *pass, std::move(target));
+        if (target.empty()) return;
+        found_.add(index);
+        pass_leaf(portal.leaf, near_source, &target, might_see, depth + 1);
+    }
+
+    // A set for each level of the recursion; a deque, as references to them stay in use while it grows.
+    BitSet& scratch(std::size_t depth) {
+        while (scratch_.size() <= depth) scratch_.emplace_back(graph_.portals.size());
+        return scratch_[depth];
+    }
+
+    const VisGraph& graph_;
+    const std::vector<BitSet>& seen_;
+    const std::vector<bool>& is_done_;
+    const VisPortal& base_;
+    BitSet found_;
+    std::deque<BitSet> scratch_;
+};
+
+// Those with little to see first: they help the others.
+std::vector<std::size_t> by_might_see(const VisGraph& graph) {
+    std::vector<int> counts;
+    for (const VisPortal& portal : graph.portals) counts.push_back(portal.might_see.count());
+    std::vector<std::size_t> order(graph.portals.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return counts[a] < counts[b]; });
+    return order;
+}
+
+}  // namespace
+
+std::vector<BitSet> find_seen_portals(const VisGraph& graph) {
+    std::vector<BitSet> seen(graph.portals.size());
+    std::vector<bool> is_done(graph.portals.size(), false);
+    for (const std::size_t i : by_might_see(graph)) {
+        seen[i] = Flow(graph, seen, is_done, graph.portals[i]).run();
+        is_done[i] = true;
+    }
+    return seen;
+}
+
+}  // namespace oblong::map
