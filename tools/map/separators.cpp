@@ -1,17 +1,31 @@
 #include "tools/map/separators.h"
 
+#include <algorithm>
+
 namespace oblong::map {
 namespace {
 
-// All on one side, and some truly so.
-bool is_behind(const Winding& winding, const Plane& plane) {
+// `plane`, or its other side, so that the polygon is behind it; false if it is on both sides or on none.
+bool turn_away(Plane& plane, const Winding& winding) {
     const Reach far = reach(winding, plane);
-    return far.front <= kOnEpsilon && far.back > kOnEpsilon;
+    if ((far.front > kOnEpsilon) == (far.back > kOnEpsilon)) return false;
+    if (far.front > kOnEpsilon) plane = plane.flipped();
+    return true;
 }
 
-// Cuts `target` by the planes through an edge of `a` and a corner of `b` that separate them; keeps b's side if
-// `keeps_far`, else a's.
-Winding cut_by_separators(const Winding& a, const Winding& b, Winding target, bool keeps_far) {
+bool is_in_front(const Winding& winding, const Plane& plane) {
+    bool is_off_plane = false;
+    for (const Point& point : winding) {
+        const double height = plane.height_of(point);
+        if (height < -kOnEpsilon) return false;
+        is_off_plane = is_off_plane || height > kOnEpsilon;
+    }
+    return is_off_plane;
+}
+
+// Those through an edge of `a`; they face `b`.
+std::vector<Plane> separators_at_edges(const Winding& a, const Winding& b) {
+    std::vector<Plane> planes;
     for (std::size_t i = 0; i < a.size(); ++i) {
         const Point edge = a[(i + 1) % a.size()] - a[i];
         for (const Point& corner : b) {
@@ -20,22 +34,27 @@ Winding cut_by_separators(const Winding& a, const Winding& b, Winding target, bo
             if (size < kOnEpsilon) continue;
             const Point normal = scaled(across, 1 / size);
             Plane plane{normal, dot(normal, a[i])};
-            if (!is_behind(a, plane)) plane = plane.flipped();
-            if (!is_behind(a, plane) || !is_behind(b, plane.flipped())) continue;
-            SplitWinding parts = split(target, keeps_far ? plane : plane.flipped());
-            target = std::move(parts.front);
-            if (target.empty()) return target;
+            if (turn_away(plane, a) && is_in_front(b, plane)) planes.push_back(plane);
         }
     }
-    return target;
+    return planes;
 }
 
 }  // namespace
 
-Winding seen_through(const Winding& source, const Winding& pass, Winding target) {
-    target = cut_by_separators(source, pass, std::move(target), true);
-    if (target.empty()) return target;
-    return cut_by_separators(pass, source, std::move(target), false);
+std::vector<Plane> separators(const Winding& source, const Winding& pass) {
+    std::vector<Plane> planes = separators_at_edges(source, pass);
+    for (const Plane& plane : separators_at_edges(pass, source)) planes.push_back(plane.flipped());
+    return planes;
+}
+
+void cut_to_front(Winding& winding, const Plane& plane) {
+    const Reach far = reach(winding, plane);
+    if (far.front <= kOnEpsilon) {
+        winding.clear();
+    } else if (far.back > kOnEpsilon) {
+        winding = split(winding, plane).front;
+    }
 }
 
 }  // namespace oblong::map

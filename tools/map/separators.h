@@ -4,8 +4,11 @@
 
 namespace oblong::map {
 
-/// What of `target` may be seen from some point of `source` through `pass`: cut by all planes through an edge of the
-/// one and a corner of the other that have the source on one side and the pass on the other. Empty: nothing.
-Winding seen_through(const Winding& source, const Winding& pass, Winding target);
+/// The planes through an edge of one polygon and a corner of the other that have the source on one side and the pass on
+/// the other. What can be seen from some point of `source` through `pass` lies in front of all of them.
+std::vector<Plane> separators(const Winding& source, const Winding& pass);
+
+/// Cuts off what is not in front of the plane; leaves nothing of a polygon on it.
+void cut_to_front(Winding& winding, const Plane& plane);
 
 }  // namespace oblong::map

@@ -17,34 +17,38 @@ class Flow {
         : graph_(graph), seen_(seen), is_done_(is_done), base_(base), found_(graph.portals.size()) {}
 
     BitSet run() {
-        pass_leaf(base_.leaf, base_.winding, nullptr, base_.might_see, 0);
+        pass_leaf(base_.leaf, base_.winding, {}, base_.might_see, 0);
         return std::move(found_);
     }
 
   private:
-    // `source`: what of the base portal is still looked from; `pass`: the portal last looked through (null: none yet).
-    void pass_leaf(int leaf, const Winding& source, const Winding* pass, const BitSet& might_see, std::size_t depth) {
+    // `source`: what of the base portal is still looked from; `frustum`: planes that all that is seen is in front of.
+    void pass_leaf(int leaf, const Winding& source, const std::vector<Plane>& frustum, const BitSet& might_see,
+                   std::size_t depth) {
         for (const int index : graph_.portals_of_leaf[static_cast<std::size_t>(leaf)]) {
             const auto i = static_cast<std::size_t>(index);
             if (!might_see.has(i)) continue;
             const BitSet& beyond = is_done_[i] ? seen_[i] : graph_.portals[i].might_see;
             BitSet& next_might_see = scratch(depth);
             const bool has_news = next_might_see.set_common(might_see, beyond, found_);
-            if (has_news || !found_.has(i)) pass_portal(i, source, pass, next_might_see, depth);
+            if (has_news || !found_.has(i)) pass_portal(i, source, frustum, next_might_see, depth);
         }
     }
 
-    void pass_portal(std::size_t index, const Winding& source, const Winding* pass, const BitSet& might_see,
-                     std::size_t depth) {
+    void pass_portal(std::size_t index, const Winding& source, const std::vector<Plane>& frustum,
+                     const BitSet& might_see, std::size_t depth) {
         const VisPortal& portal = graph_.portals[index];
-        Winding target = split(portal.winding, base_.plane).front;
-        if (target.empty()) return;
-        const Winding near_source = split(source, portal.plane).back;
-        if (near_source.empty()) return;
-        if (pass != nullptr) target = seen_through(near_source, *pass, std::move(target));
-        if (target.empty()) return;
+        Winding target = portal.winding;
+        cut_to_front(target, base_.plane);
+        for (const Plane& plane : frustum) {
+            if (target.empty()) return;
+            cut_to_front(target, plane);
+        }
+        Winding near_source = source;
+        cut_to_front(near_source, portal.plane.flipped());
+        if (target.empty() || near_source.empty()) return;
         found_.add(index);
-        pass_leaf(portal.leaf, near_source, &target, might_see, depth + 1);
+        pass_leaf(portal.leaf, near_source, separators(near_source, target), might_see, depth + 1);
     }
 
     // A set for each level of the recursion; a deque, as references to them stay in use while it grows.
