@@ -5,14 +5,6 @@
 namespace oblong::map {
 namespace {
 
-// `plane`, or its other side, so that the polygon is behind it; false if it is on both sides or on none.
-bool turn_away(Plane& plane, const Winding& winding) {
-    const Reach far = reach(winding, plane);
-    if ((far.front > kOnEpsilon) == (far.back > kOnEpsilon)) return false;
-    if (far.front > kOnEpsilon) plane = plane.flipped();
-    return true;
-}
-
 bool is_in_front(const Winding& winding, const Plane& plane) {
     bool is_off_plane = false;
     for (const Point& point : winding) {
@@ -23,9 +15,10 @@ bool is_in_front(const Winding& winding, const Plane& plane) {
     return is_off_plane;
 }
 
-// Those through an edge of `a`; they face `b`.
+// Those through an edge of `a`; they face `b`. All of `a` is on one side of such a plane: that of its middle.
 std::vector<Plane> separators_at_edges(const Winding& a, const Winding& b) {
     std::vector<Plane> planes;
+    const Point middle_of_a = middle(a);
     for (std::size_t i = 0; i < a.size(); ++i) {
         const Point edge = a[(i + 1) % a.size()] - a[i];
         for (const Point& corner : b) {
@@ -34,7 +27,10 @@ std::vector<Plane> separators_at_edges(const Winding& a, const Winding& b) {
             if (size < kOnEpsilon) continue;
             const Point normal = scaled(across, 1 / size);
             Plane plane{normal, dot(normal, a[i])};
-            if (turn_away(plane, a) && is_in_front(b, plane)) planes.push_back(plane);
+            const double height_of_a = plane.height_of(middle_of_a);
+            if (std::abs(height_of_a) <= kOnEpsilon) continue;
+            if (height_of_a > 0) plane = plane.flipped();
+            if (is_in_front(b, plane)) planes.push_back(plane);
         }
     }
     return planes;
