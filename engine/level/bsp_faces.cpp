@@ -104,9 +104,13 @@ std::vector<TexInfo> read_texinfos(const BspFile& file, const Level& level) {
 std::vector<Face> read_faces(const BspFile& file, const Level& level, const std::vector<FloatBits3>& vertex_floats) {
     LumpReader in(file, Lump::Faces), axes(file, Lump::TexInfos);
     std::vector<FloatBits3> polygon;
+    // Faces do not share surfedges; a file whose faces do over and over is made to waste time.
+    std::int64_t work_left = std::int64_t{file.count(Lump::SurfEdges)} * 8;
     std::vector<Face> faces(static_cast<std::size_t>(file.count(Lump::Faces)));
     for (Face& face : faces) {
         face = read_face(in, file);
+        work_left -= face.edge_count;
+        if (work_left < 0) in.fail("faces share surfedges, expected each to have its own");
         gather_polygon(level, face, vertex_floats, polygon);
         axes.seek(face.texinfo * kTexInfoSize);
         const TexelRange u = texel_range(polygon, read_axis_floats(axes));

@@ -7,7 +7,8 @@ namespace {
 constexpr std::int32_t kNameSize = 16;
 constexpr std::int32_t kMissingSize = 64;                     ///< texels a side of the checkerboard
 constexpr std::uint8_t kMissingLight = 15, kMissingDark = 0;  ///< white and black in Quake's palette
-constexpr std::uint32_t kMaxTextureSize = 1 << 14;            ///< texels a side: sizes multiply within 32 bits
+constexpr std::int32_t kMaxTextures = 8192;  ///< a missing one takes 4 bytes of the file and many of ours; Quake: 512
+constexpr std::uint32_t kMaxTextureSize = 1 << 14;  ///< texels a side: sizes multiply within 32 bits
 
 std::string read_name(LumpReader& in) {
     const auto bytes = in.read_bytes(kNameSize);
@@ -72,6 +73,7 @@ std::vector<MipTexture> read_textures(const BspFile& file) {
     if (in.size() == 0) return textures;
 
     const std::int32_t count = in.read_i32();
+    if (count > kMaxTextures) in.fail(std::to_string(count) + " textures, expected 8192 at most");
     in.check_range(0, std::int64_t{count} * 4, in.size() - 4, "bytes of texture offsets");
     std::int64_t texels_left = in.size();
     for (std::int32_t i = 0; i < count; ++i) {

@@ -6,39 +6,19 @@
 #include <random>
 
 #include "engine/level/bsp_read.h"
-#include "engine/level/side.h"
-#include "tests/support/shared_levels.h"
+#include "tests/support/point.h"
 #include "tests/support/tiny_bsp.h"
 
 namespace oblong {
 namespace {
 
-struct Point {
-    double x = 0, y = 0, z = 0;
-};
-
-double dot(Point a, Point b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-Point along(Point a, Point b, double t) {
-    return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t};
-}
+using test::along, test::dot, test::Point, test::to_point, test::to_world;
 
 struct FilePlane {
     Point normal;
     double distance;
     double from(Point p) const { return dot(normal, p) - distance; }
 };
-
-Vec3<World> to_world(Point p) {
-    const auto part = [](double value) {
-        return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
-    };
-    return {part(p.x), part(p.y), part(p.z)};
-}
-Point to_point(Vec3<World> p) {
-    return {p.x.raw / 4096., p.y.raw / 4096., p.z.raw / 4096.};
-}
 
 /// A level whose Player hull is a chain of planes: in front of all of them (`inside_is_solid` false: a room) is empty
 /// and the rest solid, or behind all of them (a block) is solid and the rest empty.
@@ -195,116 +175,6 @@ TEST(Trace, AgreesWithTheClosedFormInRandomRooms) {
     }
     EXPECT_LE(beyond_rounding, 25) << "of 10,000";
 }
-
-class RealTrace : public testing::TestWithParam<const char*> {
-  protected:
-    void SetUp() override {
-        OBLONG_NEEDS_SHARED_LEVELS();
-        level_ = read_bsp(test::read_shared_file(std::string(GetParam()) + ".bsp"));
-    }
-
-    const SubModel& world() const { return level_.models[0]; }
-
-    Vec3<World> random_point() {
-        const auto part = [this](std::size_t axis) {
-            const LevelBox& box = world().box;
-            std::uniform_int_distribution<std::int32_t> raw(box.mins[axis] * 4096, box.maxs[axis] * 4096);
-            return World::from_raw(raw(random_));
-        };
-        const World x = part(0), y = part(1);
-        return {x, y, part(2)};
-    }
-
-    /// Calls check(hull, from, to) for random ways that start outside solid, short ones and long ones.
-    template <class Check>
-    void for_random_ways(int count, Check check) {
-        for (const Hull hull : {Hull::Point, Hull::Player, Hull::Large}) {
-            for (int i = 0; i < count;) {
-                const Vec3<World> from = random_point();
-                if (hull_contents(level_, world(), hull, from) == contents::kSolid) continue;
-                const Vec3<World> far = random_point(), way = far - from;
-                const std::int32_t divisor = 1 << (i % 6);
-                const auto shorten = [divisor](World part) { return World::from_raw(part.raw / divisor); };
-                check(hull, from, from + Vec3<World>{shorten(way.x), shorten(way.y), shorten(way.z)});
-                ++i;
-            }
-        }
-    }
-
-    Level level_;
-    std::mt19937 random_{3};
-};
-
-TEST_P(RealTrace, ContentsOfThePointHullAreThoseOfTheLeaf) {
-    for (int i = 0; i < 5000; ++i) {
-        const Vec3<World> p = random_point();
-        const std::int32_t leaf = find_leaf(level_, world(), p);
-        ASSERT_EQ(hull_contents(level_, world(), Hull::Point, p),
-                  level_.leaves[static_cast<std::size_t>(leaf)].contents);
-    }
-}
-
-TEST_P(RealTrace, NeverEndsInSolidAndStaysOnItsWay) {
-    int hits = 0;
-    for_random_ways(4000, [&](Hull hull, Vec3<World> from, Vec3<World> to) {
-        const TraceResult result = trace_hull(level_, world(), hull, from, to);
-        hits += result.is_hit;
-        ASSERT_FALSE(result.starts_solid);
-        ASSERT_NE(hull_contents(level_, world(), hull, result.end), contents::kSolid);
-        const double fraction = result.fraction.raw * 0x1p-30;
-        ASSERT_TRUE(fraction >= 0 && fraction <= 1);
-        const Point on_way = along(to_point(from), to_point(to), fraction), end = to_point(result.end);
-        const Point off{end.x - on_way.x, end.y - on_way.y, end.z - on_way.z};
-        ASSERT_LE(dot(off, off), 0.01 * 0.01);
-        ASSERT_TRUE(result.is_hit || result.end == to);
-    });
-    EXPECT_GT(hits, 4000);
-}
-
-// No wall is passed, however thin.
-TEST_P(RealTrace, PassesThroughNothingSolid) {
-    int solid = 0;
-    for_random_ways(1000, [&](Hull hull, Vec3<World> from, Vec3<World> to) {
-        const TraceResult result = trace_hull(level_, world(), hull, from, to);
-        for (int i = 1; i < 64; ++i) {
-            const Vec3<World> p = to_world(along(to_point(from), to_point(result.end), i / 64.));
-            solid += hull_contents(level_, world(), hull, p) == contents::kSolid;
-        }
-    });
-    EXPECT_EQ(solid, 0);
-}
-
-TEST_P(RealTrace, StoppedItSlidesAlongThePlaneAndGoesBack) {
-    for_random_ways(2000, [&](Hull hull, Vec3<World> from, Vec3<World> to) {
-        const TraceResult result = trace_hull(level_, world(), hull, from, to);
-        if (!result.is_hit) return;
-        const Point way{to_point(to).x - to_point(from).x, to_point(to).y - to_point(from).y,
-                        to_point(to).z - to_point(from).z};
-        const Point n{result.normal.x.raw * 0x1p-30, result.normal.y.raw * 0x1p-30, result.normal.z.raw * 0x1p-30};
-        ASSERT_LT(dot(way, n), 0) << "the normal faces the body";
-        const Point end = to_point(result.end);
-        const double into = dot(way, n);
-        const Point slide{end.x + way.x - n.x * into, end.y + way.y - n.y * into, end.z + way.z - n.z * into};
-        const TraceResult slid = trace_hull(level_, world(), hull, result.end, to_world(slide));
-        ASSERT_FALSE(slid.starts_solid);
-        ASSERT_NE(hull_contents(level_, world(), hull, slid.end), contents::kSolid);
-        ASSERT_FALSE(trace_hull(level_, world(), hull, result.end, from).starts_solid);
-    });
-}
-
-// A way that is free is free backwards too, but for ways that pass an edge closer than the 1/32 unit kept.
-TEST_P(RealTrace, FreeWaysAreFreeBackwards) {
-    int free = 0, blocked_backwards = 0;
-    for_random_ways(3000, [&](Hull hull, Vec3<World> from, Vec3<World> to) {
-        if (trace_hull(level_, world(), hull, from, to).is_hit) return;
-        ++free;
-        blocked_backwards += trace_hull(level_, world(), hull, to, from).is_hit;
-    });
-    EXPECT_GT(free, 500);
-    EXPECT_LE(blocked_backwards, free / 1000);
-}
-
-INSTANTIATE_TEST_SUITE_P(Shared, RealTrace, testing::ValuesIn(test::kRealLevels));
 
 }  // namespace
 }  // namespace oblong
