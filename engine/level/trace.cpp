@@ -139,12 +139,12 @@ class HullTracer {
         result_.fraction = point.fraction;
     }
 
-    /// The point before the plane; where planes meet at a narrow angle it may be solid: then the first one that is not,
-    /// back toward a in tenths of the way; at last the line's start.
+    /// The point before the plane; where that is solid, as the last 1/32 unit before other planes was never looked at,
+    /// the first that is not, back toward a in tenths of the way; at last the line's start.
     LinePoint last_free_point(const LinePoint& a, const LinePoint& b, Part part) const {
-        const std::int64_t step = part.denominator / kBackOffSteps + 1;
-        for (; part.numerator >= 0; part.numerator -= step) {
-            const LinePoint point = point_between(a, b, part);
+        const std::int64_t step = part.numerator / kBackOffSteps;
+        for (int i = 0; i <= kBackOffSteps; ++i) {
+            const LinePoint point = point_between(a, b, {part.numerator - i * step, part.denominator});
             if (tree_.contents_at(tree_.root(), point.p) != contents::kSolid) return point;
         }
         return start_;

@@ -28,9 +28,9 @@ struct TraceResult {
 std::int32_t hull_contents(const Level& level, const SubModel& model, Hull hull, Vec3<World> p);
 
 /// Moves a body in a straight line until it would touch solid: it stops 1/32 unit before the plane, measured along the
-/// normal, or where it starts if that is nearer already. The end is never solid unless `from` is. From solid, the body
-/// moves out freely and is stopped by what it meets then. The way a line is cut at planes is that of Quake's hull
-/// check.
+/// normal, or where it starts if that is nearer already. A way that ends in front of the plane is free. The end is
+/// never solid unless `from` is; from solid, the body moves out freely and is stopped by what it meets then. The line
+/// is cut at planes as in Quake's hull check, which may miss solid thinner than 1/32 unit.
 TraceResult trace_hull(const Level& level, const SubModel& model, Hull hull, Vec3<World> from, Vec3<World> to);
 
 }  // namespace oblong

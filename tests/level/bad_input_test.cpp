@@ -159,6 +159,17 @@ TEST(BadInput, FacesThatShareTheirEdgesOverAndOverAreRefused) {
     EXPECT_TRUE(fault_of(test::join_lumps(29, lumps)).starts_with("lump 'faces'"));
 }
 
+TEST(BadInput, VisibleRowsThatOverlapOverAndOverAreRefused) {
+    test::Lumps lumps = test::make_tiny_lumps();
+    constexpr int kLeaves = 1000;  // a row takes 125 bytes, and one starts at every byte
+    test::lump_of(lumps, Lump::Visibility).assign(kLeaves + kLeaves / 8, 0xff);
+    test::Bytes& leaves = test::lump_of(lumps, Lump::Leaves);
+    for (int i = 1; i < kLeaves; ++i)
+        test::ByteWriter(leaves).i32(contents::kEmpty).i32(i).number(8, 0).i32(0).i32(0).i32(0);
+    test::put_number(test::lump_of(lumps, Lump::Models), 52, 4, kLeaves);
+    EXPECT_TRUE(fault_of(test::join_lumps(29, lumps)).starts_with("lump 'visibility'"));
+}
+
 TEST(BadInput, EndlessListsOfMissingTexturesAreRefused) {
     test::Lumps lumps = test::make_tiny_lumps();
     test::Bytes& textures = test::lump_of(lumps, Lump::Textures);

@@ -86,6 +86,31 @@ TEST(Trace, NearerThanA32ndItStaysAndMayLeave) {
     EXPECT_FALSE(trace(room, near, {100 - 1. / 64, 50, 50}).is_hit) << "along the wall";
 }
 
+TEST(Trace, WayThatEndsInFrontOfAPlaneIsFree) {
+    const Level room = make_convex(box_planes(100, -1), false);
+    EXPECT_EQ(trace(room, {0, 0, 0}, {100 - 1. / 64, 0, 0}).end, to_world({100 - 1. / 64, 0, 0}));
+    EXPECT_FALSE(trace(room, {0, 0, 0}, {100, 0, 0}).is_hit) << "on the plane is in front";
+    EXPECT_TRUE(trace(room, {0, 0, 0}, {100 + 1. / 4096, 0, 0}).is_hit);
+}
+
+// Solid from x = 1/51 down to 0, and from -1/64 down. The point 1/32 before the latter is inside the former, which a
+// line cut 1/32 before x = 0 has not seen: it must back off.
+TEST(Trace, BacksOffFromAStopInsideSolid) {
+    test::Lumps lumps = test::make_tiny_lumps();
+    for (const float distance : {0.F, 1.F / 51, -1.F / 64})
+        test::ByteWriter(test::lump_of(lumps, Lump::Planes)).f32(1).f32(0).f32(0).f32(distance).i32(0);
+    test::Bytes& nodes = test::lump_of(lumps, Lump::ClipNodes);
+    nodes.clear();
+    test::ByteWriter(nodes).i32(1).i16(1).i16(2);
+    for (const int plane : {2, 3}) test::ByteWriter(nodes).i32(plane).i16(contents::kEmpty).i16(contents::kSolid);
+    const Level level = read_bsp(test::join_lumps(29, lumps));
+
+    const TraceResult result = trace(level, {10, 0, 0}, {-10, 0, 0});
+    EXPECT_TRUE(result.is_hit);
+    EXPECT_EQ(hull_contents(level, level.models[0], Hull::Player, result.end), contents::kEmpty);
+    EXPECT_LE(to_point(result.end).x, 1. / 32 + 1. / 4096);
+}
+
 TEST(Trace, MeetsABlockFromEverySide) {
     const Level block = make_convex(box_planes(32, 1), true);
     const double stop = 32 + 1. / 32;

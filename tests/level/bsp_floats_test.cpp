@@ -1,0 +1,78 @@
+#include "engine/level/bsp_floats.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace oblong {
+namespace {
+
+FloatBits bits_of(float value) {
+    return FloatBits{std::bit_cast<std::uint32_t>(value)};
+}
+
+TEST(BspFloats, FixedIsRoundedToNearestTiesUp) {
+    EXPECT_EQ(to_fixed(bits_of(1.75F), 0, 100), 2);
+    EXPECT_EQ(to_fixed(bits_of(-1.75F), 0, 100), -2);
+    EXPECT_EQ(to_fixed(bits_of(2.5F), 0, 100), 3);
+    EXPECT_EQ(to_fixed(bits_of(-2.5F), 0, 100), -2);
+    EXPECT_EQ(to_fixed(bits_of(0.49999997F), 0, 100), 0);
+    EXPECT_EQ(to_fixed(bits_of(0x1.8p-13F), 12, 100), 1);
+    EXPECT_EQ(to_fixed(bits_of(-0.F), 12, 100), 0);
+}
+
+TEST(BspFloats, LimitIsExclusiveAndNothingElsePasses) {
+    EXPECT_EQ(to_fixed(bits_of(99.99F), 0, 100), 100);
+    for (const float bad : {100.F, -100.F, 3e38F, std::numeric_limits<float>::infinity(),
+                            -std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()})
+        EXPECT_FALSE(to_fixed(bits_of(bad), 0, 100).has_value()) << bad;
+}
+
+// Every float from 2^-37 on ends before the 2^-60th: then fixed and rest together are the float itself.
+TEST(BspFloats, FixedAndRestHoldTheFloatExactly) {
+    std::mt19937 random(29);
+    for (int i = 0; i < 20000; ++i) {
+        const int exponent = -37 + static_cast<int>(random() % 38);
+        const auto mantissa = static_cast<float>(0x800000 + random() % 0x800000);
+        const float value = std::ldexp(mantissa, exponent - 23) * (random() % 2 == 0 ? 1.F : -1.F);
+        const auto fixed = to_fixed(bits_of(value), 30, 2);
+        ASSERT_TRUE(fixed.has_value());
+        const std::int32_t rest = rest_of_fixed(bits_of(value), 30);
+        ASSERT_LE(std::abs(rest), 1 << 29);
+        // Both parts and the shifted float are whole and below 2^62: 64-bit integers compare them exactly.
+        ASSERT_EQ(*fixed * (std::int64_t{1} << 30) + rest, static_cast<std::int64_t>(std::ldexp(value, 60))) << value;
+    }
+}
+
+TEST(BspFloats, BoundsRoundOutward) {
+    EXPECT_EQ(floor_to_int(bits_of(-1.25F)), -2);
+    EXPECT_EQ(ceil_to_int(bits_of(-1.25F)), -1);
+    EXPECT_EQ(floor_to_int(bits_of(7.F)), 7);
+    EXPECT_EQ(ceil_to_int(bits_of(7.F)), 7);
+    EXPECT_EQ(ceil_to_int(bits_of(1048576.F)), 1048576);
+    EXPECT_FALSE(ceil_to_int(bits_of(1048577.F)).has_value());
+    EXPECT_FALSE(floor_to_int(bits_of(std::numeric_limits<float>::quiet_NaN())).has_value());
+}
+
+TEST(BspFloats, TexelsOfAPolygonAreRoundedToCells) {
+    const std::vector<FloatBits3> polygon = {{bits_of(-0.5F), bits_of(0), bits_of(0)},
+                                             {bits_of(32), bits_of(100), bits_of(0)},
+                                             {bits_of(16.5F), bits_of(50), bits_of(0)}};
+    const TexelRange range = texel_range(polygon, {bits_of(1), bits_of(0), bits_of(0), bits_of(0)});
+    EXPECT_EQ(range.min, -16);
+    EXPECT_EQ(range.extent, 48);  // -16 to 32: a value on a border needs no further cell
+    const TexelRange moved = texel_range(polygon, {bits_of(1), bits_of(0), bits_of(0), bits_of(0.5F)});
+    EXPECT_EQ(moved.min, 0);
+    EXPECT_EQ(moved.extent, 48);  // 0 to 32.5
+}
+
+TEST(BspFloats, OddOnesAreNamed) {
+    EXPECT_EQ(describe(bits_of(std::numeric_limits<float>::quiet_NaN())), "nan");
+    EXPECT_EQ(describe(bits_of(-std::numeric_limits<float>::infinity())), "-inf");
+}
+
+}  // namespace
+}  // namespace oblong
