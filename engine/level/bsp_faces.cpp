@@ -12,7 +12,8 @@ constexpr std::uint8_t kNoStyle = 255;
 constexpr std::int64_t kTexInfoSize = 40;  ///< bytes
 
 TexelAxis read_axis_part(LumpReader& in) {
-    return TexelAxis::from_raw(static_cast<std::int32_t>(in.read_fixed(23, kAxisLimit, "component of a texture axis")));
+    return TexelAxis::from_raw(
+        static_cast<std::int32_t>(in.read_fixed(TexelAxis::kFractionBits, kAxisLimit, "component of a texture axis")));
 }
 
 Vec3<TexelAxis> read_axis(LumpReader& in) {
@@ -21,7 +22,7 @@ Vec3<TexelAxis> read_axis(LumpReader& in) {
 }
 
 TexelOffset read_texel_offset(LumpReader& in) {
-    return TexelOffset::from_raw(in.read_fixed(16, kOffsetLimit, "texture offset"));
+    return TexelOffset::from_raw(in.read_fixed(TexelOffset::kFractionBits, kOffsetLimit, "texture offset"));
 }
 
 bool names_sky_or_liquid(std::string_view texture) {

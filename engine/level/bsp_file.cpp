@@ -77,7 +77,7 @@ void LumpReader::seek(std::int64_t lump_offset) {
     position_ = field_ = lump_offset;
 }
 
-std::span<const std::uint8_t> LumpReader::take(std::int64_t size_wanted) {
+std::span<const std::uint8_t> LumpReader::read_bytes(std::int64_t size_wanted) {
     field_ = position_;
     if (size_wanted < 0 || size_wanted > size() - position_)
         fail(std::to_string(size_wanted) + " bytes needed, " + std::to_string(size() - position_) +
@@ -86,12 +86,8 @@ std::span<const std::uint8_t> LumpReader::take(std::int64_t size_wanted) {
     return bytes_.subspan(static_cast<std::size_t>(field_), static_cast<std::size_t>(size_wanted));
 }
 
-std::span<const std::uint8_t> LumpReader::read_bytes(std::int64_t size_wanted) {
-    return take(size_wanted);
-}
-
 std::uint32_t LumpReader::read_u16() {
-    const auto two = take(2);
+    const auto two = read_bytes(2);
     return static_cast<std::uint32_t>(two[0] | two[1] << 8);
 }
 
@@ -101,7 +97,7 @@ std::int32_t LumpReader::read_i16() {
 }
 
 std::uint32_t LumpReader::read_u32() {
-    return little_endian_u32(take(4));
+    return little_endian_u32(read_bytes(4));
 }
 
 std::int32_t LumpReader::read_child(std::int32_t record_count) {
@@ -121,8 +117,7 @@ void LumpReader::check_range(std::int64_t first, std::int64_t size_wanted, std::
          " on, expected them within the " + std::to_string(count) + " of the file");
 }
 
-std::int64_t LumpReader::read_fixed(int fraction_bits, std::int32_t limit, const char* what) {
-    const FloatBits value = read_float();
+std::int64_t LumpReader::check_fixed(FloatBits value, int fraction_bits, std::int32_t limit, const char* what) const {
     if (const auto fixed = to_fixed(value, fraction_bits, limit)) return *fixed;
     fail(std::string(what) + " " + describe(value) + ", expected less than " + std::to_string(limit) + " either way");
 }

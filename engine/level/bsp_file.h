@@ -46,7 +46,7 @@ class LumpReader {
     std::span<const std::uint8_t> read_bytes(std::int64_t size);
     void skip(std::int64_t size) { read_bytes(size); }
 
-    std::uint8_t read_u8() { return take(1)[0]; }
+    std::uint8_t read_u8() { return read_bytes(1)[0]; }
     std::uint32_t read_u16();
     std::int32_t read_i16();
     std::uint32_t read_u32();
@@ -62,15 +62,16 @@ class LumpReader {
     std::int32_t check_index(std::int32_t index, std::int32_t count, const char* what) const;
     /// Throws unless [first, first + size) lies in [0, count).
     void check_range(std::int64_t first, std::int64_t size, std::int64_t count, const char* what) const;
-    /// The float in fixed point: value * 2^fraction_bits, rounded to nearest. Throws unless |value| < limit.
-    std::int64_t read_fixed(int fraction_bits, std::int32_t limit, const char* what);
+    /// The float just read in fixed point: value * 2^fraction_bits, rounded to nearest. Throws unless |value| < limit.
+    std::int64_t check_fixed(FloatBits value, int fraction_bits, std::int32_t limit, const char* what) const;
+    std::int64_t read_fixed(int fraction_bits, std::int32_t limit, const char* what) {
+        return check_fixed(read_float(), fraction_bits, limit, what);
+    }
 
     /// Throws an InputError that names the lump and the field last read.
     [[noreturn]] void fail(const std::string& what_is_wrong) const;
 
   private:
-    std::span<const std::uint8_t> take(std::int64_t size);
-
     std::span<const std::uint8_t> bytes_;
     std::int64_t file_offset_ = 0, position_ = 0, field_ = 0;
     Lump lump_;

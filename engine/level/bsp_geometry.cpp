@@ -15,9 +15,9 @@ constexpr std::int64_t kUnitSquare = std::int64_t{1} << 30;  ///< 1 in the forma
 using NormalPart = std::pair<Unit, std::int32_t>;  ///< 2.30 and the rest in 2^-60
 
 NormalPart read_normal_part(LumpReader& in) {
-    LumpReader again = in;
-    const auto part = static_cast<std::int32_t>(in.read_fixed(30, kComponentLimit, "component of the normal"));
-    return {Unit::from_raw(part), rest_of_fixed(again.read_float(), 30)};
+    const FloatBits value = in.read_float();
+    const std::int64_t part = in.check_fixed(value, Unit::kFractionBits, kComponentLimit, "component of the normal");
+    return {Unit::from_raw(static_cast<std::int32_t>(part)), rest_of_fixed(value, Unit::kFractionBits)};
 }
 
 std::int64_t squared_length_30(const Vec3<Unit>& v) {
@@ -50,9 +50,10 @@ LevelPlane read_plane(LumpReader& in) {
     std::tie(plane.normal.z, plane.normal_rest_60[2]) = read_normal_part(in);
     check_unit_length(in, plane.normal);
 
-    LumpReader again = in;
-    plane.distance = PlaneDistance::from_raw(in.read_fixed(42, kDistanceLimit, "distance"));
-    plane.distance_rest_72 = rest_of_fixed(again.read_float(), 42);
+    const FloatBits distance = in.read_float();
+    constexpr int kBits = PlaneDistance::kFractionBits;
+    plane.distance = PlaneDistance::from_raw(in.check_fixed(distance, kBits, kDistanceLimit, "distance"));
+    plane.distance_rest_72 = rest_of_fixed(distance, kBits);
     in.skip(4);  // the type: axis_of() asks the normal itself
     plane.axis = axis_of(plane);
     return plane;
@@ -75,17 +76,19 @@ std::vector<FloatBits3> read_vertex_floats(const BspFile& file) {
     return vertices;
 }
 
+Vec3<World> read_world_vector(LumpReader& in) {
+    const auto read_part = [&in] {
+        const std::int64_t part = in.read_fixed(World::kFractionBits, kWorldLimit, "coordinate");
+        return World::from_raw(static_cast<std::int32_t>(part));
+    };
+    const World x = read_part(), y = read_part(), z = read_part();
+    return {x, y, z};
+}
+
 std::vector<Vec3<World>> read_vertices(const BspFile& file) {
     LumpReader in(file, Lump::Vertices);
-    const auto read_part = [&in] {
-        return World::from_raw(static_cast<std::int32_t>(in.read_fixed(12, kWorldLimit, "coordinate")));
-    };
     std::vector<Vec3<World>> vertices(static_cast<std::size_t>(file.count(Lump::Vertices)));
-    for (Vec3<World>& vertex : vertices) {
-        vertex.x = read_part();
-        vertex.y = read_part();
-        vertex.z = read_part();
-    }
+    for (Vec3<World>& vertex : vertices) vertex = read_world_vector(in);
     return vertices;
 }
 

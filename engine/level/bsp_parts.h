@@ -30,6 +30,8 @@ std::vector<SubModel> read_models(const BspFile& file);
 
 /// A box of six numbers, mins and maxs, in floats or in 16 bits.
 LevelBox read_box(LumpReader& in, bool has_floats);
+/// Three floats within the world.
+Vec3<World> read_world_vector(LumpReader& in);
 
 /// Every node has at most one parent and every way down ends, within kMaxTreeDepth steps.
 void check_node_tree(const BspFile& file, const std::vector<Node>& nodes);

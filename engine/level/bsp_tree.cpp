@@ -5,7 +5,6 @@ namespace oblong {
 namespace {
 
 constexpr std::int32_t kLowestContents = -16;  ///< compilers know more kinds than Quake's game does
-constexpr std::int32_t kWorldLimit = 1 << 19;
 
 std::int32_t check_contents(const LumpReader& in, std::int32_t contents) {
     if (contents >= 0 || contents < kLowestContents)
@@ -38,18 +37,10 @@ std::int32_t read_float_bound(LumpReader& in, bool is_maximum) {
     return *bound;
 }
 
-Vec3<World> read_origin(LumpReader& in) {
-    const auto read_part = [&in] {
-        return World::from_raw(static_cast<std::int32_t>(in.read_fixed(12, kWorldLimit, "origin")));
-    };
-    const World x = read_part(), y = read_part(), z = read_part();
-    return {x, y, z};
-}
-
 SubModel read_model(LumpReader& in, const BspFile& file) {
     SubModel model;
     model.box = read_box(in, true);
-    model.origin = read_origin(in);
+    model.origin = read_world_vector(in);
     model.head_nodes[0] = check_node_child(in, file, in.read_i32());
     for (std::size_t hull = 1; hull < 4; ++hull) model.head_nodes[hull] = read_clip_head(in, file);
     model.visible_leaf_count = in.check_index(in.read_i32(), file.count(Lump::Leaves), "count of visible leaves");

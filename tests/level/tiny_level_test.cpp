@@ -75,6 +75,23 @@ TEST(TinyLevel, TextureWhoseTexelsAreElsewhereKeepsItsName) {
     EXPECT_EQ(level.textures[0].name, "floor");
 }
 
+// 16 bits hold both: indices up to the number of clipnodes, and contents near 65,536.
+TEST(TinyLevel, MoreThan32767ClipNodesAreToldFromContents) {
+    constexpr std::int32_t kCount = 40000;
+    test::Lumps lumps = test::make_tiny_lumps();
+    test::Bytes& nodes = test::lump_of(lumps, Lump::ClipNodes);
+    nodes.clear();
+    const auto child = [](std::int32_t index) { return index < kCount ? index : contents::kWater; };
+    for (std::int32_t i = 0; i < kCount; ++i)
+        test::ByteWriter(nodes).i32(0).i16(child(2 * i + 1)).i16(child(2 * i + 2));
+    const Level level = read_tiny(lumps);
+    for (std::int32_t i = 0; i < kCount; ++i) {
+        const auto& children = level.clip_nodes[static_cast<std::size_t>(i)].children;
+        ASSERT_EQ(children[0], child(2 * i + 1)) << i;
+        ASSERT_EQ(children[1], child(2 * i + 2)) << i;
+    }
+}
+
 TEST(TinyLevel, SkyAndLiquidsAreSpecialByNameOrFlag) {
     for (const char* name : {"*lava", "sky1", "floor"}) {
         test::Lumps lumps = test::make_tiny_lumps();
