@@ -20,6 +20,13 @@ constexpr To saturated_to(std::int64_t raw) {
     return To::from_raw(static_cast<Raw>(std::clamp(raw, kLowest, kHighest)));
 }
 
+/// a + b, or the end of the range that it lies beyond.
+constexpr std::int64_t saturating_sum(std::int64_t a, std::int64_t b) {
+    if (b > 0 && a > std::numeric_limits<std::int64_t>::max() - b) return std::numeric_limits<std::int64_t>::max();
+    if (b < 0 && a < std::numeric_limits<std::int64_t>::min() - b) return std::numeric_limits<std::int64_t>::min();
+    return a + b;
+}
+
 /// `value` in another format; saturates where that one is too narrow.
 template <class To, class Int, int Frac>
 constexpr To saturating_convert(Fixed<Int, Frac> value, Rounding rounding = Rounding::NearestHalfUp) {

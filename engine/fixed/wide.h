@@ -58,6 +58,12 @@ constexpr Wide multiply(std::uint64_t a, std::uint64_t b) {
     return {(a >> 32) * (b >> 32) + (cross >> 32) + (middle >> 32), (middle << 32) | (low & kHalf)};
 }
 
+/// a + b modulo 2^128.
+constexpr Wide add(Wide a, Wide b) {
+    const std::uint64_t low = a.low + b.low;
+    return {a.high + b.high + (low < a.low ? 1 : 0), low};
+}
+
 struct Division {
     std::uint64_t quotient = 0, remainder = 0;
 };

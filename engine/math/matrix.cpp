@@ -1,0 +1,108 @@
+#include "engine/math/matrix.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "engine/math/scaled.h"
+
+namespace oblong {
+
+namespace {
+
+/// How much smaller than the largest entry a pivot may be before it is taken for what rounding left of 0, in bits.
+constexpr int kSingularBits = 50;
+
+/// The matrix and, right of it, the identity: what rows are subtracted from one to give the other's inverse.
+template <std::size_t N>
+struct Elimination {
+    std::array<std::array<Scaled, 2 * N>, N> rows{};
+
+    explicit Elimination(const Matrix<static_cast<int>(N)>& matrix) {
+        for (std::size_t i = 0; i < N; ++i) {
+            for (std::size_t j = 0; j < N; ++j) rows[i][j] = Scaled::from(matrix.rows[i][j].raw, -Entry::kFractionBits);
+            rows[i][N + i] = Scaled::from(1, 0);
+        }
+    }
+
+    /// The row from `column` down whose entry in that column is the largest.
+    std::size_t pivot_row(std::size_t column) const {
+        const auto size = [column](const auto& row) {
+            const Scaled& entry = row[column];
+            return std::pair{entry.is_zero() ? std::numeric_limits<int>::min() : entry.magnitude(),
+                             detail::magnitude(entry.mantissa)};
+        };
+        const auto first = rows.begin() + static_cast<std::ptrdiff_t>(column);
+        const auto largest =
+            std::max_element(first, rows.end(), [&size](const auto& a, const auto& b) { return size(a) < size(b); });
+        return static_cast<std::size_t>(largest - rows.begin());
+    }
+
+    void divide_row(std::size_t row, Scaled divisor) {
+        for (Scaled& entry : rows[row]) entry = entry / divisor;
+    }
+
+    /// Takes from every other row what it has in `column` times that column's own row.
+    void clear_column(std::size_t column) {
+        for (std::size_t i = 0; i < N; ++i) {
+            if (i == column) continue;
+            const Scaled factor = rows[i][column];
+            for (std::size_t j = 0; j < 2 * N; ++j) rows[i][j] = rows[i][j] - factor * rows[column][j];
+        }
+    }
+};
+
+template <int N>
+int largest_magnitude(const Matrix<N>& matrix) {
+    std::uint64_t largest = 0;
+    for (const auto& row : matrix.rows)
+        for (const Entry entry : row) largest = std::max(largest, detail::magnitude(entry.raw));
+    return largest == 0 ? 0 : log2_floor(largest) + 1 - Entry::kFractionBits;
+}
+
+/// The right half, in entries; none where one does not fit.
+template <std::size_t N>
+std::optional<Matrix<static_cast<int>(N)>> right_half(const Elimination<N>& done) {
+    Matrix<static_cast<int>(N)> result;
+    for (std::size_t i = 0; i < N; ++i)
+        for (std::size_t j = 0; j < N; ++j) {
+            const std::optional<std::int64_t> raw = fixed_of(done.rows[i][N + j], Entry::kFractionBits);
+            if (!raw) return std::nullopt;
+            result.rows[i][j] = Entry::from_raw(*raw);
+        }
+    return result;
+}
+
+/// Gauss and Jordan, with the largest pivot of each column.
+template <int N>
+std::optional<Matrix<N>> inverse_of(const Matrix<N>& matrix) {
+    constexpr auto kSize = static_cast<std::size_t>(N);
+    Elimination<kSize> elimination(matrix);
+    const int smallest_pivot = largest_magnitude(matrix) - kSingularBits;
+    for (std::size_t column = 0; column < kSize; ++column) {
+        std::swap(elimination.rows[column], elimination.rows[elimination.pivot_row(column)]);
+        const Scaled pivot = elimination.rows[column][column];
+        if (pivot.is_zero() || pivot.magnitude() < smallest_pivot) return std::nullopt;
+        elimination.divide_row(column, pivot);
+        elimination.clear_column(column);
+    }
+    return right_half(elimination);
+}
+
+}  // namespace
+
+std::optional<Vec3<Entry>> point_of(const Vec4& homogeneous) {
+    if (homogeneous.w == Entry{}) return std::nullopt;
+    return Vec3<Entry>{divide<Entry>(homogeneous.x, homogeneous.w), divide<Entry>(homogeneous.y, homogeneous.w),
+                       divide<Entry>(homogeneous.z, homogeneous.w)};
+}
+
+std::optional<Matrix3> inverse(const Matrix3& matrix) {
+    return inverse_of(matrix);
+}
+
+std::optional<Matrix4> inverse(const Matrix4& matrix) {
+    return inverse_of(matrix);
+}
+
+}  // namespace oblong

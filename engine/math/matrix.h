@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "engine/fixed/arithmetic.h"
+#include "engine/fixed/fixed.h"
+#include "engine/math/vec.h"
+
+namespace oblong {
+
+/// An entry of a matrix: 32.32 in 64 bits. A matrix of a scene holds distances of thousands of units beside inverses
+/// of scales and of viewplane distances, thousandths of a unit: 16.16 would leave either three digits.
+using Entry = Fixed<std::int64_t, 32>;
+
+/// A homogeneous vector: the point (x / w, y / w, z / w), or for w = 0 a direction.
+struct Vec4 {
+    Entry x, y, z, w = Entry::from_int(1);
+    constexpr bool operator==(const Vec4&) const = default;
+};
+
+/// The point that a homogeneous vector stands for; none for a direction. Each coordinate saturates.
+std::optional<Vec3<Entry>> point_of(const Vec4& homogeneous);
+
+/// N rows of N entries, for column vectors: (A B) v = A (B v).
+template <int N>
+struct Matrix {
+    std::array<std::array<Entry, N>, N> rows{};
+
+    static constexpr Matrix identity() {
+        Matrix result;
+        for (std::size_t i = 0; i < N; ++i) result.rows[i][i] = Entry::from_int(1);
+        return result;
+    }
+
+    constexpr Matrix transposed() const {
+        Matrix result;
+        for (std::size_t i = 0; i < N; ++i)
+            for (std::size_t j = 0; j < N; ++j) result.rows[j][i] = rows[i][j];
+        return result;
+    }
+
+    /// One row times a column: each product is rounded to the nearest, the sum saturates.
+    constexpr Entry row_times(std::size_t row, const std::array<Entry, N>& column) const {
+        std::int64_t sum = 0;
+        for (std::size_t i = 0; i < N; ++i) sum = saturating_sum(sum, multiply(rows[row][i], column[i]).raw);
+        return Entry::from_raw(sum);
+    }
+
+    constexpr bool operator==(const Matrix&) const = default;
+};
+
+using Matrix3 = Matrix<3>;
+using Matrix4 = Matrix<4>;
+
+/// Each entry is within N / 2 steps of the exact product, or saturates.
+template <int N>
+constexpr Matrix<N> operator*(const Matrix<N>& a, const Matrix<N>& b) {
+    const Matrix<N> columns = b.transposed();
+    Matrix<N> result;
+    for (std::size_t i = 0; i < N; ++i)
+        for (std::size_t j = 0; j < N; ++j) result.rows[i][j] = a.row_times(i, columns.rows[j]);
+    return result;
+}
+
+constexpr Vec3<Entry> operator*(const Matrix3& m, const Vec3<Entry>& v) {
+    const std::array column{v.x, v.y, v.z};
+    return {m.row_times(0, column), m.row_times(1, column), m.row_times(2, column)};
+}
+
+constexpr Vec4 operator*(const Matrix4& m, const Vec4& v) {
+    const std::array column{v.x, v.y, v.z, v.w};
+    return {m.row_times(0, column), m.row_times(1, column), m.row_times(2, column), m.row_times(3, column)};
+}
+
+/// The inverse, each entry within one step of the true one for matrices whose condition is below 2^20. None where the
+/// matrix is singular: where rows depend on each other within 2^-50 of the largest entry, or an entry of the inverse
+/// does not fit.
+std::optional<Matrix3> inverse(const Matrix3& matrix);
+std::optional<Matrix4> inverse(const Matrix4& matrix);
+
+}  // namespace oblong

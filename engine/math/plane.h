@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "engine/fixed/fixed.h"
+#include "engine/math/products.h"
+#include "engine/math/vec.h"
+
+namespace oblong {
+
+/// normal . p = distance; the normal has length 1 and points to the front.
+struct Plane {
+    Vec3<Unit> normal;
+    PlaneDistance distance;
+};
+
+/// The plane through a point at right angles to a normal.
+constexpr Plane plane_through(const Vec3<World>& world_point, const Vec3<Unit>& normal) {
+    return {normal, dot(world_point, normal)};
+}
+
+/// How far a point is in front of the plane, exact; negative behind it (Abrash: a dot product with the normal).
+constexpr PlaneDistance distance_to_plane(const Vec3<World>& world_point, const Plane& plane) {
+    return dot(world_point, plane.normal) - plane.distance;
+}
+
+/// Where a line meets a plane.
+struct LineHit {
+    Vec3<World> world_point;
+    Fixed<std::int64_t, 32> along;  ///< 0 at the line's start, 1 at its end; beyond them outside; saturates
+};
+
+/// Where the line through two points meets a plane (Abrash's LineIntersectPlane, whose errors it does not have). A
+/// start in the plane is the answer itself; a line parallel to the plane and off it has none. The point is rounded
+/// once, to the nearest, and saturates.
+std::optional<LineHit> intersect_line(const Vec3<World>& world_start, const Vec3<World>& world_end, const Plane& plane);
+
+/// The same for the part from start to end alone. An end in the plane counts as met, both ends on the same side do not.
+std::optional<LineHit> intersect_segment(const Vec3<World>& world_start, const Vec3<World>& world_end,
+                                         const Plane& plane);
+
+}  // namespace oblong

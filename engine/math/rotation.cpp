@@ -1,0 +1,87 @@
+#include "engine/math/rotation.h"
+
+#include "engine/fixed/arithmetic.h"
+#include "engine/fixed/trig.h"
+#include "engine/math/normalise.h"
+#include "engine/math/products.h"
+
+namespace oblong {
+
+namespace {
+
+using Vec60 = Vec3<Sine60>;
+
+Sine60 scaled(Unit component, Sine60 factor) {
+    return Sine60::from_raw(mul_shift(component.raw, factor.raw, 30));
+}
+Vec60 scaled(const Vec3<Unit>& v, Sine60 factor) {
+    return {scaled(v.x, factor), scaled(v.y, factor), scaled(v.z, factor)};
+}
+
+Sine60 scaled(Sine60 component, Sine60 factor) {
+    return Sine60::from_raw(mul_shift(component.raw, factor.raw, 60));
+}
+Vec60 scaled(const Vec60& v, Sine60 factor) {
+    return {scaled(v.x, factor), scaled(v.y, factor), scaled(v.z, factor)};
+}
+
+Vec3<Unit> rounded(const Vec60& v) {
+    return {saturating_convert<Unit>(v.x), saturating_convert<Unit>(v.y), saturating_convert<Unit>(v.z)};
+}
+
+Vec60 widened(const Vec3<Unit>& v) {
+    return scaled(v, Sine60::from_int(1));
+}
+
+/// What is left of `v` without its part along the unit vector `axis`.
+Vec60 without(const Vec60& v, const Vec3<Unit>& axis) {
+    const Sine60 along = scaled(axis.x, v.x) + scaled(axis.y, v.y) + scaled(axis.z, v.z);
+    return v - scaled(axis, along);
+}
+
+/// The direction of `v` without its part along `axis`; any direction at right angles to the axis where nothing is left.
+Vec3<Unit> direction_without(const Vec3<Unit>& v, const Vec3<Unit>& axis) {
+    const Vec3<Unit> once = normalised(without(widened(v), axis));
+    if (once == Vec3<Unit>{}) return perpendicular_to(axis);
+    // Of two nearly parallel directions little was left, and the axis's own rounding with it: a second time takes it.
+    return normalised(without(widened(once), axis));
+}
+
+}  // namespace
+
+Vec3<Unit> rotate_about_axis(const Vec3<Unit>& direction, const Vec3<Unit>& axis, Angle angle) {
+    const auto [sine60, cosine60] = sine_cosine(angle);
+    const Sine60 along_axis = scaled(dot(axis, direction), Sine60::from_int(1) - cosine60);
+    return rounded(scaled(direction, cosine60) + scaled(cross(axis, direction), sine60) + scaled(axis, along_axis));
+}
+
+Basis rotate_about_axis(const Basis& basis, const Vec3<Unit>& axis, Angle angle) {
+    return {.right = rotate_about_axis(basis.right, axis, angle),
+            .up = rotate_about_axis(basis.up, axis, angle),
+            .forward = rotate_about_axis(basis.forward, axis, angle)};
+}
+
+Vec3<Unit> project_onto_axes(const Vec3<Unit>& direction, const Basis& axes) {
+    return rounded({dot(direction, axes.right), dot(direction, axes.up), dot(direction, axes.forward)});
+}
+
+Vec3<Unit> sum_along_axes(const Vec3<Unit>& coordinates, const Basis& axes) {
+    const auto along = [](const Vec3<Unit>& axis, Unit coordinate) {
+        return Vec60{widening_product(axis.x, coordinate), widening_product(axis.y, coordinate),
+                     widening_product(axis.z, coordinate)};
+    };
+    return rounded(along(axes.right, coordinates.x) + along(axes.up, coordinates.y) +
+                   along(axes.forward, coordinates.z));
+}
+
+Basis orthonormalised(const Basis& basis) {
+    Basis result;
+    result.forward = normalised(basis.forward);
+    if (result.forward == Vec3<Unit>{}) result.forward = perpendicular_to({});
+    result.up = direction_without(basis.up, result.forward);
+    const Vec3<Unit> right = normalised(cross(result.forward, result.up));
+    result.right = dot(right, basis.right) < Sine60{} ? -right : right;
+    return result;
+}
+
+}  // namespace oblong

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <optional>
+
+#include "engine/fixed/wide.h"
+
+namespace oblong {
+
+/// mantissa * 2^exponent, for the inside of an elimination, whose numbers have no common scale. The mantissa of all but
+/// 0 has 62 bits; a result is within 2^-60 of itself of the true one.
+struct Scaled {
+    std::int64_t mantissa = 0;
+    int exponent = 0;
+
+    /// The number with a mantissa of 62 bits.
+    static constexpr Scaled from(std::int64_t mantissa, int exponent) {
+        if (mantissa == 0) return {};
+        const int shift = std::countl_zero(detail::magnitude(mantissa)) - 2;
+        if (shift < 0) return {floor_shift(mantissa, -shift), exponent - shift};
+        return {mantissa * (std::int64_t{1} << shift), exponent - shift};
+    }
+
+    constexpr bool is_zero() const { return mantissa == 0; }
+    /// 2^magnitude() is above the number's absolute value and not above twice of it; not for 0.
+    constexpr int magnitude() const { return exponent + 62; }
+};
+
+constexpr Scaled operator*(const Scaled& a, const Scaled& b) {
+    return Scaled::from(mul_shift(a.mantissa, b.mantissa, 62), a.exponent + b.exponent + 62);
+}
+
+/// `b` is not 0.
+constexpr Scaled operator/(const Scaled& a, const Scaled& b) {
+    return Scaled::from(mul_div(a.mantissa, std::int64_t{1} << 61, b.mantissa), a.exponent - b.exponent - 61);
+}
+
+constexpr Scaled operator-(const Scaled& a, const Scaled& b) {
+    if (b.is_zero()) return a;
+    if (a.is_zero()) return {-b.mantissa, b.exponent};
+    const int top = a.exponent > b.exponent ? a.exponent : b.exponent;
+    const auto aligned = [top](const Scaled& value) {
+        const int drop = top - value.exponent;
+        return drop > 62 ? 0 : rounded_shift(value.mantissa, drop, Rounding::NearestHalfUp);
+    };
+    return Scaled::from(aligned(a) - aligned(b), top);
+}
+
+/// The number with `fraction_bits`, rounded to the nearest; none where that has more than 62 bits.
+constexpr std::optional<std::int64_t> fixed_of(const Scaled& value, int fraction_bits) {
+    const int shift = value.exponent + fraction_bits;
+    if (value.is_zero() || shift < -62) return 0;
+    if (shift > 0) return std::nullopt;
+    return rounded_shift(value.mantissa, -shift, Rounding::NearestHalfUp);
+}
+
+}  // namespace oblong

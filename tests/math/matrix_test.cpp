@@ -1,0 +1,156 @@
+#include "engine/math/matrix.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "engine/math/transforms.h"
+
+namespace oblong {
+namespace {
+
+__extension__ using Int128 = __int128;
+
+template <int N>
+using Integers = std::array<std::array<std::int64_t, N>, N>;
+
+/// The determinant of the matrix without row `row` and column `column`; expansion along the first row.
+template <int N>
+Int128 determinant(const Integers<N>& m) {
+    if constexpr (N == 1) {
+        return m[0][0];
+    } else {
+        Int128 sum = 0;
+        for (std::size_t column = 0; column < N; ++column) {
+            Integers<N - 1> minor{};
+            for (std::size_t i = 1; i < N; ++i)
+                for (std::size_t j = 0, to = 0; j < N; ++j)
+                    if (j != column) minor[i - 1][to++] = m[i][j];
+            const Int128 term = m[0][column] * determinant<N - 1>(minor);
+            sum += column % 2 == 0 ? term : -term;
+        }
+        return sum;
+    }
+}
+
+/// Cramer's rule: entry (i, j) of the inverse is the cofactor of (j, i) over the determinant.
+template <int N>
+Int128 cofactor(const Integers<N>& m, std::size_t row, std::size_t column) {
+    Integers<N> replaced = m;
+    for (std::size_t j = 0; j < N; ++j) replaced[row][j] = j == column ? 1 : 0;
+    return determinant<N>(replaced);
+}
+
+template <int N>
+Matrix<N> matrix_of(const Integers<N>& integers) {
+    Matrix<N> result;
+    for (std::size_t i = 0; i < N; ++i)
+        for (std::size_t j = 0; j < N; ++j) result.rows[i][j] = Entry::from_int(integers[i][j]);
+    return result;
+}
+
+/// Every entry of `got` is within a step of the exact quotient cofactor 2^32 / determinant.
+template <int N>
+void expect_inverse(const Matrix<N>& got, const Integers<N>& of, Int128 det) {
+    for (std::size_t i = 0; i < N; ++i)
+        for (std::size_t j = 0; j < N; ++j) {
+            const Int128 off = got.rows[i][j].raw * det - cofactor<N>(of, j, i) * (Int128{1} << 32);
+            ASSERT_TRUE((off < 0 ? -off : off) <= (det < 0 ? -det : det)) << i << " " << j;
+        }
+}
+
+template <int N>
+void expect_inverses_of_random_integers(int count, int range) {
+    std::mt19937 random(1);
+    for (int k = 0; k < count; ++k) {
+        Integers<N> integers{};
+        for (auto& row : integers)
+            for (auto& entry : row)
+                entry = static_cast<std::int64_t>(random() % static_cast<unsigned>(2 * range + 1)) - range;
+        const Int128 det = determinant<N>(integers);
+        const auto got = inverse(matrix_of<N>(integers));
+        ASSERT_EQ(got.has_value(), det != 0);
+        if (got) expect_inverse<N>(*got, integers, det);
+        if (testing::Test::HasFatalFailure()) return;
+    }
+}
+
+TEST(HardCaseT6, InverseOf3x3IsWithinAStepOfCramersRuleOrSingular) {
+    expect_inverses_of_random_integers<3>(20'000, 1'000);
+    expect_inverses_of_random_integers<3>(20'000, 2);  // many are singular
+}
+
+TEST(HardCaseT6, InverseOf4x4IsWithinAStepOfCramersRuleOrSingular) {
+    expect_inverses_of_random_integers<4>(20'000, 1'000);
+    expect_inverses_of_random_integers<4>(20'000, 2);
+}
+
+TEST(HardCaseT6, RotationWithUnequalScaleHasAnInverseThatIsNotItsTranspose) {
+    const Basis basis = view_basis(Angle::from_bam(5'000), Angle::from_bam(700), Angle::from_bam(-90));
+    Matrix3 model = rotation_matrix(basis);
+    for (Entry& entry : model.rows[1]) entry = Entry::from_raw(entry.raw * 4);
+    const auto undone = inverse(model);
+    ASSERT_TRUE(undone);
+    EXPECT_NE(*undone, model.transposed());
+    const Matrix3 both = model * *undone;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            EXPECT_LE(std::abs(both.rows[i][j].raw - Matrix3::identity().rows[i][j].raw), 8) << i << " " << j;
+}
+
+TEST(HardCaseT6, DependentRowsAndVanishingScalesAreSingular) {
+    EXPECT_FALSE(inverse(Matrix4{}));
+    EXPECT_FALSE(inverse(scaling({Entry::from_int(1), Entry{}, Entry::from_int(1)})));
+    const Entry third = divide<Entry>(Entry::from_int(1), Entry::from_int(3));
+    Matrix3 dependent = Matrix3::identity();
+    dependent.rows[1] = {third, third, third};
+    dependent.rows[2] = {third + third, third + third, third + third};
+    EXPECT_FALSE(inverse(dependent));
+    EXPECT_FALSE(inverse(scaling({Entry::ulp(), Entry::ulp(), Entry::ulp()}))) << "its inverse does not fit";
+}
+
+TEST(Matrix, ProductAppliesTheRightOneFirst) {
+    const auto by = [](std::int64_t x, std::int64_t y, std::int64_t z) {
+        return Vec3<Entry>{Entry::from_int(x), Entry::from_int(y), Entry::from_int(z)};
+    };
+    const Vec4 point{Entry::from_int(1), Entry::from_int(2), Entry::from_int(3)};
+    const auto moved_then_scaled = point_of(scaling(by(2, 2, 2)) * translation(by(10, 0, 0)) * point);
+    EXPECT_EQ(*moved_then_scaled, by(22, 4, 6));
+    const auto scaled_then_moved = point_of(translation(by(10, 0, 0)) * scaling(by(2, 2, 2)) * point);
+    EXPECT_EQ(*scaled_then_moved, by(12, 4, 6));
+}
+
+TEST(Matrix, ProductOfIntegersIsExact) {
+    const Integers<3> a{{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}}, b{{{-1, 0, 2}, {3, 1, 0}, {0, 5, -4}}};
+    EXPECT_EQ(matrix_of<3>(a) * matrix_of<3>(b), matrix_of<3>({{{5, 17, -10}, {11, 35, -16}, {17, 53, -22}}}));
+}
+
+TEST(Matrix, HugeEntriesSaturate) {
+    Matrix3 huge;
+    for (auto& row : huge.rows) row = {Entry::highest(), Entry::highest(), Entry::highest()};
+    EXPECT_EQ((huge * huge).rows[0][0], Entry::highest());
+}
+
+TEST(HomogeneousVector, DividesByItsLastComponentAndDirectionsAreNoPoints) {
+    const Vec4 doubled{Entry::from_int(2), Entry::from_int(-4), Entry::from_int(6), Entry::from_int(2)};
+    EXPECT_EQ(*point_of(doubled), (Vec3<Entry>{Entry::from_int(1), Entry::from_int(-2), Entry::from_int(3)}));
+    EXPECT_FALSE(point_of({Entry::from_int(1), {}, {}, Entry{}}));
+}
+
+TEST(ViewMatrix, GivesThePointsThatToViewGives) {
+    std::mt19937 random(3);
+    for (int i = 0; i < 5'000; ++i) {
+        const auto any = [&random] { return World::from_raw(static_cast<std::int32_t>(random()) / 16); };
+        const Vec3<World> eye{any(), any(), any()}, p{any(), any(), any()};
+        const Basis basis = view_basis(Angle::from_bam(random()), Angle::from_bam(random()), Angle::from_bam(random()));
+        const Vec4 got = view_matrix(basis, eye) * Vec4{convert<Entry>(p.x), convert<Entry>(p.y), convert<Entry>(p.z)};
+        const Vec3<View> expected = to_view(p, eye, basis);
+        ASSERT_LE(std::abs(got.x.raw - expected.x.raw * 65536), 32768 + 4);
+        ASSERT_LE(std::abs(got.y.raw - expected.y.raw * 65536), 32768 + 4);
+        ASSERT_LE(std::abs(got.z.raw - expected.z.raw * 65536), 32768 + 4);
+    }
+}
+
+}  // namespace
+}  // namespace oblong

@@ -1,0 +1,66 @@
+#include "engine/math/normalise.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/math/vectors.h"
+
+namespace oblong {
+namespace {
+
+void expect_unit_in_direction_of(const std::array<Unit, 3>& unit, const std::array<std::int64_t, 3>& vector) {
+    long double squares = 0;
+    for (const std::int64_t component : vector)
+        squares += static_cast<long double>(component) * static_cast<long double>(component);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const long double expected = std::ldexp(static_cast<long double>(vector[i]) / std::sqrt(squares), 30);
+        ASSERT_LE(std::abs(static_cast<long double>(unit[i].raw) - expected), 0.51L) << vector[i];
+    }
+}
+
+TEST(Normalised, IsTheNearestUnitVectorOfVectorsOfEveryLength) {
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 100'000; ++i) {
+        const int shift = static_cast<int>(random() % 64);
+        std::array<std::int64_t, 3> vector{};
+        for (auto& component : vector) component = floor_shift(static_cast<std::int64_t>(random()), shift);
+        if (vector == std::array<std::int64_t, 3>{}) continue;
+        expect_unit_in_direction_of(normalised_raw(vector), vector);
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(Normalised, EndsOfTheRangeDoNotOverflow) {
+    constexpr std::int64_t kLowest = std::numeric_limits<std::int64_t>::min();
+    expect_unit_in_direction_of(normalised_raw(std::array{kLowest, kLowest, kLowest}), {kLowest, kLowest, kLowest});
+    expect_unit_in_direction_of(normalised_raw(std::array{kLowest, std::int64_t{0}, std::int64_t{1}}), {kLowest, 0, 1});
+    expect_unit_in_direction_of(normalised_raw(std::array<std::int64_t, 3>{0, 0, -1}), {0, 0, -1});
+}
+
+TEST(HardCaseV9, ZeroVectorStaysZeroAndIsNotDividedBy) {
+    EXPECT_EQ(normalised(Vec3<Unit>{}), Vec3<Unit>{});
+    EXPECT_EQ(normalised_raw(std::array<std::int64_t, 4>{}), (std::array<Unit, 4>{}));
+    EXPECT_EQ(length(Vec3<World>{}).raw, 0);
+}
+
+TEST(Length, IsTheFlooredRootOfTheSquares) {
+    const auto vector = [](std::int32_t x, std::int32_t y, std::int32_t z) {
+        return Vec3<World>{World::from_raw(x), World::from_raw(y), World::from_raw(z)};
+    };
+    EXPECT_EQ(length(vector(2, 3, 6)).raw, 7);
+    EXPECT_EQ(length(vector(1, 1, 0)).raw, 1);
+    constexpr std::int32_t kLowest = std::numeric_limits<std::int32_t>::min();
+    EXPECT_EQ(length(vector(kLowest, kLowest, kLowest)).raw, 3'719'550'786);  // sqrt(3) 2^31 = 3719550786.06
+}
+
+TEST(PerpendicularTo, IsAUnitVectorAtRightAnglesToEveryDirection) {
+    std::mt19937 random(2);
+    for (int i = 0; i < 20'000; ++i) {
+        const Vec3<Unit> direction = normalised(any_direction(random));
+        const Vec3<Unit> other = perpendicular_to(direction);
+        ASSERT_LE(std::abs(dot(direction, other).raw), kOrthonormal60);
+        ASSERT_LE(std::abs(dot(other, other).raw - (std::int64_t{1} << 60)), kOrthonormal60);
+    }
+}
+
+}  // namespace
+}  // namespace oblong

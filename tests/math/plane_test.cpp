@@ -1,0 +1,58 @@
+#include "engine/math/plane.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/math/normalise.h"
+#include "tests/math/vectors.h"
+
+namespace oblong {
+namespace {
+
+constexpr Vec3<Unit> kZ{{}, {}, Unit::from_int(1)};
+
+Vec3<World> at(std::int32_t x, std::int32_t y, std::int32_t z) {
+    return {World::from_int(x), World::from_int(y), World::from_int(z)};
+}
+
+const Plane kFloorAt5 = plane_through(at(0, 0, 5), kZ);
+
+TEST(DistanceToPlane, IsPositiveInFront) {
+    EXPECT_EQ(distance_to_plane(at(1, 2, 10), kFloorAt5), PlaneDistance::from_int(5));
+    EXPECT_EQ(distance_to_plane(at(1, 2, -10), kFloorAt5), PlaneDistance::from_int(-15));
+    EXPECT_EQ(distance_to_plane(at(1, 2, 5), kFloorAt5), PlaneDistance{});
+}
+
+TEST(IntersectLine, GoesOnBeyondItsEnds) {
+    const auto hit = intersect_line(at(0, 0, 7), at(0, 4, 6), kFloorAt5);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->world_point, at(0, 8, 5));
+    EXPECT_EQ(hit->along, (Fixed<std::int64_t, 32>::from_int(2)));
+    EXPECT_FALSE(intersect_segment(at(0, 0, 7), at(0, 4, 6), kFloorAt5)) << "ends before it";
+}
+
+TEST(IntersectSegment, EndsInThePlaneCountAsMet) {
+    EXPECT_EQ(intersect_segment(at(0, 0, 9), at(3, 3, 5), kFloorAt5)->world_point, at(3, 3, 5));
+    EXPECT_EQ(intersect_segment(at(3, 3, 5), at(0, 0, 9), kFloorAt5)->world_point, at(3, 3, 5));
+    EXPECT_EQ(intersect_segment(at(3, 3, 5), at(0, 0, 5), kFloorAt5)->world_point, at(3, 3, 5)) << "lies in it";
+}
+
+/// n . p = d at the answer, as exactly as a point of half a step can satisfy it.
+TEST(IntersectSegment, PointLiesInThePlane) {
+    std::mt19937 random(1);
+    int met = 0;
+    for (int i = 0; i < 50'000; ++i) {
+        const auto any = [&random] { return World::from_raw(static_cast<std::int32_t>(random())); };
+        const Plane plane = plane_through({any(), any(), any()}, normalised(any_direction(random)));
+        const auto hit = intersect_segment({any(), any(), any()}, {any(), any(), any()}, plane);
+        if (!hit || plane.normal == Vec3<Unit>{}) continue;
+        ++met;
+        // Half a step of 2^-12 in each of three coordinates: at most sqrt(3) / 2 steps along the normal.
+        ASSERT_LE(std::abs(distance_to_plane(hit->world_point, plane).raw), (std::int64_t{1} << 30) * 87 / 100);
+        ASSERT_GE(hit->along.raw, 0);
+        ASSERT_LE(hit->along.raw, std::int64_t{1} << 32);
+    }
+    EXPECT_GT(met, 5'000);
+}
+
+}  // namespace
+}  // namespace oblong
