@@ -4,6 +4,8 @@
 #include <span>
 
 #include "engine/camera/camera.h"
+#include "engine/effects/plan.h"
+#include "engine/frame/lit_faces.h"
 #include "engine/frame/settings.h"
 #include "engine/level/level.h"
 #include "engine/screen/framebuffer.h"
@@ -20,16 +22,24 @@ struct PlacedModel {
     Vec3<World> offset;
 };
 
+/// All light styles as they are stored.
+constexpr LightStyles plain_light_styles() {
+    LightStyles styles{};
+    for (std::uint16_t& style : styles) style = 256;
+    return styles;
+}
+
 /// All that a frame shows. The level outlives the workspace that draws it.
 struct Scene {
     const Level& level;
     const Colormap& colormap;
     std::span<const PlacedModel> models;
     std::int64_t time_ms = 0;
+    LightStyles light_styles = plain_light_styles();
 };
 
 /// Draws one picture: a pure function of its first four arguments. Every pixel of `out` (whose size is the mode's) is
-/// written.
+/// written once; where the world has a hole, with colour 0.
 void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
                 FrameWorkspace& work, Framebuffer out);
 

@@ -1,0 +1,88 @@
+#include "engine/frame/frame.h"
+
+#include <algorithm>
+
+#include "engine/effects/sky.h"
+#include "engine/frame/workspace.h"
+#include "engine/frame/world_pass.h"
+#include "engine/visible/eye.h"
+
+namespace oblong {
+
+namespace {
+
+EffectSet effects_in_sight(const Scene& scene, const FrameWorkspace& work) {
+    EffectSet effects;
+    for (const std::int32_t leaf : work.visible.leaves())
+        effects = effects | work.faces.leaf_effects[static_cast<std::size_t>(leaf)];
+    return scene.models.empty() ? effects : effects.with(Effect::BrushModels);
+}
+
+ViewContext make_view(const Camera& camera, const Vec3<World>& eye, const ScreenMode& mode, const Settings& settings) {
+    ViewContext view;
+    view.eye = eye;
+    view.axes = view_basis(camera.yaw, camera.pitch, camera.roll);
+    view.lens = make_projection(mode, camera.field_of_view, settings.correct_aspect);
+    view.frustum = make_frustum(view.axes, view.lens);
+    view.grid = SubpixelGrid::of_bits(settings.accuracy.subpixel_bits);
+    return view;
+}
+
+void fill_spans(std::span<const Span> spans, std::uint8_t colour, Framebuffer out) {
+    for (const Span& span : spans) std::fill(out.row(span.y) + span.first, out.row(span.y) + span.end, colour);
+}
+
+const MipTexture* find_sky(const Level& level) {
+    const auto found = std::find_if(level.textures.begin(), level.textures.end(),
+                                    [](const MipTexture& texture) { return texture.name.starts_with("sky"); });
+    return found == level.textures.end() ? nullptr : &*found;
+}
+
+void draw_sky_pass(const FrameContext& frame, const FrameWorkspace& work) {
+    const MipTexture* texture = find_sky(frame.scene.level);
+    const bool is_layered =
+        texture && texture->width == 2 * texture->height && (texture->height & (texture->height - 1)) == 0;
+    if (!is_layered) return fill_spans(work.sky_spans, texture ? texture->mips[0][0] : 0, frame.out);
+    draw_sky(work.sky_spans, {texture->mips[0].data(), texture->height, texture->width}, frame.view.axes,
+             frame.view.lens, frame.out);
+}
+
+void count_spans(std::span<const Span> spans, const Framebuffer& out, FrameCounts& counts) {
+    for (const Span& span : spans)
+        for (std::int32_t x = span.first; x < span.end; ++x) {
+            std::uint8_t& writes = counts.writes[static_cast<std::size_t>(span.y * out.pitch + x)];
+            writes = static_cast<std::uint8_t>(std::min(writes + 1, 255));
+        }
+}
+
+void start_counts(const Framebuffer& out, FrameCounts& counts) {
+    counts = {};
+    counts.writes.assign(static_cast<std::size_t>(out.pitch) * static_cast<std::size_t>(out.height_px), 0);
+    counts.effect_pixels.assign(kEffectNames.size(), 0);
+}
+
+}  // namespace
+
+void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
+                FrameWorkspace& work, Framebuffer out) {
+    const PlacedEye eye = place_eye(scene.level, camera.eye);
+    work.visible.see_from(scene.level, eye.leaf);
+    work.plan = plan_frame(effects_in_sight(scene, work), settings.allowed_effects);
+    if (work.counts) start_counts(out, *work.counts);
+
+    const ViewContext view = make_view(camera, eye.position, mode, settings);
+    const FrameContext frame{
+        scene, settings, view, make_gradient_lens(view.lens), make_block_rule(settings.accuracy), work.plan, out};
+    draw_world(frame, work);
+    if (work.plan.effects.has(Effect::Sky))
+        draw_sky_pass(frame, work);
+    else
+        fill_spans(work.sky_spans, 0, out);
+    if (work.counts) count_spans(work.sky_spans, out, *work.counts);
+
+    work.owned.clear();
+    work.coverage.claim_rest(work.owned);
+    fill_spans(work.owned, 0, out);
+}
+
+}  // namespace oblong

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/level/level.h"
+#include "engine/surface/lit_surface.h"
+#include "engine/surface/surface_cache.h"
+
+namespace oblong {
+
+/// Brightness of the 64 light styles, 256: as stored in the lightmaps.
+using LightStyles = std::array<std::uint16_t, 64>;
+
+std::size_t light_sample_count(const Face& face);
+/// Bytes of a face's lit surface at a mip level.
+std::size_t surface_bytes(const Face& face, int mip);
+
+/// A face's lit surface at a mip level, from the cache or built now.
+SurfaceView lit_surface_of(const Level& level, std::int32_t face, int mip, const Colormap& colormap,
+                           const LightStyles& styles, SurfaceCache& cache, std::vector<std::int32_t>& corner_shades);
+
+/// A whole texture as a tile, at a mip level. Its masks wrap it if its sizes are powers of two (is_tile_packable).
+SurfaceView tile_of(const MipTexture& texture, int mip);
+bool is_tile_packable(const SurfaceView& tile);
+
+}  // namespace oblong

@@ -1,0 +1,32 @@
+#include "engine/frame/workspace.h"
+
+#include <algorithm>
+
+namespace oblong {
+
+namespace {
+
+/// Texels that lit surfaces may take: a 320x200 frame needs about 1 MiB of them, the largest modes some 8.
+constexpr std::size_t kSurfaceArenaBytes = std::size_t{12} << 20;
+
+}  // namespace
+
+FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode)
+    : faces(make_face_table(level)),
+      vertices(level),
+      visible(level),
+      coverage(mode.width_px, mode.height_px),
+      rows(mode.height_px),
+      surfaces(level.faces.size() * 4, std::max(kSurfaceArenaBytes, faces.largest_surface_bytes)),
+      corner_shades(faces.most_light_samples),
+      fragments(level) {
+    walk.face_marks.resize(level.faces.size());
+    walk.steps.reserve(level.nodes.size());
+    owned.reserve(static_cast<std::size_t>(mode.height_px) * 16);
+    outline.corners.reserve(faces.most_corners);
+    outline.screen.reserve(faces.most_corners + kClipPlaneCount);
+    outline.clip.polygon.reserve(faces.most_corners + kClipPlaneCount);
+    outline.clip.other.reserve(faces.most_corners + kClipPlaneCount);
+}
+
+}  // namespace oblong

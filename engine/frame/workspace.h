@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/effects/plan.h"
+#include "engine/frame/brush_models.h"
+#include "engine/frame/face_table.h"
+#include "engine/frame/lit_faces.h"
+#include "engine/raster/kernels/kernels.h"
+#include "engine/raster/scan.h"
+#include "engine/raster/texture_blocks.h"
+#include "engine/screen/screen_mode.h"
+#include "engine/surface/surface_cache.h"
+#include "engine/visible/coverage.h"
+#include "engine/visible/front_to_back.h"
+#include "engine/visible/outline.h"
+#include "engine/visible/visible_set.h"
+
+namespace oblong {
+
+/// What a counted frame did. Kept only where somebody asks (FrameWorkspace::counts).
+struct FrameCounts {
+    std::int64_t faces_visited = 0, faces_drawn = 0, spans = 0, divisions = 0;
+    std::vector<std::uint8_t> writes;         ///< of each pixel, by the world's opaque faces; at most 255
+    std::vector<std::int64_t> effect_pixels;  ///< of each Effect
+};
+
+/// The scratch and the caches of frames of one level in one mode. Nothing in it is part of a picture: a fresh workspace
+/// draws the same bytes. The level must outlive it.
+class FrameWorkspace {
+  public:
+    FrameWorkspace(const Level& level, const ScreenMode& mode);
+
+    FaceTable faces;
+    VertexCache vertices;
+    VisibleSet visible;
+    WalkScratch walk;
+    Coverage coverage;
+    Outline outline;
+    RowColumns rows;
+    std::vector<Span> owned;      ///< what the face at hand claimed
+    std::vector<Span> sky_spans;  ///< what sky faces claimed, drawn last
+    std::vector<TexelBlock> blocks;
+    SurfaceCache surfaces;
+    std::vector<std::int32_t> corner_shades;
+    ModelFragments fragments;
+    BlockKernel kernel = best_block_kernel();
+
+    FramePlan plan;                       ///< of the frame drawn last: for showing, never read by a frame
+    std::unique_ptr<FrameCounts> counts;  ///< null: nothing is counted
+};
+
+}  // namespace oblong

@@ -1,0 +1,181 @@
+#include "engine/frame/world_pass.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/fixed/wide.h"
+
+namespace oblong {
+
+namespace {
+
+/// The mip level at which a texel is about a pixel where the polygon is nearest: Quake's thresholds, a level finer than
+/// pixels of 1, 0.4 and 0.2 texels' size ask for.
+int mip_level(std::int64_t nearest_z_16, std::int64_t density_16, const ProjectionAxis& axis) {
+    const std::int64_t texels_per_pixel_times_lens_16 = mul_shift(nearest_z_16, density_16, 16, Rounding::Floor);
+    const std::int64_t lens_16 = axis.coarse_16;
+    return (texels_per_pixel_times_lens_16 > lens_16) + (texels_per_pixel_times_lens_16 * 2 > lens_16 * 5) +
+           (texels_per_pixel_times_lens_16 > lens_16 * 5);
+}
+
+/// Texture coordinates of the eye, 16.16, from the world's origin.
+std::int64_t eye_texel_16(const Vec3<TexelAxis>& axis, TexelOffset offset, const Vec3<World>& eye) {
+    const std::int64_t sum_35 = std::int64_t{axis.x.raw} * eye.x.raw + std::int64_t{axis.y.raw} * eye.y.raw +
+                                std::int64_t{axis.z.raw} * eye.z.raw;
+    return rounded_shift(sum_35, 19, Rounding::NearestHalfUp) + offset.raw;
+}
+
+std::int32_t floor_to_multiple(std::int32_t value, std::int32_t size) {
+    const std::int32_t rest = value % size;
+    return value - (rest < 0 ? rest + size : rest);
+}
+
+/// A surface as one face shows it: its texels, and the texel of mip level 0 that its first column and row are.
+struct FaceSurface {
+    SurfaceView view;
+    std::int32_t origin_u = 0, origin_v = 0;
+    TexelLimits limits;
+    BlockKernel kernel;
+};
+
+class FacePainter {
+  public:
+    FacePainter(const FrameContext& frame, FrameWorkspace& work) : frame_(frame), work_(work) {}
+
+    /// A face of the world.
+    void paint_world_face(std::int32_t index) {
+        const Face& face = frame_.scene.level.faces[static_cast<std::size_t>(index)];
+        if (work_.counts) ++work_.counts->faces_visited;
+        if (make_face_outline(work_.faces.corners_of(face), frame_.view, work_.vertices, work_.outline))
+            paint_outline(index, {});
+    }
+
+    /// The parts of brush models in a leaf.
+    void paint_fragments(std::int32_t leaf) {
+        for (std::int32_t i = work_.fragments.first_in(leaf); i >= 0; i = work_.fragments.fragment(i).next) {
+            const Fragment& fragment = work_.fragments.fragment(i);
+            if (work_.counts) ++work_.counts->faces_visited;
+            if (make_polygon_outline(work_.fragments.corners_of(fragment), frame_.view, work_.outline))
+                paint_outline(fragment.face, frame_.scene.models[static_cast<std::size_t>(fragment.model)].offset);
+        }
+    }
+
+  private:
+    void paint_outline(std::int32_t index, const Vec3<World>& offset) {
+        work_.owned.clear();
+        claim_outline(work_.outline, work_.rows, work_.coverage, work_.owned);
+        if (work_.owned.empty()) return;
+        const FaceKind kind = work_.faces.kinds[static_cast<std::size_t>(index)];
+        if (work_.counts) count_face(kind);
+        if (kind == FaceKind::Sky) {
+            work_.sky_spans.insert(work_.sky_spans.end(), work_.owned.begin(), work_.owned.end());
+            return;
+        }
+        paint_owned(index, kind, offset);
+    }
+
+    void paint_owned(std::int32_t index, FaceKind kind, const Vec3<World>& offset) {
+        const Level& level = frame_.scene.level;
+        const Face& face = level.faces[static_cast<std::size_t>(index)];
+        const auto texinfo = static_cast<std::size_t>(face.texinfo);
+        const int mip = mip_level(work_.outline.nearest_z_16, work_.faces.density_16[texinfo], frame_.view.lens.x);
+        const FaceSurface surface = kind == FaceKind::Lit ? lit_surface(index, face, mip) : liquid_surface(face, mip);
+        const TextureGradients gradients = gradients_of(face, surface, mip, offset);
+        const BlockLadder ladder =
+            make_block_ladder(frame_.block_rule, static_cast<std::int64_t>(gradients.inverse_z_44.per_column));
+        work_.blocks.clear();
+        std::int64_t divisions = 0;
+        for (const Span& span : work_.owned)
+            divisions += append_blocks(span, frame_.out.pitch, gradients, frame_.block_rule, ladder, surface.limits,
+                                       work_.blocks);
+        surface.kernel(work_.blocks, surface.view, frame_.out.pixels);
+        if (work_.counts) count_blocks(divisions);
+    }
+
+    FaceSurface lit_surface(std::int32_t index, const Face& face, int mip) {
+        FaceSurface surface;
+        surface.view = lit_surface_of(frame_.scene.level, index, mip, frame_.scene.colormap, frame_.scene.light_styles,
+                                      work_.surfaces, work_.corner_shades);
+        surface.origin_u = face.texel_min_u;
+        surface.origin_v = face.texel_min_v;
+        surface.limits = make_texel_limits(std::max(face.texel_extent_u >> mip, 1),
+                                           std::max(face.texel_extent_v >> mip, 1), frame_.view.lens.width_px);
+        surface.kernel = work_.kernel;
+        return surface;
+    }
+
+    FaceSurface liquid_surface(const Face& face, int mip) {
+        const Level& level = frame_.scene.level;
+        const TexInfo& texinfo = level.texinfos[static_cast<std::size_t>(face.texinfo)];
+        const MipTexture& texture = level.textures[static_cast<std::size_t>(texinfo.miptex)];
+        FaceSurface surface;
+        surface.view = tile_of(texture, mip);
+        surface.origin_u = floor_to_multiple(face.texel_min_u, texture.width);
+        surface.origin_v = floor_to_multiple(face.texel_min_v, texture.height);
+        surface.limits = make_texel_limits(65535, 65535, frame_.view.lens.width_px);
+        surface.kernel = is_tile_packable(surface.view) ? work_.kernel : draw_blocks_any_size;
+        return surface;
+    }
+
+    TextureGradients gradients_of(const Face& face, const FaceSurface& surface, int mip,
+                                  const Vec3<World>& offset) const {
+        const Level& level = frame_.scene.level;
+        const LevelPlane& plane = level.planes[static_cast<std::size_t>(face.plane)];
+        const TexInfo& texinfo = level.texinfos[static_cast<std::size_t>(face.texinfo)];
+        const Vec3<World> eye = frame_.view.eye - offset;
+        const std::int64_t distance_42 = plane_distance_42(plane, eye);
+        TexturedPlane textured;
+        textured.normal = face.is_back ? -plane.normal : plane.normal;
+        textured.eye_distance =
+            PlaneDistance::from_raw(std::max<std::int64_t>(face.is_back ? -distance_42 : distance_42, 1));
+        textured.s = texinfo.s;
+        textured.t = texinfo.t;
+        textured.eye_u_16 = eye_texel_16(texinfo.s, texinfo.s_offset, eye) - std::int64_t{surface.origin_u} * 65536;
+        textured.eye_v_16 = eye_texel_16(texinfo.t, texinfo.t_offset, eye) - std::int64_t{surface.origin_v} * 65536;
+        textured.mip = mip;
+        return make_texture_gradients(textured, frame_.view.axes, frame_.gradient_lens);
+    }
+
+    void count_face(FaceKind kind) {
+        FrameCounts& counts = *work_.counts;
+        ++counts.faces_drawn;
+        counts.spans += static_cast<std::int64_t>(work_.owned.size());
+        std::int64_t pixels = 0;
+        for (const Span& span : work_.owned) pixels += span.end - span.first;
+        if (kind == FaceKind::Sky) counts.effect_pixels[static_cast<std::size_t>(Effect::Sky)] += pixels;
+        if (kind == FaceKind::Liquid) counts.effect_pixels[static_cast<std::size_t>(Effect::Liquid)] += pixels;
+    }
+
+    void count_blocks(std::int64_t divisions) {
+        FrameCounts& counts = *work_.counts;
+        counts.divisions += divisions;
+        for (const TexelBlock& block : work_.blocks)
+            for (std::int32_t i = 0; i < block.count; ++i) {
+                std::uint8_t& writes = counts.writes[block.pixel + static_cast<std::uint32_t>(i)];
+                writes = static_cast<std::uint8_t>(std::min(writes + 1, 255));
+            }
+    }
+
+    const FrameContext& frame_;
+    FrameWorkspace& work_;
+};
+
+}  // namespace
+
+void draw_world(const FrameContext& frame, FrameWorkspace& work) {
+    const Level& level = frame.scene.level;
+    work.vertices.start_frame();
+    work.coverage.reset();
+    work.sky_spans.clear();
+    work.fragments.clear();
+    if (frame.plan.effects.has(Effect::BrushModels))
+        work.fragments.cut(level, frame.scene.models, work.faces.corners, frame.view.eye);
+
+    FacePainter painter(frame, work);
+    walk_front_to_back(
+        level, frame.view.eye, frame.view.frustum, work.visible, work.walk,
+        [&](std::int32_t leaf) { painter.paint_fragments(leaf); },
+        [&](std::int32_t face) { painter.paint_world_face(face); }, [&] { return work.coverage.is_full(); });
+}
+
+}  // namespace oblong

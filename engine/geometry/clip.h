@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/camera/frustum.h"
+
+namespace oblong {
+
+/// A corner on its way through the clip planes. `borders` are the sides of the view on which clipping put it (Outcode's
+/// bits): there it projects exactly onto the screen's border, however near to the eye it lies and however coarse its
+/// position therefore is.
+struct ClipVertex {
+    Vec3<View> position;
+    std::uint8_t borders = 0;
+};
+
+/// Two buffers that a polygon is clipped back and forth between; kept from frame to frame, so that nothing is
+/// allocated.
+struct ClipScratch {
+    std::vector<ClipVertex> polygon, other;
+};
+
+/// Where the edge from `inside` to `outside` crosses a plane, given both distances to it. Always computed from the
+/// inside vertex: the two faces that share an edge walk it in opposite directions and get the same bits (hard case C2).
+Vec3<View> cross_plane(const Vec3<View>& inside, std::int64_t distance_inside, const Vec3<View>& outside,
+                       std::int64_t distance_outside);
+
+/// Clips the convex polygon `scratch.polygon` to the planes in `outcodes` (the union of its vertices' outcodes). What
+/// is left is in `scratch.polygon`, with at most one vertex more for each plane; empty if nothing is. Sutherland and
+/// Hodgman, "Reentrant polygon clipping", CACM 17 (1974).
+void clip_polygon(const Frustum& frustum, unsigned outcodes, ClipScratch& scratch);
+
+/// Clips `in` to one plane, into `out`; corners put on it get `border`. A corner on the plane is inside, and is never
+/// doubled (hard case C1).
+void clip_to_plane(const ClipPlane& plane, std::uint8_t border, const std::vector<ClipVertex>& in,
+                   std::vector<ClipVertex>& out);
+
+}  // namespace oblong

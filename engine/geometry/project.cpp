@@ -1,0 +1,28 @@
+#include "engine/geometry/project.h"
+
+#include <algorithm>
+
+namespace oblong {
+
+namespace {
+
+Screen snap_within(ScreenWide position, std::int32_t size_px, const SubpixelGrid& grid) {
+    const std::int64_t limit = std::int64_t{size_px} * 256;
+    return Screen::from_raw(static_cast<std::int32_t>(std::clamp(grid.snap_8(position.raw), std::int64_t{0}, limit)));
+}
+
+}  // namespace
+
+ScreenVertex to_screen_vertex(const ScreenPosition& position, const Projection& lens, const SubpixelGrid& grid) {
+    return {snap_within(position.x, lens.width_px, grid), snap_within(position.y, lens.height_px, grid)};
+}
+
+ScreenVertex to_screen_border(ScreenVertex vertex, std::uint8_t borders, const Projection& lens) {
+    if (borders & kOutLeft) vertex.x = Screen{};
+    if (borders & kOutRight) vertex.x = Screen::from_int(lens.width_px);
+    if (borders & kOutBottom) vertex.y = Screen::from_int(lens.height_px);
+    if (borders & kOutTop) vertex.y = Screen{};
+    return vertex;
+}
+
+}  // namespace oblong

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "engine/camera/frustum.h"
+#include "engine/math/vec.h"
+#include "engine/screen/projection.h"
+#include "engine/screen/screen_vertex.h"
+
+namespace oblong {
+
+/// Where a point in viewspace lands, pixels, 56.8, rounded once to the nearest 1/256. Its z is above 0. Any screen
+/// position is right to 1/512 + 64 * 2^-17 pixel.
+struct ScreenPosition {
+    ScreenWide x, y;
+};
+
+inline ScreenPosition project(const Vec3<View>& p, const Projection& lens) {
+    return {ScreenWide::from_raw(lens.x.centre.raw + project_axis_8(lens.x, p.x.raw, p.z.raw)),
+            ScreenWide::from_raw(lens.y.centre.raw + project_axis_8(lens.y, -p.y.raw, p.z.raw))};
+}
+
+/// The dial of sub-pixel precision: how many fraction bits a screen vertex keeps.
+struct SubpixelGrid {
+    std::int64_t half_step = 0, mask = -1;
+
+    static constexpr SubpixelGrid of_bits(std::int32_t bits) {
+        const std::int64_t step = std::int64_t{1} << (8 - bits);
+        return {step / 2, -step};
+    }
+    constexpr std::int64_t snap_8(std::int64_t raw_8) const { return (raw_8 + half_step) & mask; }
+};
+
+/// A clipped point as a screen vertex: snapped to the grid and kept within [0, width] x [0, height], from which
+/// rounding alone could carry it (hard case C7).
+ScreenVertex to_screen_vertex(const ScreenPosition& position, const Projection& lens, const SubpixelGrid& grid);
+
+/// The same for a corner that clipping put on `borders` of the view: it lies exactly on those of the screen.
+ScreenVertex to_screen_border(ScreenVertex vertex, std::uint8_t borders, const Projection& lens);
+
+}  // namespace oblong

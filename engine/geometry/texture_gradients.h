@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/fixed/fixed.h"
+#include "engine/math/basis.h"
+#include "engine/screen/gradients.h"
+#include "engine/screen/projection.h"
+
+namespace oblong {
+
+/// What a frame needs again for each face: 1 / multiplier, 62 fraction bits, and the centres, 1/2 pixel.
+struct GradientLens {
+    std::int64_t inverse_x_62 = 0, inverse_y_62 = 0;
+    std::int32_t centre_x_2 = 0, centre_y_2 = 0;
+};
+
+/// Multipliers must be above 1/2 pixel.
+GradientLens make_gradient_lens(const Projection& lens);
+
+/// A plane with a texture on it, seen from an eye: all that its gradients depend on, in the world's axes.
+struct TexturedPlane {
+    Vec3<Unit> normal;           ///< toward the eye
+    PlaneDistance eye_distance;  ///< of the eye before the plane, above 0
+    Vec3<TexelAxis> s, t;        ///< texture axes
+    std::int64_t eye_u_16 = 0,
+                 eye_v_16 = 0;  ///< texture coordinates of the eye's foot along s and t, relative to the surface
+    int mip = 0;
+};
+
+/// The screen gradients of 1/z, u/z and v/z of a plane, from the plane itself and not from its vertices: every face of
+/// one plane gets the same bits (hard case E11). With p = z (X, Y, 1) on the plane, N the normal in viewspace and D the
+/// eye's distance, 1/z = -N . (X, Y, 1) / D, and u/z = S . (X, Y, 1) + eye_u / z. (Abrash, Black Book, ch. 68; Quake's
+/// way.)
+TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& axes, const GradientLens& lens);
+
+}  // namespace oblong

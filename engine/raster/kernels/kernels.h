@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "engine/surface/lit_surface.h"
+
+namespace oblong {
+
+/// A run of pixels whose texture coordinates step evenly: texels, 16.16, never below 0 nor above 65,535 on the way.
+struct TexelBlock {
+    std::uint32_t pixel;  ///< index of the first pixel in the framebuffer
+    std::int32_t count;
+    std::uint32_t u_16, v_16;
+    std::int32_t u_step_16, v_step_16;
+};
+
+/// Draws blocks of a surface whose sizes are powers of two. Every kernel writes the same bytes as draw_blocks_plain.
+using BlockKernel = void (*)(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
+
+/// The reference: the same arithmetic, written the slow obvious way.
+void draw_blocks_plain(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
+/// u and v in one 64-bit word: one addition steps both.
+void draw_blocks_packed(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
+/// The same, the texel's offset taken from the word by one `pext`. Only where has_bmi2().
+void draw_blocks_bmi2(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
+/// Any size of texture: wraps by division. For tiles whose sizes are not powers of two; uses width, height and a stride
+/// of width.
+void draw_blocks_any_size(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
+
+/// Whether this processor has the BMI2 instructions.
+bool has_bmi2();
+/// The fastest kernel that this processor runs.
+BlockKernel best_block_kernel();
+
+}  // namespace oblong

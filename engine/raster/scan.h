@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/screen/screen_vertex.h"
+
+namespace oblong {
+
+/// Of each row the columns [left, right) that a polygon covers; of rows [first, end).
+struct RowColumns {
+    std::vector<std::int32_t> left, right;  ///< one a row of the screen
+    std::int32_t first = 0, end = 0;
+
+    explicit RowColumns(std::int32_t height_px)
+        : left(static_cast<std::size_t>(height_px)), right(static_cast<std::size_t>(height_px)) {}
+};
+
+/// Largest size of a screen coordinate that scan_convex() takes, 1/256 pixel; what lies beyond is moved there.
+inline constexpr std::int32_t kLargestScreen_8 = 1 << 28;
+
+/// The first row or column whose centre lies at or after `position`: ceil((position - 128) / 256).
+constexpr std::int32_t first_centre_from(std::int32_t position_8) {
+    return floor_shift(position_8 + 127, 8);
+}
+
+/// Finds the pixels of a convex polygon whose vertices run clockwise as seen (y down). A pixel is covered when its
+/// centre is inside, on a left edge or on a top edge; polygons that share edges share no pixel and leave no gap. Edges
+/// are walked by an exact error term: the columns are those of the true edge between the snapped vertices, whatever its
+/// slope. Columns may lie off the screen; rows do not.
+void scan_convex(std::span<const ScreenVertex> vertices, RowColumns& rows);
+
+/// Twice the signed area, in (1/256 pixel)^2: above 0 if the vertices run clockwise as seen.
+std::int64_t doubled_area_16(std::span<const ScreenVertex> vertices);
+
+}  // namespace oblong

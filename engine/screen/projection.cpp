@@ -1,0 +1,38 @@
+#include "engine/screen/projection.h"
+
+#include "engine/fixed/trig.h"
+
+namespace oblong {
+
+namespace {
+
+ProjectionAxis make_axis(Multiplier multiplier, std::int32_t size_px) {
+    ProjectionAxis axis;
+    axis.multiplier = multiplier;
+    axis.coarse_16 = rounded_shift(multiplier.raw, 16, Rounding::NearestHalfUp);
+    axis.fast_limit = (std::int64_t{1} << 61) / (axis.coarse_16 + 1);
+    axis.centre = ScreenWide::from_raw(std::int64_t{size_px} * 128);
+    return axis;
+}
+
+}  // namespace
+
+Projection make_projection(const ScreenMode& mode, Degrees field_of_view, bool correct_aspect) {
+    const SineCosine60 half = sine_cosine(Degrees::from_raw(field_of_view.raw / 2));
+    const std::int64_t half_width_32 = std::int64_t{mode.width_px} << 31;
+    const Multiplier distance =
+        Multiplier::from_raw(mul_div(half_width_32, half.cosine.raw, half.sine.raw, Rounding::NearestHalfUp));
+
+    const Ratio squeeze = (mode.display * Ratio{mode.height_px, mode.width_px}).reduced();
+    const Multiplier squeezed =
+        Multiplier::from_raw(mul_div(distance.raw, squeeze.numerator, squeeze.denominator, Rounding::NearestHalfUp));
+
+    Projection lens;
+    lens.x = make_axis(distance, mode.width_px);
+    lens.y = make_axis(correct_aspect ? squeezed : distance, mode.height_px);
+    lens.width_px = mode.width_px;
+    lens.height_px = mode.height_px;
+    return lens;
+}
+
+}  // namespace oblong

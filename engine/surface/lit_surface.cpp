@@ -1,0 +1,90 @@
+#include "engine/surface/lit_surface.h"
+
+#include <algorithm>
+
+#include "engine/fixed/fixed.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr std::int32_t kDarkest_16 = (Colormap::kShades - 1) << 16;
+
+/// The shade of a light value with 8 fraction bits: 0 from kFullLight up, the darkest at 0; 16 fraction bits.
+std::int32_t shade_of(std::int32_t light_8) {
+    const std::int64_t missing_8 = std::max(kFullLight * 256 - light_8, 0);
+    return static_cast<std::int32_t>(missing_8 * kDarkest_16 / (kFullLight * 256));
+}
+
+void compute_corner_shades(const LightmapView& light, std::int32_t* corner_shades) {
+    const std::int32_t count = light.columns * light.rows;
+    for (std::int32_t i = 0; i < count; ++i) {
+        std::int32_t sum_8 = 0;
+        for (std::int32_t style = 0; style < light.style_count; ++style)
+            sum_8 += light.samples[style * count + i] * light.style_scale_256[static_cast<std::size_t>(style)];
+        corner_shades[i] = light.is_fullbright ? 0 : shade_of(sum_8);
+    }
+}
+
+std::int32_t wrap(std::int32_t value, std::int32_t size) {
+    const std::int32_t rest = value % size;
+    return rest < 0 ? rest + size : rest;
+}
+
+/// One row of texels of one cell: from the left edge's shade to the right's.
+struct CellRow {
+    std::int32_t shade_left_16, shade_right_16;
+};
+
+class SurfaceBuilder {
+  public:
+    SurfaceBuilder(const TextureView& texture, const Colormap& colormap, int mip)
+        : texture_(texture), colormap_(colormap), cell_log2_(4 - mip) {}
+
+    void build_row(std::int32_t y, const std::int32_t* upper, std::int32_t columns, std::uint8_t* out) const {
+        const std::int32_t down = y & ((1 << cell_log2_) - 1);
+        const std::int32_t* lower = upper + columns;
+        const std::uint8_t* texels = texture_.texels + wrap(texture_.min_v + y, texture_.height) * texture_.width;
+        std::int32_t u = wrap(texture_.min_u, texture_.width);
+        for (std::int32_t cell = 0; cell + 1 < columns; ++cell) {
+            const CellRow row{blend(upper[cell], lower[cell], down), blend(upper[cell + 1], lower[cell + 1], down)};
+            u = build_cell_row(row, texels, u, out);
+            out += 1 << cell_log2_;
+        }
+    }
+
+  private:
+    std::int32_t blend(std::int32_t from, std::int32_t to, std::int32_t step) const {
+        return from + floor_shift((to - from) * step, cell_log2_);
+    }
+
+    std::int32_t build_cell_row(const CellRow& row, const std::uint8_t* texels, std::int32_t u,
+                                std::uint8_t* out) const {
+        const std::int32_t step_16 = floor_shift(row.shade_right_16 - row.shade_left_16, cell_log2_);
+        std::int32_t shade_16 = row.shade_left_16;
+        for (std::int32_t x = 0; x < 1 << cell_log2_; ++x) {
+            out[x] = colormap_.shades[static_cast<std::size_t>(shade_16 >> 16)][texels[u]];
+            shade_16 += step_16;
+            if (++u == texture_.width) u = 0;
+        }
+        return u;
+    }
+
+    const TextureView& texture_;
+    const Colormap& colormap_;
+    int cell_log2_;
+};
+
+}  // namespace
+
+void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap, int mip,
+                       std::int32_t stride, std::int32_t* corner_shades, std::uint8_t* out) {
+    compute_corner_shades(light, corner_shades);
+    const SurfaceBuilder builder(texture, colormap, mip);
+    const std::int32_t height = lit_size(light.rows, mip);
+    for (std::int32_t y = 0; y < height; ++y)
+        builder.build_row(y, corner_shades + (y >> (4 - mip)) * light.columns, light.columns,
+                          out + static_cast<std::ptrdiff_t>(y) * stride);
+}
+
+}  // namespace oblong

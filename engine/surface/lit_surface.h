@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/surface/colormap.h"
+
+namespace oblong {
+
+/// Texels ready to be drawn: rows `1 << stride_log2` bytes apart. Coordinates wrap at the masks, which are powers of
+/// two less one; a lit surface is never sampled beyond its size, so they do nothing there, and make a tile of a whole
+/// texture.
+struct SurfaceView {
+    const std::uint8_t* texels = nullptr;
+    std::int32_t width = 0, height = 0;
+    std::int32_t stride_log2 = 0;
+    std::uint32_t u_mask = 0, v_mask = 0;
+};
+
+/// A face's light: samples every 16 texels of mip level 0, `columns` x `rows` of them for each style in use.
+struct LightmapView {
+    const std::uint8_t* samples = nullptr;  ///< null: `dark_if_null` decides
+    std::int32_t columns = 0, rows = 0;
+    std::int32_t style_count = 0;
+    std::array<std::uint16_t, 4> style_scale_256{};  ///< brightness of each style, 256: as stored
+    bool is_fullbright = false;                      ///< the level has no light at all: show colours as they are
+};
+
+/// One mip level of a texture and where a face's surface begins in it.
+struct TextureView {
+    const std::uint8_t* texels = nullptr;
+    std::int32_t width = 0, height = 0;  ///< of this mip level
+    std::int32_t min_u = 0, min_v = 0;   ///< of the surface, in this mip level's texels; any sign
+};
+
+/// The lightmap value at and above which a texture shows its own colours: the middle of the range, as in Quake.
+inline constexpr std::int32_t kFullLight = 128;
+
+/// Texels a lit surface takes in one row or column at a mip level: 16 >> mip for each cell between two light samples.
+constexpr std::int32_t lit_size(std::int32_t samples, int mip) {
+    return (samples - 1) * (16 >> mip);
+}
+
+/// Writes texture times light to `out`: shades are interpolated across each cell between four samples and looked up in
+/// the colormap (Abrash, Black Book, ch. 68). `out` has lit_size(rows) rows of `stride` bytes. `corner_shades` is
+/// scratch of columns * rows entries.
+void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap, int mip,
+                       std::int32_t stride, std::int32_t* corner_shades, std::uint8_t* out);
+
+}  // namespace oblong

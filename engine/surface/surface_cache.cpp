@@ -1,0 +1,21 @@
+#include "engine/surface/surface_cache.h"
+
+namespace oblong {
+
+SurfaceCache::Found SurfaceCache::get(std::size_t slot, std::size_t bytes, std::uint64_t light_key) {
+    Slot& entry = slots_[slot];
+    if (entry.generation == generation_) {
+        const bool is_valid = entry.light_key == light_key;
+        entry.light_key = light_key;
+        return {arena_.get() + entry.offset, is_valid};
+    }
+    if (bytes > arena_bytes_ - used_bytes_) {
+        used_bytes_ = 0;
+        ++generation_;
+    }
+    entry = {light_key, used_bytes_, generation_};
+    used_bytes_ += bytes;
+    return {arena_.get() + entry.offset, false};
+}
+
+}  // namespace oblong

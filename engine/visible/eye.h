@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/level/level.h"
+
+namespace oblong {
+
+/// Where one looks from, and the leaf that holds it.
+struct PlacedEye {
+    Vec3<World> position;
+    std::int32_t leaf = 0;
+};
+
+/// Moves an eye that lies within 2 steps of World (1/2,048 unit) of a plane that bounds its leaf to that distance from
+/// it: an eye in the plane of a face sees it neither from the front nor from the back, and half the screen would stay
+/// empty (hard case V11). A point on a plane belongs to the back of it (find_leaf), and is moved to the back; to the
+/// front if the back is solid and the front is not.
+PlacedEye place_eye(const Level& level, Vec3<World> eye);
+
+}  // namespace oblong

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/camera/frustum.h"
+#include "engine/level/level.h"
+#include "engine/level/side.h"
+#include "engine/visible/visible_set.h"
+
+namespace oblong {
+
+/// What is left to do of a walk through the tree.
+struct WalkStep {
+    std::int32_t node;            ///< or -1 - leaf
+    bool draws_faces;             ///< false: enter the node; true: its near side is done, draw the faces on its plane
+    bool eye_in_front;            ///< of the node's plane; meaningful where draws_faces
+    std::uint8_t planes_to_test;  ///< sides of the view that the node's parent still crossed
+};
+
+/// Scratch of a walk, kept from frame to frame.
+struct WalkScratch {
+    std::vector<WalkStep> steps;
+    std::vector<std::uint32_t> face_marks;  ///< the frame in which a visited leaf last named the face
+    std::uint32_t mark = 0;
+};
+
+/// Which of `planes` (a bit each: left, right, bottom, top) a box still crosses; 0xff if it lies outside of one.
+std::uint8_t planes_crossed(const Frustum& frustum, const LevelBox& box, const Vec3<World>& eye, std::uint8_t planes);
+inline constexpr std::uint8_t kAllSides = 15, kOutside = 0xff;
+
+/// Walks the world's tree front to back (Abrash, seed 5's sequel; Fuchs, Kedem and Naylor 1980). Calls on_leaf(leaf)
+/// for every leaf that may be seen, and on_face(face) for the faces that border such leaves and face the eye. A face
+/// comes after all that can hide it, and a leaf before the faces that close it. Ends early when is_done() says so.
+template <class OnLeaf, class OnFace, class IsDone>
+void walk_front_to_back(const Level& level, const Vec3<World>& eye, const Frustum& frustum, const VisibleSet& visible,
+                        WalkScratch& scratch, OnLeaf on_leaf, OnFace on_face, IsDone is_done) {
+    const std::uint32_t mark = ++scratch.mark;
+    scratch.steps.assign(1, {level.models[0].head_nodes[0], false, false, kAllSides});
+
+    const auto draw_faces = [&](const Node& node, bool eye_in_front) {
+        for (std::int32_t face = node.first_face; face < node.first_face + node.face_count; ++face)
+            if (scratch.face_marks[static_cast<std::size_t>(face)] == mark &&
+                level.faces[static_cast<std::size_t>(face)].is_back != eye_in_front)
+                on_face(face);
+    };
+    const auto enter_leaf = [&](std::int32_t index, std::uint8_t planes) {
+        const Leaf& leaf = level.leaves[static_cast<std::size_t>(index)];
+        if (!visible.has_leaf(index) || planes_crossed(frustum, leaf.box, eye, planes) == kOutside) return;
+        for (std::int32_t i = 0; i < leaf.mark_face_count; ++i) {
+            const std::int32_t face = level.mark_faces[static_cast<std::size_t>(leaf.first_mark_face + i)];
+            scratch.face_marks[static_cast<std::size_t>(face)] = mark;
+        }
+        on_leaf(index);
+    };
+
+    while (!scratch.steps.empty() && !is_done()) {
+        const WalkStep step = scratch.steps.back();
+        scratch.steps.pop_back();
+        if (step.node < 0) {
+            enter_leaf(-1 - step.node, step.planes_to_test);
+            continue;
+        }
+        const Node& node = level.nodes[static_cast<std::size_t>(step.node)];
+        if (step.draws_faces) {
+            draw_faces(node, step.eye_in_front);
+            continue;
+        }
+        if (!visible.has_node(step.node)) continue;
+        const std::uint8_t planes = planes_crossed(frustum, node.box, eye, step.planes_to_test);
+        if (planes == kOutside) continue;
+        const std::int64_t distance = plane_distance_42(level.planes[static_cast<std::size_t>(node.plane)], eye);
+        const bool in_front = distance > 0;
+        scratch.steps.push_back({node.children[in_front], false, false, planes});
+        if (distance != 0 && node.face_count > 0) scratch.steps.push_back({step.node, true, in_front, planes});
+        scratch.steps.push_back({node.children[!in_front], false, false, planes});
+    }
+}
+
+}  // namespace oblong

@@ -1,0 +1,74 @@
+#include "tools/cli/arguments.h"
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace oblong {
+
+namespace {
+
+std::optional<std::int32_t> whole_number(const std::string& text) {
+    std::int32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+struct Pair {
+    std::int32_t first, second;
+};
+
+Pair parse_pair(const std::string& text, char between, std::int32_t least, std::int32_t most,
+                const std::string& expected) {
+    const std::size_t at = text.find(between);
+    const auto first = at == std::string::npos ? std::nullopt : whole_number(text.substr(0, at));
+    const auto second = at == std::string::npos ? std::nullopt : whole_number(text.substr(at + 1));
+    const auto fits = [&](std::optional<std::int32_t> value) { return value && *value >= least && *value <= most; };
+    if (!fits(first) || !fits(second)) throw UsageError("'" + text + "', expected " + expected);
+    return {*first, *second};
+}
+
+}  // namespace
+
+void parse_mode_size(const std::string& text, ScreenMode& mode) {
+    const std::string limits =
+        " from 8x8 to " + std::to_string(kLargestModeWidth) + "x" + std::to_string(kLargestModeHeight);
+    const Pair size = parse_pair(text, 'x', 8, kLargestModeWidth, "a mode WIDTHxHEIGHT" + limits);
+    mode.width_px = size.first;
+    mode.height_px = size.second;
+}
+
+Ratio parse_display(const std::string& text) {
+    const Pair shape = parse_pair(text, ':', 1, 10000, "the display's shape WIDTH:HEIGHT, such as 4:3");
+    if (shape.first > 100 * shape.second || shape.second > 100 * shape.first)
+        throw UsageError("'" + text + "', expected a display between 1:100 and 100:1");
+    return Ratio{shape.first, shape.second}.reduced();
+}
+
+std::int64_t parse_decimal(const std::string& text, int fraction_bits) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
+    const bool is_number = error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
+    if (!is_number || std::abs(value) >= 0x1p24) throw UsageError("'" + text + "', expected a decimal number");
+    return std::llround(std::ldexp(value, fraction_bits));
+}
+
+Degrees parse_field_of_view(const std::string& text) {
+    const std::string expected = "'" + text + "', expected a field of view from 1 to 179 degrees";
+    try {
+        const std::int64_t raw_32 = parse_decimal(text, 32);
+        if (raw_32 < std::int64_t{1} << 32 || raw_32 > std::int64_t{179} << 32) throw UsageError(expected);
+        return Degrees::from_raw(raw_32 << 16);
+    } catch (const UsageError&) {
+        throw UsageError(expected);
+    }
+}
+
+Accuracy parse_tier(const std::string& text) {
+    const std::optional<Tier> tier = tier_named(text);
+    if (!tier) throw UsageError("'" + text + "', expected a tier: 1991, 1994, 1996, bounded or exact");
+    return accuracy_of(*tier);
+}
+
+}  // namespace oblong

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "engine/fixed/angle.h"
+#include "engine/frame/settings.h"
+#include "engine/screen/screen_mode.h"
+
+namespace oblong {
+
+/// An argument that can't be taken: programs print it and exit with 2.
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// "320x200" into `mode`'s size; from 8x8 to the largest mode.
+void parse_mode_size(const std::string& text, ScreenMode& mode);
+/// "4:3".
+Ratio parse_display(const std::string& text);
+/// A field of view in degrees, decimal, from 1 to 179.
+Degrees parse_field_of_view(const std::string& text);
+/// "1991", "1994", "1996", "bounded", "exact".
+Accuracy parse_tier(const std::string& text);
+/// A decimal number such as "-12.375" as raw units of 2^-fraction_bits, rounded to the nearest; |value| below 2^24.
+/// Throws UsageError for anything else, "nan" and "1e3" included.
+std::int64_t parse_decimal(const std::string& text, int fraction_bits);
+
+}  // namespace oblong

@@ -1,0 +1,27 @@
+#include "tools/cli/program.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "tools/cli/arguments.h"
+
+namespace oblong {
+
+int run_program(const std::string& name, const std::function<void()>& body) {
+    try {
+        body();
+        return 0;
+    } catch (const UsageError& error) {
+        std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+        return 2;
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "%s: out of memory\n", name.c_str());
+        return 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+        return 1;
+    }
+}
+
+}  // namespace oblong

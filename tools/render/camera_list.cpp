@@ -1,0 +1,104 @@
+#include "tools/render/camera_list.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "engine/base/input_error.h"
+#include "engine/fixed/trig.h"
+#include "tools/cli/arguments.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> kColumns{"x", "y", "z", "yaw", "pitch", "roll"};
+
+std::vector<std::string> split(const std::string& line) {
+    std::vector<std::string> fields(1);
+    for (const char c : line) {
+        if (c == ',')
+            fields.emplace_back();
+        else if (c != ' ' && c != '\t' && c != '\r')
+            fields.back() += c;
+    }
+    return fields;
+}
+
+std::string place(std::size_t line) {
+    return "line " + std::to_string(line);
+}
+
+/// Which kColumns entry each column of the file is.
+std::vector<std::size_t> parse_header(const std::string& line) {
+    std::vector<std::size_t> columns;
+    for (const std::string& name : split(line)) {
+        const auto known = std::find(kColumns.begin(), kColumns.end(), name);
+        const auto index = static_cast<std::size_t>(known - kColumns.begin());
+        if (known == kColumns.end() || std::count(columns.begin(), columns.end(), index))
+            throw InputError(place(1),
+                             "column '" + name + "', expected x, y, z, yaw, pitch and perhaps roll, each once");
+        columns.push_back(index);
+    }
+    for (std::size_t index = 0; index < 5; ++index)
+        if (!std::count(columns.begin(), columns.end(), index))
+            throw InputError(place(1),
+                             "no column '" + std::string(kColumns[index]) + "', expected x, y, z, yaw, pitch");
+    return columns;
+}
+
+World world_of(std::int64_t raw_32, std::size_t line) {
+    const std::int64_t raw = rounded_shift(raw_32, 20, Rounding::NearestHalfUp);
+    if (raw < -(std::int64_t{32768} << 12) || raw > std::int64_t{32768} << 12)
+        throw InputError(place(line), "a coordinate beyond +-32,768 units, expected one within");
+    return World::from_raw(static_cast<std::int32_t>(raw));
+}
+
+Camera parse_camera(const std::string& text, const std::vector<std::size_t>& columns, std::size_t line) {
+    const std::vector<std::string> fields = split(text);
+    if (fields.size() != columns.size())
+        throw InputError(place(line),
+                         std::to_string(fields.size()) + " fields, expected " + std::to_string(columns.size()));
+    std::array<std::int64_t, 6> values_32{};
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        try {
+            values_32[columns[i]] = parse_decimal(fields[i], 32);
+        } catch (const UsageError& error) {
+            throw InputError(place(line), error.what());
+        }
+    }
+    const auto angle = [&](std::size_t index) {
+        // Whole turns fall away before the format's 16 integer bits are too few.
+        return degrees_to_angle(Degrees::from_raw(values_32[index] % (std::int64_t{360} << 32) * 65536));
+    };
+    Camera camera;
+    camera.eye = {world_of(values_32[0], line), world_of(values_32[1], line), world_of(values_32[2], line)};
+    camera.yaw = angle(3);
+    camera.pitch = angle(4);
+    camera.roll = angle(5);
+    return camera;
+}
+
+}  // namespace
+
+std::vector<Camera> parse_cameras(std::span<const std::uint8_t> bytes, Degrees field_of_view) {
+    std::vector<std::string> lines(1);
+    for (const std::uint8_t byte : bytes) {
+        if (byte == '\n')
+            lines.emplace_back();
+        else
+            lines.back() += static_cast<char>(byte);
+    }
+    const std::vector<std::size_t> columns = parse_header(lines[0]);
+    std::vector<Camera> cameras;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        if (lines[i].find_first_not_of(" \t\r") == std::string::npos) continue;
+        cameras.push_back(parse_camera(lines[i], columns, i + 1));
+        cameras.back().field_of_view = field_of_view;
+    }
+    if (cameras.empty()) throw InputError(place(2), "no camera, expected at least one");
+    return cameras;
+}
+
+}  // namespace oblong

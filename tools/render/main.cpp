@@ -1,0 +1,122 @@
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+
+#include "engine/frame/scene_models.h"
+#include "engine/level/bsp_read.h"
+#include "tools/cli/arguments.h"
+#include "tools/cli/files.h"
+#include "tools/cli/program.h"
+#include "tools/png/indexed_png.h"
+#include "tools/render/camera_list.h"
+#include "tools/render/report.h"
+
+namespace {
+
+using namespace oblong;
+
+constexpr const char* kProgram = "oblong-render";
+
+struct Options {
+    std::string level, cameras, palette, out, json;
+    std::string mode = "320x200", display = "4:3", field_of_view = "90", tier = "bounded", effects = "auto",
+                texel_error, seconds = "0";
+    int repeat = 1, threads = 1;
+};
+
+void add_options(CLI::App& app, Options& options) {
+    app.set_version_flag("--version", std::string(kProgram) + " " + OBLONG_VERSION);
+    app.add_option("LEVEL", options.level, "a Quake level: BSP 29, BSP2 or 2PSB")->required();
+    app.add_option("--cameras", options.cameras, "CSV: x,y,z,yaw,pitch[,roll]")->required();
+    app.add_option("--palette", options.palette, "768 bytes of red, green, blue (default: the demo level's)");
+    app.add_option("--out", options.out, "folder for one indexed PNG a camera: 00000.png on");
+    app.add_option("--json", options.json, "file for times, checksums and counts");
+    app.add_option("--repeat", options.repeat, "timed renderings of each frame")->check(CLI::Range(1, 100000));
+    app.add_option("--mode", options.mode, "pixels, WIDTHxHEIGHT (default 320x200)");
+    app.add_option("--display", options.display, "shape of the display, WIDTH:HEIGHT (default 4:3)");
+    app.add_option("--fov", options.field_of_view, "degrees across (default 90)");
+    app.add_option("--accuracy", options.tier, "1991, 1994, 1996, bounded (default) or exact");
+    app.add_option("--texel-error", options.texel_error, "largest texture error on screen, pixels (default 0.375)");
+    app.add_option("--effects", options.effects, "auto (default), none, or names: sky,liquid,brush_models");
+    app.add_option("--threads", options.threads, "accepted; frames are drawn by one thread")->check(CLI::Range(1, 256));
+    app.add_option("--time", options.seconds, "the scene's time, seconds");
+}
+
+EffectSet parse_effects(const std::string& text) {
+    if (text == "auto") return EffectSet::all();
+    EffectSet effects;
+    if (text == "none") return effects;
+    for (std::size_t start = 0; start <= text.size();) {
+        const std::size_t end = std::min(text.find(',', start), text.size());
+        const auto known = std::find(kEffectNames.begin(), kEffectNames.end(), text.substr(start, end - start));
+        if (known == kEffectNames.end())
+            throw UsageError("'" + text + "', expected auto, none, or names of sky,liquid,brush_models");
+        effects = effects.with(static_cast<Effect>(known - kEffectNames.begin()));
+        start = end + 1;
+    }
+    return effects;
+}
+
+Settings make_settings(const Options& options) {
+    Settings settings;
+    settings.accuracy = parse_tier(options.tier);
+    settings.allowed_effects = parse_effects(options.effects);
+    if (options.texel_error.empty()) return settings;
+    const std::int64_t error_px_256 = parse_decimal(options.texel_error, 8);
+    if (error_px_256 < 1 || error_px_256 > 4096) throw UsageError("--texel-error: expected 1/256 to 16 pixels");
+    settings.accuracy.texture_error_px_256 = static_cast<std::int32_t>(error_px_256);
+    return settings;
+}
+
+std::string picture_path(const std::string& folder, std::size_t index) {
+    char name[32];
+    std::snprintf(name, sizeof name, "%05zu.png", index);
+    return folder + "/" + name;
+}
+
+void render(const Options& options) {
+    ScreenMode mode;
+    parse_mode_size(options.mode, mode);
+    mode.display = parse_display(options.display);
+    const Degrees field_of_view = parse_field_of_view(options.field_of_view);
+    const Settings settings = make_settings(options);
+    const std::int64_t time_ms = parse_decimal(options.seconds, 20) * 1000 / (1 << 20);
+
+    const auto start = std::chrono::steady_clock::now();
+    const Level level = read_parsed(options.level, read_bsp);
+    const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
+    const std::string palette_path = options.palette.empty() ? OBLONG_DEMO_PALETTE : options.palette;
+    const Palette palette = read_parsed(palette_path, read_palette);
+    const Colormap colormap = make_colormap(palette);
+    const std::vector<Camera> cameras =
+        read_parsed(options.cameras, [&](const auto& bytes) { return parse_cameras(bytes, field_of_view); });
+    const std::vector<PlacedModel> models = models_at_rest(level);
+
+    if (!options.out.empty()) make_folder(options.out);
+    const RenderJob job{
+        {level, colormap, models, time_ms}, mode, settings, cameras, options.repeat, options.repeat > 1};
+    const auto frames = render_cameras(job, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
+        if (options.out.empty()) return;
+        const auto png = encode_indexed_png(pixels, mode.width_px, mode.height_px, palette);
+        write_file(picture_path(options.out, index), png);
+    });
+    const TimeSummary times = summarize_times(frames);
+    std::printf("%zu frames, median %.1f us, 99th percentile %.1f us, level loaded in %.1f ms\n", frames.size(),
+                times.median, times.p99, load.count());
+    if (!options.json.empty())
+        write_file(options.json, report_json({options.level, options.tier, mode, 1, load.count()}, frames));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    CLI::App app("Renders the frames of a list of cameras, without a window.", kProgram);
+    add_options(app, options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
+    }
+    return run_program(kProgram, [&] { render(options); });
+}

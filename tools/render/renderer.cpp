@@ -1,0 +1,95 @@
+#include "tools/render/renderer.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace oblong {
+
+namespace {
+
+double median_of(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+/// Draws one camera's frames into a canvas of its own.
+class CameraRenderer {
+  public:
+    explicit CameraRenderer(const RenderJob& job)
+        : job_(job),
+          work_(job.scene.level, job.mode),
+          pixels_(static_cast<std::size_t>(job.mode.width_px) * static_cast<std::size_t>(job.mode.height_px)) {}
+
+    FrameReport render(const Camera& camera) {
+        FrameReport report;
+        count(camera, report);
+        report.microseconds = timed(camera, job_.settings);
+        if (job_.times_effects) time_effects(camera, report);
+        draw(camera, job_.settings);
+        report.crc32 = static_cast<std::uint32_t>(::crc32(0, pixels_.data(), static_cast<uInt>(pixels_.size())));
+        return report;
+    }
+    std::span<const std::uint8_t> pixels() const { return pixels_; }
+
+  private:
+    void draw(const Camera& camera, const Settings& settings) {
+        draw_frame(job_.scene, camera, job_.mode, settings, work_,
+                   {pixels_.data(), job_.mode.width_px, job_.mode.height_px, job_.mode.width_px});
+    }
+
+    double timed(const Camera& camera, const Settings& settings) {
+        std::vector<double> microseconds;
+        for (int i = 0; i < job_.repeat; ++i) {
+            const auto start = std::chrono::steady_clock::now();
+            draw(camera, settings);
+            const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
+            microseconds.push_back(taken.count());
+        }
+        return median_of(std::move(microseconds));
+    }
+
+    void count(const Camera& camera, FrameReport& report) {
+        work_.counts = std::make_unique<FrameCounts>();
+        draw(camera, job_.settings);
+        const std::unique_ptr<FrameCounts> counts = std::move(work_.counts);
+        for (const std::uint8_t writes : counts->writes)
+            ++(writes == 0 ? report.pixels_never : writes == 1 ? report.pixels_once : report.pixels_twice);
+        report.faces_visited = counts->faces_visited;
+        report.faces_drawn = counts->faces_drawn;
+        report.spans = counts->spans;
+        report.divisions = counts->divisions;
+        for (std::size_t effect = 0; effect < kEffectNames.size(); ++effect)
+            if (work_.plan.effects.has(static_cast<Effect>(effect)))
+                report.effects.push_back({effect, counts->effect_pixels[effect], 0});
+    }
+
+    void time_effects(const Camera& camera, FrameReport& report) {
+        for (EffectReport& effect : report.effects) {
+            Settings without = job_.settings;
+            without.allowed_effects.bits &= ~(1u << effect.effect);
+            effect.microseconds = std::max(report.microseconds - timed(camera, without), 0.0);
+        }
+    }
+
+    const RenderJob& job_;
+    FrameWorkspace work_;
+    std::vector<std::uint8_t> pixels_;
+};
+
+}  // namespace
+
+std::vector<FrameReport> render_cameras(
+    const RenderJob& job, const std::function<void(std::size_t, std::span<const std::uint8_t>)>& on_picture) {
+    CameraRenderer renderer(job);
+    std::vector<FrameReport> reports;
+    for (std::size_t i = 0; i < job.cameras.size(); ++i) {
+        reports.push_back(renderer.render(job.cameras[i]));
+        on_picture(i, renderer.pixels());
+    }
+    return reports;
+}
+
+}  // namespace oblong

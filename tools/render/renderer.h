@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "engine/frame/frame.h"
+#include "engine/frame/workspace.h"
+
+namespace oblong {
+
+struct EffectReport {
+    std::size_t effect = 0;  ///< index into kEffectNames
+    std::int64_t pixels = 0;
+    double microseconds = 0;  ///< what the frame takes longer with it than without it; 0 where it isn't timed
+};
+
+struct FrameReport {
+    std::uint32_t crc32 = 0;
+    double microseconds = 0;  ///< median of the timed renderings, drawing only
+    std::int64_t pixels_once = 0, pixels_twice = 0, pixels_never = 0;
+    std::int64_t faces_visited = 0, faces_drawn = 0, spans = 0, divisions = 0;
+    std::vector<EffectReport> effects;  ///< those of the frame's plan
+};
+
+/// What to render, and how often.
+struct RenderJob {
+    Scene scene;
+    ScreenMode mode;
+    Settings settings;
+    std::span<const Camera> cameras;
+    int repeat = 1;  ///< timed renderings of each frame
+    bool times_effects = false;
+};
+
+/// Renders every camera and calls on_picture(index, pixels) with each picture. Counts are taken in a rendering of their
+/// own, never in a timed one.
+std::vector<FrameReport> render_cameras(
+    const RenderJob& job, const std::function<void(std::size_t, std::span<const std::uint8_t>)>& on_picture);
+
+}  // namespace oblong
