@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "game/tick_input.h"
+
+namespace oblong {
+
+/// One recorded tick and the hash of the state that it led to.
+struct DemoTick {
+    TickInput input;
+    std::uint64_t state_hash = 0;
+    bool operator==(const DemoTick&) const = default;
+};
+
+/// A recorded game: the inputs of every tick from the start of a level.
+struct Demo {
+    std::uint64_t start_hash = 0;  ///< of the state before the first tick: another level has another
+    std::vector<DemoTick> ticks;
+    bool operator==(const Demo&) const = default;
+};
+
+/// The file, little-endian: "OBLGDEMO", version (u32: 1), ticks a second (u32: 35), start hash (u64), number of ticks
+/// (u32), and for each tick forward, right (i8), yaw, pitch (i16), buttons (u8), state hash (u64).
+std::vector<std::uint8_t> encode_demo(const Demo& demo);
+
+/// The demo of such bytes. Throws InputError where they are not all of one.
+Demo decode_demo(std::span<const std::uint8_t> bytes);
+
+}  // namespace oblong

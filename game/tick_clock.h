@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+#include "game/tick_input.h"
+
+namespace oblong {
+
+/// Turns a display's time into ticks. Times are summed exactly (in 1/35 us), so that the same time gives the same ticks
+/// in whatever pieces it comes.
+class TickClock {
+  public:
+    /// What passes at most between two calls: a machine that slept a minute must not simulate it.
+    static constexpr std::uint64_t kLongestPause_us = 250'000;
+
+    /// Moves the clock on; the ticks that have become due. Time that runs backwards counts as none.
+    int advance(std::uint64_t elapsed_us) {
+        if (elapsed_us > kLongestPause_us) elapsed_us = elapsed_us >> 63 ? 0 : kLongestPause_us;
+        rest_ += static_cast<std::int64_t>(elapsed_us) * kTicksPerSecond;
+        const std::int64_t due = rest_ / kSecond_us;
+        rest_ -= due * kSecond_us;
+        return static_cast<int>(due);
+    }
+
+    /// How far the display is between the last tick but one and the last, 0 to 65,535 of 65,536.
+    std::int32_t fraction_16() const { return static_cast<std::int32_t>(rest_ * 65'536 / kSecond_us); }
+
+  private:
+    static constexpr std::int64_t kSecond_us = 1'000'000;
+    std::int64_t rest_ = 0;  // us * 35, below one tick
+};
+
+}  // namespace oblong
