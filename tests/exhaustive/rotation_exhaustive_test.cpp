@@ -4,7 +4,6 @@
 
 #include "engine/fixed/trig.h"
 #include "engine/math/normalise.h"
-#include "engine/math/orthonormal.h"
 #include "engine/math/rotation.h"
 #include "tests/math/vectors.h"
 

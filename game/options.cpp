@@ -1,0 +1,116 @@
+#include "game/options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <optional>
+#include <string_view>
+
+namespace oblong {
+namespace {
+
+constexpr int kWrongUsage = 2;
+constexpr std::int32_t kLargestDisplayPart = 4096;  // layout() multiplies with it in 64 bits
+
+// "320x200" or "4:3": two whole numbers from 1 to `most` with `between` in the middle, or nothing.
+std::optional<WindowSize> read_pair(std::string_view text, char between, std::int32_t most) {
+    WindowSize pair;
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, pair.width_px);
+    if (first.ec != std::errc{} || first.ptr == end || *first.ptr != between) return {};
+    const auto second = std::from_chars(first.ptr + 1, end, pair.height_px);
+    if (second.ec != std::errc{} || second.ptr != end) return {};
+    const bool is_in_range =
+        pair.width_px >= 1 && pair.width_px <= most && pair.height_px >= 1 && pair.height_px <= most;
+    return is_in_range ? std::optional(pair) : std::nullopt;
+}
+
+[[noreturn]] void refuse(const char* option, const std::string& value, const std::string& expected) {
+    throw CLI::ValidationError(option, "'" + value + "', expected " + expected);
+}
+
+WindowSize pair_of(const char* option, const std::string& text, char between, std::int32_t most) {
+    const auto pair = read_pair(text, between, most);
+    if (!pair)
+        refuse(option, text,
+               std::string("two whole numbers from 1 to ") + std::to_string(most) + " with '" + between +
+                   "' between them");
+    return *pair;
+}
+
+Degrees degrees_of(double degrees) {
+    if (!(degrees >= 1 && degrees <= 179)) refuse("--fov", std::to_string(degrees), "1 to 179 degrees");
+    return Degrees::from_raw(std::llround(std::ldexp(degrees, Degrees::kFractionBits)));
+}
+
+Tier tier_of(const std::string& name) {
+    if (const auto tier = tier_named(name)) return *tier;
+    refuse("--accuracy", name, "1991, 1994, 1996, bounded or exact");
+}
+
+Scaling scaling_of(const std::string& name) {
+    for (int i = 0; i < kScalingCount; ++i)
+        if (name == name_of(static_cast<Scaling>(i))) return static_cast<Scaling>(i);
+    refuse("--scaling", name, "sharp, rows, even, nearest or stretch");
+}
+
+// The options of numbers and names, as they were written.
+struct Words {
+    std::string mode = "320x200", display = "4:3", window, accuracy = "bounded", scaling = "sharp";
+    double field_of_view = 90;
+};
+
+void declare(CLI::App& app, Options& options, Words& words) {
+    app.set_version_flag("--version", std::string("oblong ") + OBLONG_VERSION);
+    app.add_option("level", options.level, "Quake BSP file to play; without one, the demo level");
+    app.add_option("--palette", options.palette,
+                   "768 bytes of red, green, blue; default: the level's, else the demo's");
+    app.add_option("--mode", words.mode, "WxH, size of the picture in pixels")->capture_default_str();
+    app.add_option("--display", words.display, "W:H, shape of the display that the picture is for")
+        ->capture_default_str();
+    app.add_option("--fov", words.field_of_view, "degrees seen across the whole width")->capture_default_str();
+    app.add_option("--accuracy", words.accuracy, "1991, 1994, 1996, bounded or exact")->capture_default_str();
+    app.add_option("--scaling", words.scaling, "sharp, rows, even, nearest or stretch")->capture_default_str();
+    app.add_option("--window", words.window, "WxH, size of the window; default: what the desktop has room for");
+    auto* record = app.add_option("--record", options.record, "write the game played to this demo file");
+    auto* replay = app.add_option("--replay", options.replay, "play this demo file instead of the keys");
+    auto* timedemo =
+        app.add_option("--timedemo", options.timedemo, "replay this demo file as fast as it goes; no window");
+    auto* headless = app.add_option("--headless", options.headless_frames,
+                                    "no window: draw so many ticks of a short walk, or of --replay");
+    auto* out = app.add_option("--out", options.out, "folder for the pictures of --headless");
+    headless->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))->needs(out);
+    out->needs(headless);
+    timedemo->excludes(record)->excludes(replay)->excludes(headless);
+    record->excludes(replay);
+}
+
+void interpret(const Words& words, Options& options) {
+    const WindowSize mode = pair_of("--mode", words.mode, 'x', kLargestModeWidth);
+    const WindowSize display = pair_of("--display", words.display, ':', kLargestDisplayPart);
+    options.mode = {mode.width_px, mode.height_px, Ratio{display.width_px, display.height_px}};
+    if (!words.window.empty()) options.window = pair_of("--window", words.window, 'x', 16'384);
+    options.field_of_view = degrees_of(words.field_of_view);
+    options.tier = tier_of(words.accuracy);
+    options.scaling = scaling_of(words.scaling);
+}
+
+}  // namespace
+
+ParsedOptions parse_options(int argument_count, const char* const* arguments) {
+    ParsedOptions parsed;
+    Words words;
+    CLI::App app("Oblong: a world of 320x200 pixels in the right shape. F1 in the game lists its keys.", "oblong");
+    declare(app, parsed.options, words);
+    try {
+        app.parse(argument_count, arguments);
+        interpret(words, parsed.options);
+    } catch (const CLI::ParseError& error) {
+        parsed.ends = true;
+        parsed.exit_code = app.exit(error) == 0 ? 0 : kWrongUsage;
+    }
+    return parsed;
+}
+
+}  // namespace oblong

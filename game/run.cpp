@@ -1,0 +1,101 @@
+#include "game/run.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "engine/base/input_error.h"
+#include "engine/platform/headless/headless.h"
+#include "engine/platform/sdl/window.h"
+#include "game/session.h"
+#include "game/short_walk.h"
+#include "game/timedemo.h"
+#include "tools/png/indexed_png.h"
+
+namespace oblong {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Runs what may find fault with a demo, naming its file.
+template <class Work>
+auto naming(const std::string& file, Work work) {
+    try {
+        return work();
+    } catch (const InputError& error) {
+        throw FileError(file + ": " + error.where + ": " + error.what());
+    }
+}
+
+Demo load_demo(const std::string& file) {
+    const auto bytes = read_file(file);
+    return naming(file, [&] { return decode_demo(bytes); });
+}
+
+Choices choices_of(const Options& options) {
+    Choices choices;
+    choices.tier = options.tier;
+    choices.scaling = options.scaling;
+    return choices;
+}
+
+// Writes 00000.png, 00001.png and so on into a folder.
+HeadlessPlatform::FrameSink png_sink(const std::string& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!fs::is_directory(folder)) throw FileError(folder + ": folder: can't be made, expected a place for pictures");
+    return [folder, frame = 0](Framebuffer picture, const Palette& palette) mutable {
+        char name[16];
+        std::snprintf(name, sizeof name, "%05d.png", frame++);
+        const std::size_t size =
+            static_cast<std::size_t>(picture.width_px) * static_cast<std::size_t>(picture.height_px);
+        const std::string file = (fs::path(folder) / name).string();
+        naming(file, [&] {
+            write_indexed_png(file, {picture.pixels, size}, picture.width_px, picture.height_px, palette);
+        });
+    };
+}
+
+std::unique_ptr<Platform> open_platform(const Options& options) {
+    if (options.headless_frames == 0) return open_window("Oblong", options.window);
+    const bool replays = !options.replay.empty();
+    return std::make_unique<HeadlessPlatform>(
+        options.headless_frames, kTicksPerSecond,
+        [replays](std::int64_t poll) { return replays ? Controls{} : short_walk(poll); }, png_sink(options.out));
+}
+
+void time_demo(const Options& options, const GameData& data, const Stage& stage) {
+    const Demo demo = load_demo(options.timedemo);
+    Painter painter(data, stage, options.mode);
+    const Settings settings = settings_of(choices_of(options));
+    const auto result =
+        naming(options.timedemo, [&] { return run_timedemo(stage, demo, painter, settings, options.field_of_view); });
+    std::cout << describe(result) << '\n';
+}
+
+void play(const Options& options, const GameData& data, const Stage& stage) {
+    std::optional<Demo> demo;
+    if (!options.replay.empty()) demo = load_demo(options.replay);
+    const bool records = !options.record.empty();
+    naming(options.replay, [&] {
+        Hands hands(start_of(stage), demo, records);
+        const auto platform = open_platform(options);
+        Session(data, stage, {options.mode, options.field_of_view, choices_of(options)}, hands, *platform).run();
+        if (records) write_file(options.record, encode_demo(hands.recorded()));
+    });
+}
+
+}  // namespace
+
+void run_game(const Options& options, const std::string& assets_folder) {
+    const GameData data = load_game(options.level, options.palette, assets_folder);
+    const Stage stage = make_stage(data.level);
+    if (!options.timedemo.empty())
+        time_demo(options, data, stage);
+    else
+        play(options, data, stage);
+}
+
+}  // namespace oblong

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "engine/screen/framebuffer.h"
+#include "engine/screen/present_rect.h"
+#include "engine/screen/screen_mode.h"
+#include "engine/surface/palette.h"
+
+namespace oblong {
+
+/// The size of a picture that shows the mode in its right shape by whole multiples alone: 1600x1200 for 320x200 on 4:3.
+/// The largest up to 1600x1200, or the smallest there is; 0x0 where that has a side of more than 8,192.
+WindowSize exact_size(const ScreenMode& mode);
+
+/// Writes the picture as it is and in its exact size, as indexed PNGs "oblong-000.png" and "oblong-000-1600x1200.png"
+/// of the first free number, into a folder. What to tell the user, also where it did not work.
+std::string save_screenshots(const std::string& folder, Framebuffer picture, const Palette& palette,
+                             const ScreenMode& mode);
+
+}  // namespace oblong

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "engine/screen/framebuffer.h"
+#include "engine/surface/palette.h"
+
+namespace oblong {
+
+/// The two colours of everything that is written: the palette's brightest and darkest.
+struct Inks {
+    std::uint8_t bright = 0, dark = 0;
+};
+Inks inks_of(const Palette& palette);
+
+/// How wide a line is, its shadow included.
+std::int32_t text_width_px(std::string_view line);
+
+/// A line of ASCII whose cells begin at (x, y), with a dark shadow right below; what lies outside the canvas is cut.
+void draw_text(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, Inks inks);
+
+/// A dark panel in the middle of the canvas with the lines on it.
+void draw_panel(Framebuffer canvas, std::span<const std::string_view> lines, Inks inks);
+
+}  // namespace oblong

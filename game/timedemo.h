@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "engine/frame/settings.h"
+#include "game/demo.h"
+#include "game/load.h"
+#include "game/painter.h"
+
+namespace oblong {
+
+/// How long the frames of a demo took to draw, one a tick. Ticks and reading are not counted.
+struct TimedemoResult {
+    std::int64_t frames = 0;
+    std::int64_t total_us = 0, median_us = 0;
+};
+
+/// Draws each tick of a demo. Throws InputError where the demo is not of this stage.
+TimedemoResult run_timedemo(const Stage& stage, const Demo& demo, Painter& painter, const Settings& settings,
+                            Degrees field_of_view);
+
+/// "123 frames, 0.456 seconds, 269.7 frames a second, median 3700 microseconds".
+std::string describe(const TimedemoResult& result);
+
+}  // namespace oblong
