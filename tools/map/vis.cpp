@@ -1,6 +1,7 @@
 #include "tools/map/vis.h"
 
 #include "tools/map/vis_flow.h"
+#include "tools/map/vis_narrow.h"
 #include "tools/map/vis_rows.h"
 
 namespace oblong::map {
@@ -38,6 +39,7 @@ void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<
     if (is_fast) {
         for (const VisPortal& portal : graph.portals) seen.push_back(portal.might_see);
     } else {
+        narrow_might_see(graph);
         seen = find_seen_portals(graph);
     }
     for (std::size_t leaf = 0; leaf < leaf_count; ++leaf) {

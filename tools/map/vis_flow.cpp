@@ -9,17 +9,29 @@
 namespace oblong::map {
 namespace {
 
+// Where many small leaves lie in the open, the chains of portals are too many to follow: so many steps are shared out
+// among the portals, a few of which may use up to kShare times the mean of what is left.
+constexpr long kAllSteps = 3000000;
+constexpr long kShare = 8;
+
 // One portal's flow through the level.
 class Flow {
   public:
     Flow(const VisGraph& graph, const std::vector<BitSet>& seen, const std::vector<bool>& is_done,
-         const VisPortal& base)
-        : graph_(graph), seen_(seen), is_done_(is_done), base_(base), found_(graph.portals.size()) {}
+         const VisPortal& base, long max_steps)
+        : graph_(graph),
+          seen_(seen),
+          is_done_(is_done),
+          base_(base),
+          max_steps_(max_steps),
+          found_(graph.portals.size()) {}
 
     BitSet run() {
         pass_leaf(base_.leaf, base_.winding, {}, base_.might_see, 0);
-        return std::move(found_);
+        return steps_ < max_steps_ ? std::move(found_) : base_.might_see;
     }
+
+    long steps() const { return steps_; }
 
   private:
     // `source`: what of the base portal is still looked from; `frustum`: planes that all that is seen is in front of.
@@ -37,6 +49,8 @@ class Flow {
 
     void pass_portal(std::size_t index, const Winding& source, const std::vector<Plane>& frustum,
                      const BitSet& might_see, std::size_t depth) {
+        if (steps_ >= max_steps_) return;
+        ++steps_;
         const VisPortal& portal = graph_.portals[index];
         Winding target = portal.winding;
         cut_to_front(target, base_.plane);
@@ -61,8 +75,10 @@ class Flow {
     const std::vector<BitSet>& seen_;
     const std::vector<bool>& is_done_;
     const VisPortal& base_;
+    const long max_steps_;
     BitSet found_;
     std::deque<BitSet> scratch_;
+    long steps_ = 0;
 };
 
 // Those with little to see first: they help the others.
@@ -80,9 +96,13 @@ std::vector<std::size_t> by_might_see(const VisGraph& graph) {
 std::vector<BitSet> find_seen_portals(const VisGraph& graph) {
     std::vector<BitSet> seen(graph.portals.size());
     std::vector<bool> is_done(graph.portals.size(), false);
+    long steps_left = kAllSteps, portals_left = static_cast<long>(graph.portals.size());
     for (const std::size_t i : by_might_see(graph)) {
-        seen[i] = Flow(graph, seen, is_done, graph.portals[i]).run();
+        Flow flow(graph, seen, is_done, graph.portals[i], std::max(steps_left, 0L) * kShare / portals_left);
+        seen[i] = flow.run();
         is_done[i] = true;
+        steps_left -= flow.steps();
+        --portals_left;
     }
     return seen;
 }

@@ -15,7 +15,7 @@ struct VisPortal {
 
 /// The open leaves of a level (0 to leaf_count - 1), and the ways between them.
 struct VisGraph {
-    std::vector<VisPortal> portals;
+    std::vector<VisPortal> portals;                 ///< i and i ^ 1 are the two ways through one polygon
     std::vector<std::vector<int>> portals_of_leaf;  ///< those that lead out of each leaf
 };
 
