@@ -15,7 +15,9 @@ constexpr std::uint64_t nearest_quotient(std::uint64_t n, std::uint64_t d) {
     return (n + d / 2) / d;
 }
 
-/// The reciprocal of the middle of each of 2^Bits equal parts of the mantissas: the least relative error.
+/// The reciprocal of the middle of each of 2^Bits equal parts of the mantissas: the least relative error. One step of
+/// Newton's squares it, and since a part begins with a smaller error than the last one ended with, the step's result
+/// could rise there: by 2^-31 of itself from 1,024 parts, where the next mantissa's is as much lower.
 template <int Bits>
 constexpr auto reciprocals_of_middles() {
     std::array<std::uint32_t, std::size_t{1} << Bits> table{};
@@ -33,28 +35,9 @@ constexpr auto reciprocals_of_ends() {
     return table;
 }
 
-/// Seeds for one step of Newton's, which squares their error: a step's result would rise from one part to the next
-/// if a part began with a smaller error than the last one ended with. So each begins with the size of error at which
-/// the last one ended (and a little more, for the rounding), the sign reversed. Errors have 44 fraction bits.
-template <int Bits>
-constexpr auto reciprocals_for_newton() {
-    constexpr int kErrorBits = 44;
-    constexpr std::int64_t kOne = std::int64_t{1} << kErrorBits, kSlack = std::int64_t{1} << (kErrorBits - 18);
-    std::array<std::uint32_t, std::size_t{1} << Bits> table{};
-    std::int64_t error = kOne >> (Bits + 1);
-    for (std::uint64_t i = 0; i < table.size(); ++i) {
-        const std::uint64_t first = kFirstMantissa + (i << (31 - Bits)),
-                            last = first + (std::uint64_t{1} << (31 - Bits));
-        const std::uint64_t above_first = static_cast<std::uint64_t>(kOne - error - kSlack) << (62 - kErrorBits);
-        table[i] = static_cast<std::uint32_t>(above_first / first);
-        error = static_cast<std::int64_t>((table[i] * last) >> (62 - kErrorBits)) - kOne;
-    }
-    return table;
-}
-
 constexpr auto kMiddles256 = reciprocals_of_middles<8>();
 constexpr auto kEnds256 = reciprocals_of_ends<8>();
-constexpr auto kSeeds1024 = reciprocals_for_newton<10>();
+constexpr auto kMiddles1024 = reciprocals_of_middles<10>();
 
 std::uint32_t lerp_256(std::uint32_t mantissa) {
     const std::uint32_t part = (mantissa >> 23) & 0xff, along_23 = mantissa & 0x7fffff;
@@ -65,7 +48,7 @@ std::uint32_t lerp_256(std::uint32_t mantissa) {
 /// Newton's r + r (1 - m r) with `more_bits` (0 to 10) below the 31 of the result, which is floored.
 std::uint64_t newton_step(std::uint32_t mantissa, std::uint64_t r, int more_bits) {
     const auto error_62 = static_cast<std::int64_t>(kOne62 - mantissa * r);
-    // Seeds are right within 2^-8.9, so that the error has 54 bits; 40 fraction bits of it are enough.
+    // The tables are right within 2^-9, so that the error has 54 bits; 40 fraction bits of it are enough.
     const std::int64_t correction = static_cast<std::int64_t>(r) * floor_shift(error_62, 22);
     return (r << more_bits) + static_cast<std::uint64_t>(floor_shift(correction, 40 - more_bits));
 }
@@ -107,7 +90,7 @@ std::uint32_t mantissa_reciprocal(std::uint32_t mantissa, ReciprocalMethod metho
         case ReciprocalMethod::Table256Lerp:
             return lerp_256(mantissa);
         case ReciprocalMethod::Table1024Newton:
-            return static_cast<std::uint32_t>(newton_step(mantissa, kSeeds1024[(mantissa >> 21) & 0x3ff], 0));
+            return static_cast<std::uint32_t>(newton_step(mantissa, kMiddles1024[(mantissa >> 21) & 0x3ff], 0));
         case ReciprocalMethod::Table256TwoNewton:
             return two_newton_steps(mantissa, kMiddles256[(mantissa >> 23) & 0xff]);
         case ReciprocalMethod::Exact:

@@ -9,7 +9,8 @@
 namespace oblong {
 
 /// mantissa * 2^exponent, for the inside of an elimination, whose numbers have no common scale. The mantissa of all but
-/// 0 has 62 bits; a result is within 2^-60 of itself of the true one.
+/// 0 has 62 bits; a product or quotient is within 2^-60 of itself of the true one, a difference within 2^-60 of the
+/// larger of its numbers.
 struct Scaled {
     std::int64_t mantissa = 0;
     int exponent = 0;

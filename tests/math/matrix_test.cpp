@@ -110,6 +110,26 @@ TEST(HardCaseT6, DependentRowsAndVanishingScalesAreSingular) {
     EXPECT_FALSE(inverse(scaling({Entry::ulp(), Entry::ulp(), Entry::ulp()}))) << "its inverse does not fit";
 }
 
+/// What rounding leaves of a pivot that should be 0 is no pivot, even where its reciprocal would fit: entries fill the
+/// format, and the last row is a mean of the others, exactly.
+TEST(HardCaseT6, HugeDependentRowsAreSingular) {
+    std::mt19937_64 random(7);
+    for (int i = 0; i < 20'000; ++i) {
+        Matrix4 dependent;
+        for (std::size_t j = 0; j < 4; ++j) {
+            const auto any_multiple_of_4 = [&random] {
+                return static_cast<std::int64_t>(random() & ~std::uint64_t{3});
+            };
+            const std::int64_t a = any_multiple_of_4(), b = any_multiple_of_4(), c = any_multiple_of_4();
+            dependent.rows[0][j] = Entry::from_raw(a);
+            dependent.rows[1][j] = Entry::from_raw(b);
+            dependent.rows[2][j] = Entry::from_raw(c);
+            dependent.rows[3][j] = Entry::from_raw(a / 4 + b / 4 + c / 2);
+        }
+        ASSERT_FALSE(inverse(dependent)) << i;
+    }
+}
+
 TEST(Matrix, ProductAppliesTheRightOneFirst) {
     const auto by = [](std::int64_t x, std::int64_t y, std::int64_t z) {
         return Vec3<Entry>{Entry::from_int(x), Entry::from_int(y), Entry::from_int(z)};

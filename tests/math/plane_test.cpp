@@ -31,9 +31,15 @@ TEST(IntersectLine, GoesOnBeyondItsEnds) {
 }
 
 TEST(IntersectSegment, EndsInThePlaneCountAsMet) {
-    EXPECT_EQ(intersect_segment(at(0, 0, 9), at(3, 3, 5), kFloorAt5)->world_point, at(3, 3, 5));
-    EXPECT_EQ(intersect_segment(at(3, 3, 5), at(0, 0, 9), kFloorAt5)->world_point, at(3, 3, 5));
-    EXPECT_EQ(intersect_segment(at(3, 3, 5), at(0, 0, 5), kFloorAt5)->world_point, at(3, 3, 5)) << "lies in it";
+    const auto met = [](const Vec3<World>& start, const Vec3<World>& end) {
+        const auto hit = intersect_segment(start, end, kFloorAt5);
+        return hit && hit->world_point == at(3, 3, 5);
+    };
+    for (const Vec3<World>& other : {at(0, 0, 9), at(0, 0, 1)}) {
+        EXPECT_TRUE(met(other, at(3, 3, 5)));
+        EXPECT_TRUE(met(at(3, 3, 5), other));
+    }
+    EXPECT_TRUE(met(at(3, 3, 5), at(0, 0, 5))) << "lies in it";
 }
 
 /// n . p = d at the answer, as exactly as a point of half a step can satisfy it.
