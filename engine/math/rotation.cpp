@@ -2,7 +2,6 @@
 
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/trig.h"
-#include "engine/math/normalise.h"
 #include "engine/math/products.h"
 
 namespace oblong {
@@ -27,24 +26,6 @@ Vec60 scaled(const Vec60& v, Sine60 factor) {
 
 Vec3<Unit> rounded(const Vec60& v) {
     return {saturating_convert<Unit>(v.x), saturating_convert<Unit>(v.y), saturating_convert<Unit>(v.z)};
-}
-
-Vec60 widened(const Vec3<Unit>& v) {
-    return scaled(v, Sine60::from_int(1));
-}
-
-/// What is left of `v` without its part along the unit vector `axis`.
-Vec60 without(const Vec60& v, const Vec3<Unit>& axis) {
-    const Sine60 along = scaled(axis.x, v.x) + scaled(axis.y, v.y) + scaled(axis.z, v.z);
-    return v - scaled(axis, along);
-}
-
-/// The direction of `v` without its part along `axis`; any direction at right angles to the axis where nothing is left.
-Vec3<Unit> direction_without(const Vec3<Unit>& v, const Vec3<Unit>& axis) {
-    const Vec3<Unit> once = normalised(without(widened(v), axis));
-    if (once == Vec3<Unit>{}) return perpendicular_to(axis);
-    // Of two nearly parallel directions little was left, and the axis's own rounding with it: a second time takes it.
-    return normalised(without(widened(once), axis));
 }
 
 }  // namespace
@@ -72,16 +53,6 @@ Vec3<Unit> sum_along_axes(const Vec3<Unit>& coordinates, const Basis& axes) {
     };
     return rounded(along(axes.right, coordinates.x) + along(axes.up, coordinates.y) +
                    along(axes.forward, coordinates.z));
-}
-
-Basis orthonormalised(const Basis& basis) {
-    Basis result;
-    result.forward = normalised(basis.forward);
-    if (result.forward == Vec3<Unit>{}) result.forward = perpendicular_to({});
-    result.up = direction_without(basis.up, result.forward);
-    const Vec3<Unit> right = normalised(cross(result.forward, result.up));
-    result.right = dot(right, basis.right) < Sine60{} ? -right : right;
-    return result;
 }
 
 }  // namespace oblong

@@ -16,9 +16,4 @@ Vec3<Unit> project_onto_axes(const Vec3<Unit>& direction, const Basis& axes);
 /// Its inverse: the direction that has these coordinates along right, up and forward.
 Vec3<Unit> sum_along_axes(const Vec3<Unit>& coordinates, const Basis& axes);
 
-/// The nearest thing to `basis` whose axes have length 1 and stand at right angles, of the same handedness:
-/// |r_i . r_j - d_ij| <= 2^-26 (Gram and Schmidt, forward first, then up). Axes that have no direction of their own are
-/// replaced by any that fit.
-Basis orthonormalised(const Basis& basis);
-
 }  // namespace oblong

@@ -4,6 +4,7 @@
 
 #include "engine/fixed/trig.h"
 #include "engine/math/normalise.h"
+#include "engine/math/orthonormal.h"
 #include "engine/math/rotation.h"
 #include "tests/math/vectors.h"
 

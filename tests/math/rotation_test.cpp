@@ -4,7 +4,6 @@
 
 #include <numbers>
 
-#include "engine/fixed/trig.h"
 #include "engine/math/normalise.h"
 #include "tests/math/vectors.h"
 
@@ -70,33 +69,6 @@ TEST(ProjectOntoAxes, IsUndoneBySummingAlongThem) {
         const Vec3<Unit> v = normalised(any_direction(random));
         expect_near(sum_along_axes(project_onto_axes(v, basis), basis), v, 4);
         if (HasFatalFailure()) return;
-    }
-}
-
-TEST(Orthonormalised, MendsAnyAxesAndKeepsTheirHandedness) {
-    std::mt19937 random(3);
-    for (int i = 0; i < 20'000; ++i) {
-        const Basis crooked{any_direction(random), any_direction(random), any_direction(random)};
-        const Basis mended = orthonormalised(crooked);
-        ASSERT_LE(worst_flaw_60(mended), kOrthonormal60);
-        ASSERT_GE(dot(mended.right, crooked.right).raw, 0);
-    }
-    for (const Basis& basis : {view_basis({}, {}, {}), y_up_basis({}, {}, {})})
-        EXPECT_EQ(orthonormalised(basis), basis);
-}
-
-TEST(Orthonormalised, AxesWithoutADirectionAreReplaced) {
-    EXPECT_LE(worst_flaw_60(orthonormalised({})), kOrthonormal60);
-    EXPECT_LE(worst_flaw_60(orthonormalised({kX, kX, kX})), kOrthonormal60);
-    EXPECT_EQ(orthonormalised({kX, kX, kX}).forward, kX);
-}
-
-TEST(HardCaseT2, RotationsOneAfterTheOtherStayOrthonormal) {
-    Basis basis = view_basis({}, {}, {});
-    const Vec3<Unit> axis = normalised(Vec3<Unit>{Unit::from_raw(3), Unit::from_raw(-5), Unit::from_raw(7)});
-    for (int i = 0; i < 100'000; ++i) {
-        basis = orthonormalised(rotate_about_axis(basis, axis, Angle::from_bam(182)));
-        ASSERT_LE(worst_flaw_60(basis), kOrthonormal60) << i;
     }
 }
 

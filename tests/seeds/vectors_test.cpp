@@ -5,6 +5,7 @@
 #include "engine/fixed/root.h"
 #include "engine/math/look_at.h"
 #include "engine/math/normalise.h"
+#include "engine/math/orthonormal.h"
 #include "engine/math/plane.h"
 #include "engine/math/transforms.h"
 
@@ -56,12 +57,12 @@ TEST(SeedM7, LawOfCosinesHoldsForEveryPair) {
 }
 
 TEST(SeedM8, ComponentsMultiplyToADotProductInOrthonormalAxesOnly) {
-    const auto i = whole(1, 0, 0), j = whole(1, 1, 0);
-    const auto a = i + j;         // components (1, 1) in these crooked axes
-    EXPECT_EQ(dot(a, a).raw, 5);  // its true squared length
-    EXPECT_EQ(1 * 1 + 1 * 1, 2);  // the sum of its components' squares
-    EXPECT_EQ(dot(i, i).raw + 2 * dot(i, j).raw + dot(j, j).raw, 5)
-        << "what the cross terms leave out: 2 i . j + |j|^2 - 1";
+    const auto i = whole(1, 0, 0), j = whole(1, 1, 0), components = whole(1, 1, 0);
+    const auto a = i + j;
+    EXPECT_EQ(dot(a, a).raw, 5) << "its squared length";
+    EXPECT_EQ(dot(components, components).raw, 2) << "what its components in these crooked axes say";
+    const Unit half = Unit::from_raw(1 << 29);
+    EXPECT_FALSE(is_orthonormal({{half, {}, {}}, {half, half, {}}, kZ})) << "i and j, halved";
 }
 
 TEST(SeedA1, LengthOf505Is5TimesTheRootOf2) {

@@ -1,0 +1,60 @@
+#include "engine/math/orthonormal.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "engine/fixed/wide.h"
+#include "engine/math/normalise.h"
+#include "engine/math/products.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr Sine60 kOne60 = Sine60::from_int(1);
+
+/// v - axis (axis . v), with 60 fraction bits.
+Vec3<Sine60> without(const Vec3<Unit>& v, const Vec3<Unit>& axis) {
+    const Sine60 along = dot(axis, v);
+    const auto rest = [&along](Unit component, Unit of_axis) {
+        return convert<Sine60>(component) - Sine60::from_raw(mul_shift(of_axis.raw, along.raw, Unit::kFractionBits));
+    };
+    return {rest(v.x, axis.x), rest(v.y, axis.y), rest(v.z, axis.z)};
+}
+
+/// The direction of `v` without its part along `axis`; any direction at right angles to the axis where nothing is left.
+Vec3<Unit> direction_without(const Vec3<Unit>& v, const Vec3<Unit>& axis) {
+    const Vec3<Unit> once = normalised(without(v, axis));
+    if (once == Vec3<Unit>{}) return perpendicular_to(axis);
+    // Of two nearly parallel directions little was left, and the axis's own rounding with it: a second time takes it.
+    return normalised(without(once, axis));
+}
+
+}  // namespace
+
+Sine60 orthonormal_flaw(const Basis& basis) {
+    const std::array axes{basis.right, basis.up, basis.forward};
+    std::int64_t worst = 0;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        worst = std::max(worst, std::abs((dot(axes[i], axes[i]) - kOne60).raw));
+        worst = std::max(worst, std::abs(dot(axes[i], axes[(i + 1) % axes.size()]).raw));
+    }
+    return Sine60::from_raw(worst);
+}
+
+bool is_orthonormal(const Basis& basis) {
+    return orthonormal_flaw(basis) <= kOrthonormalFlaw;
+}
+
+Basis orthonormalised(const Basis& basis) {
+    Basis result;
+    result.forward = normalised(basis.forward);
+    if (result.forward == Vec3<Unit>{}) result.forward = perpendicular_to({});
+    result.up = direction_without(basis.up, result.forward);
+    const Vec3<Unit> right = normalised(cross(result.forward, result.up));
+    result.right = dot(right, basis.right) < Sine60{} ? -right : right;
+    return result;
+}
+
+}  // namespace oblong

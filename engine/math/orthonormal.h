@@ -1,0 +1,20 @@
+#pragma once
+
+#include "engine/fixed/trig.h"
+#include "engine/math/basis.h"
+
+namespace oblong {
+
+/// How far axes are from length 1 and from right angles: the largest |r_i . r_j - d_ij|. Where it is not 0, multiplying
+/// components no longer gives lengths and angles (Muratori). Each axis is shorter than 1.6.
+Sine60 orthonormal_flaw(const Basis& basis);
+
+/// What the rounding of components to 2^-30 leaves at most, with room: 2^-26.
+inline constexpr Sine60 kOrthonormalFlaw = Sine60::from_raw(std::int64_t{1} << (60 - 26));
+bool is_orthonormal(const Basis& basis);
+
+/// The orthonormal axes nearest to `basis`, forward first, then up, of the same handedness (Gram and Schmidt). Axes
+/// that have no direction of their own are replaced by any that fit.
+Basis orthonormalised(const Basis& basis);
+
+}  // namespace oblong
