@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/map/compile.h"
+
+/// Writes small map sources, and compiles them with textures made up on the spot.
+namespace oblong::test {
+
+using map::Point;
+using Whole = std::array<int, 3>;
+
+/// A brush of planes, each through three points that run clockwise seen from outside, with one texture.
+std::string brush(const std::vector<std::array<Whole, 3>>& sides, std::string_view texture = "wall");
+
+/// The box between two corners.
+std::string box(const Whole& mins, const Whole& maxs, std::string_view texture = "wall");
+
+/// Six walls, `thick` units, around the space between two corners.
+std::string room(const Whole& mins, const Whole& maxs, int thick = 16, std::string_view texture = "wall");
+
+/// An upright prism on a regular polygon with corners rounded to whole units.
+std::string prism(const Whole& centre, int radius, int height, int side_count, std::string_view texture = "wall");
+
+/// A convex ball of one brush: `rings` times `sectors` planes, three points of each rounded to whole units.
+std::string ball(const Whole& centre, int radius, int rings, int sectors, std::string_view texture = "wall");
+
+/// An entity with pairs "key" "value", and perhaps brushes.
+std::string entity(std::string_view class_name, const std::vector<std::array<std::string, 2>>& pairs,
+                   std::string_view brushes = "");
+std::string entity_at(std::string_view class_name, const Whole& origin,
+                      const std::vector<std::array<std::string, 2>>& pairs = {});
+
+/// The worldspawn of these brushes, and then entities.
+std::string level(std::string_view brushes, std::string_view entities = "");
+
+/// A WAD2 of 16 x 16 textures of one colour.
+std::string wad_bytes(const std::vector<std::string>& names);
+
+/// Compiles with a WAD that has wall, floor, other, *water, *lava, sky and an animated +0lamp, +1lamp.
+map::BspFile compile(std::string_view text, const map::CompileOptions& options = {});
+
+}  // namespace oblong::test

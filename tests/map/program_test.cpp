@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/map/map_source.h"
+#include "tools/map/files.h"
+
+namespace oblong::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Program : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() / ("oblong-map-test-" + std::to_string(getpid()));
+        fs::create_directories(folder_);
+        map::write_file(path("good.map"), level(room({0, 0, 0}, {64, 64, 64}), entity_at("light", {32, 32, 32})));
+        map::write_file(path("leak.map"), level(box({0, 0, 0}, {64, 64, 64}), entity_at("light", {0, 0, 99})));
+        map::write_file(path("bad.map"), "{");
+        map::write_file(path("t.wad"), wad_bytes({"wall"}));
+    }
+
+    void TearDown() override { fs::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    // The exit code; what is said on standard error goes to `said_`.
+    int run(const std::string& arguments) {
+        const std::string command = std::string(OBLONG_BUILD_DIR) + "/bin/oblong-map " + arguments + " >" +
+                                    path("out.txt") + " 2>" + path("said.txt");
+        const int status = std::system(command.c_str());
+        said_ = map::read_file(path("said.txt"));
+        return WEXITSTATUS(status);
+    }
+
+    int files_beginning_with(const std::string& name) const {
+        int count = 0;
+        for (const auto& file : fs::directory_iterator(folder_))
+            count += file.path().filename().string().starts_with(name) ? 1 : 0;
+        return count;
+    }
+
+    fs::path folder_;
+    std::string said_;
+};
+
+TEST_F(Program, WritesALevel) {
+    EXPECT_EQ(run(path("good.map") + " -o " + path("good.bsp") + " --wad " + path("t.wad")), 0) << said_;
+    EXPECT_EQ(map::read_file(path("good.bsp")).substr(0, 4), std::string("\x1d\0\0\0", 4));
+    EXPECT_EQ(said_, "");
+}
+
+TEST_F(Program, SaysWhatIsWrongAndWhere) {
+    EXPECT_EQ(run(path("bad.map") + " -o " + path("bad.bsp")), 1);
+    EXPECT_EQ(said_.find("oblong-map: " + path("bad.map") + ": line 1: "), 0u) << said_;
+    EXPECT_EQ(run(path("none.map") + " -o " + path("bad.bsp")), 1);
+    EXPECT_EQ(said_.find("oblong-map: " + path("none.map") + ": "), 0u) << said_;
+    EXPECT_EQ(run(path("good.map") + " -o " + path("bad.bsp") + " --wad " + path("none.wad")), 1);
+    EXPECT_EQ(said_.find("oblong-map: " + path("none.wad") + ": "), 0u) << said_;
+    EXPECT_EQ(files_beginning_with("bad.bsp"), 0);
+}
+
+TEST_F(Program, ALeakWritesTheWayOut) {
+    EXPECT_EQ(run(path("leak.map") + " -o " + path("leak.bsp") + " --wad " + path("t.wad")), 1);
+    EXPECT_NE(said_.find("light at 0 0 99"), std::string::npos) << said_;
+    EXPECT_EQ(map::read_file(path("leak.pts")).substr(0, 7), "0 0 99\n");
+    EXPECT_EQ(files_beginning_with("leak.bsp"), 0);
+}
+
+TEST_F(Program, LeavesNoPartOfAFileThatCannotBeWritten) {
+    fs::create_directory(path("taken.bsp"));
+    EXPECT_EQ(run(path("good.map") + " -o " + path("taken.bsp") + " --wad " + path("t.wad")), 1);
+    EXPECT_NE(said_.find("taken.bsp: file: cannot be written"), std::string::npos) << said_;
+    EXPECT_EQ(files_beginning_with("taken.bsp"), 1) << "the folder that stands in the way";
+    EXPECT_EQ(run(path("good.map") + " -o " + path("no/such/folder.bsp") + " --wad " + path("t.wad")), 1);
+}
+
+TEST_F(Program, WrongUsageExitsWith2) {
+    EXPECT_EQ(run(""), 2);
+    EXPECT_EQ(run("--frobnicate"), 2);
+    EXPECT_EQ(run(path("good.map")), 2) << "no output named";
+    EXPECT_EQ(run("--help"), 0);
+    EXPECT_EQ(run("--version"), 0);
+}
+
+}  // namespace
+}  // namespace oblong::test
