@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+#include <stdio.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/architecture/include_check.h"
+
+namespace oblong::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = OBLONG_SOURCE_DIR;
+
+std::string read_text(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::vector<SourceFile> read_sources() {
+    std::vector<SourceFile> files;
+    for (const char* top : {"engine", "game", "tools"})
+        for (const auto& entry : fs::recursive_directory_iterator(kRoot / top)) {
+            const fs::path kind = entry.path().extension();
+            if (kind != ".h" && kind != ".cpp") continue;
+            files.push_back({fs::relative(entry.path(), kRoot).generic_string(), read_text(entry.path())});
+        }
+    return files;
+}
+
+/// What git keeps of the project, or would keep if it were added; empty where there is no repository.
+std::vector<std::string> list_repository() {
+    const std::string command =
+        "git -C '" + kRoot.string() + "' ls-files --cached --others --exclude-standard 2>/dev/null";
+    std::vector<std::string> paths;
+    FILE* const pipe = popen(command.c_str(), "r");
+    if (!pipe) return paths;
+    for (char line[4096]; fgets(line, sizeof line, pipe);) {
+        paths.emplace_back(line);
+        paths.back().pop_back();
+    }
+    pclose(pipe);
+    return paths;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    return text;
+}
+
+TEST(Architecture, EveryIncludePointsDown) {
+    const std::vector<SourceFile> files = read_sources();
+    ASSERT_GT(files.size(), 100u);
+    EXPECT_EQ(joined(find_bad_includes(project_rooms(), files)), "");
+}
+
+TEST(Architecture, CMakeLinksTheEngineByTheSameList) {
+    const std::vector<Room> linked = parse_cmake_rooms(read_text(kRoot / "engine/CMakeLists.txt"), "engine/");
+    std::vector<Room> listed;
+    for (const Room& room : project_rooms())
+        if (room.folder.starts_with("engine/")) listed.push_back(room);
+    ASSERT_EQ(linked.size(), listed.size());
+    for (std::size_t i = 0; i < linked.size(); ++i) EXPECT_EQ(linked[i], listed[i]) << linked[i].folder;
+}
+
+TEST(Architecture, TopLevelHoldsOnlyWhatIsNamed) {
+    const std::vector<std::string> paths = list_repository();
+    if (paths.empty()) GTEST_SKIP() << "the project's folder is not a git repository";
+    EXPECT_EQ(joined(find_strays(paths)), "");
+}
+
+}  // namespace
+}  // namespace oblong::test

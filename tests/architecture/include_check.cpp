@@ -1,0 +1,89 @@
+#include "tests/architecture/include_check.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <sstream>
+
+namespace oblong::test {
+
+namespace {
+
+constexpr std::array<std::string_view, 21> kForbiddenInEngine = {
+    "format",  "ranges",     "source_location", "stop_token", "thread",   "mutex",   "condition_variable",
+    "future",  "chrono",     "ctime",           "time.h",     "fstream",  "sstream", "iostream",
+    "ostream", "filesystem", "cstdio",          "stdio.h",    "unistd.h", "random",  "atomic"};
+
+constexpr std::array<std::string_view, 8> kTopLevel = {"engine", "game",           "tools",     "tests",
+                                                       "assets", "CMakeLists.txt", "README.md", "LICENSE"};
+
+struct Include {
+    std::string name;
+    bool is_quoted = false;
+};
+
+/// The include on a line, its name empty if there is none.
+Include parse_include(const std::string& line) {
+    const std::size_t hash = line.find_first_not_of(" \t");
+    if (hash == std::string::npos || line[hash] != '#') return {};
+    const std::size_t word = line.find_first_not_of(" \t", hash + 1);
+    if (word == std::string::npos || line.compare(word, 7, "include") != 0) return {};
+    const std::size_t open = line.find_first_of("\"<", word);
+    if (open == std::string::npos) return {};
+    const bool is_quoted = line[open] == '"';
+    const std::size_t close = line.find(is_quoted ? '"' : '>', open + 1);
+    return {line.substr(open + 1, close - open - 1), is_quoted};
+}
+
+bool is_sdl(const std::string& name) {
+    return name.starts_with("SDL");
+}
+
+std::string check_system_include(const std::string& path, const std::string& name) {
+    if (is_sdl(name) && !path.starts_with("engine/platform/sdl/")) return "only engine/platform/sdl/ includes SDL";
+    if (!path.starts_with("engine/") || path.starts_with("engine/platform/")) return "";
+    const bool is_forbidden =
+        std::find(kForbiddenInEngine.begin(), kForbiddenInEngine.end(), name) != kForbiddenInEngine.end();
+    return is_forbidden ? "the engine outside platform/ does without it" : "";
+}
+
+std::string check_project_include(const std::vector<Room>& rooms, const Room& from, const std::string& name) {
+    const Room* to = find_room(rooms, name);
+    if (!to) return "not a path from the project's root into a room";
+    return may_include(rooms, from, *to) ? "" : from.folder + " does not depend on " + to->folder;
+}
+
+}  // namespace
+
+std::vector<std::string> find_bad_includes(const std::vector<Room>& rooms, const std::vector<SourceFile>& files) {
+    std::vector<std::string> faults;
+    for (const SourceFile& file : files) {
+        const Room* room = find_room(rooms, file.path);
+        if (!room) {
+            faults.push_back(file.path + ": in no room");
+            continue;
+        }
+        std::istringstream lines(file.text);
+        for (std::string line; std::getline(lines, line);) {
+            const Include include = parse_include(line);
+            if (include.name.empty()) continue;
+            const std::string fault = include.is_quoted && !is_sdl(include.name)
+                                          ? check_project_include(rooms, *room, include.name)
+                                          : check_system_include(file.path, include.name);
+            if (!fault.empty()) faults.push_back(file.path + ": includes " + include.name + ": " + fault);
+        }
+    }
+    return faults;
+}
+
+std::vector<std::string> find_strays(const std::vector<std::string>& paths) {
+    std::set<std::string> strays;
+    for (const std::string& path : paths) {
+        const std::string top = path.substr(0, path.find('/'));
+        const bool is_known = std::find(kTopLevel.begin(), kTopLevel.end(), top) != kTopLevel.end();
+        if (!is_known && !top.starts_with(".")) strays.insert(top);
+    }
+    return {strays.begin(), strays.end()};
+}
+
+}  // namespace oblong::test

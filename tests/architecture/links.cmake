@@ -1,0 +1,2 @@
+# Reads the sources alone: links nothing of the project.
+set(LINKS "")

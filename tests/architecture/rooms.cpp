@@ -1,0 +1,72 @@
+#include "tests/architecture/rooms.h"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace oblong::test {
+
+const std::vector<Room>& project_rooms() {
+    static const std::vector<Room> rooms = {
+        {"engine/base", {}},
+        {"engine/fixed", {"engine/base"}},
+        {"engine/math", {"engine/fixed"}},
+        {"engine/screen", {"engine/math"}},
+        {"engine/camera", {"engine/screen"}},
+        {"engine/geometry", {"engine/camera"}},
+        {"engine/surface", {"engine/fixed"}},
+        {"engine/raster", {"engine/screen", "engine/surface"}},
+        {"engine/level", {"engine/math", "engine/surface"}},
+        {"engine/visible", {"engine/geometry", "engine/raster", "engine/level"}},
+        {"engine/effects", {"engine/raster"}},
+        {"engine/frame", {"engine/visible", "engine/effects"}},
+        {"engine/platform", {"engine/screen", "engine/surface"}},
+        {"engine/platform/sdl", {"engine/platform"}},
+        {"game", {"engine/frame", "engine/platform/sdl", "tools/png"}},
+        {"tools/png", {"engine/surface"}},
+        {"tools", {"engine/frame", "engine/platform/sdl", "tools/png"}},
+    };
+    return rooms;
+}
+
+const Room* find_room(const std::vector<Room>& rooms, std::string_view path) {
+    const Room* best = nullptr;
+    for (const Room& room : rooms) {
+        if (!path.starts_with(room.folder + "/")) continue;
+        if (!best || room.folder.size() > best->folder.size()) best = &room;
+    }
+    return best;
+}
+
+bool may_include(const std::vector<Room>& rooms, const Room& from, const Room& to) {
+    if (from.folder == to.folder) return true;
+    return std::any_of(from.depends.begin(), from.depends.end(), [&](const std::string& folder) {
+        const Room* below = find_room(rooms, folder + "/");
+        return below && may_include(rooms, *below, to);
+    });
+}
+
+std::vector<Room> parse_cmake_rooms(const std::string& cmake, const std::string& prefix) {
+    std::vector<Room> rooms;
+    std::map<std::string, std::string> folders;
+    const std::string opening = "oblong_room(";
+    for (std::size_t at = cmake.find(opening); at != std::string::npos; at = cmake.find(opening, at + 1)) {
+        const std::size_t start = at + opening.size();
+        std::istringstream words(cmake.substr(start, cmake.find(')', start) - start));
+        std::string name, word, list;
+        Room room;
+        words >> name >> room.folder;
+        room.folder.insert(0, prefix);
+        folders[name] = room.folder;
+        while (words >> word) {
+            if (word == "DEPENDS" || word == "EXTRA_FOLDERS")
+                list = word;
+            else if (list == "DEPENDS")
+                room.depends.push_back(folders[word]);
+        }
+        rooms.push_back(room);
+    }
+    return rooms;
+}
+
+}  // namespace oblong::test
