@@ -25,7 +25,7 @@ void paint_board(Canvas& canvas, Box box, int base, int seed) {
 
 /// A panel sunk into wood: a frame of four bevels, then a field that rises again.
 void paint_sunk_panel(Canvas& canvas, Box box, int seed) {
-    canvas.paint(box, [&](int x, int y) { return wood(x, y, steps(7), seed); });
+    canvas.paint(box, [&](int x, int y) { return wood(x, y, steps(8), seed); });
     canvas.bevel(box, -steps(4));
     canvas.bevel({box.x + 1, box.y + 1, box.width - 2, box.height - 2}, -steps(2));
     if (box.width < 14 || box.height < 14) return;
@@ -58,7 +58,7 @@ Texel carpet_texel(int x, int y) {
     if (distance == 14) return {Ramp::Brass, steps(8) + weave};
     if (distance < 4) return {Ramp::Brass, steps(9 - distance) + weave};
     if (distance < 9) return {Ramp::Night, steps(5) + weave};
-    return {Ramp::Red, steps(distance > 14 ? 6 : 8) + weave};
+    return {Ramp::Red, steps(distance > 14 ? 8 : 10) + weave};
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ Canvas paint_wood_planks() {
     Canvas canvas(64, 64);
     for (int x = 0; x < 64; x += 16) {
         const int seed = 80 + x / 16, joint = hash_255(x, 0, 80) % 64;
-        paint_board(canvas, {x, 0, 16, 64}, steps(6) + hash_255(x, 1, 80) * 2, seed);
+        paint_board(canvas, {x, 0, 16, 64}, steps(7) + hash_255(x, 1, 80) * 2, seed);
         canvas.lighten({x, joint, 16, 1}, -steps(4));
         canvas.lighten({x, joint + 1, 16, 1}, steps(1));
         for (const int nail : {joint - 3, joint + 4}) canvas.at(x + 8, nail) = {Ramp::Wood, steps(1)};
@@ -77,7 +77,7 @@ Canvas paint_wood_planks() {
 
 Canvas paint_wood_panel() {
     Canvas canvas(64, 64);
-    canvas.paint(canvas.whole(), [](int x, int y) { return wood(x, y, steps(6), 85); });
+    canvas.paint(canvas.whole(), [](int x, int y) { return wood(x, y, steps(7), 85); });
     paint_sunk_panel(canvas, {5, 5, 22, 54}, 86);
     paint_sunk_panel(canvas, {37, 5, 22, 54}, 87);
     return canvas;
@@ -106,7 +106,7 @@ Canvas paint_carpet() {
 
 Canvas paint_plaster_night() {
     Canvas canvas(64, 64);
-    canvas.paint(canvas.whole(), [](int x, int y) { return plaster(Ramp::Night, steps(5), x, y, 90); });
+    canvas.paint(canvas.whole(), [](int x, int y) { return plaster(Ramp::Night, steps(7), x, y, 90); });
     paint_gold_star(canvas, 16, 16);
     paint_gold_star(canvas, 48, 48);
     return canvas;
@@ -114,13 +114,13 @@ Canvas paint_plaster_night() {
 
 Canvas paint_plaster_ivory() {
     Canvas canvas(64, 64);
-    canvas.paint(canvas.whole(), [](int x, int y) { return plaster(Ramp::Ivory, steps(9), x, y, 91); });
+    canvas.paint(canvas.whole(), [](int x, int y) { return plaster(Ramp::Ivory, steps(10), x, y, 91); });
     return canvas;
 }
 
 Canvas paint_coffer() {
     Canvas canvas(64, 64);
-    canvas.paint(canvas.whole(), [](int x, int y) { return wood(x, y, steps(5), 92); });
+    canvas.paint(canvas.whole(), [](int x, int y) { return wood(x, y, steps(7), 92); });
     for (int inset = 5; inset < 17; inset += 3) {
         const Box step{inset, inset, 64 - 2 * inset, 64 - 2 * inset};
         canvas.lighten(step, -steps(1) / 2);
@@ -147,7 +147,7 @@ Canvas paint_grid_paper() {
 
 Canvas paint_cube_face(Ramp ramp) {
     Canvas canvas(64, 64);
-    canvas.paint(canvas.whole(), [&](int x, int y) { return plaster(ramp, steps(9), x, y, 95); });
+    canvas.paint(canvas.whole(), [&](int x, int y) { return plaster(ramp, steps(10), x, y, 95); });
     canvas.outline({0, 0, 64, 64}, {Ramp::Ivory, steps(13)});
     canvas.outline({1, 1, 62, 62}, {Ramp::Ivory, steps(12)});
     canvas.outline({2, 2, 60, 60}, {ramp, steps(4)});
@@ -175,7 +175,7 @@ Canvas paint_diamond() {
     canvas.paint(canvas.whole(), [](int x, int y) {
         const int distance = diamond_distance(x, y);
         const int shade = distance == 15 || distance == 16 ? -steps(4) : (distance == 14 ? steps(1) : 0);
-        Texel texel = plaster(distance < 16 ? Ramp::Terracotta : Ramp::Sand, steps(8), x, y, 97);
+        Texel texel = plaster(distance < 16 ? Ramp::Terracotta : Ramp::Sand, steps(9), x, y, 97);
         texel.level += shade;
         return texel;
     });

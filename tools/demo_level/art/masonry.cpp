@@ -113,21 +113,21 @@ void paint_marble_tile(Canvas& canvas, Box box, const MarbleStyle& style) {
 
 Canvas paint_stone_wall() {
     Canvas canvas(64, 64);
-    paint_courses(canvas, 32, 16, {.base = steps(8), .seed = 3});
+    paint_courses(canvas, 32, 16, {.base = steps(9), .seed = 3});
     return canvas;
 }
 
 Canvas paint_stone_dark() {
     Canvas canvas(64, 64);
     paint_courses(canvas, 32, 32,
-                  {.rare_ramp = Ramp::Night, .base = steps(6), .roughness = steps(3), .edge = steps(3), .seed = 12});
+                  {.rare_ramp = Ramp::Stone, .base = steps(8), .roughness = steps(3), .edge = steps(3), .seed = 12});
     return canvas;
 }
 
 Canvas paint_stone_floor() {
     Canvas canvas(64, 64);
     const StoneStyle style{
-        .ramp = Ramp::Grey, .rare_ramp = Ramp::Stone, .base = steps(8), .edge = steps(1), .seed = 21};
+        .ramp = Ramp::Grey, .rare_ramp = Ramp::Stone, .base = steps(9), .edge = steps(1), .seed = 21};
     for (const Box slab : {Box{0, 0, 40, 24}, Box{40, 0, 24, 40}, Box{0, 24, 16, 40}, Box{16, 24, 24, 16},
                            Box{16, 40, 24, 24}, Box{40, 40, 24, 24}}) {
         paint_worn_block(canvas, slab, style);
@@ -139,14 +139,14 @@ Canvas paint_sand_wall() {
     Canvas canvas(64, 64);
     paint_courses(
         canvas, 32, 16,
-        {.ramp = Ramp::Sand, .rare_ramp = Ramp::Terracotta, .base = steps(8), .roughness = steps(1), .seed = 5});
+        {.ramp = Ramp::Sand, .rare_ramp = Ramp::Terracotta, .base = steps(9), .roughness = steps(1), .seed = 5});
     return canvas;
 }
 
 Canvas paint_brick() {
     Canvas canvas(64, 64);
     paint_courses(canvas, 16, 8,
-                  {.ramp = Ramp::Terracotta, .rare_ramp = Ramp::Red, .base = steps(7), .tone = steps(3), .seed = 7});
+                  {.ramp = Ramp::Terracotta, .rare_ramp = Ramp::Red, .base = steps(8), .tone = steps(3), .seed = 7});
     return canvas;
 }
 
@@ -156,7 +156,10 @@ Canvas paint_sand_frieze() {
     canvas.paint(canvas.whole(), [&](int x, int y) {
         return Texel{Ramp::Sand, steps(9) + fractal_noise(field, x, y, 8) / 2};
     });
-    for (const int y : {0, 27}) canvas.bevel({0, y, 64, 5}, steps(3));
+    for (const int y : {0, 27}) {
+        canvas.lighten({0, y, 64, 1}, steps(3));
+        canvas.lighten({0, y + 4, 64, 1}, -steps(3));
+    }
     // One key of the meander, 16 texels wide; '#' is cut into the stone.
     constexpr std::array<const char*, 16> kKey{
         "................", "................", "###############.", "#...............",
@@ -175,7 +178,7 @@ Canvas paint_sand_frieze() {
 
 Canvas paint_checker() {
     Canvas canvas(128, 128);
-    const MarbleStyle white{Ramp::Ivory, steps(12), -steps(3), steps(1), 41};
+    const MarbleStyle white{Ramp::Ivory, steps(13), -steps(3), steps(1), 41};
     const MarbleStyle black{Ramp::Stone, steps(3), steps(4), steps(1), 42};
     for (int y = 0; y < 128; y += 64) {
         for (int x = 0; x < 128; x += 64) paint_marble_tile(canvas, {x, y, 64, 64}, (x + y) % 128 == 0 ? white : black);
@@ -185,14 +188,14 @@ Canvas paint_checker() {
 
 Canvas paint_marble_ivory() {
     Canvas canvas(64, 64);
-    const MarbleStyle style{Ramp::Ivory, steps(11), -steps(4), steps(2), 43};
+    const MarbleStyle style{Ramp::Ivory, steps(12), -steps(4), steps(2), 43};
     canvas.paint(canvas.whole(), [&](int x, int y) { return marble(style, {64, 64, 0}, x, y); });
     return canvas;
 }
 
 Canvas paint_marble_green() {
     Canvas canvas(64, 64);
-    const MarbleStyle style{Ramp::Verdigris, steps(6), steps(4), steps(3), 44};
+    const MarbleStyle style{Ramp::Verdigris, steps(7), steps(4), steps(3), 44};
     paint_marble_tile(canvas, canvas.whole(), style);
     return canvas;
 }

@@ -13,7 +13,7 @@ Texel brushed(Ramp ramp, int x, int y, int height, int seed) {
     const NoiseField field{64, 64, seed};
     const int scratches = (hash_255(x / 7, y, seed) - 128) + value_noise(field, x, y, 16);
     const int reflection = std::abs((y * 2 + x) % (height * 2) - height) * steps(4) / height;
-    return {ramp, steps(5) + reflection + scratches};
+    return {ramp, steps(7) + reflection + scratches};
 }
 
 void paint_rivet(Canvas& canvas, int x, int y) {
@@ -111,7 +111,8 @@ Canvas paint_copper_roof() {
     canvas.paint(canvas.whole(), [&](int x, int y) {
         const int row = y / 16, across = (x + row % 2 * 8) % 16 - 8, down = y % 16;
         const bool is_below_scale = across * across > (16 - down) * (16 - down) + 8;
-        const int curve = steps(8) - down * steps(1) / 4 - (is_below_scale ? steps(4) : 0) + (down == 0 ? steps(2) : 0);
+        const int curve =
+            steps(10) - down * steps(1) / 4 - (is_below_scale ? steps(4) : 0) + (down == 0 ? steps(2) : 0);
         const int grain = fractal_noise(field, x, y, 16);
         return Texel{grain > 120 ? Ramp::Brass : Ramp::Verdigris, curve + grain};
     });

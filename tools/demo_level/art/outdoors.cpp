@@ -16,7 +16,7 @@ Texel night(int x, int y) {
     const int cloud = fractal_noise(field, x, y, 32);
     const int off_band = std::abs((x + y + cloud / 16) % kSkyHalf - kSkyHalf / 2);
     const int glow = std::max(0, 30 - off_band) * 14;
-    return {cloud > 60 ? Ramp::Violet : Ramp::Night, steps(1) + glow + std::max(0, cloud) / 2};
+    return {cloud > 60 ? Ramp::Violet : Ramp::Night, steps(2) + glow + std::max(0, cloud) * 3 / 4};
 }
 
 /// About one texel in `rarity` is a star; a few are bright enough for a cross of light.
@@ -39,7 +39,7 @@ Texel cloud(int x, int y) {
     const NoiseField field{kSkyHalf, kSkyHalf, 104};
     const int density = fractal_noise(field, x, y, 64) - 70 + hash_255(x, y, 105) / 8;
     if (density < 0) return {Ramp::Grey, 0};
-    return {Ramp::Night, steps(1) + density * 3};
+    return {Ramp::Night, steps(2) + density * 4};
 }
 
 }  // namespace
@@ -56,9 +56,9 @@ Canvas paint_water() {
     Canvas canvas(64, 64);
     const NoiseField slow{64, 64, 106}, fast{64, 64, 107};
     canvas.paint(canvas.whole(), [&](int x, int y) {
-        const int swell = value_noise(slow, x, y, 16) + value_noise(fast, x, y, 8) / 2;
-        const int caustic = std::max(0, 22 - std::abs(swell)) * 40;
-        return Texel{caustic > 500 ? Ramp::Water : Ramp::Night, steps(5) + swell * 2 + caustic};
+        const int swell = value_noise(slow, x, y, 16) + value_noise(fast, x, y, 8);
+        const int caustic = std::max(0, 26 - std::abs(swell)) * 36;
+        return Texel{caustic > 500 ? Ramp::Water : Ramp::Night, steps(7) + swell * 2 + caustic};
     });
     return canvas;
 }
@@ -80,7 +80,7 @@ Canvas paint_earth() {
     canvas.paint(canvas.whole(), [&](int x, int y) {
         const int blade = hash_255(x, y / 3 + x % 2, 110) * 2;
         const int patch = fractal_noise(field, x, y, 16);
-        return Texel{patch > 150 ? Ramp::Wood : Ramp::Moss, steps(4) + blade + patch};
+        return Texel{patch > 150 ? Ramp::Wood : Ramp::Moss, steps(5) + blade + patch};
     });
     return canvas;
 }

@@ -13,9 +13,10 @@ void add_sphere(Draft& draft) {
     draft.add(extrude({2, circle(8, centre.x, centre.y, 44, 22.5)}, 0, 16, "marble_green"));
     draft.add(extrude({2, circle(8, centre.x, centre.y, 32, 22.5)}, 16, 64, "brass_panel"));
     draft.add(extrude({2, circle(8, centre.x, centre.y, 40, 22.5)}, 64, 73, "marble_green"));
-    draft.add(make_sphere(centre, "plaster_ivory", "cube_red"));
-    draft.add_light({centre.x - 80, centre.y - 120, 220}, 260);
-    draft.add_light({centre.x + 90, centre.y - 40, 60}, 60);
+    draft.add(make_sphere(centre, 1, "plaster_ivory", "cube_red"));
+    draft.add_light({centre.x, centre.y + 84, 70}, 330);  // hidden behind the pedestal: a halo on the wall
+    draft.add_light({centre.x - 80, centre.y - 120, 220}, 570);
+    draft.add_light({centre.x + 90, centre.y - 60, 60}, 160);
 }
 
 }  // namespace
@@ -31,13 +32,14 @@ void build_aspect_room(Draft& draft) {
                        {entrance, east, window}});
     add_round_window(draft, kWindowX, kWindowZ, 512, kWindowHalf, 72, "brass_panel");
     add_sphere(draft);
-    add_panel(draft, {Side::South, {{-192, 508, 196}, {-32, 512, 236}}, "sign_aspect", 128, 32});
+    add_panel(draft, {Side::South, {{32, 508, 238}, {192, 512, 278}}, "sign_aspect", 128, 32});
     add_panel(draft, {Side::West, {{252, 352, 128}, {256, 480, 160}}, "sign_vanish", 128, 32});
     add_door_frame(draft, Side::West, east, 256);
     for (const double x : {-248.0, 248.0}) {
-        add_wall_lamp(draft, {x, 128, 120}, x < 0 ? Side::East : Side::West, 200);
+        add_wall_lamp(draft, {x, 128, 120}, x < 0 ? Side::East : Side::West, 440);
     }
-    add_hanging_lamp(draft, {112, 256, 200}, 288, 180);
+    for (const double x : {4.0, 224.0}) add_wall_lamp(draft, {x, 504, 150}, Side::South, 360);
+    add_hanging_lamp(draft, {112, 256, 200}, 288, 400);
 }
 
 }  // namespace oblong::map_source

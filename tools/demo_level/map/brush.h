@@ -6,7 +6,7 @@
 
 namespace oblong::map_source {
 
-/// World units. All coordinates of the demo level are multiples of 1/16, so that they are exact in a double, in a float
+/// World units. All coordinates of the demo level are multiples of 1/32, so that they are exact in a double, in a float
 /// and in the text of a .map.
 struct Point {
     double x = 0, y = 0, z = 0;

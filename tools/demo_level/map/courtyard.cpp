@@ -1,5 +1,6 @@
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
+#include "tools/demo_level/map/round.h"
 
 namespace oblong::map_source {
 namespace {
@@ -21,8 +22,8 @@ void add_bank(Draft& draft, double y_low, double y_high) {
 }
 
 void add_moonlight(Draft& draft) {
-    for (const double y : {720.0, 1040.0, 1360.0, 1680.0}) {
-        for (const double x : {0.0, 450.0, 900.0}) draft.add_light({x, y, 620}, 690);
+    for (const double y : {720.0, 1100.0, 1480.0, 1860.0}) {
+        for (const double x : {0.0, 450.0, 900.0}) draft.add_light({x, y, 620}, 960);
     }
 }
 
@@ -44,8 +45,12 @@ void build_courtyard(Draft& draft) {
     add_bank(draft, 704, 1200);
     add_bank(draft, 1328, 2000);
     add_ground(draft, 1008, 1200, 1168, 1328, "stone_floor");
+    for (const double x : {400.0, 624.0}) {
+        draft.add(extrude({2, circle(8, x, 1080, 22, 22.5)}, 0, 24, "marble_green"));
+        draft.add(make_sphere({x, 1080, 50}, 0.5, "marble_ivory", "marble_ivory"));
+    }
     for (const double y : {736.0, 960.0, 1440.0}) {
-        for (const double x : {416.0, 608.0}) add_lamp_post(draft, {x, y, 0}, 190);
+        for (const double x : {416.0, 608.0}) add_lamp_post(draft, {x, y, 0}, 420);
     }
     add_panel(draft, {Side::East, {{-256, 1520, 118}, {-252, 1648, 150}}, "sign_forced", 128, 32});
     add_moonlight(draft);
@@ -58,7 +63,7 @@ void build_canal(Draft& draft) {
     for (int step = 1; step < 6; ++step) {
         draft.add_box({{1008.0 - 24 * step, 1200, -96}, {1032.0 - 24 * step, 1328, -16.0 * step}}, "basin_tiles");
     }
-    for (double x = -160; x < 900; x += 192) draft.add_light({x, 1264, -56}, 130);
+    for (double x = -160; x < 900; x += 192) draft.add_light({x, 1264, -56}, 290);
     // The bridge: a step, an abutment, the deck, and the same again.
     draft.add_box({{432, 1152, 0}, {592, 1176, 16}}, "stone_floor");
     draft.add_box({{432, 1352, 0}, {592, 1376, 16}}, "stone_floor");
@@ -66,7 +71,7 @@ void build_canal(Draft& draft) {
     draft.add_box({{432, 1176, 16}, {592, 1352, 32}}, {"sand_frieze", "stone_floor"});
     for (const double x : {434.0, 590.0}) {
         add_balustrade(draft, {x, 1178, 32}, {x, 1350, 32}, "marble_ivory");
-        for (const double y : {1164.0, 1364.0}) add_lamp_post(draft, {x, y, 16}, 200);
+        for (const double y : {1164.0, 1364.0}) add_lamp_post(draft, {x, y, 16}, 440);
     }
 }
 
@@ -77,22 +82,23 @@ void build_balcony(Draft& draft) {
     add_balustrade(draft, {1012, 764, 160}, {1012, 1036, 160}, "marble_ivory");
     add_balustrade(draft, {1012, 764, 160}, {1150, 764, 160}, "marble_ivory");
     add_balustrade(draft, {1012, 1036, 160}, {1060, 1036, 160}, "marble_ivory");
-    add_wall_lamp(draft, {1144, 800, 232}, Side::West, 160);
-    add_wall_lamp(draft, {1144, 980, 232}, Side::West, 160);
-    add_wall_lamp(draft, {1144, 828, 72}, Side::West, 150);
+    add_wall_lamp(draft, {1144, 800, 232}, Side::West, 350);
+    add_wall_lamp(draft, {1144, 980, 232}, Side::West, 350);
+    add_lamp_post(draft, {1032, 1180, 0}, 400);
+    add_wall_lamp(draft, {1144, 828, 72}, Side::West, 330);
     build_room(draft, {{{1184, 688, 0}, {1312, 792, 128}},
                        "stone_floor",
                        "wood_planks",
                        {{32, "wood_panel"}, {128, "sand_wall"}},
                        {{Side::East, 696, 784, 0, 112}, {Side::West, 696, 784, 0, 112}}});
-    add_hanging_lamp(draft, {1248, 740, 100}, 128, 150);
+    add_hanging_lamp(draft, {1248, 740, 100}, 128, 330);
 }
 
 void build_colonnade(Draft& draft) {
     for (double y = 600; y < 1960; y += 80) add_column(draft, {-132, y, 0}, 160, 14, "marble_ivory");
     draft.add_box({{-256, 544, 160}, {-112, 1984, 176}}, {"sand_frieze", "sand_frieze", "copper_roof", "wood_planks"});
     draft.add_box({{-256, 1200, -16}, {-112, 1328, 0}}, {"sand_frieze", "stone_floor"});
-    for (double y = 680; y < 1960; y += 320) add_wall_lamp(draft, {-248, y, 104}, Side::East, 170);
+    for (double y = 680; y < 1960; y += 320) add_wall_lamp(draft, {-248, y, 104}, Side::East, 370);
 }
 
 }  // namespace oblong::map_source

@@ -40,7 +40,7 @@ void Draft::add_point(const std::string& classname, const Point& origin,
 }
 
 void Draft::add_light(const Point& origin, int brightness, int style) {
-    std::vector<std::pair<std::string, std::string>> more{{"light", std::to_string(brightness)}};
+    std::vector<std::pair<std::string, std::string>> more{{"light", std::to_string(brightness)}, {"wait", "1.5"}};
     if (style != 0) more.emplace_back("style", std::to_string(style));
     add_point("light", origin, more);
 }

@@ -9,7 +9,7 @@ void furnish(Draft& draft) {
     for (const double y : {-352.0, -224.0, -96.0}) {
         for (const double x : {-104.0, 104.0}) {
             add_column(draft, {x, y, 0}, 224, 16, "marble_ivory");
-            add_wall_lamp(draft, {x, y + 26, 112}, Side::North, 150);
+            add_wall_lamp(draft, {x + (x < 0 ? 26 : -26), y, 112}, x < 0 ? Side::East : Side::West, 330);
         }
     }
     add_panel(draft, {Side::South, {{-128, -40, 148}, {128, -32, 212}}, "title", 128, 32});
@@ -29,7 +29,7 @@ void build_entrance(Draft& draft) {
                        {door}});
     add_arch(draft, 1, {{-48, -32, 0}, {48, 0, 112}}, "sand_wall");
     furnish(draft);
-    draft.add_light({0, -96, 180}, 160);
+    draft.add_light({0, -96, 180}, 350);
     draft.add_point("info_player_start", {0, -368, 32}, {{"angle", "90"}});
 }
 

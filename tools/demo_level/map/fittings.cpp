@@ -85,6 +85,18 @@ void add_hanging_lamp(Draft& draft, const Point& centre, double ceiling_z, int b
     draft.add_light({centre.x + 14, centre.y + 14, centre.z + 6}, brightness / 3);
 }
 
+Brush make_crystal(const Point& middle, double radius, double height, double turn_degrees, const Skin& skin) {
+    std::vector<std::vector<Point>> triangles;
+    const auto base = circle(4, middle.x, middle.y, radius, turn_degrees);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto &a = base[i], &b = base[(i + 1) % 4];
+        for (const double tip : {middle.z + height, middle.z - height}) {
+            triangles.push_back({{a[0], a[1], middle.z}, {b[0], b[1], middle.z}, {middle.x, middle.y, tip}});
+        }
+    }
+    return make_solid(triangles, middle, skin);
+}
+
 void add_lamp_post(Draft& draft, const Point& foot, int brightness) {
     constexpr double kLampHeight = 76;
     const auto square = [&](double half, double z_low, double z_high) {

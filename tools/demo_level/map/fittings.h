@@ -22,6 +22,9 @@ void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightnes
 /// A lamp that hangs from `ceiling_z`, its light below it.
 void add_hanging_lamp(Draft& draft, const Point& centre, double ceiling_z, int brightness);
 
+/// Two pyramids of four sides base to base: eight faces, none along an axis.
+Brush make_crystal(const Point& middle, double radius, double height, double turn_degrees, const Skin& skin);
+
 /// A post that stands free, a lamp on it.
 void add_lamp_post(Draft& draft, const Point& foot, int brightness);
 

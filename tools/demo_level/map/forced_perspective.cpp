@@ -36,7 +36,7 @@ void add_shrinking_columns(Draft& draft) {
         for (const double y : {kMiddle - off_axis, kMiddle + off_axis}) {
             add_column(draft, {x, y, foot}, height, radius, "marble_ivory");
         }
-        draft.add_light({x - 20, kMiddle, here.ceiling - 30}, static_cast<int>(200 - 110 * share));
+        draft.add_light({x - 20, kMiddle, here.ceiling - 30}, static_cast<int>(420 - 220 * share));
     }
 }
 

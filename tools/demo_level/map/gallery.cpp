@@ -20,7 +20,7 @@ void add_columns_and_lamps(Draft& draft) {
     for (double x = 416; x <= 1184; x += 128) {
         for (const double y : {kSouth + 28, kNorth - 28}) add_column(draft, {x, y, 0}, 176, 12, "marble_ivory");
     }
-    for (double x = 352; x <= 1248; x += 256) add_hanging_lamp(draft, {x, kMiddle, 144}, 176, 190);
+    for (double x = 352; x <= 1248; x += 256) add_hanging_lamp(draft, {x, kMiddle, 144}, 176, 420);
 }
 
 /// Two leaves that slide into the wall.

@@ -18,7 +18,7 @@ void build_lift(Draft& draft) {
     // Lamps let into the wall, so that the platform passes them.
     for (const double z : {56.0, 216.0}) {
         add_panel(draft, {Side::South, {{1232, 950, z}, {1264, 952, z + 32}}, "lamp", 32, 32});
-        draft.add_light({1248, 930, z + 16}, 150);
+        draft.add_light({1248, 930, z + 16}, 330);
     }
 }
 

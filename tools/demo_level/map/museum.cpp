@@ -5,8 +5,9 @@ namespace oblong::map_source {
 Draft make_museum() {
     Draft draft({{"message", "A museum of perspective at night"},
                  {"wad", "demo.wad"},
-                 {"_minlight", "8"},
-                 {"light", "8"},
+                 {"_minlight", "12"},
+                 {"_sunlight", "90"},
+                 {"_sun_mangle", "125 -38 0"},
                  {"_sky", "sky_night"}});
     build_entrance(draft);
     build_aspect_room(draft);

@@ -12,7 +12,7 @@ void build_passages(Draft& draft) {
                        "wood_planks",
                        stone,
                        {{Side::East, 1536, 1632, 48, 160}, {Side::North, -840, -744, 48, 160}}});
-    for (const double y : {1700.0, 1860.0, 2020.0}) add_hanging_lamp(draft, {-792, y, 148}, 176, 120);
+    for (const double y : {1700.0, 1860.0, 2020.0}) add_hanging_lamp(draft, {-792, y, 148}, 176, 340);
     add_panel(draft, {Side::West, {{-740, 1740, 84}, {-736, 1804, 148}}, "picture_road"});
 
     build_room(draft, {{{-64, 2256, 48}, {592, 2384, 192}},
@@ -23,7 +23,7 @@ void build_passages(Draft& draft) {
     for (double x = 0; x < 448; x += 96) {
         for (const double y : {2268.0, 2372.0}) add_column(draft, {x, y, 48}, 144, 8, "marble_ivory");
     }
-    for (const double x : {48.0, 240.0, 432.0}) draft.add_light({x, 2320, 150}, 120);
+    for (const double x : {48.0, 240.0, 432.0}) draft.add_light({x, 2320, 150}, 320);
 
     draft.add_box({{448, 1856, 0}, {576, 1984, 32}}, "stone_dark");
     build_room(draft, {{{464, 1856, 48}, {560, 2224, 160}},
@@ -32,8 +32,8 @@ void build_passages(Draft& draft) {
                        {{160, "stone_dark"}},
                        {{Side::North, 464, 560, 48, 160}, {Side::South, 472, 552, 48, 160}}});
     add_panel(draft, {Side::East, {{464, 2040, 112}, {468, 2104, 144}}, "+0exit", 64, 32});
-    draft.add_light({512, 2180, 130}, 140);
-    draft.add_light({512, 1960, 130}, 110);
+    draft.add_light({512, 2180, 130}, 310);
+    draft.add_light({512, 1960, 130}, 240);
 }
 
 }  // namespace oblong::map_source

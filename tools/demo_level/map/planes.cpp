@@ -4,18 +4,9 @@
 namespace oblong::map_source {
 namespace {
 
-/// Two pyramids base to base on a stem: eight faces, no two of them parallel to an axis.
-void add_crystal(Draft& draft, const Point& middle, double radius, double height, double turn_degrees,
-                 const char* texture) {
-    std::vector<std::vector<Point>> triangles;
-    const auto base = circle(4, middle.x, middle.y, radius, turn_degrees);
-    for (std::size_t i = 0; i < 4; ++i) {
-        const auto &a = base[i], &b = base[(i + 1) % 4];
-        for (const double tip : {middle.z + height, middle.z - height}) {
-            triangles.push_back({{a[0], a[1], middle.z}, {b[0], b[1], middle.z}, {middle.x, middle.y, tip}});
-        }
-    }
-    draft.add(make_solid(triangles, middle, texture));
+void add_crystal_on_stem(Draft& draft, const Point& middle, double radius, double height, double turn_degrees,
+                         const char* texture) {
+    draft.add(make_crystal(middle, radius, height, turn_degrees, texture));
     draft.add(extrude({2, circle(8, middle.x, middle.y, 20, 22.5)}, 0, middle.z - height + 10, "marble_green"));
 }
 
@@ -38,13 +29,14 @@ void build_plane_room(Draft& draft) {
                        {{32, "wood_panel"}, {256, "sand_wall"}},
                        {south, arcade, lift}});
     add_tilted_walls(draft);
-    add_crystal(draft, {1600, 856, 96}, 40, 64, 20, "cube_blue");
-    add_crystal(draft, {1480, 900, 72}, 26, 44, 50, "cube_gold");
+    add_crystal_on_stem(draft, {1600, 856, 96}, 40, 64, 20, "cube_blue");
+    add_crystal_on_stem(draft, {1480, 900, 72}, 26, 44, 50, "cube_gold");
     for (const Opening& door : {arcade, lift}) add_door_frame(draft, Side::East, door, 1344);
     add_panel(draft, {Side::East, {{1344, 824, 128}, {1348, 952, 160}}, "sign_fov", 128, 32});
-    draft.add_light({1560, 760, 150}, 230);
-    draft.add_light({1420, 820, 120}, 150);
-    draft.add_light({1690, 900, 60}, 140);
+    draft.add_light({1560, 760, 150}, 510);
+    draft.add_light({1420, 820, 120}, 330);
+    add_wall_lamp(draft, {1352, 980, 120}, Side::East, 330);
+    draft.add_light({1690, 900, 60}, 310);
 }
 
 }  // namespace oblong::map_source

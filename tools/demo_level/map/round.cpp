@@ -11,6 +11,12 @@ struct Ring {
     double height, times_8;
 };
 
+/// Where a sphere stands, and how large it is beside the rings below.
+struct Place {
+    Point centre;
+    double scale;
+};
+
 /// Every ring is the same polygon scaled, so that the edges above and below a facet are parallel and its four corners
 /// lie on one plane, exactly. cos and sin of multiples of 15 degrees, times 56.
 constexpr std::array<Ring, 13> kRings{{{56, 0},
@@ -28,17 +34,18 @@ constexpr std::array<Ring, 13> kRings{{{56, 0},
                                        {-56, 0}}};
 constexpr double kPolygonRadius = 10;
 
-Point ring_point(const Point& centre, const Ring& ring, const std::array<double, 2>& corner) {
-    return {centre.x + corner[0] * ring.times_8 / 8, centre.y + corner[1] * ring.times_8 / 8, centre.z + ring.height};
+Point ring_point(const Place& place, const Ring& ring, const std::array<double, 2>& corner) {
+    const double across = place.scale * ring.times_8 / 8;
+    return {place.centre.x + corner[0] * across, place.centre.y + corner[1] * across,
+            place.centre.z + ring.height * place.scale};
 }
 
 /// Three points of a facet: both corners of its wider edge and one of the other (a pole's edge is a point).
-std::vector<Point> facet(const Point& centre, std::size_t band, const std::array<double, 2>& corner,
+std::vector<Point> facet(const Place& place, std::size_t band, const std::array<double, 2>& corner,
                          const std::array<double, 2>& next_corner) {
     const bool is_upper = kRings[band].times_8 < kRings[band + 1].times_8;
     const Ring &wide = kRings[is_upper ? band + 1 : band], &narrow = kRings[is_upper ? band : band + 1];
-    return {ring_point(centre, wide, corner), ring_point(centre, wide, next_corner),
-            ring_point(centre, narrow, corner)};
+    return {ring_point(place, wide, corner), ring_point(place, wide, next_corner), ring_point(place, narrow, corner)};
 }
 
 /// Where the ray from the middle of a square through `corner` meets its outline, rounded to whole units.
@@ -50,12 +57,12 @@ std::array<double, 2> on_square(const std::array<double, 2>& corner, double x, d
 
 }  // namespace
 
-Brush make_sphere(const Point& centre, const std::string& even_texture, const std::string& odd_texture) {
+Brush make_sphere(const Point& centre, double scale, const std::string& even_texture, const std::string& odd_texture) {
     const auto polygon = circle(16, 0, 0, kPolygonRadius, 0);
     Brush sphere;
     for (std::size_t band = 0; band + 1 < kRings.size(); ++band) {
         for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const auto points = facet(centre, band, polygon[i], polygon[(i + 1) % polygon.size()]);
+            const auto points = facet({centre, scale}, band, polygon[i], polygon[(i + 1) % polygon.size()]);
             const std::string& texture = (band + i) % 2 == 0 ? even_texture : odd_texture;
             sphere.faces.push_back(make_solid({points}, centre, texture).faces.front());
         }

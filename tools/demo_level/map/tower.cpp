@@ -56,26 +56,23 @@ void add_windows(Draft& draft) {
                   {Side::East, {{kX + kOuter, kY - 16, z}, {kX + kOuter + 4, kY + 16, z + 64}}, "lit_window", 32, 64});
         add_panel(draft,
                   {Side::West, {{kX - kOuter - 4, kY - 16, z}, {kX - kOuter, kY + 16, z + 64}}, "lit_window", 32, 64});
-        draft.add_light({kX, kY - kOuter - 40, z + 24}, 130);
-        draft.add_light({kX + kOuter + 40, kY, z + 24}, 110);
+        draft.add_light({kX, kY - kOuter - 40, z + 24}, 290);
+        draft.add_light({kX + kOuter + 40, kY, z + 24}, 240);
     }
     add_panel(draft, {Side::South, {{kX - 32, kY - kOuter - 4, 0}, {kX + 32, kY - kOuter, 112}}, "wood_door", 64, 128});
-    for (const double x : {kX - 52, kX + 52}) add_wall_lamp(draft, {x, kY - kOuter - 8, 84}, Side::South, 160);
+    for (const double x : {kX - 52, kX + 52}) add_wall_lamp(draft, {x, kY - kOuter - 8, 84}, Side::South, 350);
 }
 
 /// The end of the visit: a light on a dais under painted stars.
 void add_end(Draft& draft) {
     draft.add(extrude({2, octagon(64)}, kFloor, kFloor + 8, "marble_green"));
-    draft.add(extrude({2, octagon(28)}, kFloor + 8, kFloor + 40, "brass_panel"));
-    const Box crystal{{kX - 12, kY - 12, kFloor + 44}, {kX + 12, kY + 12, kFloor + 68}};
-    Brush glow = make_box(crystal, "lamp_blue");
-    fit_textures(glow, crystal, 0.75);
-    draft.add(std::move(glow));
-    draft.add_light({kX, kY + 40, kFloor + 72}, 220);
-    draft.add_light({kX, kY - 40, kFloor + 72}, 220);
-    draft.add_light({kX, kY, 280}, 180);
-    add_panel(draft, {Side::North, {{kX - 40, kY - kInner, 176}, {kX + 40, kY - kInner + 4, 196}}, "title", 128, 32});
-    add_panel(draft, {Side::North, {{kX - 24, kY - kInner, 144}, {kX + 24, kY - kInner + 4, 168}}, "+0exit", 64, 32});
+    draft.add(extrude({2, octagon(28)}, kFloor + 8, kFloor + 36, "brass_panel"));
+    draft.add(make_crystal({kX, kY, kFloor + 64}, 14, 22, 45, "lamp_blue"));
+    draft.add_light({kX, kY + 40, kFloor + 72}, 360);
+    draft.add_light({kX, kY - 40, kFloor + 72}, 360);
+    draft.add_light({kX, kY, 280}, 400);
+    add_panel(draft, {Side::North, {{kX - 44, kY - kInner, 200}, {kX + 44, kY - kInner + 4, 222}}, "title", 128, 32});
+    add_panel(draft, {Side::North, {{kX - 32, kY - kInner, 160}, {kX + 32, kY - kInner + 4, 192}}, "+0exit", 64, 32});
     draft.add_entity({{{"classname", "trigger_changelevel"}, {"map", "demo"}, {"message", "You have seen the museum."}},
                       {make_box({{kX - 60, kY - 60, kFloor + 8}, {kX + 60, kY + 60, kFloor + 72}}, "brass_trim")}});
 }

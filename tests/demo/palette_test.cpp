@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+
+#include <set>
+#include <tuple>
+
+#include "engine/surface/colormap.h"
+#include "tools/demo_level/art/ramps.h"
+
+namespace oblong {
+namespace {
+
+/// Rec. 601 luma, times 1000.
+int luma_1000(Rgb8 colour) {
+    return 299 * colour.red + 587 * colour.green + 114 * colour.blue;
+}
+
+TEST(DemoPalette, EveryRampBrightensAtEachStepFromNearBlack) {
+    const Palette palette = art::design_palette();
+    for (std::size_t ramp = 0; ramp < art::kOrdinaryRamps; ++ramp) {
+        const Rgb8* steps = &palette.colours[ramp * art::kRampSteps];
+        EXPECT_LT(luma_1000(steps[0]), 12'000) << "ramp " << ramp;
+        for (int i = 1; i < art::kRampSteps; ++i) {
+            EXPECT_GT(luma_1000(steps[i]), luma_1000(steps[i - 1])) << "ramp " << ramp << " step " << i;
+        }
+    }
+}
+
+TEST(DemoPalette, IndexZeroIsBlackAndNoColourComesTwice) {
+    const Palette palette = art::design_palette();
+    EXPECT_EQ(palette.colours[0], (Rgb8{0, 0, 0}));
+    std::set<std::tuple<int, int, int>> seen;
+    for (const Rgb8 colour : palette.colours) seen.emplace(colour.red, colour.green, colour.blue);
+    EXPECT_EQ(seen.size(), 256u);
+}
+
+TEST(DemoPalette, DarkeningABrightColourTakesManySmallSteps) {
+    const Palette palette = art::design_palette();
+    const Colormap colormap = make_colormap(palette);
+    for (std::size_t ramp = 0; ramp < art::kOrdinaryRamps; ++ramp) {
+        const std::size_t brightest = ramp * art::kRampSteps + art::kRampSteps - 1;
+        std::set<int> lumas;
+        for (const auto& shade : colormap.shades) lumas.insert(luma_1000(palette.colours[shade[brightest]]));
+        EXPECT_GE(lumas.size(), 14u) << "ramp " << ramp << " would show as bands";
+    }
+}
+
+}  // namespace
+}  // namespace oblong

@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "tools/demo_level/art/catalogue.h"
+#include "tools/demo_level/map/museum.h"
+#include "tools/png/indexed_png.h"
+#include "tools/texture/texture_files.h"
+#include "tools/texture/texture_name.h"
+
+namespace oblong {
+namespace {
+
+const std::filesystem::path kTextures = std::filesystem::path(OBLONG_SOURCE_DIR) / "assets" / "textures";
+
+std::string museum_text() {
+    std::ostringstream text;
+    map_source::write_map(map_source::make_museum(), text);
+    return text.str();
+}
+
+template <class Visit>
+void for_each_face(const map_source::Draft& museum, Visit visit) {
+    for (const auto& entity : museum.entities()) {
+        for (const auto& brush : entity.brushes) {
+            for (const auto& face : brush.faces) visit(face);
+        }
+    }
+}
+
+TEST(DemoSource, IsTheSameEveryTime) {
+    EXPECT_EQ(museum_text(), museum_text());
+}
+
+TEST(DemoSource, EveryCoordinateIsExactInAFloatAndInTheFormatsRange) {
+    for_each_face(map_source::make_museum(), [](const map_source::BrushFace& face) {
+        for (const auto& point : face.points) {
+            for (const double value : {point.x, point.y, point.z}) {
+                EXPECT_EQ(value * 32, std::floor(value * 32));
+                EXPECT_LT(std::abs(value), 4096);
+            }
+        }
+    });
+}
+
+TEST(DemoSource, NamesOnlyTexturesThatThereAre) {
+    std::set<std::string> names;
+    for_each_face(map_source::make_museum(),
+                  [&](const map_source::BrushFace& face) { names.insert(face.placement.texture); });
+    EXPECT_GT(names.size(), 40u);
+    for (const std::string& name : names) {
+        EXPECT_TRUE(std::filesystem::exists(kTextures / file_of_texture_name(name))) << name;
+    }
+}
+
+/// How far a point is in front of a face's plane, in units of the length of its normal.
+double height_over(const map_source::BrushFace& face, const map_source::Point& point) {
+    const auto normal = map_source::outward_normal(face);
+    const auto& on_plane = face.points[0];
+    return normal.x * (point.x - on_plane.x) + normal.y * (point.y - on_plane.y) + normal.z * (point.z - on_plane.z);
+}
+
+bool is_convex(const map_source::Brush& brush) {
+    for (const auto& face : brush.faces) {
+        for (const auto& other : brush.faces) {
+            for (const auto& point : other.points) {
+                if (height_over(face, point) > 0) return false;
+            }
+        }
+    }
+    return true;
+}
+
+TEST(DemoSource, EveryBrushIsConvexExactly) {
+    const auto museum = map_source::make_museum();
+    for (const auto& entity : museum.entities()) {
+        for (const auto& brush : entity.brushes) {
+            const auto& corner = brush.faces[0].points[0];
+            EXPECT_TRUE(is_convex(brush)) << "at " << corner.x << ' ' << corner.y << ' ' << corner.z;
+        }
+    }
+}
+
+TEST(DemoTextures, TheCommittedPicturesAreWhatThePaintersPaint) {
+    std::size_t count = 0;
+    for (const auto& [name, canvas] : art::paint_all_textures()) {
+        const auto decoded = decode_indexed_png(read_whole_file((kTextures / (name + ".png")).string()));
+        ASSERT_TRUE(decoded) << name;
+        EXPECT_EQ(decoded->pixels, canvas.to_indices())
+            << name << ": run oblong-demo-level textures -o assets/textures";
+        EXPECT_EQ(decoded->palette.colours, art::design_palette().colours) << name;
+        ++count;
+    }
+    const auto files = std::distance(std::filesystem::directory_iterator(kTextures), {});
+    EXPECT_EQ(static_cast<std::ptrdiff_t>(count), files);
+}
+
+TEST(DemoTextures, WallsTileWithoutASeam) {
+    // The step across the edge is no larger than the largest step inside, column by column.
+    for (const char* name : {"marble_ivory", "#water", "earth"}) {
+        for (const auto& [texture, canvas] : art::paint_all_textures()) {
+            if (texture != name) continue;
+            const auto largest_step = [&](int x) {
+                int largest = 0;
+                for (int y = 0; y < canvas.height(); ++y) {
+                    largest = std::max(largest, std::abs(canvas.at(x, y).level - canvas.at(x - 1, y).level));
+                }
+                return largest;
+            };
+            int inside = 0;
+            for (int x = 1; x < canvas.width(); ++x) inside = std::max(inside, largest_step(x));
+            EXPECT_LE(largest_step(0), inside) << name;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace oblong

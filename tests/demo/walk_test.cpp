@@ -1,0 +1,98 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/level/bsp_read.h"
+#include "game/world.h"
+#include "tools/texture/texture_files.h"
+
+namespace oblong {
+namespace {
+
+/// A place to walk to, and how high the player's middle must be before the visit goes on (a lift takes its time).
+struct Waypoint {
+    double x, y;
+    double least_z = -1000;
+};
+
+double units(World value) {
+    return static_cast<double>(value.raw) / (1 << World::kFractionBits);
+}
+
+/// A visitor who turns towards the next waypoint at once and walks.
+class Visitor {
+  public:
+    explicit Visitor(const Level& level) : stage_(make_stage(level)), state_(start_of(stage_)) {}
+
+    const GameState& state() const { return state_; }
+
+    /// False if the waypoint is not reached in half a minute of game time.
+    bool walk_to(const Waypoint& waypoint) {
+        for (std::int64_t tick = 0; tick < 30 * kTicksPerSecond && !state_.has_ended; ++tick) {
+            const double dx = waypoint.x - units(state_.player.place.x), dy = waypoint.y - units(state_.player.place.y);
+            const bool is_there = std::hypot(dx, dy) < 14;
+            if (is_there && units(state_.player.place.z) >= waypoint.least_z) return true;
+            step(stage_, state_, is_there ? TickInput{} : step_towards(dx, dy));
+        }
+        return state_.has_ended;
+    }
+
+  private:
+    TickInput step_towards(double dx, double dy) const {
+        TickInput input;
+        input.forward = 100;
+        const auto wanted = static_cast<std::uint16_t>(std::lround(std::atan2(dy, dx) * 32768 / 3.14159265358979));
+        input.yaw = static_cast<std::int16_t>(wanted - static_cast<std::uint16_t>(state_.player.yaw.bam));
+        return input;
+    }
+
+    Stage stage_;
+    GameState state_;
+};
+
+class DemoWalk : public testing::Test {
+  protected:
+    void walk(const std::vector<Waypoint>& route) {
+        for (const Waypoint& waypoint : route) {
+            const Place& place = visitor_.state().player.place;
+            ASSERT_TRUE(visitor_.walk_to(waypoint))
+                << "stuck at " << units(place.x) << ' ' << units(place.y) << ' ' << units(place.z) << " on the way to "
+                << waypoint.x << ' ' << waypoint.y;
+        }
+    }
+
+    const Level level_ = read_bsp(read_whole_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    Visitor visitor_{level_};
+};
+
+const std::vector<Waypoint> kEntranceToGallery{{0, -16}, {0, 200}, {200, 416}, {400, 416}};
+const std::vector<Waypoint> kCourtyardToEnd{{512, 1420},  {-60, 1600},  {-200, 1600}, {-290, 1590}, {-500, 1584},
+                                            {-720, 1584}, {-792, 1620}, {-792, 2128}, {-792, 2320}, {-80, 2320},
+                                            {512, 2320},  {512, 2200},  {512, 1900},  {512, 1760}};
+
+TEST_F(DemoWalk, ThroughTheGalleryTheCourtyardAndOverTheBridgeToTheEnd) {
+    walk(kEntranceToGallery);
+    walk({{736, 416}, {736, 560}, {512, 760}, {512, 1160}, {512, 1360}});
+    walk(kCourtyardToEnd);
+    EXPECT_TRUE(visitor_.state().has_ended);
+}
+
+TEST_F(DemoWalk, ThroughTheDoorUpTheLiftAndDownTheStairsToTheEnd) {
+    walk(kEntranceToGallery);
+    walk({{1290, 416}, {1400, 416}, {1488, 560}, {1488, 700}, {1400, 760}, {1400, 888}, {1320, 888}});
+    constexpr double kStandingOnTheBalcony = 160 + 24;
+    walk({{1248, 888, kStandingOnTheBalcony - 1}, {1100, 888}, {1112, 1030}, {1112, 1300}, {1060, 1400}, {700, 1390}});
+    walk(kCourtyardToEnd);
+    EXPECT_TRUE(visitor_.state().has_ended);
+}
+
+TEST_F(DemoWalk, WhoFallsIntoTheCanalCanSwimAndClimbOut) {
+    walk(kEntranceToGallery);
+    walk({{736, 416}, {736, 560}, {300, 900}, {300, 1260}, {420, 1264}});
+    EXPECT_NE(visitor_.state().player.depth, Depth::Dry);
+    walk({{860, 1264}, {1060, 1264, 20}});
+    EXPECT_EQ(visitor_.state().player.depth, Depth::Dry);
+}
+
+}  // namespace
+}  // namespace oblong
