@@ -1,0 +1,109 @@
+"""No floating point in engine/, shown in four ways (the level reader's conversion and the SDL door excepted):
+
+1. no source says float or double, or has a number with a point in it;
+2. every file compiles with -mgeneral-regs-only, a compiler that has no floating-point registers to use;
+3. what comes out calls none of the compiler's software floating point;
+4. the inner loops, compiled as usual, hold no floating-point instruction.
+
+usage: no_floats.py COMPILE_COMMANDS.json SOURCE_DIR
+"""
+import concurrent.futures
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+EXCEPTED = ("engine/level/bsp_floats", "engine/platform/sdl/")
+KERNELS = "engine/raster/kernels/"
+
+# __muldf3, __floatsidf, __fixsfdi, __extendsftf2 ...: GCC internals manual, "Routines for floating point emulation".
+SOFTWARE_FLOAT = re.compile(r"\bU (__\w*(?:sf|df|xf|tf|hf|bf)\w*)")
+ARITHMETIC = (r"v?(?:add|sub|mul|div|sqrt|min|max|cmp\w*?|u?comi|round|rcp|rsqrt|hadd|hsub|addsub|dp|fn?m(?:add|sub)\d*)"
+              r"(?:ss|sd|ps|pd)")
+FLOAT_INSTRUCTION = re.compile(r"^\s*[0-9a-f]+:\t(?:[a-z]+ )*(" + ARITHMETIC + r"|v?cvt\w+|f[a-z]\w*)\b")
+
+COMMENT_OR_TEXT = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.S)
+FLOAT_WORD = re.compile(r"\b(?:float|double|long double)\b|(?<![\w.'])\d[\d']*\.\d*|(?<![\w.)\]])\.\d+")
+
+
+def float_words(source_text):
+    """Floating-point types and numbers in a source, outside comments and quoted texts."""
+    return FLOAT_WORD.findall(COMMENT_OR_TEXT.sub(" ", source_text))
+
+
+def float_instructions(disassembly):
+    """The floating-point instructions in the output of objdump -d --no-show-raw-insn."""
+    return [line.strip() for line in disassembly.splitlines() if FLOAT_INSTRUCTION.match(line)]
+
+
+def software_floats(symbols):
+    """The routines of software floating point in the output of nm."""
+    return SOFTWARE_FLOAT.findall(symbols)
+
+
+def compile_to(command, output, more_options):
+    """Runs a compile command with its output elsewhere; returns the compiler's complaints."""
+    words = shlex.split(command)
+    words[words.index("-o") + 1] = output
+    done = subprocess.run(words + more_options, capture_output=True, text=True)
+    return [done.stderr.strip() or "the compiler failed"] if done.returncode else []
+
+
+def output_of(*command):
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
+def check_file(path, command, folder):
+    """What is wrong with one file, as lines of text."""
+    output = os.path.join(folder, path.replace("/", "_") + ".o")
+    faults = compile_to(command, output, ["-O2", "-g0", "-mgeneral-regs-only"])
+    if not faults:
+        faults = ["calls " + name for name in software_floats(output_of("nm", output))]
+    if not faults and path.startswith(KERNELS):
+        faults = compile_to(command, output, ["-O2", "-g0"])
+        faults += float_instructions(output_of("objdump", "-d", "--no-show-raw-insn", output))
+    return [f"{path}: {fault}" for fault in faults]
+
+
+def engine_commands(entries, source):
+    """Path from the project's root -> compile command, of the files that must do without floats."""
+    commands = {os.path.relpath(entry["file"], source): entry["command"] for entry in entries}
+    return {path: command for path, command in sorted(commands.items())
+            if path.startswith("engine/") and not path.startswith(EXCEPTED)}
+
+
+def check_sources(source):
+    faults = []
+    for folder, _, names in os.walk(os.path.join(source, "engine")):
+        for name in sorted(names):
+            path = os.path.relpath(os.path.join(folder, name), source)
+            if not path.endswith((".h", ".cpp")) or path.startswith(EXCEPTED):
+                continue
+            with open(os.path.join(source, path)) as file:
+                faults += [f"{path}: says {word}" for word in float_words(file.read())]
+    return faults
+
+
+def check_all(commands):
+    with tempfile.TemporaryDirectory() as folder:
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            results = list(pool.map(lambda item: check_file(*item, folder), commands.items()))
+    return [fault for faults in results for fault in faults]
+
+
+def main():
+    commands_path, source = sys.argv[1:]
+    with open(commands_path) as file:
+        commands = engine_commands(json.load(file), source)
+    faults = check_sources(source) + check_all(commands)
+    print(*faults, sep="\n")
+    print(f"{len(commands)} files, {len(faults)} faults")
+    kernels = [path for path in commands if path.startswith(KERNELS)]
+    sys.exit(1 if faults or len(commands) < 40 or not kernels else 0)
+
+
+if __name__ == "__main__":
+    main()
