@@ -6,6 +6,7 @@
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "engine/platform/sdl/input.h"
 
@@ -24,9 +25,19 @@ using Owned = std::unique_ptr<T, Destroy>;
     throw std::runtime_error(std::string(what) + ": " + SDL_GetError());
 }
 
+// SDL's last resorts are drivers that show nothing: for who asks for them by name only.
+bool shows_nothing() {
+    if (SDL_getenv("SDL_VIDEODRIVER") != nullptr) return false;
+    const std::string_view driver = SDL_GetCurrentVideoDriver();
+    return driver == "offscreen" || driver == "dummy";
+}
+
 struct Video {
     Video() {
         if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) fail("no display");
+        if (!shows_nothing()) return;
+        SDL_QuitSubSystem(SDL_INIT_VIDEO);
+        throw std::runtime_error("no display: SDL found none that shows anything");
     }
     ~Video() { SDL_QuitSubSystem(SDL_INIT_VIDEO); }
     Video(const Video&) = delete;
