@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/support/shared_levels.h"
+
+namespace oblong {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Runs the game as a user would, in a folder of its own; what it ends with.
+class Program : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::create_directories(folder_);
+        if (!fs::exists(fs::path(OBLONG_BUILD_DIR) / "assets" / "demo.bsp"))
+            GTEST_SKIP() << "the demo level is not built";
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    int run(const std::string& arguments) const {
+        const std::string command =
+            "cd '" + folder_.string() + "' && '" OBLONG_BUILD_DIR "/bin/oblong' " + arguments + " > out.txt 2> err.txt";
+        const int status = std::system(command.c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    std::string said(const char* file) const {
+        const auto bytes = test::read_file_bytes(folder_ / file);
+        return {bytes.begin(), bytes.end()};
+    }
+
+    const fs::path folder_ =
+        fs::path(OBLONG_BUILD_DIR) / "program_test" / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(Program, HeadlessWritesAPictureATick) {
+    ASSERT_EQ(run("--headless 12 --out walk"), 0) << said("err.txt");
+    for (int frame = 0; frame < 12; ++frame) {
+        const std::string number = std::to_string(frame);
+        const auto bytes =
+            test::read_file_bytes(folder_ / "walk" / (std::string(5 - number.size(), '0') + number + ".png"));
+        ASSERT_GT(bytes.size(), 1000u);
+        EXPECT_EQ((std::vector<std::uint8_t>(bytes.begin() + 16, bytes.begin() + 26)),
+                  (std::vector<std::uint8_t>{0, 0, 1, 64, 0, 0, 0, 200, 8, 3}));  // 320x200, 8 bits, indexed
+    }
+    EXPECT_FALSE(fs::exists(folder_ / "walk" / "00012.png"));
+    EXPECT_NE(test::read_file_bytes(folder_ / "walk" / "00000.png"),
+              test::read_file_bytes(folder_ / "walk" / "00011.png"));
+}
+
+TEST_F(Program, AReplayShowsWhatWasRecorded) {
+    ASSERT_EQ(run("--headless 60 --out live --record walk.demo"), 0) << said("err.txt");
+    ASSERT_EQ(run("--headless 60 --out again --replay walk.demo"), 0) << said("err.txt");
+    for (const char* name : {"00000.png", "00030.png", "00059.png"})
+        EXPECT_EQ(test::read_file_bytes(folder_ / "live" / name), test::read_file_bytes(folder_ / "again" / name))
+            << name;
+    ASSERT_EQ(run("--timedemo walk.demo"), 0) << said("err.txt");
+    EXPECT_EQ(said("out.txt").rfind("60 frames, ", 0), 0u) << said("out.txt");
+}
+
+TEST_F(Program, EndsWith2ForWrongUsageAnd1ForBadFiles) {
+    for (const char* wrong :
+         {"--fov 0", "--fov x", "--mode 320", "--mode 0x0", "--mode 9999x9999", "--display 4", "--accuracy best",
+          "--scaling soft", "--headless 5", "--out here", "--nonsense", "a b", "--headless -1 --out x"})
+        EXPECT_EQ(run(wrong), 2) << wrong;
+    for (const char* bad :
+         {"missing.bsp", ".", "--palette missing.lmp --headless 1 --out x",
+          "--replay missing.demo --headless 1 --out x", "--timedemo out.txt", "--headless 1 --out out.txt"}) {
+        EXPECT_EQ(run(bad), 1) << bad;
+        EXPECT_EQ(said("err.txt").rfind("oblong: ", 0), 0u) << said("err.txt");
+    }
+    EXPECT_EQ(run("--help"), 0);
+    EXPECT_EQ(run("--version"), 0);
+}
+
+}  // namespace
+}  // namespace oblong
