@@ -18,6 +18,16 @@ bool has_side(const Brush& brush, PlaneSide plane) {
                        [&](const BrushSide& side) { return side.plane == plane; });
 }
 
+// Brushes of many sides and small ones: they would cut the space around them into many leaves.
+constexpr std::size_t kMostStructuralSides = 8;
+constexpr double kLeastStructuralExtent = 96;
+
+bool looks_like_detail(const Brush& brush) {
+    const Point size = brush.box.maxs - brush.box.mins;
+    return !is_liquid(brush.contents) &&
+           (brush.sides.size() > kMostStructuralSides || std::max({size.x, size.y, size.z}) <= kLeastStructuralExtent);
+}
+
 Winding winding_of(const Brush& brush, const BrushSide& side, const PlaneList& planes) {
     Winding winding = whole_plane(planes.facing(side.plane));
     for (const BrushSide& other : brush.sides) {
@@ -43,6 +53,7 @@ Brush make_brush(const MapBrush& source, PlaneList& planes, TextureList& texture
     const std::string& name = source.sides[0].texture.name;
     brush.contents = contents_of_texture(name);
     brush.is_clip = name == "clip";
+    brush.is_detail = looks_like_detail(brush);
     return brush;
 }
 

@@ -18,7 +18,8 @@ struct BrushSide {
 struct Brush {
     std::vector<BrushSide> sides;
     int contents = contents::kSolid;
-    bool is_clip = false;  ///< stops players, but is neither seen nor in the way of anything else
+    bool is_clip = false;    ///< stops players, but is neither seen nor in the way of anything else
+    bool is_detail = false;  ///< hides too little to bound what is seen from where: for the speed of visible sets
     Box box;
 };
 

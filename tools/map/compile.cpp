@@ -26,7 +26,10 @@ LevelBrushes make_brushes(const std::vector<MapEntity>& entities) {
         if (entity.brushes.empty()) continue;
         if (!belongs_to_world(entity)) level.models.emplace_back();
         auto& model = belongs_to_world(entity) ? level.models.front() : level.models.back();
-        for (const MapBrush& brush : entity.brushes) model.push_back(make_brush(brush, level.planes, level.textures));
+        for (const MapBrush& brush : entity.brushes) {
+            model.push_back(make_brush(brush, level.planes, level.textures));
+            if (is_detail_entity(entity)) model.back().is_detail = true;
+        }
     }
     if (level.models.front().empty())
         throw InputError("line " + std::to_string(entities.front().line),

@@ -51,7 +51,7 @@ std::vector<BoundaryPiece> outline(const std::vector<Brush>& brushes, const Plan
         for (const BrushSide& side : brushes[own].sides) {
             for (Winding& part : visible_part(brushes, own, side, planes)) {
                 const Box box = box_of(part);
-                pieces.push_back({side.plane, std::move(part), box});
+                pieces.push_back({side.plane, std::move(part), box, brushes[own].is_detail});
             }
         }
     }

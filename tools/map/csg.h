@@ -9,6 +9,7 @@ struct BoundaryPiece {
     PlaneSide plane;
     Winding winding;
     Box box;
+    bool is_detail = false;  ///< cut by it only when nothing else is left
 };
 
 /// The sides of the brushes without what lies within other brushes: the outline of their union, roughly. Where two

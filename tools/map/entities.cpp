@@ -26,7 +26,11 @@ std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, st
 
 bool belongs_to_world(const MapEntity& entity) {
     const std::string name = entity.value("classname");
-    return name == "worldspawn" || name == "func_group";
+    return name == "worldspawn" || name == "func_group" || is_detail_entity(entity);
+}
+
+bool is_detail_entity(const MapEntity& entity) {
+    return entity.value("classname") == "func_detail";
 }
 
 std::optional<Point> origin_of(const MapEntity& entity) {

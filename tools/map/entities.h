@@ -6,8 +6,11 @@
 
 namespace oblong::map {
 
-/// Whether the entity's brushes are part of the world: the worldspawn's, and those that editors group.
+/// Whether the entity's brushes are part of the world: the worldspawn's, and those of func_group and func_detail.
 bool belongs_to_world(const MapEntity& entity);
+
+/// Whether its brushes are details, whatever their shape: see Brush::is_detail.
+bool is_detail_entity(const MapEntity& entity);
 
 /// The three numbers of the key "origin"; nothing if it is missing. Throws InputError if it is malformed.
 std::optional<Point> origin_of(const MapEntity& entity);

@@ -43,7 +43,7 @@ std::vector<BoundaryPiece> boundaries(const Tree& tree, const Portals& portals) 
     for (auto& [node, windings] : by_node) {
         for (Winding& winding : merged(std::move(windings))) {
             const Box box = box_of(winding);
-            pieces.push_back({{tree.node(node).plane, false}, std::move(winding), box});
+            pieces.push_back({{tree.node(node).plane, false}, std::move(winding), box, tree.node(node).is_detail});
         }
     }
     return pieces;

@@ -5,9 +5,9 @@
 namespace oblong::map {
 namespace {
 
-void add_piece(std::vector<BoundaryPiece>& pieces, PlaneSide plane, Winding winding) {
+void add_piece(std::vector<BoundaryPiece>& pieces, const BoundaryPiece& whole, Winding winding) {
     const Box box = box_of(winding);
-    pieces.push_back({plane, std::move(winding), box});
+    pieces.push_back({whole.plane, std::move(winding), box, whole.is_detail});
 }
 
 // Pieces on the plane are done with; those across it are cut.
@@ -19,8 +19,8 @@ std::array<std::vector<BoundaryPiece>, 2> parted(std::vector<BoundaryPiece> piec
         if (side == Side::kOn) continue;
         if (side == Side::kBoth) {
             SplitWinding parts = split(piece.winding, planes[plane]);
-            add_piece(sides[0], piece.plane, std::move(parts.front));
-            add_piece(sides[1], piece.plane, std::move(parts.back));
+            add_piece(sides[0], piece, std::move(parts.front));
+            add_piece(sides[1], piece, std::move(parts.back));
             continue;
         }
         sides[side == Side::kBack ? 1 : 0].push_back(std::move(piece));
@@ -35,7 +35,7 @@ int build(Tree& tree, std::vector<BoundaryPiece> pieces, const PlaneList& planes
     }
     const int plane = choose_plane(pieces, planes);
     const auto index = tree.nodes.size();
-    tree.nodes.push_back({plane, {}});
+    tree.nodes.push_back({plane, {}, has_only_detail(pieces)});
     auto [front, back] = parted(std::move(pieces), plane, planes);
     const int front_child = build(tree, std::move(front), planes);
     const int back_child = build(tree, std::move(back), planes);

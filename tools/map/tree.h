@@ -10,6 +10,7 @@ namespace oblong::map {
 struct TreeNode {
     int plane = 0;
     std::array<int, 2> children{};
+    bool is_detail = false;  ///< cuts for detail only, as all below it
 };
 
 struct TreeLeaf {
@@ -31,7 +32,7 @@ struct Tree {
 };
 
 /// Cuts space by the planes of the pieces until none crosses a leaf. Prefers planes that cut few pieces, leave as many
-/// on either side, and are axial.
+/// on either side, and are axial; planes of detail come last.
 Tree build_tree(std::vector<BoundaryPiece> pieces, const PlaneList& planes);
 
 /// The leaf that a point is in; on a plane counts as in front.

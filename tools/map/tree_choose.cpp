@@ -20,7 +20,10 @@ Side side_of_reach(double lowest, double highest) {
 // Every plane of the pieces, or an even selection of them if they are many, the axial ones first.
 std::vector<int> candidates_of(const std::vector<BoundaryPiece>& pieces, const PlaneList& planes) {
     std::vector<int> all;
-    for (const BoundaryPiece& piece : pieces) all.push_back(piece.plane.plane);
+    const bool takes_detail = has_only_detail(pieces);
+    for (const BoundaryPiece& piece : pieces) {
+        if (takes_detail || !piece.is_detail) all.push_back(piece.plane.plane);
+    }
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
     if (all.size() <= kMaxCandidates) return all;
@@ -58,6 +61,10 @@ Side side_of(const BoundaryPiece& piece, int plane_index, const PlaneList& plane
                              component(piece.box.maxs, type) - plane.distance);
     const Reach far = reach(piece.winding, plane);
     return side_of_reach(-far.back, far.front);
+}
+
+bool has_only_detail(const std::vector<BoundaryPiece>& pieces) {
+    return std::all_of(pieces.begin(), pieces.end(), [](const BoundaryPiece& piece) { return piece.is_detail; });
 }
 
 int choose_plane(const std::vector<BoundaryPiece>& pieces, const PlaneList& planes) {

@@ -7,25 +7,47 @@
 namespace oblong::map {
 namespace {
 
-// Rows hold a bit for each leaf of the file from leaf 1 on.
-std::vector<int> rows_of_leaves(const std::vector<int>& leaf_indices) {
-    std::vector<int> rows;
-    for (const int index : leaf_indices) rows.push_back(index - 1);
-    return rows;
-}
-
-std::vector<bool> leaves_seen_from(int leaf, const VisGraph& graph, const std::vector<BitSet>& seen) {
-    std::vector<bool> leaves(graph.portals_of_leaf.size(), false);
-    leaves[static_cast<std::size_t>(leaf)] = true;
+std::vector<bool> clusters_seen_from(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen) {
+    std::vector<bool> clusters(graph.portals_of_cluster.size(), false);
+    clusters[static_cast<std::size_t>(cluster)] = true;
     BitSet portals(graph.portals.size());
-    for (const int out : graph.portals_of_leaf[static_cast<std::size_t>(leaf)]) {
+    for (const int out : graph.portals_of_cluster[static_cast<std::size_t>(cluster)]) {
         portals.add(static_cast<std::size_t>(out));
         portals.add_all(seen[static_cast<std::size_t>(out)]);
     }
     for (std::size_t i = 0; i < graph.portals.size(); ++i) {
-        if (portals.has(i)) leaves[static_cast<std::size_t>(graph.portals[i].leaf)] = true;
+        if (portals.has(i)) clusters[static_cast<std::size_t>(graph.portals[i].cluster)] = true;
     }
-    return leaves;
+    return clusters;
+}
+
+std::vector<BitSet> find_seen(VisGraph& graph, bool is_fast) {
+    find_might_see(graph);
+    if (!is_fast) {
+        narrow_might_see(graph);
+        return find_seen_portals(graph);
+    }
+    std::vector<BitSet> seen;
+    for (const VisPortal& portal : graph.portals) seen.push_back(portal.might_see);
+    return seen;
+}
+
+// The cluster of each leaf of the file, from leaf 1 on.
+std::vector<int> clusters_in_file_order(const Clusters& clusters, const std::vector<int>& leaf_indices,
+                                        std::size_t leaf_count) {
+    std::vector<int> in_order(leaf_count, 0);
+    for (std::size_t i = 0; i < leaf_indices.size(); ++i) {
+        if (leaf_indices[i] > 0) in_order[static_cast<std::size_t>(leaf_indices[i] - 1)] = clusters.of_leaf[i];
+    }
+    return in_order;
+}
+
+std::string row_of(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen,
+                   const std::vector<int>& cluster_of_leaf) {
+    const std::vector<bool> clusters = clusters_seen_from(cluster, graph, seen);
+    std::vector<bool> leaves;
+    for (const int of_leaf : cluster_of_leaf) leaves.push_back(clusters[static_cast<std::size_t>(of_leaf)]);
+    return packed_row(leaves);
 }
 
 }  // namespace
@@ -33,18 +55,20 @@ std::vector<bool> leaves_seen_from(int leaf, const VisGraph& graph, const std::v
 void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<int>& leaf_indices,
                     const PlaneList& planes, bool is_fast) {
     const auto leaf_count = static_cast<std::size_t>(bsp.models.front().visible_leaf_count);
-    VisGraph graph = make_vis_graph(world, planes, rows_of_leaves(leaf_indices), leaf_count);
-    find_might_see(graph);
-    std::vector<BitSet> seen;
-    if (is_fast) {
-        for (const VisPortal& portal : graph.portals) seen.push_back(portal.might_see);
-    } else {
-        narrow_might_see(graph);
-        seen = find_seen_portals(graph);
-    }
+    std::vector<bool> is_numbered;
+    for (const int index : leaf_indices) is_numbered.push_back(index > 0);
+    const Clusters clusters = cluster_leaves(world.tree, is_numbered);
+    VisGraph graph = make_vis_graph(world, planes, clusters);
+    const std::vector<BitSet> seen = find_seen(graph, is_fast);
+    const std::vector<int> cluster_of_leaf = clusters_in_file_order(clusters, leaf_indices, leaf_count);
+    std::vector<int> offsets(clusters.count, -1);  // leaves of a cluster share a row
     for (std::size_t leaf = 0; leaf < leaf_count; ++leaf) {
-        bsp.leaves[leaf + 1].visibility_offset = static_cast<int>(bsp.visibility.size());
-        bsp.visibility += packed_row(leaves_seen_from(static_cast<int>(leaf), graph, seen));
+        int& offset = offsets[static_cast<std::size_t>(cluster_of_leaf[leaf])];
+        if (offset < 0) {
+            offset = static_cast<int>(bsp.visibility.size());
+            bsp.visibility += row_of(cluster_of_leaf[leaf], graph, seen, cluster_of_leaf);
+        }
+        bsp.leaves[leaf + 1].visibility_offset = offset;
     }
 }
 

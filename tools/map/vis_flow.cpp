@@ -9,7 +9,7 @@
 namespace oblong::map {
 namespace {
 
-// Where many small leaves lie in the open, the chains of portals are too many to follow: so many steps are shared out
+// Where many small clusters lie in the open, the chains of portals are too many to follow: so many steps are shared out
 // among the portals, a few of which may use up to kShare times the mean of what is left.
 constexpr long kAllSteps = 3000000;
 constexpr long kShare = 8;
@@ -27,7 +27,7 @@ class Flow {
           found_(graph.portals.size()) {}
 
     BitSet run() {
-        pass_leaf(base_.leaf, base_.winding, {}, base_.might_see, 0);
+        pass_cluster(base_.cluster, base_.winding, {}, base_.might_see, 0);
         return steps_ < max_steps_ ? std::move(found_) : base_.might_see;
     }
 
@@ -35,9 +35,9 @@ class Flow {
 
   private:
     // `source`: what of the base portal is still looked from; `frustum`: planes that all that is seen is in front of.
-    void pass_leaf(int leaf, const Winding& source, const std::vector<Plane>& frustum, const BitSet& might_see,
-                   std::size_t depth) {
-        for (const int index : graph_.portals_of_leaf[static_cast<std::size_t>(leaf)]) {
+    void pass_cluster(int cluster, const Winding& source, const std::vector<Plane>& frustum, const BitSet& might_see,
+                      std::size_t depth) {
+        for (const int index : graph_.portals_of_cluster[static_cast<std::size_t>(cluster)]) {
             const auto i = static_cast<std::size_t>(index);
             if (!might_see.has(i)) continue;
             const BitSet& beyond = is_done_[i] ? seen_[i] : graph_.portals[i].might_see;
@@ -62,7 +62,7 @@ class Flow {
         cut_to_front(near_source, portal.plane.flipped());
         if (target.empty() || near_source.empty()) return;
         found_.add(index);
-        pass_leaf(portal.leaf, near_source, separators(near_source, target), might_see, depth + 1);
+        pass_cluster(portal.cluster, near_source, separators(near_source, target), might_see, depth + 1);
     }
 
     // A set for each level of the recursion; a deque, as references to them stay in use while it grows.

@@ -17,28 +17,28 @@ bool reaches_into(const Winding& winding, const std::vector<Plane>& frustum) {
 // Adds to `found` all portals that can be reached from behind `next` within the frustum.
 void flood_frustum(const VisGraph& graph, const VisPortal& base, const VisPortal& next,
                    const std::vector<Plane>& frustum, BitSet& found) {
-    std::vector<bool> is_reached(graph.portals_of_leaf.size(), false);
-    std::vector<int> leaves{next.leaf};
-    is_reached[static_cast<std::size_t>(next.leaf)] = true;
-    for (std::size_t done = 0; done < leaves.size(); ++done) {
-        for (const int index : graph.portals_of_leaf[static_cast<std::size_t>(leaves[done])]) {
+    std::vector<bool> is_reached(graph.portals_of_cluster.size(), false);
+    std::vector<int> clusters{next.cluster};
+    is_reached[static_cast<std::size_t>(next.cluster)] = true;
+    for (std::size_t done = 0; done < clusters.size(); ++done) {
+        for (const int index : graph.portals_of_cluster[static_cast<std::size_t>(clusters[done])]) {
             const auto i = static_cast<std::size_t>(index);
             if (!base.might_see.has(i) || !next.might_see.has(i)) continue;
             const VisPortal& portal = graph.portals[i];
-            const auto leaf = static_cast<std::size_t>(portal.leaf);
-            if (is_reached[leaf] && found.has(i)) continue;
+            const auto cluster = static_cast<std::size_t>(portal.cluster);
+            if (is_reached[cluster] && found.has(i)) continue;
             if (!reaches_into(portal.winding, frustum)) continue;
             found.add(i);
-            if (is_reached[leaf]) continue;
-            is_reached[leaf] = true;
-            leaves.push_back(portal.leaf);
+            if (is_reached[cluster]) continue;
+            is_reached[cluster] = true;
+            clusters.push_back(portal.cluster);
         }
     }
 }
 
 BitSet narrowed(const VisGraph& graph, const VisPortal& base) {
     BitSet found(graph.portals.size());
-    for (const int index : graph.portals_of_leaf[static_cast<std::size_t>(base.leaf)]) {
+    for (const int index : graph.portals_of_cluster[static_cast<std::size_t>(base.cluster)]) {
         const auto i = static_cast<std::size_t>(index);
         if (!base.might_see.has(i)) continue;
         const VisPortal& next = graph.portals[i];

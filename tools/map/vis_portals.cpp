@@ -1,6 +1,10 @@
 #include "tools/map/vis_portals.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "tools/map/merge.h"
 
 namespace oblong::map {
 namespace {
@@ -19,41 +23,73 @@ bool may_follow(const VisPortal& first, const VisPortal& next) {
 
 void flood(VisGraph& graph, VisPortal& from) {
     from.might_see = BitSet(graph.portals.size());
-    std::vector<bool> is_reached(graph.portals_of_leaf.size(), false);
-    std::vector<int> leaves{from.leaf};
-    is_reached[static_cast<std::size_t>(from.leaf)] = true;
-    for (std::size_t done = 0; done < leaves.size(); ++done) {
-        for (const int index : graph.portals_of_leaf[static_cast<std::size_t>(leaves[done])]) {
+    std::vector<bool> is_reached(graph.portals_of_cluster.size(), false);
+    std::vector<int> clusters{from.cluster};
+    is_reached[static_cast<std::size_t>(from.cluster)] = true;
+    for (std::size_t done = 0; done < clusters.size(); ++done) {
+        for (const int index : graph.portals_of_cluster[static_cast<std::size_t>(clusters[done])]) {
             const auto i = static_cast<std::size_t>(index);
             const VisPortal& next = graph.portals[i];
             if (!may_follow(from, next)) continue;
             from.might_see.add(i);
-            const auto leaf = static_cast<std::size_t>(next.leaf);
-            if (is_reached[leaf]) continue;
-            is_reached[leaf] = true;
-            leaves.push_back(next.leaf);
+            const auto cluster = static_cast<std::size_t>(next.cluster);
+            if (is_reached[cluster]) continue;
+            is_reached[cluster] = true;
+            clusters.push_back(next.cluster);
         }
     }
 }
 
+// `cluster`: that of the detail node above, or -1.
+void assign_cluster(const Tree& tree, int child, int cluster, const std::vector<bool>& is_numbered,
+                    Clusters& clusters) {
+    if (child < 0) {
+        const auto leaf = static_cast<std::size_t>(Tree::leaf_of(child));
+        if (!is_numbered[leaf]) return;
+        clusters.of_leaf[leaf] = cluster >= 0 ? cluster : static_cast<int>(clusters.count++);
+        return;
+    }
+    const TreeNode& node = tree.node(child);
+    if (node.is_detail && cluster < 0) cluster = static_cast<int>(clusters.count++);
+    for (const int below : node.children) assign_cluster(tree, below, cluster, is_numbered, clusters);
+}
+
+// Where two clusters touch: by node, the cluster in front and the one behind.
+std::map<std::tuple<int, int, int>, std::vector<Winding>> openings(const CompiledModel& world,
+                                                                   const Clusters& clusters) {
+    std::map<std::tuple<int, int, int>, std::vector<Winding>> found;
+    for (const Portal& portal : world.portals.portals) {
+        const int front = clusters.of_leaf[static_cast<std::size_t>(portal.leaves[0])];
+        const int back = clusters.of_leaf[static_cast<std::size_t>(portal.leaves[1])];
+        if (front < 0 || back < 0 || front == back) continue;
+        if (is_opaque(world.tree.leaf(portal.leaves[0]).contents)) continue;
+        if (is_opaque(world.tree.leaf(portal.leaves[1]).contents)) continue;
+        found[{portal.node, front, back}].push_back(portal.winding);
+    }
+    return found;
+}
+
 }  // namespace
 
-VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, const std::vector<int>& vis_leaves,
-                        std::size_t leaf_count) {
+Clusters cluster_leaves(const Tree& tree, const std::vector<bool>& is_numbered) {
+    Clusters clusters{std::vector<int>(tree.leaves.size(), -1), 0};
+    assign_cluster(tree, tree.root, -1, is_numbered, clusters);
+    return clusters;
+}
+
+VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, const Clusters& clusters) {
     VisGraph graph;
-    graph.portals_of_leaf.resize(leaf_count);
-    const auto is_open = [&](int leaf) {
-        return vis_leaves[static_cast<std::size_t>(leaf)] >= 0 && !is_opaque(world.tree.leaf(leaf).contents);
-    };
-    for (const Portal& portal : world.portals.portals) {
-        if (!is_open(portal.leaves[0]) || !is_open(portal.leaves[1])) continue;
-        const int front = vis_leaves[static_cast<std::size_t>(portal.leaves[0])];
-        const int back = vis_leaves[static_cast<std::size_t>(portal.leaves[1])];
-        const Plane& plane = planes[world.tree.node(portal.node).plane];
-        graph.portals_of_leaf[static_cast<std::size_t>(back)].push_back(static_cast<int>(graph.portals.size()));
-        graph.portals.push_back({portal.winding, plane, front, BitSet{}});
-        graph.portals_of_leaf[static_cast<std::size_t>(front)].push_back(static_cast<int>(graph.portals.size()));
-        graph.portals.push_back({portal.winding, plane.flipped(), back, BitSet{}});
+    graph.portals_of_cluster.resize(clusters.count);
+    for (auto& [place, windings] : openings(world, clusters)) {
+        const auto [node, front, back] = place;
+        const Plane& plane = planes[world.tree.node(node).plane];
+        for (const Winding& winding : merged(std::move(windings))) {
+            const int index = static_cast<int>(graph.portals.size());
+            graph.portals_of_cluster[static_cast<std::size_t>(back)].push_back(index);
+            graph.portals.push_back({winding, plane, front, BitSet{}});
+            graph.portals_of_cluster[static_cast<std::size_t>(front)].push_back(index + 1);
+            graph.portals.push_back({winding, plane.flipped(), back, BitSet{}});
+        }
     }
     return graph;
 }
