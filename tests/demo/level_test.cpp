@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <set>
 
 #include "engine/level/bsp_read.h"
@@ -11,22 +13,25 @@
 namespace oblong {
 namespace {
 
+using Corner = std::array<double, 3>;
+
+double units(World value) {
+    return static_cast<double>(value.raw) / (1 << World::kFractionBits);
+}
+
 class DemoLevel : public testing::Test {
   protected:
     bool has_entity(const std::string& classname) const {
         return std::any_of(level_.entities.begin(), level_.entities.end(),
                            [&](const Entity& entity) { return entity.value("classname") == classname; });
     }
-    std::array<std::vector<double>, 3> corners_of(const Face& face) const {
-        std::array<std::vector<double>, 3> corners;
+    std::vector<Corner> corners_of(const Face& face) const {
+        std::vector<Corner> corners;
         for (std::int32_t i = 0; i < face.edge_count; ++i) {
             const std::int32_t surf_edge = level_.surf_edges[static_cast<std::size_t>(face.first_surfedge + i)];
             const EdgeIndices& edge = level_.edges[static_cast<std::size_t>(std::abs(surf_edge))];
             const auto& vertex = level_.vertices[static_cast<std::size_t>(surf_edge < 0 ? edge.to : edge.from)];
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const std::int32_t raw = axis == 0 ? vertex.x.raw : axis == 1 ? vertex.y.raw : vertex.z.raw;
-                corners[axis].push_back(static_cast<double>(raw) / (1 << World::kFractionBits));
-            }
+            corners.push_back({units(vertex.x), units(vertex.y), units(vertex.z)});
         }
         return corners;
     }
@@ -66,17 +71,60 @@ TEST_F(DemoLevel, IsDarkButReadable) {
     EXPECT_LT(count(0, 4), all / 100);
 }
 
+double along(const Corner& from, const Corner& direction, const Corner& point) {
+    double product = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) product += (point[axis] - from[axis]) * direction[axis];
+    return product;
+}
+
+/// True if `point` lies on the line between the two, and not at its ends.
+bool splits(const Corner& point, const Corner& from, const Corner& to) {
+    Corner edge{};
+    for (std::size_t axis = 0; axis < 3; ++axis) edge[axis] = to[axis] - from[axis];
+    const double square = along({}, edge, edge), share = along(from, edge, point) / square;
+    constexpr double kNearEnd = 0.25, kOnLine = 0.02;
+    if (share * std::sqrt(square) < kNearEnd || (1 - share) * std::sqrt(square) < kNearEnd) return false;
+    double distance_squared = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double off = point[axis] - from[axis] - share * edge[axis];
+        distance_squared += off * off;
+    }
+    return distance_squared < kOnLine * kOnLine;
+}
+
+TEST_F(DemoLevel, NoCornerOfAWallLiesWithinTheEdgeOfAnother) {
+    std::set<Corner> corners;
+    std::set<std::pair<Corner, Corner>> edges;
+    for (std::int32_t i = 0; i < level_.models[0].face_count; ++i) {
+        const auto outline = corners_of(level_.faces[static_cast<std::size_t>(level_.models[0].first_face + i)]);
+        for (std::size_t at = 0; at < outline.size(); ++at) {
+            corners.insert(outline[at]);
+            edges.emplace(std::minmax(outline[at], outline[(at + 1) % outline.size()]));
+        }
+    }
+    ASSERT_GT(edges.size(), 5000u);
+    // Corners come sorted by x: only those between an edge's ends can split it.
+    constexpr double kSlack = 0.1;
+    for (const auto& [from, to] : edges) {
+        auto corner = corners.lower_bound({from[0] - kSlack, -1e9, -1e9});
+        for (; corner != corners.end() && (*corner)[0] <= to[0] + kSlack; ++corner) {
+            ASSERT_FALSE(splits(*corner, from, to)) << (*corner)[0] << ' ' << (*corner)[1] << ' ' << (*corner)[2];
+        }
+    }
+}
+
 TEST_F(DemoLevel, ItsSphereIsAsWideAsItIsHigh) {
     // All faces with the sphere's textures near its middle; the facets are cut exactly on its outline.
-    std::array<double, 3> low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
+    Corner low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
     for (const Face& face : level_.faces) {
         const auto& texinfo = level_.texinfos[static_cast<std::size_t>(face.texinfo)];
         if (level_.textures[static_cast<std::size_t>(texinfo.miptex)].name != "cube_red") continue;
-        const auto corners = corners_of(face);
-        if (corners[0][0] > 0) continue;  // the cubes of another room
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], *std::min_element(corners[axis].begin(), corners[axis].end()));
-            high[axis] = std::max(high[axis], *std::max_element(corners[axis].begin(), corners[axis].end()));
+        for (const Corner& corner : corners_of(face)) {
+            if (corner[0] > 0) continue;  // the cubes of another room
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                low[axis] = std::min(low[axis], corner[axis]);
+                high[axis] = std::max(high[axis], corner[axis]);
+            }
         }
     }
     for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(high[axis] - low[axis], 112, 1) << "axis " << axis;

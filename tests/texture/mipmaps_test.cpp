@@ -53,9 +53,9 @@ TEST(Mipmaps, EachTexelIsAsNearToTheMeanAsAnyOrdinaryColour) {
     }
 }
 
-TEST(Mipmaps, ATexelGlowsOnlyWhereMoreThanHalfOfItsSquareDoes) {
+TEST(Mipmaps, ATexelGlowsOnlyWhereHalfOfItsSquareDoes) {
     const Palette palette = test::scattered_palette();
-    // Columns 0 to 3 glow, and of every other square of 8x8 only one texel.
+    // Columns 0 to 3 glow (half of a square of 8x8), and of every other square of 8x8 only one texel.
     std::vector<std::uint8_t> texels(16 * 16, 5);
     for (std::size_t row = 0; row < 16; ++row) {
         for (std::size_t column = 0; column < 4; ++column) texels[row * 16 + column] = 240;
@@ -65,7 +65,7 @@ TEST(Mipmaps, ATexelGlowsOnlyWhereMoreThanHalfOfItsSquareDoes) {
     for (int level = 1; level < 4; ++level) {
         const int width = 16 >> level;
         for (int at = 0; at < width * width; ++at) {
-            const bool is_in_band = (at % width + 1) << level <= 4;
+            const bool is_in_band = at % width << level < 4;
             EXPECT_EQ(texture.mips[static_cast<std::size_t>(level)][static_cast<std::size_t>(at)] >= 224, is_in_band);
         }
     }

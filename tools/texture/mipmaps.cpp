@@ -19,7 +19,7 @@ struct BlockSum {
     }
     std::uint8_t mean(int sum) const { return static_cast<std::uint8_t>((sum + texels / 2) / texels); }
     Rgb8 mean_colour() const { return {mean(red), mean(green), mean(blue)}; }
-    bool mostly_glows() const { return 2 * fullbright > texels; }
+    bool glows() const { return 2 * fullbright >= texels; }
 };
 
 BlockSum sum_block(const MipTexture& texture, const Palette& palette, int left, int top, int size) {
@@ -38,7 +38,7 @@ std::vector<std::uint8_t> shrink(const MipTexture& texture, const Palette& palet
     for (int top = 0; top < texture.height; top += size) {
         for (int left = 0; left < texture.width; left += size) {
             const BlockSum sum = sum_block(texture, palette, left, top, size);
-            const ColourRange range = sum.mostly_glows() ? kFullbrightColours : kOrdinaryColours;
+            const ColourRange range = sum.glows() ? kFullbrightColours : kOrdinaryColours;
             texels.push_back(nearest_colour(palette, sum.mean_colour(), range));
         }
     }

@@ -5,6 +5,7 @@ namespace oblong::map_source {
 namespace {
 
 constexpr double kWest = -848, kEast = -96, kSouth = 2144, kNorth = 2496, kBottom = -32, kFloor = 48;
+constexpr int kFlicker = 6;  // light style: uneven, as of a fire
 
 void add_floors_and_lava(Draft& draft) {
     const auto add_block = [&](double x_low, double y_low, double x_high, double y_high, const char* top) {
@@ -16,8 +17,8 @@ void add_floors_and_lava(Draft& draft) {
     draft.add_box({{-720, kSouth, kBottom}, {-224, 2272, 8}}, "*lava");
     draft.add_box({{-720, 2368, kBottom}, {-224, kNorth, 8}}, "*lava");
     for (double x = -672; x < -224; x += 100) {
-        draft.add_light({x, 2208, 32}, 290);
-        draft.add_light({x, 2432, 32}, 290);
+        draft.add_light({x, 2208, 32}, 290, kFlicker);
+        draft.add_light({x, 2432, 32}, 290, kFlicker);
     }
 }
 
@@ -36,6 +37,7 @@ void build_accuracy_room(Draft& draft) {
     draft.add(extrude({0, {{kSouth, kFloor}, {kSouth, 240}, {kSouth + 56, kFloor}}}, -680, -264, "ruler"));
     add_panel(draft, {Side::South, {{-848, kNorth - 4, 180}, {-720, kNorth, 212}}, "sign_accuracy", 128, 32});
     add_panel(draft, {Side::West, {{kEast - 4, 2256, 176}, {kEast, 2384, 208}}, "sign_distance", 128, 32});
+    draft.add_light({-784, 2440, 200}, 200);
     for (const double x : {-784.0, -160.0}) add_hanging_lamp(draft, {x, 2320, 200}, 272, 370);
 }
 

@@ -55,6 +55,7 @@ void build_axonometry_room(Draft& draft) {
     add_door_frame(draft, Side::South, north, 624);
     add_panel(draft, {Side::South, {{1424, 620, 128}, {1552, 624, 160}}, "sign_planes", 128, 32});
     add_panel(draft, {Side::North, {{1600, 208, 56}, {1696, 212, 152}}, "picture_cubes"});
+    draft.add_light({1400, 250, 150}, 300);
     draft.add_light({1500, 360, 190}, 660);
     add_wall_lamp(draft, {1752, 288, 136}, Side::West, 290);
     add_wall_lamp(draft, {1352, 560, 136}, Side::East, 290);

@@ -47,7 +47,7 @@ void build_courtyard(Draft& draft) {
     add_ground(draft, 1008, 1200, 1168, 1328, "stone_floor");
     for (const double x : {400.0, 624.0}) {
         draft.add(extrude({2, circle(8, x, 1080, 22, 22.5)}, 0, 24, "marble_green"));
-        draft.add(make_sphere({x, 1080, 50}, 0.5, "marble_ivory", "marble_ivory"));
+        draft.add_still_model(make_sphere({x, 1080, 50}, 0.5, "marble_ivory", "marble_ivory"));
     }
     for (const double y : {736.0, 960.0, 1440.0}) {
         for (const double x : {416.0, 608.0}) add_lamp_post(draft, {x, y, 0}, 420);
@@ -98,7 +98,7 @@ void build_colonnade(Draft& draft) {
     for (double y = 600; y < 1960; y += 80) add_column(draft, {-132, y, 0}, 160, 14, "marble_ivory");
     draft.add_box({{-256, 544, 160}, {-112, 1984, 176}}, {"sand_frieze", "sand_frieze", "copper_roof", "wood_planks"});
     draft.add_box({{-256, 1200, -16}, {-112, 1328, 0}}, {"sand_frieze", "stone_floor"});
-    for (double y = 680; y < 1960; y += 320) add_wall_lamp(draft, {-248, y, 104}, Side::East, 370);
+    for (double y = 690; y < 1960; y += 330) add_wall_lamp(draft, {-248, y, 104}, Side::East, 370);
 }
 
 }  // namespace oblong::map_source

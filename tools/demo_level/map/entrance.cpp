@@ -12,8 +12,8 @@ void furnish(Draft& draft) {
             add_wall_lamp(draft, {x + (x < 0 ? 26 : -26), y, 112}, x < 0 ? Side::East : Side::West, 330);
         }
     }
-    add_panel(draft, {Side::South, {{-128, -40, 148}, {128, -32, 212}}, "title", 128, 32});
-    add_panel(draft, {Side::South, {{-64, -36, 114}, {64, -32, 146}}, "sign_museum", 128, 32});
+    add_panel(draft, {Side::South, {{-84, -40, 152}, {84, -32, 194}}, "title", 128, 32});
+    add_panel(draft, {Side::South, {{-64, -36, 116}, {64, -32, 148}}, "sign_museum", 128, 32});
     add_panel(draft, {Side::East, {{-160, -208, 72}, {-154, -112, 168}}, "picture_moon"});
     add_panel(draft, {Side::West, {{154, -208, 72}, {160, -112, 168}}, "picture_eye"});
 }
