@@ -20,7 +20,7 @@ bool has_side(const Brush& brush, PlaneSide plane) {
 
 // Brushes of many sides and small ones: they would cut the space around them into many leaves.
 constexpr std::size_t kMostStructuralSides = 8;
-constexpr double kLeastStructuralExtent = 96;
+constexpr double kLeastStructuralExtent = 64;
 
 bool looks_like_detail(const Brush& brush) {
     const Point size = brush.box.maxs - brush.box.mins;
