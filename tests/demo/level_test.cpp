@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
 #include <set>
 
 #include "engine/level/bsp_read.h"
@@ -56,6 +58,22 @@ TEST_F(DemoLevel, CallsForSkyWaterLavaAndAnimation) {
     for (const char* name : {"sky_night", "*water", "*lava", "+0exit", "+1exit"})
         EXPECT_TRUE(names.contains(name)) << name;
     for (const MipTexture& texture : level_.textures) EXPECT_FALSE(texture.is_missing) << texture.name;
+}
+
+TEST_F(DemoLevel, EveryCameraOfTheListStandsInTheOpen) {
+    std::ifstream cameras(OBLONG_SOURCE_DIR "/assets/demo_cameras.csv");
+    std::string line;
+    std::getline(cameras, line);
+    EXPECT_EQ(line, "x,y,z,yaw,pitch");
+    int count = 0;
+    while (std::getline(cameras, line)) {
+        int x = 0, y = 0, z = 0;
+        ASSERT_EQ(std::sscanf(line.c_str(), "%d,%d,%d", &x, &y, &z), 3) << line;
+        const Place eye{World::from_int(x), World::from_int(y), World::from_int(z)};
+        EXPECT_NE(hull_contents(level_, level_.models[0], Hull::Point, eye), contents::kSolid) << line;
+        ++count;
+    }
+    EXPECT_GE(count, 14);
 }
 
 TEST_F(DemoLevel, IsDarkButReadable) {

@@ -47,7 +47,7 @@ void build_courtyard(Draft& draft) {
     add_ground(draft, 1008, 1200, 1168, 1328, "stone_floor");
     for (const double x : {400.0, 624.0}) {
         draft.add(extrude({2, circle(8, x, 1080, 22, 22.5)}, 0, 24, "marble_green"));
-        draft.add_still_model(make_sphere({x, 1080, 50}, 0.5, "marble_ivory", "marble_ivory"));
+        draft.add(make_sphere({x, 1080, 50}, 0.5, "marble_ivory", "marble_ivory"));
     }
     for (const double y : {736.0, 960.0, 1440.0}) {
         for (const double x : {416.0, 608.0}) add_lamp_post(draft, {x, y, 0}, 420);

@@ -27,9 +27,6 @@ class Draft {
                    std::vector<std::pair<std::string, std::string>> more = {});
     /// Light that fades to nothing within `brightness` / 1.5 units; `style` is one of Quake's, 0 for steady.
     void add_light(const Point& origin, int brightness, int style = 0);
-    /// A brush that stands still but is a model of its own: it does not cut the world into leaves, as something with
-    /// hundreds of facets would, hundreds of times.
-    void add_still_model(Brush brush) { add_entity({{{"classname", "func_wall"}}, {std::move(brush)}}); }
     void add_entity(MapEntity entity) { entities_.push_back(std::move(entity)); }
 
     const std::vector<MapEntity>& entities() const { return entities_; }
