@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "engine/level/level.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
 
@@ -55,6 +56,19 @@ TEST(Vis, FullSetsAreWithinFastOnes) {
         }
     }
     EXPECT_LT(full_count, fast_count);
+}
+
+// Rows are shared by leaves that only details tell apart, whatever the details hide.
+TEST(Vis, DetailsDoNotSplitTheSets) {
+    const std::string hall = room({-256, -256, 0}, {256, 256, 256});
+    const auto bsp = compile(level(hall, entity("func_detail", {}, box({-250, -8, 0}, {250, 8, 250}))));
+    EXPECT_EQ(bsp.models.size(), 1u);
+    EXPECT_EQ(bsp.entities.find("func_detail"), std::string::npos) << "its brushes are the world's";
+    EXPECT_EQ(contents_at(bsp, 0, 0, {0, 0, 100}), contents::kSolid);
+    const int south = leaf_at(bsp, {0, -128, 100}), north = leaf_at(bsp, {0, 128, 100});
+    ASSERT_NE(south, north);
+    EXPECT_TRUE(visible_leaves(bsp, south)[static_cast<std::size_t>(north)]);
+    EXPECT_EQ(first_fault_of_rays(bsp, 2000, 4), "");
 }
 
 }  // namespace
