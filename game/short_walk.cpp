@@ -1,20 +1,16 @@
 #include "game/short_walk.h"
 
-#include "game/tick_input.h"
-
 namespace oblong {
 
+// In ticks: 2.5 s ahead, a quarter turn to the right, 4 s ahead with a jump, a turn to the left.
 Controls short_walk(std::int64_t tick) {
-    constexpr std::int64_t kRound = 6 * kTicksPerSecond;
+    constexpr std::int64_t kTurn = 87, kAhead = 110, kJump = 130, kLook = 250, kRound = 280;
     const std::int64_t at = tick % kRound;
-    const auto is_during = [&](std::int64_t from_s, std::int64_t to_s) {
-        return at >= from_s * kTicksPerSecond && at < to_s * kTicksPerSecond;
-    };
     Controls controls;
-    controls.forward = is_during(0, 2) || is_during(3, 5);
-    controls.turn_left = is_during(2, 3);
-    controls.turn_right = is_during(5, 6) && (tick / kRound) % 2 == 1;
-    controls.jump = at == 4 * kTicksPerSecond;
+    controls.forward = at < kTurn || (at >= kAhead && at < kLook);
+    controls.turn_right = at >= kTurn && at < kAhead;
+    controls.turn_left = at >= kLook;
+    controls.jump = at == kJump;
     return controls;
 }
 
