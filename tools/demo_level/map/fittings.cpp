@@ -80,9 +80,9 @@ void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightnes
 void add_hanging_lamp(Draft& draft, const Point& centre, double ceiling_z, int brightness) {
     add_lamp_body(draft, centre);
     draft.add_box({{centre.x - 1, centre.y - 1, centre.z + 8}, {centre.x + 1, centre.y + 1, ceiling_z}}, "brass_trim");
-    draft.add_light({centre.x, centre.y, centre.z - 20}, brightness);
-    // What the lamp itself shades would be a black square on the ceiling.
-    draft.add_light({centre.x + 14, centre.y + 14, centre.z + 6}, brightness / 3);
+    draft.add_light({centre.x, centre.y, centre.z - 36}, brightness);
+    // The lamp shades the ceiling from the light below it: a weaker one above it, beside the chain.
+    draft.add_light({centre.x + 4, centre.y + 4, centre.z + 14}, brightness / 2);
 }
 
 Brush make_crystal(const Point& middle, double radius, double height, double turn_degrees, const Skin& skin) {

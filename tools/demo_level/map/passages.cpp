@@ -15,6 +15,10 @@ void build_passages(Draft& draft) {
     for (const double y : {1700.0, 1860.0, 2020.0}) add_hanging_lamp(draft, {-792, y, 148}, 176, 340);
     add_panel(draft, {Side::West, {{-740, 1740, 84}, {-736, 1804, 148}}, "picture_road"});
 
+    // At the end of forced perspective: small, and taken for large.
+    add_panel(draft, {Side::East, {{-848, 1566, 92}, {-844, 1602, 128}}, "picture_moon"});
+    draft.add_light({-800, 1584, 140}, 260);
+
     build_room(draft, {{{-64, 2256, 48}, {592, 2384, 192}},
                        "stone_floor",
                        "plaster_ivory",
