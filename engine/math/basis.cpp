@@ -1,6 +1,5 @@
 #include "engine/math/basis.h"
 
-#include "engine/fixed/trig.h"
 #include "engine/fixed/wide.h"
 
 namespace oblong {
@@ -13,6 +12,10 @@ Sine60 product(Sine60 a, Sine60 b) {
 
 Vec3<Unit> rounded(Sine60 x, Sine60 y, Sine60 z) {
     return {convert<Unit>(x), convert<Unit>(y), convert<Unit>(z)};
+}
+
+Vec3<Unit> rounded(const Vec3<Sine60>& v) {
+    return rounded(v.x, v.y, v.z);
 }
 
 }  // namespace
@@ -28,15 +31,19 @@ Basis view_basis(Angle yaw, Angle pitch, Angle roll) {
         .forward = rounded(product(cp, cy), product(cp, sy), -sp)};
 }
 
-Basis y_up_basis(Angle yaw, Angle pitch, Angle roll) {
+FineBasis y_up_fine_basis(Angle yaw, Angle pitch, Angle roll) {
     const auto [sy, cy] = sine_cosine(yaw);
     const auto [sp, cp] = sine_cosine(pitch);
     const auto [sr, cr] = sine_cosine(roll);
     const Sine60 sr_sp = product(sr, sp), cr_sp = product(cr, sp);
-    return {
-        .right = rounded(product(cr, cy) - product(sr_sp, sy), product(sr, cp), -product(cr, sy) - product(sr_sp, cy)),
-        .up = rounded(-product(cr_sp, sy) - product(sr, cy), product(cr, cp), product(sr, sy) - product(cr_sp, cy)),
-        .forward = rounded(product(cp, sy), sp, product(cp, cy))};
+    return {.right = {product(cr, cy) - product(sr_sp, sy), product(sr, cp), -product(cr, sy) - product(sr_sp, cy)},
+            .up = {-product(cr_sp, sy) - product(sr, cy), product(cr, cp), product(sr, sy) - product(cr_sp, cy)},
+            .forward = {product(cp, sy), sp, product(cp, cy)}};
+}
+
+Basis y_up_basis(Angle yaw, Angle pitch, Angle roll) {
+    const FineBasis fine = y_up_fine_basis(yaw, pitch, roll);
+    return {.right = rounded(fine.right), .up = rounded(fine.up), .forward = rounded(fine.forward)};
 }
 
 }  // namespace oblong

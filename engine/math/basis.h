@@ -2,6 +2,7 @@
 
 #include "engine/fixed/angle.h"
 #include "engine/fixed/fixed.h"
+#include "engine/fixed/trig.h"
 #include "engine/math/vec.h"
 
 namespace oblong {
@@ -20,6 +21,12 @@ Basis view_basis(Angle yaw, Angle pitch, Angle roll);
 /// The same in a world with y up (x right, z forward, left-handed: a view that has not been turned): yaw turns forward
 /// toward +x, then pitch turns forward toward up, then roll turns right toward up. At 0, 0, 0 the axes are the world's.
 Basis y_up_basis(Angle yaw, Angle pitch, Angle roll);
+
+/// The axes before y_up_basis() rounds them: each component within 2^-57.
+struct FineBasis {
+    Vec3<Sine60> right, up, forward;
+};
+FineBasis y_up_fine_basis(Angle yaw, Angle pitch, Angle roll);
 
 /// A coordinate along an axis, rounded once. The difference has 33 bits, and by Cauchy's inequality the sum stays
 /// below sqrt(3) 2^62 + 2^25: no world position overflows.

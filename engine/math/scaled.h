@@ -8,9 +8,9 @@
 
 namespace oblong {
 
-/// mantissa * 2^exponent, for the inside of an elimination, whose numbers have no common scale. The mantissa of all but
-/// 0 has 62 bits; a product or quotient is within 2^-60 of itself of the true one, a difference within 2^-60 of the
-/// larger of its numbers.
+/// mantissa * 2^exponent, where numbers have no common scale: inside an elimination, far off the screen. The mantissa
+/// of all but 0 has 62 bits; a product or quotient is within 2^-60 of itself of the true one, a difference within 2^-60
+/// of the larger of its numbers.
 struct Scaled {
     std::int64_t mantissa = 0;
     int exponent = 0;
@@ -37,6 +37,10 @@ constexpr Scaled operator/(const Scaled& a, const Scaled& b) {
     return Scaled::from(mul_div(a.mantissa, std::int64_t{1} << 61, b.mantissa), a.exponent - b.exponent - 61);
 }
 
+constexpr Scaled operator-(const Scaled& a) {
+    return {-a.mantissa, a.exponent};
+}
+
 constexpr Scaled operator-(const Scaled& a, const Scaled& b) {
     if (b.is_zero()) return a;
     if (a.is_zero()) return {-b.mantissa, b.exponent};
@@ -46,6 +50,10 @@ constexpr Scaled operator-(const Scaled& a, const Scaled& b) {
         return drop > 62 ? 0 : rounded_shift(value.mantissa, drop, Rounding::NearestHalfUp);
     };
     return Scaled::from(aligned(a) - aligned(b), top);
+}
+
+constexpr Scaled operator+(const Scaled& a, const Scaled& b) {
+    return a - -b;
 }
 
 /// The number with `fraction_bits`, rounded to the nearest; none where that has more than 62 bits.

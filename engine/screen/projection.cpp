@@ -1,15 +1,20 @@
 #include "engine/screen/projection.h"
 
+#include <algorithm>
+
 #include "engine/fixed/trig.h"
 
 namespace oblong {
 
 namespace {
 
+/// Larger multipliers, those of fields of view below a thousandth of a degree, stay here.
+constexpr Multiplier kLargestMultiplier = Multiplier::from_raw(std::int64_t{1} << 62);
+
 ProjectionAxis make_axis(Multiplier multiplier, std::int32_t size_px) {
     ProjectionAxis axis;
-    axis.multiplier = multiplier;
-    axis.coarse_16 = rounded_shift(multiplier.raw, 16, Rounding::NearestHalfUp);
+    axis.multiplier = std::min(multiplier, kLargestMultiplier);
+    axis.coarse_16 = rounded_shift(axis.multiplier.raw, 16, Rounding::NearestHalfUp);
     axis.fast_limit = (std::int64_t{1} << 61) / (axis.coarse_16 + 1);
     axis.centre = ScreenWide::from_raw(std::int64_t{size_px} * 128);
     return axis;

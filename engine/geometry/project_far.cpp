@@ -1,0 +1,80 @@
+#include "engine/geometry/project_far.h"
+
+#include <algorithm>
+
+#include "engine/fixed/sine_series.h"
+#include "engine/fixed/trig.h"
+
+namespace oblong {
+
+namespace {
+
+/// tan(angle) for small angles, to their relative precision: x + x^3 / 3 + 2 x^5 / 15; the next term is below 2^-67 x.
+Scaled tangent_of_small_half(Degrees angle) {
+    const Scaled x = Scaled::from(angle.raw, -48) * Scaled::from(detail::kRadiansPerDegree68, -68 - 1);
+    const Scaled x2 = x * x;
+    const auto term = [&](std::int64_t n, std::int64_t d) { return x2 * Scaled::from(n, 0) / Scaled::from(d, 0); };
+    return x + x * term(1, 3) + x * x2 * term(2, 15);
+}
+
+Scaled tangent_of_half(Degrees angle) {
+    constexpr Degrees kSmall = Degrees::from_raw(std::int64_t{1} << 44);  // 1/16 degree
+    if (angle <= kSmall) return tangent_of_small_half(angle);
+    const SineCosine60 half = sine_cosine(Degrees::from_raw(angle.raw / 2));
+    return Scaled::from(half.sine.raw, -60) / Scaled::from(half.cosine.raw, -60);
+}
+
+Scaled along(const Vec3<Sine60>& axis, const Vec3<Scaled>& offset) {
+    const auto product = [](Sine60 component, const Scaled& distance) {
+        return Scaled::from(component.raw, -60) * distance;
+    };
+    return product(axis.x, offset.x) + product(axis.y, offset.y) + product(axis.z, offset.z);
+}
+
+std::optional<ScreenWide> project_axis(const Scaled& multiplier, const Scaled& view, const Scaled& z,
+                                       ScreenWide centre) {
+    const std::optional<std::int64_t> offset_8 = fixed_of(multiplier * view / z, ScreenWide::kFractionBits);
+    if (!offset_8) return std::nullopt;
+    return ScreenWide::from_raw(centre.raw + *offset_8);
+}
+
+}  // namespace
+
+FarLens make_far_lens(const ScreenMode& mode, Degrees field_of_view) {
+    const auto whole = [](std::int64_t value) { return Scaled::from(value, 0); };
+    const Ratio shape = mode.display * Ratio{mode.height_px, mode.width_px};
+    FarLens lens;
+    lens.x = Scaled::from(mode.width_px, -1) / tangent_of_half(field_of_view);
+    lens.y = lens.x * whole(shape.numerator) / whole(shape.denominator);
+    lens.centre_x = ScreenWide::from_raw(std::int64_t{mode.width_px} * 128);
+    lens.centre_y = ScreenWide::from_raw(std::int64_t{mode.height_px} * 128);
+    return lens;
+}
+
+FarPoint to_far_view(const Vec3<World>& world_point, const Vec3<World>& world_eye, const FineBasis& basis) {
+    const auto difference = [](World to, World from) { return Scaled::from(std::int64_t{to.raw} - from.raw, -12); };
+    const Vec3<Scaled> offset{difference(world_point.x, world_eye.x), difference(world_point.y, world_eye.y),
+                              difference(world_point.z, world_eye.z)};
+    return {along(basis.right, offset), along(basis.up, offset), along(basis.forward, offset)};
+}
+
+FarPoint to_far_view(const Vec3<View>& view_point) {
+    return {Scaled::from(view_point.x.raw, -16), Scaled::from(view_point.y.raw, -16),
+            Scaled::from(view_point.z.raw, -16)};
+}
+
+std::optional<ScreenPosition> project_far(const FarPoint& point, const FarLens& lens) {
+    const auto x = project_axis(lens.x, point.x, point.z, lens.centre_x);
+    const auto y = project_axis(lens.y, -point.y, point.z, lens.centre_y);
+    if (!x || !y) return std::nullopt;
+    return ScreenPosition{*x, *y};
+}
+
+bool is_exact_in_frame(const Vec3<View>& view_point, const Frustum& frustum, const Projection& lens) {
+    // Half a step of View moves a point at z = reach / 64 by up to 2^-11 pixel.
+    const std::int64_t reach_16 = std::max(lens.x.coarse_16, lens.y.coarse_16) +
+                                  std::max(std::int64_t{lens.width_px}, std::int64_t{lens.height_px}) * (1 << 15);
+    return outcode_of(frustum, view_point) == 0 && view_point.z.raw >= reach_16 / 64;
+}
+
+}  // namespace oblong

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/geometry/project.h"
+#include "engine/math/scaled.h"
+
+namespace oblong {
+
+/// A point in viewspace with 62 significant bits.
+using FarPoint = Vec3<Scaled>;
+
+/// The multipliers of make_projection() with 62 significant bits.
+struct FarLens {
+    Scaled x, y;
+    ScreenWide centre_x, centre_y;
+};
+
+/// Any field of view above 0 and below 180 degrees that Degrees can tell from them. `mode` as for make_projection().
+FarLens make_far_lens(const ScreenMode& mode, Degrees field_of_view);
+
+/// A world point as seen from `world_eye`, within 2^-39 unit: to_view() with axes and products that are not rounded to
+/// the frame's formats.
+FarPoint to_far_view(const Vec3<World>& world_point, const Vec3<World>& world_eye, const FineBasis& basis);
+/// The same point, as exact as it is.
+FarPoint to_far_view(const Vec3<View>& view_point);
+
+/// Where a point lands whose z is above 0, however far off the screen: the formula of project(), with relative errors
+/// of 2^-57. A frame clips such points and never projects them. None where 56 bits cannot hold the position.
+std::optional<ScreenPosition> project_far(const FarPoint& point, const FarLens& lens);
+
+/// Whether project() puts a point within 1/200 pixel: it is in view, where the frame's formats were made to serve, and
+/// not so near that a step of View is more than 1/1,024 pixel.
+bool is_exact_in_frame(const Vec3<View>& view_point, const Frustum& frustum, const Projection& lens);
+
+}  // namespace oblong

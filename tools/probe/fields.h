@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "engine/fixed/angle.h"
+#include "engine/math/vec.h"
+#include "engine/screen/screen_mode.h"
+
+namespace oblong {
+
+/// Thrown where a query can't be answered, for whatever reason: the answer is then the line `unsupported`.
+struct Unsupported {};
+
+/// A screen mode and the field of view across it.
+struct ModeAndView {
+    ScreenMode mode;
+    Degrees field_of_view;
+};
+
+/// The fields of one query, read from left to right. Each reader throws Unsupported for a field that is missing or is
+/// not what it should be.
+class Fields {
+  public:
+    /// Fields are separated by single spaces.
+    explicit Fields(std::string_view line);
+
+    std::size_t left() const { return texts_.size() - next_; }
+    /// To be called when all fields have been read: throws where some are left.
+    void expect_end() const;
+
+    std::string_view text();
+    std::int64_t integer(std::int64_t least, std::int64_t most);
+    /// An integer of any sign and any number of digits, in 1/65536 of a turn.
+    Angle angle();
+    /// A length, an exact multiple of 1/256 of at most 32,767: 24.8.
+    Fixed<std::int32_t, 8> length();
+    Vec3<Fixed<std::int32_t, 8>> point();
+    /// A texture coordinate, texels: any decimal number of at most 32,767, 48.16.
+    std::int64_t texel_16();
+    /// Five fields: W H PN PD FOV.
+    ModeAndView mode();
+
+  private:
+    std::vector<std::string_view> texts_;
+    std::size_t next_ = 0;
+};
+
+/// Lengths are exact in the formats of the world and of the view.
+template <class To>
+Vec3<To> convert_point(const Vec3<Fixed<std::int32_t, 8>>& p) {
+    return {convert<To>(p.x), convert<To>(p.y), convert<To>(p.z)};
+}
+
+}  // namespace oblong

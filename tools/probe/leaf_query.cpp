@@ -1,0 +1,42 @@
+#include <filesystem>
+
+#include "engine/level/bsp_read.h"
+#include "engine/level/side.h"
+#include "tools/cli/files.h"
+#include "tools/probe/queries.h"
+
+namespace oblong {
+
+namespace {
+
+/// Only files proper: a pipe would wait for whoever writes to it.
+bool read_level(const std::string& path, Level& level) {
+    constexpr std::size_t kLargestLevel = std::size_t{1} << 28;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return false;
+    try {
+        level = read_bsp(read_file(path, kLargestLevel));
+        return true;
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+std::string answer_leaf(Fields& fields, LevelCache& cache) {
+    const std::string path(fields.text());
+    const auto point = convert_point<World>(fields.point());
+    fields.expect_end();
+
+    if (cache.path != path) {
+        cache.is_readable = read_level(path, cache.level);
+        cache.path = path;
+    }
+    if (!cache.is_readable) throw Unsupported{};
+    const std::int32_t index = find_leaf(cache.level, cache.level.models[0], point);
+    const Leaf& leaf = cache.level.leaves[static_cast<std::size_t>(index)];
+    return std::to_string(index) + ' ' + std::to_string(leaf.contents);
+}
+
+}  // namespace oblong

@@ -1,0 +1,55 @@
+#include "tools/probe/probe.h"
+
+#include <algorithm>
+#include <array>
+#include <istream>
+#include <ostream>
+
+namespace oblong {
+
+namespace {
+
+struct NamedQuery {
+    std::string_view name;
+    std::string (*answer)(Fields&);
+};
+
+constexpr std::array kQueries = {NamedQuery{"project", answer_project},   NamedQuery{"view", answer_view},
+                                 NamedQuery{"coverage", answer_coverage}, NamedQuery{"mesh", answer_mesh},
+                                 NamedQuery{"texspan", answer_texspan},   NamedQuery{"texspanq", answer_texspanq},
+                                 NamedQuery{"modes", answer_modes},       NamedQuery{"clip", answer_clip},
+                                 NamedQuery{"sin", answer_sine},          NamedQuery{"cos", answer_cosine},
+                                 NamedQuery{"sqrt", answer_root},         NamedQuery{"recip", answer_reciprocal}};
+
+std::string answer_fields(Fields& fields, LevelCache& levels) {
+    const std::string_view name = fields.text();
+    if (name == "leaf") return answer_leaf(fields, levels);
+    const auto query = std::find_if(kQueries.begin(), kQueries.end(), [&](const auto& q) { return q.name == name; });
+    if (query == kQueries.end()) throw Unsupported{};
+    return query->answer(fields);
+}
+
+}  // namespace
+
+std::string Probe::answer(std::string_view line) {
+    try {
+        Fields fields(line);
+        return answer_fields(fields, levels_);
+    } catch (const Unsupported&) {
+        return "unsupported";
+    }
+}
+
+void answer_lines(std::istream& in, std::ostream& out) {
+    Probe probe;
+    std::string line;
+    while (std::getline(in, line)) {
+        if (line.ends_with('\r')) line.pop_back();
+        out << probe.answer(line) << '\n';
+        // Who waits for an answer before asking on gets it; who does not is not slowed by flushing every line.
+        if (in.rdbuf()->in_avail() <= 0) out.flush();
+    }
+    out.flush();
+}
+
+}  // namespace oblong

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+#include "tools/probe/queries.h"
+
+namespace oblong {
+
+/// Answers queries about the engine's arithmetic, a line each: README.md.
+class Probe {
+  public:
+    /// The answer's line, without its end; `unsupported` for whatever is not a query. Never throws on bad input.
+    std::string answer(std::string_view line);
+
+  private:
+    LevelCache levels_;
+};
+
+/// Answers every line of `in` by a line on `out`, in order.
+void answer_lines(std::istream& in, std::ostream& out);
+
+}  // namespace oblong

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "engine/level/level.h"
+#include "tools/probe/fields.h"
+
+namespace oblong {
+
+// One function a query: reads the fields after the query's name, asks the engine, returns the answer's line. Throws
+// Unsupported. The protocol is in README.md.
+
+std::string answer_project(Fields& fields);
+std::string answer_view(Fields& fields);
+std::string answer_coverage(Fields& fields);
+std::string answer_mesh(Fields& fields);
+std::string answer_texspan(Fields& fields);
+std::string answer_texspanq(Fields& fields);
+std::string answer_modes(Fields& fields);
+std::string answer_clip(Fields& fields);
+std::string answer_sine(Fields& fields);
+std::string answer_cosine(Fields& fields);
+std::string answer_root(Fields& fields);
+std::string answer_reciprocal(Fields& fields);
+
+/// The level that was asked for last: thousands of points in one level read it once.
+struct LevelCache {
+    std::string path;
+    Level level;
+    bool is_readable = false;
+};
+
+std::string answer_leaf(Fields& fields, LevelCache& cache);
+
+}  // namespace oblong

@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "engine/geometry/triangle_gradients.h"
+#include "engine/raster/texture_blocks.h"
+#include "tools/probe/decimal.h"
+#include "tools/probe/queries.h"
+
+namespace oblong {
+
+namespace {
+
+struct NamedTexturing {
+    const char* name;
+    Texturing texturing;
+};
+
+/// Most accurate first.
+constexpr std::array kTexturings = {
+    NamedTexturing{"exact", Texturing::Exact}, NamedTexturing{"bounded", Texturing::Bounded},
+    NamedTexturing{"every16", Texturing::Every16}, NamedTexturing{"affine", Texturing::Affine}};
+
+/// A texture coordinate of the three corners, moved by whole texels to where surfaces begin: at 0.
+struct RebasedTexels {
+    std::int64_t base_16;
+    std::array<std::int64_t, 3> moved_16;
+
+    explicit RebasedTexels(const std::array<std::int64_t, 3>& texels_16) {
+        // A texel of room, so that no rounding is held back by the surface's edge.
+        base_16 = (floor_shift(*std::min_element(texels_16.begin(), texels_16.end()), 16) - 1) * 65536;
+        for (std::size_t i = 0; i < 3; ++i) moved_16[i] = texels_16[i] - base_16;
+    }
+};
+
+struct TexspanQuery {
+    ModeAndView view;
+    std::array<TexturedCorner, 3> corners;
+    std::int64_t base_u_16 = 0, base_v_16 = 0;
+    Span span{};
+};
+
+TexspanQuery read_query(Fields& fields) {
+    TexspanQuery query;
+    query.view = fields.mode();
+    std::array<std::int64_t, 3> u_16{}, v_16{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        query.corners[i].position = convert_point<Fixed<std::int32_t, 14>>(fields.point());
+        if (query.corners[i].position.z.raw <= 0) throw Unsupported{};
+        u_16[i] = fields.texel_16();
+        v_16[i] = fields.texel_16();
+    }
+    const RebasedTexels u(u_16), v(v_16);
+    for (std::size_t i = 0; i < 3; ++i) {
+        query.corners[i].u_16 = u.moved_16[i];
+        query.corners[i].v_16 = v.moved_16[i];
+    }
+    query.base_u_16 = u.base_16;
+    query.base_v_16 = v.base_16;
+    query.span.y = static_cast<std::int32_t>(fields.integer(0, query.view.mode.height_px - 1));
+    query.span.first = static_cast<std::int32_t>(fields.integer(0, query.view.mode.width_px - 1));
+    query.span.end = static_cast<std::int32_t>(fields.integer(query.span.first + 1, query.view.mode.width_px));
+    fields.expect_end();
+    return query;
+}
+
+void append_texels(const TexelBlock& block, const TexspanQuery& query, std::string& text) {
+    for (std::int64_t i = 0; i < block.count; ++i) {
+        if (!text.empty()) text += ' ';
+        text += format_fixed(query.base_u_16 + block.u_16 + i * block.u_step_16, 16) + ' ';
+        text += format_fixed(query.base_v_16 + block.v_16 + i * block.v_step_16, 16);
+    }
+}
+
+std::string sample_span(const TexspanQuery& query, Texturing texturing) {
+    const Projection lens = make_projection(query.view.mode, query.view.field_of_view);
+    const PixelPosition middle{(query.span.first + query.span.end) / 2, query.span.y};
+    const auto gradients = make_triangle_gradients(query.corners, lens, middle);
+    if (!gradients) throw Unsupported{};
+
+    Accuracy accuracy;
+    accuracy.texturing = texturing;
+    const BlockRule rule = make_block_rule(accuracy);
+    const BlockLadder ladder = make_block_ladder(rule, static_cast<std::int64_t>(gradients->inverse_z_44.per_column));
+    std::vector<TexelBlock> blocks;
+    append_blocks(query.span, query.view.mode.width_px, *gradients, rule, ladder, make_texel_limits(65535, 65535, 0),
+                  blocks);
+    std::string text;
+    for (const TexelBlock& block : blocks) append_texels(block, query, text);
+    return text;
+}
+
+}  // namespace
+
+std::string answer_texspan(Fields& fields) {
+    return sample_span(read_query(fields), kTexturings[0].texturing);
+}
+
+std::string answer_texspanq(Fields& fields) {
+    const std::string_view name = fields.text();
+    const auto found =
+        std::find_if(kTexturings.begin(), kTexturings.end(), [&](const auto& entry) { return name == entry.name; });
+    if (found == kTexturings.end()) throw Unsupported{};
+    return sample_span(read_query(fields), found->texturing);
+}
+
+std::string answer_modes(Fields& fields) {
+    fields.expect_end();
+    std::string text;
+    for (const NamedTexturing& entry : kTexturings) text += (text.empty() ? "" : " ") + std::string(entry.name);
+    return text;
+}
+
+}  // namespace oblong
