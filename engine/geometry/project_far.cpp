@@ -3,25 +3,35 @@
 #include <algorithm>
 
 #include "engine/fixed/sine_series.h"
-#include "engine/fixed/trig.h"
 
 namespace oblong {
 
 namespace {
 
-/// tan(angle) for small angles, to their relative precision: x + x^3 / 3 + 2 x^5 / 15; the next term is below 2^-67 x.
-Scaled tangent_of_small_half(Degrees angle) {
-    const Scaled x = Scaled::from(angle.raw, -48) * Scaled::from(detail::kRadiansPerDegree68, -68 - 1);
-    const Scaled x2 = x * x;
-    const auto term = [&](std::int64_t n, std::int64_t d) { return x2 * Scaled::from(n, 0) / Scaled::from(d, 0); };
-    return x + x * term(1, 3) + x * x2 * term(2, 15);
+constexpr Scaled whole(std::int64_t value) {
+    return Scaled::from(value, 0);
 }
 
-Scaled tangent_of_half(Degrees angle) {
-    constexpr Degrees kSmall = Degrees::from_raw(std::int64_t{1} << 44);  // 1/16 degree
-    if (angle <= kSmall) return tangent_of_small_half(angle);
-    const SineCosine60 half = sine_cosine(Degrees::from_raw(angle.raw / 2));
-    return Scaled::from(half.sine.raw, -60) / Scaled::from(half.cosine.raw, -60);
+/// first - first x^2 / (n (n+1)) + first x^4 / (n (n+1) (n+2) (n+3)) - ..., until the terms vanish.
+Scaled alternating_series(const Scaled& first, const Scaled& x_squared, std::int64_t n) {
+    Scaled sum = first, term = first;
+    for (; !term.is_zero() && term.magnitude() > first.magnitude() - 64; n += 2) {
+        term = -(term * x_squared) / whole(n * (n + 1));
+        sum = sum + term;
+    }
+    return sum;
+}
+
+/// Of 0 to 90 degrees, exact relative to itself however small.
+Scaled tangent_of_half(const Scaled& degrees) {
+    const Scaled x = degrees * Scaled::from(detail::kRadiansPerDegree68, -68 - 1);
+    return alternating_series(x, x * x, 2) / alternating_series(whole(1), x * x, 1);
+}
+
+Scaled cotangent_of_half(const Scaled& degrees) {
+    const Scaled beyond_right_angle = degrees - whole(90);
+    if (beyond_right_angle.mantissa > 0) return tangent_of_half(whole(180) - degrees);
+    return whole(1) / tangent_of_half(degrees);
 }
 
 Scaled along(const Vec3<Sine60>& axis, const Vec3<Scaled>& offset) {
@@ -40,11 +50,10 @@ std::optional<ScreenWide> project_axis(const Scaled& multiplier, const Scaled& v
 
 }  // namespace
 
-FarLens make_far_lens(const ScreenMode& mode, Degrees field_of_view) {
-    const auto whole = [](std::int64_t value) { return Scaled::from(value, 0); };
+FarLens make_far_lens(const ScreenMode& mode, const Scaled& field_of_view_degrees) {
     const Ratio shape = mode.display * Ratio{mode.height_px, mode.width_px};
     FarLens lens;
-    lens.x = Scaled::from(mode.width_px, -1) / tangent_of_half(field_of_view);
+    lens.x = Scaled::from(mode.width_px, -1) * cotangent_of_half(field_of_view_degrees);
     lens.y = lens.x * whole(shape.numerator) / whole(shape.denominator);
     lens.centre_x = ScreenWide::from_raw(std::int64_t{mode.width_px} * 128);
     lens.centre_y = ScreenWide::from_raw(std::int64_t{mode.height_px} * 128);

@@ -16,8 +16,9 @@ struct FarLens {
     ScreenWide centre_x, centre_y;
 };
 
-/// Any field of view above 0 and below 180 degrees that Degrees can tell from them. `mode` as for make_projection().
-FarLens make_far_lens(const ScreenMode& mode, Degrees field_of_view);
+/// Any field of view above 0 and below 180 degrees, with all the bits that it has: where d is a million pixels, those
+/// of Degrees would be too few. `mode` as for make_projection().
+FarLens make_far_lens(const ScreenMode& mode, const Scaled& field_of_view_degrees);
 
 /// A world point as seen from `world_eye`, within 2^-39 unit: to_view() with axes and products that are not rounded to
 /// the frame's formats.

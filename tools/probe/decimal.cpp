@@ -88,6 +88,21 @@ std::int64_t integer_of(std::string_view digits) {
     return value;
 }
 
+/// Up to 18 decimals.
+struct DecimalFraction {
+    std::int64_t numerator, denominator = 1;
+
+    explicit DecimalFraction(std::string_view digits) : numerator(integer_of(digits.substr(0, kFractionDigits))) {
+        for (std::size_t i = 0; i < std::min(digits.size(), kFractionDigits); ++i) denominator *= 10;
+    }
+};
+
+/// a * b == c * d, of which none is negative.
+bool equal_products(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
+    return compare_products(static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b), static_cast<std::uint64_t>(c),
+                            static_cast<std::uint64_t>(d)) == 0;
+}
+
 }  // namespace
 
 std::optional<ParsedFixed> parse_fixed(std::string_view text, int fraction_bits) {
@@ -96,17 +111,22 @@ std::optional<ParsedFixed> parse_fixed(std::string_view text, int fraction_bits)
     const std::int64_t whole = integer_of(digits->whole);
     if (whole >= std::int64_t{1} << (62 - fraction_bits)) return std::nullopt;
 
-    std::int64_t ten_power = 1;
-    const std::string fraction = digits->fraction.substr(0, kFractionDigits);
-    for (std::size_t i = 0; i < fraction.size(); ++i) ten_power *= 10;
     const std::int64_t unit = std::int64_t{1} << fraction_bits;
-    const std::int64_t floored = mul_div(integer_of(fraction), unit, ten_power, Rounding::Floor);
-    const std::int64_t nearest = mul_div(integer_of(fraction), unit, ten_power, Rounding::NearestHalfUp);
+    const DecimalFraction fraction(digits->fraction);
+    const std::int64_t nearest = mul_div(fraction.numerator, unit, fraction.denominator, Rounding::NearestHalfUp);
     const bool is_exact = digits->fraction.size() <= kFractionDigits &&
-                          mul_div(floored, ten_power, unit, Rounding::Floor) == integer_of(fraction) &&
-                          mul_div(floored, ten_power, unit, Rounding::NearestHalfUp) == integer_of(fraction);
+                          equal_products(fraction.numerator, unit, nearest, fraction.denominator);
     const std::int64_t size = whole * unit + nearest;
     return ParsedFixed{digits->is_negative ? -size : size, is_exact};
+}
+
+std::optional<Scaled> parse_scaled(std::string_view text) {
+    const std::optional<Digits> digits = read_digits(text);
+    if (!digits || digits->whole.size() > kFractionDigits) return std::nullopt;
+    const DecimalFraction fraction(digits->fraction);
+    const Scaled size = Scaled::from(integer_of(digits->whole), 0) +
+                        Scaled::from(fraction.numerator, 0) / Scaled::from(fraction.denominator, 0);
+    return digits->is_negative ? -size : size;
 }
 
 std::string format_fixed(std::int64_t raw, int fraction_bits) {

@@ -84,7 +84,9 @@ ModeAndView Fields::mode() {
     result.mode.height_px = static_cast<std::int32_t>(integer(1, kLargestSize_px));
     result.mode.display.numerator = integer(1, kLargestShape);
     result.mode.display.denominator = integer(1, kLargestShape);
-    result.field_of_view = Degrees::from_raw(parse_or_refuse(text(), Degrees::kFractionBits, 180).raw);
+    const std::string_view degrees = text();
+    result.field_of_view = Degrees::from_raw(parse_or_refuse(degrees, Degrees::kFractionBits, 180).raw);
+    result.fine_field_of_view = parse_scaled(degrees).value_or(Scaled{});
     if (result.field_of_view <= Degrees{} || result.field_of_view >= Degrees::from_int(180)) throw Unsupported{};
     return result;
 }

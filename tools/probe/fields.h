@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/fixed/angle.h"
+#include "engine/math/scaled.h"
 #include "engine/math/vec.h"
 #include "engine/screen/screen_mode.h"
 
@@ -17,6 +18,7 @@ struct Unsupported {};
 struct ModeAndView {
     ScreenMode mode;
     Degrees field_of_view;
+    Scaled fine_field_of_view;  ///< degrees, with all its decimals
 };
 
 /// The fields of one query, read from left to right. Each reader throws Unsupported for a field that is missing or is

@@ -15,7 +15,7 @@ struct ProbeLens {
 
     ProbeLens(const ModeAndView& view, const Basis& axes)
         : frame(make_projection(view.mode, view.field_of_view)),
-          far(make_far_lens(view.mode, view.field_of_view)),
+          far(make_far_lens(view.mode, view.fine_field_of_view)),
           frustum(make_frustum(axes, frame)) {}
 };
 

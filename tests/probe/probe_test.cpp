@@ -1,0 +1,187 @@
+#include "tools/probe/probe.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <sstream>
+
+#include "engine/level/bsp_read.h"
+#include "engine/level/side.h"
+#include "tests/support/shared_levels.h"
+
+namespace oblong {
+namespace {
+
+std::string ask(std::string_view line) {
+    return Probe().answer(line);
+}
+
+TEST(Probe, AnswersTheExamplesOfItsProtocol) {
+    EXPECT_EQ(ask("project 320 200 4 3 90 1 1 4"), "200 66.66796875");  // 66 2/3 to the nearest 1/256
+    EXPECT_EQ(ask("coverage 16 0 0 64 0 0 64"), "3 0 0 3 1 0 2 2 0 1");
+    EXPECT_EQ(ask("recip 131072"), "0.5");
+    EXPECT_EQ(ask("recip 0"), "inf");
+}
+
+TEST(Probe, GivesNumbersWithAllTheirDigits) {
+    EXPECT_EQ(ask("sqrt 65536"), "1");
+    EXPECT_EQ(ask("sqrt 0"), "0");
+    EXPECT_EQ(ask("sqrt 1"), "0.00390625");
+    EXPECT_EQ(ask("recip 1"), "65536");
+    EXPECT_EQ(ask("sin 16384"), "1");
+    EXPECT_EQ(ask("sin -16384"), "-1");
+    EXPECT_EQ(ask("cos 32768"), "-1");
+    EXPECT_EQ(ask("sin 16384000000000000000000000000"), ask("sin 0"));  // whole turns: 16384000... = 65536 * 250...
+    EXPECT_EQ(ask("sin 1"), "0.0000958740711212158203125");             // 102944 / 2^30
+}
+
+TEST(Probe, ReadsDecimalsInEveryWayOfWritingThem) {
+    const std::string expected = ask("project 320 200 4 3 90 1 0.5 4");
+    EXPECT_EQ(ask("project 320 200 4 3 90.000 +1.0 .5 4."), expected);
+    EXPECT_EQ(ask("project 320 200 4 3 9e1 1e0 5e-1 0.04E+2"), expected);
+    EXPECT_EQ(ask("project 320 200 4 3 90 1 0.50000000000000000000000000000 4"), expected);
+}
+
+TEST(Probe, TellsWhatIsBehindTheEye) {
+    for (const char* z : {"0", "-0", "-0.00390625", "-32767"})
+        EXPECT_EQ(ask(std::string("project 320 200 4 3 90 1 1 ") + z), "behind");
+    EXPECT_EQ(ask("view 320 200 4 3 90 1 2 3 0 0 0 1 2 3"), "behind");
+    // A quarter turn exactly: what lies straight ahead of the unturned view now lies beside, at a depth of 0.
+    EXPECT_EQ(ask("view 320 200 4 3 90 0 0 0 16384 0 0 0 0 100"), "behind");
+    EXPECT_EQ(ask("view 320 200 4 3 90 0 0 0 -16384 0 0 -5 0 0"), "160 100 5");
+}
+
+TEST(Probe, RefusesWhatIsNotAQuery) {
+    const char* lines[] = {"",
+                           " ",
+                           "unknown",
+                           "project",
+                           "project 320 200 4 3 90 1 1",
+                           "project 320 200 4 3 90 1 1 4 5",
+                           "project 320 200 4 3 90 1 1 4 ",
+                           "project  320 200 4 3 90 1 1 4",
+                           "project 320 200 4 3 90 1 1 0.001",
+                           "project 320 200 4 3 0 1 1 4",
+                           "project 320 200 4 3 180 1 1 4",
+                           "project 320 200 4 3 -90 1 1 4",
+                           "project 320 200 4 3 nan 1 1 4",
+                           "project 320 200 4 3 inf 1 1 4",
+                           "project 0 200 4 3 90 1 1 4",
+                           "project 320 200 4 0 90 1 1 4",
+                           "project 320 200 4 3 90 1 1 32768",
+                           "project 320 200 4 3 90 1 1 0x4",
+                           "project 320.5 200 4 3 90 1 1 4",
+                           "project 320 200 4 3 90 1 1 1e999999999999",
+                           "project 320 200 4 3 90 1 1 e",
+                           "project 320 200 4 3 90 1 1 -",
+                           "project 320 200 4 3 90 1 1 .",
+                           "project 320 200 4 3 90 1 1 1e",
+                           "coverage 15 0 0 64 0 0 64",
+                           "coverage 16 0 0 64 0 0",
+                           "coverage 16 0 0 64 0 0 6.4",
+                           "coverage 16 0 0 99999999999999999999 0 0 64",
+                           "mesh 16 3 0 0 1 0 0 1 1 0 1 3",
+                           "mesh 16 3 0 0 1 0 0 1 1 0 1 -1",
+                           "mesh 16 3 0 0 1 0 0 1 2 0 1 2",
+                           "mesh 16 1000000000000 0 0",
+                           "mesh 16 -1",
+                           "mesh 16 0",
+                           "clip 320 200 4 3 90 4 8192 2 0 0 5 1 0 5",
+                           "clip 320 200 4 3 90 4 8192 99999999999 0 0 5 1 0 5",
+                           "clip 320 200 4 3 90 0 8192 3 0 0 5 1 0 5 0 1 5",
+                           "sqrt -1",
+                           "sqrt 2147483648",
+                           "recip -1",
+                           "sin",
+                           "sin 1.5",
+                           "sin -",
+                           "sin 1 2",
+                           "modes please",
+                           "leaf /nowhere/at/all.bsp 0 0 0",
+                           "leaf /dev/stdin 0 0 0",
+                           "leaf / 0 0 0",
+                           "texspan 320 200 4 3 90 0 0 4 0 0 0 0 4 0 0 0 0 4 0 0 100 10 12",
+                           "texspan 320 200 4 3 90 -9 -9 4 0 0 9 -9 4 9 0 0 9 4 0 9 200 10 12",
+                           "texspan 320 200 4 3 90 -9 -9 4 0 0 9 -9 4 9 0 0 9 4 0 9 100 12 12",
+                           "texspanq best 320 200 4 3 90 -9 -9 4 0 0 9 -9 4 9 0 0 9 4 0 9 100 158 162"};
+    for (const char* line : lines) EXPECT_EQ(ask(line), "unsupported") << '"' << line << '"';
+}
+
+/// A query with some of its bytes replaced, doubled or cut off.
+std::string damaged(std::string line, std::mt19937& random) {
+    constexpr std::string_view kBytes = "0123456789 -+.eE\0\xff\ttexspan";
+    for (int edits = static_cast<int>(random() % 4); edits >= 0 && !line.empty(); --edits) {
+        const std::size_t at = random() % line.size();
+        switch (random() % 4) {
+            case 0:
+                line[at] = kBytes[random() % kBytes.size()];
+                break;
+            case 1:
+                line.insert(at, 1, kBytes[random() % kBytes.size()]);
+                break;
+            case 2:
+                line.erase(at, 1 + random() % 3);
+                break;
+            default:
+                line.insert(at, line.substr(at, random() % 8));
+        }
+    }
+    return line;
+}
+
+TEST(Probe, AnswersEveryLineByOneLineWhateverItsBytes) {
+    const std::string queries[] = {"project 320 200 4 3 90 1 1 4",
+                                   "view 320 200 4 3 60 1 2 3 4 5 6 7 8 9",
+                                   "coverage 16 0 0 64 0 0 64",
+                                   "mesh 256 3 0 0 9999 0 0 9999 1 0 1 2",
+                                   "clip 320 200 4 3 90 4 8192 3 -9 -9 1 9 -9 5 0 9 50",
+                                   "texspan 320 200 4 3 90 -9 -9 4 0 0 9 -9 4 9 0 0 9 4 0 9 100 158 162",
+                                   "texspanq bounded 320 200 4 3 90 -9 -9 4 0 0 9 -9 400 9 0 0 9 4 0 9 100 158 162",
+                                   "sqrt 5",
+                                   "recip 7",
+                                   "sin 8",
+                                   "leaf nothing.bsp 1 2 3",
+                                   "modes"};
+    std::mt19937 random(7);
+    std::string text;
+    const int line_count = 4000;
+    for (int i = 0; i < line_count; ++i) {
+        std::string line = damaged(queries[random() % std::size(queries)], random);
+        std::erase(line, '\n');
+        text += line + '\n';
+    }
+    text += std::string(1 << 20, '9') + '\n' + std::string(1 << 20, ' ');  // the last one without its end
+    std::istringstream in(text);
+    std::ostringstream out;
+    answer_lines(in, out);
+    const std::string answers = out.str();
+    EXPECT_EQ(std::count(answers.begin(), answers.end(), '\n'), line_count + 2);
+}
+
+TEST(Probe, NamesItsTexturingModesMostAccurateFirst) {
+    EXPECT_EQ(ask("modes"), "exact bounded every16 affine");
+    const std::string span = "320 200 4 3 90 -100 -100 50 0 0 100 -100 500 64 0 0 100 50 32 64 110 158 162";
+    EXPECT_EQ(ask("texspan " + span), ask("texspanq exact " + span));
+    EXPECT_NE(ask("texspan " + span), ask("texspanq affine " + span));
+}
+
+TEST(Probe, FindsTheLeavesOfRealLevels) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    Probe probe;
+    for (const char* name : test::kRealLevels) {
+        const std::string path = (test::find_shared_folder() / "levels" / (std::string(name) + ".bsp")).string();
+        const Level level = read_bsp(test::read_file_bytes(path));
+        for (const SubModel& model : level.models) {
+            const auto& low = model.box.mins;
+            const Vec3<World> p{World::from_int(low[0]), World::from_int(low[1]), World::from_int(low[2])};
+            const std::int32_t leaf = find_leaf(level, level.models[0], p);
+            const std::string query = "leaf " + path + " " + std::to_string(low[0]) + " " + std::to_string(low[1]) +
+                                      " " + std::to_string(low[2]);
+            EXPECT_EQ(probe.answer(query), std::to_string(leaf) + " " +
+                                               std::to_string(level.leaves[static_cast<std::size_t>(leaf)].contents));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace oblong
