@@ -1,11 +1,15 @@
 """Asks oblong-probe thousands of random and extreme queries and holds its answers to exact references (exact.py).
 
-    check.py PROGRAM [SEED [SCALE]]
+    check.py PROGRAM [--seed N] [--scale FACTOR]
 
 Prints the largest error of each kind of query; exits with 1 if one is too large.
 """
 
+import argparse
+import os
+import pathlib
 import random
+import struct
 import subprocess
 import sys
 from fractions import Fraction
@@ -297,14 +301,74 @@ def ask(program, lines):
     return answers[:-1]
 
 
+def shared_levels():
+    """Real levels stand beside the project, or where OBLONG_SHARED says; without them that part is left out."""
+    project = pathlib.Path(__file__).resolve().parent.parent.parent
+    for folder in [project / ".." / "shared", pathlib.Path(os.environ.get("OBLONG_SHARED", "/nowhere"))]:
+        levels = sorted((folder / "levels").glob("*.bsp"))
+        if levels:
+            return levels
+    print("leaf: no folder shared/ beside the project, and no OBLONG_SHARED in the environment: left out")
+    return []
+
+
+class LevelFile:
+    """Planes, nodes and leaves of a version-29 file, as its bytes say."""
+
+    def __init__(self, path):
+        self.data = path.read_bytes()
+        self.planes, self.nodes, self.leaves, self.models = self.lump(1), self.lump(5), self.lump(10), self.lump(14)
+
+    def lump(self, index):
+        return struct.unpack_from("<ii", self.data, 4 + 8 * index)[0]
+
+    def plane(self, index):
+        *normal, distance = struct.unpack_from("<4f", self.data, self.planes + 20 * index)
+        return [Fraction(n) for n in normal], Fraction(distance)
+
+    def random_plane(self):
+        return self.plane(rng.randrange((struct.unpack_from("<ii", self.data, 12)[1]) // 20))
+
+    def leaf(self, point):
+        index = struct.unpack_from("<i", self.data, self.models + 36)[0]
+        while index >= 0:
+            plane, front, back = struct.unpack_from("<ihh", self.data, self.nodes + 24 * index)
+            normal, distance = self.plane(plane)
+            index = front if exact.dot(normal, point) > distance else back
+        return -1 - index, struct.unpack_from("<i", self.data, self.leaves + 28 * (-1 - index))[0]
+
+
+def leaf_check(count):
+    """Points anywhere, and points as near to a plane as multiples of 1/256 come."""
+    check = Check("leaf", 0, "(0 is right)")
+    for path in shared_levels():
+        level = LevelFile(path)
+        for _ in range(count):
+            point = [Fraction(rng.randint(-2048 * 256, 2048 * 256), 256) for _ in range(3)]
+            normal, distance = level.random_plane()
+            if rng.random() < 0.7:
+                axis = max(range(3), key=lambda i: abs(normal[i]))
+                off = (distance - exact.dot(normal, point)) / normal[axis]
+                point[axis] += Fraction(round(off * 256) + rng.randint(-1, 1), 256)
+            if max(map(abs, point)) > 32767:
+                continue
+            index, contents = level.leaf(point)
+            check.add(f"leaf {path} {numbers(point)}", text_judge(f"{index} {contents}"))
+    return check
+
+
 def main():
-    program = sys.argv[1]
-    rng.seed(int(sys.argv[2]) if len(sys.argv) > 2 else 1)
-    scale = float(sys.argv[3]) if len(sys.argv) > 3 else 1
-    checks = [make(max(int(count * scale), 1)) for make, count in (
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("program")
+    arguments.add_argument("--seed", type=int, default=1)
+    arguments.add_argument("--scale", type=float, default=1)
+    options = arguments.parse_args()
+    rng.seed(options.seed)
+    checks = [make(max(int(count * options.scale), 1)) for make, count in (
         (project_check, 1000), (view_check, 600), (coverage_check, 500), (mesh_check, 10), (texspan_check, 250),
-        (clip_check, 600), (number_check, 300))]
-    are_right = [check.report(ask(program, [line for line, _ in check.queries])) for check in checks]
+        (clip_check, 600), (number_check, 300), (leaf_check, 500))]
+    are_right = [check.report(ask(options.program, [line for line, _ in check.queries])) for check in checks
+                 if check.queries]
     sys.exit(0 if all(are_right) else 1)
 
 

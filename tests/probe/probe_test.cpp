@@ -2,12 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <sstream>
-
-#include "engine/level/bsp_read.h"
-#include "engine/level/side.h"
-#include "tests/support/shared_levels.h"
 
 namespace oblong {
 namespace {
@@ -163,24 +160,6 @@ TEST(Probe, NamesItsTexturingModesMostAccurateFirst) {
     const std::string span = "320 200 4 3 90 -100 -100 50 0 0 100 -100 500 64 0 0 100 50 32 64 110 158 162";
     EXPECT_EQ(ask("texspan " + span), ask("texspanq exact " + span));
     EXPECT_NE(ask("texspan " + span), ask("texspanq affine " + span));
-}
-
-TEST(Probe, FindsTheLeavesOfRealLevels) {
-    OBLONG_NEEDS_SHARED_LEVELS();
-    Probe probe;
-    for (const char* name : test::kRealLevels) {
-        const std::string path = (test::find_shared_folder() / "levels" / (std::string(name) + ".bsp")).string();
-        const Level level = read_bsp(test::read_file_bytes(path));
-        for (const SubModel& model : level.models) {
-            const auto& low = model.box.mins;
-            const Vec3<World> p{World::from_int(low[0]), World::from_int(low[1]), World::from_int(low[2])};
-            const std::int32_t leaf = find_leaf(level, level.models[0], p);
-            const std::string query = "leaf " + path + " " + std::to_string(low[0]) + " " + std::to_string(low[1]) +
-                                      " " + std::to_string(low[2]);
-            EXPECT_EQ(probe.answer(query), std::to_string(leaf) + " " +
-                                               std::to_string(level.leaves[static_cast<std::size_t>(leaf)].contents));
-        }
-    }
 }
 
 }  // namespace
