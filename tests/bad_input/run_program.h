@@ -1,0 +1,71 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/bsp_writer.h"
+#include "tests/support/shared_levels.h"
+
+namespace oblong::test {
+
+/// A folder of its own for one test, gone with it.
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "oblong-XXXXXX").string();
+        path_ = mkdtemp(name.data());
+    }
+    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    std::string path(const std::string& name) const { return (path_ / name).string(); }
+
+    /// Writes a file and returns its path.
+    std::string write(const std::string& name, const Bytes& bytes) const {
+        std::ofstream out(path(name), std::ios::binary);
+        out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+        return path(name);
+    }
+    std::string write(const std::string& name, const std::string& text) const {
+        return write(name, Bytes(text.begin(), text.end()));
+    }
+
+  private:
+    std::filesystem::path path_;
+};
+
+struct Outcome {
+    int exit_code = -1;  ///< -1 if a signal ended it
+    std::string error;   ///< what it said on standard error
+};
+
+/// Runs build/bin/WORDS[0] with the other words as its arguments.
+inline Outcome run_program(const std::vector<std::string>& words) {
+    const TemporaryFolder folder;
+    std::string line = "'" OBLONG_BUILD_DIR "/bin/" + words[0] + "'";
+    for (std::size_t i = 1; i < words.size(); ++i) line += " '" + words[i] + "'";
+    line += " >/dev/null 2>'" + folder.path("error") + "'";
+    const int status = std::system(line.c_str());
+    const std::vector<std::uint8_t> error = read_file_bytes(folder.path("error"));
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, std::string(error.begin(), error.end())};
+}
+
+/// It failed as it should: exit code 1 and a line `PROGRAM: FILE: ...` with `where` in it.
+inline testing::AssertionResult names_fault(const Outcome& outcome, const std::string& program, const std::string& file,
+                                            const std::string& where) {
+    if (outcome.exit_code == 1 && outcome.error.starts_with(program + ": " + file + ": ") &&
+        outcome.error.find(where) != std::string::npos)
+        return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "exit code " << outcome.exit_code << ", said: " << outcome.error
+                                       << "expected the file " << file << " and '" << where << "'";
+}
+
+}  // namespace oblong::test
