@@ -43,8 +43,7 @@ void order_faces(const Level& level, const SubModel& model, const Vec3<World>& l
         const bool in_front = distance > 0;
         if (step < 0) {
             for (std::int32_t face = node.first_face; face < node.first_face + node.face_count; ++face)
-                if (distance != 0 && level.faces[static_cast<std::size_t>(face)].is_back != in_front)
-                    faces.push_back(face);
+                if (level.faces[static_cast<std::size_t>(face)].is_back != in_front) faces.push_back(face);
             continue;
         }
         if (node.children[in_front] >= 0) steps.push_back(node.children[in_front]);
@@ -72,8 +71,8 @@ void ModelFragments::clear() {
     corners_.clear();
 }
 
-void ModelFragments::cut(const Level& level, std::span<const PlacedModel> models,
-                         std::span<const std::int32_t> corner_indices, const Vec3<World>& eye) {
+void ModelFragments::cut(const Level& level, std::span<const PlacedModel> models, const FaceTable& table,
+                         const Vec3<World>& eye) {
     const auto distance_of = [&](std::int32_t index) {
         const PlacedModel& placed = models[static_cast<std::size_t>(index)];
         return squared_distance(level.models[static_cast<std::size_t>(placed.model)], placed, eye);
@@ -85,28 +84,26 @@ void ModelFragments::cut(const Level& level, std::span<const PlacedModel> models
         return distance_a != distance_b ? distance_a < distance_b : a < b;
     });
     for (const std::int32_t index : order_)
-        cut_model(level, models[static_cast<std::size_t>(index)], index, corner_indices, eye);
+        cut_model(level, models[static_cast<std::size_t>(index)], index, table, eye);
 }
 
 void ModelFragments::cut_model(const Level& level, const PlacedModel& placed, std::int32_t model_index,
-                               std::span<const std::int32_t> corner_indices, const Vec3<World>& eye) {
+                               const FaceTable& table, const Vec3<World>& eye) {
     const SubModel& model = level.models[static_cast<std::size_t>(placed.model)];
     if (model.head_nodes[0] < 0) return;
     order_faces(level, model, eye - placed.offset, nodes_, faces_);
     for (const std::int32_t face : faces_) {
         const Cut cut{level, level.faces[static_cast<std::size_t>(face)], face, model_index};
-        cut_face(cut, placed.offset, corner_indices);
+        cut_face(cut, placed.offset, table);
     }
 }
 
-void ModelFragments::cut_face(const Cut& cut, const Vec3<World>& offset, std::span<const std::int32_t> corner_indices) {
+void ModelFragments::cut_face(const Cut& cut, const Vec3<World>& offset, const FaceTable& table) {
     pieces_.clear();
     const auto first = static_cast<std::uint32_t>(corners_.size());
-    for (std::int32_t i = 0; i < cut.face.edge_count; ++i) {
-        const std::int32_t vertex = corner_indices[static_cast<std::size_t>(cut.face.first_surfedge + i)];
+    for (const std::int32_t vertex : table.corners_of(cut.face_index))
         corners_.push_back(cut.level.vertices[static_cast<std::size_t>(vertex)] + offset);
-    }
-    pieces_.push_back({cut.level.models[0].head_nodes[0], first, static_cast<std::uint32_t>(cut.face.edge_count)});
+    pieces_.push_back({cut.level.models[0].head_nodes[0], first, static_cast<std::uint32_t>(corners_.size()) - first});
     while (!pieces_.empty()) {
         const Piece piece = pieces_.back();
         pieces_.pop_back();

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/frame/face_table.h"
 #include "engine/level/level.h"
 
 namespace oblong {
@@ -24,8 +25,7 @@ class ModelFragments {
     explicit ModelFragments(const Level& level) : first_(level.leaves.size(), -1), last_(level.leaves.size(), -1) {}
 
     /// Cuts up the faces of `models` that face the eye.
-    void cut(const Level& level, std::span<const PlacedModel> models, std::span<const std::int32_t> corner_indices,
-             const Vec3<World>& eye);
+    void cut(const Level& level, std::span<const PlacedModel> models, const FaceTable& table, const Vec3<World>& eye);
     /// Forgets all.
     void clear();
 
@@ -48,9 +48,9 @@ class ModelFragments {
         std::int32_t face_index, model_index;
     };
 
-    void cut_model(const Level& level, const PlacedModel& placed, std::int32_t model_index,
-                   std::span<const std::int32_t> corner_indices, const Vec3<World>& eye);
-    void cut_face(const Cut& cut, const Vec3<World>& offset, std::span<const std::int32_t> corner_indices);
+    void cut_model(const Level& level, const PlacedModel& placed, std::int32_t model_index, const FaceTable& table,
+                   const Vec3<World>& eye);
+    void cut_face(const Cut& cut, const Vec3<World>& offset, const FaceTable& table);
     void cut_piece(const Cut& cut, const Piece& piece);
     void split(const Piece& piece, const Node& node);
     void add_to_leaf(const Cut& cut, std::int32_t leaf, const Piece& piece);

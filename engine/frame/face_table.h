@@ -14,17 +14,18 @@ enum class FaceKind : std::uint8_t { Lit, Liquid, Sky };
 
 /// What every frame would otherwise work out again from a level's faces.
 struct FaceTable {
-    std::vector<std::int32_t> corners;      ///< vertex of each surfedge: the faces' corners in their order
-    std::vector<FaceKind> kinds;            ///< of each face
-    std::vector<EffectSet> leaf_effects;    ///< what each leaf's faces call for
-    std::vector<std::int64_t> density_16;   ///< of each texinfo: texels of mip level 0 per unit, the denser axis
-    std::size_t most_corners = 0;           ///< of any face
-    std::size_t most_light_samples = 0;     ///< of any face
-    std::size_t largest_surface_bytes = 0;  ///< of any lit face at mip level 0
+    std::vector<std::int32_t> corners;       ///< the faces' vertices in their order, those of T-junctions among them
+    std::vector<std::size_t> first_corners;  ///< of each face in `corners`, and one past the last
+    std::vector<FaceKind> kinds;             ///< of each face
+    std::vector<EffectSet> leaf_effects;     ///< what each leaf's faces call for
+    std::vector<std::int64_t> density_16;    ///< of each texinfo: texels of mip level 0 per unit, the denser axis
+    std::size_t most_corners = 0;            ///< of any face
+    std::size_t most_light_samples = 0;      ///< of any face
+    std::size_t largest_surface_bytes = 0;   ///< of any lit face at mip level 0
 
-    std::span<const std::int32_t> corners_of(const Face& face) const {
-        return std::span(corners).subspan(static_cast<std::size_t>(face.first_surfedge),
-                                          static_cast<std::size_t>(face.edge_count));
+    std::span<const std::int32_t> corners_of(std::int32_t face) const {
+        const std::size_t first = first_corners[static_cast<std::size_t>(face)];
+        return std::span(corners).subspan(first, first_corners[static_cast<std::size_t>(face) + 1] - first);
     }
 };
 

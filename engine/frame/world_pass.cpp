@@ -44,9 +44,8 @@ class FacePainter {
 
     /// A face of the world.
     void paint_world_face(std::int32_t index) {
-        const Face& face = frame_.scene.level.faces[static_cast<std::size_t>(index)];
         if (work_.counts) ++work_.counts->faces_visited;
-        if (make_face_outline(work_.faces.corners_of(face), frame_.view, work_.vertices, work_.outline))
+        if (make_face_outline(work_.faces.corners_of(index), frame_.view, work_.vertices, work_.outline))
             paint_outline(index, {});
     }
 
@@ -126,8 +125,11 @@ class FacePainter {
         const std::int64_t distance_42 = plane_distance_42(plane, eye);
         TexturedPlane textured;
         textured.normal = face.is_back ? -plane.normal : plane.normal;
+        // Edge-on, or turned round by rounding to the screen: a sliver, whose texels any steep view of the plane
+        // serves.
+        constexpr std::int64_t kLeastDistance_42 = std::int64_t{1} << 30;
         textured.eye_distance =
-            PlaneDistance::from_raw(std::max<std::int64_t>(face.is_back ? -distance_42 : distance_42, 1));
+            PlaneDistance::from_raw(std::max(face.is_back ? -distance_42 : distance_42, kLeastDistance_42));
         textured.s = texinfo.s;
         textured.t = texinfo.t;
         textured.eye_u_16 = eye_texel_16(texinfo.s, texinfo.s_offset, eye) - std::int64_t{surface.origin_u} * 65536;
@@ -169,11 +171,12 @@ void draw_world(const FrameContext& frame, FrameWorkspace& work) {
     work.sky_spans.clear();
     work.fragments.clear();
     if (frame.plan.effects.has(Effect::BrushModels))
-        work.fragments.cut(level, frame.scene.models, work.faces.corners, frame.view.eye);
+        work.fragments.cut(level, frame.scene.models, work.faces, frame.view.eye);
 
     FacePainter painter(frame, work);
     walk_front_to_back(
-        level, frame.view.eye, frame.view.frustum, work.visible, work.walk,
+        level, frame.view.eye, frame.view.frustum, work.visible,
+        both_sides_distance_42(frame.settings.accuracy.subpixel_bits), work.walk,
         [&](std::int32_t leaf) { painter.paint_fragments(leaf); },
         [&](std::int32_t face) { painter.paint_world_face(face); }, [&] { return work.coverage.is_full(); });
 }

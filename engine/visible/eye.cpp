@@ -10,7 +10,9 @@ namespace oblong {
 namespace {
 
 constexpr std::int64_t kClearance_42 = std::int64_t{2} << 30;
-constexpr int kMostMoves = 8;
+constexpr unsigned kMostMoves = 8;
+/// At a corner three planes meet, and an edge of a fourth: each may have its open side before or behind.
+constexpr unsigned kMostFlips = 4;
 
 /// The component of the normal that is largest: moving along it changes the distance most.
 Vec3<World> moved_off(Vec3<World> eye, const LevelPlane& plane, int side) {
@@ -42,12 +44,14 @@ bool is_solid(const Level& level, std::int32_t leaf) {
     return level.leaves[static_cast<std::size_t>(leaf)].contents == contents::kSolid;
 }
 
-PlacedEye move_clear(const Level& level, Vec3<World> eye, bool to_other_side) {
-    for (int move = 0; move < kMostMoves; ++move) {
+/// Moves the eye clear of plane after plane: of the i-th to the side that it is on, or to the other if bit i of
+/// `other_sides` says so.
+PlacedEye move_clear(const Level& level, Vec3<World> eye, unsigned other_sides) {
+    for (unsigned move = 0; move < kMostMoves; ++move) {
         const std::optional<std::int32_t> near = plane_too_near(level, eye);
         if (!near) break;
         const LevelPlane& plane = level.planes[static_cast<std::size_t>(*near)];
-        const bool in_front = (plane_side(plane, eye) > 0) != to_other_side;
+        const bool in_front = (plane_side(plane, eye) > 0) != ((other_sides >> move & 1) != 0);
         eye = moved_off(eye, plane, in_front ? 1 : -1);
     }
     return {eye, find_leaf(level, level.models[0], eye)};
@@ -56,10 +60,13 @@ PlacedEye move_clear(const Level& level, Vec3<World> eye, bool to_other_side) {
 }  // namespace
 
 PlacedEye place_eye(const Level& level, Vec3<World> eye) {
-    const PlacedEye placed = move_clear(level, eye, false);
+    const PlacedEye placed = move_clear(level, eye, 0);
     if (placed.position == eye || !is_solid(level, placed.leaf)) return placed;
-    const PlacedEye other = move_clear(level, eye, true);
-    return is_solid(level, other.leaf) ? placed : other;
+    for (unsigned other_sides = 1; other_sides < 1u << kMostFlips; ++other_sides) {
+        const PlacedEye other = move_clear(level, eye, other_sides);
+        if (!is_solid(level, other.leaf)) return other;
+    }
+    return placed;
 }
 
 }  // namespace oblong

@@ -14,7 +14,7 @@ namespace oblong {
 struct WalkStep {
     std::int32_t node;            ///< or -1 - leaf
     bool draws_faces;             ///< false: enter the node; true: its near side is done, draw the faces on its plane
-    bool eye_in_front;            ///< of the node's plane; meaningful where draws_faces
+    bool draws_front;             ///< which of them: those that face the plane's front, or those that face its back
     std::uint8_t planes_to_test;  ///< sides of the view that the node's parent still crossed
 };
 
@@ -29,19 +29,29 @@ struct WalkScratch {
 std::uint8_t planes_crossed(const Frustum& frustum, const LevelBox& box, const Vec3<World>& eye, std::uint8_t planes);
 inline constexpr std::uint8_t kAllSides = 15, kOutside = 0xff;
 
+/// How near to a plane the eye may be so that faces which face away from it by a hair are drawn all the same: rounded
+/// to the screen, such a face may turn round and show pixels that its neighbours, rounded too, leave. Drawn, it is what
+/// closes the outline of what is seen; most often it covers nothing. A face of L units at depth z turns round where it
+/// is d <= z^2 / (160 L) * (twice the rounding) before its plane: 32 units do for 16-unit faces 3,600 units away at
+/// 1/256 pixel; coarser grids ask for more.
+constexpr std::int64_t both_sides_distance_42(std::int32_t subpixel_bits) {
+    return std::int64_t{32} << (42 + 8 - subpixel_bits);
+}
+
 /// Walks the world's tree front to back (Abrash, seed 5's sequel; Fuchs, Kedem and Naylor 1980). Calls on_leaf(leaf)
 /// for every leaf that may be seen, and on_face(face) for the faces that border such leaves and face the eye. A face
 /// comes after all that can hide it, and a leaf before the faces that close it. Ends early when is_done() says so.
 template <class OnLeaf, class OnFace, class IsDone>
 void walk_front_to_back(const Level& level, const Vec3<World>& eye, const Frustum& frustum, const VisibleSet& visible,
-                        WalkScratch& scratch, OnLeaf on_leaf, OnFace on_face, IsDone is_done) {
+                        std::int64_t both_sides_42, WalkScratch& scratch, OnLeaf on_leaf, OnFace on_face,
+                        IsDone is_done) {
     const std::uint32_t mark = ++scratch.mark;
     scratch.steps.assign(1, {level.models[0].head_nodes[0], false, false, kAllSides});
 
-    const auto draw_faces = [&](const Node& node, bool eye_in_front) {
+    const auto draw_faces = [&](const Node& node, bool front) {
         for (std::int32_t face = node.first_face; face < node.first_face + node.face_count; ++face)
             if (scratch.face_marks[static_cast<std::size_t>(face)] == mark &&
-                level.faces[static_cast<std::size_t>(face)].is_back != eye_in_front)
+                level.faces[static_cast<std::size_t>(face)].is_back != front)
                 on_face(face);
     };
     const auto enter_leaf = [&](std::int32_t index, std::uint8_t planes) {
@@ -63,7 +73,7 @@ void walk_front_to_back(const Level& level, const Vec3<World>& eye, const Frustu
         }
         const Node& node = level.nodes[static_cast<std::size_t>(step.node)];
         if (step.draws_faces) {
-            draw_faces(node, step.eye_in_front);
+            draw_faces(node, step.draws_front);
             continue;
         }
         if (!visible.has_node(step.node)) continue;
@@ -71,8 +81,12 @@ void walk_front_to_back(const Level& level, const Vec3<World>& eye, const Frustu
         if (planes == kOutside) continue;
         const std::int64_t distance = plane_distance_42(level.planes[static_cast<std::size_t>(node.plane)], eye);
         const bool in_front = distance > 0;
+        // Last in, first out: near side, faces toward the eye, far side; and those that only rounding shows, whose
+        // leaves are on the far side.
+        const bool is_thin = node.face_count > 0 && distance < both_sides_42 && distance > -both_sides_42;
+        if (is_thin) scratch.steps.push_back({step.node, true, !in_front, planes});
         scratch.steps.push_back({node.children[in_front], false, false, planes});
-        if (distance != 0 && node.face_count > 0) scratch.steps.push_back({step.node, true, in_front, planes});
+        if (node.face_count > 0) scratch.steps.push_back({step.node, true, in_front, planes});
         scratch.steps.push_back({node.children[!in_front], false, false, planes});
     }
 }

@@ -1,0 +1,136 @@
+#include "engine/level/t_junctions.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/fixed/wide.h"
+
+namespace oblong {
+
+namespace {
+
+/// How far from an edge's line a vertex still counts as on it: 8 steps of World, 1/512 unit. Compilers leave 2e-5.
+constexpr std::int64_t kTolerance = 8;
+/// Vertices looked at in all, so that a level made for it can't take for ever; its edges beyond that stay as they are.
+constexpr std::int64_t kMostLooks = std::int64_t{1} << 28;
+
+using Point = std::array<std::int64_t, 3>;
+
+Point point_of(const Level& level, std::int32_t vertex) {
+    const Vec3<World>& p = level.vertices[static_cast<std::size_t>(vertex)];
+    return {p.x.raw, p.y.raw, p.z.raw};
+}
+
+std::int64_t dot(const Point& a, const Point& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// Vertices in the order of one coordinate.
+struct SortedAxis {
+    std::vector<std::int64_t> values;
+    std::vector<std::int32_t> vertices;
+};
+
+/// The vertices that faces use, ready to be looked up by place.
+class VertexIndex {
+  public:
+    explicit VertexIndex(const Level& level) {
+        std::vector<bool> is_used(level.vertices.size());
+        for (const std::int32_t edge : level.surf_edges) {
+            const EdgeIndices& ends = level.edges[static_cast<std::size_t>(edge < 0 ? -edge : edge)];
+            is_used[static_cast<std::size_t>(ends.from)] = is_used[static_cast<std::size_t>(ends.to)] = true;
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) sort_by(level, is_used, axis);
+    }
+
+    /// Calls look(vertex) for those within a box, and perhaps others; goes by the axis that leaves the fewest.
+    template <class Look>
+    void look_within(const Point& low, const Point& high, Look look) const {
+        std::size_t best_first = 0, best_end = 0, best_axis = 3;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto& values = axes_[axis].values;
+            const auto first = std::lower_bound(values.begin(), values.end(), low[axis]) - values.begin();
+            const auto end = std::upper_bound(values.begin(), values.end(), high[axis]) - values.begin();
+            if (best_axis < 3 && static_cast<std::size_t>(end - first) >= best_end - best_first) continue;
+            best_axis = axis;
+            best_first = static_cast<std::size_t>(first);
+            best_end = static_cast<std::size_t>(end);
+        }
+        for (std::size_t i = best_first; i < best_end; ++i) look(axes_[best_axis].vertices[i]);
+    }
+
+  private:
+    void sort_by(const Level& level, const std::vector<bool>& is_used, std::size_t axis) {
+        SortedAxis& sorted = axes_[axis];
+        for (std::size_t vertex = 0; vertex < is_used.size(); ++vertex)
+            if (is_used[vertex]) sorted.vertices.push_back(static_cast<std::int32_t>(vertex));
+        std::stable_sort(sorted.vertices.begin(), sorted.vertices.end(), [&](std::int32_t a, std::int32_t b) {
+            return point_of(level, a)[axis] < point_of(level, b)[axis];
+        });
+        for (const std::int32_t vertex : sorted.vertices) sorted.values.push_back(point_of(level, vertex)[axis]);
+    }
+
+    std::array<SortedAxis, 3> axes_;
+};
+
+/// One edge, and which vertices lie inside it.
+class EdgeLine {
+  public:
+    EdgeLine(const Point& from, const Point& to) : from_(from) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            along_[axis] = to[axis] - from[axis];
+            low_[axis] = std::min(from[axis], to[axis]) - kTolerance;
+            high_[axis] = std::max(from[axis], to[axis]) + kTolerance;
+        }
+        length_squared_ = dot(along_, along_);
+    }
+
+    const Point& low() const { return low_; }
+    const Point& high() const { return high_; }
+
+    /// How far along the edge, as part of length_squared; -1 if the vertex isn't inside it.
+    std::int64_t part_of(const Point& p) const {
+        Point offset{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            if (p[axis] < low_[axis] || p[axis] > high_[axis]) return -1;
+            offset[axis] = p[axis] - from_[axis];
+        }
+        const std::int64_t part = dot(offset, along_);
+        if (part <= 0 || part >= length_squared_ || dot(offset, offset) <= kTolerance * kTolerance) return -1;
+        Point to_end{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::int64_t nearest = mul_div(along_[axis], part, length_squared_);
+            if (offset[axis] - nearest > kTolerance || nearest - offset[axis] > kTolerance) return -1;
+            to_end[axis] = along_[axis] - offset[axis];
+        }
+        return dot(to_end, to_end) <= kTolerance * kTolerance ? -1 : part;
+    }
+
+  private:
+    Point from_, along_{}, low_{}, high_{};
+    std::int64_t length_squared_;
+};
+
+}  // namespace
+
+TJunctions::TJunctions(const Level& level) {
+    const VertexIndex index(level);
+    std::vector<std::pair<std::int64_t, std::int32_t>> found;
+    std::int64_t looks = 0;
+    for (const EdgeIndices& edge : level.edges) {
+        first_.push_back(vertices_.size());
+        if (looks > kMostLooks) continue;
+        const EdgeLine line(point_of(level, edge.from), point_of(level, edge.to));
+        found.clear();
+        index.look_within(line.low(), line.high(), [&](std::int32_t vertex) {
+            ++looks;
+            const std::int64_t part = line.part_of(point_of(level, vertex));
+            if (part >= 0) found.emplace_back(part, vertex);
+        });
+        std::sort(found.begin(), found.end());
+        for (const auto& [part, vertex] : found) vertices_.push_back(vertex);
+    }
+    first_.push_back(vertices_.size());
+}
+
+}  // namespace oblong
