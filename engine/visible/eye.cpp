@@ -1,7 +1,6 @@
 #include "engine/visible/eye.h"
 
 #include <array>
-#include <optional>
 
 #include "engine/level/side.h"
 
@@ -10,49 +9,51 @@ namespace oblong {
 namespace {
 
 constexpr std::int64_t kClearance_42 = std::int64_t{2} << 30;
-constexpr unsigned kMostMoves = 8;
+constexpr std::int32_t kMostRounds = 16;
 /// At a corner three planes meet, and an edge of a fourth: each may have its open side before or behind.
 constexpr unsigned kMostFlips = 4;
 
 /// The component of the normal that is largest: moving along it changes the distance most.
-Vec3<World> moved_off(Vec3<World> eye, const LevelPlane& plane, int side) {
+Vec3<World> moved_off(Vec3<World> eye, const LevelPlane& plane, int side, std::int32_t scale) {
     const std::array<std::int64_t, 3> normal{plane.normal.x.raw, plane.normal.y.raw, plane.normal.z.raw};
     std::array<std::int32_t*, 3> coordinate{&eye.x.raw, &eye.y.raw, &eye.z.raw};
     std::size_t largest = 0;
     for (std::size_t axis = 1; axis < 3; ++axis)
         if (normal[axis] * normal[axis] > normal[largest] * normal[largest]) largest = axis;
     // 2 steps of distance are at most 2 sqrt(3) steps along the largest component.
-    const std::int32_t steps = plane.axis < 3 ? 2 : 4;
+    const std::int32_t steps = (plane.axis < 3 ? 2 : 4) * scale;
     *coordinate[largest] += (normal[largest] > 0) == (side > 0) ? steps : -steps;
     return eye;
 }
 
-/// The first plane on the way down to the eye's leaf that the eye is too near to.
-std::optional<std::int32_t> plane_too_near(const Level& level, Vec3<World> eye) {
-    std::int32_t node = level.models[0].head_nodes[0];
-    while (node >= 0) {
-        const Node& at = level.nodes[static_cast<std::size_t>(node)];
-        const LevelPlane& plane = level.planes[static_cast<std::size_t>(at.plane)];
-        const std::int64_t distance = plane_distance_42(plane, eye);
-        if (distance < kClearance_42 && distance > -kClearance_42) return at.plane;
-        node = at.children[plane_side(plane, eye) > 0 ? 0 : 1];
-    }
-    return std::nullopt;
+bool is_too_near(const LevelPlane& plane, Vec3<World> eye, int side) {
+    return plane_distance_42(plane, eye) * side < kClearance_42;
 }
 
 bool is_solid(const Level& level, std::int32_t leaf) {
     return level.leaves[static_cast<std::size_t>(leaf)].contents == contents::kSolid;
 }
 
-/// Moves the eye clear of plane after plane: of the i-th to the side that it is on, or to the other if bit i of
-/// `other_sides` says so.
+/// Goes down to the eye's leaf, at the planes that it is too near to on the other side where `other_sides` has a bit
+/// for them (the first such plane's is bit 0), and moves it clear of them all: they are the planes that bound the leaf.
+/// In a sharp corner clearing one plane comes nearer to another, so that it takes some rounds, of growing steps.
 PlacedEye move_clear(const Level& level, Vec3<World> eye, unsigned other_sides) {
-    for (unsigned move = 0; move < kMostMoves; ++move) {
-        const std::optional<std::int32_t> near = plane_too_near(level, eye);
-        if (!near) break;
-        const LevelPlane& plane = level.planes[static_cast<std::size_t>(*near)];
-        const bool in_front = (plane_side(plane, eye) > 0) != ((other_sides >> move & 1) != 0);
-        eye = moved_off(eye, plane, in_front ? 1 : -1);
+    for (std::int32_t round = 0; round < kMostRounds; ++round) {
+        unsigned near_count = 0;
+        std::int32_t node = level.models[0].head_nodes[0];
+        Vec3<World> moved = eye;
+        while (node >= 0) {
+            const Node& at = level.nodes[static_cast<std::size_t>(node)];
+            const LevelPlane& plane = level.planes[static_cast<std::size_t>(at.plane)];
+            int side = plane_side(plane, eye) > 0 ? 1 : -1;
+            if (is_too_near(plane, eye, side)) {
+                if (round == 0 && (other_sides >> near_count++ & 1) != 0) side = -side;
+                if (is_too_near(plane, moved, side)) moved = moved_off(moved, plane, side, 1 + round / 2);
+            }
+            node = at.children[side > 0 ? 0 : 1];
+        }
+        if (moved == eye) break;
+        eye = moved;
     }
     return {eye, find_leaf(level, level.models[0], eye)};
 }
