@@ -3,9 +3,10 @@
 
 namespace oblong::map_source {
 
-/// Three ways at 48 units' height: from forced perspective to accuracy, the long pale corridor where distance shows,
-/// and the bridge from it into the tower.
-void build_passages(Draft& draft) {
+namespace {
+
+/// From forced perspective north to accuracy.
+void build_west_passage(Draft& draft) {
     const std::vector<WallBand> stone{{80, "wood_panel"}, {176, "sand_wall"}};
     build_room(draft, {{{-848, 1520, 48}, {-736, 2112, 176}},
                        "stone_floor",
@@ -18,7 +19,10 @@ void build_passages(Draft& draft) {
     // At the end of forced perspective: small, and taken for large.
     add_panel(draft, {Side::East, {{-848, 1566, 92}, {-844, 1602, 128}}, "picture_moon"});
     draft.add_light({-800, 1584, 140}, 260);
+}
 
+/// Long and pale, between two rows of columns: distance shows.
+void build_pale_corridor(Draft& draft) {
     build_room(draft, {{{-64, 2256, 48}, {592, 2384, 192}},
                        "stone_floor",
                        "plaster_ivory",
@@ -28,7 +32,10 @@ void build_passages(Draft& draft) {
         for (const double y : {2268.0, 2372.0}) add_column(draft, {x, y, 48}, 144, 8, "marble_ivory");
     }
     for (const double x : {48.0, 240.0, 432.0}) draft.add_light({x, 2320, 150}, 320);
+}
 
+/// From the corridor over the courtyard's wall into the tower.
+void build_tower_bridge(Draft& draft) {
     draft.add_box({{448, 1856, 0}, {576, 1984, 32}}, "stone_dark");
     build_room(draft, {{{464, 1856, 48}, {560, 2224, 160}},
                        "stone_floor",
@@ -38,6 +45,15 @@ void build_passages(Draft& draft) {
     add_panel(draft, {Side::East, {{464, 2040, 112}, {468, 2104, 144}}, "+0exit", 64, 32});
     draft.add_light({512, 2180, 130}, 310);
     draft.add_light({512, 1960, 130}, 240);
+}
+
+}  // namespace
+
+/// All three lie 48 units above the courtyard.
+void build_passages(Draft& draft) {
+    build_west_passage(draft);
+    build_pale_corridor(draft);
+    build_tower_bridge(draft);
 }
 
 }  // namespace oblong::map_source
