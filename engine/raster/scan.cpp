@@ -78,6 +78,11 @@ void widen_by_edge(ScreenVertex top, ScreenVertex bottom, std::vector<std::int32
     }
 }
 
+ScreenVertex within_limits(ScreenVertex v) {
+    return {Screen::from_raw(std::clamp(v.x.raw, -kLargestScreen_8, kLargestScreen_8)),
+            Screen::from_raw(std::clamp(v.y.raw, -kLargestScreen_8, kLargestScreen_8))};
+}
+
 /// What a polygon looks like before it is scanned.
 struct Outline {
     std::int32_t first_row, end_row;
@@ -87,8 +92,9 @@ struct Outline {
 Outline survey(std::span<const ScreenVertex> vertices, std::int32_t height) {
     std::int32_t top = std::numeric_limits<std::int32_t>::max(), bottom = std::numeric_limits<std::int32_t>::min();
     int turns = 0, direction = 0, first_direction = 0;
-    ScreenVertex from = vertices.back();
-    for (const ScreenVertex& to : vertices) {
+    ScreenVertex from = within_limits(vertices.back());
+    for (const ScreenVertex& vertex : vertices) {
+        const ScreenVertex to = within_limits(vertex);
         top = std::min(top, to.y.raw);
         bottom = std::max(bottom, to.y.raw);
         const int now = (to.y.raw > from.y.raw) - (to.y.raw < from.y.raw);
@@ -109,17 +115,13 @@ void scan_bent(std::span<const ScreenVertex> vertices, RowColumns& rows) {
         rows.left[static_cast<std::size_t>(row)] = std::numeric_limits<std::int32_t>::max();
         rows.right[static_cast<std::size_t>(row)] = std::numeric_limits<std::int32_t>::min();
     }
-    ScreenVertex from = vertices.back();
-    for (const ScreenVertex& to : vertices) {
+    ScreenVertex from = within_limits(vertices.back());
+    for (const ScreenVertex& vertex : vertices) {
+        const ScreenVertex to = within_limits(vertex);
         if (from.y < to.y) widen_by_edge(from, to, rows.right, false);
         if (to.y < from.y) widen_by_edge(to, from, rows.left, true);
         from = to;
     }
-}
-
-ScreenVertex within_limits(ScreenVertex v) {
-    return {Screen::from_raw(std::clamp(v.x.raw, -kLargestScreen_8, kLargestScreen_8)),
-            Screen::from_raw(std::clamp(v.y.raw, -kLargestScreen_8, kLargestScreen_8))};
 }
 
 }  // namespace

@@ -60,9 +60,26 @@ std::vector<ScreenVertex> to_screen(const std::vector<ClipVertex>& polygon, cons
     return screen;
 }
 
-/// Twice the area on the screen, (1/256 pixel)^2.
-std::int64_t visible_doubled_area_16(const ClipJob& job, const ModeAndView& view) {
-    const Projection lens = make_projection(view.mode, view.field_of_view);
+/// How often a mode's sizes can be doubled: a mode that much finer shows the same picture, and slivers keep their area
+/// when corners are rounded to 1/256 of its pixels. Not where the field of view makes multipliers too large.
+int refinement_of(const ModeAndView& view) {
+    constexpr std::int32_t kFinest_px = 1 << 16;
+    constexpr Degrees kNarrow = Degrees::from_raw(Degrees::from_int(1).raw / 64);
+    if (view.field_of_view < kNarrow) return 0;
+    int doublings = 0;
+    while (std::max(view.mode.width_px, view.mode.height_px) << (doublings + 1) <= kFinest_px) ++doublings;
+    return doublings;
+}
+
+Projection make_refined_lens(const ModeAndView& view, int doublings) {
+    ScreenMode mode = view.mode;
+    mode.width_px <<= doublings;
+    mode.height_px <<= doublings;
+    return make_projection(mode, view.field_of_view);
+}
+
+/// Twice the area on the screen, in (1/256 pixel)^2 of the lens's mode.
+std::int64_t visible_doubled_area_16(const ClipJob& job, const Projection& lens) {
     const Frustum frustum = make_frustum(y_up_basis(Angle{}, Angle{}, Angle{}), lens);
     ClipScratch scratch{job.polygon, {}};
     clip_to_depth({{0, 0, 1}, job.near.raw}, scratch);
@@ -82,7 +99,11 @@ std::string answer_clip(Fields& fields) {
     std::vector<Vec3<View>> corners;
     for (std::int64_t i = 0; i < count; ++i) corners.push_back(convert_point<View>(fields.point()));
     fields.expect_end();
-    return format_fixed(visible_doubled_area_16(make_job(corners, near, far), view), 2 * Screen::kFractionBits + 1);
+
+    const int doublings = refinement_of(view);
+    const std::int64_t doubled_area =
+        visible_doubled_area_16(make_job(corners, near, far), make_refined_lens(view, doublings));
+    return format_fixed(doubled_area, 2 * (Screen::kFractionBits + doublings) + 1);
 }
 
 }  // namespace oblong
