@@ -92,9 +92,8 @@ struct Outline {
 Outline survey(std::span<const ScreenVertex> vertices, std::int32_t height) {
     std::int32_t top = std::numeric_limits<std::int32_t>::max(), bottom = std::numeric_limits<std::int32_t>::min();
     int turns = 0, direction = 0, first_direction = 0;
-    ScreenVertex from = within_limits(vertices.back());
-    for (const ScreenVertex& vertex : vertices) {
-        const ScreenVertex to = within_limits(vertex);
+    ScreenVertex from = vertices.back();
+    for (const ScreenVertex& to : vertices) {
         top = std::min(top, to.y.raw);
         bottom = std::max(bottom, to.y.raw);
         const int now = (to.y.raw > from.y.raw) - (to.y.raw < from.y.raw);
@@ -105,6 +104,8 @@ Outline survey(std::span<const ScreenVertex> vertices, std::int32_t height) {
         direction = now;
     }
     turns += direction != first_direction;
+    top = std::min(top, kLargestScreen_8);
+    bottom = std::min(bottom, kLargestScreen_8);
     return {std::max(first_centre_from(top), 0), std::min(first_centre_from(bottom), height), turns <= 2};
 }
 

@@ -9,7 +9,7 @@
 
 #include "tools/probe/probe.h"
 
-/// Each hard case is a test HardCase.LETTERNUMBER_What: README.md lists them. Many ask through the probe, as checks
+/// Each hard case is a test suite HardCaseLETTERNUMBER: README.md lists them. Many ask through the probe, as checks
 /// from outside do.
 namespace oblong::test {
 

@@ -37,6 +37,7 @@ TEST(Scaled, ResultsHoldTheirRelativeError) {
         const long double x = value_of(a), y = value_of(b), larger = std::max(std::abs(x), std::abs(y));
         ASSERT_LE(std::abs(value_of(a * b) - x * y), std::abs(x * y) * 0x1p-60L);
         ASSERT_LE(std::abs(value_of(a - b) - (x - y)), larger * 0x1p-60L);
+        ASSERT_LE(std::abs(value_of(a + b) - (x + y)), larger * 0x1p-60L);
         if (b.is_zero()) continue;
         ASSERT_LE(std::abs(value_of(a / b) - x / y), std::abs(x / y) * 0x1p-60L);
     }
