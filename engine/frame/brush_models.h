@@ -5,63 +5,56 @@
 #include <vector>
 
 #include "engine/frame/face_table.h"
+#include "engine/frame/model_cutter.h"
 #include "engine/level/level.h"
 
 namespace oblong {
 
-struct PlacedModel;
-
-/// A part of a brush model's face that lies in one leaf of the world.
-struct Fragment {
-    std::int32_t face = 0, model = 0;  ///< `model`: index into the scene's placed models
-    std::uint32_t first_corner = 0, corner_count = 0;
-    std::int32_t next = -1;  ///< the next in the same leaf
-};
-
-/// Brush models (doors, lifts), cut up by the world's tree so that each part is drawn in front of what lies behind its
-/// leaf and behind what lies before it. Nearer models come first in a leaf, and within a model its own tree orders.
-class ModelFragments {
+/// The brush models of a scene (doors, lifts), cut up by the world's tree so that each part is drawn in front of what
+/// lies behind its leaf and behind what lies before it. A model is cut anew only where it has moved.
+class BrushModels {
   public:
-    explicit ModelFragments(const Level& level) : first_(level.leaves.size(), -1), last_(level.leaves.size(), -1) {}
+    explicit BrushModels(const Level& level);
 
-    /// Cuts up the faces of `models` that face the eye.
-    void cut(const Level& level, std::span<const PlacedModel> models, const FaceTable& table, const Vec3<World>& eye);
-    /// Forgets all.
-    void clear();
+    /// Takes the models as they stand now.
+    void place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
+    /// Starts a frame: orders are found anew, and only for models that the frame meets.
+    void start_frame() { ++frame_; }
 
-    std::int32_t first_in(std::int32_t leaf) const { return first_[static_cast<std::size_t>(leaf)]; }
-    const Fragment& fragment(std::int32_t index) const { return fragments_[static_cast<std::size_t>(index)]; }
+    bool has_any_in(std::int32_t leaf) const { return first_links_[static_cast<std::size_t>(leaf)] >= 0; }
+    /// The parts in a leaf that face the eye, nearer models first, and within a model as its own tree orders them.
+    /// Valid until the next call.
+    std::span<const Fragment* const> front_to_back_in(std::int32_t leaf, const Level& level, const Vec3<World>& eye);
     std::span<const Vec3<World>> corners_of(const Fragment& fragment) const {
-        return std::span(corners_).subspan(fragment.first_corner, fragment.corner_count);
+        return std::span(cuts_[static_cast<std::size_t>(fragment.placed)].corners)
+            .subspan(fragment.first_corner, fragment.corner_count);
     }
 
   private:
-    struct Piece {
-        std::int32_t node;
-        std::uint32_t first_corner, corner_count;
+    struct Link {
+        const Fragment* fragment;
+        std::int32_t next;
+    };
+    /// The order of what one frame meets of a model.
+    struct Order {
+        std::uint32_t frame = 0;
+        std::int64_t squared_distance = 0;
     };
 
-    /// What is being cut: a face of a placed model.
-    struct Cut {
-        const Level& level;
-        const Face& face;
-        std::int32_t face_index, model_index;
-    };
+    void link_leaves();
+    void order_model(std::int32_t placed, const Level& level, const Vec3<World>& eye);
+    bool is_before(const Fragment& a, const Fragment& b) const;
 
-    void cut_model(const Level& level, const PlacedModel& placed, std::int32_t model_index, const FaceTable& table,
-                   const Vec3<World>& eye);
-    void cut_face(const Cut& cut, const Vec3<World>& offset, const FaceTable& table);
-    void cut_piece(const Cut& cut, const Piece& piece);
-    void split(const Piece& piece, const Node& node);
-    void add_to_leaf(const Cut& cut, std::int32_t leaf, const Piece& piece);
-
-    std::vector<std::int32_t> first_, last_;  ///< of each leaf; -1: none
-    std::vector<std::int32_t> touched_;       ///< leaves that have any
-    std::vector<Fragment> fragments_;
-    std::vector<Vec3<World>> corners_;
-    std::vector<Piece> pieces_;
-    std::vector<std::int64_t> distances_;
-    std::vector<std::int32_t> order_, nodes_, faces_;
+    std::vector<PlacedModel> placed_;
+    std::vector<ModelCut> cuts_;  ///< of each placed model
+    std::vector<Order> orders_;   ///< of each placed model
+    std::vector<std::int32_t>
+        face_ranks_;  ///< of each face of the level: its place in its model's order; -1: faces away
+    std::vector<std::int32_t> first_links_;  ///< of each leaf; -1: none
+    std::vector<Link> links_;
+    std::vector<const Fragment*> found_;
+    std::vector<std::int32_t> steps_;
+    std::uint32_t frame_ = 0;
 };
 
 }  // namespace oblong

@@ -11,11 +11,13 @@ namespace oblong {
 
 namespace {
 
-EffectSet effects_in_sight(const Scene& scene, const FrameWorkspace& work) {
+EffectSet effects_in_sight(const FrameWorkspace& work) {
     EffectSet effects;
-    for (const std::int32_t leaf : work.visible.leaves())
+    for (const std::int32_t leaf : work.visible.leaves()) {
         effects = effects | work.faces.leaf_effects[static_cast<std::size_t>(leaf)];
-    return scene.models.empty() ? effects : effects.with(Effect::BrushModels);
+        if (work.brush_models.has_any_in(leaf)) effects = effects.with(Effect::BrushModels);
+    }
+    return effects;
 }
 
 ViewContext make_view(const Camera& camera, const Vec3<World>& eye, const ScreenMode& mode, const Settings& settings) {
@@ -67,7 +69,8 @@ void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode
                 FrameWorkspace& work, Framebuffer out) {
     const PlacedEye eye = place_eye(scene.level, camera.eye);
     work.visible.see_from(scene.level, eye.leaf);
-    work.plan = plan_frame(effects_in_sight(scene, work), settings.allowed_effects);
+    work.brush_models.place(scene.level, scene.models, work.faces);
+    work.plan = plan_frame(effects_in_sight(work), settings.allowed_effects);
     if (work.counts) start_counts(out, *work.counts);
 
     const ViewContext view = make_view(camera, eye.position, mode, settings);

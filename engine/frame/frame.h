@@ -6,6 +6,7 @@
 #include "engine/camera/camera.h"
 #include "engine/effects/plan.h"
 #include "engine/frame/lit_faces.h"
+#include "engine/frame/model_cutter.h"
 #include "engine/frame/settings.h"
 #include "engine/level/level.h"
 #include "engine/screen/framebuffer.h"
@@ -15,12 +16,6 @@
 namespace oblong {
 
 class FrameWorkspace;  // engine/frame/workspace.h: scratch and caches, owned by the caller, never part of the picture
-
-/// A brush model at its place: model 1 and up of the level, moved by `offset`.
-struct PlacedModel {
-    std::int32_t model = 0;
-    Vec3<World> offset;
-};
 
 /// All light styles as they are stored.
 constexpr LightStyles plain_light_styles() {

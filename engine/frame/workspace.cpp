@@ -19,7 +19,7 @@ FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode)
       rows(mode.height_px),
       surfaces(level.faces.size() * 4, std::max(kSurfaceArenaBytes, faces.largest_surface_bytes)),
       corner_shades(faces.most_light_samples),
-      fragments(level) {
+      brush_models(level) {
     walk.face_marks.resize(level.faces.size());
     walk.steps.reserve(level.nodes.size());
     owned.reserve(static_cast<std::size_t>(mode.height_px) * 16);

@@ -46,7 +46,7 @@ class FrameWorkspace {
     std::vector<TexelBlock> blocks;
     SurfaceCache surfaces;
     std::vector<std::int32_t> corner_shades;
-    ModelFragments fragments;
+    BrushModels brush_models;
     BlockKernel kernel = best_block_kernel();
 
     FramePlan plan;                       ///< of the frame drawn last: for showing, never read by a frame

@@ -51,11 +51,12 @@ class FacePainter {
 
     /// The parts of brush models in a leaf.
     void paint_fragments(std::int32_t leaf) {
-        for (std::int32_t i = work_.fragments.first_in(leaf); i >= 0; i = work_.fragments.fragment(i).next) {
-            const Fragment& fragment = work_.fragments.fragment(i);
+        if (!work_.brush_models.has_any_in(leaf)) return;
+        for (const Fragment* fragment :
+             work_.brush_models.front_to_back_in(leaf, frame_.scene.level, frame_.view.eye)) {
             if (work_.counts) ++work_.counts->faces_visited;
-            if (make_polygon_outline(work_.fragments.corners_of(fragment), frame_.view, work_.outline))
-                paint_outline(fragment.face, frame_.scene.models[static_cast<std::size_t>(fragment.model)].offset);
+            if (make_polygon_outline(work_.brush_models.corners_of(*fragment), frame_.view, work_.outline))
+                paint_outline(fragment->face, frame_.scene.models[static_cast<std::size_t>(fragment->placed)].offset);
         }
     }
 
@@ -169,15 +170,16 @@ void draw_world(const FrameContext& frame, FrameWorkspace& work) {
     work.vertices.start_frame();
     work.coverage.reset();
     work.sky_spans.clear();
-    work.fragments.clear();
-    if (frame.plan.effects.has(Effect::BrushModels))
-        work.fragments.cut(level, frame.scene.models, work.faces, frame.view.eye);
+    work.brush_models.start_frame();
 
     FacePainter painter(frame, work);
+    const bool has_models = frame.plan.effects.has(Effect::BrushModels);
     walk_front_to_back(
         level, frame.view.eye, frame.view.frustum, work.visible,
         both_sides_distance_42(frame.settings.accuracy.subpixel_bits), work.walk,
-        [&](std::int32_t leaf) { painter.paint_fragments(leaf); },
+        [&](std::int32_t leaf) {
+            if (has_models) painter.paint_fragments(leaf);
+        },
         [&](std::int32_t face) { painter.paint_world_face(face); }, [&] { return work.coverage.is_full(); });
 }
 

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/frame/face_table.h"
+#include "engine/level/level.h"
+
+namespace oblong {
+
+/// A brush model at its place: model 1 and up of the level, moved by `offset`.
+struct PlacedModel {
+    std::int32_t model = 0;
+    Vec3<World> offset;
+    constexpr bool operator==(const PlacedModel&) const = default;
+};
+
+/// A part of a brush model's face that lies in one leaf of the world.
+struct Fragment {
+    std::int32_t face = 0, leaf = 0;
+    std::int32_t placed = 0;  ///< index into the scene's models
+    std::uint32_t first_corner = 0, corner_count = 0;
+};
+
+/// All parts of one placed model.
+struct ModelCut {
+    std::vector<Fragment> fragments;
+    std::vector<Vec3<World>> corners;
+};
+
+/// Cuts a model's faces by the planes of the world's tree, down to its leaves; parts in solid are left out. `placed` is
+/// the index that its fragments get.
+ModelCut cut_model(const Level& level, const PlacedModel& model, std::int32_t placed, const FaceTable& table);
+
+}  // namespace oblong
