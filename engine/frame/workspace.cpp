@@ -17,6 +17,7 @@ FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode)
       visible(level),
       coverage(mode.width_px, mode.height_px),
       rows(mode.height_px),
+      blocks(mode.width_px),
       surfaces(level.faces.size() * 4, std::max(kSurfaceArenaBytes, faces.largest_surface_bytes)),
       corner_shades(faces.most_light_samples),
       brush_models(level) {

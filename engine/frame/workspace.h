@@ -43,7 +43,7 @@ class FrameWorkspace {
     RowColumns rows;
     std::vector<Span> owned;      ///< what the face at hand claimed
     std::vector<Span> sky_spans;  ///< what sky faces claimed, drawn last
-    std::vector<TexelBlock> blocks;
+    BlockList blocks;
     SurfaceCache surfaces;
     std::vector<std::int32_t> corner_shades;
     BrushModels brush_models;

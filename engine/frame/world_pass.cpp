@@ -83,13 +83,19 @@ class FacePainter {
         const TextureGradients gradients = gradients_of(face, surface, mip, offset);
         const BlockLadder ladder =
             make_block_ladder(frame_.block_rule, static_cast<std::int64_t>(gradients.inverse_z_44.per_column));
+        for (const Span& span : work_.owned) {
+            if (!work_.blocks.has_room_for(span.end - span.first)) draw_waiting(surface);
+            const std::int32_t divisions = append_blocks(span, frame_.out.pitch, gradients, frame_.block_rule, ladder,
+                                                         surface.limits, work_.blocks);
+            if (work_.counts) work_.counts->divisions += divisions;
+        }
+        draw_waiting(surface);
+    }
+
+    void draw_waiting(const FaceSurface& surface) {
+        surface.kernel(work_.blocks.waiting(), surface.view, frame_.out.pixels);
+        if (work_.counts) count_writes();
         work_.blocks.clear();
-        std::int64_t divisions = 0;
-        for (const Span& span : work_.owned)
-            divisions += append_blocks(span, frame_.out.pitch, gradients, frame_.block_rule, ladder, surface.limits,
-                                       work_.blocks);
-        surface.kernel(work_.blocks, surface.view, frame_.out.pixels);
-        if (work_.counts) count_blocks(divisions);
     }
 
     FaceSurface lit_surface(std::int32_t index, const Face& face, int mip) {
@@ -149,10 +155,9 @@ class FacePainter {
         if (kind == FaceKind::Liquid) counts.effect_pixels[static_cast<std::size_t>(Effect::Liquid)] += pixels;
     }
 
-    void count_blocks(std::int64_t divisions) {
+    void count_writes() {
         FrameCounts& counts = *work_.counts;
-        counts.divisions += divisions;
-        for (const TexelBlock& block : work_.blocks)
+        for (const TexelBlock& block : work_.blocks.waiting())
             for (std::int32_t i = 0; i < block.count; ++i) {
                 std::uint8_t& writes = counts.writes[block.pixel + static_cast<std::uint32_t>(i)];
                 writes = static_cast<std::uint8_t>(std::min(writes + 1, 255));

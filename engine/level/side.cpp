@@ -21,14 +21,6 @@ std::int64_t distance_rest_72(const LevelPlane& plane, Vec3<World> p) {
 
 }  // namespace
 
-std::int64_t plane_distance_42(const LevelPlane& plane, Vec3<World> p) {
-    // Below 0.9 * 2^62 (a point of length 0.87 * 2^32 by a normal of 1.03 * 2^30) plus 2^62. But part sums need not be.
-    const auto product = [](World a, Unit b) { return static_cast<std::uint64_t>(std::int64_t{a.raw} * b.raw); };
-    const std::uint64_t sum =
-        product(p.x, plane.normal.x) + product(p.y, plane.normal.y) + product(p.z, plane.normal.z);
-    return static_cast<std::int64_t>(sum - static_cast<std::uint64_t>(plane.distance.raw));
-}
-
 int plane_side(const LevelPlane& plane, Vec3<World> p) {
     constexpr int kSpaceFraction = 30;  // a World coordinate shifted to 42 fraction bits
     if (plane.axis < 3 && plane.distance_rest_72 == 0)

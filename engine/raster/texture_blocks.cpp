@@ -23,31 +23,37 @@ struct Perspective {
 /// The largest 1/z that Depth takes: z = 2^-15, nearer than the near plane. The smallest: beyond any world.
 constexpr std::int64_t kGreatestInverseZ_44 = std::int64_t{1} << 59, kLeastInverseZ_44 = std::int64_t{1} << 24;
 
+/// std::clamp by value: the compiler then keeps all of it in registers.
+constexpr std::int64_t clamp_value(std::int64_t value, std::int64_t least, std::int64_t greatest) {
+    value = value < least ? least : value;
+    return value > greatest ? greatest : value;
+}
+
 /// z as a reciprocal of 33 bits and a scale: one 64-bit division. Relative error below 2^-26.
 struct Depth {
-    std::int64_t mantissa;  ///< 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]
-    int shift;              ///< what brings 1/z to 60 bits
+    std::int64_t mantissa;         ///< 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]
+    std::int64_t greatest_over_z;  ///< u/z beyond which u would be more than 65,535 texels
+    int shift;                     ///< what brings 1/z to 60 bits
 
     explicit Depth(std::int64_t inverse_z_44) {
-        const auto positive =
-            static_cast<std::uint64_t>(std::clamp(inverse_z_44, kLeastInverseZ_44, kGreatestInverseZ_44));
-        shift = std::countl_zero(positive) - 4;
-        mantissa = static_cast<std::int64_t>((std::uint64_t{1} << 60) / ((positive << shift) >> 32));
+        const std::int64_t positive = clamp_value(inverse_z_44, kLeastInverseZ_44, kGreatestInverseZ_44);
+        shift = std::countl_zero(static_cast<std::uint64_t>(positive)) - 4;
+        mantissa =
+            static_cast<std::int64_t>((std::uint64_t{1} << 60) / static_cast<std::uint64_t>((positive << shift) >> 32));
+        greatest_over_z = positive * 4 - 4;
     }
 
     /// (u/z) * z, 16.16, from 0 to 65,535 texels: what is outside comes to the nearer end, so that nothing overflows.
-    std::int64_t texel_16(std::int64_t over_z_30, std::int64_t inverse_z_44) const {
-        const std::int64_t greatest = std::min(inverse_z_44, kGreatestInverseZ_44) * 4 - 4;
-        const std::int64_t within = std::clamp(over_z_30, std::int64_t{0}, std::max(greatest, std::int64_t{0}));
+    std::int64_t texel_16(std::int64_t over_z_30) const {
+        const std::int64_t within = clamp_value(over_z_30, 0, greatest_over_z);
         return floor_shift(floor_shift(within << shift, 32) * mantissa, 30);
     }
 };
 
 TexelPosition texel_of(const Perspective& at, const Depth& depth, const TexelLimits& limits) {
-    const std::int64_t u_16 = depth.texel_16(at.u_over_z_30, at.inverse_z_44);
-    const std::int64_t v_16 = depth.texel_16(at.v_over_z_30, at.inverse_z_44);
-    return {static_cast<std::uint32_t>(std::clamp(u_16, limits.least_16, limits.greatest_u_16)),
-            static_cast<std::uint32_t>(std::clamp(v_16, limits.least_16, limits.greatest_v_16))};
+    return {
+        static_cast<std::uint32_t>(clamp_value(depth.texel_16(at.u_over_z_30), limits.least_16, limits.greatest_u_16)),
+        static_cast<std::uint32_t>(clamp_value(depth.texel_16(at.v_over_z_30), limits.least_16, limits.greatest_v_16))};
 }
 
 std::int32_t step_by_shift(std::uint32_t from, std::uint32_t to, int log2) {
@@ -59,36 +65,37 @@ std::int32_t step_by_division(std::uint32_t from, std::uint32_t to, std::int32_t
     return static_cast<std::int32_t>(whole / count - (whole % count < 0));
 }
 
-/// Cuts one span into blocks, left to right. Each block ends where the next begins, so a division serves twice.
+/// Cuts one span into blocks, left to right. Each block ends where the next begins, so a division serves twice. Its
+/// functions are inlined by force: then all of it lives in registers.
 class SpanCutter {
   public:
     SpanCutter(const Span& span, std::int32_t pitch, const TextureGradients& gradients, const TexelLimits& limits,
-               std::vector<TexelBlock>& blocks)
-        : span_(span),
-          gradients_(gradients),
+               TexelBlock* out)
+        : gradients_(gradients),
           limits_(limits),
-          blocks_(blocks),
-          column_(span.first),
+          out_(out),
+          left_(span.end - span.first),
           pixel_(static_cast<std::uint32_t>(span.y * pitch + span.first)),
           here_(gradients, span.first, span.y),
           depth_(here_.inverse_z_44),
           texel_(texel_of(here_, depth_, limits)) {}
 
-    std::int32_t left() const { return span_.end - column_; }
+    std::int32_t left() const { return left_; }
     std::int64_t inverse_z_44() const { return here_.inverse_z_44; }
     std::int32_t divisions() const { return divisions_; }
+    const TexelBlock* end() const { return out_; }
 
     /// A block of 2^log2 pixels, all of them in the span.
-    void cut_power(int log2) {
+    [[gnu::always_inline]] void cut_power(int log2) {
         const TexelPosition from = texel_;
-        advance(1 << log2);
+        advance(std::int32_t{1} << log2);
         append(from, 1 << log2, step_by_shift(from.u_16, texel_.u_16, log2),
                step_by_shift(from.v_16, texel_.v_16, log2));
     }
 
     /// The last block, of whatever is left (1 or more).
-    void cut_rest() {
-        const std::int32_t count = left();
+    [[gnu::always_inline]] void cut_rest() {
+        const std::int32_t count = left_;
         if (count == 1) return append(texel_, 1, 0, 0);
         const TexelPosition from = texel_;
         advance(count);
@@ -97,10 +104,16 @@ class SpanCutter {
     }
 
   private:
-    void advance(std::int32_t count) {
-        column_ += count;
+    static std::int64_t stepped(std::int64_t from, const LinearQuantity& quantity, std::int32_t count) {
+        return static_cast<std::int64_t>(static_cast<std::uint64_t>(from) +
+                                         quantity.per_column * static_cast<std::uint64_t>(count));
+    }
+
+    [[gnu::always_inline]] void advance(std::int32_t count) {
         const std::int64_t before = here_.inverse_z_44;
-        here_ = Perspective(gradients_, column_, span_.y);
+        here_.inverse_z_44 = stepped(before, gradients_.inverse_z_44, count);
+        here_.u_over_z_30 = stepped(here_.u_over_z_30, gradients_.u_over_z_30, count);
+        here_.v_over_z_30 = stepped(here_.v_over_z_30, gradients_.v_over_z_30, count);
         if (here_.inverse_z_44 != before) {
             depth_ = Depth(here_.inverse_z_44);
             ++divisions_;
@@ -108,16 +121,17 @@ class SpanCutter {
         texel_ = texel_of(here_, depth_, limits_);
     }
 
-    void append(TexelPosition from, std::int32_t count, std::int32_t u_step_16, std::int32_t v_step_16) {
-        blocks_.push_back({pixel_, count, from.u_16, from.v_16, u_step_16, v_step_16});
+    [[gnu::always_inline]] void append(TexelPosition from, std::int32_t count, std::int32_t u_step_16,
+                                       std::int32_t v_step_16) {
+        *out_++ = {pixel_, count, from.u_16, from.v_16, u_step_16, v_step_16};
         pixel_ += static_cast<std::uint32_t>(count);
+        left_ -= count;
     }
 
-    const Span& span_;
-    const TextureGradients& gradients_;
-    const TexelLimits& limits_;
-    std::vector<TexelBlock>& blocks_;
-    std::int32_t column_;
+    const TextureGradients gradients_;
+    const TexelLimits limits_;
+    TexelBlock* out_;
+    std::int32_t left_;
     std::uint32_t pixel_;
     Perspective here_;
     Depth depth_;
@@ -125,12 +139,12 @@ class SpanCutter {
     std::int32_t divisions_ = 1;
 };
 
-void cut_every(SpanCutter& cutter, int log2) {
+[[gnu::always_inline]] inline void cut_every(SpanCutter& cutter, int log2) {
     while (cutter.left() > 1 << log2) cutter.cut_power(log2);
     cutter.cut_rest();
 }
 
-void cut_bounded(SpanCutter& cutter, const BlockLadder& ladder) {
+[[gnu::always_inline]] inline void cut_bounded(SpanCutter& cutter, const BlockLadder& ladder) {
     int log2 = kBlockSizes - 1;
     const auto& least = ladder.least_inverse_z_44;
     while (true) {
@@ -183,8 +197,8 @@ TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& lim
 
 std::int32_t append_blocks(const Span& span, std::int32_t pitch, const TextureGradients& gradients,
                            const BlockRule& rule, const BlockLadder& ladder, const TexelLimits& limits,
-                           std::vector<TexelBlock>& blocks) {
-    SpanCutter cutter(span, pitch, gradients, limits, blocks);
+                           BlockList& blocks) {
+    SpanCutter cutter(span, pitch, gradients, limits, blocks.end());
     switch (rule.texturing) {
         case Texturing::Affine:
             cutter.cut_rest();
@@ -199,6 +213,7 @@ std::int32_t append_blocks(const Span& span, std::int32_t pitch, const TextureGr
             cut_every(cutter, 0);
             break;
     }
+    blocks.set_end(cutter.end());
     return cutter.divisions();
 }
 

@@ -50,10 +50,33 @@ struct TexelLimits {
 /// The limits of a surface of this size, 1 to 65,535 texels, for blocks of up to `longest_px` pixels.
 TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int32_t longest_px);
 
-/// Appends the blocks of one span. `pitch` is the framebuffer's. Returns how many divisions that took.
+/// Blocks that wait to be drawn: a batch of spans is cut up first and then drawn, so that each loop keeps its
+/// registers.
+class BlockList {
+  public:
+    /// For spans of up to `longest_px` pixels.
+    explicit BlockList(std::int32_t longest_px) : blocks_(static_cast<std::size_t>(longest_px) + kBatch) {}
+
+    /// Whether a span of `count` pixels surely fits.
+    bool has_room_for(std::int32_t count) const { return used_ + static_cast<std::size_t>(count) <= blocks_.size(); }
+    std::span<const TexelBlock> waiting() const { return std::span(blocks_).first(used_); }
+    void clear() { used_ = 0; }
+
+    TexelBlock* end() { return blocks_.data() + used_; }
+    void set_end(const TexelBlock* end) { used_ = static_cast<std::size_t>(end - blocks_.data()); }
+
+  private:
+    static constexpr std::size_t kBatch = 2048;
+
+    std::vector<TexelBlock> blocks_;
+    std::size_t used_ = 0;
+};
+
+/// Appends the blocks of one span, for which there must be room. `pitch` is the framebuffer's. Returns how many
+/// divisions that took.
 std::int32_t append_blocks(const Span& span, std::int32_t pitch, const TextureGradients& gradients,
                            const BlockRule& rule, const BlockLadder& ladder, const TexelLimits& limits,
-                           std::vector<TexelBlock>& blocks);
+                           BlockList& blocks);
 
 /// The exact texel at the centre of a pixel.
 TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& limits, std::int32_t column,

@@ -82,11 +82,11 @@ std::string sample_span(const TexspanQuery& query, Texturing texturing) {
     accuracy.texturing = texturing;
     const BlockRule rule = make_block_rule(accuracy);
     const BlockLadder ladder = make_block_ladder(rule, static_cast<std::int64_t>(gradients->inverse_z_44.per_column));
-    std::vector<TexelBlock> blocks;
+    BlockList blocks(query.span.end - query.span.first);
     append_blocks(query.span, query.view.mode.width_px, *gradients, rule, ladder, make_texel_limits(65535, 65535, 0),
                   blocks);
     std::string text;
-    for (const TexelBlock& block : blocks) append_texels(block, query, text);
+    for (const TexelBlock& block : blocks.waiting()) append_texels(block, query, text);
     return text;
 }
 
