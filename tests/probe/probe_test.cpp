@@ -155,6 +155,54 @@ TEST(Probe, AnswersEveryLineByOneLineWhateverItsBytes) {
     EXPECT_EQ(std::count(answers.begin(), answers.end(), '\n'), line_count + 2);
 }
 
+/// A query with some of its fields replaced by the ends of what fields may be.
+std::string with_extremes(const std::string& line, std::mt19937& random) {
+    constexpr const char* kExtremes[] = {"32767",
+                                         "-32767",
+                                         "0",
+                                         "0.00390625",
+                                         "-0.00390625",
+                                         "1",
+                                         "2",
+                                         "16384",
+                                         "32768",
+                                         "1048576",
+                                         "1e-14",
+                                         "0.000001",
+                                         "179.99",
+                                         "179.999999999999",
+                                         "2147483647",
+                                         "-1",
+                                         "268435456",
+                                         "-268435456",
+                                         "99999999999999999999"};
+    std::istringstream in(line);
+    std::string result, field;
+    in >> result;
+    while (in >> field) result += ' ' + (random() % 3 ? field : kExtremes[random() % std::size(kExtremes)]);
+    return result;
+}
+
+TEST(Probe, SurvivesTheEndsOfEveryField) {
+    const std::string queries[] = {"project 320 200 4 3 90 1 1 4",
+                                   "view 320 200 4 3 60 1 2 3 4 5 6 7 8 9",
+                                   "coverage 256 0 0 6400 0 0 6400",
+                                   "mesh 256 3 0 0 9999 0 0 9999 1 0 1 2",
+                                   "clip 320 200 4 3 90 4 8192 3 -9 -9 1 9 -9 5 0 9 50",
+                                   "texspan 320 200 4 3 90 -9 -9 4 0 0 9 -9 4 9 0 0 9 4 0 9 100 158 162",
+                                   "texspanq bounded 320 200 4 3 90 -9 -9 4 0 0 9 -9 400 9 0 0 9 4 0 9 100 0 320",
+                                   "texspanq affine 320 200 4 3 90 -9 -9 4 0 0 9 -9 400 9 0 0 9 4 0 9 100 0 320"};
+    std::mt19937 random(8);
+    Probe probe;
+    int answered = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const std::string answer = probe.answer(with_extremes(queries[random() % std::size(queries)], random));
+        ASSERT_FALSE(answer.empty());
+        answered += answer != "unsupported";
+    }
+    EXPECT_GT(answered, 1000);
+}
+
 TEST(Probe, NamesItsTexturingModesMostAccurateFirst) {
     EXPECT_EQ(ask("modes"), "exact bounded every16 affine");
     const std::string span = "320 200 4 3 90 -100 -100 50 0 0 100 -100 500 64 0 0 100 50 32 64 110 158 162";
