@@ -73,7 +73,8 @@ void expect_each_pixel_once(Stage& stage, const Camera& camera, FrameWorkspace& 
         never += writes == 0;
         twice += writes > 1;
     }
-    if (never != 0 || twice != 0) ADD_FAILURE() << describe(camera, never, twice) << first_wrong_pixels(stage, *work.counts);
+    if (never != 0 || twice != 0)
+        ADD_FAILURE() << describe(camera, never, twice) << first_wrong_pixels(stage, *work.counts);
 }
 
 /// 8 yaws, 3 pitches from each point.

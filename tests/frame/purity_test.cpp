@@ -1,0 +1,162 @@
+// A frame is a pure function of scene, camera, mode and settings: what was drawn before, what is kept, and who counts
+// along make no difference.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/level/entities.h"
+#include "engine/level/pvs.h"
+#include "engine/level/side.h"
+#include "engine/visible/eye.h"
+#include "tests/frame/frame_fixture.h"
+
+namespace oblong::test {
+
+namespace {
+
+std::vector<Camera> cameras_of(const Level& level) {
+    std::vector<Camera> cameras;
+    for (const Entity& entity : level.entities) {
+        const std::optional<Vec3<World>> origin = parse_world_vector(entity.value("origin"));
+        if (!origin || cameras.size() >= 40) continue;
+        Camera camera;
+        camera.eye = *origin;
+        camera.yaw = Angle::from_bam(static_cast<std::int64_t>(cameras.size()) * 7919);
+        cameras.push_back(camera);
+    }
+    return cameras;
+}
+
+std::vector<std::uint8_t> drawn_afresh(Stage& stage, const Camera& camera) {
+    FrameWorkspace work(stage.level, stage.mode);
+    stage.draw(camera, work);
+    return stage.pixels;
+}
+
+bool is_named(const Level& level, const Face& face, const char* start) {
+    const TexInfo& texinfo = level.texinfos[static_cast<std::size_t>(face.texinfo)];
+    return level.textures[static_cast<std::size_t>(texinfo.miptex)].name.starts_with(start);
+}
+
+/// Whether a leaf that may be seen from `leaf` is bordered by a face whose texture's name starts so.
+bool sees_texture(const Level& level, std::int32_t leaf, const char* start) {
+    std::vector<std::uint8_t> visible(visible_set_size(level));
+    unpack_visible_set(level, leaf, visible);
+    for (std::int32_t other = 1; other <= level.models[0].visible_leaf_count; ++other) {
+        if (!is_in_set(visible, other)) continue;
+        const Leaf& at = level.leaves[static_cast<std::size_t>(other)];
+        for (std::int32_t i = 0; i < at.mark_face_count; ++i) {
+            const auto face =
+                static_cast<std::size_t>(level.mark_faces[static_cast<std::size_t>(at.first_mark_face + i)]);
+            if (is_named(level, level.faces[face], start)) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST(Purity, WhatWasDrawnBeforeMakesNoDifference) {
+    Stage stage = demo_stage();
+    FrameWorkspace used(stage.level, stage.mode);
+    for (const Camera& camera : cameras_of(stage.level)) {
+        stage.draw(camera, used);
+        const std::vector<std::uint8_t> in_used = stage.pixels;
+        std::fill(stage.pixels.begin(), stage.pixels.end(), std::uint8_t{0x5a});
+        EXPECT_EQ(drawn_afresh(stage, camera), in_used);
+    }
+}
+
+TEST(Purity, CountingMakesNoDifference) {
+    Stage stage = demo_stage();
+    FrameWorkspace work(stage.level, stage.mode);
+    for (const Camera& camera : cameras_of(stage.level)) {
+        work.counts = nullptr;
+        stage.draw(camera, work);
+        const std::vector<std::uint8_t> uncounted = stage.pixels;
+        work.counts = std::make_unique<FrameCounts>();
+        stage.draw(camera, work);
+        EXPECT_EQ(stage.pixels, uncounted);
+    }
+}
+
+TEST(Purity, EveryKernelDrawsTheSameFrame) {
+    Stage stage = demo_stage();
+    FrameWorkspace work(stage.level, stage.mode);
+    for (const Camera& camera : cameras_of(stage.level)) {
+        work.kernel = draw_blocks_plain;
+        stage.draw(camera, work);
+        const std::vector<std::uint8_t> plain = stage.pixels;
+        work.kernel = draw_blocks_packed;
+        stage.draw(camera, work);
+        EXPECT_EQ(stage.pixels, plain);
+        work.kernel = best_block_kernel();
+        stage.draw(camera, work);
+        EXPECT_EQ(stage.pixels, plain);
+    }
+}
+
+TEST(Purity, AModelThatMovedIsDrawnWhereItIs) {
+    Stage stage = demo_stage();
+    ASSERT_FALSE(stage.models.empty());
+    FrameWorkspace used(stage.level, stage.mode);
+    bool any_differs = false;
+    for (const Camera& camera : cameras_of(stage.level)) {
+        for (PlacedModel& model : stage.models) model.offset = {};
+        stage.draw(camera, used);
+        const std::vector<std::uint8_t> at_rest = stage.pixels;
+        for (PlacedModel& model : stage.models) model.offset.z = World::from_int(24);
+        stage.draw(camera, used);
+        const std::vector<std::uint8_t> moved = stage.pixels;
+        EXPECT_EQ(drawn_afresh(stage, camera), moved);
+        any_differs |= moved != at_rest;
+    }
+    EXPECT_TRUE(any_differs) << "no camera saw a model move";
+}
+
+TEST(Plan, HardCaseP5_HoldsWhatIsInSightAndAllowed) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    int with_sky = 0, without_sky = 0;
+    for (const char* name : kRealLevels) {
+        Stage stage = real_stage(name);
+        FrameWorkspace work(stage.level, stage.mode);
+        for (const Camera& camera : cameras_of(stage.level)) {
+            stage.draw(camera, work);
+            const std::int32_t leaf = place_eye(stage.level, camera.eye).leaf;
+            const bool sees_sky = sees_texture(stage.level, leaf, "sky");
+            EXPECT_EQ(work.plan.effects.has(Effect::Sky), sees_sky);
+            EXPECT_EQ(work.plan.effects.has(Effect::Liquid), sees_texture(stage.level, leaf, "*"));
+            ++(sees_sky ? with_sky : without_sky);
+        }
+        stage.settings.allowed_effects = {};
+        stage.draw(cameras_of(stage.level)[0], work);
+        EXPECT_EQ(work.plan.effects, EffectSet{});
+    }
+    EXPECT_GT(with_sky, 0);
+    EXPECT_GT(without_sky, 0);
+}
+
+TEST(Eye, HardCaseV11_InThePlaneOfAFaceIsAStepToTheBackOfIt) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    Stage stage = real_stage("e1m7");
+    Camera in_plane;  // a light of e1m7 that hangs in the plane of its ceiling, z = 192
+    in_plane.eye = {World::from_int(-224), World::from_int(376), World::from_int(192)};
+    Camera below = in_plane;
+    below.eye.z.raw -= 2;
+    EXPECT_EQ(drawn_afresh(stage, in_plane), drawn_afresh(stage, below));
+}
+
+TEST(Eye, ClearOfAllPlanesStaysWhereItIs) {
+    Stage stage = demo_stage();
+    for (const Camera& camera : cameras_of(stage.level)) {
+        const PlacedEye placed = place_eye(stage.level, camera.eye);
+        const auto moved = [](World a, World b) { return std::abs(a.raw - b.raw); };
+        EXPECT_LE(moved(placed.position.x, camera.eye.x), 8);
+        EXPECT_LE(moved(placed.position.y, camera.eye.y), 8);
+        EXPECT_LE(moved(placed.position.z, camera.eye.z), 8);
+        EXPECT_EQ(placed.leaf, find_leaf(stage.level, stage.level.models[0], placed.position));
+    }
+}
+
+}  // namespace oblong::test

@@ -1,0 +1,119 @@
+// The bound on texture error is proved in texture_blocks.h; here it is held against doubles: whatever texel a block
+// shows at a pixel belongs, on the true plane, no farther from that pixel than the dial says.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "engine/raster/texture_blocks.h"
+
+namespace oblong::test {
+
+namespace {
+
+constexpr std::int32_t kWidth = 320;
+
+std::uint64_t raw(double value, int fraction_bits) {
+    return static_cast<std::uint64_t>(std::llround(std::ldexp(value, fraction_bits)));
+}
+
+/// One row of a plane whose z goes from z0 at column 0 to z1 at column 320 and whose u from 0 to `texels`.
+TextureGradients row_of(double z0, double z1, double texels) {
+    const double w0 = 1 / z0, w1 = 1 / z1;
+    TextureGradients row;
+    row.inverse_z_44 = {raw(w0, 44), raw((w1 - w0) / kWidth, 44), 0};
+    row.u_over_z_30 = {0, raw(texels * w1 / kWidth, 30), 0};
+    row.v_over_z_30 = row.u_over_z_30;
+    return row;
+}
+
+/// Where on the row the true plane shows texel u: the inverse of u = (a x) / (w + b x), all of it as drawn.
+double column_of_texel(const TextureGradients& row, double u) {
+    const double a = std::ldexp(static_cast<double>(static_cast<std::int64_t>(row.u_over_z_30.per_column)), -30);
+    const double w = std::ldexp(static_cast<double>(static_cast<std::int64_t>(row.inverse_z_44.origin)), -44);
+    const double b = std::ldexp(static_cast<double>(static_cast<std::int64_t>(row.inverse_z_44.per_column)), -44);
+    return u * w / (a - u * b);
+}
+
+struct RowError {
+    double largest_px = 0;
+    std::size_t blocks = 0;
+};
+
+RowError error_of(const TextureGradients& row, const Accuracy& accuracy) {
+    const BlockRule rule = make_block_rule(accuracy);
+    const BlockLadder ladder = make_block_ladder(rule, static_cast<std::int64_t>(row.inverse_z_44.per_column));
+    BlockList blocks(kWidth);
+    append_blocks({0, 0, kWidth}, kWidth, row, rule, ladder, make_texel_limits(65535, 65535, 0), blocks);
+    RowError error;
+    for (const TexelBlock& block : blocks.waiting()) {
+        ++error.blocks;
+        for (std::int32_t i = 0; i < block.count; ++i) {
+            const double u = (block.u_16 + static_cast<double>(i) * block.u_step_16) / 65536;
+            const double off = column_of_texel(row, u) - (block.pixel + static_cast<double>(i));
+            error.largest_px = std::max(error.largest_px, std::abs(off));
+        }
+    }
+    return error;
+}
+
+}  // namespace
+
+TEST(BlockBound, ErrorOnScreenStaysUnderTheDial) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> depth_log2(2, 14);
+    double largest_part = 0;
+    for (int trial = 0; trial < 4000; ++trial) {
+        const double z0 = std::exp2(depth_log2(random)), z1 = std::exp2(depth_log2(random));
+        Accuracy accuracy;
+        accuracy.texture_error_px_256 = 8 << random() % 8;  // 1/32 to 4 pixels
+        const double bound = accuracy.texture_error_px_256 / 256.0;
+        // Many texels a pixel, so that the 16.16 of texel coordinates is no part of the error: 1/1,000 pixel is left
+        // for it.
+        const RowError error = error_of(row_of(z0, z1, 60000), accuracy);
+        ASSERT_LE(error.largest_px, bound + 0.001) << "z " << z0 << " to " << z1 << ", bound " << bound;
+        largest_part = std::max(largest_part, error.largest_px / bound);
+    }
+    EXPECT_GT(largest_part, 0.9) << "the bound is never nearly reached: blocks are shorter than they need be";
+}
+
+TEST(BlockBound, CoarserDialsTakeFewerBlocks) {
+    const TextureGradients wall = row_of(16, 1600, 4000);
+    std::size_t before = kWidth + 1;
+    for (const std::int32_t error : {4, 24, 96, 512, 4096}) {
+        Accuracy accuracy;
+        accuracy.texture_error_px_256 = error;
+        const std::size_t blocks = error_of(wall, accuracy).blocks;
+        EXPECT_LT(blocks, before) << error;
+        before = blocks;
+    }
+}
+
+TEST(BlockBound, FacedSquarelyIsOneDivision) {
+    const TextureGradients floor_row = row_of(100, 100, 500);
+    Accuracy accuracy;
+    const BlockRule rule = make_block_rule(accuracy);
+    BlockList blocks(kWidth);
+    const std::int32_t divisions = append_blocks({0, 0, kWidth}, kWidth, floor_row, rule, make_block_ladder(rule, 0),
+                                                 make_texel_limits(65535, 65535, 0), blocks);
+    EXPECT_EQ(divisions, 1);
+    EXPECT_EQ(blocks.waiting().size(), 1u);
+}
+
+TEST(BlockBound, ExactIsAsExactAsItsFormats) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> depth_log2(2, 14);
+    const TexelLimits limits = make_texel_limits(65535, 65535, 0);
+    for (int trial = 0; trial < 300; ++trial) {
+        const TextureGradients row = row_of(std::exp2(depth_log2(random)), std::exp2(depth_log2(random)), 60000);
+        for (std::int32_t x = 0; x < kWidth; ++x) {
+            const double u_over_z = std::ldexp(static_cast<double>(row.u_over_z_30.at(x, 0)), -30);
+            const double z = 1 / std::ldexp(static_cast<double>(row.inverse_z_44.at(x, 0)), -44);
+            // A depth right to 2^-26, and a step of 16.16.
+            ASSERT_NEAR(texel_at(row, limits, x, 0).u_16 / 65536.0, u_over_z * z, 60000 * 0x1p-26 + 0x1p-16);
+        }
+    }
+}
+
+}  // namespace oblong::test

@@ -1,0 +1,121 @@
+#include "engine/surface/lit_surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "engine/surface/surface_cache.h"
+
+namespace oblong::test {
+
+namespace {
+
+/// A colormap that shows its own shade, whatever the colour.
+Colormap shade_showing_map() {
+    Colormap map;
+    for (std::size_t shade = 0; shade < Colormap::kShades; ++shade)
+        map.shades[shade].fill(static_cast<std::uint8_t>(shade));
+    return map;
+}
+
+struct Patch {
+    std::int32_t columns, rows;
+    std::vector<std::uint8_t> samples;
+    std::vector<std::uint8_t> texels = std::vector<std::uint8_t>(64 * 64);
+    std::vector<std::int32_t> scratch;
+
+    Patch(std::mt19937& random, std::int32_t c, std::int32_t r) : columns(c), rows(r) {
+        samples.resize(static_cast<std::size_t>(c * r));
+        for (std::uint8_t& sample : samples) sample = static_cast<std::uint8_t>(random());
+        for (std::uint8_t& texel : texels) texel = static_cast<std::uint8_t>(random());
+        scratch.resize(samples.size());
+    }
+
+    std::vector<std::uint8_t> build(const Colormap& map, int mip, TextureView texture, std::uint16_t scale = 256) {
+        LightmapView light;
+        light.samples = samples.data();
+        light.columns = columns;
+        light.rows = rows;
+        light.style_count = 1;
+        light.style_scale_256[0] = scale;
+        const std::int32_t stride = lit_size(columns, mip);
+        std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * lit_size(rows, mip)));
+        build_lit_surface(texture, light, map, mip, stride, scratch.data(), out.data());
+        return out;
+    }
+
+    /// The shade at a texel by real numbers: between the four samples around it.
+    double shade_at(std::int32_t x, std::int32_t y, std::int32_t cell) const {
+        const auto corner = [&](std::int32_t column, std::int32_t row) {
+            const double light = samples[static_cast<std::size_t>(row * columns + column)];
+            return std::max(kFullLight - light, 0.0) * 63 / kFullLight;
+        };
+        const double right = x % cell / double(cell), down = y % cell / double(cell);
+        const std::int32_t column = x / cell, row = y / cell;
+        const double upper = corner(column, row) * (1 - right) + corner(column + 1, row) * right;
+        const double lower = corner(column, row + 1) * (1 - right) + corner(column + 1, row + 1) * right;
+        return upper * (1 - down) + lower * down;
+    }
+};
+
+}  // namespace
+
+TEST(LitSurface, ShadesAreThoseBetweenTheSamples) {
+    std::mt19937 random(6);
+    const Colormap map = shade_showing_map();
+    for (int mip = 0; mip < 4; ++mip) {
+        Patch patch(random, 5, 4);
+        const auto lit = patch.build(map, mip, {patch.texels.data(), 64, 64, 0, 0});
+        const std::int32_t cell = 16 >> mip, width = lit_size(5, mip), height = lit_size(4, mip);
+        for (std::int32_t y = 0; y < height; ++y)
+            for (std::int32_t x = 0; x < width; ++x)
+                ASSERT_NEAR(lit[static_cast<std::size_t>(y * width + x)], std::floor(patch.shade_at(x, y, cell)), 1)
+                    << x << ", " << y << ", mip " << mip;
+    }
+}
+
+TEST(LitSurface, FullLightIsTheTextureItself) {
+    std::mt19937 random(7);
+    Patch patch(random, 3, 3);
+    std::fill(patch.samples.begin(), patch.samples.end(), std::uint8_t{255});
+    Colormap map = shade_showing_map();
+    for (std::size_t colour = 0; colour < 256; ++colour) map.shades[0][colour] = static_cast<std::uint8_t>(colour);
+    for (const std::int32_t origin : {0, 16, -16, 1600, -1616}) {
+        const auto lit = patch.build(map, 0, {patch.texels.data(), 64, 64, origin, origin});
+        for (std::int32_t y = 0; y < 32; ++y)
+            for (std::int32_t x = 0; x < 32; ++x) {
+                const std::int32_t u = ((origin + x) % 64 + 64) % 64, v = ((origin + y) % 64 + 64) % 64;
+                ASSERT_EQ(lit[static_cast<std::size_t>(y * 32 + x)],
+                          patch.texels[static_cast<std::size_t>(v * 64 + u)]);
+            }
+    }
+}
+
+TEST(LitSurface, AStyleScalesItsLight) {
+    std::mt19937 random(8);
+    Patch patch(random, 2, 2);
+    std::fill(patch.samples.begin(), patch.samples.end(), std::uint8_t{100});
+    const Colormap map = shade_showing_map();
+    const auto shade = [&](std::uint16_t scale) {
+        return patch.build(map, 0, {patch.texels.data(), 64, 64, 0, 0}, scale)[0];
+    };
+    EXPECT_EQ(shade(0), 63);
+    EXPECT_EQ(shade(256), (kFullLight - 100) * 63 / kFullLight);
+    EXPECT_EQ(shade(512), 0);
+}
+
+TEST(SurfaceCache, KeepsWhileValidAndForgetsWhenFull) {
+    SurfaceCache cache(4, 100);
+    EXPECT_FALSE(cache.get(0, 40, 1).is_valid);
+    EXPECT_TRUE(cache.get(0, 40, 1).is_valid);
+    EXPECT_FALSE(cache.get(0, 40, 2).is_valid) << "the light has changed";
+    EXPECT_TRUE(cache.get(0, 40, 2).is_valid);
+    EXPECT_FALSE(cache.get(1, 60, 1).is_valid);
+    EXPECT_FALSE(cache.get(2, 1, 1).is_valid) << "full: all is forgotten";
+    EXPECT_FALSE(cache.get(0, 40, 2).is_valid);
+    EXPECT_TRUE(cache.get(2, 1, 1).is_valid);
+}
+
+}  // namespace oblong::test
