@@ -80,7 +80,7 @@ SurfaceView tile_of(const MipTexture& texture, int mip) {
     tile.texels = texture.mips[static_cast<std::size_t>(mip)].data();
     tile.width = texture.width >> mip;
     tile.height = texture.height >> mip;
-    tile.stride_log2 = std::bit_width(static_cast<std::uint32_t>(tile.width)) - 1;
+    tile.stride_log2 = static_cast<int>(std::bit_width(static_cast<std::uint32_t>(tile.width))) - 1;
     tile.u_mask = static_cast<std::uint32_t>(tile.width) - 1;
     tile.v_mask = static_cast<std::uint32_t>(tile.height) - 1;
     return tile;
