@@ -25,7 +25,9 @@ std::int64_t to_20(Unit component) {
 CullPlane make_cull_plane(const Vec3<Unit>& across_axis, std::int64_t across, const Vec3<Unit>& forward,
                           std::int64_t along) {
     const auto mix = [&](Unit a, Unit f) {
-        return rounded_shift(to_20(a) * across + to_20(f) * along, 25, Rounding::NearestHalfUp);
+        const std::int64_t mixed_45 = to_20(a) * across + to_20(f) * along;
+        note_range<Quantity::CullMix>(mixed_45);
+        return rounded_shift(mixed_45, 25, Rounding::NearestHalfUp);
     };
     return {{mix(across_axis.x, forward.x), mix(across_axis.y, forward.y), mix(across_axis.z, forward.z)}};
 }

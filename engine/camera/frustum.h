@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/base/range_probe.h"
 #include "engine/camera/camera.h"
 #include "engine/math/basis.h"
 #include "engine/screen/projection.h"
@@ -25,7 +26,9 @@ struct ClipPlane {
     std::int64_t offset = 0;
 
     std::int64_t distance(const Vec3<View>& p) const {
-        return normal[0] * p.x.raw + normal[1] * p.y.raw + normal[2] * p.z.raw - offset;
+        const std::int64_t along = normal[0] * p.x.raw + normal[1] * p.y.raw + normal[2] * p.z.raw - offset;
+        note_range<Quantity::ClipDistance>(along);
+        return along;
     }
 };
 

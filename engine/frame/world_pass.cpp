@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/base/range_probe.h"
 #include "engine/fixed/wide.h"
 
 namespace oblong {
@@ -14,6 +15,7 @@ namespace {
 int mip_level(std::int64_t nearest_z_16, std::int64_t density_16, const ProjectionAxis& axis) {
     const std::int64_t texels_per_pixel_times_lens_16 = mul_shift(nearest_z_16, density_16, 16, Rounding::Floor);
     const std::int64_t lens_16 = axis.coarse_16;
+    note_range<Quantity::MipProduct>(texels_per_pixel_times_lens_16);
     return (texels_per_pixel_times_lens_16 > lens_16) + (texels_per_pixel_times_lens_16 * 2 > lens_16 * 5) +
            (texels_per_pixel_times_lens_16 > lens_16 * 5);
 }
@@ -22,7 +24,10 @@ int mip_level(std::int64_t nearest_z_16, std::int64_t density_16, const Projecti
 std::int64_t eye_texel_16(const Vec3<TexelAxis>& axis, TexelOffset offset, const Vec3<World>& eye) {
     const std::int64_t sum_35 = std::int64_t{axis.x.raw} * eye.x.raw + std::int64_t{axis.y.raw} * eye.y.raw +
                                 std::int64_t{axis.z.raw} * eye.z.raw;
-    return rounded_shift(sum_35, 19, Rounding::NearestHalfUp) + offset.raw;
+    note_range<Quantity::EyeTexelSum>(sum_35);
+    const std::int64_t texel_16 = rounded_shift(sum_35, 19, Rounding::NearestHalfUp) + offset.raw;
+    note_range<Quantity::EyeTexel>(texel_16);
+    return texel_16;
 }
 
 std::int32_t floor_to_multiple(std::int32_t value, std::int32_t size) {

@@ -1,5 +1,6 @@
 #include "engine/geometry/clip.h"
 
+#include "engine/base/range_probe.h"
 #include "engine/fixed/wide.h"
 
 namespace oblong {
@@ -15,6 +16,7 @@ View interpolate(View from, View to, std::int64_t part, std::int64_t whole) {
 Vec3<View> cross_plane(const Vec3<View>& inside, std::int64_t distance_inside, const Vec3<View>& outside,
                        std::int64_t distance_outside) {
     const std::int64_t whole = distance_inside - distance_outside;
+    note_range<Quantity::ClipWhole>(whole);
     return {interpolate(inside.x, outside.x, distance_inside, whole),
             interpolate(inside.y, outside.y, distance_inside, whole),
             interpolate(inside.z, outside.z, distance_inside, whole)};

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 
+#include "engine/base/range_probe.h"
+
 namespace oblong {
 
 namespace {
 
 Screen snap_within(ScreenWide position, std::int32_t size_px, const SubpixelGrid& grid) {
     const std::int64_t limit = std::int64_t{size_px} * 256;
+    note_range<Quantity::ScreenPosition>(position.raw);
     return Screen::from_raw(static_cast<std::int32_t>(std::clamp(grid.snap_8(position.raw), std::int64_t{0}, limit)));
 }
 

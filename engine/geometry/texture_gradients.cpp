@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "engine/base/range_probe.h"
 #include "engine/fixed/wide.h"
 
 namespace oblong {
@@ -16,8 +17,10 @@ struct ViewSlope {
 template <int Frac>
 ViewSlope rotate_to_view(const Vec3<Fixed<std::int32_t, Frac>>& world, const Basis& axes) {
     const auto along = [&](const Vec3<Unit>& axis) {
-        return std::int64_t{world.x.raw} * axis.x.raw + std::int64_t{world.y.raw} * axis.y.raw +
-               std::int64_t{world.z.raw} * axis.z.raw;
+        const std::int64_t sum = std::int64_t{world.x.raw} * axis.x.raw + std::int64_t{world.y.raw} * axis.y.raw +
+                                 std::int64_t{world.z.raw} * axis.z.raw;
+        note_range<(Frac == Unit::kFractionBits ? Quantity::NormalSlope : Quantity::TexelAxisSlope)>(sum);
+        return sum;
     };
     return {along(axes.right), along(axes.up), along(axes.forward)};
 }
@@ -50,14 +53,18 @@ struct DistanceReciprocal {
         shift = 62 + log2 - 26;
     }
     std::int64_t times_60(std::int64_t value_60) const {
-        return mul_shift(value_60, mantissa, shift, Rounding::NearestHalfUp);
+        const std::int64_t slope_44 = mul_shift(value_60, mantissa, shift, Rounding::NearestHalfUp);
+        note_range<Quantity::InverseZSlope>(slope_44);
+        return slope_44;
     }
 };
 
 LinearQuantity texel_quantity(const ViewSlope& axis_53, std::int64_t eye_texel_16, const ViewSlope& inverse_z_44,
                               const GradientLens& lens, int mip) {
     const auto with_eye = [&](std::int64_t part_30, std::int64_t inverse_44) {
-        return floor_shift(part_30 + mul_shift(eye_texel_16, inverse_44, 30, Rounding::NearestHalfUp), mip);
+        const std::int64_t sum_30 = part_30 + mul_shift(eye_texel_16, inverse_44, 30, Rounding::NearestHalfUp);
+        note_range<Quantity::TexelSlope>(sum_30);
+        return floor_shift(sum_30, mip);
     };
     return anchor_at_centre(
         with_eye(rounded_shift(axis_53.ahead, 23, Rounding::NearestHalfUp), inverse_z_44.ahead),

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "engine/base/range_probe.h"
 #include "engine/level/level.h"
 
 namespace oblong {
@@ -14,7 +15,9 @@ inline std::int64_t plane_distance_42(const LevelPlane& plane, Vec3<World> p) {
     const auto product = [](World a, Unit b) { return static_cast<std::uint64_t>(std::int64_t{a.raw} * b.raw); };
     const std::uint64_t sum =
         product(p.x, plane.normal.x) + product(p.y, plane.normal.y) + product(p.z, plane.normal.z);
-    return static_cast<std::int64_t>(sum - static_cast<std::uint64_t>(plane.distance.raw));
+    const auto distance = static_cast<std::int64_t>(sum - static_cast<std::uint64_t>(plane.distance.raw));
+    note_range<Quantity::DistanceToPlane>(distance);
+    return distance;
 }
 
 /// The exact side of a point, by all the bits that LevelPlane keeps of the file's floats: +1 in front (normal . p >

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/range_probe.h"
 #include "engine/fixed/angle.h"
 #include "engine/fixed/fixed.h"
 #include "engine/fixed/trig.h"
@@ -31,7 +32,11 @@ FineBasis y_up_fine_basis(Angle yaw, Angle pitch, Angle roll);
 /// A coordinate along an axis, rounded once. The difference has 33 bits, and by Cauchy's inequality the sum stays
 /// below sqrt(3) 2^62 + 2^25: no world position overflows.
 constexpr View view_coordinate(const Vec3<Unit>& axis, std::int64_t dx, std::int64_t dy, std::int64_t dz) {
-    return convert<View>(PlaneDistance::from_raw(dx * axis.x.raw + dy * axis.y.raw + dz * axis.z.raw));
+    const std::int64_t along_42 = dx * axis.x.raw + dy * axis.y.raw + dz * axis.z.raw;
+    note_range<Quantity::RotatedDot>(along_42);
+    const auto coordinate = convert<View>(PlaneDistance::from_raw(along_42));
+    note_range<Quantity::ViewPosition>(coordinate.raw);
+    return coordinate;
 }
 
 /// A world point as seen from `world_eye`: x right, y up, z forward.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/base/range_probe.h"
+
 namespace oblong {
 
 namespace {
@@ -29,7 +31,9 @@ class EdgeWalker {
         const std::int64_t dx = std::int64_t{bottom.x.raw} - top.x.raw, dy = std::int64_t{bottom.y.raw} - top.y.raw;
         whole_ = 256 * dy;
         const std::int64_t down = std::int64_t{row} * 256 + 128 - top.y.raw;
-        const FlooredQuotient start((std::int64_t{top.x.raw} - 128) * dy + down * dx + whole_ - 1, whole_);
+        const std::int64_t numerator = (std::int64_t{top.x.raw} - 128) * dy + down * dx + whole_ - 1;
+        note_range<Quantity::EdgeNumerator>(numerator);
+        const FlooredQuotient start(numerator, whole_);
         const FlooredQuotient slope(dx, dy);
         column_ = start.quotient;
         rest_ = start.rest;
@@ -42,6 +46,7 @@ class EdgeWalker {
     void next_row() {
         column_ += step_;
         rest_ += step_rest_;
+        note_range<Quantity::EdgeRest>(rest_);
         const std::int64_t carry = rest_ >= whole_;
         column_ += carry;
         rest_ -= whole_ & -carry;

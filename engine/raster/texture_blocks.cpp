@@ -4,6 +4,7 @@
 #include <bit>
 #include <limits>
 
+#include "engine/base/range_probe.h"
 #include "engine/fixed/fixed.h"
 
 namespace oblong {
@@ -17,7 +18,11 @@ struct Perspective {
     Perspective(const TextureGradients& gradients, std::int32_t column, std::int32_t row)
         : inverse_z_44(gradients.inverse_z_44.at(column, row)),
           u_over_z_30(gradients.u_over_z_30.at(column, row)),
-          v_over_z_30(gradients.v_over_z_30.at(column, row)) {}
+          v_over_z_30(gradients.v_over_z_30.at(column, row)) {
+        note_range<Quantity::InverseZ>(inverse_z_44);
+        note_range<Quantity::TexelOverZ>(u_over_z_30);
+        note_range<Quantity::TexelOverZ>(v_over_z_30);
+    }
 };
 
 /// The largest 1/z that Depth takes: z = 2^-15, nearer than the near plane. The smallest: beyond any world.
@@ -46,7 +51,11 @@ struct Depth {
     /// (u/z) * z, 16.16, from 0 to 65,535 texels: what is outside comes to the nearer end, so that nothing overflows.
     std::int64_t texel_16(std::int64_t over_z_30) const {
         const std::int64_t within = clamp_value(over_z_30, 0, greatest_over_z);
-        return floor_shift(floor_shift(within << shift, 32) * mantissa, 30);
+        const std::int64_t shifted = within << shift;
+        const std::int64_t product = floor_shift(shifted, 32) * mantissa;
+        note_range<Quantity::DepthShifted>(shifted);
+        note_range<Quantity::DepthProduct>(product);
+        return floor_shift(product, 30);
     }
 };
 
@@ -179,6 +188,7 @@ BlockLadder make_block_ladder(const BlockRule& rule, std::int64_t inverse_z_step
         const auto bits = std::bit_width(capped) + std::bit_width(factor);
         std::uint64_t least = bits > 61 ? std::uint64_t{1} << 61 : ((capped * factor) >> 8) + 1;
         if (inverse_z_step_44 < 0) least += capped << k;
+        note_range<Quantity::LadderProduct>(static_cast<std::int64_t>(least));
         ladder.least_inverse_z_44[k] = static_cast<std::int64_t>(std::min(least, std::uint64_t{1} << 61));
     }
     return ladder;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "engine/base/range_probe.h"
 #include "engine/fixed/angle.h"
 #include "engine/fixed/fixed.h"
 #include "engine/fixed/wide.h"
@@ -41,6 +42,7 @@ inline std::int64_t project_axis_8(const ProjectionAxis& axis, std::int64_t view
         return mul_div(view_16, axis.multiplier.raw, z_16 * (std::int64_t{1} << 24), Rounding::NearestHalfUp);
     const std::int64_t numerator = view_16 * axis.coarse_16 + z_16 * 128;
     const std::int64_t denominator = z_16 * 256;
+    note_range<Quantity::ProjectionNumerator>(numerator);
     const std::int64_t quotient = numerator / denominator;
     return quotient - (numerator % denominator < 0);
 }

@@ -1,5 +1,7 @@
 #include "engine/visible/front_to_back.h"
 
+#include "engine/base/range_probe.h"
+
 namespace oblong {
 
 std::uint8_t planes_crossed(const Frustum& frustum, const LevelBox& box, const Vec3<World>& eye, std::uint8_t planes) {
@@ -17,6 +19,8 @@ std::uint8_t planes_crossed(const Frustum& frustum, const LevelBox& box, const V
             farthest_32 += low > high ? low : high;
             nearest_32 += low > high ? high : low;
         }
+        note_range<Quantity::CullDistance>(farthest_32);
+        note_range<Quantity::CullDistance>(nearest_32);
         if (farthest_32 < 0) return kOutside;
         if (nearest_32 >= 0) planes = static_cast<std::uint8_t>(planes & ~(1u << plane));
     }
