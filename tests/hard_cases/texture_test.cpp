@@ -86,9 +86,9 @@ std::vector<TexelBlock> blocks_of(const TextureGradients& gradients, const Span&
     accuracy.texturing = texturing;
     const BlockRule rule = make_block_rule(accuracy);
     const auto ladder = make_block_ladder(rule, static_cast<std::int64_t>(gradients.inverse_z_44.per_column));
-    std::vector<TexelBlock> blocks;
+    BlockList blocks(span.end - span.first);
     append_blocks(span, 320, gradients, rule, ladder, limits, blocks);
-    return blocks;
+    return {blocks.waiting().begin(), blocks.waiting().end()};
 }
 
 /// A 64x48 bitmap one texel a pixel: a wall faced squarely at z = 160, its top left corner at pixel (col, row).
