@@ -1,3 +1,5 @@
+#include <ostream>
+
 #include "tests/bad_input/run_program.h"
 #include "tests/support/bsp_fault.h"
 
@@ -11,6 +13,10 @@ const std::string kProgram = "oblong-render";
 struct LevelCase {
     std::string name, path;
 };
+
+void PrintTo(const LevelCase& level, std::ostream* out) {
+    *out << level.name;
+}
 
 std::vector<LevelCase> level_cases() {
     std::vector<LevelCase> cases{{"demo", OBLONG_BUILD_DIR "/assets/demo.bsp"}};
