@@ -1,1 +1,1 @@
-set(LINKS oblong_math)
+set(LINKS oblong_geometry oblong_raster)
