@@ -190,7 +190,12 @@ void draw_world(const FrameContext& frame, FrameWorkspace& work) {
         [&](std::int32_t leaf) {
             if (has_models) painter.paint_fragments(leaf);
         },
-        [&](std::int32_t face) { painter.paint_world_face(face); }, [&] { return work.coverage.is_full(); });
+        [&](std::int32_t face) { painter.paint_world_face(face); },
+        [&](const LevelBox& box) {
+            const std::optional<ScreenRectangle> rectangle = rectangle_of(box, frame.view);
+            return rectangle && !work.coverage.may_be_free(*rectangle);
+        },
+        [&] { return work.coverage.is_full(); });
 }
 
 }  // namespace oblong

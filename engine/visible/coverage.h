@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/raster/span.h"
+#include "engine/visible/box_rectangle.h"
 
 namespace oblong {
 
@@ -22,10 +23,13 @@ class Coverage {
     void claim_rest(std::vector<Span>& owned);
     /// Whether no pixel is free.
     bool is_full() const { return free_px_ == 0; }
-    /// Whether some pixel of row y's hull of free pixels lies in [first, end): a quick "perhaps".
-    bool may_be_free(std::int32_t y, std::int32_t first, std::int32_t end) const {
-        const Row& row = rows_[static_cast<std::size_t>(y)];
-        return first < row.hull_end && end > row.hull_first;
+    /// Whether some pixel of a rectangle may be free; if not, none is.
+    bool may_be_free(const ScreenRectangle& rectangle) const {
+        for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y) {
+            const Row& row = rows_[static_cast<std::size_t>(y)];
+            if (rectangle.first_column < row.hull_end && rectangle.end_column > row.hull_first) return true;
+        }
+        return false;
     }
 
   private:

@@ -40,11 +40,12 @@ constexpr std::int64_t both_sides_distance_42(std::int32_t subpixel_bits) {
 
 /// Walks the world's tree front to back (Abrash, seed 5's sequel; Fuchs, Kedem and Naylor 1980). Calls on_leaf(leaf)
 /// for every leaf that may be seen, and on_face(face) for the faces that border such leaves and face the eye. A face
-/// comes after all that can hide it, and a leaf before the faces that close it. Ends early when is_done() says so.
-template <class OnLeaf, class OnFace, class IsDone>
+/// comes after all that can hide it, and a leaf before the faces that close it. Subtrees whose box is_hidden(box) are
+/// not entered; ends early when is_done() says so.
+template <class OnLeaf, class OnFace, class IsHidden, class IsDone>
 void walk_front_to_back(const Level& level, const Vec3<World>& eye, const Frustum& frustum, const VisibleSet& visible,
                         std::int64_t both_sides_42, WalkScratch& scratch, OnLeaf on_leaf, OnFace on_face,
-                        IsDone is_done) {
+                        IsHidden is_hidden, IsDone is_done) {
     const std::uint32_t mark = ++scratch.mark;
     scratch.steps.assign(1, {level.models[0].head_nodes[0], false, false, kAllSides});
 
@@ -78,7 +79,7 @@ void walk_front_to_back(const Level& level, const Vec3<World>& eye, const Frustu
         }
         if (!visible.has_node(step.node)) continue;
         const std::uint8_t planes = planes_crossed(frustum, node.box, eye, step.planes_to_test);
-        if (planes == kOutside) continue;
+        if (planes == kOutside || is_hidden(node.box)) continue;
         const std::int64_t distance = plane_distance_42(level.planes[static_cast<std::size_t>(node.plane)], eye);
         const bool in_front = distance > 0;
         // Last in, first out: near side, faces toward the eye, far side; and those that only rounding shows, whose
