@@ -5,6 +5,7 @@
 #include "engine/effects/sky.h"
 #include "engine/frame/workspace.h"
 #include "engine/frame/world_pass.h"
+#include "engine/raster/fill.h"
 #include "engine/visible/eye.h"
 
 namespace oblong {
@@ -30,10 +31,6 @@ ViewContext make_view(const Camera& camera, const Vec3<World>& eye, const Screen
     return view;
 }
 
-void fill_spans(std::span<const Span> spans, std::uint8_t colour, Framebuffer out) {
-    for (const Span& span : spans) std::fill(out.row(span.y) + span.first, out.row(span.y) + span.end, colour);
-}
-
 const MipTexture* find_sky(const Level& level) {
     const auto found = std::find_if(level.textures.begin(), level.textures.end(),
                                     [](const MipTexture& texture) { return texture.name.starts_with("sky"); });
@@ -47,14 +44,6 @@ void draw_sky_pass(const FrameContext& frame, const FrameWorkspace& work) {
     if (!is_layered) return fill_spans(work.sky_spans, texture ? texture->mips[0][0] : 0, frame.out);
     draw_sky(work.sky_spans, {texture->mips[0].data(), texture->height, texture->width}, frame.view.axes,
              frame.view.lens, frame.out);
-}
-
-void count_spans(std::span<const Span> spans, const Framebuffer& out, FrameCounts& counts) {
-    for (const Span& span : spans)
-        for (std::int32_t x = span.first; x < span.end; ++x) {
-            std::uint8_t& writes = counts.writes[static_cast<std::size_t>(span.y * out.pitch + x)];
-            writes = static_cast<std::uint8_t>(std::min(writes + 1, 255));
-        }
 }
 
 void start_counts(const Framebuffer& out, FrameCounts& counts) {
@@ -77,11 +66,7 @@ void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode
     const FrameContext frame{
         scene, settings, view, make_gradient_lens(view.lens), make_block_rule(settings.accuracy), work.plan, out};
     draw_world(frame, work);
-    if (work.plan.effects.has(Effect::Sky))
-        draw_sky_pass(frame, work);
-    else
-        fill_spans(work.sky_spans, 0, out);
-    if (work.counts) count_spans(work.sky_spans, out, *work.counts);
+    if (work.plan.effects.has(Effect::Sky)) draw_sky_pass(frame, work);
 
     work.owned.clear();
     work.coverage.claim_rest(work.owned);

@@ -5,6 +5,7 @@
 
 #include "engine/base/range_probe.h"
 #include "engine/fixed/wide.h"
+#include "engine/raster/fill.h"
 
 namespace oblong {
 
@@ -72,11 +73,21 @@ class FacePainter {
         if (work_.owned.empty()) return;
         const FaceKind kind = work_.faces.kinds[static_cast<std::size_t>(index)];
         if (work_.counts) count_face(kind);
-        if (kind == FaceKind::Sky) {
-            work_.sky_spans.insert(work_.sky_spans.end(), work_.owned.begin(), work_.owned.end());
-            return;
-        }
-        paint_owned(index, kind, offset);
+        const bool is_left_out = (kind == FaceKind::Sky && !frame_.plan.effects.has(Effect::Sky)) ||
+                                 (kind == FaceKind::Liquid && !frame_.plan.effects.has(Effect::Liquid));
+        if (is_left_out) return paint_flat(index);
+        if (kind == FaceKind::Lit || kind == FaceKind::Liquid) return paint_owned(index, kind, offset);
+        work_.sky_spans.insert(work_.sky_spans.end(), work_.owned.begin(), work_.owned.end());
+        if (work_.counts) count_owned();
+    }
+
+    /// What an effect would have drawn, in one colour of its texture.
+    void paint_flat(std::int32_t index) {
+        const Level& level = frame_.scene.level;
+        const Face& face = level.faces[static_cast<std::size_t>(index)];
+        const TexInfo& texinfo = level.texinfos[static_cast<std::size_t>(face.texinfo)];
+        fill_spans(work_.owned, level.textures[static_cast<std::size_t>(texinfo.miptex)].mips[3][0], frame_.out);
+        if (work_.counts) count_owned();
     }
 
     void paint_owned(std::int32_t index, FaceKind kind, const Vec3<World>& offset) {
@@ -161,12 +172,21 @@ class FacePainter {
     }
 
     void count_writes() {
-        FrameCounts& counts = *work_.counts;
         for (const TexelBlock& block : work_.blocks.waiting())
-            for (std::int32_t i = 0; i < block.count; ++i) {
-                std::uint8_t& writes = counts.writes[block.pixel + static_cast<std::uint32_t>(i)];
-                writes = static_cast<std::uint8_t>(std::min(writes + 1, 255));
-            }
+            count_run(block.pixel, static_cast<std::uint32_t>(block.count));
+    }
+
+    void count_owned() {
+        for (const Span& span : work_.owned)
+            count_run(static_cast<std::uint32_t>(span.y * frame_.out.pitch + span.first),
+                      static_cast<std::uint32_t>(span.end - span.first));
+    }
+
+    void count_run(std::uint32_t pixel, std::uint32_t count) {
+        for (std::uint32_t i = pixel; i < pixel + count; ++i) {
+            std::uint8_t& writes = work_.counts->writes[i];
+            writes = static_cast<std::uint8_t>(std::min(writes + 1, 255));
+        }
     }
 
     const FrameContext& frame_;

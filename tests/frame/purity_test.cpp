@@ -137,6 +137,24 @@ TEST(Plan, HardCaseP5_HoldsWhatIsInSightAndAllowed) {
     EXPECT_GT(without_sky, 0);
 }
 
+TEST(Plan, WhatIsLeftOutIsOneColourAndStillClosesTheWorld) {
+    Stage stage = demo_stage();
+    FrameWorkspace work(stage.level, stage.mode);
+    std::size_t changed = 0;
+    for (const Camera& camera : cameras_of(stage.level)) {
+        stage.settings.allowed_effects = EffectSet::all();
+        stage.draw(camera, work);
+        const std::vector<std::uint8_t> with_all = stage.pixels;
+        stage.settings.allowed_effects = {};
+        work.counts = std::make_unique<FrameCounts>();
+        stage.draw(camera, work);
+        EXPECT_EQ(std::count(work.counts->writes.begin(), work.counts->writes.end(), 1), 320 * 200);
+        work.counts = nullptr;
+        changed += stage.pixels != with_all;
+    }
+    EXPECT_GT(changed, 0u);
+}
+
 TEST(Eye, HardCaseV11_InThePlaneOfAFaceIsAStepToTheBackOfIt) {
     OBLONG_NEEDS_SHARED_LEVELS();
     Stage stage = real_stage("e1m7");
