@@ -1,0 +1,132 @@
+// Clipping to the five planes of random views. One plane at a time: HardCaseC1 to HardCaseC3.
+
+#include "engine/geometry/clip.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace oblong::test {
+namespace {
+
+using Point = Vec3<View>;
+
+/// Of a mode and a field of view, any that the engine takes.
+Frustum any_frustum() {
+    ScreenMode mode;
+    mode.width_px = *rc::gen::inRange(16, 2'048);
+    mode.height_px = *rc::gen::inRange(16, 2'048);
+    const Degrees field_of_view = Degrees::from_int(*rc::gen::inRange(10, 170));
+    return make_frustum(y_up_basis({}, {}, {}), make_projection(mode, field_of_view));
+}
+
+/// A point within `size` units of the eye along each axis, 2^-16 unit.
+Point any_point(std::int64_t size) {
+    const auto along = [size] { return View::from_raw(*rc::gen::inRange(-size * 65'536, size * 65'536)); };
+    return {along(), along(), along()};
+}
+
+/// A point before the eye, in view or half as far beside it again; often in one of the side planes.
+Point any_point_near_view(const Frustum& frustum, std::int64_t size) {
+    const std::int64_t z_16 = *rc::gen::inRange<std::int64_t>(kNearZ_16, size * 65'536);
+    const auto along = [z_16](const ClipPlane& plane, std::int64_t across) {
+        const std::int64_t part_256 =
+            *rc::gen::oneOf(rc::gen::inRange<std::int64_t>(-384, 385), rc::gen::element<std::int64_t>(-256, 256));
+        return View::from_raw(z_16 * plane.normal[2] / across * part_256 / 256);
+    };
+    const ClipPlane &left = frustum.clip_planes[0], &bottom = frustum.clip_planes[2];
+    return {along(left, left.normal[0]), along(bottom, bottom.normal[1]), View::from_raw(z_16)};
+}
+
+/// Not each polygon's own outcodes: where an edge lies within a rounding step of a plane, one of its faces may have
+/// other corners outside of that plane and the other none. Such an edge is the screen's border.
+constexpr unsigned kAllPlanes = 31;
+
+std::vector<Point> clipped(const Frustum& frustum, const std::vector<Point>& corners) {
+    ClipScratch scratch;
+    for (const Point& corner : corners) scratch.polygon.push_back({corner, 0});
+    clip_polygon(frustum, kAllPlanes, scratch);
+    std::vector<Point> left;
+    for (const ClipVertex& vertex : scratch.polygon) left.push_back(vertex.position);
+    return left;
+}
+
+/// What is left of an edge by itself: its part inside one plane after the other.
+std::optional<std::array<Point, 2>> clipped_edge(const Frustum& frustum, Point a, Point b) {
+    for (const ClipPlane& plane : frustum.clip_planes) {
+        const std::int64_t distance_a = plane.distance(a), distance_b = plane.distance(b);
+        if (std::max(distance_a, distance_b) < 0) return std::nullopt;
+        if (distance_a < 0) a = distance_b > 0 ? cross_plane(b, distance_b, a, distance_a) : b;
+        if (distance_b < 0) b = distance_a > 0 ? cross_plane(a, distance_a, b, distance_b) : a;
+    }
+    return std::array{a, b};
+}
+
+bool has(const std::vector<Point>& polygon, const Point& corner) {
+    return std::find(polygon.begin(), polygon.end(), corner) != polygon.end();
+}
+
+RC_GTEST_PROP(PropertyClip, SharedEdgesAreCutAtTheSameBitsFromBothSides, ()) {
+    const Frustum frustum = any_frustum();
+    const std::int64_t size = *rc::gen::element(16, 900, 32'000);
+    const Point a = any_point_near_view(frustum, size);
+    const Point b = *rc::gen::arbitrary<bool>() ? any_point(size) : any_point_near_view(frustum, size);
+    const auto edge = clipped_edge(frustum, a, b);
+    const auto forth = clipped(frustum, {a, b, any_point(size)}), back = clipped(frustum, {b, a, any_point(size)});
+    RC_PRE(edge.has_value());
+    for (const Point& end : *edge) {
+        RC_ASSERT(forth.empty() || has(forth, end));
+        RC_ASSERT(back.empty() || has(back, end));
+    }
+}
+
+/// A part of the polygon's shadow along each axis, twice its area, (2^-16 unit)^2.
+using Shadows = std::array<std::int64_t, 3>;
+
+Shadows shadows_of(const std::vector<ClipVertex>& polygon) {
+    Shadows sum{};
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point &a = polygon[i].position, &b = polygon[(i + 1) % polygon.size()].position;
+        sum[0] += a.y.raw * b.z.raw - b.y.raw * a.z.raw;
+        sum[1] += a.z.raw * b.x.raw - b.z.raw * a.x.raw;
+        sum[2] += a.x.raw * b.y.raw - b.x.raw * a.y.raw;
+    }
+    return sum;
+}
+
+std::vector<ClipVertex> part_of(const std::vector<ClipVertex>& polygon, const ClipPlane& plane) {
+    std::vector<ClipVertex> part;
+    if (polygon.size() >= 3) clip_to_plane(plane, 0, polygon, part);
+    return part;
+}
+
+ClipPlane reversed(const ClipPlane& plane) {
+    return {{-plane.normal[0], -plane.normal[1], -plane.normal[2]}, -plane.offset};
+}
+
+RC_GTEST_PROP(PropertyClip, WhatIsCutOffByEachPlaneAndWhatIsLeftAddUpToTheWhole, ()) {
+    constexpr std::int64_t kSize = 900;
+    const Frustum frustum = any_frustum();
+    std::vector<ClipVertex> rest{{any_point(kSize), 0}, {any_point(kSize), 0}, {any_point(kSize), 0}};
+    const Shadows whole = shadows_of(rest);
+    Shadows sum{};
+    const auto add = [&sum](const std::vector<ClipVertex>& part) {
+        const Shadows shadows = shadows_of(part);
+        for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += shadows[axis];
+    };
+    for (const ClipPlane& plane : frustum.clip_planes) {
+        add(part_of(rest, reversed(plane)));
+        rest = part_of(rest, plane);
+    }
+    add(rest);
+    // Each plane makes two corners in each of two parts, rounded by half a step along two axes, where the polygon is
+    // 2 * 900 units wide.
+    constexpr std::int64_t kRounding = kClipPlaneCount * 4 * (2 * kSize * 65'536);
+    for (std::size_t axis = 0; axis < 3; ++axis) RC_ASSERT(std::abs(sum[axis] - whole[axis]) <= kRounding);
+}
+
+}  // namespace
+}  // namespace oblong::test
