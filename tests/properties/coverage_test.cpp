@@ -22,11 +22,15 @@ rc::Gen<Cut> any_cut() {
     return rc::gen::build<Cut>(rc::gen::set(&Cut::is_inside), rc::gen::set(&Cut::triangle), rc::gen::set(&Cut::edge),
                                rc::gen::set(&Cut::weight_a, weight), rc::gen::set(&Cut::weight_b, weight),
                                rc::gen::set(&Cut::weight_c, weight), rc::gen::set(&Cut::off_edge_x_8, off),
-                               rc::gen::set(&Cut::off_edge_y_8, off));
+                               rc::gen::set(&Cut::off_edge_y_8, off),
+                               rc::gen::set(&Cut::grid_8, rc::gen::element(1, 128)));
 }
 
 Rectangle any_rectangle() {
-    const auto side = [](std::int32_t low, std::int32_t high) { return *rc::gen::inRange(low * 256, high * 256); };
+    const std::int32_t grid_8 = *rc::gen::element(1, 128);
+    const auto side = [grid_8](std::int32_t low, std::int32_t high) {
+        return *rc::gen::inRange(low * 256, high * 256) / grid_8 * grid_8;
+    };
     return {side(-10, 20), side(-10, 15), side(40, 80), side(20, 60)};
 }
 

@@ -19,6 +19,10 @@ ScreenVertex mix(const ScreenVertex& a, std::int64_t weight_a, const ScreenVerte
     return at((a.x.raw * weight_a + b.x.raw * weight_b) / sum, (a.y.raw * weight_a + b.y.raw * weight_b) / sum);
 }
 
+ScreenVertex snapped(const ScreenVertex& v, std::int32_t grid_8) {
+    return at(v.x.raw / grid_8 * grid_8, v.y.raw / grid_8 * grid_8);
+}
+
 /// The triangle with this edge, and which of its edges that is.
 struct EdgeOwner {
     std::size_t triangle, edge;
@@ -37,7 +41,8 @@ std::optional<EdgeOwner> find_edge(const std::vector<Mesh::Triangle>& triangles,
 
 std::ostream& operator<<(std::ostream& out, const Cut& cut) {
     return out << (cut.is_inside ? "inside " : "edge ") << cut.triangle << ' ' << cut.edge << " by " << cut.weight_a
-               << ':' << cut.weight_b << ':' << cut.weight_c << " off " << cut.off_edge_x_8 << ' ' << cut.off_edge_y_8;
+               << ':' << cut.weight_b << ':' << cut.weight_c << " off " << cut.off_edge_x_8 << ' ' << cut.off_edge_y_8
+               << " grid " << cut.grid_8;
 }
 
 Mesh::Mesh(const Rectangle& r) {
@@ -51,8 +56,9 @@ void Mesh::cut(const Cut& cut) {
     const std::size_t edge = cut.edge % 3;
     const Triangle& triangle = triangles_[index];
     const ScreenVertex on_edge = mix(triangle[edge], cut.weight_a, triangle[(edge + 1) % 3], cut.weight_b);
+    const ScreenVertex inside = mix(on_edge, cut.weight_a + cut.weight_b, triangle[(edge + 2) % 3], cut.weight_c);
     if (cut.is_inside)
-        cut_inside(index, mix(on_edge, cut.weight_a + cut.weight_b, triangle[(edge + 2) % 3], cut.weight_c));
+        cut_inside(index, snapped(inside, cut.grid_8));
     else
         cut_edge(index, edge, on_edge, cut);
 }
@@ -70,7 +76,7 @@ void Mesh::cut_edge(std::size_t triangle, std::size_t edge, ScreenVertex corner,
         replace({triangle}, {{a, corner, c}, {corner, b, c}});
         return;
     }
-    corner = at(corner.x.raw + cut.off_edge_x_8, corner.y.raw + cut.off_edge_y_8);
+    corner = snapped(at(corner.x.raw + cut.off_edge_x_8, corner.y.raw + cut.off_edge_y_8), cut.grid_8);
     const ScreenVertex d = triangles_[neighbour->triangle][(neighbour->edge + 2) % 3];
     replace({triangle, neighbour->triangle}, {{a, corner, c}, {corner, b, c}, {b, corner, d}, {corner, a, d}});
 }

@@ -20,6 +20,7 @@ struct Cut {
     std::uint32_t triangle = 0, edge = 0;  ///< modulo their counts
     std::int64_t weight_a = 1, weight_b = 1, weight_c = 1;
     std::int32_t off_edge_x_8 = 0, off_edge_y_8 = 0;
+    std::int32_t grid_8 = 1;  ///< new corners lie on multiples of this: 128 puts many on pixels' centres and borders
 };
 std::ostream& operator<<(std::ostream& out, const Cut& cut);
 

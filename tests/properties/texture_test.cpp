@@ -56,7 +56,7 @@ RC_GTEST_PROP(PropertyTexture, LitSurfacesRepeatByWholeTextures, ()) {
     RC_ASSERT(built(shifted) == built(texture));
 }
 
-/// A block whose coordinates stay within `size` textures of 2^`log2` texels from the origin.
+/// A block whose coordinates run from one place below `highest_16` to another.
 TexelBlock any_block(std::int32_t count, std::int64_t highest_16) {
     const auto texel = [highest_16] { return *rc::gen::inRange<std::int64_t>(0, highest_16); };
     const std::int64_t u = texel(), v = texel(), u_end = texel(), v_end = texel();
