@@ -33,9 +33,10 @@ inline constexpr std::uint8_t kAllSides = 15, kOutside = 0xff;
 /// to the screen, such a face may turn round and show pixels that its neighbours, rounded too, leave. Drawn, it is what
 /// closes the outline of what is seen; most often it covers nothing. A face of L units at depth z turns round where it
 /// is d <= z^2 / (160 L) * (twice the rounding) before its plane: 32 units do for 16-unit faces 3,600 units away at
-/// 1/256 pixel; coarser grids ask for more.
+/// 1/256 pixel. Coarser grids ask for more, in proportion, up to 1,024 units: beyond, faces that turn round by whole
+/// pixels are farther than levels are wide.
 constexpr std::int64_t both_sides_distance_42(std::int32_t subpixel_bits) {
-    return std::int64_t{32} << (42 + 8 - subpixel_bits);
+    return std::int64_t{32} << (42 + (subpixel_bits < 3 ? 5 : 8 - subpixel_bits));
 }
 
 /// Walks the world's tree front to back (Abrash, seed 5's sequel; Fuchs, Kedem and Naylor 1980). Calls on_leaf(leaf)

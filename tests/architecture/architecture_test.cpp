@@ -32,8 +32,7 @@ std::vector<SourceFile> read_sources() {
 
 /// What git keeps of the project, or would keep if it were added; empty where there is no repository.
 std::vector<std::string> list_repository() {
-    const std::string command =
-        "git -C '" + kRoot.string() + "' ls-files --cached --others --exclude-standard 2>/dev/null";
+    const std::string command = "git -C '" + kRoot.string() + "' ls-files 2>/dev/null";
     std::vector<std::string> paths;
     FILE* const pipe = popen(command.c_str(), "r");
     if (!pipe) return paths;
