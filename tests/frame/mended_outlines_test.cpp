@@ -1,0 +1,94 @@
+// Real levels have corners of faces in the middle of other faces' edges (hard case E9). In the outlines that are drawn
+// there are none left: looked for here by brute force, in doubles.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "engine/frame/face_table.h"
+#include "engine/level/t_junctions.h"
+#include "tests/frame/frame_fixture.h"
+
+namespace oblong::test {
+
+namespace {
+
+struct Point {
+    double x, y, z;
+};
+
+Point point_of(const Level& level, std::int32_t vertex) {
+    const Vec3<World>& p = level.vertices[static_cast<std::size_t>(vertex)];
+    return {p.x.raw / 4096.0, p.y.raw / 4096.0, p.z.raw / 4096.0};
+}
+
+/// Whether p lies on the edge from a to b, nearer than 1/600 unit to it and farther than 1/100 from its ends.
+bool is_inside_edge(const Point& a, const Point& b, const Point& p) {
+    const Point along{b.x - a.x, b.y - a.y, b.z - a.z}, offset{p.x - a.x, p.y - a.y, p.z - a.z};
+    const double length = std::hypot(along.x, along.y, along.z);
+    if (length == 0) return false;
+    const double part = (offset.x * along.x + offset.y * along.y + offset.z * along.z) / length;
+    if (part < 0.01 || part > length - 0.01) return false;
+    const double scale = part / length;
+    return std::hypot(offset.x - along.x * scale, offset.y - along.y * scale, offset.z - along.z * scale) < 1.0 / 600;
+}
+
+bool has_vertex_inside(const Level& level, const std::vector<std::int32_t>& by_x, std::int32_t from, std::int32_t to) {
+    const Point a = point_of(level, from), b = point_of(level, to);
+    const auto first = std::partition_point(
+        by_x.begin(), by_x.end(), [&](std::int32_t v) { return point_of(level, v).x < std::min(a.x, b.x) - 0.01; });
+    for (auto v = first; v != by_x.end() && point_of(level, *v).x <= std::max(a.x, b.x) + 0.01; ++v)
+        if (is_inside_edge(a, b, point_of(level, *v))) return true;
+    return false;
+}
+
+std::vector<std::int32_t> used_vertices_by_x(const Level& level, const FaceTable& table) {
+    const std::set<std::int32_t> used(table.corners.begin(), table.corners.end());
+    std::vector<std::int32_t> sorted(used.begin(), used.end());
+    std::sort(sorted.begin(), sorted.end(),
+              [&](std::int32_t a, std::int32_t b) { return point_of(level, a).x < point_of(level, b).x; });
+    return sorted;
+}
+
+class MendedOutlines : public testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST_P(MendedOutlines, HardCaseE9_NoCornerLiesWithinAnEdge) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    const Stage stage = real_stage(GetParam());
+    const FaceTable table = make_face_table(stage.level);
+    const std::vector<std::int32_t> by_x = used_vertices_by_x(stage.level, table);
+    for (std::int32_t face = 0; face < static_cast<std::int32_t>(stage.level.faces.size()); ++face) {
+        const std::span<const std::int32_t> corners = table.corners_of(face);
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            ASSERT_FALSE(has_vertex_inside(stage.level, by_x, corners[i], corners[(i + 1) % corners.size()])) << face;
+    }
+}
+
+TEST_P(MendedOutlines, CornersComeInTheOrderOfTheFaceAndSomeAreNew) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    const Stage stage = real_stage(GetParam());
+    const FaceTable table = make_face_table(stage.level);
+    std::size_t added = 0;
+    for (std::size_t index = 0; index < stage.level.faces.size(); ++index) {
+        const Face& face = stage.level.faces[index];
+        const std::span<const std::int32_t> corners = table.corners_of(static_cast<std::int32_t>(index));
+        std::size_t at = 0;  // the file's corners must all be met, in their order
+        for (std::int32_t i = 0; i < face.edge_count; ++i) {
+            const std::int32_t edge = stage.level.surf_edges[static_cast<std::size_t>(face.first_surfedge + i)];
+            const EdgeIndices& ends = stage.level.edges[static_cast<std::size_t>(std::abs(edge))];
+            while (at < corners.size() && corners[at] != (edge < 0 ? ends.to : ends.from)) ++at;
+            ASSERT_LT(at, corners.size()) << index;
+        }
+        added += corners.size() - static_cast<std::size_t>(face.edge_count);
+    }
+    EXPECT_GT(added, 0u) << "these levels are known to have T-junctions";
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, MendedOutlines, testing::ValuesIn(kRealLevels),
+                         [](const auto& name) { return name.param; });
+
+}  // namespace oblong::test
