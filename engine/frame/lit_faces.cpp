@@ -1,5 +1,6 @@
 #include "engine/frame/lit_faces.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace oblong {
@@ -15,8 +16,8 @@ std::int32_t rows_of(const Face& face) {
 
 SurfaceView shape_of(const Face& face, int mip) {
     SurfaceView surface;
-    surface.width = lit_size(columns_of(face), mip);
-    surface.height = lit_size(rows_of(face), mip);
+    surface.width = std::max(lit_size(columns_of(face), mip), 1);
+    surface.height = std::max(lit_size(rows_of(face), mip), 1);
     const std::uint32_t stride = std::bit_ceil(static_cast<std::uint32_t>(surface.width));
     surface.stride_log2 = std::countr_zero(stride);
     surface.u_mask = stride - 1;

@@ -41,6 +41,13 @@ class SurfaceBuilder {
     SurfaceBuilder(const TextureView& texture, const Colormap& colormap, int mip)
         : texture_(texture), colormap_(colormap), cell_log2_(4 - mip) {}
 
+    /// A surface without extent in one direction, which a texture axis across its face makes: one colour.
+    void build_line(std::int32_t shade_16, std::int32_t bytes, std::uint8_t* out) const {
+        const std::int32_t u = wrap(texture_.min_u, texture_.width), v = wrap(texture_.min_v, texture_.height);
+        const std::uint8_t texel = texture_.texels[v * texture_.width + u];
+        std::fill_n(out, bytes, colormap_.shades[static_cast<std::size_t>(shade_16 >> 16)][texel]);
+    }
+
     void build_row(std::int32_t y, const std::int32_t* upper, std::int32_t columns, std::uint8_t* out) const {
         const std::int32_t down = y & ((1 << cell_log2_) - 1);
         const std::int32_t* lower = upper + columns;
@@ -82,6 +89,8 @@ void build_lit_surface(const TextureView& texture, const LightmapView& light, co
     compute_corner_shades(light, corner_shades);
     const SurfaceBuilder builder(texture, colormap, mip);
     const std::int32_t height = lit_size(light.rows, mip);
+    if (light.columns < 2 || light.rows < 2)
+        return builder.build_line(corner_shades[0], std::max(height, 1) * stride, out);
     for (std::int32_t y = 0; y < height; ++y)
         builder.build_row(y, corner_shades + (y >> (4 - mip)) * light.columns, light.columns,
                           out + static_cast<std::ptrdiff_t>(y) * stride);

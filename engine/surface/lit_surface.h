@@ -42,7 +42,8 @@ constexpr std::int32_t lit_size(std::int32_t samples, int mip) {
 }
 
 /// Writes texture times light to `out`: shades are interpolated across each cell between four samples and looked up in
-/// the colormap (Abrash, Black Book, ch. 68). `out` has lit_size(rows) rows of `stride` bytes. `corner_shades` is
+/// the colormap (Abrash, Black Book, ch. 68). `out` has lit_size(rows) rows of `stride` bytes, at least one; a surface
+/// without extent in a direction is one colour. `corner_shades` is
 /// scratch of columns * rows entries.
 void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap, int mip,
                        std::int32_t stride, std::int32_t* corner_shades, std::uint8_t* out);

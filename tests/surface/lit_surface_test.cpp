@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -104,6 +105,26 @@ TEST(LitSurface, AStyleScalesItsLight) {
     EXPECT_EQ(shade(0), 63);
     EXPECT_EQ(shade(256), (kFullLight - 100) * 63 / kFullLight);
     EXPECT_EQ(shade(512), 0);
+}
+
+TEST(LitSurface, WithoutExtentIsOneColourAndWritesAllOfIt) {
+    std::mt19937 random(9);
+    const Colormap map = shade_showing_map();
+    for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 5}, {5, 1}}) {
+        Patch patch(random, columns, rows);
+        LightmapView light;
+        light.samples = patch.samples.data();
+        light.columns = columns;
+        light.rows = rows;
+        light.style_count = 1;
+        light.style_scale_256[0] = 256;
+        const std::int32_t stride = std::max(lit_size(columns, 0), 1), height = std::max(lit_size(rows, 0), 1);
+        std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * height), 0xa5);
+        build_lit_surface({patch.texels.data(), 64, 64, 16, 16}, light, map, 0, stride, patch.scratch.data(),
+                          out.data());
+        const int shade = std::max(kFullLight - patch.samples[0], 0) * 63 / kFullLight;
+        EXPECT_EQ(std::count(out.begin(), out.end(), static_cast<std::uint8_t>(shade)), stride * height);
+    }
 }
 
 TEST(SurfaceCache, KeepsWhileValidAndForgetsWhenFull) {
