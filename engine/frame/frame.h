@@ -28,7 +28,7 @@ constexpr LightStyles plain_light_styles() {
 struct Scene {
     const Level& level;
     const Colormap& colormap;
-    std::span<const PlacedModel> models;
+    std::span<const PlacedModel> models;  ///< each of the level's models once at the most
     std::int64_t time_ms = 0;
     LightStyles light_styles = plain_light_styles();
 };

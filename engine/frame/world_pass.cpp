@@ -11,8 +11,8 @@ namespace oblong {
 
 namespace {
 
-/// The mip level at which a texel is about a pixel where the polygon is nearest: Quake's thresholds, a level finer than
-/// pixels of 1, 0.4 and 0.2 texels' size ask for.
+/// The mip level for a polygon whose nearest texels are 1, 0.4 and 0.2 pixels wide at the ends of levels 0, 1 and 2:
+/// Quake's thresholds.
 int mip_level(std::int64_t nearest_z_16, std::int64_t density_16, const ProjectionAxis& axis) {
     const std::int64_t texels_per_pixel_times_lens_16 = mul_shift(nearest_z_16, density_16, 16, Rounding::Floor);
     const std::int64_t lens_16 = axis.coarse_16;
