@@ -6,6 +6,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/level/bsp_read.h"
+#include "engine/platform/replace_file.h"
 
 namespace oblong {
 namespace {
@@ -39,9 +40,11 @@ std::vector<std::uint8_t> read_file(const std::string& file) {
 }
 
 void write_file(const std::string& file, std::span<const std::uint8_t> bytes) {
-    std::ofstream out(file, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!out.flush()) throw FileError(file + ": file: can't be written, expected a folder with room for it");
+    try {
+        replace_file(file, bytes);
+    } catch (const InputError& error) {
+        throw FileError(error.where + ": file: " + error.what());
+    }
 }
 
 GameData load_game(const std::string& level_file, const std::string& palette_file, const std::string& assets_folder) {

@@ -83,7 +83,7 @@ TEST_F(BadRender, PlacesThatCannotBeWritten) {
     EXPECT_TRUE(names_fault(render(kLevel, {"--json", "/dev/full"}), kProgram, "/dev/full", "No space left"));
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
     EXPECT_TRUE(names_fault(render(kLevel, {"--json", folder_.path("no/such/a.json")}), kProgram,
-                            folder_.path("no/such/a.json"), "open for writing"));
+                            folder_.path("no/such/a.json"), "No such file or directory"));
     EXPECT_TRUE(names_fault(render(kLevel, {"--out", file}), kProgram, file, "make folder"));
     EXPECT_TRUE(names_fault(render(kLevel, {"--out", file + "/below"}), kProgram, file + "/below", "make folder"));
 }

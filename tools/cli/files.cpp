@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "engine/platform/replace_file.h"
+
 namespace oblong {
 
 namespace {
@@ -39,20 +41,11 @@ std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_by
 }
 
 void write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
-    // A device or a pipe is written to; only a file is replaced by a finished one.
-    std::error_code ignored;
-    const auto target = std::filesystem::status(path, ignored);
-    const bool is_replaced = !std::filesystem::exists(target) || std::filesystem::is_regular_file(target);
-    const std::string unfinished = is_replaced ? path + ".part" : path;
-    std::FILE* const file = std::fopen(unfinished.c_str(), "wb");
-    if (!file) throw FileError(path, "open for writing", reason());
-    const bool is_written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0;
-    const std::string why = reason();
-    const bool is_closed = std::fclose(file) == 0;
-    if (is_written && is_closed && (!is_replaced || std::rename(unfinished.c_str(), path.c_str()) == 0)) return;
-    const std::string failure = is_written ? reason() : why;
-    if (is_replaced) std::remove(unfinished.c_str());
-    throw FileError(path, "write", failure);
+    try {
+        replace_file(path, bytes);
+    } catch (const InputError& error) {
+        throw FileError(path, "write", error.what());
+    }
 }
 
 void write_file(const std::string& path, const std::string& text) {

@@ -3,9 +3,9 @@
 #include <zlib.h>
 
 #include <array>
-#include <fstream>
 
 #include "engine/base/input_error.h"
+#include "engine/platform/replace_file.h"
 
 namespace oblong {
 namespace {
@@ -78,10 +78,7 @@ std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixel
 
 void write_indexed_png(const std::string& path, std::span<const std::uint8_t> pixels, std::int32_t width_px,
                        std::int32_t height_px, const Palette& palette) {
-    const Bytes file = encode_indexed_png(pixels, width_px, height_px, palette);
-    std::ofstream out(path, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
-    if (!out.flush()) throw InputError(path, "cannot be written");
+    replace_file(path, encode_indexed_png(pixels, width_px, height_px, palette));
 }
 
 }  // namespace oblong

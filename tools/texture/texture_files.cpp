@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "engine/base/input_error.h"
+#include "engine/platform/replace_file.h"
 #include "tools/png/indexed_png.h"
 #include "tools/texture/image_read.h"
 #include "tools/texture/mipmaps.h"
@@ -37,9 +38,7 @@ std::vector<std::uint8_t> read_whole_file(const std::string& path) {
 }
 
 void write_whole_file(const std::string& path, const std::vector<std::uint8_t>& bytes) {
-    std::ofstream out(path, std::ios::binary);
-    out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!out.flush()) throw InputError(path + ": file", "cannot be written");
+    replace_file(path, bytes);
 }
 
 Palette read_palette_file(const std::string& path) {
