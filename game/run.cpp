@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "engine/base/input_error.h"
+#include "engine/platform/files.h"
 #include "engine/platform/headless/headless.h"
 #include "engine/platform/sdl/window.h"
 #include "game/session.h"
@@ -19,21 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Runs what may find fault with a demo, naming its file.
-template <class Work>
-auto naming(const std::string& file, Work work) {
-    try {
-        return work();
-    } catch (const InputError& error) {
-        throw FileError(file + ": " + error.where + ": " + error.what());
-    }
-}
-
-Demo load_demo(const std::string& file) {
-    const auto bytes = read_file(file);
-    return naming(file, [&] { return decode_demo(bytes); });
-}
-
 Choices choices_of(const Options& options) {
     Choices choices;
     choices.tier = options.tier;
@@ -43,18 +28,14 @@ Choices choices_of(const Options& options) {
 
 // Writes 00000.png, 00001.png and so on into a folder.
 HeadlessPlatform::FrameSink png_sink(const std::string& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (!fs::is_directory(folder)) throw FileError(folder + ": folder: can't be made, expected a place for pictures");
+    make_folder(folder);
     return [folder, frame = 0](Framebuffer picture, const Palette& palette) mutable {
         char name[16];
         std::snprintf(name, sizeof name, "%05d.png", frame++);
         const std::size_t size =
             static_cast<std::size_t>(picture.width_px) * static_cast<std::size_t>(picture.height_px);
-        const std::string file = (fs::path(folder) / name).string();
-        naming(file, [&] {
-            write_indexed_png(file, {picture.pixels, size}, picture.width_px, picture.height_px, palette);
-        });
+        write_file((fs::path(folder) / name).string(),
+                   encode_indexed_png({picture.pixels, size}, picture.width_px, picture.height_px, palette));
     };
 }
 
@@ -67,19 +48,19 @@ std::unique_ptr<Platform> open_platform(const Options& options) {
 }
 
 void time_demo(const Options& options, const GameData& data, const Stage& stage) {
-    const Demo demo = load_demo(options.timedemo);
+    const Demo demo = read_parsed(options.timedemo, decode_demo);
     Painter painter(data, stage, options.mode);
     const Settings settings = settings_of(choices_of(options));
-    const auto result =
-        naming(options.timedemo, [&] { return run_timedemo(stage, demo, painter, settings, options.field_of_view); });
+    const auto result = naming_file(
+        options.timedemo, [&] { return run_timedemo(stage, demo, painter, settings, options.field_of_view); });
     std::cout << describe(result) << '\n';
 }
 
 void play(const Options& options, const GameData& data, const Stage& stage) {
     std::optional<Demo> demo;
-    if (!options.replay.empty()) demo = load_demo(options.replay);
+    if (!options.replay.empty()) demo = read_parsed(options.replay, decode_demo);
     const bool records = !options.record.empty();
-    naming(options.replay, [&] {
+    naming_file(options.replay, [&] {
         Hands hands(start_of(stage), demo, records);
         const auto platform = open_platform(options);
         Session(data, stage, {options.mode, options.field_of_view, choices_of(options)}, hands, *platform).run();

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "engine/platform/files.h"
 #include "tools/png/indexed_png.h"
 
 namespace oblong {
@@ -53,7 +54,8 @@ int first_free_number(const fs::path& folder) {
 }
 
 void save(const fs::path& file, Framebuffer picture, Multiples by, const Palette& palette) {
-    write_indexed_png(file.string(), enlarged(picture, by), picture.width_px * by.x, picture.height_px * by.y, palette);
+    write_file(file.string(),
+               encode_indexed_png(enlarged(picture, by), picture.width_px * by.x, picture.height_px * by.y, palette));
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ const std::vector<Room>& project_rooms() {
         {"engine/platform", {"engine/screen", "engine/surface"}},
         {"engine/platform/sdl", {"engine/platform"}},
         {"game", {"engine/frame", "engine/platform/sdl", "tools/png"}},
-        {"tools/png", {"engine/platform"}},
-        {"tools", {"engine/frame", "engine/platform/sdl", "tools/png"}},
+        {"tools/png", {"engine/surface"}},
+        {"tools", {"engine/frame", "engine/platform", "tools/png"}},
     };
     return rooms;
 }

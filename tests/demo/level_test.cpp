@@ -9,8 +9,8 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
+#include "engine/platform/files.h"
 #include "game/stage.h"
-#include "tools/texture/texture_files.h"
 
 namespace oblong {
 namespace {
@@ -38,7 +38,7 @@ class DemoLevel : public testing::Test {
         return corners;
     }
 
-    const Level level_ = read_bsp(read_whole_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    const Level level_ = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
 };
 
 TEST_F(DemoLevel, HasABeginningAnEndAndWhatMoves) {

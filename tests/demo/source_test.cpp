@@ -5,10 +5,10 @@
 #include <set>
 #include <sstream>
 
+#include "engine/platform/files.h"
 #include "tools/demo_level/art/catalogue.h"
 #include "tools/demo_level/map/museum.h"
 #include "tools/png/indexed_png.h"
-#include "tools/texture/texture_files.h"
 #include "tools/texture/texture_name.h"
 
 namespace oblong {
@@ -87,7 +87,7 @@ TEST(DemoSource, EveryBrushIsConvexExactly) {
 TEST(DemoTextures, TheCommittedPicturesAreWhatThePaintersPaint) {
     std::size_t count = 0;
     for (const auto& [name, canvas] : art::paint_all_textures()) {
-        const auto decoded = decode_indexed_png(read_whole_file((kTextures / (name + ".png")).string()));
+        const auto decoded = decode_indexed_png(read_file((kTextures / (name + ".png")).string()));
         ASSERT_TRUE(decoded) << name;
         EXPECT_EQ(decoded->pixels, canvas.to_indices())
             << name << ": run oblong-demo-level textures -o assets/textures";

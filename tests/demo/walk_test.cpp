@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "engine/level/bsp_read.h"
+#include "engine/platform/files.h"
 #include "game/world.h"
-#include "tools/texture/texture_files.h"
 
 namespace oblong {
 namespace {
@@ -61,7 +61,7 @@ class DemoWalk : public testing::Test {
         }
     }
 
-    const Level level_ = read_bsp(read_whole_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    const Level level_ = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
     Visitor visitor_{level_};
 };
 

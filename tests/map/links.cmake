@@ -1,1 +1,1 @@
-set(LINKS oblong_tool_map)
+set(LINKS oblong_tool_map oblong_platform)

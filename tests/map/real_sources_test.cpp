@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "engine/level/bsp_read.h"
+#include "engine/platform/files.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
 #include "tests/support/shared_levels.h"
-#include "tools/map/files.h"
 
 namespace oblong::test {
 namespace {
@@ -12,9 +12,8 @@ namespace {
 map::BspFile compile_shared(const std::string& name) {
     const auto folder = find_shared_folder() / "levels";
     std::vector<map::Wad> wads;
-    for (const char* wad : {"gfx/metal.wad", "gfx/wizard.wad"})
-        wads.emplace_back(map::read_file((folder / wad).string()));
-    return map::compile_map(map::read_file((folder / (name + ".map")).string()), wads, {true});
+    for (const char* wad : {"gfx/metal.wad", "gfx/wizard.wad"}) wads.emplace_back(read_text((folder / wad).string()));
+    return map::compile_map(read_text((folder / (name + ".map")).string()), wads, {true});
 }
 
 TEST(RealSources, AreSealedAndReadable) {

@@ -2,8 +2,8 @@
 file(GLOB_RECURSE RECORDED CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/engine/*.cpp)
 list(FILTER RECORDED EXCLUDE REGEX "/engine/platform/")
 add_executable(record_ranges EXCLUDE_FROM_ALL ${CMAKE_CURRENT_LIST_DIR}/recorder/record_ranges.cpp ${RECORDED}
-               ${CMAKE_SOURCE_DIR}/engine/platform/replace_file.cpp
-               ${CMAKE_SOURCE_DIR}/tools/cli/files.cpp ${CMAKE_SOURCE_DIR}/tools/cli/program.cpp
+               ${CMAKE_SOURCE_DIR}/engine/platform/files.cpp
+               ${CMAKE_SOURCE_DIR}/tools/cli/program.cpp
                ${CMAKE_SOURCE_DIR}/tools/cli/arguments.cpp ${CMAKE_SOURCE_DIR}/tools/render/camera_list.cpp)
 target_compile_definitions(record_ranges PRIVATE OBLONG_RECORD_RANGES)
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "engine/base/input_error.h"
+#include "engine/platform/files.h"
 #include "tests/support/shared_levels.h"
 #include "tests/texture/test_palette.h"
 #include "tools/png/indexed_png.h"
@@ -27,7 +27,7 @@ class TextureFiles : public testing::Test {
 
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
     std::string write(const std::string& name, const std::vector<std::uint8_t>& bytes) const {
-        write_whole_file(path(name), bytes);
+        write_file(path(name), bytes);
         return path(name);
     }
     std::string write_png(const std::string& name, int width, int height) const {
@@ -37,8 +37,8 @@ class TextureFiles : public testing::Test {
     std::string complaint_of_packing(const std::string& png) const {
         try {
             pack_textures({png}, path("out.wad"), palette_);
-        } catch (const InputError& error) {
-            return error.where + ": " + error.what();
+        } catch (const FileError& error) {
+            return error.what();
         }
         return {};
     }
@@ -57,7 +57,7 @@ TEST_F(TextureFiles, WhatIsPackedComesOutTheSame) {
     unpack_textures(path("all.wad"), path("out"), palette_);
     for (const std::string& file : files) {
         const auto again = (std::filesystem::path(path("out")) / std::filesystem::path(file).filename()).string();
-        EXPECT_EQ(read_whole_file(again), read_whole_file(file)) << file;
+        EXPECT_EQ(read_file(again), read_file(file)) << file;
     }
 }
 
@@ -91,14 +91,14 @@ TEST_F(TextureFiles, BadPicturesAreNamed) {
     EXPECT_NE(complaint_of_packing(write("no.png", {1, 2, 3})).find("not a readable PNG"), std::string::npos);
     EXPECT_NE(complaint_of_packing(write_png("odd.png", 24, 16)).find("24x16"), std::string::npos);
     EXPECT_NE(complaint_of_packing(write_png("sixteen_letters_.png", 16, 16)).find("16 characters"), std::string::npos);
-    EXPECT_NE(complaint_of_packing(path("absent.png")).find("absent.png: file: cannot be read"), std::string::npos);
+    EXPECT_NE(complaint_of_packing(path("absent.png")).find("absent.png: open: No such file"), std::string::npos);
     EXPECT_EQ(complaint_of_packing(write_png("fifteen_letters.png", 16, 16)), "");
 }
 
 TEST_F(TextureFiles, APaletteHas768Bytes) {
     const std::string file = write("short.lmp", std::vector<std::uint8_t>(767));
-    EXPECT_THROW(read_palette_file(file), InputError);
-    EXPECT_NO_THROW(read_palette_file(write("right.lmp", std::vector<std::uint8_t>(768))));
+    EXPECT_THROW(read_parsed(file, read_palette), FileError);
+    EXPECT_NO_THROW(read_parsed(write("right.lmp", std::vector<std::uint8_t>(768)), read_palette));
 }
 
 TEST_F(TextureFiles, NoPrefixOfAWadIsTakenForAWhole) {

@@ -4,6 +4,7 @@
 #include <exception>
 #include <new>
 
+#include "engine/base/input_error.h"
 #include "tools/cli/arguments.h"
 
 namespace oblong {
@@ -15,6 +16,9 @@ int run_program(const std::string& name, const std::function<void()>& body) {
     } catch (const UsageError& error) {
         std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
         return 2;
+    } catch (const InputError& error) {
+        std::fprintf(stderr, "%s: %s: %s\n", name.c_str(), error.where.c_str(), error.what());
+        return 1;
     } catch (const std::bad_alloc&) {
         std::fprintf(stderr, "%s: out of memory\n", name.c_str());
         return 1;

@@ -4,7 +4,7 @@
 
 namespace oblong {
 
-/// The palette as 768 bytes. Throws InputError where the file can't be written, as all these do.
+/// The palette as 768 bytes. Throws FileError where the file can't be written, as all these do.
 void write_demo_palette(const std::string& path);
 
 /// The level as a .map source.

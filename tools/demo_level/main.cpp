@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
-#include <iostream>
 
-#include "engine/base/input_error.h"
+#include "tools/cli/program.h"
 #include "tools/demo_level/files.h"
 
 int main(int argc, char** argv) {
@@ -19,13 +18,9 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    try {
+    return oblong::run_program("oblong-demo-level", [&] {
         if (textures.parsed()) oblong::write_demo_textures(output);
         if (map.parsed()) oblong::write_demo_map(output);
         if (palette.parsed()) oblong::write_demo_palette(output);
-    } catch (const oblong::InputError& error) {
-        std::cerr << "oblong-demo-level: " << error.where << ": " << error.what() << '\n';
-        return 1;
-    }
-    return 0;
+    });
 }

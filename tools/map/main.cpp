@@ -1,9 +1,9 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <iostream>
 
+#include "engine/platform/files.h"
+#include "tools/cli/program.h"
 #include "tools/map/compile.h"
-#include "tools/map/files.h"
 
 namespace {
 
@@ -23,31 +23,22 @@ void declare(CLI::App& app, Arguments& arguments) {
     app.add_flag("--fast", arguments.is_fast, "rougher visibility and light");
 }
 
-// Runs a step that works on one file, and adds the file's name to what may go wrong.
-template <class Step>
-auto on_file(const std::string& path, Step step) {
+std::string compile(const Arguments& arguments, const std::string& text, const std::vector<map::Wad>& wads) {
     try {
-        return step();
-    } catch (const InputError& error) {
-        throw InputError(path + ": " + error.where, error.what());
+        return map::to_bytes(map::compile_map(text, wads, {arguments.is_fast}));
+    } catch (const map::LeakError& leak) {
+        const std::string points = std::filesystem::path(arguments.output).replace_extension(".pts").string();
+        write_file(points, map::points_text(leak.path) + "\n");
+        throw InputError(leak.where, std::string(leak.what()) + "; the way out is in " + points);
     }
 }
 
 void compile_to_file(const Arguments& arguments) {
-    const std::string text = on_file(arguments.input, [&] { return map::read_file(arguments.input); });
+    const std::string text = read_text(arguments.input);
     std::vector<map::Wad> wads;
     for (const std::string& path : arguments.wads)
-        wads.push_back(on_file(path, [&] { return map::Wad(map::read_file(path)); }));
-    const std::string points_path = std::filesystem::path(arguments.output).replace_extension(".pts").string();
-    const std::string bytes = on_file(arguments.input, [&] {
-        try {
-            return map::to_bytes(map::compile_map(text, wads, {arguments.is_fast}));
-        } catch (const map::LeakError& leak) {
-            on_file(points_path, [&] { map::write_file(points_path, map::points_text(leak.path) + "\n"); });
-            throw;
-        }
-    });
-    on_file(arguments.output, [&] { map::write_file(arguments.output, bytes); });
+        wads.push_back(naming_file(path, [&] { return map::Wad(read_text(path)); }));
+    write_file(arguments.output, naming_file(arguments.input, [&] { return compile(arguments, text, wads); }));
 }
 
 }  // namespace
@@ -61,11 +52,5 @@ int main(int argument_count, char** arguments_given) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    try {
-        compile_to_file(arguments);
-    } catch (const InputError& error) {
-        std::cerr << "oblong-map: " << error.where << ": " << error.what() << '\n';
-        return 1;
-    }
-    return 0;
+    return run_program("oblong-map", [&] { compile_to_file(arguments); });
 }

@@ -5,7 +5,6 @@
 #include <array>
 
 #include "engine/base/input_error.h"
-#include "engine/platform/replace_file.h"
 
 namespace oblong {
 namespace {
@@ -74,11 +73,6 @@ std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixel
     append_chunk(file, "IDAT", deflated_rows(pixels, static_cast<std::size_t>(width_px)));
     append_chunk(file, "IEND", {});
     return file;
-}
-
-void write_indexed_png(const std::string& path, std::span<const std::uint8_t> pixels, std::int32_t width_px,
-                       std::int32_t height_px, const Palette& palette) {
-    replace_file(path, encode_indexed_png(pixels, width_px, height_px, palette));
 }
 
 }  // namespace oblong

@@ -16,10 +16,6 @@ namespace oblong {
 std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixels, std::int32_t width_px,
                                              std::int32_t height_px, const Palette& palette);
 
-/// The same, written to a file. Throws InputError where it can't be written.
-void write_indexed_png(const std::string& path, std::span<const std::uint8_t> pixels, std::int32_t width_px,
-                       std::int32_t height_px, const Palette& palette);
-
 /// What an indexed PNG holds.
 struct IndexedPng {
     std::int32_t width_px = 0, height_px = 0;

@@ -2,7 +2,7 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
-#include "tools/cli/files.h"
+#include "engine/platform/files.h"
 #include "tools/probe/queries.h"
 
 namespace oblong {

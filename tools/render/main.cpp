@@ -4,8 +4,8 @@
 
 #include "engine/frame/scene_models.h"
 #include "engine/level/bsp_read.h"
+#include "engine/platform/files.h"
 #include "tools/cli/arguments.h"
-#include "tools/cli/files.h"
 #include "tools/cli/program.h"
 #include "tools/png/indexed_png.h"
 #include "tools/render/camera_list.h"

@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
-#include <iostream>
 
-#include "engine/base/input_error.h"
+#include "engine/platform/files.h"
+#include "tools/cli/program.h"
 #include "tools/texture/texture_files.h"
 
 namespace {
@@ -35,13 +35,9 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    try {
-        const oblong::Palette palette = oblong::read_palette_file(request.palette);
+    return oblong::run_program("oblong-texture", [&] {
+        const oblong::Palette palette = oblong::read_parsed(request.palette, oblong::read_palette);
         if (pack.parsed()) oblong::pack_textures(request.inputs, request.output, palette);
         if (unpack.parsed()) oblong::unpack_textures(request.inputs.front(), request.output, palette);
-    } catch (const oblong::InputError& error) {
-        std::cerr << "oblong-texture: " << error.where << ": " << error.what() << '\n';
-        return 1;
-    }
-    return 0;
+    });
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,13 +8,7 @@
 
 namespace oblong {
 
-/// All these throw InputError whose `where` begins with the file.
-
-std::vector<std::uint8_t> read_whole_file(const std::string& path);
-void write_whole_file(const std::string& path, const std::vector<std::uint8_t>& bytes);
-
-/// 768 bytes: red, green and blue of 256 colours.
-Palette read_palette_file(const std::string& path);
+/// All these throw FileError.
 
 /// A PNG as a texture named after the file. Its sizes must be multiples of 16, 4096 at most.
 MipTexture read_png_texture(const std::string& path, const Palette& palette);

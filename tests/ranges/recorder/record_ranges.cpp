@@ -9,8 +9,8 @@
 #include "engine/frame/scene_models.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
+#include "engine/platform/files.h"
 #include "tests/ranges/recorder/quantities.h"
-#include "tools/cli/files.h"
 #include "tools/cli/program.h"
 #include "tools/render/camera_list.h"
 

@@ -1,0 +1,75 @@
+#include "engine/platform/files.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+namespace oblong {
+
+namespace {
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+std::string reason() {
+    return std::strerror(errno);
+}
+
+/// What went wrong while writing; empty: nothing.
+std::string write_bytes(const std::string& path, std::span<const std::uint8_t> bytes) {
+    File file(std::fopen(path.c_str(), "wb"));
+    if (!file) return reason();
+    if (std::fwrite(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) return reason();
+    return std::fclose(file.release()) == 0 ? "" : reason();
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_bytes) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) throw FileError(path, "open", "is a folder, expected a file");
+    const File file(std::fopen(path.c_str(), "rb"));
+    if (!file) throw FileError(path, "open", reason() + ", expected a readable file");
+    std::vector<std::uint8_t> bytes, chunk(std::size_t{1} << 16);
+    while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
+        if (count > most_bytes - bytes.size())
+            throw FileError(path, "size",
+                            "more than " + std::to_string(most_bytes) + " bytes, expected a smaller file");
+        bytes.insert(bytes.end(), chunk.begin(), chunk.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+    if (std::ferror(file.get())) throw FileError(path, "read", reason() + ", expected a readable file");
+    return bytes;
+}
+
+std::string read_text(const std::string& path) {
+    const std::vector<std::uint8_t> bytes = read_file(path);
+    return {bytes.begin(), bytes.end()};
+}
+
+void write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
+    std::error_code ignored;
+    const bool is_in_place = std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
+    const std::string written = is_in_place ? path : path + ".part";
+    std::string failure = write_bytes(written, bytes);
+    if (failure.empty() && !is_in_place && std::rename(written.c_str(), path.c_str()) != 0) failure = reason();
+    if (failure.empty()) return;
+    if (!is_in_place) std::remove(written.c_str());
+    throw FileError(path, "write",
+                    failure + ", expected a place for a file of " + std::to_string(bytes.size()) + " bytes");
+}
+
+void write_file(const std::string& path, const std::string& text) {
+    write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+void make_folder(const std::string& path) {
+    std::error_code error;
+    std::filesystem::create_directories(path, error);
+    if (error) throw FileError(path, "make folder", error.message() + ", expected a place for a folder");
+}
+
+}  // namespace oblong

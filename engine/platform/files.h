@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "engine/base/input_error.h"
+
+/// Whole files, in and out: the one place of the programs that opens any.
+namespace oblong {
+
+/// What is wrong with a file or what is in it; says `FILE: WHERE: what is wrong, what was expected`.
+class FileError : public std::runtime_error {
+  public:
+    FileError(const std::string& path, const std::string& where, const std::string& what_is_wrong)
+        : std::runtime_error(path + ": " + where + ": " + what_is_wrong) {}
+};
+
+inline constexpr std::size_t kLargestFile_bytes = std::size_t{1} << 30;
+
+/// All bytes of a file. Throws FileError where it can't be read or has more than `most_bytes`.
+std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_bytes = kLargestFile_bytes);
+/// The same as characters.
+std::string read_text(const std::string& path);
+
+/// Writes a whole file under another name and renames it when it is complete: whatever fails, a full disk too, what was
+/// there before stays. What is not a regular file (a device, a pipe) is written to, never replaced. Throws FileError.
+void write_file(const std::string& path, std::span<const std::uint8_t> bytes);
+void write_file(const std::string& path, const std::string& text);
+
+/// Makes a folder and those above it, unless they are there. Throws FileError.
+void make_folder(const std::string& path);
+
+/// work(), which finds fault with what a file holds by InputError: that becomes a FileError with the file's name.
+template <class Work>
+auto naming_file(const std::string& path, Work work) {
+    try {
+        return work();
+    } catch (const InputError& error) {
+        throw FileError(path, error.where, error.what());
+    }
+}
+
+/// parse(all bytes of a file), with the file's name on what is wrong with them. Throws FileError.
+template <class Parse>
+auto read_parsed(const std::string& path, Parse parse) {
+    const std::vector<std::uint8_t> bytes = read_file(path);
+    return naming_file(path, [&] { return parse(std::span<const std::uint8_t>(bytes)); });
+}
+
+}  // namespace oblong
