@@ -132,20 +132,21 @@ TEST_F(DemoLevel, NoCornerOfAWallLiesWithinTheEdgeOfAnother) {
 }
 
 TEST_F(DemoLevel, ItsSphereIsAsWideAsItIsHigh) {
-    // All faces with the sphere's textures near its middle; the facets are cut exactly on its outline.
+    // The faces with one of the sphere's two textures, which nothing else has; they reach its outline on every side.
     Corner low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
     for (const Face& face : level_.faces) {
         const auto& texinfo = level_.texinfos[static_cast<std::size_t>(face.texinfo)];
-        if (level_.textures[static_cast<std::size_t>(texinfo.miptex)].name != "cube_red") continue;
+        if (level_.textures[static_cast<std::size_t>(texinfo.miptex)].name != "plaster_red") continue;
         for (const Corner& corner : corners_of(face)) {
-            if (corner[0] > 0) continue;  // the cubes of another room
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 low[axis] = std::min(low[axis], corner[axis]);
                 high[axis] = std::max(high[axis], corner[axis]);
             }
         }
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(high[axis] - low[axis], 112, 1) << "axis " << axis;
+    const Corner size{112, 112, 111};  // its lower pole is a unit deep in the pedestal
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        EXPECT_NEAR(high[axis] - low[axis], size[axis], 0.01) << "axis " << axis;
 }
 
 }  // namespace

@@ -41,7 +41,8 @@ void add_interior(Textures& all) {
     all.push_back({"wood_door", paint_wood_door()});
     all.push_back({"carpet", paint_carpet()});
     all.push_back({"plaster_night", paint_plaster_night()});
-    all.push_back({"plaster_ivory", paint_plaster_ivory()});
+    all.push_back({"plaster_ivory", paint_plaster(Ramp::Ivory)});
+    all.push_back({"plaster_red", paint_plaster(Ramp::Red)});
     all.push_back({"coffer", paint_coffer()});
     all.push_back({"grid_paper", paint_grid_paper()});
     all.push_back({"cube_red", paint_cube_face(Ramp::Red)});

@@ -112,9 +112,9 @@ Canvas paint_plaster_night() {
     return canvas;
 }
 
-Canvas paint_plaster_ivory() {
+Canvas paint_plaster(Ramp ramp) {
     Canvas canvas(64, 64);
-    canvas.paint(canvas.whole(), [](int x, int y) { return plaster(Ramp::Ivory, steps(10), x, y, 91); });
+    canvas.paint(canvas.whole(), [&](int x, int y) { return plaster(ramp, steps(10), x, y, 91); });
     return canvas;
 }
 

@@ -11,7 +11,7 @@ Canvas paint_wood_panel();
 Canvas paint_wood_door();
 Canvas paint_carpet();
 Canvas paint_plaster_night();  ///< deep blue with small gold stars
-Canvas paint_plaster_ivory();
+Canvas paint_plaster(Ramp ramp);
 Canvas paint_coffer();      ///< a ceiling's sunken panel with a rosette
 Canvas paint_grid_paper();  ///< a draughtsman's squares
 Canvas paint_cube_face(Ramp ramp);

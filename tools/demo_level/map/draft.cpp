@@ -7,7 +7,7 @@ namespace {
 
 std::string words(const Point& point) {
     std::ostringstream text;
-    text.precision(12);
+    text.precision(15);
     text << point.x << ' ' << point.y << ' ' << point.z;
     return text.str();
 }

@@ -5,7 +5,7 @@ namespace oblong::map_source {
 Draft make_museum() {
     Draft draft({{"message", "A museum of perspective at night"},
                  {"wad", "demo.wad"},
-                 {"_minlight", "12"},
+                 {"_minlight", "28"},
                  {"_sunlight", "90"},
                  {"_sun_mangle", "125 -38 0"},
                  {"_sky", "sky_night"}});

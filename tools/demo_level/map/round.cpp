@@ -6,9 +6,9 @@
 namespace oblong::map_source {
 namespace {
 
-/// A ring of the sphere: heights above the centre, and the sixteen-gon below times `times_8` / 8.
+/// A ring of the sphere: its height above the centre, and its radius in 64ths of the sphere's.
 struct Ring {
-    double height, times_8;
+    double height, radius_64;
 };
 
 /// Where a sphere stands, and how large it is beside the rings below.
@@ -18,24 +18,30 @@ struct Place {
 };
 
 /// Every ring is the same polygon scaled, so that the edges above and below a facet are parallel and its four corners
-/// lie on one plane, exactly. cos and sin of multiples of 15 degrees, times 56.
+/// lie on one plane, exactly. Cosines of multiples of 15 degrees, times 56, and sines, times 64.
 constexpr std::array<Ring, 13> kRings{{{56, 0},
-                                       {54, 11.5},
-                                       {48.5, 22.5},
-                                       {39.5, 31.5},
-                                       {28, 39},
-                                       {14.5, 43.5},
-                                       {0, 45},
-                                       {-14.5, 43.5},
-                                       {-28, 39},
-                                       {-39.5, 31.5},
-                                       {-48.5, 22.5},
-                                       {-54, 11.5},
+                                       {54, 16.5},
+                                       {48.5, 32},
+                                       {39.5, 45.25},
+                                       {28, 55.5},
+                                       {14.5, 61.75},
+                                       {0, 64},
+                                       {-14.5, 61.75},
+                                       {-28, 55.5},
+                                       {-39.5, 45.25},
+                                       {-48.5, 32},
+                                       {-54, 16.5},
                                        {-56, 0}}};
-constexpr double kPolygonRadius = 10;
+
+/// The polygon of the widest ring: corners in quarters of a unit.
+std::vector<std::array<double, 2>> equator() {
+    auto corners = circle(24, 0, 0, 4 * 56, 0);
+    for (auto& corner : corners) corner = {corner[0] / 4, corner[1] / 4};
+    return corners;
+}
 
 Point ring_point(const Place& place, const Ring& ring, const std::array<double, 2>& corner) {
-    const double across = place.scale * ring.times_8 / 8;
+    const double across = place.scale * ring.radius_64 / 64;
     return {place.centre.x + corner[0] * across, place.centre.y + corner[1] * across,
             place.centre.z + ring.height * place.scale};
 }
@@ -43,7 +49,7 @@ Point ring_point(const Place& place, const Ring& ring, const std::array<double, 
 /// Three points of a facet: both corners of its wider edge and one of the other (a pole's edge is a point).
 std::vector<Point> facet(const Place& place, std::size_t band, const std::array<double, 2>& corner,
                          const std::array<double, 2>& next_corner) {
-    const bool is_upper = kRings[band].times_8 < kRings[band + 1].times_8;
+    const bool is_upper = kRings[band].radius_64 < kRings[band + 1].radius_64;
     const Ring &wide = kRings[is_upper ? band + 1 : band], &narrow = kRings[is_upper ? band : band + 1];
     return {ring_point(place, wide, corner), ring_point(place, wide, next_corner), ring_point(place, narrow, corner)};
 }
@@ -58,7 +64,7 @@ std::array<double, 2> on_square(const std::array<double, 2>& corner, double x, d
 }  // namespace
 
 Brush make_sphere(const Point& centre, double scale, const std::string& even_texture, const std::string& odd_texture) {
-    const auto polygon = circle(16, 0, 0, kPolygonRadius, 0);
+    const auto polygon = equator();
     Brush sphere;
     for (std::size_t band = 0; band + 1 < kRings.size(); ++band) {
         for (std::size_t i = 0; i < polygon.size(); ++i) {

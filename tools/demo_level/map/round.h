@@ -4,7 +4,7 @@
 
 namespace oblong::map_source {
 
-/// A sphere of 16 by 12 facets around `centre`, 112 * `scale` units across (a power of two), its facets of two textures
+/// A sphere of 24 by 12 facets around `centre`, 112 * `scale` units across (a power of two), its facets of two textures
 /// in turn.
 Brush make_sphere(const Point& centre, double scale, const std::string& even_texture, const std::string& odd_texture);
 
