@@ -1,6 +1,7 @@
 #include "engine/screen/projection.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "engine/fixed/trig.h"
 
@@ -38,6 +39,15 @@ Projection make_projection(const ScreenMode& mode, Degrees field_of_view, bool c
     lens.width_px = mode.width_px;
     lens.height_px = mode.height_px;
     return lens;
+}
+
+std::int64_t project_axis_wide_8(const ProjectionAxis& axis, std::int64_t view_16, std::int64_t z_16) {
+    if (std::abs(view_16) <= z_16 * 64) return mul_div(view_16, axis.coarse_16, z_16 * 256, Rounding::NearestHalfUp);
+    const std::int64_t exact_8 =
+        mul_div(view_16, axis.multiplier.raw, z_16 * (std::int64_t{1} << 24), Rounding::NearestHalfUp);
+    // At view = 64 z the other method gives 64 * coarse_16 / 256.
+    if (view_16 < 0) return std::min(exact_8, rounded_shift(-axis.coarse_16, 2, Rounding::NearestHalfUp));
+    return std::max(exact_8, rounded_shift(axis.coarse_16, 2, Rounding::NearestHalfUp));
 }
 
 }  // namespace oblong

@@ -33,13 +33,16 @@ struct Projection {
 /// 2^-32 pixel for fields of view from 1 to 179 degrees.
 Projection make_projection(const ScreenMode& mode, Degrees field_of_view, bool correct_aspect = true);
 
-/// multiplier * view / z, rounded to the nearest 1/256 pixel. z above 0. Near the screen (|view| <= 64 z) a 64-bit
-/// product does: its multiplier of 16 fraction bits is then off by no more than 64 * 2^-17 pixel. Beyond, the exact
-/// quotient.
+/// project_axis_8() where a 64-bit product won't do.
+std::int64_t project_axis_wide_8(const ProjectionAxis& axis, std::int64_t view_16, std::int64_t z_16);
+
+/// multiplier * view / z, rounded to the nearest 1/256 pixel. z above 0. Near the screen (|view| <= 64 z) the
+/// multiplier has 16 fraction bits, so that a 64-bit product does, and is off by no more than 64 * 2^-17 pixel. Beyond,
+/// the exact quotient, held back from what the other gives where they meet. So all depends on view / z alone and never
+/// steps back where that grows.
 inline std::int64_t project_axis_8(const ProjectionAxis& axis, std::int64_t view_16, std::int64_t z_16) {
     const std::int64_t size = view_16 < 0 ? -view_16 : view_16;
-    if (size >= axis.fast_limit || (size >> 6) > z_16)
-        return mul_div(view_16, axis.multiplier.raw, z_16 * (std::int64_t{1} << 24), Rounding::NearestHalfUp);
+    if (size >= axis.fast_limit || size > z_16 * 64) return project_axis_wide_8(axis, view_16, z_16);
     const std::int64_t numerator = view_16 * axis.coarse_16 + z_16 * 128;
     const std::int64_t denominator = z_16 * 256;
     note_range<Quantity::ProjectionNumerator>(numerator);

@@ -12,6 +12,8 @@
 namespace oblong::test {
 namespace {
 
+__extension__ using Int128 = __int128;
+
 /// Of a mode and a field of view that leaves what is on the screen within 64 z of the middle, as project_axis_8() says.
 Projection any_lens() {
     ScreenMode mode;
@@ -57,12 +59,52 @@ RC_GTEST_PROP(PropertyProjection, FartherAwayIsNeverFartherFromTheCentre, ()) {
     RC_ASSERT(near_left.y >= far_left.y && far_left.y >= lens.y.centre);
 }
 
-RC_GTEST_PROP(PropertyProjection, WhereItChangesItsMethodItStepsBackByNoMoreThanItsLastBit, ()) {
+/// Points that lie close to `view_16`, in their order from left to right, and the same on the other side of the middle.
+void expect_order_around(const Projection& lens, std::int64_t view_16, std::int64_t z_16) {
+    std::int64_t at_16 = view_16 - 80;
+    for (int step = 0; step < 80; ++step) {
+        const std::int64_t next_16 = at_16 + *rc::gen::inRange<std::int64_t>(0, 5);
+        RC_ASSERT(shown(lens, at_16, 0, z_16).x <= shown(lens, next_16, 0, z_16).x);
+        RC_ASSERT(shown(lens, -at_16, 0, z_16).x >= shown(lens, -next_16, 0, z_16).x);
+        RC_ASSERT(shown(lens, 0, at_16, z_16).y >= shown(lens, 0, next_16, z_16).y);
+        RC_ASSERT(shown(lens, 0, -at_16, z_16).y <= shown(lens, 0, -next_16, z_16).y);
+        at_16 = next_16;
+    }
+}
+
+RC_GTEST_PROP(PropertyProjection, ItNeverStepsBackWhereItsMultiplierBecomesExact, ()) {
     const Projection lens = any_lens();
     const std::int64_t z_16 = any_depth_16();
-    const std::int64_t seam = 64 * z_16 + *rc::gen::inRange<std::int64_t>(-70, 70);
-    const auto before = shown(lens, seam, 0, z_16), after = shown(lens, seam + 1, 0, z_16);
-    RC_ASSERT(after.x.raw >= before.x.raw - 1);
+    expect_order_around(lens, 64 * z_16, z_16);
+}
+
+RC_GTEST_PROP(PropertyProjection, ItDoesNotStepBackThoughItsMultiplierWasRoundedUpAsFarAsCanBe, ()) {
+    // What is at 64 z then lies on a half of 1/256 pixel by the rounded multiplier, and before it by the exact one.
+    Projection lens = any_lens();
+    lens.x.coarse_16 = lens.y.coarse_16 = 4 * *rc::gen::inRange<std::int64_t>(1, 1 << 25) + 2;
+    lens.x.multiplier = lens.y.multiplier = Multiplier::from_raw(lens.x.coarse_16 * 65536 - 32768);
+    lens.x.fast_limit = lens.y.fast_limit = (std::int64_t{1} << 61) / (lens.x.coarse_16 + 1);
+    const std::int64_t z_16 = any_depth_16();
+    expect_order_around(lens, 64 * z_16, z_16);
+}
+
+RC_GTEST_PROP(PropertyProjection, ItNeverStepsBackWhereItsProductBecomesWide, ()) {
+    const Projection lens = any_lens();
+    const std::int64_t z_16 = any_depth_16();
+    expect_order_around(lens, lens.x.fast_limit, std::max(z_16, lens.x.fast_limit / 64));
+    expect_order_around(lens, lens.y.fast_limit, std::max(z_16, lens.y.fast_limit / 64));
+}
+
+RC_GTEST_PROP(PropertyProjection, BeyondTheChangeItIsWithinItsBound, ()) {
+    const Projection lens = any_lens();
+    const std::int64_t z_16 = any_depth_16();
+    const std::int64_t x_16 = z_16 * *rc::gen::inRange<std::int64_t>(60, 70) + within(z_16);
+    // |256 (x - centre) z 2^24 - multiplier x 2^32| in units of 2^-32 pixel times z: half of 1/256 pixel, and 64 2^-17.
+    const auto offset_8 = static_cast<Int128>(shown(lens, x_16, 0, z_16).x.raw - lens.x.centre.raw);
+    const Int128 error_32 = offset_8 * z_16 * (1 << 24) - static_cast<Int128>(lens.x.multiplier.raw) * x_16;
+    const Int128 bound_32 =
+        static_cast<Int128>(z_16) * ((1 << 23) + (std::int64_t{64} << 15) + (std::int64_t{8} << 15));
+    RC_ASSERT(error_32 <= bound_32 && error_32 >= -bound_32);
 }
 
 }  // namespace
