@@ -252,8 +252,13 @@ def texspan_check(count, limit=Fraction(1, 16), name=None):
 
 
 def clip_polygon_corners():
-    """A convex polygon in a plane, corners exactly in it: a triangle, or a parallelogram."""
+    """A convex polygon in a plane, corners exactly in it: a triangle, or a parallelogram. Some are seen edge-on: their
+    plane goes through the eye."""
     a, b, c = any_point(), any_point(), any_point()
+    if rng.random() < 0.1:
+        b = tuple(rng.randint(-2, 2) * q for q in a)
+        c = tuple(rng.randint(-1, 1) * q + rng.randint(-1, 1) * r for q, r in zip(a, c))
+        return [a, b, c] if all(abs(x) <= 32767 for corner in (b, c) for x in corner) else [a, a, a]
     if rng.random() < 0.6:
         return [a, b, c]
     corners = [a, b, tuple(q + r - p for p, q, r in zip(a, b, c)), c]
@@ -261,10 +266,10 @@ def clip_polygon_corners():
 
 
 def relative_judge(expected):
-    """Against 1 % of the area, and at least of 100 square pixels."""
+    """Against 1 % of the area, and at least of 100 square pixels; nothing is exactly 0."""
     def judge(answer):
         if expected == 0:
-            return 0 if answer == "0" else abs(Fraction(answer)) / 100
+            return 0 if answer == "0" else 1
         return abs(Fraction(answer) - expected) / max(expected, 100)
     return judge
 
@@ -273,9 +278,9 @@ def clip_check(count):
     check = Check("clip", Fraction(1, 100), "of the area")
     for _ in range(count):
         mode, fov = any_mode(lambda: any_fov(2, 170))
-        near, far = Fraction(rng.choice([1, 64, 256, 1024, 4096]), 256), Fraction(rng.choice([8192, 32767, 100]))
+        near, far = Fraction(rng.choice([-256, 0, 1, 64, 256, 1024, 4096]), 256), Fraction(rng.choice([8192, 32767, 100]))
         corners = clip_polygon_corners()
-        expected = exact.clip_area((*mode, fov), near, far, corners)
+        expected = exact.clip_area((*mode, fov), max(near, 0), far, corners)
         check.add(f"clip {mode_text(mode, fov)} {numbers([near, far])} {len(corners)} " +
                   " ".join(numbers(c) for c in corners), relative_judge(expected))
     return check

@@ -135,12 +135,14 @@ def columns_inside(edge, y, width):
 
 
 def clip_area(mode, near, far, polygon):
-    """The area on the screen, in square pixels, of a convex polygon: clipped exactly."""
+    """The area on the screen, in square pixels, of a convex polygon: clipped exactly. `near` is not below 0."""
     mx, my = multipliers(*mode)
     tx, ty = Fraction(mode[0], 2) / mx, Fraction(mode[1], 2) / my
     planes = [(0, 0, 1, near), (0, 0, -1, -far), (1, 0, tx, 0), (-1, 0, tx, 0), (0, 1, ty, 0), (0, -1, ty, 0)]
     for plane in planes:
         polygon = _clip(polygon, plane)
+    if any(z == 0 for x, y, z in polygon):
+        return 0  # the sides of the view meet at the eye, which lies in the polygon then and sees it edge-on
     screen = [(mx * x / z, my * y / z) for x, y, z in polygon]
     return abs(sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(screen, screen[1:] + screen[:1]))) / 2
 

@@ -85,7 +85,6 @@ TEST(Probe, RefusesWhatIsNotAQuery) {
                            "mesh 16 0",
                            "clip 320 200 4 3 90 4 8192 2 0 0 5 1 0 5",
                            "clip 320 200 4 3 90 4 8192 99999999999 0 0 5 1 0 5",
-                           "clip 320 200 4 3 90 0 8192 3 0 0 5 1 0 5 0 1 5",
                            "sqrt -1",
                            "sqrt 2147483648",
                            "recip -1",
@@ -102,6 +101,26 @@ TEST(Probe, RefusesWhatIsNotAQuery) {
                            "texspan 320 200 4 3 90 -9 -9 4 0 0 9 -9 4 9 0 0 9 4 0 9 100 12 12",
                            "texspanq best 320 200 4 3 90 -9 -9 4 0 0 9 -9 4 9 0 0 9 4 0 9 100 158 162"};
     for (const char* line : lines) EXPECT_EQ(ask(line), "unsupported") << '"' << line << '"';
+}
+
+TEST(Probe, ClipsToTheSidesOfTheViewWhereTheNearPlaneIsNotBeforeTheEye) {
+    // Seen whole, 10 x 10 units from 5: 320 x 266 2/3 pixels, of which 200 rows are on the screen.
+    const std::string square = " 8192 4 -5 -5 5 5 -5 5 5 5 5 -5 5 5";
+    for (const char* near : {"0", "-0.00390625", "-32767", "5"})
+        EXPECT_EQ(ask(std::string("clip 320 200 4 3 90 ") + near + square), "64000") << near;
+    EXPECT_EQ(ask("clip 320 200 4 3 90 5.00390625" + square), "0");
+    EXPECT_EQ(ask("clip 320 200 4 3 90 8 4 3 -5 -5 2 5 -5 5 0 5 9"), "0");  // near beyond far
+    EXPECT_EQ(ask("clip 320 200 4 3 90 -8 -4 3 -5 -5 -5 5 -5 -5 0 5 -5"), "0");
+}
+
+TEST(Probe, AnEyeInThePlaneOfAPolygonSeesNothingOfIt) {
+    // Planes through the eye that no axis lies in; clipping them leaves slivers. Far, and around the eye.
+    EXPECT_EQ(ask("clip 1280 1024 5 4 30 0.015625 4096 3 3 1 2 1 2 4 4 3 6"), "0");
+    EXPECT_EQ(ask("clip 320 200 4 3 90 4 8192 4 -3001 -1999 -500 -999 -2001 1000 3001 1999 500 999 2001 -1000"), "0");
+    EXPECT_EQ(ask("clip 320 200 4 3 90 0 8192 3 -1 -1 0 1 -1 0 0 1 0"), "0");
+    EXPECT_EQ(ask("clip 320 200 4 3 90 4 8192 5 7 3 90 7 3 90 14 6 180 14 6 180 -1 2 50"), "0");
+    // 1/256 unit off such a plane it is seen.
+    EXPECT_NE(ask("clip 320 200 4 3 90 4 8192 3 -3001 -1999.00390625 -500 -999 -2001 1000 3001 1999 500"), "0");
 }
 
 /// A query with some of its bytes replaced, doubled or cut off.
