@@ -1,6 +1,4 @@
-#include <exception>
 #include <filesystem>
-#include <iostream>
 
 #include "game/options.h"
 #include "game/run.h"
@@ -17,14 +15,7 @@ std::string assets_folder(const char* called_as) {
 
 }  // namespace
 
-int main(int argument_count, char** arguments) {
-    const oblong::ParsedOptions parsed = oblong::parse_options(argument_count, arguments);
-    if (parsed.ends) return parsed.exit_code;
-    try {
-        oblong::run_game(parsed.options, assets_folder(arguments[0]));
-    } catch (const std::exception& error) {
-        std::cerr << "oblong: " << error.what() << '\n';
-        return 1;
-    }
-    return 0;
+int main(int argc, char** argv) {
+    return oblong::run_with_options(
+        argc, argv, [&](const oblong::Options& options) { oblong::run_game(options, assets_folder(argv[0])); });
 }

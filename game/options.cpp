@@ -1,16 +1,16 @@
 #include "game/options.h"
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
-#include <iostream>
 #include <optional>
 #include <string_view>
+
+#include "tools/cli/arguments.h"
+#include "tools/cli/command_line.h"
 
 namespace oblong {
 namespace {
 
-constexpr int kWrongUsage = 2;
 constexpr std::int32_t kLargestDisplayPart = 4096;  // layout() multiplies with it in 64 bits
 
 // "320x200" or "4:3": two whole numbers from 1 to `most` with `between` in the middle, or nothing.
@@ -27,7 +27,7 @@ std::optional<WindowSize> read_pair(std::string_view text, char between, std::in
 }
 
 [[noreturn]] void refuse(const char* option, const std::string& value, const std::string& expected) {
-    throw CLI::ValidationError(option, "'" + value + "', expected " + expected);
+    throw UsageError(std::string(option) + ": '" + value + "', expected " + expected);
 }
 
 WindowSize pair_of(const char* option, const std::string& text, char between, std::int32_t most) {
@@ -61,29 +61,25 @@ struct Words {
     double field_of_view = 90;
 };
 
-void declare(CLI::App& app, Options& options, Words& words) {
-    app.set_version_flag("--version", std::string("oblong ") + OBLONG_VERSION);
-    app.add_option("level", options.level, "Quake BSP file to play; without one, the demo level");
-    app.add_option("--palette", options.palette,
-                   "768 bytes of red, green, blue; default: the level's, else the demo's");
-    app.add_option("--mode", words.mode, "WxH, size of the picture in pixels")->capture_default_str();
-    app.add_option("--display", words.display, "W:H, shape of the display that the picture is for")
-        ->capture_default_str();
-    app.add_option("--fov", words.field_of_view, "degrees seen across the whole width")->capture_default_str();
-    app.add_option("--accuracy", words.accuracy, "1991, 1994, 1996, bounded or exact")->capture_default_str();
-    app.add_option("--scaling", words.scaling, "sharp, rows, even, nearest or stretch")->capture_default_str();
-    app.add_option("--window", words.window, "WxH, size of the window; default: what the desktop has room for");
-    auto* record = app.add_option("--record", options.record, "write the game played to this demo file");
-    auto* replay = app.add_option("--replay", options.replay, "play this demo file instead of the keys");
-    auto* timedemo =
-        app.add_option("--timedemo", options.timedemo, "replay this demo file as fast as it goes; no window");
-    auto* headless = app.add_option("--headless", options.headless_frames,
-                                    "no window: draw so many ticks of a short walk, or of --replay");
-    auto* out = app.add_option("--out", options.out, "folder for the pictures of --headless");
-    headless->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000}))->needs(out);
-    out->needs(headless);
-    timedemo->excludes(record)->excludes(replay)->excludes(headless);
-    record->excludes(replay);
+void declare(Command& line, Options& options, Words& words) {
+    line.add("level", options.level, "Quake BSP file to play; without one, the demo level");
+    line.add("--palette", options.palette, "768 bytes of red, green, blue; default: the level's, else the demo's");
+    line.add("--mode", words.mode, "WxH, size of the picture in pixels");
+    line.add("--display", words.display, "W:H, shape of the display that the picture is for");
+    line.add("--fov", words.field_of_view, "degrees seen across the whole width");
+    line.add("--accuracy", words.accuracy, "1991, 1994, 1996, bounded or exact");
+    line.add("--scaling", words.scaling, "sharp, rows, even, nearest or stretch");
+    line.add("--window", words.window, "WxH, size of the window; default: what the desktop has room for");
+    auto record = line.add("--record", options.record, "write the game played to this demo file");
+    auto replay = line.add("--replay", options.replay, "play this demo file instead of the keys");
+    auto timedemo = line.add("--timedemo", options.timedemo, "replay this demo file as fast as it goes; no window");
+    auto headless = line.add("--headless", options.headless_frames,
+                             "no window: draw so many ticks of a short walk, or of --replay");
+    auto out = line.add("--out", options.out, "folder for the pictures of --headless");
+    headless.limit(1, 1'000'000).need(out);
+    out.need(headless);
+    timedemo.exclude(record).exclude(replay).exclude(headless);
+    record.exclude(replay);
 }
 
 void interpret(const Words& words, Options& options) {
@@ -98,19 +94,16 @@ void interpret(const Words& words, Options& options) {
 
 }  // namespace
 
-ParsedOptions parse_options(int argument_count, const char* const* arguments) {
-    ParsedOptions parsed;
+int run_with_options(int argument_count, const char* const* arguments,
+                     const std::function<void(const Options&)>& body) {
+    Options options;
     Words words;
-    CLI::App app("Oblong: a world of 320x200 pixels in the right shape. F1 in the game lists its keys.", "oblong");
-    declare(app, parsed.options, words);
-    try {
-        app.parse(argument_count, arguments);
-        interpret(words, parsed.options);
-    } catch (const CLI::ParseError& error) {
-        parsed.ends = true;
-        parsed.exit_code = app.exit(error) == 0 ? 0 : kWrongUsage;
-    }
-    return parsed;
+    CommandLine line("oblong", "A world of 320x200 pixels in the right shape. F1 in the game lists its keys.");
+    declare(line, options, words);
+    return line.run(argument_count, arguments, [&] {
+        interpret(words, options);
+        body(options);
+    });
 }
 
 }  // namespace oblong

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "engine/camera/camera.h"
@@ -23,13 +24,8 @@ struct Options {
     std::string out;
 };
 
-/// The options of a command line, or the code that the program ends with at once: 0 after --help or --version, 2 for
-/// wrong usage, said on standard error.
-struct ParsedOptions {
-    Options options;
-    bool ends = false;
-    int exit_code = 0;
-};
-ParsedOptions parse_options(int argument_count, const char* const* arguments);
+/// Runs `body` with what the command line asks for; the program's exit code: 0 also after --help and --version, 1 for
+/// what `body` throws, 2 for wrong usage, both said on standard error.
+int run_with_options(int argument_count, const char* const* arguments, const std::function<void(const Options&)>& body);
 
 }  // namespace oblong

@@ -22,9 +22,10 @@ const std::vector<Room>& project_rooms() {
         {"engine/frame", {"engine/visible", "engine/effects"}},
         {"engine/platform", {"engine/screen", "engine/surface"}},
         {"engine/platform/sdl", {"engine/platform"}},
-        {"game", {"engine/frame", "engine/platform/sdl", "tools/png"}},
+        {"game", {"engine/frame", "engine/platform/sdl", "tools/cli", "tools/png"}},
+        {"tools/cli", {"engine/frame"}},
         {"tools/png", {"engine/surface"}},
-        {"tools", {"engine/frame", "engine/platform", "tools/png"}},
+        {"tools", {"engine/frame", "engine/platform", "tools/cli", "tools/png"}},
     };
     return rooms;
 }

@@ -1,26 +1,17 @@
-#include <CLI/CLI.hpp>
-
-#include "tools/cli/program.h"
+#include "tools/cli/command_line.h"
 #include "tools/demo_level/files.h"
 
 int main(int argc, char** argv) {
-    CLI::App app{"Makes what the demo level is built from.", "oblong-demo-level"};
-    app.set_version_flag("--version", OBLONG_VERSION);
-    app.require_subcommand(1);
+    using namespace oblong;
     std::string output;
-    CLI::App& textures = *app.add_subcommand("textures", "the pictures on its walls, as indexed PNGs into a folder");
-    CLI::App& map = *app.add_subcommand("map", "the level's source, for oblong-map");
-    CLI::App& palette = *app.add_subcommand("palette", "its 256 colours, 768 bytes");
-    for (CLI::App* command : {&textures, &palette, &map})
-        command->add_option("-o", output, "what to write")->required();
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    return oblong::run_program("oblong-demo-level", [&] {
-        if (textures.parsed()) oblong::write_demo_textures(output);
-        if (map.parsed()) oblong::write_demo_map(output);
-        if (palette.parsed()) oblong::write_demo_palette(output);
+    CommandLine line("oblong-demo-level", "Makes what the demo level is built from.");
+    Command textures = line.add_command("textures", "the pictures on its walls, as indexed PNGs into a folder");
+    Command map = line.add_command("map", "the level's source, for oblong-map");
+    Command palette = line.add_command("palette", "its 256 colours, 768 bytes");
+    for (Command* command : {&textures, &map, &palette}) command->add("-o", output, "what to write").require();
+    return line.run(argc, argv, [&] {
+        if (textures.is_given()) write_demo_textures(output);
+        if (map.is_given()) write_demo_map(output);
+        if (palette.is_given()) write_demo_palette(output);
     });
 }

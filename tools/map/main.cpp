@@ -1,8 +1,7 @@
-#include <CLI/CLI.hpp>
 #include <filesystem>
 
 #include "engine/platform/files.h"
-#include "tools/cli/program.h"
+#include "tools/cli/command_line.h"
 #include "tools/map/compile.h"
 
 namespace {
@@ -15,12 +14,11 @@ struct Arguments {
     bool is_fast = false;
 };
 
-void declare(CLI::App& app, Arguments& arguments) {
-    app.set_version_flag("--version", "oblong-map " OBLONG_VERSION);
-    app.add_option("IN.map", arguments.input, "the level's source: Quake .map, Standard or Valve 220")->required();
-    app.add_option("-o,--out", arguments.output, "the level to write: OUT.bsp, version 29")->required();
-    app.add_option("--wad", arguments.wads, "a WAD2 file of textures; may be given more than once");
-    app.add_flag("--fast", arguments.is_fast, "rougher visibility and light");
+void declare(Command& line, Arguments& arguments) {
+    line.add("IN.map", arguments.input, "the level's source: Quake .map, Standard or Valve 220").require();
+    line.add("-o,--out", arguments.output, "the level to write: OUT.bsp, version 29").require();
+    line.add("--wad", arguments.wads, "a WAD2 file of textures; may be given more than once");
+    line.add_flag("--fast", arguments.is_fast, "rougher visibility and light");
 }
 
 std::string compile(const Arguments& arguments, const std::string& text, const std::vector<map::Wad>& wads) {
@@ -43,14 +41,9 @@ void compile_to_file(const Arguments& arguments) {
 
 }  // namespace
 
-int main(int argument_count, char** arguments_given) {
-    CLI::App app{"Compiles the source of a level to a Quake BSP file (version 29)", "oblong-map"};
+int main(int argc, char** argv) {
     Arguments arguments;
-    declare(app, arguments);
-    try {
-        app.parse(argument_count, arguments_given);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    return run_program("oblong-map", [&] { compile_to_file(arguments); });
+    CommandLine line("oblong-map", "Compiles the source of a level to a Quake BSP file (version 29).");
+    declare(line, arguments);
+    return line.run(argc, argv, [&] { compile_to_file(arguments); });
 }

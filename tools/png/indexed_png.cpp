@@ -3,6 +3,8 @@
 #include <zlib.h>
 
 #include <array>
+#include <string>
+#include <string_view>
 
 #include "engine/base/input_error.h"
 

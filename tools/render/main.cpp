@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 
@@ -6,7 +5,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
 #include "tools/cli/arguments.h"
-#include "tools/cli/program.h"
+#include "tools/cli/command_line.h"
 #include "tools/png/indexed_png.h"
 #include "tools/render/camera_list.h"
 #include "tools/render/report.h"
@@ -15,31 +14,28 @@ namespace {
 
 using namespace oblong;
 
-constexpr const char* kProgram = "oblong-render";
-
 struct Options {
     std::string level, cameras, palette, out, json;
     std::string mode = "320x200", display = "4:3", field_of_view = "90", tier = "bounded", effects = "auto",
                 texel_error, seconds = "0";
-    int repeat = 1, threads = 1;
+    std::int64_t repeat = 1, threads = 1;
 };
 
-void add_options(CLI::App& app, Options& options) {
-    app.set_version_flag("--version", std::string(kProgram) + " " + OBLONG_VERSION);
-    app.add_option("LEVEL", options.level, "a Quake level: BSP 29, BSP2 or 2PSB")->required();
-    app.add_option("--cameras", options.cameras, "CSV: x,y,z,yaw,pitch[,roll]")->required();
-    app.add_option("--palette", options.palette, "768 bytes of red, green, blue (default: the demo level's)");
-    app.add_option("--out", options.out, "folder for one indexed PNG a camera: 00000.png on");
-    app.add_option("--json", options.json, "file for times, checksums and counts");
-    app.add_option("--repeat", options.repeat, "timed renderings of each frame")->check(CLI::Range(1, 100000));
-    app.add_option("--mode", options.mode, "pixels, WIDTHxHEIGHT (default 320x200)");
-    app.add_option("--display", options.display, "shape of the display, WIDTH:HEIGHT (default 4:3)");
-    app.add_option("--fov", options.field_of_view, "degrees across (default 90)");
-    app.add_option("--accuracy", options.tier, "1991, 1994, 1996, bounded (default) or exact");
-    app.add_option("--texel-error", options.texel_error, "largest texture error on screen, pixels (default 0.375)");
-    app.add_option("--effects", options.effects, "auto (default), none, or names: sky,liquid,brush_models");
-    app.add_option("--threads", options.threads, "accepted; frames are drawn by one thread")->check(CLI::Range(1, 256));
-    app.add_option("--time", options.seconds, "the scene's time, seconds");
+void declare(Command& line, Options& options) {
+    line.add("LEVEL", options.level, "a Quake level: BSP 29, BSP2 or 2PSB").require();
+    line.add("--cameras", options.cameras, "CSV: x,y,z,yaw,pitch[,roll]").require();
+    line.add("--palette", options.palette, "768 bytes of red, green, blue (default: the demo level's)");
+    line.add("--out", options.out, "folder for one indexed PNG a camera: 00000.png on");
+    line.add("--json", options.json, "file for times, checksums and counts");
+    line.add("--repeat", options.repeat, "timed renderings of each frame").limit(1, 100'000);
+    line.add("--mode", options.mode, "pixels, WIDTHxHEIGHT");
+    line.add("--display", options.display, "shape of the display, WIDTH:HEIGHT");
+    line.add("--fov", options.field_of_view, "degrees across");
+    line.add("--accuracy", options.tier, "1991, 1994, 1996, bounded or exact");
+    line.add("--texel-error", options.texel_error, "largest texture error on screen, pixels (default 0.375)");
+    line.add("--effects", options.effects, "auto, none, or names: sky,liquid,brush_models");
+    line.add("--threads", options.threads, "accepted; frames are drawn by one thread").limit(1, 256);
+    line.add("--time", options.seconds, "the scene's time, seconds");
 }
 
 EffectSet parse_effects(const std::string& text) {
@@ -93,8 +89,12 @@ void render(const Options& options) {
     const std::vector<PlacedModel> models = models_at_rest(level);
 
     if (!options.out.empty()) make_folder(options.out);
-    const RenderJob job{
-        {level, colormap, models, time_ms}, mode, settings, cameras, options.repeat, options.repeat > 1};
+    const RenderJob job{{level, colormap, models, time_ms},
+                        mode,
+                        settings,
+                        cameras,
+                        static_cast<int>(options.repeat),
+                        options.repeat > 1};
     const auto frames = render_cameras(job, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
         if (options.out.empty()) return;
         const auto png = encode_indexed_png(pixels, mode.width_px, mode.height_px, palette);
@@ -111,12 +111,7 @@ void render(const Options& options) {
 
 int main(int argc, char** argv) {
     Options options;
-    CLI::App app("Renders the frames of a list of cameras, without a window.", kProgram);
-    add_options(app, options);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
-    return run_program(kProgram, [&] { render(options); });
+    CommandLine line("oblong-render", "Renders the frames of a list of cameras, without a window.");
+    declare(line, options);
+    return line.run(argc, argv, [&] { render(options); });
 }
