@@ -21,7 +21,7 @@ constexpr std::uint64_t nearest_quotient(std::uint64_t n, std::uint64_t d) {
 template <int Bits>
 constexpr auto reciprocals_of_middles() {
     std::array<std::uint32_t, std::size_t{1} << Bits> table{};
-    for (std::uint64_t i = 0; i < table.size(); ++i)
+    for (std::uint32_t i = 0; i < table.size(); ++i)
         table[i] = static_cast<std::uint32_t>(nearest_quotient(kOne62, kFirstMantissa + ((2 * i + 1) << (30 - Bits))));
     return table;
 }
@@ -30,7 +30,7 @@ constexpr auto reciprocals_of_middles() {
 template <int Bits>
 constexpr auto reciprocals_of_ends() {
     std::array<std::uint32_t, (std::size_t{1} << Bits) + 1> table{};
-    for (std::uint64_t i = 0; i < table.size(); ++i)
+    for (std::uint32_t i = 0; i < table.size(); ++i)
         table[i] = static_cast<std::uint32_t>(nearest_quotient(kOne62, kFirstMantissa + (i << (31 - Bits))));
     return table;
 }

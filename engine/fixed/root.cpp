@@ -24,8 +24,8 @@ constexpr auto kRootsOfHighByte = [] {
 }();
 
 /// Of a number from 2^14 to 2^16 - 1.
-Root root_of_16_bits(std::uint64_t value) {
-    std::uint64_t root = kRootsOfHighByte[(value >> 8) - 64];
+Root root_of_16_bits(std::uint32_t value) {
+    std::uint32_t root = kRootsOfHighByte[(value >> 8) - 64];
     if ((root + 1) * (root + 1) <= value) ++root;
     return {root, value - root * root};
 }
@@ -49,7 +49,7 @@ Root refine(Root high, std::uint64_t next, std::uint64_t last, int bits) {
 
 /// Of a number from 2^30 to 2^32 - 1.
 Root root_of_32_bits(std::uint64_t value) {
-    return refine(root_of_16_bits(value >> 16), (value >> 8) & 0xff, value & 0xff, 8);
+    return refine(root_of_16_bits(static_cast<std::uint32_t>(value >> 16)), (value >> 8) & 0xff, value & 0xff, 8);
 }
 
 /// Of a number from 2^62 to 2^64 - 1.

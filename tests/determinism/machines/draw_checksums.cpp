@@ -1,0 +1,78 @@
+// Draws the cameras of a list as oblong-render does, and prints the checksum of each picture, a line each. Without any
+// library but the compiler's own, so that it is built for other processors by their compiler alone.
+//   draw_checksums LEVEL.bsp PALETTE CAMERAS.csv [--accuracy TIER] [--mode WxH] [--display W:H] [--fov DEGREES] [--time
+//   SECONDS]
+#include <cstdio>
+#include <map>
+
+#include "engine/frame/frame.h"
+#include "engine/frame/scene_models.h"
+#include "engine/frame/workspace.h"
+#include "engine/level/bsp_read.h"
+#include "tools/cli/arguments.h"
+#include "tools/cli/files.h"
+#include "tools/cli/program.h"
+#include "tools/render/camera_list.h"
+
+namespace {
+
+using namespace oblong;
+
+/// zlib's CRC-32, a bit at a time.
+std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
+    std::uint32_t crc = 0xffffffff;
+    for (const std::uint8_t byte : bytes) {
+        crc ^= byte;
+        for (int bit = 0; bit < 8; ++bit) crc = crc & 1 ? crc >> 1 ^ 0xedb88320 : crc >> 1;
+    }
+    return ~crc;
+}
+
+using Options = std::map<std::string, std::string>;
+
+Options parse_options(std::span<char* const> arguments) {
+    Options options{
+        {"--accuracy", "bounded"}, {"--mode", "320x200"}, {"--display", "4:3"}, {"--fov", "90"}, {"--time", "0"}};
+    if (arguments.size() % 2 != 0) throw UsageError("expected an option and its value");
+    for (std::size_t i = 0; i < arguments.size(); i += 2) {
+        const auto option = options.find(arguments[i]);
+        if (option == options.end()) throw UsageError(std::string("no option ") + arguments[i]);
+        option->second = arguments[i + 1];
+    }
+    return options;
+}
+
+void draw(const std::string& level_path, const std::string& palette_path, const std::string& cameras_path,
+          const Options& options) {
+    ScreenMode mode;
+    parse_mode_size(options.at("--mode"), mode);
+    mode.display = parse_display(options.at("--display"));
+    Settings settings;
+    settings.accuracy = parse_tier(options.at("--accuracy"));
+    const Degrees field_of_view = parse_field_of_view(options.at("--fov"));
+    const std::int64_t time_ms = parse_decimal(options.at("--time"), 20) * 1000 / (1 << 20);
+
+    const Level level = read_parsed(level_path, read_bsp);
+    const Colormap colormap = make_colormap(read_parsed(palette_path, read_palette));
+    const std::vector<PlacedModel> models = models_at_rest(level);
+    const std::vector<Camera> cameras =
+        read_parsed(cameras_path, [&](const auto& bytes) { return parse_cameras(bytes, field_of_view); });
+
+    const Scene scene{level, colormap, models, time_ms};
+    FrameWorkspace work(level, mode);
+    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(mode.width_px) *
+                                     static_cast<std::size_t>(mode.height_px));
+    for (const Camera& camera : cameras) {
+        draw_frame(scene, camera, mode, settings, work, {pixels.data(), mode.width_px, mode.height_px, mode.width_px});
+        std::printf("%08lx\n", static_cast<unsigned long>(crc32(pixels)));
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return run_program("draw_checksums", [&] {
+        if (argc < 4) throw UsageError("expected LEVEL.bsp PALETTE CAMERAS.csv");
+        draw(argv[1], argv[2], argv[3], parse_options(std::span(argv + 4, argv + argc)));
+    });
+}

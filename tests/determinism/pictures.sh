@@ -1,0 +1,68 @@
+# Sourced by compare_builds and compare_machines, from the project's root, with $build and $work set: which pictures are
+# compared, and the lists of their checksums.
+
+levels=""
+for place in ../shared "${OBLONG_SHARED:-}"; do
+    [ -z "$levels" ] && [ -d "$place/levels" ] && levels=$place/levels
+done
+
+# Arguments of oblong-render, a line a run.
+runs=("--accuracy bounded" "--accuracy exact" "--accuracy 1996" "--accuracy 1991"
+      "--accuracy bounded --mode 640x480 --time 12.3" "--accuracy exact --mode 640x480"
+      "--accuracy bounded --fov 179" "--accuracy bounded --fov 1"
+      "--accuracy 1994 --mode 333x217 --display 16:9 --fov 140 --time 77")
+
+# choose_cameras STEP: one in so many of each real level, and the demo level's with some at the ends of the world.
+choose_cameras() {
+    mkdir -p "$work"
+    rm -f "$work"/*.csv
+    { cat assets/demo_cameras.csv; printf '%s\n' 32767,32767,32767,225,35 -32767,32767,-32767,315,-35 32767,-32767,0,135,0; } >"$work/demo.csv"
+    [ -n "$levels" ] || { echo "no folder shared/ beside the project: the demo level alone"; return; }
+    local name
+    for name in dm4 e1m7 end; do
+        awk -v step="$1" 'NR == 1 || NR % step == 2' "$levels/cameras/$name.csv" >"$work/$name.csv"
+    done
+}
+
+level_path() { if [ "$1" = demo ]; then echo "$build/assets/demo.bsp"; else echo "$levels/$1.bsp"; fi; }
+
+# rendered_checksums PROGRAM LEVEL CAMERAS ARGUMENT...: by an oblong-render, a line a picture.
+rendered_checksums() {
+    local program=$1 level=$2 cameras=$3 report status=0
+    shift 3
+    report=$(mktemp "$work/report.XXXXXX")
+    "$program" "$level" --cameras "$cameras" --palette "$build/assets/palette.lmp" "$@" --json "$report" >/dev/null &&
+        grep -o '"crc32": "[0-9a-f]*"' "$report" | cut -d '"' -f 4 || status=1
+    rm -f "$report"
+    return "$status"
+}
+
+# list_checksums OUTPUT COMMAND...: "LEVEL RUN CAMERA CRC32" of all pictures, a line each. COMMAND is told a level, a list
+# of cameras and a run's arguments.
+list_checksums() {
+    local output=$1 cameras name run
+    shift
+    : >"$output"
+    for cameras in "$work"/*.csv; do
+        name=$(basename "$cameras" .csv)
+        for run in "${runs[@]}"; do
+            # shellcheck disable=SC2086
+            "$@" "$(level_path "$name")" "$cameras" $run >"$output.run" || fail "$* failed: $name $run"
+            awk -v head="$name $run" '{ print head, "camera", NR - 1, $1 }' "$output.run" >>"$output"
+        done
+    done
+    rm -f "$output.run"
+}
+
+# list_reference: those of the build that was made before.
+list_reference() {
+    list_checksums "$work/reference.txt" rendered_checksums "$build/bin/oblong-render"
+    pictures=$(wc -l <"$work/reference.txt")
+    [ "$pictures" -ge 100 ] || fail "only $pictures pictures to compare"
+}
+
+# demand_same NAME: its list is the reference's.
+demand_same() {
+    diff "$work/reference.txt" "$work/$1.txt" >"$work/$1.diff" ||
+        { head -n 10 "$work/$1.diff" >&2; fail "$1 draws other pictures (< reference, > $1); all are in $work/$1.diff"; }
+}
