@@ -1,7 +1,7 @@
 // Draws the cameras of a list as oblong-render does, and prints the checksum of each picture, a line each. Without any
 // library but the compiler's own, so that it is built for other processors by their compiler alone.
-//   draw_checksums LEVEL.bsp PALETTE CAMERAS.csv [--accuracy TIER] [--mode WxH] [--display W:H] [--fov DEGREES] [--time
-//   SECONDS]
+//   draw_checksums LEVEL.bsp PALETTE CAMERAS.csv [--accuracy TIER] [--mode WxH] [--display W:H] [--fov DEGREES]
+//                  [--time SECONDS]
 #include <cstdio>
 #include <map>
 
@@ -9,8 +9,8 @@
 #include "engine/frame/scene_models.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
+#include "engine/platform/files.h"
 #include "tools/cli/arguments.h"
-#include "tools/cli/files.h"
 #include "tools/cli/program.h"
 #include "tools/render/camera_list.h"
 
