@@ -14,6 +14,7 @@ class BitSet {
 
     bool has(std::size_t i) const { return (words_[i / 64] >> (i % 64) & 1) != 0; }
     void add(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
+    void remove(std::size_t i) { words_[i / 64] &= ~(std::uint64_t{1} << (i % 64)); }
 
     void add_all(const BitSet& other) {
         for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];

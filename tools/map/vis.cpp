@@ -7,6 +7,8 @@
 namespace oblong::map {
 namespace {
 
+constexpr int kNarrowingRounds = 3;  // each starts from the last one's sets; a fourth takes hardly anything away
+
 std::vector<bool> clusters_seen_from(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen) {
     std::vector<bool> clusters(graph.portals_of_cluster.size(), false);
     clusters[static_cast<std::size_t>(cluster)] = true;
@@ -24,7 +26,7 @@ std::vector<bool> clusters_seen_from(int cluster, const VisGraph& graph, const s
 std::vector<BitSet> find_seen(VisGraph& graph, bool is_fast) {
     find_might_see(graph);
     if (!is_fast) {
-        narrow_might_see(graph);
+        for (int round = 0; round < kNarrowingRounds; ++round) narrow_might_see(graph);
         return find_seen_portals(graph);
     }
     std::vector<BitSet> seen;

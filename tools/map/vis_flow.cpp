@@ -11,7 +11,7 @@ namespace {
 
 // Where many small clusters lie in the open, the chains of portals are too many to follow: so many steps are shared out
 // among the portals, a few of which may use up to kShare times the mean of what is left.
-constexpr long kAllSteps = 3000000;
+constexpr long kAllSteps = 20000000;
 constexpr long kShare = 8;
 
 // One portal's flow through the level.
@@ -27,48 +27,71 @@ class Flow {
           found_(graph.portals.size()) {}
 
     BitSet run() {
-        pass_cluster(base_.cluster, base_.winding, {}, base_.might_see, 0);
+        Link& first = link(0);
+        first.source = base_.winding;
+        first.might_see = base_.might_see;
+        pass_cluster(base_.cluster, 0);
         return steps_ < max_steps_ ? std::move(found_) : base_.might_see;
     }
 
     long steps() const { return steps_; }
 
   private:
-    // `source`: what of the base portal is still looked from; `frustum`: planes that all that is seen is in front of.
-    void pass_cluster(int cluster, const Winding& source, const std::vector<Plane>& frustum, const BitSet& might_see,
-                      std::size_t depth) {
+    // A link of the chain of portals that is being followed; kept for the next chain, with its memory.
+    struct Link {
+        Winding source;              // what of the base portal is still looked from
+        Winding target;              // what is seen of the portal passed
+        std::vector<Plane> frustum;  // all that is seen beyond is in front of these
+        BitSet might_see;
+    };
+
+    // Goes on from a cluster that was reached through `depth` portals after the base.
+    void pass_cluster(int cluster, std::size_t depth) {
+        Link& next = link(depth + 1);
+        const Link& here = links_[depth];
         for (const int index : graph_.portals_of_cluster[static_cast<std::size_t>(cluster)]) {
             const auto i = static_cast<std::size_t>(index);
-            if (!might_see.has(i)) continue;
+            if (!here.might_see.has(i)) continue;
             const BitSet& beyond = is_done_[i] ? seen_[i] : graph_.portals[i].might_see;
-            BitSet& next_might_see = scratch(depth);
-            const bool has_news = next_might_see.set_common(might_see, beyond, found_);
-            if (has_news || !found_.has(i)) pass_portal(i, source, frustum, next_might_see, depth);
+            const bool has_news = next.might_see.set_common(here.might_see, beyond, found_);
+            if (has_news || !found_.has(i)) pass_portal(i, depth, has_news);
         }
     }
 
-    void pass_portal(std::size_t index, const Winding& source, const std::vector<Plane>& frustum,
-                     const BitSet& might_see, std::size_t depth) {
+    void pass_portal(std::size_t index, std::size_t depth, bool has_news) {
         if (steps_ >= max_steps_) return;
         ++steps_;
         const VisPortal& portal = graph_.portals[index];
-        Winding target = portal.winding;
-        cut_to_front(target, base_.plane);
-        for (const Plane& plane : frustum) {
-            if (target.empty()) return;
-            cut_to_front(target, plane);
-        }
-        Winding near_source = source;
-        cut_to_front(near_source, portal.plane.flipped());
-        if (target.empty() || near_source.empty()) return;
+        const Link& here = links_[depth];
+        Link& next = links_[depth + 1];
+        if (!find_target(portal, here.frustum, next.target)) return;
+        next.source = here.source;
+        cutter_.cut_to_front(next.source, portal.plane.flipped());
+        if (next.source.empty()) return;
         found_.add(index);
-        pass_cluster(portal.cluster, near_source, separators(near_source, target), might_see, depth + 1);
+        if (!has_news) return;
+        find_separators(next.source, next.target, next.frustum);
+        pass_cluster(portal.cluster, depth + 1);
     }
 
-    // A set for each level of the recursion; a deque, as references to them stay in use while it grows.
-    BitSet& scratch(std::size_t depth) {
-        while (scratch_.size() <= depth) scratch_.emplace_back(graph_.portals.size());
-        return scratch_[depth];
+    // What of the portal is within the frustum; false: nothing.
+    bool find_target(const VisPortal& portal, const std::vector<Plane>& frustum, Winding& target) {
+        for (const Plane& plane : frustum) {
+            if (plane.height_of(portal.centre) <= -portal.radius) return false;
+        }
+        target = portal.winding;
+        cutter_.cut_to_front(target, base_.plane);
+        for (const Plane& plane : frustum) {
+            if (target.empty()) return false;
+            if (plane.height_of(portal.centre) < portal.radius) cutter_.cut_to_front(target, plane);
+        }
+        return !target.empty();
+    }
+
+    // In a deque, as references to links stay in use while it grows.
+    Link& link(std::size_t depth) {
+        while (links_.size() <= depth) links_.push_back({{}, {}, {}, BitSet(graph_.portals.size())});
+        return links_[depth];
     }
 
     const VisGraph& graph_;
@@ -77,9 +100,17 @@ class Flow {
     const VisPortal& base_;
     const long max_steps_;
     BitSet found_;
-    std::deque<BitSet> scratch_;
+    SightCutter cutter_;
+    std::deque<Link> links_;
     long steps_ = 0;
 };
+
+// What does not see a portal is not seen by it, the other way round (portal k ^ 1 is portal k the other way).
+void forget_unseen(VisGraph& graph, std::size_t base, const BitSet& seen) {
+    for (std::size_t k = 0; k < graph.portals.size(); ++k) {
+        if (graph.portals[base].might_see.has(k) && !seen.has(k)) graph.portals[k ^ 1].might_see.remove(base ^ 1);
+    }
+}
 
 // Those with little to see first: they help the others.
 std::vector<std::size_t> by_might_see(const VisGraph& graph) {
@@ -93,7 +124,7 @@ std::vector<std::size_t> by_might_see(const VisGraph& graph) {
 
 }  // namespace
 
-std::vector<BitSet> find_seen_portals(const VisGraph& graph) {
+std::vector<BitSet> find_seen_portals(VisGraph& graph) {
     std::vector<BitSet> seen(graph.portals.size());
     std::vector<bool> is_done(graph.portals.size(), false);
     long steps_left = kAllSteps, portals_left = static_cast<long>(graph.portals.size());
@@ -101,6 +132,7 @@ std::vector<BitSet> find_seen_portals(const VisGraph& graph) {
         Flow flow(graph, seen, is_done, graph.portals[i], std::max(steps_left, 0L) * kShare / portals_left);
         seen[i] = flow.run();
         is_done[i] = true;
+        forget_unseen(graph, i, seen[i]);
         steps_left -= flow.steps();
         --portals_left;
     }

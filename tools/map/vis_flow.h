@@ -8,6 +8,6 @@ namespace oblong::map {
 /// from each, and cuts what is seen by the planes that separate its first portal from the last passed one (Teller's
 /// anti-penumbra, as in Quake's vis). Needs might_see, which
 /// is the result for a portal with too many chains; still a superset of what can be seen, but a close one.
-std::vector<BitSet> find_seen_portals(const VisGraph& graph);
+std::vector<BitSet> find_seen_portals(VisGraph& graph);
 
 }  // namespace oblong::map

@@ -38,16 +38,19 @@ void flood_frustum(const VisGraph& graph, const VisPortal& base, const VisPortal
 
 BitSet narrowed(const VisGraph& graph, const VisPortal& base) {
     BitSet found(graph.portals.size());
+    SightCutter cutter;
+    std::vector<Plane> frustum;
     for (const int index : graph.portals_of_cluster[static_cast<std::size_t>(base.cluster)]) {
         const auto i = static_cast<std::size_t>(index);
         if (!base.might_see.has(i)) continue;
         const VisPortal& next = graph.portals[i];
         Winding source = base.winding, target = next.winding;
-        cut_to_front(target, base.plane);
-        cut_to_front(source, next.plane.flipped());
+        cutter.cut_to_front(target, base.plane);
+        cutter.cut_to_front(source, next.plane.flipped());
         if (source.empty() || target.empty()) continue;
         found.add(i);
-        flood_frustum(graph, base, next, separators(source, target), found);
+        find_separators(source, target, frustum);
+        flood_frustum(graph, base, next, frustum, found);
     }
     return found;
 }

@@ -69,6 +69,12 @@ std::map<std::tuple<int, int, int>, std::vector<Winding>> openings(const Compile
     return found;
 }
 
+VisPortal make_portal(const Winding& winding, const Plane& plane, int cluster) {
+    VisPortal portal{winding, plane, cluster, middle(winding), 0, BitSet{}};
+    for (const Point& point : winding) portal.radius = std::max(portal.radius, length(point - portal.centre));
+    return portal;
+}
+
 }  // namespace
 
 Clusters cluster_leaves(const Tree& tree, const std::vector<bool>& is_numbered) {
@@ -86,9 +92,9 @@ VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, con
         for (const Winding& winding : merged(std::move(windings))) {
             const int index = static_cast<int>(graph.portals.size());
             graph.portals_of_cluster[static_cast<std::size_t>(back)].push_back(index);
-            graph.portals.push_back({winding, plane, front, BitSet{}});
+            graph.portals.push_back(make_portal(winding, plane, front));
             graph.portals_of_cluster[static_cast<std::size_t>(front)].push_back(index + 1);
-            graph.portals.push_back({winding, plane.flipped(), back, BitSet{}});
+            graph.portals.push_back(make_portal(winding, plane.flipped(), back));
         }
     }
     return graph;

@@ -19,6 +19,8 @@ struct VisPortal {
     Winding winding;
     Plane plane;  ///< faces into the cluster
     int cluster = 0;
+    Point centre;  ///< the polygon lies within `radius` of it
+    double radius = 0;
     BitSet might_see;  ///< the portals that one looking through this one might look through next
 };
 
