@@ -251,6 +251,29 @@ def texspan_check(count, limit=Fraction(1, 16), name=None):
     return check
 
 
+def wide_texspan_check(count):
+    """Whole rows of very wide modes, of which a sample of pixels is looked at."""
+    check = Check("texspan, wide", Fraction(1, 64), "texel")
+    while len(check.queries) < count:
+        mode, fov = rng.choice([(3840, 40, 16, 9), (16384, 9, 16, 9), (32768, 5, 4, 3)]), any_fov(30, 140)
+        corners = random_triangle(mode, fov) if rng.random() < 0.5 else grazing_triangle(mode, fov)
+        span = span_inside(mode, fov, corners)
+        if not span or span[2] - span[1] < 1000:
+            continue
+        row, first, end = span
+        columns = [first, end - 1] + [rng.randrange(first, end) for _ in range(20)]
+        expected = [exact.texel((*mode, fov), corners, column, row)[:2] for column in columns]
+
+        def judge(answer, at=[column - first for column in columns], size=end - first, expected=sum(expected, ())):
+            values = answer.split()
+            if len(values) != 2 * size:
+                return float("inf")
+            return distance_judge(expected)(" ".join(v for i in at for v in values[2 * i:2 * i + 2]))
+        line = f"{mode_text(mode, fov)} {' '.join(numbers(c) for c in corners)} {row} {first} {end}"
+        check.add("texspan " + line, judge)
+    return check
+
+
 def clip_polygon_corners():
     """A convex polygon in a plane, corners exactly in it: a triangle, or a parallelogram. Some are seen edge-on: their
     plane goes through the eye."""
@@ -371,7 +394,7 @@ def main():
     rng.seed(options.seed)
     checks = [make(max(int(count * options.scale), 1)) for make, count in (
         (project_check, 1000), (view_check, 600), (coverage_check, 500), (mesh_check, 10), (texspan_check, 250),
-        (clip_check, 600), (number_check, 300), (leaf_check, 500))]
+        (wide_texspan_check, 60), (clip_check, 600), (number_check, 300), (leaf_check, 500))]
     are_right = [check.report(ask(options.program, [line for line, _ in check.queries])) for check in checks
                  if check.queries]
     sys.exit(0 if all(are_right) else 1)

@@ -103,6 +103,13 @@ TEST(Probe, RefusesWhatIsNotAQuery) {
     for (const char* line : lines) EXPECT_EQ(ask(line), "unsupported") << '"' << line << '"';
 }
 
+TEST(Probe, RefusesFieldsOfViewThatAreTooNarrowForTheMultipliersOfAFrame) {
+    EXPECT_EQ(ask("texspan 8192 200 4 3 0.0001 -9 -9 4 0 0 9 -9 4 9 0 0 9 4 0 9 100 4000 4001"), "unsupported");
+    EXPECT_EQ(ask("clip 8192 200 4 3 0.0001 4 8192 3 -9 -9 4 9 -9 4 0 9 4"), "unsupported");
+    EXPECT_EQ(ask("clip 320 200 4 3 0.01 4 8192 3 -9 -9 4 9 -9 4 0 9 4"), "64000");
+    EXPECT_NE(ask("project 8192 200 4 3 0.0001 1 1 4"), "unsupported");  // which a frame would clip
+}
+
 TEST(Probe, ClipsToTheSidesOfTheViewWhereTheNearPlaneIsNotBeforeTheEye) {
     // Seen whole, 10 x 10 units from 5: 320 x 266 2/3 pixels, of which 200 rows are on the screen.
     const std::string square = " 8192 4 -5 -5 5 5 -5 5 5 5 5 -5 5 5";

@@ -92,10 +92,10 @@ int refinement_of(const ModeAndView& view) {
 }
 
 Projection make_refined_lens(const ModeAndView& view, int doublings) {
-    ScreenMode mode = view.mode;
-    mode.width_px <<= doublings;
-    mode.height_px <<= doublings;
-    return make_projection(mode, view.field_of_view);
+    ModeAndView refined = view;
+    refined.mode.width_px <<= doublings;
+    refined.mode.height_px <<= doublings;
+    return frame_lens(refined);
 }
 
 /// Twice the area on the screen, in (1/256 pixel)^2 of the lens's mode.

@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "engine/geometry/project_far.h"
 #include "tools/probe/decimal.h"
 
 namespace oblong {
@@ -89,6 +90,13 @@ ModeAndView Fields::mode() {
     result.fine_field_of_view = parse_scaled(degrees).value_or(Scaled{});
     if (result.field_of_view <= Degrees{} || result.field_of_view >= Degrees::from_int(180)) throw Unsupported{};
     return result;
+}
+
+Projection frame_lens(const ModeAndView& view) {
+    const FarLens fine = make_far_lens(view.mode, view.fine_field_of_view);
+    const bool is_held = fixed_of(fine.x, Multiplier::kFractionBits) && fixed_of(fine.y, Multiplier::kFractionBits);
+    if (!is_held) throw Unsupported{};
+    return make_projection(view.mode, view.field_of_view);
 }
 
 }  // namespace oblong

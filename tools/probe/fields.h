@@ -7,6 +7,7 @@
 #include "engine/fixed/angle.h"
 #include "engine/math/scaled.h"
 #include "engine/math/vec.h"
+#include "engine/screen/projection.h"
 #include "engine/screen/screen_mode.h"
 
 namespace oblong {
@@ -48,6 +49,10 @@ class Fields {
     std::vector<std::string_view> texts_;
     std::size_t next_ = 0;
 };
+
+/// The lens of a frame. Throws Unsupported for fields of view so narrow, below a thousandth of a degree, that its
+/// multipliers would not be right.
+Projection frame_lens(const ModeAndView& view);
 
 /// Lengths are exact in the formats of the world and of the view.
 template <class To>

@@ -72,9 +72,10 @@ void append_texels(const TexelBlock& block, const TexspanQuery& query, std::stri
     }
 }
 
-std::string sample_span(const TexspanQuery& query, Texturing texturing) {
-    const Projection lens = make_projection(query.view.mode, query.view.field_of_view);
-    const PixelPosition middle{(query.span.first + query.span.end) / 2, query.span.y};
+/// Samples a part of the row that the query asks for.
+void append_part(const TexspanQuery& query, const Projection& lens, const Span& part, Texturing texturing,
+                 std::string& text) {
+    const PixelPosition middle{(part.first + part.end) / 2, part.y};
     const auto gradients = make_triangle_gradients(query.corners, lens, middle);
     if (!gradients) throw Unsupported{};
 
@@ -82,11 +83,20 @@ std::string sample_span(const TexspanQuery& query, Texturing texturing) {
     accuracy.texturing = texturing;
     const BlockRule rule = make_block_rule(accuracy);
     const BlockLadder ladder = make_block_ladder(rule, static_cast<std::int64_t>(gradients->inverse_z_44.per_column));
-    BlockList blocks(query.span.end - query.span.first);
-    append_blocks(query.span, query.view.mode.width_px, *gradients, rule, ladder, make_texel_limits(65535, 65535, 0),
-                  blocks);
-    std::string text;
+    BlockList blocks(part.end - part.first);
+    append_blocks(part, query.view.mode.width_px, *gradients, rule, ladder, make_texel_limits(65535, 65535, 0), blocks);
     for (const TexelBlock& block : blocks.waiting()) append_texels(block, query, text);
+}
+
+std::string sample_span(const TexspanQuery& query, Texturing texturing) {
+    // Gradients lose half a step a pixel away from their anchor. Rows wider than any frame's are sampled in parts with
+    // an anchor each; an affine span has to stay whole.
+    constexpr std::int32_t kLongestPart_px = 512;
+    const std::int32_t longest_px = texturing == Texturing::Affine ? query.view.mode.width_px : kLongestPart_px;
+    const Projection lens = frame_lens(query.view);
+    std::string text;
+    for (std::int32_t first = query.span.first; first < query.span.end; first += longest_px)
+        append_part(query, lens, {query.span.y, first, std::min(first + longest_px, query.span.end)}, texturing, text);
     return text;
 }
 
