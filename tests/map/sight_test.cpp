@@ -6,10 +6,10 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/pvs.h"
 #include "engine/level/side.h"
+#include "engine/platform/files.h"
 #include "tests/map/brush_world.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
-#include "tools/map/files.h"
 
 namespace oblong::test {
 namespace {
@@ -118,8 +118,7 @@ TEST(Sight, LinesThatMeetNoBrushAreInTheSets) {
 
 TEST(Sight, LinesOfTheDemoLevelAreInTheSets) {
     const std::string assets = OBLONG_BUILD_DIR "/assets/";
-    const Witness witness =
-        Sight(map::read_file(assets + "demo.map"), map::read_file(assets + "demo.bsp")).test(400000, 9);
+    const Witness witness = Sight(read_text(assets + "demo.map"), read_text(assets + "demo.bsp")).test(400000, 9);
     EXPECT_GT(witness.seen, 5000);
     EXPECT_EQ(witness.denied, 0) << "of " << witness.seen;
 }
