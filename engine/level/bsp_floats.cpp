@@ -2,73 +2,172 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
+#include <cstdlib>
 #include <limits>
+
+#include "engine/fixed/wide.h"
 
 namespace oblong {
 
 namespace {
 
-constexpr double kBoxLimit = 1 << 20;
+constexpr std::int32_t kBoxLimit = 1 << 20;
+constexpr int kLargestExponent = 14;  ///< with a mantissa of 24 bits below 2^38: room for six decimals
+constexpr int kDoubleBits = 53;       ///< of a mantissa
+constexpr int kSumBits = 61;          ///< of the greater term of a sum: room for a carry, 8 bits more than are kept
+constexpr int kCellShift = 4;         ///< a lightmap's cell is 16 texels
 
-double to_double(FloatBits value) {
-    return std::bit_cast<float>(value.bits);
+/// mantissa * 2^exponent.
+struct Number {
+    std::int64_t mantissa = 0;
+    int exponent = 0;
+};
+
+int exponent_field(FloatBits value) {
+    return static_cast<int>(value.bits >> 23 & 0xff);
 }
 
-/// The value in units of 2^-fraction_bits: exact, a double has exponents to spare.
-double scale(FloatBits value, int fraction_bits) {
-    return std::ldexp(to_double(value), fraction_bits);
+bool is_finite(FloatBits value) {
+    return exponent_field(value) != 0xff;
 }
 
-/// Exact for every float: the sum rounds only where the half no longer matters.
-double round_half_up(double value) {
-    return std::floor(value + 0.5);
+/// Of a finite float.
+Number to_number(FloatBits value) {
+    const int field = exponent_field(value);
+    const std::int64_t fraction = value.bits & 0x7fffff;
+    const std::int64_t magnitude = field == 0 ? fraction : fraction | 0x800000;
+    return {value.bits >> 31 ? -magnitude : magnitude, std::max(field, 1) - 150};
 }
 
-double texel_coordinate(const FloatBits3& p, const std::array<FloatBits, 4>& axis) {
-    return to_double(p[0]) * to_double(axis[0]) + to_double(p[1]) * to_double(axis[1]) +
-           to_double(p[2]) * to_double(axis[2]) + to_double(axis[3]);
+int bit_width(std::int64_t value) {
+    return static_cast<int>(std::bit_width(detail::magnitude(value)));
+}
+
+/// value * 2^bits, which must fit.
+std::int64_t shift_left(std::int64_t value, int bits) {
+    return value * (std::int64_t{1} << bits);
+}
+
+/// The largest whole number not above; it must fit.
+std::int64_t floor_of(Number value) {
+    if (value.exponent < 0) return floor_shift(value.mantissa, std::min(-value.exponent, 63));
+    return shift_left(value.mantissa, value.exponent);
+}
+
+std::int64_t ceil_of(Number value) {
+    return -floor_of({-value.mantissa, value.exponent});
+}
+
+/// The nearest whole number, a tie upward; it must fit. The mantissa has at most 60 bits.
+std::int64_t nearest_to(Number value) {
+    if (value.exponent < 0)
+        return rounded_shift(value.mantissa, std::min(-value.exponent, 62), Rounding::NearestHalfUp);
+    return shift_left(value.mantissa, value.exponent);
+}
+
+/// |value|, or nothing where that is no number or beyond 2^38 (a greater one is within no limit).
+std::optional<Number> magnitude_of(FloatBits value) {
+    if (!is_finite(value)) return std::nullopt;
+    const Number number = to_number(value);
+    if (number.exponent > kLargestExponent) return std::nullopt;
+    return Number{std::abs(number.mantissa), number.exponent};
+}
+
+bool is_in_box(FloatBits value) {
+    const auto magnitude = magnitude_of(value);
+    return magnitude && ceil_of(*magnitude) <= kBoxLimit;
+}
+
+Number product(FloatBits a, FloatBits b) {
+    const Number x = to_number(a), y = to_number(b);
+    return {x.mantissa * y.mantissa, x.exponent + y.exponent};
+}
+
+/// As a double holds it: to the nearest, a tie to the even one.
+Number rounded_to_double(Number value) {
+    const int excess = bit_width(value.mantissa) - kDoubleBits;
+    if (excess <= 0) return value;
+    const std::int64_t floor = floor_shift(value.mantissa, excess);
+    const std::int64_t rest = value.mantissa - shift_left(floor, excess), half = std::int64_t{1} << (excess - 1);
+    const bool goes_up = rest > half || (rest == half && floor % 2 != 0);
+    return {floor + (goes_up ? 1 : 0), value.exponent + excess};
+}
+
+/// value / 2^bits rounded down, but to an odd number where something is lost: it is still on the same side of every
+/// even one, so that rounding further away gives what the whole number would.
+std::int64_t shift_right_to_odd(std::int64_t value, int bits) {
+    if (bits > 62) return value < 0 ? -1 : 1;
+    const std::int64_t floor = floor_shift(value, bits);
+    return shift_left(floor, bits) == value ? floor : floor | 1;
+}
+
+/// The sum of two doubles, rounded to a double as IEEE 754 has it. In integers, since there are processors that add
+/// with more bits and round twice.
+Number sum(Number a, Number b) {
+    if (a.mantissa == 0) return b;
+    if (b.mantissa == 0) return a;
+    if (a.exponent + bit_width(a.mantissa) < b.exponent + bit_width(b.mantissa)) std::swap(a, b);
+    const int room = kSumBits - bit_width(a.mantissa);
+    a = {shift_left(a.mantissa, room), a.exponent - room};
+    const int shift = a.exponent - b.exponent;
+    const std::int64_t aligned = shift > 0 ? shift_right_to_odd(b.mantissa, shift) : shift_left(b.mantissa, -shift);
+    return rounded_to_double({a.mantissa + aligned, a.exponent});
+}
+
+/// In cells of 16 texels.
+Number cell_coordinate(const FloatBits3& p, const std::array<FloatBits, 4>& axis) {
+    Number texel = sum(product(p[0], axis[0]), product(p[1], axis[1]));
+    texel = sum(sum(texel, product(p[2], axis[2])), to_number(axis[3]));
+    return {texel.mantissa, texel.exponent - kCellShift};
 }
 
 }  // namespace
 
 std::optional<std::int64_t> to_fixed(FloatBits value, int fraction_bits, std::int32_t limit) {
-    if (!(std::abs(to_double(value)) < limit)) return std::nullopt;
-    return static_cast<std::int64_t>(round_half_up(scale(value, fraction_bits)));
+    const auto magnitude = magnitude_of(value);
+    if (!magnitude || floor_of(*magnitude) >= limit) return std::nullopt;
+    const Number number = to_number(value);
+    return nearest_to({number.mantissa, number.exponent + fraction_bits});
 }
 
 std::int32_t rest_of_fixed(FloatBits value, int fraction_bits) {
-    const double steps = scale(value, fraction_bits);
-    return static_cast<std::int32_t>(round_half_up(std::ldexp(steps - round_half_up(steps), 30)));
+    const Number number = to_number(value);
+    const int lost_bits = -(number.exponent + fraction_bits);
+    if (lost_bits <= 0) return 0;
+    const std::int64_t fixed = nearest_to({number.mantissa, -lost_bits});
+    const std::int64_t rest = fixed == 0 ? number.mantissa : number.mantissa - shift_left(fixed, lost_bits);
+    return static_cast<std::int32_t>(nearest_to({rest, 30 - lost_bits}));
 }
 
 std::optional<std::int32_t> floor_to_int(FloatBits value) {
-    if (!(std::abs(to_double(value)) <= kBoxLimit)) return std::nullopt;
-    return static_cast<std::int32_t>(std::floor(to_double(value)));
+    if (!is_in_box(value)) return std::nullopt;
+    return static_cast<std::int32_t>(floor_of(to_number(value)));
 }
 
 std::optional<std::int32_t> ceil_to_int(FloatBits value) {
-    if (!(std::abs(to_double(value)) <= kBoxLimit)) return std::nullopt;
-    return static_cast<std::int32_t>(std::ceil(to_double(value)));
+    if (!is_in_box(value)) return std::nullopt;
+    return static_cast<std::int32_t>(ceil_of(to_number(value)));
 }
 
 std::string describe(FloatBits value) {
-    const double number = to_double(value);
-    if (std::isnan(number)) return "nan";
-    if (std::isinf(number)) return number < 0 ? "-inf" : "inf";
-    return std::to_string(number);
+    const bool is_negative = value.bits >> 31 != 0;
+    if (!is_finite(value)) return (value.bits & 0x7fffff) != 0 ? "nan" : is_negative ? "-inf" : "inf";
+    const auto magnitude = magnitude_of(value);
+    const std::string sign = is_negative ? "-" : "";
+    if (!magnitude) return sign + "2^" + std::to_string(to_number(value).exponent + 23) + " or more";
+    const std::int64_t millionths = nearest_to({magnitude->mantissa * 1000000, magnitude->exponent});
+    const std::string decimals = std::to_string(1000000 + millionths % 1000000);
+    return sign + std::to_string(millionths / 1000000) + "." + decimals.substr(1);
 }
 
 TexelRange texel_range(std::span<const FloatBits3> polygon, const std::array<FloatBits, 4>& axis) {
-    double least = std::numeric_limits<double>::max(), most = std::numeric_limits<double>::lowest();
+    std::int64_t first = std::numeric_limits<std::int64_t>::max(), last = std::numeric_limits<std::int64_t>::lowest();
     for (const FloatBits3& p : polygon) {
-        const double texel = texel_coordinate(p, axis);
-        least = std::min(least, texel);
-        most = std::max(most, texel);
+        const Number cell = cell_coordinate(p, axis);
+        first = std::min(first, floor_of(cell));
+        last = std::max(last, ceil_of(cell));
     }
-    const auto first_cell = static_cast<std::int32_t>(std::floor(least / 16));
-    const auto last_cell = static_cast<std::int32_t>(std::ceil(most / 16));
-    return {first_cell * 16, (last_cell - first_cell) * 16};
+    return {static_cast<std::int32_t>(first * 16), static_cast<std::int32_t>((last - first) * 16)};
 }
 
 }  // namespace oblong

@@ -10,8 +10,8 @@
 
 namespace oblong {
 
-/// A float of a level file, as its 32 bits. bsp_floats.cpp is the one place of engine/ that computes with floating
-/// point: on single correctly rounded operations in double, so every machine gets the same numbers.
+/// A float of a level file, as its 32 bits. They are taken apart in integers: no machine's floating point takes part,
+/// so that every one gets the same numbers.
 struct FloatBits {
     std::uint32_t bits = 0;
 };
@@ -29,7 +29,7 @@ std::int32_t rest_of_fixed(FloatBits value, int fraction_bits);
 std::optional<std::int32_t> floor_to_int(FloatBits value);
 std::optional<std::int32_t> ceil_to_int(FloatBits value);
 
-/// For messages: "1.5", "nan", "inf".
+/// For messages: "1.500000", "nan", "inf", "2^127 or more".
 std::string describe(FloatBits value);
 
 /// Where a face lies along one axis of its texture, in texels: both multiples of 16.
@@ -38,8 +38,8 @@ struct TexelRange {
 };
 
 /// The range of axis . p + offset over a polygon, rounded outward to multiples of 16, the size of a lightmap's cell.
-/// In double, as the light compilers do, whose lightmaps have extent / 16 + 1 samples a side. The caller has checked
-/// that all floats are finite and that the result is far within 32 bits.
+/// Rounded term by term as a double is, as the light compilers do, whose lightmaps have extent / 16 + 1 samples a side.
+/// The caller has checked that all floats are finite and that the result is far within 32 bits.
 TexelRange texel_range(std::span<const FloatBits3> polygon, const std::array<FloatBits, 4>& axis);
 
 }  // namespace oblong

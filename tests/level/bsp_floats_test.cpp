@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cfloat>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -67,6 +68,59 @@ TEST(BspFloats, TexelsOfAPolygonAreRoundedToCells) {
     const TexelRange moved = texel_range(polygon, {bits_of(1), bits_of(0), bits_of(0), bits_of(0.5F)});
     EXPECT_EQ(moved.min, 0);
     EXPECT_EQ(moved.extent, 48);  // 0 to 32.5
+}
+
+/// One step of a double's, so that nothing keeps more bits than a double has.
+double stored(double value) {
+    const volatile double kept = value;
+    return kept;
+}
+
+/// floor(texel / 16) in the machine's doubles.
+double cell_in_doubles(const std::array<float, 3>& p, const std::array<float, 4>& axis) {
+    std::array<double, 3> products;
+    for (std::size_t i = 0; i < 3; ++i) products[i] = stored(double{p[i]} * double{axis[i]});
+    const double two = stored(products[0] + products[1]);
+    return std::floor(stored(stored(two + products[2]) + double{axis[3]}) / 16);
+}
+
+// Sums that lie at a cell's border or a few of a double's steps from it, where each rounding counts.
+TEST(BspFloats, TexelsAreRoundedAsDoublesAre) {
+    if (FLT_EVAL_METHOD != 0) GTEST_SKIP() << "this machine's doubles are rounded twice";
+    std::mt19937 random(53);
+    const auto small = [&] {
+        const int exponent = -60 + static_cast<int>(random() % 70);
+        return std::ldexp(static_cast<float>(random() % 64) - 32.F, exponent);
+    };
+    int on_border = 0;
+    for (int i = 0; i < 200000; ++i) {
+        const std::array<float, 3> p{static_cast<float>(random() % 512) * 16.F - 4096.F, small(), small()};
+        const std::array<float, 4> axis{1.F, small(), random() % 2 ? 1.F : small(),
+                                        random() % 2 ? -p[1] * 2.F : small()};
+        const std::array<FloatBits, 4> axis_bits{bits_of(axis[0]), bits_of(axis[1]), bits_of(axis[2]),
+                                                 bits_of(axis[3])};
+        const std::vector<FloatBits3> corner = {{bits_of(p[0]), bits_of(p[1]), bits_of(p[2])}};
+        const TexelRange range = texel_range(corner, axis_bits);
+        ASSERT_EQ(range.min, 16 * cell_in_doubles(p, axis)) << "case " << i;
+        on_border += range.extent == 0 ? 1 : 0;
+    }
+    EXPECT_GT(on_border, 1000);
+}
+
+// 16 - (2^-50 + 2^-70): above the middle between 16 and the double below it, but a sum of 64 bits would be that middle.
+TEST(BspFloats, TexelsAreRoundedOnce) {
+    const std::vector<FloatBits3> polygon = {{bits_of(16), bits_of(0x1p-50F), bits_of(0)},
+                                             {bits_of(48), bits_of(0), bits_of(0)}};
+    const TexelRange range = texel_range(polygon, {bits_of(1), bits_of(-(1 + 0x1p-20F)), bits_of(0), bits_of(0)});
+    EXPECT_EQ(range.min, 0);
+    EXPECT_EQ(range.extent, 48);
+}
+
+TEST(BspFloats, NumbersAreNamed) {
+    EXPECT_EQ(describe(bits_of(1.5F)), "1.500000");
+    EXPECT_EQ(describe(bits_of(-2097152.25F)), "-2097152.250000");
+    EXPECT_EQ(describe(bits_of(1e-6F)), "0.000001");
+    EXPECT_EQ(describe(bits_of(std::numeric_limits<float>::max())), "2^127 or more");
 }
 
 TEST(BspFloats, OddOnesAreNamed) {
