@@ -26,10 +26,8 @@ std::int64_t length_16(const Vec3<TexelAxis>& axis) {
 EffectSet effects_of(const Level& level, const Leaf& leaf, const std::vector<FaceKind>& kinds) {
     EffectSet effects;
     for (std::int32_t i = 0; i < leaf.mark_face_count; ++i) {
-        const auto face =
-            static_cast<std::size_t>(level.mark_faces[static_cast<std::size_t>(leaf.first_mark_face + i)]);
-        if (kinds[face] == FaceKind::Sky) effects = effects.with(Effect::Sky);
-        if (kinds[face] == FaceKind::Liquid) effects = effects.with(Effect::Liquid);
+        const std::int32_t face = level.mark_faces[static_cast<std::size_t>(leaf.first_mark_face + i)];
+        effects = effects | effects_of(kinds[static_cast<std::size_t>(face)]);
     }
     return effects;
 }

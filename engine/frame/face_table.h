@@ -12,6 +12,13 @@ namespace oblong {
 /// How a face is drawn.
 enum class FaceKind : std::uint8_t { Lit, Liquid, Sky };
 
+/// What a face of a kind calls for.
+constexpr EffectSet effects_of(FaceKind kind) {
+    if (kind == FaceKind::Sky) return EffectSet{}.with(Effect::Sky);
+    if (kind == FaceKind::Liquid) return EffectSet{}.with(Effect::Liquid);
+    return {};
+}
+
 /// What every frame would otherwise work out again from a level's faces.
 struct FaceTable {
     std::vector<std::int32_t> corners;       ///< the faces' vertices in their order, those of T-junctions among them

@@ -46,12 +46,6 @@ void draw_sky_pass(const FrameContext& frame, const FrameWorkspace& work) {
              frame.view.lens, frame.out);
 }
 
-void start_counts(const Framebuffer& out, FrameCounts& counts) {
-    counts = {};
-    counts.writes.assign(static_cast<std::size_t>(out.pitch) * static_cast<std::size_t>(out.height_px), 0);
-    counts.effect_pixels.assign(kEffectNames.size(), 0);
-}
-
 }  // namespace
 
 void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
@@ -60,7 +54,7 @@ void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode
     work.visible.see_from(scene.level, eye.leaf);
     work.brush_models.place(scene.level, scene.models, work.faces);
     work.plan = plan_frame(effects_in_sight(work), settings.allowed_effects);
-    if (work.counts) start_counts(out, *work.counts);
+    if (work.counts) *work.counts = make_frame_counts(out);
 
     const ViewContext view = make_view(camera, eye.position, mode, settings);
     const FrameContext frame{

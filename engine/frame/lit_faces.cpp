@@ -76,20 +76,4 @@ SurfaceView lit_surface_of(const Level& level, std::int32_t face_index, int mip,
     return surface;
 }
 
-SurfaceView tile_of(const MipTexture& texture, int mip) {
-    SurfaceView tile;
-    tile.texels = texture.mips[static_cast<std::size_t>(mip)].data();
-    tile.width = texture.width >> mip;
-    tile.height = texture.height >> mip;
-    tile.stride_log2 = static_cast<int>(std::bit_width(static_cast<std::uint32_t>(tile.width))) - 1;
-    tile.u_mask = static_cast<std::uint32_t>(tile.width) - 1;
-    tile.v_mask = static_cast<std::uint32_t>(tile.height) - 1;
-    return tile;
-}
-
-bool is_tile_packable(const SurfaceView& tile) {
-    return std::has_single_bit(static_cast<std::uint32_t>(tile.width)) &&
-           std::has_single_bit(static_cast<std::uint32_t>(tile.height));
-}
-
 }  // namespace oblong

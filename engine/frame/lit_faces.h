@@ -21,8 +21,4 @@ std::size_t surface_bytes(const Face& face, int mip);
 SurfaceView lit_surface_of(const Level& level, std::int32_t face, int mip, const Colormap& colormap,
                            const LightStyles& styles, SurfaceCache& cache, std::vector<std::int32_t>& corner_shades);
 
-/// A whole texture as a tile, at a mip level. Its masks wrap it if its sizes are powers of two (is_tile_packable).
-SurfaceView tile_of(const MipTexture& texture, int mip);
-bool is_tile_packable(const SurfaceView& tile);
-
 }  // namespace oblong

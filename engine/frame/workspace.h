@@ -8,6 +8,7 @@
 #include "engine/effects/plan.h"
 #include "engine/frame/brush_models.h"
 #include "engine/frame/face_table.h"
+#include "engine/frame/frame_counts.h"
 #include "engine/frame/lit_faces.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/raster/scan.h"
@@ -20,13 +21,6 @@
 #include "engine/visible/visible_set.h"
 
 namespace oblong {
-
-/// What a counted frame did. Kept only where somebody asks (FrameWorkspace::counts).
-struct FrameCounts {
-    std::int64_t faces_visited = 0, faces_drawn = 0, spans = 0, divisions = 0;
-    std::vector<std::uint8_t> writes;         ///< of each pixel, by the world's opaque faces; at most 255
-    std::vector<std::int64_t> effect_pixels;  ///< of each Effect
-};
 
 /// The scratch and the caches of frames of one level in one mode. Nothing in it is part of a picture: a fresh workspace
 /// draws the same bytes. The level must outlive it.

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/frame/frame_context.h"
+#include "engine/frame/workspace.h"
+
+namespace oblong {
+
+/// Draws what is still free of a face of the world: outline, claim, surface, gradients, blocks, pixels. Sky is only
+/// claimed, its spans left in work.sky_spans; liquids and sky that are not on the plan get one colour.
+void draw_world_face(std::int32_t face_index, const FrameContext& frame, FrameWorkspace& work);
+
+/// The same of the parts of brush models in a leaf.
+void draw_fragments_in(std::int32_t leaf, const FrameContext& frame, FrameWorkspace& work);
+
+}  // namespace oblong

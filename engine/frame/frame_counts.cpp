@@ -1,0 +1,43 @@
+#include "engine/frame/frame_counts.h"
+
+#include <algorithm>
+
+namespace oblong {
+
+namespace {
+
+void count_run(std::uint32_t pixel, std::uint32_t count, std::vector<std::uint8_t>& writes) {
+    for (std::uint32_t i = pixel; i < pixel + count; ++i)
+        writes[i] = static_cast<std::uint8_t>(std::min(writes[i] + 1, 255));
+}
+
+}  // namespace
+
+FrameCounts make_frame_counts(const Framebuffer& out) {
+    FrameCounts counts;
+    counts.writes.resize(static_cast<std::size_t>(out.pitch) * static_cast<std::size_t>(out.height_px));
+    counts.effect_pixels.resize(kEffectNames.size());
+    return counts;
+}
+
+void count_face(EffectSet effects, std::span<const Span> spans, FrameCounts& counts) {
+    ++counts.faces_drawn;
+    counts.spans += static_cast<std::int64_t>(spans.size());
+    std::int64_t pixels = 0;
+    for (const Span& span : spans) pixels += span.end - span.first;
+    for (std::size_t effect = 0; effect < kEffectNames.size(); ++effect)
+        if (effects.has(static_cast<Effect>(effect))) counts.effect_pixels[effect] += pixels;
+}
+
+void count_writes(std::span<const Span> spans, std::int32_t pitch, FrameCounts& counts) {
+    for (const Span& span : spans)
+        count_run(static_cast<std::uint32_t>(span.y * pitch + span.first),
+                  static_cast<std::uint32_t>(span.end - span.first), counts.writes);
+}
+
+void count_writes(std::span<const TexelBlock> blocks, FrameCounts& counts) {
+    for (const TexelBlock& block : blocks)
+        count_run(block.pixel, static_cast<std::uint32_t>(block.count), counts.writes);
+}
+
+}  // namespace oblong
