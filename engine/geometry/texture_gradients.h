@@ -30,8 +30,8 @@ struct TexturedPlane {
 
 /// The screen gradients of 1/z, u/z and v/z of a plane, from the plane itself and not from its vertices: every face of
 /// one plane gets the same bits (hard case E11). With p = z (X, Y, 1) on the plane, N the normal in viewspace and D the
-/// eye's distance, 1/z = -N . (X, Y, 1) / D, and u/z = S . (X, Y, 1) + eye_u / z. (Abrash, Black Book, ch. 68; Quake's
-/// way.)
+/// eye's distance, 1/z = -N . (X, Y, 1) / D, and u/z = S . (X, Y, 1) + eye_u / z. (Abrash, Black Book,
+/// ch. 66, derives 1/z.)
 TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& axes, const GradientLens& lens);
 
 }  // namespace oblong

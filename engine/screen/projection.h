@@ -21,7 +21,7 @@ struct ProjectionAxis {
     ScreenWide centre;        ///< the optical centre, pixels
 };
 
-/// The two precomputed multipliers of Muratori's projection (seed 1): aspect and field of view enter here and nowhere
+/// The two precomputed multipliers of Muratori's projection: aspect and field of view enter here and nowhere
 /// else.
 struct Projection {
     ProjectionAxis x, y;  ///< y's multiplier is positive: project() turns it, since rows grow downward

@@ -31,11 +31,6 @@ std::int32_t wrap(std::int32_t value, std::int32_t size) {
     return rest < 0 ? rest + size : rest;
 }
 
-/// One row of texels of one cell: from the left edge's shade to the right's.
-struct CellRow {
-    std::int32_t shade_left_16, shade_right_16;
-};
-
 class SurfaceBuilder {
   public:
     SurfaceBuilder(const TextureView& texture, const Colormap& colormap, int mip)
@@ -48,30 +43,33 @@ class SurfaceBuilder {
         std::fill_n(out, bytes, colormap_.shades[static_cast<std::size_t>(shade_16 >> 16)][texel]);
     }
 
-    void build_row(std::int32_t y, const std::int32_t* upper, std::int32_t columns, std::uint8_t* out) const {
+    void build_row(std::int32_t y, const std::int32_t* upper_16, std::int32_t columns, std::uint8_t* out) const {
         const std::int32_t down = y & ((1 << cell_log2_) - 1);
-        const std::int32_t* lower = upper + columns;
+        const std::int32_t* lower_16 = upper_16 + columns;
         const std::uint8_t* texels = texture_.texels + wrap(texture_.min_v + y, texture_.height) * texture_.width;
         std::int32_t u = wrap(texture_.min_u, texture_.width);
         for (std::int32_t cell = 0; cell + 1 < columns; ++cell) {
-            const CellRow row{blend(upper[cell], lower[cell], down), blend(upper[cell + 1], lower[cell + 1], down)};
-            u = build_cell_row(row, texels, u, out);
+            u = build_cell_row(blend(upper_16[cell], lower_16[cell], down),
+                               blend(upper_16[cell + 1], lower_16[cell + 1], down), texels, u, out);
             out += 1 << cell_log2_;
         }
     }
 
   private:
-    std::int32_t blend(std::int32_t from, std::int32_t to, std::int32_t step) const {
-        return from + floor_shift((to - from) * step, cell_log2_);
+    /// Between two shades with 16 fraction bits, `step` texels from the first: with 20, so that nothing is lost.
+    std::int32_t blend(std::int32_t from_16, std::int32_t to_16, std::int32_t step) const {
+        return from_16 * 16 + (to_16 - from_16) * (step << (4 - cell_log2_));
     }
 
-    std::int32_t build_cell_row(const CellRow& row, const std::uint8_t* texels, std::int32_t u,
+    /// One row of texels of one cell, between two shades with 20 fraction bits. With 24 a texel's shade is exact and
+    /// still fits: rounded, it could step past the last one. Returns u behind the row.
+    std::int32_t build_cell_row(std::int32_t left_20, std::int32_t right_20, const std::uint8_t* texels, std::int32_t u,
                                 std::uint8_t* out) const {
-        const std::int32_t step_16 = floor_shift(row.shade_right_16 - row.shade_left_16, cell_log2_);
-        std::int32_t shade_16 = row.shade_left_16;
+        const std::int32_t step_24 = (right_20 - left_20) * (1 << (4 - cell_log2_));
+        std::int32_t shade_24 = left_20 * 16;
         for (std::int32_t x = 0; x < 1 << cell_log2_; ++x) {
-            out[x] = colormap_.shades[static_cast<std::size_t>(shade_16 >> 16)][texels[u]];
-            shade_16 += step_16;
+            out[x] = colormap_.shades[static_cast<std::size_t>(shade_24 >> 24)][texels[u]];
+            shade_24 += step_24;
             if (++u == texture_.width) u = 0;
         }
         return u;

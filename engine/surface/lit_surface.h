@@ -19,11 +19,11 @@ struct SurfaceView {
 
 /// A face's light: samples every 16 texels of mip level 0, `columns` x `rows` of them for each style in use.
 struct LightmapView {
-    const std::uint8_t* samples = nullptr;  ///< null: `dark_if_null` decides
+    const std::uint8_t* samples = nullptr;  ///< of one style after the other; unused without styles
     std::int32_t columns = 0, rows = 0;
     std::int32_t style_count = 0;
     std::array<std::uint16_t, 4> style_scale_256{};  ///< brightness of each style, 256: as stored
-    bool is_fullbright = false;                      ///< the level has no light at all: show colours as they are
+    bool is_fullbright = false;  ///< the level has no light at all: colours as they are; else no style: dark
 };
 
 /// One mip level of a texture and where a face's surface begins in it.
@@ -43,8 +43,7 @@ constexpr std::int32_t lit_size(std::int32_t samples, int mip) {
 
 /// Writes texture times light to `out`: shades are interpolated across each cell between four samples and looked up in
 /// the colormap (Abrash, Black Book, ch. 68). `out` has lit_size(rows) rows of `stride` bytes, at least one; a surface
-/// without extent in a direction is one colour. `corner_shades` is
-/// scratch of columns * rows entries.
+/// without extent in a direction is one colour. `corner_shades` is scratch of columns * rows entries.
 void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap, int mip,
                        std::int32_t stride, std::int32_t* corner_shades, std::uint8_t* out);
 

@@ -39,7 +39,7 @@ constexpr std::int64_t both_sides_distance_42(std::int32_t subpixel_bits) {
     return std::int64_t{32} << (42 + (subpixel_bits < 3 ? 5 : 8 - subpixel_bits));
 }
 
-/// Walks the world's tree front to back (Abrash, seed 5's sequel; Fuchs, Kedem and Naylor 1980). Calls on_leaf(leaf)
+/// Walks the world's tree front to back (Fuchs, Kedem and Naylor 1980; Abrash, Black Book, ch. 62). Calls on_leaf(leaf)
 /// for every leaf that may be seen, and on_face(face) for the faces that border such leaves and face the eye. A face
 /// comes after all that can hide it, and a leaf before the faces that close it. Subtrees whose box is_hidden(box) are
 /// not entered; ends early when is_done() says so.

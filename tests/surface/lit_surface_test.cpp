@@ -77,6 +77,24 @@ TEST(LitSurface, ShadesAreThoseBetweenTheSamples) {
     }
 }
 
+TEST(LitSurface, LightJustBelowFullIsTheTextureItselfForEveryBrightness) {
+    // No step on the way may be rounded past the brightest shade: before it there is none.
+    std::mt19937 random(10);
+    Colormap map = shade_showing_map();
+    map.shades[0].fill(200);
+    for (int mip = 0; mip < 4; ++mip)
+        for (std::uint32_t scale = 256; scale < 2048; ++scale) {
+            Patch patch(random, 2, 2);
+            std::fill(patch.samples.begin(), patch.samples.end(), std::uint8_t{255});
+            patch.samples[0] = static_cast<std::uint8_t>((kFullLight * 256 - 1) / scale);
+            if (kFullLight * 256 - patch.samples[0] * scale > 500) continue;  // less than shade 1
+            const auto lit =
+                patch.build(map, mip, {patch.texels.data(), 64, 64, 0, 0}, static_cast<std::uint16_t>(scale));
+            ASSERT_EQ(std::count(lit.begin(), lit.end(), std::uint8_t{200}), std::ssize(lit))
+                << "scale " << scale << ", mip " << mip;
+        }
+}
+
 TEST(LitSurface, FullLightIsTheTextureItself) {
     std::mt19937 random(7);
     Patch patch(random, 3, 3);
