@@ -141,6 +141,10 @@ std::array<std::string, kLumpCount> lumps_of(const BspFile& bsp) {
 
 }  // namespace
 
+void check_size(const BspFile& bsp) {
+    lumps_of(bsp);
+}
+
 std::string to_bytes(const BspFile& bsp) {
     const auto lumps = lumps_of(bsp);
     Lump header("header");

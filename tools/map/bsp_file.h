@@ -77,7 +77,10 @@ struct BspFile {
     std::vector<FileModel> models;
 };
 
-/// The bytes of the file. Throws InputError if a number is beyond what its field in the file holds.
+/// Throws InputError if a number is beyond what its field in the file holds.
+void check_size(const BspFile& bsp);
+
+/// The bytes of the file. Throws InputError as check_size does.
 std::string to_bytes(const BspFile& bsp);
 
 }  // namespace oblong::map

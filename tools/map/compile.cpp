@@ -1,5 +1,6 @@
 #include "tools/map/compile.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "tools/map/emit.h"
@@ -19,6 +20,11 @@ struct LevelBrushes {
     std::vector<std::vector<Brush>> models;
 };
 
+bool is_hint(const MapBrush& brush) {
+    return std::any_of(brush.sides.begin(), brush.sides.end(),
+                       [](const MapSide& side) { return is_hint_texture(side.texture.name); });
+}
+
 LevelBrushes make_brushes(const std::vector<MapEntity>& entities) {
     LevelBrushes level;
     level.models.emplace_back();
@@ -27,6 +33,7 @@ LevelBrushes make_brushes(const std::vector<MapEntity>& entities) {
         if (!belongs_to_world(entity)) level.models.emplace_back();
         auto& model = belongs_to_world(entity) ? level.models.front() : level.models.back();
         for (const MapBrush& brush : entity.brushes) {
+            if (is_hint(brush)) continue;
             model.push_back(make_brush(brush, level.planes, level.textures));
             if (is_detail_entity(entity)) model.back().is_detail = true;
         }
@@ -35,6 +42,11 @@ LevelBrushes make_brushes(const std::vector<MapEntity>& entities) {
         throw InputError("line " + std::to_string(entities.front().line),
                          "the world has no brushes, expected a room that encloses the entities");
     return level;
+}
+
+bool has_inside(const Tree& tree) {
+    return std::any_of(tree.leaves.begin(), tree.leaves.end(),
+                       [](const TreeLeaf& leaf) { return !is_opaque(leaf.contents); });
 }
 
 CompiledModel compile_world(LevelBrushes& level, const std::vector<MapEntity>& entities) {
@@ -48,6 +60,9 @@ CompiledModel compile_world(LevelBrushes& level, const std::vector<MapEntity>& e
     }
     ModelResult world = compile_model(level.models.front(), level.planes, level.textures.texinfos(), starts);
     if (world.leak) throw LeakError(*at_start[world.leak->start], world.leak->path);
+    if (!has_inside(world.model.tree))
+        throw InputError("line " + std::to_string(entities.front().line),
+                         "the level encloses no space, expected a room around the entities");
     return std::move(world.model);
 }
 
@@ -87,6 +102,7 @@ BspFile compile_map(std::string_view text, const std::vector<Wad>& wads, const C
     for (std::size_t i = 1; i < level.models.size(); ++i)
         emitter.add_model(compile_model(level.models[i], level.planes, level.textures.texinfos(), std::nullopt).model);
     bsp.entities = entities_text(entities);
+    check_size(bsp);  // before the passes that take long
     add_visibility(bsp, world, leaf_indices, level.planes, options.is_fast);
     add_light(bsp, entities, options.is_fast);
     return bsp;

@@ -44,7 +44,12 @@ constexpr int contents_of_texture(std::string_view name) {
 
 /// Textures that only say something to the compiler: their faces are not drawn.
 constexpr bool is_undrawn_texture(std::string_view name) {
-    return name == "clip" || name == "skip" || name == "trigger" || name == "hint";
+    return name == "clip" || name == "skip" || name == "trigger";
+}
+
+/// A brush with one of these on any side advises other compilers where to cut the tree; it fills nothing.
+constexpr bool is_hint_texture(std::string_view name) {
+    return name == "hint" || name == "hintskip";
 }
 
 }  // namespace oblong::map

@@ -36,8 +36,10 @@ Flood flood_from_void(const Tree& tree, const Portals& portals) {
     for (const LeafPiece& piece : portals.outer) reach_leaf(flood, tree, piece.leaf, kVoid);
     for (std::size_t next = 0; next < flood.order.size(); ++next) {
         const int leaf = flood.order[next];
-        for (const int through : by_leaf[static_cast<std::size_t>(leaf)])
-            reach_leaf(flood, tree, other_leaf(portals.portals[static_cast<std::size_t>(through)], leaf), through);
+        for (const int through : by_leaf[static_cast<std::size_t>(leaf)]) {
+            const Portal& portal = portals.portals[static_cast<std::size_t>(through)];
+            if (least_width(portal.winding) >= kLeastGap) reach_leaf(flood, tree, other_leaf(portal, leaf), through);
+        }
     }
     return flood;
 }

@@ -16,8 +16,11 @@ struct Leak {
     std::vector<Point> path;
 };
 
-/// Makes all leaves solid that can be reached from the outer box without passing solid or sky. If one of `starts`
-/// can, that is a leak: the shortest way (in leaves) is returned and the tree is left as it was.
+/// Gaps narrower than this are none: brushes that an editor turned and rounded do not meet exactly.
+inline constexpr double kLeastGap = 1.0 / 64;
+
+/// Makes all leaves solid that can be reached from the outer box without passing solid, sky or a gap below kLeastGap.
+/// If one of `starts` can, that is a leak: the shortest way (in leaves) is returned and the tree is left as it was.
 std::optional<Leak> fill_outside(Tree& tree, const PlaneList& planes, const Portals& portals,
                                  const std::vector<Point>& starts);
 

@@ -119,6 +119,8 @@ bool MapEntity::has(std::string_view key) const {
 }
 
 std::vector<MapEntity> parse_map(std::string_view text) {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     MapTokens tokens(text);
     std::vector<MapEntity> entities;
     while (!tokens.peek().is_end) entities.push_back(take_entity(tokens));

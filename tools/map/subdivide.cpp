@@ -1,6 +1,9 @@
 #include "tools/map/subdivide.h"
 
 #include <algorithm>
+#include <string>
+
+#include "engine/base/input_error.h"
 
 namespace oblong::map {
 namespace {
@@ -26,6 +29,15 @@ Plane plane_at_texel(const TexInfo& texinfo, int axis, double texel) {
     return {scaled(texinfo.axes[i], 1 / size), (texel - texinfo.offset[i]) / size};
 }
 
+// The format counts faces with 16 bits.
+constexpr std::size_t kMostSurfaces = 65535;
+
+void check_count(std::size_t count) {
+    if (count > kMostSurfaces)
+        throw InputError("lump faces", "more than " + std::to_string(kMostSurfaces) +
+                                           " faces, expected larger texture scales or a smaller level");
+}
+
 // A hair over a whole step is no reason to cut: the reader rounds the same numbers.
 std::vector<Winding> cut_along(Winding winding, const TexInfo& texinfo, int axis) {
     std::vector<Winding> pieces;
@@ -36,6 +48,7 @@ std::vector<Winding> cut_along(Winding winding, const TexInfo& texinfo, int axis
         SplitWinding parts = split(winding, plane_at_texel(texinfo, axis, cut));
         if (parts.front.empty() || parts.back.empty()) break;
         pieces.push_back(std::move(parts.back));
+        check_count(pieces.size());
         winding = std::move(parts.front);
     }
     pieces.push_back(std::move(winding));
@@ -55,6 +68,7 @@ std::vector<Surface> subdivided(std::vector<Surface> surfaces, const std::vector
         for (Winding& strip : cut_along(std::move(surface.winding), texinfo, 0)) {
             for (Winding& piece : cut_along(std::move(strip), texinfo, 1))
                 result.push_back({surface.node, surface.plane, surface.texinfo, std::move(piece)});
+            check_count(result.size());
         }
     }
     return result;

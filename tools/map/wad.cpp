@@ -9,7 +9,7 @@
 namespace oblong::map {
 namespace {
 
-constexpr std::size_t kHeaderSize = 12, kEntrySize = 32, kNameSize = 16, kMiptexHeaderSize = 40;
+constexpr std::size_t kEntrySize = 32, kNameSize = 16, kMiptexHeaderSize = 40;
 constexpr char kMiptexType = 'D';
 constexpr std::string_view kFrames = "0123456789abcdefghij";
 

@@ -94,6 +94,20 @@ Point area_vector(const Winding& winding) {
     return sum;
 }
 
+double least_width(const Winding& winding) {
+    double least = 2 * kHuge;
+    for (std::size_t i = 0; i < winding.size(); ++i) {
+        const Point edge = winding[(i + 1) % winding.size()] - winding[i];
+        const double size = length(edge);
+        if (size <= kOnEpsilon) continue;
+        double farthest = 0;
+        for (const Point& point : winding)
+            farthest = std::max(farthest, length(cross(edge, point - winding[i])) / size);
+        least = std::min(least, farthest);
+    }
+    return least;
+}
+
 Point middle(const Winding& winding) {
     Point sum;
     for (const Point& point : winding) sum = sum + point;

@@ -50,6 +50,9 @@ inline double area(const Winding& winding) {
     return length(area_vector(winding)) / 2;
 }
 
+/// The distance of two parallel lines between which the polygon just fits, over all directions along its edges.
+double least_width(const Winding& winding);
+
 /// The mean of the points.
 Point middle(const Winding& winding);
 
