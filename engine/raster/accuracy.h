@@ -6,7 +6,7 @@ namespace oblong {
 
 /// How texture coordinates are found along a span.
 enum class Texturing {
-    Affine,   ///< a division at each end of the span
+    Affine,   ///< a division at the first and the last pixel of the span
     Every16,  ///< a division every 16 pixels (Quake's)
     Bounded,  ///< the longest affine blocks whose error on screen stays under Accuracy::texture_error_px_256
     Exact     ///< a division a pixel

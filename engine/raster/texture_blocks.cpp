@@ -69,9 +69,15 @@ std::int32_t step_by_shift(std::uint32_t from, std::uint32_t to, int log2) {
     return static_cast<std::int32_t>(floor_shift(std::int64_t{to} - from, log2));
 }
 
-std::int32_t step_by_division(std::uint32_t from, std::uint32_t to, std::int32_t count) {
+std::int32_t step_by_division(std::uint32_t from, std::uint32_t to, std::int32_t steps) {
     const std::int64_t whole = std::int64_t{to} - from;
-    return static_cast<std::int32_t>(whole / count - (whole % count < 0));
+    return static_cast<std::int32_t>(whole / steps - (whole % steps < 0));
+}
+
+/// The step between neighbours, held at 32,767 texels: a step's format has no more.
+std::int32_t step_to_neighbour(std::uint32_t from, std::uint32_t to) {
+    constexpr std::int64_t kSteepest = std::numeric_limits<std::int32_t>::max();
+    return static_cast<std::int32_t>(clamp_value(std::int64_t{to} - from, -kSteepest, kSteepest));
 }
 
 /// Cuts one span into blocks, left to right. Each block ends where the next begins, so a division serves twice. Its
@@ -102,14 +108,18 @@ class SpanCutter {
                step_by_shift(from.v_16, texel_.v_16, log2));
     }
 
-    /// The last block, of whatever is left (1 or more).
+    /// The last block, of whatever is left (1 or more). It ends at the span's last pixel: beyond may lie the end of the
+    /// surface, or the horizon of its plane.
     [[gnu::always_inline]] void cut_rest() {
-        const std::int32_t count = left_;
-        if (count == 1) return append(texel_, 1, 0, 0);
+        const std::int32_t steps = left_ - 1;
+        if (steps == 0) return append(texel_, 1, 0, 0);
         const TexelPosition from = texel_;
-        advance(count);
-        append(from, count, step_by_division(from.u_16, texel_.u_16, count),
-               step_by_division(from.v_16, texel_.v_16, count));
+        advance(steps);
+        if (steps == 1)
+            return append(from, 2, step_to_neighbour(from.u_16, texel_.u_16),
+                          step_to_neighbour(from.v_16, texel_.v_16));
+        append(from, steps + 1, step_by_division(from.u_16, texel_.u_16, steps),
+               step_by_division(from.v_16, texel_.v_16, steps));
     }
 
   private:

@@ -118,6 +118,51 @@ TEST(HardCaseX3, NoSampleOutsideTheSurfaceUpToTheLastPixel) {
     }
 }
 
+/// A wall between two columns, of random depths up to the world's end: beyond its far end may lie its vanishing line.
+Corners random_wall(std::mt19937& random) {
+    const double left = random_between(random, 0, 150), right = random_between(random, 170, 320);
+    const double near = std::exp(random_between(random, 1.4, 5)), far = std::exp(random_between(random, 1.4, 10.3));
+    const auto corner = [](double column, double slope, double z, double u) {
+        return TexturedCorner{{snapped((column - 160) / 160 * z), snapped(slope * z), snapped(z)}, u, 32 + 32 * slope};
+    };
+    return {{corner(left, -0.75, near, 0), corner(right, 0.75, far, 20000), corner(right, -0.75, far, 20000)}};
+}
+
+/// The pixels of row 110 whose centres lie between a wall's ends.
+Span span_of_wall(const Corners& wall) {
+    const double ends[] = {1 / wall[0].position.z, 1 / wall[1].position.z};
+    Span span{110, 320, 0};
+    for (int column = 0; column < 320; ++column) {
+        const double inverse_z = texel_at(wall, kLens, {column + 0.5, 110.5}).inverse_z;
+        if (inverse_z < std::min(ends[0], ends[1]) || inverse_z > std::max(ends[0], ends[1])) continue;
+        span.first = std::min(span.first, column);
+        span.end = column + 1;
+    }
+    return span;
+}
+
+TEST(HardCaseX3, NoSampleBeyondTheTexelsOfTheSpansOwnEnds) {
+    std::mt19937 random(33);
+    const TexelLimits no_limits = make_texel_limits(65535, 65535, 0);
+    for (int i = 0; i < 1000; ++i) {
+        const Corners wall = random_wall(random);
+        const Span span = span_of_wall(wall);
+        if (span.end - span.first < 2) continue;
+        const double u_first = texel_at(wall, kLens, {span.first + 0.5, 110.5}).u,
+                     u_last = texel_at(wall, kLens, {span.end - 0.5, 110.5}).u;
+        const TextureGradients gradients = gradients_of(wall, {(span.first + span.end) / 2, 110});
+        // Half of the room is what the exact mode may be off by; a step that is rounded down drifts by 320 * 2^-16.
+        const double room = 1.0 / 16;
+        for (const Texturing texturing : {Texturing::Affine, Texturing::Every16, Texturing::Bounded, Texturing::Exact})
+            for (const TexelBlock& block : blocks_of(gradients, span, texturing, no_limits))
+                for (const std::int64_t at : {0, block.count - 1}) {
+                    const double u = static_cast<double>(block.u_16 + at * block.u_step_16) / 65536;
+                    ASSERT_GE(u, std::min(u_first, u_last) - room) << i << " mode " << static_cast<int>(texturing);
+                    ASSERT_LE(u, std::max(u_first, u_last) + room) << i << " mode " << static_cast<int>(texturing);
+                }
+    }
+}
+
 TEST(HardCaseX4, ATexelAPixelReproducesTheBitmap) {
     for (const double shift : {0.0, 64.0, 128.0, 20000.0}) {
         for (const int row : {20, 21, 67}) {

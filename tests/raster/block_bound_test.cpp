@@ -41,11 +41,13 @@ struct RowError {
     std::size_t blocks = 0;
 };
 
-RowError error_of(const TextureGradients& row, const Accuracy& accuracy) {
+const TexelLimits kNoLimits = make_texel_limits(65535, 65535, 0);
+
+RowError error_of(const TextureGradients& row, const Accuracy& accuracy, const TexelLimits& limits = kNoLimits) {
     const BlockRule rule = make_block_rule(accuracy);
     const BlockLadder ladder = make_block_ladder(rule, static_cast<std::int64_t>(row.inverse_z_44.per_column));
     BlockList blocks(kWidth);
-    append_blocks({0, 0, kWidth}, kWidth, row, rule, ladder, make_texel_limits(65535, 65535, 0), blocks);
+    append_blocks({0, 0, kWidth}, kWidth, row, rule, ladder, limits, blocks);
     RowError error;
     for (const TexelBlock& block : blocks.waiting()) {
         ++error.blocks;
@@ -76,6 +78,18 @@ TEST(BlockBound, ErrorOnScreenStaysUnderTheDial) {
         largest_part = std::max(largest_part, error.largest_px / bound);
     }
     EXPECT_GT(largest_part, 0.9) << "the bound is never nearly reached: blocks are shorter than they need be";
+}
+
+TEST(BlockBound, HoldsToTheLastPixelOfASurfaceThatEndsThere) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> depth_log2(2, 14);
+    for (int trial = 0; trial < 4000; ++trial) {
+        const TextureGradients row = row_of(std::exp2(depth_log2(random)), std::exp2(depth_log2(random)), 60000);
+        const std::uint32_t last_16 = texel_at(row, kNoLimits, kWidth - 1, 0).u_16;
+        const TexelLimits limits = make_texel_limits(static_cast<std::int32_t>(last_16 >> 16) + 1, 65535, 0);
+        const Accuracy accuracy;
+        ASSERT_LE(error_of(row, accuracy, limits).largest_px, accuracy.texture_error_px_256 / 256.0 + 0.001) << trial;
+    }
 }
 
 TEST(BlockBound, CoarserDialsTakeFewerBlocks) {
