@@ -133,6 +133,31 @@ TEST(HardCaseE4, MovingAnEdgeByASixteenthNeverGivesBack) {
     }
 }
 
+TEST(HardCaseE4, MovingAnEdgeUpByASixteenthNeverGivesBack) {
+    std::mt19937 random(44);
+    for (int i = 0; i < 25; ++i) {
+        // A half plane, as far as the screen goes: below an edge of any slope.
+        std::int32_t left = random_integer(random, 0, 300 * 256), right = random_integer(random, 0, 300 * 256);
+        std::int32_t covered = 0;
+        CoverageMap before;
+        for (int step = 0; step < 40; ++step, left -= 16, right -= 16) {
+            CoverageMap after;
+            add_engine_triangle({{{-99 * 256, left}, {419 * 256, right}, {160 * 256, 3000 * 256}}}, after);
+            add_engine_triangle({{{-99 * 256, left}, {160 * 256, 3000 * 256}, {-99 * 256, 3000 * 256}}}, after);
+            add_engine_triangle({{{419 * 256, right}, {419 * 256, 3000 * 256}, {160 * 256, 3000 * 256}}}, after);
+            for (std::size_t pixel = 0; pixel < after.counts.size(); ++pixel) {
+                ASSERT_LE(after.counts[pixel], 1) << i;
+                ASSERT_GE(after.counts[pixel], before.counts[pixel]) << i;
+                covered += after.counts[pixel] - before.counts[pixel];
+            }
+            before = after;
+        }
+        if (std::max(left, right) < 190 * 256) {
+            EXPECT_GT(covered, 0);
+        }
+    }
+}
+
 TEST(HardCaseE5, ThinTrianglesCoverWhatTheRuleSays) {
     EXPECT_EQ(count_pixels({sixteenths(9, 9), sixteenths(23, 9), sixteenths(9, 23)}), 0);
     std::mt19937 random(5);

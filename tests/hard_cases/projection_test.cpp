@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "engine/math/normalise.h"
+#include "engine/math/plane.h"
 #include "engine/raster/scan.h"
 #include "tests/hard_cases/hard_case.h"
 #include "tools/reference/lens.h"
@@ -98,9 +100,17 @@ TEST(HardCaseV8, ScreenAreaTellsTheSideThatAFaceShows) {
         }
         const std::int64_t doubled_area = doubled_area_16(screen);
         if (std::abs(doubled_area) < 65536) continue;
-        // Clockwise as seen, in left-handed axes: the eye lies behind the plane's front, where N . A is negative.
+        // Clockwise as seen, in left-handed axes: the eye lies on the side that the normal points away from.
         const Vec normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
         ASSERT_EQ(doubled_area > 0, dot(normal, corners[0]) < 0) << i;
+        // The engine's own answer, by the plane that its world would have.
+        std::array<Vec3<World>, 3> world;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto raw = [](double value) { return World::from_raw(static_cast<std::int32_t>(value * 4096)); };
+            world[k] = {raw(corners[k].x), raw(corners[k].y), raw(corners[k].z)};
+        }
+        const Plane plane = plane_through(world[0], normalised(cross(world[1] - world[0], world[2] - world[0])));
+        ASSERT_EQ(doubled_area > 0, distance_to_plane({}, plane) > PlaneDistance{}) << i;
         ++compared;
     }
     EXPECT_GT(compared, 4000);

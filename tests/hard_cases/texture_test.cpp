@@ -2,9 +2,12 @@
 
 #include <algorithm>
 
+#include "engine/geometry/texture_gradients.h"
 #include "engine/geometry/triangle_gradients.h"
+#include "engine/math/normalise.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/raster/texture_blocks.h"
+#include "tests/hard_cases/frame_outline.h"
 #include "tests/hard_cases/hard_case.h"
 #include "tools/reference/texel.h"
 
@@ -60,9 +63,6 @@ TEST(HardCaseX1, DepthsOf1To1000InOneRow) {
 TEST(HardCaseX2, AFloorAtTheHorizon) {
     EXPECT_LE(span_error("exact", floor_48(), 100, 1, 319), 1.0 / 16);  // z = 12,800
     EXPECT_LE(span_error("exact", floor_48(), 101, 100, 220), 1.0 / 16);
-    EXPECT_EQ(ask("texspan " + texspan_fields(floor_48(), 200, 0, 320)), "unsupported");
-    const auto above = texel_at(floor_48(), kLens, {160, 99.4});
-    EXPECT_LT(above.inverse_z, 0) << "row 99 lies above the horizon: nothing of a floor may be sampled there";
 }
 
 /// The gradients, anchored at a pixel, of corners whose texels are not negative.
@@ -78,6 +78,27 @@ TextureGradients gradients_of(const Corners& corners, PixelPosition anchor) {
                     texel(corners[i].v)};
     }
     return make_triangle_gradients(exact, make_projection({}, Degrees::from_int(90)), anchor).value();
+}
+
+TEST(HardCaseX2, NoRowAboveTheHorizonIsDrawn) {
+    // The far edge, z = 12,800, lies at y = 100.5: the centres of row 100. The horizon itself at y = 100.
+    FrameOutline frame;
+    std::vector<reference::Vec> corners;
+    for (const TexturedCorner& corner : floor_48()) corners.push_back(corner.position);
+    ASSERT_TRUE(frame.make(corners));
+    RowColumns rows(200);
+    scan_convex(frame.outline.screen, rows);
+    EXPECT_EQ(rows.first, 100);
+    EXPECT_EQ(rows.end, 200);
+    Corners without_negatives = floor_48();
+    for (TexturedCorner& corner : without_negatives) corner.u += 19200;
+    for (std::int32_t row = rows.first; row < rows.end; ++row)
+        for (std::int32_t column = rows.left[static_cast<std::size_t>(row)];
+             column < rows.right[static_cast<std::size_t>(row)]; column += 7) {
+            const LinearQuantity inverse_z = gradients_of(without_negatives, {column, row}).inverse_z_44;
+            // z = 48 * (400 / 3) / (row + 1/2 - 100), and 2^44 / z.
+            ASSERT_NEAR(static_cast<double>(inverse_z.at(column, row)), 0x1p44 * (row - 99.5) / 6400, 2) << row;
+        }
 }
 
 std::vector<TexelBlock> blocks_of(const TextureGradients& gradients, const Span& span, Texturing texturing,
@@ -272,6 +293,32 @@ TEST(HardCaseX10, InverseDepthIsPositiveWhereverATriangleIsSeen) {
         const double slope = std::abs(beside.inverse_z - expected.inverse_z);
         ASSERT_GT(found, 0);
         ASSERT_NEAR(found, expected.inverse_z, 0x1p-44 + (expected.inverse_z + slope) * 1e-9) << i;
+    }
+}
+
+TEST(HardCaseE11, FacesOfOnePlaneHaveTheSameDepthsBitForBit) {
+    std::mt19937 random(11);
+    const auto any = [&](std::int32_t size) { return random_integer(random, -size, size); };
+    for (int i = 0; i < 1000; ++i) {
+        const auto axes =
+            view_basis(Angle::from_bam(any(65536)), Angle::from_bam(any(16384)), Angle::from_bam(any(99)));
+        const GradientLens lens =
+            make_gradient_lens(make_projection({}, Degrees::from_int(random_integer(random, 20, 150))));
+        TexturedPlane plane;
+        plane.normal = normalised(Vec3<World>{{any(1 << 20)}, {any(1 << 20)}, {any(1 << 20) | 1}});
+        plane.eye_distance = PlaneDistance::from_raw(std::int64_t{random_integer(random, 1, 1 << 30)} << 22);
+        const LinearQuantity first = make_texture_gradients(plane, axes, lens).inverse_z_44;
+        // Whatever the faces show: their textures lie along other axes, elsewhere, and at another mip level.
+        const auto axis = [&] { return Vec3<TexelAxis>{{any(1 << 23)}, {any(1 << 23)}, {any(1 << 23)}}; };
+        plane.s = axis();
+        plane.t = axis();
+        plane.eye_u_16 = any(1 << 30);
+        plane.eye_v_16 = any(1 << 30);
+        plane.mip = random_integer(random, 0, 3);
+        const LinearQuantity second = make_texture_gradients(plane, axes, lens).inverse_z_44;
+        ASSERT_EQ(first.origin, second.origin) << i;
+        ASSERT_EQ(first.per_column, second.per_column) << i;
+        ASSERT_EQ(first.per_row, second.per_row) << i;
     }
 }
 
