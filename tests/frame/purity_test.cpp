@@ -165,6 +165,59 @@ TEST(Eye, HardCaseV11_InThePlaneOfAFaceIsAStepToTheBackOfIt) {
     EXPECT_EQ(drawn_afresh(stage, in_plane), drawn_afresh(stage, below));
 }
 
+/// Places in the middle of the level's level surfaces of water, slime and lava, exactly as high as those.
+std::vector<Vec3<World>> middles_of_liquids(const Level& level) {
+    std::vector<Vec3<World>> middles;
+    for (const Face& face : level.faces) {
+        const LevelPlane& plane = level.planes[static_cast<std::size_t>(face.plane)];
+        if (!is_named(level, face, "*") || plane.normal.z != Unit::from_int(1)) continue;
+        std::int64_t x = 0, y = 0;
+        Vec3<World> corner;
+        for (std::int32_t i = 0; i < face.edge_count; ++i) {
+            const std::int32_t edge = level.surf_edges[static_cast<std::size_t>(face.first_surfedge + i)];
+            const EdgeIndices& ends = level.edges[static_cast<std::size_t>(std::abs(edge))];
+            corner = level.vertices[static_cast<std::size_t>(edge < 0 ? ends.to : ends.from)];
+            x += corner.x.raw;
+            y += corner.y.raw;
+        }
+        const auto mean = [&](std::int64_t sum) {
+            return World::from_raw(static_cast<std::int32_t>(sum / face.edge_count));
+        };
+        middles.push_back({mean(x), mean(y), corner.z});
+    }
+    return middles;
+}
+
+TEST(Eye, HardCaseV11_InASurfaceOfWaterIsAStepBelowIt) {
+    std::vector<Stage> stages;
+    stages.push_back(demo_stage());
+    if (!find_shared_folder().empty())
+        for (const char* name : kRealLevels) stages.push_back(real_stage(name));
+    int compared = 0;
+    for (Stage& stage : stages) {
+        const std::vector<Vec3<World>> middles = middles_of_liquids(stage.level);
+        const std::size_t stride = middles.size() / 12 + 1;
+        for (std::size_t i = 0; i < middles.size(); i += stride) {
+            Camera in_surface;
+            in_surface.eye = middles[i];
+            in_surface.yaw = Angle::from_bam(static_cast<std::int64_t>(i) * 9973);
+            Camera below = in_surface;
+            below.eye.z.raw -= 2;
+            if (stage.level.leaves[static_cast<std::size_t>(place_eye(stage.level, below.eye).leaf)].contents ==
+                contents::kSolid)
+                continue;
+            FrameWorkspace work(stage.level, stage.mode);
+            work.counts = std::make_unique<FrameCounts>();
+            stage.draw(in_surface, work);
+            EXPECT_EQ(std::count(work.counts->writes.begin(), work.counts->writes.end(), 1), 320 * 200) << i;
+            const std::vector<std::uint8_t> pixels = stage.pixels;
+            EXPECT_EQ(pixels, drawn_afresh(stage, below)) << i;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 0);
+}
+
 TEST(Eye, ClearOfAllPlanesStaysWhereItIs) {
     Stage stage = demo_stage();
     for (const Camera& camera : cameras_of(stage.level)) {

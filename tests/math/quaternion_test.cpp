@@ -117,9 +117,13 @@ TEST(HardCaseT5, StraightAndCurvedArcsAgreeAtTheirBorder) {
     for (int bam = 100; bam <= 130; ++bam) {
         const Quaternion a = quaternion_about_axis(kX, Angle{}), b = quaternion_about_axis(kX, Angle::from_bam(bam));
         for (int quarter = 1; quarter < 4; ++quarter) {
-            const Quaternion between = slerp(a, b, Unit::from_raw(quarter << 28));
             const long double expected = arc(a, b) * quarter / 4;
-            ASSERT_LE(std::abs(arc(a, between) - expected), 0x1p-24L) << bam << " " << quarter;
+            // b's opposite is the same rotation, and its dot product with a is near -1.
+            for (const Quaternion& end : {b, -b}) {
+                const Quaternion between = slerp(a, end, Unit::from_raw(quarter << 28));
+                ASSERT_LE(std::abs(arc(a, between) - expected), 0x1p-24L) << bam << " " << quarter;
+                ASSERT_LE(std::abs(dot_60(between, between) - kOne60), kOne60 >> 24);
+            }
         }
     }
 }

@@ -151,6 +151,19 @@ TEST(SeedN7, FractionAlongTheLineIsD1OverD1MinusD2) {
 TEST(SeedN9, LookAtRowsUndoTheColumnsOfItsAxesAndEye) {
     const auto eye = at(3, -7, 11);
     const Basis basis = look_at(eye, at(40, 25, -5), kY, Handedness::Left);
+    // By doubles: z is the direction of (37, 32, -16), x is y cross z, y completes them; the last column is -axis .
+    // eye.
+    const double length = std::sqrt(37.0 * 37 + 32 * 32 + 16 * 16), across = std::hypot(16.0, 37.0);
+    const double z[] = {37 / length, 32 / length, -16 / length}, x[] = {-16 / across, 0, -37 / across};
+    const double y[] = {z[1] * x[2] - z[2] * x[1], z[2] * x[0] - z[0] * x[2], z[0] * x[1] - z[1] * x[0]};
+    const Matrix4 rows = view_matrix(basis, eye);
+    std::size_t row = 0;
+    for (const auto& axis : {x, y, z}) {
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(std::ldexp(rows.rows[row][i].raw, -32), axis[i], 1e-8) << row;
+        const double along_eye = axis[0] * 3 + axis[1] * -7 + axis[2] * 11;
+        EXPECT_NEAR(std::ldexp(rows.rows[row][3].raw, -32), -along_eye, 1e-7) << row;
+        ++row;
+    }
     const Matrix4 both = view_matrix(basis, eye) * camera_matrix(basis, eye);
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t j = 0; j < 4; ++j)
