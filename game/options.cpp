@@ -83,7 +83,7 @@ void declare(Command& line, Options& options, Words& words) {
 }
 
 void interpret(const Words& words, Options& options) {
-    const WindowSize mode = pair_of("--mode", words.mode, 'x', kLargestModeWidth);
+    const WindowSize mode = pair_of("--mode", words.mode, 'x', kLargestMode_px);
     const WindowSize display = pair_of("--display", words.display, ':', kLargestDisplayPart);
     options.mode = {mode.width_px, mode.height_px, Ratio{display.width_px, display.height_px}};
     if (!words.window.empty()) options.window = pair_of("--window", words.window, 'x', 16'384);

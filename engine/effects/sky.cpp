@@ -9,19 +9,20 @@ namespace oblong {
 
 namespace {
 
-constexpr std::int32_t kBlockPx = 8;
+constexpr std::int32_t kStep_px = 8;  ///< Quake's: 32
 /// Texels from the zenith to the horizon of a dome of a 128-texel sky: Quake's 6 * (128 / 2 - 1).
-constexpr std::int64_t kDomeRadiusTexels = 378;
+constexpr std::int64_t kDomeRadius_texels = 378;
 
+/// Texels of one layer, 16.16, from the zenith.
 struct SkyPosition {
     std::int32_t u_16, v_16;
 };
 
-/// Directions of view, in the world, .16: linear on the screen.
+/// Directions of view in the world, of any length: linear on the screen. Column and row are those of pixel centres.
 class DirectionField {
   public:
     DirectionField(const Basis& axes, const Projection& lens) {
-        const std::int64_t half_columns_2 = lens.width_px, half_rows_2 = lens.height_px;
+        const std::int64_t half_width_1 = lens.width_px, half_height_1 = lens.height_px;
         const std::array<const Unit*, 3> right{&axes.right.x, &axes.right.y, &axes.right.z};
         const std::array<const Unit*, 3> up{&axes.up.x, &axes.up.y, &axes.up.z};
         const std::array<const Unit*, 3> forward{&axes.forward.x, &axes.forward.y, &axes.forward.z};
@@ -29,8 +30,8 @@ class DirectionField {
             per_column_30_[axis] =
                 mul_div(right[axis]->raw, std::int64_t{1} << 32, lens.x.multiplier.raw, Rounding::Floor);
             per_row_30_[axis] = -mul_div(up[axis]->raw, std::int64_t{1} << 32, lens.y.multiplier.raw, Rounding::Floor);
-            origin_30_[axis] = forward[axis]->raw + floor_shift(per_column_30_[axis] * (1 - half_columns_2), 1) +
-                               floor_shift(per_row_30_[axis] * (1 - half_rows_2), 1);
+            origin_30_[axis] = forward[axis]->raw + floor_shift(per_column_30_[axis] * (1 - half_width_1), 1) +
+                               floor_shift(per_row_30_[axis] * (1 - half_height_1), 1);
         }
     }
 
@@ -41,7 +42,7 @@ class DirectionField {
                 floor_shift(origin_30_[axis] + per_column_30_[axis] * column + per_row_30_[axis] * row, 14);
         direction_16[2] *= 3;
         const std::int64_t length_16 = std::max<std::int64_t>(length(direction_16), 1);
-        const std::int64_t radius_16 = kDomeRadiusTexels * size / 128 * 65536;
+        const std::int64_t radius_16 = kDomeRadius_texels * size / 128 * 65536;
         return {static_cast<std::int32_t>(direction_16[0] * radius_16 / length_16),
                 static_cast<std::int32_t>(direction_16[1] * radius_16 / length_16)};
     }
@@ -65,7 +66,7 @@ std::uint8_t sky_texel(const SkyTexture& sky, std::int32_t u_16, std::int32_t v_
 void draw_sky_span(const Span& span, const SkyTexture& sky, const DirectionField& field, std::uint8_t* row) {
     SkyPosition from = field.at(span.first, span.y, sky.size);
     for (std::int32_t column = span.first; column < span.end;) {
-        const std::int32_t count = std::min(kBlockPx, span.end - column);
+        const std::int32_t count = std::min(kStep_px, span.end - column);
         const SkyPosition to = field.at(column + count, span.y, sky.size);
         for (std::int32_t i = 0; i < count; ++i)
             row[column + i] = sky_texel(sky, from.u_16 + (to.u_16 - from.u_16) / count * i,

@@ -14,8 +14,8 @@ namespace oblong {
 /// whose colour 0 is clear. Each half is square, of a power of two.
 struct SkyTexture {
     const std::uint8_t* texels = nullptr;
-    std::int32_t size = 0;    ///< of a half, in both directions
-    std::int32_t stride = 0;  ///< of a row of the whole texture
+    std::int32_t size = 0;    ///< of a half, texels, in both directions
+    std::int32_t stride = 0;  ///< bytes from row to row of the whole texture
 };
 
 /// Draws a dome: a texel depends on the direction of view alone, with heights tripled as Quake does, so that the sky

@@ -21,7 +21,7 @@ constexpr EffectSet effects_of(FaceKind kind) {
 
 /// What every frame would otherwise work out again from a level's faces.
 struct FaceTable {
-    std::vector<std::int32_t> corners;       ///< the faces' vertices in their order, those of T-junctions among them
+    std::vector<std::int32_t> corners;       ///< of all faces, indices of vertices; those of T-junctions among them
     std::vector<std::size_t> first_corners;  ///< of each face in `corners`, and one past the last
     std::vector<FaceKind> kinds;             ///< of each face
     std::vector<EffectSet> leaf_effects;     ///< what each leaf's faces call for
@@ -36,6 +36,7 @@ struct FaceTable {
     }
 };
 
+/// The table of a level; its faces keep their indices.
 FaceTable make_face_table(const Level& level);
 
 }  // namespace oblong

@@ -24,12 +24,12 @@ constexpr LightStyles plain_light_styles() {
     return styles;
 }
 
-/// All that a frame shows. The level outlives the workspace that draws it.
+/// All that a frame shows. Level and colormap are the same in all frames of a workspace, and outlive it.
 struct Scene {
     const Level& level;
     const Colormap& colormap;
     std::span<const PlacedModel> models;  ///< each of the level's models once at the most
-    std::int64_t time_ms = 0;
+    std::int64_t time_ms = 0;             ///< of the scene; nothing in a frame moves by it yet
     LightStyles light_styles = plain_light_styles();
 };
 

@@ -3,7 +3,7 @@
 #include "engine/frame/frame.h"
 #include "engine/geometry/texture_gradients.h"
 #include "engine/raster/texture_blocks.h"
-#include "engine/visible/vertex_cache.h"
+#include "engine/visible/view_context.h"
 
 namespace oblong {
 

@@ -22,8 +22,8 @@
 
 namespace oblong {
 
-/// The scratch and the caches of frames of one level in one mode. Nothing in it is part of a picture: a fresh workspace
-/// draws the same bytes. The level must outlive it.
+/// The scratch and the caches of frames of one level with one colormap in one mode. Nothing in it is part of a picture:
+/// a fresh workspace draws the same bytes. The level must outlive it.
 class FrameWorkspace {
   public:
     FrameWorkspace(const Level& level, const ScreenMode& mode);

@@ -1,6 +1,7 @@
 #include "engine/frame/world_pass.h"
 
 #include "engine/frame/draw_face.h"
+#include "engine/visible/box_rectangle.h"
 
 namespace oblong {
 

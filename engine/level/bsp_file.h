@@ -12,7 +12,7 @@ namespace oblong {
 /// Throws the InputError of a fault in a lump; `file_offset` is the byte of the file where the wrong field starts.
 [[noreturn]] void fail_in_lump(Lump lump, std::int64_t file_offset, const std::string& what_is_wrong);
 
-/// "index 9, expected 0 to 7", or "... expected none: there is no plane" when there is nothing to point at.
+/// "plane 9, expected 0 to 7", or "plane 9, expected none: the file has no plane".
 std::string describe_bad_index(const char* what, std::int64_t index, std::int64_t count);
 
 struct LumpRange {
@@ -42,6 +42,7 @@ class LumpReader {
         : bytes_(file.lump_bytes(lump)), file_offset_(file.range(lump).offset), lump_(lump), format_(file.format) {}
 
     std::int64_t size() const { return static_cast<std::int64_t>(bytes_.size()); }
+    /// Goes on reading at this byte of the lump, which may be its end.
     void seek(std::int64_t lump_offset);
     std::span<const std::uint8_t> read_bytes(std::int64_t size);
     void skip(std::int64_t size) { read_bytes(size); }

@@ -10,11 +10,13 @@ namespace oblong {
 namespace {
 
 /// How far from an edge's line a vertex still counts as on it: 8 steps of World, 1/512 unit. Compilers leave 2e-5.
-constexpr std::int64_t kTolerance = 8;
+constexpr std::int64_t kTolerance_12 = 8;
+/// Longer edges, 262,144 units along an axis, have no vertices inside: squares of their length would not fit.
+constexpr std::int64_t kLongest_12 = std::int64_t{1} << 30;
 /// Vertices looked at in all, so that a level made for it can't take for ever; its edges beyond that stay as they are.
 constexpr std::int64_t kMostLooks = std::int64_t{1} << 28;
 
-using Point = std::array<std::int64_t, 3>;
+using Point = std::array<std::int64_t, 3>;  ///< units, 12 fraction bits
 
 Point point_of(const Level& level, std::int32_t vertex) {
     const Vec3<World>& p = level.vertices[static_cast<std::size_t>(vertex)];
@@ -79,16 +81,20 @@ class EdgeLine {
     EdgeLine(const Point& from, const Point& to) : from_(from) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             along_[axis] = to[axis] - from[axis];
-            low_[axis] = std::min(from[axis], to[axis]) - kTolerance;
-            high_[axis] = std::max(from[axis], to[axis]) + kTolerance;
+            low_[axis] = std::min(from[axis], to[axis]) - kTolerance_12;
+            high_[axis] = std::max(from[axis], to[axis]) + kTolerance_12;
         }
-        length_squared_ = dot(along_, along_);
+        if (!is_too_long()) length_squared_ = dot(along_, along_);
     }
 
+    bool is_too_long() const {
+        return std::any_of(along_.begin(), along_.end(),
+                           [](std::int64_t part) { return part > kLongest_12 || part < -kLongest_12; });
+    }
     const Point& low() const { return low_; }
     const Point& high() const { return high_; }
 
-    /// How far along the edge, as part of length_squared; -1 if the vertex isn't inside it.
+    /// How far along the edge, as part of length_squared_; -1 if the vertex isn't inside it.
     std::int64_t part_of(const Point& p) const {
         Point offset{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -96,19 +102,19 @@ class EdgeLine {
             offset[axis] = p[axis] - from_[axis];
         }
         const std::int64_t part = dot(offset, along_);
-        if (part <= 0 || part >= length_squared_ || dot(offset, offset) <= kTolerance * kTolerance) return -1;
+        if (part <= 0 || part >= length_squared_ || dot(offset, offset) <= kTolerance_12 * kTolerance_12) return -1;
         Point to_end{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::int64_t nearest = mul_div(along_[axis], part, length_squared_);
-            if (offset[axis] - nearest > kTolerance || nearest - offset[axis] > kTolerance) return -1;
+            if (offset[axis] - nearest > kTolerance_12 || nearest - offset[axis] > kTolerance_12) return -1;
             to_end[axis] = along_[axis] - offset[axis];
         }
-        return dot(to_end, to_end) <= kTolerance * kTolerance ? -1 : part;
+        return dot(to_end, to_end) <= kTolerance_12 * kTolerance_12 ? -1 : part;
     }
 
   private:
     Point from_, along_{}, low_{}, high_{};
-    std::int64_t length_squared_;
+    std::int64_t length_squared_ = 0;
 };
 
 }  // namespace
@@ -121,6 +127,7 @@ TJunctions::TJunctions(const Level& level) {
         first_.push_back(vertices_.size());
         if (looks > kMostLooks) continue;
         const EdgeLine line(point_of(level, edge.from), point_of(level, edge.to));
+        if (line.is_too_long()) continue;
         found.clear();
         index.look_within(line.low(), line.high(), [&](std::int32_t vertex) {
             ++looks;

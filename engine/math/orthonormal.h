@@ -13,8 +13,8 @@ Sine60 orthonormal_flaw(const Basis& basis);
 inline constexpr Sine60 kOrthonormalFlaw = Sine60::from_raw(std::int64_t{1} << (60 - 26));
 bool is_orthonormal(const Basis& basis);
 
-/// The orthonormal axes nearest to `basis`, forward first, then up, of the same handedness (Gram and Schmidt). Axes
-/// that have no direction of their own are replaced by any that fit.
+/// Orthonormal axes of the same handedness (Gram and Schmidt): forward keeps its direction, up loses its part along
+/// forward, right follows from both. Axes that have no direction of their own are replaced by any that fit.
 Basis orthonormalised(const Basis& basis);
 
 }  // namespace oblong

@@ -5,7 +5,9 @@
 
 namespace oblong {
 
+/// What moves points, and leaves directions (w = 0) alone.
 Matrix4 translation(const Vec3<Entry>& by);
+/// What stretches along the axes.
 Matrix4 scaling(const Vec3<Entry>& by);
 
 /// The rotation whose rows are right, up and forward: world directions to view directions.

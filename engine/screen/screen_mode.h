@@ -16,6 +16,7 @@ struct ScreenMode {
     constexpr Ratio pixel() const { return display * Ratio{height_px, width_px}; }
 };
 
-inline constexpr std::int32_t kLargestModeWidth = 4096, kLargestModeHeight = 4096;
+/// What the formats of the engine have head-room for (engine/fixed/README.md).
+inline constexpr std::int32_t kLargestMode_px = 4096;
 
 }  // namespace oblong

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/raster/span.h"
-#include "engine/visible/box_rectangle.h"
+#include "engine/visible/screen_rectangle.h"
 
 namespace oblong {
 

@@ -4,21 +4,12 @@
 #include <span>
 #include <vector>
 
-#include "engine/camera/frustum.h"
-#include "engine/geometry/project.h"
 #include "engine/level/level.h"
+#include "engine/visible/view_context.h"
 
 namespace oblong {
 
-/// All that a frame transforms its vertices with.
-struct ViewContext {
-    Vec3<World> eye;
-    Basis axes;
-    Projection lens;
-    Frustum frustum;
-    SubpixelGrid grid;
-};
-
+/// A vertex of the level as one frame sees it.
 struct CachedVertex {
     Vec3<View> view;
     ScreenVertex screen;      ///< where is_projected

@@ -33,8 +33,8 @@ Pair parse_pair(const std::string& text, char between, std::int32_t least, std::
 
 void parse_mode_size(const std::string& text, ScreenMode& mode) {
     const std::string limits =
-        " from 8x8 to " + std::to_string(kLargestModeWidth) + "x" + std::to_string(kLargestModeHeight);
-    const Pair size = parse_pair(text, 'x', 8, kLargestModeWidth, "a mode WIDTHxHEIGHT" + limits);
+        " from 8x8 to " + std::to_string(kLargestMode_px) + "x" + std::to_string(kLargestMode_px);
+    const Pair size = parse_pair(text, 'x', 8, kLargestMode_px, "a mode WIDTHxHEIGHT" + limits);
     mode.width_px = size.first;
     mode.height_px = size.second;
 }

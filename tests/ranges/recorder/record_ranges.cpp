@@ -72,10 +72,10 @@ void draw_level(const std::string& level_path, const std::string& cameras_path, 
     for (const std::int64_t degrees : {1, 10, 170, 179}) {
         draw(scene, with_field_of_view(some, degrees), {}, Tier::Bounded);
         draw(scene, with_field_of_view(corner_cameras(), degrees), {}, Tier::Bounded);
-        draw(scene, with_field_of_view(few, degrees), {kLargestModeWidth, kLargestModeHeight, {4, 3}}, Tier::Bounded);
-        draw(scene, with_field_of_view(few, degrees), {8, kLargestModeHeight, {16, 9}}, Tier::Exact);
+        draw(scene, with_field_of_view(few, degrees), {kLargestMode_px, kLargestMode_px, {4, 3}}, Tier::Bounded);
+        draw(scene, with_field_of_view(few, degrees), {8, kLargestMode_px, {16, 9}}, Tier::Exact);
     }
-    draw(scene, few, {kLargestModeWidth, kLargestModeHeight, {4, 3}}, Tier::Bounded);
+    draw(scene, few, {kLargestMode_px, kLargestMode_px, {4, 3}}, Tier::Bounded);
 }
 
 /// Prints the table; the least head-room in it, in bits, or -1 if a quantity was never noted.
