@@ -28,15 +28,15 @@ ViewSlope rotate_to_view(const Vec3<Fixed<std::int32_t, Frac>>& world, const Bas
 LinearQuantity anchor_at_centre(std::int64_t ahead, std::int64_t per_column, std::int64_t per_row,
                                 const GradientLens& lens) {
     // Half-pixel steps from the optical centre to the centre of pixel (0, 0), whose own centre is one half-pixel in.
-    const auto halves = [](std::int64_t step, std::int32_t centre_2) {
-        return mul_shift(step, 1 - std::int64_t{centre_2}, 1, Rounding::Floor);
+    const auto halves = [](std::int64_t step, std::int32_t centre_1) {
+        return mul_shift(step, 1 - std::int64_t{centre_1}, 1, Rounding::Floor);
     };
     LinearQuantity quantity;
     quantity.per_column = static_cast<std::uint64_t>(per_column);
     quantity.per_row = static_cast<std::uint64_t>(per_row);
     quantity.origin = static_cast<std::uint64_t>(ahead) +
-                      static_cast<std::uint64_t>(halves(per_column, lens.centre_x_2)) +
-                      static_cast<std::uint64_t>(halves(per_row, lens.centre_y_2));
+                      static_cast<std::uint64_t>(halves(per_column, lens.centre_x_1)) +
+                      static_cast<std::uint64_t>(halves(per_row, lens.centre_y_1));
     return quantity;
 }
 

@@ -9,10 +9,10 @@
 
 namespace oblong {
 
-/// What a frame needs again for each face: 1 / multiplier, 62 fraction bits, and the centres, 1/2 pixel.
+/// What a frame needs again for each face: 1 / multiplier, 62 fraction bits, and the optical centre in half pixels.
 struct GradientLens {
     std::int64_t inverse_x_62 = 0, inverse_y_62 = 0;
-    std::int32_t centre_x_2 = 0, centre_y_2 = 0;
+    std::int32_t centre_x_1 = 0, centre_y_1 = 0;
 };
 
 /// Multipliers must be above 1/2 pixel.

@@ -89,12 +89,12 @@ ScreenVertex within_limits(ScreenVertex v) {
 }
 
 /// What a polygon looks like before it is scanned.
-struct Outline {
+struct Profile {
     std::int32_t first_row, end_row;
     bool is_monotone;  ///< goes down once and up once, as convex polygons do
 };
 
-Outline survey(std::span<const ScreenVertex> vertices, std::int32_t height) {
+Profile survey(std::span<const ScreenVertex> vertices, std::int32_t height) {
     std::int32_t top = std::numeric_limits<std::int32_t>::max(), bottom = std::numeric_limits<std::int32_t>::min();
     int turns = 0, direction = 0, first_direction = 0;
     ScreenVertex from = vertices.back();
@@ -135,11 +135,11 @@ void scan_bent(std::span<const ScreenVertex> vertices, RowColumns& rows) {
 void scan_convex(std::span<const ScreenVertex> vertices, RowColumns& rows) {
     rows.first = rows.end = 0;
     if (vertices.size() < 3) return;
-    const Outline outline = survey(vertices, static_cast<std::int32_t>(rows.left.size()));
-    rows.first = outline.first_row;
-    rows.end = outline.end_row;
+    const Profile profile = survey(vertices, static_cast<std::int32_t>(rows.left.size()));
+    rows.first = profile.first_row;
+    rows.end = profile.end_row;
     if (rows.first >= rows.end) return;
-    if (!outline.is_monotone) return scan_bent(vertices, rows);
+    if (!profile.is_monotone) return scan_bent(vertices, rows);
 
     ScreenVertex from = within_limits(vertices.back());
     for (const ScreenVertex& vertex : vertices) {

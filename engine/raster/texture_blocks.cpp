@@ -1,6 +1,5 @@
 #include "engine/raster/texture_blocks.h"
 
-#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -175,34 +174,6 @@ class SpanCutter {
 }
 
 }  // namespace
-
-BlockRule make_block_rule(const Accuracy& accuracy) {
-    BlockRule rule;
-    rule.texturing = accuracy.texturing;
-    const std::int64_t error = accuracy.texture_error_px_256;
-    for (std::size_t k = 0; k < kBlockSizes; ++k) {
-        // A block no longer than the error allowed is within it whatever its slope.
-        const std::int64_t reach = std::max((std::int64_t{256} << k) - error, std::int64_t{0});
-        rule.factor_8[k] = (reach * reach + 4 * error - 1) / (4 * error);
-    }
-    return rule;
-}
-
-BlockLadder make_block_ladder(const BlockRule& rule, std::int64_t inverse_z_step_44) {
-    BlockLadder ladder;
-    const std::uint64_t size = inverse_z_step_44 < 0 ? 0 - static_cast<std::uint64_t>(inverse_z_step_44)
-                                                     : static_cast<std::uint64_t>(inverse_z_step_44);
-    const std::uint64_t capped = std::min(size, std::uint64_t{1} << 50);
-    for (std::size_t k = 0; k < kBlockSizes; ++k) {
-        const auto factor = static_cast<std::uint64_t>(rule.factor_8[k]);
-        const auto bits = std::bit_width(capped) + std::bit_width(factor);
-        std::uint64_t least = bits > 61 ? std::uint64_t{1} << 61 : ((capped * factor) >> 8) + 1;
-        if (inverse_z_step_44 < 0) least += capped << k;
-        note_range<Quantity::LadderProduct>(static_cast<std::int64_t>(least));
-        ladder.least_inverse_z_44[k] = static_cast<std::int64_t>(std::min(least, std::uint64_t{1} << 61));
-    }
-    return ladder;
-}
 
 TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int32_t longest_px) {
     // Flooring a step loses less than a unit of 2^-16 a pixel: from this inset no sample drifts below 0.

@@ -1,4 +1,4 @@
-// The bound on texture error is proved in texture_blocks.h; here it is held against doubles: whatever texel a block
+// The bound on texture error is proved in block_rule.h; here it is held against doubles: whatever texel a block
 // shows at a pixel belongs, on the true plane, no farther from that pixel than the dial says.
 
 #include <gtest/gtest.h>

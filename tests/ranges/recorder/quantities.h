@@ -36,7 +36,7 @@ inline constexpr std::array<QuantityInfo, static_cast<std::size_t>(Quantity::Cou
     {"u/z, v/z at a block's end", "34.30", "raster/texture_blocks.cpp", 63},
     {"u/z, normalised", "0.60", "raster/texture_blocks.cpp", 63},
     {"u/z x reciprocal", "0.60", "raster/texture_blocks.cpp", 63},
-    {"block ladder", "20.44", "raster/texture_blocks.cpp", 63},
+    {"block ladder", "20.44", "raster/block_rule.cpp", 63},
     {"mip comparison, before doubling", "48.16", "frame/face_surface.cpp", 62},
 }};
 
