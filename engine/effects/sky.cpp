@@ -63,14 +63,20 @@ std::uint8_t sky_texel(const SkyTexture& sky, std::int32_t u_16, std::int32_t v_
     return cloud != 0 ? cloud : row[u + sky.size];
 }
 
+/// In 64 bits: the domes of large skies are 2^31 steps wide and more.
+std::int32_t step_between(std::int32_t from_16, std::int32_t to_16, std::int32_t count) {
+    return static_cast<std::int32_t>((std::int64_t{to_16} - from_16) / count);
+}
+
 void draw_sky_span(const Span& span, const SkyTexture& sky, const DirectionField& field, std::uint8_t* row) {
     SkyPosition from = field.at(span.first, span.y, sky.size);
     for (std::int32_t column = span.first; column < span.end;) {
         const std::int32_t count = std::min(kStep_px, span.end - column);
         const SkyPosition to = field.at(column + count, span.y, sky.size);
+        const std::int32_t u_step_16 = step_between(from.u_16, to.u_16, count);
+        const std::int32_t v_step_16 = step_between(from.v_16, to.v_16, count);
         for (std::int32_t i = 0; i < count; ++i)
-            row[column + i] = sky_texel(sky, from.u_16 + (to.u_16 - from.u_16) / count * i,
-                                        from.v_16 + (to.v_16 - from.v_16) / count * i);
+            row[column + i] = sky_texel(sky, from.u_16 + u_step_16 * i, from.v_16 + v_step_16 * i);
         column += count;
         from = to;
     }

@@ -16,7 +16,7 @@ class BrushModels {
   public:
     explicit BrushModels(const Level& level);
 
-    /// Takes the models as they stand now.
+    /// Takes the models as they stand now, each model of the level once at the most.
     void place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
     /// Starts a frame: orders are found anew, and only for models that the frame meets.
     void start_frame() { ++frame_; }
@@ -48,12 +48,12 @@ class BrushModels {
     std::vector<PlacedModel> placed_;
     std::vector<ModelCut> cuts_;  ///< of each placed model
     std::vector<Order> orders_;   ///< of each placed model
-    std::vector<std::int32_t>
-        face_ranks_;  ///< of each face of the level: its place in its model's order; -1: faces away
+    /// Of each face of the level: its place in its model's order; -1: faces away.
+    std::vector<std::int32_t> face_ranks_;
     std::vector<std::int32_t> first_links_;  ///< of each leaf; -1: none
     std::vector<Link> links_;
-    std::vector<const Fragment*> found_;
-    std::vector<std::int32_t> steps_;
+    std::vector<const Fragment*> found_;  ///< what front_to_back_in() returns
+    std::vector<std::int32_t> steps_;     ///< scratch of the walk down a model's tree
     std::uint32_t frame_ = 0;
 };
 

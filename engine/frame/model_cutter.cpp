@@ -16,7 +16,7 @@ World interpolate(World from, World to, std::int64_t part, std::int64_t whole) {
 }
 
 /// Where an edge crosses a plane, always computed from its front end: both pieces and both faces of the edge agree.
-Vec3<World> cross(const Vec3<World>& a, std::int64_t distance_a, const Vec3<World>& b, std::int64_t distance_b) {
+Vec3<World> cross_plane(const Vec3<World>& a, std::int64_t distance_a, const Vec3<World>& b, std::int64_t distance_b) {
     const bool a_in_front = distance_a > distance_b;
     const Vec3<World>&front = a_in_front ? a : b, &back = a_in_front ? b : a;
     const std::int64_t part = a_in_front ? distance_a : distance_b;
@@ -90,7 +90,7 @@ class FaceCutter {
                 const std::int64_t here = distances_[i], there = distances_[next];
                 if (side == 0 ? here >= 0 : here <= 0) cut_.corners.push_back(from);
                 if ((here < 0 && there > 0) || (here > 0 && there < 0))
-                    cut_.corners.push_back(cross(from, here, to, there));
+                    cut_.corners.push_back(cross_plane(from, here, to, there));
             }
             const auto count = static_cast<std::uint32_t>(cut_.corners.size()) - first;
             pieces_.push_back({node.children[static_cast<std::size_t>(side)], first, count});
