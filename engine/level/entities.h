@@ -14,7 +14,7 @@ namespace oblong {
 /// fault, the text's first byte being `first_offset`.
 std::vector<Entity> parse_entities(std::string_view text, std::string_view source, std::int64_t first_offset = 0);
 
-/// A decimal number such as "-12.5" in fixed point: value * 2^fraction_bits (0 to 16), rounded to nearest, a tie away
+/// A decimal number such as "-12.5" in fixed point: value * 2^fraction_bits (0 to 32), rounded to nearest, a tie away
 /// from zero. Digits past the ninth of the fraction are not read. Nothing unless the whole text is a number and
 /// |value| < 2^31.
 std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bits);

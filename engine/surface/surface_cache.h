@@ -11,9 +11,7 @@ namespace oblong {
 class SurfaceCache {
   public:
     SurfaceCache(std::size_t slot_count, std::size_t arena_bytes)
-        : slots_(slot_count),
-          arena_(std::make_unique_for_overwrite<std::uint8_t[]>(arena_bytes)),
-          arena_bytes_(arena_bytes) {}
+        : slots_(slot_count), arena_(new std::uint8_t[arena_bytes]), arena_bytes_(arena_bytes) {}
 
     struct Found {
         std::uint8_t* texels;
@@ -32,7 +30,7 @@ class SurfaceCache {
     };
 
     std::vector<Slot> slots_;
-    std::unique_ptr<std::uint8_t[]> arena_;
+    std::unique_ptr<std::uint8_t[]> arena_;  ///< not cleared: surfaces are written before they are read
     std::size_t arena_bytes_, used_bytes_ = 0;
     std::uint32_t generation_ = 1;
 };

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "engine/base/input_error.h"
 
 namespace oblong {
@@ -61,6 +63,8 @@ TEST(Decimal, RoundsToNearest) {
     EXPECT_EQ(parse_decimal("0.000123", 12), 1);  // 0.504
     EXPECT_EQ(parse_decimal("-0.000123", 12), -1);
     EXPECT_EQ(parse_decimal("2147483647.999999999", 16), std::int64_t{2147483648} * 65536);
+    // 10^-9 is 4.29 steps of 2^-32
+    EXPECT_EQ(parse_decimal("-2147483647.999999999", 32), -(std::numeric_limits<std::int64_t>::max() - 3));
 }
 
 TEST(Decimal, RefusesWhatIsNoNumber) {

@@ -1,8 +1,10 @@
 #include "tools/cli/arguments.h"
 
 #include <charconv>
-#include <cmath>
+#include <cstdlib>
 #include <optional>
+
+#include "engine/level/entities.h"
 
 namespace oblong {
 
@@ -47,11 +49,10 @@ Ratio parse_display(const std::string& text) {
 }
 
 std::int64_t parse_decimal(const std::string& text, int fraction_bits) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed);
-    const bool is_number = error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
-    if (!is_number || std::abs(value) >= 0x1p24) throw UsageError("'" + text + "', expected a decimal number");
-    return std::llround(std::ldexp(value, fraction_bits));
+    const std::optional<std::int64_t> raw = parse_decimal(std::string_view(text), fraction_bits);
+    if (!raw || std::abs(*raw) >= std::int64_t{1} << (24 + fraction_bits))
+        throw UsageError("'" + text + "', expected a decimal number");
+    return *raw;
 }
 
 Degrees parse_field_of_view(const std::string& text) {

@@ -23,8 +23,8 @@ Ratio parse_display(const std::string& text);
 Degrees parse_field_of_view(const std::string& text);
 /// "1991", "1994", "1996", "bounded", "exact".
 Accuracy parse_tier(const std::string& text);
-/// A decimal number such as "-12.375" as raw units of 2^-fraction_bits, rounded to the nearest; |value| below 2^24.
-/// Throws UsageError for anything else, "nan" and "1e3" included.
+/// A decimal number such as "-12.375" as raw units of 2^-fraction_bits (0 to 32), rounded to the nearest; |value| below
+/// 2^24. Throws UsageError for anything else, "nan" and "1e3" included.
 std::int64_t parse_decimal(const std::string& text, int fraction_bits);
 
 }  // namespace oblong
