@@ -15,7 +15,7 @@
 #include "tools/render/camera_list.h"
 
 #if !defined(OBLONG_RECORD_RANGES)
-#error "only a recording engine has ranges to print: see tests/ranges/tests.cmake"
+#error "only a recording engine has ranges to print: see tests/ranges/check_ranges"
 #endif
 
 namespace {
