@@ -11,7 +11,7 @@ namespace oblong {
 struct Camera {
     Vec3<World> eye;
     Angle yaw, pitch, roll;
-    Degrees field_of_view = Degrees::from_int(90);  ///< across the whole width; frames: 1 to 179
+    Degrees field_of_view = Degrees::from_int(90);  ///< across the whole width; 1 to 179
 };
 
 }  // namespace oblong
