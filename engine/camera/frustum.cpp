@@ -43,7 +43,6 @@ Frustum make_frustum(const Basis& axes, const Projection& lens) {
     frustum.clip_planes[1] = {{-x.across, 0, x.along}, 0};
     frustum.clip_planes[2] = {{0, y.across, y.along}, 0};
     frustum.clip_planes[3] = {{0, -y.across, y.along}, 0};
-    frustum.clip_planes[4] = {{0, 0, 1}, kNearZ_16};
     frustum.cull_planes[0] = make_cull_plane(axes.right, x.across, axes.forward, x.along);
     frustum.cull_planes[1] = make_cull_plane(axes.right, -x.across, axes.forward, x.along);
     frustum.cull_planes[2] = make_cull_plane(axes.up, y.across, axes.forward, y.along);

@@ -10,14 +10,11 @@
 
 namespace oblong {
 
-/// The nearest depth that is drawn: 4 steps of View, 2^-14 unit. The side planes pass through the eye, so that what is
-/// clipped to them never projects off the screen however near it comes; this plane only keeps z above zero. A plane
-/// nearer than a unit's 64th is where valid views would show holes (hard case V12).
-inline constexpr std::int64_t kNearZ_16 = 4;
-
-/// Which sides of the view a point is outside of, a bit each.
-enum Outcode : std::uint8_t { kOutLeft = 1, kOutRight = 2, kOutBottom = 4, kOutTop = 8, kOutNear = 16 };
-inline constexpr int kClipPlaneCount = 5;
+/// Which sides of the view a point is outside of, a bit each. There is no near plane: the sides meet in the eye, and
+/// all that is inside of them is before it. What a near plane cuts off a wall that the eye touches is a hole (hard case
+/// V12). Behind the eye is no side of its own, as such a point is outside of another; it tells what wholly lies there.
+enum Outcode : std::uint8_t { kOutLeft = 1, kOutRight = 2, kOutBottom = 4, kOutTop = 8, kOutBehind = 16 };
+inline constexpr int kClipPlaneCount = 4;
 
 /// normal . p - offset >= 0 is inside; p in viewspace, 48.16. Normals below 2^25, so that 35-bit positions give
 /// distances below 2^62.
@@ -53,7 +50,7 @@ inline std::uint8_t outcode_of(const Frustum& frustum, const Vec3<View>& p) {
                        y_limit = frustum.clip_planes[2].normal[2] * p.z.raw;
     return static_cast<std::uint8_t>((x_limit + x < 0) * kOutLeft | (x_limit - x < 0) * kOutRight |
                                      (y_limit + y < 0) * kOutBottom | (y_limit - y < 0) * kOutTop |
-                                     (p.z.raw < kNearZ_16) * kOutNear);
+                                     (p.z.raw < 0) * kOutBehind);
 }
 
 }  // namespace oblong

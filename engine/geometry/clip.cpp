@@ -1,5 +1,7 @@
 #include "engine/geometry/clip.h"
 
+#include <algorithm>
+
 #include "engine/base/range_probe.h"
 #include "engine/fixed/wide.h"
 
@@ -9,6 +11,28 @@ namespace {
 
 View interpolate(View from, View to, std::int64_t part, std::int64_t whole) {
     return View::from_raw(from.raw + mul_div(to.raw - from.raw, part, whole, Rounding::NearestHalfUp));
+}
+
+bool is_outside(const ClipVertex& vertex, const ClipPlane& plane, std::uint8_t border) {
+    if (border != 0 && !(vertex.undecided & border)) return (vertex.outcode & border) != 0;
+    return plane.distance(vertex.position) < 0;
+}
+
+/// Rounded positions may lie a step on the other side of where they were decided to be; then they lie on the plane.
+void append_crossing(const ClipVertex& inside, const ClipVertex& outside, const ClipPlane& plane, std::uint8_t border,
+                     std::vector<ClipVertex>& out) {
+    const std::int64_t distance = plane.distance(inside.position);
+    if (distance <= 0 && border == 0) return;
+    const std::int64_t beyond = std::min(plane.distance(outside.position), std::int64_t{0});
+    ClipVertex crossing;
+    crossing.position =
+        distance <= 0 ? inside.position : cross_plane(inside.position, distance, outside.position, beyond);
+    // Both ends on a border: so is what lies between.
+    crossing.borders = static_cast<std::uint8_t>((inside.borders & outside.borders) | border);
+    crossing.outcode = inside.outcode & outside.outcode;
+    crossing.undecided =
+        static_cast<std::uint8_t>(inside.undecided | outside.undecided | (inside.outcode ^ outside.outcode));
+    out.push_back(crossing);
 }
 
 }  // namespace
@@ -26,18 +50,14 @@ void clip_to_plane(const ClipPlane& plane, std::uint8_t border, const std::vecto
                    std::vector<ClipVertex>& out) {
     out.clear();
     const ClipVertex* previous = &in.back();
-    std::int64_t previous_distance = plane.distance(previous->position);
+    bool was_outside = is_outside(*previous, plane, border);
     for (const ClipVertex& vertex : in) {
-        const std::int64_t distance = plane.distance(vertex.position);
-        // Both ends on a border: so is what lies between.
-        const auto borders = static_cast<std::uint8_t>((previous->borders & vertex.borders) | border);
-        if (previous_distance > 0 && distance < 0)
-            out.push_back({cross_plane(previous->position, previous_distance, vertex.position, distance), borders});
-        if (previous_distance < 0 && distance > 0)
-            out.push_back({cross_plane(vertex.position, distance, previous->position, previous_distance), borders});
-        if (distance >= 0) out.push_back(vertex);
+        const bool is_out = is_outside(vertex, plane, border);
+        if (is_out && !was_outside) append_crossing(*previous, vertex, plane, border, out);
+        if (!is_out && was_outside) append_crossing(vertex, *previous, plane, border, out);
+        if (!is_out) out.push_back(vertex);
         previous = &vertex;
-        previous_distance = distance;
+        was_outside = is_out;
     }
 }
 

@@ -9,10 +9,14 @@ namespace oblong {
 
 /// A corner on its way through the clip planes. `borders` are the sides of the view on which clipping put it (Outcode's
 /// bits): there it projects exactly onto the screen's border, however near to the eye it lies and however coarse its
-/// position therefore is.
+/// position therefore is. Which sides it is outside of is decided once: a corner that clipping makes on an edge is
+/// where both of the edge's ends are, whatever its rounded position says. So all faces that share an edge, whatever
+/// their other corners, are left with the same part of it.
 struct ClipVertex {
     Vec3<View> position;
     std::uint8_t borders = 0;
+    std::uint8_t outcode = 0;       ///< the sides that it is outside of, where decided
+    std::uint8_t undecided = 0xff;  ///< the sides of which its position has yet to say
 };
 
 /// Two buffers that a polygon is clipped back and forth between; kept from frame to frame, so that nothing is
@@ -31,8 +35,8 @@ Vec3<View> cross_plane(const Vec3<View>& inside, std::int64_t distance_inside, c
 /// Hodgman, "Reentrant polygon clipping", CACM 17 (1974).
 void clip_polygon(const Frustum& frustum, unsigned outcodes, ClipScratch& scratch);
 
-/// Clips `in` to one plane, into `out`; corners put on it get `border`. A corner on the plane is inside, and is never
-/// doubled (hard case C1).
+/// Clips `in` to one plane, into `out`; corners put on it get `border`, which is also the plane's bit in outcodes (0:
+/// of this plane nothing is decided). A corner on the plane is inside, and is never doubled (hard case C1).
 void clip_to_plane(const ClipPlane& plane, std::uint8_t border, const std::vector<ClipVertex>& in,
                    std::vector<ClipVertex>& out);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "engine/camera/frustum.h"
 #include "engine/math/vec.h"
 #include "engine/screen/projection.h"
@@ -7,15 +9,16 @@
 
 namespace oblong {
 
-/// Where a point in viewspace lands, pixels, 56.8, rounded once to the nearest 1/256. Its z is above 0. Any screen
-/// position is right to 1/512 + 64 * 2^-17 pixel.
+/// Where a point in viewspace lands, pixels, 56.8, rounded once to the nearest 1/256. Any screen position is right to
+/// 1/512 + 64 * 2^-17 pixel. Its z is above 0, or 0 or less by rounding where clipping left a corner next to the eye.
 struct ScreenPosition {
     ScreenWide x, y;
 };
 
 inline ScreenPosition project(const Vec3<View>& p, const Projection& lens) {
-    return {ScreenWide::from_raw(lens.x.centre.raw + project_axis_8(lens.x, p.x.raw, p.z.raw)),
-            ScreenWide::from_raw(lens.y.centre.raw + project_axis_8(lens.y, -p.y.raw, p.z.raw))};
+    const std::int64_t z_16 = std::max(p.z.raw, std::int64_t{1});
+    return {ScreenWide::from_raw(lens.x.centre.raw + project_axis_8(lens.x, p.x.raw, z_16)),
+            ScreenWide::from_raw(lens.y.centre.raw + project_axis_8(lens.y, -p.y.raw, z_16))};
 }
 
 /// The dial of sub-pixel precision: how many fraction bits a screen vertex keeps.

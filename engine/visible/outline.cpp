@@ -48,7 +48,8 @@ bool make_face_outline(std::span<const std::int32_t> corner_indices, const ViewC
         return true;
     }
     outline.clip.polygon.clear();
-    for (const CachedVertex* corner : outline.corners) outline.clip.polygon.push_back({corner->view, 0});
+    for (const CachedVertex* corner : outline.corners)
+        outline.clip.polygon.push_back({corner->view, 0, corner->outcode, 0});
     return clip_and_project(any_outside, view, outline);
 }
 
@@ -57,10 +58,10 @@ bool make_polygon_outline(std::span<const Vec3<World>> corners, const ViewContex
     outline.clip.polygon.clear();
     for (const Vec3<World>& corner : corners) {
         const Vec3<View> vertex = to_view(corner, view.eye, view.axes);
-        const unsigned outcode = outcode_of(view.frustum, vertex);
+        const std::uint8_t outcode = outcode_of(view.frustum, vertex);
         any_outside |= outcode;
         all_outside &= outcode;
-        outline.clip.polygon.push_back({vertex, 0});
+        outline.clip.polygon.push_back({vertex, 0, outcode, 0});
     }
     return all_outside == 0 && clip_and_project(any_outside, view, outline);
 }

@@ -22,7 +22,7 @@ Projection any_lens() {
     return make_projection(mode, Degrees::from_int(*rc::gen::inRange(1, 179)));
 }
 
-/// From the near plane to the far end of the world, evenly over its powers of two.
+/// From next to the eye to the far end of the world, evenly over its powers of two.
 std::int64_t any_depth_16() {
     return *rc::gen::inRange<std::int64_t>(4, 8) << *rc::gen::inRange(0, 29);
 }

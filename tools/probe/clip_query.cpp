@@ -58,8 +58,9 @@ ClipJob make_job(const std::vector<Corner>& fine_corners, View near, View far) {
         job.polygon.push_back({{scaled(corner.x), scaled(corner.y), scaled(corner.z)}, 0});
     // Depths beyond the polygon clip nothing.
     const View beyond = View::from_raw(largest + 1);
-    // The frame's near plane, where the query has none before the eye: the sides of the view meet there.
-    job.near = std::max(scaled(std::min(near, beyond)), View::from_raw(kNearZ_16));
+    // Before the eye, where the query's plane is not: the sides of the view meet there.
+    constexpr View kLeastNear = View::from_raw(4);
+    job.near = std::max(scaled(std::min(near, beyond)), kLeastNear);
     job.far = scaled(std::min(far, beyond));
     return job;
 }
