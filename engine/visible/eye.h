@@ -13,7 +13,8 @@ struct PlacedEye {
 /// Moves an eye that lies within 2 steps of World (1/2,048 unit) of a plane that bounds its leaf to that distance from
 /// it: an eye in the plane of a face sees it neither from the front nor from the back, and half the screen would stay
 /// empty (hard case V11). A point on a plane belongs to the back of it (find_leaf), and is moved to the back; to the
-/// front if the back is solid and the front is not.
+/// front if the back is solid and the front is not. On an edge or in a corner so sharp that there is no such place next
+/// to it: to the first found within 1/32 unit.
 PlacedEye place_eye(const Level& level, Vec3<World> eye);
 
 }  // namespace oblong
