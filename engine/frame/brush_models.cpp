@@ -8,6 +8,10 @@ namespace oblong {
 
 namespace {
 
+/// A model may come to the eye, or the eye to it, as no plane of the world does (place_eye). A face that the eye is
+/// nearer to than this, half a step of World, it may as well be in: so it is edge-on, and shows nothing.
+constexpr std::int64_t kEdgeOn_42 = std::int64_t{1} << 29;
+
 /// Gives the model's faces that face the eye their places, nearest first by the model's own tree; the others -1.
 void rank_faces(const Level& level, const SubModel& model, const Vec3<World>& local_eye,
                 std::vector<std::int32_t>& steps, std::vector<std::int32_t>& ranks) {
@@ -20,8 +24,10 @@ void rank_faces(const Level& level, const SubModel& model, const Vec3<World>& lo
         const std::int32_t step = steps.back();
         steps.pop_back();
         const Node& node = level.nodes[static_cast<std::size_t>(step < 0 ? ~step : step)];
-        const bool in_front = plane_distance_42(level.planes[static_cast<std::size_t>(node.plane)], local_eye) > 0;
+        const std::int64_t distance = plane_distance_42(level.planes[static_cast<std::size_t>(node.plane)], local_eye);
+        const bool in_front = distance > 0;
         if (step < 0) {
+            if (distance < kEdgeOn_42 && distance > -kEdgeOn_42) continue;
             for (std::int32_t face = node.first_face; face < node.first_face + node.face_count; ++face)
                 if (level.faces[static_cast<std::size_t>(face)].is_back != in_front)
                     ranks[static_cast<std::size_t>(face)] = rank++;

@@ -34,8 +34,9 @@ struct Scene {
 };
 
 /// Draws one picture: a pure function of its first four arguments. Every pixel of `out` (whose size is the mode's) is
-/// written once; where the world has a hole, with colour 0. Fields of view are bounded by make_projection() and, in
-/// modes of few pixels, by make_gradient_lens().
+/// written once: in the open by the world, which leaves no pixel free. From inside a wall or behind the sky all faces
+/// that face the eye are drawn, and what none of them covers is colour 0. Fields of view are bounded by
+/// make_projection() and, in modes of few pixels, by make_gradient_lens().
 void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
                 FrameWorkspace& work, Framebuffer out);
 

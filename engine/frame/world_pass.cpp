@@ -13,18 +13,18 @@ void draw_world(const FrameContext& frame, FrameWorkspace& work) {
     work.brush_models.start_frame();
 
     const bool has_models = frame.plan.effects.has(Effect::BrushModels);
-    walk_front_to_back(
-        level, frame.view.eye, frame.view.frustum, work.visible,
-        both_sides_distance_42(frame.settings.accuracy.subpixel_bits), work.walk,
-        [&](std::int32_t leaf) {
-            if (has_models) draw_fragments_in(leaf, frame, work);
-        },
-        [&](std::int32_t face) { draw_world_face(face, frame, work); },
-        [&](const LevelBox& box) {
-            const std::optional<ScreenRectangle> rectangle = rectangle_of(box, frame.view);
-            return rectangle && !work.coverage.may_be_free(*rectangle);
-        },
-        [&] { return work.coverage.is_full(); });
+    const auto on_leaf = [&](std::int32_t leaf) {
+        if (has_models) draw_fragments_in(leaf, frame, work);
+    };
+    const auto on_face = [&](std::int32_t face) { draw_world_face(face, frame, work); };
+    const auto is_hidden = [&](const LevelBox& box) {
+        const std::optional<ScreenRectangle> rectangle = rectangle_of(box, frame.view);
+        return rectangle && !work.coverage.may_be_free(*rectangle);
+    };
+    const auto is_done = [&] { return work.coverage.is_full(); };
+    walk_front_to_back(level, frame.view.eye, frame.view.frustum, work.visible, work.walk, on_leaf, on_face, is_hidden,
+                       is_done);
+    walk_all_faces(level, frame.view.eye, frame.view.frustum, work.walk, on_face, is_hidden, is_done);
 }
 
 }  // namespace oblong

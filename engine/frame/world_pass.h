@@ -6,7 +6,7 @@
 namespace oblong {
 
 /// Draws the world and its brush models front to back, each pixel once. Sky is only claimed: its spans are left in
-/// work.sky_spans. What is left free at the end is a hole.
+/// work.sky_spans. From the open nothing is left free.
 void draw_world(const FrameContext& frame, FrameWorkspace& work);
 
 }  // namespace oblong

@@ -24,8 +24,8 @@ struct Perspective {
     }
 };
 
-/// The largest 1/z that Depth takes, at z = 2^-15 unit; what is nearer is drawn as if it were there. The smallest: beyond
-/// any world.
+/// The largest 1/z that Depth takes, at z = 2^-15 unit; what is nearer is drawn as if it were there. The smallest:
+/// beyond any world.
 constexpr std::int64_t kGreatestInverseZ_44 = std::int64_t{1} << 59, kLeastInverseZ_44 = std::int64_t{1} << 24;
 
 /// std::clamp by value: the compiler then keeps all of it in registers.

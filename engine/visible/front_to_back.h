@@ -33,11 +33,8 @@ inline constexpr std::uint8_t kAllSides = 15, kOutside = 0xff;
 /// to the screen, such a face may turn round and show pixels that its neighbours, rounded too, leave. Drawn, it is what
 /// closes the outline of what is seen; most often it covers nothing. A face of L units at depth z turns round where it
 /// is d <= z^2 / (160 L) * (twice the rounding) before its plane: 32 units do for 16-unit faces 3,600 units away at
-/// 1/256 pixel. Coarser grids ask for more, in proportion, up to 1,024 units: beyond, faces that turn round by whole
-/// pixels are farther than levels are wide.
-constexpr std::int64_t both_sides_distance_42(std::int32_t subpixel_bits) {
-    return std::int64_t{32} << (42 + (subpixel_bits < 3 ? 5 : 8 - subpixel_bits));
-}
+/// 1/256 pixel. What coarser grids leave is for walk_all_faces().
+inline constexpr std::int64_t kBothSidesDistance_42 = std::int64_t{32} << 42;
 
 /// Walks the world's tree front to back (Fuchs, Kedem and Naylor 1980; Abrash, Black Book, ch. 62). Calls on_leaf(leaf)
 /// for every leaf that may be seen, and on_face(face) for the faces that border such leaves and face the eye. A face
@@ -45,8 +42,7 @@ constexpr std::int64_t both_sides_distance_42(std::int32_t subpixel_bits) {
 /// not entered; ends early when is_done() says so.
 template <class OnLeaf, class OnFace, class IsHidden, class IsDone>
 void walk_front_to_back(const Level& level, const Vec3<World>& eye, const Frustum& frustum, const VisibleSet& visible,
-                        std::int64_t both_sides_42, WalkScratch& scratch, OnLeaf on_leaf, OnFace on_face,
-                        IsHidden is_hidden, IsDone is_done) {
+                        WalkScratch& scratch, OnLeaf on_leaf, OnFace on_face, IsHidden is_hidden, IsDone is_done) {
     const std::uint32_t mark = ++scratch.mark;
     scratch.steps.assign(1, {level.models[0].head_nodes[0], false, false, kAllSides});
 
@@ -85,10 +81,46 @@ void walk_front_to_back(const Level& level, const Vec3<World>& eye, const Frustu
         const bool in_front = distance > 0;
         // Last in, first out: near side, faces toward the eye, far side; and those that only rounding shows, whose
         // leaves are on the far side.
-        const bool is_thin = node.face_count > 0 && distance < both_sides_42 && distance > -both_sides_42;
+        const bool is_thin =
+            node.face_count > 0 && distance < kBothSidesDistance_42 && distance > -kBothSidesDistance_42;
         if (is_thin) scratch.steps.push_back({step.node, true, !in_front, planes});
         scratch.steps.push_back({node.children[in_front], false, false, planes});
         if (node.face_count > 0) scratch.steps.push_back({step.node, true, in_front, planes});
+        scratch.steps.push_back({node.children[!in_front], false, false, planes});
+    }
+}
+
+/// Calls on_face(face) for all faces of the world, near ones first, whatever is seen from where and whichever way they
+/// face: for the pixels that walk_front_to_back() leaves. Subtrees outside the view or whose box is_hidden(box) are not
+/// entered; ends early when is_done() says so.
+///
+/// Why it leaves none. The faces of a world are a closed surface (each edge is walked once in each direction:
+/// T-junctions are mended), and around an eye in its open side it is wound once: along each ray, faces that are
+/// clockwise on the screen count +1, those that are counter-clockwise -1, and the sum is 1. Rounding moves corners, but
+/// each for all its faces alike, and clipping leaves all faces of an edge the same part of it: the surface stays
+/// closed, and the sum can only change where it passes through the eye, which place_eye() keeps clear of it. So every
+/// pixel is covered by a clockwise outline, rounded by however much. But it may be that of a face which truly faces
+/// away, or which is not in the visible set, as that is true of exact outlines only.
+template <class OnFace, class IsHidden, class IsDone>
+void walk_all_faces(const Level& level, const Vec3<World>& eye, const Frustum& frustum, WalkScratch& scratch,
+                    OnFace on_face, IsHidden is_hidden, IsDone is_done) {
+    scratch.steps.assign(1, {level.models[0].head_nodes[0], false, false, kAllSides});
+    while (!scratch.steps.empty() && !is_done()) {
+        const WalkStep step = scratch.steps.back();
+        scratch.steps.pop_back();
+        if (step.node < 0) continue;
+        const Node& node = level.nodes[static_cast<std::size_t>(step.node)];
+        if (step.draws_faces) {
+            for (const bool front : {step.draws_front, !step.draws_front})
+                for (std::int32_t face = node.first_face; face < node.first_face + node.face_count; ++face)
+                    if (level.faces[static_cast<std::size_t>(face)].is_back != front) on_face(face);
+            continue;
+        }
+        const std::uint8_t planes = planes_crossed(frustum, node.box, eye, step.planes_to_test);
+        if (planes == kOutside || is_hidden(node.box)) continue;
+        const bool in_front = plane_distance_42(level.planes[static_cast<std::size_t>(node.plane)], eye) > 0;
+        scratch.steps.push_back({node.children[in_front], false, false, planes});
+        scratch.steps.push_back({step.node, true, in_front, planes});
         scratch.steps.push_back({node.children[!in_front], false, false, planes});
     }
 }

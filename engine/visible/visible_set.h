@@ -12,7 +12,8 @@ class VisibleSet {
   public:
     explicit VisibleSet(const Level& level);
 
-    /// Marks what may be seen from `leaf`. From solid leaves: everything.
+    /// Marks what may be seen from `leaf`: everything from solid and from sky, whose own sets hold nothing but
+    /// themselves.
     void see_from(const Level& level, std::int32_t leaf);
     bool has_node(std::int32_t node) const { return node_marks_[static_cast<std::size_t>(node)] == mark_; }
     bool has_leaf(std::int32_t leaf) const { return leaf_marks_[static_cast<std::size_t>(leaf)] == mark_; }

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "engine/frame/face_table.h"
@@ -66,6 +68,29 @@ TEST_P(MendedOutlines, HardCaseE9_NoCornerLiesWithinAnEdge) {
         for (std::size_t i = 0; i < corners.size(); ++i)
             ASSERT_FALSE(has_vertex_inside(stage.level, by_x, corners[i], corners[(i + 1) % corners.size()])) << face;
     }
+}
+
+/// So that a frame has no hole: walk_all_faces() (visible/front_to_back.h).
+TEST_P(MendedOutlines, TheFacesOfTheWorldAreAClosedSurface) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    const Stage stage = real_stage(GetParam());
+    const FaceTable table = make_face_table(stage.level);
+    using Place = std::array<std::int32_t, 3>;
+    const auto place_of = [&](std::int32_t vertex) {
+        const Vec3<World>& p = stage.level.vertices[static_cast<std::size_t>(vertex)];
+        return Place{p.x.raw, p.y.raw, p.z.raw};
+    };
+    std::map<std::pair<Place, Place>, int> walked;  // of each edge, how often more in its direction than back
+    for (std::int32_t face = 0; face < stage.level.models[0].face_count; ++face) {
+        const std::span<const std::int32_t> corners = table.corners_of(face);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Place from = place_of(corners[i]), to = place_of(corners[(i + 1) % corners.size()]);
+            ++walked[{from, to}];
+            --walked[{to, from}];
+        }
+    }
+    EXPECT_GT(walked.size(), 5000u);
+    EXPECT_EQ(std::count_if(walked.begin(), walked.end(), [](const auto& edge) { return edge.second != 0; }), 0);
 }
 
 TEST_P(MendedOutlines, CornersComeInTheOrderOfTheFaceAndSomeAreNew) {

@@ -1,0 +1,123 @@
+// Eyes where engines fail: exactly on corners, on edges, in faces; at fields of view from 1 to 178 degrees; with doors
+// and lifts at any offset. Every pixel is written once all the same. And eyes where nobody should be: in a wall, behind
+// the sky.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "engine/visible/eye.h"
+#include "tests/frame/holes.h"
+
+namespace oblong::test {
+
+namespace {
+
+enum class On { Corner, Edge, Face };
+
+std::int32_t between(std::int32_t a, std::int32_t b, std::int32_t part_of_64) {
+    return static_cast<std::int32_t>(a + (std::int64_t{b} - a) * part_of_64 / 64);
+}
+
+Vec3<World> between(const Vec3<World>& a, const Vec3<World>& b, std::int32_t part_of_64) {
+    return {World::from_raw(between(a.x.raw, b.x.raw, part_of_64)),
+            World::from_raw(between(a.y.raw, b.y.raw, part_of_64)),
+            World::from_raw(between(a.z.raw, b.z.raw, part_of_64))};
+}
+
+/// A point of a face of the world.
+Vec3<World> point_on_a_face(const Level& level, const FaceTable& table, On on, std::mt19937& random) {
+    const SubModel& world = level.models[0];
+    const auto face = world.first_face + static_cast<std::int32_t>(random() % static_cast<unsigned>(world.face_count));
+    const std::span<const std::int32_t> corners = table.corners_of(face);
+    const std::size_t first = random() % corners.size();
+    const auto corner = [&](std::size_t i) {
+        return level.vertices[static_cast<std::size_t>(corners[(first + i) % corners.size()])];
+    };
+    const auto part = [&] { return static_cast<std::int32_t>(random() % 65); };
+    if (on == On::Corner) return corner(0);
+    const Vec3<World> on_edge = between(corner(0), corner(1), part());
+    return on == On::Edge ? on_edge : between(on_edge, corner(2), part());
+}
+
+Camera random_view_from(const Vec3<World>& eye, std::mt19937& random) {
+    Camera camera;
+    camera.eye = eye;
+    camera.yaw = Angle::from_bam(random());
+    camera.pitch = Angle::from_bam(random() % 32768 - 16384);
+    camera.roll = random() % 3 ? Angle{} : Angle::from_bam(random());
+    constexpr std::array<int, 6> kExtremes{1, 5, 30, 150, 170, 178};
+    camera.field_of_view =
+        Degrees::from_int(random() % 2 ? kExtremes[random() % kExtremes.size()] : 1 + static_cast<int>(random() % 178));
+    return camera;
+}
+
+Stage stage_named(const std::string& name) {
+    return name == "demo" ? demo_stage() : real_stage(name);
+}
+
+bool is_place_open(const Level& level, const Vec3<World>& eye) {
+    return is_open(level, place_eye(level, eye).position);
+}
+
+class HardEyes : public testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST_P(HardEyes, HardCaseV13_NoHoleFromCornersEdgesAndFaces) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    Stage stage = stage_named(GetParam());
+    const auto work = counting_workspace(stage);
+    std::mt19937 random(13);
+    for (int i = 0; i < 2000 && !HasFailure(); ++i) {
+        const On on = std::array{On::Corner, On::Edge, On::Face}[static_cast<std::size_t>(i % 3)];
+        const Vec3<World> eye = point_on_a_face(stage.level, work->faces, on, random);
+        stage.settings.accuracy = accuracy_of(i % 2 ? Tier::Bounded : Tier::Year1991);
+        if (is_place_open(stage.level, eye)) expect_each_pixel_once(stage, random_view_from(eye, random), *work);
+    }
+}
+
+TEST_P(HardEyes, HardCaseV13_EyesOnCornersAreMovedClearOfAllPlanes) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    const Stage stage = stage_named(GetParam());
+    const FaceTable table = make_face_table(stage.level);
+    const SubModel& world = stage.level.models[0];
+    for (std::int32_t face = world.first_face; face < world.first_face + world.face_count; ++face)
+        for (const std::int32_t corner : table.corners_of(face)) {
+            const Vec3<World> eye = stage.level.vertices[static_cast<std::size_t>(corner)];
+            const PlacedEye placed = place_eye(stage.level, eye);
+            std::int32_t node = world.head_nodes[0];
+            double nearest = 1;
+            while (node >= 0) {
+                const Node& at = stage.level.nodes[static_cast<std::size_t>(node)];
+                const LevelPlane& plane = stage.level.planes[static_cast<std::size_t>(at.plane)];
+                const double distance = std::ldexp(static_cast<double>(plane_distance_42(plane, placed.position)), -42);
+                nearest = std::min(nearest, std::abs(distance));
+                node = at.children[plane_side(plane, placed.position) > 0 ? 0 : 1];
+            }
+            ASSERT_GE(nearest, 1.0 / 2048) << "corner " << corner;
+            ASSERT_NE(stage.level.leaves[static_cast<std::size_t>(placed.leaf)].contents, contents::kSolid) << corner;
+        }
+}
+
+TEST_P(HardEyes, NoHoleWithModelsAtAnyOffset) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    Stage stage = stage_named(GetParam());
+    const auto work = counting_workspace(stage);
+    std::mt19937 random(14);
+    for (int i = 0; i < 500 && !HasFailure(); ++i) {
+        constexpr std::array<std::int32_t, 6> kOffsets{0, 0, 1024, 4096 * 17, -4096 * 32, 4096 * 64 + 77};
+        const auto offset = [&] { return World::from_raw(kOffsets[random() % kOffsets.size()]); };
+        for (PlacedModel& model : stage.models) model.offset = {offset(), offset(), offset()};
+        const Vec3<World> eye = point_on_a_face(stage.level, work->faces, On::Face, random);
+        stage.settings.accuracy = accuracy_of(i % 2 ? Tier::Bounded : Tier::Year1991);
+        if (is_place_open(stage.level, eye)) expect_each_pixel_once(stage, random_view_from(eye, random), *work);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, HardEyes, testing::Values("dm4", "e1m7", "end", "demo"),
+                         [](const auto& name) { return name.param; });
+
+}  // namespace oblong::test
