@@ -1,11 +1,15 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "engine/level/level.h"
 #include "game/state.h"
 
 namespace oblong {
+
+/// Nothing of a level is farther than so many units from its origin, along each axis.
+inline constexpr std::int32_t kWorldEnd = 32'768;
 
 /// An axis-aligned box in world units, its sides within it.
 struct Box {
@@ -28,8 +32,13 @@ inline Place place_of(std::int32_t x, std::int32_t y, std::int32_t z) {
     return {World::from_int(x), World::from_int(y), World::from_int(z)};
 }
 
+/// A box of the file in world units, cut off at the ends of the world: compilers write any number for an empty model.
 inline Box box_of(const LevelBox& box) {
-    return {place_of(box.mins[0], box.mins[1], box.mins[2]), place_of(box.maxs[0], box.maxs[1], box.maxs[2])};
+    const auto corner = [](const std::array<std::int32_t, 3>& at) {
+        const auto within = [](std::int32_t units) { return std::clamp(units, -kWorldEnd, kWorldEnd); };
+        return place_of(within(at[0]), within(at[1]), within(at[2]));
+    };
+    return {corner(box.mins), corner(box.maxs)};
 }
 
 /// The player's box at a place: hull 1 of a level is made for it.

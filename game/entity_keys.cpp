@@ -4,6 +4,7 @@
 
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
+#include "game/box.h"
 
 namespace oblong {
 namespace {
@@ -29,7 +30,10 @@ World number_of(const Entity& entity, const char* key, std::int32_t otherwise, s
 }
 
 std::optional<Place> origin_of(const Entity& entity) {
-    return parse_world_vector(entity.value("origin"));
+    const auto origin = parse_world_vector(entity.value("origin"));
+    const auto is_within = [](World w) { return w <= World::from_int(kWorldEnd) && w >= World::from_int(-kWorldEnd); };
+    const bool is_in_the_world = origin && is_within(origin->x) && is_within(origin->y) && is_within(origin->z);
+    return is_in_the_world ? origin : std::nullopt;
 }
 
 std::optional<std::int32_t> model_of(const Entity& entity, const Level& level) {

@@ -12,7 +12,7 @@ namespace oblong {
 /// The number of a key in world units; `otherwise` where it is absent, no number, or beyond +-`largest`.
 World number_of(const Entity& entity, const char* key, std::int32_t otherwise, std::int32_t largest = 32'768);
 
-/// "origin", or nothing.
+/// "origin"; nothing where it is absent, no place, or outside the world.
 std::optional<Place> origin_of(const Entity& entity);
 
 /// The model that "model" names ("*3"), 1 and up; nothing where there is no such.

@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "game/font.h"
 
@@ -10,7 +11,7 @@ namespace oblong {
 namespace {
 
 constexpr std::uint64_t kMessageStays_us = 2'500'000;
-constexpr std::int32_t kMargin_px = 4;
+constexpr std::int32_t kMargin_px = 4, kPanelSide_px = 10;
 
 constexpr std::array<std::string_view, 17> kHelp{
     "Oblong",
@@ -33,9 +34,18 @@ constexpr std::array<std::string_view, 17> kHelp{
 };
 
 void draw_end(std::string_view message, Inks inks, Framebuffer canvas) {
-    const std::array<std::string_view, 4> lines{message.empty() ? "You have reached the end." : message, "",
-                                                "Thank you for playing.", "Esc frees the mouse, then leaves."};
+    std::vector<std::string_view> lines =
+        lines_of(message.empty() ? "You have reached the end." : message, canvas.width_px - 2 * kPanelSide_px);
+    lines.insert(lines.end(), {"", "Thank you for playing.", "Esc frees the mouse, then leaves."});
     draw_panel(canvas, lines, inks);
+}
+
+void draw_message(std::string_view message, Inks inks, Framebuffer canvas) {
+    std::int32_t y = kMargin_px;
+    for (const std::string_view line : lines_of(message, canvas.width_px - 2 * kMargin_px)) {
+        draw_text(canvas, kMargin_px, y, line, inks);
+        y += kLineHeight_px;
+    }
 }
 
 }  // namespace
@@ -48,8 +58,7 @@ void tell(Hud& hud, std::string message, std::uint64_t now_us) {
 void draw_hud(const Hud& hud, std::uint64_t now_us, Inks inks, Framebuffer canvas) {
     if (hud.shows_end) draw_end(hud.end_message, inks, canvas);
     if (hud.shows_help) draw_panel(canvas, kHelp, inks);
-    if (!hud.message.empty() && now_us < hud.message_ends_us)
-        draw_text(canvas, kMargin_px, kMargin_px, hud.message, inks);
+    if (!hud.message.empty() && now_us < hud.message_ends_us) draw_message(hud.message, inks, canvas);
     if (!hud.cost.empty())
         draw_text(canvas, kMargin_px, canvas.height_px - kLineHeight_px - kMargin_px, hud.cost, inks);
 }

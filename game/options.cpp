@@ -1,7 +1,6 @@
 #include "game/options.h"
 
 #include <charconv>
-#include <cmath>
 #include <optional>
 #include <string_view>
 
@@ -39,11 +38,6 @@ WindowSize pair_of(const char* option, const std::string& text, char between, st
     return *pair;
 }
 
-Degrees degrees_of(double degrees) {
-    if (!(degrees >= 1 && degrees <= 179)) refuse("--fov", std::to_string(degrees), "1 to 179 degrees");
-    return Degrees::from_raw(std::llround(std::ldexp(degrees, Degrees::kFractionBits)));
-}
-
 Tier tier_of(const std::string& name) {
     if (const auto tier = tier_named(name)) return *tier;
     refuse("--accuracy", name, "1991, 1994, 1996, bounded or exact");
@@ -57,8 +51,8 @@ Scaling scaling_of(const std::string& name) {
 
 // The options of numbers and names, as they were written.
 struct Words {
-    std::string mode = "320x200", display = "4:3", window, accuracy = "bounded", scaling = "sharp";
-    double field_of_view = 90;
+    std::string mode = "320x200", display = "4:3", field_of_view = "90", window, accuracy = "bounded",
+                scaling = "sharp";
 };
 
 void declare(Command& line, Options& options, Words& words) {
@@ -87,7 +81,7 @@ void interpret(const Words& words, Options& options) {
     const WindowSize display = pair_of("--display", words.display, ':', kLargestDisplayPart);
     options.mode = {mode.width_px, mode.height_px, Ratio{display.width_px, display.height_px}};
     if (!words.window.empty()) options.window = pair_of("--window", words.window, 'x', 16'384);
-    options.field_of_view = degrees_of(words.field_of_view);
+    options.field_of_view = parse_field_of_view(words.field_of_view);
     options.tier = tier_of(words.accuracy);
     options.scaling = scaling_of(words.scaling);
 }

@@ -56,10 +56,19 @@ void time_demo(const Options& options, const GameData& data, const Stage& stage)
     std::cout << describe(result) << '\n';
 }
 
+// Before the game is played, not after it.
+void expect_place_for(const std::string& file) {
+    const fs::path folder = fs::path(file).parent_path();
+    if (fs::is_directory(file)) throw FileError(file, "write", "is a folder, expected a file");
+    if (!folder.empty() && !fs::is_directory(folder))
+        throw FileError(file, "write", folder.string() + " is no folder, expected a place for a file");
+}
+
 void play(const Options& options, const GameData& data, const Stage& stage) {
     std::optional<Demo> demo;
     if (!options.replay.empty()) demo = read_parsed(options.replay, decode_demo);
     const bool records = !options.record.empty();
+    if (records) expect_place_for(options.record);
     naming_file(options.replay, [&] {
         Hands hands(start_of(stage), demo, records);
         const auto platform = open_platform(options);

@@ -51,6 +51,19 @@ std::int32_t text_width_px(std::string_view line) {
     return static_cast<std::int32_t>(line.size()) * kGlyphAdvance_px;
 }
 
+std::vector<std::string_view> lines_of(std::string_view text, std::int32_t width_px) {
+    const auto most = static_cast<std::size_t>(std::max(width_px / kGlyphAdvance_px, 1));
+    std::vector<std::string_view> lines;
+    do {
+        std::string_view line = text.substr(0, std::min(text.find('\n'), most + 1));
+        if (line.size() > most) line = line.substr(0, std::min(line.rfind(' '), most));
+        lines.push_back(line);
+        text.remove_prefix(line.size());
+        if (!text.empty() && (text.front() == ' ' || text.front() == '\n')) text.remove_prefix(1);
+    } while (!text.empty());
+    return lines;
+}
+
 void draw_text(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, Inks inks) {
     draw_plain(canvas, x + 1, y + 1, line, inks.dark);
     draw_plain(canvas, x, y, line, inks.bright);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "engine/screen/framebuffer.h"
 #include "engine/surface/palette.h"
@@ -17,6 +18,10 @@ Inks inks_of(const Palette& palette);
 
 /// How wide a line is, its shadow included.
 std::int32_t text_width_px(std::string_view line);
+
+/// A text in lines that are no wider than `width_px`, broken at its line feeds and at spaces; words wider than that are
+/// cut. Never without a line; they live as long as the text.
+std::vector<std::string_view> lines_of(std::string_view text, std::int32_t width_px);
 
 /// A line of ASCII whose cells begin at (x, y), with a dark shadow right below; what lies outside the canvas is cut.
 void draw_text(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, Inks inks);

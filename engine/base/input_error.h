@@ -2,16 +2,26 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace oblong {
+
+/// Words out of a damaged file, fit for a terminal: control characters become question marks, what is too long is cut.
+inline std::string printable(std::string text) {
+    constexpr std::size_t kMost = 400;
+    if (text.size() > kMost) text.replace(kMost, std::string::npos, "...");
+    for (char& letter : text)
+        if ((letter >= 0 && letter < ' ') || letter == '\x7f') letter = '?';
+    return text;
+}
 
 /// Bad input: what was read is not what it should be. `where` names the place in it ("lump planes, offset 1234"), the
 /// message says what is wrong and what was expected. Who opened the file adds its name: programs print
 /// `PROGRAM: FILE: WHERE: what is wrong, what was expected` and exit with 1.
 class InputError : public std::runtime_error {
   public:
-    InputError(std::string where_in_input, const std::string& what_is_wrong)
-        : std::runtime_error(what_is_wrong), where(std::move(where_in_input)) {}
+    InputError(std::string where_in_input, std::string what_is_wrong)
+        : std::runtime_error(printable(std::move(what_is_wrong))), where(printable(std::move(where_in_input))) {}
 
     std::string where;
 };

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 
 namespace oblong {
@@ -52,7 +53,9 @@ std::string read_text(const std::string& path) {
 
 void write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
     std::error_code ignored;
-    const bool is_in_place = std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored);
+    const auto kind = std::filesystem::symlink_status(path, ignored).type();
+    const bool is_in_place =
+        kind != std::filesystem::file_type::regular && kind != std::filesystem::file_type::not_found;
     const std::string written = is_in_place ? path : path + ".part";
     std::string failure = write_bytes(written, bytes);
     if (failure.empty() && !is_in_place && std::rename(written.c_str(), path.c_str()) != 0) failure = reason();
@@ -64,6 +67,14 @@ void write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
 
 void write_file(const std::string& path, const std::string& text) {
     write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+void flush_standard_output() {
+    errno = 0;
+    std::cout.flush();
+    if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
+    const std::string why = errno == 0 ? "failed" : reason();
+    throw FileError("standard output", "write", why + ", expected a place for what the program says");
 }
 
 void make_folder(const std::string& path) {

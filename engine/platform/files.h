@@ -26,9 +26,13 @@ std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_by
 std::string read_text(const std::string& path);
 
 /// Writes a whole file under another name and renames it when it is complete: whatever fails, a full disk too, what was
-/// there before stays. What is not a regular file (a device, a pipe) is written to, never replaced. Throws FileError.
+/// there before stays. What is not a regular file (a device, a pipe, a link) is written to, never replaced. Throws
+/// FileError.
 void write_file(const std::string& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::string& path, const std::string& text);
+
+/// Hands on what is buffered for standard output. Throws FileError if any of it, now or before, could not be written.
+void flush_standard_output();
 
 /// Makes a folder and those above it, unless they are there. Throws FileError.
 void make_folder(const std::string& path);

@@ -57,7 +57,11 @@ TEST_F(BadRender, CameraLists) {
         const char *text, *where;
     };
     const Case cases[] = {
-        {"", "line 1"},
+        {"", "line 1: is empty"},
+        {"\n0,0,0,0,0\n", "line 1: is empty"},
+        {"x;y;z;yaw;pitch\n0;0;0;0;0\n", "column 'x;y;z;yaw;pitch'"},
+        {"x,y,z,yaw,pitch\r0,0,0,0,0\r", "column 'pitch?0'"},
+        {"\x1b[31mx,y,z,yaw,pitch\n0,0,0,0,0\n", "column '?[31mx'"},
         {"x,y,z,yaw\n0,0,0,0\n", "no column 'pitch'"},
         {"x,y,z,yaw,pitch,x\n0,0,0,0,0,0\n", "column 'x'"},
         {"x,y,z,yaw,pitch,zoom\n0,0,0,0,0,0\n", "column 'zoom'"},
@@ -67,6 +71,9 @@ TEST_F(BadRender, CameraLists) {
         {"x,y,z,yaw,pitch\n0,0,inf,0,0\n", "line 2"},
         {"x,y,z,yaw,pitch\n0,0,,0,0\n", "line 2"},
         {"x,y,z,yaw,pitch\n0,0,1e3,0,0\n", "line 2"},
+        {"x,y,z,yaw,pitch\n0,0,0x10,0,0\n", "line 2"},
+        {"x,y,z,yaw,pitch\n0,0,1 2,0,0\n", "line 2: '1 2'"},
+        {"x,y,z,yaw,pitch\n0,0,1,0,0,\n", "line 2: 6 fields"},
         {"x,y,z,yaw,pitch\n0,0,12 apples,0,0\n", "line 2"},
         {"x,y,z,yaw,pitch\n32769,0,0,0,0\n", "line 2: a coordinate beyond"},
         {"x,y,z,yaw,pitch\n99999999999999999999999,0,0,0,0\n", "line 2"},
@@ -76,6 +83,28 @@ TEST_F(BadRender, CameraLists) {
         EXPECT_TRUE(names_fault(run_program({kProgram, kLevel, "--cameras", path}), kProgram, path, each.where))
             << each.text;
     }
+}
+
+// One camera, written as spreadsheets and other programs write it: the same picture.
+TEST_F(BadRender, CameraListsOfOtherProgramsAreTaken) {
+    const auto picture_of = [&](const std::string& cameras) {
+        const Outcome outcome = run_program(
+            {kProgram, kLevel, "--cameras", folder_.write("cameras.csv", cameras), "--out", folder_.path("")});
+        EXPECT_EQ(outcome.exit_code, 0) << cameras << outcome.error;
+        return read_file_bytes(folder_.path("00000.png"));
+    };
+    const Bytes expected = picture_of("x,y,z,yaw,pitch\n0.0625,-368,54,90,0\n");
+    for (const std::string cameras :
+         {"\xef\xbb\xbfx,y,z,yaw,pitch\r\n0.0625,-368,54,90,0\r\n", "x, y, z, yaw, pitch\n 0.0625, -368, 54, 90, 0",
+          "roll,pitch,yaw,z,y,x\n360,-0,-270,54,-368.0,.0625\n"})
+        EXPECT_EQ(picture_of(cameras), expected) << cameras;
+}
+
+TEST_F(BadRender, FileNamesOfNoUtf8AreReported) {
+    const std::string level = folder_.write("\xff.bsp", read_file_bytes(kLevel));
+    const Outcome outcome = render(level, {"--json", folder_.path("a.json")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+    EXPECT_GT(std::filesystem::file_size(folder_.path("a.json")), 100u);
 }
 
 TEST_F(BadRender, PlacesThatCannotBeWritten) {
@@ -109,14 +138,31 @@ TEST_F(BadRender, WrongUsageExitsWith2) {
                                                          {"--threads", "0"},
                                                          {"--texel-error", "a lot"},
                                                          {"--time", "noon"},
+                                                         {"--time", "inf"},
+                                                         {"--fov", ""},
+                                                         {"--out", ""},
+                                                         {"--json", ""},
+                                                         {"--palette", ""},
+                                                         {"--texel-error", ""},
                                                          {"more.bsp"}};
     for (const auto& more : wrong) {
         const Outcome outcome = render(kLevel, more);
         EXPECT_EQ(outcome.exit_code, 2) << more[0] << ' ' << more.back() << ": " << outcome.error;
-        EXPECT_NE(outcome.error, "") << more[0] << ' ' << more.back();
+        EXPECT_TRUE(outcome.error.starts_with(kProgram + ": ")) << outcome.error;
+        EXPECT_TRUE(more.size() == 1 || outcome.error.find(more[0]) != std::string::npos) << outcome.error;
     }
     EXPECT_EQ(run_program({kProgram}).exit_code, 2);
     EXPECT_EQ(run_program({kProgram, kLevel}).exit_code, 2);
+}
+
+// What a program says and nobody gets is a failure.
+TEST(Programs, StandardOutputThatIsFullIsAFailure) {
+    const TemporaryFolder folder;
+    const std::string cameras = folder.write("cameras.csv", kCameras);
+    for (const std::vector<std::string>& words : {std::vector<std::string>{kProgram, kLevel, "--cameras", cameras},
+                                                  {kProgram, "--help"},
+                                                  {"oblong-map", "--version"}})
+        EXPECT_TRUE(names_fault(run_program(words, "/dev/full"), words[0], "standard output", "write: ")) << words[1];
 }
 
 TEST(Programs, HelpAndVersionExitWith0) {

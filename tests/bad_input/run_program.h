@@ -47,12 +47,12 @@ struct Outcome {
     std::string error;   ///< what it said on standard error
 };
 
-/// Runs build/bin/WORDS[0] with the other words as its arguments.
-inline Outcome run_program(const std::vector<std::string>& words) {
+/// Runs build/bin/WORDS[0] with the other words as its arguments; its standard output goes to `output`.
+inline Outcome run_program(const std::vector<std::string>& words, const std::string& output = "/dev/null") {
     const TemporaryFolder folder;
     std::string line = "'" OBLONG_BUILD_DIR "/bin/" + words[0] + "'";
     for (std::size_t i = 1; i < words.size(); ++i) line += " '" + words[i] + "'";
-    line += " >/dev/null 2>'" + folder.path("error") + "'";
+    line += " </dev/null >'" + output + "' 2>'" + folder.path("error") + "'";
     const int status = std::system(line.c_str());
     const std::vector<std::uint8_t> error = read_file_bytes(folder.path("error"));
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, std::string(error.begin(), error.end())};

@@ -187,5 +187,25 @@ TEST(Stage, HostileEntitiesAreHarmless) {
     EXPECT_EQ(game.state.tick, 200);
 }
 
+// A model's box is any number of the file: empty models of some compilers are inside out, damaged ones anywhere.
+TEST(Stage, BoxesAndPlacesOutsideTheWorldAreHarmless) {
+    for (const std::int32_t far : {40'000, 999'999, 1 << 20}) {
+        const std::string place = std::to_string(far / 2 - 1) + " 0 " + std::to_string(far / 2 - 1);
+        ToyLevel toy;
+        toy.add_model(floor_and({}))
+            .add_model({{-far, -far, -far, far, far, far}})
+            .add_model({{far, far, far, -far, -far, -far}});
+        toy.add_entity({{"classname", "info_player_start"}, {"origin", place}});
+        toy.add_entity({{"classname", "info_teleport_destination"}, {"targetname", "self"}, {"origin", place}});
+        for (const char* name : {"func_door", "func_plat", "func_button", "trigger_teleport", "func_wall"})
+            for (const char* model : {"*1", "*2"})
+                toy.add_entity(
+                    {{"classname", name}, {"model", model}, {"angle", "45"}, {"lip", "-32768"}, {"target", "self"}});
+        ToyGame game(std::move(toy));
+        game.play(100, kAhead);
+        EXPECT_EQ(game.state.tick, 100);
+    }
+}
+
 }  // namespace
 }  // namespace oblong

@@ -63,10 +63,19 @@ TEST_F(Program, AReplayShowsWhatWasRecorded) {
     EXPECT_EQ(said("out.txt").rfind("60 frames, ", 0), 0u) << said("out.txt");
 }
 
+TEST_F(Program, ADemoThatCannotBeKeptIsNotPlayed) {
+    for (const char* place : {"no/such/walk.demo", "."}) {
+        EXPECT_EQ(run(std::string("--headless 3 --out walk --record ") + place), 1);
+        EXPECT_EQ(said("err.txt").rfind(std::string("oblong: ") + place + ": write: ", 0), 0u) << said("err.txt");
+        EXPECT_FALSE(fs::exists(folder_ / "walk")) << place;
+    }
+}
+
 TEST_F(Program, EndsWith2ForWrongUsageAnd1ForBadFiles) {
     for (const char* wrong :
          {"--fov 0", "--fov x", "--mode 320", "--mode 0x0", "--mode 9999x9999", "--display 4", "--accuracy best",
-          "--scaling soft", "--headless 5", "--out here", "--nonsense", "a b", "--headless -1 --out x"})
+          "--scaling soft", "--headless 5", "''", "--fov ''", "--timedemo ''", "--record '' --headless 1 --out x",
+          "--out here", "--nonsense", "a b", "--headless -1 --out x"})
         EXPECT_EQ(run(wrong), 2) << wrong;
     for (const char* bad :
          {"missing.bsp", ".", "--palette missing.lmp --headless 1 --out x",

@@ -82,6 +82,18 @@ TEST_F(Files, ADeviceIsWrittenToAndStays) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
+TEST_F(Files, ALinkStaysAndWhatItLeadsToIsWritten) {
+    write_file(path("target"), Bytes(100, 1));
+    fs::create_symlink(path("target"), path("link"));
+    fs::create_symlink(path("later"), path("dangling"));
+    for (const char* name : {"link", "dangling"}) {
+        write_file(path(name), Bytes{2, 0, 3});
+        EXPECT_TRUE(fs::is_symlink(path(name))) << name;
+    }
+    EXPECT_EQ(read_file(path("target")), (Bytes{2, 0, 3}));
+    EXPECT_EQ(read_file(path("later")), (Bytes{2, 0, 3}));
+}
+
 TEST_F(Files, PlacesThatCannotBeWritten) {
     fs::create_directories(path("folder"));
     EXPECT_EQ(complaint_of_writing(path("folder")), "write: Is a directory" + kNoPlace);

@@ -21,42 +21,44 @@ struct Pair {
     std::int32_t first, second;
 };
 
+/// Two whole numbers from `least` to `most` with `between` in their middle. Throws UsageError(expected).
 Pair parse_pair(const std::string& text, char between, std::int32_t least, std::int32_t most,
                 const std::string& expected) {
     const std::size_t at = text.find(between);
     const auto first = at == std::string::npos ? std::nullopt : whole_number(text.substr(0, at));
     const auto second = at == std::string::npos ? std::nullopt : whole_number(text.substr(at + 1));
     const auto fits = [&](std::optional<std::int32_t> value) { return value && *value >= least && *value <= most; };
-    if (!fits(first) || !fits(second)) throw UsageError("'" + text + "', expected " + expected);
+    if (!fits(first) || !fits(second)) throw UsageError(expected);
     return {*first, *second};
 }
 
 }  // namespace
 
 void parse_mode_size(const std::string& text, ScreenMode& mode) {
-    const std::string limits =
-        " from 8x8 to " + std::to_string(kLargestMode_px) + "x" + std::to_string(kLargestMode_px);
-    const Pair size = parse_pair(text, 'x', 8, kLargestMode_px, "a mode WIDTHxHEIGHT" + limits);
+    const std::string expected = "--mode: '" + text + "', expected WIDTHxHEIGHT from 8x8 to " +
+                                 std::to_string(kLargestMode_px) + "x" + std::to_string(kLargestMode_px);
+    const Pair size = parse_pair(text, 'x', 8, kLargestMode_px, expected);
     mode.width_px = size.first;
     mode.height_px = size.second;
 }
 
 Ratio parse_display(const std::string& text) {
-    const Pair shape = parse_pair(text, ':', 1, 10000, "the display's shape WIDTH:HEIGHT, such as 4:3");
-    if (shape.first > 100 * shape.second || shape.second > 100 * shape.first)
-        throw UsageError("'" + text + "', expected a display between 1:100 and 100:1");
+    const std::string expected =
+        "--display: '" + text + "', expected two whole numbers WIDTH:HEIGHT from 1:100 to 100:1, such as 4:3 or 37:20";
+    const Pair shape = parse_pair(text, ':', 1, 10000, expected);
+    if (shape.first > 100 * shape.second || shape.second > 100 * shape.first) throw UsageError(expected);
     return Ratio{shape.first, shape.second}.reduced();
 }
 
 std::int64_t parse_decimal(const std::string& text, int fraction_bits) {
     const std::optional<std::int64_t> raw = parse_decimal(std::string_view(text), fraction_bits);
     if (!raw || std::abs(*raw) >= std::int64_t{1} << (24 + fraction_bits))
-        throw UsageError("'" + text + "', expected a decimal number");
+        throw UsageError("'" + text + "', expected a decimal number below 16,777,216 either way");
     return *raw;
 }
 
 Degrees parse_field_of_view(const std::string& text) {
-    const std::string expected = "'" + text + "', expected a field of view from 1 to 179 degrees";
+    const std::string expected = "--fov: '" + text + "', expected 1 to 179 degrees";
     try {
         const std::int64_t raw_32 = parse_decimal(text, 32);
         if (raw_32 < std::int64_t{1} << 32 || raw_32 > std::int64_t{179} << 32) throw UsageError(expected);
@@ -68,7 +70,7 @@ Degrees parse_field_of_view(const std::string& text) {
 
 Accuracy parse_tier(const std::string& text) {
     const std::optional<Tier> tier = tier_named(text);
-    if (!tier) throw UsageError("'" + text + "', expected a tier: 1991, 1994, 1996, bounded or exact");
+    if (!tier) throw UsageError("--accuracy: '" + text + "', expected 1991, 1994, 1996, bounded or exact");
     return accuracy_of(*tier);
 }
 

@@ -30,6 +30,8 @@ template <class Value>
 CommandOption Command::add(const std::string& names, Value& value, const std::string& help) {
     CLI::Option* const option = app_->add_option(names, value, help);
     if (value != Value{}) option->capture_default_str();
+    option->check([](const std::string& text) { return std::string(text.empty() ? "is empty, expected a value" : ""); },
+                  "");
     return CommandOption(option);
 }
 
@@ -59,13 +61,17 @@ CommandLine::CommandLine(const std::string& program, const std::string& descript
 CommandLine::CommandLine(std::shared_ptr<CLI::App> app) : Command(app.get()), owned_(std::move(app)) {}
 
 int CommandLine::run(int argument_count, const char* const* arguments, const std::function<void()>& body) {
+    const std::string program = owned_->get_name();
+    owned_->failure_message([&](const CLI::App*, const CLI::Error& error) {
+        return program + ": " + error.what() + "\nRun it with --help for more information.\n";
+    });
     try {
         owned_->parse(argument_count, arguments);
     } catch (const CLI::ParseError& error) {
         constexpr int kWrongUsage = 2;
-        return owned_->exit(error) == 0 ? 0 : kWrongUsage;
+        return owned_->exit(error) == 0 ? run_program(program, [] {}) : kWrongUsage;
     }
-    return run_program(owned_->get_name(), body);
+    return run_program(program, body);
 }
 
 }  // namespace oblong

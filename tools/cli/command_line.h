@@ -35,7 +35,7 @@ class Command {
 
     /// `names` such as "-o,--out"; a name without a dash is that of a place. The value that stands there before is the
     /// default, and --help shows it unless it is empty or 0. For std::string, a vector of them (one or more may be
-    /// given), std::int64_t and double.
+    /// given), std::int64_t and double. An empty value is refused: in scripts it is a variable that was never set.
     template <class Value>
     CommandOption add(const std::string& names, Value& value, const std::string& help);
     void add_flag(const std::string& names, bool& value, const std::string& help);

@@ -4,7 +4,7 @@
 #include <exception>
 #include <new>
 
-#include "engine/base/input_error.h"
+#include "engine/platform/files.h"
 #include "tools/cli/arguments.h"
 
 namespace oblong {
@@ -12,6 +12,7 @@ namespace oblong {
 int run_program(const std::string& name, const std::function<void()>& body) {
     try {
         body();
+        flush_standard_output();
         return 0;
     } catch (const UsageError& error) {
         std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());

@@ -15,13 +15,20 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kColumns{"x", "y", "z", "yaw", "pitch", "roll"};
 
+constexpr std::string_view kSpace = " \t\r", kByteOrderMark = "\xef\xbb\xbf";
+
+std::string trimmed(const std::string& field) {
+    const std::size_t first = field.find_first_not_of(kSpace);
+    if (first == std::string::npos) return "";
+    return field.substr(first, field.find_last_not_of(kSpace) + 1 - first);
+}
+
 std::vector<std::string> split(const std::string& line) {
-    std::vector<std::string> fields(1);
-    for (const char c : line) {
-        if (c == ',')
-            fields.emplace_back();
-        else if (c != ' ' && c != '\t' && c != '\r')
-            fields.back() += c;
+    std::vector<std::string> fields;
+    for (std::size_t start = 0; start <= line.size();) {
+        const std::size_t end = std::min(line.find(',', start), line.size());
+        fields.push_back(trimmed(line.substr(start, end - start)));
+        start = end + 1;
     }
     return fields;
 }
@@ -32,6 +39,7 @@ std::string place(std::size_t line) {
 
 /// Which kColumns entry each column of the file is.
 std::vector<std::size_t> parse_header(const std::string& line) {
+    if (trimmed(line).empty()) throw InputError(place(1), "is empty, expected the columns' names: x,y,z,yaw,pitch");
     std::vector<std::size_t> columns;
     for (const std::string& name : split(line)) {
         const auto known = std::find(kColumns.begin(), kColumns.end(), name);
@@ -90,10 +98,11 @@ std::vector<Camera> parse_cameras(std::span<const std::uint8_t> bytes, Degrees f
         else
             lines.back() += static_cast<char>(byte);
     }
+    if (lines[0].starts_with(kByteOrderMark)) lines[0].erase(0, kByteOrderMark.size());  // as spreadsheets write it
     const std::vector<std::size_t> columns = parse_header(lines[0]);
     std::vector<Camera> cameras;
     for (std::size_t i = 1; i < lines.size(); ++i) {
-        if (lines[i].find_first_not_of(" \t\r") == std::string::npos) continue;
+        if (lines[i].find_first_not_of(kSpace) == std::string::npos) continue;
         cameras.push_back(parse_camera(lines[i], columns, i + 1));
         cameras.back().field_of_view = field_of_view;
     }

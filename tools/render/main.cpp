@@ -46,11 +46,19 @@ EffectSet parse_effects(const std::string& text) {
         const std::size_t end = std::min(text.find(',', start), text.size());
         const auto known = std::find(kEffectNames.begin(), kEffectNames.end(), text.substr(start, end - start));
         if (known == kEffectNames.end())
-            throw UsageError("'" + text + "', expected auto, none, or names of sky,liquid,brush_models");
+            throw UsageError("--effects: '" + text + "', expected auto, none, or names of sky,liquid,brush_models");
         effects = effects.with(static_cast<Effect>(known - kEffectNames.begin()));
         start = end + 1;
     }
     return effects;
+}
+
+std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits) {
+    try {
+        return parse_decimal(text, fraction_bits);
+    } catch (const UsageError& error) {
+        throw UsageError(option + ": " + error.what());
+    }
 }
 
 Settings make_settings(const Options& options) {
@@ -58,8 +66,9 @@ Settings make_settings(const Options& options) {
     settings.accuracy = parse_tier(options.tier);
     settings.allowed_effects = parse_effects(options.effects);
     if (options.texel_error.empty()) return settings;
-    const std::int64_t error_px_256 = parse_decimal(options.texel_error, 8);
-    if (error_px_256 < 1 || error_px_256 > 4096) throw UsageError("--texel-error: expected 1/256 to 16 pixels");
+    const std::int64_t error_px_256 = parse_number("--texel-error", options.texel_error, 8);
+    if (error_px_256 < 1 || error_px_256 > 4096)
+        throw UsageError("--texel-error: '" + options.texel_error + "', expected 1/256 to 16 pixels");
     settings.accuracy.texture_error_px_256 = static_cast<std::int32_t>(error_px_256);
     return settings;
 }
@@ -76,7 +85,7 @@ void render(const Options& options) {
     mode.display = parse_display(options.display);
     const Degrees field_of_view = parse_field_of_view(options.field_of_view);
     const Settings settings = make_settings(options);
-    const std::int64_t time_ms = parse_decimal(options.seconds, 20) * 1000 / (1 << 20);
+    const std::int64_t time_ms = parse_number("--time", options.seconds, 20) * 1000 / (1 << 20);
 
     const auto start = std::chrono::steady_clock::now();
     const Level level = read_parsed(options.level, read_bsp);

@@ -45,10 +45,9 @@ TimeSummary summarize_times(const std::vector<FrameReport>& frames) {
     std::vector<double> times;
     for (const FrameReport& frame : frames) times.push_back(frame.microseconds);
     std::sort(times.begin(), times.end());
-    const auto at = [&](double part) {
-        return times[std::min(times.size() - 1, static_cast<std::size_t>(part * static_cast<double>(times.size())))];
-    };
-    return {at(0.5), at(0.99)};
+    const std::size_t middle = times.size() / 2;
+    const double median = times.size() % 2 ? times[middle] : (times[middle - 1] + times[middle]) / 2;
+    return {median, times[(times.size() * 99 + 99) / 100 - 1]};
 }
 
 std::string report_json(const ReportHead& head, const std::vector<FrameReport>& frames) {
@@ -61,7 +60,7 @@ std::string report_json(const ReportHead& head, const std::vector<FrameReport>& 
                 {"microseconds", {{"median", rounded(times.median)}, {"p99", rounded(times.p99)}}},
                 {"frames", Json::array()}};
     for (std::size_t i = 0; i < frames.size(); ++i) report["frames"].push_back(frame_json(i, frames[i]));
-    return report.dump(1) + "\n";
+    return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // a file's name may be no UTF-8
 }
 
 }  // namespace oblong
