@@ -23,7 +23,7 @@ const std::vector<Room>& project_rooms() {
         {"engine/platform", {"engine/screen", "engine/surface"}},
         {"engine/platform/sdl", {"engine/platform"}},
         {"game", {"engine/frame", "engine/platform/sdl", "tools/cli", "tools/png"}},
-        {"tools/cli", {"engine/frame"}},
+        {"tools/cli", {"engine/frame", "engine/platform"}},
         {"tools/png", {"engine/surface"}},
         {"tools", {"engine/frame", "engine/platform", "tools/cli", "tools/png"}},
     };
