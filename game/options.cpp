@@ -82,6 +82,7 @@ void interpret(const Words& words, Options& options) {
     options.mode = {mode.width_px, mode.height_px, Ratio{display.width_px, display.height_px}};
     if (!words.window.empty()) options.window = pair_of("--window", words.window, 'x', 16'384);
     options.field_of_view = parse_field_of_view(words.field_of_view);
+    check_view(options.mode, options.field_of_view);
     options.tier = tier_of(words.accuracy);
     options.scaling = scaling_of(words.scaling);
 }

@@ -15,8 +15,7 @@ struct GradientLens {
     std::int32_t centre_x_1 = 0, centre_y_1 = 0;
 };
 
-/// Multipliers must be above 1/2 pixel (at 179 degrees on 4:3: modes from 115x86 on); below, 1 / multiplier stays at 2
-/// and texels are not those of the plane.
+/// Of a lens that is_drawable().
 GradientLens make_gradient_lens(const Projection& lens);
 
 /// A plane with a texture on it, seen from an eye: all that its gradients depend on, in the world's axes.

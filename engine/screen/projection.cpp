@@ -41,6 +41,11 @@ Projection make_projection(const ScreenMode& mode, Degrees field_of_view, bool c
     return lens;
 }
 
+bool is_drawable(const Projection& lens) {
+    constexpr Multiplier kLeast = Multiplier::from_raw((std::int64_t{1} << 31) + 1);
+    return lens.x.multiplier >= kLeast && lens.y.multiplier >= kLeast;
+}
+
 std::int64_t project_axis_wide_8(const ProjectionAxis& axis, std::int64_t view_16, std::int64_t z_16) {
     if (std::abs(view_16) <= z_16 * 64) return mul_div(view_16, axis.coarse_16, z_16 * 256, Rounding::NearestHalfUp);
     const std::int64_t exact_8 =

@@ -33,6 +33,10 @@ struct Projection {
 /// 2^-32 pixel for fields of view from 1 to 179 degrees.
 Projection make_projection(const ScreenMode& mode, Degrees field_of_view, bool correct_aspect = true);
 
+/// Whether frames can be drawn by it: multipliers of at least half a pixel, or their reciprocals do not fit what
+/// gradients are made of. At 179 degrees on 4:3 that takes 115x86 pixels, at 90 degrees any mode of 4:3 will do.
+bool is_drawable(const Projection& lens);
+
 /// project_axis_8() where a 64-bit product won't do.
 std::int64_t project_axis_wide_8(const ProjectionAxis& axis, std::int64_t view_16, std::int64_t z_16);
 

@@ -130,6 +130,7 @@ TEST_F(BadRender, WrongUsageExitsWith2) {
                                                          {"--fov", "180"},
                                                          {"--fov", "nan"},
                                                          {"--fov", "-90"},
+                                                         {"--mode", "8x8", "--fov", "179"},
                                                          {"--accuracy", "2001"},
                                                          {"--repeat", "0"},
                                                          {"--repeat", "x"},

@@ -1,1 +1,1 @@
-set(LINKS oblong_screen)
+set(LINKS oblong_geometry)

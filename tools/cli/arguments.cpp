@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/level/entities.h"
+#include "engine/screen/projection.h"
 
 namespace oblong {
 
@@ -66,6 +67,13 @@ Degrees parse_field_of_view(const std::string& text) {
     } catch (const UsageError&) {
         throw UsageError(expected);
     }
+}
+
+void check_view(const ScreenMode& mode, Degrees field_of_view) {
+    if (is_drawable(make_projection(mode, field_of_view))) return;
+    throw UsageError("mode " + std::to_string(mode.width_px) + "x" + std::to_string(mode.height_px) +
+                     " has too few pixels for such a field of view on such a display, expected a larger mode, a "
+                     "narrower view or a display nearer to the mode's shape");
 }
 
 Accuracy parse_tier(const std::string& text) {

@@ -21,6 +21,8 @@ void parse_mode_size(const std::string& text, ScreenMode& mode);
 Ratio parse_display(const std::string& text);
 /// A field of view in degrees, decimal, from 1 to 179.
 Degrees parse_field_of_view(const std::string& text);
+/// Refuses what each parser takes, but no frame can be drawn with together: a wide view in a mode of few pixels.
+void check_view(const ScreenMode& mode, Degrees field_of_view);
 /// "1991", "1994", "1996", "bounded", "exact".
 Accuracy parse_tier(const std::string& text);
 /// A decimal number such as "-12.375" as raw units of 2^-fraction_bits (0 to 32), rounded to the nearest; |value| below

@@ -84,6 +84,7 @@ void render(const Options& options) {
     parse_mode_size(options.mode, mode);
     mode.display = parse_display(options.display);
     const Degrees field_of_view = parse_field_of_view(options.field_of_view);
+    check_view(mode, field_of_view);
     const Settings settings = make_settings(options);
     const std::int64_t time_ms = parse_number("--time", options.seconds, 20) * 1000 / (1 << 20);
 
