@@ -31,8 +31,8 @@ class Program : public testing::Test {
 
     // The exit code; what is said on standard error goes to `said_`.
     int run(const std::string& arguments) {
-        const std::string command = std::string(OBLONG_BUILD_DIR) + "/bin/oblong-map " + arguments + " >" +
-                                    path("out.txt") + " 2>" + path("said.txt");
+        const std::string command =
+            "'" OBLONG_BUILD_DIR "/bin/oblong-map' " + arguments + " >" + path("out.txt") + " 2>" + path("said.txt");
         const int status = std::system(command.c_str());
         said_ = read_text(path("said.txt"));
         return WEXITSTATUS(status);

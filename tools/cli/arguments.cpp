@@ -71,8 +71,8 @@ Degrees parse_field_of_view(const std::string& text) {
 
 void check_view(const ScreenMode& mode, Degrees field_of_view) {
     if (is_drawable(make_projection(mode, field_of_view))) return;
-    throw UsageError("mode " + std::to_string(mode.width_px) + "x" + std::to_string(mode.height_px) +
-                     " has too few pixels for such a field of view on such a display, expected a larger mode, a "
+    throw UsageError("--mode: '" + std::to_string(mode.width_px) + "x" + std::to_string(mode.height_px) +
+                     "' has too few pixels for such a field of view on such a display, expected a larger mode, a "
                      "narrower view or a display nearer to the mode's shape");
 }
 
