@@ -11,7 +11,7 @@ inline std::string printable(std::string text) {
     constexpr std::size_t kMost = 400;
     if (text.size() > kMost) text.replace(kMost, std::string::npos, "...");
     for (char& letter : text)
-        if ((letter >= 0 && letter < ' ') || letter == '\x7f') letter = '?';
+        if (static_cast<unsigned char>(letter) < ' ' || letter == '\x7f') letter = '?';
     return text;
 }
 

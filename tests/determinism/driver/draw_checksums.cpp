@@ -1,6 +1,6 @@
 // Draws the cameras of a list as oblong-render does, and prints the checksum of each picture, a line each. Without any
-// library but the compiler's own, so that it is built for other processors by their compiler alone.
-//   draw_checksums LEVEL.bsp PALETTE CAMERAS.csv [--accuracy TIER] [--mode WxH] [--display W:H] [--fov DEGREES]
+// library but the compiler's own, so that it is built for other processors by their compiler alone, and soon.
+//   draw_checksums PALETTE LEVEL.bsp CAMERAS.csv [--accuracy TIER] [--mode WxH] [--display W:H] [--fov DEGREES]
 //                  [--time SECONDS]
 #include <cstdio>
 #include <map>
@@ -42,7 +42,7 @@ Options parse_options(std::span<char* const> arguments) {
     return options;
 }
 
-void draw(const std::string& level_path, const std::string& palette_path, const std::string& cameras_path,
+void draw(const std::string& palette_path, const std::string& level_path, const std::string& cameras_path,
           const Options& options) {
     ScreenMode mode;
     parse_mode_size(options.at("--mode"), mode);
@@ -72,7 +72,7 @@ void draw(const std::string& level_path, const std::string& palette_path, const 
 
 int main(int argc, char** argv) {
     return run_program("draw_checksums", [&] {
-        if (argc < 4) throw UsageError("expected LEVEL.bsp PALETTE CAMERAS.csv");
+        if (argc < 4) throw UsageError("expected PALETTE LEVEL.bsp CAMERAS.csv");
         draw(argv[1], argv[2], argv[3], parse_options(std::span(argv + 4, argv + argc)));
     });
 }
