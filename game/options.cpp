@@ -1,41 +1,13 @@
 #include "game/options.h"
 
-#include <charconv>
-#include <optional>
-#include <string_view>
-
 #include "tools/cli/arguments.h"
 #include "tools/cli/command_line.h"
 
 namespace oblong {
 namespace {
 
-constexpr std::int32_t kLargestDisplayPart = 4096;  // layout() multiplies with it in 64 bits
-
-// "320x200" or "4:3": two whole numbers from 1 to `most` with `between` in the middle, or nothing.
-std::optional<WindowSize> read_pair(std::string_view text, char between, std::int32_t most) {
-    WindowSize pair;
-    const char* end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, pair.width_px);
-    if (first.ec != std::errc{} || first.ptr == end || *first.ptr != between) return {};
-    const auto second = std::from_chars(first.ptr + 1, end, pair.height_px);
-    if (second.ec != std::errc{} || second.ptr != end) return {};
-    const bool is_in_range =
-        pair.width_px >= 1 && pair.width_px <= most && pair.height_px >= 1 && pair.height_px <= most;
-    return is_in_range ? std::optional(pair) : std::nullopt;
-}
-
 [[noreturn]] void refuse(const char* option, const std::string& value, const std::string& expected) {
     throw UsageError(std::string(option) + ": '" + value + "', expected " + expected);
-}
-
-WindowSize pair_of(const char* option, const std::string& text, char between, std::int32_t most) {
-    const auto pair = read_pair(text, between, most);
-    if (!pair)
-        refuse(option, text,
-               std::string("two whole numbers from 1 to ") + std::to_string(most) + " with '" + between +
-                   "' between them");
-    return *pair;
 }
 
 Tier tier_of(const std::string& name) {
@@ -77,10 +49,9 @@ void declare(Command& line, Options& options, Words& words) {
 }
 
 void interpret(const Words& words, Options& options) {
-    const WindowSize mode = pair_of("--mode", words.mode, 'x', kLargestMode_px);
-    const WindowSize display = pair_of("--display", words.display, ':', kLargestDisplayPart);
-    options.mode = {mode.width_px, mode.height_px, Ratio{display.width_px, display.height_px}};
-    if (!words.window.empty()) options.window = pair_of("--window", words.window, 'x', 16'384);
+    parse_mode_size(words.mode, options.mode);
+    options.mode.display = parse_display(words.display);
+    if (!words.window.empty()) options.window = parse_window_size(words.window);
     options.field_of_view = parse_field_of_view(words.field_of_view);
     check_view(options.mode, options.field_of_view);
     options.tier = tier_of(words.accuracy);

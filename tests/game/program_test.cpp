@@ -72,10 +72,27 @@ TEST_F(Program, ADemoThatCannotBeKeptIsNotPlayed) {
 }
 
 TEST_F(Program, EndsWith2ForWrongUsageAnd1ForBadFiles) {
-    for (const char* wrong :
-         {"--fov 0", "--fov x", "--mode 320", "--mode 0x0", "--mode 9999x9999", "--mode 64x48 --fov 179", "--display 4",
-          "--accuracy best", "--scaling soft", "--headless 5", "''", "--fov ''", "--timedemo ''",
-          "--record '' --headless 1 --out x", "--out here", "--nonsense", "a b", "--headless -1 --out x"})
+    for (const char* wrong : {"--fov 0",
+                              "--fov x",
+                              "--mode 320",
+                              "--mode 0x0",
+                              "--mode 9999x9999",
+                              "--mode 7x7",
+                              "--window 0x9",
+                              "--window 800",
+                              "--mode 64x48 --fov 179",
+                              "--display 4",
+                              "--accuracy best",
+                              "--scaling soft",
+                              "--headless 5",
+                              "''",
+                              "--fov ''",
+                              "--timedemo ''",
+                              "--record '' --headless 1 --out x",
+                              "--out here",
+                              "--nonsense",
+                              "a b",
+                              "--headless -1 --out x"})
         EXPECT_EQ(run(wrong), 2) << wrong;
     for (const char* bad :
          {"missing.bsp", ".", "--palette missing.lmp --headless 1 --out x",

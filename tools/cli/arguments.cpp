@@ -43,6 +43,12 @@ void parse_mode_size(const std::string& text, ScreenMode& mode) {
     mode.height_px = size.second;
 }
 
+WindowSize parse_window_size(const std::string& text) {
+    const std::string expected = "--window: '" + text + "', expected WIDTHxHEIGHT from 1x1 to 16384x16384";
+    const Pair size = parse_pair(text, 'x', 1, 16384, expected);
+    return {size.first, size.second};
+}
+
 Ratio parse_display(const std::string& text) {
     const std::string expected =
         "--display: '" + text + "', expected two whole numbers WIDTH:HEIGHT from 1:100 to 100:1, such as 4:3 or 37:20";

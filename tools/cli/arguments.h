@@ -5,6 +5,7 @@
 
 #include "engine/fixed/angle.h"
 #include "engine/frame/settings.h"
+#include "engine/screen/present_rect.h"
 #include "engine/screen/screen_mode.h"
 
 namespace oblong {
@@ -17,6 +18,8 @@ class UsageError : public std::runtime_error {
 
 /// "320x200" into `mode`'s size; from 8x8 to the largest mode.
 void parse_mode_size(const std::string& text, ScreenMode& mode);
+/// "1280x960"; up to 16,384 pixels either way.
+WindowSize parse_window_size(const std::string& text);
 /// "4:3".
 Ratio parse_display(const std::string& text);
 /// A field of view in degrees, decimal, from 1 to 179.
