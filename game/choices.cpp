@@ -3,7 +3,7 @@
 namespace oblong {
 namespace {
 
-constexpr int kTierCount = static_cast<int>(Tier::Exact) + 1;
+constexpr int kPresetCount = static_cast<int>(Preset::Exact) + 1;
 
 // The next value of an enumeration of `count`, the first after the last.
 template <class Enum>
@@ -31,7 +31,7 @@ std::string describe_display(const Choices& choices, const ScreenMode& mode, Win
 
 Settings settings_of(const Choices& choices) {
     Settings settings;
-    settings.accuracy = accuracy_of(choices.tier);
+    settings.accuracy = accuracy_of(choices.preset);
     settings.correct_aspect = choices.corrects_projection;
     return settings;
 }
@@ -52,8 +52,8 @@ std::string apply(Command command, Choices& choices, const ScreenMode& mode, Win
             choices.shown_as = next_of(choices.shown_as, kShownAsCount);
             return describe_display(choices, mode, window);
         case Command::AccuracyTier:
-            choices.tier = next_of(choices.tier, kTierCount);
-            return "F4 Accuracy: " + std::string(name_of(choices.tier));
+            choices.preset = next_of(choices.preset, kPresetCount);
+            return "F4 Accuracy: " + std::string(name_of(choices.preset));
         case Command::ScalingMode:
             choices.scaling = next_of(choices.scaling, kScalingCount);
             return std::string("F5 Scaling: ") + name_of(choices.scaling) + " (" +

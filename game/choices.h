@@ -4,17 +4,17 @@
 
 #include "engine/frame/settings.h"
 #include "engine/platform/controls.h"
-#include "engine/screen/present_rect.h"
+#include "engine/platform/present_rect.h"
 #include "engine/screen/screen_mode.h"
 
 namespace oblong {
 
 /// What the keys change while one plays: how the world is drawn and how the picture is shown, never what happens in it.
 struct Choices {
-    Tier tier = Tier::Bounded;
+    Preset preset = Preset::Bounded;
     bool corrects_projection = true;
     ShownAs shown_as = ShownAs::OnDisplay;
-    Scaling scaling = Scaling::Sharp;
+    Scaling scaling = Scaling::SharpBilinear;
     bool shows_help = false, shows_cost = false;
 };
 

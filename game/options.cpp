@@ -10,8 +10,8 @@ namespace {
     throw UsageError(std::string(option) + ": '" + value + "', expected " + expected);
 }
 
-Tier tier_of(const std::string& name) {
-    if (const auto tier = tier_named(name)) return *tier;
+Preset preset_of(const std::string& name) {
+    if (const auto preset = preset_named(name)) return *preset;
     refuse("--accuracy", name, "1991, 1994, 1996, bounded or exact");
 }
 
@@ -54,7 +54,7 @@ void interpret(const Words& words, Options& options) {
     if (!words.window.empty()) options.window = parse_window_size(words.window);
     options.field_of_view = parse_field_of_view(words.field_of_view);
     check_view(options.mode, options.field_of_view);
-    options.tier = tier_of(words.accuracy);
+    options.preset = preset_of(words.accuracy);
     options.scaling = scaling_of(words.scaling);
 }
 

@@ -4,9 +4,9 @@
 #include <functional>
 #include <string>
 
-#include "engine/camera/camera.h"
 #include "engine/frame/settings.h"
-#include "engine/screen/present_rect.h"
+#include "engine/geometry/camera.h"
+#include "engine/platform/present_rect.h"
 #include "engine/screen/screen_mode.h"
 
 namespace oblong {
@@ -17,8 +17,8 @@ struct Options {
     ScreenMode mode;
     WindowSize window;
     Degrees field_of_view = Degrees::from_int(90);
-    Tier tier = Tier::Bounded;
-    Scaling scaling = Scaling::Sharp;
+    Preset preset = Preset::Bounded;
+    Scaling scaling = Scaling::SharpBilinear;
     std::string record, replay, timedemo;
     std::int64_t headless_frames = 0;
     std::string out;

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 Choices choices_of(const Options& options) {
     Choices choices;
-    choices.tier = options.tier;
+    choices.preset = options.preset;
     choices.scaling = options.scaling;
     return choices;
 }

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "engine/platform/present_rect.h"
 #include "engine/screen/framebuffer.h"
-#include "engine/screen/present_rect.h"
 #include "engine/screen/screen_mode.h"
 #include "engine/surface/palette.h"
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "engine/camera/camera.h"
 #include "engine/frame/frame.h"
+#include "engine/geometry/camera.h"
 #include "game/live_input.h"
 #include "game/stage.h"
 

@@ -29,7 +29,7 @@ enum class Quantity {
     TexelOverZ,
     DepthShifted,
     DepthProduct,
-    LadderProduct,
+    ThresholdProduct,
     MipProduct,
     Count
 };

@@ -21,15 +21,16 @@ struct SkyPosition {
 /// Directions of view in the world, of any length: linear on the screen. Column and row are those of pixel centres.
 class DirectionField {
   public:
-    DirectionField(const Basis& axes, const Projection& lens) {
-        const std::int64_t half_width_1 = lens.width_px, half_height_1 = lens.height_px;
+    DirectionField(const Basis& axes, const Projection& projection) {
+        const std::int64_t half_width_1 = projection.width_px, half_height_1 = projection.height_px;
         const std::array<const Unit*, 3> right{&axes.right.x, &axes.right.y, &axes.right.z};
         const std::array<const Unit*, 3> up{&axes.up.x, &axes.up.y, &axes.up.z};
         const std::array<const Unit*, 3> forward{&axes.forward.x, &axes.forward.y, &axes.forward.z};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             per_column_30_[axis] =
-                mul_div(right[axis]->raw, std::int64_t{1} << 32, lens.x.multiplier.raw, Rounding::Floor);
-            per_row_30_[axis] = -mul_div(up[axis]->raw, std::int64_t{1} << 32, lens.y.multiplier.raw, Rounding::Floor);
+                mul_div(right[axis]->raw, std::int64_t{1} << 32, projection.x.multiplier.raw, Rounding::Floor);
+            per_row_30_[axis] =
+                -mul_div(up[axis]->raw, std::int64_t{1} << 32, projection.y.multiplier.raw, Rounding::Floor);
             origin_30_[axis] = forward[axis]->raw + floor_shift(per_column_30_[axis] * (1 - half_width_1), 1) +
                                floor_shift(per_row_30_[axis] * (1 - half_height_1), 1);
         }
@@ -84,9 +85,9 @@ void draw_sky_span(const Span& span, const SkyTexture& sky, const DirectionField
 
 }  // namespace
 
-void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& axes, const Projection& lens,
+void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& axes, const Projection& projection,
               Framebuffer out) {
-    const DirectionField field(axes, lens);
+    const DirectionField field(axes, projection);
     for (const Span& span : spans) draw_sky_span(span, sky, field, out.row(span.y));
 }
 

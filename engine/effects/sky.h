@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <span>
 
+#include "engine/geometry/projection.h"
 #include "engine/math/basis.h"
 #include "engine/raster/span.h"
 #include "engine/screen/framebuffer.h"
-#include "engine/screen/projection.h"
 
 namespace oblong {
 
@@ -20,7 +20,7 @@ struct SkyTexture {
 
 /// Draws a dome: a texel depends on the direction of view alone, with heights tripled as Quake does, so that the sky
 /// hangs low. Directions are computed every 8 pixels and stepped between.
-void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& axes, const Projection& lens,
+void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& axes, const Projection& projection,
               Framebuffer out);
 
 }  // namespace oblong

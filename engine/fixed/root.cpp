@@ -67,7 +67,7 @@ std::uint32_t integer_root(std::uint64_t value) {
     return static_cast<std::uint32_t>(scaled.root >> ((is_short ? even_shift - 32 : even_shift) / 2));
 }
 
-std::uint64_t integer_root(portable::Wide value) {
+std::uint64_t integer_root(portable::Uint128 value) {
     if (value.high == 0) return integer_root(value.low);
     const int even_shift = std::countl_zero(value.high) & ~1;
     const std::uint64_t from_low = even_shift == 0 ? 0 : value.low >> (64 - even_shift);

@@ -44,13 +44,13 @@ constexpr std::int64_t divided_by_zero(bool is_negative, bool is_zero) {
 namespace portable {
 
 /// high * 2^64 + low.
-struct Wide {
+struct Uint128 {
     std::uint64_t high = 0, low = 0;
-    constexpr auto operator<=>(const Wide&) const = default;
+    constexpr auto operator<=>(const Uint128&) const = default;
 };
 
 /// The exact product, from four products of halves.
-constexpr Wide multiply(std::uint64_t a, std::uint64_t b) {
+constexpr Uint128 multiply(std::uint64_t a, std::uint64_t b) {
     constexpr std::uint64_t kHalf = 0xffffffff;
     const std::uint64_t low = (a & kHalf) * (b & kHalf);
     const std::uint64_t cross = (a >> 32) * (b & kHalf) + (low >> 32);
@@ -59,7 +59,7 @@ constexpr Wide multiply(std::uint64_t a, std::uint64_t b) {
 }
 
 /// a + b modulo 2^128.
-constexpr Wide add(Wide a, Wide b) {
+constexpr Uint128 add(Uint128 a, Uint128 b) {
     const std::uint64_t low = a.low + b.low;
     return {a.high + b.high + (low < a.low ? 1 : 0), low};
 }
@@ -69,7 +69,7 @@ struct Division {
 };
 
 /// n / d where n.high < d, so that the quotient fits: a bit of it at a time.
-constexpr Division divide(Wide n, std::uint64_t d) {
+constexpr Division divide(Uint128 n, std::uint64_t d) {
     Division result{0, n.high};
     for (int bit = 63; bit >= 0; --bit) {
         const bool carry = (result.remainder >> 63) != 0;
@@ -84,9 +84,9 @@ constexpr Division divide(Wide n, std::uint64_t d) {
 /// a * b / c. See oblong::mul_div.
 constexpr std::int64_t mul_div(std::int64_t a, std::int64_t b, std::int64_t c, Rounding rounding) {
     const bool is_negative = ((a < 0) != (b < 0)) != (c < 0);
-    const Wide product = multiply(detail::magnitude(a), detail::magnitude(b));
+    const Uint128 product = multiply(detail::magnitude(a), detail::magnitude(b));
     const std::uint64_t divisor = detail::magnitude(c);
-    if (divisor == 0) return detail::divided_by_zero(is_negative, product == Wide{});
+    if (divisor == 0) return detail::divided_by_zero(is_negative, product == Uint128{});
     if (product.high >= divisor) return detail::saturated(is_negative, ~std::uint64_t{0});
     const auto [quotient, remainder] = divide(product, divisor);
     const bool away = detail::rounds_away(is_negative, remainder == 0, remainder <=> divisor - remainder, rounding);
@@ -94,18 +94,18 @@ constexpr std::int64_t mul_div(std::int64_t a, std::int64_t b, std::int64_t c, R
 }
 
 /// The bits of `value` below bit `shift` (1 to 126), compared with half of that bit.
-constexpr std::strong_ordering rest_against_half(Wide value, int shift) {
+constexpr std::strong_ordering rest_against_half(Uint128 value, int shift) {
     const int half = shift - 1;
     if (half >= 64) {
         const std::uint64_t bit = std::uint64_t{1} << (half - 64);
-        return Wide{value.high & (2 * bit - 1), value.low} <=> Wide{bit, 0};
+        return Uint128{value.high & (2 * bit - 1), value.low} <=> Uint128{bit, 0};
     }
     const std::uint64_t bit = std::uint64_t{1} << half;
     return (value.low & (2 * bit - 1)) <=> bit;
 }
 
 /// value >> shift, `shift` 0 to 126.
-constexpr Wide shift_right(Wide value, int shift) {
+constexpr Uint128 shift_right(Uint128 value, int shift) {
     if (shift == 0) return value;
     if (shift >= 64) return {0, value.high >> (shift - 64)};
     return {value.high >> shift, (value.high << (64 - shift)) | (value.low >> shift)};
@@ -114,8 +114,8 @@ constexpr Wide shift_right(Wide value, int shift) {
 /// a * b / 2^shift. See oblong::mul_shift.
 constexpr std::int64_t mul_shift(std::int64_t a, std::int64_t b, int shift, Rounding rounding) {
     const bool is_negative = (a < 0) != (b < 0);
-    const Wide product = multiply(detail::magnitude(a), detail::magnitude(b));
-    const Wide kept = shift_right(product, shift);
+    const Uint128 product = multiply(detail::magnitude(a), detail::magnitude(b));
+    const Uint128 kept = shift_right(product, shift);
     if (kept.high != 0) return detail::saturated(is_negative, ~std::uint64_t{0});
     if (shift == 0) return detail::saturated(is_negative, kept.low);
     const bool is_exact =

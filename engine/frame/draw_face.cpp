@@ -17,14 +17,14 @@ void draw_waiting_blocks(const FaceSurface& surface, const FrameContext& frame, 
 void draw_textured(std::int32_t face_index, const Vec3<World>& offset, const FrameContext& frame,
                    FrameWorkspace& work) {
     const Face& face = frame.scene.level.faces[static_cast<std::size_t>(face_index)];
-    const FaceSurface surface = choose_face_surface(face_index, work.outline.nearest_z_16, frame, work);
+    const FaceSurface surface = choose_face_surface(face_index, work.polygon.nearest_z_16, frame, work);
     const TextureGradients gradients = make_face_gradients(face, surface, offset, frame);
-    const BlockLadder ladder =
-        make_block_ladder(frame.block_rule, static_cast<std::int64_t>(gradients.inverse_z_44.per_column));
+    const BlockThresholds thresholds =
+        make_block_thresholds(frame.block_rule, static_cast<std::int64_t>(gradients.inverse_z_44.per_column));
     for (const Span& span : work.owned) {
         if (!work.blocks.has_room_for(span.end - span.first)) draw_waiting_blocks(surface, frame, work);
         const std::int32_t divisions =
-            append_blocks(span, frame.out.pitch, gradients, frame.block_rule, ladder, surface.limits, work.blocks);
+            append_blocks(span, frame.out.pitch, gradients, frame.block_rule, thresholds, surface.limits, work.blocks);
         if (work.counts) work.counts->divisions += divisions;
     }
     draw_waiting_blocks(surface, frame, work);
@@ -44,10 +44,10 @@ void leave_to_sky(const FrameContext& frame, FrameWorkspace& work) {
     if (work.counts) count_writes(work.owned, frame.out.pitch, *work.counts);
 }
 
-/// Draws the face whose outline is in work.outline.
+/// Draws the face whose polygon is in work.polygon.
 void draw_outline(std::int32_t face_index, const Vec3<World>& offset, const FrameContext& frame, FrameWorkspace& work) {
     work.owned.clear();
-    claim_outline(work.outline, work.rows, work.coverage, work.owned);
+    claim_polygon(work.polygon.screen, work.rows, work.span_buffer, work.owned);
     if (work.owned.empty()) return;
     const FaceKind kind = work.faces.kinds[static_cast<std::size_t>(face_index)];
     const EffectSet effects = effects_of(kind);
@@ -61,7 +61,7 @@ void draw_outline(std::int32_t face_index, const Vec3<World>& offset, const Fram
 
 void draw_world_face(std::int32_t face_index, const FrameContext& frame, FrameWorkspace& work) {
     if (work.counts) ++work.counts->faces_visited;
-    if (make_face_outline(work.faces.corners_of(face_index), frame.view, work.vertices, work.outline))
+    if (project_face(work.faces.corners_of(face_index), frame.view, work.vertices, work.polygon))
         draw_outline(face_index, {}, frame, work);
 }
 
@@ -69,7 +69,7 @@ void draw_fragments_in(std::int32_t leaf, const FrameContext& frame, FrameWorksp
     if (!work.brush_models.has_any_in(leaf)) return;
     for (const Fragment* fragment : work.brush_models.front_to_back_in(leaf, frame.scene.level, frame.view.eye)) {
         if (work.counts) ++work.counts->faces_visited;
-        if (make_polygon_outline(work.brush_models.corners_of(*fragment), frame.view, work.outline))
+        if (project_polygon(work.brush_models.corners_of(*fragment), frame.view, work.polygon))
             draw_outline(fragment->face, frame.scene.models[static_cast<std::size_t>(fragment->placed)].offset, frame,
                          work);
     }

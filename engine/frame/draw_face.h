@@ -7,7 +7,7 @@
 
 namespace oblong {
 
-/// Draws what is still free of a face of the world: outline, claim, surface, gradients, blocks, pixels. Sky is only
+/// Draws what is still free of a face of the world: polygon, claim, surface, gradients, blocks, pixels. Sky is only
 /// claimed, its spans left in work.sky_spans; liquids and sky that are not on the plan get one colour.
 void draw_world_face(std::int32_t face_index, const FrameContext& frame, FrameWorkspace& work);
 

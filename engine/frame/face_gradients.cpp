@@ -39,7 +39,7 @@ TextureGradients make_face_gradients(const Face& face, const FaceSurface& surfac
     textured.eye_u_16 = eye_texel_16(texinfo.s, texinfo.s_offset, eye) - std::int64_t{surface.origin_u} * 65536;
     textured.eye_v_16 = eye_texel_16(texinfo.t, texinfo.t_offset, eye) - std::int64_t{surface.origin_v} * 65536;
     textured.mip = surface.mip;
-    return make_texture_gradients(textured, frame.view.axes, frame.gradient_lens);
+    return make_texture_gradients(textured, frame.view.axes, frame.inverse_projection);
 }
 
 }  // namespace oblong

@@ -13,11 +13,12 @@ namespace {
 /// The mip level for a polygon whose nearest texels are 1, 0.4 and 0.2 pixels wide at the ends of levels 0, 1 and 2:
 /// Quake's thresholds.
 int mip_level(std::int64_t nearest_z_16, std::int64_t density_16, const ProjectionAxis& axis) {
-    const std::int64_t texels_per_pixel_times_lens_16 = mul_shift(nearest_z_16, density_16, 16, Rounding::Floor);
-    const std::int64_t lens_16 = axis.coarse_16;
-    note_range<Quantity::MipProduct>(texels_per_pixel_times_lens_16);
-    return (texels_per_pixel_times_lens_16 > lens_16) + (texels_per_pixel_times_lens_16 * 2 > lens_16 * 5) +
-           (texels_per_pixel_times_lens_16 > lens_16 * 5);
+    const std::int64_t texels_per_pixel_times_multiplier_16 = mul_shift(nearest_z_16, density_16, 16, Rounding::Floor);
+    const std::int64_t multiplier_16 = axis.coarse_16;
+    note_range<Quantity::MipProduct>(texels_per_pixel_times_multiplier_16);
+    return (texels_per_pixel_times_multiplier_16 > multiplier_16) +
+           (texels_per_pixel_times_multiplier_16 * 2 > multiplier_16 * 5) +
+           (texels_per_pixel_times_multiplier_16 > multiplier_16 * 5);
 }
 
 std::int32_t floor_to_multiple(std::int32_t value, std::int32_t size) {
@@ -51,7 +52,7 @@ FaceSurface lit_surface(std::int32_t face_index, int mip, const FrameContext& fr
     surface.origin_u = face.texel_min_u;
     surface.origin_v = face.texel_min_v;
     surface.limits = make_texel_limits(std::max(face.texel_extent_u >> mip, 1), std::max(face.texel_extent_v >> mip, 1),
-                                       frame.view.lens.width_px);
+                                       frame.view.projection.width_px);
     surface.kernel = work.kernel;
     return surface;
 }
@@ -64,7 +65,7 @@ FaceSurface tiled_surface(const Face& face, const MipTexture& texture, int mip, 
     surface.mip = mip;
     surface.origin_u = floor_to_multiple(face.texel_min_u, texture.width);
     surface.origin_v = floor_to_multiple(face.texel_min_v, texture.height);
-    surface.limits = make_texel_limits(kMostTexels, kMostTexels, frame.view.lens.width_px);
+    surface.limits = make_texel_limits(kMostTexels, kMostTexels, frame.view.projection.width_px);
     surface.kernel = is_wrapped_by_masks(surface.view) ? work.kernel : draw_blocks_any_size;
     return surface;
 }
@@ -76,7 +77,7 @@ FaceSurface choose_face_surface(std::int32_t face_index, std::int64_t nearest_z_
     const Level& level = frame.scene.level;
     const Face& face = level.faces[static_cast<std::size_t>(face_index)];
     const auto texinfo = static_cast<std::size_t>(face.texinfo);
-    const int mip = mip_level(nearest_z_16, work.faces.density_16[texinfo], frame.view.lens.x);
+    const int mip = mip_level(nearest_z_16, work.faces.density_16[texinfo], frame.view.projection.x);
     if (work.faces.kinds[static_cast<std::size_t>(face_index)] == FaceKind::Lit)
         return lit_surface(face_index, mip, frame, work);
     return tiled_surface(face, level.textures[static_cast<std::size_t>(level.texinfos[texinfo].miptex)], mip, frame,

@@ -6,7 +6,7 @@
 #include "engine/frame/workspace.h"
 #include "engine/frame/world_pass.h"
 #include "engine/raster/fill.h"
-#include "engine/visible/eye.h"
+#include "engine/visibility/eye.h"
 
 namespace oblong {
 
@@ -25,8 +25,8 @@ ViewContext make_view(const Camera& camera, const Vec3<World>& eye, const Screen
     ViewContext view;
     view.eye = eye;
     view.axes = view_basis(camera.yaw, camera.pitch, camera.roll);
-    view.lens = make_projection(mode, camera.field_of_view, settings.correct_aspect);
-    view.frustum = make_frustum(view.axes, view.lens);
+    view.projection = make_projection(mode, camera.field_of_view, settings.correct_aspect);
+    view.frustum = make_frustum(view.axes, view.projection);
     view.grid = SubpixelGrid::of_bits(settings.accuracy.subpixel_bits);
     return view;
 }
@@ -43,7 +43,7 @@ void draw_sky_pass(const FrameContext& frame, const FrameWorkspace& work) {
         texture && texture->width == 2 * texture->height && (texture->height & (texture->height - 1)) == 0;
     if (!is_layered) return fill_spans(work.sky_spans, texture ? texture->mips[0][0] : 0, frame.out);
     draw_sky(work.sky_spans, {texture->mips[0].data(), texture->height, texture->width}, frame.view.axes,
-             frame.view.lens, frame.out);
+             frame.view.projection, frame.out);
 }
 
 }  // namespace
@@ -58,12 +58,13 @@ void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode
 
     const ViewContext view = make_view(camera, eye.position, mode, settings);
     const FrameContext frame{
-        scene, settings, view, make_gradient_lens(view.lens), make_block_rule(settings.accuracy), work.plan, out};
+        scene,     settings, view, make_inverse_projection(view.projection), make_block_rule(settings.accuracy),
+        work.plan, out};
     draw_world(frame, work);
     if (work.plan.effects.has(Effect::Sky)) draw_sky_pass(frame, work);
 
     work.owned.clear();
-    work.coverage.claim_rest(work.owned);
+    work.span_buffer.claim_rest(work.owned);
     fill_spans(work.owned, 0, out);
 }
 

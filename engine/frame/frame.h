@@ -3,15 +3,15 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/camera/camera.h"
-#include "engine/effects/plan.h"
-#include "engine/frame/lit_faces.h"
-#include "engine/frame/model_cutter.h"
 #include "engine/frame/settings.h"
+#include "engine/geometry/camera.h"
 #include "engine/level/level.h"
+#include "engine/scene/effects.h"
+#include "engine/scene/lit_faces.h"
 #include "engine/screen/framebuffer.h"
 #include "engine/screen/screen_mode.h"
 #include "engine/surface/colormap.h"
+#include "engine/visibility/model_cutter.h"
 
 namespace oblong {
 
@@ -36,7 +36,7 @@ struct Scene {
 /// Draws one picture: a pure function of its first four arguments. Every pixel of `out` (whose size is the mode's) is
 /// written once: in the open by the world, which leaves no pixel free. From inside a wall or behind the sky all faces
 /// that face the eye are drawn, and what none of them covers is colour 0. Fields of view are bounded by
-/// make_projection() and, in modes of few pixels, by make_gradient_lens().
+/// make_projection() and, in modes of few pixels, by make_inverse_projection().
 void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
                 FrameWorkspace& work, Framebuffer out);
 

@@ -2,8 +2,8 @@
 
 #include "engine/frame/frame.h"
 #include "engine/geometry/texture_gradients.h"
+#include "engine/geometry/view_context.h"
 #include "engine/raster/texture_blocks.h"
-#include "engine/visible/view_context.h"
 
 namespace oblong {
 
@@ -12,7 +12,7 @@ struct FrameContext {
     const Scene& scene;
     const Settings& settings;
     ViewContext view;
-    GradientLens gradient_lens;
+    InverseProjection inverse_projection;
     BlockRule block_rule;
     FramePlan plan;
     Framebuffer out;

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/effects/plan.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/raster/span.h"
+#include "engine/scene/effects.h"
 #include "engine/screen/framebuffer.h"
 
 namespace oblong {

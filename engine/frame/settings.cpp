@@ -6,37 +6,37 @@ namespace oblong {
 
 namespace {
 
-struct NamedTier {
-    Tier tier;
+struct NamedPreset {
+    Preset preset;
     std::string_view name;
     Accuracy accuracy;
 };
 
-constexpr std::array<NamedTier, 5> kTiers{{
-    {Tier::Year1991, "1991", {Texturing::Affine, 96, 0}},
-    {Tier::Year1994, "1994", {Texturing::Affine, 96, 8}},
-    {Tier::Year1996, "1996", {Texturing::Every16, 96, 8}},
-    {Tier::Bounded, "bounded", {Texturing::Bounded, 96, 8}},
-    {Tier::Exact, "exact", {Texturing::Exact, 96, 8}},
+constexpr std::array<NamedPreset, 5> kPresets{{
+    {Preset::Year1991, "1991", {Texturing::Affine, 96, 0}},
+    {Preset::Year1994, "1994", {Texturing::Affine, 96, 8}},
+    {Preset::Year1996, "1996", {Texturing::Every16, 96, 8}},
+    {Preset::Bounded, "bounded", {Texturing::Bounded, 96, 8}},
+    {Preset::Exact, "exact", {Texturing::Exact, 96, 8}},
 }};
 
-const NamedTier& entry_of(Tier tier) {
-    return kTiers[static_cast<std::size_t>(tier)];
+const NamedPreset& entry_of(Preset preset) {
+    return kPresets[static_cast<std::size_t>(preset)];
 }
 
 }  // namespace
 
-Accuracy accuracy_of(Tier tier) {
-    return entry_of(tier).accuracy;
+Accuracy accuracy_of(Preset preset) {
+    return entry_of(preset).accuracy;
 }
 
-std::string_view name_of(Tier tier) {
-    return entry_of(tier).name;
+std::string_view name_of(Preset preset) {
+    return entry_of(preset).name;
 }
 
-std::optional<Tier> tier_named(std::string_view name) {
-    for (const NamedTier& entry : kTiers)
-        if (entry.name == name) return entry.tier;
+std::optional<Preset> preset_named(std::string_view name) {
+    for (const NamedPreset& entry : kPresets)
+        if (entry.name == name) return entry.preset;
     return std::nullopt;
 }
 

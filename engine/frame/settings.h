@@ -3,20 +3,20 @@
 #include <optional>
 #include <string_view>
 
-#include "engine/effects/plan.h"
 #include "engine/raster/accuracy.h"
+#include "engine/scene/effects.h"
 
 namespace oblong {
 
-/// The named tiers (--accuracy): what could be afforded in that year, and two that no year could.
-enum class Tier { Year1991, Year1994, Year1996, Bounded, Exact };
+/// The named presets (--accuracy): what could be afforded in that year, and two that no year could.
+enum class Preset { Year1991, Year1994, Year1996, Bounded, Exact };
 
-/// The dials of a tier.
-Accuracy accuracy_of(Tier tier);
+/// The dials of a preset.
+Accuracy accuracy_of(Preset preset);
 /// "1991", "1994", "1996", "bounded", "exact".
-std::string_view name_of(Tier tier);
-/// The tier of that name, if there is one.
-std::optional<Tier> tier_named(std::string_view name);
+std::string_view name_of(Preset preset);
+/// The preset of that name, if there is one.
+std::optional<Preset> preset_named(std::string_view name);
 
 /// What the player or the developer sets; together with level, camera and time it determines a frame.
 struct Settings {

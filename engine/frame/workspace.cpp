@@ -13,9 +13,9 @@ constexpr std::size_t kSurfaceArenaBytes = std::size_t{12} << 20;
 
 FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode)
     : faces(make_face_table(level)),
-      vertices(level),
+      vertices(level.vertices),
       visible(level),
-      coverage(mode.width_px, mode.height_px),
+      span_buffer(mode.width_px, mode.height_px),
       rows(mode.height_px),
       blocks(mode.width_px),
       surfaces(level.faces.size() * 4, std::max(kSurfaceArenaBytes, faces.largest_surface_bytes)),
@@ -24,10 +24,10 @@ FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode)
     walk.face_marks.resize(level.faces.size());
     walk.steps.reserve(level.nodes.size());
     owned.reserve(static_cast<std::size_t>(mode.height_px) * 16);
-    outline.corners.reserve(faces.most_corners);
-    outline.screen.reserve(faces.most_corners + kClipPlaneCount);
-    outline.clip.polygon.reserve(faces.most_corners + kClipPlaneCount);
-    outline.clip.other.reserve(faces.most_corners + kClipPlaneCount);
+    polygon.corners.reserve(faces.most_corners);
+    polygon.screen.reserve(faces.most_corners + kClipPlaneCount);
+    polygon.clip.polygon.reserve(faces.most_corners + kClipPlaneCount);
+    polygon.clip.other.reserve(faces.most_corners + kClipPlaneCount);
 }
 
 }  // namespace oblong

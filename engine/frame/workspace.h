@@ -5,20 +5,20 @@
 #include <span>
 #include <vector>
 
-#include "engine/effects/plan.h"
-#include "engine/frame/brush_models.h"
-#include "engine/frame/face_table.h"
 #include "engine/frame/frame_counts.h"
-#include "engine/frame/lit_faces.h"
+#include "engine/geometry/screen_polygon.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
+#include "engine/scene/effects.h"
+#include "engine/scene/face_table.h"
+#include "engine/scene/lit_faces.h"
 #include "engine/screen/screen_mode.h"
 #include "engine/surface/surface_cache.h"
-#include "engine/visible/coverage.h"
-#include "engine/visible/front_to_back.h"
-#include "engine/visible/outline.h"
-#include "engine/visible/visible_set.h"
+#include "engine/visibility/brush_models.h"
+#include "engine/visibility/front_to_back.h"
+#include "engine/visibility/span_buffer.h"
+#include "engine/visibility/visible_set.h"
 
 namespace oblong {
 
@@ -32,9 +32,9 @@ class FrameWorkspace {
     VertexCache vertices;
     VisibleSet visible;
     WalkScratch walk;
-    Coverage coverage;
-    Outline outline;
-    RowColumns rows;
+    SpanBuffer span_buffer;
+    ScreenPolygon polygon;
+    ScanlineExtents rows;
     std::vector<Span> owned;      ///< what the face at hand claimed
     std::vector<Span> sky_spans;  ///< what sky faces claimed, drawn last
     BlockList blocks;

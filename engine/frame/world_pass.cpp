@@ -1,14 +1,14 @@
 #include "engine/frame/world_pass.h"
 
 #include "engine/frame/draw_face.h"
-#include "engine/visible/box_rectangle.h"
+#include "engine/visibility/box_rectangle.h"
 
 namespace oblong {
 
 void draw_world(const FrameContext& frame, FrameWorkspace& work) {
     const Level& level = frame.scene.level;
     work.vertices.start_frame();
-    work.coverage.reset();
+    work.span_buffer.reset();
     work.sky_spans.clear();
     work.brush_models.start_frame();
 
@@ -19,9 +19,9 @@ void draw_world(const FrameContext& frame, FrameWorkspace& work) {
     const auto on_face = [&](std::int32_t face) { draw_world_face(face, frame, work); };
     const auto is_hidden = [&](const LevelBox& box) {
         const std::optional<ScreenRectangle> rectangle = rectangle_of(box, frame.view);
-        return rectangle && !work.coverage.may_be_free(*rectangle);
+        return rectangle && !work.span_buffer.may_be_free(*rectangle);
     };
-    const auto is_done = [&] { return work.coverage.is_full(); };
+    const auto is_done = [&] { return work.span_buffer.is_full(); };
     walk_front_to_back(level, frame.view.eye, frame.view.frustum, work.visible, work.walk, on_leaf, on_face, is_hidden,
                        is_done);
     walk_all_faces(level, frame.view.eye, frame.view.frustum, work.walk, on_face, is_hidden, is_done);

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/camera/frustum.h"
+#include "engine/geometry/frustum.h"
 
 namespace oblong {
 

@@ -16,14 +16,14 @@ Screen snap_within(ScreenWide position, std::int32_t size_px, const SubpixelGrid
 
 }  // namespace
 
-ScreenVertex to_screen_vertex(const ScreenPosition& position, const Projection& lens, const SubpixelGrid& grid) {
-    return {snap_within(position.x, lens.width_px, grid), snap_within(position.y, lens.height_px, grid)};
+ScreenVertex to_screen_vertex(const ScreenPosition& position, const Projection& projection, const SubpixelGrid& grid) {
+    return {snap_within(position.x, projection.width_px, grid), snap_within(position.y, projection.height_px, grid)};
 }
 
-ScreenVertex to_screen_border(ScreenVertex vertex, std::uint8_t borders, const Projection& lens) {
+ScreenVertex to_screen_border(ScreenVertex vertex, std::uint8_t borders, const Projection& projection) {
     if (borders & kOutLeft) vertex.x = Screen{};
-    if (borders & kOutRight) vertex.x = Screen::from_int(lens.width_px);
-    if (borders & kOutBottom) vertex.y = Screen::from_int(lens.height_px);
+    if (borders & kOutRight) vertex.x = Screen::from_int(projection.width_px);
+    if (borders & kOutBottom) vertex.y = Screen::from_int(projection.height_px);
     if (borders & kOutTop) vertex.y = Screen{};
     return vertex;
 }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "engine/camera/frustum.h"
+#include "engine/geometry/frustum.h"
+#include "engine/geometry/projection.h"
 #include "engine/math/vec.h"
-#include "engine/screen/projection.h"
 #include "engine/screen/screen_vertex.h"
 
 namespace oblong {
@@ -15,10 +15,10 @@ struct ScreenPosition {
     ScreenWide x, y;
 };
 
-inline ScreenPosition project(const Vec3<View>& p, const Projection& lens) {
+inline ScreenPosition project(const Vec3<View>& p, const Projection& projection) {
     const std::int64_t z_16 = std::max(p.z.raw, std::int64_t{1});
-    return {ScreenWide::from_raw(lens.x.centre.raw + project_axis_8(lens.x, p.x.raw, z_16)),
-            ScreenWide::from_raw(lens.y.centre.raw + project_axis_8(lens.y, -p.y.raw, z_16))};
+    return {ScreenWide::from_raw(projection.x.centre.raw + project_axis_8(projection.x, p.x.raw, z_16)),
+            ScreenWide::from_raw(projection.y.centre.raw + project_axis_8(projection.y, -p.y.raw, z_16))};
 }
 
 /// The dial of sub-pixel precision: how many fraction bits a screen vertex keeps.
@@ -34,9 +34,9 @@ struct SubpixelGrid {
 
 /// A clipped point as a screen vertex: snapped to the grid and kept within [0, width] x [0, height], from which
 /// rounding alone could carry it (hard case C7).
-ScreenVertex to_screen_vertex(const ScreenPosition& position, const Projection& lens, const SubpixelGrid& grid);
+ScreenVertex to_screen_vertex(const ScreenPosition& position, const Projection& projection, const SubpixelGrid& grid);
 
 /// The same for a corner that clipping put on `borders` of the view: it lies exactly on those of the screen.
-ScreenVertex to_screen_border(ScreenVertex vertex, std::uint8_t borders, const Projection& lens);
+ScreenVertex to_screen_border(ScreenVertex vertex, std::uint8_t borders, const Projection& projection);
 
 }  // namespace oblong

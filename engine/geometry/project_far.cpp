@@ -8,13 +8,13 @@ namespace oblong {
 
 namespace {
 
-constexpr Scaled whole(std::int64_t value) {
-    return Scaled::from(value, 0);
+constexpr SoftFloat whole(std::int64_t value) {
+    return SoftFloat::from(value, 0);
 }
 
 /// first - first x^2 / (n (n+1)) + first x^4 / (n (n+1) (n+2) (n+3)) - ..., until the terms vanish.
-Scaled alternating_series(const Scaled& first, const Scaled& x_squared, std::int64_t n) {
-    Scaled sum = first, term = first;
+SoftFloat alternating_series(const SoftFloat& first, const SoftFloat& x_squared, std::int64_t n) {
+    SoftFloat sum = first, term = first;
     for (; !term.is_zero() && term.magnitude() > first.magnitude() - 64; n += 2) {
         term = -(term * x_squared) / whole(n * (n + 1));
         sum = sum + term;
@@ -23,25 +23,25 @@ Scaled alternating_series(const Scaled& first, const Scaled& x_squared, std::int
 }
 
 /// Of 0 to 90 degrees, exact relative to itself however small.
-Scaled tangent_of_half(const Scaled& degrees) {
-    const Scaled x = degrees * Scaled::from(detail::kRadiansPerDegree68, -68 - 1);
+SoftFloat tangent_of_half(const SoftFloat& degrees) {
+    const SoftFloat x = degrees * SoftFloat::from(detail::kRadiansPerDegree68, -68 - 1);
     return alternating_series(x, x * x, 2) / alternating_series(whole(1), x * x, 1);
 }
 
-Scaled cotangent_of_half(const Scaled& degrees) {
-    const Scaled beyond_right_angle = degrees - whole(90);
+SoftFloat cotangent_of_half(const SoftFloat& degrees) {
+    const SoftFloat beyond_right_angle = degrees - whole(90);
     if (beyond_right_angle.mantissa > 0) return tangent_of_half(whole(180) - degrees);
     return whole(1) / tangent_of_half(degrees);
 }
 
-Scaled along(const Vec3<Sine60>& axis, const Vec3<Scaled>& offset) {
-    const auto product = [](Sine60 component, const Scaled& distance) {
-        return Scaled::from(component.raw, -60) * distance;
+SoftFloat along(const Vec3<Sine60>& axis, const Vec3<SoftFloat>& offset) {
+    const auto product = [](Sine60 component, const SoftFloat& distance) {
+        return SoftFloat::from(component.raw, -60) * distance;
     };
     return product(axis.x, offset.x) + product(axis.y, offset.y) + product(axis.z, offset.z);
 }
 
-std::optional<ScreenWide> project_axis(const Scaled& multiplier, const Scaled& view, const Scaled& z,
+std::optional<ScreenWide> project_axis(const SoftFloat& multiplier, const SoftFloat& view, const SoftFloat& z,
                                        ScreenWide centre) {
     const std::optional<std::int64_t> offset_8 = fixed_of(multiplier * view / z, ScreenWide::kFractionBits);
     if (!offset_8) return std::nullopt;
@@ -50,39 +50,40 @@ std::optional<ScreenWide> project_axis(const Scaled& multiplier, const Scaled& v
 
 }  // namespace
 
-FarLens make_far_lens(const ScreenMode& mode, const Scaled& field_of_view_degrees) {
+FarProjection make_far_projection(const ScreenMode& mode, const SoftFloat& field_of_view_degrees) {
     const Ratio shape = mode.display * Ratio{mode.height_px, mode.width_px};
-    FarLens lens;
-    lens.x = Scaled::from(mode.width_px, -1) * cotangent_of_half(field_of_view_degrees);
-    lens.y = lens.x * whole(shape.numerator) / whole(shape.denominator);
-    lens.centre_x = ScreenWide::from_raw(std::int64_t{mode.width_px} * 128);
-    lens.centre_y = ScreenWide::from_raw(std::int64_t{mode.height_px} * 128);
-    return lens;
+    FarProjection projection;
+    projection.x = SoftFloat::from(mode.width_px, -1) * cotangent_of_half(field_of_view_degrees);
+    projection.y = projection.x * whole(shape.numerator) / whole(shape.denominator);
+    projection.centre_x = ScreenWide::from_raw(std::int64_t{mode.width_px} * 128);
+    projection.centre_y = ScreenWide::from_raw(std::int64_t{mode.height_px} * 128);
+    return projection;
 }
 
 FarPoint to_far_view(const Vec3<World>& world_point, const Vec3<World>& world_eye, const FineBasis& basis) {
-    const auto difference = [](World to, World from) { return Scaled::from(std::int64_t{to.raw} - from.raw, -12); };
-    const Vec3<Scaled> offset{difference(world_point.x, world_eye.x), difference(world_point.y, world_eye.y),
-                              difference(world_point.z, world_eye.z)};
+    const auto difference = [](World to, World from) { return SoftFloat::from(std::int64_t{to.raw} - from.raw, -12); };
+    const Vec3<SoftFloat> offset{difference(world_point.x, world_eye.x), difference(world_point.y, world_eye.y),
+                                 difference(world_point.z, world_eye.z)};
     return {along(basis.right, offset), along(basis.up, offset), along(basis.forward, offset)};
 }
 
 FarPoint to_far_view(const Vec3<View>& view_point) {
-    return {Scaled::from(view_point.x.raw, -16), Scaled::from(view_point.y.raw, -16),
-            Scaled::from(view_point.z.raw, -16)};
+    return {SoftFloat::from(view_point.x.raw, -16), SoftFloat::from(view_point.y.raw, -16),
+            SoftFloat::from(view_point.z.raw, -16)};
 }
 
-std::optional<ScreenPosition> project_far(const FarPoint& point, const FarLens& lens) {
-    const auto x = project_axis(lens.x, point.x, point.z, lens.centre_x);
-    const auto y = project_axis(lens.y, -point.y, point.z, lens.centre_y);
+std::optional<ScreenPosition> project_far(const FarPoint& point, const FarProjection& projection) {
+    const auto x = project_axis(projection.x, point.x, point.z, projection.centre_x);
+    const auto y = project_axis(projection.y, -point.y, point.z, projection.centre_y);
     if (!x || !y) return std::nullopt;
     return ScreenPosition{*x, *y};
 }
 
-bool is_exact_in_frame(const Vec3<View>& view_point, const Frustum& frustum, const Projection& lens) {
+bool is_exact_in_frame(const Vec3<View>& view_point, const Frustum& frustum, const Projection& projection) {
     // Half a step of View moves a point at z = reach / 64 by up to 2^-11 pixel.
-    const std::int64_t reach_16 = std::max(lens.x.coarse_16, lens.y.coarse_16) +
-                                  std::max(std::int64_t{lens.width_px}, std::int64_t{lens.height_px}) * (1 << 15);
+    const std::int64_t reach_16 =
+        std::max(projection.x.coarse_16, projection.y.coarse_16) +
+        std::max(std::int64_t{projection.width_px}, std::int64_t{projection.height_px}) * (1 << 15);
     return outcode_of(frustum, view_point) == 0 && view_point.z.raw >= reach_16 / 64;
 }
 

@@ -3,22 +3,22 @@
 #include <optional>
 
 #include "engine/geometry/project.h"
-#include "engine/math/scaled.h"
+#include "engine/math/soft_float.h"
 
 namespace oblong {
 
 /// A point in viewspace with 62 significant bits.
-using FarPoint = Vec3<Scaled>;
+using FarPoint = Vec3<SoftFloat>;
 
 /// The multipliers of make_projection() with 62 significant bits.
-struct FarLens {
-    Scaled x, y;
+struct FarProjection {
+    SoftFloat x, y;
     ScreenWide centre_x, centre_y;
 };
 
 /// Any field of view above 0 and below 180 degrees, with all the bits that it has: where d is a million pixels, those
 /// of Degrees would be too few. `mode` as for make_projection().
-FarLens make_far_lens(const ScreenMode& mode, const Scaled& field_of_view_degrees);
+FarProjection make_far_projection(const ScreenMode& mode, const SoftFloat& field_of_view_degrees);
 
 /// A world point as seen from `world_eye`, within 2^-39 unit: to_view() with axes and products that are not rounded to
 /// the frame's formats.
@@ -28,10 +28,10 @@ FarPoint to_far_view(const Vec3<View>& view_point);
 
 /// Where a point lands whose z is above 0, however far off the screen: the formula of project(), with relative errors
 /// of 2^-57. A frame clips such points and never projects them. None where 56 bits cannot hold the position.
-std::optional<ScreenPosition> project_far(const FarPoint& point, const FarLens& lens);
+std::optional<ScreenPosition> project_far(const FarPoint& point, const FarProjection& projection);
 
 /// Whether project() puts a point within 1/200 pixel: it is in view, where the frame's formats were made to serve, and
 /// not so near that a step of View is more than 1/1,024 pixel.
-bool is_exact_in_frame(const Vec3<View>& view_point, const Frustum& frustum, const Projection& lens);
+bool is_exact_in_frame(const Vec3<View>& view_point, const Frustum& frustum, const Projection& projection);
 
 }  // namespace oblong

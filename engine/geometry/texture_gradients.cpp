@@ -26,7 +26,7 @@ ViewSlope rotate_to_view(const Vec3<Fixed<std::int32_t, Frac>>& world, const Bas
 }
 
 LinearQuantity anchor_at_centre(std::int64_t ahead, std::int64_t per_column, std::int64_t per_row,
-                                const GradientLens& lens) {
+                                const InverseProjection& projection) {
     // Half-pixel steps from the optical centre to the centre of pixel (0, 0), whose own centre is one half-pixel in.
     const auto halves = [](std::int64_t step, std::int32_t centre_1) {
         return mul_shift(step, 1 - std::int64_t{centre_1}, 1, Rounding::Floor);
@@ -35,8 +35,8 @@ LinearQuantity anchor_at_centre(std::int64_t ahead, std::int64_t per_column, std
     quantity.per_column = static_cast<std::uint64_t>(per_column);
     quantity.per_row = static_cast<std::uint64_t>(per_row);
     quantity.origin = static_cast<std::uint64_t>(ahead) +
-                      static_cast<std::uint64_t>(halves(per_column, lens.centre_x_1)) +
-                      static_cast<std::uint64_t>(halves(per_row, lens.centre_y_1));
+                      static_cast<std::uint64_t>(halves(per_column, projection.centre_x_1)) +
+                      static_cast<std::uint64_t>(halves(per_row, projection.centre_y_1));
     return quantity;
 }
 
@@ -60,7 +60,7 @@ struct DistanceReciprocal {
 };
 
 LinearQuantity texel_quantity(const ViewSlope& axis_53, std::int64_t eye_texel_16, const ViewSlope& inverse_z_44,
-                              const GradientLens& lens, int mip) {
+                              const InverseProjection& projection, int mip) {
     const auto with_eye = [&](std::int64_t part_30, std::int64_t inverse_44) {
         const std::int64_t sum_30 = part_30 + mul_shift(eye_texel_16, inverse_44, 30, Rounding::NearestHalfUp);
         note_range<Quantity::TexelSlope>(sum_30);
@@ -68,33 +68,36 @@ LinearQuantity texel_quantity(const ViewSlope& axis_53, std::int64_t eye_texel_1
     };
     return anchor_at_centre(
         with_eye(rounded_shift(axis_53.ahead, 23, Rounding::NearestHalfUp), inverse_z_44.ahead),
-        with_eye(mul_shift(axis_53.x, lens.inverse_x_62, 62 + 23, Rounding::NearestHalfUp), inverse_z_44.x),
-        with_eye(mul_shift(-axis_53.y, lens.inverse_y_62, 62 + 23, Rounding::NearestHalfUp), inverse_z_44.y), lens);
+        with_eye(mul_shift(axis_53.x, projection.inverse_x_62, 62 + 23, Rounding::NearestHalfUp), inverse_z_44.x),
+        with_eye(mul_shift(-axis_53.y, projection.inverse_y_62, 62 + 23, Rounding::NearestHalfUp), inverse_z_44.y),
+        projection);
 }
 
 }  // namespace
 
-GradientLens make_gradient_lens(const Projection& lens) {
+InverseProjection make_inverse_projection(const Projection& projection) {
     const auto inverse_62 = [](Multiplier multiplier) {
         return mul_div(std::int64_t{1} << 62, std::int64_t{1} << 32, multiplier.raw, Rounding::NearestHalfUp);
     };
-    return {inverse_62(lens.x.multiplier), inverse_62(lens.y.multiplier), lens.width_px, lens.height_px};
+    return {inverse_62(projection.x.multiplier), inverse_62(projection.y.multiplier), projection.width_px,
+            projection.height_px};
 }
 
-TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& axes, const GradientLens& lens) {
+TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& axes,
+                                        const InverseProjection& projection) {
     const ViewSlope normal_60 = rotate_to_view(plane.normal, axes);
     const DistanceReciprocal reciprocal(plane.eye_distance);
     const ViewSlope inverse_z_44{
-        reciprocal.times_60(-mul_shift(normal_60.x, lens.inverse_x_62, 62, Rounding::NearestHalfUp)),
-        reciprocal.times_60(mul_shift(normal_60.y, lens.inverse_y_62, 62, Rounding::NearestHalfUp)),
+        reciprocal.times_60(-mul_shift(normal_60.x, projection.inverse_x_62, 62, Rounding::NearestHalfUp)),
+        reciprocal.times_60(mul_shift(normal_60.y, projection.inverse_y_62, 62, Rounding::NearestHalfUp)),
         reciprocal.times_60(-normal_60.ahead)};
 
     TextureGradients gradients;
-    gradients.inverse_z_44 = anchor_at_centre(inverse_z_44.ahead, inverse_z_44.x, inverse_z_44.y, lens);
+    gradients.inverse_z_44 = anchor_at_centre(inverse_z_44.ahead, inverse_z_44.x, inverse_z_44.y, projection);
     gradients.u_over_z_30 =
-        texel_quantity(rotate_to_view(plane.s, axes), plane.eye_u_16, inverse_z_44, lens, plane.mip);
+        texel_quantity(rotate_to_view(plane.s, axes), plane.eye_u_16, inverse_z_44, projection, plane.mip);
     gradients.v_over_z_30 =
-        texel_quantity(rotate_to_view(plane.t, axes), plane.eye_v_16, inverse_z_44, lens, plane.mip);
+        texel_quantity(rotate_to_view(plane.t, axes), plane.eye_v_16, inverse_z_44, projection, plane.mip);
     return gradients;
 }
 

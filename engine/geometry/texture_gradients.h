@@ -3,20 +3,20 @@
 #include <cstdint>
 
 #include "engine/fixed/fixed.h"
+#include "engine/geometry/projection.h"
 #include "engine/math/basis.h"
 #include "engine/screen/gradients.h"
-#include "engine/screen/projection.h"
 
 namespace oblong {
 
 /// What a frame needs again for each face: 1 / multiplier, 62 fraction bits, and the optical centre in half pixels.
-struct GradientLens {
+struct InverseProjection {
     std::int64_t inverse_x_62 = 0, inverse_y_62 = 0;
     std::int32_t centre_x_1 = 0, centre_y_1 = 0;
 };
 
-/// Of a lens that is_drawable().
-GradientLens make_gradient_lens(const Projection& lens);
+/// Of a projection that is_drawable().
+InverseProjection make_inverse_projection(const Projection& projection);
 
 /// A plane with a texture on it, seen from an eye: all that its gradients depend on, in the world's axes.
 struct TexturedPlane {
@@ -32,6 +32,7 @@ struct TexturedPlane {
 /// one plane gets the same bits (hard case E11). With p = z (X, Y, 1) on the plane, N the normal in viewspace and D the
 /// eye's distance, 1/z = -N . (X, Y, 1) / D, and u/z = S . (X, Y, 1) + eye_u / z. (Abrash, Black Book,
 /// ch. 66, derives 1/z.)
-TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& axes, const GradientLens& lens);
+TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& axes,
+                                        const InverseProjection& projection);
 
 }  // namespace oblong

@@ -1,7 +1,7 @@
 #include "engine/geometry/triangle_gradients.h"
 
 #include "engine/math/products.h"
-#include "engine/math/scaled.h"
+#include "engine/math/soft_float.h"
 #include "engine/math/wide_sum.h"
 
 namespace oblong {
@@ -14,20 +14,20 @@ using CornerNormals = std::array<Vec3<Fixed<std::int64_t, 28>>, 3>;
 
 /// Where pixels look: along (x, y, 1) through the centre of the anchor, and how that changes by pixels.
 struct PixelRay {
-    Scaled x, y, x_per_column, y_per_row;
+    SoftFloat x, y, x_per_column, y_per_row;
     PixelPosition anchor;
 
-    PixelRay(const Projection& lens, PixelPosition pixel) : anchor(pixel) {
-        const Scaled one = Scaled::from(1, 0);
-        x_per_column = one / Scaled::from(lens.x.multiplier.raw, -32);
-        y_per_row = -(one / Scaled::from(lens.y.multiplier.raw, -32));
-        x = Scaled::from(2 * std::int64_t{pixel.column} + 1 - lens.width_px, -1) * x_per_column;
-        y = Scaled::from(2 * std::int64_t{pixel.row} + 1 - lens.height_px, -1) * y_per_row;
+    PixelRay(const Projection& projection, PixelPosition pixel) : anchor(pixel) {
+        const SoftFloat one = SoftFloat::from(1, 0);
+        x_per_column = one / SoftFloat::from(projection.x.multiplier.raw, -32);
+        y_per_row = -(one / SoftFloat::from(projection.y.multiplier.raw, -32));
+        x = SoftFloat::from(2 * std::int64_t{pixel.column} + 1 - projection.width_px, -1) * x_per_column;
+        y = SoftFloat::from(2 * std::int64_t{pixel.row} + 1 - projection.height_px, -1) * y_per_row;
     }
 };
 
 /// The sum of the three normals, each times its weight; `exponent` scales normals and weights alike.
-Vec3<Scaled> weighted_sum(const CornerNormals& normals, const std::array<std::int64_t, 3>& weights, int exponent) {
+Vec3<SoftFloat> weighted_sum(const CornerNormals& normals, const std::array<std::int64_t, 3>& weights, int exponent) {
     WideSum x, y, z;
     for (std::size_t i = 0; i < 3; ++i) {
         x.add_product(normals[i].x.raw, weights[i]);
@@ -37,7 +37,7 @@ Vec3<Scaled> weighted_sum(const CornerNormals& normals, const std::array<std::in
     return {x.scaled(exponent), y.scaled(exponent), z.scaled(exponent)};
 }
 
-Scaled determinant(const Corner& a, const CornerNormals& normals) {
+SoftFloat determinant(const Corner& a, const CornerNormals& normals) {
     WideSum sum;
     sum.add_product(a.x.raw, normals[0].x.raw);
     sum.add_product(a.y.raw, normals[0].y.raw);
@@ -47,17 +47,18 @@ Scaled determinant(const Corner& a, const CornerNormals& normals) {
 
 /// In the given format; what is steeper than it holds changes by more than any texel from one pixel to the next, and
 /// its low bits then do not matter.
-std::uint64_t step_of(const Scaled& value, int fraction_bits) {
+std::uint64_t step_of(const SoftFloat& value, int fraction_bits) {
     constexpr std::int64_t kSteepest = std::int64_t{1} << 62;
     return static_cast<std::uint64_t>(
         fixed_of(value, fraction_bits).value_or(value.mantissa < 0 ? -kSteepest : kSteepest));
 }
 
-LinearQuantity quantity_of(const Vec3<Scaled>& slope, const Scaled& whole, const PixelRay& ray, int fraction_bits) {
+LinearQuantity quantity_of(const Vec3<SoftFloat>& slope, const SoftFloat& whole, const PixelRay& ray,
+                           int fraction_bits) {
     LinearQuantity quantity;
     quantity.per_column = step_of(slope.x * ray.x_per_column / whole, fraction_bits);
     quantity.per_row = step_of(slope.y * ray.y_per_row / whole, fraction_bits);
-    const Scaled at_anchor = (slope.x * ray.x + slope.y * ray.y + slope.z) / whole;
+    const SoftFloat at_anchor = (slope.x * ray.x + slope.y * ray.y + slope.z) / whole;
     quantity.origin = step_of(at_anchor, fraction_bits) -
                       quantity.per_column * static_cast<std::uint64_t>(std::int64_t{ray.anchor.column}) -
                       quantity.per_row * static_cast<std::uint64_t>(std::int64_t{ray.anchor.row});
@@ -67,14 +68,14 @@ LinearQuantity quantity_of(const Vec3<Scaled>& slope, const Scaled& whole, const
 }  // namespace
 
 std::optional<TextureGradients> make_triangle_gradients(const std::array<TexturedCorner, 3>& corners,
-                                                        const Projection& lens, PixelPosition anchor) {
+                                                        const Projection& projection, PixelPosition anchor) {
     const auto& [a, b, c] = corners;
     const CornerNormals normals{cross(b.position, c.position), cross(c.position, a.position),
                                 cross(a.position, b.position)};
-    const Scaled whole = determinant(a.position, normals);
-    if (whole.is_zero() || lens.x.multiplier.raw <= 0 || lens.y.multiplier.raw <= 0) return std::nullopt;
+    const SoftFloat whole = determinant(a.position, normals);
+    if (whole.is_zero() || projection.x.multiplier.raw <= 0 || projection.y.multiplier.raw <= 0) return std::nullopt;
 
-    const PixelRay ray(lens, anchor);
+    const PixelRay ray(projection, anchor);
     return TextureGradients{quantity_of(weighted_sum(normals, {1, 1, 1}, -28), whole, ray, 44),
                             quantity_of(weighted_sum(normals, {a.u_16, b.u_16, c.u_16}, -44), whole, ray, 30),
                             quantity_of(weighted_sum(normals, {a.v_16, b.v_16, c.v_16}, -44), whole, ray, 30)};

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "engine/geometry/projection.h"
 #include "engine/math/vec.h"
 #include "engine/screen/gradients.h"
-#include "engine/screen/projection.h"
 
 namespace oblong {
 
@@ -29,6 +29,6 @@ struct PixelPosition {
 ///     1/z = N . P / D,    u/z = (uA (B x C) + uB (C x A) + uC (A x B)) . P / D.
 /// Determinants are exact; the rest has 62 significant bits.
 std::optional<TextureGradients> make_triangle_gradients(const std::array<TexturedCorner, 3>& corners,
-                                                        const Projection& lens, PixelPosition anchor);
+                                                        const Projection& projection, PixelPosition anchor);
 
 }  // namespace oblong

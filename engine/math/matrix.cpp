@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "engine/math/scaled.h"
+#include "engine/math/soft_float.h"
 
 namespace oblong {
 
@@ -16,19 +16,20 @@ constexpr int kSingularBits = 50;
 /// The matrix and, right of it, the identity: what rows are subtracted from one to give the other's inverse.
 template <std::size_t N>
 struct Elimination {
-    std::array<std::array<Scaled, 2 * N>, N> rows{};
+    std::array<std::array<SoftFloat, 2 * N>, N> rows{};
 
     explicit Elimination(const Matrix<static_cast<int>(N)>& matrix) {
         for (std::size_t i = 0; i < N; ++i) {
-            for (std::size_t j = 0; j < N; ++j) rows[i][j] = Scaled::from(matrix.rows[i][j].raw, -Entry::kFractionBits);
-            rows[i][N + i] = Scaled::from(1, 0);
+            for (std::size_t j = 0; j < N; ++j)
+                rows[i][j] = SoftFloat::from(matrix.rows[i][j].raw, -Entry::kFractionBits);
+            rows[i][N + i] = SoftFloat::from(1, 0);
         }
     }
 
     /// The row from `column` down whose entry in that column is the largest.
     std::size_t pivot_row(std::size_t column) const {
         const auto size = [column](const auto& row) {
-            const Scaled& entry = row[column];
+            const SoftFloat& entry = row[column];
             return std::pair{entry.is_zero() ? std::numeric_limits<int>::min() : entry.magnitude(),
                              detail::magnitude(entry.mantissa)};
         };
@@ -38,15 +39,15 @@ struct Elimination {
         return static_cast<std::size_t>(largest - rows.begin());
     }
 
-    void divide_row(std::size_t row, Scaled divisor) {
-        for (Scaled& entry : rows[row]) entry = entry / divisor;
+    void divide_row(std::size_t row, SoftFloat divisor) {
+        for (SoftFloat& entry : rows[row]) entry = entry / divisor;
     }
 
     /// Takes from every other row what it has in `column` times that column's own row.
     void clear_column(std::size_t column) {
         for (std::size_t i = 0; i < N; ++i) {
             if (i == column) continue;
-            const Scaled factor = rows[i][column];
+            const SoftFloat factor = rows[i][column];
             for (std::size_t j = 0; j < 2 * N; ++j) rows[i][j] = rows[i][j] - factor * rows[column][j];
         }
     }
@@ -81,7 +82,7 @@ std::optional<Matrix<N>> inverse_of(const Matrix<N>& matrix) {
     const int smallest_pivot = largest_magnitude(matrix) - kSingularBits;
     for (std::size_t column = 0; column < kSize; ++column) {
         std::swap(elimination.rows[column], elimination.rows[elimination.pivot_row(column)]);
-        const Scaled pivot = elimination.rows[column][column];
+        const SoftFloat pivot = elimination.rows[column][column];
         if (pivot.is_zero() || pivot.magnitude() < smallest_pivot) return std::nullopt;
         elimination.divide_row(column, pivot);
         elimination.clear_column(column);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/fixed/wide.h"
-#include "engine/math/scaled.h"
+#include "engine/math/soft_float.h"
 
 namespace oblong {
 
@@ -9,26 +9,26 @@ namespace oblong {
 class WideSum {
   public:
     constexpr void add_product(std::int64_t a, std::int64_t b) {
-        const portable::Wide size = portable::multiply(detail::magnitude(a), detail::magnitude(b));
+        const portable::Uint128 size = portable::multiply(detail::magnitude(a), detail::magnitude(b));
         sum_ = portable::add(sum_, (a < 0) != (b < 0) ? negated(size) : size);
     }
 
     /// The sum times 2^exponent, its bits below the leading 62 dropped.
-    constexpr Scaled scaled(int exponent) const {
+    constexpr SoftFloat scaled(int exponent) const {
         const bool is_negative = sum_.high >> 63 != 0;
-        const portable::Wide size = is_negative ? negated(sum_) : sum_;
+        const portable::Uint128 size = is_negative ? negated(sum_) : sum_;
         const int bits = 128 - (size.high != 0 ? std::countl_zero(size.high) : 64 + std::countl_zero(size.low));
         const int drop = bits > 62 ? bits - 62 : 0;
         const auto leading = static_cast<std::int64_t>(portable::shift_right(size, drop).low);
-        return Scaled::from(is_negative ? -leading : leading, exponent + drop);
+        return SoftFloat::from(is_negative ? -leading : leading, exponent + drop);
     }
 
   private:
-    static constexpr portable::Wide negated(portable::Wide value) {
+    static constexpr portable::Uint128 negated(portable::Uint128 value) {
         return portable::add({~value.high, ~value.low}, {0, 1});
     }
 
-    portable::Wide sum_;  ///< two's complement
+    portable::Uint128 sum_;  ///< two's complement
 };
 
 }  // namespace oblong

@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "engine/platform/controls.h"
+#include "engine/platform/present_rect.h"
 #include "engine/screen/framebuffer.h"
-#include "engine/screen/present_rect.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {

@@ -19,8 +19,8 @@ BlockRule make_block_rule(const Accuracy& accuracy) {
     return rule;
 }
 
-BlockLadder make_block_ladder(const BlockRule& rule, std::int64_t inverse_z_step_44) {
-    BlockLadder ladder;
+BlockThresholds make_block_thresholds(const BlockRule& rule, std::int64_t inverse_z_step_44) {
+    BlockThresholds thresholds;
     const std::uint64_t size = inverse_z_step_44 < 0 ? 0 - static_cast<std::uint64_t>(inverse_z_step_44)
                                                      : static_cast<std::uint64_t>(inverse_z_step_44);
     const std::uint64_t capped = std::min(size, std::uint64_t{1} << 50);
@@ -29,10 +29,10 @@ BlockLadder make_block_ladder(const BlockRule& rule, std::int64_t inverse_z_step
         const auto bits = std::bit_width(capped) + std::bit_width(factor);
         std::uint64_t least = bits > 61 ? std::uint64_t{1} << 61 : ((capped * factor) >> 8) + 1;
         if (inverse_z_step_44 < 0) least += capped << k;
-        note_range<Quantity::LadderProduct>(static_cast<std::int64_t>(least));
-        ladder.least_inverse_z_44[k] = static_cast<std::int64_t>(std::min(least, std::uint64_t{1} << 61));
+        note_range<Quantity::ThresholdProduct>(static_cast<std::int64_t>(least));
+        thresholds.least_inverse_z_44[k] = static_cast<std::int64_t>(std::min(least, std::uint64_t{1} << 61));
     }
-    return ladder;
+    return thresholds;
 }
 
 }  // namespace oblong

@@ -28,11 +28,11 @@ BlockRule make_block_rule(const Accuracy& accuracy);
 /// shows at x the texel that belongs at x', with x' - x = b x (x - n) / (w1 - b x), w1 = w at n, b the step. For b > 0
 /// the error is below E where b (n - x)(x - E) <= E w0 for all x; the left side is largest at x = (n + E)/2, so b (n -
 /// E)^2 <= 4 E w0 does. For b < 0 the same from the other end.
-struct BlockLadder {
+struct BlockThresholds {
     std::array<std::int64_t, kBlockSizes> least_inverse_z_44{};
 };
 
-/// The ladder of a surface whose 1/z changes by this from column to column.
-BlockLadder make_block_ladder(const BlockRule& rule, std::int64_t inverse_z_step_44);
+/// The thresholds of a surface whose 1/z changes by this from column to column.
+BlockThresholds make_block_thresholds(const BlockRule& rule, std::int64_t inverse_z_step_44);
 
 }  // namespace oblong

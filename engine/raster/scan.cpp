@@ -116,7 +116,7 @@ Profile survey(std::span<const ScreenVertex> vertices, std::int32_t height) {
 
 /// Snapping and clipping can bend a chain of nearly collinear vertices back by a step. Such a polygon is widened to its
 /// outermost edges: its neighbours, which share them, may be overlapped by a sliver, but no gap can open.
-void scan_bent(std::span<const ScreenVertex> vertices, RowColumns& rows) {
+void scan_bent(std::span<const ScreenVertex> vertices, ScanlineExtents& rows) {
     for (std::int32_t row = rows.first; row < rows.end; ++row) {
         rows.left[static_cast<std::size_t>(row)] = std::numeric_limits<std::int32_t>::max();
         rows.right[static_cast<std::size_t>(row)] = std::numeric_limits<std::int32_t>::min();
@@ -132,7 +132,7 @@ void scan_bent(std::span<const ScreenVertex> vertices, RowColumns& rows) {
 
 }  // namespace
 
-void scan_convex(std::span<const ScreenVertex> vertices, RowColumns& rows) {
+void scan_convex(std::span<const ScreenVertex> vertices, ScanlineExtents& rows) {
     rows.first = rows.end = 0;
     if (vertices.size() < 3) return;
     const Profile profile = survey(vertices, static_cast<std::int32_t>(rows.left.size()));

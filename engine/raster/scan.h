@@ -9,11 +9,11 @@
 namespace oblong {
 
 /// Of each row the columns [left, right) that a polygon covers; of rows [first, end).
-struct RowColumns {
+struct ScanlineExtents {
     std::vector<std::int32_t> left, right;  ///< one a row of the screen
     std::int32_t first = 0, end = 0;
 
-    explicit RowColumns(std::int32_t height_px)
+    explicit ScanlineExtents(std::int32_t height_px)
         : left(static_cast<std::size_t>(height_px)), right(static_cast<std::size_t>(height_px)) {}
 };
 
@@ -29,7 +29,7 @@ constexpr std::int32_t first_centre_from(std::int32_t position_8) {
 /// centre is inside, on a left edge or on a top edge; polygons that share edges share no pixel and leave no gap. Edges
 /// are walked by an exact error term: the columns are those of the true edge between the snapped vertices, whatever its
 /// slope. Columns may lie off the screen; rows do not.
-void scan_convex(std::span<const ScreenVertex> vertices, RowColumns& rows);
+void scan_convex(std::span<const ScreenVertex> vertices, ScanlineExtents& rows);
 
 /// Twice the signed area, in (1/256 pixel)^2: above 0 if the vertices run clockwise as seen.
 std::int64_t doubled_area_16(std::span<const ScreenVertex> vertices);

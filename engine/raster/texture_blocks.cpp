@@ -163,9 +163,9 @@ class SpanCutter {
     cutter.cut_rest();
 }
 
-[[gnu::always_inline]] inline void cut_bounded(SpanCutter& cutter, const BlockLadder& ladder) {
+[[gnu::always_inline]] inline void cut_bounded(SpanCutter& cutter, const BlockThresholds& thresholds) {
     int log2 = kBlockSizes - 1;
-    const auto& least = ladder.least_inverse_z_44;
+    const auto& least = thresholds.least_inverse_z_44;
     while (true) {
         while (log2 > 0 && cutter.inverse_z_44() < least[static_cast<std::size_t>(log2)]) --log2;
         if (cutter.left() <= 1 << log2) return cutter.cut_rest();
@@ -188,7 +188,7 @@ TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& lim
 }
 
 std::int32_t append_blocks(const Span& span, std::int32_t pitch, const TextureGradients& gradients,
-                           const BlockRule& rule, const BlockLadder& ladder, const TexelLimits& limits,
+                           const BlockRule& rule, const BlockThresholds& thresholds, const TexelLimits& limits,
                            BlockList& blocks) {
     SpanCutter cutter(span, pitch, gradients, limits, blocks.end());
     switch (rule.texturing) {
@@ -199,7 +199,7 @@ std::int32_t append_blocks(const Span& span, std::int32_t pitch, const TextureGr
             cut_every(cutter, 4);
             break;
         case Texturing::Bounded:
-            cut_bounded(cutter, ladder);
+            cut_bounded(cutter, thresholds);
             break;
         case Texturing::Exact:
             cut_every(cutter, 0);

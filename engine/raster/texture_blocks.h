@@ -49,7 +49,7 @@ class BlockList {
 /// Appends the blocks of one span, for which there must be room. `pitch` is the framebuffer's. Returns how many
 /// divisions that took.
 std::int32_t append_blocks(const Span& span, std::int32_t pitch, const TextureGradients& gradients,
-                           const BlockRule& rule, const BlockLadder& ladder, const TexelLimits& limits,
+                           const BlockRule& rule, const BlockThresholds& thresholds, const TexelLimits& limits,
                            BlockList& blocks);
 
 /// The exact texel at the centre of a pixel.

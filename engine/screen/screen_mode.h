@@ -7,7 +7,7 @@
 namespace oblong {
 
 /// A mode's size in pixels and the shape of the display that shows it. Pixel aspect comes from here and nowhere else:
-/// make_projection() (screen/projection.h) and layout() (screen/present_rect.h) are its two readers.
+/// make_projection() (geometry/projection.h) and layout() (platform/present_rect.h) are its two readers.
 struct ScreenMode {
     std::int32_t width_px = 320, height_px = 200;
     Ratio display{4, 3};  ///< width to height of the whole picture as shown

@@ -7,9 +7,9 @@
 
 #include "engine/base/input_error.h"
 #include "engine/frame/frame.h"
-#include "engine/frame/scene_models.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
+#include "engine/scene/placed_models.h"
 #include "tests/support/shared_levels.h"
 
 namespace oblong::test {

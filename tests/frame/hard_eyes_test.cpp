@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "engine/visible/eye.h"
+#include "engine/visibility/eye.h"
 #include "tests/frame/holes.h"
 
 namespace oblong::test {
@@ -74,7 +74,7 @@ TEST_P(HardEyes, HardCaseV13_NoHoleFromCornersEdgesAndFaces) {
     for (int i = 0; i < 2000 && !HasFailure(); ++i) {
         const On on = std::array{On::Corner, On::Edge, On::Face}[static_cast<std::size_t>(i % 3)];
         const Vec3<World> eye = point_on_a_face(stage.level, work->faces, on, random);
-        stage.settings.accuracy = accuracy_of(i % 2 ? Tier::Bounded : Tier::Year1991);
+        stage.settings.accuracy = accuracy_of(i % 2 ? Preset::Bounded : Preset::Year1991);
         if (is_place_open(stage.level, eye)) expect_each_pixel_once(stage, random_view_from(eye, random), *work);
     }
 }
@@ -112,7 +112,7 @@ TEST_P(HardEyes, NoHoleWithModelsAtAnyOffset) {
         const auto offset = [&] { return World::from_raw(kOffsets[random() % kOffsets.size()]); };
         for (PlacedModel& model : stage.models) model.offset = {offset(), offset(), offset()};
         const Vec3<World> eye = point_on_a_face(stage.level, work->faces, On::Face, random);
-        stage.settings.accuracy = accuracy_of(i % 2 ? Tier::Bounded : Tier::Year1991);
+        stage.settings.accuracy = accuracy_of(i % 2 ? Preset::Bounded : Preset::Year1991);
         if (is_place_open(stage.level, eye)) expect_each_pixel_once(stage, random_view_from(eye, random), *work);
     }
 }

@@ -77,12 +77,12 @@ TEST_P(RealHoles, NoneFromEntities) {
     expect_no_holes_around(stage, points, 1);
 }
 
-/// Corners move by up to half a pixel in the 1991 tier: faces turn round, and what no visible set holds comes into
+/// Corners move by up to half a pixel in the 1991 preset: faces turn round, and what no visible set holds comes into
 /// sight.
 TEST_P(RealHoles, NoneWithVerticesOnWholePixels) {
     OBLONG_NEEDS_SHARED_LEVELS();
     Stage stage = real_stage(GetParam());
-    stage.settings.accuracy = accuracy_of(Tier::Year1991);
+    stage.settings.accuracy = accuracy_of(Preset::Year1991);
     const auto work = counting_workspace(stage);
     std::mt19937 random(91);
     for (int found = 0; found < 3000 && !HasFailure();) {
@@ -95,7 +95,8 @@ TEST_P(RealHoles, NoneWithVerticesOnWholePixels) {
     }
 }
 
-/// Three frames of the 1991 tier that had 10, 3 and 7 pixels free: what shows there is in no visible set of the eye's.
+/// Three frames of the 1991 preset that had 10, 3 and 7 pixels free: what shows there is in no visible set of the
+/// eye's.
 TEST(WholePixelHoles, NoneWhereEdgesFarApartLineUp) {
     OBLONG_NEEDS_SHARED_LEVELS();
     struct Case {
@@ -107,7 +108,7 @@ TEST(WholePixelHoles, NoneWhereEdgesFarApartLineUp) {
          {Case{"e1m7", {335, -332, 192}, {58890, 2939, 23855}}, Case{"end", {-962, 3068, 243}, {34937, 615, 9235}},
           Case{"dm4", {428, -544, 52}, {39698, 63553, 0}}}) {
         Stage stage = real_stage(known.level);
-        stage.settings.accuracy = accuracy_of(Tier::Year1991);
+        stage.settings.accuracy = accuracy_of(Preset::Year1991);
         Camera camera;
         camera.eye = {World::from_int(known.eye[0]), World::from_int(known.eye[1]), World::from_int(known.eye[2])};
         camera.yaw = Angle::from_bam(known.angles[0]);
@@ -156,10 +157,11 @@ TEST_P(RealHoles, NoneInAnyModeOrTier) {
     OBLONG_NEEDS_SHARED_LEVELS();
     for (const ScreenMode mode : {ScreenMode{640, 400, {4, 3}}, ScreenMode{1280, 800, {16, 10}},
                                   ScreenMode{4096, 200, {4, 3}}, ScreenMode{61, 47, {4, 3}}})
-        for (const Tier tier : {Tier::Year1991, Tier::Year1994, Tier::Year1996, Tier::Bounded, Tier::Exact}) {
-            SCOPED_TRACE(std::to_string(mode.width_px) + " wide, " + std::string(name_of(tier)));
+        for (const Preset preset :
+             {Preset::Year1991, Preset::Year1994, Preset::Year1996, Preset::Bounded, Preset::Exact}) {
+            SCOPED_TRACE(std::to_string(mode.width_px) + " wide, " + std::string(name_of(preset)));
             Stage stage = real_stage(GetParam(), mode);
-            stage.settings.accuracy = accuracy_of(tier);
+            stage.settings.accuracy = accuracy_of(preset);
             expect_no_holes_around(stage, entity_origins(stage.level), 40);
         }
 }

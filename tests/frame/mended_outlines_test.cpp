@@ -9,8 +9,8 @@
 #include <map>
 #include <set>
 
-#include "engine/frame/face_table.h"
 #include "engine/level/t_junctions.h"
+#include "engine/scene/face_table.h"
 #include "tests/frame/frame_fixture.h"
 
 namespace oblong::test {

@@ -8,7 +8,7 @@
 #include "engine/level/entities.h"
 #include "engine/level/pvs.h"
 #include "engine/level/side.h"
-#include "engine/visible/eye.h"
+#include "engine/visibility/eye.h"
 #include "tests/frame/frame_fixture.h"
 
 namespace oblong::test {

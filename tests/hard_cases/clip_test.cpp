@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/raster/scan.h"
 #include "tests/hard_cases/frame_outline.h"
 #include "tests/hard_cases/hard_case.h"
 #include "tools/reference/polygon.h"
@@ -216,8 +217,8 @@ TEST(HardCaseC5, PolygonsSeenEdgeOnHaveNoArea) {
 
 TEST(HardCaseC6, SixPlanesAddAtMostSixCorners) {
     std::mt19937 random(6);
-    const Projection lens = make_projection({}, Degrees::from_int(90));
-    const Frustum frustum = make_frustum(view_basis({}, {}, {}), lens);
+    const Projection projection = make_projection({}, Degrees::from_int(90));
+    const Frustum frustum = make_frustum(view_basis({}, {}, {}), projection);
     std::size_t most_added = 0;
     for (int i = 0; i < 20000; ++i) {
         ClipScratch scratch{random_polygon(random, 3 + i % 7), {}};
@@ -248,7 +249,7 @@ TEST(HardCaseC7, OutlinesStayOnTheScreen) {
     for (int i = 0; i < 20000; ++i) {
         if (!frame.make(random_triangle(random, i % 2 ? 32767 : 20))) continue;
         ++seen;
-        for (const ScreenVertex& vertex : frame.outline.screen) {
+        for (const ScreenVertex& vertex : frame.polygon.screen) {
             ASSERT_TRUE(vertex.x.raw >= 0 && vertex.x.raw <= 320 * 256) << i;
             ASSERT_TRUE(vertex.y.raw >= 0 && vertex.y.raw <= 200 * 256) << i;
         }
@@ -265,7 +266,7 @@ TEST(HardCaseC7, TheScanStaysOnItsRowsWhateverItIsGiven) {
             const auto any = [&] { return Screen::from_raw(static_cast<std::int32_t>(random()) >> (random() % 32)); };
             vertex = {any(), any()};
         }
-        RowColumns rows(kHeight);
+        ScanlineExtents rows(kHeight);
         rows.left.assign(kHeight, kCanary);
         rows.right.assign(kHeight, kCanary);
         scan_convex(vertices, rows);
@@ -302,14 +303,14 @@ double largest_distance(const std::vector<reference::ScreenPoint>& corners,
 TEST(HardCaseC8, NearPolygonsAreCutAndNotPushed) {
     std::mt19937 random(88);
     FrameOutline frame;
-    const auto lens = reference::make_lens(320, 200, 4.0 / 3, 90);
+    const auto projection = reference::make_projection(320, 200, 4.0 / 3, 90);
     double worst = 0;
     int seen = 0;
     for (int i = 0; i < 20000; ++i) {
         const std::vector<Vec> corners = random_triangle(random, i % 2 ? 300 : 20);
         std::vector<reference::ScreenPoint> expected;
-        for (const Vec& corner : reference::clip_to_view(corners, 1.0 / 16384, 1e9, lens))
-            expected.push_back(reference::project(corner, lens));
+        for (const Vec& corner : reference::clip_to_view(corners, 1.0 / 16384, 1e9, projection))
+            expected.push_back(reference::project(corner, projection));
         const auto found = frame.points_of(corners);
         if (expected.size() < 3 || found.empty()) {
             ASSERT_LE(reference::area(expected) + reference::area(found), 0.01) << i;

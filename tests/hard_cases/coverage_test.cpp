@@ -25,7 +25,7 @@ void add_engine_triangle(const Triangle& triangle, CoverageMap& map) {
     const std::int64_t area = doubled_area_16(vertices);
     if (area == 0) return;
     if (area < 0) std::swap(vertices[1], vertices[2]);
-    RowColumns rows(map.height_px);
+    ScanlineExtents rows(map.height_px);
     scan_convex(vertices, rows);
     for (std::int32_t row = rows.first; row < rows.end; ++row) {
         const std::int32_t end = std::min(rows.right[static_cast<std::size_t>(row)], map.width_px);
@@ -117,7 +117,7 @@ TEST(HardCaseE4, MovingAnEdgeByASixteenthNeverGivesBack) {
         const std::int32_t top = random_integer(random, 0, 10000), bottom = random_integer(random, 20000, 50000);
         std::int32_t top_right = random_integer(random, 30000, 50000),
                      bottom_right = random_integer(random, 30000, 50000);
-        RowColumns before(200), after(200);
+        ScanlineExtents before(200), after(200);
         for (int step = 0; step < 100; ++step, top_right += 16, bottom_right += 16) {
             const std::array<ScreenVertex, 4> quad{screen(5000, top), screen(top_right, top),
                                                    screen(bottom_right, bottom), screen(9000, bottom)};

@@ -63,8 +63,8 @@ TEST(HardCaseX7, AFramesGradientsKeepTheirBudgetInEveryMode) {
          {std::pair{16, 1.0 / 16}, {320, 1.0 / 16}, {1280, 0.16}, {2048, 0.26}, {kLargestMode_px, 0.51}}) {
         // The deepest pixel in a corner of the view, a texel a unit along each axis: |u - eye_u| is 3 z at most.
         EXPECT_LE(texel_budget(32768, 3 * 32768.0, size_px + 3, 65535), largest_budget);
-        const GradientLens lens =
-            make_gradient_lens(make_projection({size_px, size_px, {1, 1}}, Degrees::from_int(90)));
+        const InverseProjection projection =
+            make_inverse_projection(make_projection({size_px, size_px, {1, 1}}, Degrees::from_int(90)));
         double worst = 0;
         int seen = 0;
         for (int i = 0; i < 20000; ++i) {
@@ -72,7 +72,7 @@ TEST(HardCaseX7, AFramesGradientsKeepTheirBudgetInEveryMode) {
             const SeenPlane face(random, size_px, pixel);
             if (!(face.z >= 4 && face.z <= 32768)) continue;
             ++seen;
-            const TextureGradients gradients = make_texture_gradients(face.plane, face.axes, lens);
+            const TextureGradients gradients = make_texture_gradients(face.plane, face.axes, projection);
             const double found = texel_at(gradients, limits, pixel.column, pixel.row).u_16 / 65536.0;
             const double pixels = std::abs(pixel.column - size_px / 2) + std::abs(pixel.row - size_px / 2) + 3;
             const double off_eye = std::abs(face.texel - std::ldexp(static_cast<double>(face.plane.eye_u_16), -16));
@@ -90,12 +90,12 @@ TEST(HardCaseE11, FacesOfOnePlaneHaveTheSameDepthsBitForBit) {
     for (int i = 0; i < 1000; ++i) {
         const Angle yaw = Angle::from_bam(any(65536)), pitch = Angle::from_bam(any(16384));
         const Basis axes = view_basis(yaw, pitch, Angle::from_bam(any(99)));
-        const GradientLens lens =
-            make_gradient_lens(make_projection({}, Degrees::from_int(random_integer(random, 20, 150))));
+        const InverseProjection projection =
+            make_inverse_projection(make_projection({}, Degrees::from_int(random_integer(random, 20, 150))));
         TexturedPlane plane;
         plane.normal = normalised(Vec3<World>{{any(1 << 20)}, {any(1 << 20)}, {any(1 << 20) | 1}});
         plane.eye_distance = PlaneDistance::from_raw(std::int64_t{random_integer(random, 1, 1 << 30)} << 22);
-        const LinearQuantity first = make_texture_gradients(plane, axes, lens).inverse_z_44;
+        const LinearQuantity first = make_texture_gradients(plane, axes, projection).inverse_z_44;
         // Whatever the faces show: their textures lie along other axes, elsewhere, and at another mip level.
         const auto axis = [&] { return Vec3<TexelAxis>{{any(1 << 23)}, {any(1 << 23)}, {any(1 << 23)}}; };
         plane.s = axis();
@@ -103,7 +103,7 @@ TEST(HardCaseE11, FacesOfOnePlaneHaveTheSameDepthsBitForBit) {
         plane.eye_u_16 = any(1 << 30);
         plane.eye_v_16 = any(1 << 30);
         plane.mip = random_integer(random, 0, 3);
-        const LinearQuantity second = make_texture_gradients(plane, axes, lens).inverse_z_44;
+        const LinearQuantity second = make_texture_gradients(plane, axes, projection).inverse_z_44;
         ASSERT_EQ(first.origin, second.origin) << i;
         ASSERT_EQ(first.per_column, second.per_column) << i;
         ASSERT_EQ(first.per_row, second.per_row) << i;

@@ -1,3 +1,5 @@
+#include "tools/reference/projection.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include "engine/math/plane.h"
 #include "engine/raster/scan.h"
 #include "tests/hard_cases/hard_case.h"
-#include "tools/reference/lens.h"
 
 namespace oblong {
 namespace {
@@ -25,7 +26,7 @@ TEST(HardCaseV1, OppositeCornersOfTheWorld) {
         const auto found = ask_numbers(join("view 320 200 4 3 90", sx, sy, sz, yaw, pitch, roll, -sx, -sy, -sz));
         const Vec view = reference::to_view({-sx, -sy, -sz}, {sx, sy, sz}, reference::make_axes(yaw, pitch, roll));
         if (view.z < 1) continue;
-        const auto expected = reference::project(view, reference::make_lens(320, 200, 4.0 / 3, 90));
+        const auto expected = reference::project(view, reference::make_projection(320, 200, 4.0 / 3, 90));
         ASSERT_EQ(found.size(), 3u);
         worst = std::max({worst, std::abs(found[0] - expected.x), std::abs(found[1] - expected.y)});
         EXPECT_NEAR(found[2], view.z, 1e-6);
@@ -117,11 +118,11 @@ TEST(HardCaseV8, ScreenAreaTellsTheSideThatAFaceShows) {
 }
 
 TEST(HardCaseV10, FarOffTheScreenNothingWraps) {
-    const auto lens = reference::make_lens(320, 200, 4.0 / 3, 90);
+    const auto projection = reference::make_projection(320, 200, 4.0 / 3, 90);
     for (const double x : {-32767.0, -1.0, 1.0, 32767.0})
         for (const double z : {0.00390625, 0.5, 1.0, 32767.0}) {
             const auto found = ask_numbers(join("project 320 200 4 3 90", x, -x, z));
-            const auto expected = reference::project({x, -x, z}, lens);
+            const auto expected = reference::project({x, -x, z}, projection);
             EXPECT_NEAR(found.at(0), expected.x, 0.005) << x << ' ' << z;
             EXPECT_NEAR(found.at(1), expected.y, 0.005) << x << ' ' << z;
         }

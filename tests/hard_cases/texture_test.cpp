@@ -4,6 +4,7 @@
 
 #include "engine/geometry/triangle_gradients.h"
 #include "engine/raster/kernels/kernels.h"
+#include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
 #include "tests/hard_cases/frame_outline.h"
 #include "tests/hard_cases/hard_case.h"
@@ -16,7 +17,7 @@ using namespace test;
 using reference::TexturedCorner;
 using Corners = std::array<TexturedCorner, 3>;
 
-const reference::Lens kLens = reference::make_lens(320, 200, 4.0 / 3, 90);
+const reference::Projection kProjection = reference::make_projection(320, 200, 4.0 / 3, 90);
 
 std::string texspan_fields(const Corners& corners, int row, int first, int end) {
     std::string line = "320 200 4 3 90";
@@ -31,7 +32,7 @@ double span_error(const std::string& name, const Corners& corners, int row, int 
     EXPECT_EQ(found.size(), static_cast<std::size_t>(end - first) * 2);
     double worst = 0;
     for (int column = first; column < end; ++column) {
-        const auto expected = texel_at(corners, kLens, {column + 0.5, row + 0.5});
+        const auto expected = texel_at(corners, kProjection, {column + 0.5, row + 0.5});
         const auto at = static_cast<std::size_t>(column - first) * 2;
         worst = std::max({worst, std::abs(found.at(at) - expected.u), std::abs(found.at(at + 1) - expected.v)});
     }
@@ -84,8 +85,8 @@ TEST(HardCaseX2, NoRowAboveTheHorizonIsDrawn) {
     std::vector<reference::Vec> corners;
     for (const TexturedCorner& corner : floor_48()) corners.push_back(corner.position);
     ASSERT_TRUE(frame.make(corners));
-    RowColumns rows(200);
-    scan_convex(frame.outline.screen, rows);
+    ScanlineExtents rows(200);
+    scan_convex(frame.polygon.screen, rows);
     EXPECT_EQ(rows.first, 100);
     EXPECT_EQ(rows.end, 200);
     Corners without_negatives = floor_48();
@@ -104,9 +105,9 @@ std::vector<TexelBlock> blocks_of(const TextureGradients& gradients, const Span&
     Accuracy accuracy;
     accuracy.texturing = texturing;
     const BlockRule rule = make_block_rule(accuracy);
-    const auto ladder = make_block_ladder(rule, static_cast<std::int64_t>(gradients.inverse_z_44.per_column));
+    const auto thresholds = make_block_thresholds(rule, static_cast<std::int64_t>(gradients.inverse_z_44.per_column));
     BlockList blocks(span.end - span.first);
-    append_blocks(span, 320, gradients, rule, ladder, limits, blocks);
+    append_blocks(span, 320, gradients, rule, thresholds, limits, blocks);
     return {blocks.waiting().begin(), blocks.waiting().end()};
 }
 
@@ -152,7 +153,7 @@ Span span_of_wall(const Corners& wall) {
     const double ends[] = {1 / wall[0].position.z, 1 / wall[1].position.z};
     Span span{110, 320, 0};
     for (int column = 0; column < 320; ++column) {
-        const double inverse_z = texel_at(wall, kLens, {column + 0.5, 110.5}).inverse_z;
+        const double inverse_z = texel_at(wall, kProjection, {column + 0.5, 110.5}).inverse_z;
         if (inverse_z < std::min(ends[0], ends[1]) || inverse_z > std::max(ends[0], ends[1])) continue;
         span.first = std::min(span.first, column);
         span.end = column + 1;
@@ -167,8 +168,8 @@ TEST(HardCaseX3, NoSampleBeyondTheTexelsOfTheSpansOwnEnds) {
         const Corners wall = random_wall(random);
         const Span span = span_of_wall(wall);
         if (span.end - span.first < 2) continue;
-        const double u_first = texel_at(wall, kLens, {span.first + 0.5, 110.5}).u,
-                     u_last = texel_at(wall, kLens, {span.end - 0.5, 110.5}).u;
+        const double u_first = texel_at(wall, kProjection, {span.first + 0.5, 110.5}).u,
+                     u_last = texel_at(wall, kProjection, {span.end - 0.5, 110.5}).u;
         const TextureGradients gradients = gradients_of(wall, {(span.first + span.end) / 2, 110});
         // Half of the room is what the exact mode may be off by; a step that is rounded down drifts by 320 * 2^-16.
         const double room = 1.0 / 16;
@@ -224,7 +225,7 @@ TEST(HardCaseX7, SixtyFourBitAccumulatorsOverAWholeRow) {
     const TexelLimits limits = make_texel_limits(65535, 65535, 0);
     double worst = 0;
     for (int column = 0; column < 320; ++column) {
-        const auto expected = texel_at(corners, kLens, {column + 0.5, 110.5});
+        const auto expected = texel_at(corners, kProjection, {column + 0.5, 110.5});
         const TexelPosition found = texel_at(gradients, limits, column, 110);
         worst = std::max(worst, std::abs(found.u_16 / 65536.0 - expected.u));
     }
@@ -278,16 +279,16 @@ TEST(HardCaseX10, InverseDepthIsPositiveWhereverATriangleIsSeen) {
         reference::ScreenPoint at;
         const double weights[] = {a, b, 1 - a - b};
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto corner = reference::project(corners[k].position, kLens);
+            const auto corner = reference::project(corners[k].position, kProjection);
             at = {at.x + weights[k] * corner.x, at.y + weights[k] * corner.y};
         }
         const auto column = static_cast<std::int32_t>(at.x), row = static_cast<std::int32_t>(at.y);
-        const auto expected = texel_at(corners, kLens, {column + 0.5, row + 0.5});
+        const auto expected = texel_at(corners, kProjection, {column + 0.5, row + 0.5});
         if (!(expected.inverse_z >= 1 / farthest && expected.inverse_z <= 1 / 4.0)) continue;  // the centre is outside
         const LinearQuantity quantity = gradients_of(corners, {column, row}).inverse_z_44;
         const double found = static_cast<double>(quantity.at(column, row)) / 0x1p44;
-        // The lens's multipliers place pixels within 2^-32 of themselves: on a steep plane that shows.
-        const auto beside = texel_at(corners, kLens, {column + 1.5, row + 1.5});
+        // The projection's multipliers place pixels within 2^-32 of themselves: on a steep plane that shows.
+        const auto beside = texel_at(corners, kProjection, {column + 1.5, row + 1.5});
         const double slope = std::abs(beside.inverse_z - expected.inverse_z);
         ASSERT_GT(found, 0);
         ASSERT_NEAR(found, expected.inverse_z, 0x1p-44 + (expected.inverse_z + slope) * 1e-9) << i;

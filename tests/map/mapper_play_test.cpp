@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "engine/frame/scene_models.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
+#include "engine/scene/placed_models.h"
 #include "game/world.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/mapper_source.h"

@@ -11,13 +11,13 @@ namespace {
 __extension__ using Int128 = __int128;
 
 /// |value| has at most 62 bits once those below are dropped: toward 0, as WideSum does.
-void expect_leading_bits(Int128 exact, const Scaled& found) {
+void expect_leading_bits(Int128 exact, const SoftFloat& found) {
     const Int128 size = exact < 0 ? -exact : exact;
     int drop = 0;
     while (size >> drop >= Int128{1} << 62) ++drop;
     const auto leading = static_cast<std::int64_t>(size >> drop);
-    EXPECT_EQ(found.mantissa, Scaled::from(exact < 0 ? -leading : leading, drop).mantissa);
-    EXPECT_EQ(found.exponent, Scaled::from(leading, drop).exponent);
+    EXPECT_EQ(found.mantissa, SoftFloat::from(exact < 0 ? -leading : leading, drop).mantissa);
+    EXPECT_EQ(found.exponent, SoftFloat::from(leading, drop).exponent);
 }
 
 TEST(WideSum, KeepsTheLeadingBitsOfTheExactSum) {

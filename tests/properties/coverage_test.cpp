@@ -36,7 +36,7 @@ Rectangle any_rectangle() {
 
 void add_triangle(Mesh::Triangle triangle, std::size_t number, Owners& owners) {
     if (doubled_area_16(triangle) < 0) std::reverse(triangle.begin(), triangle.end());
-    RowColumns rows(kHeight);
+    ScanlineExtents rows(kHeight);
     scan_convex(triangle, rows);
     for (std::int32_t row = rows.first; row < rows.end; ++row) {
         const std::int32_t end = std::min(rows.right[static_cast<std::size_t>(row)], kWidth);

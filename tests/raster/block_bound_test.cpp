@@ -45,9 +45,10 @@ const TexelLimits kNoLimits = make_texel_limits(65535, 65535, 0);
 
 RowError error_of(const TextureGradients& row, const Accuracy& accuracy, const TexelLimits& limits = kNoLimits) {
     const BlockRule rule = make_block_rule(accuracy);
-    const BlockLadder ladder = make_block_ladder(rule, static_cast<std::int64_t>(row.inverse_z_44.per_column));
+    const BlockThresholds thresholds =
+        make_block_thresholds(rule, static_cast<std::int64_t>(row.inverse_z_44.per_column));
     BlockList blocks(kWidth);
-    append_blocks({0, 0, kWidth}, kWidth, row, rule, ladder, limits, blocks);
+    append_blocks({0, 0, kWidth}, kWidth, row, rule, thresholds, limits, blocks);
     RowError error;
     for (const TexelBlock& block : blocks.waiting()) {
         ++error.blocks;
@@ -109,8 +110,9 @@ TEST(BlockBound, FacedSquarelyIsOneDivision) {
     Accuracy accuracy;
     const BlockRule rule = make_block_rule(accuracy);
     BlockList blocks(kWidth);
-    const std::int32_t divisions = append_blocks({0, 0, kWidth}, kWidth, floor_row, rule, make_block_ladder(rule, 0),
-                                                 make_texel_limits(65535, 65535, 0), blocks);
+    const std::int32_t divisions =
+        append_blocks({0, 0, kWidth}, kWidth, floor_row, rule, make_block_thresholds(rule, 0),
+                      make_texel_limits(65535, 65535, 0), blocks);
     EXPECT_EQ(divisions, 1);
     EXPECT_EQ(blocks.waiting().size(), 1u);
 }

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "engine/geometry/project.h"
-#include "engine/screen/projection.h"
+#include "engine/geometry/projection.h"
 #include "tests/seeds/seed_values.h"
 
 namespace oblong::test {
@@ -24,8 +24,8 @@ TEST(SeedM1, PixelsAspectIsWidthOverDisplayTimesHeight) {
           Row{{640, 480, {37, 20}}, {80, 111}}, Row{{640, 400, {4, 3}}, {6, 5}}, Row{{1280, 1024, {4, 3}}, {15, 16}},
           Row{{360, 480, {4, 3}}, {9, 16}}, Row{{320, 200, {8, 5}}, {1, 1}}}) {
         EXPECT_EQ(row.mode.pixel(), row.a.inverse()) << row.mode.width_px << "x" << row.mode.height_px;
-        const Projection lens = make_projection(row.mode, Degrees::from_int(90));
-        const double y_scale = number(lens.y.multiplier) / number(lens.x.multiplier);
+        const Projection projection = make_projection(row.mode, Degrees::from_int(90));
+        const double y_scale = number(projection.y.multiplier) / number(projection.x.multiplier);
         EXPECT_NEAR(y_scale * static_cast<double>(row.a.numerator) / static_cast<double>(row.a.denominator), 1, 1e-9);
     }
 }
@@ -43,10 +43,10 @@ TEST(SeedM3, MultipliersAndVerticalFieldsOfViewOf60And90And120Degrees) {
     };
     for (const Row& row : {Row{60, 277.128129211, 230.940107676, 46.826449}, Row{90, 160, 133.333333333, 73.739795},
                            Row{120, 92.376043070, 76.980035892, 104.821821}}) {
-        const Projection lens = make_projection(k320x200, Degrees::from_int(row.field_of_view));
-        EXPECT_NEAR(number(lens.x.multiplier), row.x_multiplier, 1e-9);
-        EXPECT_NEAR(number(lens.y.multiplier), row.y_multiplier, 1e-9);
-        const double half = std::atan(100 / number(lens.y.multiplier));
+        const Projection projection = make_projection(k320x200, Degrees::from_int(row.field_of_view));
+        EXPECT_NEAR(number(projection.x.multiplier), row.x_multiplier, 1e-9);
+        EXPECT_NEAR(number(projection.y.multiplier), row.y_multiplier, 1e-9);
+        const double half = std::atan(100 / number(projection.y.multiplier));
         EXPECT_NEAR(half * 360 / std::numbers::pi, row.vertical_field_of_view, 1e-6);
     }
 }
@@ -63,16 +63,17 @@ TEST(SeedM3b, WidthCancelsFromTheMultiplierOfY) {
 }
 
 TEST(SeedM4, RowsGrowDownwardWhereYGrowsUpward) {
-    const Projection lens = make_projection(k320x200, Degrees::from_int(90));
-    const ScreenPosition above = project(view_point(0, 1, 4), lens), below = project(view_point(0, -1, 4), lens);
+    const Projection projection = make_projection(k320x200, Degrees::from_int(90));
+    const ScreenPosition above = project(view_point(0, 1, 4), projection),
+                         below = project(view_point(0, -1, 4), projection);
     EXPECT_NEAR(number(above.y), 66.667, 1.0 / 256);
     EXPECT_NEAR(number(below.y), 133.333, 1.0 / 256) << "where the listed sign would put y = +1";
 }
 
 TEST(SeedM5, CentreIsHalfThePicturesHeightInPixelsWhateverTheDisplay) {
     for (const Ratio display : {Ratio{4, 3}, Ratio{16, 9}, Ratio{1, 1}}) {
-        const Projection lens = make_projection({320, 200, display}, Degrees::from_int(90));
-        const ScreenPosition ahead = project(view_point(0, 0, 4), lens);
+        const Projection projection = make_projection({320, 200, display}, Degrees::from_int(90));
+        const ScreenPosition ahead = project(view_point(0, 0, 4), projection);
         EXPECT_EQ(ahead.x, ScreenWide::from_int(160));
         EXPECT_EQ(ahead.y, ScreenWide::from_int(100));
     }

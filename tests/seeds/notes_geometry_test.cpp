@@ -8,8 +8,8 @@
 #include <map>
 #include <numbers>
 
-#include "engine/camera/frustum.h"
 #include "engine/geometry/clip.h"
+#include "engine/geometry/frustum.h"
 #include "engine/geometry/project.h"
 #include "engine/math/products.h"
 #include "engine/math/transforms.h"

@@ -33,14 +33,14 @@ TEST(SeedN4, WeightsAreSignedAreasAndAddUpTo1) {
 /// An edge from z = 1 at column 64 to z = 3 at column 192 of row 96, the texture's 64 texels along it.
 TextureGradients receding_edge() {
     constexpr ScreenMode kSquarePixels{256, 192, {4, 3}};
-    const Projection lens = make_projection(kSquarePixels, Degrees::from_int(90));
+    const Projection projection = make_projection(kSquarePixels, Degrees::from_int(90));
     // In 1/256 of z: a half-pixel is 1.
     const auto corner = [](int x_256, int y_256, int z, std::int64_t u) {
         const auto at = [z](int per_256) { return Fixed<std::int32_t, 14>::from_raw(per_256 * z * 64); };
         return TexturedCorner{{at(x_256), at(y_256), at(256)}, u << 16, 0};
     };
     const auto gradients = make_triangle_gradients(
-        {corner(-127, -1, 1, 0), corner(129, -1, 3, 64), corner(0, -129, 2, 0)}, lens, {128, 96});
+        {corner(-127, -1, 1, 0), corner(129, -1, 3, 64), corner(0, -129, 2, 0)}, projection, {128, 96});
     return gradients.value();
 }
 
@@ -49,10 +49,10 @@ double middle_of_edge(Texturing texturing) {
     Accuracy accuracy;
     accuracy.texturing = texturing;
     const BlockRule rule = make_block_rule(accuracy);
-    const auto ladder = make_block_ladder(rule, static_cast<std::int64_t>(gradients.inverse_z_44.per_column));
+    const auto thresholds = make_block_thresholds(rule, static_cast<std::int64_t>(gradients.inverse_z_44.per_column));
     constexpr Span kEdge{96, 64, 193};
     BlockList blocks(kEdge.end - kEdge.first);
-    append_blocks(kEdge, 256, gradients, rule, ladder, make_texel_limits(64, 64, 512), blocks);
+    append_blocks(kEdge, 256, gradients, rule, thresholds, make_texel_limits(64, 64, 512), blocks);
     std::int32_t column = kEdge.first;
     for (const TexelBlock& block : blocks.waiting()) {
         if (128 < column + block.count)
@@ -78,7 +78,7 @@ std::vector<ScreenVertex> pixels_16(std::initializer_list<std::array<std::int32_
 /// The columns of a row that a polygon covers.
 std::optional<std::pair<std::int32_t, std::int32_t>> columns_of(const std::vector<ScreenVertex>& polygon,
                                                                 std::int32_t row) {
-    RowColumns rows(16);
+    ScanlineExtents rows(16);
     scan_convex(polygon, rows);
     const auto at = static_cast<std::size_t>(row);
     if (row < rows.first || row >= rows.end || rows.left[at] >= rows.right[at]) return std::nullopt;

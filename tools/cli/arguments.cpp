@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <optional>
 
+#include "engine/geometry/projection.h"
 #include "engine/level/entities.h"
-#include "engine/screen/projection.h"
 
 namespace oblong {
 
@@ -82,10 +82,10 @@ void check_view(const ScreenMode& mode, Degrees field_of_view) {
                      "narrower view or a display nearer to the mode's shape");
 }
 
-Accuracy parse_tier(const std::string& text) {
-    const std::optional<Tier> tier = tier_named(text);
-    if (!tier) throw UsageError("--accuracy: '" + text + "', expected 1991, 1994, 1996, bounded or exact");
-    return accuracy_of(*tier);
+Accuracy parse_preset(const std::string& text) {
+    const std::optional<Preset> preset = preset_named(text);
+    if (!preset) throw UsageError("--accuracy: '" + text + "', expected 1991, 1994, 1996, bounded or exact");
+    return accuracy_of(*preset);
 }
 
 }  // namespace oblong

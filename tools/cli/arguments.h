@@ -5,7 +5,7 @@
 
 #include "engine/fixed/angle.h"
 #include "engine/frame/settings.h"
-#include "engine/screen/present_rect.h"
+#include "engine/platform/present_rect.h"
 #include "engine/screen/screen_mode.h"
 
 namespace oblong {
@@ -27,7 +27,7 @@ Degrees parse_field_of_view(const std::string& text);
 /// Refuses what each parser takes, but no frame can be drawn with together: a wide view in a mode of few pixels.
 void check_view(const ScreenMode& mode, Degrees field_of_view);
 /// "1991", "1994", "1996", "bounded", "exact".
-Accuracy parse_tier(const std::string& text);
+Accuracy parse_preset(const std::string& text);
 /// A decimal number such as "-12.375" as raw units of 2^-fraction_bits (0 to 32), rounded to the nearest; |value| below
 /// 2^24. Throws UsageError for anything else, "nan" and "1e3" included.
 std::int64_t parse_decimal(const std::string& text, int fraction_bits);

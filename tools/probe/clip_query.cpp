@@ -71,12 +71,12 @@ void clip_to_depth(const ClipPlane& plane, ClipScratch& scratch) {
     scratch.polygon.swap(scratch.other);
 }
 
-std::vector<ScreenVertex> to_screen(const std::vector<ClipVertex>& polygon, const Projection& lens) {
+std::vector<ScreenVertex> to_screen(const std::vector<ClipVertex>& polygon, const Projection& projection) {
     const SubpixelGrid grid = SubpixelGrid::of_bits(Screen::kFractionBits);
     std::vector<ScreenVertex> screen;
     for (const ClipVertex& vertex : polygon) {
-        const ScreenVertex inside = to_screen_vertex(project(vertex.position, lens), lens, grid);
-        screen.push_back(to_screen_border(inside, vertex.borders, lens));
+        const ScreenVertex inside = to_screen_vertex(project(vertex.position, projection), projection, grid);
+        screen.push_back(to_screen_border(inside, vertex.borders, projection));
     }
     return screen;
 }
@@ -99,15 +99,15 @@ Projection make_refined_lens(const ModeAndView& view, int doublings) {
     return frame_lens(refined);
 }
 
-/// Twice the area on the screen, in (1/256 pixel)^2 of the lens's mode.
-std::int64_t visible_doubled_area_16(const ClipJob& job, const Projection& lens) {
-    const Frustum frustum = make_frustum(y_up_basis(Angle{}, Angle{}, Angle{}), lens);
+/// Twice the area on the screen, in (1/256 pixel)^2 of the projection's mode.
+std::int64_t visible_doubled_area_16(const ClipJob& job, const Projection& projection) {
+    const Frustum frustum = make_frustum(y_up_basis(Angle{}, Angle{}, Angle{}), projection);
     ClipScratch scratch{job.polygon, {}};
     clip_to_depth({{0, 0, 1}, job.near.raw}, scratch);
     clip_to_depth({{0, 0, -1}, -job.far.raw}, scratch);
     clip_polygon(frustum, kAllSides, scratch);
     if (scratch.polygon.empty()) return 0;
-    return std::abs(doubled_area_16(to_screen(scratch.polygon, lens)));
+    return std::abs(doubled_area_16(to_screen(scratch.polygon, projection)));
 }
 
 }  // namespace

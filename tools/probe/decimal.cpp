@@ -120,12 +120,12 @@ std::optional<ParsedFixed> parse_fixed(std::string_view text, int fraction_bits)
     return ParsedFixed{digits->is_negative ? -size : size, is_exact};
 }
 
-std::optional<Scaled> parse_scaled(std::string_view text) {
+std::optional<SoftFloat> parse_scaled(std::string_view text) {
     const std::optional<Digits> digits = read_digits(text);
     if (!digits || digits->whole.size() > kFractionDigits) return std::nullopt;
     const DecimalFraction fraction(digits->fraction);
-    const Scaled size = Scaled::from(integer_of(digits->whole), 0) +
-                        Scaled::from(fraction.numerator, 0) / Scaled::from(fraction.denominator, 0);
+    const SoftFloat size = SoftFloat::from(integer_of(digits->whole), 0) +
+                           SoftFloat::from(fraction.numerator, 0) / SoftFloat::from(fraction.denominator, 0);
     return digits->is_negative ? -size : size;
 }
 

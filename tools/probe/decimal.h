@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "engine/fixed/fixed.h"
-#include "engine/math/scaled.h"
+#include "engine/math/soft_float.h"
 
 namespace oblong {
 
@@ -20,7 +20,7 @@ struct ParsedFixed {
 std::optional<ParsedFixed> parse_fixed(std::string_view text, int fraction_bits);
 
 /// The same with 62 significant bits, of up to 18 decimals; below 10^18.
-std::optional<Scaled> parse_scaled(std::string_view text);
+std::optional<SoftFloat> parse_scaled(std::string_view text);
 
 /// raw / 2^fraction_bits with all its decimals: every binary fraction has an end. `fraction_bits` 0 to 60.
 std::string format_fixed(std::int64_t raw, int fraction_bits);

@@ -87,13 +87,13 @@ ModeAndView Fields::mode() {
     result.mode.display.denominator = integer(1, kLargestShape);
     const std::string_view degrees = text();
     result.field_of_view = Degrees::from_raw(parse_or_refuse(degrees, Degrees::kFractionBits, 180).raw);
-    result.fine_field_of_view = parse_scaled(degrees).value_or(Scaled{});
+    result.fine_field_of_view = parse_scaled(degrees).value_or(SoftFloat{});
     if (result.field_of_view <= Degrees{} || result.field_of_view >= Degrees::from_int(180)) throw Unsupported{};
     return result;
 }
 
 Projection frame_lens(const ModeAndView& view) {
-    const FarLens fine = make_far_lens(view.mode, view.fine_field_of_view);
+    const FarProjection fine = make_far_projection(view.mode, view.fine_field_of_view);
     const bool is_held = fixed_of(fine.x, Multiplier::kFractionBits) && fixed_of(fine.y, Multiplier::kFractionBits);
     if (!is_held) throw Unsupported{};
     return make_projection(view.mode, view.field_of_view);

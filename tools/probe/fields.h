@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "engine/fixed/angle.h"
-#include "engine/math/scaled.h"
+#include "engine/geometry/projection.h"
+#include "engine/math/soft_float.h"
 #include "engine/math/vec.h"
-#include "engine/screen/projection.h"
 #include "engine/screen/screen_mode.h"
 
 namespace oblong {
@@ -19,7 +19,7 @@ struct Unsupported {};
 struct ModeAndView {
     ScreenMode mode;
     Degrees field_of_view;
-    Scaled fine_field_of_view;  ///< degrees, with all its decimals
+    SoftFloat fine_field_of_view;  ///< degrees, with all its decimals
 };
 
 /// The fields of one query, read from left to right. Each reader throws Unsupported for a field that is missing or is
@@ -50,7 +50,7 @@ class Fields {
     std::size_t next_ = 0;
 };
 
-/// The lens of a frame. Throws Unsupported for fields of view so narrow, below a thousandth of a degree, that its
+/// The projection of a frame. Throws Unsupported for fields of view so narrow, below a thousandth of a degree, that its
 /// multipliers would not be right.
 Projection frame_lens(const ModeAndView& view);
 

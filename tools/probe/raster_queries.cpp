@@ -28,7 +28,7 @@ ScreenVertex read_vertex(Fields& fields, std::int32_t scale) {
 }
 
 /// The rows of a triangle of either winding, its columns cut to the raster. False if it has no area.
-bool scan_triangle(Triangle triangle, RowColumns& rows) {
+bool scan_triangle(Triangle triangle, ScanlineExtents& rows) {
     const std::int64_t doubled_area = doubled_area_16(triangle);
     if (doubled_area == 0) return false;
     if (doubled_area < 0) std::swap(triangle[1], triangle[2]);
@@ -38,7 +38,7 @@ bool scan_triangle(Triangle triangle, RowColumns& rows) {
 
 /// Calls visit(row, first, end) for each row that has pixels on the raster.
 template <class Visit>
-void for_each_covered_row(const Triangle& triangle, RowColumns& rows, Visit visit) {
+void for_each_covered_row(const Triangle& triangle, ScanlineExtents& rows, Visit visit) {
     if (!scan_triangle(triangle, rows)) return;
     for (std::int32_t row = rows.first; row < rows.end; ++row) {
         const std::int32_t first = std::max(rows.left[static_cast<std::size_t>(row)], 0);
@@ -104,7 +104,7 @@ std::string answer_coverage(Fields& fields) {
     const ScreenVertex a = read_vertex(fields, scale), b = read_vertex(fields, scale), c = read_vertex(fields, scale);
     fields.expect_end();
 
-    RowColumns rows(kHeight_px);
+    ScanlineExtents rows(kHeight_px);
     std::int32_t row_count = 0;
     std::string text;
     for_each_covered_row({a, b, c}, rows, [&](std::int32_t row, std::int32_t first, std::int32_t end) {
@@ -120,7 +120,7 @@ std::string answer_mesh(Fields& fields) {
     const std::vector<Triangle> triangles = read_triangles(fields, vertices);
     fields.expect_end();
 
-    RowColumns rows(kHeight_px);
+    ScanlineExtents rows(kHeight_px);
     OverlapCounter counter;
     for (const Triangle& triangle : triangles)
         for_each_covered_row(triangle, rows, [&](std::int32_t row, std::int32_t first, std::int32_t end) {

@@ -73,18 +73,20 @@ void append_texels(const TexelBlock& block, const TexspanQuery& query, std::stri
 }
 
 /// Samples a part of the row that the query asks for.
-void append_part(const TexspanQuery& query, const Projection& lens, const Span& part, Texturing texturing,
+void append_part(const TexspanQuery& query, const Projection& projection, const Span& part, Texturing texturing,
                  std::string& text) {
     const PixelPosition middle{(part.first + part.end) / 2, part.y};
-    const auto gradients = make_triangle_gradients(query.corners, lens, middle);
+    const auto gradients = make_triangle_gradients(query.corners, projection, middle);
     if (!gradients) throw Unsupported{};
 
     Accuracy accuracy;
     accuracy.texturing = texturing;
     const BlockRule rule = make_block_rule(accuracy);
-    const BlockLadder ladder = make_block_ladder(rule, static_cast<std::int64_t>(gradients->inverse_z_44.per_column));
+    const BlockThresholds thresholds =
+        make_block_thresholds(rule, static_cast<std::int64_t>(gradients->inverse_z_44.per_column));
     BlockList blocks(part.end - part.first);
-    append_blocks(part, query.view.mode.width_px, *gradients, rule, ladder, make_texel_limits(65535, 65535, 0), blocks);
+    append_blocks(part, query.view.mode.width_px, *gradients, rule, thresholds, make_texel_limits(65535, 65535, 0),
+                  blocks);
     for (const TexelBlock& block : blocks.waiting()) append_texels(block, query, text);
 }
 
@@ -93,10 +95,11 @@ std::string sample_span(const TexspanQuery& query, Texturing texturing) {
     // an anchor each; an affine span has to stay whole.
     constexpr std::int32_t kLongestPart_px = 512;
     const std::int32_t longest_px = texturing == Texturing::Affine ? query.view.mode.width_px : kLongestPart_px;
-    const Projection lens = frame_lens(query.view);
+    const Projection projection = frame_lens(query.view);
     std::string text;
     for (std::int32_t first = query.span.first; first < query.span.end; first += longest_px)
-        append_part(query, lens, {query.span.y, first, std::min(first + longest_px, query.span.end)}, texturing, text);
+        append_part(query, projection, {query.span.y, first, std::min(first + longest_px, query.span.end)}, texturing,
+                    text);
     return text;
 }
 

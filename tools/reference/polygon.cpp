@@ -17,8 +17,9 @@ std::vector<Vec> clip(const std::vector<Vec>& polygon, const Plane& plane) {
     return result;
 }
 
-std::vector<Vec> clip_to_view(std::vector<Vec> polygon, double near, double far, const Lens& lens) {
-    const double side = lens.width_px / 2 / lens.multiplier_x, top = lens.height_px / 2 / lens.multiplier_y;
+std::vector<Vec> clip_to_view(std::vector<Vec> polygon, double near, double far, const Projection& projection) {
+    const double side = projection.width_px / 2 / projection.multiplier_x,
+                 top = projection.height_px / 2 / projection.multiplier_y;
     const Plane planes[] = {{{0, 0, 1}, near},  {{0, 0, -1}, -far}, {{1, 0, side}, 0},
                             {{-1, 0, side}, 0}, {{0, 1, top}, 0},   {{0, -1, top}, 0}};
     for (const Plane& plane : planes) polygon = clip(polygon, plane);
@@ -34,9 +35,10 @@ double area(const std::vector<ScreenPoint>& polygon) {
     return std::abs(doubled) / 2;
 }
 
-double visible_area(const std::vector<Vec>& polygon, double near, double far, const Lens& lens) {
+double visible_area(const std::vector<Vec>& polygon, double near, double far, const Projection& projection) {
     std::vector<ScreenPoint> screen;
-    for (const Vec& corner : clip_to_view(polygon, near, far, lens)) screen.push_back(project(corner, lens));
+    for (const Vec& corner : clip_to_view(polygon, near, far, projection))
+        screen.push_back(project(corner, projection));
     return area(screen);
 }
 

@@ -2,8 +2,9 @@
 
 namespace oblong::reference {
 
-Texel texel_at(const std::array<TexturedCorner, 3>& corners, const Lens& lens, ScreenPoint at) {
-    const Vec ray{(at.x - lens.width_px / 2) / lens.multiplier_x, (lens.height_px / 2 - at.y) / lens.multiplier_y, 1};
+Texel texel_at(const std::array<TexturedCorner, 3>& corners, const Projection& projection, ScreenPoint at) {
+    const Vec ray{(at.x - projection.width_px / 2) / projection.multiplier_x,
+                  (projection.height_px / 2 - at.y) / projection.multiplier_y, 1};
     const Vec &a = corners[0].position, &b = corners[1].position, &c = corners[2].position;
     const double weights[] = {dot(cross(b, c), ray), dot(cross(c, a), ray), dot(cross(a, b), ray)};
     const double sum = weights[0] + weights[1] + weights[2];

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "tools/reference/lens.h"
+#include "tools/reference/projection.h"
 
 namespace oblong::reference {
 
@@ -16,6 +16,6 @@ struct Texel {
 };
 
 /// What the plane of a triangle shows at a place on the screen, by barycentric weights of the ray through it.
-Texel texel_at(const std::array<TexturedCorner, 3>& corners, const Lens& lens, ScreenPoint at);
+Texel texel_at(const std::array<TexturedCorner, 3>& corners, const Projection& projection, ScreenPoint at);
 
 }  // namespace oblong::reference

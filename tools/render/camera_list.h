@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/camera/camera.h"
+#include "engine/geometry/camera.h"
 
 namespace oblong {
 

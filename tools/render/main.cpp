@@ -1,9 +1,9 @@
 #include <chrono>
 #include <cstdio>
 
-#include "engine/frame/scene_models.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
+#include "engine/scene/placed_models.h"
 #include "tools/cli/arguments.h"
 #include "tools/cli/command_line.h"
 #include "tools/png/indexed_png.h"
@@ -16,7 +16,7 @@ using namespace oblong;
 
 struct Options {
     std::string level, cameras, palette, out, json;
-    std::string mode = "320x200", display = "4:3", field_of_view = "90", tier = "bounded", effects = "auto",
+    std::string mode = "320x200", display = "4:3", field_of_view = "90", preset = "bounded", effects = "auto",
                 texel_error, seconds = "0";
     std::int64_t repeat = 1, threads = 1;
 };
@@ -31,7 +31,7 @@ void declare(Command& line, Options& options) {
     line.add("--mode", options.mode, "pixels, WIDTHxHEIGHT");
     line.add("--display", options.display, "shape of the display, WIDTH:HEIGHT");
     line.add("--fov", options.field_of_view, "degrees across");
-    line.add("--accuracy", options.tier, "1991, 1994, 1996, bounded or exact");
+    line.add("--accuracy", options.preset, "1991, 1994, 1996, bounded or exact");
     line.add("--texel-error", options.texel_error, "largest texture error on screen, pixels (default 0.375)");
     line.add("--effects", options.effects, "auto, none, or names: sky,liquid,brush_models");
     line.add("--threads", options.threads, "accepted; frames are drawn by one thread").limit(1, 256);
@@ -63,7 +63,7 @@ std::int64_t parse_number(const std::string& option, const std::string& text, in
 
 Settings make_settings(const Options& options) {
     Settings settings;
-    settings.accuracy = parse_tier(options.tier);
+    settings.accuracy = parse_preset(options.preset);
     settings.allowed_effects = parse_effects(options.effects);
     if (options.texel_error.empty()) return settings;
     const std::int64_t error_px_256 = parse_number("--texel-error", options.texel_error, 8);
@@ -114,7 +114,7 @@ void render(const Options& options) {
     std::printf("%zu frames, median %.1f us, 99th percentile %.1f us, level loaded in %.1f ms\n", frames.size(),
                 times.median, times.p99, load.count());
     if (!options.json.empty())
-        write_file(options.json, report_json({options.level, options.tier, mode, 1, load.count()}, frames));
+        write_file(options.json, report_json({options.level, options.preset, mode, 1, load.count()}, frames));
 }
 
 }  // namespace

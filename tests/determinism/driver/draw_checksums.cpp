@@ -1,15 +1,15 @@
 // Draws the cameras of a list as oblong-render does, and prints the checksum of each picture, a line each. Without any
 // library but the compiler's own, so that it is built for other processors by their compiler alone, and soon.
-//   draw_checksums PALETTE LEVEL.bsp CAMERAS.csv [--accuracy TIER] [--mode WxH] [--display W:H] [--fov DEGREES]
+//   draw_checksums PALETTE LEVEL.bsp CAMERAS.csv [--accuracy PRESET] [--mode WxH] [--display W:H] [--fov DEGREES]
 //                  [--time SECONDS]
 #include <cstdio>
 #include <map>
 
 #include "engine/frame/frame.h"
-#include "engine/frame/scene_models.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
+#include "engine/scene/placed_models.h"
 #include "tools/cli/arguments.h"
 #include "tools/cli/program.h"
 #include "tools/render/camera_list.h"
@@ -48,7 +48,7 @@ void draw(const std::string& palette_path, const std::string& level_path, const 
     parse_mode_size(options.at("--mode"), mode);
     mode.display = parse_display(options.at("--display"));
     Settings settings;
-    settings.accuracy = parse_tier(options.at("--accuracy"));
+    settings.accuracy = parse_preset(options.at("--accuracy"));
     const Degrees field_of_view = parse_field_of_view(options.at("--fov"));
     const std::int64_t time_ms = parse_decimal(options.at("--time"), 20) * 1000 / (1 << 20);
 

@@ -6,10 +6,10 @@
 #include <cstring>
 
 #include "engine/frame/frame.h"
-#include "engine/frame/scene_models.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
+#include "engine/scene/placed_models.h"
 #include "tests/ranges/recorder/quantities.h"
 #include "tools/cli/program.h"
 #include "tools/render/camera_list.h"
@@ -25,10 +25,10 @@ using namespace oblong;
 constexpr std::int32_t kWorldEnd = 32767;
 constexpr std::size_t kCameraStep = 20;  // of a level's cameras, one in so many
 
-void draw(const Scene& scene, const std::vector<Camera>& cameras, const ScreenMode& mode, Tier tier) {
+void draw(const Scene& scene, const std::vector<Camera>& cameras, const ScreenMode& mode, Preset preset) {
     FrameWorkspace work(scene.level, mode);
     Settings settings;
-    settings.accuracy = accuracy_of(tier);
+    settings.accuracy = accuracy_of(preset);
     std::vector<std::uint8_t> pixels(static_cast<std::size_t>(mode.width_px) *
                                      static_cast<std::size_t>(mode.height_px));
     for (const Camera& camera : cameras)
@@ -68,14 +68,14 @@ void draw_level(const std::string& level_path, const std::string& cameras_path, 
         if (i % kCameraStep == 0) some.push_back(all[i]);
         if (i % (kCameraStep * 15) == 0) few.push_back(all[i]);
     }
-    for (const Tier tier : {Tier::Year1991, Tier::Bounded, Tier::Exact}) draw(scene, some, {}, tier);
+    for (const Preset preset : {Preset::Year1991, Preset::Bounded, Preset::Exact}) draw(scene, some, {}, preset);
     for (const std::int64_t degrees : {1, 10, 170, 179}) {
-        draw(scene, with_field_of_view(some, degrees), {}, Tier::Bounded);
-        draw(scene, with_field_of_view(corner_cameras(), degrees), {}, Tier::Bounded);
-        draw(scene, with_field_of_view(few, degrees), {kLargestMode_px, kLargestMode_px, {4, 3}}, Tier::Bounded);
-        draw(scene, with_field_of_view(few, degrees), {8, kLargestMode_px, {16, 9}}, Tier::Exact);
+        draw(scene, with_field_of_view(some, degrees), {}, Preset::Bounded);
+        draw(scene, with_field_of_view(corner_cameras(), degrees), {}, Preset::Bounded);
+        draw(scene, with_field_of_view(few, degrees), {kLargestMode_px, kLargestMode_px, {4, 3}}, Preset::Bounded);
+        draw(scene, with_field_of_view(few, degrees), {8, kLargestMode_px, {16, 9}}, Preset::Exact);
     }
-    draw(scene, few, {kLargestMode_px, kLargestMode_px, {4, 3}}, Tier::Bounded);
+    draw(scene, few, {kLargestMode_px, kLargestMode_px, {4, 3}}, Preset::Bounded);
 }
 
 /// Prints the table; the least head-room in it, in bits, or -1 if a quantity was never noted.

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/geometry/clip.h"
+#include "engine/geometry/vertex_cache.h"
+
+namespace oblong {
+
+/// A polygon on its way to the screen, and the scratch that it needs.
+struct ScreenPolygon {
+    std::vector<CachedVertex*> corners;
+    ClipScratch clip;
+    std::vector<ScreenVertex> screen;
+    std::int64_t nearest_z_16 = 0;  ///< of what is in view
+};
+
+/// The polygon of a face of the level, from its vertices' indices, clockwise seen from its front: transform, clip,
+/// project. False if nothing of it is in view.
+bool project_face(std::span<const std::int32_t> corner_indices, const ViewContext& view, VertexCache& vertices,
+                  ScreenPolygon& polygon);
+
+/// The same of any polygon in the world.
+bool project_polygon(std::span<const Vec3<World>> corners, const ViewContext& view, ScreenPolygon& polygon);
+
+}  // namespace oblong

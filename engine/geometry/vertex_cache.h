@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/geometry/view_context.h"
+
+namespace oblong {
+
+/// A vertex of the level as one frame sees it.
+struct CachedVertex {
+    Vec3<View> view;
+    ScreenVertex screen;      ///< where is_projected
+    std::uint32_t frame = 0;  ///< the frame that this was computed in
+    std::uint8_t outcode = 0;
+    bool is_projected = false;
+};
+
+/// The level's vertices in viewspace and on the screen, each computed once a frame, and only if a face asks for it.
+class VertexCache {
+  public:
+    /// `world_vertices` must outlive it.
+    explicit VertexCache(std::span<const Vec3<World>> world_vertices)
+        : world_(world_vertices), vertices_(world_vertices.size()) {}
+
+    void start_frame() { ++frame_; }
+
+    CachedVertex& get(std::int32_t index, const ViewContext& view) {
+        CachedVertex& vertex = vertices_[static_cast<std::size_t>(index)];
+        if (vertex.frame == frame_) return vertex;
+        vertex.view = to_view(world_[static_cast<std::size_t>(index)], view.eye, view.axes);
+        vertex.outcode = outcode_of(view.frustum, vertex.view);
+        vertex.frame = frame_;
+        vertex.is_projected = false;
+        return vertex;
+    }
+
+    /// The vertex on the screen; it must be inside the view (outcode 0).
+    static ScreenVertex project_once(CachedVertex& vertex, const ViewContext& view) {
+        if (!vertex.is_projected) {
+            vertex.screen = to_screen_vertex(project(vertex.view, view.projection), view.projection, view.grid);
+            vertex.is_projected = true;
+        }
+        return vertex.screen;
+    }
+
+  private:
+    std::span<const Vec3<World>> world_;
+    std::vector<CachedVertex> vertices_;
+    std::uint32_t frame_ = 0;
+};
+
+}  // namespace oblong

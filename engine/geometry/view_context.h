@@ -1,0 +1,19 @@
+#pragma once
+
+#include "engine/geometry/frustum.h"
+#include "engine/geometry/project.h"
+#include "engine/geometry/projection.h"
+#include "engine/math/basis.h"
+
+namespace oblong {
+
+/// All that a frame transforms its vertices with.
+struct ViewContext {
+    Vec3<World> eye;
+    Basis axes;
+    Projection projection;
+    Frustum frustum;
+    SubpixelGrid grid;
+};
+
+}  // namespace oblong

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <optional>
+
+#include "engine/fixed/wide.h"
+
+namespace oblong {
+
+/// mantissa * 2^exponent, where numbers have no common scale: inside an elimination, far off the screen. The mantissa
+/// of all but 0 has 62 bits; a product or quotient is within 2^-60 of itself of the true one, a difference within 2^-60
+/// of the larger of its numbers.
+struct SoftFloat {
+    std::int64_t mantissa = 0;
+    int exponent = 0;
+
+    /// The number with a mantissa of 62 bits.
+    static constexpr SoftFloat from(std::int64_t mantissa, int exponent) {
+        if (mantissa == 0) return {};
+        const int shift = std::countl_zero(detail::magnitude(mantissa)) - 2;
+        if (shift < 0) return {floor_shift(mantissa, -shift), exponent - shift};
+        return {mantissa * (std::int64_t{1} << shift), exponent - shift};
+    }
+
+    constexpr bool is_zero() const { return mantissa == 0; }
+    /// 2^magnitude() is above the number's absolute value and not above twice of it; not for 0.
+    constexpr int magnitude() const { return exponent + 62; }
+};
+
+constexpr SoftFloat operator*(const SoftFloat& a, const SoftFloat& b) {
+    return SoftFloat::from(mul_shift(a.mantissa, b.mantissa, 62), a.exponent + b.exponent + 62);
+}
+
+/// `b` is not 0.
+constexpr SoftFloat operator/(const SoftFloat& a, const SoftFloat& b) {
+    return SoftFloat::from(mul_div(a.mantissa, std::int64_t{1} << 61, b.mantissa), a.exponent - b.exponent - 61);
+}
+
+constexpr SoftFloat operator-(const SoftFloat& a) {
+    return {-a.mantissa, a.exponent};
+}
+
+constexpr SoftFloat operator-(const SoftFloat& a, const SoftFloat& b) {
+    if (b.is_zero()) return a;
+    if (a.is_zero()) return {-b.mantissa, b.exponent};
+    const int top = a.exponent > b.exponent ? a.exponent : b.exponent;
+    const auto aligned = [top](const SoftFloat& value) {
+        const int drop = top - value.exponent;
+        return drop > 62 ? 0 : rounded_shift(value.mantissa, drop, Rounding::NearestHalfUp);
+    };
+    return SoftFloat::from(aligned(a) - aligned(b), top);
+}
+
+constexpr SoftFloat operator+(const SoftFloat& a, const SoftFloat& b) {
+    return a - -b;
+}
+
+/// The number with `fraction_bits`, rounded to the nearest; none where that has more than 62 bits.
+constexpr std::optional<std::int64_t> fixed_of(const SoftFloat& value, int fraction_bits) {
+    const int shift = value.exponent + fraction_bits;
+    if (value.is_zero() || shift < -62) return 0;
+    if (shift > 0) return std::nullopt;
+    return rounded_shift(value.mantissa, -shift, Rounding::NearestHalfUp);
+}
+
+}  // namespace oblong

@@ -1,0 +1,21 @@
+#include "engine/scene/placed_models.h"
+
+#include <charconv>
+#include <string>
+
+namespace oblong {
+
+std::vector<PlacedModel> models_at_rest(const Level& level) {
+    std::vector<PlacedModel> placed;
+    for (const Entity& entity : level.entities) {
+        const std::string model = entity.value("model");
+        if (!model.starts_with("*") || entity.value("classname").starts_with("trigger_")) continue;
+        std::int32_t index = 0;
+        const auto [end, error] = std::from_chars(model.data() + 1, model.data() + model.size(), index);
+        if (error != std::errc{} || end != model.data() + model.size()) continue;
+        if (index >= 1 && index < static_cast<std::int32_t>(level.models.size())) placed.push_back({index, {}});
+    }
+    return placed;
+}
+
+}  // namespace oblong

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/level/level.h"
+
+namespace oblong {
+
+/// A brush model at its place: model 1 and up of the level, moved by `offset`.
+struct PlacedModel {
+    std::int32_t model = 0;
+    Vec3<World> offset;
+    constexpr bool operator==(const PlacedModel&) const = default;
+};
+
+/// The brush models that a level's entities show, where they stand when it begins. Triggers are not shown. An entity
+/// that names a model that the level hasn't is passed over.
+std::vector<PlacedModel> models_at_rest(const Level& level);
+
+}  // namespace oblong

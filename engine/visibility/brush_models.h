@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/level/level.h"
+#include "engine/scene/face_table.h"
+#include "engine/visibility/model_cutter.h"
+
+namespace oblong {
+
+/// The brush models of a scene (doors, lifts), cut up by the world's tree so that each part is drawn in front of what
+/// lies behind its leaf and behind what lies before it. A model is cut anew only where it has moved.
+class BrushModels {
+  public:
+    explicit BrushModels(const Level& level);
+
+    /// Takes the models as they stand now, each model of the level once at the most.
+    void place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
+    /// Starts a frame: orders are found anew, and only for models that the frame meets.
+    void start_frame() { ++frame_; }
+
+    bool has_any_in(std::int32_t leaf) const { return first_links_[static_cast<std::size_t>(leaf)] >= 0; }
+    /// The parts in a leaf that face the eye, nearer models first, and within a model as its own tree orders them.
+    /// Valid until the next call.
+    std::span<const Fragment* const> front_to_back_in(std::int32_t leaf, const Level& level, const Vec3<World>& eye);
+    std::span<const Vec3<World>> corners_of(const Fragment& fragment) const {
+        return std::span(cuts_[static_cast<std::size_t>(fragment.placed)].corners)
+            .subspan(fragment.first_corner, fragment.corner_count);
+    }
+
+  private:
+    struct Link {
+        const Fragment* fragment;
+        std::int32_t next;
+    };
+    /// The order of what one frame meets of a model.
+    struct Order {
+        std::uint32_t frame = 0;
+        std::int64_t squared_distance = 0;
+    };
+
+    void link_leaves();
+    void order_model(std::int32_t placed, const Level& level, const Vec3<World>& eye);
+    bool is_before(const Fragment& a, const Fragment& b) const;
+
+    std::vector<PlacedModel> placed_;
+    std::vector<ModelCut> cuts_;  ///< of each placed model
+    std::vector<Order> orders_;   ///< of each placed model
+    /// Of each face of the level: its place in its model's order; -1: faces away.
+    std::vector<std::int32_t> face_ranks_;
+    std::vector<std::int32_t> first_links_;  ///< of each leaf; -1: none
+    std::vector<Link> links_;
+    std::vector<const Fragment*> found_;  ///< what front_to_back_in() returns
+    std::vector<std::int32_t> steps_;     ///< scratch of the walk down a model's tree
+    std::uint32_t frame_ = 0;
+};
+
+}  // namespace oblong

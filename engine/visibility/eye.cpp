@@ -1,0 +1,119 @@
+#include "engine/visibility/eye.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "engine/level/side.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr std::int64_t kClearance_42 = std::int64_t{2} << 30;
+constexpr std::int32_t kMostRounds = 16;
+/// At a corner three planes meet, and an edge of a fourth: each may have its open side before or behind.
+constexpr unsigned kMostFlips = 4;
+
+/// The component of the normal that is largest: moving along it changes the distance most.
+Vec3<World> moved_off(Vec3<World> eye, const LevelPlane& plane, int side, std::int32_t scale) {
+    const std::array<std::int64_t, 3> normal{plane.normal.x.raw, plane.normal.y.raw, plane.normal.z.raw};
+    std::array<std::int32_t*, 3> coordinate{&eye.x.raw, &eye.y.raw, &eye.z.raw};
+    std::size_t largest = 0;
+    for (std::size_t axis = 1; axis < 3; ++axis)
+        if (normal[axis] * normal[axis] > normal[largest] * normal[largest]) largest = axis;
+    // 2 steps of distance are at most 2 sqrt(3) steps along the largest component.
+    const std::int32_t steps = (plane.axis < 3 ? 2 : 4) * scale;
+    *coordinate[largest] += (normal[largest] > 0) == (side > 0) ? steps : -steps;
+    return eye;
+}
+
+bool is_too_near(const LevelPlane& plane, Vec3<World> eye, int side) {
+    return plane_distance_42(plane, eye) * side < kClearance_42;
+}
+
+bool is_solid(const Level& level, std::int32_t leaf) {
+    return level.leaves[static_cast<std::size_t>(leaf)].contents == contents::kSolid;
+}
+
+/// A try at placing an eye: whether it is clear of all the planes that bound its leaf.
+struct Try {
+    PlacedEye placed;
+    bool is_clear = false;
+
+    bool is_clear_and_open(const Level& level) const { return is_clear && !is_solid(level, placed.leaf); }
+};
+
+/// Goes down to the eye's leaf, at the planes that it is too near to on the other side where `other_sides` has a bit
+/// for them (the first such plane's is bit 0), and moves it clear of them all: they are the planes that bound the leaf.
+/// In a sharp corner clearing one plane comes nearer to another, so that it takes some rounds, of growing steps.
+Try move_clear(const Level& level, Vec3<World> eye, unsigned other_sides) {
+    bool is_clear = false;
+    for (std::int32_t round = 0; round < kMostRounds; ++round) {
+        unsigned near_count = 0;
+        std::int32_t node = level.models[0].head_nodes[0];
+        Vec3<World> moved = eye;
+        while (node >= 0) {
+            const Node& at = level.nodes[static_cast<std::size_t>(node)];
+            const LevelPlane& plane = level.planes[static_cast<std::size_t>(at.plane)];
+            int side = plane_side(plane, eye) > 0 ? 1 : -1;
+            if (is_too_near(plane, eye, side)) {
+                ++near_count;
+                if (round == 0 && (other_sides >> (near_count - 1) & 1) != 0) side = -side;
+                if (is_too_near(plane, moved, side)) moved = moved_off(moved, plane, side, 1 + round / 2);
+            }
+            node = at.children[side > 0 ? 0 : 1];
+        }
+        is_clear = near_count == 0;
+        if (moved == eye) break;
+        eye = moved;
+    }
+    return {{eye, find_leaf(level, level.models[0], eye)}, is_clear};
+}
+
+bool is_clear(const Level& level, Vec3<World> eye) {
+    std::int32_t node = level.models[0].head_nodes[0];
+    while (node >= 0) {
+        const Node& at = level.nodes[static_cast<std::size_t>(node)];
+        const LevelPlane& plane = level.planes[static_cast<std::size_t>(at.plane)];
+        const int side = plane_side(plane, eye) > 0 ? 1 : -1;
+        if (is_too_near(plane, eye, side)) return false;
+        node = at.children[side > 0 ? 0 : 1];
+    }
+    return true;
+}
+
+/// The first clear and open place on cubes of growing size around the eye, up to 1/32 unit away: for the edges of
+/// wedges so sharp that the way off one of their planes leads through the other.
+Try search_around(const Level& level, const Vec3<World>& eye) {
+    constexpr std::int32_t kParts = 16, kLargestStep = 8;
+    const auto try_at = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+        const Vec3<World> place = eye + Vec3<World>{World::from_raw(x), World::from_raw(y), World::from_raw(z)};
+        return Try{{place, find_leaf(level, level.models[0], place)}, is_clear(level, place)};
+    };
+    for (std::int32_t step = 1; step <= kLargestStep; step *= 2)
+        for (std::int32_t x = -kParts; x <= kParts; ++x)
+            for (std::int32_t y = -kParts; y <= kParts; ++y)
+                for (std::int32_t z = -kParts; z <= kParts; ++z) {
+                    if (std::max({std::abs(x), std::abs(y), std::abs(z)}) < kParts) continue;
+                    const Try found = try_at(x * step, y * step, z * step);
+                    if (found.is_clear_and_open(level)) return found;
+                }
+    return {};
+}
+
+}  // namespace
+
+PlacedEye place_eye(const Level& level, Vec3<World> eye) {
+    const Try first = move_clear(level, eye, 0);
+    const bool was_clear = first.is_clear && first.placed.position == eye;  // in the open or deep in a wall
+    if (was_clear || first.is_clear_and_open(level)) return first.placed;
+    for (unsigned other_sides = 1; other_sides < 1u << kMostFlips; ++other_sides) {
+        const Try other = move_clear(level, eye, other_sides);
+        if (other.is_clear_and_open(level)) return other.placed;
+    }
+    const Try nearby = search_around(level, eye);
+    return nearby.is_clear ? nearby.placed : first.placed;
+}
+
+}  // namespace oblong
