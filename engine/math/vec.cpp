@@ -1,4 +1,4 @@
-#include "engine/math/normalise.h"
+#include "engine/math/vec.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,7 +6,6 @@
 
 #include "engine/fixed/root.h"
 #include "engine/fixed/wide.h"
-#include "engine/math/products.h"
 
 namespace oblong {
 
