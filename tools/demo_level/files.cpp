@@ -6,7 +6,7 @@
 #include "engine/platform/files.h"
 #include "tools/demo_level/art/catalogue.h"
 #include "tools/demo_level/map/museum.h"
-#include "tools/png/indexed_png.h"
+#include "tools/common/png.h"
 
 namespace oblong {
 

@@ -6,7 +6,7 @@
 #include "engine/scene/placed_models.h"
 #include "tools/cli/arguments.h"
 #include "tools/cli/command_line.h"
-#include "tools/png/indexed_png.h"
+#include "tools/common/png.h"
 #include "tools/render/camera_list.h"
 #include "tools/render/report.h"
 
