@@ -10,11 +10,6 @@ namespace {
     throw UsageError(std::string(option) + ": '" + value + "', expected " + expected);
 }
 
-Preset preset_of(const std::string& name) {
-    if (const auto preset = preset_named(name)) return *preset;
-    refuse("--accuracy", name, "1991, 1994, 1996, bounded or exact");
-}
-
 Scaling scaling_of(const std::string& name) {
     for (int i = 0; i < kScalingCount; ++i)
         if (name == name_of(static_cast<Scaling>(i))) return static_cast<Scaling>(i);
@@ -54,7 +49,7 @@ void interpret(const Words& words, Options& options) {
     if (!words.window.empty()) options.window = parse_window_size(words.window);
     options.field_of_view = parse_field_of_view(words.field_of_view);
     check_view(options.mode, options.field_of_view);
-    options.preset = preset_of(words.accuracy);
+    options.preset = parse_preset(words.accuracy);
     options.scaling = scaling_of(words.scaling);
 }
 
