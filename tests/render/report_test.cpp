@@ -1,3 +1,4 @@
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "tests/bad_input/run_program.h"
@@ -52,6 +53,55 @@ TEST_F(Report, GivesNoTimeThatWasNotMeasured) {
         effects += frame.at("effects").size();
     }
     EXPECT_GT(effects, 0u);
+}
+
+/// A brush of a map source: a point of each face and two more, clockwise seen from outside.
+std::string box(const std::array<int, 3>& low, const std::array<int, 3>& high) {
+    using Step = std::array<int, 3>;
+    const std::array<std::array<Step, 2>, 3> steps{
+        {{{{0, 1, 0}, {0, 0, 1}}}, {{{0, 0, 1}, {1, 0, 0}}}, {{{1, 0, 0}, {0, 1, 0}}}}};
+    std::string text = "{\n";
+    for (const bool is_high : {false, true}) {
+        for (auto [u, v] : steps) {
+            if (is_high) std::swap(u, v);
+            for (const Step& step : {Step{}, u, v}) {
+                text += "( ";
+                for (std::size_t i = 0; i < 3; ++i) text += std::to_string((is_high ? high : low)[i] + step[i]) + ' ';
+                text += ") ";
+            }
+            text += "stone_wall 0 0 0 1 1\n";
+        }
+    }
+    return text + "}\n";
+}
+
+// A brush model of 64 x 64 units squarely before the eye, 64 away. Across, 90 degrees show 128 units there on 320
+// pixels, so it is 160 wide; each pixel is 1.2 times as tall as wide, so it reaches from 33.3 to 166.7 down: over 134
+// centres.
+TEST_F(Report, CountsThePixelsThatBrushModelsOwn) {
+    std::string map = "{\n\"classname\" \"worldspawn\"\n";
+    const std::array<int, 3> low{-128, -128, -64}, high{256, 128, 192};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::array<int, 3> below_high = high, above_low = low;
+        below_high[axis] = low[axis];
+        above_low[axis] = high[axis];
+        std::array<int, 3> below_low = low, above_high = high;
+        below_low[axis] -= 16;
+        above_high[axis] += 16;
+        map += box(below_low, below_high) + box(above_low, above_high);
+    }
+    map += "}\n{\n\"classname\" \"info_player_start\"\n\"origin\" \"0 0 64\"\n}\n{\n\"classname\" \"func_wall\"\n" +
+           box({64, -32, 32}, {80, 32, 96}) + "}\n";
+    const std::string source = folder_.write("wall.map", map), level = folder_.path("wall.bsp");
+    const Outcome compiled =
+        run_program({"oblong-map", source, "-o", level, "--wad", OBLONG_BUILD_DIR "/assets/demo.wad"});
+    ASSERT_EQ(compiled.exit_code, 0) << compiled.error;
+    const Json frames =
+        report({}, level, folder_.write("cameras.csv", std::string("x,y,z,yaw,pitch\n0,0,64,0,0\n0,0,64,180,0\n")))
+            .at("frames");
+    EXPECT_EQ(frames.at(0).at("effects"),
+              Json({{{"name", "brush_models"}, {"pixels", 160 * 134}, {"microseconds", nullptr}}}));
+    for (const Json& effect : frames.at(1).at("effects")) EXPECT_EQ(effect.at("pixels"), 0) << effect;
 }
 
 }  // namespace
