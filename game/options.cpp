@@ -1,7 +1,7 @@
 #include "game/options.h"
 
-#include "tools/cli/arguments.h"
-#include "tools/cli/command_line.h"
+#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 
 namespace oblong {
 namespace {

@@ -14,9 +14,9 @@ const std::string kLevel = OBLONG_BUILD_DIR "/assets/demo.bsp";
 class Report : public testing::Test {
   protected:
     /// All of standard output, as JSON.
-    Json report(const std::vector<std::string>& more) {
-        std::vector<std::string> words{
-            "oblong-render", kLevel, "--cameras", OBLONG_SOURCE_DIR "/assets/demo_cameras.csv", "--json", "-"};
+    Json report(const std::vector<std::string>& more, const std::string& level = kLevel,
+                const std::string& cameras = OBLONG_SOURCE_DIR "/assets/demo_cameras.csv") {
+        std::vector<std::string> words{"oblong-render", level, "--cameras", cameras, "--json", "-"};
         words.insert(words.end(), more.begin(), more.end());
         const Outcome outcome = run_program(words, folder_.path("output"));
         EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
@@ -47,7 +47,8 @@ TEST_F(Report, SaysTheDefaults) {
 
 TEST_F(Report, GivesNoTimeThatWasNotMeasured) {
     std::size_t effects = 0;
-    for (const Json& frame : report({"--repeat", "2"}).at("frames")) {
+    const Json json = report({"--repeat", "2"});
+    for (const Json& frame : json.at("frames")) {
         EXPECT_GT(frame.at("microseconds"), 0);
         for (const Json& effect : frame.at("effects")) EXPECT_EQ(effect.at("microseconds"), nullptr);
         effects += frame.at("effects").size();
@@ -96,9 +97,9 @@ TEST_F(Report, CountsThePixelsThatBrushModelsOwn) {
     const Outcome compiled =
         run_program({"oblong-map", source, "-o", level, "--wad", OBLONG_BUILD_DIR "/assets/demo.wad"});
     ASSERT_EQ(compiled.exit_code, 0) << compiled.error;
-    const Json frames =
-        report({}, level, folder_.write("cameras.csv", std::string("x,y,z,yaw,pitch\n0,0,64,0,0\n0,0,64,180,0\n")))
-            .at("frames");
+    const std::string cameras =
+        folder_.write("cameras.csv", std::string("x,y,z,yaw,pitch\n0,0,64,0,0\n0,0,64,180,0\n"));
+    const Json frames = report({}, level, cameras).at("frames");
     EXPECT_EQ(frames.at(0).at("effects"),
               Json({{{"name", "brush_models"}, {"pixels", 160 * 134}, {"microseconds", nullptr}}}));
     for (const Json& effect : frames.at(1).at("effects")) EXPECT_EQ(effect.at("pixels"), 0) << effect;

@@ -11,7 +11,7 @@
 #include "tests/common/png_writer.h"
 #include "tests/support/shared_levels.h"
 #include "tests/texture/test_palette.h"
-#include "tools/cli/arguments.h"
+#include "tools/common/arguments.h"
 #include "tools/common/png.h"
 #include "tools/common/wad.h"
 #include "tools/texture/mipmaps.h"

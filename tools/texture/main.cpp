@@ -1,5 +1,5 @@
 #include "engine/platform/files.h"
-#include "tools/cli/command_line.h"
+#include "tools/common/command_line.h"
 #include "tools/texture/texture_files.h"
 
 int main(int argc, char** argv) {

@@ -7,7 +7,7 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
-#include "tools/cli/arguments.h"
+#include "tools/common/arguments.h"
 #include "tools/common/png.h"
 #include "tools/common/wad.h"
 #include "tools/texture/mipmaps.h"

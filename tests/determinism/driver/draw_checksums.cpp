@@ -10,8 +10,8 @@
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
 #include "engine/scene/placed_models.h"
-#include "tools/cli/arguments.h"
-#include "tools/cli/program.h"
+#include "tools/common/arguments.h"
+#include "tools/common/program.h"
 #include "tools/render/camera_list.h"
 
 namespace {

@@ -1,8 +1,8 @@
-#include "tools/cli/command_line.h"
+#include "tools/common/command_line.h"
 
 #include <CLI/CLI.hpp>
 
-#include "tools/cli/program.h"
+#include "tools/common/program.h"
 
 namespace oblong {
 

@@ -1,4 +1,4 @@
-#include "tools/cli/arguments.h"
+#include "tools/common/arguments.h"
 
 #include <charconv>
 #include <cstdlib>
