@@ -33,10 +33,9 @@ ViewContext make_view(const Camera& camera, const Vec3<World>& eye, const Screen
 
 EffectSet effects_in_sight(const FrameWorkspace& work) {
     EffectSet effects;
-    for (const std::int32_t leaf : work.visible.leaves()) {
-        effects = effects | work.faces.leaf_effects[static_cast<std::size_t>(leaf)];
-        if (work.brush_models.has_any_in(leaf)) effects = effects.with(Effect::BrushModels);
-    }
+    for (const std::int32_t leaf : work.visible.leaves())
+        effects =
+            effects | work.faces.leaf_effects[static_cast<std::size_t>(leaf)] | work.brush_models.effects_in(leaf);
     return effects;
 }
 

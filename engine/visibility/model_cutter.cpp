@@ -59,17 +59,11 @@ class FaceCutter {
     void send_down(std::int32_t face, const Piece& piece) {
         const Node& node = level_.nodes[static_cast<std::size_t>(piece.node)];
         const LevelPlane& plane = level_.planes[static_cast<std::size_t>(node.plane)];
-        distances_.clear();
-        bool any_front = false, any_back = false;
-        for (std::uint32_t i = 0; i < piece.corner_count; ++i) {
-            const std::int64_t distance = plane_distance_42(plane, cut_.corners[piece.first_corner + i]);
-            const bool is_on = distance < kOnPlane_42 && distance > -kOnPlane_42;
-            distances_.push_back(is_on ? 0 : distance);
-            any_front |= !is_on && distance > 0;
-            any_back |= !is_on && distance < 0;
-        }
-        if (any_front && any_back) return split(piece, node);
-        const bool to_front = any_front || (!any_back && is_seen_from_front(face, plane));
+        const auto polygon = std::span(cut_.corners).subspan(piece.first_corner, piece.corner_count);
+        const PolygonSide side = polygon_side(plane, {}, polygon, distances_42_);
+        if (side == PolygonSide::Both) return split(piece, node);
+        const bool to_front =
+            side == PolygonSide::Front || (side == PolygonSide::On && is_seen_from_front(face, plane));
         pieces_.push_back({node.children[to_front ? 0 : 1], piece.first_corner, piece.corner_count});
     }
 
@@ -83,15 +77,7 @@ class FaceCutter {
     void split(const Piece& piece, const Node& node) {
         for (const int side : {1, 0}) {
             const auto first = static_cast<std::uint32_t>(cut_.corners.size());
-            for (std::uint32_t i = 0; i < piece.corner_count; ++i) {
-                const std::uint32_t next = i + 1 == piece.corner_count ? 0 : i + 1;
-                const Vec3<World> from = cut_.corners[piece.first_corner + i],
-                                  to = cut_.corners[piece.first_corner + next];
-                const std::int64_t here = distances_[i], there = distances_[next];
-                if (side == 0 ? here >= 0 : here <= 0) cut_.corners.push_back(from);
-                if ((here < 0 && there > 0) || (here > 0 && there < 0))
-                    cut_.corners.push_back(cross_plane(from, here, to, there));
-            }
+            append_part(cut_.corners, piece.first_corner, distances_42_, side == 0);
             const auto count = static_cast<std::uint32_t>(cut_.corners.size()) - first;
             pieces_.push_back({node.children[static_cast<std::size_t>(side)], first, count});
         }
@@ -107,10 +93,36 @@ class FaceCutter {
     std::int32_t placed_;
     ModelCut& cut_;
     std::vector<Piece> pieces_;
-    std::vector<std::int64_t> distances_;
+    std::vector<std::int64_t> distances_42_;
 };
 
 }  // namespace
+
+PolygonSide polygon_side(const LevelPlane& plane, const Vec3<World>& offset, std::span<const Vec3<World>> polygon,
+                         std::vector<std::int64_t>& distances_42) {
+    bool any_front = false, any_back = false;
+    distances_42.clear();
+    for (const Vec3<World>& corner : polygon) {
+        const std::int64_t distance = plane_distance_42(plane, corner - offset);
+        const bool is_on = distance < kOnPlane_42 && distance > -kOnPlane_42;
+        distances_42.push_back(is_on ? 0 : distance);
+        any_front |= !is_on && distance > 0;
+        any_back |= !is_on && distance < 0;
+    }
+    if (any_front && any_back) return PolygonSide::Both;
+    return any_front ? PolygonSide::Front : any_back ? PolygonSide::Back : PolygonSide::On;
+}
+
+void append_part(std::vector<Vec3<World>>& corners, std::uint32_t first, std::span<const std::int64_t> distances_42,
+                 bool in_front) {
+    for (std::size_t i = 0; i < distances_42.size(); ++i) {
+        const std::size_t next = i + 1 == distances_42.size() ? 0 : i + 1;
+        const Vec3<World> from = corners[first + i], to = corners[first + next];
+        const std::int64_t here = distances_42[i], there = distances_42[next];
+        if (in_front ? here >= 0 : here <= 0) corners.push_back(from);
+        if ((here < 0 && there > 0) || (here > 0 && there < 0)) corners.push_back(cross_plane(from, here, to, there));
+    }
+}
 
 ModelCut cut_model(const Level& level, const PlacedModel& model, std::int32_t placed, const FaceTable& table) {
     ModelCut cut;
