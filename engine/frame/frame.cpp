@@ -69,7 +69,8 @@ bool draw_without_surface(const VisibleFace& visible, const FrameContext& frame,
     const Level& level = frame.scene.level;
     const FaceKind kind = work.faces.kinds[static_cast<std::size_t>(visible.face)];
     const EffectSet effects = effects_of(kind);
-    if (work.counts) count_face(effects, work.owned, *work.counts);
+    if (work.counts)
+        count_face(visible.fragment ? effects.with(Effect::BrushModels) : effects, work.owned, *work.counts);
     const bool is_on_plan = (effects & work.plan.effects) == effects;
     if (is_on_plan && kind != FaceKind::Sky) return false;
     if (work.counts) count_writes(work.owned, frame.out.pitch, *work.counts);

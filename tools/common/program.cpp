@@ -1,11 +1,11 @@
-#include "tools/cli/program.h"
+#include "tools/common/program.h"
 
 #include <cstdio>
 #include <exception>
 #include <new>
 
 #include "engine/platform/files.h"
-#include "tools/cli/arguments.h"
+#include "tools/common/arguments.h"
 
 namespace oblong {
 

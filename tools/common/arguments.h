@@ -27,9 +27,9 @@ Degrees parse_field_of_view(const std::string& text);
 /// Refuses what each parser takes, but no frame can be drawn with together: a wide view in a mode of few pixels.
 void check_view(const ScreenMode& mode, Degrees field_of_view);
 /// "1991", "1994", "1996", "bounded", "exact".
-Accuracy parse_preset(const std::string& text);
+Preset parse_preset(const std::string& text);
 /// A decimal number such as "-12.375" as raw units of 2^-fraction_bits (0 to 32), rounded to the nearest; |value| below
-/// 2^24. Throws UsageError for anything else, "nan" and "1e3" included.
-std::int64_t parse_decimal(const std::string& text, int fraction_bits);
+/// 2^24. Throws UsageError that begins with `option` for anything else, "nan" and "1e3" included.
+std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits);
 
 }  // namespace oblong

@@ -1,10 +1,14 @@
-#include "tools/cli/command_line.h"
+#include "tools/common/command_line.h"
 
 #include <CLI/CLI.hpp>
 
-#include "tools/cli/program.h"
+#include "tools/common/program.h"
 
 namespace oblong {
+
+namespace {
+constexpr const char* kNoDash = "no dash";
+}
 
 CommandOption& CommandOption::require() {
     option_->required();
@@ -26,12 +30,30 @@ CommandOption& CommandOption::exclude(const CommandOption& other) {
     return *this;
 }
 
+CommandOption& CommandOption::accept_standard_output() {
+    option_->get_validator(kNoDash)->active(false);
+    return *this;
+}
+
+namespace {
+
+std::string fault_of_empty(const std::string& text) {
+    return text.empty() ? "is empty, expected a value" : "";
+}
+
+std::string fault_of_dash(const std::string& text) {
+    return text == "-" ? "'-' is neither standard input nor output here, expected a name" : "";
+}
+
+}  // namespace
+
 template <class Value>
 CommandOption Command::add(const std::string& names, Value& value, const std::string& help) {
     CLI::Option* const option = app_->add_option(names, value, help);
     if (value != Value{}) option->capture_default_str();
-    option->check([](const std::string& text) { return std::string(text.empty() ? "is empty, expected a value" : ""); },
-                  "");
+    option->check(fault_of_empty, "");
+    option->check(fault_of_dash, "", kNoDash);
+    if (names.starts_with('-')) option->allow_extra_args(false);  // --wad A --wad B, so that a place may follow
     return CommandOption(option);
 }
 
@@ -66,12 +88,23 @@ int CommandLine::run(int argument_count, const char* const* arguments, const std
         return program + ": " + error.what() + "\nRun it with --help for more information.\n";
     });
     try {
-        owned_->parse(argument_count, arguments);
+        parse(argument_count, arguments);
     } catch (const CLI::ParseError& error) {
         constexpr int kWrongUsage = 2;
         return owned_->exit(error) == 0 ? run_program(program, [] {}) : kWrongUsage;
     }
     return run_program(program, body);
+}
+
+// CLI11 looks for what is missing first; what is written wrong is more often the cause.
+void CommandLine::parse(int argument_count, const char* const* arguments) {
+    try {
+        owned_->parse(argument_count, arguments);
+    } catch (const CLI::RequiredError&) {
+        const std::vector<std::string> unknown = owned_->remaining(true);
+        if (unknown.empty()) throw;
+        throw CLI::ExtrasError(owned_->get_name(), unknown);
+    }
 }
 
 }  // namespace oblong

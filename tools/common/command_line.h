@@ -23,6 +23,7 @@ class CommandOption {
     CommandOption& limit(std::int64_t least, std::int64_t most);  ///< to a whole number from `least` to `most`
     CommandOption& need(const CommandOption& other);              ///< never without `other`
     CommandOption& exclude(const CommandOption& other);           ///< never beside `other`
+    CommandOption& accept_standard_output();                      ///< as "-"
 
   private:
     CLI::Option* option_;
@@ -35,7 +36,9 @@ class Command {
 
     /// `names` such as "-o,--out"; a name without a dash is that of a place. The value that stands there before is the
     /// default, and --help shows it unless it is empty or 0. For std::string, a vector of them (one or more may be
-    /// given), std::int64_t and double. An empty value is refused: in scripts it is a variable that was never set.
+    /// given), std::int64_t and double. An empty value is refused: in scripts it is a variable that was never set. So
+    /// is
+    /// "-", which elsewhere means standard input or output, unless the option accepts it.
     template <class Value>
     CommandOption add(const std::string& names, Value& value, const std::string& help);
     void add_flag(const std::string& names, bool& value, const std::string& help);
@@ -59,6 +62,8 @@ class CommandLine : public Command {
 
   private:
     explicit CommandLine(std::shared_ptr<CLI::App> app);
+    void parse(int argument_count, const char* const* arguments);
+
     std::shared_ptr<CLI::App> owned_;
 };
 

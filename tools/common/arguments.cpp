@@ -1,4 +1,4 @@
-#include "tools/cli/arguments.h"
+#include "tools/common/arguments.h"
 
 #include <charconv>
 #include <cstdlib>
@@ -57,22 +57,17 @@ Ratio parse_display(const std::string& text) {
     return Ratio{shape.first, shape.second}.reduced();
 }
 
-std::int64_t parse_decimal(const std::string& text, int fraction_bits) {
-    const std::optional<std::int64_t> raw = parse_decimal(std::string_view(text), fraction_bits);
-    if (!raw || std::abs(*raw) >= std::int64_t{1} << (24 + fraction_bits))
-        throw UsageError("'" + text + "', expected a decimal number below 16,777,216 either way");
-    return *raw;
+std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits) {
+    const std::optional<std::int64_t> raw = parse_decimal(text, fraction_bits);
+    if (raw && std::abs(*raw) < std::int64_t{1} << (24 + fraction_bits)) return *raw;
+    throw UsageError(option + ": '" + text + "', expected a decimal number below 16,777,216 either way");
 }
 
 Degrees parse_field_of_view(const std::string& text) {
-    const std::string expected = "--fov: '" + text + "', expected 1 to 179 degrees";
-    try {
-        const std::int64_t raw_32 = parse_decimal(text, 32);
-        if (raw_32 < std::int64_t{1} << 32 || raw_32 > std::int64_t{179} << 32) throw UsageError(expected);
-        return Degrees::from_raw(raw_32 << 16);
-    } catch (const UsageError&) {
-        throw UsageError(expected);
-    }
+    const std::optional<std::int64_t> raw_32 = parse_decimal(text, 32);
+    if (!raw_32 || *raw_32 < std::int64_t{1} << 32 || *raw_32 > std::int64_t{179} << 32)
+        throw UsageError("--fov: '" + text + "', expected 1 to 179 degrees");
+    return Degrees::from_raw(*raw_32 << 16);
 }
 
 void check_view(const ScreenMode& mode, Degrees field_of_view) {
@@ -82,10 +77,9 @@ void check_view(const ScreenMode& mode, Degrees field_of_view) {
                      "narrower view or a display nearer to the mode's shape");
 }
 
-Accuracy parse_preset(const std::string& text) {
-    const std::optional<Preset> preset = preset_named(text);
-    if (!preset) throw UsageError("--accuracy: '" + text + "', expected 1991, 1994, 1996, bounded or exact");
-    return accuracy_of(*preset);
+Preset parse_preset(const std::string& text) {
+    if (const std::optional<Preset> preset = preset_named(text)) return *preset;
+    throw UsageError("--accuracy: '" + text + "', expected 1991, 1994, 1996, bounded or exact");
 }
 
 }  // namespace oblong
