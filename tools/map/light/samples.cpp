@@ -6,10 +6,9 @@
 namespace oblong::map {
 namespace {
 
-double texel_at(const FileTexAxis& axis, const Floats& point) {
-    double texel = static_cast<double>(axis.offset);
-    for (std::size_t i = 0; i < 3; ++i) texel += static_cast<double>(axis.direction[i]) * static_cast<double>(point[i]);
-    return texel;
+// Kept in a float, as engines keep it.
+float texel_at(const FileTexAxis& axis, const Floats& point) {
+    return static_cast<float>(dot(to_point(axis.direction), to_point(point)) + static_cast<double>(axis.offset));
 }
 
 Point nearest_on_segment(const Point& point, const Point& from, const Point& to) {
@@ -35,7 +34,7 @@ LightGrid light_grid(const BspFile& bsp, const FileFace& face) {
     const FileTexInfo& texinfo = at(bsp.texinfos, face.texinfo);
     LightGrid grid;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        double low = texel_at(texinfo.axes[axis], corners[0]), high = low;
+        float low = texel_at(texinfo.axes[axis], corners[0]), high = low;
         for (const auto& corner : corners) {
             low = std::min(low, texel_at(texinfo.axes[axis], corner));
             high = std::max(high, texel_at(texinfo.axes[axis], corner));
