@@ -41,6 +41,28 @@ TEST(Leak, ThePathLeadsThroughTheHole) {
     EXPECT_NO_THROW(compile(level(closed, entity_at("info_player_start", {128, 128, 32})), {true}));
 }
 
+// The room's walls reach from -16 to 272, 272 and 144.
+TEST(Leak, OnTheOuterSurfaceOfAWallIsInside) {
+    const auto leaks = [](const Whole& origin) {
+        try {
+            compile(level(plain_room(), lights_of_plain_room() + entity_at("path_corner", origin)), {true});
+        } catch (const map::LeakError&) {
+            return true;
+        }
+        return false;
+    };
+    const std::vector<Whole> on_surfaces{{-16, 99, 9},  {272, 99, 9},   {99, -16, 9},    {99, 272, 9}, {99, 99, -16},
+                                         {99, 99, 144}, {-16, -16, 50}, {272, 272, 144}, {0, 99, 9},   {-16, -16, -16}};
+    for (const Whole& origin : on_surfaces) EXPECT_FALSE(leaks(origin)) << origin[0] << ' ' << origin[1];
+    for (const Whole& origin : {Whole{-17, 99, 9}, {273, 99, 9}, {99, 99, -17}, {99, 99, 145}, {-16, 99, 200}})
+        EXPECT_TRUE(leaks(origin)) << origin[0] << ' ' << origin[1];
+}
+
+TEST(Leak, OneOnTheFloorFindsAHole) {
+    const std::string open = plain_room().substr(0, plain_room().rfind("{"));
+    EXPECT_THROW(compile(level(open, entity_at("info_player_start", {128, 128, 0})), {true}), map::LeakError);
+}
+
 TEST(Leak, GapsLeakUnlessTheyAreRounding) {
     for (const double gap : {8.0, 1.0, 0.25, 0.05}) {
         const std::string source = level(room_with_gap(gap), lights_of_plain_room());

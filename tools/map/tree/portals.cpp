@@ -104,6 +104,23 @@ Flood flood_from_void(const Tree& tree, const Portals& portals) {
     return flood;
 }
 
+// What a point is in or on.
+struct Touched {
+    int reached = -1;  // a leaf that the flood reached
+    bool has_inside = false, has_wall = false;
+};
+
+Touched touched_at(const Tree& tree, const PlaneList& planes, const Flood& flood, const Point& point) {
+    Touched touched;
+    for (const int leaf : leaves_at(tree, planes, point)) {
+        const bool is_wall = is_opaque(tree.leaf(leaf).contents);
+        if (at(flood.through, leaf) != kUnreached) touched.reached = leaf;
+        touched.has_wall = touched.has_wall || is_wall;
+        touched.has_inside = touched.has_inside || (!is_wall && at(flood.through, leaf) == kUnreached);
+    }
+    return touched;
+}
+
 std::vector<Point> path_to_void(const Tree& tree, const Portals& portals, const Flood& flood, const Point& start,
                                 int leaf) {
     std::vector<Point> path{start};
@@ -162,11 +179,17 @@ void fill_leaves(Tree& tree, const Portals& portals, const std::function<int(con
 std::optional<Leak> fill_outside(Tree& tree, const PlaneList& planes, const Portals& portals,
                                  const std::vector<Point>& starts) {
     const Flood flood = flood_from_void(tree, portals);
+    std::optional<Leak> on_wall;
+    bool is_any_inside = false;
     for (std::size_t i = 0; i < starts.size(); ++i) {
-        const int leaf = leaf_at(tree, planes, starts[i]);
-        if (at(flood.through, leaf) == kUnreached) continue;
-        return Leak{i, path_to_void(tree, portals, flood, starts[i], leaf)};
+        const Touched touched = touched_at(tree, planes, flood, starts[i]);
+        is_any_inside = is_any_inside || touched.has_inside;
+        if (touched.has_inside || touched.reached < 0 || (touched.has_wall && on_wall)) continue;
+        Leak leak{i, path_to_void(tree, portals, flood, starts[i], touched.reached)};
+        if (!touched.has_wall) return leak;
+        on_wall = std::move(leak);
     }
+    if (!is_any_inside && on_wall) return on_wall;
     for (const int leaf : flood.order) tree.leaf(leaf).contents = contents::kSolid;
     return std::nullopt;
 }

@@ -45,6 +45,7 @@ inline constexpr double kLeastGap = 1.0 / 64;
 
 /// Makes all leaves solid that can be reached from the outer box without passing solid, sky or a gap below kLeastGap.
 /// If one of `starts` can, that is a leak: the shortest way (in leaves) is returned and the tree is left as it was.
+/// A start on a wall's surface is in the wall: it counts only if none is surely inside.
 std::optional<Leak> fill_outside(Tree& tree, const PlaneList& planes, const Portals& portals,
                                  const std::vector<Point>& starts);
 

@@ -187,4 +187,20 @@ int leaf_at(const Tree& tree, const PlaneList& planes, const Point& point) {
     return Tree::leaf_of(child);
 }
 
+std::vector<int> leaves_at(const Tree& tree, const PlaneList& planes, const Point& point) {
+    std::vector<int> leaves, open{tree.root};
+    while (!open.empty()) {
+        const int child = open.back();
+        open.pop_back();
+        if (child < 0) {
+            leaves.push_back(Tree::leaf_of(child));
+            continue;
+        }
+        const double height = planes[tree.node(child).plane].height_of(point);
+        if (height >= -kOnEpsilon) open.push_back(tree.node(child).children[0]);
+        if (height <= kOnEpsilon) open.push_back(tree.node(child).children[1]);
+    }
+    return leaves;
+}
+
 }  // namespace oblong::map

@@ -50,4 +50,7 @@ Tree build_tree(std::vector<BoundaryPiece> pieces, const PlaneList& planes);
 /// The leaf that a point is in; on a plane counts as in front.
 int leaf_at(const Tree& tree, const PlaneList& planes, const Point& point);
 
+/// All leaves that a point is in or within kOnEpsilon of: on a plane, those on both sides.
+std::vector<int> leaves_at(const Tree& tree, const PlaneList& planes, const Point& point);
+
 }  // namespace oblong::map
