@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "engine/math/vec.h"
 #include "engine/math/plane.h"
+#include "engine/math/vec.h"
 #include "engine/raster/scan.h"
 #include "tests/hard_cases/hard_case.h"
 
@@ -99,7 +99,7 @@ TEST(HardCaseV8, ScreenAreaTellsTheSideThatAFaceShows) {
             screen[k] = {Screen::from_raw(static_cast<std::int32_t>(at.at(0) * 256)),
                          Screen::from_raw(static_cast<std::int32_t>(at.at(1) * 256))};
         }
-        const std::int64_t doubled_area = doubled_area_16(screen);
+        const std::int64_t doubled_area = doubled_area(screen).raw;
         if (std::abs(doubled_area) < 65536) continue;
         // Clockwise as seen, in left-handed axes: the eye lies on the side that the normal points away from.
         const Vec normal = cross(corners[1] - corners[0], corners[2] - corners[0]);

@@ -109,9 +109,9 @@ TEST(SeedN11, TopEdgeIsOwnedAndBottomEdgeIsNot) {
 TEST(SeedN12, SignIsPositiveForClockwiseTrianglesWithYDownAlone) {
     const auto clockwise = pixels_16({{0, 0}, {160, 0}, {0, 160}}), other_way = pixels_16({{0, 0}, {0, 160}, {160, 0}}),
                y_up = pixels_16({{0, 0}, {160, 0}, {0, -160}});
-    EXPECT_EQ(doubled_area_16(clockwise), 2560 * 2560);
-    EXPECT_EQ(doubled_area_16(other_way), -2560 * 2560);
-    EXPECT_EQ(doubled_area_16(y_up), -2560 * 2560);
+    EXPECT_EQ(doubled_area(clockwise).raw, 2560 * 2560);
+    EXPECT_EQ(doubled_area(other_way).raw, -2560 * 2560);
+    EXPECT_EQ(doubled_area(y_up).raw, -2560 * 2560);
 }
 
 TEST(SeedN13, FanOfAPentagonHasThreeTrianglesThatCoverItOnce) {
@@ -120,14 +120,14 @@ TEST(SeedN13, FanOfAPentagonHasThreeTrianglesThatCoverItOnce) {
     std::array<std::int32_t, 16> covered{};
     for (std::size_t i = 0; i + 2 < pentagon.size(); ++i, ++triangle_count) {
         const std::vector<ScreenVertex> triangle{pentagon[0], pentagon[i + 1], pentagon[i + 2]};
-        EXPECT_GT(doubled_area_16(triangle), 0);
-        area += doubled_area_16(triangle);
+        EXPECT_GT(doubled_area(triangle).raw, 0);
+        area += doubled_area(triangle).raw;
         for (std::int32_t row = 0; row < 16; ++row)
             if (const auto columns = columns_of(triangle, row))
                 covered[static_cast<std::size_t>(row)] += columns->second - columns->first;
     }
     EXPECT_EQ(triangle_count, 3);
-    EXPECT_EQ(area, doubled_area_16(pentagon));
+    EXPECT_EQ(area, doubled_area(pentagon).raw);
     for (std::int32_t row = 0; row < 16; ++row) {
         const auto whole_row = columns_of(pentagon, row).value_or(Columns{});
         EXPECT_EQ(covered[static_cast<std::size_t>(row)], whole_row.second - whole_row.first) << row;
