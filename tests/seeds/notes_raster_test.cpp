@@ -37,7 +37,7 @@ TextureGradients receding_edge() {
     // In 1/256 of z: a half-pixel is 1.
     const auto corner = [](int x_256, int y_256, int z, std::int64_t u) {
         const auto at = [z](int per_256) { return Fixed<std::int32_t, 14>::from_raw(per_256 * z * 64); };
-        return TexturedCorner{{at(x_256), at(y_256), at(256)}, u << 16, 0};
+        return TexturedCorner{{at(x_256), at(y_256), at(256)}, Texel::from_int(u), {}};
     };
     const auto gradients = make_triangle_gradients(
         {corner(-127, -1, 1, 0), corner(129, -1, 3, 64), corner(0, -129, 2, 0)}, projection, {128, 96});
@@ -49,7 +49,7 @@ double middle_of_edge(Texturing texturing) {
     Accuracy accuracy;
     accuracy.texturing = texturing;
     const BlockRule rule = make_block_rule(accuracy);
-    const auto thresholds = make_block_thresholds(rule, static_cast<std::int64_t>(gradients.inverse_z_44.per_column));
+    const auto thresholds = make_block_thresholds(rule, gradients.inverse_z.per_column);
     constexpr Span kEdge{96, 64, 193};
     BlockList blocks(kEdge.end - kEdge.first);
     append_blocks(kEdge, 256, gradients, rule, thresholds, make_texel_limits(64, 64, 512), blocks);
