@@ -54,16 +54,11 @@ class FaceCutter {
     void send_down(std::int32_t face, const Piece& piece) {
         const Node& node = level_.nodes[static_cast<std::size_t>(piece.node)];
         const LevelPlane& plane = level_.planes[static_cast<std::size_t>(node.plane)];
-        distances_.clear();
-        bool any_front = false, any_back = false;
-        for (std::uint32_t i = 0; i < piece.corner_count; ++i) {
-            const PlaneDistance distance = plane_distance(plane, cut_.corners[piece.first_corner + i]);
-            distances_.push_back(absolute(distance) < kOnPlane ? kNone : distance);
-            any_front |= distances_.back() > kNone;
-            any_back |= distances_.back() < kNone;
-        }
-        if (any_front && any_back) return split(piece, node);
-        const bool to_front = any_front || (!any_back && is_seen_from_front(face, plane));
+        const auto polygon = std::span(cut_.corners).subspan(piece.first_corner, piece.corner_count);
+        const PolygonSide side = polygon_side(plane, {}, polygon, distances_);
+        if (side == PolygonSide::Both) return split(piece, node);
+        const bool to_front =
+            side == PolygonSide::Front || (side == PolygonSide::On && is_seen_from_front(face, plane));
         pieces_.push_back({node.children[to_front ? 0 : 1], piece.first_corner, piece.corner_count});
     }
 
@@ -77,15 +72,7 @@ class FaceCutter {
     void split(const Piece& piece, const Node& node) {
         for (const int side : {1, 0}) {
             const auto first = static_cast<std::uint32_t>(cut_.corners.size());
-            for (std::uint32_t i = 0; i < piece.corner_count; ++i) {
-                const std::uint32_t next = i + 1 == piece.corner_count ? 0 : i + 1;
-                const Vec3<World> from = cut_.corners[piece.first_corner + i],
-                                  to = cut_.corners[piece.first_corner + next];
-                const PlaneDistance here = distances_[i], there = distances_[next];
-                if (side == 0 ? here >= kNone : here <= kNone) cut_.corners.push_back(from);
-                if ((here < kNone && there > kNone) || (here > kNone && there < kNone))
-                    cut_.corners.push_back(cross_plane(from, here, to, there));
-            }
+            append_part(cut_.corners, piece.first_corner, distances_, side == 0);
             const auto count = static_cast<std::uint32_t>(cut_.corners.size()) - first;
             pieces_.push_back({node.children[static_cast<std::size_t>(side)], first, count});
         }
@@ -105,6 +92,32 @@ class FaceCutter {
 };
 
 }  // namespace
+
+PolygonSide polygon_side(const LevelPlane& plane, const Vec3<World>& offset, std::span<const Vec3<World>> polygon,
+                         std::vector<PlaneDistance>& distances) {
+    bool any_front = false, any_back = false;
+    distances.clear();
+    for (const Vec3<World>& corner : polygon) {
+        const PlaneDistance distance = plane_distance(plane, corner - offset);
+        distances.push_back(absolute(distance) < kOnPlane ? kNone : distance);
+        any_front |= distances.back() > kNone;
+        any_back |= distances.back() < kNone;
+    }
+    if (any_front && any_back) return PolygonSide::Both;
+    return any_front ? PolygonSide::Front : any_back ? PolygonSide::Back : PolygonSide::On;
+}
+
+void append_part(std::vector<Vec3<World>>& corners, std::uint32_t first, std::span<const PlaneDistance> distances,
+                 bool in_front) {
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const std::size_t next = i + 1 == distances.size() ? 0 : i + 1;
+        const Vec3<World> from = corners[first + i], to = corners[first + next];
+        const PlaneDistance here = distances[i], there = distances[next];
+        if (in_front ? here >= kNone : here <= kNone) corners.push_back(from);
+        if ((here < kNone && there > kNone) || (here > kNone && there < kNone))
+            corners.push_back(cross_plane(from, here, to, there));
+    }
+}
 
 ModelCut cut_model(const Level& level, const PlacedModel& model, std::int32_t placed, const FaceTable& table) {
     ModelCut cut;
