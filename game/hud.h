@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/screen/framebuffer.h"
+#include "engine/screen/screen.h"
 #include "game/text.h"
 
 namespace oblong {

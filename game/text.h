@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/screen/framebuffer.h"
+#include "engine/screen/screen.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {

@@ -9,8 +9,7 @@
 #include "engine/scene/effects.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/placed_models.h"
-#include "engine/screen/framebuffer.h"
-#include "engine/screen/screen_mode.h"
+#include "engine/screen/screen.h"
 #include "engine/surface/colormap.h"
 
 namespace oblong {
