@@ -10,7 +10,7 @@ namespace {
 
 /// A model may come to the eye, or the eye to it, as no plane of the world does (place_eye). A face that the eye is
 /// nearer to than this, half a step of World, it may as well be in: so it is edge-on, and shows nothing.
-constexpr std::int64_t kEdgeOn_42 = std::int64_t{1} << 29;
+constexpr auto kEdgeOn = PlaneDistance::from_raw(std::int64_t{1} << 29);
 
 /// Gives the model's faces that face the eye their places, nearest first by the model's own tree; the others -1.
 void rank_faces(const Level& level, const SubModel& model, const Vec3<World>& local_eye,
@@ -24,10 +24,10 @@ void rank_faces(const Level& level, const SubModel& model, const Vec3<World>& lo
         const std::int32_t step = steps.back();
         steps.pop_back();
         const Node& node = level.nodes[static_cast<std::size_t>(step < 0 ? ~step : step)];
-        const std::int64_t distance = plane_distance_42(level.planes[static_cast<std::size_t>(node.plane)], local_eye);
-        const bool in_front = distance > 0;
+        const PlaneDistance distance = plane_distance(level.planes[static_cast<std::size_t>(node.plane)], local_eye);
+        const bool in_front = distance > PlaneDistance{};
         if (step < 0) {
-            if (distance < kEdgeOn_42 && distance > -kEdgeOn_42) continue;
+            if (absolute(distance) < kEdgeOn) continue;
             for (std::int32_t face = node.first_face; face < node.first_face + node.face_count; ++face)
                 if (level.faces[static_cast<std::size_t>(face)].is_back != in_front)
                     ranks[static_cast<std::size_t>(face)] = rank++;
@@ -41,7 +41,7 @@ void rank_faces(const Level& level, const SubModel& model, const Vec3<World>& lo
 
 std::int64_t squared_distance(const SubModel& model, const PlacedModel& placed, const Vec3<World>& eye) {
     const auto part = [](std::int32_t low, std::int32_t high, World offset, World at) {
-        const std::int64_t middle = (std::int64_t{low} + high) / 2 + floor_shift(std::int64_t{offset.raw} - at.raw, 12);
+        const std::int64_t middle = (std::int64_t{low} + high) / 2 + floor_of(widening_difference(offset, at));
         return middle * middle;
     };
     return part(model.box.mins[0], model.box.maxs[0], placed.offset.x, eye.x) +

@@ -47,7 +47,7 @@ class TreeBuilder {
         const Fragment& fragment = tree_.fragments[plane_of];
         const Face& face = level_.faces[static_cast<std::size_t>(fragment.face)];
         return polygon_side(level_.planes[static_cast<std::size_t>(face.plane)],
-                            models_[static_cast<std::size_t>(fragment.placed)].offset, corners_of(part), distances_42_);
+                            models_[static_cast<std::size_t>(fragment.placed)].offset, corners_of(part), distances_);
     }
 
     std::span<const Vec3<World>> corners_of(std::uint32_t part) const {
@@ -77,7 +77,7 @@ class TreeBuilder {
     std::uint32_t add_piece(std::uint32_t part, bool in_front) {
         Fragment piece = tree_.fragments[part];
         const auto first = static_cast<std::uint32_t>(tree_.corners.size());
-        append_part(tree_.corners, piece.first_corner, distances_42_, in_front);
+        append_part(tree_.corners, piece.first_corner, distances_, in_front);
         piece.first_corner = first;
         piece.corner_count = static_cast<std::uint32_t>(tree_.corners.size()) - first;
         tree_.fragments.push_back(piece);
@@ -87,7 +87,7 @@ class TreeBuilder {
     const Level& level_;
     std::span<const PlacedModel> models_;
     FragmentTree& tree_;
-    std::vector<std::int64_t> distances_42_;
+    std::vector<PlaneDistance> distances_;
 };
 
 }  // namespace
