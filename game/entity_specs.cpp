@@ -59,11 +59,6 @@ std::int32_t wait_ticks_of(const Entity& entity, std::int32_t otherwise) {
     return static_cast<std::int32_t>(std::int64_t{seconds.raw} * kTicksPerSecond >> World::kFractionBits);
 }
 
-// The lowest number's is the highest.
-World absolute(World value) {
-    return std::max(value, -std::max(value, -World::highest()));
-}
-
 // How far a door or a button travels: its extent along its direction, less the lip that stays visible; as Quake's game,
 // |direction * size| - lip, but at least 1.
 World travel_length(const Vec3<World>& size, const Vec3<Unit>& direction, World lip) {
@@ -165,7 +160,7 @@ Axis sorting_axis(const std::vector<LinkedDoor>& doors) {
 
 std::optional<Position> origin_of(const Entity& entity) {
     const auto origin = parse_world_vector(entity.value("origin"));
-    const auto is_inside = [](World w) { return absolute(w) <= World::from_int(kWorldEnd); };
+    const auto is_inside = [](World w) { return w <= World::from_int(kWorldEnd) && w >= World::from_int(-kWorldEnd); };
     if (!origin || !is_inside(origin->x) || !is_inside(origin->y) || !is_inside(origin->z)) return {};
     return origin;
 }
@@ -185,10 +180,13 @@ std::optional<std::int32_t> model_of(const Entity& entity, const Level& bsp) {
 }
 
 World longest_travel(const Level& bsp) {
-    World farthest;
-    for (const Vec3<World>& vertex : bsp.vertices)
-        farthest = std::max({farthest, absolute(vertex.x), absolute(vertex.y), absolute(vertex.z)});
-    return World::highest() - farthest - World::ulp();  // a step for the rounding of `travel`
+    World lowest, highest;
+    for (const Vec3<World>& vertex : bsp.vertices) {
+        lowest = std::min({lowest, vertex.x, vertex.y, vertex.z});
+        highest = std::max({highest, vertex.x, vertex.y, vertex.z});
+    }
+    const World farthest = std::max(highest, -std::max(lowest, -World::highest()));
+    return World::highest() - farthest - World::ulp();  // a step for the rounding of directions
 }
 
 std::optional<Mover> mover_of(const Entity& entity, const Level& bsp, World longest) {

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/fixed/root.h"
 #include "engine/level/level.h"
-#include "engine/math/products.h"
+#include "engine/math/vec.h"
 
 namespace oblong {
 
@@ -40,9 +39,9 @@ inline Vec3<World> times(World value, const Vec3<Unit>& direction) {
     return {times(value, direction.x), times(value, direction.y), times(value, direction.z)};
 }
 
-/// The length, rounded down. |v| below 2^18 units.
+/// The length, rounded down; it must fit.
 inline World length_of(const Vec3<World>& v) {
-    return World::from_raw(static_cast<std::int32_t>(integer_root(static_cast<std::uint64_t>(dot(v, v).raw))));
+    return convert<World>(length(v));
 }
 
 /// v . direction, rounded to nearest.

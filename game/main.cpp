@@ -10,7 +10,7 @@
 #include "game/options.h"
 #include "game/session.h"
 #include "game/timedemo.h"
-#include "tools/png/indexed_png.h"
+#include "tools/common/png.h"
 
 namespace oblong {
 namespace {

@@ -27,8 +27,7 @@ Velocity slide_along(const Velocity& v, const Normal& normal) {
 // nearly parallel.
 Velocity along_crease(const Velocity& v, const Normal& a, const Normal& b) {
     constexpr std::int64_t kSmallestSquare = std::int64_t{1} << 20;  // 2.30: an angle of 2 degrees
-    const auto exact = cross(a, b);
-    const Normal crease{convert<Unit>(exact.x), convert<Unit>(exact.y), convert<Unit>(exact.z)};
+    const Normal crease = convert<Unit>(cross(a, b));
     const std::int64_t square_30 = floor_shift(dot(crease, crease).raw, Unit::kFractionBits);
     if (square_30 < kSmallestSquare) return {};
     const World part = component_along(v, crease);

@@ -4,7 +4,6 @@
 
 #include "engine/fixed/root.h"
 #include "engine/level/t_junctions.h"
-#include "engine/scene/lit_faces.h"
 
 namespace oblong {
 
@@ -57,9 +56,6 @@ FaceTable make_face_table(const Level& level) {
         table.first_corners.push_back(table.corners.size());
         append_corners(level, face, junctions, table.corners);
         table.most_corners = std::max(table.most_corners, table.corners.size() - table.first_corners.back());
-        if (table.kinds.back() != FaceKind::Lit) continue;
-        table.most_light_samples = std::max(table.most_light_samples, light_sample_count(face));
-        table.largest_surface_bytes = std::max(table.largest_surface_bytes, surface_bytes(face, 0));
     }
     table.first_corners.push_back(table.corners.size());
     for (const Leaf& leaf : level.leaves) table.leaf_effects.push_back(effects_of(level, leaf, table.kinds));

@@ -92,7 +92,13 @@ TEST_F(Program, EndsWith2ForWrongUsageAnd1ForBadFiles) {
                               "--out here",
                               "--nonsense",
                               "a b",
-                              "--headless -1 --out x"})
+                              "--headless -1 --out x",
+                              "--headless 1 --out -",
+                              "--headless 1 --out x --record -",
+                              "--replay -",
+                              "--timedemo -",
+                              "--headless 0 --out x",
+                              "--headless 1.5 --out x"})
         EXPECT_EQ(run(wrong), 2) << wrong;
     for (const char* bad :
          {"missing.bsp", ".", "--palette missing.lmp --headless 1 --out x",
