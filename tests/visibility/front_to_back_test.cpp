@@ -130,7 +130,7 @@ TEST_P(FrontToBack, OfTwoFacesOnARayTheNearerComesFirstAndNoneComesTwice) {
         const Places places = walker.walk(view);
         for (const auto& [face, at] : places) ASSERT_LE(at.size(), 2U) << face << ": once a walk";
         tally.views_with_faces_left_out += static_cast<std::int32_t>(places.size()) < face_count;
-        for (int i = 0; i < 20; ++i)
+        for (int i = 0; i < 30; ++i)
             check_ray(hits_of(outlines, to_point(view.eye), random_ray(view, random)), places, tally);
     }
     EXPECT_GT(tally.pairs, 1000);
