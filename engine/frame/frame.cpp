@@ -118,11 +118,19 @@ void draw_sky_pass(const FrameContext& frame, const FrameWorkspace& work) {
              frame.view.projection, frame.out);
 }
 
-/// What nobody claimed has no face before it, as the void has none: colour 0.
+/// What no face covers. From inside a wall that is the void: colour 0. From the open it is where a level's faces do not
+/// meet: the colour of the nearest pixel on the row that is covered.
 void fill_free_pixels(FrameWorkspace& work, Framebuffer out) {
     work.owned.clear();
     work.span_buffer.claim_rest(work.owned);
-    fill_spans(work.owned, 0, out);
+    for (const Span& span : work.owned) {
+        std::uint8_t* const row = out.row(span.y);
+        const bool has_left = work.visible.is_from_open() && span.first > 0;
+        const bool has_right = work.visible.is_from_open() && span.end < out.width_px;
+        const std::int32_t middle = !has_left ? span.first : !has_right ? span.end : (span.first + span.end + 1) / 2;
+        std::fill(row + span.first, row + middle, has_left ? row[span.first - 1] : std::uint8_t{0});
+        std::fill(row + middle, row + span.end, has_right ? row[span.end] : std::uint8_t{0});
+    }
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 
 namespace oblong {
 
-/// What the keys change while one plays: how the world is drawn and how the picture is shown, never what happens in it.
-struct Choices {
+/// What keys change during a game: how it is drawn and shown, never what happens in it.
+struct ViewOptions {
     Preset preset = Preset::Bounded;
     bool corrects_projection = true;
     ShownAs shown_as = ShownAs::OnDisplay;
@@ -18,10 +18,9 @@ struct Choices {
     bool shows_help = false, shows_cost = false;
 };
 
-Settings settings_of(const Choices& choices);
+Settings settings_of(const ViewOptions& options);
 
-/// Does what a key asks for; the line that tells the user so ("" where there is nothing to tell). Screenshots are none
-/// of its business.
-std::string apply(Command command, Choices& choices, const ScreenMode& mode, WindowSize window);
+/// Carries out a command; the message that tells the user ("" where there is none). Ignores Command::Screenshot.
+std::string apply(Command command, ViewOptions& options, const ScreenMode& mode, WindowSize window);
 
 }  // namespace oblong
