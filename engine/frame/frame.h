@@ -7,22 +7,14 @@
 #include "engine/geometry/camera.h"
 #include "engine/level/level.h"
 #include "engine/scene/effects.h"
-#include "engine/scene/lit_faces.h"
-#include "engine/screen/framebuffer.h"
-#include "engine/screen/screen_mode.h"
+#include "engine/scene/face_surface.h"
+#include "engine/scene/placed_models.h"
+#include "engine/screen/screen.h"
 #include "engine/surface/colormap.h"
-#include "engine/visibility/model_cutter.h"
 
 namespace oblong {
 
 class FrameWorkspace;  // engine/frame/workspace.h: scratch and caches, owned by the caller, never part of the picture
-
-/// All light styles as they are stored.
-constexpr LightStyles plain_light_styles() {
-    LightStyles styles{};
-    for (std::uint16_t& style : styles) style = 256;
-    return styles;
-}
 
 /// All that a frame shows. Level and colormap are the same in all frames of a workspace, and outlive it.
 struct Scene {
@@ -34,8 +26,9 @@ struct Scene {
 };
 
 /// Draws one picture: a pure function of its first four arguments. Every pixel of `out` (whose size is the mode's) is
-/// written once: in the open by the world, which leaves no pixel free. From inside a wall or behind the sky all faces
-/// that face the eye are drawn, and what none of them covers is colour 0. Fields of view are bounded by
+/// written once: in the open by the world, which leaves no pixel free if its faces meet; where they do not, a free pixel
+/// takes the colour of the nearest covered one on its row. From inside a wall or behind the sky all faces that face the
+/// eye are drawn, and what none of them covers is colour 0. Fields of view are bounded by
 /// make_projection() and, in modes of few pixels, by make_inverse_projection().
 void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
                 FrameWorkspace& work, Framebuffer out);

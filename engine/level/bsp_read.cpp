@@ -58,4 +58,8 @@ Level read_bsp(std::span<const std::uint8_t> bytes) {
     return level;
 }
 
+std::vector<MipTexture> read_bsp_textures(std::span<const std::uint8_t> bytes) {
+    return read_textures(open_bsp(bytes));
+}
+
 }  // namespace oblong

@@ -38,7 +38,7 @@ struct LevelBox {
 /// How a texture lies on faces: u = s . p + s_offset, v = t . p + t_offset, in texels of mip level 0.
 struct TexInfo {
     Vec3<TexelAxis> s, t;
-    TexelOffset s_offset, t_offset;
+    Texel s_offset, t_offset;
     std::int32_t miptex = 0;  ///< index into Level::textures; always valid
     bool is_special = false;  ///< sky or liquid: no lightmap, no limit of extent
 

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/fixed/root.h"
 #include "engine/level/t_junctions.h"
-#include "engine/scene/lit_faces.h"
 
 namespace oblong {
 
@@ -15,12 +13,6 @@ FaceKind kind_of(const Level& level, const Face& face) {
     const std::string& name = level.textures[static_cast<std::size_t>(texinfo.miptex)].name;
     if (name.starts_with("sky")) return FaceKind::Sky;
     return texinfo.is_special || name.starts_with("*") ? FaceKind::Liquid : FaceKind::Lit;
-}
-
-std::int64_t length_16(const Vec3<TexelAxis>& axis) {
-    const auto square = [](TexelAxis a) { return static_cast<std::uint64_t>(std::int64_t{a.raw} * a.raw); };
-    const std::uint64_t sum_46 = square(axis.x) + square(axis.y) + square(axis.z);
-    return static_cast<std::int64_t>(integer_root(sum_46) >> 7);
 }
 
 EffectSet effects_of(const Level& level, const Leaf& leaf, const std::vector<FaceKind>& kinds) {
@@ -57,14 +49,11 @@ FaceTable make_face_table(const Level& level) {
         table.first_corners.push_back(table.corners.size());
         append_corners(level, face, junctions, table.corners);
         table.most_corners = std::max(table.most_corners, table.corners.size() - table.first_corners.back());
-        if (table.kinds.back() != FaceKind::Lit) continue;
-        table.most_light_samples = std::max(table.most_light_samples, light_sample_count(face));
-        table.largest_surface_bytes = std::max(table.largest_surface_bytes, surface_bytes(face, 0));
     }
     table.first_corners.push_back(table.corners.size());
     for (const Leaf& leaf : level.leaves) table.leaf_effects.push_back(effects_of(level, leaf, table.kinds));
     for (const TexInfo& texinfo : level.texinfos)
-        table.density_16.push_back(std::max(length_16(texinfo.s), length_16(texinfo.t)));
+        table.density.push_back(convert<TexelDensity>(std::max(length(texinfo.s), length(texinfo.t)), Rounding::Floor));
     return table;
 }
 

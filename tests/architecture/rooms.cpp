@@ -16,16 +16,15 @@ const std::vector<Room>& project_rooms() {
         {"engine/surface", {"engine/fixed"}},
         {"engine/raster", {"engine/screen", "engine/surface"}},
         {"engine/level", {"engine/math", "engine/surface"}},
-        {"engine/scene", {"engine/level", "engine/surface"}},
-        {"engine/visibility", {"engine/geometry", "engine/raster", "engine/scene"}},
+        {"engine/scene", {"engine/geometry", "engine/raster", "engine/level"}},
+        {"engine/visibility", {"engine/scene"}},
         {"engine/effects", {"engine/geometry", "engine/raster"}},
         {"engine/frame", {"engine/visibility", "engine/effects"}},
         {"engine/platform", {"engine/screen", "engine/surface"}},
         {"engine/platform/sdl", {"engine/platform"}},
-        {"game", {"engine/frame", "engine/platform/sdl", "tools/cli", "tools/png"}},
-        {"tools/cli", {"engine/frame", "engine/platform"}},
-        {"tools/png", {"engine/surface"}},
-        {"tools", {"engine/frame", "engine/platform", "tools/cli", "tools/png"}},
+        {"game", {"engine/frame", "engine/platform/sdl", "tools/common"}},
+        {"tools/common", {"engine/frame", "engine/platform"}},
+        {"tools", {"engine/frame", "engine/platform", "tools/common"}},
     };
     return rooms;
 }

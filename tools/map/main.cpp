@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "engine/platform/files.h"
-#include "tools/cli/command_line.h"
+#include "tools/common/command_line.h"
 #include "tools/map/compile.h"
 #include "tools/map/source/checks.h"
 
