@@ -37,9 +37,17 @@ std::int32_t read_float_bound(LumpReader& in, bool is_maximum) {
     return *bound;
 }
 
+/// Compilers store a model's bounds one unit smaller on each side (id's qbsp, writebsp.c: "remove the padding"; so does
+/// ericw-tools), and engines spread them (Quake's model.c, Mod_LoadSubmodels): doors travel as far as they are long.
+LevelBox spread(LevelBox box) {
+    for (std::int32_t& bound : box.mins) --bound;
+    for (std::int32_t& bound : box.maxs) ++bound;
+    return box;
+}
+
 SubModel read_model(LumpReader& in, const BspFile& file) {
     SubModel model;
-    model.box = read_box(in, true);
+    model.box = spread(read_box(in, true));
     model.origin = read_world_vector(in);
     model.head_nodes[0] = check_node_child(in, file, in.read_i32());
     for (std::size_t hull = 1; hull < 4; ++hull) model.head_nodes[hull] = read_clip_head(in, file);

@@ -38,7 +38,7 @@ struct LevelBox {
 /// How a texture lies on faces: u = s . p + s_offset, v = t . p + t_offset, in texels of mip level 0.
 struct TexInfo {
     Vec3<TexelAxis> s, t;
-    TexelOffset s_offset, t_offset;
+    Texel s_offset, t_offset;
     std::int32_t miptex = 0;  ///< index into Level::textures; always valid
     bool is_special = false;  ///< sky or liquid: no lightmap, no limit of extent
 
@@ -89,7 +89,7 @@ struct ClipNode {
 
 /// A brush model: 0 is the world, the others are doors, lifts and the like.
 struct SubModel {
-    LevelBox box;
+    LevelBox box;  ///< of all its brushes: the file's is a unit smaller on each side
     Vec3<World> origin;
     std::array<std::int32_t, 4> head_nodes{};  ///< [0] into nodes (or -1 - leaf), [1..3] into clip_nodes (or contents)
     std::int32_t visible_leaf_count = 0;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/fixed/root.h"
 #include "engine/level/t_junctions.h"
 
 namespace oblong {
@@ -14,12 +13,6 @@ FaceKind kind_of(const Level& level, const Face& face) {
     const std::string& name = level.textures[static_cast<std::size_t>(texinfo.miptex)].name;
     if (name.starts_with("sky")) return FaceKind::Sky;
     return texinfo.is_special || name.starts_with("*") ? FaceKind::Liquid : FaceKind::Lit;
-}
-
-std::int64_t length_16(const Vec3<TexelAxis>& axis) {
-    const auto square = [](TexelAxis a) { return static_cast<std::uint64_t>(std::int64_t{a.raw} * a.raw); };
-    const std::uint64_t sum_46 = square(axis.x) + square(axis.y) + square(axis.z);
-    return static_cast<std::int64_t>(integer_root(sum_46) >> 7);
 }
 
 EffectSet effects_of(const Level& level, const Leaf& leaf, const std::vector<FaceKind>& kinds) {
@@ -60,7 +53,7 @@ FaceTable make_face_table(const Level& level) {
     table.first_corners.push_back(table.corners.size());
     for (const Leaf& leaf : level.leaves) table.leaf_effects.push_back(effects_of(level, leaf, table.kinds));
     for (const TexInfo& texinfo : level.texinfos)
-        table.density_16.push_back(std::max(length_16(texinfo.s), length_16(texinfo.t)));
+        table.density.push_back(convert<TexelDensity>(std::max(length(texinfo.s), length(texinfo.t)), Rounding::Floor));
     return table;
 }
 

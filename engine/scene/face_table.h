@@ -9,6 +9,9 @@
 
 namespace oblong {
 
+/// Texels per world unit: 48.16.
+using TexelDensity = Fixed<std::int64_t, 16>;
+
 /// How a face is drawn.
 enum class FaceKind : std::uint8_t { Lit, Liquid, Sky };
 
@@ -25,7 +28,7 @@ struct FaceTable {
     std::vector<std::size_t> first_corners;  ///< of each face in `corners`, and one past the last
     std::vector<FaceKind> kinds;             ///< of each face
     std::vector<EffectSet> leaf_effects;     ///< what each leaf's faces call for
-    std::vector<std::int64_t> density_16;    ///< of each texinfo: texels of mip level 0 per unit, the denser axis
+    std::vector<TexelDensity> density;       ///< of each texinfo: texels of mip level 0 per unit, the denser axis
     std::size_t most_corners = 0;            ///< of any face
 
     std::span<const std::int32_t> corners_of(std::int32_t face) const {

@@ -25,8 +25,8 @@ void VisibleSet::see_from(const Level& level, std::int32_t leaf) {
     ++mark_;
     leaves_.clear();
     const std::int32_t fills = level.leaves[static_cast<std::size_t>(leaf)].contents;
-    const bool is_open = fills != contents::kSolid && fills != contents::kSky;
-    unpack_visible_set(level, is_open ? leaf : 0, unpacked_);
+    is_from_open_ = fills != contents::kSolid && fills != contents::kSky;
+    unpack_visible_set(level, is_from_open_ ? leaf : 0, unpacked_);
     for (std::int32_t other = 1; other <= level.models[0].visible_leaf_count; ++other)
         if (is_in_set(unpacked_, other)) mark_upward(other);
 }

@@ -17,6 +17,8 @@ class VisibleSet {
     void see_from(const Level& level, std::int32_t leaf);
     bool has_node(std::int32_t node) const { return node_marks_[static_cast<std::size_t>(node)] == mark_; }
     bool has_leaf(std::int32_t leaf) const { return leaf_marks_[static_cast<std::size_t>(leaf)] == mark_; }
+    /// Whether that leaf is neither solid nor sky.
+    bool is_from_open() const { return is_from_open_; }
     /// The leaves that may be seen, each once.
     const std::vector<std::int32_t>& leaves() const { return leaves_; }
 
@@ -29,6 +31,7 @@ class VisibleSet {
     std::vector<std::int32_t> leaves_;
     std::uint32_t mark_ = 0;
     std::int32_t seen_from_ = -1;
+    bool is_from_open_ = false;
 };
 
 }  // namespace oblong

@@ -10,7 +10,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
 #include "engine/platform/files.h"
-#include "game/stage.h"
+#include "game/game_level.h"
 
 namespace oblong {
 namespace {
@@ -48,8 +48,8 @@ TEST_F(DemoLevel, HasABeginningAnEndAndWhatMoves) {
 }
 
 TEST_F(DemoLevel, ThePlayerStartsInTheOpen) {
-    const Stage stage = make_stage(level_);
-    EXPECT_EQ(hull_contents(level_, level_.models[0], Hull::Player, stage.player_start), contents::kEmpty);
+    const GameLevel level = make_game_level(level_);
+    EXPECT_EQ(hull_contents(level_, level_.models[0], Hull::Player, level.player_start), contents::kEmpty);
 }
 
 TEST_F(DemoLevel, CallsForSkyWaterLavaAndAnimation) {
@@ -69,7 +69,7 @@ TEST_F(DemoLevel, EveryCameraOfTheListStandsInTheOpen) {
     while (std::getline(cameras, line)) {
         int x = 0, y = 0, z = 0;
         ASSERT_EQ(std::sscanf(line.c_str(), "%d,%d,%d", &x, &y, &z), 3) << line;
-        const Place eye{World::from_int(x), World::from_int(y), World::from_int(z)};
+        const Position eye{World::from_int(x), World::from_int(y), World::from_int(z)};
         EXPECT_NE(hull_contents(level_, level_.models[0], Hull::Point, eye), contents::kSolid) << line;
         ++count;
     }

@@ -93,7 +93,8 @@ TEST_P(HardEyes, HardCaseV13_EyesOnCornersAreMovedClearOfAllPlanes) {
             while (node >= 0) {
                 const Node& at = stage.level.nodes[static_cast<std::size_t>(node)];
                 const LevelPlane& plane = stage.level.planes[static_cast<std::size_t>(at.plane)];
-                const double distance = std::ldexp(static_cast<double>(plane_distance_42(plane, placed.position)), -42);
+                const double distance =
+                    std::ldexp(static_cast<double>(plane_distance(plane, placed.position).raw), -42);
                 nearest = std::min(nearest, std::abs(distance));
                 node = at.children[plane_side(plane, placed.position) > 0 ? 0 : 1];
             }

@@ -34,7 +34,7 @@ TEST(TinyLevel, NumbersAreInTheFormatsOfTheEngine) {
     EXPECT_EQ(level.planes[0].distance, PlaneDistance::from_int(8));
     EXPECT_EQ(level.planes[0].axis, 2);
     EXPECT_EQ(level.texinfos[0].s.x, TexelAxis::from_int(1));
-    EXPECT_EQ(level.texinfos[0].s_offset, TexelOffset::from_int(4));
+    EXPECT_EQ(level.texinfos[0].s_offset, Texel::from_int(4));
     EXPECT_EQ(level.textures[0].name, "floor");
     EXPECT_EQ(level.textures[0].mips[3].size(), 4u);
 }

@@ -1,4 +1,4 @@
-#include "engine/geometry/project_far.h"
+#include "tools/probe/project_far.h"
 
 #include <algorithm>
 
@@ -36,16 +36,16 @@ SoftFloat cotangent_of_half(const SoftFloat& degrees) {
 
 SoftFloat along(const Vec3<Sine60>& axis, const Vec3<SoftFloat>& offset) {
     const auto product = [](Sine60 component, const SoftFloat& distance) {
-        return SoftFloat::from(component.raw, -60) * distance;
+        return SoftFloat::from(component) * distance;
     };
     return product(axis.x, offset.x) + product(axis.y, offset.y) + product(axis.z, offset.z);
 }
 
 std::optional<ScreenWide> project_axis(const SoftFloat& multiplier, const SoftFloat& view, const SoftFloat& z,
                                        ScreenWide centre) {
-    const std::optional<std::int64_t> offset_8 = fixed_of(multiplier * view / z, ScreenWide::kFractionBits);
-    if (!offset_8) return std::nullopt;
-    return ScreenWide::from_raw(centre.raw + *offset_8);
+    const auto offset = fixed_of<ScreenWide>(multiplier * view / z);
+    if (!offset) return std::nullopt;
+    return centre + *offset;
 }
 
 }  // namespace
@@ -61,15 +61,13 @@ FarProjection make_far_projection(const ScreenMode& mode, const SoftFloat& field
 }
 
 FarPoint to_far_view(const Vec3<World>& world_point, const Vec3<World>& world_eye, const FineBasis& basis) {
-    const auto difference = [](World to, World from) { return SoftFloat::from(std::int64_t{to.raw} - from.raw, -12); };
-    const Vec3<SoftFloat> offset{difference(world_point.x, world_eye.x), difference(world_point.y, world_eye.y),
-                                 difference(world_point.z, world_eye.z)};
+    const auto from_eye = widening_difference(world_point, world_eye);
+    const Vec3<SoftFloat> offset{SoftFloat::from(from_eye.x), SoftFloat::from(from_eye.y), SoftFloat::from(from_eye.z)};
     return {along(basis.right, offset), along(basis.up, offset), along(basis.forward, offset)};
 }
 
 FarPoint to_far_view(const Vec3<View>& view_point) {
-    return {SoftFloat::from(view_point.x.raw, -16), SoftFloat::from(view_point.y.raw, -16),
-            SoftFloat::from(view_point.z.raw, -16)};
+    return {SoftFloat::from(view_point.x), SoftFloat::from(view_point.y), SoftFloat::from(view_point.z)};
 }
 
 std::optional<ScreenPosition> project_far(const FarPoint& point, const FarProjection& projection) {
@@ -81,10 +79,9 @@ std::optional<ScreenPosition> project_far(const FarPoint& point, const FarProjec
 
 bool is_exact_in_frame(const Vec3<View>& view_point, const Frustum& frustum, const Projection& projection) {
     // Half a step of View moves a point at z = reach / 64 by up to 2^-11 pixel.
-    const std::int64_t reach_16 =
-        std::max(projection.x.coarse_16, projection.y.coarse_16) +
-        std::max(std::int64_t{projection.width_px}, std::int64_t{projection.height_px}) * (1 << 15);
-    return outcode_of(frustum, view_point) == 0 && view_point.z.raw >= reach_16 / 64;
+    const std::int64_t half_screen_16 = std::int64_t{std::max(projection.width_px, projection.height_px)} << 15;
+    const View reach = std::max(projection.x.coarse, projection.y.coarse) + View::from_raw(half_screen_16);
+    return outcode_of(frustum, view_point) == 0 && view_point.z >= floor_shift(reach, 6);
 }
 
 }  // namespace oblong
