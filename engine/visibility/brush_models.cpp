@@ -139,8 +139,9 @@ void BrushModels::walk_tree(const FragmentTree& tree, std::int32_t index, const 
     const FragmentTree::Node& node = tree.nodes[static_cast<std::size_t>(index)];
     const Fragment& on_plane = tree.fragments[node.on_plane.front()];
     const Face& face = level.faces[static_cast<std::size_t>(on_plane.face)];
-    const bool in_front = plane_distance_42(level.planes[static_cast<std::size_t>(face.plane)],
-                                            eye - placed_[static_cast<std::size_t>(on_plane.placed)].offset) > 0;
+    const bool in_front =
+        plane_distance(level.planes[static_cast<std::size_t>(face.plane)],
+                       eye - placed_[static_cast<std::size_t>(on_plane.placed)].offset) > PlaneDistance{};
     walk_tree(tree, in_front ? node.front : node.back, level, eye);
     const std::size_t first = found_.size();
     for (const std::uint32_t fragment : node.on_plane) find_facing(tree.fragments[fragment], level, eye);
