@@ -54,6 +54,17 @@ std::int64_t doubled_shadow(const std::vector<ClipVertex>& polygon) {
     return sum;
 }
 
+/// A corner on the plane stays a corner of all its faces; where an edge leaves the view there, the crossing beside it
+/// is another corner, which lies on the screen's border exactly. A polygon that only touches the plane is one point.
+void expect_no_corner_twice(const std::vector<ClipVertex>& polygon, int seed) {
+    const auto is_first = [&](const ClipVertex& vertex) { return vertex.position == polygon[0].position; };
+    if (std::all_of(polygon.begin(), polygon.end(), is_first)) return;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const ClipVertex &here = polygon[i], &next = polygon[(i + 1) % polygon.size()];
+        EXPECT_TRUE(here.position != next.position || here.borders != next.borders) << seed << ", " << i;
+    }
+}
+
 TEST(HardCaseC1, CornersOnThePlaneAreInsideAndNeverDoubled) {
     const std::vector<ClipVertex> touching{
         {view_point(0, 0, 4), 0}, {view_point(9, 0, 4), 0}, {view_point(5, 7, 9), 0}};
@@ -64,9 +75,7 @@ TEST(HardCaseC1, CornersOnThePlaneAreInsideAndNeverDoubled) {
     const std::vector<ClipVertex> crossing{
         {view_point(0, 0, 4), 0}, {view_point(9, 0, 1), 0}, {view_point(5, 7, 9), 0}};
     const std::vector<ClipVertex> rest = clipped(crossing, kAtDepth4);
-    ASSERT_EQ(rest.size(), 3u);
-    for (std::size_t i = 0; i < rest.size(); ++i)
-        EXPECT_NE(rest[i].position, rest[(i + 1) % rest.size()].position) << i;
+    expect_no_corner_twice(rest, 0);
     // What is left: (0, 0), (7.5, 2.625), (5, 7).
     EXPECT_EQ(doubled_shadow(rest), std::llround(0x1p32 * (7.5 * 7 - 5 * 2.625)));
 }
@@ -78,8 +87,7 @@ TEST(HardCaseC1, NoPolygonGetsACornerTwiceOrLosesOneInside) {
         for (ClipVertex& vertex : polygon)
             if (random() % 3 == 0) vertex.position.z = View::from_int(4);
         const auto rest = clipped(polygon, kAtDepth4);
-        for (std::size_t k = 0; k < rest.size() && rest.size() > 1; ++k)
-            ASSERT_NE(rest[k].position, rest[(k + 1) % rest.size()].position) << i;
+        expect_no_corner_twice(rest, i);
         for (const ClipVertex& vertex : polygon) {
             const bool is_kept = std::any_of(
                 rest.begin(), rest.end(), [&](const ClipVertex& other) { return other.position == vertex.position; });
