@@ -7,19 +7,19 @@ namespace {
 
 // A solid model where it stands now.
 struct Obstacle {
-    std::int32_t model;
+    ModelIndex model;
     Place offset;
 };
 
 const SubModel& model_of(const Stage& stage, const Obstacle& obstacle) {
-    return stage.level->models[static_cast<std::size_t>(obstacle.model)];
+    return stage.level->models[obstacle.model];
 }
 
 // Calls visit(obstacle) for the world, the models that stand still and the movers, until one answers false.
 template <class Visit>
 bool for_each_obstacle(const Stage& stage, const GameState& state, Visit visit) {
-    if (!visit(Obstacle{0, {}})) return false;
-    for (const std::int32_t model : stage.solid_still_models)
+    if (!visit(Obstacle{kWorldModel, {}})) return false;
+    for (const ModelIndex model : stage.solid_still_models)
         if (!visit(Obstacle{model, {}})) return false;
     for (std::size_t i = 0; i < stage.movers.size(); ++i)
         if (!visit(Obstacle{stage.movers[i].model, offset_of(stage.movers[i], state.movers[i])})) return false;
@@ -28,7 +28,7 @@ bool for_each_obstacle(const Stage& stage, const GameState& state, Visit visit) 
 
 // Where a model can be hit at all: its box, grown by the player's and some room for rounding.
 bool can_meet(const Stage& stage, const Obstacle& obstacle, const Box& swept) {
-    if (obstacle.model == 0) return true;
+    if (obstacle.model == kWorldModel) return true;
     const Box box = box_of(model_of(stage, obstacle).box);
     return box.grown(place_of(2, 2, 2)).moved(obstacle.offset).overlaps(swept);
 }
@@ -37,7 +37,7 @@ bool can_meet(const Stage& stage, const Obstacle& obstacle, const Box& swept) {
 
 Contact move_box(const Stage& stage, const GameState& state, const Place& from, const Place& to) {
     const Box swept = player_box(from).united(player_box(to));
-    Contact first{to, false, {}, 0, false};
+    Contact first{to, false, {}, {}, false};
     Unit first_fraction = Unit::from_int(1);
     for_each_obstacle(stage, state, [&](const Obstacle& obstacle) {
         if (!can_meet(stage, obstacle, swept)) return true;
@@ -63,7 +63,7 @@ bool is_free(const Stage& stage, const GameState& state, const Place& place) {
 }
 
 std::int32_t contents_at(const Stage& stage, const Place& point) {
-    return hull_contents(*stage.level, stage.level->models.front(), Hull::Point, point);
+    return hull_contents(*stage.level, stage.level->world(), Hull::Point, point);
 }
 
 }  // namespace oblong

@@ -9,11 +9,11 @@ namespace oblong {
 
 /// How far the player's box gets on a straight way.
 struct Contact {
-    Place end;               ///< where it stops, clear of what it hit
-    bool has_hit = false;    ///< it stops before the way's end
-    Vec3<Unit> normal;       ///< of what it hit, towards the player
-    std::int32_t model = 0;  ///< that it hit, 0: the world
-    bool is_stuck = false;   ///< the whole way is inside something solid
+    Place end;              ///< where it stops, clear of what it hit
+    bool has_hit = false;   ///< it stops before the way's end
+    Vec3<Unit> normal;      ///< of what it hit, towards the player
+    ModelIndex model;       ///< that it hit
+    bool is_stuck = false;  ///< the whole way is inside something solid
 };
 
 /// Moves the player's box through the world and all movers where they stand now (hull 1).

@@ -36,14 +36,14 @@ std::optional<Place> origin_of(const Entity& entity) {
     return is_in_the_world ? origin : std::nullopt;
 }
 
-std::optional<std::int32_t> model_of(const Entity& entity, const Level& level) {
+std::optional<ModelIndex> model_of(const Entity& entity, const Level& level) {
     const std::string name = entity.value("model");
     if (name.size() < 2 || name[0] != '*') return {};
     std::int32_t model = 0;
     const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), model);
     const bool is_number = error == std::errc{} && end == name.data() + name.size();
-    const bool is_there = model >= 1 && model < static_cast<std::int64_t>(level.models.size());
-    return is_number && is_there ? std::optional(model) : std::nullopt;
+    const bool is_there = model >= 1 && model < level.models.count();
+    return is_number && is_there ? std::optional(ModelIndex(model)) : std::nullopt;
 }
 
 Angle yaw_of(const Entity& entity) {

@@ -16,7 +16,7 @@ World number_of(const Entity& entity, const char* key, std::int32_t otherwise, s
 std::optional<Place> origin_of(const Entity& entity);
 
 /// The model that "model" names ("*3"), 1 and up; nothing where there is no such.
-std::optional<std::int32_t> model_of(const Entity& entity, const Level& level);
+std::optional<ModelIndex> model_of(const Entity& entity, const Level& level);
 
 /// The direction of "angle" (degrees; -1 up, -2 down) or of the second number of "angles", of length 1.
 Vec3<Unit> direction_of(const Entity& entity);

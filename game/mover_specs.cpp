@@ -118,7 +118,7 @@ bool spread_touch(Mover& a, Mover& b) {
 std::optional<Mover> mover_of(const Entity& entity, const Level& level) {
     const auto model = model_of(entity, level);
     if (!model) return {};
-    const Box box = box_of(level.models[static_cast<std::size_t>(*model)].box);
+    const Box box = box_of(level.models[*model].box);
     const std::string name = entity.value("classname");
     std::optional<Mover> mover;
     if (name == "func_door") mover = door(entity, box);
@@ -129,7 +129,7 @@ std::optional<Mover> mover_of(const Entity& entity, const Level& level) {
 }
 
 void link_doors(std::vector<Mover>& movers, const std::vector<const Entity*>& entities, const Level& level) {
-    const auto box = [&](std::size_t i) { return box_of(level.models[static_cast<std::size_t>(movers[i].model)].box); };
+    const auto box = [&](std::size_t i) { return box_of(level.models[movers[i].model].box); };
     std::vector<std::pair<std::size_t, std::size_t>> links;
     for (std::size_t a = 0; a < movers.size(); ++a)
         for (std::size_t b = a + 1; b < movers.size(); ++b)

@@ -35,7 +35,7 @@ void wait(const Mover& mover, MoverState& state) {
 
 // The player goes where the mover takes or pushes; false where there is no room.
 bool make_way(const Stage& stage, GameState& state, const Mover& mover, const Place& moved) {
-    const bool rides = state.player.ground == mover.model;
+    const bool rides = state.player.ground == mover.model.number();
     if (!rides && is_free(stage, state, state.player.place)) return true;
     if (is_free(stage, state, state.player.place + moved)) {
         state.player.place = state.player.place + moved;

@@ -134,7 +134,7 @@ void find_footing(const Stage& stage, GameState& state) {
     if (player.velocity.z > kStillRising) return;
     const Contact below = find_ground(stage, state, player.place, World::from_int(1));
     if (!below.has_hit) return;
-    player.ground = below.model;
+    player.ground = below.model.number();
     player.place = below.end;
 }
 

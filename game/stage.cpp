@@ -37,7 +37,7 @@ std::optional<Trigger> trigger_of(const Entity& entity, const Level& level, cons
     const auto model = model_of(entity, level);
     if (!model) return {};
     Trigger trigger;
-    trigger.box = box_of(level.models[static_cast<std::size_t>(*model)].box);
+    trigger.box = box_of(level.models[*model].box);
     const std::string name = entity.value("classname");
     if (name == "trigger_changelevel")
         trigger.ends_level = true;

@@ -13,7 +13,7 @@ namespace oblong {
 
 /// A brush model that travels between two ends: a door, a lift or a button.
 struct Mover {
-    std::int32_t model = 0;
+    ModelIndex model;
     Place start;   ///< offset of the model where it rests
     Place way;     ///< from there to its other end
     World length;  ///< of the way, above 0
@@ -42,8 +42,8 @@ struct Stage {
     const Level* level = nullptr;  ///< outlives the stage
     std::vector<Mover> movers;
     std::vector<Trigger> triggers;
-    std::vector<std::int32_t> still_models;        ///< brush models that are seen and never move
-    std::vector<std::int32_t> solid_still_models;  ///< those of them that stop the player
+    std::vector<ModelIndex> still_models;        ///< brush models that are seen and never move
+    std::vector<ModelIndex> solid_still_models;  ///< those of them that stop the player
     Place player_start;
     Angle player_yaw;
     std::string end_message;  ///< what the level says at its end; may be empty

@@ -52,7 +52,7 @@ std::vector<PlacedModel> models_at(const Stage& stage, const Moment& moment) {
                     after = offset_of(mover, moment.after.movers[i]);
         placed.push_back({mover.model, between(before, after, moment.fraction_16)});
     }
-    for (const std::int32_t model : stage.still_models) placed.push_back({model, {}});
+    for (const ModelIndex model : stage.still_models) placed.push_back({model, {}});
     return placed;
 }
 

@@ -14,9 +14,8 @@ void draw_waiting_blocks(const FaceSurface& surface, const FrameContext& frame, 
     work.blocks.clear();
 }
 
-void draw_textured(std::int32_t face_index, const Vec3<World>& offset, const FrameContext& frame,
-                   FrameWorkspace& work) {
-    const Face& face = frame.scene.level.faces[static_cast<std::size_t>(face_index)];
+void draw_textured(FaceIndex face_index, const Vec3<World>& offset, const FrameContext& frame, FrameWorkspace& work) {
+    const Face& face = frame.scene.level.faces[face_index];
     const FaceSurface surface = choose_face_surface(face_index, work.polygon.nearest_z_16, frame, work);
     const TextureGradients gradients = make_face_gradients(face, surface, offset, frame);
     const BlockThresholds thresholds =
@@ -31,11 +30,10 @@ void draw_textured(std::int32_t face_index, const Vec3<World>& offset, const Fra
 }
 
 /// In place of an effect that is not on the plan: one colour of its texture.
-void draw_flat(std::int32_t face_index, const FrameContext& frame, FrameWorkspace& work) {
+void draw_flat(FaceIndex face_index, const FrameContext& frame, FrameWorkspace& work) {
     const Level& level = frame.scene.level;
-    const Face& face = level.faces[static_cast<std::size_t>(face_index)];
-    const TexInfo& texinfo = level.texinfos[static_cast<std::size_t>(face.texinfo)];
-    fill_spans(work.owned, level.textures[static_cast<std::size_t>(texinfo.miptex)].mips[3][0], frame.out);
+    const Face& face = level.faces[face_index];
+    fill_spans(work.owned, level.texture_of(face).mips[3][0], frame.out);
     if (work.counts) count_writes(work.owned, frame.out.pitch, *work.counts);
 }
 
@@ -45,11 +43,11 @@ void leave_to_sky(const FrameContext& frame, FrameWorkspace& work) {
 }
 
 /// Draws the face whose polygon is in work.polygon.
-void draw_outline(std::int32_t face_index, const Vec3<World>& offset, const FrameContext& frame, FrameWorkspace& work) {
+void draw_outline(FaceIndex face_index, const Vec3<World>& offset, const FrameContext& frame, FrameWorkspace& work) {
     work.owned.clear();
     claim_polygon(work.polygon.screen, work.rows, work.span_buffer, work.owned);
     if (work.owned.empty()) return;
-    const FaceKind kind = work.faces.kinds[static_cast<std::size_t>(face_index)];
+    const FaceKind kind = work.faces.faces[face_index].kind;
     const EffectSet effects = effects_of(kind);
     if (work.counts) count_face(effects, work.owned, *work.counts);
     if ((effects & frame.plan.effects) != effects) return draw_flat(face_index, frame, work);
@@ -59,19 +57,18 @@ void draw_outline(std::int32_t face_index, const Vec3<World>& offset, const Fram
 
 }  // namespace
 
-void draw_world_face(std::int32_t face_index, const FrameContext& frame, FrameWorkspace& work) {
+void draw_world_face(FaceIndex face_index, const FrameContext& frame, FrameWorkspace& work) {
     if (work.counts) ++work.counts->faces_visited;
     if (project_face(work.faces.corners_of(face_index), frame.view, work.vertices, work.polygon))
         draw_outline(face_index, {}, frame, work);
 }
 
-void draw_fragments_in(std::int32_t leaf, const FrameContext& frame, FrameWorkspace& work) {
+void draw_fragments_in(LeafIndex leaf, const FrameContext& frame, FrameWorkspace& work) {
     if (!work.brush_models.has_any_in(leaf)) return;
     for (const Fragment* fragment : work.brush_models.front_to_back_in(leaf, frame.scene.level, frame.view.eye)) {
         if (work.counts) ++work.counts->faces_visited;
         if (project_polygon(work.brush_models.corners_of(*fragment), frame.view, work.polygon))
-            draw_outline(fragment->face, frame.scene.models[static_cast<std::size_t>(fragment->placed)].offset, frame,
-                         work);
+            draw_outline(fragment->face, work.brush_models.offset_of(*fragment), frame, work);
     }
 }
 

@@ -24,8 +24,8 @@ std::int64_t eye_texel_16(const Vec3<TexelAxis>& axis, TexelOffset offset, const
 TextureGradients make_face_gradients(const Face& face, const FaceSurface& surface, const Vec3<World>& offset,
                                      const FrameContext& frame) {
     const Level& level = frame.scene.level;
-    const LevelPlane& plane = level.planes[static_cast<std::size_t>(face.plane)];
-    const TexInfo& texinfo = level.texinfos[static_cast<std::size_t>(face.texinfo)];
+    const LevelPlane& plane = level.planes[face.plane];
+    const TexInfo& texinfo = level.texinfos[face.texinfo];
     const Vec3<World> eye = frame.view.eye - offset;
     const std::int64_t distance_42 = plane_distance_42(plane, eye);
     TexturedPlane textured;

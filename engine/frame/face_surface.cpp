@@ -43,8 +43,8 @@ bool is_wrapped_by_masks(const SurfaceView& tile) {
            std::has_single_bit(static_cast<std::uint32_t>(tile.height));
 }
 
-FaceSurface lit_surface(std::int32_t face_index, int mip, const FrameContext& frame, FrameWorkspace& work) {
-    const Face& face = frame.scene.level.faces[static_cast<std::size_t>(face_index)];
+FaceSurface lit_surface(FaceIndex face_index, int mip, const FrameContext& frame, FrameWorkspace& work) {
+    const Face& face = frame.scene.level.faces[face_index];
     FaceSurface surface;
     surface.view = lit_surface_of(frame.scene.level, face_index, mip, frame.scene.colormap, frame.scene.light_styles,
                                   work.surfaces, work.corner_shades);
@@ -72,16 +72,14 @@ FaceSurface tiled_surface(const Face& face, const MipTexture& texture, int mip, 
 
 }  // namespace
 
-FaceSurface choose_face_surface(std::int32_t face_index, std::int64_t nearest_z_16, const FrameContext& frame,
+FaceSurface choose_face_surface(FaceIndex face_index, std::int64_t nearest_z_16, const FrameContext& frame,
                                 FrameWorkspace& work) {
     const Level& level = frame.scene.level;
-    const Face& face = level.faces[static_cast<std::size_t>(face_index)];
-    const auto texinfo = static_cast<std::size_t>(face.texinfo);
-    const int mip = mip_level(nearest_z_16, work.faces.density_16[texinfo], frame.view.projection.x);
-    if (work.faces.kinds[static_cast<std::size_t>(face_index)] == FaceKind::Lit)
-        return lit_surface(face_index, mip, frame, work);
-    return tiled_surface(face, level.textures[static_cast<std::size_t>(level.texinfos[texinfo].miptex)], mip, frame,
-                         work);
+    const Face& face = level.faces[face_index];
+    const PreparedFace& prepared = work.faces.faces[face_index];
+    const int mip = mip_level(nearest_z_16, prepared.density_16, frame.view.projection.x);
+    if (prepared.kind == FaceKind::Lit) return lit_surface(face_index, mip, frame, work);
+    return tiled_surface(face, level.texture_of(face), mip, frame, work);
 }
 
 }  // namespace oblong

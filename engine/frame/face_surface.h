@@ -18,7 +18,7 @@ struct FaceSurface {
 
 /// The surface of a lit or liquid face whose nearest corner in view has this depth: a lit one from the cache or built
 /// now, for a liquid the texture itself, which wraps.
-FaceSurface choose_face_surface(std::int32_t face_index, std::int64_t nearest_z_16, const FrameContext& frame,
+FaceSurface choose_face_surface(FaceIndex face_index, std::int64_t nearest_z_16, const FrameContext& frame,
                                 FrameWorkspace& work);
 
 }  // namespace oblong

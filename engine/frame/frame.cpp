@@ -14,8 +14,8 @@ namespace {
 
 EffectSet effects_in_sight(const FrameWorkspace& work) {
     EffectSet effects;
-    for (const std::int32_t leaf : work.visible.leaves()) {
-        effects = effects | work.faces.leaf_effects[static_cast<std::size_t>(leaf)];
+    for (const LeafIndex leaf : work.visible.leaves()) {
+        effects = effects | work.faces.leaf_effects[leaf];
         if (work.brush_models.has_any_in(leaf)) effects = effects.with(Effect::BrushModels);
     }
     return effects;

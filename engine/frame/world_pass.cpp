@@ -13,10 +13,10 @@ void draw_world(const FrameContext& frame, FrameWorkspace& work) {
     work.brush_models.start_frame();
 
     const bool has_models = frame.plan.effects.has(Effect::BrushModels);
-    const auto on_leaf = [&](std::int32_t leaf) {
+    const auto on_leaf = [&](LeafIndex leaf) {
         if (has_models) draw_fragments_in(leaf, frame, work);
     };
-    const auto on_face = [&](std::int32_t face) { draw_world_face(face, frame, work); };
+    const auto on_face = [&](FaceIndex face) { draw_world_face(face, frame, work); };
     const auto is_hidden = [&](const LevelBox& box) {
         const std::optional<ScreenRectangle> rectangle = rectangle_of(box, frame.view);
         return rectangle && !work.span_buffer.may_be_free(*rectangle);

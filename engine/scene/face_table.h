@@ -19,20 +19,24 @@ constexpr EffectSet effects_of(FaceKind kind) {
     return {};
 }
 
+/// What every frame would otherwise work out again of a face.
+struct PreparedFace {
+    std::uint32_t first_corner = 0, corner_count = 0;  ///< in FaceTable::corners
+    std::int64_t density_16 = 0;                       ///< texels of mip level 0 per unit, along the denser axis
+    FaceKind kind = FaceKind::Lit;
+};
+
 /// What every frame would otherwise work out again from a level's faces.
 struct FaceTable {
-    std::vector<std::int32_t> corners;       ///< of all faces, indices of vertices; those of T-junctions among them
-    std::vector<std::size_t> first_corners;  ///< of each face in `corners`, and one past the last
-    std::vector<FaceKind> kinds;             ///< of each face
-    std::vector<EffectSet> leaf_effects;     ///< what each leaf's faces call for
-    std::vector<std::int64_t> density_16;    ///< of each texinfo: texels of mip level 0 per unit, the denser axis
-    std::size_t most_corners = 0;            ///< of any face
-    std::size_t most_light_samples = 0;      ///< of any face
-    std::size_t largest_surface_bytes = 0;   ///< of any lit face at mip level 0
+    Table<PreparedFace, Face> faces;
+    std::vector<VertexIndex> corners;       ///< of all faces; those of T-junctions among them
+    Table<EffectSet, Leaf> leaf_effects;    ///< what each leaf's faces call for
+    std::size_t most_corners = 0;           ///< of any face
+    std::size_t most_light_samples = 0;     ///< of any face
+    std::size_t largest_surface_bytes = 0;  ///< of any lit face at mip level 0
 
-    std::span<const std::int32_t> corners_of(std::int32_t face) const {
-        const std::size_t first = first_corners[static_cast<std::size_t>(face)];
-        return std::span(corners).subspan(first, first_corners[static_cast<std::size_t>(face) + 1] - first);
+    std::span<const VertexIndex> corners_of(FaceIndex face) const {
+        return std::span(corners).subspan(faces[face].first_corner, faces[face].corner_count);
     }
 };
 

@@ -56,19 +56,17 @@ std::size_t surface_bytes(const Face& face, int mip) {
     return static_cast<std::size_t>(surface.height) << surface.stride_log2;
 }
 
-SurfaceView lit_surface_of(const Level& level, std::int32_t face_index, int mip, const Colormap& colormap,
+SurfaceView lit_surface_of(const Level& level, FaceIndex index, int mip, const Colormap& colormap,
                            const LightStyles& styles, SurfaceCache& cache, std::vector<std::int32_t>& corner_shades) {
-    const Face& face = level.faces[static_cast<std::size_t>(face_index)];
+    const Face& face = level.faces[index];
     SurfaceView surface = shape_of(face, mip);
     const LightmapView light = light_of(level, face, styles);
     const SurfaceCache::Found found =
-        cache.get(static_cast<std::size_t>(face_index) * 4 + static_cast<std::size_t>(mip), surface_bytes(face, mip),
-                  key_of(light));
+        cache.get(index.position() * 4 + static_cast<std::size_t>(mip), surface_bytes(face, mip), key_of(light));
     surface.texels = found.texels;
     if (found.is_valid) return surface;
 
-    const TexInfo& texinfo = level.texinfos[static_cast<std::size_t>(face.texinfo)];
-    const MipTexture& texture = level.textures[static_cast<std::size_t>(texinfo.miptex)];
+    const MipTexture& texture = level.texture_of(face);
     const TextureView source{texture.mips[static_cast<std::size_t>(mip)].data(), texture.width >> mip,
                              texture.height >> mip, floor_shift(face.texel_min_u, mip),
                              floor_shift(face.texel_min_v, mip)};

@@ -20,7 +20,7 @@ std::size_t surface_bytes(const Face& face, int mip);
 
 /// A face's lit surface at a mip level, from the cache or built now. Its texels are good until the cache's next get().
 /// `corner_shades` is scratch of light_sample_count() entries.
-SurfaceView lit_surface_of(const Level& level, std::int32_t face, int mip, const Colormap& colormap,
+SurfaceView lit_surface_of(const Level& level, FaceIndex index, int mip, const Colormap& colormap,
                            const LightStyles& styles, SurfaceCache& cache, std::vector<std::int32_t>& corner_shades);
 
 }  // namespace oblong

@@ -10,6 +10,12 @@
 
 namespace oblong {
 
+/// What is left to do of a walk down a model's tree: enter the node, or rank the faces on its plane.
+struct ModelStep {
+    NodeIndex node;
+    bool is_entered = false;
+};
+
 /// The brush models of a scene (doors, lifts), cut up by the world's tree so that each part is drawn in front of what
 /// lies behind its leaf and behind what lies before it. A model is cut anew only where it has moved.
 class BrushModels {
@@ -21,19 +27,19 @@ class BrushModels {
     /// Starts a frame: orders are found anew, and only for models that the frame meets.
     void start_frame() { ++frame_; }
 
-    bool has_any_in(std::int32_t leaf) const { return first_links_[static_cast<std::size_t>(leaf)] >= 0; }
+    bool has_any_in(LeafIndex leaf) const { return !first_links_[leaf].is_none(); }
     /// The parts in a leaf that face the eye, nearer models first, and within a model as its own tree orders them.
     /// Valid until the next call.
-    std::span<const Fragment* const> front_to_back_in(std::int32_t leaf, const Level& level, const Vec3<World>& eye);
+    std::span<const Fragment* const> front_to_back_in(LeafIndex leaf, const Level& level, const Vec3<World>& eye);
     std::span<const Vec3<World>> corners_of(const Fragment& fragment) const {
-        return std::span(cuts_[static_cast<std::size_t>(fragment.placed)].corners)
-            .subspan(fragment.first_corner, fragment.corner_count);
+        return std::span(cuts_[fragment.placed].corners).subspan(fragment.first_corner, fragment.corner_count);
     }
+    const Vec3<World>& offset_of(const Fragment& fragment) const { return placed_[fragment.placed].offset; }
 
   private:
     struct Link {
         const Fragment* fragment;
-        std::int32_t next;
+        Index<Link> next;  ///< of the same leaf
     };
     /// The order of what one frame meets of a model.
     struct Order {
@@ -42,18 +48,17 @@ class BrushModels {
     };
 
     void link_leaves();
-    void order_model(std::int32_t placed, const Level& level, const Vec3<World>& eye);
+    void order_model(PlacedIndex placed, const Level& level, const Vec3<World>& eye);
     bool is_before(const Fragment& a, const Fragment& b) const;
 
-    std::vector<PlacedModel> placed_;
-    std::vector<ModelCut> cuts_;  ///< of each placed model
-    std::vector<Order> orders_;   ///< of each placed model
-    /// Of each face of the level: its place in its model's order; -1: faces away.
-    std::vector<std::int32_t> face_ranks_;
-    std::vector<std::int32_t> first_links_;  ///< of each leaf; -1: none
-    std::vector<Link> links_;
+    Table<PlacedModel> placed_;
+    Table<ModelCut, PlacedModel> cuts_;
+    Table<Order, PlacedModel> orders_;
+    Table<std::int32_t, Face> face_ranks_;  ///< the face's place in its model's order; -1: faces away
+    Table<Index<Link>, Leaf> first_links_;
+    Table<Link> links_;
     std::vector<const Fragment*> found_;  ///< what front_to_back_in() returns
-    std::vector<std::int32_t> steps_;     ///< scratch of the walk down a model's tree
+    std::vector<ModelStep> steps_;        ///< scratch of the walk down a model's tree
     std::uint32_t frame_ = 0;
 };
 

@@ -12,7 +12,7 @@ namespace oblong {
 
 /// What is left to do of a walk through the tree.
 struct WalkStep {
-    std::int32_t node;            ///< or -1 - leaf
+    NodeChild at;
     bool draws_faces;             ///< false: enter the node; true: its near side is done, draw the faces on its plane
     bool draws_front;             ///< which of them: those that face the plane's front, or those that face its back
     std::uint8_t planes_to_test;  ///< sides of the view that the node's parent still crossed
@@ -21,7 +21,7 @@ struct WalkStep {
 /// Scratch of a walk, kept from frame to frame.
 struct WalkScratch {
     std::vector<WalkStep> steps;
-    std::vector<std::uint32_t> face_marks;  ///< the frame in which a visited leaf last named the face
+    Table<std::uint32_t, Face> face_marks;  ///< the frame in which a visited leaf last named the face
     std::uint32_t mark = 0;
 };
 
@@ -44,48 +44,43 @@ template <class OnLeaf, class OnFace, class IsHidden, class IsDone>
 void walk_front_to_back(const Level& level, const Vec3<World>& eye, const Frustum& frustum, const VisibleSet& visible,
                         WalkScratch& scratch, OnLeaf on_leaf, OnFace on_face, IsHidden is_hidden, IsDone is_done) {
     const std::uint32_t mark = ++scratch.mark;
-    scratch.steps.assign(1, {level.models[0].head_nodes[0], false, false, kAllSides});
+    scratch.steps.assign(1, {level.world().root, false, false, kAllSides});
 
     const auto draw_faces = [&](const Node& node, bool front) {
-        for (std::int32_t face = node.first_face; face < node.first_face + node.face_count; ++face)
-            if (scratch.face_marks[static_cast<std::size_t>(face)] == mark &&
-                level.faces[static_cast<std::size_t>(face)].is_back != front)
-                on_face(face);
+        for (const FaceIndex face : node.faces)
+            if (scratch.face_marks[face] == mark && level.faces[face].is_back != front) on_face(face);
     };
-    const auto enter_leaf = [&](std::int32_t index, std::uint8_t planes) {
-        const Leaf& leaf = level.leaves[static_cast<std::size_t>(index)];
+    const auto enter_leaf = [&](LeafIndex index, std::uint8_t planes) {
+        const Leaf& leaf = level.leaves[index];
         if (!visible.has_leaf(index) || planes_crossed(frustum, leaf.box, eye, planes) == kOutside) return;
-        for (std::int32_t i = 0; i < leaf.mark_face_count; ++i) {
-            const std::int32_t face = level.mark_faces[static_cast<std::size_t>(leaf.first_mark_face + i)];
-            scratch.face_marks[static_cast<std::size_t>(face)] = mark;
-        }
+        for (const FaceIndex face : level.faces_at(leaf)) scratch.face_marks[face] = mark;
         on_leaf(index);
     };
 
     while (!scratch.steps.empty() && !is_done()) {
         const WalkStep step = scratch.steps.back();
         scratch.steps.pop_back();
-        if (step.node < 0) {
-            enter_leaf(-1 - step.node, step.planes_to_test);
+        if (step.at.is_leaf()) {
+            enter_leaf(step.at.leaf(), step.planes_to_test);
             continue;
         }
-        const Node& node = level.nodes[static_cast<std::size_t>(step.node)];
+        const Node& node = level.nodes[step.at.node()];
         if (step.draws_faces) {
             draw_faces(node, step.draws_front);
             continue;
         }
-        if (!visible.has_node(step.node)) continue;
+        if (!visible.has_node(step.at.node())) continue;
         const std::uint8_t planes = planes_crossed(frustum, node.box, eye, step.planes_to_test);
         if (planes == kOutside || is_hidden(node.box)) continue;
-        const std::int64_t distance = plane_distance_42(level.planes[static_cast<std::size_t>(node.plane)], eye);
+        const std::int64_t distance = plane_distance_42(level.planes[node.plane], eye);
         const bool in_front = distance > 0;
         // Last in, first out: near side, faces toward the eye, far side; and those that only rounding shows, whose
         // leaves are on the far side.
         const bool is_thin =
-            node.face_count > 0 && distance < kBothSidesDistance_42 && distance > -kBothSidesDistance_42;
-        if (is_thin) scratch.steps.push_back({step.node, true, !in_front, planes});
+            node.faces.count > 0 && distance < kBothSidesDistance_42 && distance > -kBothSidesDistance_42;
+        if (is_thin) scratch.steps.push_back({step.at, true, !in_front, planes});
         scratch.steps.push_back({node.children[in_front], false, false, planes});
-        if (node.face_count > 0) scratch.steps.push_back({step.node, true, in_front, planes});
+        if (node.faces.count > 0) scratch.steps.push_back({step.at, true, in_front, planes});
         scratch.steps.push_back({node.children[!in_front], false, false, planes});
     }
 }
@@ -104,23 +99,23 @@ void walk_front_to_back(const Level& level, const Vec3<World>& eye, const Frustu
 template <class OnFace, class IsHidden, class IsDone>
 void walk_all_faces(const Level& level, const Vec3<World>& eye, const Frustum& frustum, WalkScratch& scratch,
                     OnFace on_face, IsHidden is_hidden, IsDone is_done) {
-    scratch.steps.assign(1, {level.models[0].head_nodes[0], false, false, kAllSides});
+    scratch.steps.assign(1, {level.world().root, false, false, kAllSides});
     while (!scratch.steps.empty() && !is_done()) {
         const WalkStep step = scratch.steps.back();
         scratch.steps.pop_back();
-        if (step.node < 0) continue;
-        const Node& node = level.nodes[static_cast<std::size_t>(step.node)];
+        if (step.at.is_leaf()) continue;
+        const Node& node = level.nodes[step.at.node()];
         if (step.draws_faces) {
             for (const bool front : {step.draws_front, !step.draws_front})
-                for (std::int32_t face = node.first_face; face < node.first_face + node.face_count; ++face)
-                    if (level.faces[static_cast<std::size_t>(face)].is_back != front) on_face(face);
+                for (const FaceIndex face : node.faces)
+                    if (level.faces[face].is_back != front) on_face(face);
             continue;
         }
         const std::uint8_t planes = planes_crossed(frustum, node.box, eye, step.planes_to_test);
         if (planes == kOutside || is_hidden(node.box)) continue;
-        const bool in_front = plane_distance_42(level.planes[static_cast<std::size_t>(node.plane)], eye) > 0;
+        const bool in_front = plane_distance_42(level.planes[node.plane], eye) > 0;
         scratch.steps.push_back({node.children[in_front], false, false, planes});
-        scratch.steps.push_back({step.node, true, in_front, planes});
+        scratch.steps.push_back({step.at, true, in_front, planes});
         scratch.steps.push_back({node.children[!in_front], false, false, planes});
     }
 }

@@ -86,26 +86,25 @@ std::vector<bool> unpack_row(const std::vector<std::uint8_t>& packed, std::size_
 }
 
 TEST_P(RealLevel, VisibleSetsAreThoseOfTheFile) {
-    const std::int32_t leaf_count = level_.models[0].visible_leaf_count;
+    const auto leaf_count = static_cast<std::size_t>(level_.world().visible_leaf_count);
     std::vector<std::uint8_t> visible(visible_set_size(level_));
-    for (std::int32_t leaf = 1; leaf <= leaf_count; ++leaf) {
-        const std::int32_t start = level_.leaves[static_cast<std::size_t>(leaf)].visibility_offset;
+    for (const LeafIndex leaf : level_.visible_leaves()) {
+        const std::int32_t start = level_.leaves[leaf].visibility_offset;
         ASSERT_GE(start, 0);
-        const auto expected =
-            unpack_row(level_.visibility, static_cast<std::size_t>(start), static_cast<std::size_t>(leaf_count));
+        const auto expected = unpack_row(level_.visibility, static_cast<std::size_t>(start), leaf_count);
         unpack_visible_set(level_, leaf, visible);
-        for (std::int32_t other = 1; other <= leaf_count; ++other)
-            ASSERT_EQ(is_in_set(visible, other), expected[static_cast<std::size_t>(other - 1)]) << leaf << ' ' << other;
+        for (const LeafIndex other : level_.visible_leaves())
+            ASSERT_EQ(is_in_set(visible, other), expected[other.position() - 1])
+                << leaf.number() << ' ' << other.number();
     }
 }
 
 TEST_P(RealLevel, FromOutsideEveryLeafIsVisible) {
     std::vector<std::uint8_t> visible(visible_set_size(level_));
-    unpack_visible_set(level_, 0, visible);
-    for (std::int32_t leaf = 1; leaf <= level_.models[0].visible_leaf_count; ++leaf)
-        ASSERT_TRUE(is_in_set(visible, leaf));
-    EXPECT_FALSE(is_in_set(visible, 0));
-    EXPECT_FALSE(is_in_set(visible, level_.models[0].visible_leaf_count + 1));
+    unpack_visible_set(level_, kSolidOutside, visible);
+    for (const LeafIndex leaf : level_.visible_leaves()) ASSERT_TRUE(is_in_set(visible, leaf));
+    EXPECT_FALSE(is_in_set(visible, kSolidOutside));
+    EXPECT_FALSE(is_in_set(visible, LeafIndex(level_.world().visible_leaf_count + 1)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, RealLevel, testing::ValuesIn(test::kRealLevels));
