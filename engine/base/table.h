@@ -45,6 +45,14 @@ struct IndexRange {
         }
         constexpr bool operator==(const Iterator&) const = default;
     };
+    /// Takes the first one off; there must be one.
+    constexpr Index<Record> take_first() {
+        const Index<Record> taken = first;
+        ++first;
+        --count;
+        return taken;
+    }
+
     constexpr Iterator begin() const { return {first}; }
     constexpr Iterator end() const { return {Index<Record>(first.number() + count)}; }
     constexpr bool operator==(const IndexRange&) const = default;

@@ -7,22 +7,15 @@
 #include "engine/geometry/camera.h"
 #include "engine/level/level.h"
 #include "engine/scene/effects.h"
-#include "engine/scene/lit_faces.h"
+#include "engine/scene/face_surface.h"
+#include "engine/scene/placed_models.h"
 #include "engine/screen/framebuffer.h"
 #include "engine/screen/screen_mode.h"
 #include "engine/surface/colormap.h"
-#include "engine/visibility/model_cutter.h"
 
 namespace oblong {
 
 class FrameWorkspace;  // engine/frame/workspace.h: scratch and caches, owned by the caller, never part of the picture
-
-/// All light styles as they are stored.
-constexpr LightStyles plain_light_styles() {
-    LightStyles styles{};
-    for (std::uint16_t& style : styles) style = 256;
-    return styles;
-}
 
 /// All that a frame shows. Level and colormap are the same in all frames of a workspace, and outlive it.
 struct Scene {

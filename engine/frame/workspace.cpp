@@ -4,13 +4,6 @@
 
 namespace oblong {
 
-namespace {
-
-/// Texels that lit surfaces may take: a 320x200 frame needs about 1 MiB of them, the largest modes some 8.
-constexpr std::size_t kSurfaceArenaBytes = std::size_t{12} << 20;
-
-}  // namespace
-
 FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode)
     : faces(make_face_table(level)),
       vertices(level.vertices),
@@ -18,8 +11,7 @@ FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode)
       span_buffer(mode.width_px, mode.height_px),
       rows(mode.height_px),
       blocks(mode.width_px),
-      surfaces(level.faces.size() * 4, std::max(kSurfaceArenaBytes, faces.largest_surface_bytes)),
-      corner_shades(faces.most_light_samples),
+      surfaces(level, faces, mode.width_px),
       brush_models(level) {
     walk.face_marks.resize(level.faces.size());
     walk.steps.reserve(level.nodes.size());

@@ -7,14 +7,12 @@
 
 #include "engine/frame/frame_counts.h"
 #include "engine/geometry/screen_polygon.h"
-#include "engine/raster/kernels/kernels.h"
 #include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/scene/effects.h"
+#include "engine/scene/face_surface.h"
 #include "engine/scene/face_table.h"
-#include "engine/scene/lit_faces.h"
 #include "engine/screen/screen_mode.h"
-#include "engine/surface/surface_cache.h"
 #include "engine/visibility/brush_models.h"
 #include "engine/visibility/front_to_back.h"
 #include "engine/visibility/span_buffer.h"
@@ -27,6 +25,7 @@ namespace oblong {
 class FrameWorkspace {
   public:
     FrameWorkspace(const Level& level, const ScreenMode& mode);
+    FrameWorkspace(const FrameWorkspace&) = delete;  // its parts refer to each other
 
     FaceTable faces;
     VertexCache vertices;
@@ -38,10 +37,8 @@ class FrameWorkspace {
     std::vector<Span> owned;      ///< what the face at hand claimed
     std::vector<Span> sky_spans;  ///< what sky faces claimed, drawn last
     BlockList blocks;
-    SurfaceCache surfaces;
-    std::vector<std::int32_t> corner_shades;
+    FaceSurfaces surfaces;
     BrushModels brush_models;
-    BlockKernel kernel = best_block_kernel();
 
     FramePlan plan;                       ///< of the frame drawn last: for showing, never read by a frame
     std::unique_ptr<FrameCounts> counts;  ///< null: nothing is counted

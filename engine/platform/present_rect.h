@@ -9,11 +9,11 @@ namespace oblong {
 
 /// How a picture's pixels become the window's.
 enum class Scaling {
-    SharpBilinear,    ///< nearest to the next whole multiple, then linear down: exact shape, edges a pixel wide
-    Rows,     ///< whole rows, exact shape: only columns are blended
-    Even,     ///< whole columns and rows: nothing is blended, the shape is off by `shape_error_permille`
-    Nearest,  ///< exact shape, nearest neighbour: some rows and columns are a pixel wider
-    Stretch   ///< the whole window, whatever its shape
+    SharpBilinear,  ///< nearest to the next whole multiple, then linear down: exact shape, edges a pixel wide
+    Rows,           ///< whole rows, exact shape: only columns are blended
+    Even,           ///< whole columns and rows: nothing is blended, the shape is off by `shape_error_permille`
+    Nearest,        ///< exact shape, nearest neighbour: some rows and columns are a pixel wider
+    Stretch         ///< the whole window, whatever its shape
 };
 inline constexpr int kScalingCount = 5;
 

@@ -4,7 +4,6 @@
 
 #include "engine/fixed/root.h"
 #include "engine/level/t_junctions.h"
-#include "engine/scene/lit_faces.h"
 
 namespace oblong {
 
@@ -40,13 +39,9 @@ void add_face(const Level& level, const Face& face, const TJunctions& junctions,
     const std::size_t first = table.corners.size();
     append_corners(level, face, junctions, table.corners);
     const std::size_t count = table.corners.size() - first;
-    const FaceKind kind = kind_of(level, face);
     table.faces.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
-                           std::max(length_16(texinfo.s), length_16(texinfo.t)), kind});
+                           std::max(length_16(texinfo.s), length_16(texinfo.t)), kind_of(level, face)});
     table.most_corners = std::max(table.most_corners, count);
-    if (kind != FaceKind::Lit) return;
-    table.most_light_samples = std::max(table.most_light_samples, light_sample_count(face));
-    table.largest_surface_bytes = std::max(table.largest_surface_bytes, surface_bytes(face, 0));
 }
 
 }  // namespace

@@ -29,11 +29,9 @@ struct PreparedFace {
 /// What every frame would otherwise work out again from a level's faces.
 struct FaceTable {
     Table<PreparedFace, Face> faces;
-    std::vector<VertexIndex> corners;       ///< of all faces; those of T-junctions among them
-    Table<EffectSet, Leaf> leaf_effects;    ///< what each leaf's faces call for
-    std::size_t most_corners = 0;           ///< of any face
-    std::size_t most_light_samples = 0;     ///< of any face
-    std::size_t largest_surface_bytes = 0;  ///< of any lit face at mip level 0
+    std::vector<VertexIndex> corners;     ///< of all faces; those of T-junctions among them
+    Table<EffectSet, Leaf> leaf_effects;  ///< what each leaf's faces call for
+    std::size_t most_corners = 0;         ///< of any face
 
     std::span<const VertexIndex> corners_of(FaceIndex face) const {
         return std::span(corners).subspan(faces[face].first_corner, faces[face].corner_count);

@@ -56,6 +56,11 @@ std::int64_t squared_distance(const SubModel& model, const PlacedModel& placed, 
 BrushModels::BrushModels(const Level& level)
     : face_ranks_(level.faces.size(), -1), first_links_(level.leaves.size(), Index<Link>::none()) {}
 
+void BrushModels::start_frame(const Level& level, std::span<const PlacedModel> models, const FaceTable& table) {
+    ++frame_;
+    place(level, models, table);
+}
+
 void BrushModels::place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table) {
     const bool is_same_set = std::equal(models.begin(), models.end(), placed_.begin(), placed_.end());
     if (is_same_set) return;

@@ -22,10 +22,9 @@ class BrushModels {
   public:
     explicit BrushModels(const Level& level);
 
-    /// Takes the models as they stand now, each model of the level once at the most.
-    void place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
-    /// Starts a frame: orders are found anew, and only for models that the frame meets.
-    void start_frame() { ++frame_; }
+    /// Starts a frame with the models as they stand now, each model of the level once at the most. Orders are found
+    /// anew, and only for models that the frame meets.
+    void start_frame(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
 
     bool has_any_in(LeafIndex leaf) const { return !first_links_[leaf].is_none(); }
     /// The parts in a leaf that face the eye, nearer models first, and within a model as its own tree orders them.
@@ -47,6 +46,7 @@ class BrushModels {
         std::int64_t squared_distance = 0;
     };
 
+    void place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
     void link_leaves();
     void order_model(PlacedIndex placed, const Level& level, const Vec3<World>& eye);
     bool is_before(const Fragment& a, const Fragment& b) const;

@@ -29,6 +29,11 @@ void SpanBuffer::claim(std::int32_t y, std::int32_t first, std::int32_t end, std
     claim_from(row, list_of(y), {y, first, end}, owned);
 }
 
+void SpanBuffer::claim(const ScanlineExtents& rows, std::vector<Span>& owned) {
+    for (std::int32_t y = rows.first; y < rows.end; ++y)
+        claim(y, rows.left[static_cast<std::size_t>(y)], rows.right[static_cast<std::size_t>(y)], owned);
+}
+
 void SpanBuffer::claim_from(Row& row, Interval* list, const Span& span, std::vector<Span>& owned) {
     Interval* const list_end = list + row.count;
     Interval* read = list;
@@ -62,13 +67,6 @@ void SpanBuffer::claim_from(Row& row, Interval* list, const Span& span, std::vec
 
 void SpanBuffer::claim_rest(std::vector<Span>& owned) {
     for (std::int32_t y = 0; y < height_px_; ++y) claim(y, 0, width_px_, owned);
-}
-
-void claim_polygon(std::span<const ScreenVertex> polygon, ScanlineExtents& rows, SpanBuffer& span_buffer,
-                   std::vector<Span>& owned) {
-    scan_convex(polygon, rows);
-    for (std::int32_t y = rows.first; y < rows.end; ++y)
-        span_buffer.claim(y, rows.left[static_cast<std::size_t>(y)], rows.right[static_cast<std::size_t>(y)], owned);
 }
 
 }  // namespace oblong

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "engine/raster/scan.h"
@@ -21,6 +20,8 @@ class SpanBuffer {
     void reset();
     /// Appends to `owned` what was free of row y's pixels [first, end), and takes it. Columns may lie off the screen.
     void claim(std::int32_t y, std::int32_t first, std::int32_t end, std::vector<Span>& owned);
+    /// The same of every row of a scanned polygon.
+    void claim(const ScanlineExtents& rows, std::vector<Span>& owned);
     /// Appends all that is free, and takes it.
     void claim_rest(std::vector<Span>& owned);
     /// Whether no pixel is free.
@@ -51,9 +52,5 @@ class SpanBuffer {
     std::vector<Row> rows_;
     std::vector<Interval> intervals_;
 };
-
-/// Claims the pixels of a convex polygon on the screen that are still free, appended to `owned`.
-void claim_polygon(std::span<const ScreenVertex> polygon, ScanlineExtents& rows, SpanBuffer& span_buffer,
-                   std::vector<Span>& owned);
 
 }  // namespace oblong

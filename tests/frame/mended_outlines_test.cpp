@@ -71,7 +71,7 @@ TEST_P(MendedOutlines, HardCaseE9_NoCornerLiesWithinAnEdge) {
     }
 }
 
-/// So that a frame has no hole: walk_all_faces() (visible/front_to_back.h).
+/// So that a frame has no hole: FrontToBackWalk (visibility/front_to_back.h).
 TEST_P(MendedOutlines, TheFacesOfTheWorldAreAClosedSurface) {
     OBLONG_NEEDS_SHARED_LEVELS();
     const Stage stage = real_stage(GetParam());

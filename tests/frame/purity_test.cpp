@@ -80,13 +80,13 @@ TEST(Purity, EveryKernelDrawsTheSameFrame) {
     Stage stage = demo_stage();
     FrameWorkspace work(stage.level, stage.mode);
     for (const Camera& camera : cameras_of(stage.level)) {
-        work.kernel = draw_blocks_plain;
+        work.surfaces.kernel = draw_blocks_plain;
         stage.draw(camera, work);
         const std::vector<std::uint8_t> plain = stage.pixels;
-        work.kernel = draw_blocks_packed;
+        work.surfaces.kernel = draw_blocks_packed;
         stage.draw(camera, work);
         EXPECT_EQ(stage.pixels, plain);
-        work.kernel = best_block_kernel();
+        work.surfaces.kernel = best_block_kernel();
         stage.draw(camera, work);
         EXPECT_EQ(stage.pixels, plain);
     }

@@ -18,8 +18,8 @@ inline constexpr std::array<QuantityInfo, static_cast<std::size_t>(Quantity::Cou
     {"view position", "48.16", "math/basis.h", 63},
     {"axis . (p - eye)", "22.42", "math/basis.h", 63},
     {"plane distance", "22.42", "level/side.cpp", 63},
-    {"texel of the eye", "48.16", "frame/face_gradients.cpp", 63},
-    {"texture axis . eye", "29.35", "frame/face_gradients.cpp", 63},
+    {"texel of the eye", "48.16", "scene/face_gradients.cpp", 63},
+    {"texture axis . eye", "29.35", "scene/face_gradients.cpp", 63},
     {"clip distance", "slope x 48.16", "geometry/frustum.h", 63},
     {"clip distance, whole edge", "slope x 48.16", "geometry/clip.cpp", 63},
     {"cull plane's normal", "19.45", "geometry/frustum.cpp", 63},
@@ -37,7 +37,7 @@ inline constexpr std::array<QuantityInfo, static_cast<std::size_t>(Quantity::Cou
     {"u/z, normalised", "0.60", "raster/texture_blocks.cpp", 63},
     {"u/z x reciprocal", "0.60", "raster/texture_blocks.cpp", 63},
     {"block thresholds", "20.44", "raster/block_rule.cpp", 63},
-    {"mip comparison, before doubling", "48.16", "frame/face_surface.cpp", 62},
+    {"mip comparison, before doubling", "48.16", "scene/face_surface.cpp", 62},
 }};
 
 /// How many bits the size of a value takes, its sign not counted.

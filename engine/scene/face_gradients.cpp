@@ -1,4 +1,4 @@
-#include "engine/frame/face_gradients.h"
+#include "engine/scene/face_gradients.h"
 
 #include <algorithm>
 
@@ -21,12 +21,12 @@ std::int64_t eye_texel_16(const Vec3<TexelAxis>& axis, TexelOffset offset, const
 
 }  // namespace
 
-TextureGradients make_face_gradients(const Face& face, const FaceSurface& surface, const Vec3<World>& offset,
-                                     const FrameContext& frame) {
-    const Level& level = frame.scene.level;
+TextureGradients make_face_gradients(const Level& level, const Face& face, const FaceSurface& surface,
+                                     const Vec3<World>& offset, const ViewContext& view,
+                                     const InverseProjection& inverse_projection) {
     const LevelPlane& plane = level.planes[face.plane];
     const TexInfo& texinfo = level.texinfos[face.texinfo];
-    const Vec3<World> eye = frame.view.eye - offset;
+    const Vec3<World> eye = view.eye - offset;
     const std::int64_t distance_42 = plane_distance_42(plane, eye);
     TexturedPlane textured;
     textured.normal = face.is_back ? -plane.normal : plane.normal;
@@ -39,7 +39,7 @@ TextureGradients make_face_gradients(const Face& face, const FaceSurface& surfac
     textured.eye_u_16 = eye_texel_16(texinfo.s, texinfo.s_offset, eye) - std::int64_t{surface.origin_u} * 65536;
     textured.eye_v_16 = eye_texel_16(texinfo.t, texinfo.t_offset, eye) - std::int64_t{surface.origin_v} * 65536;
     textured.mip = surface.mip;
-    return make_texture_gradients(textured, frame.view.axes, frame.inverse_projection);
+    return make_texture_gradients(textured, view.axes, inverse_projection);
 }
 
 }  // namespace oblong

@@ -1,0 +1,167 @@
+#include "engine/scene/face_surface.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "engine/base/range_probe.h"
+#include "engine/fixed/wide.h"
+
+namespace oblong {
+
+namespace {
+
+/// Texels that lit surfaces may take: a 320x200 frame needs about 1 MiB of them, the largest modes some 8.
+constexpr std::size_t kSurfaceArenaBytes = std::size_t{12} << 20;
+
+/// The mip level for a polygon whose nearest texels are 1, 0.4 and 0.2 pixels wide at the ends of levels 0, 1 and 2:
+/// Quake's thresholds.
+int mip_level(std::int64_t nearest_z_16, std::int64_t density_16, const ProjectionAxis& axis) {
+    const std::int64_t texels_per_pixel_times_multiplier_16 = mul_shift(nearest_z_16, density_16, 16, Rounding::Floor);
+    const std::int64_t multiplier_16 = axis.coarse_16;
+    note_range<Quantity::MipProduct>(texels_per_pixel_times_multiplier_16);
+    return (texels_per_pixel_times_multiplier_16 > multiplier_16) +
+           (texels_per_pixel_times_multiplier_16 * 2 > multiplier_16 * 5) +
+           (texels_per_pixel_times_multiplier_16 > multiplier_16 * 5);
+}
+
+std::int32_t floor_to_multiple(std::int32_t value, std::int32_t size) {
+    const std::int32_t rest = value % size;
+    return value - (rest < 0 ? rest + size : rest);
+}
+
+/// A whole texture as a tile. Its masks wrap it if its sizes are powers of two.
+SurfaceView tile_of(const MipTexture& texture, int mip) {
+    SurfaceView tile;
+    tile.texels = texture.mips[static_cast<std::size_t>(mip)].data();
+    tile.width = texture.width >> mip;
+    tile.height = texture.height >> mip;
+    tile.stride_log2 = static_cast<int>(std::bit_width(static_cast<std::uint32_t>(tile.width))) - 1;
+    tile.u_mask = static_cast<std::uint32_t>(tile.width) - 1;
+    tile.v_mask = static_cast<std::uint32_t>(tile.height) - 1;
+    return tile;
+}
+
+bool is_wrapped_by_masks(const SurfaceView& tile) {
+    return std::has_single_bit(static_cast<std::uint32_t>(tile.width)) &&
+           std::has_single_bit(static_cast<std::uint32_t>(tile.height));
+}
+
+std::int32_t columns_of(const Face& face) {
+    return face.texel_extent_u / 16 + 1;
+}
+std::int32_t rows_of(const Face& face) {
+    return face.texel_extent_v / 16 + 1;
+}
+
+SurfaceView shape_of(const Face& face, int mip) {
+    SurfaceView surface;
+    surface.width = std::max(lit_size(columns_of(face), mip), 1);
+    surface.height = std::max(lit_size(rows_of(face), mip), 1);
+    const std::uint32_t stride = std::bit_ceil(static_cast<std::uint32_t>(surface.width));
+    surface.stride_log2 = std::countr_zero(stride);
+    surface.u_mask = stride - 1;
+    surface.v_mask = std::bit_ceil(static_cast<std::uint32_t>(surface.height)) - 1;
+    return surface;
+}
+
+LightmapView light_of(const Level& level, const Face& face, const LightStyles& styles) {
+    LightmapView light;
+    light.columns = columns_of(face);
+    light.rows = rows_of(face);
+    light.is_fullbright = level.lighting.empty();
+    if (face.light_offset < 0 || light.is_fullbright) return light;
+    light.samples = level.lighting.data() + face.light_offset;
+    for (const std::uint8_t style : face.styles) {
+        if (style == 255) break;
+        light.style_scale_256[static_cast<std::size_t>(light.style_count++)] = styles[style % styles.size()];
+    }
+    return light;
+}
+
+std::uint64_t key_of(const LightmapView& light) {
+    std::uint64_t key = 0;
+    for (const std::uint16_t scale : light.style_scale_256) key = key << 16 | scale;
+    return key;
+}
+
+std::size_t light_sample_count(const Face& face) {
+    return static_cast<std::size_t>(columns_of(face) * rows_of(face));
+}
+
+/// Rows are a power of two apart.
+std::size_t surface_bytes(const Face& face, int mip) {
+    const SurfaceView surface = shape_of(face, mip);
+    return static_cast<std::size_t>(surface.height) << surface.stride_log2;
+}
+
+std::size_t most_light_samples(const Level& level, const FaceTable& table) {
+    std::size_t most = 0;
+    for (const FaceIndex face : level.faces.indices())
+        if (table.faces[face].kind == FaceKind::Lit) most = std::max(most, light_sample_count(level.faces[face]));
+    return most;
+}
+
+/// No smaller than the largest surface.
+std::size_t arena_bytes(const Level& level, const FaceTable& table) {
+    std::size_t bytes = kSurfaceArenaBytes;
+    for (const FaceIndex face : level.faces.indices())
+        if (table.faces[face].kind == FaceKind::Lit) bytes = std::max(bytes, surface_bytes(level.faces[face], 0));
+    return bytes;
+}
+
+}  // namespace
+
+FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, std::int32_t longest_px)
+    : level_(level),
+      faces_(faces),
+      longest_px_(longest_px),
+      cache_(level.faces.size() * 4, arena_bytes(level, faces)),
+      corner_shades_(most_light_samples(level, faces)) {}
+
+FaceSurface FaceSurfaces::get(FaceIndex index, std::int64_t nearest_z_16, const ProjectionAxis& projection_x,
+                              const Colormap& colormap, const LightStyles& styles) {
+    const PreparedFace& prepared = faces_.faces[index];
+    const int mip = mip_level(nearest_z_16, prepared.density_16, projection_x);
+    if (prepared.kind == FaceKind::Lit) return lit(index, mip, colormap, styles);
+    return tiled(level_.faces[index], mip);
+}
+
+FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const Colormap& colormap, const LightStyles& styles) {
+    const Face& face = level_.faces[index];
+    FaceSurface surface;
+    surface.view = shape_of(face, mip);
+    surface.mip = mip;
+    surface.origin_u = face.texel_min_u;
+    surface.origin_v = face.texel_min_v;
+    surface.limits = make_texel_limits(std::max(face.texel_extent_u >> mip, 1), std::max(face.texel_extent_v >> mip, 1),
+                                       longest_px_);
+    surface.kernel = kernel;
+
+    const LightmapView light = light_of(level_, face, styles);
+    const SurfaceCache::Found found =
+        cache_.get(index.position() * 4 + static_cast<std::size_t>(mip), surface_bytes(face, mip), key_of(light));
+    surface.view.texels = found.texels;
+    if (found.is_valid) return surface;
+
+    const MipTexture& texture = level_.texture_of(face);
+    const TextureView source{texture.mips[static_cast<std::size_t>(mip)].data(), texture.width >> mip,
+                             texture.height >> mip, floor_shift(face.texel_min_u, mip),
+                             floor_shift(face.texel_min_v, mip)};
+    build_lit_surface(source, light, colormap, mip, 1 << surface.view.stride_log2, corner_shades_.data(), found.texels);
+    return surface;
+}
+
+FaceSurface FaceSurfaces::tiled(const Face& face, int mip) const {
+    constexpr std::int32_t kMostTexels = 65535;
+    const MipTexture& texture = level_.texture_of(face);
+    FaceSurface surface;
+    surface.view = tile_of(texture, mip);
+    surface.mip = mip;
+    surface.origin_u = floor_to_multiple(face.texel_min_u, texture.width);
+    surface.origin_v = floor_to_multiple(face.texel_min_v, texture.height);
+    surface.limits = make_texel_limits(kMostTexels, kMostTexels, longest_px_);
+    surface.kernel = is_wrapped_by_masks(surface.view) ? kernel : draw_blocks_any_size;
+    return surface;
+}
+
+}  // namespace oblong
