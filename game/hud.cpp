@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "game/font.h"
+#include "tools/common/font.h"
 
 namespace oblong {
 namespace {

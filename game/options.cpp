@@ -1,18 +1,13 @@
 #include "game/options.h"
 
-#include "tools/cli/arguments.h"
-#include "tools/cli/command_line.h"
+#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 
 namespace oblong {
 namespace {
 
 [[noreturn]] void refuse(const char* option, const std::string& value, const std::string& expected) {
     throw UsageError(std::string(option) + ": '" + value + "', expected " + expected);
-}
-
-Preset preset_of(const std::string& name) {
-    if (const auto preset = preset_named(name)) return *preset;
-    refuse("--accuracy", name, "1991, 1994, 1996, bounded or exact");
 }
 
 Scaling scaling_of(const std::string& name) {
@@ -54,7 +49,7 @@ void interpret(const Words& words, Options& options) {
     if (!words.window.empty()) options.window = parse_window_size(words.window);
     options.field_of_view = parse_field_of_view(words.field_of_view);
     check_view(options.mode, options.field_of_view);
-    options.preset = preset_of(words.accuracy);
+    options.preset = parse_preset(words.accuracy);
     options.scaling = scaling_of(words.scaling);
 }
 

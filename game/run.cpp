@@ -12,7 +12,7 @@
 #include "game/session.h"
 #include "game/short_walk.h"
 #include "game/timedemo.h"
-#include "tools/png/indexed_png.h"
+#include "tools/common/png.h"
 
 namespace oblong {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/platform/files.h"
-#include "tools/png/indexed_png.h"
+#include "tools/common/png.h"
 
 namespace oblong {
 namespace {

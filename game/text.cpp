@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "game/font.h"
+#include "tools/common/font.h"
 
 namespace oblong {
 namespace {
@@ -21,8 +21,7 @@ void put(Framebuffer canvas, std::int32_t x, std::int32_t y, std::uint8_t colour
 void draw_glyph(Framebuffer canvas, std::int32_t x, std::int32_t y, const Glyph& glyph, std::uint8_t colour) {
     for (std::int32_t row = 0; row < kGlyphHeight_px; ++row)
         for (std::int32_t column = 0; column < kGlyphWidth_px; ++column)
-            if ((glyph[static_cast<std::size_t>(row)] >> (kGlyphWidth_px - 1 - column)) & 1)
-                put(canvas, x + column, y + row, colour);
+            if (is_drawn(glyph, row, column)) put(canvas, x + column, y + row, colour);
 }
 
 void draw_plain(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, std::uint8_t colour) {

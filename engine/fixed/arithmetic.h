@@ -65,6 +65,13 @@ constexpr To reciprocal(Fixed<Int, Frac> value, Rounding rounding = Rounding::Ne
     return saturated_to<To>(raw);
 }
 
+/// from + (to - from) part / whole, rounded once; saturates. `part` and `whole` are of one format.
+template <class Int, int Frac, class Part>
+constexpr Fixed<Int, Frac> between(Fixed<Int, Frac> from, Fixed<Int, Frac> to, Part part, Part whole) {
+    const std::int64_t way = mul_div(std::int64_t{to.raw} - from.raw, part.raw, whole.raw);
+    return saturated_to<Fixed<Int, Frac>>(saturating_sum(from.raw, way));
+}
+
 /// The place of the highest bit: the floor of the logarithm to base 2. `value` is not 0.
 constexpr int log2_floor(std::uint64_t value) {
     return 63 - std::countl_zero(value);

@@ -67,6 +67,35 @@ constexpr To convert(Fixed<Int, Frac> value, Rounding rounding = Rounding::Neare
         return To::from_raw(static_cast<typename To::Raw>(rounded_shift(wide, Frac - To::kFractionBits, rounding)));
 }
 
+/// |value|, which the format holds for all but its lowest number.
+template <class Int, int Frac>
+constexpr Fixed<Int, Frac> absolute(Fixed<Int, Frac> value) {
+    return value < Fixed<Int, Frac>{} ? -value : value;
+}
+
+/// The largest whole number that is not above `value`.
+template <class Int, int Frac>
+constexpr Int floor_of(Fixed<Int, Frac> value) {
+    return floor_shift(value.raw, Frac);
+}
+
+/// value + step * count, modulo 2^64: sums on the way may pass the ends of the format, as long as the last one does
+/// not.
+template <int Frac>
+constexpr Fixed<std::int64_t, Frac> stepped(Fixed<std::int64_t, Frac> value, Fixed<std::int64_t, Frac> step,
+                                            std::int64_t count) {
+    return Fixed<std::int64_t, Frac>::from_raw(
+        static_cast<std::int64_t>(static_cast<std::uint64_t>(value.raw) +
+                                  static_cast<std::uint64_t>(step.raw) * static_cast<std::uint64_t>(count)));
+}
+
+/// a - b in 64 bits, so that any two numbers of 32 have one.
+template <class Int, int Frac>
+constexpr Fixed<std::int64_t, Frac> widening_difference(Fixed<Int, Frac> a, Fixed<Int, Frac> b) {
+    static_assert(sizeof(Int) <= 4, "the difference must fit 64 bits");
+    return Fixed<std::int64_t, Frac>::from_raw(std::int64_t{a.raw} - b.raw);
+}
+
 /// The exact product, in 64 bits: fraction bits add up. Both factors are of 32 bits or fewer.
 template <class A, int FracA, class B, int FracB>
 constexpr auto widening_product(Fixed<A, FracA> a, Fixed<B, FracB> b) {
@@ -74,9 +103,16 @@ constexpr auto widening_product(Fixed<A, FracA> a, Fixed<B, FracB> b) {
     return Fixed<std::int64_t, FracA + FracB>::from_raw(std::int64_t{a.raw} * b.raw);
 }
 
+/// The same of wider factors, whose product fits 64 bits because of what they stand for (tests/ranges).
+template <class A, int FracA, class B, int FracB>
+constexpr auto bounded_product(Fixed<A, FracA> a, Fixed<B, FracB> b) {
+    return Fixed<std::int64_t, FracA + FracB>::from_raw(std::int64_t{a.raw} * b.raw);
+}
+
 // The engine's formats; the budget that they come from is the table in engine/fixed/README.md.
 using World = Fixed<std::int32_t, 12>;          ///< world coordinates: 20.12, +-524,288 units by 1/4,096
 using Unit = Fixed<std::int32_t, 30>;           ///< components of unit vectors and rotations: 2.30, [-2, 2)
+using Sine60 = Fixed<std::int64_t, 60>;         ///< Unit times Unit; sines before the rounding of their product: 4.60
 using View = Fixed<std::int64_t, 16>;           ///< view positions: 48.16
 using PlaneDistance = Fixed<std::int64_t, 42>;  ///< World times Unit: 22.42
 using TexelAxis = Fixed<std::int32_t, 23>;      ///< components of texture axes, texels per world unit: 9.23

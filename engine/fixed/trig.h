@@ -10,9 +10,6 @@ Unit sine(Angle angle);
 /// Cosine of a binary angle; bit for bit sine(angle + kQuarterTurn).
 Unit cosine(Angle angle);
 
-/// What sines are made of before they are rounded: products of several stay exact enough to be rounded once.
-using Sine60 = Fixed<std::int64_t, 60>;
-
 struct SineCosine60 {
     Sine60 sine, cosine;
 };

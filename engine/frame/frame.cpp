@@ -33,10 +33,8 @@ ViewContext make_view(const Camera& camera, const Vec3<World>& eye, const Screen
 
 EffectSet effects_in_sight(const FrameWorkspace& work) {
     EffectSet effects;
-    for (const LeafIndex leaf : work.visible.leaves()) {
-        effects = effects | work.faces.leaf_effects[leaf];
-        if (work.brush_models.has_any_in(leaf)) effects = effects.with(Effect::BrushModels);
-    }
+    for (const LeafIndex leaf : work.visible.leaves())
+        effects = effects | work.faces.leaf_effects[leaf] | work.brush_models.effects_in(leaf);
     return effects;
 }
 
@@ -70,7 +68,8 @@ bool draw_without_surface(const VisibleFace& visible, const FrameContext& frame,
     const Level& level = frame.scene.level;
     const FaceKind kind = work.faces.faces[visible.face].kind;
     const EffectSet effects = effects_of(kind);
-    if (work.counts) count_face(effects, work.owned, *work.counts);
+    if (work.counts)
+        count_face(visible.fragment ? effects.with(Effect::BrushModels) : effects, work.owned, *work.counts);
     const bool is_on_plan = (effects & work.plan.effects) == effects;
     if (is_on_plan && kind != FaceKind::Sky) return false;
     if (work.counts) count_writes(work.owned, frame.out.pitch, *work.counts);

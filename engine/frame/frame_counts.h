@@ -15,7 +15,7 @@ namespace oblong {
 struct FrameCounts {
     std::int64_t faces_visited = 0, faces_drawn = 0, spans = 0, divisions = 0;
     std::vector<std::uint8_t> writes;         ///< of each pixel, by faces, those of the sky too; at most 255
-    std::vector<std::int64_t> effect_pixels;  ///< of each Effect but BrushModels
+    std::vector<std::int64_t> effect_pixels;  ///< of each Effect: those of the faces that call for it
 };
 
 /// Counts of a frame in `out` that has drawn nothing yet.

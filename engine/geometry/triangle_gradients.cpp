@@ -1,7 +1,7 @@
 #include "engine/geometry/triangle_gradients.h"
 
-#include "engine/math/products.h"
 #include "engine/math/soft_float.h"
+#include "engine/math/vec.h"
 #include "engine/math/wide_sum.h"
 
 namespace oblong {

@@ -14,6 +14,8 @@ namespace {
 constexpr std::int32_t kBoxLimit = 1 << 20;
 constexpr int kLargestExponent = 14;  ///< with a mantissa of 24 bits below 2^38: room for six decimals
 constexpr int kDoubleBits = 53;       ///< of a mantissa
+constexpr int kFloatBits = 24;        ///< likewise
+constexpr int kLeastExponent = -149;  ///< floats are multiples of 2^-149
 constexpr int kSumBits = 61;          ///< of the greater term of a sum: room for a carry, 8 bits more than are kept
 constexpr int kCellShift = 4;         ///< a lightmap's cell is 16 texels
 
@@ -83,14 +85,22 @@ Number product(FloatBits a, FloatBits b) {
     return {x.mantissa * y.mantissa, x.exponent + y.exponent};
 }
 
-/// As a double holds it: to the nearest, a tie to the even one.
-Number rounded_to_double(Number value) {
-    const int excess = bit_width(value.mantissa) - kDoubleBits;
+/// Without its last `excess` bits: to the nearest, a tie to the even one.
+Number without_bits(Number value, int excess) {
     if (excess <= 0) return value;
+    if (excess > 62) return {};
     const std::int64_t floor = floor_shift(value.mantissa, excess);
     const std::int64_t rest = value.mantissa - shift_left(floor, excess), half = std::int64_t{1} << (excess - 1);
     const bool goes_up = rest > half || (rest == half && floor % 2 != 0);
     return {floor + (goes_up ? 1 : 0), value.exponent + excess};
+}
+
+Number rounded_to_double(Number value) {
+    return without_bits(value, bit_width(value.mantissa) - kDoubleBits);
+}
+
+Number rounded_to_float(Number value) {
+    return without_bits(value, std::max(bit_width(value.mantissa) - kFloatBits, kLeastExponent - value.exponent));
 }
 
 /// value / 2^bits rounded down, but to an odd number where something is lost: it is still on the same side of every
@@ -117,7 +127,7 @@ Number sum(Number a, Number b) {
 /// In cells of 16 texels.
 Number cell_coordinate(const FloatBits3& p, const std::array<FloatBits, 4>& axis) {
     Number texel = sum(product(p[0], axis[0]), product(p[1], axis[1]));
-    texel = sum(sum(texel, product(p[2], axis[2])), to_number(axis[3]));
+    texel = rounded_to_float(sum(sum(texel, product(p[2], axis[2])), to_number(axis[3])));
     return {texel.mantissa, texel.exponent - kCellShift};
 }
 

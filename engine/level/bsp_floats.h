@@ -38,7 +38,10 @@ struct TexelRange {
 };
 
 /// The range of axis . p + offset over a polygon, rounded outward to multiples of 16, the size of a lightmap's cell.
-/// Rounded term by term as a double is, as the light compilers do, whose lightmaps have extent / 16 + 1 samples a side.
+/// The sum is rounded term by term as a double is and then to a float, as by light compilers and engines, which keep
+/// each corner's coordinate in one (QuakeSpasm, gl_model.c, CalcSurfaceExtents; id's light, ltface.c, CalcFaceExtents,
+/// with 80 bits before): lightmaps have extent / 16 + 1 samples a side, so that all must round alike. Axes of real
+/// levels have parts like 6e-17 that reach beyond a border of 16 texels as doubles, and not as floats.
 /// The caller has checked that all floats are finite and that the result is far within 32 bits.
 TexelRange texel_range(std::span<const FloatBits3> polygon, const std::array<FloatBits, 4>& axis);
 

@@ -58,4 +58,9 @@ Level read_bsp(std::span<const std::uint8_t> bytes) {
     return level;
 }
 
+std::vector<MipTexture> read_bsp_textures(std::span<const std::uint8_t> bytes) {
+    const Table<MipTexture> textures = read_textures(open_bsp(bytes));
+    return {textures.begin(), textures.end()};
+}
+
 }  // namespace oblong

@@ -15,4 +15,7 @@ namespace oblong {
 /// visibility offsets where it has no visibility (as if there were none).
 Level read_bsp(std::span<const std::uint8_t> bytes);
 
+/// Its textures alone: the rest of the file may be damaged.
+std::vector<MipTexture> read_bsp_textures(std::span<const std::uint8_t> bytes);
+
 }  // namespace oblong

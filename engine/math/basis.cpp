@@ -14,10 +14,6 @@ Vec3<Unit> rounded(Sine60 x, Sine60 y, Sine60 z) {
     return {convert<Unit>(x), convert<Unit>(y), convert<Unit>(z)};
 }
 
-Vec3<Unit> rounded(const Vec3<Sine60>& v) {
-    return rounded(v.x, v.y, v.z);
-}
-
 }  // namespace
 
 Basis view_basis(Angle yaw, Angle pitch, Angle roll) {
@@ -43,7 +39,7 @@ FineBasis y_up_fine_basis(Angle yaw, Angle pitch, Angle roll) {
 
 Basis y_up_basis(Angle yaw, Angle pitch, Angle roll) {
     const FineBasis fine = y_up_fine_basis(yaw, pitch, roll);
-    return {.right = rounded(fine.right), .up = rounded(fine.up), .forward = rounded(fine.forward)};
+    return {.right = convert<Unit>(fine.right), .up = convert<Unit>(fine.up), .forward = convert<Unit>(fine.forward)};
 }
 
 }  // namespace oblong

@@ -31,21 +31,19 @@ FineBasis y_up_fine_basis(Angle yaw, Angle pitch, Angle roll);
 
 /// A coordinate along an axis, rounded once. The difference has 33 bits, and by Cauchy's inequality the sum stays
 /// below sqrt(3) 2^62 + 2^25: no world position overflows.
-constexpr View view_coordinate(const Vec3<Unit>& axis, std::int64_t dx, std::int64_t dy, std::int64_t dz) {
-    const std::int64_t along_42 = dx * axis.x.raw + dy * axis.y.raw + dz * axis.z.raw;
-    note_range<Quantity::RotatedDot>(along_42);
-    const auto coordinate = convert<View>(PlaneDistance::from_raw(along_42));
+constexpr View view_coordinate(const Vec3<Fixed<std::int64_t, 12>>& from_eye, const Vec3<Unit>& axis) {
+    const PlaneDistance along = dot(from_eye, axis);
+    note_range<Quantity::RotatedDot>(along.raw);
+    const auto coordinate = convert<View>(along);
     note_range<Quantity::ViewPosition>(coordinate.raw);
     return coordinate;
 }
 
 /// A world point as seen from `world_eye`: x right, y up, z forward.
 constexpr Vec3<View> to_view(const Vec3<World>& world_point, const Vec3<World>& world_eye, const Basis& basis) {
-    const std::int64_t dx = std::int64_t{world_point.x.raw} - world_eye.x.raw;
-    const std::int64_t dy = std::int64_t{world_point.y.raw} - world_eye.y.raw;
-    const std::int64_t dz = std::int64_t{world_point.z.raw} - world_eye.z.raw;
-    return {view_coordinate(basis.right, dx, dy, dz), view_coordinate(basis.up, dx, dy, dz),
-            view_coordinate(basis.forward, dx, dy, dz)};
+    const auto from_eye = widening_difference(world_point, world_eye);
+    return {view_coordinate(from_eye, basis.right), view_coordinate(from_eye, basis.up),
+            view_coordinate(from_eye, basis.forward)};
 }
 
 }  // namespace oblong

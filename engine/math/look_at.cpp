@@ -1,16 +1,13 @@
 #include "engine/math/look_at.h"
 
-#include "engine/math/normalise.h"
-#include "engine/math/products.h"
+#include "engine/math/vec.h"
 
 namespace oblong {
 
 namespace {
 
 Vec3<Unit> direction_between(const Vec3<World>& from, const Vec3<World>& to) {
-    const auto unit = normalised_raw(std::array{
-        std::int64_t{to.x.raw} - from.x.raw, std::int64_t{to.y.raw} - from.y.raw, std::int64_t{to.z.raw} - from.z.raw});
-    return {unit[0], unit[1], unit[2]};
+    return normalised(widening_difference(to, from));
 }
 
 }  // namespace

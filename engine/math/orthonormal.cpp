@@ -5,8 +5,7 @@
 #include <cstdlib>
 
 #include "engine/fixed/wide.h"
-#include "engine/math/normalise.h"
-#include "engine/math/products.h"
+#include "engine/math/vec.h"
 
 namespace oblong {
 

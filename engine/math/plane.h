@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "engine/fixed/fixed.h"
-#include "engine/math/products.h"
 #include "engine/math/vec.h"
 
 namespace oblong {

@@ -4,8 +4,7 @@
 #include "engine/fixed/radians.h"
 #include "engine/fixed/root.h"
 #include "engine/fixed/trig.h"
-#include "engine/math/normalise.h"
-#include "engine/math/products.h"
+#include "engine/math/vec.h"
 
 namespace oblong {
 

@@ -2,7 +2,7 @@
 
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/trig.h"
-#include "engine/math/products.h"
+#include "engine/math/vec.h"
 
 namespace oblong {
 
@@ -24,16 +24,13 @@ Vec60 scaled(const Vec60& v, Sine60 factor) {
     return {scaled(v.x, factor), scaled(v.y, factor), scaled(v.z, factor)};
 }
 
-Vec3<Unit> rounded(const Vec60& v) {
-    return {saturating_convert<Unit>(v.x), saturating_convert<Unit>(v.y), saturating_convert<Unit>(v.z)};
-}
-
 }  // namespace
 
 Vec3<Unit> rotate_about_axis(const Vec3<Unit>& direction, const Vec3<Unit>& axis, Angle angle) {
     const auto [sine60, cosine60] = sine_cosine(angle);
     const Sine60 along_axis = scaled(dot(axis, direction), Sine60::from_int(1) - cosine60);
-    return rounded(scaled(direction, cosine60) + scaled(cross(axis, direction), sine60) + scaled(axis, along_axis));
+    return saturating_convert<Unit>(scaled(direction, cosine60) + scaled(cross(axis, direction), sine60) +
+                                    scaled(axis, along_axis));
 }
 
 Basis rotate_about_axis(const Basis& basis, const Vec3<Unit>& axis, Angle angle) {
@@ -43,7 +40,8 @@ Basis rotate_about_axis(const Basis& basis, const Vec3<Unit>& axis, Angle angle)
 }
 
 Vec3<Unit> project_onto_axes(const Vec3<Unit>& direction, const Basis& axes) {
-    return rounded({dot(direction, axes.right), dot(direction, axes.up), dot(direction, axes.forward)});
+    return saturating_convert<Unit>(
+        Vec60{dot(direction, axes.right), dot(direction, axes.up), dot(direction, axes.forward)});
 }
 
 Vec3<Unit> sum_along_axes(const Vec3<Unit>& coordinates, const Basis& axes) {
@@ -51,8 +49,8 @@ Vec3<Unit> sum_along_axes(const Vec3<Unit>& coordinates, const Basis& axes) {
         return Vec60{widening_product(axis.x, coordinate), widening_product(axis.y, coordinate),
                      widening_product(axis.z, coordinate)};
     };
-    return rounded(along(axes.right, coordinates.x) + along(axes.up, coordinates.y) +
-                   along(axes.forward, coordinates.z));
+    return saturating_convert<Unit>(along(axes.right, coordinates.x) + along(axes.up, coordinates.y) +
+                                    along(axes.forward, coordinates.z));
 }
 
 }  // namespace oblong

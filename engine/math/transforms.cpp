@@ -1,6 +1,6 @@
 #include "engine/math/transforms.h"
 
-#include "engine/math/products.h"
+#include "engine/math/vec.h"
 
 namespace oblong {
 

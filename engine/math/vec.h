@@ -1,5 +1,11 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+
+#include "engine/fixed/arithmetic.h"
+#include "engine/fixed/fixed.h"
+
 namespace oblong {
 
 /// Three numbers of one format: a point or a direction. Which space it is in stands in the variable's name.
@@ -12,5 +18,75 @@ struct Vec3 {
     constexpr Vec3 operator-(const Vec3& other) const { return {x - other.x, y - other.y, z - other.z}; }
     constexpr bool operator==(const Vec3&) const = default;
 };
+
+/// Each component in another format, rounded by name; it must fit.
+template <class To, class Int, int Frac>
+constexpr Vec3<To> convert(const Vec3<Fixed<Int, Frac>>& v, Rounding rounding = Rounding::NearestHalfUp) {
+    return {convert<To>(v.x, rounding), convert<To>(v.y, rounding), convert<To>(v.z, rounding)};
+}
+
+/// The same; saturates.
+template <class To, class Int, int Frac>
+constexpr Vec3<To> saturating_convert(const Vec3<Fixed<Int, Frac>>& v) {
+    return {saturating_convert<To>(v.x), saturating_convert<To>(v.y), saturating_convert<To>(v.z)};
+}
+
+/// a - b in 64 bits.
+template <class Int, int Frac>
+constexpr auto widening_difference(const Vec3<Fixed<Int, Frac>>& a, const Vec3<Fixed<Int, Frac>>& b) {
+    return Vec3<Fixed<std::int64_t, Frac>>{widening_difference(a.x, b.x), widening_difference(a.y, b.y),
+                                           widening_difference(a.z, b.z)};
+}
+
+/// from + (to - from) part / whole, each coordinate rounded once; saturates.
+template <class Int, int Frac, class Part>
+constexpr auto between(const Vec3<Fixed<Int, Frac>>& from, const Vec3<Fixed<Int, Frac>>& to, Part part, Part whole) {
+    return Vec3<Fixed<Int, Frac>>{between(from.x, to.x, part, whole), between(from.y, to.y, part, whole),
+                                  between(from.z, to.z, part, whole)};
+}
+
+/// The exact dot product, in 64 bits (Muratori: |a| |b| cos of the angle between them, as long as the axes are at right
+/// angles and of equal length). Units with units give 4.60, world positions with units PlaneDistance. The true value
+/// must fit: by Cauchy's inequality it does for any world position and a unit vector, and for world positions within
+/// +-2^17 units of each other; then so do the sums on the way to it.
+template <class A, int FracA, class B, int FracB>
+constexpr auto dot(const Vec3<Fixed<A, FracA>>& a, const Vec3<Fixed<B, FracB>>& b) {
+    return bounded_product(a.x, b.x) + bounded_product(a.y, b.y) + bounded_product(a.z, b.z);
+}
+
+/// The exact cross product: at right angles to both; its length is |a| |b| sin of the angle from a to b. The formula
+/// gives x cross y = z in right-handed and in left-handed axes alike. The same bounds as dot().
+template <class A, int FracA, class B, int FracB>
+constexpr auto cross(const Vec3<Fixed<A, FracA>>& a, const Vec3<Fixed<B, FracB>>& b) {
+    using Product = Fixed<std::int64_t, FracA + FracB>;
+    return Vec3<Product>{widening_product(a.y, b.z) - widening_product(a.z, b.y),
+                         widening_product(a.z, b.x) - widening_product(a.x, b.z),
+                         widening_product(a.x, b.y) - widening_product(a.y, b.x)};
+}
+
+/// The length of a vector of any format, floored, in steps of that format.
+std::uint64_t length_of_raw(const std::array<std::int64_t, 3>& vector);
+
+/// A vector of this direction and length 1, each component within 0.51 steps of 2^-30. Only the direction counts, so
+/// that raw numbers of any common format do. The zero vector has no direction and stays zero.
+std::array<Unit, 3> normalised_raw(const std::array<std::int64_t, 3>& vector);
+std::array<Unit, 4> normalised_raw(const std::array<std::int64_t, 4>& vector);
+
+template <class Int, int Frac>
+Vec3<Unit> normalised(const Vec3<Fixed<Int, Frac>>& vector) {
+    const auto unit = normalised_raw(std::array<std::int64_t, 3>{vector.x.raw, vector.y.raw, vector.z.raw});
+    return {unit[0], unit[1], unit[2]};
+}
+
+/// The length in the vector's own format, floored.
+template <class Int, int Frac>
+Fixed<std::int64_t, Frac> length(const Vec3<Fixed<Int, Frac>>& vector) {
+    static_assert(sizeof(Int) <= 4, "a length of 64-bit numbers may need 65 bits");
+    const std::uint64_t raw = length_of_raw({vector.x.raw, vector.y.raw, vector.z.raw});
+    return Fixed<std::int64_t, Frac>::from_raw(static_cast<std::int64_t>(raw));
+}
+
+/// Some vector of length 1 at right angles to `direction`; +x for the zero vector.
+Vec3<Unit> perpendicular_to(const Vec3<Unit>& direction);
 
 }  // namespace oblong

@@ -11,7 +11,7 @@ namespace {
 
 /// A model may come to the eye, or the eye to it, as no plane of the world does (place_eye). A face that the eye is
 /// nearer to than this, half a step of World, it may as well be in: so it is edge-on, and shows nothing.
-constexpr std::int64_t kEdgeOn_42 = std::int64_t{1} << 29;
+constexpr auto kEdgeOn = PlaneDistance::from_raw(std::int64_t{1} << 29);
 
 /// Gives the model's faces that face the eye their places, nearest first by the model's own tree; the others -1.
 void rank_faces(const Level& level, const SubModel& model, const Vec3<World>& local_eye, std::vector<ModelStep>& steps,
@@ -27,10 +27,10 @@ void rank_faces(const Level& level, const SubModel& model, const Vec3<World>& lo
         const ModelStep step = steps.back();
         steps.pop_back();
         const Node& node = level.nodes[step.node];
-        const std::int64_t distance = plane_distance_42(level.planes[node.plane], local_eye);
-        const bool in_front = distance > 0;
+        const PlaneDistance distance = plane_distance(level.planes[node.plane], local_eye);
+        const bool in_front = distance > PlaneDistance{};
         if (step.is_entered) {
-            if (distance < kEdgeOn_42 && distance > -kEdgeOn_42) continue;
+            if (absolute(distance) < kEdgeOn) continue;
             for (const FaceIndex face : node.faces)
                 if (level.faces[face].is_back != in_front) ranks[face] = rank++;
             continue;
@@ -43,7 +43,7 @@ void rank_faces(const Level& level, const SubModel& model, const Vec3<World>& lo
 
 std::int64_t squared_distance(const SubModel& model, const PlacedModel& placed, const Vec3<World>& eye) {
     const auto part = [](std::int32_t low, std::int32_t high, World offset, World at) {
-        const std::int64_t middle = (std::int64_t{low} + high) / 2 + floor_shift(std::int64_t{offset.raw} - at.raw, 12);
+        const std::int64_t middle = (std::int64_t{low} + high) / 2 + floor_of(widening_difference(offset, at));
         return middle * middle;
     };
     return part(model.box.mins[0], model.box.maxs[0], placed.offset.x, eye.x) +
@@ -53,8 +53,7 @@ std::int64_t squared_distance(const SubModel& model, const PlacedModel& placed, 
 
 }  // namespace
 
-BrushModels::BrushModels(const Level& level)
-    : face_ranks_(level.faces.size(), -1), first_links_(level.leaves.size(), Index<Link>::none()) {}
+BrushModels::BrushModels(const Level& level) : face_ranks_(level.faces.size(), -1), leaves_(level.leaves.size()) {}
 
 void BrushModels::start_frame(const Level& level, std::span<const PlacedModel> models, const FaceTable& table) {
     ++frame_;
@@ -72,17 +71,41 @@ void BrushModels::place(const Level& level, std::span<const PlacedModel> models,
         if (placed_[index] != model) cuts_[index] = cut_model(level, model, index, table);
         placed_[index] = model;
     }
-    link_leaves();
+    link_leaves(table);
 }
 
-void BrushModels::link_leaves() {
-    std::fill(first_links_.begin(), first_links_.end(), Index<Link>::none());
+void BrushModels::link_leaves(const FaceTable& table) {
+    std::fill(leaves_.begin(), leaves_.end(), LeafModels{});
     links_.clear();
+    trees_.clear();
     for (const ModelCut& cut : cuts_)
-        for (const Fragment& fragment : cut.fragments) {
-            Index<Link>& first = first_links_[fragment.leaf];
-            links_.push_back({&fragment, std::exchange(first, Index<Link>(links_.count()))});
+        for (const Fragment& fragment : cut.fragments)
+            add_to_leaf(fragment, effects_of(table.faces[fragment.face].kind));
+}
+
+void BrushModels::add_to_leaf(const Fragment& fragment, EffectSet effects) {
+    LeafModels& leaf = leaves_[fragment.leaf];
+    leaf.effects = leaf.effects | effects.with(Effect::BrushModels);
+    if (!leaf.first_link.is_none()) leaf.has_several |= links_[leaf.first_link].fragment->placed != fragment.placed;
+    links_.push_back({&fragment, std::exchange(leaf.first_link, Index<Link>(links_.count()))});
+}
+
+const FragmentTree& BrushModels::tree_of(LeafModels& leaf, const Level& level) {
+    if (leaf.tree.is_none()) {
+        leaf.tree = Index<FragmentTree>(trees_.count());
+        Table<Fragment> fragments;
+        std::vector<Vec3<World>> corners;
+        for (Index<Link> link = leaf.first_link; !link.is_none(); link = links_[link].next) {
+            const Fragment& source = *links_[link].fragment;
+            const auto polygon = corners_of(source);
+            fragments.push_back(source);
+            fragments.back().first_corner = static_cast<std::uint32_t>(corners.size());
+            fragments.back().tree = leaf.tree;
+            corners.insert(corners.end(), polygon.begin(), polygon.end());
         }
+        trees_.push_back(build_fragment_tree(level, placed_, std::move(fragments), std::move(corners)));
+    }
+    return trees_[leaf.tree];
 }
 
 void BrushModels::order_model(PlacedIndex placed, const Level& level, const Vec3<World>& eye) {
@@ -103,15 +126,42 @@ bool BrushModels::is_before(const Fragment& a, const Fragment& b) const {
     return face_ranks_[a.face] < face_ranks_[b.face];
 }
 
+void BrushModels::find_facing(const Fragment& fragment, const Level& level, const Vec3<World>& eye) {
+    order_model(fragment.placed, level, eye);
+    if (face_ranks_[fragment.face] >= 0) found_.push_back(&fragment);
+}
+
+void BrushModels::sort_found(std::size_t first) {
+    std::sort(found_.begin() + static_cast<std::ptrdiff_t>(first), found_.end(),
+              [this](const Fragment* a, const Fragment* b) { return is_before(*a, *b); });
+}
+
+void BrushModels::walk_tree(const FragmentTree& tree, Index<FragmentTree::Node> index, const Level& level,
+                            const Vec3<World>& eye) {
+    if (index.is_none()) return;
+    const FragmentTree::Node& node = tree.nodes[index];
+    const Fragment& on_plane = tree.fragments[node.on_plane.front()];
+    const LevelPlane& plane = level.planes[level.faces[on_plane.face].plane];
+    const bool in_front = plane_distance(plane, eye - offset_of(on_plane)) > PlaneDistance{};
+    walk_tree(tree, in_front ? node.front : node.back, level, eye);
+    const std::size_t first = found_.size();
+    for (const Index<Fragment> fragment : node.on_plane) find_facing(tree.fragments[fragment], level, eye);
+    sort_found(first);
+    walk_tree(tree, in_front ? node.back : node.front, level, eye);
+}
+
 std::span<const Fragment* const> BrushModels::front_to_back_in(LeafIndex leaf, const Level& level,
                                                                const Vec3<World>& eye) {
     found_.clear();
-    for (Index<Link> link = first_links_[leaf]; !link.is_none(); link = links_[link].next) {
-        const Fragment* fragment = links_[link].fragment;
-        order_model(fragment->placed, level, eye);
-        if (face_ranks_[fragment->face] >= 0) found_.push_back(fragment);
+    LeafModels& in_leaf = leaves_[leaf];
+    if (in_leaf.has_several) {
+        const FragmentTree& tree = tree_of(in_leaf, level);
+        walk_tree(tree, tree.root, level, eye);
+        if (!tree.root.is_none()) return found_;
     }
-    std::sort(found_.begin(), found_.end(), [&](const Fragment* a, const Fragment* b) { return is_before(*a, *b); });
+    for (Index<Link> link = in_leaf.first_link; !link.is_none(); link = links_[link].next)
+        find_facing(*links_[link].fragment, level, eye);
+    sort_found(0);
     return found_;
 }
 

@@ -6,7 +6,7 @@
 
 #include "engine/level/level.h"
 #include "engine/scene/face_table.h"
-#include "engine/visibility/model_cutter.h"
+#include "engine/visibility/fragment_tree.h"
 
 namespace oblong {
 
@@ -17,7 +17,8 @@ struct ModelStep {
 };
 
 /// The brush models of a scene (doors, lifts), cut up by the world's tree so that each part is drawn in front of what
-/// lies behind its leaf and behind what lies before it. A model is cut anew only where it has moved.
+/// lies behind its leaf and behind what lies before it, and where several models stand in one leaf by each other's
+/// planes too. A model is cut anew only where it has moved.
 class BrushModels {
   public:
     explicit BrushModels(const Level& level);
@@ -26,12 +27,14 @@ class BrushModels {
     /// anew, and only for models that the frame meets.
     void start_frame(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
 
-    bool has_any_in(LeafIndex leaf) const { return !first_links_[leaf].is_none(); }
-    /// The parts in a leaf that face the eye, nearer models first, and within a model as its own tree orders them.
-    /// Valid until the next call.
+    bool has_any_in(LeafIndex leaf) const { return !leaves_[leaf].first_link.is_none(); }
+    /// What the parts in a leaf call for.
+    EffectSet effects_in(LeafIndex leaf) const { return leaves_[leaf].effects; }
+    /// The parts in a leaf that face the eye, nearest first. Valid until the next call.
     std::span<const Fragment* const> front_to_back_in(LeafIndex leaf, const Level& level, const Vec3<World>& eye);
     std::span<const Vec3<World>> corners_of(const Fragment& fragment) const {
-        return std::span(cuts_[fragment.placed].corners).subspan(fragment.first_corner, fragment.corner_count);
+        const auto& corners = fragment.tree.is_none() ? cuts_[fragment.placed].corners : trees_[fragment.tree].corners;
+        return std::span(corners).subspan(fragment.first_corner, fragment.corner_count);
     }
     const Vec3<World>& offset_of(const Fragment& fragment) const { return placed_[fragment.placed].offset; }
 
@@ -40,6 +43,13 @@ class BrushModels {
         const Fragment* fragment;
         Index<Link> next;  ///< of the same leaf
     };
+    /// What a leaf holds of models.
+    struct LeafModels {
+        Index<Link> first_link = Index<Link>::none();
+        bool has_several = false;                                ///< parts of more than one model
+        Index<FragmentTree> tree = Index<FragmentTree>::none();  ///< of those, made when a frame first meets the leaf
+        EffectSet effects;
+    };
     /// The order of what one frame meets of a model.
     struct Order {
         std::uint32_t frame = 0;
@@ -47,15 +57,24 @@ class BrushModels {
     };
 
     void place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
-    void link_leaves();
+    void link_leaves(const FaceTable& table);
+    void add_to_leaf(const Fragment& fragment, EffectSet effects);
+    const FragmentTree& tree_of(LeafModels& leaf, const Level& level);
     void order_model(PlacedIndex placed, const Level& level, const Vec3<World>& eye);
+    void find_facing(const Fragment& fragment, const Level& level, const Vec3<World>& eye);
+    void sort_found(std::size_t first);
+    void walk_tree(const FragmentTree& tree, Index<FragmentTree::Node> node, const Level& level,
+                   const Vec3<World>& eye);
+    /// Which of two parts without a plane between them comes first: that of the nearer model, and within a model as its
+    /// own tree orders them.
     bool is_before(const Fragment& a, const Fragment& b) const;
 
     Table<PlacedModel> placed_;
     Table<ModelCut, PlacedModel> cuts_;
     Table<Order, PlacedModel> orders_;
     Table<std::int32_t, Face> face_ranks_;  ///< the face's place in its model's order; -1: faces away
-    Table<Index<Link>, Leaf> first_links_;
+    Table<LeafModels, Leaf> leaves_;
+    Table<FragmentTree> trees_;
     Table<Link> links_;
     std::vector<const Fragment*> found_;  ///< what front_to_back_in() returns
     std::vector<ModelStep> steps_;        ///< scratch of the walk down a model's tree

@@ -1,7 +1,6 @@
 #include "engine/visibility/eye.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 
 #include "engine/level/side.h"
@@ -10,26 +9,25 @@ namespace oblong {
 
 namespace {
 
-constexpr std::int64_t kClearance_42 = std::int64_t{2} << 30;
+constexpr auto kClearance = PlaneDistance::from_raw(std::int64_t{2} << 30);
 constexpr std::int32_t kMostRounds = 16;
 /// At a corner three planes meet, and an edge of a fourth: each may have its open side before or behind.
 constexpr unsigned kMostFlips = 4;
 
-/// The component of the normal that is largest: moving along it changes the distance most.
+/// The eye moved off a plane along the coordinate in which the normal is largest, where that changes the distance most.
 Vec3<World> moved_off(Vec3<World> eye, const LevelPlane& plane, int side, std::int32_t scale) {
-    const std::array<std::int64_t, 3> normal{plane.normal.x.raw, plane.normal.y.raw, plane.normal.z.raw};
-    std::array<std::int32_t*, 3> coordinate{&eye.x.raw, &eye.y.raw, &eye.z.raw};
-    std::size_t largest = 0;
-    for (std::size_t axis = 1; axis < 3; ++axis)
-        if (normal[axis] * normal[axis] > normal[largest] * normal[largest]) largest = axis;
+    const Unit x = absolute(plane.normal.x), y = absolute(plane.normal.y), z = absolute(plane.normal.z);
+    const bool is_x = x >= y && x >= z, is_y = !is_x && y >= z;
+    const Unit component = is_x ? plane.normal.x : is_y ? plane.normal.y : plane.normal.z;
     // 2 steps of distance are at most 2 sqrt(3) steps along the largest component.
-    const std::int32_t steps = (plane.axis < 3 ? 2 : 4) * scale;
-    *coordinate[largest] += (normal[largest] > 0) == (side > 0) ? steps : -steps;
+    const auto step = World::from_raw((plane.axis < 3 ? 2 : 4) * scale);
+    (is_x ? eye.x : is_y ? eye.y : eye.z) += (component > Unit{}) == (side > 0) ? step : -step;
     return eye;
 }
 
 bool is_too_near(const LevelPlane& plane, Vec3<World> eye, int side) {
-    return plane_distance_42(plane, eye) * side < kClearance_42;
+    const PlaneDistance distance = plane_distance(plane, eye);
+    return (side > 0 ? distance : -distance) < kClearance;
 }
 
 bool is_solid(const Level& level, LeafIndex leaf) {

@@ -1,6 +1,5 @@
 #include "engine/visibility/model_cutter.h"
 
-#include "engine/fixed/wide.h"
 #include "engine/level/side.h"
 
 namespace oblong {
@@ -8,25 +7,21 @@ namespace oblong {
 namespace {
 
 /// Corners nearer to a plane than this are on it, so that no piece is thinner: 1/1,024 unit.
-constexpr std::int64_t kOnPlane_42 = std::int64_t{1} << 32;
-
-World interpolate(World from, World to, std::int64_t part, std::int64_t whole) {
-    const std::int64_t step = mul_div(std::int64_t{to.raw} - from.raw, part, whole);
-    return World::from_raw(static_cast<std::int32_t>(from.raw + step));
-}
+constexpr auto kOnPlane = PlaneDistance::from_raw(std::int64_t{1} << 32);
+constexpr PlaneDistance kNone{};
 
 /// Where an edge crosses a plane, always computed from its front end: both pieces and both faces of the edge agree.
-Vec3<World> cross_plane(const Vec3<World>& a, std::int64_t distance_a, const Vec3<World>& b, std::int64_t distance_b) {
+Vec3<World> cross_plane(const Vec3<World>& a, PlaneDistance distance_a, const Vec3<World>& b,
+                        PlaneDistance distance_b) {
     const bool a_in_front = distance_a > distance_b;
     const Vec3<World>&front = a_in_front ? a : b, &back = a_in_front ? b : a;
-    const std::int64_t part = a_in_front ? distance_a : distance_b;
-    const std::int64_t whole = a_in_front ? distance_a - distance_b : distance_b - distance_a;
-    return {interpolate(front.x, back.x, part, whole), interpolate(front.y, back.y, part, whole),
-            interpolate(front.z, back.z, part, whole)};
+    const PlaneDistance part = a_in_front ? distance_a : distance_b;
+    const PlaneDistance whole = a_in_front ? distance_a - distance_b : distance_b - distance_a;
+    return between(front, back, part, whole);
 }
 
 bool point_same_way(const Vec3<Unit>& a, const Vec3<Unit>& b) {
-    return std::int64_t{a.x.raw} * b.x.raw + std::int64_t{a.y.raw} * b.y.raw + std::int64_t{a.z.raw} * b.z.raw > 0;
+    return dot(a, b) > Sine60{};
 }
 
 /// Cuts one face at a time; pieces wait on a stack, each with the node that it has come down to.
@@ -58,17 +53,11 @@ class FaceCutter {
     void send_down(FaceIndex face, const Piece& piece) {
         const Node& node = level_.nodes[piece.at.node()];
         const LevelPlane& plane = level_.planes[node.plane];
-        distances_.clear();
-        bool any_front = false, any_back = false;
-        for (std::uint32_t i = 0; i < piece.corner_count; ++i) {
-            const std::int64_t distance = plane_distance_42(plane, cut_.corners[piece.first_corner + i]);
-            const bool is_on = distance < kOnPlane_42 && distance > -kOnPlane_42;
-            distances_.push_back(is_on ? 0 : distance);
-            any_front |= !is_on && distance > 0;
-            any_back |= !is_on && distance < 0;
-        }
-        if (any_front && any_back) return split(piece, node);
-        const bool to_front = any_front || (!any_back && is_seen_from_front(face, plane));
+        const auto polygon = std::span(cut_.corners).subspan(piece.first_corner, piece.corner_count);
+        const PolygonSide side = polygon_side(plane, {}, polygon, distances_);
+        if (side == PolygonSide::Both) return split(piece, node);
+        const bool to_front =
+            side == PolygonSide::Front || (side == PolygonSide::On && is_seen_from_front(face, plane));
         pieces_.push_back({node.children[to_front ? 0 : 1], piece.first_corner, piece.corner_count});
     }
 
@@ -82,15 +71,7 @@ class FaceCutter {
     void split(const Piece& piece, const Node& node) {
         for (const int side : {1, 0}) {
             const auto first = static_cast<std::uint32_t>(cut_.corners.size());
-            for (std::uint32_t i = 0; i < piece.corner_count; ++i) {
-                const std::uint32_t next = i + 1 == piece.corner_count ? 0 : i + 1;
-                const Vec3<World> from = cut_.corners[piece.first_corner + i],
-                                  to = cut_.corners[piece.first_corner + next];
-                const std::int64_t here = distances_[i], there = distances_[next];
-                if (side == 0 ? here >= 0 : here <= 0) cut_.corners.push_back(from);
-                if ((here < 0 && there > 0) || (here > 0 && there < 0))
-                    cut_.corners.push_back(cross_plane(from, here, to, there));
-            }
+            append_part(cut_.corners, piece.first_corner, distances_, side == 0);
             const auto count = static_cast<std::uint32_t>(cut_.corners.size()) - first;
             pieces_.push_back({node.children[static_cast<std::size_t>(side)], first, count});
         }
@@ -106,10 +87,36 @@ class FaceCutter {
     PlacedIndex placed_;
     ModelCut& cut_;
     std::vector<Piece> pieces_;
-    std::vector<std::int64_t> distances_;
+    std::vector<PlaneDistance> distances_;
 };
 
 }  // namespace
+
+PolygonSide polygon_side(const LevelPlane& plane, const Vec3<World>& offset, std::span<const Vec3<World>> polygon,
+                         std::vector<PlaneDistance>& distances) {
+    bool any_front = false, any_back = false;
+    distances.clear();
+    for (const Vec3<World>& corner : polygon) {
+        const PlaneDistance distance = plane_distance(plane, corner - offset);
+        distances.push_back(absolute(distance) < kOnPlane ? kNone : distance);
+        any_front |= distances.back() > kNone;
+        any_back |= distances.back() < kNone;
+    }
+    if (any_front && any_back) return PolygonSide::Both;
+    return any_front ? PolygonSide::Front : any_back ? PolygonSide::Back : PolygonSide::On;
+}
+
+void append_part(std::vector<Vec3<World>>& corners, std::uint32_t first, std::span<const PlaneDistance> distances,
+                 bool in_front) {
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const std::size_t next = i + 1 == distances.size() ? 0 : i + 1;
+        const Vec3<World> from = corners[first + i], to = corners[first + next];
+        const PlaneDistance here = distances[i], there = distances[next];
+        if (in_front ? here >= kNone : here <= kNone) corners.push_back(from);
+        if ((here < kNone && there > kNone) || (here > kNone && there < kNone))
+            corners.push_back(cross_plane(from, here, to, there));
+    }
+}
 
 ModelCut cut_model(const Level& level, const PlacedModel& model, PlacedIndex placed, const FaceTable& table) {
     ModelCut cut;

@@ -22,10 +22,9 @@ const std::vector<Room>& project_rooms() {
         {"engine/frame", {"engine/visibility", "engine/effects"}},
         {"engine/platform", {"engine/screen", "engine/surface"}},
         {"engine/platform/sdl", {"engine/platform"}},
-        {"game", {"engine/frame", "engine/platform/sdl", "tools/cli", "tools/png"}},
-        {"tools/cli", {"engine/frame", "engine/platform"}},
-        {"tools/png", {"engine/surface"}},
-        {"tools", {"engine/frame", "engine/platform", "tools/cli", "tools/png"}},
+        {"game", {"engine/frame", "engine/platform/sdl", "tools/common"}},
+        {"tools/common", {"engine/frame", "engine/platform"}},
+        {"tools", {"engine/frame", "engine/platform", "tools/common"}},
     };
     return rooms;
 }

@@ -1,1 +1,1 @@
-set(LINKS oblong_level oblong_tool_png)
+set(LINKS oblong_level oblong_tool_formats)

@@ -140,6 +140,12 @@ TEST_F(BadRender, WrongUsageExitsWith2) {
                                                          {"--texel-error", "a lot"},
                                                          {"--time", "noon"},
                                                          {"--time", "inf"},
+                                                         {"--time", "-1"},
+                                                         {"--texel-error", "0.5", "--accuracy", "1991"},
+                                                         {"--texel-error", "0.5", "--accuracy", "exact"},
+                                                         {"--out", "-"},
+                                                         {"--palette", "-"},
+                                                         {"--mode", "-"},
                                                          {"--fov", ""},
                                                          {"--out", ""},
                                                          {"--json", ""},
@@ -154,6 +160,39 @@ TEST_F(BadRender, WrongUsageExitsWith2) {
     }
     EXPECT_EQ(run_program({kProgram}).exit_code, 2);
     EXPECT_EQ(run_program({kProgram, kLevel}).exit_code, 2);
+}
+
+TEST(Programs, WhatIsWrongIsNamedBeforeWhatIsMissing) {
+    struct Case {
+        std::vector<std::string> words;
+        const char* named;
+    };
+    for (const auto& [words, named] :
+         {Case{{"oblong-render", "--bogus"}, "--bogus"}, Case{{"oblong-texture", "bogus"}, "bogus"},
+          Case{{"oblong-texture", "pack", "--bogus"}, "--bogus"},
+          Case{{"oblong-map", "-o", "a.bsp", "--bogus"}, "--bogus"}, Case{{"oblong-render"}, "LEVEL"},
+          Case{{"oblong-texture", "pack"}, "-o is required"}}) {
+        const Outcome outcome = run_program(words);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_NE(outcome.error.find(named), std::string::npos) << outcome.error;
+    }
+}
+
+TEST(Programs, ADashStandsForNoFileThatIsReadOrWritten) {
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"oblong", "-"},
+                                               {"oblong", "--record", "-"},
+                                               {"oblong-demo-level", "palette", "-o", "-"},
+                                               {"oblong-map", "-", "-o", "a.bsp"},
+                                               {"oblong-map", "a.map", "-o", "-"},
+                                               {"oblong-render", "-", "--cameras", "a.csv"},
+                                               {"oblong-render", "a.bsp", "--cameras", "-"},
+                                               {"oblong-texture", "pack", "a.png", "-o", "a.wad", "--palette", "-"},
+                                               {"oblong-texture", "unpack", "-", "-o", "a", "--palette", "b"}}) {
+        const Outcome outcome = run_program(words);
+        EXPECT_EQ(outcome.exit_code, 2) << words[0] << ' ' << words[1];
+        EXPECT_NE(outcome.error.find("'-' is neither"), std::string::npos) << outcome.error;
+    }
 }
 
 // What a program says and nobody gets is a failure.

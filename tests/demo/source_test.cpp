@@ -1,14 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <set>
 #include <sstream>
 
 #include "engine/platform/files.h"
+#include "tools/common/png.h"
 #include "tools/demo_level/art/catalogue.h"
 #include "tools/demo_level/map/museum.h"
-#include "tools/png/indexed_png.h"
 #include "tools/texture/texture_name.h"
 
 namespace oblong {
@@ -88,11 +89,10 @@ TEST(DemoSource, EveryBrushIsConvexExactly) {
 TEST(DemoTextures, TheCommittedPicturesAreWhatThePaintersPaint) {
     std::size_t count = 0;
     for (const auto& [name, canvas] : art::paint_all_textures()) {
-        const auto decoded = decode_indexed_png(read_file((kTextures / (name + ".png")).string()));
-        ASSERT_TRUE(decoded) << name;
-        EXPECT_EQ(decoded->pixels, canvas.to_indices())
+        const PngImage decoded = decode_png(read_file((kTextures / (name + ".png")).string()));
+        EXPECT_EQ(decoded.indices, canvas.to_indices())
             << name << ": run oblong-demo-level textures -o assets/textures";
-        EXPECT_EQ(decoded->palette.colours, art::design_palette().colours) << name;
+        EXPECT_TRUE(std::ranges::equal(decoded.colours, art::design_palette().colours, {}, &Rgba8::colour)) << name;
         ++count;
     }
     const auto files = std::distance(std::filesystem::directory_iterator(kTextures), {});

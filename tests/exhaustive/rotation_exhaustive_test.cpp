@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "engine/fixed/trig.h"
-#include "engine/math/normalise.h"
+#include "engine/math/vec.h"
 #include "engine/math/orthonormal.h"
 #include "engine/math/rotation.h"
 #include "tests/math/vectors.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "game/font.h"
+#include "tools/common/font.h"
 
 namespace oblong {
 namespace {

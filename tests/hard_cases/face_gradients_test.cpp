@@ -5,8 +5,7 @@
 
 #include "engine/geometry/texture_gradients.h"
 #include "engine/geometry/triangle_gradients.h"
-#include "engine/math/normalise.h"
-#include "engine/math/products.h"
+#include "engine/math/vec.h"
 #include "engine/raster/texture_blocks.h"
 #include "tests/hard_cases/hard_case.h"
 

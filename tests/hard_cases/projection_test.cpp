@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "engine/math/normalise.h"
+#include "engine/math/vec.h"
 #include "engine/math/plane.h"
 #include "engine/raster/scan.h"
 #include "tests/hard_cases/hard_case.h"

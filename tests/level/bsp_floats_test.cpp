@@ -76,16 +76,17 @@ double stored(double value) {
     return kept;
 }
 
-/// floor(texel / 16) in the machine's doubles.
-double cell_in_doubles(const std::array<float, 3>& p, const std::array<float, 4>& axis) {
+/// texel / 16 in the machine's doubles, and then its float.
+float cell_in_floats(const std::array<float, 3>& p, const std::array<float, 4>& axis) {
     std::array<double, 3> products;
     for (std::size_t i = 0; i < 3; ++i) products[i] = stored(double{p[i]} * double{axis[i]});
     const double two = stored(products[0] + products[1]);
-    return std::floor(stored(stored(two + products[2]) + double{axis[3]}) / 16);
+    const volatile float texel = static_cast<float>(stored(stored(two + products[2]) + double{axis[3]}));
+    return texel / 16;
 }
 
-// Sums that lie at a cell's border or a few of a double's steps from it, where each rounding counts.
-TEST(BspFloats, TexelsAreRoundedAsDoublesAre) {
+// Sums that lie at a cell's border or a few of a float's or a double's steps from it, where each rounding counts.
+TEST(BspFloats, TexelsAreRoundedAsDoublesAreAndThenToFloats) {
     if (FLT_EVAL_METHOD != 0) GTEST_SKIP() << "this machine's doubles are rounded twice";
     std::mt19937 random(53);
     const auto small = [&] {
@@ -101,19 +102,48 @@ TEST(BspFloats, TexelsAreRoundedAsDoublesAre) {
                                                  bits_of(axis[3])};
         const std::vector<FloatBits3> corner = {{bits_of(p[0]), bits_of(p[1]), bits_of(p[2])}};
         const TexelRange range = texel_range(corner, axis_bits);
-        ASSERT_EQ(range.min, 16 * cell_in_doubles(p, axis)) << "case " << i;
+        const float cell = cell_in_floats(p, axis);
+        ASSERT_EQ(range.min, 16 * std::floor(cell)) << "case " << i;
+        ASSERT_EQ(range.min + range.extent, 16 * std::ceil(cell)) << "case " << i;
         on_border += range.extent == 0 ? 1 : 0;
     }
     EXPECT_GT(on_border, 1000);
 }
 
-// 16 - (2^-50 + 2^-70): above the middle between 16 and the double below it, but a sum of 64 bits would be that middle.
-TEST(BspFloats, TexelsAreRoundedOnce) {
-    const std::vector<FloatBits3> polygon = {{bits_of(16), bits_of(0x1p-50F), bits_of(0)},
+// An axis turned by an editor: its part of 6e-17 is a double's step or two beyond the border, and no float's.
+TEST(BspFloats, PartsThatNoFloatSeesMoveNoBorder) {
+    const std::array<FloatBits, 4> axis{bits_of(1), bits_of(6.1232e-17F), bits_of(0), bits_of(0)};
+    const std::vector<FloatBits3> polygon = {{bits_of(16), bits_of(-1024), bits_of(0)},
+                                             {bits_of(256), bits_of(1024), bits_of(0)}};
+    const TexelRange range = texel_range(polygon, axis);
+    EXPECT_EQ(range.min, 16);
+    EXPECT_EQ(range.extent, 240);
+    // A float's step below 16 is 2^-20: half of it is a tie that goes to the even 16; more than that is not 16.
+    const std::array<FloatBits, 4> slanted{bits_of(1), bits_of(1), bits_of(0), bits_of(0)};
+    const auto least = [&](float beyond) {
+        return texel_range(std::vector<FloatBits3>{{bits_of(16), bits_of(-beyond), bits_of(0)}}, slanted).min;
+    };
+    EXPECT_EQ(least(0x1p-21F), 16);
+    EXPECT_EQ(least(0x1.000002p-21F), 0);
+}
+
+TEST(BspFloats, TexelsTooSmallForFloatsAreZero) {
+    const std::vector<FloatBits3> corner = {{bits_of(-0x1p-100F), bits_of(0), bits_of(0)}};
+    const auto range = [&](float axis) {
+        return texel_range(corner, {bits_of(axis), bits_of(0), bits_of(0), bits_of(0)});
+    };
+    EXPECT_EQ(range(0x1p-49F).min, -16) << "the least float";
+    EXPECT_EQ(range(0x1p-50F).min, 0) << "a tie between it and 0";
+    EXPECT_EQ(range(0x1p-120F).min, 0);
+}
+
+// 16 - 2^-21 is a tie of floats, and 2^-75 decides it for a sum of more bits than a double has. The double is the tie.
+TEST(BspFloats, TexelsAreRoundedTwice) {
+    const std::vector<FloatBits3> polygon = {{bits_of(16), bits_of(0x1p-21F), bits_of(0x1p-75F)},
                                              {bits_of(48), bits_of(0), bits_of(0)}};
-    const TexelRange range = texel_range(polygon, {bits_of(1), bits_of(-(1 + 0x1p-20F)), bits_of(0), bits_of(0)});
-    EXPECT_EQ(range.min, 0);
-    EXPECT_EQ(range.extent, 48);
+    const TexelRange range = texel_range(polygon, {bits_of(1), bits_of(-1), bits_of(-1), bits_of(0)});
+    EXPECT_EQ(range.min, 16);
+    EXPECT_EQ(range.extent, 32);
 }
 
 TEST(BspFloats, NumbersAreNamed) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/map/map_parse.h"
+#include "tools/map/source/map_file.h"
 
 namespace oblong::test {
 

@@ -3,8 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/map/box.h"
-#include "tools/map/plane.h"
+#include "tools/map/source/geometry.h"
 
 /// What a map source says of a level, without any tree: each point and each line of sight is held against every brush.
 namespace oblong::test {

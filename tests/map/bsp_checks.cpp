@@ -14,12 +14,9 @@ using map::FileFace;
 using map::FilePlane;
 using map::Point;
 using map::scaled;
+using map::to_point;
 
 namespace {
-
-Point to_point(const std::array<float, 3>& v) {
-    return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
 
 const auto& at(const auto& items, int index) {
     return items.at(static_cast<std::size_t>(index));

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/map/bsp_file.h"
-#include "tools/map/point.h"
+#include "tools/map/source/geometry.h"
+#include "tools/map/tree/bsp_file.h"
 
 /// Checks of a compiled level by brute force, in doubles, from the numbers of the file alone.
 namespace oblong::test {

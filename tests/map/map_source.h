@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,5 +43,42 @@ std::string wad_bytes(const std::vector<std::string>& names);
 
 /// Compiles with a WAD that has wall, floor, other, *water, *lava, sky and an animated +0lamp, +1lamp.
 map::BspFile compile(std::string_view text, const map::CompileOptions& options = {});
+
+/// What follows a side's points.
+inline constexpr std::string_view kStandardTail = "wall 0 0 0 1 1", kValveTail = "wall [ 1 0 0 0 ] [ 0 -1 0 0 ] 0 1 1";
+
+/// Three directions at right angles, of length 1.
+using Frame = std::array<Point, 3>;
+Frame random_frame(std::mt19937& random);
+
+/// A box around `centre`, `half` of its extents along the frame's directions, with points of six decimals.
+struct TurnedBox {
+    Point centre;
+    std::array<double, 3> half;
+    Frame frame;
+
+    double volume() const { return 8 * half[0] * half[1] * half[2]; }
+    std::string text(std::string_view tail = kStandardTail) const;
+};
+
+/// A room of six such boxes around the inside of `inside`: walls of 16 units that overlap nowhere.
+std::string turned_room(const TurnedBox& inside);
+
+/// From `low` up to `high`.
+double random_between(std::mt19937& random, double low, double high);
+
+/// `text` with every `part` replaced.
+std::string replaced(std::string text, const std::string& part, const std::string& by);
+
+/// What the compiler says of a source that it refuses, "WHERE: WHAT", or "none"; and that it says `part`.
+std::string complaint_of(const std::string& source);
+void expect_complaint(const std::string& source, const std::string& part);
+
+/// The bytes of the level.
+std::string bytes_of(const std::string& source);
+
+/// A room without anything in it, and a start and a light in it.
+std::string plain_room();
+std::string lights_of_plain_room();
 
 }  // namespace oblong::test

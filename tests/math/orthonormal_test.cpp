@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/math/normalise.h"
+#include "engine/math/vec.h"
 #include "engine/math/rotation.h"
 #include "tests/math/vectors.h"
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "engine/fixed/trig.h"
-#include "engine/math/normalise.h"
+#include "engine/math/vec.h"
 #include "engine/math/rotation.h"
 #include "tests/math/vectors.h"
 

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "engine/math/normalise.h"
+#include "engine/math/vec.h"
 #include "tests/math/vectors.h"
 
 namespace oblong {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "engine/math/basis.h"
-#include "engine/math/products.h"
+#include "engine/math/vec.h"
 
 namespace oblong {
 

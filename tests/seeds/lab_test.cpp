@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "engine/math/products.h"
+#include "engine/math/vec.h"
 #include "engine/math/transforms.h"
 #include "tests/seeds/seed_values.h"
 

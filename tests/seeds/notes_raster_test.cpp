@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "engine/geometry/triangle_gradients.h"
-#include "engine/math/products.h"
+#include "engine/math/vec.h"
 #include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
 #include "tests/seeds/seed_values.h"

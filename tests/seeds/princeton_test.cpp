@@ -6,7 +6,7 @@
 #include <array>
 
 #include "engine/fixed/trig.h"
-#include "engine/math/normalise.h"
+#include "engine/math/vec.h"
 #include "engine/math/plane.h"
 #include "tests/seeds/seed_values.h"
 

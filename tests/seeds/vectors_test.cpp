@@ -4,7 +4,7 @@
 
 #include "engine/fixed/root.h"
 #include "engine/math/look_at.h"
-#include "engine/math/normalise.h"
+#include "engine/math/vec.h"
 #include "engine/math/orthonormal.h"
 #include "engine/math/plane.h"
 #include "engine/math/transforms.h"

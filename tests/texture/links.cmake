@@ -1,1 +1,2 @@
-set(LINKS oblong_tool_texture)
+find_package(ZLIB REQUIRED)
+set(LINKS oblong_tool_texture ZLIB::ZLIB)

@@ -2,16 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
+#include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
+#include "tests/common/png_writer.h"
 #include "tests/support/shared_levels.h"
 #include "tests/texture/test_palette.h"
-#include "tools/png/indexed_png.h"
+#include "tools/common/arguments.h"
+#include "tools/common/png.h"
+#include "tools/common/wad.h"
 #include "tools/texture/mipmaps.h"
 #include "tools/texture/texture_name.h"
-#include "tools/texture/wad.h"
 
 namespace oblong {
 namespace {
@@ -36,7 +40,7 @@ class TextureFiles : public testing::Test {
     /// What the error says, all of it; empty if there is none.
     std::string complaint_of_packing(const std::string& png) const {
         try {
-            pack_textures({png}, path("out.wad"), palette_);
+            pack_textures({png}, {}, path("out.wad"), palette_);
         } catch (const FileError& error) {
             return error.what();
         }
@@ -53,7 +57,7 @@ class TextureFiles : public testing::Test {
 TEST_F(TextureFiles, WhatIsPackedComesOutTheSame) {
     const std::vector<std::string> files{write_png("wall.png", 64, 32), write_png("#water.png", 16, 16),
                                          write_png("+0lamp.png", 32, 128)};
-    pack_textures(files, path("all.wad"), palette_);
+    pack_textures(files, {}, path("all.wad"), palette_);
     unpack_textures(path("all.wad"), path("out"), palette_);
     for (const std::string& file : files) {
         const auto again = (std::filesystem::path(path("out")) / std::filesystem::path(file).filename()).string();
@@ -67,15 +71,55 @@ TEST_F(TextureFiles, AHashStandsForTheStarOfLiquids) {
     EXPECT_EQ(file_of_texture_name("../x"), ".._x.png");
 }
 
-TEST_F(TextureFiles, TrueColoursTakeTheNearestOfThePalette) {
-    // The file's palette is another one, a little brighter by one in red: its indices mean nothing here.
-    Palette brighter = palette_;
-    for (Rgb8& colour : brighter.colours) colour.red = static_cast<std::uint8_t>(colour.red | 1);
-    std::reverse(brighter.colours.begin(), brighter.colours.end());
+// A ramp of 256 colours as true colours: of a palette that has each of them, 32 glow.
+class TrueColours : public TextureFiles {
+  protected:
+    TrueColours() {
+        test::PngBytes rows;
+        for (std::size_t i = 0; i < 256; ++i) {
+            if (i % 16 == 0) rows.push_back(0);
+            const Rgb8 colour = palette_.colours[i];
+            rows.insert(rows.end(), {colour.red, colour.green, colour.blue});
+        }
+        ramp_ = test::png_of_rows(test::png_header(16, 16, 8, 2), rows);
+    }
+    static int glowing_texels(const MipTexture& texture) {
+        int count = 0;
+        for (const auto& mip : texture.mips)
+            count += static_cast<int>(std::count_if(mip.begin(), mip.end(), [](int texel) { return texel >= 224; }));
+        return count;
+    }
+    test::PngBytes ramp_;
+};
+
+TEST_F(TrueColours, TakeTheNearestColourThatDoesNotGlow) {
+    const MipTexture texture = read_png_texture(write("ramp.png", ramp_), palette_);
+    for (std::size_t i = 0; i < 224; ++i) EXPECT_EQ(texture.mips[0][i], i);
+    EXPECT_EQ(glowing_texels(texture), 0);
+}
+
+TEST_F(TrueColours, GlowWhereThatIsAskedFor) {
+    const MipTexture texture = read_png_texture(write("ramp.png", ramp_), palette_, true);
+    for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(texture.mips[0][i], i);
+}
+
+TEST_F(TrueColours, GlowInThePackedTexturesThatAreNamed) {
+    pack_textures({write("one.png", ramp_), write("Two.png", ramp_)}, {"two"}, path("out.wad"), palette_);
+    const auto wad = read_file(path("out.wad"));
+    const auto textures = read_wad(wad);
+    ASSERT_EQ(textures.size(), 2u);
+    EXPECT_EQ(glowing_texels(parse_miptex(textures[0].miptex)), 0);
+    EXPECT_GT(glowing_texels(parse_miptex(textures[1].miptex)), 31);
+    EXPECT_THROW(pack_textures({path("one.png")}, {"three"}, path("out.wad"), palette_), UsageError);
+}
+
+TEST_F(TrueColours, OfAPngWithAnotherPaletteAreWhatCounts) {
+    Palette reversed = palette_;
+    std::reverse(reversed.colours.begin(), reversed.colours.end());
     std::vector<std::uint8_t> texels(256);
     for (std::size_t i = 0; i < 256; ++i) texels[i] = static_cast<std::uint8_t>(i);
-    const auto file = write("reversed.png", encode_indexed_png(texels, 16, 16, brighter));
-    const MipTexture texture = read_png_texture(file, palette_);
+    const auto file = write("reversed.png", encode_indexed_png(texels, 16, 16, reversed));
+    const MipTexture texture = read_png_texture(file, palette_, true);
     for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(texture.mips[0][i], 255 - i);
 }
 
@@ -85,6 +129,67 @@ TEST_F(TextureFiles, TwoIndicesOfOneColourStayApart) {
     const std::vector<std::uint8_t> texels(256, 250);
     write("glow.png", encode_indexed_png(texels, 16, 16, twins));
     EXPECT_EQ(read_png_texture(path("glow.png"), twins).mips[0][0], 250);
+}
+
+// As picture editors write it: only as much of the palette as the picture needs.
+TEST_F(TextureFiles, IndicesOfAShorterPaletteStay) {
+    test::PngBytes rows(17 * 16, 2), start;
+    for (std::size_t row = 0; row < 16; ++row) rows[row * 17] = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Rgb8 colour = palette_.colours[i];
+        start.insert(start.end(), {colour.red, colour.green, colour.blue});
+    }
+    Palette twins = palette_;
+    twins.colours[1] = twins.colours[2];
+    std::copy_n(start.begin() + 6, 3, start.begin() + 3);
+    const auto file = write("short.png", test::png_of_rows(test::png_header(16, 16, 8, 3), rows, {{"PLTE", start}}));
+    EXPECT_EQ(read_png_texture(file, twins).mips[0][0], 2);
+}
+
+/// 16x16, alpha 0 in the left half and 255 in the right.
+test::PngBytes half_transparent(Rgb8 colour) {
+    test::PngBytes rows;
+    for (int row = 0; row < 16; ++row) {
+        rows.push_back(0);
+        for (int column = 0; column < 16; ++column) {
+            const std::uint8_t alpha = column < 8 ? 0 : 255;
+            rows.insert(rows.end(), {colour.red, colour.green, colour.blue, alpha});
+        }
+    }
+    return test::png_of_rows(test::png_header(16, 16, 8, 6), rows);
+}
+
+TEST_F(TextureFiles, TransparentPixelsAreHolesWhereTheNameSaysSo) {
+    // The colour of a hole itself, solid here: it must not become one.
+    const auto file = write("{grate.png", half_transparent(palette_.colours[255]));
+    for (const bool may_glow : {false, true}) {
+        const MipTexture texture = read_png_texture(file, palette_, may_glow);
+        for (std::size_t level = 0; level < 4; ++level) {
+            const std::size_t width = std::size_t{16} >> level;
+            for (std::size_t at = 0; at < width * width; ++at)
+                EXPECT_EQ(texture.mips[level][at] == 255, at % width < width / 2) << level << ' ' << at;
+        }
+    }
+}
+
+TEST_F(TextureFiles, TransparentPixelsElsewhereAreAnError) {
+    const std::string grate = write("grate.png", half_transparent({1, 2, 3}));
+    EXPECT_EQ(
+        complaint_of_packing(grate),
+        grate + ": image: has transparent pixels, expected none: only a texture whose name begins with '{' has holes");
+}
+
+TEST_F(TextureFiles, TwoSourcesOfOneNameAreAnError) {
+    std::filesystem::create_directories(path("more"));
+    const std::string one = write_png("wall.png", 16, 16), other = write_png("more/Wall.png", 16, 16);
+    try {
+        pack_textures({one, other}, {}, path("out.wad"), palette_);
+        FAIL() << "packed";
+    } catch (const FileError& error) {
+        EXPECT_NE(std::string(error.what()).find(one), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find(other), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(std::filesystem::exists(path("out.wad")));
 }
 
 TEST_F(TextureFiles, BadPicturesAreNamed) {
@@ -101,20 +206,11 @@ TEST_F(TextureFiles, APaletteHas768Bytes) {
     EXPECT_NO_THROW(read_parsed(write("right.lmp", std::vector<std::uint8_t>(768)), read_palette));
 }
 
-TEST_F(TextureFiles, NoPrefixOfAWadIsTakenForAWhole) {
-    const MipTexture texture = make_mip_texture("wall", 16, 16, test::scattered_texels(256, 256), palette_);
-    const auto whole = write_wad(std::span(&texture, 1));
-    for (std::size_t size = 0; size < whole.size(); ++size) {
-        EXPECT_THROW(read_textures(std::span(whole).first(size)), InputError) << size;
-    }
-    EXPECT_EQ(read_textures(whole).size(), 1u);
-}
-
 TEST_F(TextureFiles, EveryTextureOfARealLevelSurvivesUnpackingAndPacking) {
     OBLONG_NEEDS_SHARED_LEVELS();
     const auto level = test::read_shared_file("dm4.bsp");
     const Palette palette = read_palette(test::read_shared_file("gfx/palette.lmp"));
-    const auto textures = read_textures(level);
+    const auto textures = read_bsp_textures(level);
     ASSERT_GT(textures.size(), 10u);
     unpack_textures((test::find_shared_folder() / "levels" / "dm4.bsp").string(), path("dm4"), palette);
     for (const MipTexture& texture : textures) {

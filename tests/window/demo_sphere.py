@@ -18,7 +18,7 @@ def build(build_folder, folder):
     write_png(folder + '/glow.png', GLOW)
     programs, assets = build_folder + '/bin', build_folder + '/assets'
     subprocess.run([programs + '/oblong-texture', 'pack', folder + '/glow.png', '-o', folder + '/glow.wad',
-                    '--palette', assets + '/palette.lmp'], check=True)
+                    '--glow', 'glow', '--palette', assets + '/palette.lmp'], check=True)
     subprocess.run([programs + '/oblong-map', folder + '/sphere.map', '-o', folder + '/sphere.bsp', '--fast',
                     '--wad', assets + '/demo.wad', '--wad', folder + '/glow.wad'],
                    check=True, stdout=subprocess.DEVNULL)

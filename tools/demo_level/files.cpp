@@ -4,9 +4,9 @@
 #include <sstream>
 
 #include "engine/platform/files.h"
+#include "tools/common/png.h"
 #include "tools/demo_level/art/catalogue.h"
 #include "tools/demo_level/map/museum.h"
-#include "tools/png/indexed_png.h"
 
 namespace oblong {
 

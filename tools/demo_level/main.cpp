@@ -1,4 +1,4 @@
-#include "tools/cli/command_line.h"
+#include "tools/common/command_line.h"
 #include "tools/demo_level/files.h"
 
 int main(int argc, char** argv) {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "tools/map/emit.h"
-#include "tools/map/entities.h"
-#include "tools/map/light.h"
-#include "tools/map/light_sources.h"
-#include "tools/map/model.h"
-#include "tools/map/vis.h"
+#include "tools/map/light/lightmaps.h"
+#include "tools/map/light/sources.h"
+#include "tools/map/source/entities.h"
+#include "tools/map/tree/emit.h"
+#include "tools/map/tree/model.h"
+#include "tools/map/vis/visibility.h"
 
 namespace oblong::map {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/base/input_error.h"
-#include "tools/map/bsp_file.h"
-#include "tools/map/map_parse.h"
-#include "tools/map/wad.h"
+#include "tools/map/source/map_file.h"
+#include "tools/map/source/wad.h"
+#include "tools/map/tree/bsp_file.h"
 
 namespace oblong::map {
 

@@ -1,7 +1,7 @@
 #include <filesystem>
 
 #include "engine/platform/files.h"
-#include "tools/cli/command_line.h"
+#include "tools/common/command_line.h"
 #include "tools/map/compile.h"
 
 namespace {

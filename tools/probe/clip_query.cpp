@@ -3,7 +3,7 @@
 
 #include "engine/geometry/clip.h"
 #include "engine/geometry/project.h"
-#include "engine/math/products.h"
+#include "engine/math/vec.h"
 #include "engine/math/wide_sum.h"
 #include "engine/raster/scan.h"
 #include "tools/probe/decimal.h"

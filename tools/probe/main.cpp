@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "tools/cli/command_line.h"
+#include "tools/common/command_line.h"
 #include "tools/probe/probe.h"
 
 int main(int argc, char** argv) {

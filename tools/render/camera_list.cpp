@@ -7,7 +7,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/fixed/trig.h"
-#include "tools/cli/arguments.h"
+#include "engine/level/entities.h"
 
 namespace oblong {
 
@@ -70,11 +70,9 @@ Camera parse_camera(const std::string& text, const std::vector<std::size_t>& col
                          std::to_string(fields.size()) + " fields, expected " + std::to_string(columns.size()));
     std::array<std::int64_t, 6> values_32{};
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        try {
-            values_32[columns[i]] = parse_decimal(fields[i], 32);
-        } catch (const UsageError& error) {
-            throw InputError(place(line), error.what());
-        }
+        const std::optional<std::int64_t> value_32 = parse_decimal(fields[i], 32);
+        if (!value_32) throw InputError(place(line), "'" + fields[i] + "', expected a decimal number");
+        values_32[columns[i]] = *value_32;
     }
     const auto angle = [&](std::size_t index) {
         // Whole turns fall away before the format's 16 integer bits are too few.

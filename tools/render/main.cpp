@@ -4,9 +4,9 @@
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
 #include "engine/scene/placed_models.h"
-#include "tools/cli/arguments.h"
-#include "tools/cli/command_line.h"
-#include "tools/png/indexed_png.h"
+#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
+#include "tools/common/png.h"
 #include "tools/render/camera_list.h"
 #include "tools/render/report.h"
 
@@ -26,7 +26,8 @@ void declare(Command& line, Options& options) {
     line.add("--cameras", options.cameras, "CSV: x,y,z,yaw,pitch[,roll]").require();
     line.add("--palette", options.palette, "768 bytes of red, green, blue (default: the demo level's)");
     line.add("--out", options.out, "folder for one indexed PNG a camera: 00000.png on");
-    line.add("--json", options.json, "file for times, checksums and counts");
+    line.add("--json", options.json, "file for times, checksums and counts; - for standard output")
+        .accept_standard_output();
     line.add("--repeat", options.repeat, "timed renderings of each frame").limit(1, 100'000);
     line.add("--mode", options.mode, "pixels, WIDTHxHEIGHT");
     line.add("--display", options.display, "shape of the display, WIDTH:HEIGHT");
@@ -53,24 +54,24 @@ EffectSet parse_effects(const std::string& text) {
     return effects;
 }
 
-std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits) {
-    try {
-        return parse_decimal(text, fraction_bits);
-    } catch (const UsageError& error) {
-        throw UsageError(option + ": " + error.what());
-    }
-}
-
-Settings make_settings(const Options& options) {
+Settings make_settings(const Options& options, Preset preset) {
     Settings settings;
-    settings.accuracy = parse_preset(options.preset);
+    settings.accuracy = accuracy_of(preset);
     settings.allowed_effects = parse_effects(options.effects);
     if (options.texel_error.empty()) return settings;
+    if (preset != Preset::Bounded)
+        throw UsageError("--texel-error: is the bound of --accuracy bounded, expected no --accuracy " + options.preset);
     const std::int64_t error_px_256 = parse_number("--texel-error", options.texel_error, 8);
     if (error_px_256 < 1 || error_px_256 > 4096)
         throw UsageError("--texel-error: '" + options.texel_error + "', expected 1/256 to 16 pixels");
     settings.accuracy.texture_error_px_256 = static_cast<std::int32_t>(error_px_256);
     return settings;
+}
+
+std::int64_t parse_time_ms(const std::string& seconds) {
+    const std::int64_t time_20 = parse_number("--time", seconds, 20);
+    if (time_20 < 0) throw UsageError("--time: '" + seconds + "', expected seconds from 0");
+    return time_20 * 1000 / (1 << 20);
 }
 
 std::string picture_path(const std::string& folder, std::size_t index) {
@@ -79,14 +80,27 @@ std::string picture_path(const std::string& folder, std::size_t index) {
     return folder + "/" + name;
 }
 
+void report(const ReportHead& head, const std::vector<FrameReport>& frames, const std::string& json_path) {
+    const std::string json = json_path.empty() ? "" : report_json(head, frames);
+    if (json_path == "-") {
+        std::fputs(json.c_str(), stdout);
+        return;
+    }
+    const TimeSummary times = summarize_times(frames);
+    std::printf("%zu frames, median %.1f us, 99th percentile %.1f us, level loaded in %.1f ms\n", frames.size(),
+                times.median, times.p99, head.load_milliseconds);
+    if (!json_path.empty()) write_file(json_path, json);
+}
+
 void render(const Options& options) {
     ScreenMode mode;
     parse_mode_size(options.mode, mode);
     mode.display = parse_display(options.display);
     const Degrees field_of_view = parse_field_of_view(options.field_of_view);
     check_view(mode, field_of_view);
-    const Settings settings = make_settings(options);
-    const std::int64_t time_ms = parse_number("--time", options.seconds, 20) * 1000 / (1 << 20);
+    const Preset preset = parse_preset(options.preset);
+    const Settings settings = make_settings(options, preset);
+    const std::int64_t time_ms = parse_time_ms(options.seconds);
 
     const auto start = std::chrono::steady_clock::now();
     const Level level = read_parsed(options.level, read_bsp);
@@ -99,22 +113,13 @@ void render(const Options& options) {
     const std::vector<PlacedModel> models = models_at_rest(level);
 
     if (!options.out.empty()) make_folder(options.out);
-    const RenderJob job{{level, colormap, models, time_ms},
-                        mode,
-                        settings,
-                        cameras,
-                        static_cast<int>(options.repeat),
-                        options.repeat > 1};
+    const RenderJob job{{level, colormap, models, time_ms}, mode, settings, cameras, static_cast<int>(options.repeat)};
     const auto frames = render_cameras(job, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
         if (options.out.empty()) return;
         const auto png = encode_indexed_png(pixels, mode.width_px, mode.height_px, palette);
         write_file(picture_path(options.out, index), png);
     });
-    const TimeSummary times = summarize_times(frames);
-    std::printf("%zu frames, median %.1f us, 99th percentile %.1f us, level loaded in %.1f ms\n", frames.size(),
-                times.median, times.p99, load.count());
-    if (!options.json.empty())
-        write_file(options.json, report_json({options.level, options.preset, mode, 1, load.count()}, frames));
+    report({options.level, preset, mode, field_of_view, settings, load.count()}, frames, options.json);
 }
 
 }  // namespace

@@ -9,12 +9,6 @@ namespace oblong {
 
 namespace {
 
-double median_of(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
-
 /// Draws one camera's frames into a canvas of its own.
 class CameraRenderer {
   public:
@@ -26,34 +20,32 @@ class CameraRenderer {
     FrameReport render(const Camera& camera) {
         FrameReport report;
         count(camera, report);
-        report.microseconds = timed(camera, job_.settings);
-        if (job_.times_effects) time_effects(camera, report);
-        draw(camera, job_.settings);
+        report.microseconds = timed(camera);
         report.crc32 = static_cast<std::uint32_t>(::crc32(0, pixels_.data(), static_cast<uInt>(pixels_.size())));
         return report;
     }
     std::span<const std::uint8_t> pixels() const { return pixels_; }
 
   private:
-    void draw(const Camera& camera, const Settings& settings) {
-        draw_frame(job_.scene, camera, job_.mode, settings, work_,
+    void draw(const Camera& camera) {
+        draw_frame(job_.scene, camera, job_.mode, job_.settings, work_,
                    {pixels_.data(), job_.mode.width_px, job_.mode.height_px, job_.mode.width_px});
     }
 
-    double timed(const Camera& camera, const Settings& settings) {
+    double timed(const Camera& camera) {
         std::vector<double> microseconds;
         for (int i = 0; i < job_.repeat; ++i) {
             const auto start = std::chrono::steady_clock::now();
-            draw(camera, settings);
+            draw(camera);
             const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
             microseconds.push_back(taken.count());
         }
-        return median_of(std::move(microseconds));
+        return summarize_times(std::move(microseconds)).median;
     }
 
     void count(const Camera& camera, FrameReport& report) {
         work_.counts = std::make_unique<FrameCounts>();
-        draw(camera, job_.settings);
+        draw(camera);
         const std::unique_ptr<FrameCounts> counts = std::move(work_.counts);
         for (const std::uint8_t writes : counts->writes)
             ++(writes == 0 ? report.pixels_never : writes == 1 ? report.pixels_once : report.pixels_twice);
@@ -63,15 +55,7 @@ class CameraRenderer {
         report.divisions = counts->divisions;
         for (std::size_t effect = 0; effect < kEffectNames.size(); ++effect)
             if (work_.plan.effects.has(static_cast<Effect>(effect)))
-                report.effects.push_back({effect, counts->effect_pixels[effect], 0});
-    }
-
-    void time_effects(const Camera& camera, FrameReport& report) {
-        for (EffectReport& effect : report.effects) {
-            Settings without = job_.settings;
-            without.allowed_effects.bits &= ~(1u << effect.effect);
-            effect.microseconds = std::max(report.microseconds - timed(camera, without), 0.0);
-        }
+                report.effects.push_back({effect, counts->effect_pixels[effect]});
     }
 
     const RenderJob& job_;
@@ -80,6 +64,13 @@ class CameraRenderer {
 };
 
 }  // namespace
+
+TimeSummary summarize_times(std::vector<double> times) {
+    std::sort(times.begin(), times.end());
+    const std::size_t middle = times.size() / 2;
+    const double median = times.size() % 2 ? times[middle] : (times[middle - 1] + times[middle]) / 2;
+    return {median, times[(times.size() * 99 + 99) / 100 - 1]};
+}
 
 std::vector<FrameReport> render_cameras(
     const RenderJob& job, const std::function<void(std::size_t, std::span<const std::uint8_t>)>& on_picture) {

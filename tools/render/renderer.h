@@ -13,7 +13,6 @@ namespace oblong {
 struct EffectReport {
     std::size_t effect = 0;  ///< index into kEffectNames
     std::int64_t pixels = 0;
-    double microseconds = 0;  ///< what the frame takes longer with it than without it; 0 where it isn't timed
 };
 
 struct FrameReport {
@@ -24,6 +23,12 @@ struct FrameReport {
     std::vector<EffectReport> effects;  ///< those of the frame's plan
 };
 
+/// The middle and the 99th of 100 of some times (at least one).
+struct TimeSummary {
+    double median = 0, p99 = 0;
+};
+TimeSummary summarize_times(std::vector<double> times);
+
 /// What to render, and how often.
 struct RenderJob {
     Scene scene;
@@ -31,7 +36,6 @@ struct RenderJob {
     Settings settings;
     std::span<const Camera> cameras;
     int repeat = 1;  ///< timed renderings of each frame
-    bool times_effects = false;
 };
 
 /// Renders every camera and calls on_picture(index, pixels) with each picture. Counts are taken in a rendering of their

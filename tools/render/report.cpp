@@ -1,6 +1,5 @@
 #include "tools/render/report.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -26,7 +25,7 @@ Json frame_json(std::size_t camera, const FrameReport& frame) {
     for (const EffectReport& effect : frame.effects)
         effects.push_back({{"name", kEffectNames[effect.effect]},
                            {"pixels", effect.pixels},
-                           {"microseconds", rounded(effect.microseconds)}});
+                           {"microseconds", nullptr}});  // not measured
     return {{"camera", camera},
             {"crc32", hexadecimal(frame.crc32)},
             {"microseconds", rounded(frame.microseconds)},
@@ -39,23 +38,45 @@ Json frame_json(std::size_t camera, const FrameReport& frame) {
             {"effects", effects}};
 }
 
+std::string joined(std::int64_t first, char between, std::int64_t second) {
+    return std::to_string(first) + between + std::to_string(second);
+}
+
+double in_degrees(Degrees angle) {
+    return std::ldexp(static_cast<double>(angle.raw), -Degrees::kFractionBits);
+}
+
+/// The bound in pixels; no number where the preset has no bound.
+Json texel_error_json(const Accuracy& accuracy) {
+    if (accuracy.texturing != Texturing::Bounded) return nullptr;
+    return accuracy.texture_error_px_256 / 256.0;
+}
+
+Json allowed_effects_json(EffectSet allowed) {
+    Json names = Json::array();
+    for (std::size_t effect = 0; effect < kEffectNames.size(); ++effect)
+        if (allowed.has(static_cast<Effect>(effect))) names.push_back(kEffectNames[effect]);
+    return names;
+}
+
 }  // namespace
 
 TimeSummary summarize_times(const std::vector<FrameReport>& frames) {
     std::vector<double> times;
     for (const FrameReport& frame : frames) times.push_back(frame.microseconds);
-    std::sort(times.begin(), times.end());
-    const std::size_t middle = times.size() / 2;
-    const double median = times.size() % 2 ? times[middle] : (times[middle - 1] + times[middle]) / 2;
-    return {median, times[(times.size() * 99 + 99) / 100 - 1]};
+    return summarize_times(std::move(times));
 }
 
 std::string report_json(const ReportHead& head, const std::vector<FrameReport>& frames) {
     const TimeSummary times = summarize_times(frames);
     Json report{{"level", head.level},
-                {"mode", std::to_string(head.mode.width_px) + "x" + std::to_string(head.mode.height_px)},
-                {"accuracy", head.accuracy},
-                {"threads", head.threads},
+                {"mode", joined(head.mode.width_px, 'x', head.mode.height_px)},
+                {"display", joined(head.mode.display.numerator, ':', head.mode.display.denominator)},
+                {"field_of_view", in_degrees(head.field_of_view)},
+                {"accuracy", name_of(head.preset)},
+                {"texel_error", texel_error_json(head.settings.accuracy)},
+                {"allowed_effects", allowed_effects_json(head.settings.allowed_effects)},
+                {"threads", 1},
                 {"load_milliseconds", rounded(head.load_milliseconds)},
                 {"microseconds", {{"median", rounded(times.median)}, {"p99", rounded(times.p99)}}},
                 {"frames", Json::array()}};

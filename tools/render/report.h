@@ -9,16 +9,14 @@ namespace oblong {
 
 /// What a report says beside its frames.
 struct ReportHead {
-    std::string level, accuracy;
+    std::string level;
+    Preset preset = Preset::Bounded;
     ScreenMode mode;
-    int threads = 1;
+    Degrees field_of_view;
+    Settings settings;
     double load_milliseconds = 0;
 };
 
-/// The middle and the 99th of 100 frames' times, microseconds.
-struct TimeSummary {
-    double median = 0, p99 = 0;
-};
 TimeSummary summarize_times(const std::vector<FrameReport>& frames);
 
 /// The JSON that `oblong-render --json` writes.

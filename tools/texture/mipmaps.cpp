@@ -5,28 +5,33 @@
 namespace oblong {
 namespace {
 
-/// What a block of texels adds up to.
+/// What a block of texels adds up to. Holes have no colour.
 struct BlockSum {
-    int red = 0, green = 0, blue = 0, texels = 0, fullbright = 0;
+    int red = 0, green = 0, blue = 0, coloured = 0, fullbright = 0, holes = 0;
 
     void add(std::uint8_t index, const Palette& palette) {
         const Rgb8 colour = palette.colours[index];
         red += colour.red;
         green += colour.green;
         blue += colour.blue;
-        ++texels;
+        ++coloured;
         if (index >= kFirstFullbright) ++fullbright;
     }
-    std::uint8_t mean(int sum) const { return static_cast<std::uint8_t>((sum + texels / 2) / texels); }
+    std::uint8_t mean(int sum) const { return static_cast<std::uint8_t>((sum + coloured / 2) / coloured); }
     Rgb8 mean_colour() const { return {mean(red), mean(green), mean(blue)}; }
-    bool glows() const { return 2 * fullbright >= texels; }
+    bool glows() const { return 2 * fullbright >= coloured; }
+    bool is_hole() const { return holes >= coloured; }
 };
 
 BlockSum sum_block(const MipTexture& texture, const Palette& palette, int left, int top, int size) {
     BlockSum sum;
     for (int y = top; y < top + size; ++y) {
         for (int x = left; x < left + size; ++x) {
-            sum.add(texture.mips[0][static_cast<std::size_t>(y * texture.width + x)], palette);
+            const std::uint8_t index = texture.mips[0][static_cast<std::size_t>(y * texture.width + x)];
+            if (index == kHole && has_holes(texture.name))
+                ++sum.holes;
+            else
+                sum.add(index, palette);
         }
     }
     return sum;
@@ -34,12 +39,13 @@ BlockSum sum_block(const MipTexture& texture, const Palette& palette, int left, 
 
 std::vector<std::uint8_t> shrink(const MipTexture& texture, const Palette& palette, int level) {
     const int size = 1 << level;
+    const ColourRange fullbright{kFirstFullbright, has_holes(texture.name) ? kHole : 256};
     std::vector<std::uint8_t> texels;
     for (int top = 0; top < texture.height; top += size) {
         for (int left = 0; left < texture.width; left += size) {
             const BlockSum sum = sum_block(texture, palette, left, top, size);
-            const ColourRange range = sum.glows() ? kFullbrightColours : kOrdinaryColours;
-            texels.push_back(nearest_colour(palette, sum.mean_colour(), range));
+            const ColourRange range = sum.glows() ? fullbright : kOrdinaryColours;
+            texels.push_back(sum.is_hole() ? kHole : nearest_colour(palette, sum.mean_colour(), range));
         }
     }
     return texels;

@@ -10,7 +10,8 @@ namespace oblong {
 
 /// A texture with its four mip levels. A texel of level n is the palette colour nearest to the mean of the 2^n x 2^n
 /// texels of level 0 under it: a glowing colour if half of them or more glow, and else an ordinary one, so that
-/// nothing starts to glow with distance. `texels` are width * height; both sizes are multiples of 16.
+/// nothing starts to glow with distance. Where the texture has holes, such a texel is one if half of those under it
+/// are, and else the mean of the others. `texels` are width * height; both sizes are multiples of 16.
 MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::int32_t height,
                             std::vector<std::uint8_t> texels, const Palette& palette);
 

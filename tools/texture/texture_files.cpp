@@ -1,38 +1,99 @@
 #include "tools/texture/texture_files.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
+#include <set>
 
+#include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
-#include "tools/png/indexed_png.h"
-#include "tools/texture/image_read.h"
+#include "tools/common/arguments.h"
+#include "tools/common/png.h"
+#include "tools/common/wad.h"
 #include "tools/texture/mipmaps.h"
+#include "tools/texture/nearest_colour.h"
 #include "tools/texture/texture_name.h"
-#include "tools/texture/wad.h"
 
 namespace oblong {
 namespace {
 
-bool is_texture_size(std::int32_t size) {
-    return size > 0 && size <= 4096 && size % 16 == 0;
+void check_texture_size(const PngImage& image) {
+    if (image.width_px % 16 == 0 && image.height_px % 16 == 0) return;
+    throw InputError("image", std::to_string(image.width_px) + "x" + std::to_string(image.height_px) +
+                                  ", expected multiples of 16 up to 4096");
+}
+
+/// Two indices of a palette may have the same colour, and one of the two glow: only an index says which is meant.
+bool has_palette(const PngImage& image, const Palette& palette) {
+    return !image.indices.empty() &&
+           std::equal(image.colours.begin(), image.colours.end(), palette.colours.begin(),
+                      [](const Rgba8& ours, const Rgb8& theirs) { return ours.colour == theirs; });
+}
+
+std::vector<std::uint8_t> texels_of(const PngImage& image, const std::string& name, const Palette& palette,
+                                    bool may_glow) {
+    const bool keeps_indices = has_palette(image, palette);
+    const ColourRange range{0, !may_glow ? kFirstFullbright : has_holes(name) ? kHole : 256};
+    const auto count = static_cast<std::size_t>(image.width_px) * static_cast<std::size_t>(image.height_px);
+    std::vector<std::uint8_t> texels;
+    for (std::size_t at = 0; at < count; ++at) {
+        const Rgba8 pixel = image.pixel(at);
+        const bool is_transparent = pixel.alpha < 128;
+        if (is_transparent && !has_holes(name))
+            throw InputError("image",
+                             "has transparent pixels, expected none: only a texture whose name begins with "
+                             "'{' has holes");
+        texels.push_back(is_transparent  ? kHole
+                         : keeps_indices ? image.indices[at]
+                                         : nearest_colour(palette, pixel.colour, range));
+    }
+    return texels;
+}
+
+/// The file of each texture, by the name that levels look for.
+std::map<std::string, std::string> files_by_name(const std::vector<std::string>& png_paths) {
+    std::map<std::string, std::string> files;
+    for (const std::string& path : png_paths) {
+        const std::string name = naming_file(path, [&] { return texture_name_of_file(path); });
+        const auto [other, is_new] = files.emplace(lookup_name(name), path);
+        if (!is_new)
+            throw FileError(path, "name",
+                            "is texture '" + name + "' as " + other->second + " is, expected one file a name");
+    }
+    return files;
+}
+
+std::vector<MipTexture> read_textures(std::span<const std::uint8_t> file) {
+    if (file.empty() || file[0] != 'W') return read_bsp_textures(file);
+    std::vector<MipTexture> textures;
+    for (const WadTexture& texture : read_wad(file)) textures.push_back(parse_miptex(texture.miptex));
+    return textures;
 }
 
 }  // namespace
 
-MipTexture read_png_texture(const std::string& path, const Palette& palette) {
+MipTexture read_png_texture(const std::string& path, const Palette& palette, bool may_glow) {
     return read_parsed(path, [&](std::span<const std::uint8_t> bytes) {
         const std::string name = texture_name_of_file(path);
-        IndexedImage image = read_png_as_indexed(bytes, palette);
-        if (!is_texture_size(image.width) || !is_texture_size(image.height)) {
-            throw InputError("image", std::to_string(image.width) + "x" + std::to_string(image.height) +
-                                          ", expected multiples of 16 up to 4096");
-        }
-        return make_mip_texture(name, image.width, image.height, std::move(image.pixels), palette);
+        const PngImage image = decode_png(bytes);
+        check_texture_size(image);
+        return make_mip_texture(name, image.width_px, image.height_px, texels_of(image, name, palette, may_glow),
+                                palette);
     });
 }
 
-void pack_textures(const std::vector<std::string>& png_paths, const std::string& wad_path, const Palette& palette) {
+void pack_textures(const std::vector<std::string>& png_paths, const std::vector<std::string>& glowing,
+                   const std::string& wad_path, const Palette& palette) {
+    const std::map<std::string, std::string> files = files_by_name(png_paths);
+    std::set<std::string> glowing_files;
+    for (const std::string& name : glowing) {
+        const auto file = files.find(lookup_name(name));
+        if (file == files.end()) throw UsageError("--glow: '" + name + "' is the name of none of the textures");
+        glowing_files.insert(file->second);
+    }
     std::vector<MipTexture> textures;
-    for (const std::string& path : png_paths) textures.push_back(read_png_texture(path, palette));
+    for (const std::string& path : png_paths)
+        textures.push_back(read_png_texture(path, palette, glowing_files.contains(path)));
     write_file(wad_path, write_wad(textures));
 }
 
@@ -40,6 +101,7 @@ void unpack_textures(const std::string& archive_path, const std::string& folder,
     const auto textures = read_parsed(archive_path, read_textures);
     make_folder(folder);
     for (const MipTexture& texture : textures) {
+        if (texture.is_missing) continue;
         const std::string path = (std::filesystem::path(folder) / file_of_texture_name(texture.name)).string();
         write_file(path, encode_indexed_png(texture.mips[0], texture.width, texture.height, palette));
     }

@@ -10,11 +10,16 @@ namespace oblong {
 
 /// All these throw FileError.
 
-/// A PNG as a texture named after the file. Its sizes must be multiples of 16, 4096 at most.
-MipTexture read_png_texture(const std::string& path, const Palette& palette);
+/// A PNG as a texture named after the file. Its sizes must be multiples of 16, 4096 at most. An indexed PNG whose
+/// palette is this very one (or the beginning of it) keeps its indices; in any other each pixel takes the nearest
+/// colour, one that glows only if `may_glow`. Transparent pixels become holes in a texture whose name begins with '{';
+/// in any other they are an error.
+MipTexture read_png_texture(const std::string& path, const Palette& palette, bool may_glow = false);
 
-/// `pack`: PNGs into a WAD.
-void pack_textures(const std::vector<std::string>& png_paths, const std::string& wad_path, const Palette& palette);
+/// `pack`: PNGs into a WAD, those whose texture names `glowing` lists with colours that glow. Two PNGs of one name,
+/// small and capital letters alike, are an error. Throws UsageError where `glowing` names none of the PNGs.
+void pack_textures(const std::vector<std::string>& png_paths, const std::vector<std::string>& glowing,
+                   const std::string& wad_path, const Palette& palette);
 
 /// `unpack`: the textures of a WAD or a BSP as indexed PNGs into a folder, which is made.
 void unpack_textures(const std::string& archive_path, const std::string& folder, const Palette& palette);

@@ -10,8 +10,8 @@
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
 #include "engine/scene/placed_models.h"
-#include "tools/cli/arguments.h"
-#include "tools/cli/program.h"
+#include "tools/common/arguments.h"
+#include "tools/common/program.h"
 #include "tools/render/camera_list.h"
 
 namespace {
@@ -48,9 +48,9 @@ void draw(const std::string& palette_path, const std::string& level_path, const 
     parse_mode_size(options.at("--mode"), mode);
     mode.display = parse_display(options.at("--display"));
     Settings settings;
-    settings.accuracy = parse_preset(options.at("--accuracy"));
+    settings.accuracy = accuracy_of(parse_preset(options.at("--accuracy")));
     const Degrees field_of_view = parse_field_of_view(options.at("--fov"));
-    const std::int64_t time_ms = parse_decimal(options.at("--time"), 20) * 1000 / (1 << 20);
+    const std::int64_t time_ms = parse_number("--time", options.at("--time"), 20) * 1000 / (1 << 20);
 
     const Level level = read_parsed(level_path, read_bsp);
     const Colormap colormap = make_colormap(read_parsed(palette_path, read_palette));

@@ -11,7 +11,7 @@
 #include "engine/platform/files.h"
 #include "engine/scene/placed_models.h"
 #include "tests/ranges/recorder/quantities.h"
-#include "tools/cli/program.h"
+#include "tools/common/program.h"
 #include "tools/render/camera_list.h"
 
 #if !defined(OBLONG_RECORD_RANGES)

@@ -1,6 +1,6 @@
 #include "tools/demo_level/art/signs.h"
 
-#include "tools/demo_level/art/font.h"
+#include "tools/common/font.h"
 #include "tools/demo_level/art/noise.h"
 
 namespace oblong::art {
@@ -19,6 +19,21 @@ void paint_board(Canvas& canvas) {
     }
     for (const int x : {2, whole.width - 4}) {
         for (const int y : {2, whole.height - 4}) canvas.fill({x, y, 2, 2}, {Ramp::Brass, steps(15)});
+    }
+}
+
+/// `scale` times as large as the font, a gap of one texel (scaled) between letters.
+int text_width(std::string_view text, int scale) {
+    return (static_cast<int>(text.size()) * kGlyphAdvance_px - 1) * scale;
+}
+
+void draw_text(Canvas& canvas, std::string_view text, int x, int y, int scale, Texel texel) {
+    for (const char letter : text) {
+        for (int row = 0; row < kGlyphHeight_px; ++row)
+            for (int column = 0; column < kGlyphWidth_px; ++column)
+                if (is_drawn(glyph_of(letter), row, column))
+                    canvas.fill({x + column * scale, y + row * scale, scale, scale}, texel);
+        x += kGlyphAdvance_px * scale;
     }
 }
 

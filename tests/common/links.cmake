@@ -1,0 +1,2 @@
+find_package(ZLIB REQUIRED)
+set(LINKS oblong_tool_formats ZLIB::ZLIB)

@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include "engine/level/bsp_read.h"
+#include "engine/level/trace.h"
+#include "engine/scene/placed_models.h"
+#include "game/world.h"
+#include "tests/map/bsp_checks.h"
+#include "tests/map/map_source.h"
+#include "tools/map/source/geometry.h"
+#include "tools/render/renderer.h"
+
+namespace oblong::test {
+namespace {
+
+Level as_engine_level(const map::BspFile& bsp) {
+    const std::string bytes = map::to_bytes(bsp);
+    return read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
+Vec3<World> to_world(const Point& point) {
+    const auto world = [](double units) {
+        return World::from_raw(static_cast<std::int32_t>(std::lround(units * (1 << World::kFractionBits))));
+    };
+    return {world(point.x), world(point.y), world(point.z)};
+}
+
+double units(World value) {
+    return static_cast<double>(value.raw) / (1 << World::kFractionBits);
+}
+
+// Cameras at random points of a box that are open, in random directions.
+std::vector<Camera> open_cameras(const map::BspFile& bsp, const map::Box& around, int count, std::mt19937& random) {
+    std::vector<Camera> cameras;
+    for (int tries = 0; tries < 100 * count && static_cast<int>(cameras.size()) < count; ++tries) {
+        const Point eye{random_between(random, around.mins.x, around.maxs.x),
+                        random_between(random, around.mins.y, around.maxs.y),
+                        random_between(random, around.mins.z, around.maxs.z)};
+        if (contents_at(bsp, 0, 0, eye) != contents::kEmpty) continue;
+        Camera& camera = cameras.emplace_back();
+        camera.eye = to_world(eye);
+        camera.yaw = Angle::from_bam(random());
+        camera.pitch = Angle::from_bam(static_cast<std::int64_t>(random_between(random, -16000, 16000)));
+    }
+    return cameras;
+}
+
+// Pixels that are drawn twice, or not at all, over all cameras.
+std::int64_t faulty_pixels(const map::BspFile& bsp, const std::vector<Camera>& cameras) {
+    const Level level = as_engine_level(bsp);
+    const Colormap colormap = make_colormap(read_palette(std::vector<std::uint8_t>(768, 32)));
+    const auto models = models_at_rest(level);
+    std::int64_t faulty = 0;
+    for (const FrameReport& frame : render_cameras({{level, colormap, models}, {}, {}, cameras}, [](auto, auto) {}))
+        faulty += frame.pixels_never + frame.pixels_twice;
+    return faulty;
+}
+
+void expect_whole_pictures(const std::string& source, const map::Box& around, std::mt19937& random) {
+    const auto bsp = compile(source, {true});
+    const auto cameras = open_cameras(bsp, around, 60, random);
+    ASSERT_EQ(cameras.size(), 60u);
+    EXPECT_EQ(faulty_pixels(bsp, cameras), 0);
+}
+
+TEST(Compile, PicturesFromInsideHaveNoHoles) {
+    const map::Box around{{-256, -256, 0}, {256, 256, 256}};
+    std::mt19937 random(21);
+    for (const int count : {1, 8, 20}) {
+        std::string brushes = room({-256, -256, 0}, {256, 256, 256}), details;
+        for (int i = 0; i < count; ++i) {
+            const TurnedBox box{
+                {random_between(random, -240, 240), random_between(random, -240, 240), random_between(random, 16, 240)},
+                {random_between(random, 0.25, 60), random_between(random, 0.25, 60), random_between(random, 0.25, 60)},
+                random_frame(random)};
+            (i % 2 == 0 ? brushes : details) += box.text(i % 4 < 2 ? kStandardTail : kValveTail);
+        }
+        const std::string ball_and_water =
+            ball({100, 100, 90}, 60, 8, 12, "other") + box({-256, -256, 0}, {256, 0, 24}, "*water");
+        expect_whole_pictures(level(brushes + ball_and_water, entity("func_detail", {}, details)), around, random);
+    }
+}
+
+TEST(Compile, PicturesFromTurnedRoomsHaveNoHoles) {
+    std::mt19937 random(22);
+    for (int i = 0; i < 6; ++i) {
+        const TurnedBox inside{{10.3, -7.7, 31.1}, {128, 100, 64}, random_frame(random)};
+        const map::Box around{{-40, -50, -10}, {60, 40, 70}};
+        expect_whole_pictures(level(turned_room(inside)), around, random);
+    }
+}
+
+// A player of half width 16 who walks east or north until the wall stops him, standing 24 above the floor.
+TEST(Compile, ThePlayerWalksFromWallToWall) {
+    for (const std::string_view tail : {kStandardTail, kValveTail}) {
+        const TurnedBox box{{128, 128, 300}, {40, 40, 60}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
+        const auto bsp = compile(
+            level(room({0, 0, 0}, {256, 256, 512}) + box.text(tail), entity_at("info_player_start", {64, 64, 40})),
+            {true});
+        const Level level = as_engine_level(bsp);
+        const Stage stage = make_stage(level);
+        GameState state = start_of(stage);
+        for (const std::int16_t turn : {std::int16_t{0}, std::int16_t{16384}}) {
+            TickInput input;
+            input.yaw = turn;
+            input.forward = 127;
+            step(stage, state, input);
+            input.yaw = 0;
+            for (int tick = 0; tick < 3 * kTicksPerSecond; ++tick) step(stage, state, input);
+            EXPECT_NEAR(turn == 0 ? units(state.player.place.x) : units(state.player.place.y), 256 - 16, 0.1);
+            EXPECT_NEAR(units(state.player.place.z), 24, 0.1);
+        }
+    }
+}
+
+// Wherever a player may stand in a heap of turned boxes, no step in any direction ends within a wall.
+TEST(Compile, StepsEndInTheOpen) {
+    std::mt19937 random(23);
+    std::string brushes = room({-256, -256, 0}, {256, 256, 256});
+    for (int i = 0; i < 16; ++i) {
+        const double x = random_between(random, -240, 240), y = random_between(random, -240, 240);
+        brushes += TurnedBox{{x, y, random_between(random, 0, 100)}, {30, 20, 10}, random_frame(random)}.text();
+    }
+    const Level level = as_engine_level(compile(test::level(brushes), {true}));
+    int standing = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const auto at = [&] { return random_between(random, -256, 256); };
+        const auto from = to_world({at(), at(), random_between(random, 24, 220)});
+        if (hull_contents(level, level.world(), Hull::Player, from) != contents::kEmpty) continue;
+        ++standing;
+        const TraceResult trace = trace_hull(level, level.world(), Hull::Player, from,
+                                             to_world({at(), at(), random_between(random, 0, 256)}));
+        EXPECT_EQ(hull_contents(level, level.world(), Hull::Player, trace.end), contents::kEmpty);
+        EXPECT_EQ(hull_contents(level, level.world(), Hull::Point, trace.end), contents::kEmpty);
+    }
+    EXPECT_GT(standing, 500);
+}
+
+TEST(Compile, ErrorsSayWhatIsWrong) {
+    const auto says = [](const std::string& source, const std::string& part) {
+        EXPECT_NE(complaint_of(source).find(part), std::string::npos) << complaint_of(source);
+    };
+    says(level("", lights_of_plain_room()), "the world has no brushes");
+    says(level(plain_room().substr(0, plain_room().rfind('{'))), "the level encloses no space");
+    says(level(box({0, 0, 0}, {64, 64, 64})), "the level encloses no space");
+    says(level(plain_room(), lights_of_plain_room() + entity_at("light", {500, 500, 500})),
+         "light at 500 500 500 is open to the void");
+    says(level(replaced(plain_room(), "0 0 0 1 1", "0 0 0 0.0001 0.0001"), lights_of_plain_room()),
+         "more than 65535 faces");
+    says(level(plain_room() + box({100, 100, 50}, {100, 101, 51}), lights_of_plain_room()), "lie on one line");
+    const std::string cube = box({100, 100, 50}, {110, 110, 60});
+    says(level(plain_room() + "{\n" + cube.substr(cube.find('\n', 2) + 1), lights_of_plain_room()),
+         "expected a closed convex solid");
+}
+
+}  // namespace
+}  // namespace oblong::test

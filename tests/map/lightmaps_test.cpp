@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/map/bsp_checks.h"
+#include "tests/map/map_source.h"
+
+namespace oblong::test {
+namespace {
+
+using map::length;
+
+// The brightness of the sample of the floor (z = 0, texels = x and -y) right at whole multiples of 16.
+int floor_light(const map::BspFile& bsp, int x, int y, std::size_t style = 0) {
+    for (const auto& face : bsp.faces) {
+        if (facing_plane(bsp, face).normal.z != 1 || facing_plane(bsp, face).distance != 0) continue;
+        int low_x = 9999, high_x = -9999, low_v = 9999, high_v = -9999;
+        for (const Point& corner : corners_of(bsp, face)) {
+            low_x = std::min(low_x, static_cast<int>(std::floor(corner.x / 16)));
+            high_x = std::max(high_x, static_cast<int>(std::ceil(corner.x / 16)));
+            low_v = std::min(low_v, static_cast<int>(std::floor(-corner.y / 16)));
+            high_v = std::max(high_v, static_cast<int>(std::ceil(-corner.y / 16)));
+        }
+        const int u = x / 16 - low_x, v = -y / 16 - low_v, width = high_x - low_x + 1, height = high_v - low_v + 1;
+        if (u < 0 || u >= width || v < 0 || v >= height) continue;
+        if (face.light_offset < 0 || face.styles[style] == 255) return 0;
+        const auto offset = static_cast<std::size_t>(face.light_offset + width * v + u) +
+                            style * static_cast<std::size_t>(width * height);
+        return static_cast<unsigned char>(bsp.lighting.at(offset));
+    }
+    ADD_FAILURE() << "no floor at " << x << ' ' << y;
+    return -1;
+}
+
+std::string hall() {
+    return room({0, 0, 0}, {224, 224, 128});
+}
+
+constexpr Whole kLamp{64, 64, 97};  // 96 over the points of the floor, which are lifted by 1
+
+// Of a lamp of 300: light(d) times (1 + cos) / 2, halved.
+int expected(double light, int x, int y) {
+    const double distance = std::hypot(x - 64, y - 64, 96);
+    return static_cast<int>(light * (1 + 96 / distance) / 2 / 2);
+}
+
+double distance_to(int x, int y) {
+    return std::hypot(x - 64, y - 64, 96);
+}
+
+TEST(Lightmaps, FadesAsTheFormulaSays) {
+    const auto linear = compile(level(hall(), entity_at("light", kLamp)), {true});
+    const auto inverse = compile(level(hall(), entity_at("light", kLamp, {{"delay", "1"}})), {true});
+    const auto square = compile(level(hall(), entity_at("light", kLamp, {{"delay", "2"}, {"wait", "2"}})), {true});
+    for (const auto& [x, y] : {std::pair{64, 64}, {96, 64}, {160, 128}, {192, 192}}) {
+        const double d = distance_to(x, y);
+        EXPECT_NEAR(floor_light(linear, x, y), expected(300 - d, x, y), 1) << x << ' ' << y;
+        EXPECT_NEAR(floor_light(inverse, x, y), expected(300 * 128 / d, x, y), 1) << x << ' ' << y;
+        EXPECT_NEAR(floor_light(square, x, y), expected(300 * 64 * 64 / d / d, x, y), 1) << x << ' ' << y;
+    }
+}
+
+TEST(Lightmaps, APillarThrowsAShadow) {
+    for (const bool is_fast : {true, false}) {
+        const auto bsp =
+            compile(level(hall() + box({104, 24, 0}, {120, 104, 128}), entity_at("light", kLamp)), {is_fast});
+        EXPECT_EQ(floor_light(bsp, 192, 64), 0) << "behind the pillar";
+        EXPECT_GT(floor_light(bsp, 80, 192), 20) << "in the open";
+    }
+}
+
+TEST(Lightmaps, ManyRaysSoftenTheEdgeOfAShadow) {
+    const std::string source = level(hall() + box({104, 24, 64}, {120, 224, 128}), entity_at("light", kLamp));
+    const auto hard = compile(source, {true}), soft = compile(source);
+    int between = 0;
+    for (int x = 128; x <= 208; x += 16) {
+        const int full = expected(300 - distance_to(x, 128), x, 128);
+        if (floor_light(soft, x, 128) > 5 && floor_light(soft, x, 128) < full - 5) ++between;
+        const int value = floor_light(hard, x, 128);
+        EXPECT_TRUE(value == 0 || std::abs(value - full) <= 1) << x;
+    }
+    EXPECT_GT(between, 0);
+}
+
+TEST(Lightmaps, StylesHaveLightmapsOfTheirOwn) {
+    const auto bsp = compile(
+        level(hall(), entity_at("light", kLamp) + entity_at("light", kLamp, {{"style", "2"}, {"light", "200"}})),
+        {true});
+    EXPECT_NEAR(floor_light(bsp, 96, 64, 0), expected(300 - distance_to(96, 64), 96, 64), 1);
+    EXPECT_NEAR(floor_light(bsp, 96, 64, 1), expected(200 - distance_to(96, 64), 96, 64), 1);
+    for (const auto& face : bsp.faces) EXPECT_EQ(face.styles[1] == 255 || face.styles[1] == 2, true);
+}
+
+TEST(Lightmaps, ASpotlightLightsItsConeOnly) {
+    const auto bsp = compile(level(hall(), entity_at("light", kLamp, {{"target", "spot"}, {"angle", "60"}}) +
+                                               entity_at("info_null", {64, 64, 0}, {{"targetname", "spot"}})),
+                             {true});
+    EXPECT_GT(floor_light(bsp, 112, 64), 0) << "26.6 degrees off the axis";
+    EXPECT_EQ(floor_light(bsp, 128, 64), 0) << "33.7 degrees off the axis";
+}
+
+TEST(Lightmaps, LeastLightIsEverywhere) {
+    const std::string dark = entity("worldspawn", {{"_minlight", "40"}}, hall());
+    EXPECT_EQ(floor_light(compile(dark, {true}), 64, 64), 20);
+}
+
+TEST(Lightmaps, TheSunShinesThroughTheSky) {
+    const std::string roofed = hall() + box({0, 0, 96}, {112, 224, 128}, "sky");
+    const auto bsp = compile(entity("worldspawn", {{"_sunlight", "200"}, {"_sun_mangle", "0 -90 0"}}, roofed), {true});
+    EXPECT_EQ(floor_light(bsp, 64, 64), 100) << "straight down: half of 200";
+    EXPECT_EQ(floor_light(bsp, 160, 64), 0) << "under the ceiling";
+}
+
+}  // namespace
+}  // namespace oblong::test

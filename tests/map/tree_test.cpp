@@ -1,0 +1,175 @@
+#include <gtest/gtest.h>
+
+#include "engine/level/level.h"
+#include "tests/map/brush_world.h"
+#include "tests/map/bsp_checks.h"
+#include "tests/map/map_source.h"
+
+namespace oblong::test {
+namespace {
+
+using map::cross;
+using map::length;
+using map::scaled;
+
+const Whole kLow{-256, -256, 0}, kHigh{256, 256, 256};
+
+Point random_inside(std::mt19937& random, double margin) {
+    return {random_between(random, -256 + margin, 256 - margin), random_between(random, -256 + margin, 256 - margin),
+            random_between(random, margin, 256 - margin)};
+}
+
+TurnedBox random_box(std::mt19937& random, double least, double most) {
+    const auto extent = [&] { return random_between(random, least, most); };
+    return {random_inside(random, 20), {extent(), extent(), extent()}, random_frame(random)};
+}
+
+// Beyond the room's walls everything is solid.
+bool is_in_room(const Point& point) {
+    return std::abs(point.x) < 256 && std::abs(point.y) < 256 && std::abs(point.z - 128) < 128;
+}
+
+Point random_near(std::mt19937& random, const TurnedBox& box) {
+    Point point = box.centre;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        point = point + scaled(box.frame[axis], random_between(random, -1.5, 1.5) * box.half[axis]);
+    return point;
+}
+
+double face_area(const map::BspFile& bsp, const map::FileFace& face) {
+    const auto corners = corners_of(bsp, face);
+    Point sum;
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        sum = sum + cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
+    return length(sum) / 2;
+}
+
+double surface_area(const map::BspFile& bsp) {
+    double sum = 0;
+    for (const auto& face : bsp.faces) sum += face_area(bsp, face);
+    return sum;
+}
+
+// Of the space that the faces look into, by the divergence theorem: a third of each face's area times the distance of
+// its plane.
+double enclosed_volume(const map::BspFile& bsp) {
+    double sum = 0;
+    for (const auto& face : bsp.faces) sum -= face_area(bsp, face) * facing_plane(bsp, face).distance / 3;
+    return sum;
+}
+
+// Boxes at any angle through each other and through the walls.
+std::vector<TurnedBox> random_boxes(std::mt19937& random, int count, double least, double most) {
+    std::vector<TurnedBox> boxes;
+    for (int i = 0; i < count; ++i) boxes.push_back(random_box(random, least, most));
+    return boxes;
+}
+
+// They are divided among the kinds of entities whose brushes are the world's.
+std::string heap_of(const std::vector<TurnedBox>& boxes) {
+    std::string world = room(kLow, kHigh), group, detail;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        (i % 3 == 0 ? world : i % 3 == 1 ? group : detail) += boxes[i].text(i % 2 == 0 ? kStandardTail : kValveTail);
+    return level(world, entity("func_group", {{"_tb_type", "_tb_layer"}, {"_tb_name", "a layer"}}, group) +
+                            entity("func_detail", {}, detail));
+}
+
+TEST(Tree, SolidIsWhatIsInsideABrush) {
+    std::mt19937 random(11);
+    for (const auto& [count, least, most] : {std::tuple{5, 8, 90}, {20, 8, 60}, {40, 1, 30}, {30, 0.25, 4}}) {
+        const auto boxes = random_boxes(random, count, least, most);
+        const std::string source = heap_of(boxes);
+        const BrushWorld brushes(source);
+        const auto bsp = compile(source, {true});
+        int solid = 0;
+        for (int i = 0; i < 20000; ++i) {
+            const TurnedBox& near = boxes[random() % boxes.size()];
+            const Point point = i % 2 == 0 ? random_inside(random, 0) : random_near(random, near);
+            const bool is_solid = brushes.is_solid(point) || !is_in_room(point);
+            if (brushes.is_solid(point, 1.0 / 64) != brushes.is_solid(point, -1.0 / 64)) continue;
+            ASSERT_EQ(contents_at(bsp, 0, 0, point) == contents::kSolid, is_solid)
+                << count << " boxes, at " << map::points_text({point});
+            solid += is_solid ? 1 : 0;
+        }
+        EXPECT_GT(solid, 1000) << count;
+    }
+}
+
+TEST(Tree, BothOrdersOfOverlappingBrushesFillTheSameSpace) {
+    const std::string one = box({0, 0, 0}, {64, 64, 64}, "wall"), two = box({32, 32, 0}, {96, 96, 96}, "other");
+    for (const std::string& order : {one + two, two + one}) {
+        const auto bsp = compile(level(room(kLow, kHigh) + order));
+        EXPECT_EQ(open_edges(bsp), 0);
+        EXPECT_EQ(contents_at(bsp, 0, 0, {48, 48, 80}), contents::kSolid);
+        EXPECT_EQ(contents_at(bsp, 0, 0, {16, 16, 80}), contents::kEmpty);
+    }
+}
+
+TEST(Tree, HeapsAreSealed) {
+    std::mt19937 random(12);
+    for (const auto& [count, least, most] : {std::tuple{5, 8, 90}, {12, 4, 60}, {24, 1, 16}}) {
+        const auto bsp = compile(heap_of(random_boxes(random, count, least, most)), {true});
+        EXPECT_EQ(first_fault_of_rays(bsp, 2000, 3), "") << count;
+    }
+}
+
+// Boxes that do not touch leave the room's volume less their own, and add their surfaces to its.
+TEST(Tree, VolumeAndAreaAreTheClosedForms) {
+    std::mt19937 random(13);
+    double volume = 512.0 * 512 * 256, area = 2 * 512.0 * 512 + 4 * 512 * 256;
+    std::string brushes = room(kLow, kHigh);
+    for (int i = 0; i < 27; ++i) {
+        TurnedBox box = random_box(random, 2, 20);
+        box.centre = {-160.0 + 160 * (i % 3), -160.0 + 160 * (i / 3 % 3), 48.0 + 80 * (i / 9)};
+        brushes += box.text();
+        volume -= box.volume();
+        area += 8 * (box.half[0] * box.half[1] + box.half[1] * box.half[2] + box.half[2] * box.half[0]);
+    }
+    const auto bsp = compile(level(brushes), {true});
+    EXPECT_NEAR(enclosed_volume(bsp), volume, surface_area(bsp) / 1024) << "corners are rounded to 1/4096";
+    EXPECT_NEAR(surface_area(bsp), area, 10);
+}
+
+// Cells of 32 units, filled or not: what is drawn is where a filled one meets an empty one, to the last bit.
+TEST(Tree, CellsHaveTheAreaOfTheirOpenSides) {
+    constexpr int kCells = 6, kSize = 32;
+    std::mt19937 random(14);
+    std::array<std::array<std::array<bool, kCells>, kCells>, kCells> filled{};
+    std::string brushes = room({0, 0, 0}, {kCells * kSize, kCells * kSize, kCells * kSize});
+    for (int cell = 0; cell < kCells * kCells * kCells; ++cell) {
+        if (random() % 3 != 0) continue;
+        const int x = cell % kCells, y = cell / kCells % kCells, z = cell / kCells / kCells;
+        filled.at(static_cast<std::size_t>(x)).at(static_cast<std::size_t>(y)).at(static_cast<std::size_t>(z)) = true;
+        brushes += box({x * kSize, y * kSize, z * kSize}, {x * kSize + kSize, y * kSize + kSize, z * kSize + kSize});
+    }
+    const auto is_filled = [&](int x, int y, int z) {
+        if (std::min({x, y, z}) < 0 || std::max({x, y, z}) >= kCells) return true;
+        return filled[static_cast<std::size_t>(x)][static_cast<std::size_t>(y)][static_cast<std::size_t>(z)];
+    };
+    int open_sides = 0;
+    for (int x = -1; x < kCells; ++x) {
+        for (int y = -1; y < kCells; ++y) {
+            for (int z = -1; z < kCells; ++z) {
+                const bool here = is_filled(x, y, z);
+                open_sides += (here != is_filled(x + 1, y, z)) + (here != is_filled(x, y + 1, z)) +
+                              (here != is_filled(x, y, z + 1));
+            }
+        }
+    }
+    const auto bsp = compile(level(brushes), {true});
+    EXPECT_EQ(surface_area(bsp), open_sides * kSize * kSize);
+    EXPECT_EQ(open_edges(bsp), 0);
+}
+
+TEST(Tree, ARoomTurnedToAnyAngleIsSealed) {
+    std::mt19937 random(15);
+    for (int i = 0; i < 12; ++i) {
+        const TurnedBox inside{{10.3, -7.7, 31.1}, {128, 100, 64}, random_frame(random)};
+        const auto bsp = compile(level(turned_room(inside), entity_at("light", {10, -8, 31})), {true});
+        EXPECT_EQ(first_fault_of_rays(bsp, 1000, 4), "") << i;
+        EXPECT_NEAR(enclosed_volume(bsp), inside.volume(), surface_area(bsp) / 1024) << i;
+    }
+}
+
+}  // namespace
+}  // namespace oblong::test

@@ -1,0 +1,106 @@
+#include "engine/math/vec.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "tests/math/vectors.h"
+
+namespace oblong {
+namespace {
+
+using Whole = Fixed<std::int32_t, 0>;
+
+Vec3<Whole> whole(std::int32_t x, std::int32_t y, std::int32_t z) {
+    return {Whole::from_int(x), Whole::from_int(y), Whole::from_int(z)};
+}
+
+RC_GTEST_PROP(Dot, IsLinearAndSymmetric, (std::int16_t a, std::int16_t b, std::int16_t c, std::int16_t d)) {
+    const auto u = whole(a, b, c), v = whole(b, d, a), w = whole(d, c, b);
+    RC_ASSERT(dot(u, v) == dot(v, u));
+    RC_ASSERT(dot(u, v + w) == dot(u, v) + dot(u, w));
+}
+
+RC_GTEST_PROP(Cross, IsAtRightAnglesToBothAndFlipsWithTheirOrder,
+              (std::int16_t a, std::int16_t b, std::int16_t c, std::int16_t d, std::int16_t e, std::int16_t f)) {
+    const auto u = whole(a, b, c), v = whole(d, e, f);
+    const auto normal = cross(u, v);
+    const auto along = [&normal](const Vec3<Whole>& w) {
+        return normal.x.raw * w.x.raw + normal.y.raw * w.y.raw + normal.z.raw * w.z.raw;
+    };
+    RC_ASSERT(along(u) == 0);
+    RC_ASSERT(along(v) == 0);
+    RC_ASSERT(cross(v, u) == -normal);
+    // Lagrange: |u x v|^2 = |u|^2 |v|^2 - (u . v)^2, modulo 2^64.
+    const auto square = [](std::int64_t n) { return static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n); };
+    RC_ASSERT(square(normal.x.raw) + square(normal.y.raw) + square(normal.z.raw) ==
+              static_cast<std::uint64_t>(dot(u, u).raw) * static_cast<std::uint64_t>(dot(v, v).raw) -
+                  square(dot(u, v).raw));
+}
+
+TEST(HardCaseV2, DotOfTheFarthestWorldPointWithAUnitVectorFits) {
+    const Vec3<World> corner{World::lowest(), World::lowest(), World::lowest()};
+    // 1 / sqrt(3), rounded up: the direction in which the corner is farthest.
+    const Unit third = Unit::from_raw(619'925'132);
+    const Vec3<Unit> diagonal{third, third, third};
+    __extension__ using Int128 = __int128;
+    const Int128 exact = Int128{3} * std::numeric_limits<std::int32_t>::min() * third.raw;
+    EXPECT_TRUE(Int128{dot(corner, diagonal).raw} == exact);
+}
+
+void expect_unit_in_direction_of(const std::array<Unit, 3>& unit, const std::array<std::int64_t, 3>& vector) {
+    long double squares = 0;
+    for (const std::int64_t component : vector)
+        squares += static_cast<long double>(component) * static_cast<long double>(component);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const long double expected = std::ldexp(static_cast<long double>(vector[i]) / std::sqrt(squares), 30);
+        ASSERT_LE(std::abs(static_cast<long double>(unit[i].raw) - expected), 0.51L) << vector[i];
+    }
+}
+
+TEST(Normalised, IsTheNearestUnitVectorOfVectorsOfEveryLength) {
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 100'000; ++i) {
+        const int shift = static_cast<int>(random() % 64);
+        std::array<std::int64_t, 3> vector{};
+        for (auto& component : vector) component = floor_shift(static_cast<std::int64_t>(random()), shift);
+        if (vector == std::array<std::int64_t, 3>{}) continue;
+        expect_unit_in_direction_of(normalised_raw(vector), vector);
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(Normalised, EndsOfTheRangeDoNotOverflow) {
+    constexpr std::int64_t kLowest = std::numeric_limits<std::int64_t>::min();
+    expect_unit_in_direction_of(normalised_raw(std::array{kLowest, kLowest, kLowest}), {kLowest, kLowest, kLowest});
+    expect_unit_in_direction_of(normalised_raw(std::array{kLowest, std::int64_t{0}, std::int64_t{1}}), {kLowest, 0, 1});
+    expect_unit_in_direction_of(normalised_raw(std::array<std::int64_t, 3>{0, 0, -1}), {0, 0, -1});
+}
+
+TEST(HardCaseV9, ZeroVectorStaysZeroAndIsNotDividedBy) {
+    EXPECT_EQ(normalised(Vec3<Unit>{}), Vec3<Unit>{});
+    EXPECT_EQ(normalised_raw(std::array<std::int64_t, 4>{}), (std::array<Unit, 4>{}));
+    EXPECT_EQ(length(Vec3<World>{}).raw, 0);
+}
+
+TEST(Length, IsTheFlooredRootOfTheSquares) {
+    const auto vector = [](std::int32_t x, std::int32_t y, std::int32_t z) {
+        return Vec3<World>{World::from_raw(x), World::from_raw(y), World::from_raw(z)};
+    };
+    EXPECT_EQ(length(vector(2, 3, 6)).raw, 7);
+    EXPECT_EQ(length(vector(1, 1, 0)).raw, 1);
+    constexpr std::int32_t kLowest = std::numeric_limits<std::int32_t>::min();
+    EXPECT_EQ(length(vector(kLowest, kLowest, kLowest)).raw, 3'719'550'786);  // sqrt(3) 2^31 = 3719550786.06
+}
+
+TEST(PerpendicularTo, IsAUnitVectorAtRightAnglesToEveryDirection) {
+    std::mt19937 random(2);
+    for (int i = 0; i < 20'000; ++i) {
+        const Vec3<Unit> direction = normalised(any_direction(random));
+        const Vec3<Unit> other = perpendicular_to(direction);
+        ASSERT_LE(std::abs(dot(direction, other).raw), kOrthonormal60);
+        ASSERT_LE(std::abs(dot(other, other).raw - (std::int64_t{1} << 60)), kOrthonormal60);
+    }
+}
+
+}  // namespace
+}  // namespace oblong

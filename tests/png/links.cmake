@@ -1,1 +1,0 @@
-set(LINKS oblong_tool_texture)

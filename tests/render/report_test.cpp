@@ -1,0 +1,109 @@
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "tests/bad_input/run_program.h"
+
+// What oblong-render says of its frames.
+namespace oblong::test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kLevel = OBLONG_BUILD_DIR "/assets/demo.bsp";
+
+class Report : public testing::Test {
+  protected:
+    /// All of standard output, as JSON.
+    Json report(const std::vector<std::string>& more, const std::string& level = kLevel,
+                const std::string& cameras = OBLONG_SOURCE_DIR "/assets/demo_cameras.csv") {
+        std::vector<std::string> words{"oblong-render", level, "--cameras", cameras, "--json", "-"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = run_program(words, folder_.path("output"));
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.error;
+        const Bytes output = read_file_bytes(folder_.path("output"));
+        return Json::parse(output.begin(), output.end());
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(Report, SaysWhatWasAskedFor) {
+    const Json json = report({"--display", "16:9", "--fov", "72.5", "--texel-error", "0.5", "--effects", "sky,liquid"});
+    EXPECT_EQ(json.at("mode"), "320x200");
+    EXPECT_EQ(json.at("display"), "16:9");
+    EXPECT_EQ(json.at("field_of_view"), 72.5);
+    EXPECT_EQ(json.at("accuracy"), "bounded");
+    EXPECT_EQ(json.at("texel_error"), 0.5);
+    EXPECT_EQ(json.at("allowed_effects"), (std::vector<std::string>{"sky", "liquid"}));
+}
+
+TEST_F(Report, SaysTheDefaults) {
+    const Json json = report({"--accuracy", "1996"});
+    EXPECT_EQ(json.at("display"), "4:3");
+    EXPECT_EQ(json.at("field_of_view"), 90);
+    EXPECT_EQ(json.at("texel_error"), nullptr);
+    EXPECT_EQ(json.at("allowed_effects"), (std::vector<std::string>{"sky", "liquid", "brush_models"}));
+    EXPECT_EQ(report({}).at("texel_error"), 0.375);
+}
+
+TEST_F(Report, GivesNoTimeThatWasNotMeasured) {
+    std::size_t effects = 0;
+    const Json json = report({"--repeat", "2"});
+    for (const Json& frame : json.at("frames")) {
+        EXPECT_GT(frame.at("microseconds"), 0);
+        for (const Json& effect : frame.at("effects")) EXPECT_EQ(effect.at("microseconds"), nullptr);
+        effects += frame.at("effects").size();
+    }
+    EXPECT_GT(effects, 0u);
+}
+
+/// A brush of a map source: a point of each face and two more, clockwise seen from outside.
+std::string box(const std::array<int, 3>& low, const std::array<int, 3>& high) {
+    using Step = std::array<int, 3>;
+    const std::array<std::array<Step, 2>, 3> steps{
+        {{{{0, 1, 0}, {0, 0, 1}}}, {{{0, 0, 1}, {1, 0, 0}}}, {{{1, 0, 0}, {0, 1, 0}}}}};
+    std::string text = "{\n";
+    for (const bool is_high : {false, true}) {
+        for (auto [u, v] : steps) {
+            if (is_high) std::swap(u, v);
+            for (const Step& step : {Step{}, u, v}) {
+                text += "( ";
+                for (std::size_t i = 0; i < 3; ++i) text += std::to_string((is_high ? high : low)[i] + step[i]) + ' ';
+                text += ") ";
+            }
+            text += "stone_wall 0 0 0 1 1\n";
+        }
+    }
+    return text + "}\n";
+}
+
+// A brush model of 64 x 64 units squarely before the eye, 64 away. Across, 90 degrees show 128 units there on 320
+// pixels, so it is 160 wide; each pixel is 1.2 times as tall as wide, so it reaches from 33.3 to 166.7 down: over 134
+// centres.
+TEST_F(Report, CountsThePixelsThatBrushModelsOwn) {
+    std::string map = "{\n\"classname\" \"worldspawn\"\n";
+    const std::array<int, 3> low{-128, -128, -64}, high{256, 128, 192};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::array<int, 3> below_high = high, above_low = low;
+        below_high[axis] = low[axis];
+        above_low[axis] = high[axis];
+        std::array<int, 3> below_low = low, above_high = high;
+        below_low[axis] -= 16;
+        above_high[axis] += 16;
+        map += box(below_low, below_high) + box(above_low, above_high);
+    }
+    map += "}\n{\n\"classname\" \"info_player_start\"\n\"origin\" \"0 0 64\"\n}\n{\n\"classname\" \"func_wall\"\n" +
+           box({64, -32, 32}, {80, 32, 96}) + "}\n";
+    const std::string source = folder_.write("wall.map", map), level = folder_.path("wall.bsp");
+    const Outcome compiled =
+        run_program({"oblong-map", source, "-o", level, "--wad", OBLONG_BUILD_DIR "/assets/demo.wad"});
+    ASSERT_EQ(compiled.exit_code, 0) << compiled.error;
+    const std::string cameras =
+        folder_.write("cameras.csv", std::string("x,y,z,yaw,pitch\n0,0,64,0,0\n0,0,64,180,0\n"));
+    const Json frames = report({}, level, cameras).at("frames");
+    EXPECT_EQ(frames.at(0).at("effects"),
+              Json({{{"name", "brush_models"}, {"pixels", 160 * 134}, {"microseconds", nullptr}}}));
+    for (const Json& effect : frames.at(1).at("effects")) EXPECT_EQ(effect.at("pixels"), 0) << effect;
+}
+
+}  // namespace
+}  // namespace oblong::test

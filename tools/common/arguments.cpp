@@ -1,0 +1,85 @@
+#include "tools/common/arguments.h"
+
+#include <charconv>
+#include <cstdlib>
+#include <optional>
+
+#include "engine/geometry/projection.h"
+#include "engine/level/entities.h"
+
+namespace oblong {
+
+namespace {
+
+std::optional<std::int32_t> whole_number(const std::string& text) {
+    std::int32_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+struct Pair {
+    std::int32_t first, second;
+};
+
+/// Two whole numbers from `least` to `most` with `between` in their middle. Throws UsageError(expected).
+Pair parse_pair(const std::string& text, char between, std::int32_t least, std::int32_t most,
+                const std::string& expected) {
+    const std::size_t at = text.find(between);
+    const auto first = at == std::string::npos ? std::nullopt : whole_number(text.substr(0, at));
+    const auto second = at == std::string::npos ? std::nullopt : whole_number(text.substr(at + 1));
+    const auto fits = [&](std::optional<std::int32_t> value) { return value && *value >= least && *value <= most; };
+    if (!fits(first) || !fits(second)) throw UsageError(expected);
+    return {*first, *second};
+}
+
+}  // namespace
+
+void parse_mode_size(const std::string& text, ScreenMode& mode) {
+    const std::string expected = "--mode: '" + text + "', expected WIDTHxHEIGHT from 8x8 to " +
+                                 std::to_string(kLargestMode_px) + "x" + std::to_string(kLargestMode_px);
+    const Pair size = parse_pair(text, 'x', 8, kLargestMode_px, expected);
+    mode.width_px = size.first;
+    mode.height_px = size.second;
+}
+
+WindowSize parse_window_size(const std::string& text) {
+    const std::string expected = "--window: '" + text + "', expected WIDTHxHEIGHT from 1x1 to 16384x16384";
+    const Pair size = parse_pair(text, 'x', 1, 16384, expected);
+    return {size.first, size.second};
+}
+
+Ratio parse_display(const std::string& text) {
+    const std::string expected =
+        "--display: '" + text + "', expected two whole numbers WIDTH:HEIGHT from 1:100 to 100:1, such as 4:3 or 37:20";
+    const Pair shape = parse_pair(text, ':', 1, 10000, expected);
+    if (shape.first > 100 * shape.second || shape.second > 100 * shape.first) throw UsageError(expected);
+    return Ratio{shape.first, shape.second}.reduced();
+}
+
+std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits) {
+    const std::optional<std::int64_t> raw = parse_decimal(text, fraction_bits);
+    if (raw && std::abs(*raw) < std::int64_t{1} << (24 + fraction_bits)) return *raw;
+    throw UsageError(option + ": '" + text + "', expected a decimal number below 16,777,216 either way");
+}
+
+Degrees parse_field_of_view(const std::string& text) {
+    const std::optional<std::int64_t> raw_32 = parse_decimal(text, 32);
+    if (!raw_32 || *raw_32 < std::int64_t{1} << 32 || *raw_32 > std::int64_t{179} << 32)
+        throw UsageError("--fov: '" + text + "', expected 1 to 179 degrees");
+    return Degrees::from_raw(*raw_32 << 16);
+}
+
+void check_view(const ScreenMode& mode, Degrees field_of_view) {
+    if (is_drawable(make_projection(mode, field_of_view))) return;
+    throw UsageError("--mode: '" + std::to_string(mode.width_px) + "x" + std::to_string(mode.height_px) +
+                     "' has too few pixels for such a field of view on such a display, expected a larger mode, a "
+                     "narrower view or a display nearer to the mode's shape");
+}
+
+Preset parse_preset(const std::string& text) {
+    if (const std::optional<Preset> preset = preset_named(text)) return *preset;
+    throw UsageError("--accuracy: '" + text + "', expected 1991, 1994, 1996, bounded or exact");
+}
+
+}  // namespace oblong

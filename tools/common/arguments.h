@@ -1,0 +1,35 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "engine/fixed/angle.h"
+#include "engine/frame/settings.h"
+#include "engine/platform/present_rect.h"
+#include "engine/screen/screen_mode.h"
+
+namespace oblong {
+
+/// An argument that can't be taken: programs print it and exit with 2.
+class UsageError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// "320x200" into `mode`'s size; from 8x8 to the largest mode.
+void parse_mode_size(const std::string& text, ScreenMode& mode);
+/// "1280x960"; up to 16,384 pixels either way.
+WindowSize parse_window_size(const std::string& text);
+/// "4:3".
+Ratio parse_display(const std::string& text);
+/// A field of view in degrees, decimal, from 1 to 179.
+Degrees parse_field_of_view(const std::string& text);
+/// Refuses what each parser takes, but no frame can be drawn with together: a wide view in a mode of few pixels.
+void check_view(const ScreenMode& mode, Degrees field_of_view);
+/// "1991", "1994", "1996", "bounded", "exact".
+Preset parse_preset(const std::string& text);
+/// A decimal number such as "-12.375" as raw units of 2^-fraction_bits (0 to 32), rounded to the nearest; |value| below
+/// 2^24. Throws UsageError that begins with `option` for anything else, "nan" and "1e3" included.
+std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits);
+
+}  // namespace oblong

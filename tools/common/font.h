@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace oblong {
+
+inline constexpr int kGlyphWidth_px = 5, kGlyphHeight_px = 8, kGlyphAdvance_px = 6, kLineHeight_px = 10;
+inline constexpr char kFirstGlyph = ' ';
+inline constexpr int kGlyphCount = 95;  ///< ' ' to '~'
+
+/// Eight rows, top to bottom, the last for what hangs below the line; the leftmost of five pixels is bit 4.
+using Glyph = std::array<std::uint8_t, kGlyphHeight_px>;
+
+/// Whether a glyph's pixel is set; `column` from the left.
+constexpr bool is_drawn(const Glyph& glyph, int row, int column) {
+    return (glyph[static_cast<std::size_t>(row)] >> (kGlyphWidth_px - 1 - column) & 1) != 0;
+}
+
+/// The picture of a character of ASCII; a question mark for any other.
+const Glyph& glyph_of(char character);
+
+}  // namespace oblong

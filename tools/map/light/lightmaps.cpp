@@ -1,0 +1,161 @@
+#include "tools/map/light/lightmaps.h"
+
+#include <algorithm>
+#include <map>
+
+#include "tools/map/light/samples.h"
+#include "tools/map/light/sources.h"
+#include "tools/map/light/trace.h"
+#include "tools/map/source/contents.h"
+#include "tools/map/vis/visibility.h"
+
+namespace oblong::map {
+namespace {
+
+constexpr double kRangeScale = 0.5;
+constexpr std::size_t kMaxStyles = 4;
+constexpr double kSkyDistance = 8192;
+
+using Samples = std::vector<double>;
+using StyleSamples = std::map<int, Samples>;
+
+double incidence(double cosine) {
+    return (1 + cosine) / 2;
+}
+
+double light_from(const LightSource& source, const Point& point, const Point& normal, const Tracer& tracer) {
+    const Point towards = point - source.origin;
+    const double distance = length(towards);
+    if (distance == 0 || distance >= source.range()) return 0;
+    const double cosine = -dot(towards, normal) / distance;
+    if (cosine <= 0 || !source.shines_on(scaled(towards, 1 / distance))) return 0;
+    const double light = source.at_distance(distance) * incidence(cosine);
+    return light > 0 && tracer.is_clear(point, source.origin) ? light : 0;
+}
+
+double light_from_sun(const Sun& sun, const Point& point, const Point& normal, const Tracer& tracer) {
+    const double cosine = -dot(sun.direction, normal);
+    if (cosine <= 0) return 0;
+    const int met = tracer.first_opaque(point, point - scaled(sun.direction, kSkyDistance));
+    return met == contents::kSky ? sun.brightness * incidence(cosine) : 0;
+}
+
+// The points that each sample is the mean of: a square of them, a step wide.
+std::vector<std::vector<Point>> sample_points(const FaceSampler& sampler, bool is_fast) {
+    const std::vector<double> offsets =
+        is_fast ? std::vector<double>{0} : std::vector<double>{-0.375, -0.125, 0.125, 0.375};
+    std::vector<std::vector<Point>> samples;
+    for (int v = 0; v < sampler.grid().count[1]; ++v) {
+        for (int u = 0; u < sampler.grid().count[0]; ++u) {
+            auto& points = samples.emplace_back();
+            for (const double du : offsets) {
+                for (const double dv : offsets) points.push_back(sampler.point_at(u + du, v + dv));
+            }
+        }
+    }
+    return samples;
+}
+
+template <class LightAt>
+void add_light_at(Samples& sums, const std::vector<std::vector<Point>>& samples, LightAt light_at) {
+    sums.resize(samples.size(), 0);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        double sum = 0;
+        for (const Point& point : samples[i]) sum += light_at(point);
+        sums[i] += sum / static_cast<double>(samples[i].size());
+    }
+}
+
+StyleSamples light_face(const FaceSampler& sampler, const std::vector<const LightSource*>& sources,
+                        const Lights& lights, const Tracer& tracer, bool is_fast) {
+    StyleSamples styles;
+    const auto samples = sample_points(sampler, is_fast);
+    for (const LightSource* source : sources)
+        add_light_at(styles[source->style], samples,
+                     [&](const Point& point) { return light_from(*source, point, sampler.normal(), tracer); });
+    if (lights.sun.brightness > 0)
+        add_light_at(styles[0], samples,
+                     [&](const Point& point) { return light_from_sun(lights.sun, point, sampler.normal(), tracer); });
+    if (lights.least > 0) {
+        styles[0].resize(samples.size(), 0);
+        for (double& sample : styles[0]) sample = std::max(sample, lights.least);
+    }
+    std::erase_if(styles, [](const auto& style) {
+        return std::all_of(style.second.begin(), style.second.end(), [](double sample) { return sample < 1; });
+    });
+    return styles;
+}
+
+void store(BspFile& bsp, FileFace& face, const StyleSamples& styles) {
+    if (styles.empty()) return;
+    face.light_offset = static_cast<int>(bsp.lighting.size());
+    std::size_t next = 0;
+    for (const auto& [style, samples] : styles) {
+        if (next == kMaxStyles) break;
+        face.styles[next++] = static_cast<std::uint8_t>(style);
+        for (const double sample : samples)
+            bsp.lighting.push_back(static_cast<char>(static_cast<int>(std::min(sample * kRangeScale, 255.0))));
+    }
+}
+
+// Which faces of the world each source may light, by the sets of potentially visible leaves: spares most rays.
+class LightReach {
+  public:
+    LightReach(const BspFile& bsp, const Tracer& tracer, const std::vector<LightSource>& sources);
+
+    // True for faces of brush entities always: they move.
+    bool may_light(std::size_t source, std::size_t face) const {
+        return face >= world_face_count_ || reached_[source][face];
+    }
+
+  private:
+    std::size_t world_face_count_;
+    std::vector<std::vector<bool>> reached_;  // of each source, by face
+};
+
+LightReach::LightReach(const BspFile& bsp, const Tracer& tracer, const std::vector<LightSource>& sources)
+    : world_face_count_(static_cast<std::size_t>(bsp.models.front().face_count)) {
+    const auto leaf_count = static_cast<std::size_t>(bsp.models.front().visible_leaf_count);
+    for (const LightSource& source : sources) {
+        auto& reached = reached_.emplace_back(world_face_count_, false);
+        const FileLeaf& home = at(bsp.leaves, tracer.leaf_at(source.origin));
+        const std::vector<bool> seen = unpacked_row(bsp.visibility, home.visibility_offset, leaf_count);
+        for (std::size_t leaf = 0; leaf < leaf_count; ++leaf) {
+            if (!seen[leaf]) continue;
+            const FileLeaf& marks = bsp.leaves[leaf + 1];
+            for (int i = 0; i < marks.mark_face_count; ++i) {
+                const int face = at(bsp.mark_faces, marks.first_mark_face + i);
+                at(reached, face) = true;
+            }
+        }
+    }
+}
+
+// Sources that may light some of the face.
+std::vector<const LightSource*> sources_near(const Lights& lights, const LightReach& reach, std::size_t face,
+                                             const FaceSampler& sampler) {
+    std::vector<const LightSource*> near;
+    for (std::size_t i = 0; i < lights.sources.size(); ++i) {
+        const LightSource& source = lights.sources[i];
+        const Point towards = source.origin - sampler.centre();
+        if (dot(towards, sampler.normal()) <= 0 || length(towards) > source.range() + sampler.radius()) continue;
+        if (reach.may_light(i, face)) near.push_back(&source);
+    }
+    return near;
+}
+
+}  // namespace
+
+void add_light(BspFile& bsp, const std::vector<MapEntity>& entities, bool is_fast) {
+    const Lights lights = lights_of(entities);
+    const Tracer tracer(bsp);
+    const LightReach reach(bsp, tracer, lights.sources);
+    for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
+        FileFace& face = bsp.faces[i];
+        if (at(bsp.texinfos, face.texinfo).flags != 0) continue;
+        const FaceSampler sampler(bsp, face, tracer);
+        store(bsp, face, light_face(sampler, sources_near(lights, reach, i, sampler), lights, tracer, is_fast));
+    }
+}
+
+}  // namespace oblong::map

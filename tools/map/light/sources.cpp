@@ -1,0 +1,136 @@
+#include "tools/map/light/sources.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "engine/base/input_error.h"
+#include "tools/map/source/entities.h"
+
+namespace oblong::map {
+namespace {
+
+constexpr double kFadeUnit = 128;  // of the inverse falloffs
+constexpr double kLeastSeen = 1;   // of 255, doubled
+constexpr double kDefaultConeDegrees = 40;
+constexpr int kFirstSwitchableStyle = 32, kStyleCount = 64;
+
+double radians(double degrees) {
+    return degrees * std::numbers::pi / 180;
+}
+
+bool is_light(const MapEntity& entity) {
+    return entity.value("classname").starts_with("light");
+}
+
+Point direction_of_angles(double yaw_degrees, double pitch_degrees) {
+    const double yaw = radians(yaw_degrees), pitch = radians(pitch_degrees);
+    return {std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), std::sin(pitch)};
+}
+
+// "yaw pitch roll", pitch positive upward.
+Point direction_of_mangle(const MapEntity& entity, std::string_view key) {
+    const auto angles = numbers_of(entity, key, 2);
+    return direction_of_angles(angles[0], angles[1]);
+}
+
+const MapEntity* find_target(const std::vector<MapEntity>& entities, const std::string& name) {
+    const auto found = std::find_if(entities.begin(), entities.end(),
+                                    [&](const MapEntity& entity) { return entity.value("targetname") == name; });
+    return found == entities.end() ? nullptr : &*found;
+}
+
+std::optional<Point> spot_direction(const MapEntity& entity, const Point& origin,
+                                    const std::vector<MapEntity>& entities) {
+    if (entity.has("mangle")) return direction_of_mangle(entity, "mangle");
+    if (!entity.has("target")) return std::nullopt;
+    const MapEntity* target = find_target(entities, entity.value("target"));
+    if (target == nullptr) return std::nullopt;
+    const Point towards = origin_of(*target).value_or(origin) - origin;
+    const double distance = length(towards);
+    if (distance == 0) return std::nullopt;
+    return scaled(towards, 1 / distance);
+}
+
+LightSource source_of(const MapEntity& entity, const Point& origin, const std::vector<MapEntity>& entities) {
+    LightSource source;
+    source.origin = origin;
+    source.brightness = number_of(entity, "light", number_of(entity, "_light", source.brightness));
+    source.wait = number_of(entity, "wait", 1);
+    if (source.wait <= 0) source.wait = 1;
+    const double delay = number_of(entity, "delay", 0);
+    source.falloff =
+        delay == 1 || delay == 2 || delay == 3 ? static_cast<Falloff>(static_cast<int>(delay)) : Falloff::kLinear;
+    source.style = static_cast<int>(number_of(entity, "style", 0));
+    if (source.style < 0 || source.style >= kStyleCount)
+        throw InputError("line " + std::to_string(entity.line),
+                         "\"style\" is " + std::to_string(source.style) + ", expected 0 to 63");
+    source.direction = spot_direction(entity, origin, entities);
+    const double cone = number_of(entity, "angle", 0);
+    if (source.direction) source.cone_cosine = std::cos(radians((cone > 0 ? cone : kDefaultConeDegrees) / 2));
+    return source;
+}
+
+}  // namespace
+
+double LightSource::at_distance(double distance) const {
+    const double faded = std::max(distance * wait, 1.0);
+    switch (falloff) {
+        case Falloff::kLinear:
+            return std::max(brightness - faded, 0.0);
+        case Falloff::kInverse:
+            return brightness * kFadeUnit / faded;
+        case Falloff::kInverseSquare:
+            return brightness * (kFadeUnit / faded) * (kFadeUnit / faded);
+        default:
+            return brightness;
+    }
+}
+
+double LightSource::range() const {
+    switch (falloff) {
+        case Falloff::kLinear:
+            return brightness / wait;
+        case Falloff::kInverse:
+            return brightness * kFadeUnit / kLeastSeen / wait;
+        case Falloff::kInverseSquare:
+            return kFadeUnit * std::sqrt(brightness / kLeastSeen) / wait;
+        default:
+            return 1e9;
+    }
+}
+
+bool LightSource::shines_on(const Point& towards) const {
+    return !direction || dot(*direction, towards) >= cone_cosine;
+}
+
+Lights lights_of(const std::vector<MapEntity>& entities) {
+    Lights lights;
+    for (const MapEntity& entity : entities) {
+        const auto origin = origin_of(entity);
+        if (!is_light(entity) || !origin) continue;
+        LightSource source = source_of(entity, *origin, entities);
+        if (source.brightness > 0) lights.sources.push_back(source);
+    }
+    const MapEntity& world = entities.front();
+    lights.least = number_of(world, "_minlight", number_of(world, "light", 0));
+    lights.sun.brightness = number_of(world, "_sunlight", 0);
+    if (world.has("_sun_mangle")) lights.sun.direction = direction_of_mangle(world, "_sun_mangle");
+    return lights;
+}
+
+void assign_switchable_styles(std::vector<MapEntity>& entities) {
+    std::vector<std::string> names;
+    for (MapEntity& entity : entities) {
+        const std::string name = entity.value("targetname");
+        if (!is_light(entity) || name.empty() || entity.has("style")) continue;
+        const auto found = std::find(names.begin(), names.end(), name);
+        const auto index = static_cast<int>(found - names.begin());
+        if (found == names.end()) names.push_back(name);
+        if (kFirstSwitchableStyle + index >= kStyleCount)
+            throw InputError("line " + std::to_string(entity.line),
+                             "more than 32 names of switchable lights, expected at most 32");
+        entity.pairs.emplace_back("style", std::to_string(kFirstSwitchableStyle + index));
+    }
+}
+
+}  // namespace oblong::map

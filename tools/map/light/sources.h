@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "tools/map/source/map_file.h"
+
+namespace oblong::map {
+
+/// How light fades with distance d (in world units, times the key "wait"), as the key "delay" says.
+enum class Falloff {
+    kLinear = 0,         ///< light - d
+    kInverse = 1,        ///< light / (d / 128)
+    kInverseSquare = 2,  ///< light / (d / 128)^2
+    kNone = 3,           ///< light
+};
+
+/// An entity `light...`: keys light (or _light), wait, delay, style, target or mangle, angle.
+struct LightSource {
+    Point origin;
+    double brightness = 300;
+    double wait = 1;
+    Falloff falloff = Falloff::kLinear;
+    int style = 0;
+    std::optional<Point> direction;  ///< of a spotlight
+    double cone_cosine = -1;         ///< of half of the spotlight's opening
+
+    /// Light that arrives at a distance, before the angle of the surface counts; at least 0.
+    double at_distance(double distance) const;
+    /// The distance from which on nothing is seen of it.
+    double range() const;
+    bool shines_on(const Point& towards) const;
+};
+
+/// Parallel light from the sky: worldspawn's _sunlight and _sun_mangle ("yaw pitch roll", pitch -90 shines straight
+/// down).
+struct Sun {
+    double brightness = 0;
+    Point direction{0, 0, -1};  ///< that the light travels in
+};
+
+struct Lights {
+    std::vector<LightSource> sources;
+    Sun sun;
+    double least = 0;  ///< worldspawn's _minlight (or light): all is at least as bright
+};
+
+Lights lights_of(const std::vector<MapEntity>& entities);
+
+/// Gives each light that can be switched (has a targetname, but no style) the style of its name, from 32 on, as a key.
+void assign_switchable_styles(std::vector<MapEntity>& entities);
+
+}  // namespace oblong::map

@@ -1,0 +1,165 @@
+#include "tools/map/source/brush.h"
+
+#include <algorithm>
+
+#include "engine/base/input_error.h"
+
+namespace oblong::map {
+namespace {
+
+Plane plane_of(const MapSide& side) {
+    Point normal = cross(side.points[0] - side.points[1], side.points[2] - side.points[1]);
+    normal = scaled(normal, 1 / length(normal));
+    return {normal, dot(normal, side.points[0])};
+}
+
+// Brushes of many sides and small ones: they would cut the space around them into many leaves.
+constexpr std::size_t kMostStructuralSides = 8;
+constexpr double kLeastStructuralExtent = 64;
+
+bool looks_like_detail(const Brush& brush) {
+    const Point size = brush.box.maxs - brush.box.mins;
+    return !is_liquid(brush.contents) &&
+           (brush.sides.size() > kMostStructuralSides || std::max({size.x, size.y, size.z}) <= kLeastStructuralExtent);
+}
+
+Winding winding_of(const Brush& brush, const BrushSide& side, const PlaneList& planes) {
+    Winding winding = whole_plane(planes.facing(side.plane));
+    for (const BrushSide& other : brush.sides) {
+        if (other.plane.plane == side.plane.plane) continue;
+        winding = clipped_to_back(winding, planes.facing(other.plane));
+        if (winding.empty()) break;
+    }
+    return winding;
+}
+
+constexpr double kSupportEpsilon = 1.0 / 512;
+
+// How far the brush reaches along a direction.
+double support(const Brush& brush, const Point& direction) {
+    double farthest = -Box::kFar;
+    for (const BrushSide& side : brush.sides) {
+        for (const Point& point : side.winding) farthest = std::max(farthest, dot(direction, point));
+    }
+    return farthest;
+}
+
+// How far the mover's mirror image reaches along a direction.
+double mirrored_support(const Box& mover, const Point& direction) {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double along = component(direction, axis);
+        sum += std::max(-along * component(mover.mins, axis), -along * component(mover.maxs, axis));
+    }
+    return sum;
+}
+
+bool contains(const Brush& brush, const PlaneList& planes, const Point& point) {
+    return std::all_of(brush.sides.begin(), brush.sides.end(),
+                       [&](const BrushSide& side) { return planes.facing(side.plane).height_of(point) <= 0; });
+}
+
+class Grower {
+  public:
+    Grower(const Brush& brush, const Box& mover, PlaneList& planes) : brush_(brush), mover_(mover), planes_(planes) {
+        grown_.contents = contents::kSolid;
+    }
+
+    void add(const Point& normal, double distance) {
+        const PlaneSide plane = planes_.find_or_add({normal, distance + mirrored_support(mover_, normal)});
+        if (!grown_.has_side(plane)) grown_.sides.push_back({plane, -1, {}});
+    }
+
+    // The plane through an edge of the brush and an edge of the box, if it touches the brush in that edge only.
+    void add_edge_bevels(const Point& from, const Point& to) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const Point across = cross(to - from, axis_vector(axis));
+            const double size = length(across);
+            if (size < kSupportEpsilon * length(to - from)) continue;
+            for (const double sign : {1.0, -1.0}) {
+                const Point normal = scaled(across, sign / size);
+                if (support(brush_, normal) < dot(normal, from) + kSupportEpsilon) add(normal, dot(normal, from));
+            }
+        }
+    }
+
+    Brush finish() {
+        set_windings(grown_, planes_);
+        return std::move(grown_);
+    }
+
+  private:
+    const Brush& brush_;
+    const Box& mover_;
+    PlaneList& planes_;
+    Brush grown_;
+};
+
+}  // namespace
+
+Brush make_brush(const MapBrush& source, PlaneList& planes, TextureList& textures) {
+    Brush brush;
+    for (const MapSide& side : source.sides) {
+        const PlaneSide plane = planes.find_or_add(plane_of(side));
+        if (!brush.has_side(plane))
+            brush.sides.push_back({plane, textures.find_or_add(side, planes.facing(plane).normal), {}});
+    }
+    if (!set_windings(brush, planes))
+        throw InputError("line " + std::to_string(source.line),
+                         "the sides of this brush enclose no volume, expected a closed convex solid");
+    const std::string& name = source.sides[0].texture.name;
+    brush.contents = contents_of_texture(name);
+    brush.is_clip = name == "clip";
+    brush.is_detail = looks_like_detail(brush);
+    return brush;
+}
+
+bool set_windings(Brush& brush, const PlaneList& planes) {
+    for (BrushSide& side : brush.sides) side.winding = winding_of(brush, side, planes);
+    std::erase_if(brush.sides, [](const BrushSide& side) { return side.winding.size() < 3; });
+    brush.box = Box{};
+    for (const BrushSide& side : brush.sides) brush.box.add(side.winding);
+    if (brush.sides.size() < 4) return false;
+    const Box all{{-kHuge / 2, -kHuge / 2, -kHuge / 2}, {kHuge / 2, kHuge / 2, kHuge / 2}};
+    return !std::any_of(brush.sides.begin(), brush.sides.end(), [&](const BrushSide& side) {
+        return std::any_of(side.winding.begin(), side.winding.end(),
+                           [&](const Point& point) { return !box_of(std::span(&point, 1)).touches(all, 0); });
+    });
+}
+
+int contents_at(const std::vector<Brush>& brushes, const PlaneList& planes, const Point& point) {
+    int found = contents::kEmpty;
+    const Box at = box_of(std::span(&point, 1));
+    for (const Brush& brush : brushes) {
+        if (contents_rank(brush.contents) <= contents_rank(found) || !brush.box.touches(at, 0)) continue;
+        if (contains(brush, planes, point)) found = brush.contents;
+    }
+    return found;
+}
+
+Brush expanded(const Brush& brush, const Box& mover, PlaneList& planes) {
+    Grower grower(brush, mover, planes);
+    for (const BrushSide& side : brush.sides) {
+        const Plane plane = planes.facing(side.plane);
+        grower.add(plane.normal, plane.distance);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        grower.add(axis_vector(axis), component(brush.box.maxs, axis));
+        grower.add(-axis_vector(axis), -component(brush.box.mins, axis));
+    }
+    for (const BrushSide& side : brush.sides) {
+        for (std::size_t i = 0; i < side.winding.size(); ++i)
+            grower.add_edge_bevels(side.winding[i], side.winding[(i + 1) % side.winding.size()]);
+    }
+    return grower.finish();
+}
+
+std::vector<Brush> hull_brushes(const std::vector<Brush>& brushes, const Box& mover, PlaneList& planes) {
+    std::vector<Brush> grown;
+    for (const Brush& brush : brushes) {
+        if (is_opaque(brush.contents)) grown.push_back(expanded(brush, mover, planes));
+    }
+    return grown;
+}
+
+}  // namespace oblong::map

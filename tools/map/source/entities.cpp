@@ -1,0 +1,61 @@
+#include "tools/map/source/entities.h"
+
+#include <charconv>
+
+#include "engine/base/input_error.h"
+
+namespace oblong::map {
+
+std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, std::size_t count) {
+    const std::string text = entity.value(key);
+    std::vector<double> numbers;
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    while (numbers.size() < count) {
+        while (at != end && (*at == ' ' || *at == '\t' || *at == '+')) ++at;
+        double number = 0;
+        const auto [stop, error] = std::from_chars(at, end, number);
+        if (error != std::errc() || !std::isfinite(number))
+            throw InputError("line " + std::to_string(entity.line), "\"" + std::string(key) + "\" is \"" + text +
+                                                                        "\", expected " + std::to_string(count) +
+                                                                        (count == 1 ? " number" : " numbers"));
+        numbers.push_back(number);
+        at = stop;
+    }
+    return numbers;
+}
+
+bool belongs_to_world(const MapEntity& entity) {
+    const std::string name = entity.value("classname");
+    return name == "worldspawn" || name == "func_group" || is_detail_entity(entity);
+}
+
+bool is_detail_entity(const MapEntity& entity) {
+    return entity.value("classname") == "func_detail";
+}
+
+std::optional<Point> origin_of(const MapEntity& entity) {
+    if (!entity.has("origin")) return std::nullopt;
+    const auto numbers = numbers_of(entity, "origin", 3);
+    return Point{numbers[0], numbers[1], numbers[2]};
+}
+
+double number_of(const MapEntity& entity, std::string_view key, double otherwise) {
+    return entity.has(key) ? numbers_of(entity, key, 1).front() : otherwise;
+}
+
+std::string entities_text(const std::vector<MapEntity>& entities) {
+    std::string text;
+    int model = 0;
+    for (const MapEntity& entity : entities) {
+        if (belongs_to_world(entity) && !entity.brushes.empty() && &entity != &entities.front()) continue;
+        text += "{\n";
+        for (const auto& [key, value] : entity.pairs) text += "\"" + key + "\" \"" + value + "\"\n";
+        if (!belongs_to_world(entity) && !entity.brushes.empty())
+            text += "\"model\" \"*" + std::to_string(++model) + "\"\n";
+        text += "}\n";
+    }
+    return text;
+}
+
+}  // namespace oblong::map

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+
+#include "tools/map/source/map_file.h"
+
+namespace oblong::map {
+
+/// Whether the entity's brushes are part of the world: the worldspawn's, and those of func_group and func_detail.
+bool belongs_to_world(const MapEntity& entity);
+
+/// Whether its brushes are details, whatever their shape: see Brush::is_detail.
+bool is_detail_entity(const MapEntity& entity);
+
+/// The three numbers of the key "origin"; nothing if it is missing. Throws InputError if it is malformed.
+std::optional<Point> origin_of(const MapEntity& entity);
+
+/// The first `count` numbers of a key's value. Throws InputError if there are fewer.
+std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, std::size_t count);
+
+/// The number that is the value of a key, or `otherwise` if it is missing. Throws InputError if it is malformed.
+double number_of(const MapEntity& entity, std::string_view key, double otherwise);
+
+/// The entities lump: all pairs as written; brush entities get a "model" "*N", N counting from 1.
+std::string entities_text(const std::vector<MapEntity>& entities);
+
+}  // namespace oblong::map

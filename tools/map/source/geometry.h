@@ -1,0 +1,145 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "engine/math/vec.h"
+
+namespace oblong::map {
+
+/// A point or direction of the world in doubles, in world units: the compiler's arithmetic.
+using Point = Vec3<double>;
+
+inline double dot(const Point& a, const Point& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+inline Point cross(const Point& a, const Point& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+inline Point scaled(const Point& a, double factor) {
+    return {a.x * factor, a.y * factor, a.z * factor};
+}
+
+inline double length(const Point& a) {
+    return std::sqrt(dot(a, a));
+}
+
+/// Component 0, 1 or 2: x, y or z.
+inline double component(const Point& a, int axis) {
+    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+}
+
+inline double& component(Point& a, int axis) {
+    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
+}
+
+/// The unit vector along axis 0, 1 or 2.
+inline Point axis_vector(int axis) {
+    return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
+}
+
+/// The item of a list whose indices are of type int, as those of level files are.
+constexpr decltype(auto) at(auto& items, int index) {
+    return items[static_cast<std::size_t>(index)];
+}
+
+/// An axis-aligned box; empty until a point is added.
+struct Box {
+    static constexpr double kFar = std::numeric_limits<double>::max();
+    Point mins{kFar, kFar, kFar}, maxs{-kFar, -kFar, -kFar};
+
+    bool is_empty() const { return mins.x > maxs.x; }
+
+    void add(const Point& point) {
+        for (int axis = 0; axis < 3; ++axis) {
+            component(mins, axis) = std::min(component(mins, axis), component(point, axis));
+            component(maxs, axis) = std::max(component(maxs, axis), component(point, axis));
+        }
+    }
+
+    void add(std::span<const Point> points) {
+        for (const Point& point : points) add(point);
+    }
+
+    void add(const Box& other) {
+        if (other.is_empty()) return;
+        add(other.mins);
+        add(other.maxs);
+    }
+
+    /// This box with every side moved outward by `margin`.
+    Box grown(double margin) const {
+        const Point by{margin, margin, margin};
+        return {mins - by, maxs + by};
+    }
+
+    /// Whether the boxes share a point when each is grown by half of `slack`.
+    bool touches(const Box& other, double slack) const {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (component(mins, axis) > component(other.maxs, axis) + slack) return false;
+            if (component(maxs, axis) < component(other.mins, axis) - slack) return false;
+        }
+        return true;
+    }
+};
+
+inline Box box_of(std::span<const Point> points) {
+    Box box;
+    box.add(points);
+    return box;
+}
+
+/// normal . p = distance; its front is where normal . p is larger.
+struct Plane {
+    Point normal;
+    double distance = 0;
+
+    double height_of(const Point& point) const { return dot(normal, point) - distance; }
+    Plane flipped() const { return {-normal, -distance}; }
+};
+
+/// The plane's kind in the level file: 0, 1, 2 if the normal is exactly +x, +y, +z, else 3 + its longest component's
+/// axis.
+int plane_type(const Plane& plane);
+
+inline bool is_axial(const Plane& plane) {
+    return plane_type(plane) < 3;
+}
+
+/// One side of a plane in a PlaneList: `is_back` faces against the normal.
+struct PlaneSide {
+    int plane = 0;
+    bool is_back = false;
+
+    auto operator<=>(const PlaneSide&) const = default;
+};
+
+/// All planes of a level, each once and with its longest component positive, so that planes which should be the same
+/// are.
+class PlaneList {
+  public:
+    /// The side that `plane` is, within kNormalEpsilon and kDistanceEpsilon; nearly axial normals become axial, and
+    /// their nearly whole distances whole.
+    PlaneSide find_or_add(const Plane& plane);
+
+    const Plane& operator[](int index) const { return at(planes_, index); }
+    Plane facing(PlaneSide side) const { return side.is_back ? (*this)[side.plane].flipped() : (*this)[side.plane]; }
+    int count() const { return static_cast<int>(planes_.size()); }
+
+    static constexpr double kNormalEpsilon = 1e-6;
+    static constexpr double kDistanceEpsilon = 1.0 / 512;
+
+  private:
+    int find(const Plane& plane) const;
+
+    std::vector<Plane> planes_;
+    std::map<long, std::vector<int>> by_distance_;  // whole distance -> planes
+};
+
+}  // namespace oblong::map

@@ -1,0 +1,242 @@
+#include "tools/map/source/map_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "engine/base/input_error.h"
+
+namespace oblong::map {
+namespace {
+
+struct MapToken {
+    std::string text;
+    bool is_quoted = false;
+    bool is_end = false;
+    int line = 1;
+
+    bool is(std::string_view symbol) const { return !is_quoted && !is_end && text == symbol; }
+};
+
+// Cuts the text of a map source into words, brackets and quoted strings; comments run from // to the line's end.
+class MapTokens {
+  public:
+    explicit MapTokens(std::string_view text) : text_(text) { advance(); }
+
+    const MapToken& peek() const { return next_; }
+    MapToken take();
+    // Takes `symbol`, or throws InputError saying that it was expected `where`.
+    void expect(std::string_view symbol, std::string_view where);
+    double take_number(std::string_view what);
+    [[noreturn]] void fail(const MapToken& at, std::string_view expected) const;
+
+  private:
+    void advance();
+    void skip_blanks();
+    void read_quoted();
+    void read_word();
+
+    std::string_view text_;
+    std::size_t position_ = 0;
+    int line_ = 1;
+    MapToken next_;
+};
+
+constexpr double kFarthest = 65536;  // no number of a level is larger
+
+bool is_blank(char letter) {
+    return static_cast<unsigned char>(letter) <= ' ';
+}
+bool is_bracket(char letter) {
+    return letter == '(' || letter == ')' || letter == '[' || letter == ']';
+}
+
+MapToken MapTokens::take() {
+    MapToken taken = next_;
+    advance();
+    return taken;
+}
+
+void MapTokens::expect(std::string_view symbol, std::string_view where) {
+    if (!next_.is(symbol)) fail(next_, "'" + std::string(symbol) + "' " + std::string(where));
+    advance();
+}
+
+double MapTokens::take_number(std::string_view what) {
+    const MapToken token = take();
+    double value = 0;
+    const char* const end = token.text.data() + token.text.size();
+    const auto [stop, error] = std::from_chars(token.text.data(), end, value);
+    if (token.is_end || error != std::errc() || stop != end || !(std::abs(value) <= kFarthest))
+        fail(token, "a number for " + std::string(what));
+    return value;
+}
+
+void MapTokens::fail(const MapToken& at, std::string_view expected) const {
+    const std::string found = at.is_end ? "the file ends" : "found '" + at.text + "'";
+    throw InputError("line " + std::to_string(at.line), found + ", expected " + std::string(expected));
+}
+
+void MapTokens::advance() {
+    skip_blanks();
+    next_ = MapToken{};
+    next_.line = line_;
+    if (position_ == text_.size()) {
+        next_.is_end = true;
+    } else if (text_[position_] == '"') {
+        read_quoted();
+    } else {
+        read_word();
+    }
+}
+
+void MapTokens::skip_blanks() {
+    while (position_ < text_.size()) {
+        if (text_.substr(position_, 2) == "//") {
+            position_ = std::min(text_.find('\n', position_), text_.size());
+            continue;
+        }
+        if (!is_blank(text_[position_])) return;
+        if (text_[position_++] == '\n') ++line_;
+    }
+}
+
+void MapTokens::read_quoted() {
+    next_.is_quoted = true;
+    const std::size_t end = text_.find_first_of("\"\n", position_ + 1);
+    next_.text = text_.substr(position_ + 1, std::min(end, text_.size()) - position_ - 1);
+    if (end >= text_.size() || text_[end] == '\n') fail(next_, "a closing '\"' on the same line");
+    position_ = end + 1;
+}
+
+void MapTokens::read_word() {
+    std::size_t end = position_ + 1;
+    if (!is_bracket(text_[position_])) {
+        while (end < text_.size() && !is_blank(text_[end]) && text_[end] != ')') ++end;
+    }
+    next_.text = text_.substr(position_, end - position_);
+    position_ = end;
+}
+
+Point take_point(MapTokens& tokens) {
+    tokens.expect("(", "before a point");
+    const double x = tokens.take_number("x");
+    const double y = tokens.take_number("y");
+    const double z = tokens.take_number("z");
+    tokens.expect(")", "after a point");
+    return {x, y, z};
+}
+
+// [ x y z offset ], Valve 220.
+void take_axis(MapTokens& tokens, Point& axis, double& offset) {
+    tokens.expect("[", "before a texture axis");
+    axis.x = tokens.take_number("a texture axis");
+    axis.y = tokens.take_number("a texture axis");
+    axis.z = tokens.take_number("a texture axis");
+    offset = tokens.take_number("a texture offset");
+    tokens.expect("]", "after a texture axis");
+}
+
+std::string lowered(std::string name) {
+    for (char& letter : name) {
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    }
+    return name;
+}
+
+TextureFields take_texture(MapTokens& tokens) {
+    TextureFields texture;
+    const MapToken name = tokens.take();
+    if (name.is_end || name.text.empty()) tokens.fail(name, "a texture's name");
+    texture.name = lowered(name.text);
+    texture.has_axes = tokens.peek().is("[");
+    if (texture.has_axes) {
+        take_axis(tokens, texture.axes[0], texture.offset[0]);
+        take_axis(tokens, texture.axes[1], texture.offset[1]);
+    } else {
+        texture.offset[0] = tokens.take_number("a texture offset");
+        texture.offset[1] = tokens.take_number("a texture offset");
+    }
+    texture.rotation_degrees = tokens.take_number("a texture rotation");
+    for (double& scale : texture.scale) {
+        scale = tokens.take_number("a texture scale");
+        if (scale == 0) scale = 1;  // what editors mean by it
+    }
+    return texture;
+}
+
+MapSide take_side(MapTokens& tokens) {
+    MapSide side;
+    side.line = tokens.peek().line;
+    for (Point& point : side.points) point = take_point(tokens);
+    const Point normal = cross(side.points[0] - side.points[1], side.points[2] - side.points[1]);
+    if (length(normal) < 1e-6)
+        throw InputError("line " + std::to_string(side.line),
+                         "the three points of a plane lie on one line, expected a triangle");
+    side.texture = take_texture(tokens);
+    // Some editors append Quake 2's three numbers.
+    while (!tokens.peek().is_end && tokens.peek().line == side.line && !tokens.peek().is("}")) tokens.take();
+    return side;
+}
+
+MapBrush take_brush(MapTokens& tokens) {
+    MapBrush brush;
+    brush.line = tokens.peek().line;
+    tokens.expect("{", "before a brush");
+    while (!tokens.peek().is("}")) {
+        if (!tokens.peek().is("(")) tokens.fail(tokens.peek(), "'(' of a brush's side or '}' after it");
+        brush.sides.push_back(take_side(tokens));
+    }
+    tokens.expect("}", "after a brush");
+    return brush;
+}
+
+void take_pair(MapTokens& tokens, MapEntity& entity) {
+    const MapToken key = tokens.take();
+    const MapToken value = tokens.take();
+    if (!value.is_quoted) tokens.fail(value, "a value in quotes for the key \"" + key.text + "\"");
+    entity.pairs.emplace_back(key.text, value.text);
+}
+
+MapEntity take_entity(MapTokens& tokens) {
+    MapEntity entity;
+    entity.line = tokens.peek().line;
+    tokens.expect("{", "before an entity");
+    while (!tokens.peek().is("}")) {
+        if (tokens.peek().is_quoted) {
+            take_pair(tokens, entity);
+        } else if (tokens.peek().is("{")) {
+            entity.brushes.push_back(take_brush(tokens));
+        } else {
+            tokens.fail(tokens.peek(), "a key in quotes, '{' of a brush or '}' after the entity");
+        }
+    }
+    tokens.expect("}", "after an entity");
+    return entity;
+}
+
+}  // namespace
+
+std::string MapEntity::value(std::string_view key, std::string_view otherwise) const {
+    for (const auto& [name, value] : pairs) {
+        if (name == key) return value;
+    }
+    return std::string(otherwise);
+}
+
+bool MapEntity::has(std::string_view key) const {
+    return std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) { return pair.first == key; });
+}
+
+std::vector<MapEntity> parse_map(std::string_view text) {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    MapTokens tokens(text);
+    std::vector<MapEntity> entities;
+    while (!tokens.peek().is_end) entities.push_back(take_entity(tokens));
+    if (entities.empty() || entities[0].value("classname") != "worldspawn")
+        throw InputError("line 1", "the first entity is no worldspawn, expected one that holds the world's brushes");
+    return entities;
+}
+
+}  // namespace oblong::map

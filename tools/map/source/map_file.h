@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tools/map/source/geometry.h"
+
+namespace oblong::map {
+
+/// How a texture is laid on a side, as the map source says it.
+struct TextureFields {
+    std::string name;
+    bool has_axes = false;      ///< Valve 220: `axes` are given; Standard: they follow from the side's normal
+    std::array<Point, 2> axes;  ///< of u and v
+    std::array<double, 2> offset{}, scale{1, 1};
+    double rotation_degrees = 0;  ///< already in `axes` if those are given
+};
+
+/// A plane through three points, its front where they run clockwise.
+struct MapSide {
+    std::array<Point, 3> points;
+    TextureFields texture;
+    int line = 0;
+};
+
+struct MapBrush {
+    std::vector<MapSide> sides;
+    int line = 0;
+};
+
+struct MapEntity {
+    std::vector<std::pair<std::string, std::string>> pairs;
+    std::vector<MapBrush> brushes;
+    int line = 0;
+
+    /// The value of the first pair named `key`, or `otherwise`.
+    std::string value(std::string_view key, std::string_view otherwise = "") const;
+    bool has(std::string_view key) const;
+};
+
+/// Reads the text of a Quake .map (Standard or Valve 220), throwing InputError with the line of what is wrong.
+/// The first entity is the worldspawn.
+std::vector<MapEntity> parse_map(std::string_view text);
+
+}  // namespace oblong::map

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "tools/map/source/map_file.h"
+
+namespace oblong::map {
+
+/// u = axes[0] . p + offset[0], v likewise, in texels.
+struct TexInfo {
+    std::array<Point, 2> axes;
+    std::array<double, 2> offset{};
+    int texture = 0;          ///< index into TextureList::names()
+    bool is_special = false;  ///< sky or liquid: no lightmap, no limit of extent
+
+    bool operator==(const TexInfo&) const = default;
+
+    double texel(int axis, const Point& point) const {
+        const auto i = static_cast<std::size_t>(axis);
+        return dot(axes[i], point) + offset[i];
+    }
+};
+
+struct TextureUse {
+    std::string name;
+    int line = 0;  ///< of the map source, where it is used first
+};
+
+/// All textures and ways to lay them that the drawn sides of a level use.
+class TextureList {
+  public:
+    /// The index of the TexInfo of a side whose plane has the outward `normal`, or -1 if its texture is not drawn.
+    int find_or_add(const MapSide& side, const Point& normal);
+
+    const std::vector<TexInfo>& texinfos() const { return texinfos_; }
+    const std::vector<TextureUse>& names() const { return names_; }
+
+  private:
+    int find_or_add_name(const MapSide& side);
+
+    std::vector<TexInfo> texinfos_;
+    std::vector<TextureUse> names_;
+};
+
+}  // namespace oblong::map

@@ -1,0 +1,164 @@
+#include "tools/map/tree/bsp_file.h"
+
+#include <bit>
+
+#include "engine/base/input_error.h"
+
+namespace oblong::map {
+namespace {
+
+constexpr int kVersion = 29;
+constexpr std::size_t kLumpCount = 15;
+
+// Little-endian numbers, one after the other.
+class Lump {
+  public:
+    explicit Lump(std::string name) : name_(std::move(name)) {}
+
+    void put_u8(int value) { bytes.push_back(static_cast<char>(value)); }
+    void put_i16(int value) { put(value, 2, -32768, 32767); }
+    void put_u16(int value) { put(value, 2, 0, 65535); }
+    void put_i32(int value) { put(value, 4, INT32_MIN, INT32_MAX); }
+    void put_float(float value) { put_i32(std::bit_cast<std::int32_t>(value)); }
+    void put_floats(const Floats& values) {
+        for (const float value : values) put_float(value);
+    }
+    void put_box(const FileBox& box) {
+        for (const int value : box.mins) put_i16(value);
+        for (const int value : box.maxs) put_i16(value);
+    }
+
+    std::string bytes;
+
+  private:
+    void put(int value, int size, int lowest, int highest) {
+        if (value < lowest || value > highest)
+            throw InputError(name_, "the level is too large for the format: " + std::to_string(value) +
+                                        ", expected at most " + std::to_string(highest));
+        auto rest = static_cast<std::uint32_t>(value);
+        for (int i = 0; i < size; ++i, rest >>= 8) put_u8(static_cast<int>(rest & 255));
+    }
+
+    std::string name_;
+};
+
+template <class Items, class Put>
+std::string lump_of(const char* name, const Items& items, Put put) {
+    Lump lump(name);
+    for (const auto& item : items) put(lump, item);
+    return std::move(lump.bytes);
+}
+
+void put_plane(Lump& lump, const FilePlane& plane) {
+    lump.put_floats(plane.normal);
+    lump.put_float(plane.distance);
+    lump.put_i32(plane.type);
+}
+
+void put_node(Lump& lump, const FileNode& node) {
+    lump.put_i32(node.plane);
+    for (const int child : node.children) lump.put_i16(child);
+    lump.put_box(node.box);
+    lump.put_u16(node.first_face);
+    lump.put_u16(node.face_count);
+}
+
+void put_texinfo(Lump& lump, const FileTexInfo& texinfo) {
+    for (const auto& axis : texinfo.axes) {
+        lump.put_floats(axis.direction);
+        lump.put_float(axis.offset);
+    }
+    lump.put_i32(texinfo.texture);
+    lump.put_i32(texinfo.flags);
+}
+
+void put_face(Lump& lump, const FileFace& face) {
+    lump.put_i16(face.plane);
+    lump.put_i16(face.is_back);
+    lump.put_i32(face.first_surf_edge);
+    lump.put_i16(face.edge_count);
+    lump.put_i16(face.texinfo);
+    for (const int style : face.styles) lump.put_u8(style);
+    lump.put_i32(face.light_offset);
+}
+
+void put_clip_node(Lump& lump, const FileClipNode& node) {
+    lump.put_i32(node.plane);
+    for (const int child : node.children) lump.put_i16(child);
+}
+
+void put_leaf(Lump& lump, const FileLeaf& leaf) {
+    lump.put_i32(leaf.contents);
+    lump.put_i32(leaf.visibility_offset);
+    lump.put_box(leaf.box);
+    lump.put_u16(leaf.first_mark_face);
+    lump.put_u16(leaf.mark_face_count);
+    lump.put_i32(0);  // four levels of ambient sound
+}
+
+void put_model(Lump& lump, const FileModel& model) {
+    lump.put_floats(model.mins);
+    lump.put_floats(model.maxs);
+    lump.put_floats({});  // the origin
+    for (const int head : model.head_nodes) lump.put_i32(head);
+    lump.put_i32(model.visible_leaf_count);
+    lump.put_i32(model.first_face);
+    lump.put_i32(model.face_count);
+}
+
+std::string texture_lump(const std::vector<std::string>& textures) {
+    Lump lump("lump textures");
+    lump.put_i32(static_cast<int>(textures.size()));
+    std::size_t offset = 4 + 4 * textures.size();
+    for (const std::string& texture : textures) {
+        lump.put_i32(static_cast<int>(offset));
+        offset += texture.size();
+    }
+    for (const std::string& texture : textures) lump.bytes += texture;
+    return std::move(lump.bytes);
+}
+
+std::array<std::string, kLumpCount> lumps_of(const BspFile& bsp) {
+    return {bsp.entities + '\0',
+            lump_of("lump planes", bsp.planes, put_plane),
+            texture_lump(bsp.textures),
+            lump_of("lump vertices", bsp.vertices, [](Lump& lump, const auto& vertex) { lump.put_floats(vertex); }),
+            bsp.visibility,
+            lump_of("lump nodes", bsp.nodes, put_node),
+            lump_of("lump texinfos", bsp.texinfos, put_texinfo),
+            lump_of("lump faces", bsp.faces, put_face),
+            bsp.lighting,
+            lump_of("lump clip nodes", bsp.clip_nodes, put_clip_node),
+            lump_of("lump leaves", bsp.leaves, put_leaf),
+            lump_of("lump mark faces", bsp.mark_faces, [](Lump& lump, int face) { lump.put_u16(face); }),
+            lump_of("lump edges", bsp.edges,
+                    [](Lump& lump, const auto& edge) {
+                        lump.put_u16(edge[0]);
+                        lump.put_u16(edge[1]);
+                    }),
+            lump_of("lump surface edges", bsp.surf_edges, [](Lump& lump, int edge) { lump.put_i32(edge); }),
+            lump_of("lump models", bsp.models, put_model)};
+}
+
+}  // namespace
+
+void check_size(const BspFile& bsp) {
+    lumps_of(bsp);
+}
+
+std::string to_bytes(const BspFile& bsp) {
+    const auto lumps = lumps_of(bsp);
+    Lump header("header");
+    header.put_i32(kVersion);
+    std::size_t offset = 4 + 8 * kLumpCount;
+    std::string body;
+    for (const std::string& lump : lumps) {
+        header.put_i32(static_cast<int>(offset + body.size()));
+        header.put_i32(static_cast<int>(lump.size()));
+        body += lump;
+        body.resize((body.size() + 3) / 4 * 4);  // every lump begins at a multiple of 4
+    }
+    return header.bytes + body;
+}
+
+}  // namespace oblong::map

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/map/source/geometry.h"
+
+namespace oblong::map {
+
+/// Three floats of a level file.
+using Floats = std::array<float, 3>;
+
+inline Point to_point(const Floats& floats) {
+    return {static_cast<double>(floats[0]), static_cast<double>(floats[1]), static_cast<double>(floats[2])};
+}
+
+/// The lumps of a level file of version 29, in their order and with their fields; numbers are wider than in the file.
+struct FilePlane {
+    Floats normal{};
+    float distance = 0;
+    int type = 0;
+};
+
+struct FileBox {
+    std::array<int, 3> mins{}, maxs{};
+};
+
+struct FileNode {
+    int plane = 0;
+    std::array<int, 2> children{};  ///< a node, or -1 - a leaf
+    FileBox box;
+    int first_face = 0, face_count = 0;
+};
+
+struct FileTexAxis {
+    Floats direction{};
+    float offset = 0;
+};
+
+struct FileTexInfo {
+    std::array<FileTexAxis, 2> axes;  ///< of u and v
+    int texture = 0;
+    int flags = 0;  ///< 1: no lightmap
+};
+
+struct FileFace {
+    int plane = 0;
+    int is_back = 0;
+    int first_surf_edge = 0, edge_count = 0;
+    int texinfo = 0;
+    std::array<std::uint8_t, 4> styles{255, 255, 255, 255};
+    int light_offset = -1;
+};
+
+struct FileClipNode {
+    int plane = 0;
+    std::array<int, 2> children{};  ///< a clip node, or contents
+};
+
+struct FileLeaf {
+    int contents = 0;
+    int visibility_offset = -1;
+    FileBox box;
+    int first_mark_face = 0, mark_face_count = 0;
+};
+
+struct FileModel {
+    Floats mins{}, maxs{};
+    std::array<int, 4> head_nodes{};
+    int visible_leaf_count = 0;
+    int first_face = 0, face_count = 0;
+};
+
+struct BspFile {
+    std::string entities;
+    std::vector<FilePlane> planes;
+    std::vector<std::string> textures;  ///< miptex bytes
+    std::vector<Floats> vertices;
+    std::string visibility;
+    std::vector<FileNode> nodes;
+    std::vector<FileTexInfo> texinfos;
+    std::vector<FileFace> faces;
+    std::string lighting;
+    std::vector<FileClipNode> clip_nodes;
+    std::vector<FileLeaf> leaves;
+    std::vector<int> mark_faces;
+    std::vector<std::array<int, 2>> edges;
+    std::vector<int> surf_edges;
+    std::vector<FileModel> models;
+};
+
+/// Throws InputError if a number is beyond what its field in the file holds.
+void check_size(const BspFile& bsp);
+
+/// The bytes of the file. Throws InputError as check_size does.
+std::string to_bytes(const BspFile& bsp);
+
+}  // namespace oblong::map

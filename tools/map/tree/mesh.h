@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "tools/map/source/geometry.h"
+
+namespace oblong::map {
+
+/// The corners of a model's polygons, each once: points nearer than kWeldDistance are one.
+class VertexPool {
+  public:
+    static constexpr double kWeldDistance = 1.0 / 64;
+
+    /// The index of the vertex at or next to the point. Nearly whole coordinates become whole, others multiples of
+    /// 1/4096.
+    int find_or_add(const Point& point);
+
+    const std::vector<Point>& points() const { return points_; }
+    const Point& operator[](int index) const { return at(points_, index); }
+
+    /// The vertices in the box, and perhaps some around it; in ascending order.
+    std::vector<int> near_box(const Box& box) const;
+
+  private:
+    static constexpr double kCell = 64;
+    using Cell = std::array<int, 3>;
+    static Cell cell_of(const Point& point);
+
+    std::vector<Point> points_;
+    std::map<Cell, std::vector<int>> cells_;
+};
+
+/// A polygon as indices of vertices.
+using Loop = std::vector<int>;
+
+/// Puts a vertex into every edge on which one lies (within the weld distance), so that no vertex is in the interior of
+/// an edge. Loops that enclose nothing come out empty; as their neighbours run through the same vertices, no gap opens.
+void fix_t_junctions(std::vector<Loop>& loops, const VertexPool& pool);
+
+}  // namespace oblong::map

@@ -1,0 +1,197 @@
+#include "tools/map/tree/portals.h"
+
+namespace oblong::map {
+namespace {
+
+struct Walk {
+    const Tree& tree;
+    const PlaneList& planes;
+};
+
+void cut_down(const Walk& walk, int child, Winding winding, const Plane& plane, std::vector<LeafPiece>& pieces) {
+    while (child >= 0) {
+        const TreeNode& node = walk.tree.node(child);
+        const Plane& cutter = walk.planes[node.plane];
+        SplitWinding parts = split(winding, cutter);
+        if (parts.is_on) {
+            child = node.children[dot(cutter.normal, plane.normal) > 0 ? 0 : 1];
+            continue;
+        }
+        if (!parts.front.empty() && !parts.back.empty())
+            cut_down(walk, node.children[1], std::move(parts.back), plane, pieces);
+        child = node.children[parts.front.empty() ? 1 : 0];
+        winding = std::move(parts.front.empty() ? parts.back : parts.front);
+    }
+    pieces.push_back({Tree::leaf_of(child), std::move(winding)});
+}
+
+std::array<Plane, 6> inward_sides(const Box& box) {
+    std::array<Plane, 6> sides;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        sides[i] = {axis_vector(axis), component(box.mins, axis)};
+        sides[i + 3] = {-axis_vector(axis), -component(box.maxs, axis)};
+    }
+    return sides;
+}
+
+Winding clipped_to_all(Winding winding, const std::vector<Plane>& fronts) {
+    for (const Plane& front : fronts) {
+        if (winding.empty()) break;
+        winding = clipped_to_front(winding, front);
+    }
+    return winding;
+}
+
+// `fronts`: the sides of the node's region, facing inward.
+void find_node_portals(const Walk& walk, int child, std::vector<Plane>& fronts, std::vector<Portal>& portals) {
+    if (child < 0) return;
+    const TreeNode& node = walk.tree.node(child);
+    const Plane& plane = walk.planes[node.plane];
+    const Winding whole = clipped_to_all(whole_plane(plane), fronts);
+    if (whole.size() >= 3) {
+        for (const LeafPiece& front : pieces_in_leaves(walk.tree, walk.planes, node.children[0], whole, plane)) {
+            for (LeafPiece& both :
+                 pieces_in_leaves(walk.tree, walk.planes, node.children[1], front.winding, plane.flipped()))
+                portals.push_back({child, {front.leaf, both.leaf}, std::move(both.winding)});
+        }
+    }
+    fronts.push_back(plane);
+    find_node_portals(walk, node.children[0], fronts, portals);
+    fronts.back() = plane.flipped();
+    find_node_portals(walk, node.children[1], fronts, portals);
+    fronts.pop_back();
+}
+
+constexpr int kVoid = -1, kUnreached = -2;
+
+// For each leaf, the portal through which the flood came; kVoid: right from the outer box.
+struct Flood {
+    std::vector<int> through;
+    std::vector<int> order;  // leaves in the order of the flood
+};
+
+std::vector<std::vector<int>> portals_by_leaf(const Tree& tree, const std::vector<Portal>& portals) {
+    std::vector<std::vector<int>> by_leaf(tree.leaves.size());
+    for (std::size_t i = 0; i < portals.size(); ++i) {
+        for (const int leaf : portals[i].leaves) at(by_leaf, leaf).push_back(static_cast<int>(i));
+    }
+    return by_leaf;
+}
+
+int other_leaf(const Portal& portal, int leaf) {
+    return portal.leaves[portal.leaves[0] == leaf ? 1 : 0];
+}
+
+void reach_leaf(Flood& flood, const Tree& tree, int leaf, int through) {
+    int& known = at(flood.through, leaf);
+    if (known != kUnreached || is_opaque(tree.leaf(leaf).contents)) return;
+    known = through;
+    flood.order.push_back(leaf);
+}
+
+Flood flood_from_void(const Tree& tree, const Portals& portals) {
+    const auto by_leaf = portals_by_leaf(tree, portals.portals);
+    Flood flood{std::vector<int>(tree.leaves.size(), kUnreached), {}};
+    for (const LeafPiece& piece : portals.outer) reach_leaf(flood, tree, piece.leaf, kVoid);
+    for (std::size_t next = 0; next < flood.order.size(); ++next) {
+        const int leaf = flood.order[next];
+        for (const int through : at(by_leaf, leaf)) {
+            const Portal& portal = at(portals.portals, through);
+            if (least_width(portal.winding) >= kLeastGap) reach_leaf(flood, tree, other_leaf(portal, leaf), through);
+        }
+    }
+    return flood;
+}
+
+// What a point is in or on.
+struct Touched {
+    int reached = -1;  // a leaf that the flood reached
+    bool has_inside = false, has_wall = false;
+};
+
+Touched touched_at(const Tree& tree, const PlaneList& planes, const Flood& flood, const Point& point) {
+    Touched touched;
+    for (const int leaf : leaves_at(tree, planes, point)) {
+        const bool is_wall = is_opaque(tree.leaf(leaf).contents);
+        if (at(flood.through, leaf) != kUnreached) touched.reached = leaf;
+        touched.has_wall = touched.has_wall || is_wall;
+        touched.has_inside = touched.has_inside || (!is_wall && at(flood.through, leaf) == kUnreached);
+    }
+    return touched;
+}
+
+std::vector<Point> path_to_void(const Tree& tree, const Portals& portals, const Flood& flood, const Point& start,
+                                int leaf) {
+    std::vector<Point> path{start};
+    for (int through = at(flood.through, leaf); through != kVoid; through = at(flood.through, leaf)) {
+        const Portal& portal = at(portals.portals, through);
+        path.push_back(middle(portal.winding));
+        leaf = other_leaf(portal, leaf);
+    }
+    path.push_back(tree.leaf(leaf).inside);
+    return path;
+}
+
+}  // namespace
+
+Portals find_portals(const Tree& tree, const PlaneList& planes, const Box& outer) {
+    const Walk walk{tree, planes};
+    const auto sides = inward_sides(outer);
+    std::vector<Plane> fronts(sides.begin(), sides.end());
+    Portals found;
+    for (const Plane& side : sides) {
+        const Winding whole = clipped_to_all(whole_plane(side), fronts);
+        for (LeafPiece& piece : pieces_in_leaves(tree, planes, tree.root, whole, side))
+            found.outer.push_back(std::move(piece));
+    }
+    find_node_portals(walk, tree.root, fronts, found.portals);
+    return found;
+}
+
+std::vector<LeafPiece> pieces_in_leaves(const Tree& tree, const PlaneList& planes, int child, const Winding& winding,
+                                        const Plane& plane) {
+    std::vector<LeafPiece> pieces;
+    cut_down({tree, planes}, child, winding, plane, pieces);
+    return pieces;
+}
+
+void fill_leaves(Tree& tree, const Portals& portals, const std::function<int(const Point&)>& contents_of) {
+    std::vector<double> counts(tree.leaves.size(), 0);
+    const auto add = [&](int leaf, const Winding& winding) {
+        TreeLeaf& grown = tree.leaf(leaf);
+        grown.box.add(winding);
+        for (const Point& point : winding) grown.inside = grown.inside + point;
+        at(counts, leaf) += static_cast<double>(winding.size());
+    };
+    for (const Portal& portal : portals.portals) {
+        for (const int leaf : portal.leaves) add(leaf, portal.winding);
+    }
+    for (const LeafPiece& piece : portals.outer) add(piece.leaf, piece.winding);
+    for (std::size_t i = 0; i < tree.leaves.size(); ++i) {
+        TreeLeaf& leaf = tree.leaves[i];
+        if (counts[i] == 0) continue;
+        leaf.inside = scaled(leaf.inside, 1 / counts[i]);
+        leaf.contents = contents_of(leaf.inside);
+    }
+}
+
+std::optional<Leak> fill_outside(Tree& tree, const PlaneList& planes, const Portals& portals,
+                                 const std::vector<Point>& starts) {
+    const Flood flood = flood_from_void(tree, portals);
+    std::optional<Leak> on_wall;
+    bool is_any_inside = false;
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+        const Touched touched = touched_at(tree, planes, flood, starts[i]);
+        is_any_inside = is_any_inside || touched.has_inside;
+        if (touched.has_inside || touched.reached < 0 || (touched.has_wall && on_wall)) continue;
+        Leak leak{i, path_to_void(tree, portals, flood, starts[i], touched.reached)};
+        if (!touched.has_wall) return leak;
+        on_wall = std::move(leak);
+    }
+    if (!is_any_inside && on_wall) return on_wall;
+    for (const int leaf : flood.order) tree.leaf(leaf).contents = contents::kSolid;
+    return std::nullopt;
+}
+
+}  // namespace oblong::map

@@ -1,0 +1,239 @@
+#include "tools/map/tree/surfaces.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "engine/base/input_error.h"
+#include "tools/map/source/winding.h"
+
+namespace oblong::map {
+namespace {
+
+// A point may be this far outside of a brush that is said to cover it.
+constexpr double kCoverSlack = 1.0 / 64;
+
+struct Cover {
+    Winding inside;
+    std::vector<Winding> outside;
+};
+
+Cover cut_by_brush(const Winding& winding, const Brush& brush, PlaneSide on, const PlaneList& planes) {
+    Cover cover{winding, {}};
+    for (const BrushSide& side : brush.sides) {
+        if (side.plane.plane == on.plane) continue;
+        SplitWinding parts = split(cover.inside, planes.facing(side.plane));
+        if (parts.is_on) continue;
+        if (!parts.front.empty()) cover.outside.push_back(std::move(parts.front));
+        cover.inside = std::move(parts.back);
+        if (cover.inside.empty()) return {{}, {winding}};
+    }
+    return cover;
+}
+
+double greatest_height(const Brush& brush, const PlaneList& planes, const Point& point) {
+    double greatest = -std::numeric_limits<double>::max();
+    for (const BrushSide& side : brush.sides) greatest = std::max(greatest, planes.facing(side.plane).height_of(point));
+    return greatest;
+}
+
+const BrushSide& side_facing_most(const Brush& brush, const PlaneList& planes, const Point& direction) {
+    const auto facing = [&](const BrushSide& side) { return dot(planes.facing(side.plane).normal, direction); };
+    return *std::max_element(brush.sides.begin(), brush.sides.end(),
+                             [&](const BrushSide& a, const BrushSide& b) { return facing(a) < facing(b); });
+}
+
+struct TexturedPiece {
+    int texinfo = -1;
+    Winding winding;
+};
+
+// Finds which brush side's texture covers which part of a polygon on its plane.
+class Texturing {
+  public:
+    Texturing(const std::vector<Brush>& brushes, const PlaneList& planes);
+
+    // Cuts `winding` into the parts that the sides facing `facing` of brushes of `filling` cover, later brushes
+    // first. What none covers (slivers, by rounding) gets the texture of the nearest such brush.
+    std::vector<TexturedPiece> cover(const Winding& winding, PlaneSide facing, int filling) const;
+
+  private:
+    struct Owner {
+        const Brush* brush;
+        const BrushSide* side;
+    };
+
+    int nearest_texinfo(const Winding& winding, PlaneSide facing, int filling) const;
+
+    const std::vector<Brush>& brushes_;
+    const PlaneList& planes_;
+    std::map<PlaneSide, std::vector<Owner>> owners_;  // later brushes first
+};
+
+Texturing::Texturing(const std::vector<Brush>& brushes, const PlaneList& planes) : brushes_(brushes), planes_(planes) {
+    for (auto brush = brushes.rbegin(); brush != brushes.rend(); ++brush) {
+        for (const BrushSide& side : brush->sides) owners_[side.plane].push_back({&*brush, &side});
+    }
+}
+
+std::vector<TexturedPiece> Texturing::cover(const Winding& winding, PlaneSide facing, int filling) const {
+    std::vector<TexturedPiece> covered;
+    std::vector<Winding> bare{winding};
+    const auto owners = owners_.find(facing);
+    if (owners == owners_.end()) return {{nearest_texinfo(winding, facing, filling), winding}};
+    const Box box = box_of(winding);
+    for (const Owner& owner : owners->second) {
+        if (owner.brush->contents != filling || !owner.brush->box.touches(box, kCoverSlack)) continue;
+        std::vector<Winding> still_bare;
+        for (const Winding& piece : bare) {
+            Cover cover = cut_by_brush(piece, *owner.brush, facing, planes_);
+            if (!cover.inside.empty()) covered.push_back({owner.side->texinfo, std::move(cover.inside)});
+            for (Winding& rest : cover.outside) still_bare.push_back(std::move(rest));
+        }
+        bare = std::move(still_bare);
+    }
+    for (Winding& piece : bare) {
+        const int texinfo = nearest_texinfo(piece, facing, filling);
+        covered.push_back({texinfo, std::move(piece)});
+    }
+    return covered;
+}
+
+int Texturing::nearest_texinfo(const Winding& winding, PlaneSide facing, int filling) const {
+    const Point at = middle(winding);
+    const Brush* nearest = nullptr;
+    double nearest_height = std::numeric_limits<double>::max();
+    for (const Brush& brush : brushes_) {
+        if (brush.contents != filling) continue;
+        const double height = greatest_height(brush, planes_, at);
+        if (height > nearest_height) continue;
+        nearest = &brush;
+        nearest_height = height;
+    }
+    if (nearest == nullptr) return -1;
+    return side_facing_most(*nearest, planes_, planes_.facing(facing).normal).texinfo;
+}
+
+constexpr double kStep = 16;
+
+struct Span {
+    double low = 0, high = 0;
+};
+
+Span texel_span(const Winding& winding, const TexInfo& texinfo, int axis) {
+    Span span{texinfo.texel(axis, winding[0]), texinfo.texel(axis, winding[0])};
+    for (const Point& point : winding) {
+        span.low = std::min(span.low, texinfo.texel(axis, point));
+        span.high = std::max(span.high, texinfo.texel(axis, point));
+    }
+    return span;
+}
+
+Plane plane_at_texel(const TexInfo& texinfo, int axis, double texel) {
+    const auto i = static_cast<std::size_t>(axis);
+    const double size = length(texinfo.axes[i]);
+    return {scaled(texinfo.axes[i], 1 / size), (texel - texinfo.offset[i]) / size};
+}
+
+// The format counts faces with 16 bits.
+constexpr std::size_t kMostSurfaces = 65535;
+
+void check_count(std::size_t count) {
+    if (count > kMostSurfaces)
+        throw InputError("lump faces", "more than " + std::to_string(kMostSurfaces) +
+                                           " faces, expected larger texture scales or a smaller level");
+}
+
+// A hair over a whole step is no reason to cut: the reader rounds the same numbers.
+std::vector<Winding> cut_along(Winding winding, const TexInfo& texinfo, int axis) {
+    std::vector<Winding> pieces;
+    while (true) {
+        const Span span = texel_span(winding, texinfo, axis);
+        const double cut = std::floor(span.low / kStep + kOnEpsilon) * kStep + kMaxExtent;
+        if (span.high <= cut + kStep * kOnEpsilon) break;
+        SplitWinding parts = split(winding, plane_at_texel(texinfo, axis, cut));
+        if (parts.front.empty() || parts.back.empty()) break;
+        pieces.push_back(std::move(parts.back));
+        check_count(pieces.size());
+        winding = std::move(parts.front);
+    }
+    pieces.push_back(std::move(winding));
+    return pieces;
+}
+
+// Node, faces back, texinfo: polygons that agree in these may be joined.
+using SurfaceKind = std::tuple<int, bool, int>;
+using SurfaceGroups = std::map<SurfaceKind, std::vector<Winding>>;
+
+bool is_boundary(const Tree& tree, const Portal& portal) {
+    return contents_rank(tree.leaf(portal.leaves[0]).contents) != contents_rank(tree.leaf(portal.leaves[1]).contents);
+}
+
+// The brush side at a portal belongs to the leaf of higher rank, and faces the other one.
+void add_portal(SurfaceGroups& groups, const Tree& tree, const Portal& portal, const Texturing& texturing) {
+    const int front = tree.leaf(portal.leaves[0]).contents, back = tree.leaf(portal.leaves[1]).contents;
+    const bool is_owner_front = contents_rank(front) > contents_rank(back);
+    const int owner = is_owner_front ? front : back, other = is_owner_front ? back : front;
+    if (is_opaque(other)) return;
+    const PlaneSide facing{tree.node(portal.node).plane, is_owner_front};
+    const Winding outward = is_owner_front ? reversed(portal.winding) : portal.winding;
+    for (TexturedPiece& piece : texturing.cover(outward, facing, owner)) {
+        if (piece.texinfo < 0) continue;
+        if (is_liquid(owner)) groups[{portal.node, !facing.is_back, piece.texinfo}].push_back(reversed(piece.winding));
+        groups[{portal.node, facing.is_back, piece.texinfo}].push_back(std::move(piece.winding));
+    }
+}
+
+}  // namespace
+
+std::vector<BoundaryPiece> boundaries(const Tree& tree, const Portals& portals) {
+    std::map<int, std::vector<Winding>> by_node;
+    for (const Portal& portal : portals.portals) {
+        if (is_boundary(tree, portal)) by_node[portal.node].push_back(portal.winding);
+    }
+    std::vector<BoundaryPiece> pieces;
+    for (auto& [node, windings] : by_node) {
+        for (Winding& winding : merged(std::move(windings))) {
+            const Box box = box_of(winding);
+            pieces.push_back({{tree.node(node).plane, false}, std::move(winding), box, tree.node(node).is_detail});
+        }
+    }
+    return pieces;
+}
+
+std::vector<Surface> make_surfaces(const Tree& tree, const PlaneList& planes, const Portals& portals,
+                                   const std::vector<Brush>& brushes) {
+    const Texturing texturing(brushes, planes);
+    SurfaceGroups groups;
+    for (const Portal& portal : portals.portals) {
+        if (is_boundary(tree, portal)) add_portal(groups, tree, portal, texturing);
+    }
+    std::vector<Surface> surfaces;
+    for (auto& [kind, windings] : groups) {
+        const auto [node, is_back, texinfo] = kind;
+        for (Winding& winding : merged(std::move(windings)))
+            surfaces.push_back({node, {tree.node(node).plane, is_back}, texinfo, std::move(winding)});
+    }
+    return surfaces;
+}
+
+std::vector<Surface> subdivided(std::vector<Surface> surfaces, const std::vector<TexInfo>& texinfos) {
+    std::vector<Surface> result;
+    for (Surface& surface : surfaces) {
+        const TexInfo& texinfo = at(texinfos, surface.texinfo);
+        if (texinfo.is_special) {
+            result.push_back(std::move(surface));
+            continue;
+        }
+        for (Winding& strip : cut_along(std::move(surface.winding), texinfo, 0)) {
+            for (Winding& piece : cut_along(std::move(strip), texinfo, 1))
+                result.push_back({surface.node, surface.plane, surface.texinfo, std::move(piece)});
+            check_count(result.size());
+        }
+    }
+    return result;
+}
+
+}  // namespace oblong::map

@@ -1,0 +1,206 @@
+#include "tools/map/tree/tree.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+namespace oblong::map {
+namespace {
+
+// Whether the part of `side` (of `own`) within `other` is hidden by it.
+bool hides(const Brush& other, bool is_other_later, const Brush& own, const BrushSide& side) {
+    const int other_rank = contents_rank(other.contents), own_rank = contents_rank(own.contents);
+    if (other_rank != own_rank) return other_rank > own_rank;
+    return !other.has_side(side.plane) || is_other_later;
+}
+
+// `winding` without its part inside `brush` or on its surface, in convex pieces; unless nothing is inside, the
+// pieces are new.
+std::vector<Winding> outside_of(const Winding& winding, const Brush& brush, const PlaneList& planes) {
+    std::vector<Winding> outside;
+    Winding inside = winding;
+    for (const BrushSide& side : brush.sides) {
+        SplitWinding parts = split(inside, planes.facing(side.plane));
+        if (parts.is_on) continue;
+        if (!parts.front.empty()) outside.push_back(std::move(parts.front));
+        inside = std::move(parts.back);
+        if (inside.empty()) return {winding};
+    }
+    return outside;
+}
+
+std::vector<Winding> visible_part(const std::vector<Brush>& brushes, std::size_t own, const BrushSide& side,
+                                  const PlaneList& planes) {
+    std::vector<Winding> pieces{side.winding};
+    const Box box = box_of(side.winding);
+    for (std::size_t other = 0; other < brushes.size() && !pieces.empty(); ++other) {
+        if (other == own || !brushes[other].box.touches(box, kOnEpsilon)) continue;
+        if (!hides(brushes[other], other > own, brushes[own], side)) continue;
+        std::vector<Winding> left;
+        for (const Winding& piece : pieces) {
+            for (Winding& rest : outside_of(piece, brushes[other], planes)) left.push_back(std::move(rest));
+        }
+        pieces = std::move(left);
+    }
+    return pieces;
+}
+
+constexpr std::size_t kMaxCandidates = 96;
+constexpr long kCutCost = 6;
+
+enum class Side { kOn, kFront, kBack, kBoth };
+
+Side side_of_reach(double lowest, double highest) {
+    const bool is_front = highest > kOnEpsilon, is_back = lowest < -kOnEpsilon;
+    if (is_front && is_back) return Side::kBoth;
+    if (is_front) return Side::kFront;
+    return is_back ? Side::kBack : Side::kOn;
+}
+
+// Where a piece lies. The piece's own plane is always kOn.
+Side side_of(const BoundaryPiece& piece, int plane_index, const PlaneList& planes) {
+    if (piece.plane.plane == plane_index) return Side::kOn;
+    const Plane& plane = planes[plane_index];
+    const int type = plane_type(plane);
+    if (type < 3)
+        return side_of_reach(component(piece.box.mins, type) - plane.distance,
+                             component(piece.box.maxs, type) - plane.distance);
+    const Reach far = reach(piece.winding, plane);
+    return side_of_reach(-far.back, far.front);
+}
+
+bool has_only_detail(const std::vector<BoundaryPiece>& pieces) {
+    return std::all_of(pieces.begin(), pieces.end(), [](const BoundaryPiece& piece) { return piece.is_detail; });
+}
+
+// Every plane of the pieces, or an even selection of them if they are many, the axial ones first.
+std::vector<int> candidates_of(const std::vector<BoundaryPiece>& pieces, const PlaneList& planes) {
+    std::vector<int> all;
+    const bool takes_detail = has_only_detail(pieces);
+    for (const BoundaryPiece& piece : pieces) {
+        if (takes_detail || !piece.is_detail) all.push_back(piece.plane.plane);
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    if (all.size() <= kMaxCandidates) return all;
+    const auto slanted =
+        std::stable_partition(all.begin(), all.end(), [&](int plane) { return is_axial(planes[plane]); });
+    const auto axial_count = static_cast<std::size_t>(slanted - all.begin());
+    if (axial_count >= kMaxCandidates / 4) all.resize(axial_count);
+    std::vector<int> some;
+    const std::size_t step = (all.size() + kMaxCandidates - 1) / kMaxCandidates;
+    for (std::size_t i = 0; i < all.size(); i += step) some.push_back(all[i]);
+    return some;
+}
+
+long cost_of(int plane, const std::vector<BoundaryPiece>& pieces, const PlaneList& planes) {
+    long front = 0, back = 0, cuts = 0;
+    for (const BoundaryPiece& piece : pieces) {
+        const Side side = side_of(piece, plane, planes);
+        if (side == Side::kOn) continue;
+        if (side != Side::kBack) ++front;
+        if (side != Side::kFront) ++back;
+        if (side == Side::kBoth) ++cuts;
+    }
+    const long cost = kCutCost * cuts + std::labs(front - back);
+    return is_axial(planes[plane]) ? 2 * cost : 3 * cost + 4;
+}
+
+// The plane to cut these pieces by: one of theirs.
+int choose_plane(const std::vector<BoundaryPiece>& pieces, const PlaneList& planes) {
+    int best = pieces.front().plane.plane;
+    long best_cost = std::numeric_limits<long>::max();
+    for (const int plane : candidates_of(pieces, planes)) {
+        const long cost = cost_of(plane, pieces, planes);
+        if (cost >= best_cost) continue;
+        best = plane;
+        best_cost = cost;
+    }
+    return best;
+}
+
+void add_piece(std::vector<BoundaryPiece>& pieces, const BoundaryPiece& whole, Winding winding) {
+    const Box box = box_of(winding);
+    pieces.push_back({whole.plane, std::move(winding), box, whole.is_detail});
+}
+
+// Pieces on the plane are done with; those across it are cut.
+std::array<std::vector<BoundaryPiece>, 2> parted(std::vector<BoundaryPiece> pieces, int plane,
+                                                 const PlaneList& planes) {
+    std::array<std::vector<BoundaryPiece>, 2> sides;
+    for (BoundaryPiece& piece : pieces) {
+        const Side side = side_of(piece, plane, planes);
+        if (side == Side::kOn) continue;
+        if (side == Side::kBoth) {
+            SplitWinding parts = split(piece.winding, planes[plane]);
+            add_piece(sides[0], piece, std::move(parts.front));
+            add_piece(sides[1], piece, std::move(parts.back));
+            continue;
+        }
+        sides[side == Side::kBack ? 1 : 0].push_back(std::move(piece));
+    }
+    return sides;
+}
+
+int build(Tree& tree, std::vector<BoundaryPiece> pieces, const PlaneList& planes) {
+    if (pieces.empty()) {
+        tree.leaves.emplace_back();
+        return -static_cast<int>(tree.leaves.size());
+    }
+    const int plane = choose_plane(pieces, planes);
+    const auto index = tree.nodes.size();
+    tree.nodes.push_back({plane, {}, has_only_detail(pieces)});
+    auto [front, back] = parted(std::move(pieces), plane, planes);
+    const int front_child = build(tree, std::move(front), planes);
+    const int back_child = build(tree, std::move(back), planes);
+    tree.nodes[index].children = {front_child, back_child};
+    return static_cast<int>(index);
+}
+
+}  // namespace
+
+std::vector<BoundaryPiece> outline(const std::vector<Brush>& brushes, const PlaneList& planes) {
+    std::vector<BoundaryPiece> pieces;
+    for (std::size_t own = 0; own < brushes.size(); ++own) {
+        for (const BrushSide& side : brushes[own].sides) {
+            for (Winding& part : visible_part(brushes, own, side, planes)) {
+                const Box box = box_of(part);
+                pieces.push_back({side.plane, std::move(part), box, brushes[own].is_detail});
+            }
+        }
+    }
+    return pieces;
+}
+
+Tree build_tree(std::vector<BoundaryPiece> pieces, const PlaneList& planes) {
+    Tree tree;
+    tree.root = build(tree, std::move(pieces), planes);
+    return tree;
+}
+
+int leaf_at(const Tree& tree, const PlaneList& planes, const Point& point) {
+    int child = tree.root;
+    while (child >= 0) {
+        const TreeNode& node = tree.node(child);
+        child = node.children[planes[node.plane].height_of(point) < 0 ? 1 : 0];
+    }
+    return Tree::leaf_of(child);
+}
+
+std::vector<int> leaves_at(const Tree& tree, const PlaneList& planes, const Point& point) {
+    std::vector<int> leaves, open{tree.root};
+    while (!open.empty()) {
+        const int child = open.back();
+        open.pop_back();
+        if (child < 0) {
+            leaves.push_back(Tree::leaf_of(child));
+            continue;
+        }
+        const double height = planes[tree.node(child).plane].height_of(point);
+        if (height >= -kOnEpsilon) open.push_back(tree.node(child).children[0]);
+        if (height <= kOnEpsilon) open.push_back(tree.node(child).children[1]);
+    }
+    return leaves;
+}
+
+}  // namespace oblong::map

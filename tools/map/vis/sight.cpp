@@ -1,0 +1,183 @@
+#include "tools/map/vis/sight.h"
+
+#include <algorithm>
+#include <deque>
+#include <numeric>
+
+#include "tools/map/vis/separators.h"
+
+namespace oblong::map {
+namespace {
+
+bool reaches_into(const Winding& winding, const std::vector<Plane>& frustum) {
+    return std::all_of(frustum.begin(), frustum.end(), [&](const Plane& plane) {
+        return std::any_of(winding.begin(), winding.end(),
+                           [&](const Point& point) { return plane.height_of(point) > kOnEpsilon; });
+    });
+}
+
+BitSet narrowed(const VisGraph& graph, const VisPortal& base) {
+    BitSet found(graph.portals.size());
+    SightCutter cutter;
+    std::vector<Plane> frustum;
+    for (const int index : at(graph.portals_of_cluster, base.cluster)) {
+        const auto i = static_cast<std::size_t>(index);
+        if (!base.might_see.has(i)) continue;
+        const VisPortal& next = graph.portals[i];
+        Winding source = base.winding, target = next.winding;
+        cutter.cut_to_front(target, base.plane);
+        cutter.cut_to_front(source, next.plane.flipped());
+        if (source.empty() || target.empty()) continue;
+        found.add(i);
+        find_separators(source, target, frustum);
+        flood_portals(graph, next.cluster, found, [&](std::size_t k) {
+            return base.might_see.has(k) && next.might_see.has(k) && reaches_into(graph.portals[k].winding, frustum);
+        });
+    }
+    return found;
+}
+
+// Where many small clusters lie in the open, the chains of portals are too many to follow: so many steps are shared out
+// among the portals, a few of which may use up to kShare times the mean of what is left.
+constexpr long kAllSteps = 20000000;
+constexpr long kShare = 8;
+
+// One portal's flow through the level.
+class Flow {
+  public:
+    Flow(const VisGraph& graph, const std::vector<BitSet>& seen, const std::vector<bool>& is_done,
+         const VisPortal& base, long max_steps)
+        : graph_(graph),
+          seen_(seen),
+          is_done_(is_done),
+          base_(base),
+          max_steps_(max_steps),
+          found_(graph.portals.size()) {}
+
+    BitSet run() {
+        Link& first = link(0);
+        first.source = base_.winding;
+        first.might_see = base_.might_see;
+        pass_cluster(base_.cluster, 0);
+        return steps_ < max_steps_ ? std::move(found_) : base_.might_see;
+    }
+
+    long steps() const { return steps_; }
+
+  private:
+    // A link of the chain of portals that is being followed; kept for the next chain, with its memory.
+    struct Link {
+        Winding source;              // what of the base portal is still looked from
+        Winding target;              // what is seen of the portal passed
+        std::vector<Plane> frustum;  // all that is seen beyond is in front of these
+        BitSet might_see;
+    };
+
+    // Goes on from a cluster that was reached through `depth` portals after the base.
+    void pass_cluster(int cluster, std::size_t depth) {
+        Link& next = link(depth + 1);
+        const Link& here = links_[depth];
+        for (const int index : at(graph_.portals_of_cluster, cluster)) {
+            const auto i = static_cast<std::size_t>(index);
+            if (!here.might_see.has(i)) continue;
+            const BitSet& beyond = is_done_[i] ? seen_[i] : graph_.portals[i].might_see;
+            const bool has_news = next.might_see.set_common(here.might_see, beyond, found_);
+            if (has_news || !found_.has(i)) pass_portal(i, depth, has_news);
+        }
+    }
+
+    void pass_portal(std::size_t index, std::size_t depth, bool has_news) {
+        if (steps_ >= max_steps_) return;
+        ++steps_;
+        const VisPortal& portal = graph_.portals[index];
+        const Link& here = links_[depth];
+        Link& next = links_[depth + 1];
+        if (!find_target(portal, here.frustum, next.target)) return;
+        next.source = here.source;
+        cutter_.cut_to_front(next.source, portal.plane.flipped());
+        if (next.source.empty()) return;
+        found_.add(index);
+        if (!has_news) return;
+        find_separators(next.source, next.target, next.frustum);
+        pass_cluster(portal.cluster, depth + 1);
+    }
+
+    // What of the portal is within the frustum; false: nothing.
+    bool find_target(const VisPortal& portal, const std::vector<Plane>& frustum, Winding& target) {
+        for (const Plane& plane : frustum) {
+            if (plane.height_of(portal.centre) <= -portal.radius) return false;
+        }
+        target = portal.winding;
+        cutter_.cut_to_front(target, base_.plane);
+        for (const Plane& plane : frustum) {
+            if (target.empty()) return false;
+            if (plane.height_of(portal.centre) < portal.radius) cutter_.cut_to_front(target, plane);
+        }
+        return !target.empty();
+    }
+
+    // In a deque, as references to links stay in use while it grows.
+    Link& link(std::size_t depth) {
+        while (links_.size() <= depth) links_.push_back({{}, {}, {}, BitSet(graph_.portals.size())});
+        return links_[depth];
+    }
+
+    const VisGraph& graph_;
+    const std::vector<BitSet>& seen_;
+    const std::vector<bool>& is_done_;
+    const VisPortal& base_;
+    const long max_steps_;
+    BitSet found_;
+    SightCutter cutter_;
+    std::deque<Link> links_;
+    long steps_ = 0;
+};
+
+// What does not see a portal is not seen by it, the other way round (portal k ^ 1 is portal k the other way).
+void forget_unseen(VisGraph& graph, std::size_t base, const BitSet& seen) {
+    for (std::size_t k = 0; k < graph.portals.size(); ++k) {
+        if (graph.portals[base].might_see.has(k) && !seen.has(k)) graph.portals[k ^ 1].might_see.remove(base ^ 1);
+    }
+}
+
+// Those with little to see first: they help the others.
+std::vector<std::size_t> by_might_see(const VisGraph& graph) {
+    std::vector<int> counts;
+    for (const VisPortal& portal : graph.portals) counts.push_back(portal.might_see.count());
+    std::vector<std::size_t> order(graph.portals.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return counts[a] < counts[b]; });
+    return order;
+}
+
+}  // namespace
+
+void narrow_might_see(VisGraph& graph) {
+    std::vector<BitSet> sets;
+    for (const VisPortal& portal : graph.portals) sets.push_back(narrowed(graph, portal));
+    // A line of sight runs both ways: portal i ^ 1 is portal i the other way.
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        BitSet both(sets.size());
+        for (std::size_t k = 0; k < sets.size(); ++k) {
+            if (sets[i].has(k) && sets[k ^ 1].has(i ^ 1)) both.add(k);
+        }
+        graph.portals[i].might_see = std::move(both);
+    }
+}
+
+std::vector<BitSet> find_seen_portals(VisGraph& graph) {
+    std::vector<BitSet> seen(graph.portals.size());
+    std::vector<bool> is_done(graph.portals.size(), false);
+    long steps_left = kAllSteps, portals_left = static_cast<long>(graph.portals.size());
+    for (const std::size_t i : by_might_see(graph)) {
+        Flow flow(graph, seen, is_done, graph.portals[i], std::max(steps_left, 0L) * kShare / portals_left);
+        seen[i] = flow.run();
+        is_done[i] = true;
+        forget_unseen(graph, i, seen[i]);
+        steps_left -= flow.steps();
+        --portals_left;
+    }
+    return seen;
+}
+
+}  // namespace oblong::map

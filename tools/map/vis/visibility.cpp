@@ -1,0 +1,107 @@
+#include "tools/map/vis/visibility.h"
+
+#include "tools/map/vis/sight.h"
+
+namespace oblong::map {
+namespace {
+
+constexpr int kNarrowingRounds = 3;  // each starts from the last one's sets; a fourth takes hardly anything away
+
+std::vector<bool> clusters_seen_from(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen) {
+    std::vector<bool> clusters(graph.portals_of_cluster.size(), false);
+    at(clusters, cluster) = true;
+    BitSet portals(graph.portals.size());
+    for (const int out : at(graph.portals_of_cluster, cluster)) {
+        portals.add(static_cast<std::size_t>(out));
+        portals.add_all(at(seen, out));
+    }
+    for (std::size_t i = 0; i < graph.portals.size(); ++i) {
+        if (portals.has(i)) at(clusters, graph.portals[i].cluster) = true;
+    }
+    return clusters;
+}
+
+std::vector<BitSet> find_seen(VisGraph& graph, bool is_fast) {
+    find_might_see(graph);
+    if (!is_fast) {
+        for (int round = 0; round < kNarrowingRounds; ++round) narrow_might_see(graph);
+        return find_seen_portals(graph);
+    }
+    std::vector<BitSet> seen;
+    for (const VisPortal& portal : graph.portals) seen.push_back(portal.might_see);
+    return seen;
+}
+
+// The cluster of each leaf of the file, from leaf 1 on.
+std::vector<int> clusters_in_file_order(const Clusters& clusters, const std::vector<int>& leaf_indices,
+                                        std::size_t leaf_count) {
+    std::vector<int> in_order(leaf_count, 0);
+    for (std::size_t i = 0; i < leaf_indices.size(); ++i) {
+        if (leaf_indices[i] > 0) at(in_order, leaf_indices[i] - 1) = clusters.of_leaf[i];
+    }
+    return in_order;
+}
+
+std::string row_of(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen,
+                   const std::vector<int>& cluster_of_leaf) {
+    const std::vector<bool> clusters = clusters_seen_from(cluster, graph, seen);
+    std::vector<bool> leaves;
+    for (const int of_leaf : cluster_of_leaf) leaves.push_back(at(clusters, of_leaf));
+    return packed_row(leaves);
+}
+
+}  // namespace
+
+std::string packed_row(const std::vector<bool>& leaves) {
+    std::string bytes((leaves.size() + 7) / 8, '\0');
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+        if (leaves[i]) bytes[i / 8] = static_cast<char>(static_cast<unsigned char>(bytes[i / 8]) | (1u << (i % 8)));
+    }
+    std::string row;
+    for (std::size_t i = 0; i < bytes.size();) {
+        row.push_back(bytes[i]);
+        if (bytes[i] != 0) {
+            ++i;
+            continue;
+        }
+        std::size_t run = 1;
+        while (run < 255 && i + run < bytes.size() && bytes[i + run] == 0) ++run;
+        row.push_back(static_cast<char>(run));
+        i += run;
+    }
+    return row;
+}
+
+std::vector<bool> unpacked_row(const std::string& visibility, int offset, std::size_t leaf_count) {
+    if (offset < 0) return std::vector<bool>(leaf_count, true);
+    std::vector<bool> leaves;
+    for (auto at = static_cast<std::size_t>(offset); leaves.size() < leaf_count; ++at) {
+        const auto byte = static_cast<unsigned char>(visibility[at]);
+        const std::size_t bits = byte != 0 ? 8 : 8 * static_cast<unsigned char>(visibility[++at]);
+        for (std::size_t bit = 0; bit < bits; ++bit) leaves.push_back((byte >> (bit % 8) & 1) != 0);
+    }
+    leaves.resize(leaf_count);
+    return leaves;
+}
+
+void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<int>& leaf_indices,
+                    const PlaneList& planes, bool is_fast) {
+    const auto leaf_count = static_cast<std::size_t>(bsp.models.front().visible_leaf_count);
+    std::vector<bool> is_numbered;
+    for (const int index : leaf_indices) is_numbered.push_back(index > 0);
+    const Clusters clusters = cluster_leaves(world.tree, is_numbered);
+    VisGraph graph = make_vis_graph(world, planes, clusters);
+    const std::vector<BitSet> seen = find_seen(graph, is_fast);
+    const std::vector<int> cluster_of_leaf = clusters_in_file_order(clusters, leaf_indices, leaf_count);
+    std::vector<int> offsets(clusters.count, -1);  // leaves of a cluster share a row
+    for (std::size_t leaf = 0; leaf < leaf_count; ++leaf) {
+        int& offset = at(offsets, cluster_of_leaf[leaf]);
+        if (offset < 0) {
+            offset = static_cast<int>(bsp.visibility.size());
+            bsp.visibility += row_of(cluster_of_leaf[leaf], graph, seen, cluster_of_leaf);
+        }
+        bsp.leaves[leaf + 1].visibility_offset = offset;
+    }
+}
+
+}  // namespace oblong::map
