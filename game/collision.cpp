@@ -5,43 +5,58 @@
 namespace oblong {
 namespace {
 
-// A solid model where it stands now.
+// A solid model where it is now.
 struct Obstacle {
     ModelIndex model;
-    Place offset;
+    Vec3<World> offset;
 };
 
-const SubModel& model_of(const Stage& stage, const Obstacle& obstacle) {
-    return stage.level->models[obstacle.model];
-}
-
-// Calls visit(obstacle) for the world, the models that stand still and the movers, until one answers false.
+// Calls visit(obstacle) for the world, the static models and the movers, until one answers false.
 template <class Visit>
-bool for_each_obstacle(const Stage& stage, const GameState& state, Visit visit) {
+bool for_each_obstacle(const GameLevel& level, const GameState& state, Visit visit) {
     if (!visit(Obstacle{kWorldModel, {}})) return false;
-    for (const ModelIndex model : stage.solid_still_models)
+    for (const ModelIndex model : level.solid_static_models)
         if (!visit(Obstacle{model, {}})) return false;
-    for (std::size_t i = 0; i < stage.movers.size(); ++i)
-        if (!visit(Obstacle{stage.movers[i].model, offset_of(stage.movers[i], state.movers[i])})) return false;
+    for (std::size_t i = 0; i < level.movers.size(); ++i)
+        if (!visit(Obstacle{level.movers[i].model, offset_of(level.movers[i], state.movers[i])})) return false;
     return true;
 }
 
-// Where a model can be hit at all: its box, grown by the player's and some room for rounding.
-bool can_meet(const Stage& stage, const Obstacle& obstacle, const Box& swept) {
-    if (obstacle.model == kWorldModel) return true;
-    const Box box = box_of(model_of(stage, obstacle).box);
-    return box.grown(place_of(2, 2, 2)).moved(obstacle.offset).overlaps(swept);
+bool contains(const GameLevel& level, const Obstacle& obstacle, const Position& position) {
+    if (!may_touch(level, obstacle.model, obstacle.offset, player_box(position))) return false;
+    return hull_contents(*level.bsp, level.model(obstacle.model), Hull::Player, position - obstacle.offset) ==
+           contents::kSolid;
+}
+
+// The positions beside, above and below a model that are next to one inside it.
+std::array<Position, 6> positions_around(const GameLevel& level, const Obstacle& obstacle, const Position& from) {
+    constexpr World kGap = World::from_int(2);
+    const Box model = box_of(level.model(obstacle.model).box).moved(obstacle.offset);
+    const Box player = player_box({});
+    const Position low = model.mins - player.maxs - Vec3<World>{kGap, kGap, kGap};
+    const Position high = model.maxs - player.mins + Vec3<World>{kGap, kGap, kGap};
+    return {{{from.x, from.y, high.z},
+             {low.x, from.y, from.z},
+             {high.x, from.y, from.z},
+             {from.x, low.y, from.z},
+             {from.x, high.y, from.z},
+             {from.x, from.y, low.z}}};
+}
+
+bool is_reachable(const GameLevel& level, const Position& from, const Position& to) {
+    const TraceResult trace = trace_hull(*level.bsp, level.model(kWorldModel), Hull::Player, from, to);
+    return !trace.is_hit && !trace.is_all_solid;
 }
 
 }  // namespace
 
-Contact move_box(const Stage& stage, const GameState& state, const Place& from, const Place& to) {
+Contact move_box(const GameLevel& level, const GameState& state, const Position& from, const Position& to) {
     const Box swept = player_box(from).united(player_box(to));
-    Contact first{to, false, {}, {}, false};
+    Contact first{to, false, {}, kWorldModel, false};
     Unit first_fraction = Unit::from_int(1);
-    for_each_obstacle(stage, state, [&](const Obstacle& obstacle) {
-        if (!can_meet(stage, obstacle, swept)) return true;
-        const TraceResult trace = trace_hull(*stage.level, model_of(stage, obstacle), Hull::Player,
+    for_each_obstacle(level, state, [&](const Obstacle& obstacle) {
+        if (!may_touch(level, obstacle.model, obstacle.offset, swept)) return true;
+        const TraceResult trace = trace_hull(*level.bsp, level.model(obstacle.model), Hull::Player,
                                              from - obstacle.offset, to - obstacle.offset);
         if (trace.is_all_solid) {
             first = {from, true, {}, obstacle.model, true};
@@ -54,16 +69,36 @@ Contact move_box(const Stage& stage, const GameState& state, const Place& from, 
     return first;
 }
 
-bool is_free(const Stage& stage, const GameState& state, const Place& place) {
-    const Box here = player_box(place);
-    return for_each_obstacle(stage, state, [&](const Obstacle& obstacle) {
-        return !can_meet(stage, obstacle, here) || hull_contents(*stage.level, model_of(stage, obstacle), Hull::Player,
-                                                                 place - obstacle.offset) != contents::kSolid;
-    });
+bool is_free(const GameLevel& level, const GameState& state, const Position& position) {
+    return for_each_obstacle(level, state,
+                             [&](const Obstacle& obstacle) { return !contains(level, obstacle, position); });
 }
 
-std::int32_t contents_at(const Stage& stage, const Place& point) {
-    return hull_contents(*stage.level, stage.level->world(), Hull::Point, point);
+// A model's box, grown by some room for the rounding of files: compilers write boxes up to a unit too small.
+bool may_touch(const GameLevel& level, ModelIndex model, const Vec3<World>& offset, const Box& box) {
+    if (model == kWorldModel) return true;
+    return box_of(level.model(model).box).grown(world_vector(2, 2, 2)).moved(offset).overlaps(box);
+}
+
+WayOut find_way_out(const GameLevel& level, const GameState& state, const Position& from) {
+    WayOut out;
+    World shortest = World::highest();
+    for_each_obstacle(level, state, [&](const Obstacle& obstacle) {
+        if (obstacle.model == kWorldModel || !contains(level, obstacle, from)) return true;
+        out.is_inside_model = true;
+        for (const Position& position : positions_around(level, obstacle, from)) {
+            const World way = length_of(position - from);
+            if (way >= shortest || !is_reachable(level, from, position) || !is_free(level, state, position)) continue;
+            shortest = way;
+            out.position = position;
+        }
+        return true;
+    });
+    return out;
+}
+
+std::int32_t contents_at(const GameLevel& level, const Position& point) {
+    return hull_contents(*level.bsp, level.model(kWorldModel), Hull::Point, point);
 }
 
 }  // namespace oblong

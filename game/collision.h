@@ -1,28 +1,39 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
-#include "game/stage.h"
+#include "game/game_level.h"
 #include "game/state.h"
 
 namespace oblong {
 
-/// How far the player's box gets on a straight way.
+/// How far the player's box gets on a straight line.
 struct Contact {
-    Place end;              ///< where it stops, clear of what it hit
-    bool has_hit = false;   ///< it stops before the way's end
+    Position end;           ///< where it stops, clear of what it hit
+    bool has_hit = false;   ///< it stops before the line's end
     Vec3<Unit> normal;      ///< of what it hit, towards the player
     ModelIndex model;       ///< that it hit
-    bool is_stuck = false;  ///< the whole way is inside something solid
+    bool is_stuck = false;  ///< the whole line is inside something solid
 };
 
-/// Moves the player's box through the world and all movers where they stand now (hull 1).
-Contact move_box(const Stage& stage, const GameState& state, const Place& from, const Place& to);
+/// Moves the player's box through the world and all brush models where they are now (hull 1).
+Contact move_box(const GameLevel& level, const GameState& state, const Position& from, const Position& to);
 
-/// True where the player's box at a place touches nothing solid.
-bool is_free(const Stage& stage, const GameState& state, const Place& place);
+/// True where the player's box at a position touches nothing solid.
+bool is_free(const GameLevel& level, const GameState& state, const Position& position);
+
+/// False where a model at an offset is too far from a box to touch it.
+bool may_touch(const GameLevel& level, ModelIndex model, const Vec3<World>& offset, const Box& box);
+
+/// The nearest free position along an axis for a player who is inside a brush model, not through the world's walls.
+struct WayOut {
+    bool is_inside_model = false;
+    std::optional<Position> position;
+};
+WayOut find_way_out(const GameLevel& level, const GameState& state, const Position& from);
 
 /// What fills the world at a point (contents::kEmpty and so on).
-std::int32_t contents_at(const Stage& stage, const Place& point);
+std::int32_t contents_at(const GameLevel& level, const Position& point);
 
 }  // namespace oblong

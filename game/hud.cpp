@@ -33,34 +33,34 @@ constexpr std::array<std::string_view, 17> kHelp{
     "Esc               free the mouse, then leave",
 };
 
-void draw_end(std::string_view message, Inks inks, Framebuffer canvas) {
+void draw_end(std::string_view message, TextColours colours, Framebuffer canvas) {
     std::vector<std::string_view> lines =
         lines_of(message.empty() ? "You have reached the end." : message, canvas.width_px - 2 * kPanelSide_px);
     lines.insert(lines.end(), {"", "Thank you for playing.", "Esc frees the mouse, then leaves."});
-    draw_panel(canvas, lines, inks);
+    draw_panel(canvas, lines, colours);
 }
 
-void draw_message(std::string_view message, Inks inks, Framebuffer canvas) {
+void draw_message(std::string_view message, TextColours colours, Framebuffer canvas) {
     std::int32_t y = kMargin_px;
     for (const std::string_view line : lines_of(message, canvas.width_px - 2 * kMargin_px)) {
-        draw_text(canvas, kMargin_px, y, line, inks);
+        draw_text(canvas, kMargin_px, y, line, colours);
         y += kLineHeight_px;
     }
 }
 
 }  // namespace
 
-void tell(Hud& hud, std::string message, std::uint64_t now_us) {
+void show_message(Hud& hud, std::string message, std::uint64_t now_us) {
     hud.message = std::move(message);
     hud.message_ends_us = now_us + kMessageStays_us;
 }
 
-void draw_hud(const Hud& hud, std::uint64_t now_us, Inks inks, Framebuffer canvas) {
-    if (hud.shows_end) draw_end(hud.end_message, inks, canvas);
-    if (hud.shows_help) draw_panel(canvas, kHelp, inks);
-    if (!hud.message.empty() && now_us < hud.message_ends_us) draw_message(hud.message, inks, canvas);
+void draw_hud(const Hud& hud, std::uint64_t now_us, TextColours colours, Framebuffer canvas) {
+    if (hud.shows_end) draw_end(hud.end_message, colours, canvas);
+    if (hud.shows_help) draw_panel(canvas, kHelp, colours);
+    if (!hud.message.empty() && now_us < hud.message_ends_us) draw_message(hud.message, colours, canvas);
     if (!hud.cost.empty())
-        draw_text(canvas, kMargin_px, canvas.height_px - kLineHeight_px - kMargin_px, hud.cost, inks);
+        draw_text(canvas, kMargin_px, canvas.height_px - kLineHeight_px - kMargin_px, hud.cost, colours);
 }
 
 }  // namespace oblong

@@ -1,21 +1,114 @@
+#include <cstdio>
 #include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
 
+#include "engine/platform/files.h"
+#include "engine/platform/headless/headless.h"
+#include "engine/platform/sdl/window.h"
 #include "game/options.h"
-#include "game/run.h"
+#include "game/session.h"
+#include "game/timedemo.h"
+#include "tools/common/png.h"
 
+namespace oblong {
 namespace {
 
-// build/assets stands beside build/bin, wherever the build folder has been moved to.
+namespace fs = std::filesystem;
+
+// build/assets is beside build/bin, wherever the build folder was moved to.
 std::string assets_folder(const char* called_as) {
     std::error_code error;
-    std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-    if (error) program = std::filesystem::absolute(called_as);
+    fs::path program = fs::read_symlink("/proc/self/exe", error);
+    if (error) program = fs::absolute(called_as);
     return (program.parent_path().parent_path() / "assets").string();
 }
 
+ViewOptions view_options_of(const Options& options) {
+    ViewOptions view_options;
+    view_options.preset = options.preset;
+    view_options.scaling = options.scaling;
+    return view_options;
+}
+
+// Writes 00000.png, 00001.png and so on into a folder.
+HeadlessPlatform::FrameSink png_sink(const std::string& folder) {
+    make_folder(folder);
+    return [folder, frame = 0](Framebuffer picture, const Palette& palette) mutable {
+        char name[16];
+        std::snprintf(name, sizeof name, "%05d.png", frame++);
+        const std::size_t size =
+            static_cast<std::size_t>(picture.width_px) * static_cast<std::size_t>(picture.height_px);
+        write_file((fs::path(folder) / name).string(),
+                   encode_indexed_png({picture.pixels, size}, picture.width_px, picture.height_px, palette));
+    };
+}
+
+// The input of --headless without a demo, in ticks: 2.5 s ahead, a quarter turn to the right, 4 s ahead with a jump, a
+// turn to the left.
+Controls short_walk(std::int64_t tick) {
+    constexpr std::int64_t kTurn = 87, kAhead = 110, kJump = 130, kLook = 250, kRound = 280;
+    const std::int64_t at = tick % kRound;
+    Controls controls;
+    controls.forward = at < kTurn || (at >= kAhead && at < kLook);
+    controls.turn_right = at >= kTurn && at < kAhead;
+    controls.turn_left = at >= kLook;
+    controls.jump = at == kJump;
+    return controls;
+}
+
+std::unique_ptr<Platform> open_platform(const Options& options) {
+    if (options.headless_frames == 0) return open_window("Oblong", options.window);
+    const bool replays = !options.replay.empty();
+    return std::make_unique<HeadlessPlatform>(
+        options.headless_frames, kTicksPerSecond,
+        [replays](std::int64_t poll) { return replays ? Controls{} : short_walk(poll); }, png_sink(options.out));
+}
+
+void time_demo(const Options& options, const GameData& data, const GameLevel& level) {
+    const Demo demo = read_parsed(options.timedemo, decode_demo);
+    GameRenderer renderer(data, level, options.mode);
+    const Settings settings = settings_of(view_options_of(options));
+    const auto result = naming_file(
+        options.timedemo, [&] { return run_timedemo(level, demo, renderer, settings, options.field_of_view); });
+    std::cout << describe(result) << '\n';
+}
+
+// Before the game is played, not after it.
+void check_writable(const std::string& file) {
+    const fs::path folder = fs::path(file).parent_path();
+    if (fs::is_directory(file)) throw FileError(file, "write", "is a folder, expected a file");
+    if (!folder.empty() && !fs::is_directory(folder))
+        throw FileError(file, "write", folder.string() + " is no folder, expected a folder for the file");
+}
+
+void play(const Options& options, const GameData& data, const GameLevel& level) {
+    std::optional<Demo> demo;
+    if (!options.replay.empty()) demo = read_parsed(options.replay, decode_demo);
+    const bool records = !options.record.empty();
+    if (records) check_writable(options.record);
+    naming_file(options.replay, [&] {
+        TickInputSource input(start_of(level), demo, records);
+        const auto platform = open_platform(options);
+        Session(data, level, {options.mode, options.field_of_view, view_options_of(options)}, input, *platform).run();
+        if (records) write_file(options.record, encode_demo(input.recorded()));
+    });
+}
+
+void run_game(const Options& options, const std::string& assets) {
+    const GameData data = load_game(options.level, options.palette, assets);
+    const GameLevel level = naming_file(data.level_file, [&] { return make_game_level(data.level); });
+    if (!options.timedemo.empty())
+        time_demo(options, data, level);
+    else
+        play(options, data, level);
+}
+
 }  // namespace
+}  // namespace oblong
 
 int main(int argc, char** argv) {
     return oblong::run_with_options(
-        argc, argv, [&](const oblong::Options& options) { oblong::run_game(options, assets_folder(argv[0])); });
+        argc, argv, [&](const oblong::Options& options) { oblong::run_game(options, oblong::assets_folder(argv[0])); });
 }

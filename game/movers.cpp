@@ -1,19 +1,23 @@
-#include "game/movers.h"
-
 #include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "game/collision.h"
+#include "game/step.h"
 
 namespace oblong {
 namespace {
 
 using Phase = MoverState::Phase;
 
+constexpr std::int32_t kTeleporterTicks = kTicksPerSecond / 5;
+
 bool is_moving(const MoverState& state) {
     return state.phase == Phase::Leaving || state.phase == Phase::Returning;
 }
 
-// A tick of the way, and the end where it is reached.
+// Travels for a tick; changes the phase where an end is reached.
 void travel(const Mover& mover, MoverState& state) {
     const bool is_leaving = state.phase == Phase::Leaving;
     const World step = is_leaving ? mover.speed_per_tick : -mover.speed_per_tick;
@@ -33,33 +37,36 @@ void wait(const Mover& mover, MoverState& state) {
         state.phase = Phase::Returning;
 }
 
-// The player goes where the mover takes or pushes; false where there is no room.
-bool make_way(const Stage& stage, GameState& state, const Mover& mover, const Place& moved) {
+// Carries or pushes the player along; false where there is no room.
+bool push_player(const GameLevel& level, GameState& state, const Mover& mover, const Vec3<World>& moved) {
     const bool rides = state.player.ground == mover.model.number();
-    if (!rides && is_free(stage, state, state.player.place)) return true;
-    if (is_free(stage, state, state.player.place + moved)) {
-        state.player.place = state.player.place + moved;
+    if (!rides && is_free(level, state, state.player.position)) return true;
+    if (is_free(level, state, state.player.position + moved)) {
+        state.player.position = state.player.position + moved;
         return true;
     }
-    return is_free(stage, state, state.player.place);
+    return is_free(level, state, state.player.position);
 }
 
-void turn_round(MoverState& state) {
+void reverse(MoverState& state) {
     state.phase = state.phase == Phase::Leaving || state.phase == Phase::AtEnd ? Phase::Returning : Phase::Leaving;
 }
 
-void move(const Stage& stage, GameState& state, std::size_t index) {
-    const Mover& mover = stage.movers[index];
-    const MoverState before = state.movers[index];
-    const bool was_free = is_free(stage, state, state.player.place);
-    travel(mover, state.movers[index]);
-    const Place moved = offset_of(mover, state.movers[index]) - offset_of(mover, before);
-    if (make_way(stage, state, mover, moved) || !was_free) return;
+void move(const GameLevel& level, GameState& state, std::size_t index) {
+    const Mover& mover = level.movers[index];
+    MoverState after = state.movers[index];
+    travel(mover, after);
+    const Vec3<World> offset = offset_of(mover, after), moved = offset - offset_of(mover, state.movers[index]);
+    const bool meets_player = state.player.ground == mover.model.number() ||
+                              may_touch(level, mover.model, offset, player_box(state.player.position));
+    const bool was_free = meets_player && is_free(level, state, state.player.position);
+    const MoverState before = std::exchange(state.movers[index], after);
+    if (!was_free || push_player(level, state, mover, moved)) return;
     state.movers[index] = before;
-    turn_round(state.movers[index]);
+    reverse(state.movers[index]);
 }
 
-void set_off_one(const Mover& mover, MoverState& state) {
+void activate_one(const Mover& mover, MoverState& state) {
     if (state.phase == Phase::AtEnd)
         state.wait_ticks = mover.wait_ticks;
     else
@@ -68,30 +75,38 @@ void set_off_one(const Mover& mover, MoverState& state) {
 
 }  // namespace
 
-void set_off(const Stage& stage, GameState& state, std::int32_t mover) {
-    const auto index = static_cast<std::size_t>(mover);
-    const bool is_new = !is_moving(state.movers[index]);
-    set_off_one(stage.movers[index], state.movers[index]);
-    if (!is_new) return;
-    for (const std::int32_t other : stage.movers[index].starts) {
-        const auto next = static_cast<std::size_t>(other);
-        set_off_one(stage.movers[next], state.movers[next]);
+void activate_teleporters(const Target& target, GameState& state) {
+    for (const std::uint32_t teleporter : target.teleporters) state.teleporter_ticks[teleporter] = kTeleporterTicks;
+}
+
+// Each target once, however many movers name it.
+void activate(const GameLevel& level, GameState& state, std::span<const std::uint32_t> movers) {
+    std::set<TargetIndex> targets;
+    for (const std::uint32_t i : movers) {
+        if (!is_moving(state.movers[i]) && level.movers[i].target != kNoTarget) targets.insert(level.movers[i].target);
+        activate_one(level.movers[i], state.movers[i]);
+    }
+    for (const TargetIndex index : targets) {
+        const Target& target = level.target(index);
+        for (const std::uint32_t i : target.movers) activate_one(level.movers[i], state.movers[i]);
+        activate_teleporters(target, state);
     }
 }
 
-void touch_movers(const Stage& stage, GameState& state) {
-    const Box player = player_box(state.player.place);
-    for (std::size_t i = 0; i < stage.movers.size(); ++i)
-        if (stage.movers[i].touch && stage.movers[i].touch->overlaps(player))
-            set_off(stage, state, static_cast<std::int32_t>(i));
+void touch_movers(const GameLevel& level, GameState& state) {
+    const Box player = player_box(state.player.position);
+    std::vector<std::uint32_t> touched;
+    for (std::uint32_t i = 0; i < level.movers.size(); ++i)
+        if (level.movers[i].touch_box && level.movers[i].touch_box->overlaps(player)) touched.push_back(i);
+    activate(level, state, touched);
 }
 
-void step_movers(const Stage& stage, GameState& state) {
-    for (std::size_t i = 0; i < stage.movers.size(); ++i) {
+void step_movers(const GameLevel& level, GameState& state) {
+    for (std::size_t i = 0; i < level.movers.size(); ++i) {
         if (is_moving(state.movers[i]))
-            move(stage, state, i);
+            move(level, state, i);
         else if (state.movers[i].phase == Phase::AtEnd)
-            wait(stage.movers[i], state.movers[i]);
+            wait(level.movers[i], state.movers[i]);
     }
 }
 

@@ -7,7 +7,7 @@
 #include "engine/frame/settings.h"
 #include "engine/geometry/camera.h"
 #include "engine/platform/present_rect.h"
-#include "engine/screen/screen_mode.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 

@@ -1,11 +1,9 @@
-#include "game/player.h"
-
 #include <algorithm>
 
 #include "engine/fixed/trig.h"
 #include "game/collision.h"
-#include "game/glide.h"
-#include "game/velocity.h"
+#include "game/slide_move.h"
+#include "game/step.h"
 
 namespace oblong {
 namespace {
@@ -14,13 +12,13 @@ namespace {
 constexpr World kGravity = World::from_int(800), kTopSpeed = World::from_int(320), kJumpSpeed = World::from_int(270);
 constexpr World kStopSpeed = World::from_int(100), kAirWish = World::from_int(30), kSinkSpeed = World::from_int(60);
 constexpr World kSwimUpSpeed = World::from_int(100), kLeaveWaterSpeed = World::from_int(310);
-constexpr World kFastest = World::from_int(2000);      // in each axis
-constexpr World kStillRising = World::from_int(180);   // nobody stands on ground that they leave so fast
-constexpr World kEyeCatchesUp = World::from_int(160);  // after a step
+constexpr World kFastest = World::from_int(2000);  // in each axis
+constexpr World kRising = World::from_int(180);    // a player who rises faster stands on no ground
+constexpr World kEyeSpeed = World::from_int(160);  // after a step
 constexpr std::int32_t kFriction = 4, kAccelerate = 10;
 
-World in_a_tick(World per_second, std::int32_t times = 1) {
-    return World::from_raw(static_cast<std::int32_t>(std::int64_t{per_second.raw} * times / kTicksPerSecond));
+World in_a_tick(World per_second, std::int32_t factor = 1) {
+    return scaled(per_second, factor, kTicksPerSecond);
 }
 
 void turn(Player& player, const TickInput& input) {
@@ -28,9 +26,9 @@ void turn(Player& player, const TickInput& input) {
     player.pitch = std::clamp(player.pitch + input.pitch, -Player::kSteepestPitch, Player::kSteepestPitch);
 }
 
-Depth depth_at(const Stage& stage, const Place& place) {
+Depth depth_at(const GameLevel& level, const Position& position) {
     const auto is_wet = [&](std::int32_t z) {
-        const std::int32_t filling = contents_at(stage, place + place_of(0, 0, z));
+        const std::int32_t filling = contents_at(level, position + world_vector(0, 0, z));
         return filling == contents::kWater || filling == contents::kSlime || filling == contents::kLava;
     };
     if (!is_wet(-23)) return Depth::Dry;
@@ -38,7 +36,7 @@ Depth depth_at(const Stage& stage, const Place& place) {
     return is_wet(kEyeHeight) ? Depth::Eyes : Depth::Waist;
 }
 
-// What slows the player: on the ground at least as much as at kStopSpeed, so that it ends.
+// Friction: in proportion to the speed, but no less than at the speed `at_least`, so that the player comes to rest.
 Velocity with_friction(const Velocity& v, World at_least) {
     const World speed = length_of(v);
     if (speed == World{}) return v;
@@ -50,9 +48,7 @@ Velocity with_friction(const Velocity& v, World at_least) {
 Velocity accelerated(const Velocity& v, const Velocity& wish, World most) {
     const World wished = length_of(wish);
     if (wished == World{}) return v;
-    const World already = World::from_raw(static_cast<std::int32_t>(
-        (std::int64_t{v.x.raw} * wish.x.raw + std::int64_t{v.y.raw} * wish.y.raw + std::int64_t{v.z.raw} * wish.z.raw) /
-        wished.raw));
+    const World already = World::from_raw(static_cast<std::int32_t>(dot(v, wish).raw / wished.raw));
     const World missing = std::min(most, wished) - already;
     if (missing <= World{}) return v;
     return v + scaled(wish, std::min(missing, in_a_tick(wished, kAccelerate)), wished);
@@ -63,55 +59,52 @@ Velocity bounded(const Velocity& v) {
     return {bound(v.x), bound(v.y), bound(v.z)};
 }
 
-// The velocity that the keys ask for, no faster than kTopSpeed. Level for one who walks, along the view for a swimmer.
+// The velocity that the input asks for, at most kTopSpeed: level to walk, along the view to swim.
 Velocity wish_of(const Player& player, const TickInput& input, bool swims) {
     const Angle pitch = Angle::from_bam(swims ? player.pitch : 0);
-    const Unit ahead_flat = cosine(pitch), cos_yaw = cosine(player.yaw), sin_yaw = sine(player.yaw);
-    const auto along = [](std::int32_t part_127, Unit direction) {
-        return convert<World>(widening_product(World::from_raw(kTopSpeed.raw * part_127 / 127), direction));
-    };
-    const World flat = along(input.forward, ahead_flat), right = World::from_raw(kTopSpeed.raw * input.right / 127);
-    const auto times = [](World w, Unit direction) { return convert<World>(widening_product(w, direction)); };
-    const Velocity wish{times(flat, cos_yaw) + times(right, sin_yaw), times(flat, sin_yaw) - times(right, cos_yaw),
-                        along(-input.forward, sine(pitch))};
+    const Unit cos_yaw = cosine(player.yaw), sin_yaw = sine(player.yaw);
+    const World forward = scaled(kTopSpeed, input.forward, 127), right = scaled(kTopSpeed, input.right, 127);
+    const World level = times(forward, cosine(pitch));
+    const Velocity wish{times(level, cos_yaw) + times(right, sin_yaw), times(level, sin_yaw) - times(right, cos_yaw),
+                        times(-forward, sine(pitch))};
     const World speed = length_of(wish);
     return speed > kTopSpeed ? scaled(wish, kTopSpeed, speed) : wish;
 }
 
-// A wall ahead that ends just above the water: Quake's way out of it.
-bool can_leave_water(const Stage& stage, const Player& player, const TickInput& input) {
+// True where a wall ahead ends just above the water: Quake's jump out of it.
+bool can_leave_water(const GameLevel& level, const Player& player, const TickInput& input) {
     if (player.depth != Depth::Waist || input.forward <= 0) return false;
-    const auto ahead = [](Unit part) { return convert<World>(widening_product(World::from_int(24), part)); };
-    const Place wall = player.place + Place{ahead(cosine(player.yaw)), ahead(sine(player.yaw)), World::from_int(8)};
-    return contents_at(stage, wall) == contents::kSolid &&
-           contents_at(stage, wall + place_of(0, 0, 24)) == contents::kEmpty;
+    const Vec3<World> ahead = times(World::from_int(24), {cosine(player.yaw), sine(player.yaw), Unit{}});
+    const Position wall = player.position + ahead + world_vector(0, 0, 8);
+    return contents_at(level, wall) == contents::kSolid &&
+           contents_at(level, wall + world_vector(0, 0, 24)) == contents::kEmpty;
 }
 
-void swim(const Stage& stage, GameState& state, const TickInput& input) {
+void swim(const GameLevel& level, GameState& state, const TickInput& input) {
     Player& player = state.player;
     Velocity wish = wish_of(player, input, true);
     const bool jumps = (input.buttons & kJumpButton) != 0;
     if (wish == Velocity{} && !jumps) wish.z = -kSinkSpeed;
-    wish = scaled(wish, World::from_int(7), World::from_int(10));
+    wish = scaled(wish, 7, 10);
     Velocity velocity = accelerated(with_friction(player.velocity, World{}), wish, kTopSpeed);
     if (jumps) velocity.z = std::max(velocity.z, kSwimUpSpeed);
-    if (can_leave_water(stage, player, input)) velocity.z = kLeaveWaterSpeed;
-    const Motion after = glide_over_steps(stage, state, {player.place, bounded(velocity)});
-    player.place = after.place;
+    if (can_leave_water(level, player, input)) velocity.z = kLeaveWaterSpeed;
+    const Motion after = step_slide_move(level, state, {player.position, bounded(velocity)});
+    player.position = after.position;
     player.velocity = after.velocity;
     player.ground = Player::kNoGround;
 }
 
-void fly(const Stage& stage, GameState& state, const TickInput& input) {
+void fly(const GameLevel& level, GameState& state, const TickInput& input) {
     Player& player = state.player;
     Velocity velocity = accelerated(player.velocity, wish_of(player, input, false), kAirWish);
     velocity.z -= in_a_tick(kGravity);
-    const Motion after = glide(stage, state, {player.place, bounded(velocity)});
-    player.place = after.place;
+    const Motion after = slide_move(level, state, {player.position, bounded(velocity)});
+    player.position = after.position;
     player.velocity = after.velocity;
 }
 
-void walk(const Stage& stage, GameState& state, const TickInput& input) {
+void walk(const GameLevel& level, GameState& state, const TickInput& input) {
     Player& player = state.player;
     player.velocity.z = World{};
     const Velocity velocity =
@@ -120,22 +113,22 @@ void walk(const Stage& stage, GameState& state, const TickInput& input) {
         player.velocity = velocity;
         return;
     }
-    const World height_before = player.place.z;
-    const Motion after = glide_over_steps(stage, state, {player.place, bounded(velocity)});
-    const Contact ground = find_ground(stage, state, after.place, World::from_int(kStepHeight));
-    player.place = ground.has_hit ? ground.end : after.place;  // down a step, too
+    const World height_before = player.position.z;
+    const Motion after = step_slide_move(level, state, {player.position, bounded(velocity)});
+    const Contact ground = find_ground(level, state, after.position, World::from_int(kStepHeight));
+    player.position = ground.has_hit ? ground.end : after.position;  // down a step, too
     player.velocity = after.velocity;
-    player.eye_lag += player.place.z - height_before;
+    player.eye_lag += player.position.z - height_before;
 }
 
-void find_footing(const Stage& stage, GameState& state) {
+void find_footing(const GameLevel& level, GameState& state) {
     Player& player = state.player;
     player.ground = Player::kNoGround;
-    if (player.velocity.z > kStillRising) return;
-    const Contact below = find_ground(stage, state, player.place, World::from_int(1));
+    if (player.velocity.z > kRising) return;
+    const Contact below = find_ground(level, state, player.position, World::from_int(1));
     if (!below.has_hit) return;
     player.ground = below.model.number();
-    player.place = below.end;
+    player.position = below.end;
 }
 
 void jump(Player& player, const TickInput& input) {
@@ -147,40 +140,44 @@ void jump(Player& player, const TickInput& input) {
     player.holds_jump = wants;
 }
 
-void let_eye_catch_up(Player& player) {
-    const World most = World::from_int(kStepHeight), step = in_a_tick(kEyeCatchesUp);
+void raise_eye(Player& player) {
+    const World most = World::from_int(kStepHeight), step = in_a_tick(kEyeSpeed);
     player.eye_lag = std::clamp(player.eye_lag, -most, most);
     player.eye_lag -= std::clamp(player.eye_lag, -step, step);
 }
 
-// One who stands in something solid (a start too low, a lift from below) is lifted out where that is near.
-void free_from_solid(const Stage& stage, GameState& state) {
+// A player in something solid is moved up by at most a step; out of a brush model (where a teleporter's exit or the
+// start is inside a mover) by the shortest way, and where there is none, to the start.
+void leave_solid(const GameLevel& level, GameState& state) {
+    Player& player = state.player;
     for (std::int32_t up = 0; up <= kStepHeight; ++up) {
-        const Place place = state.player.place + place_of(0, 0, up);
-        if (!is_free(stage, state, place)) continue;
-        state.player.place = place;
+        const Position position = player.position + world_vector(0, 0, up);
+        if (!is_free(level, state, position)) continue;
+        player.position = position;
         return;
     }
+    const WayOut out = find_way_out(level, state, player.position);
+    if (out.is_inside_model) player.position = out.position.value_or(level.player_start);
 }
 
 }  // namespace
 
-void step_player(const Stage& stage, GameState& state, const TickInput& input) {
+void step_player(const GameLevel& level, GameState& state, const TickInput& input) {
     Player& player = state.player;
     turn(player, input);
-    free_from_solid(stage, state);
-    player.depth = depth_at(stage, player.place);
+    leave_solid(level, state);
+    player.depth = depth_at(level, player.position);
     if (player.depth >= Depth::Waist) {
-        swim(stage, state, input);
+        swim(level, state, input);
     } else {
-        find_footing(stage, state);
+        find_footing(level, state);
         jump(player, input);
         if (player.ground == Player::kNoGround)
-            fly(stage, state, input);
+            fly(level, state, input);
         else
-            walk(stage, state, input);
+            walk(level, state, input);
     }
-    let_eye_catch_up(player);
+    raise_eye(player);
 }
 
 }  // namespace oblong

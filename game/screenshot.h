@@ -3,8 +3,7 @@
 #include <string>
 
 #include "engine/platform/present_rect.h"
-#include "engine/screen/framebuffer.h"
-#include "engine/screen/screen_mode.h"
+#include "engine/screen/screen.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {

@@ -11,79 +11,79 @@ constexpr std::uint64_t kCostEvery_us = 500'000;
 
 }  // namespace
 
-Session::Session(const GameData& data, const Stage& stage, const SessionSettings& settings, Hands& hands,
+Session::Session(const GameData& data, const GameLevel& level, const SessionSettings& settings, TickInputSource& input,
                  Platform& platform)
     : data_(data),
-      stage_(stage),
-      hands_(hands),
+      level_(level),
+      input_(input),
       platform_(platform),
-      choices_(settings.choices),
+      view_options_(settings.view_options),
       field_of_view_(settings.field_of_view),
       screenshot_folder_(settings.screenshot_folder),
-      painter_(data, stage, settings.mode),
-      inks_(inks_of(data.palette)),
-      before_(start_of(stage)),
+      renderer_(data, level, settings.mode),
+      text_colours_(text_colours_of(data.palette)),
+      before_(start_of(level)),
       after_(before_) {
-    hud_.end_message = stage.end_message;
+    hud_.end_message = level.end_message;
 }
 
 void Session::run() {
     platform_.set_title(("Oblong - " + std::filesystem::path(data_.level_file).stem().string()).c_str());
     last_us_ = cost_since_us_ = platform_.now_us();
-    tell(hud_, "F1 Help", last_us_);
+    show_message(hud_, "F1 Help", last_us_);
     while (platform_.is_open()) play_frame();
 }
 
 void Session::play_frame() {
     const Controls controls = platform_.poll();
     const std::uint64_t now_us = platform_.now_us();
-    hands_.gather(controls);
-    obey(controls, now_us);
+    input_.gather(controls);
+    handle_commands(controls, now_us);
     advance(now_us);
     draw(now_us);
 }
 
-void Session::obey(const Controls& controls, std::uint64_t now_us) {
+void Session::handle_commands(const Controls& controls, std::uint64_t now_us) {
     for (const Command command : controls.commands) {
         wants_screenshot_ |= command == Command::Screenshot;
-        const std::string told = apply(command, choices_, painter_.mode(), platform_.window_size());
-        if (!told.empty()) tell(hud_, told, now_us);
+        const std::string message = apply(command, view_options_, renderer_.mode(), platform_.window_size());
+        if (!message.empty()) show_message(hud_, message, now_us);
     }
 }
 
 void Session::advance(std::uint64_t now_us) {
     for (int due = clock_.advance(now_us - last_us_); due > 0; --due) {
         before_ = after_;
-        hands_.play_tick(stage_, after_);
+        input_.play_tick(level_, after_);
     }
     last_us_ = now_us;
 }
 
 void Session::draw(std::uint64_t now_us) {
     const std::int32_t fraction = clock_.fraction_16();
-    const Moment moment{before_, after_, fraction};
+    const InterpolatedState state{before_, after_, fraction};
     const std::uint64_t began_us = platform_.now_us();
-    painter_.draw(moment, camera_at(moment, hands_.lead(fraction), field_of_view_), settings_of(choices_));
+    renderer_.draw(state, camera_at(state, input_.look_offset(fraction), field_of_view_), settings_of(view_options_));
     note_cost(began_us, platform_.now_us());
 
-    const Framebuffer canvas = painter_.canvas();
+    const Framebuffer canvas = renderer_.canvas();
     if (wants_screenshot_)
-        tell(hud_, save_screenshots(screenshot_folder_, canvas, data_.palette, painter_.mode()), now_us);
+        show_message(hud_, save_screenshots(screenshot_folder_, canvas, data_.palette, renderer_.mode()), now_us);
     wants_screenshot_ = false;
-    hud_.shows_help = choices_.shows_help;
+    hud_.shows_help = view_options_.shows_help;
     hud_.shows_end = after_.has_ended;
-    draw_hud(hud_, now_us, inks_, canvas);
+    draw_hud(hud_, now_us, text_colours_, canvas);
     platform_.present(canvas, data_.palette,
-                      layout(platform_.window_size(), painter_.mode(), choices_.shown_as, choices_.scaling));
+                      layout(platform_.window_size(), renderer_.mode(), view_options_.shown_as, view_options_.scaling));
 }
 
 void Session::note_cost(std::uint64_t began_us, std::uint64_t ended_us) {
-    if (!choices_.shows_cost) hud_.cost.clear();
+    if (!view_options_.shows_cost) hud_.cost.clear();
     drawing_us_ += ended_us - began_us;
     ++frames_since_;
     const std::uint64_t since_us = ended_us - cost_since_us_;
     if (since_us < kCostEvery_us) return;
-    if (choices_.shows_cost)
+    if (view_options_.shows_cost)
         hud_.cost = std::to_string(drawing_us_ / frames_since_) + " us a frame, " +
                     std::to_string(frames_since_ * 1'000'000 / since_us) + " frames a second";
     cost_since_us_ = ended_us;

@@ -1,20 +1,20 @@
 #pragma once
 
 #include "engine/platform/platform.h"
-#include "game/choices.h"
-#include "game/hands.h"
+#include "game/game_renderer.h"
 #include "game/hud.h"
 #include "game/load.h"
-#include "game/painter.h"
 #include "game/tick_clock.h"
+#include "game/tick_input_source.h"
+#include "game/view_options.h"
 
 namespace oblong {
 
-/// What a session is played with.
+/// The settings that a session begins with.
 struct SessionSettings {
     ScreenMode mode;
     Degrees field_of_view;
-    Choices choices;
+    ViewOptions view_options;
     std::string screenshot_folder = ".";
 };
 
@@ -22,7 +22,7 @@ struct SessionSettings {
 class Session {
   public:
     /// All outlive the session.
-    Session(const GameData& data, const Stage& stage, const SessionSettings& settings, Hands& hands,
+    Session(const GameData& data, const GameLevel& level, const SessionSettings& settings, TickInputSource& input,
             Platform& platform);
 
     void run();
@@ -31,18 +31,18 @@ class Session {
     void play_frame();
     void advance(std::uint64_t now_us);
     void draw(std::uint64_t now_us);
-    void obey(const Controls& controls, std::uint64_t now_us);
+    void handle_commands(const Controls& controls, std::uint64_t now_us);
     void note_cost(std::uint64_t began_us, std::uint64_t ended_us);
 
     const GameData& data_;
-    const Stage& stage_;
-    Hands& hands_;
+    const GameLevel& level_;
+    TickInputSource& input_;
     Platform& platform_;
-    Choices choices_;
+    ViewOptions view_options_;
     Degrees field_of_view_;
     std::string screenshot_folder_;
-    Painter painter_;
-    Inks inks_;
+    GameRenderer renderer_;
+    TextColours text_colours_;
     Hud hud_;
     TickClock clock_;
     GameState before_, after_;

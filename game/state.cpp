@@ -20,7 +20,7 @@ struct Hash {
 };
 
 void add_player(Hash& hash, const Player& player) {
-    hash.add(player.place);
+    hash.add(player.position);
     hash.add(player.velocity);
     hash.add(player.yaw.bam);
     hash.add(player.pitch);
@@ -41,6 +41,7 @@ std::uint64_t hash_of(const GameState& state) {
         hash.add(mover.travelled.raw);
         hash.add(mover.wait_ticks);
     }
+    for (const std::int32_t ticks : state.teleporter_ticks) hash.add(ticks);
     hash.add(std::int64_t{state.has_ended});
     return hash.value;
 }

@@ -4,24 +4,19 @@
 #include <vector>
 
 #include "engine/fixed/angle.h"
-#include "engine/fixed/fixed.h"
-#include "engine/math/vec.h"
+#include "game/geometry.h"
 
 namespace oblong {
-
-/// Places in world units, velocities in world units a second.
-using Place = Vec3<World>;
-using Velocity = Vec3<World>;
 
 /// How deep the player stands in a liquid.
 enum class Depth : std::uint8_t { Dry, Feet, Waist, Eyes };
 
 struct Player {
-    Place place;  ///< the middle of a box of 32x32x56, 24 above its feet
+    Position position;  ///< in a box of 32x32x56: 16 from its sides, 24 above its feet
     Velocity velocity;
     Angle yaw;                        ///< counter-clockwise from +x
     std::int32_t pitch = 0;           ///< 65,536 to the circle, down positive, +-kSteepestPitch
-    World eye_lag;                    ///< how far the eye is still below (after a step up) where it will be
+    World eye_lag;                    ///< how far the eye is still below (after a step up) its usual height
     std::int32_t ground = kNoGround;  ///< the model stood upon, 0: the world
     Depth depth = Depth::Dry;
     bool holds_jump = false;  ///< the button must be let go before the next jump
@@ -31,11 +26,11 @@ struct Player {
     bool operator==(const Player&) const = default;
 };
 
-/// A door or a lift on its way between its two ends.
+/// Where a mover is between its two ends.
 struct MoverState {
     enum class Phase : std::uint8_t { AtStart, Leaving, AtEnd, Returning };
     Phase phase = Phase::AtStart;
-    World travelled;              ///< from the start, 0 to the whole way
+    World travelled;              ///< from the start, 0 to Mover::length
     std::int32_t wait_ticks = 0;  ///< before it returns
 
     bool operator==(const MoverState&) const = default;
@@ -45,7 +40,8 @@ struct MoverState {
 struct GameState {
     std::int64_t tick = 0;
     Player player;
-    std::vector<MoverState> movers;  ///< in the order of Stage::movers
+    std::vector<MoverState> movers;              ///< in the order of GameLevel::movers
+    std::vector<std::int32_t> teleporter_ticks;  ///< how long each targeted teleporter still works
     bool has_ended = false;
 
     bool operator==(const GameState&) const = default;

@@ -39,7 +39,7 @@ void fill(Framebuffer canvas, std::int32_t x, std::int32_t y, std::int32_t width
 
 }  // namespace
 
-Inks inks_of(const Palette& palette) {
+TextColours text_colours_of(const Palette& palette) {
     const auto [dark, bright] = std::minmax_element(palette.colours.begin(), palette.colours.end(),
                                                     [](Rgb8 a, Rgb8 b) { return luminance(a) < luminance(b); });
     return {static_cast<std::uint8_t>(bright - palette.colours.begin()),
@@ -63,20 +63,20 @@ std::vector<std::string_view> lines_of(std::string_view text, std::int32_t width
     return lines;
 }
 
-void draw_text(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, Inks inks) {
-    draw_plain(canvas, x + 1, y + 1, line, inks.dark);
-    draw_plain(canvas, x, y, line, inks.bright);
+void draw_text(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, TextColours colours) {
+    draw_plain(canvas, x + 1, y + 1, line, colours.dark);
+    draw_plain(canvas, x, y, line, colours.bright);
 }
 
-void draw_panel(Framebuffer canvas, std::span<const std::string_view> lines, Inks inks) {
+void draw_panel(Framebuffer canvas, std::span<const std::string_view> lines, TextColours colours) {
     std::int32_t width = 0;
     for (const std::string_view line : lines) width = std::max(width, text_width_px(line));
     const auto height = static_cast<std::int32_t>(lines.size()) * kLineHeight_px;
     const std::int32_t x = (canvas.width_px - width) / 2, y = (canvas.height_px - height) / 2;
     fill(canvas, x - kPanelMargin_px, y - kPanelMargin_px, width + 2 * kPanelMargin_px, height + 2 * kPanelMargin_px,
-         inks.dark);
+         colours.dark);
     for (std::size_t i = 0; i < lines.size(); ++i)
-        draw_plain(canvas, x, y + static_cast<std::int32_t>(i) * kLineHeight_px, lines[i], inks.bright);
+        draw_plain(canvas, x, y + static_cast<std::int32_t>(i) * kLineHeight_px, lines[i], colours.bright);
 }
 
 }  // namespace oblong

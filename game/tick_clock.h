@@ -6,14 +6,14 @@
 
 namespace oblong {
 
-/// Turns a display's time into ticks. Times are summed exactly (in 1/35 us), so that the same time gives the same ticks
-/// in whatever pieces it comes.
+/// Turns elapsed time into ticks. Times are summed exactly (in 1/35 us), so that the same time gives the same number of
+/// ticks, however it is divided.
 class TickClock {
   public:
-    /// What passes at most between two calls: a machine that slept a minute must not simulate it.
+    /// The most time that counts between two calls: a machine that was suspended for a minute must not simulate it.
     static constexpr std::uint64_t kLongestPause_us = 250'000;
 
-    /// Moves the clock on; the ticks that have become due. Time that runs backwards counts as none.
+    /// Advances the clock; the number of ticks that became due. Negative time counts as none.
     int advance(std::uint64_t elapsed_us) {
         if (elapsed_us > kLongestPause_us) elapsed_us = elapsed_us >> 63 ? 0 : kLongestPause_us;
         rest_ += static_cast<std::int64_t>(elapsed_us) * kTicksPerSecond;
@@ -22,7 +22,7 @@ class TickClock {
         return static_cast<int>(due);
     }
 
-    /// How far the display is between the last tick but one and the last, 0 to 65,535 of 65,536.
+    /// How far the picture is between the last tick but one and the last, 0 to 65,535 of 65,536.
     std::int32_t fraction_16() const { return static_cast<std::int32_t>(rest_ * 65'536 / kSecond_us); }
 
   private:

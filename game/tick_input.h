@@ -4,14 +4,14 @@
 
 namespace oblong {
 
-/// How often the world moves; the display draws in between as often as it likes.
+/// The rate of the simulation; frames are drawn at any rate.
 inline constexpr std::int64_t kTicksPerSecond = 35;
 
-/// Everything that a tick may know of the player. A demo is an array of these.
+/// All that a tick reads of the player's input. A demo is an array of these.
 struct TickInput {
     std::int8_t forward = 0;   ///< -127 to 127: part of the full speed, ahead positive
     std::int8_t right = 0;     ///< likewise, to the right positive
-    std::int16_t yaw = 0;      ///< turn within this tick, 65,536 to the circle, to the left positive
+    std::int16_t yaw = 0;      ///< turn in this tick, 65,536 to the circle, to the left positive
     std::int16_t pitch = 0;    ///< likewise, down positive
     std::uint8_t buttons = 0;  ///< kJumpButton; other bits are 0
 

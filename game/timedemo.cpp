@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "game/hands.h"
+#include "game/tick_input_source.h"
 
 namespace oblong {
 namespace {
@@ -15,16 +15,16 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-TimedemoResult run_timedemo(const Stage& stage, const Demo& demo, Painter& painter, const Settings& settings,
+TimedemoResult run_timedemo(const GameLevel& level, const Demo& demo, GameRenderer& renderer, const Settings& settings,
                             Degrees field_of_view) {
-    GameState state = start_of(stage);
-    Hands hands(state, demo, false);
+    GameState state = start_of(level);
+    TickInputSource input(state, demo, false);
     std::vector<std::int64_t> times_ns;
-    while (hands.is_replaying()) {
-        hands.play_tick(stage, state);
-        const Moment moment{state, state, 0};
+    while (input.is_replaying()) {
+        input.play_tick(level, state);
+        const InterpolatedState frame{state, state, 0};
         const Clock::time_point began = Clock::now();
-        painter.draw(moment, camera_at(moment, {}, field_of_view), settings);
+        renderer.draw(frame, camera_at(frame, {}, field_of_view), settings);
         times_ns.push_back(std::chrono::nanoseconds(Clock::now() - began).count());
     }
     TimedemoResult result;

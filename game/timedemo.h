@@ -5,8 +5,8 @@
 
 #include "engine/frame/settings.h"
 #include "game/demo.h"
+#include "game/game_renderer.h"
 #include "game/load.h"
-#include "game/painter.h"
 
 namespace oblong {
 
@@ -16,8 +16,8 @@ struct TimedemoResult {
     std::int64_t total_us = 0, median_us = 0;
 };
 
-/// Draws each tick of a demo. Throws InputError where the demo is not of this stage.
-TimedemoResult run_timedemo(const Stage& stage, const Demo& demo, Painter& painter, const Settings& settings,
+/// Draws each tick of a demo. Throws InputError where the demo was recorded on another level.
+TimedemoResult run_timedemo(const GameLevel& level, const Demo& demo, GameRenderer& renderer, const Settings& settings,
                             Degrees field_of_view);
 
 /// "123 frames, 0.456 seconds, 269.7 frames a second, median 3700 microseconds".

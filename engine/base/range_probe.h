@@ -1,63 +1,65 @@
 #pragma once
 
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
 
-/// Where the engine's arithmetic could run out of bits: the largest intermediate values, by name. In the build that
-/// OBLONG_RECORD_RANGES makes (tests/ranges) every value that one of them takes is recorded, to show how many bits are
-/// left; in every other build note_range is nothing.
+/// Where the engine's arithmetic could run out of bits: the largest intermediate values, each named where it is noted.
+/// In the build that OBLONG_RECORD_RANGES makes (tests/ranges) every value that one of them takes is recorded, to show
+/// how many bits are left; in every other build note_range is nothing.
 namespace oblong {
 
-enum class Quantity {
-    ViewPosition,
-    RotatedDot,
-    DistanceToPlane,
-    EyeTexel,
-    EyeTexelSum,
-    ClipDistance,
-    ClipWhole,
-    CullMix,
-    CullDistance,
-    ProjectionNumerator,
-    ScreenPosition,
-    EdgeNumerator,
-    EdgeRest,
-    NormalSlope,
-    TexelAxisSlope,
-    InverseZSlope,
-    TexelSlope,
-    InverseZ,
-    TexelOverZ,
-    DepthShifted,
-    DepthProduct,
-    ThresholdProduct,
-    MipProduct,
-    Count
+/// A string as a template argument.
+template <std::size_t Size>
+struct RangeName {
+    char text[Size];
+    consteval RangeName(const char (&literal)[Size]) { std::copy_n(literal, Size, text); }
 };
 
 }  // namespace oblong
 
 #if defined(OBLONG_RECORD_RANGES)
 
-#include <array>
+#include <cstdint>
 #include <limits>
+#include <source_location>
 #include <type_traits>
+#include <vector>
 
 namespace oblong {
 
+struct SeenRange;
+
+/// All quantities of a program, noted or not. What is recorded is the one variable of the engine that is not handed in:
+/// a recorder through every signature would make the engine that is measured another one than the engine that draws. It
+/// exists in the recording build alone.
+inline std::vector<const SeenRange*>& recorded_ranges() {
+    static std::vector<const SeenRange*> ranges;
+    return ranges;
+}
+
 struct SeenRange {
+    const char* name;
+    int bits, fraction_bits;     ///< of the format, its sign not counted
+    const char* file = nullptr;  ///< where it was noted; null: never
     std::int64_t least = std::numeric_limits<std::int64_t>::max(), greatest = std::numeric_limits<std::int64_t>::min();
+
+    SeenRange(const char* its_name, int its_bits, int its_fraction_bits)
+        : name(its_name), bits(its_bits), fraction_bits(its_fraction_bits) {
+        recorded_ranges().push_back(this);
+    }
 };
 
-/// The one variable of the engine that is not handed in: a recorder through every signature would make the engine that
-/// is measured another one than the engine that draws. It exists in the recording build alone.
-inline std::array<SeenRange, static_cast<std::size_t>(Quantity::Count)> recorded_ranges;
+template <RangeName Name, class Number>
+inline SeenRange seen_range{Name.text, std::numeric_limits<typename Number::Raw>::digits, Number::kFractionBits};
 
-template <Quantity Name>
-constexpr void note_range(std::int64_t value) {
+/// `value` is a Fixed.
+template <RangeName Name, class Number>
+constexpr void note_range(Number value, std::source_location place = std::source_location::current()) {
     if (std::is_constant_evaluated()) return;
-    SeenRange& seen = recorded_ranges[static_cast<std::size_t>(Name)];
-    if (value < seen.least) seen.least = value;
-    if (value > seen.greatest) seen.greatest = value;
+    SeenRange& seen = seen_range<Name, Number>;
+    seen.file = place.file_name();
+    seen.least = std::min<std::int64_t>(seen.least, value.raw);
+    seen.greatest = std::max<std::int64_t>(seen.greatest, value.raw);
 }
 
 }  // namespace oblong
@@ -66,8 +68,8 @@ constexpr void note_range(std::int64_t value) {
 
 namespace oblong {
 
-template <Quantity Name>
-constexpr void note_range(std::int64_t) {}
+template <RangeName Name, class Number>
+constexpr void note_range(Number) {}
 
 }  // namespace oblong
 

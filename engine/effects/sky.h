@@ -5,8 +5,7 @@
 
 #include "engine/geometry/projection.h"
 #include "engine/math/basis.h"
-#include "engine/raster/span.h"
-#include "engine/screen/framebuffer.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 

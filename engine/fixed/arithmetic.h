@@ -56,6 +56,28 @@ constexpr To divide(Fixed<A, FracA> a, Fixed<B, FracB> b, Rounding rounding = Ro
     return saturated_to<To>(mul_div(a.raw, std::int64_t{1} << kShift, b.raw, rounding));
 }
 
+/// a b in the format To, through 128 bits and rounded once; saturates.
+template <class To, class A, int FracA, class B, int FracB>
+constexpr To product(Fixed<A, FracA> a, Fixed<B, FracB> b, Rounding rounding = Rounding::NearestHalfUp) {
+    return saturated_to<To>(mul_shift(a.raw, b.raw, FracA + FracB - To::kFractionBits, rounding));
+}
+
+/// a b / c, through 128 bits and rounded once; saturates as divide() does. `c` has room for the bits that To drops.
+template <class To, class A, int FracA, class B, int FracB, class C, int FracC>
+constexpr To product_over(Fixed<A, FracA> a, Fixed<B, FracB> b, Fixed<C, FracC> c) {
+    constexpr int kDropped = FracA + FracB - FracC - To::kFractionBits;
+    return saturated_to<To>(mul_div(a.raw, b.raw, std::int64_t{c.raw} * (std::int64_t{1} << kDropped)));
+}
+
+/// a / b rounded to the nearest, by one division of 64 bits. `b` is above 0; both have room for the bits that To drops.
+template <class To, int FracA, int FracB>
+constexpr To bounded_quotient(Fixed<std::int64_t, FracA> a, Fixed<std::int64_t, FracB> b) {
+    constexpr int kDropped = FracA - FracB - To::kFractionBits;
+    const std::int64_t numerator = a.raw + b.raw * (std::int64_t{1} << (kDropped - 1));
+    const std::int64_t denominator = b.raw * (std::int64_t{1} << kDropped);
+    return To::from_raw(numerator / denominator - (numerator % denominator < 0));
+}
+
 /// 1 / value; saturates, 1 / 0 gives the highest number. The engine's exact answer to reciprocal.h.
 template <class To, class Int, int Frac>
 constexpr To reciprocal(Fixed<Int, Frac> value, Rounding rounding = Rounding::NearestHalfUp) {

@@ -50,6 +50,7 @@ struct Fixed {
     constexpr Fixed operator-() const { return Fixed{static_cast<Int>(-raw)}; }
     constexpr Fixed operator+(Fixed other) const { return Fixed{static_cast<Int>(raw + other.raw)}; }
     constexpr Fixed operator-(Fixed other) const { return Fixed{static_cast<Int>(raw - other.raw)}; }
+    constexpr Fixed operator*(Int times) const { return Fixed{static_cast<Int>(raw * times)}; }
     constexpr Fixed& operator+=(Fixed other) { return *this = *this + other; }
     constexpr Fixed& operator-=(Fixed other) { return *this = *this - other; }
     constexpr auto operator<=>(const Fixed&) const = default;
@@ -77,6 +78,12 @@ constexpr Fixed<Int, Frac> absolute(Fixed<Int, Frac> value) {
 template <class Int, int Frac>
 constexpr Int floor_of(Fixed<Int, Frac> value) {
     return floor_shift(value.raw, Frac);
+}
+
+/// value / 2^bits, rounded toward minus infinity.
+template <class Int, int Frac>
+constexpr Fixed<Int, Frac> floor_shift(Fixed<Int, Frac> value, int bits) {
+    return Fixed<Int, Frac>::from_raw(floor_shift(value.raw, bits));
 }
 
 /// value + step * count, modulo 2^64: sums on the way may pass the ends of the format, as long as the last one does
@@ -116,8 +123,12 @@ using Sine60 = Fixed<std::int64_t, 60>;         ///< Unit times Unit; sines befo
 using View = Fixed<std::int64_t, 16>;           ///< view positions: 48.16
 using PlaneDistance = Fixed<std::int64_t, 42>;  ///< World times Unit: 22.42
 using TexelAxis = Fixed<std::int32_t, 23>;      ///< components of texture axes, texels per world unit: 9.23
-using TexelOffset = Fixed<std::int64_t, 16>;    ///< texture offsets, texels: 48.16
 using Multiplier = Fixed<std::int64_t, 32>;     ///< projection multipliers, pixels: 32.32
 using Screen = Fixed<std::int32_t, 8>;          ///< screen positions after clipping, pixels: 24.8
+using ScreenWide = Fixed<std::int64_t, 8>;      ///< screen positions that need not be on the screen, pixels: 56.8
+using WorldWide = Fixed<std::int64_t, 12>;      ///< differences of world coordinates: 52.12
+using Texel = Fixed<std::int64_t, 16>;          ///< texture coordinates, texels: 48.16
+using InverseZ = Fixed<std::int64_t, 44>;       ///< 1/z, z in world units: 20.44
+using TexelOverZ = Fixed<std::int64_t, 30>;     ///< u/z, v/z: 34.30
 
 }  // namespace oblong

@@ -4,8 +4,8 @@
 
 #include "engine/effects/sky.h"
 #include "engine/frame/workspace.h"
-#include "engine/raster/fill.h"
 #include "engine/scene/face_gradients.h"
+#include "engine/screen/screen.h"
 #include "engine/visibility/eye.h"
 
 namespace oblong {
@@ -90,8 +90,7 @@ void draw_waiting_blocks(const FaceSurface& surface, Framebuffer out, FrameWorks
 /// Cuts the owned spans into blocks, then draws them.
 void draw_textured(const FaceSurface& surface, const TextureGradients& gradients, const FrameContext& frame,
                    FrameWorkspace& work) {
-    const BlockThresholds thresholds =
-        make_block_thresholds(frame.block_rule, static_cast<std::int64_t>(gradients.inverse_z_44.per_column));
+    const BlockThresholds thresholds = make_block_thresholds(frame.block_rule, gradients.inverse_z.per_column);
     for (const Span& span : work.owned) {
         if (!work.blocks.has_room_for(span.end - span.first)) draw_waiting_blocks(surface, frame.out, work);
         const std::int32_t divisions =
@@ -116,11 +115,19 @@ void draw_sky_pass(const FrameContext& frame, const FrameWorkspace& work) {
              frame.view.projection, frame.out);
 }
 
-/// What nobody claimed has no face before it, as the void has none: colour 0.
+/// What no face covers. From inside a wall that is the void: colour 0. From the open it is where a level's faces do not
+/// meet: the colour of the nearest pixel on the row that is covered.
 void fill_free_pixels(FrameWorkspace& work, Framebuffer out) {
     work.owned.clear();
     work.span_buffer.claim_rest(work.owned);
-    fill_spans(work.owned, 0, out);
+    for (const Span& span : work.owned) {
+        std::uint8_t* const row = out.row(span.y);
+        const bool has_left = work.visible.is_from_open() && span.first > 0;
+        const bool has_right = work.visible.is_from_open() && span.end < out.width_px;
+        const std::int32_t middle = !has_left ? span.first : !has_right ? span.end : (span.first + span.end + 1) / 2;
+        std::fill(row + span.first, row + middle, has_left ? row[span.first - 1] : std::uint8_t{0});
+        std::fill(row + middle, row + span.end, has_right ? row[span.end] : std::uint8_t{0});
+    }
 }
 
 }  // namespace
@@ -141,7 +148,7 @@ void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode
 
         const Vec3<World> offset = visible->fragment ? work.brush_models.offset_of(*visible->fragment) : Vec3<World>{};
         const Face& face = level.faces[visible->face];
-        const FaceSurface surface = work.surfaces.get(visible->face, work.polygon.nearest_z_16, frame.view.projection.x,
+        const FaceSurface surface = work.surfaces.get(visible->face, work.polygon.nearest_z, frame.view.projection.x,
                                                       scene.colormap, scene.light_styles);
         const TextureGradients gradients =
             make_face_gradients(level, face, surface, offset, frame.view, frame.inverse_projection);

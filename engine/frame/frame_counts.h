@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "engine/raster/kernels/kernels.h"
-#include "engine/raster/span.h"
 #include "engine/scene/effects.h"
-#include "engine/screen/framebuffer.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 

@@ -12,7 +12,7 @@
 #include "engine/scene/effects.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/face_table.h"
-#include "engine/screen/screen_mode.h"
+#include "engine/screen/screen.h"
 #include "engine/visibility/brush_models.h"
 #include "engine/visibility/front_to_back.h"
 #include "engine/visibility/span_buffer.h"

@@ -3,30 +3,26 @@
 #include <algorithm>
 
 #include "engine/base/range_probe.h"
-#include "engine/fixed/wide.h"
 
 namespace oblong {
 
 namespace {
 
-View interpolate(View from, View to, std::int64_t part, std::int64_t whole) {
-    return View::from_raw(from.raw + mul_div(to.raw - from.raw, part, whole, Rounding::NearestHalfUp));
-}
+constexpr ClipDistance kOn{};
 
 bool is_outside(const ClipVertex& vertex, const ClipPlane& plane, std::uint8_t border) {
-    if (border != 0 && !(vertex.undecided & border)) return (vertex.outcode & border) != 0;
-    return plane.distance(vertex.position) < 0;
+    if (!(vertex.undecided & border)) return (vertex.outcode & border) != 0;
+    return plane.distance(vertex.position) < kOn;
 }
 
 /// Rounded positions may lie a step on the other side of where they were decided to be; then they lie on the plane.
 void append_crossing(const ClipVertex& inside, const ClipVertex& outside, const ClipPlane& plane, std::uint8_t border,
                      std::vector<ClipVertex>& out) {
-    const std::int64_t distance = plane.distance(inside.position);
-    if (distance <= 0 && border == 0) return;
-    const std::int64_t beyond = std::min(plane.distance(outside.position), std::int64_t{0});
+    const ClipDistance distance = plane.distance(inside.position);
+    const ClipDistance beyond = std::min(plane.distance(outside.position), kOn);
     ClipVertex crossing;
     crossing.position =
-        distance <= 0 ? inside.position : cross_plane(inside.position, distance, outside.position, beyond);
+        distance <= kOn ? inside.position : cross_plane(inside.position, distance, outside.position, beyond);
     // Both ends on a border: so is what lies between.
     crossing.borders = static_cast<std::uint8_t>((inside.borders & outside.borders) | border);
     crossing.outcode = inside.outcode & outside.outcode;
@@ -37,13 +33,11 @@ void append_crossing(const ClipVertex& inside, const ClipVertex& outside, const 
 
 }  // namespace
 
-Vec3<View> cross_plane(const Vec3<View>& inside, std::int64_t distance_inside, const Vec3<View>& outside,
-                       std::int64_t distance_outside) {
-    const std::int64_t whole = distance_inside - distance_outside;
-    note_range<Quantity::ClipWhole>(whole);
-    return {interpolate(inside.x, outside.x, distance_inside, whole),
-            interpolate(inside.y, outside.y, distance_inside, whole),
-            interpolate(inside.z, outside.z, distance_inside, whole)};
+Vec3<View> cross_plane(const Vec3<View>& inside, ClipDistance distance_inside, const Vec3<View>& outside,
+                       ClipDistance distance_outside) {
+    const ClipDistance whole = distance_inside - distance_outside;
+    note_range<"clip distance, whole edge">(whole);
+    return between(inside, outside, distance_inside, whole);
 }
 
 void clip_to_plane(const ClipPlane& plane, std::uint8_t border, const std::vector<ClipVertex>& in,

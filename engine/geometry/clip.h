@@ -27,16 +27,16 @@ struct ClipScratch {
 
 /// Where the edge from `inside` to `outside` crosses a plane, given both distances to it. Always computed from the
 /// inside vertex: the two faces that share an edge walk it in opposite directions and get the same bits (hard case C2).
-Vec3<View> cross_plane(const Vec3<View>& inside, std::int64_t distance_inside, const Vec3<View>& outside,
-                       std::int64_t distance_outside);
+Vec3<View> cross_plane(const Vec3<View>& inside, ClipDistance distance_inside, const Vec3<View>& outside,
+                       ClipDistance distance_outside);
 
 /// Clips the convex polygon `scratch.polygon` to the planes in `outcodes` (the union of its vertices' outcodes). What
 /// is left is in `scratch.polygon`, with at most one vertex more for each plane; empty if nothing is. Sutherland and
 /// Hodgman, "Reentrant polygon clipping", CACM 17 (1974).
 void clip_polygon(const Frustum& frustum, unsigned outcodes, ClipScratch& scratch);
 
-/// Clips `in` to one plane, into `out`; corners put on it get `border`, which is also the plane's bit in outcodes (0:
-/// of this plane nothing is decided). A corner on the plane is inside, and is never doubled (hard case C1).
+/// Clips `in` to one plane, into `out`; corners put on it get `border`, which is also the plane's bit in outcodes. A
+/// corner on the plane is inside (hard case C1).
 void clip_to_plane(const ClipPlane& plane, std::uint8_t border, const std::vector<ClipVertex>& in,
                    std::vector<ClipVertex>& out);
 

@@ -16,22 +16,26 @@ namespace oblong {
 enum Outcode : std::uint8_t { kOutLeft = 1, kOutRight = 2, kOutBottom = 4, kOutTop = 8, kOutBehind = 16 };
 inline constexpr int kClipPlaneCount = 4;
 
-/// normal . p - offset >= 0 is inside; p in viewspace, 48.16. Normals below 2^25, so that 35-bit positions give
-/// distances below 2^62.
-struct ClipPlane {
-    std::array<std::int64_t, 3> normal{};
-    std::int64_t offset = 0;
+/// A component of a clip plane's normal, which need not be of length 1: from -1 to 1, so that positions of 35 bits give
+/// distances of 62.
+using ClipNormal = Fixed<std::int64_t, 25>;
+using ClipDistance = Fixed<std::int64_t, 41>;
 
-    std::int64_t distance(const Vec3<View>& p) const {
-        const std::int64_t along = normal[0] * p.x.raw + normal[1] * p.y.raw + normal[2] * p.z.raw - offset;
-        note_range<Quantity::ClipDistance>(along);
+/// normal . p - offset >= 0 is inside; p in viewspace.
+struct ClipPlane {
+    Vec3<ClipNormal> normal;
+    ClipDistance offset;
+
+    ClipDistance distance(const Vec3<View>& p) const {
+        const ClipDistance along = dot(normal, p) - offset;
+        note_range<"clip distance">(along);
         return along;
     }
 };
 
-/// A side plane in the world, through the eye: normal . (p - eye) >= 0 is inside; for culling boxes. Normal .20.
+/// A side plane in the world, through the eye: normal . (p - eye) >= 0 is inside; for culling boxes.
 struct CullPlane {
-    std::array<std::int64_t, 3> normal{};
+    std::array<Fixed<std::int64_t, 20>, 3> normal{};
 };
 
 struct Frustum {
@@ -44,13 +48,13 @@ Frustum make_frustum(const Basis& axes, const Projection& projection);
 
 /// The outcode of a point in viewspace.
 inline std::uint8_t outcode_of(const Frustum& frustum, const Vec3<View>& p) {
-    const std::int64_t x = frustum.clip_planes[0].normal[0] * p.x.raw,
-                       x_limit = frustum.clip_planes[0].normal[2] * p.z.raw;
-    const std::int64_t y = frustum.clip_planes[2].normal[1] * p.y.raw,
-                       y_limit = frustum.clip_planes[2].normal[2] * p.z.raw;
-    return static_cast<std::uint8_t>((x_limit + x < 0) * kOutLeft | (x_limit - x < 0) * kOutRight |
-                                     (y_limit + y < 0) * kOutBottom | (y_limit - y < 0) * kOutTop |
-                                     (p.z.raw < 0) * kOutBehind);
+    constexpr ClipDistance kOn{};
+    const Vec3<ClipNormal>&left = frustum.clip_planes[0].normal, &bottom = frustum.clip_planes[2].normal;
+    const ClipDistance x = bounded_product(left.x, p.x), x_limit = bounded_product(left.z, p.z);
+    const ClipDistance y = bounded_product(bottom.y, p.y), y_limit = bounded_product(bottom.z, p.z);
+    return static_cast<std::uint8_t>((x_limit + x < kOn) * kOutLeft | (x_limit - x < kOn) * kOutRight |
+                                     (y_limit + y < kOn) * kOutBottom | (y_limit - y < kOn) * kOutTop |
+                                     (p.z < View{}) * kOutBehind);
 }
 
 }  // namespace oblong

@@ -9,9 +9,8 @@ namespace oblong {
 namespace {
 
 Screen snap_within(ScreenWide position, std::int32_t size_px, const SubpixelGrid& grid) {
-    const std::int64_t limit = std::int64_t{size_px} * 256;
-    note_range<Quantity::ScreenPosition>(position.raw);
-    return Screen::from_raw(static_cast<std::int32_t>(std::clamp(grid.snap_8(position.raw), std::int64_t{0}, limit)));
+    note_range<"screen position before clamping">(position);
+    return convert<Screen>(std::clamp(grid.snap(position), ScreenWide{}, ScreenWide::from_int(size_px)));
 }
 
 }  // namespace

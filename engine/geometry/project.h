@@ -5,7 +5,7 @@
 #include "engine/geometry/frustum.h"
 #include "engine/geometry/projection.h"
 #include "engine/math/vec.h"
-#include "engine/screen/screen_vertex.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 
@@ -16,9 +16,9 @@ struct ScreenPosition {
 };
 
 inline ScreenPosition project(const Vec3<View>& p, const Projection& projection) {
-    const std::int64_t z_16 = std::max(p.z.raw, std::int64_t{1});
-    return {ScreenWide::from_raw(projection.x.centre.raw + project_axis_8(projection.x, p.x.raw, z_16)),
-            ScreenWide::from_raw(projection.y.centre.raw + project_axis_8(projection.y, -p.y.raw, z_16))};
+    const View z = std::max(p.z, View::ulp());
+    return {projection.x.centre + project_axis(projection.x, p.x, z),
+            projection.y.centre + project_axis(projection.y, -p.y, z)};
 }
 
 /// The dial of sub-pixel precision: how many fraction bits a screen vertex keeps.
@@ -29,7 +29,9 @@ struct SubpixelGrid {
         const std::int64_t step = std::int64_t{1} << (8 - bits);
         return {step / 2, -step};
     }
-    constexpr std::int64_t snap_8(std::int64_t raw_8) const { return (raw_8 + half_step) & mask; }
+    constexpr ScreenWide snap(ScreenWide position) const {
+        return ScreenWide::from_raw((position.raw + half_step) & mask);
+    }
 };
 
 /// A clipped point as a screen vertex: snapped to the grid and kept within [0, width] x [0, height], from which

@@ -1,7 +1,6 @@
 #include "engine/geometry/projection.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "engine/fixed/trig.h"
 
@@ -12,26 +11,28 @@ namespace {
 /// Larger multipliers, those of fields of view below a thousandth of a degree, stay here.
 constexpr Multiplier kLargestMultiplier = Multiplier::from_raw(std::int64_t{1} << 62);
 
+using HalfPixels = Fixed<std::int64_t, 1>;
+
 ProjectionAxis make_axis(Multiplier multiplier, std::int32_t size_px) {
     ProjectionAxis axis;
     axis.multiplier = std::min(multiplier, kLargestMultiplier);
-    axis.coarse_16 = rounded_shift(axis.multiplier.raw, 16, Rounding::NearestHalfUp);
-    axis.fast_limit = (std::int64_t{1} << 61) / (axis.coarse_16 + 1);
-    axis.centre = ScreenWide::from_raw(std::int64_t{size_px} * 128);
+    axis.coarse = convert<CoarseMultiplier>(axis.multiplier);
+    axis.fast_limit = View::from_raw((std::int64_t{1} << 61) / (axis.coarse.raw + 1));
+    axis.centre = convert<ScreenWide>(HalfPixels::from_raw(size_px));
     return axis;
 }
 
 }  // namespace
 
 Projection make_projection(const ScreenMode& mode, Degrees field_of_view, bool correct_aspect) {
-    const SineCosine60 half = sine_cosine(Degrees::from_raw(field_of_view.raw / 2));
-    const std::int64_t half_width_32 = std::int64_t{mode.width_px} << 31;
-    const Multiplier distance =
-        Multiplier::from_raw(mul_div(half_width_32, half.cosine.raw, half.sine.raw, Rounding::NearestHalfUp));
+    const SineCosine60 half = sine_cosine(floor_shift(field_of_view, 1));
+    const auto half_width = convert<Multiplier>(HalfPixels::from_raw(mode.width_px));
+    const auto distance = product_over<Multiplier>(half_width, half.cosine, half.sine);
 
+    using Whole = Fixed<std::int64_t, 0>;
     const Ratio squeeze = (mode.display * Ratio{mode.height_px, mode.width_px}).reduced();
-    const Multiplier squeezed =
-        Multiplier::from_raw(mul_div(distance.raw, squeeze.numerator, squeeze.denominator, Rounding::NearestHalfUp));
+    const auto squeezed =
+        product_over<Multiplier>(distance, Whole::from_int(squeeze.numerator), Whole::from_int(squeeze.denominator));
 
     Projection projection;
     projection.x = make_axis(distance, mode.width_px);
@@ -46,13 +47,12 @@ bool is_drawable(const Projection& projection) {
     return projection.x.multiplier >= kLeast && projection.y.multiplier >= kLeast;
 }
 
-std::int64_t project_axis_wide_8(const ProjectionAxis& axis, std::int64_t view_16, std::int64_t z_16) {
-    if (std::abs(view_16) <= z_16 * 64) return mul_div(view_16, axis.coarse_16, z_16 * 256, Rounding::NearestHalfUp);
-    const std::int64_t exact_8 =
-        mul_div(view_16, axis.multiplier.raw, z_16 * (std::int64_t{1} << 24), Rounding::NearestHalfUp);
-    // At view = 64 z the other method gives 64 * coarse_16 / 256.
-    if (view_16 < 0) return std::min(exact_8, rounded_shift(-axis.coarse_16, 2, Rounding::NearestHalfUp));
-    return std::max(exact_8, rounded_shift(axis.coarse_16, 2, Rounding::NearestHalfUp));
+ScreenWide project_axis_wide(const ProjectionAxis& axis, View view, View z) {
+    if (absolute(view) <= z * 64) return product_over<ScreenWide>(view, axis.coarse, z);
+    const auto exact = product_over<ScreenWide>(view, axis.multiplier, z);
+    // What the other method gives at view = 64 z.
+    if (view < View{}) return std::min(exact, convert<ScreenWide>(-axis.coarse * 64));
+    return std::max(exact, convert<ScreenWide>(axis.coarse * 64));
 }
 
 }  // namespace oblong

@@ -4,20 +4,20 @@
 
 #include "engine/base/range_probe.h"
 #include "engine/fixed/angle.h"
+#include "engine/fixed/arithmetic.h"
 #include "engine/fixed/fixed.h"
-#include "engine/fixed/wide.h"
-#include "engine/screen/screen_mode.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 
-/// A screen position that need not be on the screen: 56.8.
-using ScreenWide = Fixed<std::int64_t, 8>;
+/// A multiplier with fewer bits: pixels, 48.16.
+using CoarseMultiplier = Fixed<std::int64_t, 16>;
 
 /// One axis of the projection: screen = centre + multiplier * view / view_z.
 struct ProjectionAxis {
     Multiplier multiplier;    ///< pixels; precomputed once for a mode and a field of view
-    std::int64_t coarse_16;   ///< the same with 16 fraction bits, for what is near the screen
-    std::int64_t fast_limit;  ///< |view| below this: view * coarse_16 fits 62 bits
+    CoarseMultiplier coarse;  ///< the same for what is near the screen
+    View fast_limit;          ///< |view| below this: view * coarse fits 62 bits
     ScreenWide centre;        ///< the optical centre, pixels
 };
 
@@ -37,21 +37,19 @@ Projection make_projection(const ScreenMode& mode, Degrees field_of_view, bool c
 /// gradients are made of. At 179 degrees on 4:3 that takes 115x86 pixels, at 90 degrees any mode of 4:3 will do.
 bool is_drawable(const Projection& projection);
 
-/// project_axis_8() where a 64-bit product won't do.
-std::int64_t project_axis_wide_8(const ProjectionAxis& axis, std::int64_t view_16, std::int64_t z_16);
+/// project_axis() where a 64-bit product won't do.
+ScreenWide project_axis_wide(const ProjectionAxis& axis, View view, View z);
 
 /// multiplier * view / z, rounded to the nearest 1/256 pixel. z above 0. Near the screen (|view| <= 64 z) the
 /// multiplier has 16 fraction bits, so that a 64-bit product does, and is off by no more than 64 * 2^-17 pixel. Beyond,
 /// the exact quotient, held back from what the other gives where they meet. So all depends on view / z alone and never
 /// steps back where that grows.
-inline std::int64_t project_axis_8(const ProjectionAxis& axis, std::int64_t view_16, std::int64_t z_16) {
-    const std::int64_t size = view_16 < 0 ? -view_16 : view_16;
-    if (size >= axis.fast_limit || size > z_16 * 64) return project_axis_wide_8(axis, view_16, z_16);
-    const std::int64_t numerator = view_16 * axis.coarse_16 + z_16 * 128;
-    const std::int64_t denominator = z_16 * 256;
-    note_range<Quantity::ProjectionNumerator>(numerator);
-    const std::int64_t quotient = numerator / denominator;
-    return quotient - (numerator % denominator < 0);
+inline ScreenWide project_axis(const ProjectionAxis& axis, View view, View z) {
+    const View size = absolute(view);
+    if (size >= axis.fast_limit || size > z * 64) return project_axis_wide(axis, view, z);
+    const auto numerator = bounded_product(view, axis.coarse);
+    note_range<"projection numerator">(numerator);
+    return bounded_quotient<ScreenWide>(numerator, z);
 }
 
 }  // namespace oblong

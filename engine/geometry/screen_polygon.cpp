@@ -1,7 +1,6 @@
 #include "engine/geometry/screen_polygon.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace oblong {
 
@@ -11,10 +10,10 @@ namespace {
 bool clip_and_project(unsigned outcodes, const ViewContext& view, ScreenPolygon& polygon) {
     if (outcodes != 0) clip_polygon(view.frustum, outcodes, polygon.clip);
     if (polygon.clip.polygon.size() < 3) return false;
-    polygon.nearest_z_16 = std::numeric_limits<std::int64_t>::max();
+    polygon.nearest_z = View::highest();
     polygon.screen.clear();
     for (const ClipVertex& vertex : polygon.clip.polygon) {
-        polygon.nearest_z_16 = std::min(polygon.nearest_z_16, vertex.position.z.raw);
+        polygon.nearest_z = std::min(polygon.nearest_z, vertex.position.z);
         const ScreenVertex inside =
             to_screen_vertex(project(vertex.position, view.projection), view.projection, view.grid);
         polygon.screen.push_back(to_screen_border(inside, vertex.borders, view.projection));
@@ -23,10 +22,10 @@ bool clip_and_project(unsigned outcodes, const ViewContext& view, ScreenPolygon&
 }
 
 void use_cached_projections(const ViewContext& view, ScreenPolygon& polygon) {
-    polygon.nearest_z_16 = std::numeric_limits<std::int64_t>::max();
+    polygon.nearest_z = View::highest();
     polygon.screen.clear();
     for (CachedVertex* corner : polygon.corners) {
-        polygon.nearest_z_16 = std::min(polygon.nearest_z_16, corner->view.z.raw);
+        polygon.nearest_z = std::min(polygon.nearest_z, corner->view.z);
         polygon.screen.push_back(VertexCache::project_once(*corner, view));
     }
 }

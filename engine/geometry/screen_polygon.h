@@ -14,7 +14,7 @@ struct ScreenPolygon {
     std::vector<CachedVertex*> corners;
     ClipScratch clip;
     std::vector<ScreenVertex> screen;
-    std::int64_t nearest_z_16 = 0;  ///< of what is in view
+    View nearest_z;  ///< of what is in view
 };
 
 /// The polygon of a face of the level, from its vertices' indices, clockwise seen from its front: transform, clip,

@@ -1,104 +1,86 @@
 #include "engine/geometry/texture_gradients.h"
 
-#include <bit>
-
 #include "engine/base/range_probe.h"
-#include "engine/fixed/wide.h"
+#include "engine/fixed/arithmetic.h"
 
 namespace oblong {
 
 namespace {
 
 /// The slope of a linear quantity over X and Y (per screen position over multiplier), and its value straight ahead.
+template <class Value>
 struct ViewSlope {
-    std::int64_t x, y, ahead;
+    Value x, y, ahead;
 };
 
-template <int Frac>
-ViewSlope rotate_to_view(const Vec3<Fixed<std::int32_t, Frac>>& world, const Basis& axes) {
+template <RangeName Name, int Frac>
+auto rotate_to_view(const Vec3<Fixed<std::int32_t, Frac>>& world, const Basis& axes) {
     const auto along = [&](const Vec3<Unit>& axis) {
-        const std::int64_t sum = std::int64_t{world.x.raw} * axis.x.raw + std::int64_t{world.y.raw} * axis.y.raw +
-                                 std::int64_t{world.z.raw} * axis.z.raw;
-        note_range<(Frac == Unit::kFractionBits ? Quantity::NormalSlope : Quantity::TexelAxisSlope)>(sum);
+        const auto sum = dot(world, axis);
+        note_range<Name>(sum);
         return sum;
     };
-    return {along(axes.right), along(axes.up), along(axes.forward)};
+    return ViewSlope<Fixed<std::int64_t, Frac + 30>>{along(axes.right), along(axes.up), along(axes.forward)};
 }
 
-LinearQuantity anchor_at_centre(std::int64_t ahead, std::int64_t per_column, std::int64_t per_row,
-                                const InverseProjection& projection) {
+template <class Value>
+LinearQuantity<Value> anchor_at_centre(Value ahead, Value per_column, Value per_row,
+                                       const InverseProjection& projection) {
     // Half-pixel steps from the optical centre to the centre of pixel (0, 0), whose own centre is one half-pixel in.
-    const auto halves = [](std::int64_t step, std::int32_t centre_1) {
-        return mul_shift(step, 1 - std::int64_t{centre_1}, 1, Rounding::Floor);
+    const auto halves = [](Value step, std::int32_t centre_1) {
+        return product<Value>(step, Fixed<std::int32_t, 1>::from_raw(1 - centre_1), Rounding::Floor);
     };
-    LinearQuantity quantity;
-    quantity.per_column = static_cast<std::uint64_t>(per_column);
-    quantity.per_row = static_cast<std::uint64_t>(per_row);
-    quantity.origin = static_cast<std::uint64_t>(ahead) +
-                      static_cast<std::uint64_t>(halves(per_column, projection.centre_x_1)) +
-                      static_cast<std::uint64_t>(halves(per_row, projection.centre_y_1));
-    return quantity;
+    const Value at_first_column = stepped(ahead, halves(per_column, projection.centre_x_1), 1);
+    return {stepped(at_first_column, halves(per_row, projection.centre_y_1), 1), per_column, per_row};
 }
 
-/// 1 / D for D with 42 fraction bits: reciprocal in [2^62, 2^63] and the shift that turns (N .60) * reciprocal into
-/// .44.
+/// 1 / D as a number of 63 bits and a scale.
 struct DistanceReciprocal {
-    std::int64_t mantissa;
-    int shift;
+    std::int64_t mantissa;  ///< 2^(62 + log2) / D, in (2^61, 2^62]
+    int log2;
 
-    explicit DistanceReciprocal(PlaneDistance distance) {
-        const int log2 = 63 - std::countl_zero(static_cast<std::uint64_t>(distance.raw));
-        // The mantissa is 2^(62 + log2) / D, in (2^61, 2^62]; N.60 / D.42 = .18, and 44 - 18 = 26.
-        mantissa = mul_div(std::int64_t{1} << 62, std::int64_t{1} << log2, distance.raw, Rounding::NearestHalfUp);
-        shift = 62 + log2 - 26;
+    explicit DistanceReciprocal(PlaneDistance distance) : log2(log2_floor(static_cast<std::uint64_t>(distance.raw))) {
+        mantissa = mul_div(std::int64_t{1} << 62, std::int64_t{1} << log2, distance.raw);
     }
-    std::int64_t times_60(std::int64_t value_60) const {
-        const std::int64_t slope_44 = mul_shift(value_60, mantissa, shift, Rounding::NearestHalfUp);
-        note_range<Quantity::InverseZSlope>(slope_44);
-        return slope_44;
+    InverseZ times(Sine60 value) const {
+        constexpr int kDropped = Sine60::kFractionBits - PlaneDistance::kFractionBits - InverseZ::kFractionBits;
+        const auto slope = InverseZ::from_raw(mul_shift(value.raw, mantissa, 62 + log2 + kDropped));
+        note_range<"slope of 1/z">(slope);
+        return slope;
     }
 };
 
-LinearQuantity texel_quantity(const ViewSlope& axis_53, std::int64_t eye_texel_16, const ViewSlope& inverse_z_44,
-                              const InverseProjection& projection, int mip) {
-    const auto with_eye = [&](std::int64_t part_30, std::int64_t inverse_44) {
-        const std::int64_t sum_30 = part_30 + mul_shift(eye_texel_16, inverse_44, 30, Rounding::NearestHalfUp);
-        note_range<Quantity::TexelSlope>(sum_30);
-        return floor_shift(sum_30, mip);
+LinearQuantity<TexelOverZ> texel_quantity(const Vec3<TexelAxis>& world_axis, Texel eye_texel,
+                                          const ViewSlope<InverseZ>& inverse_z, const Basis& axes,
+                                          const InverseProjection& projection, int mip) {
+    const auto with_eye = [&](TexelOverZ part, InverseZ inverse) {
+        const TexelOverZ sum = part + product<TexelOverZ>(eye_texel, inverse);
+        note_range<"slope of u/z, v/z">(sum);
+        return floor_shift(sum, mip);
     };
-    return anchor_at_centre(
-        with_eye(rounded_shift(axis_53.ahead, 23, Rounding::NearestHalfUp), inverse_z_44.ahead),
-        with_eye(mul_shift(axis_53.x, projection.inverse_x_62, 62 + 23, Rounding::NearestHalfUp), inverse_z_44.x),
-        with_eye(mul_shift(-axis_53.y, projection.inverse_y_62, 62 + 23, Rounding::NearestHalfUp), inverse_z_44.y),
-        projection);
+    const auto axis = rotate_to_view<"texture axis in view axes">(world_axis, axes);
+    return anchor_at_centre(with_eye(convert<TexelOverZ>(axis.ahead), inverse_z.ahead),
+                            with_eye(product<TexelOverZ>(axis.x, projection.inverse_x), inverse_z.x),
+                            with_eye(product<TexelOverZ>(-axis.y, projection.inverse_y), inverse_z.y), projection);
 }
 
 }  // namespace
 
 InverseProjection make_inverse_projection(const Projection& projection) {
-    const auto inverse_62 = [](Multiplier multiplier) {
-        return mul_div(std::int64_t{1} << 62, std::int64_t{1} << 32, multiplier.raw, Rounding::NearestHalfUp);
-    };
-    return {inverse_62(projection.x.multiplier), inverse_62(projection.y.multiplier), projection.width_px,
-            projection.height_px};
+    return {reciprocal<InverseMultiplier>(projection.x.multiplier),
+            reciprocal<InverseMultiplier>(projection.y.multiplier), projection.width_px, projection.height_px};
 }
 
 TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& axes,
                                         const InverseProjection& projection) {
-    const ViewSlope normal_60 = rotate_to_view(plane.normal, axes);
-    const DistanceReciprocal reciprocal(plane.eye_distance);
-    const ViewSlope inverse_z_44{
-        reciprocal.times_60(-mul_shift(normal_60.x, projection.inverse_x_62, 62, Rounding::NearestHalfUp)),
-        reciprocal.times_60(mul_shift(normal_60.y, projection.inverse_y_62, 62, Rounding::NearestHalfUp)),
-        reciprocal.times_60(-normal_60.ahead)};
-
-    TextureGradients gradients;
-    gradients.inverse_z_44 = anchor_at_centre(inverse_z_44.ahead, inverse_z_44.x, inverse_z_44.y, projection);
-    gradients.u_over_z_30 =
-        texel_quantity(rotate_to_view(plane.s, axes), plane.eye_u_16, inverse_z_44, projection, plane.mip);
-    gradients.v_over_z_30 =
-        texel_quantity(rotate_to_view(plane.t, axes), plane.eye_v_16, inverse_z_44, projection, plane.mip);
-    return gradients;
+    const auto normal = rotate_to_view<"normal in view axes">(plane.normal, axes);
+    const DistanceReciprocal over_distance(plane.eye_distance);
+    const ViewSlope<InverseZ> inverse_z{over_distance.times(-product<Sine60>(normal.x, projection.inverse_x)),
+                                        over_distance.times(product<Sine60>(normal.y, projection.inverse_y)),
+                                        over_distance.times(-normal.ahead)};
+    return {anchor_at_centre(inverse_z.ahead, inverse_z.x, inverse_z.y, projection),
+            texel_quantity(plane.s, plane.eye_u, inverse_z, axes, projection, plane.mip),
+            texel_quantity(plane.t, plane.eye_v, inverse_z, axes, projection, plane.mip)};
 }
 
 }  // namespace oblong

@@ -9,9 +9,12 @@
 
 namespace oblong {
 
-/// What a frame needs again for each face: 1 / multiplier, 62 fraction bits, and the optical centre in half pixels.
+/// 1 / multiplier: 2.62.
+using InverseMultiplier = Fixed<std::int64_t, 62>;
+
+/// What a frame needs again for each face, and the optical centre in half pixels.
 struct InverseProjection {
-    std::int64_t inverse_x_62 = 0, inverse_y_62 = 0;
+    InverseMultiplier inverse_x, inverse_y;
     std::int32_t centre_x_1 = 0, centre_y_1 = 0;
 };
 
@@ -23,8 +26,7 @@ struct TexturedPlane {
     Vec3<Unit> normal;           ///< toward the eye
     PlaneDistance eye_distance;  ///< of the eye before the plane, above 0
     Vec3<TexelAxis> s, t;        ///< texture axes
-    std::int64_t eye_u_16 = 0,
-                 eye_v_16 = 0;  ///< texture coordinates of the eye's foot along s and t, relative to the surface
+    Texel eye_u, eye_v;          ///< texture coordinates of the eye's foot along s and t, relative to the surface
     int mip = 0;
 };
 

@@ -13,7 +13,7 @@ namespace oblong {
 /// A corner of a triangle in viewspace, and the texel that it shows.
 struct TexturedCorner {
     Vec3<Fixed<std::int32_t, 14>> position;  ///< within 2^15 units of the eye along each axis
-    std::int64_t u_16 = 0, v_16 = 0;         ///< texels; from 0 to 65,536
+    Texel u, v;                              ///< from 0 to 65,536
 };
 
 /// A pixel of a mode.

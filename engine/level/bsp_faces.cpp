@@ -21,8 +21,8 @@ Vec3<TexelAxis> read_axis(LumpReader& in) {
     return {x, y, z};
 }
 
-TexelOffset read_texel_offset(LumpReader& in) {
-    return TexelOffset::from_raw(in.read_fixed(TexelOffset::kFractionBits, kOffsetLimit, "texture offset"));
+Texel read_texel_offset(LumpReader& in) {
+    return Texel::from_raw(in.read_fixed(Texel::kFractionBits, kOffsetLimit, "texture offset"));
 }
 
 bool names_sky_or_liquid(std::string_view texture) {

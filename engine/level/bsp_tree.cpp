@@ -71,9 +71,17 @@ Leaf read_leaf(LumpReader& in, const BspFile& file) {
     return leaf;
 }
 
+/// Compilers store a model's bounds one unit smaller on each side (id's qbsp, writebsp.c: "remove the padding"; so does
+/// ericw-tools), and engines spread them (Quake's model.c, Mod_LoadSubmodels): doors travel as far as they are long.
+LevelBox spread(LevelBox box) {
+    for (std::int32_t& bound : box.mins) --bound;
+    for (std::int32_t& bound : box.maxs) ++bound;
+    return box;
+}
+
 SubModel read_model(LumpReader& in, const BspFile& file) {
     SubModel model;
-    model.box = read_box(in, true);
+    model.box = spread(read_box(in, true));
     model.origin = read_world_vector(in);
     model.root = check_node_child(in, file, in.read_i32());
     for (ClipChild& root : model.clip_roots) root = read_clip_root(in, file);

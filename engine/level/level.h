@@ -66,7 +66,7 @@ struct LevelBox {
 /// How a texture lies on faces: u = s . p + s_offset, v = t . p + t_offset, in texels of mip level 0.
 struct TexInfo {
     Vec3<TexelAxis> s, t;
-    TexelOffset s_offset, t_offset;
+    Texel s_offset, t_offset;
     TextureIndex texture;
     bool is_special = false;  ///< sky or liquid: no lightmap, no limit of extent
 
@@ -149,7 +149,7 @@ struct ClipNode {
 
 /// A brush model: 0 is the world, the others are doors, lifts and the like.
 struct SubModel {
-    LevelBox box;
+    LevelBox box;  ///< of all its brushes: the file's is a unit smaller on each side
     Vec3<World> origin;
     NodeChild root;
     std::array<ClipChild, 3> clip_roots{};

@@ -8,11 +8,11 @@ constexpr int sign_of(std::int64_t value) {
     return (value > 0) - (value < 0);
 }
 
-std::int64_t coordinate(Vec3<World> p, std::uint8_t axis) {
-    return axis == 0 ? p.x.raw : axis == 1 ? p.y.raw : p.z.raw;
+World coordinate(const Vec3<World>& p, std::uint8_t axis) {
+    return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-/// The part of normal . p - distance that plane_distance_42 leaves out, in units of 2^-72: below 2^62, as each rest is
+/// The part of normal . p - distance that plane_distance leaves out, in units of 2^-72: below 2^62, as each rest is
 /// at most 2^29 and each coordinate 2^31.
 std::int64_t distance_rest_72(const LevelPlane& plane, Vec3<World> p) {
     return std::int64_t{p.x.raw} * plane.normal_rest_60[0] + std::int64_t{p.y.raw} * plane.normal_rest_60[1] +
@@ -22,12 +22,11 @@ std::int64_t distance_rest_72(const LevelPlane& plane, Vec3<World> p) {
 }  // namespace
 
 int plane_side(const LevelPlane& plane, Vec3<World> p) {
-    constexpr int kSpaceFraction = 30;  // a World coordinate shifted to 42 fraction bits
     if (plane.axis < 3 && plane.distance_rest_72 == 0)
-        return sign_of(coordinate(p, plane.axis) * (std::int64_t{1} << kSpaceFraction) - plane.distance.raw);
+        return sign_of((convert<PlaneDistance>(coordinate(p, plane.axis)) - plane.distance).raw);
 
     // The rest is below 2^62 in units of 2^-72, 2^32 in those of 2^-42: it only decides when the distance is smaller.
-    const std::int64_t distance = plane_distance_42(plane, p);
+    const std::int64_t distance = plane_distance(plane, p).raw;
     constexpr std::int64_t kUndecided = std::int64_t{1} << 32;
     if (distance >= kUndecided || distance <= -kUndecided) return sign_of(distance);
     return sign_of(distance * (std::int64_t{1} << 30) + distance_rest_72(plane, p));

@@ -13,12 +13,8 @@ namespace oblong {
 inline PlaneDistance plane_distance(const LevelPlane& plane, const Vec3<World>& p) {
     // Below 0.9 * 2^62 (a point of length 0.87 * 2^32 by a normal of 1.03 * 2^30) plus 2^62.
     const PlaneDistance distance = dot(p, plane.normal) - plane.distance;
-    note_range<Quantity::DistanceToPlane>(distance.raw);
+    note_range<"plane distance">(distance);
     return distance;
-}
-
-inline std::int64_t plane_distance_42(const LevelPlane& plane, const Vec3<World>& p) {
-    return plane_distance(plane, p).raw;
 }
 
 /// The exact side of a point, by all the bits that LevelPlane keeps of the file's floats: +1 in front (normal . p >

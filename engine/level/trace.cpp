@@ -74,7 +74,7 @@ LinePoint point_between(const LinePoint& a, const LinePoint& b, Part part) {
 }
 
 std::int64_t distance_40(const LevelPlane& plane, Vec3<World> p) {
-    const std::int64_t distance = floor_shift(plane_distance_42(plane, p), kDroppedBits);
+    const std::int64_t distance = floor_shift(plane_distance(plane, p), kDroppedBits).raw;
     return distance < 0 ? -distance : distance;
 }
 

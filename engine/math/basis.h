@@ -31,11 +31,11 @@ FineBasis y_up_fine_basis(Angle yaw, Angle pitch, Angle roll);
 
 /// A coordinate along an axis, rounded once. The difference has 33 bits, and by Cauchy's inequality the sum stays
 /// below sqrt(3) 2^62 + 2^25: no world position overflows.
-constexpr View view_coordinate(const Vec3<Fixed<std::int64_t, 12>>& from_eye, const Vec3<Unit>& axis) {
+constexpr View view_coordinate(const Vec3<WorldWide>& from_eye, const Vec3<Unit>& axis) {
     const PlaneDistance along = dot(from_eye, axis);
-    note_range<Quantity::RotatedDot>(along.raw);
+    note_range<"axis . (p - eye)">(along);
     const auto coordinate = convert<View>(along);
-    note_range<Quantity::ViewPosition>(coordinate.raw);
+    note_range<"view position">(coordinate);
     return coordinate;
 }
 

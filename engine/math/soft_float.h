@@ -23,6 +23,11 @@ struct SoftFloat {
         return {mantissa * (std::int64_t{1} << shift), exponent - shift};
     }
 
+    template <class Int, int Frac>
+    static constexpr SoftFloat from(Fixed<Int, Frac> value) {
+        return from(value.raw, -Frac);
+    }
+
     constexpr bool is_zero() const { return mantissa == 0; }
     /// 2^magnitude() is above the number's absolute value and not above twice of it; not for 0.
     constexpr int magnitude() const { return exponent + 62; }
@@ -62,6 +67,14 @@ constexpr std::optional<std::int64_t> fixed_of(const SoftFloat& value, int fract
     if (value.is_zero() || shift < -62) return 0;
     if (shift > 0) return std::nullopt;
     return rounded_shift(value.mantissa, -shift, Rounding::NearestHalfUp);
+}
+
+/// The number in a format, rounded to the nearest; none where it has more than 62 bits.
+template <class To>
+constexpr std::optional<To> fixed_of(const SoftFloat& value) {
+    const std::optional<std::int64_t> raw = fixed_of(value, To::kFractionBits);
+    if (!raw) return std::nullopt;
+    return To::from_raw(*raw);
 }
 
 }  // namespace oblong

@@ -13,6 +13,12 @@ class WideSum {
         sum_ = portable::add(sum_, (a < 0) != (b < 0) ? negated(size) : size);
     }
 
+    /// Of Fixed numbers: the sum then has the fraction bits of both.
+    template <class A, int FracA, class B, int FracB>
+    constexpr void add_product(Fixed<A, FracA> a, Fixed<B, FracB> b) {
+        add_product(a.raw, b.raw);
+    }
+
     /// The sum times 2^exponent, its bits below the leading 62 dropped.
     constexpr SoftFloat scaled(int exponent) const {
         const bool is_negative = sum_.high >> 63 != 0;

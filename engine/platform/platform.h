@@ -4,7 +4,7 @@
 
 #include "engine/platform/controls.h"
 #include "engine/platform/present_rect.h"
-#include "engine/screen/framebuffer.h"
+#include "engine/screen/screen.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {

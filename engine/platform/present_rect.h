@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/screen/screen_mode.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 

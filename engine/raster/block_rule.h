@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/fixed/fixed.h"
 #include "engine/raster/accuracy.h"
 
 namespace oblong {
@@ -15,7 +16,7 @@ struct BlockRule {
     Texturing texturing = Texturing::Bounded;
     /// Bounded: a block of n = 2^k pixels keeps its error under E pixels where 1/z >= |its step| * (n - E)^2 / 4 E:
     /// this factor, rounded up, with 8 fraction bits.
-    std::array<std::int64_t, kBlockSizes> factor_8{};
+    std::array<std::uint64_t, kBlockSizes> factor_8{};
 };
 
 /// The rule of these dials.
@@ -29,10 +30,10 @@ BlockRule make_block_rule(const Accuracy& accuracy);
 /// the error is below E where b (n - x)(x - E) <= E w0 for all x; the left side is largest at x = (n + E)/2, so b (n -
 /// E)^2 <= 4 E w0 does. For b < 0 the same from the other end.
 struct BlockThresholds {
-    std::array<std::int64_t, kBlockSizes> least_inverse_z_44{};
+    std::array<InverseZ, kBlockSizes> least_inverse_z{};
 };
 
 /// The thresholds of a surface whose 1/z changes by this from column to column.
-BlockThresholds make_block_thresholds(const BlockRule& rule, std::int64_t inverse_z_step_44);
+BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_step);
 
 }  // namespace oblong

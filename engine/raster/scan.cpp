@@ -13,28 +13,33 @@ namespace {
 struct FlooredQuotient {
     std::int64_t quotient, rest;
 
-    FlooredQuotient(std::int64_t numerator, std::int64_t denominator)
-        : quotient(numerator / denominator), rest(numerator % denominator) {
+    template <int Frac>
+    FlooredQuotient(Fixed<std::int64_t, Frac> numerator, Fixed<std::int64_t, Frac> denominator)
+        : quotient(numerator.raw / denominator.raw), rest(numerator.raw % denominator.raw) {
         if (rest >= 0) return;
-        rest += denominator;
+        rest += denominator.raw;
         --quotient;
     }
 };
 
 /// Steps down an edge a row at a time, always at the first column whose centre lies at or right of it.
 /// With the edge from `top` to `bottom`, dy > 0, the column of row r is
-///     ceil(((top.x - 128) dy + (256 r + 128 - top.y) dx) / (256 dy)),
-/// kept as a quotient and a rest, so that no step loses anything. |coordinates| <= 2^28: numerators stay below 2^60.
+///     ceil(((top.x - 1/2) dy + (r + 1/2 - top.y) dx) / dy),
+/// kept as a quotient and a rest, so that no step loses anything. |coordinates| <= 2^20: numerators stay below 2^60.
 class EdgeWalker {
   public:
     EdgeWalker(ScreenVertex top, ScreenVertex bottom, std::int32_t row) {
-        const std::int64_t dx = std::int64_t{bottom.x.raw} - top.x.raw, dy = std::int64_t{bottom.y.raw} - top.y.raw;
-        whole_ = 256 * dy;
-        const std::int64_t down = std::int64_t{row} * 256 + 128 - top.y.raw;
-        const std::int64_t numerator = (std::int64_t{top.x.raw} - 128) * dy + down * dx + whole_ - 1;
-        note_range<Quantity::EdgeNumerator>(numerator);
-        const FlooredQuotient start(numerator, whole_);
+        constexpr auto kHalf = Screen::from_raw(128);
+        const ScreenWide dx = widening_difference(bottom.x, top.x), dy = widening_difference(bottom.y, top.y);
+        const ScreenWide across = widening_difference(top.x, kHalf),
+                         down = widening_difference(Screen::from_int(row), top.y - kHalf);
+        const ScreenArea whole = bounded_product(ScreenWide::from_int(1), dy);
+        const ScreenArea numerator =
+            bounded_product(across, dy) + bounded_product(down, dx) + whole - ScreenArea::ulp();
+        note_range<"edge numerator">(numerator);
+        const FlooredQuotient start(numerator, whole);
         const FlooredQuotient slope(dx, dy);
+        whole_ = whole.raw;
         column_ = start.quotient;
         rest_ = start.rest;
         step_ = slope.quotient;
@@ -46,7 +51,7 @@ class EdgeWalker {
     void next_row() {
         column_ += step_;
         rest_ += step_rest_;
-        note_range<Quantity::EdgeRest>(rest_);
+        note_range<"edge rest">(ScreenArea::from_raw(rest_));
         const std::int64_t carry = rest_ >= whole_;
         column_ += carry;
         rest_ -= whole_ & -carry;
@@ -61,7 +66,7 @@ struct RowRange {
 };
 
 RowRange rows_between(Screen top, Screen bottom, std::int32_t height) {
-    return {std::max(first_centre_from(top.raw), 0), std::min(first_centre_from(bottom.raw), height)};
+    return {std::max(first_centre_from(top), 0), std::min(first_centre_from(bottom), height)};
 }
 
 void walk_edge(ScreenVertex top, ScreenVertex bottom, std::vector<std::int32_t>& columns) {
@@ -84,8 +89,7 @@ void widen_by_edge(ScreenVertex top, ScreenVertex bottom, std::vector<std::int32
 }
 
 ScreenVertex within_limits(ScreenVertex v) {
-    return {Screen::from_raw(std::clamp(v.x.raw, -kLargestScreen_8, kLargestScreen_8)),
-            Screen::from_raw(std::clamp(v.y.raw, -kLargestScreen_8, kLargestScreen_8))};
+    return {std::clamp(v.x, -kLargestScreen, kLargestScreen), std::clamp(v.y, -kLargestScreen, kLargestScreen)};
 }
 
 /// What a polygon looks like before it is scanned.
@@ -95,13 +99,13 @@ struct Profile {
 };
 
 Profile survey(std::span<const ScreenVertex> vertices, std::int32_t height) {
-    std::int32_t top = std::numeric_limits<std::int32_t>::max(), bottom = std::numeric_limits<std::int32_t>::min();
+    Screen top = Screen::highest(), bottom = Screen::lowest();
     int turns = 0, direction = 0, first_direction = 0;
     ScreenVertex from = vertices.back();
     for (const ScreenVertex& to : vertices) {
-        top = std::min(top, to.y.raw);
-        bottom = std::max(bottom, to.y.raw);
-        const int now = (to.y.raw > from.y.raw) - (to.y.raw < from.y.raw);
+        top = std::min(top, to.y);
+        bottom = std::max(bottom, to.y);
+        const int now = (to.y > from.y) - (to.y < from.y);
         from = to;
         if (now == 0) continue;
         if (first_direction == 0) first_direction = now;
@@ -109,8 +113,8 @@ Profile survey(std::span<const ScreenVertex> vertices, std::int32_t height) {
         direction = now;
     }
     turns += direction != first_direction;
-    top = std::min(top, kLargestScreen_8);
-    bottom = std::min(bottom, kLargestScreen_8);
+    top = std::min(top, kLargestScreen);
+    bottom = std::min(bottom, kLargestScreen);
     return {std::max(first_centre_from(top), 0), std::min(first_centre_from(bottom), height), turns <= 2};
 }
 
@@ -150,11 +154,11 @@ void scan_convex(std::span<const ScreenVertex> vertices, ScanlineExtents& rows) 
     }
 }
 
-std::int64_t doubled_area_16(std::span<const ScreenVertex> vertices) {
-    std::int64_t sum = 0;
+ScreenArea doubled_area(std::span<const ScreenVertex> vertices) {
+    ScreenArea sum;
     ScreenVertex from = vertices.back();
     for (const ScreenVertex& to : vertices) {
-        sum += std::int64_t{from.x.raw} * to.y.raw - std::int64_t{to.x.raw} * from.y.raw;
+        sum += widening_product(from.x, to.y) - widening_product(to.x, from.y);
         from = to;
     }
     return sum;

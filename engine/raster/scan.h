@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/screen/screen_vertex.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 
@@ -17,12 +17,12 @@ struct ScanlineExtents {
         : left(static_cast<std::size_t>(height_px)), right(static_cast<std::size_t>(height_px)) {}
 };
 
-/// Largest size of a screen coordinate that scan_convex() takes, 1/256 pixel; what lies beyond is moved there.
-inline constexpr std::int32_t kLargestScreen_8 = 1 << 28;
+/// Largest size of a screen coordinate that scan_convex() takes; what lies beyond is moved there.
+inline constexpr Screen kLargestScreen = Screen::from_int(1 << 20);
 
-/// The first row or column whose centre lies at or after `position`: ceil((position - 128) / 256).
-constexpr std::int32_t first_centre_from(std::int32_t position_8) {
-    return floor_shift(position_8 + 127, 8);
+/// The first row or column whose centre lies at or after `position`: ceil(position - 1/2).
+constexpr std::int32_t first_centre_from(Screen position) {
+    return floor_of(position + Screen::from_raw(127));
 }
 
 /// Finds the pixels of a convex polygon whose vertices run clockwise as seen (y down). A pixel is covered when its
@@ -31,7 +31,10 @@ constexpr std::int32_t first_centre_from(std::int32_t position_8) {
 /// slope. Columns may lie off the screen; rows do not.
 void scan_convex(std::span<const ScreenVertex> vertices, ScanlineExtents& rows);
 
-/// Twice the signed area, in (1/256 pixel)^2: above 0 if the vertices run clockwise as seen.
-std::int64_t doubled_area_16(std::span<const ScreenVertex> vertices);
+/// Square pixels: 48.16.
+using ScreenArea = Fixed<std::int64_t, 16>;
+
+/// Twice the signed area: above 0 if the vertices run clockwise as seen.
+ScreenArea doubled_area(std::span<const ScreenVertex> vertices);
 
 }  // namespace oblong

@@ -12,57 +12,61 @@ namespace {
 
 /// 1/z, u/z, v/z at one place.
 struct Perspective {
-    std::int64_t inverse_z_44, u_over_z_30, v_over_z_30;
+    InverseZ inverse_z;
+    TexelOverZ u_over_z, v_over_z;
 
     Perspective(const TextureGradients& gradients, std::int32_t column, std::int32_t row)
-        : inverse_z_44(gradients.inverse_z_44.at(column, row)),
-          u_over_z_30(gradients.u_over_z_30.at(column, row)),
-          v_over_z_30(gradients.v_over_z_30.at(column, row)) {
-        note_range<Quantity::InverseZ>(inverse_z_44);
-        note_range<Quantity::TexelOverZ>(u_over_z_30);
-        note_range<Quantity::TexelOverZ>(v_over_z_30);
+        : inverse_z(gradients.inverse_z.at(column, row)),
+          u_over_z(gradients.u_over_z.at(column, row)),
+          v_over_z(gradients.v_over_z.at(column, row)) {
+        note_range<"1/z at a block's end">(inverse_z);
+        note_range<"u/z, v/z at a block's end">(u_over_z);
+        note_range<"u/z, v/z at a block's end">(v_over_z);
     }
 };
 
 /// The largest 1/z that Depth takes, at z = 2^-15 unit; what is nearer is drawn as if it were there. The smallest:
 /// beyond any world.
-constexpr std::int64_t kGreatestInverseZ_44 = std::int64_t{1} << 59, kLeastInverseZ_44 = std::int64_t{1} << 24;
+constexpr auto kGreatestInverseZ = InverseZ::from_raw(std::int64_t{1} << 59);
+constexpr auto kLeastInverseZ = InverseZ::from_raw(std::int64_t{1} << 24);
 
 /// std::clamp by value: the compiler then keeps all of it in registers.
-constexpr std::int64_t clamp_value(std::int64_t value, std::int64_t least, std::int64_t greatest) {
+template <class Number>
+constexpr Number clamp_value(Number value, Number least, Number greatest) {
     value = value < least ? least : value;
     return value > greatest ? greatest : value;
 }
 
 /// z as a reciprocal of 33 bits and a scale: one 64-bit division. Relative error below 2^-26.
 struct Depth {
-    std::int64_t mantissa;         ///< 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]
-    std::int64_t greatest_over_z;  ///< u/z beyond which u would be more than 65,535 texels
-    int shift;                     ///< what brings 1/z to 60 bits
+    std::int64_t mantissa;       ///< 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]
+    TexelOverZ greatest_over_z;  ///< u/z beyond which u would be more than 65,535 texels
+    int shift;                   ///< what brings 1/z to 60 bits
 
-    explicit Depth(std::int64_t inverse_z_44) {
-        const std::int64_t positive = clamp_value(inverse_z_44, kLeastInverseZ_44, kGreatestInverseZ_44);
+    explicit Depth(InverseZ inverse_z) {
+        const std::int64_t positive = clamp_value(inverse_z, kLeastInverseZ, kGreatestInverseZ).raw;
         shift = std::countl_zero(static_cast<std::uint64_t>(positive)) - 4;
         mantissa =
             static_cast<std::int64_t>((std::uint64_t{1} << 60) / static_cast<std::uint64_t>((positive << shift) >> 32));
-        greatest_over_z = positive * 4 - 4;
+        greatest_over_z = TexelOverZ::from_raw(positive * 4 - 4);
     }
 
-    /// (u/z) * z, 16.16, from 0 to 65,535 texels: what is outside comes to the nearer end, so that nothing overflows.
-    std::int64_t texel_16(std::int64_t over_z_30) const {
-        const std::int64_t within = clamp_value(over_z_30, 0, greatest_over_z);
-        const std::int64_t shifted = within << shift;
+    /// (u/z) * z, from 0 to 65,535 texels: what is outside comes to the nearer end, so that nothing overflows.
+    Texel times(TexelOverZ over_z) const {
+        using Scaled = Fixed<std::int64_t, 60>;
+        const std::int64_t shifted = clamp_value(over_z, {}, greatest_over_z).raw << shift;
         const std::int64_t product = floor_shift(shifted, 32) * mantissa;
-        note_range<Quantity::DepthShifted>(shifted);
-        note_range<Quantity::DepthProduct>(product);
-        return floor_shift(product, 30);
+        note_range<"u/z, normalised">(Scaled::from_raw(shifted));
+        note_range<"u/z x reciprocal">(Scaled::from_raw(product));
+        return Texel::from_raw(floor_shift(product, 30));
     }
 };
 
 TexelPosition texel_of(const Perspective& at, const Depth& depth, const TexelLimits& limits) {
-    return {
-        static_cast<std::uint32_t>(clamp_value(depth.texel_16(at.u_over_z_30), limits.least_16, limits.greatest_u_16)),
-        static_cast<std::uint32_t>(clamp_value(depth.texel_16(at.v_over_z_30), limits.least_16, limits.greatest_v_16))};
+    const auto within = [&limits](Texel texel, Texel greatest) {
+        return static_cast<std::uint32_t>(clamp_value(texel, limits.least, greatest).raw);
+    };
+    return {within(depth.times(at.u_over_z), limits.greatest_u), within(depth.times(at.v_over_z), limits.greatest_v)};
 }
 
 std::int32_t step_by_shift(std::uint32_t from, std::uint32_t to, int log2) {
@@ -92,11 +96,11 @@ class SpanCutter {
           left_(span.end - span.first),
           pixel_(static_cast<std::uint32_t>(span.y * pitch + span.first)),
           here_(gradients, span.first, span.y),
-          depth_(here_.inverse_z_44),
+          depth_(here_.inverse_z),
           texel_(texel_of(here_, depth_, limits)) {}
 
     std::int32_t left() const { return left_; }
-    std::int64_t inverse_z_44() const { return here_.inverse_z_44; }
+    InverseZ inverse_z() const { return here_.inverse_z; }
     std::int32_t divisions() const { return divisions_; }
     const TexelBlock* end() const { return out_; }
 
@@ -123,18 +127,13 @@ class SpanCutter {
     }
 
   private:
-    static std::int64_t stepped(std::int64_t from, const LinearQuantity& quantity, std::int32_t count) {
-        return static_cast<std::int64_t>(static_cast<std::uint64_t>(from) +
-                                         quantity.per_column * static_cast<std::uint64_t>(count));
-    }
-
     [[gnu::always_inline]] void advance(std::int32_t count) {
-        const std::int64_t before = here_.inverse_z_44;
-        here_.inverse_z_44 = stepped(before, gradients_.inverse_z_44, count);
-        here_.u_over_z_30 = stepped(here_.u_over_z_30, gradients_.u_over_z_30, count);
-        here_.v_over_z_30 = stepped(here_.v_over_z_30, gradients_.v_over_z_30, count);
-        if (here_.inverse_z_44 != before) {
-            depth_ = Depth(here_.inverse_z_44);
+        const InverseZ before = here_.inverse_z;
+        here_.inverse_z = stepped(before, gradients_.inverse_z.per_column, count);
+        here_.u_over_z = stepped(here_.u_over_z, gradients_.u_over_z.per_column, count);
+        here_.v_over_z = stepped(here_.v_over_z, gradients_.v_over_z.per_column, count);
+        if (here_.inverse_z != before) {
+            depth_ = Depth(here_.inverse_z);
             ++divisions_;
         }
         texel_ = texel_of(here_, depth_, limits_);
@@ -165,12 +164,12 @@ class SpanCutter {
 
 [[gnu::always_inline]] inline void cut_bounded(SpanCutter& cutter, const BlockThresholds& thresholds) {
     int log2 = kBlockSizes - 1;
-    const auto& least = thresholds.least_inverse_z_44;
+    const auto& least = thresholds.least_inverse_z;
     while (true) {
-        while (log2 > 0 && cutter.inverse_z_44() < least[static_cast<std::size_t>(log2)]) --log2;
+        while (log2 > 0 && cutter.inverse_z() < least[static_cast<std::size_t>(log2)]) --log2;
         if (cutter.left() <= 1 << log2) return cutter.cut_rest();
         cutter.cut_power(log2);
-        while (log2 + 1 < kBlockSizes && cutter.inverse_z_44() >= least[static_cast<std::size_t>(log2) + 1]) ++log2;
+        while (log2 + 1 < kBlockSizes && cutter.inverse_z() >= least[static_cast<std::size_t>(log2) + 1]) ++log2;
     }
 }
 
@@ -178,13 +177,13 @@ class SpanCutter {
 
 TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int32_t longest_px) {
     // Flooring a step loses less than a unit of 2^-16 a pixel: from this inset no sample drifts below 0.
-    return {longest_px, (std::int64_t{width} << 16) - 1, (std::int64_t{height} << 16) - 1};
+    return {Texel::from_raw(longest_px), Texel::from_int(width) - Texel::ulp(), Texel::from_int(height) - Texel::ulp()};
 }
 
 TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& limits, std::int32_t column,
                        std::int32_t row) {
     const Perspective at(gradients, column, row);
-    return texel_of(at, Depth(at.inverse_z_44), limits);
+    return texel_of(at, Depth(at.inverse_z), limits);
 }
 
 std::int32_t append_blocks(const Span& span, std::int32_t pitch, const TextureGradients& gradients,

@@ -6,8 +6,8 @@
 
 #include "engine/raster/block_rule.h"
 #include "engine/raster/kernels/kernels.h"
-#include "engine/raster/span.h"
 #include "engine/screen/gradients.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 
@@ -16,9 +16,9 @@ struct TexelPosition {
     std::uint32_t u_16, v_16;
 };
 
-/// Where in a surface samples may fall, texels, 16.16: inset from its edges by what rounding can drift in one block.
+/// Where in a surface samples may fall: inset from its edges by what rounding can drift in one block.
 struct TexelLimits {
-    std::int64_t least_16 = 0, greatest_u_16 = 0, greatest_v_16 = 0;
+    Texel least, greatest_u, greatest_v;
 };
 
 /// The limits of a surface of this size, 1 to 65,535 texels, for blocks of up to `longest_px` pixels.

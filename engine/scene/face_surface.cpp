@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "engine/base/range_probe.h"
-#include "engine/fixed/wide.h"
+#include "engine/fixed/arithmetic.h"
 
 namespace oblong {
 
@@ -15,13 +15,10 @@ constexpr std::size_t kSurfaceArenaBytes = std::size_t{12} << 20;
 
 /// The mip level for a polygon whose nearest texels are 1, 0.4 and 0.2 pixels wide at the ends of levels 0, 1 and 2:
 /// Quake's thresholds.
-int mip_level(std::int64_t nearest_z_16, std::int64_t density_16, const ProjectionAxis& axis) {
-    const std::int64_t texels_per_pixel_times_multiplier_16 = mul_shift(nearest_z_16, density_16, 16, Rounding::Floor);
-    const std::int64_t multiplier_16 = axis.coarse_16;
-    note_range<Quantity::MipProduct>(texels_per_pixel_times_multiplier_16);
-    return (texels_per_pixel_times_multiplier_16 > multiplier_16) +
-           (texels_per_pixel_times_multiplier_16 * 2 > multiplier_16 * 5) +
-           (texels_per_pixel_times_multiplier_16 > multiplier_16 * 5);
+int mip_level(View nearest_z, TexelDensity density, CoarseMultiplier multiplier) {
+    const auto density_times_z = product<CoarseMultiplier>(nearest_z, density, Rounding::Floor);
+    note_range<"texels per pixel, doubled">(density_times_z * 2);
+    return (density_times_z > multiplier) + (density_times_z * 2 > multiplier * 5) + (density_times_z > multiplier * 5);
 }
 
 std::int32_t floor_to_multiple(std::int32_t value, std::int32_t size) {
@@ -118,10 +115,10 @@ FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, std::int3
       cache_(level.faces.size() * 4, arena_bytes(level, faces)),
       corner_shades_(most_light_samples(level, faces)) {}
 
-FaceSurface FaceSurfaces::get(FaceIndex index, std::int64_t nearest_z_16, const ProjectionAxis& projection_x,
+FaceSurface FaceSurfaces::get(FaceIndex index, View nearest_z, const ProjectionAxis& projection_x,
                               const Colormap& colormap, const LightStyles& styles) {
     const PreparedFace& prepared = faces_.faces[index];
-    const int mip = mip_level(nearest_z_16, prepared.density_16, projection_x);
+    const int mip = mip_level(nearest_z, prepared.density, projection_x.coarse);
     if (prepared.kind == FaceKind::Lit) return lit(index, mip, colormap, styles);
     return tiled(level_.faces[index], mip);
 }

@@ -39,8 +39,8 @@ class FaceSurfaces {
 
     /// The surface of a lit or liquid face whose nearest corner in view has this depth. Its texels are good until the
     /// next call. One colormap serves all calls.
-    FaceSurface get(FaceIndex face, std::int64_t nearest_z_16, const ProjectionAxis& projection_x,
-                    const Colormap& colormap, const LightStyles& styles);
+    FaceSurface get(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x, const Colormap& colormap,
+                    const LightStyles& styles);
 
     BlockKernel kernel = best_block_kernel();
 

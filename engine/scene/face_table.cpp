@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/fixed/root.h"
 #include "engine/level/t_junctions.h"
 
 namespace oblong {
@@ -13,12 +12,6 @@ FaceKind kind_of(const Level& level, const Face& face) {
     const std::string& name = level.texture_of(face).name;
     if (name.starts_with("sky")) return FaceKind::Sky;
     return level.texinfos[face.texinfo].is_special || name.starts_with("*") ? FaceKind::Liquid : FaceKind::Lit;
-}
-
-std::int64_t length_16(const Vec3<TexelAxis>& axis) {
-    const auto square = [](TexelAxis a) { return static_cast<std::uint64_t>(std::int64_t{a.raw} * a.raw); };
-    const std::uint64_t sum_46 = square(axis.x) + square(axis.y) + square(axis.z);
-    return static_cast<std::int64_t>(integer_root(sum_46) >> 7);
 }
 
 /// Appends the corners of a face, each edge with the vertices inside it, in the direction in which the face walks it.
@@ -40,7 +33,8 @@ void add_face(const Level& level, const Face& face, const TJunctions& junctions,
     append_corners(level, face, junctions, table.corners);
     const std::size_t count = table.corners.size() - first;
     table.faces.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
-                           std::max(length_16(texinfo.s), length_16(texinfo.t)), kind_of(level, face)});
+                           convert<TexelDensity>(std::max(length(texinfo.s), length(texinfo.t)), Rounding::Floor),
+                           kind_of(level, face)});
     table.most_corners = std::max(table.most_corners, count);
 }
 

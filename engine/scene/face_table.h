@@ -9,6 +9,9 @@
 
 namespace oblong {
 
+/// Texels per world unit: 48.16.
+using TexelDensity = Fixed<std::int64_t, 16>;
+
 /// How a face is drawn.
 enum class FaceKind : std::uint8_t { Lit, Liquid, Sky };
 
@@ -22,7 +25,7 @@ constexpr EffectSet effects_of(FaceKind kind) {
 /// What every frame would otherwise work out again of a face.
 struct PreparedFace {
     std::uint32_t first_corner = 0, corner_count = 0;  ///< in FaceTable::corners
-    std::int64_t density_16 = 0;                       ///< texels of mip level 0 per unit, along the denser axis
+    TexelDensity density;                              ///< texels of mip level 0 per unit, along the denser axis
     FaceKind kind = FaceKind::Lit;
 };
 

@@ -4,7 +4,7 @@
 
 #include "engine/geometry/view_context.h"
 #include "engine/level/level.h"
-#include "engine/visibility/screen_rectangle.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 

@@ -13,29 +13,30 @@ namespace {
 /// is what closes the outline of what is seen; most often it covers nothing. A face of L units at depth z turns round
 /// where it is d <= z^2 / (160 L) * (twice the rounding) before its plane: 32 units do for 16-unit faces 3,600 units
 /// away at 1/256 pixel. What coarser grids leave is for the second walk.
-constexpr std::int64_t kBothSidesDistance_42 = std::int64_t{32} << 42;
+constexpr auto kBothSidesDistance = PlaneDistance::from_int(32);
 
 }  // namespace
 
 std::uint8_t planes_crossed(const Frustum& frustum, const LevelBox& box, const Vec3<World>& eye, std::uint8_t planes) {
     if (planes == 0) return 0;
-    const std::array<std::int64_t, 3> at{eye.x.raw, eye.y.raw, eye.z.raw};
+    using Distance = Fixed<std::int64_t, 32>;
+    const std::array at{convert<WorldWide>(eye.x), convert<WorldWide>(eye.y), convert<WorldWide>(eye.z)};
     // Normals of .20 may be off by 2^-21 in each component: a box is given the benefit of that, and of a unit more.
-    constexpr std::int64_t kBenefit_32 = std::int64_t{1} << 32;
+    constexpr Distance kBenefit = Distance::from_int(1);
     for (unsigned plane = 0; plane < 4; ++plane) {
         if (!(planes >> plane & 1)) continue;
         const auto& normal = frustum.cull_planes[plane].normal;
-        std::int64_t farthest_32 = kBenefit_32, nearest_32 = -kBenefit_32;
+        Distance farthest = kBenefit, nearest = -kBenefit;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::int64_t low = normal[axis] * (std::int64_t{box.mins[axis]} * 4096 - at[axis]);
-            const std::int64_t high = normal[axis] * (std::int64_t{box.maxs[axis]} * 4096 - at[axis]);
-            farthest_32 += low > high ? low : high;
-            nearest_32 += low > high ? high : low;
+            const Distance low = bounded_product(normal[axis], WorldWide::from_int(box.mins[axis]) - at[axis]);
+            const Distance high = bounded_product(normal[axis], WorldWide::from_int(box.maxs[axis]) - at[axis]);
+            farthest += low > high ? low : high;
+            nearest += low > high ? high : low;
         }
-        note_range<Quantity::CullDistance>(farthest_32);
-        note_range<Quantity::CullDistance>(nearest_32);
-        if (farthest_32 < 0) return kOutside;
-        if (nearest_32 >= 0) planes = static_cast<std::uint8_t>(planes & ~(1u << plane));
+        note_range<"box's cull distance">(farthest);
+        note_range<"box's cull distance">(nearest);
+        if (farthest < Distance{}) return kOutside;
+        if (nearest >= Distance{}) planes = static_cast<std::uint8_t>(planes & ~(1u << plane));
     }
     return planes;
 }
@@ -101,9 +102,9 @@ void FrontToBackWalk::enter_node(NodeIndex index, std::uint8_t planes_to_test) {
     const std::uint8_t planes = planes_crossed(view_.frustum, node.box, view_.eye, planes_to_test);
     if (planes == kOutside || is_hidden(node.box)) return;
 
-    const std::int64_t distance_42 = plane_distance_42(level_.planes[node.plane], view_.eye);
-    const bool in_front = distance_42 > 0, has_faces = node.faces.count > 0;
-    const bool is_thin = distance_42 < kBothSidesDistance_42 && distance_42 > -kBothSidesDistance_42;
+    const PlaneDistance distance = plane_distance(level_.planes[node.plane], view_.eye);
+    const bool in_front = distance > PlaneDistance{}, has_faces = node.faces.count > 0;
+    const bool is_thin = absolute(distance) < kBothSidesDistance;
     // Last in, first out: near side, faces toward the eye, far side; and those that face away but rounding may show,
     // whose leaves are on the far side.
     if (has_faces && is_thin && !takes_all_faces_)

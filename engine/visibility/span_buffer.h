@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "engine/raster/scan.h"
-#include "engine/raster/span.h"
-#include "engine/visibility/screen_rectangle.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 

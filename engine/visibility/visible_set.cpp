@@ -22,8 +22,8 @@ void VisibleSet::see_from(const Level& level, LeafIndex leaf) {
     ++mark_;
     leaves_.clear();
     const std::int32_t fills = level.leaves[leaf].contents;
-    const bool is_open = fills != contents::kSolid && fills != contents::kSky;
-    unpack_visible_set(level, is_open ? leaf : kSolidOutside, unpacked_);
+    is_from_open_ = fills != contents::kSolid && fills != contents::kSky;
+    unpack_visible_set(level, is_from_open_ ? leaf : kSolidOutside, unpacked_);
     for (const LeafIndex other : level.visible_leaves())
         if (is_in_set(unpacked_, other)) mark_upward(other);
 }

@@ -17,6 +17,8 @@ class VisibleSet {
     void see_from(const Level& level, LeafIndex leaf);
     bool has_node(NodeIndex node) const { return node_marks_[node] == mark_; }
     bool has_leaf(LeafIndex leaf) const { return leaf_marks_[leaf] == mark_; }
+    /// Whether that leaf is neither solid nor sky.
+    bool is_from_open() const { return is_from_open_; }
     /// The leaves that may be seen, each once.
     const std::vector<LeafIndex>& leaves() const { return leaves_; }
 
@@ -31,6 +33,7 @@ class VisibleSet {
     std::vector<LeafIndex> leaves_;
     std::uint32_t mark_ = 0;
     LeafIndex seen_from_ = LeafIndex::none();
+    bool is_from_open_ = false;
 };
 
 }  // namespace oblong

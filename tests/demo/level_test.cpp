@@ -10,7 +10,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
 #include "engine/platform/files.h"
-#include "game/stage.h"
+#include "game/game_level.h"
 
 namespace oblong {
 namespace {
@@ -46,8 +46,8 @@ TEST_F(DemoLevel, HasABeginningAnEndAndWhatMoves) {
 }
 
 TEST_F(DemoLevel, ThePlayerStartsInTheOpen) {
-    const Stage stage = make_stage(level_);
-    EXPECT_EQ(hull_contents(level_, level_.world(), Hull::Player, stage.player_start), contents::kEmpty);
+    const GameLevel level = make_game_level(level_);
+    EXPECT_EQ(hull_contents(level_, level_.world(), Hull::Player, level.player_start), contents::kEmpty);
 }
 
 TEST_F(DemoLevel, CallsForSkyWaterLavaAndAnimation) {

@@ -4,12 +4,12 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
-#include "game/world.h"
+#include "game/step.h"
 
 namespace oblong {
 namespace {
 
-/// A place to walk to, and how high the player's middle must be before the visit goes on (a lift takes its time).
+/// A point to walk to, and how high the player's middle must be before the visit goes on (a lift takes its time).
 struct Waypoint {
     double x, y;
     double least_z = -1000;
@@ -22,17 +22,18 @@ double units(World value) {
 /// A visitor who turns towards the next waypoint at once and walks.
 class Visitor {
   public:
-    explicit Visitor(const Level& level) : stage_(make_stage(level)), state_(start_of(stage_)) {}
+    explicit Visitor(const Level& level) : level_(make_game_level(level)), state_(start_of(level_)) {}
 
     const GameState& state() const { return state_; }
 
     /// False if the waypoint is not reached in half a minute of game time.
     bool walk_to(const Waypoint& waypoint) {
         for (std::int64_t tick = 0; tick < 30 * kTicksPerSecond && !state_.has_ended; ++tick) {
-            const double dx = waypoint.x - units(state_.player.place.x), dy = waypoint.y - units(state_.player.place.y);
+            const double dx = waypoint.x - units(state_.player.position.x),
+                         dy = waypoint.y - units(state_.player.position.y);
             const bool is_there = std::hypot(dx, dy) < 14;
-            if (is_there && units(state_.player.place.z) >= waypoint.least_z) return true;
-            step(stage_, state_, is_there ? TickInput{} : step_towards(dx, dy));
+            if (is_there && units(state_.player.position.z) >= waypoint.least_z) return true;
+            step(level_, state_, is_there ? TickInput{} : step_towards(dx, dy));
         }
         return state_.has_ended;
     }
@@ -46,7 +47,7 @@ class Visitor {
         return input;
     }
 
-    Stage stage_;
+    GameLevel level_;
     GameState state_;
 };
 
@@ -54,10 +55,10 @@ class DemoWalk : public testing::Test {
   protected:
     void walk(const std::vector<Waypoint>& route) {
         for (const Waypoint& waypoint : route) {
-            const Place& place = visitor_.state().player.place;
+            const Position& position = visitor_.state().player.position;
             ASSERT_TRUE(visitor_.walk_to(waypoint))
-                << "stuck at " << units(place.x) << ' ' << units(place.y) << ' ' << units(place.z) << " on the way to "
-                << waypoint.x << ' ' << waypoint.y;
+                << "stuck at " << units(position.x) << ' ' << units(position.y) << ' ' << units(position.z)
+                << " on the way to " << waypoint.x << ' ' << waypoint.y;
         }
     }
 

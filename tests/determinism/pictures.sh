@@ -1,5 +1,5 @@
-# Sourced by compare_builds and compare_machines, from the project's root, with $build and $work set: which pictures are
-# compared, and the lists of their checksums.
+# Sourced by the scripts here, from the project's root, with $build and $work set: which pictures are compared, and the
+# lists of their checksums.
 
 levels=""
 for place in ../shared "${OBLONG_SHARED:-}"; do
@@ -20,7 +20,7 @@ choose_cameras() {
     [ -n "$levels" ] || { echo "no folder shared/ beside the project: the demo level alone"; return; }
     local name
     for name in dm4 e1m7 end; do
-        awk -v step="$1" 'NR == 1 || NR % step == 2' "$levels/cameras/$name.csv" >"$work/$name.csv"
+        awk -v step="$1" 'NR == 1 || NR % step == 2 % step' "$levels/cameras/$name.csv" >"$work/$name.csv"
     done
 }
 

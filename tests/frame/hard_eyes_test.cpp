@@ -90,7 +90,8 @@ TEST_P(HardEyes, HardCaseV13_EyesOnCornersAreMovedClearOfAllPlanes) {
             while (!at.is_leaf()) {
                 const Node& node = stage.level.nodes[at.node()];
                 const LevelPlane& plane = stage.level.planes[node.plane];
-                const double distance = std::ldexp(static_cast<double>(plane_distance_42(plane, placed.position)), -42);
+                const double distance =
+                    std::ldexp(static_cast<double>(plane_distance(plane, placed.position).raw), -42);
                 nearest = std::min(nearest, std::abs(distance));
                 at = node.children[plane_side(plane, placed.position) > 0 ? 0 : 1];
             }

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "engine/base/input_error.h"
-#include "game/hands.h"
-#include "game/short_walk.h"
+#include "game/tick_input_source.h"
 #include "tests/game/toy_game.h"
 
 namespace oblong {
@@ -23,26 +22,35 @@ ToyLevel with_things() {
     return toy;
 }
 
+// Ahead with a jump now and then, a turn, ahead again.
+Controls walk(int tick) {
+    Controls controls;
+    controls.forward = tick % 100 < 80;
+    controls.turn_right = tick % 100 >= 80;
+    controls.jump = tick % 100 == 40;
+    return controls;
+}
+
 Demo record(int ticks) {
     ToyGame game(with_things());
-    Hands hands(game.state, {}, true);
+    TickInputSource input(game.state, {}, true);
     for (int tick = 0; tick < ticks; ++tick) {
-        hands.gather(short_walk(tick));
-        hands.play_tick(game.stage, game.state);
+        input.gather(walk(tick));
+        input.play_tick(game.level, game.state);
     }
-    return hands.recorded();
+    return input.recorded();
 }
 
 TEST(Demo, ReplayLeadsToTheSameStateAtEveryTick) {
     const Demo demo = record(700);
     ASSERT_EQ(demo.ticks.size(), 700u);
     ToyGame game(with_things());
-    Hands hands(game.state, demo, false);
+    TickInputSource input(game.state, demo, false);
     for (const DemoTick& tick : demo.ticks) {
-        hands.play_tick(game.stage, game.state);
+        input.play_tick(game.level, game.state);
         ASSERT_EQ(hash_of(game.state), tick.state_hash);
     }
-    EXPECT_FALSE(hands.is_replaying());
+    EXPECT_FALSE(input.is_replaying());
     EXPECT_NE(demo.ticks.front().state_hash, demo.ticks.back().state_hash);
 }
 
@@ -50,15 +58,15 @@ TEST(Demo, ADifferentGameIsNoticed) {
     Demo demo = record(50);
     ToyGame game(with_things());
     demo.ticks[30].input.yaw = 1;
-    Hands hands(game.state, demo, false);
-    for (int tick = 0; tick < 30; ++tick) hands.play_tick(game.stage, game.state);
-    EXPECT_THROW(hands.play_tick(game.stage, game.state), InputError);
+    TickInputSource input(game.state, demo, false);
+    for (int tick = 0; tick < 30; ++tick) input.play_tick(game.level, game.state);
+    EXPECT_THROW(input.play_tick(game.level, game.state), InputError);
 }
 
 TEST(Demo, AnotherLevelIsNoticedAtOnce) {
     const Demo demo = record(5);
     ToyGame other(with_things(), 100);
-    EXPECT_THROW(Hands(other.state, demo, false), InputError);
+    EXPECT_THROW(TickInputSource(other.state, demo, false), InputError);
 }
 
 TEST(Demo, FileComesBackAsItWas) {

@@ -2,7 +2,7 @@
 
 #include "engine/level/bsp_read.h"
 #include "game/collision.h"
-#include "game/world.h"
+#include "game/step.h"
 #include "tests/support/shared_levels.h"
 
 namespace oblong {
@@ -27,17 +27,17 @@ class RandomWalk {
 TEST(RealLevels, ThePlayerIsNeverInsideSomethingSolid) {
     OBLONG_NEEDS_SHARED_LEVELS();
     for (const char* name : test::kRealLevels) {
-        const Level level = read_bsp(test::read_shared_file(std::string(name) + ".bsp"));
-        const Stage stage = make_stage(level);
-        GameState state = start_of(stage);
+        const Level bsp = read_bsp(test::read_shared_file(std::string(name) + ".bsp"));
+        const GameLevel level = make_game_level(bsp);
+        GameState state = start_of(level);
         RandomWalk walk;
-        Box seen{state.player.place, state.player.place};
+        Box seen{state.player.position, state.player.position};
         for (int tick = 0; tick < 5000; ++tick) {
-            step(stage, state, walk.next());
-            ASSERT_TRUE(is_free(stage, state, state.player.place)) << name << " tick " << tick;
-            seen = seen.united({state.player.place, state.player.place});
+            step(level, state, walk.next());
+            ASSERT_TRUE(is_free(level, state, state.player.position)) << name << " tick " << tick;
+            seen = seen.united({state.player.position, state.player.position});
         }
-        const Place size = seen.size();
+        const Position size = seen.size();
         EXPECT_GT(std::max(size.x, size.y), World::from_int(300)) << name << ": the walk got nowhere";
     }
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/velocity.h"
+#include "game/slide_move.h"
 #include "tests/game/toy_game.h"
 
 namespace oblong {
@@ -99,7 +99,7 @@ TEST(Player, ClimbsStairsAndComesDownThemWithoutFlying) {
     EXPECT_NEAR(game.feet(), 256, 0.1);
     const TickInput back{-127, 0, 0, 0, 0};
     for (int i = 0; i < 90; ++i) {
-        step(game.stage, game.state, back);
+        step(game.level, game.state, back);
         EXPECT_NE(game.state.player.ground, Player::kNoGround) << "tick " << i;
     }
     EXPECT_NEAR(game.feet(), 0, 0.1);
@@ -109,8 +109,8 @@ TEST(Player, EyeGlidesUpAStep) {
     ToyGame game(room({{100, -500, 0, 900, 500, 16}}));
     World last{};
     for (int i = 0; i < 35; ++i) {
-        step(game.stage, game.state, kAhead);
-        const World eye = game.state.player.place.z - game.state.player.eye_lag;
+        step(game.level, game.state, kAhead);
+        const World eye = game.state.player.position.z - game.state.player.eye_lag;
         if (i > 0) {
             EXPECT_LE((eye - last).raw, World::from_int(5).raw);
         }
@@ -124,7 +124,7 @@ TEST(Player, JumpsAsHighAsItsSpeedAllowsAndOnceAPress) {
     game.play(2, kStand);
     double highest = 0;
     for (int i = 0; i < 60; ++i) {
-        step(game.stage, game.state, kJump);
+        step(game.level, game.state, kJump);
         highest = std::max(highest, game.feet());
     }
     EXPECT_NEAR(highest, 270.0 * 270 / 1600, 4.5);  // v^2 / 2g; ticks are coarse
@@ -179,7 +179,7 @@ TEST(Player, HostileInputsStayInTheRoom) {
     for (int i = 0; i < 20'000; ++i) {
         seed = seed * 1'664'525 + 1'013'904'223;
         const auto any = [&](int shift) { return static_cast<std::int8_t>(seed >> shift); };
-        step(game.stage, game.state,
+        step(game.level, game.state,
              {any(3), any(9), static_cast<std::int16_t>(any(13) * 256), static_cast<std::int16_t>(seed >> 16),
               static_cast<std::uint8_t>(seed >> 31)});
         ASSERT_LE(std::abs(game.x()), 184) << "tick " << i;

@@ -64,10 +64,10 @@ TEST_F(Program, AReplayShowsWhatWasRecorded) {
 }
 
 TEST_F(Program, ADemoThatCannotBeKeptIsNotPlayed) {
-    for (const char* place : {"no/such/walk.demo", "."}) {
-        EXPECT_EQ(run(std::string("--headless 3 --out walk --record ") + place), 1);
-        EXPECT_EQ(said("err.txt").rfind(std::string("oblong: ") + place + ": write: ", 0), 0u) << said("err.txt");
-        EXPECT_FALSE(fs::exists(folder_ / "walk")) << place;
+    for (const char* file : {"no/such/walk.demo", "."}) {
+        EXPECT_EQ(run(std::string("--headless 3 --out walk --record ") + file), 1);
+        EXPECT_EQ(said("err.txt").rfind(std::string("oblong: ") + file + ": write: ", 0), 0u) << said("err.txt");
+        EXPECT_FALSE(fs::exists(folder_ / "walk")) << file;
     }
 }
 
@@ -92,7 +92,13 @@ TEST_F(Program, EndsWith2ForWrongUsageAnd1ForBadFiles) {
                               "--out here",
                               "--nonsense",
                               "a b",
-                              "--headless -1 --out x"})
+                              "--headless -1 --out x",
+                              "--headless 1 --out -",
+                              "--headless 1 --out x --record -",
+                              "--replay -",
+                              "--timedemo -",
+                              "--headless 0 --out x",
+                              "--headless 1.5 --out x"})
         EXPECT_EQ(run(wrong), 2) << wrong;
     for (const char* bad :
          {"missing.bsp", ".", "--palette missing.lmp --headless 1 --out x",

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "game/live_input.h"
+#include "game/game_renderer.h"
 #include "game/tick_clock.h"
-#include "game/view.h"
+#include "game/tick_input_source.h"
 #include "tests/game/toy_game.h"
 
 namespace oblong {
@@ -41,7 +41,7 @@ GameState played(std::uint64_t piece_us, const Controls& controls) {
     for (int second = 0; second < 20; ++second)
         for (std::uint64_t us = 0; us < 100'000; us += piece_us) {
             live.gather(controls);
-            for (int due = clock.advance(piece_us); due > 0; --due) step(game.stage, game.state, live.next());
+            for (int due = clock.advance(piece_us); due > 0; --due) step(game.level, game.state, live.next());
         }
     return game.state;
 }
@@ -62,11 +62,11 @@ TEST(LiveInput, MouseIsNeitherLostNorDoubled) {
     controls.mouse_x = 100;
     controls.mouse_y = -50;
     for (int i = 0; i < 3; ++i) live.gather(controls);
-    EXPECT_EQ(live.lead(0).yaw, -300 * 12);  // shown before the tick knows
+    EXPECT_EQ(live.look_offset(0).yaw, -300 * 12);  // shown before the tick knows
     const TickInput input = live.next();
     EXPECT_EQ(input.yaw, -300 * 12);
     EXPECT_EQ(input.pitch, -150 * 12);
-    EXPECT_EQ(live.lead(0).yaw, 0);
+    EXPECT_EQ(live.look_offset(0).yaw, 0);
     EXPECT_EQ(live.next().yaw, 0);
 }
 
@@ -86,14 +86,14 @@ TEST(LiveInput, KeysTurnSmoothlyBetweenTicks) {
     controls.turn_left = true;
     live.gather(controls);
     const std::int32_t whole = live.next().yaw;
-    EXPECT_EQ(live.lead(0).yaw, -whole);
-    EXPECT_EQ(live.lead(32'768).yaw, -whole / 2);
-    EXPECT_LE(std::abs(live.lead(65'535).yaw), 1);
+    EXPECT_EQ(live.look_offset(0).yaw, -whole);
+    EXPECT_EQ(live.look_offset(32'768).yaw, -whole / 2);
+    EXPECT_LE(std::abs(live.look_offset(65'535).yaw), 1);
 }
 
 TEST(View, StandsBetweenTwoTicks) {
     GameState before, after;
-    after.player.place = Place{World::from_int(10), World::from_int(-20), World{}};
+    after.player.position = Position{World::from_int(10), World::from_int(-20), World{}};
     const auto x_at = [&](std::int32_t fraction) {
         return camera_at({before, after, fraction}, {}, Degrees::from_int(90)).eye.x;
     };
@@ -104,7 +104,7 @@ TEST(View, StandsBetweenTwoTicks) {
 
 TEST(View, ATeleportIsNoFlight) {
     GameState before, after;
-    after.player.place.x = World::from_int(1000);
+    after.player.position.x = World::from_int(1000);
     EXPECT_EQ(camera_at({before, after, 0}, {}, Degrees::from_int(90)).eye.x, World::from_int(1000));
 }
 

@@ -31,8 +31,8 @@ TEST(DrawableLens, HasReciprocalsThatFit) {
             }
             ++drawable;
             const InverseProjection gradients = make_inverse_projection(projection);
-            expect_reciprocal(gradients.inverse_x_62, projection.x.multiplier);
-            expect_reciprocal(gradients.inverse_y_62, projection.y.multiplier);
+            expect_reciprocal(gradients.inverse_x.raw, projection.x.multiplier);
+            expect_reciprocal(gradients.inverse_y.raw, projection.y.multiplier);
         }
     }
     EXPECT_GT(drawable, 20'000);

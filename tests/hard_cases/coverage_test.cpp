@@ -22,7 +22,7 @@ void add_engine_triangle(const Triangle& triangle, CoverageMap& map) {
     for (std::size_t i = 0; i < 3; ++i)
         vertices[i] = {Screen::from_raw(static_cast<std::int32_t>(triangle[i].x)),
                        Screen::from_raw(static_cast<std::int32_t>(triangle[i].y))};
-    const std::int64_t area = doubled_area_16(vertices);
+    const std::int64_t area = doubled_area(vertices).raw;
     if (area == 0) return;
     if (area < 0) std::swap(vertices[1], vertices[2]);
     ScanlineExtents rows(map.height_px);

@@ -36,8 +36,8 @@ struct SeenPlane {
         const double x = (pixel.column + 0.5) / multiplier_x - 1, y = 1 - (pixel.row + 0.5) / multiplier_y;
         z = -std::ldexp(static_cast<double>(plane.eye_distance.raw), -42) / along(plane.normal, x, y);
         texel = random_between(random, 0, 60000);
-        plane.eye_u_16 = std::llround((texel - z * along(plane.s, x, y)) * 65536);
-        texel = std::ldexp(static_cast<double>(plane.eye_u_16), -16) + z * along(plane.s, x, y);
+        plane.eye_u = Texel::from_raw(std::llround((texel - z * along(plane.s, x, y)) * 65536));
+        texel = std::ldexp(static_cast<double>(plane.eye_u.raw), -16) + z * along(plane.s, x, y);
     }
 
     /// The dot product of a vector of the world with the ray (x, y, 1) of the view.
@@ -74,7 +74,7 @@ TEST(HardCaseX7, AFramesGradientsKeepTheirBudgetInEveryMode) {
             const TextureGradients gradients = make_texture_gradients(face.plane, face.axes, projection);
             const double found = texel_at(gradients, limits, pixel.column, pixel.row).u_16 / 65536.0;
             const double pixels = std::abs(pixel.column - size_px / 2) + std::abs(pixel.row - size_px / 2) + 3;
-            const double off_eye = std::abs(face.texel - std::ldexp(static_cast<double>(face.plane.eye_u_16), -16));
+            const double off_eye = std::abs(face.texel - std::ldexp(static_cast<double>(face.plane.eye_u.raw), -16));
             ASSERT_NEAR(found, face.texel, texel_budget(face.z, off_eye, pixels, face.texel)) << i;
             worst = std::max(worst, std::abs(found - face.texel));
         }
@@ -94,15 +94,15 @@ TEST(HardCaseE11, FacesOfOnePlaneHaveTheSameDepthsBitForBit) {
         TexturedPlane plane;
         plane.normal = normalised(Vec3<World>{{any(1 << 20)}, {any(1 << 20)}, {any(1 << 20) | 1}});
         plane.eye_distance = PlaneDistance::from_raw(std::int64_t{random_integer(random, 1, 1 << 30)} << 22);
-        const LinearQuantity first = make_texture_gradients(plane, axes, projection).inverse_z_44;
+        const auto first = make_texture_gradients(plane, axes, projection).inverse_z;
         // Whatever the faces show: their textures lie along other axes, elsewhere, and at another mip level.
         const auto axis = [&] { return Vec3<TexelAxis>{{any(1 << 23)}, {any(1 << 23)}, {any(1 << 23)}}; };
         plane.s = axis();
         plane.t = axis();
-        plane.eye_u_16 = any(1 << 30);
-        plane.eye_v_16 = any(1 << 30);
+        plane.eye_u = Texel::from_raw(any(1 << 30));
+        plane.eye_v = Texel::from_raw(any(1 << 30));
         plane.mip = random_integer(random, 0, 3);
-        const LinearQuantity second = make_texture_gradients(plane, axes, projection).inverse_z_44;
+        const auto second = make_texture_gradients(plane, axes, projection).inverse_z;
         ASSERT_EQ(first.origin, second.origin) << i;
         ASSERT_EQ(first.per_column, second.per_column) << i;
         ASSERT_EQ(first.per_row, second.per_row) << i;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "engine/math/vec.h"
 #include "engine/math/plane.h"
+#include "engine/math/vec.h"
 #include "engine/raster/scan.h"
 #include "tests/hard_cases/hard_case.h"
 
@@ -99,11 +99,11 @@ TEST(HardCaseV8, ScreenAreaTellsTheSideThatAFaceShows) {
             screen[k] = {Screen::from_raw(static_cast<std::int32_t>(at.at(0) * 256)),
                          Screen::from_raw(static_cast<std::int32_t>(at.at(1) * 256))};
         }
-        const std::int64_t doubled_area = doubled_area_16(screen);
-        if (std::abs(doubled_area) < 65536) continue;
+        const ScreenArea area = doubled_area(screen);
+        if (absolute(area) < ScreenArea::from_int(1)) continue;
         // Clockwise as seen, in left-handed axes: the eye lies on the side that the normal points away from.
         const Vec normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
-        ASSERT_EQ(doubled_area > 0, dot(normal, corners[0]) < 0) << i;
+        ASSERT_EQ(area > ScreenArea{}, dot(normal, corners[0]) < 0) << i;
         // The engine's own answer, by the plane that its world would have.
         std::array<Vec3<World>, 3> world;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -111,7 +111,7 @@ TEST(HardCaseV8, ScreenAreaTellsTheSideThatAFaceShows) {
             world[k] = {raw(corners[k].x), raw(corners[k].y), raw(corners[k].z)};
         }
         const Plane plane = plane_through(world[0], normalised(cross(world[1] - world[0], world[2] - world[0])));
-        ASSERT_EQ(doubled_area > 0, distance_to_plane({}, plane) > PlaneDistance{}) << i;
+        ASSERT_EQ(area > ScreenArea{}, distance_to_plane({}, plane) > PlaneDistance{}) << i;
         ++compared;
     }
     EXPECT_GT(compared, 4000);

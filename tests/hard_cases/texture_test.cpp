@@ -71,7 +71,7 @@ TextureGradients gradients_of(const Corners& corners, PixelPosition anchor) {
         const auto raw = [](double value) {
             return Fixed<std::int32_t, 14>::from_raw(static_cast<std::int32_t>(std::lround(value * 16384)));
         };
-        const auto texel = [](double value) { return std::llround(value * 65536); };
+        const auto texel = [](double value) { return Texel::from_raw(std::llround(value * 65536)); };
         exact[i] = {{raw(corners[i].position.x), raw(corners[i].position.y), raw(corners[i].position.z)},
                     texel(corners[i].u),
                     texel(corners[i].v)};
@@ -94,9 +94,9 @@ TEST(HardCaseX2, NoRowAboveTheHorizonIsDrawn) {
     for (std::int32_t row = rows.first; row < rows.end; ++row)
         for (std::int32_t column = rows.left[static_cast<std::size_t>(row)];
              column < rows.right[static_cast<std::size_t>(row)]; column += 7) {
-            const LinearQuantity inverse_z = gradients_of(without_negatives, {column, row}).inverse_z_44;
+            const auto inverse_z = gradients_of(without_negatives, {column, row}).inverse_z;
             // z = 48 * (400 / 3) / (row + 1/2 - 100), and 2^44 / z.
-            ASSERT_NEAR(static_cast<double>(inverse_z.at(column, row)), 0x1p44 * (row - 99.5) / 6400, 2) << row;
+            ASSERT_NEAR(static_cast<double>(inverse_z.at(column, row).raw), 0x1p44 * (row - 99.5) / 6400, 2) << row;
         }
 }
 
@@ -105,7 +105,7 @@ std::vector<TexelBlock> blocks_of(const TextureGradients& gradients, const Span&
     Accuracy accuracy;
     accuracy.texturing = texturing;
     const BlockRule rule = make_block_rule(accuracy);
-    const auto thresholds = make_block_thresholds(rule, static_cast<std::int64_t>(gradients.inverse_z_44.per_column));
+    const auto thresholds = make_block_thresholds(rule, gradients.inverse_z.per_column);
     BlockList blocks(span.end - span.first);
     append_blocks(span, 320, gradients, rule, thresholds, limits, blocks);
     return {blocks.waiting().begin(), blocks.waiting().end()};
@@ -285,8 +285,8 @@ TEST(HardCaseX10, InverseDepthIsPositiveWhereverATriangleIsSeen) {
         const auto column = static_cast<std::int32_t>(at.x), row = static_cast<std::int32_t>(at.y);
         const auto expected = texel_at(corners, kProjection, {column + 0.5, row + 0.5});
         if (!(expected.inverse_z >= 1 / farthest && expected.inverse_z <= 1 / 4.0)) continue;  // the centre is outside
-        const LinearQuantity quantity = gradients_of(corners, {column, row}).inverse_z_44;
-        const double found = static_cast<double>(quantity.at(column, row)) / 0x1p44;
+        const auto quantity = gradients_of(corners, {column, row}).inverse_z;
+        const double found = static_cast<double>(quantity.at(column, row).raw) / 0x1p44;
         // The projection's multipliers place pixels within 2^-32 of themselves: on a steep plane that shows.
         const auto beside = texel_at(corners, kProjection, {column + 1.5, row + 1.5});
         const double slope = std::abs(beside.inverse_z - expected.inverse_z);

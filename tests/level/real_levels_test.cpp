@@ -50,6 +50,29 @@ TEST_P(RealLevel, BeginsWithTheWorldspawn) {
 
 // The light compiler wrote the samples of each face behind those of the face before, from a multiple of 4 bytes on:
 // with extents too small or too large by one cell, there would be larger gaps or overlaps.
+// By the corners of their faces; a model may have brushes without faces (of the texture "skip", say) beyond them.
+TEST_P(RealLevel, BoxesOfModelsJustHoldTheirFaces) {
+    int exact = 0, all = 0;
+    for (const SubModel& model : level_.models) {
+        if (&model == &level_.world()) continue;
+        LevelBox faces{{99999, 99999, 99999}, {-99999, -99999, -99999}};
+        for (const FaceIndex face : model.faces) {
+            for (const SurfEdge edge : level_.edges_of(level_.faces[face])) {
+                const Vec3<World>& p = level_.vertices[level_.start_of(edge)];
+                const std::array<std::int32_t, 3> raw{p.x.raw, p.y.raw, p.z.raw};
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    faces.mins[axis] = std::min(faces.mins[axis], raw[axis] >> World::kFractionBits);
+                    faces.maxs[axis] = std::max(faces.maxs[axis], -(-raw[axis] >> World::kFractionBits));
+                }
+            }
+        }
+        if (model.faces.count == 0) continue;
+        ++all;
+        exact += faces.mins == model.box.mins && faces.maxs == model.box.maxs ? 1 : 0;
+    }
+    EXPECT_EQ(exact, all);
+}
+
 TEST_P(RealLevel, LightmapsOfTheExtentsTileTheLightingLump) {
     std::vector<std::pair<std::int64_t, std::int64_t>> ranges;
     for (const Face& face : level_.faces) {

@@ -172,7 +172,7 @@ TEST(PlaneSide, DistanceKeepsItsStatedBound) {
         const World x = random_coordinate(random), y = random_coordinate(random), z = random_coordinate(random);
         const double exact = plane.normal[0] * (x.raw / 4096.) + plane.normal[1] * (y.raw / 4096.) +
                              plane.normal[2] * (z.raw / 4096.) - plane.distance;
-        const double found = std::ldexp(static_cast<double>(plane_distance_42(read_plane(plane), {x, y, z})), -42);
+        const double found = std::ldexp(static_cast<double>(plane_distance(read_plane(plane), {x, y, z}).raw), -42);
         ASSERT_NEAR(found, exact, std::ldexp(1, -10));
     }
 }

@@ -34,7 +34,7 @@ TEST(TinyLevel, NumbersAreInTheFormatsOfTheEngine) {
     EXPECT_EQ(level.planes.front().distance, PlaneDistance::from_int(8));
     EXPECT_EQ(level.planes.front().axis, 2);
     EXPECT_EQ(level.texinfos.front().s.x, TexelAxis::from_int(1));
-    EXPECT_EQ(level.texinfos.front().s_offset, TexelOffset::from_int(4));
+    EXPECT_EQ(level.texinfos.front().s_offset, Texel::from_int(4));
     EXPECT_EQ(level.textures.front().name, "floor");
     EXPECT_EQ(level.textures.front().mips[3].size(), 4u);
 }

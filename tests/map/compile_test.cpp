@@ -3,7 +3,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
 #include "engine/scene/placed_models.h"
-#include "game/world.h"
+#include "game/step.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
 #include "tools/map/source/geometry.h"
@@ -96,18 +96,18 @@ TEST(Compile, ThePlayerWalksFromWallToWall) {
         const auto bsp = compile(
             level(room({0, 0, 0}, {256, 256, 512}) + box.text(tail), entity_at("info_player_start", {64, 64, 40})),
             {true});
-        const Level level = as_engine_level(bsp);
-        const Stage stage = make_stage(level);
-        GameState state = start_of(stage);
+        const Level engine_level = as_engine_level(bsp);
+        const GameLevel level = make_game_level(engine_level);
+        GameState state = start_of(level);
         for (const std::int16_t turn : {std::int16_t{0}, std::int16_t{16384}}) {
             TickInput input;
             input.yaw = turn;
             input.forward = 127;
-            step(stage, state, input);
+            step(level, state, input);
             input.yaw = 0;
-            for (int tick = 0; tick < 3 * kTicksPerSecond; ++tick) step(stage, state, input);
-            EXPECT_NEAR(turn == 0 ? units(state.player.place.x) : units(state.player.place.y), 256 - 16, 0.1);
-            EXPECT_NEAR(units(state.player.place.z), 24, 0.1);
+            for (int tick = 0; tick < 3 * kTicksPerSecond; ++tick) step(level, state, input);
+            EXPECT_NEAR(turn == 0 ? units(state.player.position.x) : units(state.player.position.y), 256 - 16, 0.1);
+            EXPECT_NEAR(units(state.player.position.z), 24, 0.1);
         }
     }
 }

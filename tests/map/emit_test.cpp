@@ -118,6 +118,26 @@ TEST(Emit, ADoorIsAModelOfItsOwn) {
     EXPECT_EQ(bsp.models[1].face_count, 6);
 }
 
+// The door reaches from 400 0 0 to 416 64 96. Files of other compilers say a unit less a side, and engines add it.
+TEST(Emit, ModelsAreStoredAUnitSmallerASide) {
+    const auto bsp = varied_level();
+    EXPECT_EQ(bsp.models[1].mins, (map::Floats{401, 1, 1}));
+    EXPECT_EQ(bsp.models[1].maxs, (map::Floats{415, 63, 95}));
+    const std::string bytes = map::to_bytes(bsp);
+    const Level level = read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    EXPECT_EQ(level.models[1].box.mins, (std::array<std::int32_t, 3>{400, 0, 0}));
+    EXPECT_EQ(level.models[1].box.maxs, (std::array<std::int32_t, 3>{416, 64, 96}));
+}
+
+TEST(Emit, AModelWithoutBrushesIsReadable) {
+    const auto bsp = compile(
+        level(room({0, 0, 0}, {224, 224, 128}), entity("func_wall", {}, box({64, 64, 0}, {96, 96, 128}, "hint"))),
+        {true});
+    const std::string bytes = map::to_bytes(bsp);
+    const Level level = read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    EXPECT_EQ(level.models.at(1).face_count, 0);
+}
+
 TEST(Emit, TriggersAndClipBrushesAreNotDrawn) {
     const auto bsp = compile(level(room({0, 0, 0}, {224, 224, 128}) + box({64, 64, 0}, {96, 96, 128}, "clip"),
                                    entity("trigger_multiple", {}, box({128, 128, 0}, {160, 160, 64}, "trigger"))),

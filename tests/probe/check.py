@@ -1,6 +1,7 @@
 """Asks oblong-probe thousands of random and extreme queries and holds its answers to exact references (exact.py).
 
     check.py PROGRAM [--seed N] [--scale FACTOR]
+    check.py --queries [--seed N] [--scale FACTOR]      prints the queries, a line each, and asks nothing
 
 Prints the largest error of each kind of query; exits with 1 if one is too large.
 """
@@ -336,7 +337,7 @@ def shared_levels():
         levels = sorted((folder / "levels").glob("*.bsp"))
         if levels:
             return levels
-    print("leaf: no folder shared/ beside the project, and no OBLONG_SHARED in the environment: left out")
+    print("leaf: no folder shared/ beside the project, and no OBLONG_SHARED in the environment: left out", file=sys.stderr)
     return []
 
 
@@ -387,7 +388,9 @@ def leaf_check(count):
 
 def main():
     arguments = argparse.ArgumentParser()
-    arguments.add_argument("program")
+    what = arguments.add_mutually_exclusive_group(required=True)
+    what.add_argument("program", nargs="?")
+    what.add_argument("--queries", action="store_true", help="print the queries, and ask nothing")
     arguments.add_argument("--seed", type=int, default=1)
     arguments.add_argument("--scale", type=float, default=1)
     options = arguments.parse_args()
@@ -395,6 +398,9 @@ def main():
     checks = [make(max(int(count * options.scale), 1)) for make, count in (
         (project_check, 1000), (view_check, 600), (coverage_check, 500), (mesh_check, 10), (texspan_check, 250),
         (wide_texspan_check, 60), (clip_check, 600), (number_check, 300), (leaf_check, 500))]
+    if options.queries:
+        print(*(line for check in checks for line, _ in check.queries), sep="\n")
+        return
     are_right = [check.report(ask(options.program, [line for line, _ in check.queries])) for check in checks
                  if check.queries]
     sys.exit(0 if all(are_right) else 1)

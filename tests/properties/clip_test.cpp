@@ -32,13 +32,13 @@ Point any_point(std::int64_t size) {
 /// A point before the eye, in view or half as far beside it again; often in one of the side planes.
 Point any_point_near_view(const Frustum& frustum, std::int64_t size) {
     const std::int64_t z_16 = *rc::gen::inRange<std::int64_t>(4, size * 65'536);
-    const auto along = [z_16](const ClipPlane& plane, std::int64_t across) {
+    const auto along = [z_16](const ClipPlane& plane, ClipNormal across) {
         const std::int64_t part_256 =
             *rc::gen::oneOf(rc::gen::inRange<std::int64_t>(-384, 385), rc::gen::element<std::int64_t>(-256, 256));
-        return View::from_raw(z_16 * plane.normal[2] / across * part_256 / 256);
+        return View::from_raw(z_16 * plane.normal.z.raw / across.raw * part_256 / 256);
     };
     const ClipPlane &left = frustum.clip_planes[0], &bottom = frustum.clip_planes[2];
-    return {along(left, left.normal[0]), along(bottom, bottom.normal[1]), View::from_raw(z_16)};
+    return {along(left, left.normal.x), along(bottom, bottom.normal.y), View::from_raw(z_16)};
 }
 
 /// Not each polygon's own outcodes: here positions alone say what is outside.
@@ -56,10 +56,11 @@ std::vector<Point> clipped(const Frustum& frustum, const std::vector<Point>& cor
 /// What is left of an edge by itself: its part inside one plane after the other.
 std::optional<std::array<Point, 2>> clipped_edge(const Frustum& frustum, Point a, Point b) {
     for (const ClipPlane& plane : frustum.clip_planes) {
-        const std::int64_t distance_a = plane.distance(a), distance_b = plane.distance(b);
-        if (std::max(distance_a, distance_b) < 0) return std::nullopt;
-        if (distance_a < 0) a = distance_b > 0 ? cross_plane(b, distance_b, a, distance_a) : b;
-        if (distance_b < 0) b = distance_a > 0 ? cross_plane(a, distance_a, b, distance_b) : a;
+        constexpr ClipDistance kOn{};
+        const ClipDistance distance_a = plane.distance(a), distance_b = plane.distance(b);
+        if (std::max(distance_a, distance_b) < kOn) return std::nullopt;
+        if (distance_a < kOn) a = distance_b > kOn ? cross_plane(b, distance_b, a, distance_a) : b;
+        if (distance_b < kOn) b = distance_a > kOn ? cross_plane(a, distance_a, b, distance_b) : a;
     }
     return std::array{a, b};
 }
@@ -151,14 +152,17 @@ Shadows shadows_of(const std::vector<ClipVertex>& polygon) {
     return sum;
 }
 
+/// A bit in outcodes of which nothing is decided, so that positions say what is outside.
+constexpr std::uint8_t kCut = 32;
+
 std::vector<ClipVertex> part_of(const std::vector<ClipVertex>& polygon, const ClipPlane& plane) {
     std::vector<ClipVertex> part;
-    if (polygon.size() >= 3) clip_to_plane(plane, 0, polygon, part);
+    if (polygon.size() >= 3) clip_to_plane(plane, kCut, polygon, part);
     return part;
 }
 
 ClipPlane reversed(const ClipPlane& plane) {
-    return {{-plane.normal[0], -plane.normal[1], -plane.normal[2]}, -plane.offset};
+    return {-plane.normal, -plane.offset};
 }
 
 RC_GTEST_PROP(PropertyClip, WhatIsCutOffByEachPlaneAndWhatIsLeftAddUpToTheWhole, ()) {

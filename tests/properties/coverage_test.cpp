@@ -35,7 +35,7 @@ Rectangle any_rectangle() {
 }
 
 void add_triangle(Mesh::Triangle triangle, std::size_t number, Owners& owners) {
-    if (doubled_area_16(triangle) < 0) std::reverse(triangle.begin(), triangle.end());
+    if (doubled_area(triangle).raw < 0) std::reverse(triangle.begin(), triangle.end());
     ScanlineExtents rows(kHeight);
     scan_convex(triangle, rows);
     for (std::int32_t row = rows.first; row < rows.end; ++row) {
@@ -80,7 +80,7 @@ RC_GTEST_PROP(PropertyTiling, CutsLeaveTheAreaAsItWas, ()) {
     Mesh mesh(r);
     for (const Cut& cut : *rc::gen::container<std::vector<Cut>>(any_cut())) mesh.cut(cut);
     std::int64_t area = 0;
-    for (const Mesh::Triangle& triangle : mesh.triangles()) area += doubled_area_16(triangle);
+    for (const Mesh::Triangle& triangle : mesh.triangles()) area += doubled_area(triangle).raw;
     RC_ASSERT(area == 2 * std::int64_t{r.right_8 - r.left_8} * (r.bottom_8 - r.top_8));
 }
 

@@ -82,7 +82,7 @@ void Mesh::cut_edge(std::size_t triangle, std::size_t edge, ScreenVertex corner,
 }
 
 void Mesh::replace(std::vector<std::size_t> old, const std::vector<Triangle>& pieces) {
-    const auto has_area = [](const Triangle& piece) { return doubled_area_16(piece) > 0; };
+    const auto has_area = [](const Triangle& piece) { return doubled_area(piece).raw > 0; };
     if (!std::all_of(pieces.begin(), pieces.end(), has_area)) return;
     std::sort(old.begin(), old.end(), std::greater<>());
     for (const std::size_t index : old) triangles_.erase(triangles_.begin() + static_cast<std::ptrdiff_t>(index));

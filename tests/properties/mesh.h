@@ -5,7 +5,7 @@
 #include <ostream>
 #include <vector>
 
-#include "engine/screen/screen_vertex.h"
+#include "engine/screen/screen.h"
 
 namespace oblong::test {
 

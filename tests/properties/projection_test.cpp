@@ -14,7 +14,7 @@ namespace {
 
 __extension__ using Int128 = __int128;
 
-/// Of a mode and a field of view that leaves what is on the screen within 64 z of the middle, as project_axis_8() says.
+/// Of a mode and a field of view that leaves what is on the screen within 64 z of the middle, as project_axis() says.
 Projection any_lens() {
     ScreenMode mode;
     mode.width_px = *rc::gen::inRange(16, 2'048);
@@ -82,9 +82,10 @@ RC_GTEST_PROP(PropertyProjection, ItNeverStepsBackWhereItsMultiplierBecomesExact
 RC_GTEST_PROP(PropertyProjection, ItDoesNotStepBackThoughItsMultiplierWasRoundedUpAsFarAsCanBe, ()) {
     // What is at 64 z then lies on a half of 1/256 pixel by the rounded multiplier, and before it by the exact one.
     Projection projection = any_lens();
-    projection.x.coarse_16 = projection.y.coarse_16 = 4 * *rc::gen::inRange<std::int64_t>(1, 1 << 25) + 2;
-    projection.x.multiplier = projection.y.multiplier = Multiplier::from_raw(projection.x.coarse_16 * 65536 - 32768);
-    projection.x.fast_limit = projection.y.fast_limit = (std::int64_t{1} << 61) / (projection.x.coarse_16 + 1);
+    const std::int64_t coarse_16 = 4 * *rc::gen::inRange<std::int64_t>(1, 1 << 25) + 2;
+    projection.x.coarse = projection.y.coarse = CoarseMultiplier::from_raw(coarse_16);
+    projection.x.multiplier = projection.y.multiplier = Multiplier::from_raw(coarse_16 * 65536 - 32768);
+    projection.x.fast_limit = projection.y.fast_limit = View::from_raw((std::int64_t{1} << 61) / (coarse_16 + 1));
     const std::int64_t z_16 = any_depth_16();
     expect_order_around(projection, 64 * z_16, z_16);
 }
@@ -92,8 +93,8 @@ RC_GTEST_PROP(PropertyProjection, ItDoesNotStepBackThoughItsMultiplierWasRounded
 RC_GTEST_PROP(PropertyProjection, ItNeverStepsBackWhereItsProductBecomesWide, ()) {
     const Projection projection = any_lens();
     const std::int64_t z_16 = any_depth_16();
-    expect_order_around(projection, projection.x.fast_limit, std::max(z_16, projection.x.fast_limit / 64));
-    expect_order_around(projection, projection.y.fast_limit, std::max(z_16, projection.y.fast_limit / 64));
+    for (const ProjectionAxis& axis : {projection.x, projection.y})
+        expect_order_around(projection, axis.fast_limit.raw, std::max(z_16, axis.fast_limit.raw / 64));
 }
 
 RC_GTEST_PROP(PropertyProjection, BeyondTheChangeItIsWithinItsBound, ()) {

@@ -101,8 +101,8 @@ Level shifted_by_whole_textures(Level level) {
         const MipTexture& texture = level.textures[texinfo.texture];
         const std::int32_t by_u = *rc::gen::inRange(-20, 21) * texture.width,
                            by_v = *rc::gen::inRange(-20, 21) * texture.height;
-        texinfo.s_offset += TexelOffset::from_int(by_u);
-        texinfo.t_offset += TexelOffset::from_int(by_v);
+        texinfo.s_offset += Texel::from_int(by_u);
+        texinfo.t_offset += Texel::from_int(by_v);
         shifts.push_back({by_u, by_v});
     }
     for (Face& face : level.faces) {

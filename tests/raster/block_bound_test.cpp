@@ -14,25 +14,30 @@ namespace {
 
 constexpr std::int32_t kWidth = 320;
 
-std::uint64_t raw(double value, int fraction_bits) {
-    return static_cast<std::uint64_t>(std::llround(std::ldexp(value, fraction_bits)));
+template <class Number>
+Number nearest(double value) {
+    return Number::from_raw(std::llround(std::ldexp(value, Number::kFractionBits)));
+}
+
+template <class Number>
+double value_of(Number number) {
+    return std::ldexp(static_cast<double>(number.raw), -Number::kFractionBits);
 }
 
 /// One row of a plane whose z goes from z0 at column 0 to z1 at column 320 and whose u from 0 to `texels`.
 TextureGradients row_of(double z0, double z1, double texels) {
     const double w0 = 1 / z0, w1 = 1 / z1;
     TextureGradients row;
-    row.inverse_z_44 = {raw(w0, 44), raw((w1 - w0) / kWidth, 44), 0};
-    row.u_over_z_30 = {0, raw(texels * w1 / kWidth, 30), 0};
-    row.v_over_z_30 = row.u_over_z_30;
+    row.inverse_z = {nearest<InverseZ>(w0), nearest<InverseZ>((w1 - w0) / kWidth), {}};
+    row.u_over_z = {{}, nearest<TexelOverZ>(texels * w1 / kWidth), {}};
+    row.v_over_z = row.u_over_z;
     return row;
 }
 
 /// Where on the row the true plane shows texel u: the inverse of u = (a x) / (w + b x), all of it as drawn.
 double column_of_texel(const TextureGradients& row, double u) {
-    const double a = std::ldexp(static_cast<double>(static_cast<std::int64_t>(row.u_over_z_30.per_column)), -30);
-    const double w = std::ldexp(static_cast<double>(static_cast<std::int64_t>(row.inverse_z_44.origin)), -44);
-    const double b = std::ldexp(static_cast<double>(static_cast<std::int64_t>(row.inverse_z_44.per_column)), -44);
+    const double a = value_of(row.u_over_z.per_column), w = value_of(row.inverse_z.origin),
+                 b = value_of(row.inverse_z.per_column);
     return u * w / (a - u * b);
 }
 
@@ -45,8 +50,7 @@ const TexelLimits kNoLimits = make_texel_limits(65535, 65535, 0);
 
 RowError error_of(const TextureGradients& row, const Accuracy& accuracy, const TexelLimits& limits = kNoLimits) {
     const BlockRule rule = make_block_rule(accuracy);
-    const BlockThresholds thresholds =
-        make_block_thresholds(rule, static_cast<std::int64_t>(row.inverse_z_44.per_column));
+    const BlockThresholds thresholds = make_block_thresholds(rule, row.inverse_z.per_column);
     BlockList blocks(kWidth);
     append_blocks({0, 0, kWidth}, kWidth, row, rule, thresholds, limits, blocks);
     RowError error;
@@ -111,7 +115,7 @@ TEST(BlockBound, FacedSquarelyIsOneDivision) {
     const BlockRule rule = make_block_rule(accuracy);
     BlockList blocks(kWidth);
     const std::int32_t divisions =
-        append_blocks({0, 0, kWidth}, kWidth, floor_row, rule, make_block_thresholds(rule, 0),
+        append_blocks({0, 0, kWidth}, kWidth, floor_row, rule, make_block_thresholds(rule, {}),
                       make_texel_limits(65535, 65535, 0), blocks);
     EXPECT_EQ(divisions, 1);
     EXPECT_EQ(blocks.waiting().size(), 1u);
@@ -124,8 +128,8 @@ TEST(BlockBound, ExactIsAsExactAsItsFormats) {
     for (int trial = 0; trial < 300; ++trial) {
         const TextureGradients row = row_of(std::exp2(depth_log2(random)), std::exp2(depth_log2(random)), 60000);
         for (std::int32_t x = 0; x < kWidth; ++x) {
-            const double u_over_z = std::ldexp(static_cast<double>(row.u_over_z_30.at(x, 0)), -30);
-            const double z = 1 / std::ldexp(static_cast<double>(row.inverse_z_44.at(x, 0)), -44);
+            const double u_over_z = value_of(row.u_over_z.at(x, 0));
+            const double z = 1 / value_of(row.inverse_z.at(x, 0));
             // A depth right to 2^-26, and a step of 16.16.
             ASSERT_NEAR(texel_at(row, limits, x, 0).u_16 / 65536.0, u_over_z * z, 60000 * 0x1p-26 + 0x1p-16);
         }

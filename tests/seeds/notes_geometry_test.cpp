@@ -11,8 +11,8 @@
 #include "engine/geometry/clip.h"
 #include "engine/geometry/frustum.h"
 #include "engine/geometry/project.h"
-#include "engine/math/vec.h"
 #include "engine/math/transforms.h"
+#include "engine/math/vec.h"
 #include "tests/seeds/seed_values.h"
 
 namespace oblong::test {
@@ -139,8 +139,8 @@ TEST(SeedN6, RightPlaneOf90DegreesHoldsWhatLiesLeftOfXEqualsZ) {
     const Frustum frustum = make_frustum(y_up_basis({}, {}, {}), make_projection(ScreenMode{}, Degrees::from_int(90)));
     const ClipPlane& right = frustum.clip_planes[kRight];
     const auto distance = [&right](int x) {
-        const double length = std::hypot(right.normal[0], right.normal[2]);
-        return std::ldexp(static_cast<double>(right.distance(view_point(x, 0, 1))), -16) / length;
+        const double length = std::hypot(right.normal.x.raw, right.normal.z.raw);
+        return std::ldexp(static_cast<double>(right.distance(view_point(x, 0, 1)).raw), -16) / length;
     };
     EXPECT_NEAR(distance(0), 0.7071, 1e-4);
     EXPECT_EQ(distance(1), 0);
@@ -151,12 +151,13 @@ TEST(SeedN6, RightPlaneOf90DegreesHoldsWhatLiesLeftOfXEqualsZ) {
 
 TEST(SeedN6, SidePlanesTakeTheFieldAcrossAndTopAndBottomTheFieldDown) {
     const Frustum frustum = make_frustum(y_up_basis({}, {}, {}), make_projection(ScreenMode{}, Degrees::from_int(90)));
-    const auto field = [](std::int64_t across, std::int64_t along) {
-        return 2 * std::atan2(static_cast<double>(along), static_cast<double>(-across)) * 180 / std::numbers::pi;
+    const auto field = [](ClipNormal across, ClipNormal along) {
+        return 2 * std::atan2(static_cast<double>(along.raw), static_cast<double>(-across.raw)) * 180 /
+               std::numbers::pi;
     };
     const auto &right = frustum.clip_planes[kRight].normal, &top = frustum.clip_planes[kTop].normal;
-    EXPECT_NEAR(field(right[0], right[2]), 90, 1e-5);
-    EXPECT_NEAR(field(top[1], top[2]), 73.7398, 1e-4);
+    EXPECT_NEAR(field(right.x, right.z), 90, 1e-5);
+    EXPECT_NEAR(field(top.y, top.z), 73.7398, 1e-4);
 }
 
 /// Twice the area of a polygon that lies in a plane z, square units.
@@ -175,8 +176,8 @@ TEST(SeedN8, OutsideListHasBothCrossingsAndTheTwoAreasAddUp) {
     const ClipVertex q_1 = corner(-4, 0), q_5 = corner(-4, 4), i_1 = corner(0, -2), i_2 = corner(0, 6);
     const std::vector<ClipVertex> pentagon{q_1, corner(4, -4), corner(8, 2), corner(4, 8), q_5};
     std::vector<ClipVertex> inside, outside;
-    clip_to_plane({{1, 0, 0}, 0}, 0, pentagon, inside);
-    clip_to_plane({{-1, 0, 0}, 0}, 0, pentagon, outside);
+    clip_to_plane({{1, 0, 0}, 0}, 32, pentagon, inside);
+    clip_to_plane({{-1, 0, 0}, 0}, 32, pentagon, outside);
 
     const std::array expected{q_1, i_1, i_2, q_5};
     const auto is_same = [](const auto& a, const auto& b) { return a.position == b.position; };

@@ -37,7 +37,7 @@ TextureGradients receding_edge() {
     // In 1/256 of z: a half-pixel is 1.
     const auto corner = [](int x_256, int y_256, int z, std::int64_t u) {
         const auto at = [z](int per_256) { return Fixed<std::int32_t, 14>::from_raw(per_256 * z * 64); };
-        return TexturedCorner{{at(x_256), at(y_256), at(256)}, u << 16, 0};
+        return TexturedCorner{{at(x_256), at(y_256), at(256)}, Texel::from_int(u), {}};
     };
     const auto gradients = make_triangle_gradients(
         {corner(-127, -1, 1, 0), corner(129, -1, 3, 64), corner(0, -129, 2, 0)}, projection, {128, 96});
@@ -49,7 +49,7 @@ double middle_of_edge(Texturing texturing) {
     Accuracy accuracy;
     accuracy.texturing = texturing;
     const BlockRule rule = make_block_rule(accuracy);
-    const auto thresholds = make_block_thresholds(rule, static_cast<std::int64_t>(gradients.inverse_z_44.per_column));
+    const auto thresholds = make_block_thresholds(rule, gradients.inverse_z.per_column);
     constexpr Span kEdge{96, 64, 193};
     BlockList blocks(kEdge.end - kEdge.first);
     append_blocks(kEdge, 256, gradients, rule, thresholds, make_texel_limits(64, 64, 512), blocks);
@@ -109,9 +109,9 @@ TEST(SeedN11, TopEdgeIsOwnedAndBottomEdgeIsNot) {
 TEST(SeedN12, SignIsPositiveForClockwiseTrianglesWithYDownAlone) {
     const auto clockwise = pixels_16({{0, 0}, {160, 0}, {0, 160}}), other_way = pixels_16({{0, 0}, {0, 160}, {160, 0}}),
                y_up = pixels_16({{0, 0}, {160, 0}, {0, -160}});
-    EXPECT_EQ(doubled_area_16(clockwise), 2560 * 2560);
-    EXPECT_EQ(doubled_area_16(other_way), -2560 * 2560);
-    EXPECT_EQ(doubled_area_16(y_up), -2560 * 2560);
+    EXPECT_EQ(doubled_area(clockwise).raw, 2560 * 2560);
+    EXPECT_EQ(doubled_area(other_way).raw, -2560 * 2560);
+    EXPECT_EQ(doubled_area(y_up).raw, -2560 * 2560);
 }
 
 TEST(SeedN13, FanOfAPentagonHasThreeTrianglesThatCoverItOnce) {
@@ -120,14 +120,14 @@ TEST(SeedN13, FanOfAPentagonHasThreeTrianglesThatCoverItOnce) {
     std::array<std::int32_t, 16> covered{};
     for (std::size_t i = 0; i + 2 < pentagon.size(); ++i, ++triangle_count) {
         const std::vector<ScreenVertex> triangle{pentagon[0], pentagon[i + 1], pentagon[i + 2]};
-        EXPECT_GT(doubled_area_16(triangle), 0);
-        area += doubled_area_16(triangle);
+        EXPECT_GT(doubled_area(triangle).raw, 0);
+        area += doubled_area(triangle).raw;
         for (std::int32_t row = 0; row < 16; ++row)
             if (const auto columns = columns_of(triangle, row))
                 covered[static_cast<std::size_t>(row)] += columns->second - columns->first;
     }
     EXPECT_EQ(triangle_count, 3);
-    EXPECT_EQ(area, doubled_area_16(pentagon));
+    EXPECT_EQ(area, doubled_area(pentagon).raw);
     for (std::int32_t row = 0; row < 16; ++row) {
         const auto whole_row = columns_of(pentagon, row).value_or(Columns{});
         EXPECT_EQ(covered[static_cast<std::size_t>(row)], whole_row.second - whole_row.first) << row;

@@ -6,7 +6,7 @@
 #include "engine/fixed/angle.h"
 #include "engine/frame/settings.h"
 #include "engine/platform/present_rect.h"
-#include "engine/screen/screen_mode.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 

@@ -75,6 +75,13 @@ void append_directory_entry(Bytes& directory, std::size_t offset, std::size_t si
 
 }  // namespace
 
+void check_texture_size(std::int64_t width, std::int64_t height, const std::string& where) {
+    const auto is_size = [](std::int64_t size) { return size > 0 && size <= 4096 && size % 16 == 0; };
+    if (is_size(width) && is_size(height)) return;
+    throw InputError(where,
+                     std::to_string(width) + "x" + std::to_string(height) + ", expected multiples of 16 up to 4096");
+}
+
 std::string lookup_name(std::string name) {
     for (char& letter : name)
         if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter + 32);
@@ -100,11 +107,7 @@ MipTexture parse_miptex(std::span<const std::uint8_t> miptex) {
     texture.name = name_at(miptex, 0);
     const std::string where = "texture '" + texture.name + "'";
     const std::uint32_t width = u32_at(miptex, 16, where), height = u32_at(miptex, 20, where);
-    const auto is_size = [](std::uint32_t size) { return size > 0 && size <= kLargestTexture && size % 16 == 0; };
-    if (!is_size(width) || !is_size(height)) {
-        throw InputError(
-            where, std::to_string(width) + "x" + std::to_string(height) + ", expected multiples of 16 up to 4096");
-    }
+    check_texture_size(width, height, where);
     texture.width = static_cast<std::int32_t>(width);
     texture.height = static_cast<std::int32_t>(height);
     for (std::size_t level = 0; level < 4; ++level) {

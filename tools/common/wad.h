@@ -9,7 +9,8 @@
 
 namespace oblong {
 
-inline constexpr std::uint32_t kLargestTexture = 4096;  ///< texels a side
+/// Throws InputError at `where` unless both sizes, in texels, are multiples of 16 from 16 to 4096.
+void check_texture_size(std::int64_t width, std::int64_t height, const std::string& where);
 
 /// A texture in the bytes of a WAD2.
 struct WadTexture {

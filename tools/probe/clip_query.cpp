@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 
 #include "engine/geometry/clip.h"
 #include "engine/geometry/project.h"
@@ -30,44 +29,43 @@ bool is_edge_on(const std::vector<Corner>& corners) {
     WideSum volume;
     for (std::size_t i = 2; i < corners.size(); ++i) {
         const auto normal = cross(corners[i - 1], corners[i]);
-        volume.add_product(corners[0].x.raw, normal.x.raw);
-        volume.add_product(corners[0].y.raw, normal.y.raw);
-        volume.add_product(corners[0].z.raw, normal.z.raw);
+        volume.add_product(corners[0].x, normal.x);
+        volume.add_product(corners[0].y, normal.y);
+        volume.add_product(corners[0].z, normal.z);
     }
     return volume.scaled(0).is_zero();
 }
 
-std::int64_t largest_coordinate(const std::vector<Vec3<View>>& corners) {
-    std::int64_t largest = 1;
+View largest_coordinate(const std::vector<Vec3<View>>& corners) {
+    View largest = View::ulp();
     for (const Vec3<View>& corner : corners)
-        for (const View coordinate : {corner.x, corner.y, corner.z})
-            largest = std::max(largest, std::abs(coordinate.raw));
+        for (const View coordinate : {corner.x, corner.y, corner.z}) largest = std::max(largest, absolute(coordinate));
     return largest;
 }
 
 ClipJob make_job(const std::vector<Corner>& fine_corners, View near, View far) {
     std::vector<Vec3<View>> corners;
-    for (const Corner& corner : fine_corners) corners.push_back(convert_point<View>(corner));
+    for (const Corner& corner : fine_corners) corners.push_back(convert<View>(corner));
     constexpr int kPositionBits = 34;  // of a sign and 34 bits: ClipPlane
-    const std::int64_t largest = largest_coordinate(corners);
-    const std::int64_t scale =
-        std::int64_t{1} << (kPositionBits - static_cast<int>(std::bit_width(static_cast<std::uint64_t>(largest))));
-    const auto scaled = [scale](View value) { return View::from_raw(value.raw * scale); };
+    const View largest = largest_coordinate(corners);
+    const std::int64_t scale = std::int64_t{1}
+                               << (kPositionBits - 1 - log2_floor(static_cast<std::uint64_t>(largest.raw)));
     ClipJob job;
     for (const Vec3<View>& corner : corners)
-        job.polygon.push_back({{scaled(corner.x), scaled(corner.y), scaled(corner.z)}, 0});
+        job.polygon.push_back({{corner.x * scale, corner.y * scale, corner.z * scale}, 0});
     // Depths beyond the polygon clip nothing.
-    const View beyond = View::from_raw(largest + 1);
+    const View beyond = largest + View::ulp();
     // Before the eye, where the query's plane is not: the sides of the view meet there.
     constexpr View kLeastNear = View::from_raw(4);
-    job.near = std::max(scaled(std::min(near, beyond)), kLeastNear);
-    job.far = scaled(std::min(far, beyond));
+    job.near = std::max(std::min(near, beyond) * scale, kLeastNear);
+    job.far = std::min(far, beyond) * scale;
     return job;
 }
 
-void clip_to_depth(const ClipPlane& plane, ClipScratch& scratch) {
+/// Clips to a plane at right angles to the view, whose bit in outcodes is none of the sides'.
+void clip_to_depth(const ClipPlane& plane, std::uint8_t border, ClipScratch& scratch) {
     if (scratch.polygon.size() < 3) return;
-    clip_to_plane(plane, 0, scratch.polygon, scratch.other);
+    clip_to_plane(plane, border, scratch.polygon, scratch.other);
     scratch.polygon.swap(scratch.other);
 }
 
@@ -85,7 +83,7 @@ std::vector<ScreenVertex> to_screen(const std::vector<ClipVertex>& polygon, cons
 /// when corners are rounded to 1/256 of its pixels. Not where the field of view makes multipliers too large.
 int refinement_of(const ModeAndView& view) {
     constexpr std::int32_t kFinest_px = 1 << 16;
-    constexpr Degrees kNarrow = Degrees::from_raw(Degrees::from_int(1).raw / 64);
+    constexpr Degrees kNarrow = floor_shift(Degrees::from_int(1), 6);
     if (view.field_of_view < kNarrow) return 0;
     int doublings = 0;
     while (std::max(view.mode.width_px, view.mode.height_px) << (doublings + 1) <= kFinest_px) ++doublings;
@@ -99,15 +97,16 @@ Projection make_refined_lens(const ModeAndView& view, int doublings) {
     return frame_lens(refined);
 }
 
-/// Twice the area on the screen, in (1/256 pixel)^2 of the projection's mode.
-std::int64_t visible_doubled_area_16(const ClipJob& job, const Projection& projection) {
+/// Twice the area on the screen, in pixels of the projection's mode.
+ScreenArea visible_doubled_area(const ClipJob& job, const Projection& projection) {
     const Frustum frustum = make_frustum(y_up_basis(Angle{}, Angle{}, Angle{}), projection);
     ClipScratch scratch{job.polygon, {}};
-    clip_to_depth({{0, 0, 1}, job.near.raw}, scratch);
-    clip_to_depth({{0, 0, -1}, -job.far.raw}, scratch);
+    constexpr ClipNormal kStep = ClipNormal::ulp();
+    clip_to_depth({{{}, {}, kStep}, bounded_product(kStep, job.near)}, 32, scratch);
+    clip_to_depth({{{}, {}, -kStep}, -bounded_product(kStep, job.far)}, 64, scratch);
     clip_polygon(frustum, kAllSides, scratch);
-    if (scratch.polygon.empty()) return 0;
-    return std::abs(doubled_area_16(to_screen(scratch.polygon, projection)));
+    if (scratch.polygon.empty()) return {};
+    return absolute(doubled_area(to_screen(scratch.polygon, projection)));
 }
 
 }  // namespace
@@ -122,9 +121,8 @@ std::string answer_clip(Fields& fields) {
     if (is_edge_on(corners)) return "0";
 
     const int doublings = refinement_of(view);
-    const std::int64_t doubled_area =
-        visible_doubled_area_16(make_job(corners, near, far), make_refined_lens(view, doublings));
-    return format_fixed(doubled_area, 2 * (Screen::kFractionBits + doublings) + 1);
+    const ScreenArea area = visible_doubled_area(make_job(corners, near, far), make_refined_lens(view, doublings));
+    return format_fixed(area.raw, ScreenArea::kFractionBits + 2 * doublings + 1);
 }
 
 }  // namespace oblong

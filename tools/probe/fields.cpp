@@ -2,8 +2,8 @@
 
 #include <charconv>
 
-#include "engine/geometry/project_far.h"
 #include "tools/probe/decimal.h"
+#include "tools/probe/project_far.h"
 
 namespace oblong {
 
@@ -75,8 +75,8 @@ Vec3<Fixed<std::int32_t, 8>> Fields::point() {
     return {x, y, z};
 }
 
-std::int64_t Fields::texel_16() {
-    return parse_or_refuse(text(), 16, kLargestLength).raw;
+Texel Fields::texel() {
+    return Texel::from_raw(parse_or_refuse(text(), Texel::kFractionBits, kLargestLength).raw);
 }
 
 ModeAndView Fields::mode() {
@@ -94,7 +94,7 @@ ModeAndView Fields::mode() {
 
 Projection frame_lens(const ModeAndView& view) {
     const FarProjection fine = make_far_projection(view.mode, view.fine_field_of_view);
-    const bool is_held = fixed_of(fine.x, Multiplier::kFractionBits) && fixed_of(fine.y, Multiplier::kFractionBits);
+    const bool is_held = fixed_of<Multiplier>(fine.x) && fixed_of<Multiplier>(fine.y);
     if (!is_held) throw Unsupported{};
     return make_projection(view.mode, view.field_of_view);
 }

@@ -8,7 +8,7 @@
 #include "engine/geometry/projection.h"
 #include "engine/math/soft_float.h"
 #include "engine/math/vec.h"
-#include "engine/screen/screen_mode.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 
@@ -40,8 +40,8 @@ class Fields {
     /// A length, an exact multiple of 1/256 of at most 32,767: 24.8.
     Fixed<std::int32_t, 8> length();
     Vec3<Fixed<std::int32_t, 8>> point();
-    /// A texture coordinate, texels: any decimal number of at most 32,767, 48.16.
-    std::int64_t texel_16();
+    /// A texture coordinate, texels: any decimal number of at most 32,767.
+    Texel texel();
     /// Five fields: W H PN PD FOV.
     ModeAndView mode();
 
@@ -53,11 +53,5 @@ class Fields {
 /// The projection of a frame. Throws Unsupported for fields of view so narrow, below a thousandth of a degree, that its
 /// multipliers would not be right.
 Projection frame_lens(const ModeAndView& view);
-
-/// Lengths are exact in the formats of the world and of the view.
-template <class To>
-Vec3<To> convert_point(const Vec3<Fixed<std::int32_t, 8>>& p) {
-    return {convert<To>(p.x), convert<To>(p.y), convert<To>(p.z)};
-}
 
 }  // namespace oblong

@@ -26,7 +26,7 @@ bool read_level(const std::string& path, Level& level) {
 
 std::string answer_leaf(Fields& fields, LevelCache& cache) {
     const std::string path(fields.text());
-    const auto point = convert_point<World>(fields.point());
+    const auto point = convert<World>(fields.point());
     fields.expect_end();
 
     if (cache.path != path) {

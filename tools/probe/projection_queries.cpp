@@ -1,6 +1,6 @@
 #include "engine/geometry/frustum.h"
-#include "engine/geometry/project_far.h"
 #include "tools/probe/decimal.h"
+#include "tools/probe/project_far.h"
 #include "tools/probe/queries.h"
 
 namespace oblong {
@@ -34,7 +34,7 @@ std::string format_position(const ScreenPosition& position) {
 
 std::string answer_project(Fields& fields) {
     const ModeAndView view = fields.mode();
-    const auto point = convert_point<View>(fields.point());
+    const auto point = convert<View>(fields.point());
     fields.expect_end();
     if (point.z <= View{}) return "behind";
     const ProbeProjection projection(view, y_up_basis(Angle{}, Angle{}, Angle{}));
@@ -44,9 +44,9 @@ std::string answer_project(Fields& fields) {
 std::string answer_view(Fields& fields) {
     constexpr int kDepthBits = 40;
     const ModeAndView view = fields.mode();
-    const auto eye = convert_point<World>(fields.point());
+    const auto eye = convert<World>(fields.point());
     const Angle yaw = fields.angle(), pitch = fields.angle(), roll = fields.angle();
-    const auto point = convert_point<World>(fields.point());
+    const auto point = convert<World>(fields.point());
     fields.expect_end();
 
     const Basis axes = y_up_basis(yaw, pitch, roll);

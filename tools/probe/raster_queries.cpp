@@ -18,7 +18,7 @@ std::int32_t read_scale(Fields& fields) {
 }
 
 Screen read_coordinate(Fields& fields, std::int32_t scale) {
-    const std::int64_t limit = kLargestScreen_8 / scale;
+    const std::int64_t limit = kLargestScreen.raw / scale;
     return Screen::from_raw(static_cast<std::int32_t>(fields.integer(-limit, limit)) * scale);
 }
 
@@ -29,9 +29,9 @@ ScreenVertex read_vertex(Fields& fields, std::int32_t scale) {
 
 /// The rows of a triangle of either winding, its columns cut to the raster. False if it has no area.
 bool scan_triangle(Triangle triangle, ScanlineExtents& rows) {
-    const std::int64_t doubled_area = doubled_area_16(triangle);
-    if (doubled_area == 0) return false;
-    if (doubled_area < 0) std::swap(triangle[1], triangle[2]);
+    const ScreenArea area = doubled_area(triangle);
+    if (area == ScreenArea{}) return false;
+    if (area < ScreenArea{}) std::swap(triangle[1], triangle[2]);
     scan_convex(triangle, rows);
     return true;
 }

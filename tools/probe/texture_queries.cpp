@@ -23,40 +23,40 @@ constexpr std::array kTexturings = {
 
 /// A texture coordinate of the three corners, moved by whole texels to where surfaces begin: at 0.
 struct RebasedTexels {
-    std::int64_t base_16;
-    std::array<std::int64_t, 3> moved_16;
+    Texel base;
+    std::array<Texel, 3> moved;
 
-    explicit RebasedTexels(const std::array<std::int64_t, 3>& texels_16) {
+    explicit RebasedTexels(const std::array<Texel, 3>& texels) {
         // A texel of room, so that no rounding is held back by the surface's edge.
-        base_16 = (floor_shift(*std::min_element(texels_16.begin(), texels_16.end()), 16) - 1) * 65536;
-        for (std::size_t i = 0; i < 3; ++i) moved_16[i] = texels_16[i] - base_16;
+        base = Texel::from_int(floor_of(*std::min_element(texels.begin(), texels.end())) - 1);
+        for (std::size_t i = 0; i < 3; ++i) moved[i] = texels[i] - base;
     }
 };
 
 struct TexspanQuery {
     ModeAndView view;
     std::array<TexturedCorner, 3> corners;
-    std::int64_t base_u_16 = 0, base_v_16 = 0;
+    Texel base_u, base_v;
     Span span{};
 };
 
 TexspanQuery read_query(Fields& fields) {
     TexspanQuery query;
     query.view = fields.mode();
-    std::array<std::int64_t, 3> u_16{}, v_16{};
+    std::array<Texel, 3> u_texels, v_texels;
     for (std::size_t i = 0; i < 3; ++i) {
-        query.corners[i].position = convert_point<Fixed<std::int32_t, 14>>(fields.point());
-        if (query.corners[i].position.z.raw <= 0) throw Unsupported{};
-        u_16[i] = fields.texel_16();
-        v_16[i] = fields.texel_16();
+        query.corners[i].position = convert<Fixed<std::int32_t, 14>>(fields.point());
+        if (query.corners[i].position.z <= Fixed<std::int32_t, 14>{}) throw Unsupported{};
+        u_texels[i] = fields.texel();
+        v_texels[i] = fields.texel();
     }
-    const RebasedTexels u(u_16), v(v_16);
+    const RebasedTexels u(u_texels), v(v_texels);
     for (std::size_t i = 0; i < 3; ++i) {
-        query.corners[i].u_16 = u.moved_16[i];
-        query.corners[i].v_16 = v.moved_16[i];
+        query.corners[i].u = u.moved[i];
+        query.corners[i].v = v.moved[i];
     }
-    query.base_u_16 = u.base_16;
-    query.base_v_16 = v.base_16;
+    query.base_u = u.base;
+    query.base_v = v.base;
     query.span.y = static_cast<std::int32_t>(fields.integer(0, query.view.mode.height_px - 1));
     query.span.first = static_cast<std::int32_t>(fields.integer(0, query.view.mode.width_px - 1));
     query.span.end = static_cast<std::int32_t>(fields.integer(query.span.first + 1, query.view.mode.width_px));
@@ -67,8 +67,8 @@ TexspanQuery read_query(Fields& fields) {
 void append_texels(const TexelBlock& block, const TexspanQuery& query, std::string& text) {
     for (std::int64_t i = 0; i < block.count; ++i) {
         if (!text.empty()) text += ' ';
-        text += format_fixed(query.base_u_16 + block.u_16 + i * block.u_step_16, 16) + ' ';
-        text += format_fixed(query.base_v_16 + block.v_16 + i * block.v_step_16, 16);
+        text += format_fixed(query.base_u + Texel::from_raw(block.u_16 + i * block.u_step_16)) + ' ';
+        text += format_fixed(query.base_v + Texel::from_raw(block.v_16 + i * block.v_step_16));
     }
 }
 
@@ -82,8 +82,7 @@ void append_part(const TexspanQuery& query, const Projection& projection, const 
     Accuracy accuracy;
     accuracy.texturing = texturing;
     const BlockRule rule = make_block_rule(accuracy);
-    const BlockThresholds thresholds =
-        make_block_thresholds(rule, static_cast<std::int64_t>(gradients->inverse_z_44.per_column));
+    const BlockThresholds thresholds = make_block_thresholds(rule, gradients->inverse_z.per_column);
     BlockList blocks(part.end - part.first);
     append_blocks(part, query.view.mode.width_px, *gradients, rule, thresholds, make_texel_limits(65535, 65535, 0),
                   blocks);

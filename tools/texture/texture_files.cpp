@@ -17,12 +17,6 @@
 namespace oblong {
 namespace {
 
-void check_texture_size(const PngImage& image) {
-    if (image.width_px % 16 == 0 && image.height_px % 16 == 0) return;
-    throw InputError("image", std::to_string(image.width_px) + "x" + std::to_string(image.height_px) +
-                                  ", expected multiples of 16 up to 4096");
-}
-
 /// Two indices of a palette may have the same colour, and one of the two glow: only an index says which is meant.
 bool has_palette(const PngImage& image, const Palette& palette) {
     return !image.indices.empty() &&
@@ -76,7 +70,7 @@ MipTexture read_png_texture(const std::string& path, const Palette& palette, boo
     return read_parsed(path, [&](std::span<const std::uint8_t> bytes) {
         const std::string name = texture_name_of_file(path);
         const PngImage image = decode_png(bytes);
-        check_texture_size(image);
+        check_texture_size(image.width_px, image.height_px, "image");
         return make_mip_texture(name, image.width_px, image.height_px, texels_of(image, name, palette, may_glow),
                                 palette);
     });

@@ -1,16 +1,18 @@
 // Draws cameras of levels, ordinary and extreme, by an engine that records the range of its intermediate values, and
 // prints what they took, what they may take and the bits between. Exits with 1 if less than a bit is left anywhere.
 //   record_ranges PALETTE (LEVEL.bsp CAMERAS.csv)...
+#include <algorithm>
+#include <bit>
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
+#include <string_view>
 
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
 #include "engine/scene/placed_models.h"
-#include "tests/ranges/recorder/quantities.h"
 #include "tools/common/program.h"
 #include "tools/render/camera_list.h"
 
@@ -78,22 +80,42 @@ void draw_level(const std::string& level_path, const std::string& cameras_path, 
     draw(scene, few, {kLargestMode_px, kLargestMode_px, {4, 3}}, Preset::Bounded);
 }
 
-/// Prints the table; the least head-room in it, in bits, or -1 if a quantity was never noted.
+/// How many bits the size of a value takes, its sign not counted.
+constexpr int bits_of(std::int64_t value) {
+    return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(value < 0 ? ~value : value)));
+}
+
+static_assert(bits_of(0) == 0 && bits_of(1) == 1 && bits_of(255) == 8 && bits_of(256) == 9);
+static_assert(bits_of(-1) == 0 && bits_of(-256) == 8 && bits_of(-257) == 9);
+
+/// The file below engine/, or what a quantity gets that was never noted.
+std::string place_of(const SeenRange& seen) {
+    const std::string path = seen.file ? seen.file : "never noted";
+    const std::size_t engine = path.rfind("engine/");
+    return engine == std::string::npos ? path : path.substr(engine + 7);
+}
+
+/// Prints a row of the table; its head-room in bits, or -1 if the quantity was never noted.
+int print_row(const SeenRange& seen) {
+    const int bits = seen.file ? std::max(bits_of(seen.least), bits_of(seen.greatest)) : seen.bits + 1;
+    const int whole_bits = seen.bits + 1 - seen.fraction_bits;
+    std::printf("| %s | %d.%d | %s | %" PRId64 " | %" PRId64 " | %d | %d | %d |\n", seen.name, whole_bits,
+                seen.fraction_bits, place_of(seen).c_str(), seen.least, seen.greatest, bits, seen.bits,
+                seen.bits - bits);
+    return seen.bits - bits;
+}
+
+/// Prints the table; the least head-room in it.
 int print_table() {
+    std::vector<const SeenRange*> ranges = recorded_ranges();
+    std::sort(ranges.begin(), ranges.end(), [](const SeenRange* a, const SeenRange* b) {
+        return std::pair(place_of(*a), std::string_view(a->name)) < std::pair(place_of(*b), std::string_view(b->name));
+    });
     std::printf(
         "| quantity | format | in engine/ | smallest | largest | bits | of | head-room "
         "|\n|---|---|---|---|---|---|---|---|\n");
-    int least = 63;
-    for (std::size_t i = 0; i < kQuantities.size(); ++i) {
-        const QuantityInfo& info = kQuantities[i];
-        const SeenRange& seen = recorded_ranges[i];
-        const bool is_noted = seen.least <= seen.greatest;
-        const int bits = is_noted ? std::max(bits_of(seen.least), bits_of(seen.greatest)) : 0;
-        least = std::min(least, is_noted ? info.bits - bits : -1);
-        std::printf("| %s | %s | %s | %" PRId64 " | %" PRId64 " | %d | %d | %s%d |\n", info.name, info.format,
-                    info.place, seen.least, seen.greatest, bits, info.bits, is_noted ? "" : "never noted ",
-                    info.bits - bits);
-    }
+    int least = ranges.empty() ? -1 : 63;
+    for (const SeenRange* seen : ranges) least = std::min(least, print_row(*seen));
     return least;
 }
 

@@ -49,8 +49,11 @@ Emitter::Emitter(BspFile& bsp, const PlaneList& planes) : bsp_(bsp), planes_(pla
 
 std::vector<int> Emitter::add_model(const CompiledModel& model) {
     FileModel numbers;
-    numbers.mins = to_floats(model.box.mins);
-    numbers.maxs = to_floats(model.box.maxs);
+    if (!model.box.is_empty()) {
+        const Box stored = model.box.grown(-1);  // as id's qbsp does, which readers expect: they spread it again
+        numbers.mins = to_floats(stored.mins);
+        numbers.maxs = to_floats(stored.maxs);
+    }
     numbers.first_face = count(bsp_.faces);
     numbers.face_count = count(model.surfaces);
     Numbering numbering;

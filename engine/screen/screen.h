@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+#include "engine/fixed/fixed.h"
+#include "engine/fixed/ratio.h"
+
+namespace oblong {
+
+/// A mode's size in pixels and the shape of the display that shows it. Pixel aspect comes from here and nowhere else:
+/// make_projection() (geometry/projection.h) and layout() (platform/present_rect.h) are its two readers.
+struct ScreenMode {
+    std::int32_t width_px = 320, height_px = 200;
+    Ratio display{4, 3};  ///< width to height of the whole picture as shown
+
+    /// Width to height of one pixel as shown: 5:6 for 320x200 on 4:3 (Muratori: 1/a).
+    constexpr Ratio pixel() const { return display * Ratio{height_px, width_px}; }
+};
+
+/// What the formats of the engine have head-room for (engine/fixed/README.md).
+inline constexpr std::int32_t kLargestMode_px = 4096;
+
+/// A vertex on the screen, pixels: written by projection, read by the scan converter. Pixel centres lie at +0.5.
+struct ScreenVertex {
+    Screen x, y;
+    constexpr bool operator==(const ScreenVertex&) const = default;
+};
+
+/// Pixels: columns [first_column, end_column) of rows [first_row, end_row); within the screen, perhaps empty.
+struct ScreenRectangle {
+    std::int32_t first_column, end_column, first_row, end_row;
+};
+
+/// Pixels [first, end) of row y.
+struct Span {
+    std::int32_t y, first, end;
+};
+
+/// A view of an 8-bit canvas that somebody else owns: rows top to bottom, `pitch` bytes apart, one palette index a
+/// pixel.
+struct Framebuffer {
+    std::uint8_t* pixels = nullptr;
+    std::int32_t width_px = 0, height_px = 0, pitch = 0;
+
+    std::uint8_t* row(std::int32_t y) const { return pixels + static_cast<std::int64_t>(y) * pitch; }
+};
+
+/// Paints spans in one colour.
+inline void fill_spans(std::span<const Span> spans, std::uint8_t colour, Framebuffer out) {
+    for (const Span& span : spans) std::fill(out.row(span.y) + span.first, out.row(span.y) + span.end, colour);
+}
+
+}  // namespace oblong

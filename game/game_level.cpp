@@ -1,0 +1,161 @@
+#include "game/game_level.h"
+
+#include <unordered_map>
+
+#include "engine/base/input_error.h"
+#include "game/entity_specs.h"
+
+namespace oblong {
+namespace {
+
+const Entity* find_class(const Level& bsp, const std::string& classname) {
+    for (const Entity& entity : bsp.entities)
+        if (entity.value("classname") == classname) return &entity;
+    return nullptr;
+}
+
+// Makes a game level step by step; what it keeps meanwhile are the entities by name and those of the movers.
+class LevelBuilder {
+  public:
+    explicit LevelBuilder(const Level& bsp) {
+        level_.bsp = &bsp;
+        for (const Entity& entity : bsp.entities)
+            if (const std::string name = entity.value("targetname"); !name.empty()) by_name_.emplace(name, &entity);
+    }
+
+    GameLevel build() {
+        add_models();
+        add_triggers();
+        resolve_targets();
+        add_start();
+        if (const Entity* end = find_class(*level_.bsp, "trigger_changelevel"))
+            level_.end_message = end->value("message");
+        return std::move(level_);
+    }
+
+  private:
+    // The target of a name that some mover or teleporter has; a new one where there is none yet.
+    Target& target_named(const std::string& name) {
+        const auto [found, is_new] = target_of_.emplace(name, static_cast<TargetIndex>(level_.targets.size()));
+        if (is_new) level_.targets.emplace_back();
+        return level_.targets[static_cast<std::size_t>(found->second)];
+    }
+
+    TargetIndex target_of(const Entity& entity) const {
+        const auto found = target_of_.find(entity.value("target"));
+        return found == target_of_.end() ? kNoTarget : found->second;
+    }
+
+    void add_models() {
+        const World longest = longest_travel(*level_.bsp);
+        for (const Entity& entity : level_.bsp->entities) {
+            if (const auto mover = mover_of(entity, *level_.bsp, longest))
+                add_mover(entity, *mover);
+            else
+                add_static_model(entity);
+        }
+        link_doors(level_.movers, mover_entities_, *level_.bsp);
+    }
+
+    void add_mover(const Entity& entity, const Mover& mover) {
+        if (level_.movers.size() == kMostMovers)
+            throw InputError("entities", "more than 16,384 doors, lifts and buttons, expected no more");
+        const std::string name = entity.value("targetname");
+        if (!name.empty()) target_named(name).movers.push_back(static_cast<std::uint32_t>(level_.movers.size()));
+        level_.movers.push_back(mover);
+        mover_entities_.push_back(&entity);
+    }
+
+    void add_static_model(const Entity& entity) {
+        const auto model = model_of(entity, *level_.bsp);
+        const std::string name = entity.value("classname");
+        if (!model || name.rfind("func_", 0) != 0) return;
+        level_.static_models.push_back(*model);
+        if (name != "func_illusionary") level_.solid_static_models.push_back(*model);
+    }
+
+    void add_triggers() {
+        for (const Entity& entity : level_.bsp->entities) {
+            const std::string name = entity.value("classname");
+            const auto model = model_of(entity, *level_.bsp);
+            if (!model) continue;
+            Trigger trigger;
+            trigger.box = box_of(level_.model(*model).box);
+            if (name == "trigger_changelevel")
+                trigger.ends_level = true;
+            else if (name == "trigger_teleport" ? !make_teleporter(entity, trigger)
+                                                : name != "trigger_once" && name != "trigger_multiple")
+                continue;
+            level_.triggers.push_back(trigger);
+            trigger_entities_.push_back(&entity);
+        }
+    }
+
+    // As in Quake, one with a name works only for a moment after it was activated. False for one without an exit.
+    bool make_teleporter(const Entity& entity, Trigger& trigger) {
+        const auto exit = by_name_.find(entity.value("target"));
+        const auto origin = exit == by_name_.end() ? std::nullopt : origin_of(*exit->second);
+        if (!origin) return false;
+        trigger.teleports_to = {*origin + world_vector(0, 0, 27), yaw_of(*exit->second)};  // Quake's height of exits
+        const std::string name = entity.value("targetname");
+        if (name.empty()) return true;
+        trigger.activation = level_.targeted_teleporters++;
+        target_named(name).teleporters.push_back(*trigger.activation);
+        return true;
+    }
+
+    void resolve_targets() {
+        std::vector<bool> is_activated(level_.targets.size());
+        const auto resolve = [&](const Entity& entity) {
+            const TargetIndex target = target_of(entity);
+            if (target != kNoTarget) is_activated[static_cast<std::size_t>(target)] = true;
+            return target;
+        };
+        for (std::size_t i = 0; i < level_.movers.size(); ++i) level_.movers[i].target = resolve(*mover_entities_[i]);
+        for (std::size_t i = 0; i < level_.triggers.size(); ++i)
+            if (!level_.triggers[i].ends_level && !level_.triggers[i].teleports_to)
+                level_.triggers[i].target = resolve(*trigger_entities_[i]);
+        for (std::size_t i = 0; i < is_activated.size(); ++i)
+            if (is_activated[i]) leave_to_activators(level_.targets[i]);
+    }
+
+    // A door that something activates doesn't answer to the player's touch; one that nothing can activate does.
+    void leave_to_activators(const Target& target) {
+        for (const std::uint32_t i : target.movers)
+            if (mover_entities_[i]->value("classname") == "func_door") level_.movers[i].touch_box.reset();
+    }
+
+    void add_start() {
+        const Entity* start = find_class(*level_.bsp, "info_player_start");
+        if (start == nullptr) start = find_class(*level_.bsp, "info_player_deathmatch");
+        if (start == nullptr) return;
+        level_.player_start = origin_of(*start).value_or(Position{}) + world_vector(0, 0, 1);
+        level_.player_yaw = yaw_of(*start);
+    }
+
+    GameLevel level_;
+    std::vector<const Entity*> mover_entities_, trigger_entities_;  // in the order of the movers and the triggers
+    std::unordered_map<std::string, const Entity*> by_name_;        // the first of each targetname
+    std::unordered_map<std::string, TargetIndex> target_of_;        // by targetname
+};
+
+}  // namespace
+
+GameLevel make_game_level(const Level& bsp) {
+    return LevelBuilder(bsp).build();
+}
+
+GameState start_of(const GameLevel& level) {
+    GameState state;
+    state.player.position = level.player_start;
+    state.player.yaw = level.player_yaw;
+    state.movers.resize(level.movers.size());
+    state.teleporter_ticks.resize(level.targeted_teleporters);
+    return state;
+}
+
+Vec3<World> offset_of(const Mover& mover, const MoverState& state) {
+    return mover.start + scaled(mover.travel, state.travelled, mover.length);
+}
+
+}  // namespace oblong

@@ -1,0 +1,81 @@
+#include "game/game_renderer.h"
+
+#include <algorithm>
+
+#include "game/step.h"
+
+namespace oblong {
+namespace {
+
+// A change of position larger than this within a tick is no motion: the player was teleported.
+constexpr World kLongestMotion = World::from_int(128);
+
+World between(World before, World after, std::int32_t fraction_16) {
+    const std::int64_t way = std::int64_t{after.raw} - before.raw;
+    return World::from_raw(static_cast<std::int32_t>(before.raw + floor_shift(way * fraction_16, 16)));
+}
+
+Vec3<World> between(const Vec3<World>& before, const Vec3<World>& after, std::int32_t fraction_16) {
+    return {between(before.x, after.x, fraction_16), between(before.y, after.y, fraction_16),
+            between(before.z, after.z, fraction_16)};
+}
+
+Position eye_of(const Player& player) {
+    return player.position + Vec3<World>{World{}, World{}, World::from_int(kEyeHeight) - player.eye_lag};
+}
+
+bool is_motion(const Position& before, const Position& after) {
+    const auto is_near = [](World way) { return way <= kLongestMotion && way >= -kLongestMotion; };
+    const Vec3<World> way = after - before;
+    return is_near(way.x) && is_near(way.y) && is_near(way.z);
+}
+
+// The brush models that are drawn, at their offsets; those of triggers are not.
+std::vector<PlacedModel> models_at(const GameLevel& level, const InterpolatedState& state) {
+    std::vector<PlacedModel> placed;
+    for (std::size_t i = 0; i < level.movers.size(); ++i) {
+        const Mover& mover = level.movers[i];
+        const Vec3<World> before = offset_of(mover, state.before.movers[i]),
+                          after = offset_of(mover, state.after.movers[i]);
+        placed.push_back({mover.model, between(before, after, state.fraction_16)});
+    }
+    for (const ModelIndex model : level.static_models) placed.push_back({model, {}});
+    return placed;
+}
+
+// Since the level began.
+std::int64_t time_ms_at(const InterpolatedState& state) {
+    const std::int64_t ticks_16 = (state.before.tick << 16) + state.fraction_16;
+    return ticks_16 * 1000 / kTicksPerSecond >> 16;
+}
+
+}  // namespace
+
+Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees field_of_view) {
+    const Player& player = state.after.player;
+    const Position before = eye_of(state.before.player), after = eye_of(player);
+    Camera camera;
+    camera.eye = is_motion(before, after) ? between(before, after, state.fraction_16) : after;
+    camera.yaw = player.yaw + Angle::from_bam(offset.yaw);
+    camera.pitch =
+        Angle::from_bam(std::clamp(player.pitch + offset.pitch, -Player::kSteepestPitch, Player::kSteepestPitch));
+    camera.field_of_view = field_of_view;
+    return camera;
+}
+
+GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode)
+    : data_(data), level_(level), mode_(mode), work_(data.level, mode) {
+    pixels_.resize(static_cast<std::size_t>(mode.width_px) * static_cast<std::size_t>(mode.height_px));
+}
+
+void GameRenderer::draw(const InterpolatedState& state, const Camera& camera, const Settings& settings) {
+    const std::vector<PlacedModel> models = models_at(level_, state);
+    const Scene scene{data_.level, data_.colormap, models, time_ms_at(state)};
+    draw_frame(scene, camera, mode_, settings, work_, canvas());
+}
+
+Framebuffer GameRenderer::canvas() {
+    return {pixels_.data(), mode_.width_px, mode_.height_px, mode_.width_px};
+}
+
+}  // namespace oblong

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/frame/frame.h"
+#include "engine/frame/workspace.h"
+#include "engine/geometry/camera.h"
+#include "game/load.h"
+#include "game/tick_input_source.h"
+
+namespace oblong {
+
+/// Two states one tick apart and how far the picture is between them: 0 is the first, 65,536 the second.
+struct InterpolatedState {
+    const GameState& before;
+    const GameState& after;
+    std::int32_t fraction_16 = 0;
+};
+
+/// The player's eye, turned further by `offset`.
+Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees field_of_view);
+
+/// Draws a game into a framebuffer of its own.
+class GameRenderer {
+  public:
+    /// `data` and `level` outlive the renderer.
+    GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode);
+
+    void draw(const InterpolatedState& state, const Camera& camera, const Settings& settings);
+    Framebuffer canvas();
+    const ScreenMode& mode() const { return mode_; }
+
+  private:
+    const GameData& data_;
+    const GameLevel& level_;
+    ScreenMode mode_;
+    FrameWorkspace work_;
+    std::vector<std::uint8_t> pixels_;
+};
+
+}  // namespace oblong

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "game/collision.h"
+#include "game/game_level.h"
+#include "game/state.h"
+
+namespace oblong {
+
+/// The least z of the normal of a surface that can be stood upon: up to 45.6 degrees, Quake's 0.7.
+inline constexpr Unit kGroundNormalZ = Unit::from_raw(751'619'277);
+inline constexpr std::int32_t kStepHeight = 18;
+
+/// A player's position and velocity.
+struct Motion {
+    Position position;
+    Velocity velocity;
+};
+
+/// A tick of straight motion that slides along what it hits, up to four times.
+Motion slide_move(const GameLevel& level, const GameState& state, const Motion& motion);
+
+/// The same for one who walks: climbs what is no higher than a step where that leads further.
+Motion step_slide_move(const GameLevel& level, const GameState& state, const Motion& motion);
+
+/// The ground within `reach` units below a position: where the box stands on it, and the model. Contact::has_hit is
+/// false where there is none, or one too steep.
+Contact find_ground(const GameLevel& level, const GameState& state, const Position& position, World reach);
+
+}  // namespace oblong

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/platform/controls.h"
+#include "game/demo.h"
+#include "game/game_level.h"
+
+namespace oblong {
+
+/// A turn of the view that is drawn before the next tick applies it, 65,536 to the circle.
+struct LookOffset {
+    std::int32_t yaw = 0, pitch = 0;
+};
+
+/// Turns the player's input into one TickInput a tick. The mouse is gathered between ticks and drawn at once; keys turn
+/// by the tick and are interpolated.
+class LiveInput {
+  public:
+    void gather(const Controls& controls);
+    TickInput next();
+
+    /// What to add to the angles of the last tick, `fraction_16` (65,536: a whole tick) after it.
+    LookOffset look_offset(std::int32_t fraction_16) const;
+
+  private:
+    Controls held_;
+    bool has_jumped_ = false;
+    std::int32_t mouse_yaw_ = 0, mouse_pitch_ = 0;
+    LookOffset last_keys_;
+};
+
+/// Where a tick's input comes from: demo playback until the demo ends, then live input. Records what is played, if
+/// asked to.
+class TickInputSource {
+  public:
+    /// Throws InputError where the demo was recorded on another level.
+    TickInputSource(const GameState& start, std::optional<Demo> replayed, bool records);
+
+    void gather(const Controls& controls) { live_.gather(controls); }
+
+    /// Moves the state by a tick. Throws InputError where a replayed tick leads to another state than when it was
+    /// recorded.
+    void play_tick(const GameLevel& level, GameState& state);
+
+    LookOffset look_offset(std::int32_t fraction_16) const;
+    bool is_replaying() const { return replayed_ && next_ < replayed_->ticks.size(); }
+    const Demo& recorded() const { return recorded_; }
+
+  private:
+    LiveInput live_;
+    std::optional<Demo> replayed_;
+    std::size_t next_ = 0;  // tick of the replayed demo
+    TickInput last_;
+    bool records_, was_replayed_ = false;
+    Demo recorded_;
+};
+
+}  // namespace oblong

@@ -1,0 +1,66 @@
+#include "game/view_options.h"
+
+namespace oblong {
+namespace {
+
+constexpr int kPresetCount = static_cast<int>(Preset::Exact) + 1;
+
+// The next value of an enumeration of `count`, the first after the last.
+template <class Enum>
+Enum next_of(Enum value, int count) {
+    return static_cast<Enum>((static_cast<int>(value) + 1) % count);
+}
+
+std::string shape_of(const ScreenMode& mode) {
+    return std::to_string(mode.display.numerator) + ":" + std::to_string(mode.display.denominator);
+}
+
+std::string describe_display(const ViewOptions& options, const ScreenMode& mode, WindowSize window) {
+    const std::string size = describe(layout(window, mode, options.shown_as, options.scaling), mode);
+    switch (options.shown_as) {
+        case ShownAs::OnDisplay:
+            return "F3 Display: " + shape_of(mode) + " (" + size + ")";
+        case ShownAs::SquarePixels:
+            return "F3 Display: square pixels (" + size + ")";
+        default:
+            return "F3 Display: fill the window (" + size + ")";
+    }
+}
+
+}  // namespace
+
+Settings settings_of(const ViewOptions& options) {
+    Settings settings;
+    settings.accuracy = accuracy_of(options.preset);
+    settings.correct_aspect = options.corrects_projection;
+    return settings;
+}
+
+std::string apply(Command command, ViewOptions& options, const ScreenMode& mode, WindowSize window) {
+    switch (command) {
+        case Command::ShowHelp:
+            options.shows_help = !options.shows_help;
+            return "";
+        case Command::FrameCost:
+            options.shows_cost = !options.shows_cost;
+            return "";
+        case Command::ProjectionAspect:
+            options.corrects_projection = !options.corrects_projection;
+            return options.corrects_projection ? "F2 Projection: for " + shape_of(mode)
+                                               : "F2 Projection: for square pixels";
+        case Command::DisplayAspect:
+            options.shown_as = next_of(options.shown_as, kShownAsCount);
+            return describe_display(options, mode, window);
+        case Command::AccuracyTier:
+            options.preset = next_of(options.preset, kPresetCount);
+            return "F4 Accuracy: " + std::string(name_of(options.preset));
+        case Command::ScalingMode:
+            options.scaling = next_of(options.scaling, kScalingCount);
+            return std::string("F5 Scaling: ") + name_of(options.scaling) + " (" +
+                   describe(layout(window, mode, options.shown_as, options.scaling), mode) + ")";
+        default:
+            return "";
+    }
+}
+
+}  // namespace oblong

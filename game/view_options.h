@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "engine/frame/settings.h"
+#include "engine/platform/controls.h"
+#include "engine/platform/present_rect.h"
+#include "engine/screen/screen.h"
+
+namespace oblong {
+
+/// What keys change during a game: how it is drawn and shown, never what happens in it.
+struct ViewOptions {
+    Preset preset = Preset::Bounded;
+    bool corrects_projection = true;
+    ShownAs shown_as = ShownAs::OnDisplay;
+    Scaling scaling = Scaling::SharpBilinear;
+    bool shows_help = false, shows_cost = false;
+};
+
+Settings settings_of(const ViewOptions& options);
+
+/// Carries out a command; the message that tells the user ("" where there is none). Ignores Command::Screenshot.
+std::string apply(Command command, ViewOptions& options, const ScreenMode& mode, WindowSize window);
+
+}  // namespace oblong

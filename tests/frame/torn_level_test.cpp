@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include "tests/frame/frame_fixture.h"
+
+namespace oblong::test {
+namespace {
+
+Camera camera_at(std::int32_t x, std::int32_t y, std::int32_t z, std::int64_t yaw_degrees) {
+    Camera camera;
+    camera.eye = {World::from_int(x), World::from_int(y), World::from_int(z)};
+    camera.yaw = Angle::from_bam(yaw_degrees * 65536 / 360);
+    return camera;
+}
+
+/// The colour of the nearest written pixel on the row, the left one of two; 0 where the row has none.
+std::uint8_t nearest_on_row(const std::vector<std::uint8_t>& pixels, const std::vector<std::uint8_t>& writes,
+                            std::int32_t column, std::int32_t row) {
+    const auto at = [&](std::int32_t x) { return static_cast<std::size_t>(row * 320 + x); };
+    for (std::int32_t away = 1; away < 320; ++away) {
+        if (column - away >= 0 && writes[at(column - away)]) return pixels[at(column - away)];
+        if (column + away < 320 && writes[at(column + away)]) return pixels[at(column + away)];
+    }
+    return 0;
+}
+
+/// The demo level with every fifth vertex moved up by some units: its faces no longer meet.
+TEST(TornLevel, AFreePixelTakesTheColourOfItsNearestNeighbour) {
+    Stage stage = demo_stage();
+    for (auto vertex = stage.level.vertices.begin(); stage.level.vertices.end() - vertex > 5; vertex += 5)
+        vertex->z += World::from_int(6);
+    // A surface closed by moved corners stays closed: take the faces of every eleventh node away as well.
+    for (auto node = stage.level.nodes.begin(); stage.level.nodes.end() - node > 11; node += 11) node->faces.count = 0;
+
+    FrameWorkspace work(stage.level, stage.mode);
+    int free_pixels = 0;
+    for (const std::int64_t yaw : {0, 90, 180, 270}) {
+        work.counts = std::make_unique<FrameCounts>();
+        stage.draw(camera_at(0, 40, 70, yaw), work);
+        for (std::int32_t row = 0; row < 200; ++row)
+            for (std::int32_t column = 0; column < 320; ++column) {
+                const auto at = static_cast<std::size_t>(row * 320 + column);
+                if (work.counts->writes[at]) continue;
+                ++free_pixels;
+                ASSERT_EQ(stage.pixels[at], nearest_on_row(stage.pixels, work.counts->writes, column, row))
+                    << column << ", " << row;
+            }
+    }
+    EXPECT_GT(free_pixels, 100);
+}
+
+}  // namespace
+}  // namespace oblong::test

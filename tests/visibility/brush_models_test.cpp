@@ -1,0 +1,206 @@
+// Brush models cut into the leaves of the world: against points of their faces, and rays, in doubles.
+#include "engine/visibility/brush_models.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "tests/visibility/rays.h"
+#include "tests/visibility/visibility_fixture.h"
+
+namespace oblong::test {
+
+namespace {
+
+/// A random point of a convex polygon.
+Point point_in(std::span<const Point> corners, std::mt19937& random) {
+    std::uniform_real_distribution<double> part(0, 1);
+    const std::size_t fan = 1 + random() % (corners.size() - 2);
+    double a = part(random), b = part(random);
+    if (a + b > 1) a = 1 - a, b = 1 - b;
+    return along(along(corners[0], corners[fan], a), along(corners[0], corners[fan + 1], a), b / std::max(a + b, 1e-9));
+}
+
+/// The leaf that holds a point and all that is near it; none if it takes more than one.
+LeafIndex leaf_around(const Level& level, Point p) {
+    constexpr double kNear = 1.0 / 64;
+    LeafIndex leaf = LeafIndex::none();
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto off = [&](int bit) { return corner >> bit & 1 ? kNear : -kNear; };
+        const LeafIndex here = find_leaf(level, level.world(), to_world({p.x + off(0), p.y + off(1), p.z + off(2)}));
+        if (!leaf.is_none() && here != leaf) return LeafIndex::none();
+        leaf = here;
+    }
+    return leaf;
+}
+
+/// Whether a point of a polygon's plane is inside it (1), outside (-1) or near its border (0).
+int is_inside(std::span<const Point> corners, Point p) {
+    const Point normal = doubled_area(corners);
+    int verdict = 1;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Point edge = minus(corners[(i + 1) % corners.size()], corners[i]);
+        if (length(edge) < 1e-6) continue;
+        const double distance = dot(cross(edge, minus(p, corners[i])), normal) / (length(edge) * length(normal));
+        if (distance < -1.0 / 256) return -1;
+        if (distance < 1.0 / 256) verdict = 0;
+    }
+    return verdict;
+}
+
+std::vector<Point> corners_of(const ModelCut& cut, const Fragment& fragment) {
+    std::vector<Point> corners;
+    for (std::uint32_t i = 0; i < fragment.corner_count; ++i)
+        corners.push_back(to_point(cut.corners[fragment.first_corner + i]));
+    return corners;
+}
+
+struct Tally {
+    int in_open = 0, in_solid = 0;
+};
+
+/// Asks points of one face of a model: each is in one fragment, that of its leaf; in none where the world is solid.
+void check_points(const Level& level, const ModelCut& cut, FaceIndex face, std::span<const Point> outline,
+                  std::mt19937& random, Tally& tally) {
+    for (int i = 0; i < 20; ++i) {
+        const Point p = point_in(outline, random);
+        const LeafIndex leaf = leaf_around(level, p);
+        int holding = 0;
+        bool in_doubt = leaf.is_none();
+        for (const Fragment& fragment : cut.fragments) {
+            if (fragment.face != face || in_doubt) continue;
+            const std::vector<Point> corners = corners_of(cut, fragment);
+            const int verdict = is_inside(corners, p);
+            in_doubt |= verdict == 0;
+            if (verdict <= 0) continue;
+            ++holding;
+            EXPECT_EQ(fragment.leaf, leaf);
+        }
+        if (in_doubt) continue;
+        const bool is_solid = level.leaves[leaf].contents == contents::kSolid;
+        ++(is_solid ? tally.in_solid : tally.in_open);
+        ASSERT_EQ(holding, is_solid ? 0 : 1) << "face " << face.number() << " at " << p.x << ", " << p.y << ", " << p.z;
+    }
+}
+
+std::vector<PlacedModel> moved_by(std::vector<PlacedModel> models, Vec3<World> by) {
+    for (PlacedModel& model : models) model.offset = model.offset + by;
+    return models;
+}
+
+/// Of each fragment in the world's leaves where its corners are kept.
+std::vector<std::pair<PlacedIndex, const Vec3<World>*>> kept_corners(BrushModels& models, const Level& level,
+                                                                     Vec3<World> eye) {
+    std::vector<std::pair<PlacedIndex, const Vec3<World>*>> kept;
+    for (const LeafIndex leaf : level.leaves.indices())
+        for (const Fragment* fragment : models.front_to_back_in(leaf, level, eye))
+            kept.emplace_back(fragment->placed, models.corners_of(*fragment).data());
+    std::sort(kept.begin(), kept.end());
+    return kept;
+}
+
+Point middle_of(std::span<const Point> corners) {
+    Point middle;
+    for (const Point& p : corners) {
+        const double share = 1.0 / static_cast<double>(corners.size());
+        middle = {middle.x + p.x * share, middle.y + p.y * share, middle.z + p.z * share};
+    }
+    return middle;
+}
+
+struct OrderTally {
+    int fragments = 0, pairs = 0;
+};
+
+/// A ray to the middle of each part: what it passes through of the parts before it, of the same model, is nearer.
+void check_order(const BrushModels& models, std::span<const Fragment* const> fragments, Point eye, OrderTally& tally) {
+    std::vector<std::vector<Point>> outlines;
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
+        std::vector<Point>& outline = outlines.emplace_back();
+        for (const Vec3<World>& corner : models.corners_of(*fragments[i])) outline.push_back(to_point(corner));
+        // Clockwise from the front: the normal by the corners' order points away from the eye.
+        EXPECT_GT(dot(doubled_area(outline), minus(outline[0], eye)), 0);
+        ++tally.fragments;
+        const Point ray = minus(middle_of(outline), eye);
+        for (std::size_t before = 0; before < i; ++before) {
+            const Passage passage = pass_through(outlines[before], eye, ray);
+            if (passage.meeting != Meeting::Hit || fragments[before]->placed != fragments[i]->placed) continue;
+            EXPECT_LT(passage.along, 1 + 1e-6) << "behind, but handed out before";
+            ++tally.pairs;
+        }
+    }
+}
+
+class BrushModel : public testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST_P(BrushModel, FragmentsCoverEachFaceOnceWhereTheWorldIsOpen) {
+    if (GetParam() != std::string("demo")) OBLONG_NEEDS_SHARED_LEVELS();
+    const Level level = read_level(GetParam());
+    const FaceTable table = make_face_table(level);
+    std::mt19937 random(1);
+    Tally tally;
+    const Vec3<World> off{World::from_raw(50'000), World::from_raw(-31'111), World::from_raw(123'457)};
+    for (const std::vector<PlacedModel>& models : {models_at_rest(level), moved_by(models_at_rest(level), off)})
+        for (const PlacedModel& placed : models) {
+            const ModelCut cut = cut_model(level, placed, {}, table);
+            for (const FaceIndex face : level.models[placed.model].faces) {
+                if (HasFatalFailure()) return;
+                const std::vector<Point> outline = points_of(level, table.corners_of(face), placed.offset);
+                check_points(level, cut, face, outline, random, tally);
+            }
+        }
+    EXPECT_GT(tally.in_open, 300);
+    EXPECT_GT(tally.in_solid, 30);
+}
+
+TEST_P(BrushModel, FragmentsOfALeafFaceTheEyeAndOneModelsComeFrontToBack) {
+    if (GetParam() != std::string("demo")) OBLONG_NEEDS_SHARED_LEVELS();
+    const Level level = read_level(GetParam());
+    const FaceTable table = make_face_table(level);
+    BrushModels models(level);
+    std::mt19937 random(2);
+    OrderTally tally;
+    for (int trial = 0; trial < 60; ++trial) {
+        models.start_frame(level, models_at_rest(level), table);
+        const Vec3<World> eye = random_open_point(level, random);
+        for (const LeafIndex leaf : level.leaves.indices())
+            check_order(models, models.front_to_back_in(leaf, level, eye), to_point(eye), tally);
+    }
+    EXPECT_GT(tally.fragments, 300);
+    // The demo level's models are convex: no two parts of one that face the eye are on a ray.
+    if (GetParam() != std::string("demo")) {
+        EXPECT_GT(tally.pairs, 100);
+    }
+}
+
+TEST_P(BrushModel, OnlyWhatHasMovedIsCutAgain) {
+    if (GetParam() != std::string("demo")) OBLONG_NEEDS_SHARED_LEVELS();
+    const Level level = read_level(GetParam());
+    const FaceTable table = make_face_table(level);
+    std::mt19937 random(3);
+    const Vec3<World> eye = random_open_point(level, random);
+    std::vector<PlacedModel> placed = models_at_rest(level);
+    ASSERT_GE(placed.size(), 2U);
+    BrushModels models(level);
+    models.start_frame(level, placed, table);
+    const auto at_first = kept_corners(models, level, eye);
+    models.start_frame(level, placed, table);
+    EXPECT_EQ(kept_corners(models, level, eye), at_first);
+
+    placed[0].offset.z.raw += 3 * 4096;
+    models.start_frame(level, placed, table);
+    auto others_at_first = at_first, others = kept_corners(models, level, eye);
+    const auto is_moved = [](const auto& kept) { return kept.first == PlacedIndex(0); };
+    std::erase_if(others_at_first, is_moved);
+    std::erase_if(others, is_moved);
+    EXPECT_FALSE(others.empty());
+    EXPECT_EQ(others, others_at_first);
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, BrushModel, testing::Values("demo", "e1m7", "end"),
+                         [](const auto& name) { return name.param; });
+
+}  // namespace oblong::test
