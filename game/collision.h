@@ -26,7 +26,8 @@ bool is_free(const GameLevel& level, const GameState& state, const Position& pos
 /// False where a model at an offset is too far from a box to touch it.
 bool may_touch(const GameLevel& level, ModelIndex model, const Vec3<World>& offset, const Box& box);
 
-/// The nearest free position along an axis for a player who is inside a brush model, not through the world's walls.
+/// For a player inside a brush model: the nearest free position in a straight line along an axis, not through the
+/// world's walls.
 struct WayOut {
     bool is_inside_model = false;
     std::optional<Position> position;

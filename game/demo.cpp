@@ -19,7 +19,7 @@ void append(std::vector<std::uint8_t>& bytes, Int number) {
         bytes.push_back(static_cast<std::uint8_t>(static_cast<std::uint64_t>(number) >> (8 * byte)));
 }
 
-// Reads numbers one after the other; who calls has checked that there are enough bytes.
+// Reads numbers one after the other; the caller has checked that there are enough bytes.
 struct Reader {
     std::span<const std::uint8_t> bytes;
     std::size_t at = 0;

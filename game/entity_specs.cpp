@@ -19,6 +19,10 @@ constexpr std::int32_t kSlowest = 1, kFastest = 4000;    // units a second
 const Vec3<World> kDoorReach = world_vector(60, 60, 8);  // a door opens for a player as near as this
 const Vec3<World> kButtonReach = world_vector(2, 2, 2);
 
+Box model_box(const Level& bsp, ModelIndex model) {
+    return box_of(bsp.models[model].box);
+}
+
 // The number of a key in world units; `otherwise` where it is absent, no number, or beyond +-`largest`.
 World number_of(const Entity& entity, const char* key, std::int32_t otherwise, std::int32_t largest = kWorldEnd) {
     const auto number = parse_decimal(entity.value(key), World::kFractionBits);
@@ -141,7 +145,7 @@ std::vector<LinkedDoor> find_linked_doors(const std::vector<Mover>& movers, cons
     std::vector<LinkedDoor> doors;
     for (std::size_t i = 0; i < movers.size(); ++i)
         if (entities[i]->value("classname") == "func_door" && !has_flag(*entities[i], kNotLinked))
-            doors.push_back({i, box_of(bsp.models[movers[i].model].box)});
+            doors.push_back({i, model_box(bsp, movers[i].model)});
     return doors;
 }
 
@@ -192,7 +196,7 @@ World longest_travel(const Level& bsp) {
 std::optional<Mover> mover_of(const Entity& entity, const Level& bsp, World longest) {
     const auto model = model_of(entity, bsp);
     if (!model) return {};
-    const Box box = box_of(bsp.models[*model].box);
+    const Box box = model_box(bsp, *model);
     const std::string name = entity.value("classname");
     std::optional<Mover> mover;
     if (name == "func_door") mover = door(entity, box);

@@ -19,7 +19,7 @@ struct Motion {
 /// A tick of straight motion that slides along what it hits, up to four times.
 Motion slide_move(const GameLevel& level, const GameState& state, const Motion& motion);
 
-/// The same for one who walks: climbs what is no higher than a step where that leads further.
+/// The same for a walking player: climbs steps of up to kStepHeight where that leads further.
 Motion step_slide_move(const GameLevel& level, const GameState& state, const Motion& motion);
 
 /// The ground within `reach` units below a position: where the box stands on it, and the model. Contact::has_hit is

@@ -26,24 +26,8 @@ constexpr auto reciprocals_of_middles() {
     return table;
 }
 
-/// The reciprocals of the ends of the parts, for lines between them.
-template <int Bits>
-constexpr auto reciprocals_of_ends() {
-    std::array<std::uint32_t, (std::size_t{1} << Bits) + 1> table{};
-    for (std::uint32_t i = 0; i < table.size(); ++i)
-        table[i] = static_cast<std::uint32_t>(nearest_quotient(kOne62, kFirstMantissa + (i << (31 - Bits))));
-    return table;
-}
-
 constexpr auto kMiddles256 = reciprocals_of_middles<8>();
-constexpr auto kEnds256 = reciprocals_of_ends<8>();
 constexpr auto kMiddles1024 = reciprocals_of_middles<10>();
-
-std::uint32_t lerp_256(std::uint32_t mantissa) {
-    const std::uint32_t part = (mantissa >> 23) & 0xff, along_23 = mantissa & 0x7fffff;
-    const std::uint64_t fall = kEnds256[part] - kEnds256[part + 1];
-    return static_cast<std::uint32_t>(kEnds256[part] - ((fall * along_23) >> 23));
-}
 
 /// Newton's r + r (1 - m r) with `more_bits` (0 to 10) below the 31 of the result, which is floored.
 std::uint64_t newton_step(std::uint32_t mantissa, std::uint64_t r, int more_bits) {
@@ -71,8 +55,6 @@ const char* name_of(ReciprocalMethod method) {
     switch (method) {
         case ReciprocalMethod::Table256:
             return "table 256";
-        case ReciprocalMethod::Table256Lerp:
-            return "table 256, lerp";
         case ReciprocalMethod::Table1024Newton:
             return "table 1024, Newton";
         case ReciprocalMethod::Table256TwoNewton:
@@ -87,8 +69,6 @@ std::uint32_t mantissa_reciprocal(std::uint32_t mantissa, ReciprocalMethod metho
     switch (method) {
         case ReciprocalMethod::Table256:
             return kMiddles256[(mantissa >> 23) & 0xff];
-        case ReciprocalMethod::Table256Lerp:
-            return lerp_256(mantissa);
         case ReciprocalMethod::Table1024Newton:
             return static_cast<std::uint32_t>(newton_step(mantissa, kMiddles1024[(mantissa >> 21) & 0x3ff], 0));
         case ReciprocalMethod::Table256TwoNewton:

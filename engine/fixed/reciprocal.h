@@ -8,17 +8,15 @@ namespace oblong {
 /// How 1 / n is found, from the cheapest. Errors are relative, worst over all mantissas; each never rises as n grows.
 enum class ReciprocalMethod {
     Table256,           ///< a table of 256 entries: 2^-9
-    Table256Lerp,       ///< 256 entries and a straight line between them: 2^-18
     Table1024Newton,    ///< 1,024 entries and a step of Newton's: 2^-21
     Table256TwoNewton,  ///< 256 entries and two steps: 1 step of 2^-31
     Exact               ///< a division: half a step of 2^-31
 };
 
-inline constexpr std::array kReciprocalMethods = {ReciprocalMethod::Table256, ReciprocalMethod::Table256Lerp,
-                                                  ReciprocalMethod::Table1024Newton,
+inline constexpr std::array kReciprocalMethods = {ReciprocalMethod::Table256, ReciprocalMethod::Table1024Newton,
                                                   ReciprocalMethod::Table256TwoNewton, ReciprocalMethod::Exact};
 
-/// "table 256", "table 256, lerp", ...
+/// "table 256", "table 1024, Newton", ...
 const char* name_of(ReciprocalMethod method);
 
 /// 2^62 / mantissa for a mantissa from 2^31 to 2^32 - 1: a number from 2^30 + 1 (2^30 for the tables) to 2^31.

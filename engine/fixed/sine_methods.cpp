@@ -12,7 +12,6 @@ namespace {
 using namespace detail;
 
 constexpr int kQuarterEntries = 1024;
-constexpr int kTurnEntries = 4 * kQuarterEntries;
 
 /// Sines of a quarter turn in 1,024 steps, both ends included, 2.30.
 constexpr auto kQuarterSines = [] {
@@ -25,33 +24,34 @@ constexpr auto kQuarterSines = [] {
     return table;
 }();
 
-/// Sines of a whole turn in 4,096 steps; the tables of 256 and 1,024 are every 16th and every 4th.
+constexpr int kTurnEntries = 256;
+
+/// Sines of a whole turn in 256 steps.
 constexpr auto kTurnSines = [] {
+    constexpr int kHalf = kTurnEntries / 2, kSpacing = 4 * kQuarterEntries / kTurnEntries;
     std::array<std::int32_t, kTurnEntries> table{};
     for (int i = 0; i < kTurnEntries; ++i) {
-        const int in_half = i % (2 * kQuarterEntries);
+        const int in_half = i % kHalf;
         const std::int32_t size =
-            kQuarterSines[static_cast<std::size_t>(std::min(in_half, 2 * kQuarterEntries - in_half))];
-        table[static_cast<std::size_t>(i)] = i < 2 * kQuarterEntries ? size : -size;
+            kQuarterSines[static_cast<std::size_t>(std::min(in_half, kHalf - in_half) * kSpacing)];
+        table[static_cast<std::size_t>(i)] = i < kHalf ? size : -size;
     }
     return table;
 }();
 
-/// Entry `index` (any whole number) of a table of 2^bits entries to the turn.
-std::int32_t entry(int index, int bits) {
-    return kTurnSines[static_cast<std::size_t>(index << (12 - bits)) % kTurnEntries];
+/// Entry `index` (any whole number) of the table of 256.
+std::int32_t entry(int index) {
+    return kTurnSines[static_cast<std::size_t>(index) % kTurnEntries];
 }
 
-std::int32_t nearest_entry(Angle angle, int bits) {
-    const int angle_bits = 16 - bits;
-    return entry((angle.bam + (1 << (angle_bits - 1))) >> angle_bits, bits);
+std::int32_t nearest_entry(Angle angle) {
+    return entry((angle.bam + 128) >> 8);
 }
 
-std::int32_t between_entries(Angle angle, int bits) {
-    const int angle_bits = 16 - bits;
-    const int index = angle.bam >> angle_bits, along = angle.bam & ((1 << angle_bits) - 1);
-    const std::int64_t rise = std::int64_t{entry(index + 1, bits)} - entry(index, bits);
-    return static_cast<std::int32_t>(entry(index, bits) + floor_shift(rise * along, angle_bits));
+std::int32_t between_entries(Angle angle) {
+    const int index = angle.bam >> 8, along = angle.bam & 0xff;
+    const std::int64_t rise = std::int64_t{entry(index + 1)} - entry(index);
+    return static_cast<std::int32_t>(entry(index) + floor_shift(rise * along, 8));
 }
 
 std::int32_t between_quarter_entries(Angle angle) {
@@ -100,21 +100,13 @@ std::int32_t cordic_sine(Angle angle, int rotations) {
 std::int32_t raw_sine(Angle angle, SineMethod method) {
     switch (method) {
         case SineMethod::Nearest256:
-            return nearest_entry(angle, 8);
-        case SineMethod::Nearest1024:
-            return nearest_entry(angle, 10);
-        case SineMethod::Nearest4096:
-            return nearest_entry(angle, 12);
+            return nearest_entry(angle);
         case SineMethod::Lerp256:
-            return between_entries(angle, 8);
-        case SineMethod::Lerp1024:
-            return between_entries(angle, 10);
+            return between_entries(angle);
         case SineMethod::Quarter1024Lerp:
             return between_quarter_entries(angle);
         case SineMethod::Cordic16:
             return cordic_sine(angle, 16);
-        case SineMethod::Cordic24:
-            return cordic_sine(angle, 24);
         case SineMethod::Cordic30:
             return cordic_sine(angle, 30);
         case SineMethod::NearestStep:
@@ -129,20 +121,12 @@ const char* name_of(SineMethod method) {
     switch (method) {
         case SineMethod::Nearest256:
             return "nearest of 256";
-        case SineMethod::Nearest1024:
-            return "nearest of 1024";
-        case SineMethod::Nearest4096:
-            return "nearest of 4096";
         case SineMethod::Lerp256:
             return "256, lerp";
-        case SineMethod::Lerp1024:
-            return "1024, lerp";
         case SineMethod::Quarter1024Lerp:
             return "quarter of 1024, lerp";
         case SineMethod::Cordic16:
             return "CORDIC, 16 steps";
-        case SineMethod::Cordic24:
-            return "CORDIC, 24 steps";
         case SineMethod::Cordic30:
             return "CORDIC, 30 steps";
         case SineMethod::NearestStep:

@@ -46,7 +46,7 @@ class EntityParser {
 
     std::string parse_quoted(const char* expected) {
         expect('"', expected);
-        const std::size_t end = text_.find('"', position_);
+        const std::size_t end = find_closing_quote(text_, position_);
         if (end == std::string_view::npos) fail(position_ - 1, "a quote is not closed, expected another '\"'");
         const std::size_t start = position_;
         position_ = end + 1;
@@ -114,6 +114,16 @@ std::optional<World> parse_coordinate(std::string_view word) {
 }
 
 }  // namespace
+
+std::size_t find_closing_quote(std::string_view text, std::size_t start) {
+    std::size_t quote = text.find('"', start);
+    while (quote != std::string_view::npos && quote > start && text[quote - 1] == '\\') {
+        const std::size_t next = text.find_first_of("\"\n", quote + 1);
+        if (next == std::string_view::npos || text[next] == '\n') break;
+        quote = next;
+    }
+    return quote;
+}
 
 std::vector<Entity> parse_entities(std::string_view text, std::string_view source, std::int64_t first_offset) {
     return EntityParser(text, source, first_offset).parse_all();

@@ -14,6 +14,10 @@ namespace oblong {
 /// fault, the text's first byte being `first_offset`.
 std::vector<Entity> parse_entities(std::string_view text, std::string_view source, std::int64_t first_offset = 0);
 
+/// The place of the quote that ends the quoted text beginning at `start`, or npos. A quote behind a backslash is part
+/// of the text, backslash and all, unless it is the last one of its line: paths such as "C:\gfx\" end in backslashes.
+std::size_t find_closing_quote(std::string_view text, std::size_t start);
+
 /// A decimal number such as "-12.5" in fixed point: value * 2^fraction_bits (0 to 32), rounded to nearest, a tie away
 /// from zero. Digits past the ninth of the fraction are not read. Nothing unless the whole text is a number and
 /// |value| < 2^31.

@@ -171,7 +171,7 @@ TEST(Programs, WhatIsWrongIsNamedBeforeWhatIsMissing) {
          {Case{{"oblong-render", "--bogus"}, "--bogus"}, Case{{"oblong-texture", "bogus"}, "bogus"},
           Case{{"oblong-texture", "pack", "--bogus"}, "--bogus"},
           Case{{"oblong-map", "-o", "a.bsp", "--bogus"}, "--bogus"}, Case{{"oblong-render"}, "LEVEL"},
-          Case{{"oblong-texture", "pack"}, "-o is required"}}) {
+          Case{{"oblong-texture", "pack"}, "input is required"}}) {
         const Outcome outcome = run_program(words);
         EXPECT_EQ(outcome.exit_code, 2);
         EXPECT_NE(outcome.error.find(named), std::string::npos) << outcome.error;

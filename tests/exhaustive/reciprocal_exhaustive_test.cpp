@@ -53,12 +53,6 @@ TEST(HardCaseA5, Table256IsNearAndFallsAtEveryMantissa) {
               std::nullopt);
 }
 
-TEST(HardCaseA5, LerpOf256IsNearAndFallsAtEveryMantissa) {
-    EXPECT_EQ(first_failure(kFirst, kAll32,
-                            [](auto input) { return is_near_and_falls<18>(input, ReciprocalMethod::Table256Lerp); }),
-              std::nullopt);
-}
-
 TEST(HardCaseA5, OneStepOfNewtonsFrom1024IsNearAndFallsAtEveryMantissa) {
     EXPECT_EQ(first_failure(kFirst, kAll32,
                             [](auto input) { return is_near_and_falls<21>(input, ReciprocalMethod::Table1024Newton); }),

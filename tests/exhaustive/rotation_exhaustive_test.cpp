@@ -3,9 +3,9 @@
 #include <thread>
 
 #include "engine/fixed/trig.h"
-#include "engine/math/vec.h"
 #include "engine/math/orthonormal.h"
 #include "engine/math/rotation.h"
+#include "engine/math/vec.h"
 #include "tests/math/vectors.h"
 
 namespace oblong {

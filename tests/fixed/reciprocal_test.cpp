@@ -11,7 +11,7 @@ namespace {
 // All 2^31 mantissas are tried in tests/exhaustive; here a dense set of them.
 
 TEST(HardCaseA4, ErrorOfEachMethodStaysBelowWhatItsNameStates) {
-    constexpr std::array kErrorBits = {9, 18, 21, 30, 31};
+    constexpr std::array kErrorBits = {9, 21, 30, 31};
     for (std::size_t i = 0; i < kReciprocalMethods.size(); ++i)
         for (std::uint64_t m = std::uint64_t{1} << 31; m < std::uint64_t{1} << 32; m += 65'521) {
             const std::uint64_t r = mantissa_reciprocal(static_cast<std::uint32_t>(m), kReciprocalMethods[i]);

@@ -125,7 +125,7 @@ TEST_P(WalledIn, HardCaseV14_InAWallAllThatFacesTheEyeIsDrawnAndTheRestIsColour0
     const auto work = counting_workspace(stage);
     std::mt19937 random(14);
     Tally tally;
-    for (int i = 0; i < 60 && !HasFatalFailure(); ++i)
+    for (int i = 0; i < 120 && !HasFatalFailure(); ++i)
         check_picture(stage, random_camera_in(stage.level, contents::kSolid, random), *work, random, tally);
     EXPECT_GT(tally.something, 100);
     EXPECT_GT(tally.nothing, 100);

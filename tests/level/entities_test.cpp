@@ -35,6 +35,14 @@ TEST(Entities, CommentInAQuoteIsText) {
     EXPECT_EQ(parse_entities("{ \"music\" \"a//b\" }", "text")[0].value("music"), "a//b");
 }
 
+TEST(Entities, QuotesBehindBackslashesAreText) {
+    const auto entities = parse_entities("{\"say\" \"a \\\"b\\\" c\"\n\"path\" \"C:\\\"\n}{\"a\" \"b\\\\\"}", "text");
+    ASSERT_EQ(entities.size(), 2u);
+    EXPECT_EQ(entities[0].value("say"), R"(a \"b\" c)");
+    EXPECT_EQ(entities[0].value("path"), R"(C:\)") << "the last quote of a line ends the text";
+    EXPECT_EQ(entities[1].value("a"), R"(b\\)");
+}
+
 struct Fault {
     const char* text;
     const char* where;

@@ -60,6 +60,64 @@ TEST(Lightmaps, FadesAsTheFormulaSays) {
     }
 }
 
+TEST(Lightmaps, OfDelay5FadeFrom128UnitsBefore) {
+    const auto bsp = compile(level(hall(), entity_at("light", kLamp, {{"delay", "5"}})), {true});
+    for (const auto& [x, y] : {std::pair{64, 64}, {96, 64}, {160, 128}, {192, 192}}) {
+        const double faded = (distance_to(x, y) + 128) / 128;
+        EXPECT_NEAR(floor_light(bsp, x, y), expected(300 / faded / faded, x, y), 1) << x << ' ' << y;
+    }
+}
+
+TEST(Lightmaps, NegativeLightsTakeLightAway) {
+    const auto bsp = compile(
+        level(hall(), entity_at("light", kLamp, {{"light", "400"}}) + entity_at("light", kLamp, {{"light", "-250"}})),
+        {true});
+    for (const auto& [x, y] : {std::pair{64, 64}, {96, 64}, {160, 128}, {192, 192}}) {
+        const double d = distance_to(x, y);
+        EXPECT_NEAR(floor_light(bsp, x, y), expected(400 - d - std::max(250 - d, 0.0), x, y), 1) << x << ' ' << y;
+    }
+    const auto dark = compile(
+        level(hall(), entity_at("light", kLamp, {{"light", "250"}}) + entity_at("light", kLamp, {{"light", "-400"}})),
+        {true});
+    EXPECT_EQ(floor_light(dark, 96, 64), 0) << "no darker than dark";
+}
+
+TEST(Lightmaps, BrightnessStandsBehindTheColour) {
+    const auto light_of = [](const std::string& key, const std::string& value) {
+        return floor_light(compile(level(hall(), entity_at("light", kLamp, {{key, value}})), {true}), 96, 64);
+    };
+    EXPECT_EQ(light_of("_light", "255 128 64 220"), light_of("light", "220"));
+    EXPECT_EQ(light_of("_light", "255 128 64"), light_of("light", "300")) << "a colour alone";
+    EXPECT_NE(light_of("light", "255"), light_of("light", "220"));
+}
+
+TEST(Lightmaps, LeastLightOfAModelIsItsOwn) {
+    const auto bsp = compile(entity("worldspawn", {{"_minlight", "20"}}, hall()) +
+                                 entity("func_wall", {{"_minlight", "60"}}, box({96, 96, 32}, {128, 128, 64})) +
+                                 entity("func_wall", {{"_minlight", "10"}}, box({32, 32, 32}, {48, 48, 64})),
+                             {true});
+    const auto light_of_model = [&](std::size_t model) {
+        const auto& face = bsp.faces.at(static_cast<std::size_t>(bsp.models.at(model).first_face));
+        return static_cast<int>(bsp.lighting.at(static_cast<std::size_t>(face.light_offset)));
+    };
+    EXPECT_EQ(light_of_model(0), 10);
+    EXPECT_EQ(light_of_model(1), 30);
+    EXPECT_EQ(light_of_model(2), 10) << "no less than the world's";
+}
+
+// Five styles of one lamp's place: style 3 is the dimmest.
+TEST(Lightmaps, OfMoreThanFourStylesTheDimmestGoes) {
+    std::string lamps;
+    for (const auto& [style, light] : {std::pair{"9", "280"}, {"3", "180"}, {"5", "240"}, {"0", "200"}, {"7", "260"}})
+        lamps += entity_at("light", kLamp, {{"style", style}, {"light", light}});
+    const auto bsp = compile(level(hall(), lamps), {true});
+    const std::array<std::uint8_t, 4> kept{0, 5, 7, 9};
+    int full_faces = 0;
+    for (const auto& face : bsp.faces) full_faces += face.styles == kept ? 1 : 0;
+    EXPECT_GT(full_faces, 0);
+    EXPECT_NEAR(floor_light(bsp, 96, 64, 3), expected(280 - distance_to(96, 64), 96, 64), 1) << "style 9";
+}
+
 TEST(Lightmaps, APillarThrowsAShadow) {
     for (const bool is_fast : {true, false}) {
         const auto bsp =

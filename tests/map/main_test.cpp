@@ -19,7 +19,9 @@ class Program : public testing::Test {
     void SetUp() override {
         folder_ = fs::temp_directory_path() / ("oblong-map-test-" + std::to_string(getpid()));
         fs::create_directories(folder_);
-        write_file(path("good.map"), level(room({0, 0, 0}, {64, 64, 64}), entity_at("light", {32, 32, 32})));
+        write_file(path("good.map"),
+                   level(room({0, 0, 0}, {64, 64, 64}), entity_at("info_player_start", {32, 32, 32})));
+        write_file(path("odd.map"), level(room({0, 0, 0}, {64, 64, 64}), entity_at("light", {32, 32, 32})));
         write_file(path("leak.map"), level(box({0, 0, 0}, {64, 64, 64}), entity_at("light", {0, 0, 99})));
         write_file(path("bad.map"), "{");
         write_file(path("t.wad"), wad_bytes({"wall"}));
@@ -53,6 +55,21 @@ TEST_F(Program, WritesALevel) {
     EXPECT_EQ(run(path("good.map") + " -o " + path("good.bsp") + " --wad " + path("t.wad")), 0) << said_;
     EXPECT_EQ(read_text(path("good.bsp")).substr(0, 4), std::string("\x1d\0\0\0", 4));
     EXPECT_EQ(said_, "");
+}
+
+TEST_F(Program, WarnsAndWritesALevel) {
+    EXPECT_EQ(run(path("odd.map") + " -o " + path("odd.bsp") + " --wad " + path("t.wad")), 0);
+    EXPECT_EQ(said_, "oblong-map: " + path("odd.map") +
+                         ": line 1: warning: no info_player_start: nobody can play the level\n");
+    EXPECT_EQ(files_beginning_with("odd.bsp"), 1);
+}
+
+TEST_F(Program, ALevelWithoutALeakRemovesTheWayOut) {
+    write_file(path("good.pts"), "0 0 0\n");
+    EXPECT_EQ(run(path("good.map") + " -o " + path("good.bsp") + " --wad " + path("t.wad")), 0) << said_;
+    EXPECT_EQ(files_beginning_with("good.pts"), 0);
+    EXPECT_EQ(run(path("good.map") + " -o " + path("good.pts") + " --wad " + path("t.wad")), 0) << said_;
+    EXPECT_EQ(files_beginning_with("good.pts"), 1) << "the level itself has that name";
 }
 
 TEST_F(Program, SaysWhatIsWrongAndWhere) {

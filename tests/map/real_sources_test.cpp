@@ -13,7 +13,7 @@ map::BspFile compile_shared(const std::string& name) {
     const auto folder = find_shared_folder() / "levels";
     std::vector<map::Wad> wads;
     for (const char* wad : {"gfx/metal.wad", "gfx/wizard.wad"}) wads.emplace_back(read_text((folder / wad).string()));
-    return map::compile_map(read_text((folder / (name + ".map")).string()), wads, {true});
+    return map::compile_map(map::parse_map(read_text((folder / (name + ".map")).string())), wads, {true});
 }
 
 TEST(RealSources, AreSealedAndReadable) {

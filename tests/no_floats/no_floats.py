@@ -59,7 +59,8 @@ def output_of(*command):
 def check_file(path, command, folder):
     """What is wrong with one file, as lines of text."""
     output = os.path.join(folder, path.replace("/", "_") + ".o")
-    faults = compile_to(command, output, ["-O2", "-g0", "-mgeneral-regs-only"])
+    # Headers precompiled for other registers are left aside.
+    faults = compile_to(command, output, ["-O2", "-g0", "-mgeneral-regs-only", "-Wno-invalid-pch"])
     if not faults:
         faults = ["calls " + name for name in software_floats(output_of("nm", output))]
     if not faults and path.startswith(KERNELS):

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "tests/visibility/rays.h"
 #include "tests/visibility/visibility_fixture.h"
@@ -89,14 +90,27 @@ std::vector<PlacedModel> moved_by(std::vector<PlacedModel> models, Vec3<World> b
     return models;
 }
 
-/// Of each fragment in the world's leaves where its corners are kept.
-std::vector<std::pair<PlacedIndex, const Vec3<World>*>> kept_corners(BrushModels& models, const Level& level,
-                                                                     Vec3<World> eye) {
+/// The leaves that one model alone of `placed` is in: what shares a leaf is cut by each other as well.
+std::vector<LeafIndex> leaves_of_one_model(const Level& level, const FaceTable& table,
+                                           std::span<const PlacedModel> placed) {
+    Table<std::set<const PlacedModel*>, Leaf> owners(level.leaves.size());
+    for (const PlacedModel& model : placed)
+        for (const Fragment& fragment : cut_model(level, model, {}, table).fragments)
+            owners[fragment.leaf].insert(&model);
+    std::vector<LeafIndex> leaves;
+    for (const LeafIndex leaf : owners.indices())
+        if (owners[leaf].size() == 1) leaves.push_back(leaf);
+    return leaves;
+}
+
+/// Of each fragment in some leaves its model, and where its corners are kept.
+std::vector<std::pair<PlacedIndex, const Vec3<World>*>> kept_corners(BrushModels& models,
+                                                                     std::span<const LeafIndex> leaves,
+                                                                     const Level& level, Vec3<World> eye) {
     std::vector<std::pair<PlacedIndex, const Vec3<World>*>> kept;
-    for (const LeafIndex leaf : level.leaves.indices())
+    for (const LeafIndex leaf : leaves)
         for (const Fragment* fragment : models.front_to_back_in(leaf, level, eye))
             kept.emplace_back(fragment->placed, models.corners_of(*fragment).data());
-    std::sort(kept.begin(), kept.end());
     return kept;
 }
 
@@ -182,17 +196,22 @@ TEST_P(BrushModel, OnlyWhatHasMovedIsCutAgain) {
     const FaceTable table = make_face_table(level);
     std::mt19937 random(3);
     const Vec3<World> eye = random_open_point(level, random);
-    std::vector<PlacedModel> placed = models_at_rest(level);
-    ASSERT_GE(placed.size(), 2U);
-    BrushModels models(level);
-    models.start_frame(level, placed, table);
-    const auto at_first = kept_corners(models, level, eye);
-    models.start_frame(level, placed, table);
-    EXPECT_EQ(kept_corners(models, level, eye), at_first);
+    const std::vector<PlacedModel> at_rest = models_at_rest(level);
+    ASSERT_GE(at_rest.size(), 2U);
+    std::vector<PlacedModel> moved = at_rest;
+    moved[0].offset.z = moved[0].offset.z + World::from_int(3);
+    std::vector<PlacedModel> all = at_rest;
+    all.push_back(moved[0]);
+    const std::vector<LeafIndex> leaves = leaves_of_one_model(level, table, all);
 
-    placed[0].offset.z.raw += 3 * 4096;
-    models.start_frame(level, placed, table);
-    auto others_at_first = at_first, others = kept_corners(models, level, eye);
+    BrushModels models(level);
+    models.start_frame(level, at_rest, table);
+    const auto at_first = kept_corners(models, leaves, level, eye);
+    EXPECT_FALSE(at_first.empty());
+    models.start_frame(level, at_rest, table);
+    EXPECT_EQ(kept_corners(models, leaves, level, eye), at_first);
+    models.start_frame(level, moved, table);
+    auto others_at_first = at_first, others = kept_corners(models, leaves, level, eye);
     const auto is_moved = [](const auto& kept) { return kept.first == PlacedIndex(0); };
     std::erase_if(others_at_first, is_moved);
     std::erase_if(others, is_moved);

@@ -128,7 +128,7 @@ TEST_P(FrontToBack, OfTwoFacesOnARayTheNearerComesFirstAndNoneComesTwice) {
         const Places places = walker.walk(view);
         for (const auto& [face, at] : places) ASSERT_LE(at.size(), 2U) << face.number() << ": once a walk";
         tally.views_with_faces_left_out += places.size() < outlines.size();
-        for (int i = 0; i < 20; ++i)
+        for (int i = 0; i < 30; ++i)
             check_ray(hits_of(outlines, to_point(view.eye), random_ray(view, random)), places, tally);
     }
     EXPECT_GT(tally.pairs, 1000);

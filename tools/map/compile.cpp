@@ -89,8 +89,7 @@ std::string points_text(const std::vector<Point>& path) {
     return text;
 }
 
-BspFile compile_map(std::string_view text, const std::vector<Wad>& wads, const CompileOptions& options) {
-    std::vector<MapEntity> entities = parse_map(text);
+BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wads, const CompileOptions& options) {
     assign_switchable_styles(entities);
     LevelBrushes level = make_brushes(entities);
     BspFile bsp;

@@ -19,8 +19,8 @@ class LeakError : public InputError {
     std::vector<Point> path;  ///< from the entity to the void
 };
 
-/// Compiles the text of a map source with the textures of the WADs. Throws InputError (LeakError).
-BspFile compile_map(std::string_view text, const std::vector<Wad>& wads, const CompileOptions& options);
+/// Compiles what parse_map() read with the textures of the WADs. Throws InputError (LeakError).
+BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wads, const CompileOptions& options);
 
 /// A path as text, one point a line: "x y z".
 std::string points_text(const std::vector<Point>& path);

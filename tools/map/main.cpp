@@ -1,8 +1,10 @@
 #include <filesystem>
+#include <iostream>
 
 #include "engine/platform/files.h"
 #include "tools/common/command_line.h"
 #include "tools/map/compile.h"
+#include "tools/map/source/checks.h"
 
 namespace {
 
@@ -21,13 +23,20 @@ void declare(Command& line, Arguments& arguments) {
     line.add_flag("--fast", arguments.is_fast, "rougher visibility and light");
 }
 
+std::string points_path(const Arguments& arguments) {
+    return std::filesystem::path(arguments.output).replace_extension(".pts").string();
+}
+
 std::string compile(const Arguments& arguments, const std::string& text, const std::vector<map::Wad>& wads) {
+    std::vector<map::MapEntity> entities = map::parse_map(text);
+    for (const map::Warning& warning : map::find_warnings(entities))
+        std::cerr << "oblong-map: " << arguments.input << ": line " << warning.line << ": warning: " << warning.what
+                  << '\n';
     try {
-        return map::to_bytes(map::compile_map(text, wads, {arguments.is_fast}));
+        return map::to_bytes(map::compile_map(std::move(entities), wads, {arguments.is_fast}));
     } catch (const map::LeakError& leak) {
-        const std::string points = std::filesystem::path(arguments.output).replace_extension(".pts").string();
-        write_file(points, map::points_text(leak.path) + "\n");
-        throw InputError(leak.where, std::string(leak.what()) + "; the way out is in " + points);
+        write_file(points_path(arguments), map::points_text(leak.path) + "\n");
+        throw InputError(leak.where, std::string(leak.what()) + "; the way out is in " + points_path(arguments));
     }
 }
 
@@ -37,6 +46,8 @@ void compile_to_file(const Arguments& arguments) {
     for (const std::string& path : arguments.wads)
         wads.push_back(naming_file(path, [&] { return map::Wad(read_text(path)); }));
     write_file(arguments.output, naming_file(arguments.input, [&] { return compile(arguments, text, wads); }));
+    const std::string points = points_path(arguments);  // the way out of a leak that is closed now
+    if (points != arguments.output && std::filesystem::is_regular_file(points)) std::filesystem::remove(points);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 #include "tools/map/light/samples.h"
 #include "tools/map/light/sources.h"
@@ -30,7 +31,8 @@ double light_from(const LightSource& source, const Point& point, const Point& no
     const double cosine = -dot(towards, normal) / distance;
     if (cosine <= 0 || !source.shines_on(scaled(towards, 1 / distance))) return 0;
     const double light = source.at_distance(distance) * incidence(cosine);
-    return light > 0 && tracer.is_clear(point, source.origin) ? light : 0;
+    if (light <= 0 || !tracer.is_clear(point, source.origin)) return 0;
+    return source.is_subtracted ? -light : light;
 }
 
 double light_from_sun(const Sun& sun, const Point& point, const Point& normal, const Tracer& tracer) {
@@ -66,19 +68,19 @@ void add_light_at(Samples& sums, const std::vector<std::vector<Point>>& samples,
     }
 }
 
-StyleSamples light_face(const FaceSampler& sampler, const std::vector<const LightSource*>& sources,
-                        const Lights& lights, const Tracer& tracer, bool is_fast) {
+StyleSamples light_face(const FaceSampler& sampler, const std::vector<const LightSource*>& sources, const Sun& sun,
+                        double least, const Tracer& tracer, bool is_fast) {
     StyleSamples styles;
     const auto samples = sample_points(sampler, is_fast);
     for (const LightSource* source : sources)
         add_light_at(styles[source->style], samples,
                      [&](const Point& point) { return light_from(*source, point, sampler.normal(), tracer); });
-    if (lights.sun.brightness > 0)
+    if (sun.brightness > 0)
         add_light_at(styles[0], samples,
-                     [&](const Point& point) { return light_from_sun(lights.sun, point, sampler.normal(), tracer); });
-    if (lights.least > 0) {
+                     [&](const Point& point) { return light_from_sun(sun, point, sampler.normal(), tracer); });
+    if (least > 0) {
         styles[0].resize(samples.size(), 0);
-        for (double& sample : styles[0]) sample = std::max(sample, lights.least);
+        for (double& sample : styles[0]) sample = std::max(sample, least);
     }
     std::erase_if(styles, [](const auto& style) {
         return std::all_of(style.second.begin(), style.second.end(), [](double sample) { return sample < 1; });
@@ -86,15 +88,26 @@ StyleSamples light_face(const FaceSampler& sampler, const std::vector<const Ligh
     return styles;
 }
 
+double sum_of(const Samples& samples) {
+    return std::accumulate(samples.begin(), samples.end(), 0.0);
+}
+
+// A face has room for four: the dimmest go.
+void keep_brightest(StyleSamples& styles) {
+    while (styles.size() > kMaxStyles)
+        styles.erase(std::min_element(styles.begin(), styles.end(), [](const auto& a, const auto& b) {
+            return sum_of(a.second) < sum_of(b.second);
+        }));
+}
+
 void store(BspFile& bsp, FileFace& face, const StyleSamples& styles) {
     if (styles.empty()) return;
     face.light_offset = static_cast<int>(bsp.lighting.size());
     std::size_t next = 0;
     for (const auto& [style, samples] : styles) {
-        if (next == kMaxStyles) break;
         face.styles[next++] = static_cast<std::uint8_t>(style);
         for (const double sample : samples)
-            bsp.lighting.push_back(static_cast<char>(static_cast<int>(std::min(sample * kRangeScale, 255.0))));
+            bsp.lighting.push_back(static_cast<char>(static_cast<int>(std::clamp(sample * kRangeScale, 0.0, 255.0))));
     }
 }
 
@@ -150,11 +163,17 @@ void add_light(BspFile& bsp, const std::vector<MapEntity>& entities, bool is_fas
     const Lights lights = lights_of(entities);
     const Tracer tracer(bsp);
     const LightReach reach(bsp, tracer, lights.sources);
-    for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
-        FileFace& face = bsp.faces[i];
-        if (at(bsp.texinfos, face.texinfo).flags != 0) continue;
-        const FaceSampler sampler(bsp, face, tracer);
-        store(bsp, face, light_face(sampler, sources_near(lights, reach, i, sampler), lights, tracer, is_fast));
+    for (std::size_t model = 0; model < bsp.models.size(); ++model) {
+        const int first = bsp.models[model].first_face, end = first + bsp.models[model].face_count;
+        for (int i = first; i < end; ++i) {
+            FileFace& face = at(bsp.faces, i);
+            if (at(bsp.texinfos, face.texinfo).flags != 0) continue;
+            const FaceSampler sampler(bsp, face, tracer);
+            const auto sources = sources_near(lights, reach, static_cast<std::size_t>(i), sampler);
+            StyleSamples styles = light_face(sampler, sources, lights.sun, lights.least[model], tracer, is_fast);
+            keep_brightest(styles);
+            store(bsp, face, styles);
+        }
     }
 }
 

@@ -7,8 +7,8 @@ namespace oblong::map {
 
 /// Gives every lit face a lightmap of direct light: of each source that a sample sees, what arrives at its distance,
 /// times (1 + the cosine of the angle of incidence) / 2, halved (so that 255 is twice as bright as a lamp of 255 at
-/// no distance). Each light style is a lightmap of its own, at most four for a face. A face without light gets none.
-/// `is_fast`: one ray a sample and source instead of sixteen.
+/// no distance). Each light style is a lightmap of its own, at most four for a face: the brightest. A face without
+/// light gets none. `is_fast`: one ray a sample and source instead of sixteen.
 void add_light(BspFile& bsp, const std::vector<MapEntity>& entities, bool is_fast);
 
 }  // namespace oblong::map

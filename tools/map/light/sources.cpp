@@ -51,15 +51,25 @@ std::optional<Point> spot_direction(const MapEntity& entity, const Point& origin
     return scaled(towards, 1 / distance);
 }
 
+// "light" and "_light" may be a number, or a colour and perhaps a number: "red green blue brightness".
+double brightness_of(const MapEntity& entity, double otherwise) {
+    const std::string key = entity.has("light") ? "light" : "_light";
+    if (!entity.has(key)) return otherwise;
+    const std::size_t words = count_words(entity.value(key));
+    if (words == 3) return otherwise;
+    return words < 4 ? number_of(entity, key, 0) : numbers_of(entity, key, 4).back();
+}
+
 LightSource source_of(const MapEntity& entity, const Point& origin, const std::vector<MapEntity>& entities) {
     LightSource source;
     source.origin = origin;
-    source.brightness = number_of(entity, "light", number_of(entity, "_light", source.brightness));
+    const double brightness = brightness_of(entity, source.brightness);
+    source.brightness = std::abs(brightness);
+    source.is_subtracted = brightness < 0;
     source.wait = number_of(entity, "wait", 1);
     if (source.wait <= 0) source.wait = 1;
     const double delay = number_of(entity, "delay", 0);
-    source.falloff =
-        delay == 1 || delay == 2 || delay == 3 ? static_cast<Falloff>(static_cast<int>(delay)) : Falloff::kLinear;
+    source.falloff = is_falloff(delay) ? static_cast<Falloff>(static_cast<int>(delay)) : Falloff::kLinear;
     source.style = static_cast<int>(number_of(entity, "style", 0));
     if (source.style < 0 || source.style >= kStyleCount)
         throw InputError("line " + std::to_string(entity.line),
@@ -72,6 +82,10 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
 
 }  // namespace
 
+bool is_falloff(double delay) {
+    return delay == 0 || delay == 1 || delay == 2 || delay == 3 || delay == 5;
+}
+
 double LightSource::at_distance(double distance) const {
     const double faded = std::max(distance * wait, 1.0);
     switch (falloff) {
@@ -81,6 +95,8 @@ double LightSource::at_distance(double distance) const {
             return brightness * kFadeUnit / faded;
         case Falloff::kInverseSquare:
             return brightness * (kFadeUnit / faded) * (kFadeUnit / faded);
+        case Falloff::kFarther:
+            return brightness * (kFadeUnit / (faded + kFadeUnit)) * (kFadeUnit / (faded + kFadeUnit));
         default:
             return brightness;
     }
@@ -93,6 +109,7 @@ double LightSource::range() const {
         case Falloff::kInverse:
             return brightness * kFadeUnit / kLeastSeen / wait;
         case Falloff::kInverseSquare:
+        case Falloff::kFarther:
             return kFadeUnit * std::sqrt(brightness / kLeastSeen) / wait;
         default:
             return 1e9;
@@ -112,7 +129,11 @@ Lights lights_of(const std::vector<MapEntity>& entities) {
         if (source.brightness > 0) lights.sources.push_back(source);
     }
     const MapEntity& world = entities.front();
-    lights.least = number_of(world, "_minlight", number_of(world, "light", 0));
+    lights.least = {number_of(world, "_minlight", number_of(world, "light", 0))};
+    for (const MapEntity& entity : entities) {
+        if (!entity.brushes.empty() && !belongs_to_world(entity))
+            lights.least.push_back(std::max(lights.least.front(), number_of(entity, "_minlight", 0)));
+    }
     lights.sun.brightness = number_of(world, "_sunlight", 0);
     if (world.has("_sun_mangle")) lights.sun.direction = direction_of_mangle(world, "_sun_mangle");
     return lights;
@@ -129,7 +150,7 @@ void assign_switchable_styles(std::vector<MapEntity>& entities) {
         if (kFirstSwitchableStyle + index >= kStyleCount)
             throw InputError("line " + std::to_string(entity.line),
                              "more than 32 names of switchable lights, expected at most 32");
-        entity.pairs.emplace_back("style", std::to_string(kFirstSwitchableStyle + index));
+        entity.pairs.push_back({"style", std::to_string(kFirstSwitchableStyle + index), entity.line});
     }
 }
 

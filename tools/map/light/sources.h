@@ -13,19 +13,24 @@ enum class Falloff {
     kInverse = 1,        ///< light / (d / 128)
     kInverseSquare = 2,  ///< light / (d / 128)^2
     kNone = 3,           ///< light
+    kFarther = 5,        ///< light / ((d + 128) / 128)^2
 };
+
+/// Whether a value of the key "delay" is one of these.
+bool is_falloff(double delay);
 
 /// An entity `light...`: keys light (or _light), wait, delay, style, target or mangle, angle.
 struct LightSource {
     Point origin;
-    double brightness = 300;
+    double brightness = 300;     ///< at least 0
+    bool is_subtracted = false;  ///< the key was negative: takes light away
     double wait = 1;
     Falloff falloff = Falloff::kLinear;
     int style = 0;
     std::optional<Point> direction;  ///< of a spotlight
     double cone_cosine = -1;         ///< of half of the spotlight's opening
 
-    /// Light that arrives at a distance, before the angle of the surface counts; at least 0.
+    /// Light that arrives (or is taken away) at a distance, before the angle of the surface counts; at least 0.
     double at_distance(double distance) const;
     /// The distance from which on nothing is seen of it.
     double range() const;
@@ -42,7 +47,7 @@ struct Sun {
 struct Lights {
     std::vector<LightSource> sources;
     Sun sun;
-    double least = 0;  ///< worldspawn's _minlight (or light): all is at least as bright
+    std::vector<double> least;  ///< by model: worldspawn's _minlight (or light), the brush entity's if that is more
 };
 
 Lights lights_of(const std::vector<MapEntity>& entities);

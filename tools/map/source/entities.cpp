@@ -1,10 +1,17 @@
 #include "tools/map/source/entities.h"
 
 #include <charconv>
+#include <iterator>
+#include <sstream>
 
 #include "engine/base/input_error.h"
 
 namespace oblong::map {
+namespace {
+
+const std::string kPassable = "func_illusionary";  // drawn, and no obstacle
+
+}  // namespace
 
 std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, std::size_t count) {
     const std::string text = entity.value(key);
@@ -25,13 +32,19 @@ std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, st
     return numbers;
 }
 
+std::size_t count_words(const std::string& text) {
+    std::istringstream in(text);
+    return static_cast<std::size_t>(std::distance(std::istream_iterator<std::string>(in), {}));
+}
+
 bool belongs_to_world(const MapEntity& entity) {
     const std::string name = entity.value("classname");
     return name == "worldspawn" || name == "func_group" || is_detail_entity(entity);
 }
 
 bool is_detail_entity(const MapEntity& entity) {
-    return entity.value("classname") == "func_detail";
+    const std::string name = entity.value("classname");
+    return name == "func_detail" || name == "func_detail_wall";
 }
 
 std::optional<Point> origin_of(const MapEntity& entity) {
@@ -50,7 +63,11 @@ std::string entities_text(const std::vector<MapEntity>& entities) {
     for (const MapEntity& entity : entities) {
         if (belongs_to_world(entity) && !entity.brushes.empty() && &entity != &entities.front()) continue;
         text += "{\n";
-        for (const auto& [key, value] : entity.pairs) text += "\"" + key + "\" \"" + value + "\"\n";
+        for (const MapPair& pair : entity.pairs) {
+            const bool is_detail_to_pass = pair.key == "classname" && pair.value == "func_detail_illusionary";
+            const std::string& value = is_detail_to_pass ? kPassable : pair.value;
+            text += "\"" + pair.key + "\" \"" + value + "\"\n";
+        }
         if (!belongs_to_world(entity) && !entity.brushes.empty())
             text += "\"model\" \"*" + std::to_string(++model) + "\"\n";
         text += "}\n";

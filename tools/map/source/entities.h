@@ -15,13 +15,17 @@ bool is_detail_entity(const MapEntity& entity);
 /// The three numbers of the key "origin"; nothing if it is missing. Throws InputError if it is malformed.
 std::optional<Point> origin_of(const MapEntity& entity);
 
+/// How many words there are between the blanks of a value.
+std::size_t count_words(const std::string& text);
+
 /// The first `count` numbers of a key's value. Throws InputError if there are fewer.
 std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, std::size_t count);
 
 /// The number that is the value of a key, or `otherwise` if it is missing. Throws InputError if it is malformed.
 double number_of(const MapEntity& entity, std::string_view key, double otherwise);
 
-/// The entities lump: all pairs as written; brush entities get a "model" "*N", N counting from 1.
+/// The entities lump: all pairs as written; brush entities get a "model" "*N", N counting from 1. The brushes of a
+/// func_detail_illusionary, which stop nobody, become a func_illusionary.
 std::string entities_text(const std::vector<MapEntity>& entities);
 
 }  // namespace oblong::map

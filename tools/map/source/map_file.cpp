@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/base/input_error.h"
+#include "engine/level/entities.h"
 
 namespace oblong::map {
 namespace {
@@ -103,9 +104,10 @@ void MapTokens::skip_blanks() {
 
 void MapTokens::read_quoted() {
     next_.is_quoted = true;
-    const std::size_t end = text_.find_first_of("\"\n", position_ + 1);
-    next_.text = text_.substr(position_ + 1, std::min(end, text_.size()) - position_ - 1);
-    if (end >= text_.size() || text_[end] == '\n') fail(next_, "a closing '\"' on the same line");
+    const std::string_view line = text_.substr(0, text_.find('\n', position_));
+    const std::size_t end = find_closing_quote(line, position_ + 1);
+    next_.text = line.substr(position_ + 1, std::min(end, line.size()) - position_ - 1);
+    if (end == std::string_view::npos) fail(next_, "a closing '\"' on the same line");
     position_ = end + 1;
 }
 
@@ -195,7 +197,7 @@ void take_pair(MapTokens& tokens, MapEntity& entity) {
     const MapToken key = tokens.take();
     const MapToken value = tokens.take();
     if (!value.is_quoted) tokens.fail(value, "a value in quotes for the key \"" + key.text + "\"");
-    entity.pairs.emplace_back(key.text, value.text);
+    entity.pairs.push_back({key.text, value.text, key.line});
 }
 
 MapEntity take_entity(MapTokens& tokens) {
@@ -218,14 +220,14 @@ MapEntity take_entity(MapTokens& tokens) {
 }  // namespace
 
 std::string MapEntity::value(std::string_view key, std::string_view otherwise) const {
-    for (const auto& [name, value] : pairs) {
-        if (name == key) return value;
+    for (const MapPair& pair : pairs) {
+        if (pair.key == key) return pair.value;
     }
     return std::string(otherwise);
 }
 
 bool MapEntity::has(std::string_view key) const {
-    return std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) { return pair.first == key; });
+    return std::any_of(pairs.begin(), pairs.end(), [&](const MapPair& pair) { return pair.key == key; });
 }
 
 std::vector<MapEntity> parse_map(std::string_view text) {

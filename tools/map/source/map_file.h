@@ -3,7 +3,6 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "tools/map/source/geometry.h"
@@ -31,8 +30,13 @@ struct MapBrush {
     int line = 0;
 };
 
+struct MapPair {
+    std::string key, value;
+    int line = 0;
+};
+
 struct MapEntity {
-    std::vector<std::pair<std::string, std::string>> pairs;
+    std::vector<MapPair> pairs;
     std::vector<MapBrush> brushes;
     int line = 0;
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "tools/map/source/map_file.h"
+
+namespace oblong::map {
+
+/// Something in a map source that is taken in another way than it may be meant.
+struct Warning {
+    int line = 0;
+    std::string what;
+};
+
+/// Unknown classes and keys, what has no effect here, and a missing start, in the order of their first lines; each
+/// once, however often it stands there.
+std::vector<Warning> find_warnings(const std::vector<MapEntity>& entities);
+
+}  // namespace oblong::map
