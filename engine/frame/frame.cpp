@@ -66,12 +66,12 @@ bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspa
 /// texture. False for all other faces.
 bool draw_without_surface(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
     const Level& level = frame.scene.level;
-    const FaceKind kind = work.faces.faces[visible.face].kind;
-    const EffectSet effects = effects_of(kind);
+    const Material material = work.faces.faces[visible.face].material;
+    const EffectSet effects = effects_of(material);
     if (work.counts)
         count_face(visible.fragment ? effects.with(Effect::BrushModels) : effects, work.owned, *work.counts);
     const bool is_on_plan = (effects & work.plan.effects) == effects;
-    if (is_on_plan && kind != FaceKind::Sky) return false;
+    if (is_on_plan && material != Material::Sky) return false;
     if (work.counts) count_writes(work.owned, frame.out.pitch, *work.counts);
     if (is_on_plan) {
         work.sky_spans.insert(work.sky_spans.end(), work.owned.begin(), work.owned.end());
@@ -100,18 +100,12 @@ void draw_textured(const FaceSurface& surface, const TextureGradients& gradients
     draw_waiting_blocks(surface, frame.out, work);
 }
 
-const MipTexture* find_sky(const Level& level) {
-    const auto found = std::find_if(level.textures.begin(), level.textures.end(),
-                                    [](const MipTexture& texture) { return texture.name.starts_with("sky"); });
-    return found == level.textures.end() ? nullptr : &*found;
-}
-
 void draw_sky_pass(const FrameContext& frame, const FrameWorkspace& work) {
-    const MipTexture* texture = find_sky(frame.scene.level);
-    const bool is_layered =
-        texture && texture->width == 2 * texture->height && (texture->height & (texture->height - 1)) == 0;
-    if (!is_layered) return fill_spans(work.sky_spans, texture ? texture->mips[0][0] : 0, frame.out);
-    draw_sky(work.sky_spans, {texture->mips[0].data(), texture->height, texture->width}, frame.view.axes,
+    const Level& level = frame.scene.level;
+    const MipTexture& texture = level.textures[level.sky];
+    const bool is_layered = texture.width == 2 * texture.height && (texture.height & (texture.height - 1)) == 0;
+    if (!is_layered) return fill_spans(work.sky_spans, texture.mips[0][0], frame.out);
+    draw_sky(work.sky_spans, {texture.mips[0].data(), texture.height, texture.width}, frame.view.axes,
              frame.view.projection, frame.out);
 }
 

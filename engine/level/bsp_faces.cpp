@@ -1,5 +1,3 @@
-#include <string_view>
-
 #include "engine/level/bsp_parts.h"
 
 namespace oblong {
@@ -23,10 +21,6 @@ Vec3<TexelAxis> read_axis(LumpReader& in) {
 
 Texel read_texel_offset(LumpReader& in) {
     return Texel::from_raw(in.read_fixed(Texel::kFractionBits, kOffsetLimit, "texture offset"));
-}
-
-bool names_sky_or_liquid(std::string_view texture) {
-    return texture.starts_with('*') || texture.starts_with("sky");
 }
 
 std::array<FloatBits, 4> read_axis_floats(LumpReader& in) {
@@ -66,8 +60,8 @@ std::int64_t lightmaps_size(const Face& face) {
 }
 
 /// Special faces and all faces of a level without light have none, whatever their offset says.
-void check_light(const LumpReader& in, const BspFile& file, bool is_special, Face& face) {
-    if (is_special || file.count(Lump::Lighting) == 0) {
+void check_light(const LumpReader& in, const BspFile& file, Material material, Face& face) {
+    if (material != Material::Lit || file.count(Lump::Lighting) == 0) {
         face.light_offset = -1;
         return;
     }
@@ -88,8 +82,9 @@ Table<TexInfo> read_texinfos(const BspFile& file, const Level& level) {
         texinfo.t = read_axis(in);
         texinfo.t_offset = read_texel_offset(in);
         texinfo.texture = TextureIndex(in.check_index(in.read_i32(), level.textures.count(), "texture"));
-        const bool is_marked = (in.read_u32() & kTexInfoSpecial) != 0;
-        texinfo.is_special = is_marked || names_sky_or_liquid(level.textures[texinfo.texture].name);
+        const bool is_unlit = (in.read_u32() & kTexInfoSpecial) != 0;
+        texinfo.material = material_of_texture(level.textures[texinfo.texture].name);
+        if (is_unlit && texinfo.material == Material::Lit) texinfo.material = Material::Liquid;
         return texinfo;
     });
 }
@@ -111,7 +106,7 @@ Table<Face> read_faces(const BspFile& file, const Level& level, const Table<Floa
         face.texel_min_v = v.min;
         face.texel_extent_u = u.extent;
         face.texel_extent_v = v.extent;
-        check_light(in, file, level.texinfos[face.texinfo].is_special, face);
+        check_light(in, file, level.texinfos[face.texinfo].material, face);
         return face;
     });
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/base/table.h"
@@ -63,12 +64,20 @@ struct LevelBox {
     bool operator==(const LevelBox&) const = default;
 };
 
+/// What a face is made of. Only lit faces have a lightmap, and a limit of extent.
+enum class Material : std::uint8_t { Lit, Liquid, Sky };
+
+/// The one place that knows what a texture's name says.
+constexpr Material material_of_texture(std::string_view name) {
+    return name.starts_with('*') ? Material::Liquid : name.starts_with("sky") ? Material::Sky : Material::Lit;
+}
+
 /// How a texture lies on faces: u = s . p + s_offset, v = t . p + t_offset, in texels of mip level 0.
 struct TexInfo {
     Vec3<TexelAxis> s, t;
     Texel s_offset, t_offset;
     TextureIndex texture;
-    bool is_special = false;  ///< sky or liquid: no lightmap, no limit of extent
+    Material material = Material::Lit;  ///< by the texture's name, or the file's flag for faces without light: liquid
 
     bool operator==(const TexInfo&) const = default;
 };
@@ -210,7 +219,8 @@ struct Level {
     Table<FaceIndex, MarkFace> mark_faces;
     Table<Edge> edges;
     Table<SurfEdge> surf_edges;
-    Table<SubModel> models;  ///< at least one
+    Table<SubModel> models;                   ///< at least one
+    TextureIndex sky = TextureIndex::none();  ///< the first of its textures that is a sky
 
     const SubModel& world() const { return models.front(); }
     /// The leaves that visible sets tell of: the world's, without the solid outside.

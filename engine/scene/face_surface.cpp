@@ -94,7 +94,7 @@ std::size_t surface_bytes(const Face& face, int mip) {
 std::size_t most_light_samples(const Level& level, const FaceTable& table) {
     std::size_t most = 0;
     for (const FaceIndex face : level.faces.indices())
-        if (table.faces[face].kind == FaceKind::Lit) most = std::max(most, light_sample_count(level.faces[face]));
+        if (table.faces[face].material == Material::Lit) most = std::max(most, light_sample_count(level.faces[face]));
     return most;
 }
 
@@ -102,7 +102,7 @@ std::size_t most_light_samples(const Level& level, const FaceTable& table) {
 std::size_t arena_bytes(const Level& level, const FaceTable& table) {
     std::size_t bytes = kSurfaceArenaBytes;
     for (const FaceIndex face : level.faces.indices())
-        if (table.faces[face].kind == FaceKind::Lit) bytes = std::max(bytes, surface_bytes(level.faces[face], 0));
+        if (table.faces[face].material == Material::Lit) bytes = std::max(bytes, surface_bytes(level.faces[face], 0));
     return bytes;
 }
 
@@ -119,7 +119,7 @@ FaceSurface FaceSurfaces::get(FaceIndex index, View nearest_z, const ProjectionA
                               const Colormap& colormap, const LightStyles& styles) {
     const PreparedFace& prepared = faces_.faces[index];
     const int mip = mip_level(nearest_z, prepared.density, projection_x.coarse);
-    if (prepared.kind == FaceKind::Lit) return lit(index, mip, colormap, styles);
+    if (prepared.material == Material::Lit) return lit(index, mip, colormap, styles);
     return tiled(level_.faces[index], mip);
 }
 

@@ -8,12 +8,6 @@ namespace oblong {
 
 namespace {
 
-FaceKind kind_of(const Level& level, const Face& face) {
-    const std::string& name = level.texture_of(face).name;
-    if (name.starts_with("sky")) return FaceKind::Sky;
-    return level.texinfos[face.texinfo].is_special || name.starts_with("*") ? FaceKind::Liquid : FaceKind::Lit;
-}
-
 /// Appends the corners of a face, each edge with the vertices inside it, in the direction in which the face walks it.
 void append_corners(const Level& level, const Face& face, const TJunctions& junctions,
                     std::vector<VertexIndex>& corners) {
@@ -34,7 +28,7 @@ void add_face(const Level& level, const Face& face, const TJunctions& junctions,
     const std::size_t count = table.corners.size() - first;
     table.faces.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
                            convert<TexelDensity>(std::max(length(texinfo.s), length(texinfo.t)), Rounding::Floor),
-                           kind_of(level, face)});
+                           texinfo.material});
     table.most_corners = std::max(table.most_corners, count);
 }
 
@@ -46,7 +40,7 @@ FaceTable make_face_table(const Level& level) {
     for (const Face& face : level.faces) add_face(level, face, junctions, table);
     for (const Leaf& leaf : level.leaves) {
         EffectSet effects;
-        for (const FaceIndex face : level.faces_at(leaf)) effects = effects | effects_of(table.faces[face].kind);
+        for (const FaceIndex face : level.faces_at(leaf)) effects = effects | effects_of(table.faces[face].material);
         table.leaf_effects.push_back(effects);
     }
     return table;

@@ -12,13 +12,10 @@ namespace oblong {
 /// Texels per world unit: 48.16.
 using TexelDensity = Fixed<std::int64_t, 16>;
 
-/// How a face is drawn.
-enum class FaceKind : std::uint8_t { Lit, Liquid, Sky };
-
-/// What a face of a kind calls for.
-constexpr EffectSet effects_of(FaceKind kind) {
-    if (kind == FaceKind::Sky) return EffectSet{}.with(Effect::Sky);
-    if (kind == FaceKind::Liquid) return EffectSet{}.with(Effect::Liquid);
+/// What a face calls for.
+constexpr EffectSet effects_of(Material material) {
+    if (material == Material::Sky) return EffectSet{}.with(Effect::Sky);
+    if (material == Material::Liquid) return EffectSet{}.with(Effect::Liquid);
     return {};
 }
 
@@ -26,7 +23,7 @@ constexpr EffectSet effects_of(FaceKind kind) {
 struct PreparedFace {
     std::uint32_t first_corner = 0, corner_count = 0;  ///< in FaceTable::corners
     TexelDensity density;                              ///< texels of mip level 0 per unit, along the denser axis
-    FaceKind kind = FaceKind::Lit;
+    Material material = Material::Lit;
 };
 
 /// What every frame would otherwise work out again from a level's faces.

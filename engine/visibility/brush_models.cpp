@@ -80,7 +80,7 @@ void BrushModels::link_leaves(const FaceTable& table) {
     trees_.clear();
     for (const ModelCut& cut : cuts_)
         for (const Fragment& fragment : cut.fragments)
-            add_to_leaf(fragment, effects_of(table.faces[fragment.face].kind));
+            add_to_leaf(fragment, effects_of(table.faces[fragment.face].material));
 }
 
 void BrushModels::add_to_leaf(const Fragment& fragment, EffectSet effects) {

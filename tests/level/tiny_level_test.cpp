@@ -95,17 +95,20 @@ TEST(TinyLevel, MoreThan32767ClipNodesAreToldFromContents) {
     }
 }
 
-TEST(TinyLevel, SkyAndLiquidsAreSpecialByNameOrFlag) {
-    for (const char* name : {"*lava", "sky1", "floor"}) {
+TEST(TinyLevel, MaterialsGoByNameOrFlag) {
+    for (const auto& [name, material] :
+         {std::pair{"*lava", Material::Liquid}, {"sky1", Material::Sky}, {"floor", Material::Lit}}) {
         test::Lumps lumps = test::make_tiny_lumps();
         test::Bytes& textures = test::lump_of(lumps, Lump::Textures);
         std::fill_n(textures.begin() + 8, 16, std::uint8_t{0});
         std::copy_n(name, std::string_view(name).size(), textures.begin() + 8);
-        EXPECT_EQ(read_tiny(lumps).texinfos.front().is_special, name != std::string("floor")) << name;
+        const Level level = read_tiny(lumps);
+        EXPECT_EQ(level.texinfos.front().material, material) << name;
+        EXPECT_EQ(level.sky.is_none(), material != Material::Sky) << name;
     }
     test::Lumps flagged = test::make_tiny_lumps();
     test::put_number(test::lump_of(flagged, Lump::TexInfos), 36, 4, 1);
-    EXPECT_TRUE(read_tiny(flagged).texinfos.front().is_special);
+    EXPECT_EQ(read_tiny(flagged).texinfos.front().material, Material::Liquid);
     EXPECT_EQ(read_tiny(flagged).faces.front().light_offset, -1);
 }
 
