@@ -59,12 +59,11 @@ std::int64_t lightmaps_size(const Face& face) {
     return maps * (face.texel_extent_u / 16 + 1) * (face.texel_extent_v / 16 + 1);
 }
 
-/// Special faces and all faces of a level without light have none, whatever their offset says.
+/// Sky, liquids and all faces of a level without light have none, whatever their offset says. Lit faces are bounded
+/// all the same: a frame keeps their surfaces.
 void check_light(const LumpReader& in, const BspFile& file, Material material, Face& face) {
-    if (material != Material::Lit || file.count(Lump::Lighting) == 0) {
-        face.light_offset = -1;
-        return;
-    }
+    if (material != Material::Lit || file.count(Lump::Lighting) == 0) face.light_offset = -1;
+    if (material != Material::Lit) return;
     if (face.texel_extent_u > kMaxLitExtent || face.texel_extent_v > kMaxLitExtent)
         in.fail("a lit face of " + std::to_string(face.texel_extent_u) + "x" + std::to_string(face.texel_extent_v) +
                 " texels, expected 2000 a side at most");
