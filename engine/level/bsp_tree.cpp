@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "engine/level/bsp_parts.h"
 
 namespace oblong {
@@ -43,11 +45,19 @@ IndexRange<Face> read_faces(const LumpReader& in, const BspFile& file, Read read
     return in.check_range<Face>(first, count, file.count(Lump::Faces), "faces");
 }
 
+/// What lies outside of the world holds no face, whatever the file says: middles of boxes fit World.
+LevelBox within_world(LevelBox box) {
+    constexpr std::int32_t kFarthest = (1 << 19) - 1;
+    for (auto* const corner : {&box.mins, &box.maxs})
+        for (std::int32_t& bound : *corner) bound = std::clamp(bound, -kFarthest, kFarthest);
+    return box;
+}
+
 Node read_node(LumpReader& in, const BspFile& file) {
     Node node;
     node.plane = check_index<LevelPlane>(in, in.read_i32(), file, Lump::Planes, "plane");
     for (NodeChild& child : node.children) child = check_node_child(in, file, in.read_child(file.count(Lump::Nodes)));
-    node.box = read_box(in, file.format.has_float_boxes);
+    node.box = within_world(read_box(in, file.format.has_float_boxes));
     node.faces = read_faces(in, file, [&in] { return in.read_index(); });
     return node;
 }
@@ -64,7 +74,7 @@ Leaf read_leaf(LumpReader& in, const BspFile& file) {
     Leaf leaf;
     leaf.contents = check_contents(in, in.read_i32());
     leaf.visibility_offset = in.read_i32();
-    leaf.box = read_box(in, file.format.has_float_boxes);
+    leaf.box = within_world(read_box(in, file.format.has_float_boxes));
     const std::int32_t first = in.read_index(), count = in.read_index();
     leaf.mark_faces = in.check_range<MarkFace>(first, count, file.count(Lump::MarkFaces), "markfaces");
     in.skip(4);  // ambient sounds

@@ -57,7 +57,7 @@ struct LevelPlane {
     bool operator==(const LevelPlane&) const = default;
 };
 
-/// An axis-aligned box in whole world units, rounded outward.
+/// An axis-aligned box in whole world units, rounded outward. Those of nodes and leaves are within 524,287 either way.
 struct LevelBox {
     std::array<std::int32_t, 3> mins{}, maxs{};
 

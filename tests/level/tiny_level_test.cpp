@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <bit>
+
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
 #include "tests/support/tiny_bsp.h"
@@ -51,6 +53,19 @@ TEST(TinyLevel, IsTheSameInAllFormats) {
     const test::Lumps lumps = test::make_tiny_lumps();
     EXPECT_EQ(read_tiny(), read_bsp(test::join_lumps(version_from_letters("BSP2"), test::widen_lumps(lumps, true))));
     EXPECT_EQ(read_tiny(), read_bsp(test::join_lumps(version_from_letters("2PSB"), test::widen_lumps(lumps, false))));
+}
+
+/// Bounds of 2^20 are taken: compilers write such for empty nodes.
+TEST(TinyLevel, BoxesOfNodesAndLeavesEndWithTheWorld) {
+    test::Lumps lumps = test::widen_lumps(test::make_tiny_lumps(), true);
+    for (const std::size_t axis : {0u, 1u, 2u}) {
+        test::put_number(test::lump_of(lumps, Lump::Nodes), 12 + axis * 4, 4, std::bit_cast<std::int32_t>(-1048576.F));
+        test::put_number(test::lump_of(lumps, Lump::Leaves), 44 + 20 + axis * 4, 4,
+                         std::bit_cast<std::int32_t>(1048576.F));
+    }
+    const Level level = read_bsp(test::join_lumps(version_from_letters("BSP2"), lumps));
+    EXPECT_EQ(level.nodes.front().box.mins, (std::array{-524287, -524287, -524287}));
+    EXPECT_EQ(level.leaves[LeafIndex(1)].box.maxs, (std::array{524287, 524287, 524287}));
 }
 
 TEST(TinyLevel, MissingTextureBecomesACheckerboard) {
