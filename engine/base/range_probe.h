@@ -21,7 +21,6 @@ struct RangeName {
 
 #include <cstdint>
 #include <limits>
-#include <source_location>
 #include <type_traits>
 #include <vector>
 
@@ -54,10 +53,10 @@ inline SeenRange seen_range{Name.text, std::numeric_limits<typename Number::Raw>
 
 /// `value` is a Fixed.
 template <RangeName Name, class Number>
-constexpr void note_range(Number value, std::source_location place = std::source_location::current()) {
+constexpr void note_range(Number value, const char* file = __builtin_FILE()) {
     if (std::is_constant_evaluated()) return;
     SeenRange& seen = seen_range<Name, Number>;
-    seen.file = place.file_name();
+    seen.file = file;
     seen.least = std::min<std::int64_t>(seen.least, value.raw);
     seen.greatest = std::max<std::int64_t>(seen.greatest, value.raw);
 }

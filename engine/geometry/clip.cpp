@@ -15,14 +15,16 @@ bool is_outside(const ClipVertex& vertex, const ClipPlane& plane, std::uint8_t b
     return plane.distance(vertex.position) < kOn;
 }
 
-/// Rounded positions may lie a step on the other side of where they were decided to be; then they lie on the plane.
+/// A corner on the plane is its own crossing. Rounded positions may lie a step on the other side of where they were
+/// decided to be; then the crossing is there.
 void append_crossing(const ClipVertex& inside, const ClipVertex& outside, const ClipPlane& plane, std::uint8_t border,
                      std::vector<ClipVertex>& out) {
     const ClipDistance distance = plane.distance(inside.position);
+    if (distance == kOn) return;
     const ClipDistance beyond = std::min(plane.distance(outside.position), kOn);
     ClipVertex crossing;
     crossing.position =
-        distance <= kOn ? inside.position : cross_plane(inside.position, distance, outside.position, beyond);
+        distance < kOn ? inside.position : cross_plane(inside.position, distance, outside.position, beyond);
     // Both ends on a border: so is what lies between.
     crossing.borders = static_cast<std::uint8_t>((inside.borders & outside.borders) | border);
     crossing.outcode = inside.outcode & outside.outcode;

@@ -54,7 +54,7 @@ std::int64_t doubled_shadow(const std::vector<ClipVertex>& polygon) {
     return sum;
 }
 
-TEST(HardCaseC1, CornersOnThePlaneAreInside) {
+TEST(HardCaseC1, CornersOnThePlaneAreInsideAndNeverDoubled) {
     const std::vector<ClipVertex> touching{
         {view_point(0, 0, 4), 0}, {view_point(9, 0, 4), 0}, {view_point(5, 7, 9), 0}};
     const std::vector<ClipVertex> whole = clipped(touching, kAtDepth4);
@@ -64,17 +64,22 @@ TEST(HardCaseC1, CornersOnThePlaneAreInside) {
     const std::vector<ClipVertex> crossing{
         {view_point(0, 0, 4), 0}, {view_point(9, 0, 1), 0}, {view_point(5, 7, 9), 0}};
     const std::vector<ClipVertex> rest = clipped(crossing, kAtDepth4);
+    ASSERT_EQ(rest.size(), 3u);
+    for (std::size_t i = 0; i < rest.size(); ++i)
+        EXPECT_NE(rest[i].position, rest[(i + 1) % rest.size()].position) << i;
     // What is left: (0, 0), (7.5, 2.625), (5, 7).
     EXPECT_EQ(doubled_shadow(rest), std::llround(0x1p32 * (7.5 * 7 - 5 * 2.625)));
 }
 
-TEST(HardCaseC1, NoPolygonLosesACornerInside) {
+TEST(HardCaseC1, NoPolygonGetsACornerTwiceOrLosesOneInside) {
     std::mt19937 random(1);
     for (int i = 0; i < 5000; ++i) {
         auto polygon = random_polygon(random, 3 + i % 7);
         for (ClipVertex& vertex : polygon)
             if (random() % 3 == 0) vertex.position.z = View::from_int(4);
         const auto rest = clipped(polygon, kAtDepth4);
+        for (std::size_t k = 0; k < rest.size() && rest.size() > 1; ++k)
+            ASSERT_NE(rest[k].position, rest[(k + 1) % rest.size()].position) << i;
         for (const ClipVertex& vertex : polygon) {
             const bool is_kept = std::any_of(
                 rest.begin(), rest.end(), [&](const ClipVertex& other) { return other.position == vertex.position; });
