@@ -7,15 +7,15 @@ namespace {
 
 // A solid model where it is now.
 struct Obstacle {
-    std::int32_t model;
+    ModelIndex model;
     Vec3<World> offset;
 };
 
 // Calls visit(obstacle) for the world, the static models and the movers, until one answers false.
 template <class Visit>
 bool for_each_obstacle(const GameLevel& level, const GameState& state, Visit visit) {
-    if (!visit(Obstacle{0, {}})) return false;
-    for (const std::int32_t model : level.solid_static_models)
+    if (!visit(Obstacle{kWorldModel, {}})) return false;
+    for (const ModelIndex model : level.solid_static_models)
         if (!visit(Obstacle{model, {}})) return false;
     for (std::size_t i = 0; i < level.movers.size(); ++i)
         if (!visit(Obstacle{level.movers[i].model, offset_of(level.movers[i], state.movers[i])})) return false;
@@ -44,7 +44,7 @@ std::array<Position, 6> positions_around(const GameLevel& level, const Obstacle&
 }
 
 bool is_reachable(const GameLevel& level, const Position& from, const Position& to) {
-    const TraceResult trace = trace_hull(*level.bsp, level.model(0), Hull::Player, from, to);
+    const TraceResult trace = trace_hull(*level.bsp, level.model(kWorldModel), Hull::Player, from, to);
     return !trace.is_hit && !trace.is_all_solid;
 }
 
@@ -52,7 +52,7 @@ bool is_reachable(const GameLevel& level, const Position& from, const Position& 
 
 Contact move_box(const GameLevel& level, const GameState& state, const Position& from, const Position& to) {
     const Box swept = player_box(from).united(player_box(to));
-    Contact first{to, false, {}, 0, false};
+    Contact first{to, false, {}, kWorldModel, false};
     Unit first_fraction = Unit::from_int(1);
     for_each_obstacle(level, state, [&](const Obstacle& obstacle) {
         if (!may_touch(level, obstacle.model, obstacle.offset, swept)) return true;
@@ -75,8 +75,8 @@ bool is_free(const GameLevel& level, const GameState& state, const Position& pos
 }
 
 // A model's box, grown by some room for the rounding of files: compilers write boxes up to a unit too small.
-bool may_touch(const GameLevel& level, std::int32_t model, const Vec3<World>& offset, const Box& box) {
-    if (model == 0) return true;
+bool may_touch(const GameLevel& level, ModelIndex model, const Vec3<World>& offset, const Box& box) {
+    if (model == kWorldModel) return true;
     return box_of(level.model(model).box).grown(world_vector(2, 2, 2)).moved(offset).overlaps(box);
 }
 
@@ -84,7 +84,7 @@ WayOut find_way_out(const GameLevel& level, const GameState& state, const Positi
     WayOut out;
     World shortest = World::highest();
     for_each_obstacle(level, state, [&](const Obstacle& obstacle) {
-        if (obstacle.model == 0 || !contains(level, obstacle, from)) return true;
+        if (obstacle.model == kWorldModel || !contains(level, obstacle, from)) return true;
         out.is_inside_model = true;
         for (const Position& position : positions_around(level, obstacle, from)) {
             const World way = length_of(position - from);
@@ -98,7 +98,7 @@ WayOut find_way_out(const GameLevel& level, const GameState& state, const Positi
 }
 
 std::int32_t contents_at(const GameLevel& level, const Position& point) {
-    return hull_contents(*level.bsp, level.model(0), Hull::Point, point);
+    return hull_contents(*level.bsp, level.model(kWorldModel), Hull::Point, point);
 }
 
 }  // namespace oblong

@@ -10,11 +10,11 @@ namespace oblong {
 
 /// How far the player's box gets on a straight line.
 struct Contact {
-    Position end;            ///< where it stops, clear of what it hit
-    bool has_hit = false;    ///< it stops before the line's end
-    Vec3<Unit> normal;       ///< of what it hit, towards the player
-    std::int32_t model = 0;  ///< that it hit, 0: the world
-    bool is_stuck = false;   ///< the whole line is inside something solid
+    Position end;           ///< where it stops, clear of what it hit
+    bool has_hit = false;   ///< it stops before the line's end
+    Vec3<Unit> normal;      ///< of what it hit, towards the player
+    ModelIndex model;       ///< that it hit
+    bool is_stuck = false;  ///< the whole line is inside something solid
 };
 
 /// Moves the player's box through the world and all brush models where they are now (hull 1).
@@ -24,7 +24,7 @@ Contact move_box(const GameLevel& level, const GameState& state, const Position&
 bool is_free(const GameLevel& level, const GameState& state, const Position& position);
 
 /// False where a model at an offset is too far from a box to touch it.
-bool may_touch(const GameLevel& level, std::int32_t model, const Vec3<World>& offset, const Box& box);
+bool may_touch(const GameLevel& level, ModelIndex model, const Vec3<World>& offset, const Box& box);
 
 /// For a player inside a brush model: the nearest free position in a straight line along an axis, not through the
 /// world's walls.

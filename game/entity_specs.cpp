@@ -19,8 +19,8 @@ constexpr std::int32_t kSlowest = 1, kFastest = 4000;    // units a second
 const Vec3<World> kDoorReach = world_vector(60, 60, 8);  // a door opens for a player as near as this
 const Vec3<World> kButtonReach = world_vector(2, 2, 2);
 
-Box model_box(const Level& bsp, std::int32_t model) {
-    return box_of(bsp.models[static_cast<std::size_t>(model)].box);
+Box model_box(const Level& bsp, ModelIndex model) {
+    return box_of(bsp.models[model].box);
 }
 
 // The number of a key in world units; `otherwise` where it is absent, no number, or beyond +-`largest`.
@@ -173,14 +173,14 @@ Angle yaw_of(const Entity& entity) {
     return degrees_to_angle(convert<Degrees>(angle_of(entity)));
 }
 
-std::optional<std::int32_t> model_of(const Entity& entity, const Level& bsp) {
+std::optional<ModelIndex> model_of(const Entity& entity, const Level& bsp) {
     const std::string name = entity.value("model");
     if (name.size() < 2 || name[0] != '*') return {};
     std::int32_t model = 0;
     const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), model);
     const bool is_number = error == std::errc{} && end == name.data() + name.size();
-    const bool is_there = model >= 1 && model < static_cast<std::int64_t>(bsp.models.size());
-    return is_number && is_there ? std::optional(model) : std::nullopt;
+    const bool is_there = model >= 1 && model < bsp.models.count();
+    return is_number && is_there ? std::optional(ModelIndex(model)) : std::nullopt;
 }
 
 World longest_travel(const Level& bsp) {

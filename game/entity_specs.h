@@ -14,7 +14,7 @@ std::optional<Position> origin_of(const Entity& entity);
 Angle yaw_of(const Entity& entity);
 
 /// The model that "model" names ("*3"), 1 and up; nothing where the level has no such model.
-std::optional<std::int32_t> model_of(const Entity& entity, const Level& bsp);
+std::optional<ModelIndex> model_of(const Entity& entity, const Level& bsp);
 
 /// How far a mover may travel so that no vertex of the level, moved along, leaves the format of world coordinates.
 World longest_travel(const Level& bsp);

@@ -17,7 +17,7 @@ inline constexpr TargetIndex kNoTarget = -1;
 
 /// A brush model that travels between two ends: a door, a lift or a button.
 struct Mover {
-    std::int32_t model = 0;
+    ModelIndex model;
     Vec3<World> start;   ///< offset of the model where it rests
     Vec3<World> travel;  ///< from there to its other end
     World length;        ///< of `travel`, above 0
@@ -57,15 +57,15 @@ struct GameLevel {
     std::vector<Mover> movers;
     std::vector<Trigger> triggers;
     std::vector<Target> targets;
-    std::uint32_t targeted_teleporters = 0;         ///< how many GameState::teleporter_ticks has
-    std::vector<std::int32_t> static_models;        ///< brush models that are drawn and never move
-    std::vector<std::int32_t> solid_static_models;  ///< those of them that stop the player
+    std::uint32_t targeted_teleporters = 0;       ///< how many GameState::teleporter_ticks has
+    std::vector<ModelIndex> static_models;        ///< brush models that are drawn and never move
+    std::vector<ModelIndex> solid_static_models;  ///< those of them that stop the player
     Position player_start;
     Angle player_yaw;
     std::string end_message;  ///< what the level says at its end; may be empty
 
     const Target& target(TargetIndex index) const { return targets[static_cast<std::size_t>(index)]; }
-    const SubModel& model(std::int32_t index) const { return bsp->models[static_cast<std::size_t>(index)]; }
+    const SubModel& model(ModelIndex index) const { return bsp->models[index]; }
 };
 
 /// Reads entities: info_player_start, func_door, func_plat, func_button, trigger_once, trigger_multiple,

@@ -39,7 +39,7 @@ std::vector<PlacedModel> models_at(const GameLevel& level, const InterpolatedSta
                           after = offset_of(mover, state.after.movers[i]);
         placed.push_back({mover.model, between(before, after, state.fraction_16)});
     }
-    for (const std::int32_t model : level.static_models) placed.push_back({model, {}});
+    for (const ModelIndex model : level.static_models) placed.push_back({model, {}});
     return placed;
 }
 

@@ -39,7 +39,7 @@ void wait(const Mover& mover, MoverState& state) {
 
 // Carries or pushes the player along; false where there is no room.
 bool push_player(const GameLevel& level, GameState& state, const Mover& mover, const Vec3<World>& moved) {
-    const bool rides = state.player.ground == mover.model;
+    const bool rides = state.player.ground == mover.model.number();
     if (!rides && is_free(level, state, state.player.position)) return true;
     if (is_free(level, state, state.player.position + moved)) {
         state.player.position = state.player.position + moved;
@@ -57,8 +57,8 @@ void move(const GameLevel& level, GameState& state, std::size_t index) {
     MoverState after = state.movers[index];
     travel(mover, after);
     const Vec3<World> offset = offset_of(mover, after), moved = offset - offset_of(mover, state.movers[index]);
-    const bool meets_player =
-        state.player.ground == mover.model || may_touch(level, mover.model, offset, player_box(state.player.position));
+    const bool meets_player = state.player.ground == mover.model.number() ||
+                              may_touch(level, mover.model, offset, player_box(state.player.position));
     const bool was_free = meets_player && is_free(level, state, state.player.position);
     const MoverState before = std::exchange(state.movers[index], after);
     if (!was_free || push_player(level, state, mover, moved)) return;

@@ -127,7 +127,7 @@ void find_footing(const GameLevel& level, GameState& state) {
     if (player.velocity.z > kRising) return;
     const Contact below = find_ground(level, state, player.position, World::from_int(1));
     if (!below.has_hit) return;
-    player.ground = below.model;
+    player.ground = below.model.number();
     player.position = below.end;
 }
 

@@ -33,9 +33,8 @@ ViewContext make_view(const Camera& camera, const Vec3<World>& eye, const Screen
 
 EffectSet effects_in_sight(const FrameWorkspace& work) {
     EffectSet effects;
-    for (const std::int32_t leaf : work.visible.leaves())
-        effects =
-            effects | work.faces.leaf_effects[static_cast<std::size_t>(leaf)] | work.brush_models.effects_in(leaf);
+    for (const LeafIndex leaf : work.visible.leaves())
+        effects = effects | work.faces.leaf_effects[leaf] | work.brush_models.effects_in(leaf);
     return effects;
 }
 
@@ -67,20 +66,18 @@ bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspa
 /// texture. False for all other faces.
 bool draw_without_surface(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
     const Level& level = frame.scene.level;
-    const FaceKind kind = work.faces.kinds[static_cast<std::size_t>(visible.face)];
-    const EffectSet effects = effects_of(kind);
+    const Material material = work.faces.faces[visible.face].material;
+    const EffectSet effects = effects_of(material);
     if (work.counts)
         count_face(visible.fragment ? effects.with(Effect::BrushModels) : effects, work.owned, *work.counts);
     const bool is_on_plan = (effects & work.plan.effects) == effects;
-    if (is_on_plan && kind != FaceKind::Sky) return false;
+    if (is_on_plan && material != Material::Sky) return false;
     if (work.counts) count_writes(work.owned, frame.out.pitch, *work.counts);
     if (is_on_plan) {
         work.sky_spans.insert(work.sky_spans.end(), work.owned.begin(), work.owned.end());
         return true;
     }
-    const Face& face = level.faces[static_cast<std::size_t>(visible.face)];
-    const TexInfo& texinfo = level.texinfos[static_cast<std::size_t>(face.texinfo)];
-    fill_spans(work.owned, level.textures[static_cast<std::size_t>(texinfo.miptex)].mips[3][0], frame.out);
+    fill_spans(work.owned, level.texture_of(level.faces[visible.face]).mips[3][0], frame.out);
     return true;
 }
 
@@ -103,18 +100,12 @@ void draw_textured(const FaceSurface& surface, const TextureGradients& gradients
     draw_waiting_blocks(surface, frame.out, work);
 }
 
-const MipTexture* find_sky(const Level& level) {
-    const auto found = std::find_if(level.textures.begin(), level.textures.end(),
-                                    [](const MipTexture& texture) { return texture.name.starts_with("sky"); });
-    return found == level.textures.end() ? nullptr : &*found;
-}
-
 void draw_sky_pass(const FrameContext& frame, const FrameWorkspace& work) {
-    const MipTexture* texture = find_sky(frame.scene.level);
-    const bool is_layered =
-        texture && texture->width == 2 * texture->height && (texture->height & (texture->height - 1)) == 0;
-    if (!is_layered) return fill_spans(work.sky_spans, texture ? texture->mips[0][0] : 0, frame.out);
-    draw_sky(work.sky_spans, {texture->mips[0].data(), texture->height, texture->width}, frame.view.axes,
+    const Level& level = frame.scene.level;
+    const MipTexture& texture = level.textures[level.sky];
+    const bool is_layered = texture.width == 2 * texture.height && (texture.height & (texture.height - 1)) == 0;
+    if (!is_layered) return fill_spans(work.sky_spans, texture.mips[0][0], frame.out);
+    draw_sky(work.sky_spans, {texture.mips[0].data(), texture.height, texture.width}, frame.view.axes,
              frame.view.projection, frame.out);
 }
 
@@ -149,10 +140,8 @@ void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode
         work.span_buffer.claim(work.rows, work.owned);
         if (work.owned.empty() || draw_without_surface(*visible, frame, work)) continue;
 
-        const Vec3<World> offset = visible->fragment
-                                       ? scene.models[static_cast<std::size_t>(visible->fragment->placed)].offset
-                                       : Vec3<World>{};
-        const Face& face = level.faces[static_cast<std::size_t>(visible->face)];
+        const Vec3<World> offset = visible->fragment ? work.brush_models.offset_of(*visible->fragment) : Vec3<World>{};
+        const Face& face = level.faces[visible->face];
         const FaceSurface surface = work.surfaces.get(visible->face, work.polygon.nearest_z, frame.view.projection.x,
                                                       scene.colormap, scene.light_styles);
         const TextureGradients gradients =

@@ -26,10 +26,10 @@ struct Scene {
 };
 
 /// Draws one picture: a pure function of its first four arguments. Every pixel of `out` (whose size is the mode's) is
-/// written once: in the open by the world, which leaves no pixel free if its faces meet; where they do not, a free pixel
-/// takes the colour of the nearest covered one on its row. From inside a wall or behind the sky all faces that face the
-/// eye are drawn, and what none of them covers is colour 0. Fields of view are bounded by
-/// make_projection() and, in modes of few pixels, by make_inverse_projection().
+/// written once: in the open by the world, which leaves no pixel free if its faces meet; where they do not, a free
+/// pixel takes the colour of the nearest covered one on its row. From inside a wall or behind the sky all faces that
+/// face the eye are drawn, and what none of them covers is colour 0. Fields of view are bounded by make_projection()
+/// and, in modes of few pixels, by make_inverse_projection().
 void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
                 FrameWorkspace& work, Framebuffer out);
 

@@ -32,11 +32,11 @@ void use_cached_projections(const ViewContext& view, ScreenPolygon& polygon) {
 
 }  // namespace
 
-bool project_face(std::span<const std::int32_t> corner_indices, const ViewContext& view, VertexCache& vertices,
+bool project_face(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
                   ScreenPolygon& polygon) {
     unsigned any_outside = 0, all_outside = 0xff;
     polygon.corners.clear();
-    for (const std::int32_t index : corner_indices) {
+    for (const VertexIndex index : corner_indices) {
         CachedVertex& vertex = vertices.get(index, view);
         any_outside |= vertex.outcode;
         all_outside &= vertex.outcode;

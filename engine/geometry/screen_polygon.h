@@ -19,7 +19,7 @@ struct ScreenPolygon {
 
 /// The polygon of a face of the level, from its vertices' indices, clockwise seen from its front: transform, clip,
 /// project. False if nothing of it is in view.
-bool project_face(std::span<const std::int32_t> corner_indices, const ViewContext& view, VertexCache& vertices,
+bool project_face(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
                   ScreenPolygon& polygon);
 
 /// The same of any polygon in the world.

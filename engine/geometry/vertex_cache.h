@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
+#include "engine/base/table.h"
 #include "engine/geometry/view_context.h"
 
 namespace oblong {
+
+using VertexIndex = Index<struct Vertex>;  ///< of the level's vertices
 
 /// A vertex of the level as one frame sees it.
 struct CachedVertex {
@@ -21,15 +22,15 @@ struct CachedVertex {
 class VertexCache {
   public:
     /// `world_vertices` must outlive it.
-    explicit VertexCache(std::span<const Vec3<World>> world_vertices)
+    explicit VertexCache(const Table<Vec3<World>, Vertex>& world_vertices)
         : world_(world_vertices), vertices_(world_vertices.size()) {}
 
     void start_frame() { ++frame_; }
 
-    CachedVertex& get(std::int32_t index, const ViewContext& view) {
-        CachedVertex& vertex = vertices_[static_cast<std::size_t>(index)];
+    CachedVertex& get(VertexIndex index, const ViewContext& view) {
+        CachedVertex& vertex = vertices_[index];
         if (vertex.frame == frame_) return vertex;
-        vertex.view = to_view(world_[static_cast<std::size_t>(index)], view.eye, view.axes);
+        vertex.view = to_view(world_[index], view.eye, view.axes);
         vertex.outcode = outcode_of(view.frustum, vertex.view);
         vertex.frame = frame_;
         vertex.is_projected = false;
@@ -46,8 +47,8 @@ class VertexCache {
     }
 
   private:
-    std::span<const Vec3<World>> world_;
-    std::vector<CachedVertex> vertices_;
+    const Table<Vec3<World>, Vertex>& world_;
+    Table<CachedVertex, Vertex> vertices_;
     std::uint32_t frame_ = 0;
 };
 

@@ -6,9 +6,10 @@ namespace oblong {
 
 namespace {
 
-std::int64_t record_offset(const BspFile& file, Lump lump, std::size_t index) {
-    const int size = file.format.record_sizes[static_cast<std::size_t>(lump)];
-    return file.range(lump).offset + static_cast<std::int64_t>(index) * size;
+template <class Record>
+[[noreturn]] void fail_in_record(const BspFile& file, Lump lump, Index<Record> index, const std::string& what) {
+    const std::int64_t size = file.format.record_sizes[static_cast<std::size_t>(lump)];
+    fail_in_lump(lump, file.range(lump).offset + index.number() * size, what);
 }
 
 /// Counts every node's parents; a node whose parents have all been seen passes its depth on to its children. Nodes that
@@ -16,52 +17,48 @@ std::int64_t record_offset(const BspFile& file, Lump lump, std::size_t index) {
 template <class TreeNode>
 class TreeCheck {
   public:
-    explicit TreeCheck(const std::vector<TreeNode>& nodes)
-        : nodes_(nodes), parents_(nodes.size()), depths_(nodes.size(), 1) {
-        for_each_child([this](std::size_t, std::size_t child) { ++parents_[child]; });
+    using Counts = Table<std::int32_t, TreeNode>;  ///< a number of each node
+
+    explicit TreeCheck(const Table<TreeNode>& nodes) : nodes_(nodes), parents_(nodes.size()), depths_(nodes.size(), 1) {
+        for (const TreeNode& node : nodes)
+            for (const auto child : node.children)
+                if (!child.is_leaf()) ++parents_[child.node()];
     }
 
-    std::int32_t parent_count(std::size_t node) const { return parents_[node]; }
+    const Counts& parent_counts() const { return parents_; }
 
     /// The depth of each node below its farthest root; 0 for those on a cycle or below one.
-    std::vector<std::int32_t> find_depths() {
-        std::vector<std::int32_t> parents_left = parents_;
-        std::vector<std::size_t> ready;
-        for (std::size_t i = 0; i < nodes_.size(); ++i)
-            if (parents_left[i] == 0) ready.push_back(i);
+    Counts find_depths() {
+        Counts parents_left = parents_;
+        std::vector<Index<TreeNode>> ready;
+        for (const auto node : nodes_.indices())
+            if (parents_left[node] == 0) ready.push_back(node);
         for (std::size_t next = 0; next < ready.size(); ++next) pass_depth_on(ready[next], parents_left, ready);
-        for (std::size_t i = 0; i < nodes_.size(); ++i)
-            if (parents_left[i] > 0) depths_[i] = 0;
+        for (const auto node : nodes_.indices())
+            if (parents_left[node] > 0) depths_[node] = 0;
         return depths_;
     }
 
   private:
-    template <class Visit>
-    void for_each_child(Visit visit) {
-        for (std::size_t i = 0; i < nodes_.size(); ++i)
-            for (const std::int32_t child : nodes_[i].children)
-                if (child >= 0) visit(i, static_cast<std::size_t>(child));
-    }
-
-    void pass_depth_on(std::size_t node, std::vector<std::int32_t>& parents_left, std::vector<std::size_t>& ready) {
-        for (const std::int32_t signed_child : nodes_[node].children) {
-            if (signed_child < 0) continue;
-            const auto child = static_cast<std::size_t>(signed_child);
-            depths_[child] = std::max(depths_[child], depths_[node] + 1);
-            if (--parents_left[child] == 0) ready.push_back(child);
+    void pass_depth_on(Index<TreeNode> node, Counts& parents_left, std::vector<Index<TreeNode>>& ready) {
+        for (const auto child : nodes_[node].children) {
+            if (child.is_leaf()) continue;
+            depths_[child.node()] = std::max(depths_[child.node()], depths_[node] + 1);
+            if (--parents_left[child.node()] == 0) ready.push_back(child.node());
         }
     }
 
-    const std::vector<TreeNode>& nodes_;
-    std::vector<std::int32_t> parents_, depths_;
+    const Table<TreeNode>& nodes_;
+    Counts parents_, depths_;
 };
 
-void check_depths(const BspFile& file, Lump lump, const std::vector<std::int32_t>& depths) {
-    for (std::size_t i = 0; i < depths.size(); ++i) {
-        if (depths[i] == 0)
-            fail_in_lump(lump, record_offset(file, lump, i), "on or below a cycle, expected every way down to end");
-        if (depths[i] > kMaxTreeDepth)
-            fail_in_lump(lump, record_offset(file, lump, i), "over 1024 nodes below its root, expected 1024 at most");
+template <class TreeNode>
+void check_depths(const BspFile& file, Lump lump, const Table<TreeNode>& nodes) {
+    const auto depths = TreeCheck<TreeNode>(nodes).find_depths();
+    for (const auto node : nodes.indices()) {
+        if (depths[node] == 0) fail_in_record(file, lump, node, "on or below a cycle, expected every way down to end");
+        if (depths[node] > kMaxTreeDepth)
+            fail_in_record(file, lump, node, "over 1024 nodes below its root, expected 1024 at most");
     }
 }
 
@@ -79,28 +76,27 @@ std::int64_t packed_row_size(LumpReader& in, std::int64_t start, std::int64_t ro
 
 }  // namespace
 
-void check_node_tree(const BspFile& file, const std::vector<Node>& nodes) {
-    TreeCheck<Node> check(nodes);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (check.parent_count(i) > 1)
-            fail_in_lump(Lump::Nodes, record_offset(file, Lump::Nodes, i), "child of two nodes, expected one at most");
-    check_depths(file, Lump::Nodes, check.find_depths());
+void check_node_tree(const BspFile& file, const Table<Node>& nodes) {
+    const TreeCheck<Node> check(nodes);
+    for (const NodeIndex node : nodes.indices())
+        if (check.parent_counts()[node] > 1)
+            fail_in_record(file, Lump::Nodes, node, "child of two nodes, expected one at most");
+    check_depths(file, Lump::Nodes, nodes);
 }
 
-void check_clip_nodes(const BspFile& file, const std::vector<ClipNode>& clip_nodes) {
-    check_depths(file, Lump::ClipNodes, TreeCheck<ClipNode>(clip_nodes).find_depths());
+void check_clip_nodes(const BspFile& file, const Table<ClipNode>& clip_nodes) {
+    check_depths(file, Lump::ClipNodes, clip_nodes);
 }
 
 void check_visibility(const BspFile& file, const Level& level) {
     LumpReader in(file, Lump::Visibility);
-    const std::int64_t row_size = (level.models[0].visible_leaf_count + 7) / 8;
+    const std::int64_t row_size = (level.world().visible_leaf_count + 7) / 8;
     std::vector<std::int32_t> starts;
-    for (std::size_t i = 0; i < level.leaves.size(); ++i) {
-        const std::int32_t start = level.leaves[i].visibility_offset;
+    for (const LeafIndex leaf : level.leaves.indices()) {
+        const std::int32_t start = level.leaves[leaf].visibility_offset;
         if (start == -1) continue;
         if (start < 0 || start > in.size())
-            fail_in_lump(Lump::Leaves, record_offset(file, Lump::Leaves, i),
-                         describe_bad_index("byte of visibility", start, in.size()));
+            fail_in_record(file, Lump::Leaves, leaf, describe_bad_index("byte of visibility", start, in.size()));
         starts.push_back(start);
     }
     std::sort(starts.begin(), starts.end());

@@ -1,5 +1,3 @@
-#include <string_view>
-
 #include "engine/level/bsp_parts.h"
 
 namespace oblong {
@@ -25,10 +23,6 @@ Texel read_texel_offset(LumpReader& in) {
     return Texel::from_raw(in.read_fixed(Texel::kFractionBits, kOffsetLimit, "texture offset"));
 }
 
-bool names_sky_or_liquid(std::string_view texture) {
-    return texture.starts_with('*') || texture.starts_with("sky");
-}
-
 std::array<FloatBits, 4> read_axis_floats(LumpReader& in) {
     std::array<FloatBits, 4> axis;
     for (FloatBits& part : axis) part = in.read_float();
@@ -36,26 +30,20 @@ std::array<FloatBits, 4> read_axis_floats(LumpReader& in) {
 }
 
 /// The floats of a face's corners, in order.
-void gather_polygon(const Level& level, const Face& face, const std::vector<FloatBits3>& vertex_floats,
+void gather_polygon(const Level& level, const Face& face, const Table<FloatBits3, Vertex>& vertex_floats,
                     std::vector<FloatBits3>& polygon) {
     polygon.clear();
-    for (std::int32_t i = 0; i < face.edge_count; ++i) {
-        const std::int32_t edge = level.surf_edges[static_cast<std::size_t>(face.first_surfedge + i)];
-        const std::int32_t vertex = edge >= 0 ? level.edges[static_cast<std::size_t>(edge)].from
-                                              : level.edges[static_cast<std::size_t>(-edge)].to;
-        polygon.push_back(vertex_floats[static_cast<std::size_t>(vertex)]);
-    }
+    for (const SurfEdge edge : level.edges_of(face)) polygon.push_back(vertex_floats[level.start_of(edge)]);
 }
 
 Face read_face(LumpReader& in, const BspFile& file) {
     Face face;
-    face.plane = in.check_index(in.read_index(), file.count(Lump::Planes), "plane");
+    face.plane = check_index<LevelPlane>(in, in.read_index(), file, Lump::Planes, "plane");
     face.is_back = in.read_index() != 0;
-    face.first_surfedge = in.read_i32();
-    face.edge_count = in.read_index();
-    if (face.edge_count < 3) in.fail(std::to_string(face.edge_count) + " edges, expected 3 or more");
-    in.check_range(face.first_surfedge, face.edge_count, file.count(Lump::SurfEdges), "surfedges");
-    face.texinfo = in.check_index(in.read_index(), file.count(Lump::TexInfos), "texinfo");
+    const std::int32_t first_edge = in.read_i32(), edge_count = in.read_index();
+    if (edge_count < 3) in.fail(std::to_string(edge_count) + " edges, expected 3 or more");
+    face.edges = in.check_range<SurfEdge>(first_edge, edge_count, file.count(Lump::SurfEdges), "surfedges");
+    face.texinfo = check_index<TexInfo>(in, in.read_index(), file, Lump::TexInfos, "texinfo");
     for (std::uint8_t& style : face.styles) style = in.read_u8();
     face.light_offset = in.read_i32();
     return face;
@@ -71,58 +59,55 @@ std::int64_t lightmaps_size(const Face& face) {
     return maps * (face.texel_extent_u / 16 + 1) * (face.texel_extent_v / 16 + 1);
 }
 
-/// Special faces and all faces of a level without light have none, whatever their offset says.
-void check_light(const LumpReader& in, const BspFile& file, bool is_special, Face& face) {
-    if (is_special || file.count(Lump::Lighting) == 0) {
-        face.light_offset = -1;
-        return;
-    }
+/// Sky, liquids and all faces of a level without light have none, whatever their offset says. Lit faces are bounded
+/// all the same: a frame keeps their surfaces.
+void check_light(const LumpReader& in, const BspFile& file, Material material, Face& face) {
+    if (material != Material::Lit || file.count(Lump::Lighting) == 0) face.light_offset = -1;
+    if (material != Material::Lit) return;
     if (face.texel_extent_u > kMaxLitExtent || face.texel_extent_v > kMaxLitExtent)
         in.fail("a lit face of " + std::to_string(face.texel_extent_u) + "x" + std::to_string(face.texel_extent_v) +
                 " texels, expected 2000 a side at most");
     if (face.light_offset == -1) return;
-    in.check_range(face.light_offset, lightmaps_size(face), file.count(Lump::Lighting), "light samples");
+    in.check_extent(face.light_offset, lightmaps_size(face), file.count(Lump::Lighting), "light samples");
 }
 
 }  // namespace
 
-std::vector<TexInfo> read_texinfos(const BspFile& file, const Level& level) {
-    LumpReader in(file, Lump::TexInfos);
-    std::vector<TexInfo> texinfos(static_cast<std::size_t>(file.count(Lump::TexInfos)));
-    for (TexInfo& texinfo : texinfos) {
+Table<TexInfo> read_texinfos(const BspFile& file, const Level& level) {
+    return read_records<Table<TexInfo>>(file, Lump::TexInfos, [&level](LumpReader& in) {
+        TexInfo texinfo;
         texinfo.s = read_axis(in);
         texinfo.s_offset = read_texel_offset(in);
         texinfo.t = read_axis(in);
         texinfo.t_offset = read_texel_offset(in);
-        texinfo.miptex = in.check_index(in.read_i32(), static_cast<std::int32_t>(level.textures.size()), "texture");
-        const bool is_marked = (in.read_u32() & kTexInfoSpecial) != 0;
-        texinfo.is_special =
-            is_marked || names_sky_or_liquid(level.textures[static_cast<std::size_t>(texinfo.miptex)].name);
-    }
-    return texinfos;
+        texinfo.texture = TextureIndex(in.check_index(in.read_i32(), level.textures.count(), "texture"));
+        const bool is_unlit = (in.read_u32() & kTexInfoSpecial) != 0;
+        texinfo.material = material_of_texture(level.textures[texinfo.texture].name);
+        if (is_unlit && texinfo.material == Material::Lit) texinfo.material = Material::Liquid;
+        return texinfo;
+    });
 }
 
-std::vector<Face> read_faces(const BspFile& file, const Level& level, const std::vector<FloatBits3>& vertex_floats) {
-    LumpReader in(file, Lump::Faces), axes(file, Lump::TexInfos);
+Table<Face> read_faces(const BspFile& file, const Level& level, const Table<FloatBits3, Vertex>& vertex_floats) {
+    LumpReader axes(file, Lump::TexInfos);
     std::vector<FloatBits3> polygon;
     // Faces do not share surfedges; a file whose faces do over and over is made to waste time.
     std::int64_t work_left = std::int64_t{file.count(Lump::SurfEdges)} * 8;
-    std::vector<Face> faces(static_cast<std::size_t>(file.count(Lump::Faces)));
-    for (Face& face : faces) {
-        face = read_face(in, file);
-        work_left -= face.edge_count;
+    return read_records<Table<Face>>(file, Lump::Faces, [&](LumpReader& in) {
+        Face face = read_face(in, file);
+        work_left -= face.edges.count;
         if (work_left < 0) in.fail("faces share surfedges, expected each to have its own");
         gather_polygon(level, face, vertex_floats, polygon);
-        axes.seek(face.texinfo * kTexInfoSize);
+        axes.seek(face.texinfo.number() * kTexInfoSize);
         const TexelRange u = texel_range(polygon, read_axis_floats(axes));
         const TexelRange v = texel_range(polygon, read_axis_floats(axes));
         face.texel_min_u = u.min;
         face.texel_min_v = v.min;
         face.texel_extent_u = u.extent;
         face.texel_extent_v = v.extent;
-        check_light(in, file, level.texinfos[static_cast<std::size_t>(face.texinfo)].is_special, face);
-    }
-    return faces;
+        check_light(in, file, level.texinfos[face.texinfo].material, face);
+        return face;
+    });
 }
 
 }  // namespace oblong

@@ -111,7 +111,8 @@ std::int32_t LumpReader::check_index(std::int32_t index, std::int32_t count, con
     return index;
 }
 
-void LumpReader::check_range(std::int64_t first, std::int64_t size_wanted, std::int64_t count, const char* what) const {
+void LumpReader::check_extent(std::int64_t first, std::int64_t size_wanted, std::int64_t count,
+                              const char* what) const {
     if (first >= 0 && size_wanted >= 0 && first + size_wanted <= count) return;
     fail(std::to_string(size_wanted) + " " + what + " from " + std::to_string(first) +
          " on, expected them within the " + std::to_string(count) + " of the file");

@@ -62,7 +62,12 @@ class LumpReader {
     /// Throws unless 0 <= index < count; `what` is what the index counts.
     std::int32_t check_index(std::int32_t index, std::int32_t count, const char* what) const;
     /// Throws unless [first, first + size) lies in [0, count).
-    void check_range(std::int64_t first, std::int64_t size, std::int64_t count, const char* what) const;
+    void check_extent(std::int64_t first, std::int64_t size, std::int64_t count, const char* what) const;
+    template <class Record>
+    IndexRange<Record> check_range(std::int32_t first, std::int32_t size, std::int64_t count, const char* what) const {
+        check_extent(first, size, count, what);
+        return {Index<Record>(first), size};
+    }
     /// The float just read in fixed point: value * 2^fraction_bits, rounded to nearest. Throws unless |value| < limit.
     std::int64_t check_fixed(FloatBits value, int fraction_bits, std::int32_t limit, const char* what) const;
     std::int64_t read_fixed(int fraction_bits, std::int32_t limit, const char* what) {

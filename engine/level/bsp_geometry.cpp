@@ -61,19 +61,16 @@ LevelPlane read_plane(LumpReader& in) {
 
 }  // namespace
 
-std::vector<LevelPlane> read_planes(const BspFile& file) {
-    LumpReader in(file, Lump::Planes);
-    std::vector<LevelPlane> planes(static_cast<std::size_t>(file.count(Lump::Planes)));
-    for (LevelPlane& plane : planes) plane = read_plane(in);
-    return planes;
+Table<LevelPlane> read_planes(const BspFile& file) {
+    return read_records<Table<LevelPlane>>(file, Lump::Planes, read_plane);
 }
 
-std::vector<FloatBits3> read_vertex_floats(const BspFile& file) {
-    LumpReader in(file, Lump::Vertices);
-    std::vector<FloatBits3> vertices(static_cast<std::size_t>(file.count(Lump::Vertices)));
-    for (FloatBits3& vertex : vertices)
+Table<FloatBits3, Vertex> read_vertex_floats(const BspFile& file) {
+    return read_records<Table<FloatBits3, Vertex>>(file, Lump::Vertices, [](LumpReader& in) {
+        FloatBits3 vertex;
         for (FloatBits& part : vertex) part = in.read_float();
-    return vertices;
+        return vertex;
+    });
 }
 
 Vec3<World> read_world_vector(LumpReader& in) {
@@ -85,34 +82,24 @@ Vec3<World> read_world_vector(LumpReader& in) {
     return {x, y, z};
 }
 
-std::vector<Vec3<World>> read_vertices(const BspFile& file) {
-    LumpReader in(file, Lump::Vertices);
-    std::vector<Vec3<World>> vertices(static_cast<std::size_t>(file.count(Lump::Vertices)));
-    for (Vec3<World>& vertex : vertices) vertex = read_world_vector(in);
-    return vertices;
+Table<Vec3<World>, Vertex> read_vertices(const BspFile& file) {
+    return read_records<Table<Vec3<World>, Vertex>>(file, Lump::Vertices, read_world_vector);
 }
 
-std::vector<EdgeIndices> read_edges(const BspFile& file) {
-    LumpReader in(file, Lump::Edges);
-    const std::int32_t vertex_count = file.count(Lump::Vertices);
-    std::vector<EdgeIndices> edges(static_cast<std::size_t>(file.count(Lump::Edges)));
-    for (EdgeIndices& edge : edges) {
-        edge.from = in.check_index(in.read_index(), vertex_count, "vertex");
-        edge.to = in.check_index(in.read_index(), vertex_count, "vertex");
-    }
-    return edges;
+Table<Edge> read_edges(const BspFile& file) {
+    return read_records<Table<Edge>>(file, Lump::Edges, [&file](LumpReader& in) {
+        const auto read_end = [&] { return check_index<Vertex>(in, in.read_index(), file, Lump::Vertices, "vertex"); };
+        const VertexIndex from = read_end();
+        return Edge{from, read_end()};
+    });
 }
 
-std::vector<std::int32_t> read_surf_edges(const BspFile& file) {
-    LumpReader in(file, Lump::SurfEdges);
-    const std::int64_t edge_count = file.count(Lump::Edges);
-    std::vector<std::int32_t> surf_edges(static_cast<std::size_t>(file.count(Lump::SurfEdges)));
-    for (std::int32_t& surf_edge : surf_edges) {
-        surf_edge = in.read_i32();
-        const std::int64_t edge = surf_edge < 0 ? -std::int64_t{surf_edge} : surf_edge;
-        if (edge >= edge_count) in.fail(describe_bad_index("edge", edge, edge_count));
-    }
-    return surf_edges;
+Table<SurfEdge> read_surf_edges(const BspFile& file) {
+    return read_records<Table<SurfEdge>>(file, Lump::SurfEdges, [&file](LumpReader& in) {
+        const std::int64_t number = in.read_i32(), edge = number < 0 ? -number : number;
+        if (edge >= file.count(Lump::Edges)) in.fail(describe_bad_index("edge", edge, file.count(Lump::Edges)));
+        return SurfEdge{EdgeIndex(static_cast<std::int32_t>(edge)), number < 0};
+    });
 }
 
 }  // namespace oblong

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "engine/level/bsp_file.h"
 #include "engine/level/level.h"
 
@@ -10,23 +8,39 @@ namespace oblong {
 // The reader's parts: each turns one lump into its piece of the Level and checks all that it says. They depend on the
 // counts of other lumps, not on their contents, except where an argument says so.
 
-std::vector<LevelPlane> read_planes(const BspFile& file);
-std::vector<FloatBits3> read_vertex_floats(const BspFile& file);
-std::vector<Vec3<World>> read_vertices(const BspFile& file);
-std::vector<EdgeIndices> read_edges(const BspFile& file);
-std::vector<std::int32_t> read_surf_edges(const BspFile& file);
+Table<LevelPlane> read_planes(const BspFile& file);
+Table<FloatBits3, Vertex> read_vertex_floats(const BspFile& file);
+Table<Vec3<World>, Vertex> read_vertices(const BspFile& file);
+Table<Edge> read_edges(const BspFile& file);
+Table<SurfEdge> read_surf_edges(const BspFile& file);
 
-std::vector<MipTexture> read_textures(const BspFile& file);
+Table<MipTexture> read_textures(const BspFile& file);
 /// Needs the names of level.textures.
-std::vector<TexInfo> read_texinfos(const BspFile& file, const Level& level);
+Table<TexInfo> read_texinfos(const BspFile& file, const Level& level);
 /// Needs edges, surf_edges and texinfos.
-std::vector<Face> read_faces(const BspFile& file, const Level& level, const std::vector<FloatBits3>& vertex_floats);
+Table<Face> read_faces(const BspFile& file, const Level& level, const Table<FloatBits3, Vertex>& vertex_floats);
 
-std::vector<std::int32_t> read_mark_faces(const BspFile& file);
-std::vector<Node> read_nodes(const BspFile& file);
-std::vector<ClipNode> read_clip_nodes(const BspFile& file);
-std::vector<Leaf> read_leaves(const BspFile& file);
-std::vector<SubModel> read_models(const BspFile& file);
+Table<FaceIndex, MarkFace> read_mark_faces(const BspFile& file);
+Table<Node> read_nodes(const BspFile& file);
+Table<ClipNode> read_clip_nodes(const BspFile& file);
+Table<Leaf> read_leaves(const BspFile& file);
+Table<SubModel> read_models(const BspFile& file);
+
+/// All records of a lump, each as read_one(in) returns it.
+template <class RecordTable, class ReadOne>
+RecordTable read_records(const BspFile& file, Lump lump, ReadOne read_one) {
+    LumpReader in(file, lump);
+    RecordTable records;
+    records.reserve(static_cast<std::size_t>(file.count(lump)));
+    for (std::int32_t i = 0; i < file.count(lump); ++i) records.push_back(read_one(in));
+    return records;
+}
+
+/// An index into another lump's records. Throws unless there is such a record; `what` is what the index counts.
+template <class Record>
+Index<Record> check_index(const LumpReader& in, std::int32_t number, const BspFile& file, Lump lump, const char* what) {
+    return Index<Record>(in.check_index(number, file.count(lump), what));
+}
 
 /// A box of six numbers, mins and maxs, in floats or in 16 bits.
 LevelBox read_box(LumpReader& in, bool has_floats);
@@ -34,9 +48,9 @@ LevelBox read_box(LumpReader& in, bool has_floats);
 Vec3<World> read_world_vector(LumpReader& in);
 
 /// Every node has at most one parent and every way down ends, within kMaxTreeDepth steps.
-void check_node_tree(const BspFile& file, const std::vector<Node>& nodes);
+void check_node_tree(const BspFile& file, const Table<Node>& nodes);
 /// Every way down ends, within kMaxTreeDepth steps; subtrees may be shared.
-void check_clip_nodes(const BspFile& file, const std::vector<ClipNode>& clip_nodes);
+void check_clip_nodes(const BspFile& file, const Table<ClipNode>& clip_nodes);
 /// The packed row of each leaf decodes to the world's number of visible leaves inside the lump.
 void check_visibility(const BspFile& file, const Level& level);
 

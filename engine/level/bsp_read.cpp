@@ -24,6 +24,9 @@ void read_geometry(const BspFile& file, Level& level) {
     level.edges = read_edges(file);
     level.surf_edges = read_surf_edges(file);
     level.textures = read_textures(file);
+    for (const TextureIndex texture : level.textures.indices())
+        if (level.sky.is_none() && material_of_texture(level.textures[texture].name) == Material::Sky)
+            level.sky = texture;
     level.texinfos = read_texinfos(file, level);
     level.faces = read_faces(file, level, read_vertex_floats(file));
     level.lighting = copy_lump(file, Lump::Lighting);
@@ -59,7 +62,8 @@ Level read_bsp(std::span<const std::uint8_t> bytes) {
 }
 
 std::vector<MipTexture> read_bsp_textures(std::span<const std::uint8_t> bytes) {
-    return read_textures(open_bsp(bytes));
+    const Table<MipTexture> textures = read_textures(open_bsp(bytes));
+    return {textures.begin(), textures.end()};
 }
 
 }  // namespace oblong

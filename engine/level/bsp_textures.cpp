@@ -67,14 +67,14 @@ MipTexture read_texture(LumpReader& in, std::int64_t start, std::int64_t& texels
 
 }  // namespace
 
-std::vector<MipTexture> read_textures(const BspFile& file) {
+Table<MipTexture> read_textures(const BspFile& file) {
     LumpReader in(file, Lump::Textures);
-    std::vector<MipTexture> textures;
+    Table<MipTexture> textures;
     if (in.size() == 0) return textures;
 
     const std::int32_t count = in.read_i32();
     if (count > kMaxTextures) in.fail(std::to_string(count) + " textures, expected 8192 at most");
-    in.check_range(0, std::int64_t{count} * 4, in.size() - 4, "bytes of texture offsets");
+    in.check_extent(0, std::int64_t{count} * 4, in.size() - 4, "bytes of texture offsets");
     std::int64_t texels_left = in.size();
     for (std::int32_t i = 0; i < count; ++i) {
         in.seek(4 + std::int64_t{i} * 4);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "engine/level/bsp_parts.h"
 
 namespace oblong {
@@ -12,22 +14,21 @@ std::int32_t check_contents(const LumpReader& in, std::int32_t contents) {
     return contents;
 }
 
-std::int32_t check_node_child(const LumpReader& in, const BspFile& file, std::int32_t child) {
-    if (child >= 0) return in.check_index(child, file.count(Lump::Nodes), "node");
-    in.check_index(-1 - child, file.count(Lump::Leaves), "leaf");
-    return child;
+NodeChild check_node_child(const LumpReader& in, const BspFile& file, std::int32_t child) {
+    if (child >= 0) return NodeChild(check_index<Node>(in, child, file, Lump::Nodes, "node"));
+    return NodeChild(check_index<Leaf>(in, -1 - child, file, Lump::Leaves, "leaf"));
 }
 
-std::int32_t check_clip_child(const LumpReader& in, const BspFile& file, std::int32_t child) {
-    if (child >= 0) return in.check_index(child, file.count(Lump::ClipNodes), "clipnode");
-    return check_contents(in, child);
+ClipChild check_clip_child(const LumpReader& in, const BspFile& file, std::int32_t child) {
+    if (child >= 0) return ClipChild(check_index<ClipNode>(in, child, file, Lump::ClipNodes, "clipnode"));
+    return ClipChild(check_contents(in, child));
 }
 
 /// A level without clipnodes says 0 where their first would be.
-std::int32_t read_clip_head(LumpReader& in, const BspFile& file) {
-    const std::int32_t head = in.read_i32();
-    if (head == 0 && file.count(Lump::ClipNodes) == 0) return contents::kEmpty;
-    return check_clip_child(in, file, head);
+ClipChild read_clip_root(LumpReader& in, const BspFile& file) {
+    const std::int32_t root = in.read_i32();
+    if (root == 0 && file.count(Lump::ClipNodes) == 0) return ClipChild(contents::kEmpty);
+    return check_clip_child(in, file, root);
 }
 
 std::int32_t read_float_bound(LumpReader& in, bool is_maximum) {
@@ -35,6 +36,49 @@ std::int32_t read_float_bound(LumpReader& in, bool is_maximum) {
     const auto bound = is_maximum ? ceil_to_int(value) : floor_to_int(value);
     if (!bound) in.fail("bound " + describe(value) + ", expected at most 1048576 either way");
     return *bound;
+}
+
+/// The faces of a node or a model, whose numbers are as wide as `read` reads them.
+template <class Read>
+IndexRange<Face> read_faces(const LumpReader& in, const BspFile& file, Read read) {
+    const std::int32_t first = read(), count = read();
+    return in.check_range<Face>(first, count, file.count(Lump::Faces), "faces");
+}
+
+/// What lies outside of the world holds no face, whatever the file says: middles of boxes fit World.
+LevelBox within_world(LevelBox box) {
+    constexpr std::int32_t kFarthest = (1 << 19) - 1;
+    for (auto* const corner : {&box.mins, &box.maxs})
+        for (std::int32_t& bound : *corner) bound = std::clamp(bound, -kFarthest, kFarthest);
+    return box;
+}
+
+Node read_node(LumpReader& in, const BspFile& file) {
+    Node node;
+    node.plane = check_index<LevelPlane>(in, in.read_i32(), file, Lump::Planes, "plane");
+    for (NodeChild& child : node.children) child = check_node_child(in, file, in.read_child(file.count(Lump::Nodes)));
+    node.box = within_world(read_box(in, file.format.has_float_boxes));
+    node.faces = read_faces(in, file, [&in] { return in.read_index(); });
+    return node;
+}
+
+ClipNode read_clip_node(LumpReader& in, const BspFile& file) {
+    ClipNode node;
+    node.plane = check_index<LevelPlane>(in, in.read_i32(), file, Lump::Planes, "plane");
+    for (ClipChild& child : node.children)
+        child = check_clip_child(in, file, in.read_child(file.count(Lump::ClipNodes)));
+    return node;
+}
+
+Leaf read_leaf(LumpReader& in, const BspFile& file) {
+    Leaf leaf;
+    leaf.contents = check_contents(in, in.read_i32());
+    leaf.visibility_offset = in.read_i32();
+    leaf.box = within_world(read_box(in, file.format.has_float_boxes));
+    const std::int32_t first = in.read_index(), count = in.read_index();
+    leaf.mark_faces = in.check_range<MarkFace>(first, count, file.count(Lump::MarkFaces), "markfaces");
+    in.skip(4);  // ambient sounds
+    return leaf;
 }
 
 /// Compilers store a model's bounds one unit smaller on each side (id's qbsp, writebsp.c: "remove the padding"; so does
@@ -49,12 +93,10 @@ SubModel read_model(LumpReader& in, const BspFile& file) {
     SubModel model;
     model.box = spread(read_box(in, true));
     model.origin = read_world_vector(in);
-    model.head_nodes[0] = check_node_child(in, file, in.read_i32());
-    for (std::size_t hull = 1; hull < 4; ++hull) model.head_nodes[hull] = read_clip_head(in, file);
+    model.root = check_node_child(in, file, in.read_i32());
+    for (ClipChild& root : model.clip_roots) root = read_clip_root(in, file);
     model.visible_leaf_count = in.check_index(in.read_i32(), file.count(Lump::Leaves), "count of visible leaves");
-    model.first_face = in.read_i32();
-    model.face_count = in.read_i32();
-    in.check_range(model.first_face, model.face_count, file.count(Lump::Faces), "faces");
+    model.faces = read_faces(in, file, [&in] { return in.read_i32(); });
     return model;
 }
 
@@ -67,63 +109,34 @@ LevelBox read_box(LumpReader& in, bool has_floats) {
     return box;
 }
 
-std::vector<std::int32_t> read_mark_faces(const BspFile& file) {
-    LumpReader in(file, Lump::MarkFaces);
-    std::vector<std::int32_t> mark_faces(static_cast<std::size_t>(file.count(Lump::MarkFaces)));
-    for (std::int32_t& face : mark_faces) face = in.check_index(in.read_index(), file.count(Lump::Faces), "face");
-    return mark_faces;
+Table<FaceIndex, MarkFace> read_mark_faces(const BspFile& file) {
+    return read_records<Table<FaceIndex, MarkFace>>(file, Lump::MarkFaces, [&](LumpReader& in) {
+        return check_index<Face>(in, in.read_index(), file, Lump::Faces, "face");
+    });
 }
 
-std::vector<Node> read_nodes(const BspFile& file) {
-    LumpReader in(file, Lump::Nodes);
-    const std::int32_t count = file.count(Lump::Nodes);
-    std::vector<Node> nodes(static_cast<std::size_t>(count));
-    for (Node& node : nodes) {
-        node.plane = in.check_index(in.read_i32(), file.count(Lump::Planes), "plane");
-        for (std::int32_t& child : node.children) child = check_node_child(in, file, in.read_child(count));
-        node.box = read_box(in, file.format.has_float_boxes);
-        node.first_face = in.read_index();
-        node.face_count = in.read_index();
-        in.check_range(node.first_face, node.face_count, file.count(Lump::Faces), "faces");
-    }
-    return nodes;
+Table<Node> read_nodes(const BspFile& file) {
+    return read_records<Table<Node>>(file, Lump::Nodes, [&](LumpReader& in) { return read_node(in, file); });
 }
 
-std::vector<ClipNode> read_clip_nodes(const BspFile& file) {
-    LumpReader in(file, Lump::ClipNodes);
-    const std::int32_t count = file.count(Lump::ClipNodes);
-    std::vector<ClipNode> clip_nodes(static_cast<std::size_t>(count));
-    for (ClipNode& node : clip_nodes) {
-        node.plane = in.check_index(in.read_i32(), file.count(Lump::Planes), "plane");
-        for (std::int32_t& child : node.children) child = check_clip_child(in, file, in.read_child(count));
-    }
-    return clip_nodes;
+Table<ClipNode> read_clip_nodes(const BspFile& file) {
+    return read_records<Table<ClipNode>>(file, Lump::ClipNodes,
+                                         [&](LumpReader& in) { return read_clip_node(in, file); });
 }
 
-std::vector<Leaf> read_leaves(const BspFile& file) {
-    LumpReader in(file, Lump::Leaves);
-    std::vector<Leaf> leaves(static_cast<std::size_t>(file.count(Lump::Leaves)));
-    if (leaves.empty()) in.fail("no leaf, expected at least the solid outside");
-    for (Leaf& leaf : leaves) {
-        leaf.contents = check_contents(in, in.read_i32());
-        if (&leaf == leaves.data() && leaf.contents != contents::kSolid)
-            in.fail("the first leaf's contents are " + std::to_string(leaf.contents) + ", expected -2 (solid)");
-        leaf.visibility_offset = in.read_i32();
-        leaf.box = read_box(in, file.format.has_float_boxes);
-        leaf.first_mark_face = in.read_index();
-        leaf.mark_face_count = in.read_index();
-        in.check_range(leaf.first_mark_face, leaf.mark_face_count, file.count(Lump::MarkFaces), "markfaces");
-        in.skip(4);  // ambient sounds
-    }
+Table<Leaf> read_leaves(const BspFile& file) {
+    if (file.count(Lump::Leaves) == 0)
+        LumpReader(file, Lump::Leaves).fail("no leaf, expected at least the solid outside");
+    auto leaves = read_records<Table<Leaf>>(file, Lump::Leaves, [&](LumpReader& in) { return read_leaf(in, file); });
+    if (const std::int32_t found = leaves.front().contents; found != contents::kSolid)
+        fail_in_lump(Lump::Leaves, file.range(Lump::Leaves).offset,
+                     "the first leaf's contents are " + std::to_string(found) + ", expected -2 (solid)");
     return leaves;
 }
 
-std::vector<SubModel> read_models(const BspFile& file) {
-    LumpReader in(file, Lump::Models);
-    std::vector<SubModel> models(static_cast<std::size_t>(file.count(Lump::Models)));
-    if (models.empty()) in.fail("no model, expected at least the world");
-    for (SubModel& model : models) model = read_model(in, file);
-    return models;
+Table<SubModel> read_models(const BspFile& file) {
+    if (file.count(Lump::Models) == 0) LumpReader(file, Lump::Models).fail("no model, expected at least the world");
+    return read_records<Table<SubModel>>(file, Lump::Models, [&](LumpReader& in) { return read_model(in, file); });
 }
 
 }  // namespace oblong

@@ -3,12 +3,41 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/fixed/fixed.h"
 #include "engine/math/vec.h"
 
 namespace oblong {
+
+struct LevelPlane;
+struct MipTexture;
+struct TexInfo;
+struct Face;
+struct Node;
+struct Leaf;
+struct ClipNode;
+struct SubModel;
+struct Edge;
+struct SurfEdge;
+struct Vertex;    // a Vec3<World> of Level::vertices
+struct MarkFace;  // a FaceIndex of Level::mark_faces
+
+using PlaneIndex = Index<LevelPlane>;
+using TextureIndex = Index<MipTexture>;
+using TexInfoIndex = Index<TexInfo>;
+using FaceIndex = Index<Face>;
+using NodeIndex = Index<Node>;
+using LeafIndex = Index<Leaf>;
+using ClipNodeIndex = Index<ClipNode>;
+using ModelIndex = Index<SubModel>;
+using EdgeIndex = Index<Edge>;
+using VertexIndex = Index<Vertex>;
+
+inline constexpr LeafIndex kSolidOutside{0};
+inline constexpr ModelIndex kWorldModel{0};
 
 /// What fills a leaf (Quake's numbers).
 namespace contents {
@@ -28,29 +57,37 @@ struct LevelPlane {
     bool operator==(const LevelPlane&) const = default;
 };
 
-/// An axis-aligned box in whole world units, rounded outward.
+/// An axis-aligned box in whole world units, rounded outward. Those of nodes and leaves are within 524,287 either way.
 struct LevelBox {
     std::array<std::int32_t, 3> mins{}, maxs{};
 
     bool operator==(const LevelBox&) const = default;
 };
 
+/// What a face is made of. Only lit faces have a lightmap, and a limit of extent.
+enum class Material : std::uint8_t { Lit, Liquid, Sky };
+
+/// The one place that knows what a texture's name says.
+constexpr Material material_of_texture(std::string_view name) {
+    return name.starts_with('*') ? Material::Liquid : name.starts_with("sky") ? Material::Sky : Material::Lit;
+}
+
 /// How a texture lies on faces: u = s . p + s_offset, v = t . p + t_offset, in texels of mip level 0.
 struct TexInfo {
     Vec3<TexelAxis> s, t;
     Texel s_offset, t_offset;
-    std::int32_t miptex = 0;  ///< index into Level::textures; always valid
-    bool is_special = false;  ///< sky or liquid: no lightmap, no limit of extent
+    TextureIndex texture;
+    Material material = Material::Lit;  ///< by the texture's name, or the file's flag for faces without light: liquid
 
     bool operator==(const TexInfo&) const = default;
 };
 
 /// A convex polygon on a plane. Its vertices run clockwise seen from the side that it faces.
 struct Face {
-    std::int32_t plane = 0;
+    PlaneIndex plane;
     bool is_back = false;  ///< faces the plane's back
-    std::int32_t first_surfedge = 0, edge_count = 0;
-    std::int32_t texinfo = 0;
+    IndexRange<SurfEdge> edges;
+    TexInfoIndex texinfo;
     std::array<std::uint8_t, 4> styles{};  ///< light styles, 255: none
     std::int32_t light_offset =
         -1;  ///< into Level::lighting; -1: no lightmap (special faces; others are then full dark)
@@ -60,12 +97,28 @@ struct Face {
     bool operator==(const Face&) const = default;
 };
 
-/// Children: an index of a node, or -1 - an index of a leaf. [0] is the plane's front (normal . p > distance).
+/// What is on one side of a node: another node or a leaf.
+class NodeChild {
+  public:
+    constexpr NodeChild() = default;
+    constexpr explicit NodeChild(NodeIndex node) : number_(node.number()) {}
+    constexpr explicit NodeChild(LeafIndex leaf) : number_(-1 - leaf.number()) {}
+
+    constexpr bool is_leaf() const { return number_ < 0; }
+    constexpr LeafIndex leaf() const { return LeafIndex(-1 - number_); }
+    constexpr NodeIndex node() const { return NodeIndex(number_); }
+    constexpr bool operator==(const NodeChild&) const = default;
+
+  private:
+    std::int32_t number_ = 0;  ///< as in the file: a node's, or -1 less a leaf's
+};
+
+/// Cuts a part of the level in two. children[0] is the plane's front (normal . p > distance).
 struct Node {
-    std::int32_t plane = 0;
-    std::array<std::int32_t, 2> children{};
+    PlaneIndex plane;
+    std::array<NodeChild, 2> children{};
     LevelBox box;
-    std::int32_t first_face = 0, face_count = 0;
+    IndexRange<Face> faces;  ///< those on its plane
 
     bool operator==(const Node&) const = default;
 };
@@ -74,15 +127,31 @@ struct Leaf {
     std::int32_t contents = contents::kEmpty;
     std::int32_t visibility_offset = -1;  ///< into Level::visibility, run-length packed; -1: everything is visible
     LevelBox box;
-    std::int32_t first_mark_face = 0, mark_face_count = 0;  ///< into Level::mark_faces
+    IndexRange<MarkFace> mark_faces;  ///< the faces that border it
 
     bool operator==(const Leaf&) const = default;
 };
 
-/// Children: an index of a clipnode, or contents (negative).
+/// What is on one side of a clipnode: another one, or contents.
+class ClipChild {
+  public:
+    constexpr ClipChild() = default;
+    constexpr explicit ClipChild(ClipNodeIndex node) : number_(node.number()) {}
+    constexpr explicit ClipChild(std::int32_t contents) : number_(contents) {}
+
+    constexpr bool is_leaf() const { return number_ < 0; }
+    constexpr std::int32_t contents() const { return number_; }
+    constexpr ClipNodeIndex node() const { return ClipNodeIndex(number_); }
+    constexpr bool operator==(const ClipChild&) const = default;
+
+  private:
+    std::int32_t number_ = contents::kEmpty;  ///< as in the file: contents are negative
+};
+
+/// A node of the trees in which bodies are points (level/trace.h).
 struct ClipNode {
-    std::int32_t plane = 0;
-    std::array<std::int32_t, 2> children{};
+    PlaneIndex plane;
+    std::array<ClipChild, 2> children{};
 
     bool operator==(const ClipNode&) const = default;
 };
@@ -91,9 +160,10 @@ struct ClipNode {
 struct SubModel {
     LevelBox box;  ///< of all its brushes: the file's is a unit smaller on each side
     Vec3<World> origin;
-    std::array<std::int32_t, 4> head_nodes{};  ///< [0] into nodes (or -1 - leaf), [1..3] into clip_nodes (or contents)
+    NodeChild root;
+    std::array<ClipChild, 3> clip_roots{};
     std::int32_t visible_leaf_count = 0;
-    std::int32_t first_face = 0, face_count = 0;
+    IndexRange<Face> faces;
 
     bool operator==(const SubModel&) const = default;
 };
@@ -108,10 +178,18 @@ struct MipTexture {
     bool operator==(const MipTexture&) const = default;
 };
 
-struct EdgeIndices {
-    std::int32_t from = 0, to = 0;  ///< vertices
+struct Edge {
+    VertexIndex from, to;
 
-    bool operator==(const EdgeIndices&) const = default;
+    bool operator==(const Edge&) const = default;
+};
+
+/// An edge as a face walks it.
+struct SurfEdge {
+    EdgeIndex edge;
+    bool is_reversed = false;  ///< from `to` to `from`
+
+    bool operator==(const SurfEdge&) const = default;
 };
 
 /// One entity: the key/value pairs as written, in order.
@@ -128,20 +206,30 @@ struct Entity {
 /// format.
 struct Level {
     std::vector<Entity> entities;
-    std::vector<LevelPlane> planes;
-    std::vector<MipTexture> textures;
-    std::vector<Vec3<World>> vertices;
+    Table<LevelPlane> planes;
+    Table<MipTexture> textures;
+    Table<Vec3<World>, Vertex> vertices;
     std::vector<std::uint8_t> visibility;
-    std::vector<Node> nodes;
-    std::vector<TexInfo> texinfos;
-    std::vector<Face> faces;
+    Table<Node> nodes;
+    Table<TexInfo> texinfos;
+    Table<Face> faces;
     std::vector<std::uint8_t> lighting;
-    std::vector<ClipNode> clip_nodes;
-    std::vector<Leaf> leaves;  ///< [0] is the solid outside
-    std::vector<std::int32_t> mark_faces;
-    std::vector<EdgeIndices> edges;
-    std::vector<std::int32_t> surf_edges;  ///< e >= 0: edge e from -> to; e < 0: edge -e to -> from
-    std::vector<SubModel> models;          ///< at least one
+    Table<ClipNode> clip_nodes;
+    Table<Leaf> leaves;  ///< the first is the solid outside
+    Table<FaceIndex, MarkFace> mark_faces;
+    Table<Edge> edges;
+    Table<SurfEdge> surf_edges;
+    Table<SubModel> models;                   ///< at least one
+    TextureIndex sky = TextureIndex::none();  ///< the first of its textures that is a sky
+
+    const SubModel& world() const { return models.front(); }
+    /// The leaves that visible sets tell of: the world's, without the solid outside.
+    IndexRange<Leaf> visible_leaves() const { return {LeafIndex(1), world().visible_leaf_count}; }
+    const MipTexture& texture_of(const Face& face) const { return textures[texinfos[face.texinfo].texture]; }
+    std::span<const FaceIndex> faces_at(const Leaf& leaf) const { return mark_faces[leaf.mark_faces]; }
+    std::span<const SurfEdge> edges_of(const Face& face) const { return surf_edges[face.edges]; }
+    /// The corner at which a face begins this edge.
+    VertexIndex start_of(SurfEdge step) const { return step.is_reversed ? edges[step.edge].to : edges[step.edge].from; }
 
     bool operator==(const Level&) const = default;
 };

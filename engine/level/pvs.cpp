@@ -15,12 +15,12 @@ void set_all(std::span<std::uint8_t> visible, std::int32_t leaf_count) {
 }  // namespace
 
 std::size_t visible_set_size(const Level& level) {
-    return static_cast<std::size_t>(level.models[0].visible_leaf_count + 7) / 8;
+    return static_cast<std::size_t>(level.world().visible_leaf_count + 7) / 8;
 }
 
-void unpack_visible_set(const Level& level, std::int32_t leaf, std::span<std::uint8_t> visible) {
-    const std::int32_t start = level.leaves[static_cast<std::size_t>(leaf)].visibility_offset;
-    if (leaf == 0 || start == -1) return set_all(visible, level.models[0].visible_leaf_count);
+void unpack_visible_set(const Level& level, LeafIndex leaf, std::span<std::uint8_t> visible) {
+    const std::int32_t start = level.leaves[leaf].visibility_offset;
+    if (leaf == kSolidOutside || start == -1) return set_all(visible, level.world().visible_leaf_count);
 
     // The reader has checked that the row ends inside the lump; a run of zeros may reach past the set's end.
     const std::uint8_t* packed = level.visibility.data() + start;

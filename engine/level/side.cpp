@@ -32,14 +32,13 @@ int plane_side(const LevelPlane& plane, Vec3<World> p) {
     return sign_of(distance * (std::int64_t{1} << 30) + distance_rest_72(plane, p));
 }
 
-std::int32_t find_leaf(const Level& level, const SubModel& model, Vec3<World> p) {
-    std::int32_t child = model.head_nodes[0];
-    while (child >= 0) {
-        const Node& node = level.nodes[static_cast<std::size_t>(child)];
-        const bool is_front = plane_side(level.planes[static_cast<std::size_t>(node.plane)], p) > 0;
-        child = node.children[is_front ? 0 : 1];
+LeafIndex find_leaf(const Level& level, const SubModel& model, Vec3<World> p) {
+    NodeChild child = model.root;
+    while (!child.is_leaf()) {
+        const Node& node = level.nodes[child.node()];
+        child = node.children[plane_side(level.planes[node.plane], p) > 0 ? 0 : 1];
     }
-    return -1 - child;
+    return child.leaf();
 }
 
 }  // namespace oblong

@@ -23,6 +23,6 @@ int plane_side(const LevelPlane& plane, Vec3<World> p);
 
 /// The leaf of a model that holds a point: down the front child where plane_side is +1, else down the back one, so
 /// that a point on a plane belongs to its back. `p` is in the model's own coordinates.
-std::int32_t find_leaf(const Level& level, const SubModel& model, Vec3<World> p);
+LeafIndex find_leaf(const Level& level, const SubModel& model, Vec3<World> p);
 
 }  // namespace oblong

@@ -18,8 +18,8 @@ constexpr std::int64_t kMostLooks = std::int64_t{1} << 28;
 
 using Point = std::array<std::int64_t, 3>;  ///< units, 12 fraction bits
 
-Point point_of(const Level& level, std::int32_t vertex) {
-    const Vec3<World>& p = level.vertices[static_cast<std::size_t>(vertex)];
+Point point_of(const Level& level, VertexIndex vertex) {
+    const Vec3<World>& p = level.vertices[vertex];
     return {p.x.raw, p.y.raw, p.z.raw};
 }
 
@@ -30,18 +30,16 @@ std::int64_t dot(const Point& a, const Point& b) {
 /// Vertices in the order of one coordinate.
 struct SortedAxis {
     std::vector<std::int64_t> values;
-    std::vector<std::int32_t> vertices;
+    std::vector<VertexIndex> vertices;
 };
 
 /// The vertices that faces use, ready to be looked up by place.
-class VertexIndex {
+class VertexFinder {
   public:
-    explicit VertexIndex(const Level& level) {
-        std::vector<bool> is_used(level.vertices.size());
-        for (const std::int32_t edge : level.surf_edges) {
-            const EdgeIndices& ends = level.edges[static_cast<std::size_t>(edge < 0 ? -edge : edge)];
-            is_used[static_cast<std::size_t>(ends.from)] = is_used[static_cast<std::size_t>(ends.to)] = true;
-        }
+    explicit VertexFinder(const Level& level) {
+        UsedVertices is_used(level.vertices.size());
+        for (const SurfEdge edge : level.surf_edges)
+            is_used[level.edges[edge.edge].from] = is_used[level.edges[edge.edge].to] = true;
         for (std::size_t axis = 0; axis < 3; ++axis) sort_by(level, is_used, axis);
     }
 
@@ -62,14 +60,16 @@ class VertexIndex {
     }
 
   private:
-    void sort_by(const Level& level, const std::vector<bool>& is_used, std::size_t axis) {
+    using UsedVertices = Table<std::uint8_t, Vertex>;
+
+    void sort_by(const Level& level, const UsedVertices& is_used, std::size_t axis) {
         SortedAxis& sorted = axes_[axis];
-        for (std::size_t vertex = 0; vertex < is_used.size(); ++vertex)
-            if (is_used[vertex]) sorted.vertices.push_back(static_cast<std::int32_t>(vertex));
-        std::stable_sort(sorted.vertices.begin(), sorted.vertices.end(), [&](std::int32_t a, std::int32_t b) {
+        for (const VertexIndex vertex : level.vertices.indices())
+            if (is_used[vertex]) sorted.vertices.push_back(vertex);
+        std::stable_sort(sorted.vertices.begin(), sorted.vertices.end(), [&](VertexIndex a, VertexIndex b) {
             return point_of(level, a)[axis] < point_of(level, b)[axis];
         });
-        for (const std::int32_t vertex : sorted.vertices) sorted.values.push_back(point_of(level, vertex)[axis]);
+        for (const VertexIndex vertex : sorted.vertices) sorted.values.push_back(point_of(level, vertex)[axis]);
     }
 
     std::array<SortedAxis, 3> axes_;
@@ -119,25 +119,25 @@ class EdgeLine {
 
 }  // namespace
 
-TJunctions::TJunctions(const Level& level) {
-    const VertexIndex index(level);
-    std::vector<std::pair<std::int64_t, std::int32_t>> found;
+TJunctions::TJunctions(const Level& level) : found_(level.edges.size()) {
+    const VertexFinder finder(level);
+    std::vector<std::pair<std::int64_t, VertexIndex>> inside;
     std::int64_t looks = 0;
-    for (const EdgeIndices& edge : level.edges) {
-        first_.push_back(vertices_.size());
-        if (looks > kMostLooks) continue;
+    for (const EdgeIndex index : level.edges.indices()) {
+        if (looks > kMostLooks) return;
+        const Edge& edge = level.edges[index];
         const EdgeLine line(point_of(level, edge.from), point_of(level, edge.to));
         if (line.is_too_long()) continue;
-        found.clear();
-        index.look_within(line.low(), line.high(), [&](std::int32_t vertex) {
+        inside.clear();
+        finder.look_within(line.low(), line.high(), [&](VertexIndex vertex) {
             ++looks;
             const std::int64_t part = line.part_of(point_of(level, vertex));
-            if (part >= 0) found.emplace_back(part, vertex);
+            if (part >= 0) inside.emplace_back(part, vertex);
         });
-        std::sort(found.begin(), found.end());
-        for (const auto& [part, vertex] : found) vertices_.push_back(vertex);
+        std::sort(inside.begin(), inside.end());
+        found_[index] = {vertices_.size(), inside.size()};
+        for (const auto& [part, vertex] : inside) vertices_.push_back(vertex);
     }
-    first_.push_back(vertices_.size());
 }
 
 }  // namespace oblong

@@ -15,14 +15,17 @@ class TJunctions {
   public:
     explicit TJunctions(const Level& level);
 
-    std::span<const std::int32_t> on_edge(std::int32_t edge) const {
-        const auto first = first_[static_cast<std::size_t>(edge)], end = first_[static_cast<std::size_t>(edge) + 1];
-        return std::span(vertices_).subspan(first, end - first);
+    std::span<const VertexIndex> on_edge(EdgeIndex edge) const {
+        return std::span(vertices_).subspan(found_[edge].first, found_[edge].count);
     }
 
   private:
-    std::vector<std::size_t> first_;  ///< of each edge in vertices_, and one past the last
-    std::vector<std::int32_t> vertices_;
+    struct Found {
+        std::size_t first = 0, count = 0;  ///< in vertices_
+    };
+
+    Table<Found, Edge> found_;
+    std::vector<VertexIndex> vertices_;
 };
 
 }  // namespace oblong

@@ -14,41 +14,39 @@ constexpr int kDroppedBits = 2;
 constexpr std::int64_t kKeptApart_40 = std::int64_t{1} << 35;  ///< 1/32 unit
 constexpr int kBackOffSteps = 10;
 
-/// One of a model's trees, of nodes or of clipnodes. A child is a node if it is not negative.
-class HullTree {
-  public:
-    HullTree(const Level& level, const SubModel& model, Hull hull)
-        : level_(level), is_point_(hull == Hull::Point), root_(model.head_nodes[static_cast<std::size_t>(hull)]) {}
+/// A model's tree of nodes, in which a point moves.
+struct PointTree {
+    const Level& level;
+    NodeChild root;
 
-    std::int32_t root() const { return root_; }
-
-    const LevelPlane& plane(std::int32_t node) const {
-        const auto i = static_cast<std::size_t>(node);
-        const std::int32_t plane = is_point_ ? level_.nodes[i].plane : level_.clip_nodes[i].plane;
-        return level_.planes[static_cast<std::size_t>(plane)];
-    }
-
-    std::int32_t child(std::int32_t node, bool is_back) const {
-        const auto i = static_cast<std::size_t>(node);
-        return is_point_ ? level_.nodes[i].children[is_back] : level_.clip_nodes[i].children[is_back];
-    }
-
-    /// Of a child that is no node.
-    std::int32_t contents(std::int32_t child) const {
-        return is_point_ ? level_.leaves[static_cast<std::size_t>(-1 - child)].contents : child;
-    }
-
-    std::int32_t contents_at(std::int32_t child_or_root, Vec3<World> p) const {
-        std::int32_t at = child_or_root;
-        while (at >= 0) at = child(at, plane_side(plane(at), p) < 0);
-        return contents(at);
-    }
-
-  private:
-    const Level& level_;
-    bool is_point_;
-    std::int32_t root_;
+    const Node& node(NodeChild child) const { return level.nodes[child.node()]; }
+    std::int32_t contents(NodeChild leaf) const { return level.leaves[leaf.leaf()].contents; }
 };
+
+/// A model's tree of clipnodes, in which a body moves.
+struct BodyTree {
+    const Level& level;
+    ClipChild root;
+
+    const ClipNode& node(ClipChild child) const { return level.clip_nodes[child.node()]; }
+    std::int32_t contents(ClipChild leaf) const { return leaf.contents(); }
+};
+
+template <class Tree, class Child>
+std::int32_t contents_at(const Tree& tree, Child at, Vec3<World> p) {
+    while (!at.is_leaf()) {
+        const auto& node = tree.node(at);
+        at = node.children[plane_side(tree.level.planes[node.plane], p) < 0];
+    }
+    return tree.contents(at);
+}
+
+/// What ask(tree) says of a model's tree for a hull.
+template <class Ask>
+auto ask_tree(const Level& level, const SubModel& model, Hull hull, Ask ask) {
+    if (hull == Hull::Point) return ask(PointTree{level, model.root});
+    return ask(BodyTree{level, model.clip_roots[hull == Hull::Player ? 0 : 1]});
+}
 
 /// A part of a line: numerator / denominator, from 0 to 1.
 struct Part {
@@ -87,35 +85,38 @@ Part part_before(const LevelPlane& plane, Vec3<World> a, Vec3<World> b) {
     return {near - kKeptApart_40, near + far};
 }
 
+template <class Tree>
 class HullTracer {
   public:
-    HullTracer(const HullTree& tree, Vec3<World> from, Vec3<World> to) : tree_(tree) {
+    HullTracer(const Tree& tree, Vec3<World> from, Vec3<World> to) : tree_(tree) {
         start_ = {from, Unit::from_int(0)};
         result_.end = to;
         result_.is_all_solid = true;
     }
 
     TraceResult trace() {
-        advance(tree_.root(), start_, {result_.end, Unit::from_int(1)});
+        advance(tree_.root, start_, {result_.end, Unit::from_int(1)});
         if (result_.is_all_solid) stop_at(start_);
         return result_;
     }
 
   private:
     /// Follows the line from a to b below a node; false if something stopped it.
-    bool advance(std::int32_t node, const LinePoint& a, const LinePoint& b) {
-        if (node < 0) return enter(tree_.contents(node));
-        const LevelPlane& plane = tree_.plane(node);
+    template <class Child>
+    bool advance(Child at, const LinePoint& a, const LinePoint& b) {
+        if (at.is_leaf()) return enter(tree_.contents(at));
+        const auto& node = tree_.node(at);
+        const LevelPlane& plane = tree_.level.planes[node.plane];
         const bool is_back = plane_side(plane, a.p) < 0;
         const bool ends_back = plane_side(plane, b.p) < 0;
-        if (is_back == ends_back) return advance(tree_.child(node, is_back), a, b);
+        if (is_back == ends_back) return advance(node.children[is_back], a, b);
 
         const Part part = part_before(plane, a.p, b.p);
         const LinePoint before = point_between(a, b, part);
-        if (!advance(tree_.child(node, is_back), a, before)) return false;
+        if (!advance(node.children[is_back], a, before)) return false;
 
-        const std::int32_t beyond = tree_.child(node, !is_back);
-        if (tree_.contents_at(beyond, before.p) != contents::kSolid) return advance(beyond, before, b);
+        const Child beyond = node.children[!is_back];
+        if (contents_at(tree_, beyond, before.p) != contents::kSolid) return advance(beyond, before, b);
         if (!result_.is_all_solid) hit(plane, is_back, a, b, part);
         return false;
     }
@@ -145,12 +146,12 @@ class HullTracer {
         const std::int64_t step = part.numerator / kBackOffSteps;
         for (int i = 0; i <= kBackOffSteps; ++i) {
             const LinePoint point = point_between(a, b, {part.numerator - i * step, part.denominator});
-            if (tree_.contents_at(tree_.root(), point.p) != contents::kSolid) return point;
+            if (contents_at(tree_, tree_.root, point.p) != contents::kSolid) return point;
         }
         return start_;
     }
 
-    const HullTree& tree_;
+    const Tree& tree_;
     LinePoint start_;
     TraceResult result_;
 };
@@ -158,13 +159,11 @@ class HullTracer {
 }  // namespace
 
 std::int32_t hull_contents(const Level& level, const SubModel& model, Hull hull, Vec3<World> p) {
-    const HullTree tree(level, model, hull);
-    return tree.contents_at(tree.root(), p);
+    return ask_tree(level, model, hull, [&](const auto& tree) { return contents_at(tree, tree.root, p); });
 }
 
 TraceResult trace_hull(const Level& level, const SubModel& model, Hull hull, Vec3<World> from, Vec3<World> to) {
-    const HullTree tree(level, model, hull);
-    return HullTracer(tree, from, to).trace();
+    return ask_tree(level, model, hull, [&](const auto& tree) { return HullTracer(tree, from, to).trace(); });
 }
 
 }  // namespace oblong

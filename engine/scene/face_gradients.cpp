@@ -23,8 +23,8 @@ Texel eye_texel(const Vec3<TexelAxis>& axis, Texel offset, const Vec3<World>& ey
 TextureGradients make_face_gradients(const Level& level, const Face& face, const FaceSurface& surface,
                                      const Vec3<World>& offset, const ViewContext& view,
                                      const InverseProjection& inverse_projection) {
-    const LevelPlane& plane = level.planes[static_cast<std::size_t>(face.plane)];
-    const TexInfo& texinfo = level.texinfos[static_cast<std::size_t>(face.texinfo)];
+    const LevelPlane& plane = level.planes[face.plane];
+    const TexInfo& texinfo = level.texinfos[face.texinfo];
     const Vec3<World> eye = view.eye - offset;
     const PlaneDistance distance = plane_distance(plane, eye);
     TexturedPlane textured;

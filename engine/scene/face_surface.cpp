@@ -93,16 +93,16 @@ std::size_t surface_bytes(const Face& face, int mip) {
 
 std::size_t most_light_samples(const Level& level, const FaceTable& table) {
     std::size_t most = 0;
-    for (std::size_t i = 0; i < level.faces.size(); ++i)
-        if (table.kinds[i] == FaceKind::Lit) most = std::max(most, light_sample_count(level.faces[i]));
+    for (const FaceIndex face : level.faces.indices())
+        if (table.faces[face].material == Material::Lit) most = std::max(most, light_sample_count(level.faces[face]));
     return most;
 }
 
 /// No smaller than the largest surface.
 std::size_t arena_bytes(const Level& level, const FaceTable& table) {
     std::size_t bytes = kSurfaceArenaBytes;
-    for (std::size_t i = 0; i < level.faces.size(); ++i)
-        if (table.kinds[i] == FaceKind::Lit) bytes = std::max(bytes, surface_bytes(level.faces[i], 0));
+    for (const FaceIndex face : level.faces.indices())
+        if (table.faces[face].material == Material::Lit) bytes = std::max(bytes, surface_bytes(level.faces[face], 0));
     return bytes;
 }
 
@@ -115,18 +115,16 @@ FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, std::int3
       cache_(level.faces.size() * 4, arena_bytes(level, faces)),
       corner_shades_(most_light_samples(level, faces)) {}
 
-FaceSurface FaceSurfaces::get(std::int32_t face_index, View nearest_z, const ProjectionAxis& projection_x,
+FaceSurface FaceSurfaces::get(FaceIndex index, View nearest_z, const ProjectionAxis& projection_x,
                               const Colormap& colormap, const LightStyles& styles) {
-    const Face& face = level_.faces[static_cast<std::size_t>(face_index)];
-    const auto texinfo = static_cast<std::size_t>(face.texinfo);
-    const int mip = mip_level(nearest_z, faces_.density[texinfo], projection_x.coarse);
-    if (faces_.kinds[static_cast<std::size_t>(face_index)] == FaceKind::Lit)
-        return lit(face_index, mip, colormap, styles);
-    return tiled(face, level_.textures[static_cast<std::size_t>(level_.texinfos[texinfo].miptex)], mip);
+    const PreparedFace& prepared = faces_.faces[index];
+    const int mip = mip_level(nearest_z, prepared.density, projection_x.coarse);
+    if (prepared.material == Material::Lit) return lit(index, mip, colormap, styles);
+    return tiled(level_.faces[index], mip);
 }
 
-FaceSurface FaceSurfaces::lit(std::int32_t face_index, int mip, const Colormap& colormap, const LightStyles& styles) {
-    const Face& face = level_.faces[static_cast<std::size_t>(face_index)];
+FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const Colormap& colormap, const LightStyles& styles) {
+    const Face& face = level_.faces[index];
     FaceSurface surface;
     surface.view = shape_of(face, mip);
     surface.mip = mip;
@@ -138,13 +136,11 @@ FaceSurface FaceSurfaces::lit(std::int32_t face_index, int mip, const Colormap& 
 
     const LightmapView light = light_of(level_, face, styles);
     const SurfaceCache::Found found =
-        cache_.get(static_cast<std::size_t>(face_index) * 4 + static_cast<std::size_t>(mip), surface_bytes(face, mip),
-                   key_of(light));
+        cache_.get(index.position() * 4 + static_cast<std::size_t>(mip), surface_bytes(face, mip), key_of(light));
     surface.view.texels = found.texels;
     if (found.is_valid) return surface;
 
-    const TexInfo& texinfo = level_.texinfos[static_cast<std::size_t>(face.texinfo)];
-    const MipTexture& texture = level_.textures[static_cast<std::size_t>(texinfo.miptex)];
+    const MipTexture& texture = level_.texture_of(face);
     const TextureView source{texture.mips[static_cast<std::size_t>(mip)].data(), texture.width >> mip,
                              texture.height >> mip, floor_shift(face.texel_min_u, mip),
                              floor_shift(face.texel_min_v, mip)};
@@ -152,8 +148,9 @@ FaceSurface FaceSurfaces::lit(std::int32_t face_index, int mip, const Colormap& 
     return surface;
 }
 
-FaceSurface FaceSurfaces::tiled(const Face& face, const MipTexture& texture, int mip) const {
+FaceSurface FaceSurfaces::tiled(const Face& face, int mip) const {
     constexpr std::int32_t kMostTexels = 65535;
+    const MipTexture& texture = level_.texture_of(face);
     FaceSurface surface;
     surface.view = tile_of(texture, mip);
     surface.mip = mip;

@@ -39,14 +39,14 @@ class FaceSurfaces {
 
     /// The surface of a lit or liquid face whose nearest corner in view has this depth. Its texels are good until the
     /// next call. One colormap serves all calls.
-    FaceSurface get(std::int32_t face, View nearest_z, const ProjectionAxis& projection_x, const Colormap& colormap,
+    FaceSurface get(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x, const Colormap& colormap,
                     const LightStyles& styles);
 
     BlockKernel kernel = best_block_kernel();
 
   private:
-    FaceSurface lit(std::int32_t face, int mip, const Colormap& colormap, const LightStyles& styles);
-    FaceSurface tiled(const Face& face, const MipTexture& texture, int mip) const;
+    FaceSurface lit(FaceIndex face, int mip, const Colormap& colormap, const LightStyles& styles);
+    FaceSurface tiled(const Face& face, int mip) const;
 
     const Level& level_;
     const FaceTable& faces_;

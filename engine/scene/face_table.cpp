@@ -8,35 +8,28 @@ namespace oblong {
 
 namespace {
 
-FaceKind kind_of(const Level& level, const Face& face) {
-    const TexInfo& texinfo = level.texinfos[static_cast<std::size_t>(face.texinfo)];
-    const std::string& name = level.textures[static_cast<std::size_t>(texinfo.miptex)].name;
-    if (name.starts_with("sky")) return FaceKind::Sky;
-    return texinfo.is_special || name.starts_with("*") ? FaceKind::Liquid : FaceKind::Lit;
-}
-
-EffectSet effects_of(const Level& level, const Leaf& leaf, const std::vector<FaceKind>& kinds) {
-    EffectSet effects;
-    for (std::int32_t i = 0; i < leaf.mark_face_count; ++i) {
-        const std::int32_t face = level.mark_faces[static_cast<std::size_t>(leaf.first_mark_face + i)];
-        effects = effects | effects_of(kinds[static_cast<std::size_t>(face)]);
-    }
-    return effects;
-}
-
-/// The corners of a face, each edge with the vertices inside it, in the direction in which the face walks it.
+/// Appends the corners of a face, each edge with the vertices inside it, in the direction in which the face walks it.
 void append_corners(const Level& level, const Face& face, const TJunctions& junctions,
-                    std::vector<std::int32_t>& corners) {
-    for (std::int32_t i = face.first_surfedge; i < face.first_surfedge + face.edge_count; ++i) {
-        const std::int32_t edge = level.surf_edges[static_cast<std::size_t>(i)];
-        const EdgeIndices& ends = level.edges[static_cast<std::size_t>(edge < 0 ? -edge : edge)];
-        const std::span<const std::int32_t> inside = junctions.on_edge(edge < 0 ? -edge : edge);
-        corners.push_back(edge < 0 ? ends.to : ends.from);
-        if (edge < 0)
+                    std::vector<VertexIndex>& corners) {
+    for (const SurfEdge step : level.edges_of(face)) {
+        const std::span<const VertexIndex> inside = junctions.on_edge(step.edge);
+        corners.push_back(level.start_of(step));
+        if (step.is_reversed)
             corners.insert(corners.end(), inside.rbegin(), inside.rend());
         else
             corners.insert(corners.end(), inside.begin(), inside.end());
     }
+}
+
+void add_face(const Level& level, const Face& face, const TJunctions& junctions, FaceTable& table) {
+    const TexInfo& texinfo = level.texinfos[face.texinfo];
+    const std::size_t first = table.corners.size();
+    append_corners(level, face, junctions, table.corners);
+    const std::size_t count = table.corners.size() - first;
+    table.faces.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
+                           convert<TexelDensity>(std::max(length(texinfo.s), length(texinfo.t)), Rounding::Floor),
+                           texinfo.material});
+    table.most_corners = std::max(table.most_corners, count);
 }
 
 }  // namespace
@@ -44,16 +37,12 @@ void append_corners(const Level& level, const Face& face, const TJunctions& junc
 FaceTable make_face_table(const Level& level) {
     FaceTable table;
     const TJunctions junctions(level);
-    for (const Face& face : level.faces) {
-        table.kinds.push_back(kind_of(level, face));
-        table.first_corners.push_back(table.corners.size());
-        append_corners(level, face, junctions, table.corners);
-        table.most_corners = std::max(table.most_corners, table.corners.size() - table.first_corners.back());
+    for (const Face& face : level.faces) add_face(level, face, junctions, table);
+    for (const Leaf& leaf : level.leaves) {
+        EffectSet effects;
+        for (const FaceIndex face : level.faces_at(leaf)) effects = effects | effects_of(table.faces[face].material);
+        table.leaf_effects.push_back(effects);
     }
-    table.first_corners.push_back(table.corners.size());
-    for (const Leaf& leaf : level.leaves) table.leaf_effects.push_back(effects_of(level, leaf, table.kinds));
-    for (const TexInfo& texinfo : level.texinfos)
-        table.density.push_back(convert<TexelDensity>(std::max(length(texinfo.s), length(texinfo.t)), Rounding::Floor));
     return table;
 }
 

@@ -13,7 +13,7 @@ std::vector<PlacedModel> models_at_rest(const Level& level) {
         std::int32_t index = 0;
         const auto [end, error] = std::from_chars(model.data() + 1, model.data() + model.size(), index);
         if (error != std::errc{} || end != model.data() + model.size()) continue;
-        if (index >= 1 && index < static_cast<std::int32_t>(level.models.size())) placed.push_back({index, {}});
+        if (index >= 1 && index < level.models.count()) placed.push_back({ModelIndex(index), {}});
     }
     return placed;
 }

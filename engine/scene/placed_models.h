@@ -8,10 +8,12 @@ namespace oblong {
 
 /// A brush model at its place: model 1 and up of the level, moved by `offset`.
 struct PlacedModel {
-    std::int32_t model = 0;
+    ModelIndex model;
     Vec3<World> offset;
     constexpr bool operator==(const PlacedModel&) const = default;
 };
+
+using PlacedIndex = Index<PlacedModel>;  ///< of a scene's models
 
 /// The brush models that a level's entities show, where they stand when it begins. Triggers are not shown. An entity
 /// that names a model that the level hasn't is passed over.

@@ -11,8 +11,8 @@ struct Extent {
     View least, greatest;
 };
 
-Extent extent_along(const Vec3<Unit>& axis, View middle, const Vec3<World>& half) {
-    const auto part = [](Unit component, World size) { return absolute(widening_product(component, size)); };
+Extent extent_along(const Vec3<Unit>& axis, View middle, const Vec3<WorldWide>& half) {
+    const auto part = [](Unit component, WorldWide size) { return absolute(bounded_product(component, size)); };
     const PlaneDistance sum = part(axis.x, half.x) + part(axis.y, half.y) + part(axis.z, half.z);
     const View reach = convert<View>(sum, Rounding::Floor) + View::from_raw(2);
     return {middle - reach, middle + reach};
@@ -42,9 +42,11 @@ std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewConte
     constexpr View kNearest = View::from_int(4);
     const auto middle = [](std::int32_t low, std::int32_t high) { return World::from_raw((low + high) * 2048); };
     // A unit more, for boxes that the file rounds.
-    const auto half = [](std::int32_t low, std::int32_t high) { return World::from_raw((high - low) * 2048 + 4096); };
-    const Vec3<World> sizes{half(box.mins[0], box.maxs[0]), half(box.mins[1], box.maxs[1]),
-                            half(box.mins[2], box.maxs[2])};
+    const auto half = [](std::int32_t low, std::int32_t high) {
+        return WorldWide::from_raw((high - low) * std::int64_t{2048} + 4096);
+    };
+    const Vec3<WorldWide> sizes{half(box.mins[0], box.maxs[0]), half(box.mins[1], box.maxs[1]),
+                                half(box.mins[2], box.maxs[2])};
     const Vec3<View> centre =
         to_view({middle(box.mins[0], box.maxs[0]), middle(box.mins[1], box.maxs[1]), middle(box.mins[2], box.maxs[2])},
                 view.eye, view.axes);

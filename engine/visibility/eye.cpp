@@ -30,8 +30,8 @@ bool is_too_near(const LevelPlane& plane, Vec3<World> eye, int side) {
     return (side > 0 ? distance : -distance) < kClearance;
 }
 
-bool is_solid(const Level& level, std::int32_t leaf) {
-    return level.leaves[static_cast<std::size_t>(leaf)].contents == contents::kSolid;
+bool is_solid(const Level& level, LeafIndex leaf) {
+    return level.leaves[leaf].contents == contents::kSolid;
 }
 
 /// A try at placing an eye: whether it is clear of all the planes that bound its leaf.
@@ -49,34 +49,34 @@ Try move_clear(const Level& level, Vec3<World> eye, unsigned other_sides) {
     bool is_clear = false;
     for (std::int32_t round = 0; round < kMostRounds; ++round) {
         unsigned near_count = 0;
-        std::int32_t node = level.models[0].head_nodes[0];
+        NodeChild at = level.world().root;
         Vec3<World> moved = eye;
-        while (node >= 0) {
-            const Node& at = level.nodes[static_cast<std::size_t>(node)];
-            const LevelPlane& plane = level.planes[static_cast<std::size_t>(at.plane)];
+        while (!at.is_leaf()) {
+            const Node& node = level.nodes[at.node()];
+            const LevelPlane& plane = level.planes[node.plane];
             int side = plane_side(plane, eye) > 0 ? 1 : -1;
             if (is_too_near(plane, eye, side)) {
                 ++near_count;
                 if (round == 0 && (other_sides >> (near_count - 1) & 1) != 0) side = -side;
                 if (is_too_near(plane, moved, side)) moved = moved_off(moved, plane, side, 1 + round / 2);
             }
-            node = at.children[side > 0 ? 0 : 1];
+            at = node.children[side > 0 ? 0 : 1];
         }
         is_clear = near_count == 0;
         if (moved == eye) break;
         eye = moved;
     }
-    return {{eye, find_leaf(level, level.models[0], eye)}, is_clear};
+    return {{eye, find_leaf(level, level.world(), eye)}, is_clear};
 }
 
 bool is_clear(const Level& level, Vec3<World> eye) {
-    std::int32_t node = level.models[0].head_nodes[0];
-    while (node >= 0) {
-        const Node& at = level.nodes[static_cast<std::size_t>(node)];
-        const LevelPlane& plane = level.planes[static_cast<std::size_t>(at.plane)];
+    NodeChild at = level.world().root;
+    while (!at.is_leaf()) {
+        const Node& node = level.nodes[at.node()];
+        const LevelPlane& plane = level.planes[node.plane];
         const int side = plane_side(plane, eye) > 0 ? 1 : -1;
         if (is_too_near(plane, eye, side)) return false;
-        node = at.children[side > 0 ? 0 : 1];
+        at = node.children[side > 0 ? 0 : 1];
     }
     return true;
 }
@@ -87,7 +87,7 @@ Try search_around(const Level& level, const Vec3<World>& eye) {
     constexpr std::int32_t kParts = 16, kLargestStep = 8;
     const auto try_at = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
         const Vec3<World> place = eye + Vec3<World>{World::from_raw(x), World::from_raw(y), World::from_raw(z)};
-        return Try{{place, find_leaf(level, level.models[0], place)}, is_clear(level, place)};
+        return Try{{place, find_leaf(level, level.world(), place)}, is_clear(level, place)};
     };
     for (std::int32_t step = 1; step <= kLargestStep; step *= 2)
         for (std::int32_t x = -kParts; x <= kParts; ++x)

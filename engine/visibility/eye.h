@@ -7,7 +7,7 @@ namespace oblong {
 /// Where one looks from, and the leaf that holds it.
 struct PlacedEye {
     Vec3<World> position;
-    std::int32_t leaf = 0;
+    LeafIndex leaf;
 };
 
 /// Moves an eye that lies within 2 steps of World (1/2,048 unit) of a plane that bounds its leaf to that distance from

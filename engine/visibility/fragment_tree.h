@@ -12,20 +12,20 @@ namespace oblong {
 /// where models reach into each other (Fuchs, Kedem and Naylor 1980).
 struct FragmentTree {
     struct Node {
-        std::vector<std::uint32_t> on_plane;  ///< indices of fragments; the first's plane is the node's
-        std::int32_t front = -1, back = -1;   ///< nodes; -1: none
+        std::vector<Index<Fragment>> on_plane;  ///< the first's plane is the node's
+        Index<Node> front = Index<Node>::none(), back = Index<Node>::none();
     };
-    std::vector<Fragment> fragments;
+    Table<Fragment> fragments;
     std::vector<Vec3<World>> corners;
-    std::vector<Node> nodes;
-    std::int32_t root = -1;
+    Table<Node> nodes;
+    Index<Node> root = Index<Node>::none();
 };
 
 /// Above so many parts none are cut and the tree is empty: a tree of n parts takes n^2 steps.
 inline constexpr std::size_t kMostFragmentsInTree = 256;
 
 /// The tree of fragments, whose corners lie in `corners`. `models` are the scene's.
-FragmentTree build_fragment_tree(const Level& level, std::span<const PlacedModel> models,
-                                 std::vector<Fragment> fragments, std::vector<Vec3<World>> corners);
+FragmentTree build_fragment_tree(const Level& level, const Table<PlacedModel>& models, Table<Fragment> fragments,
+                                 std::vector<Vec3<World>> corners);
 
 }  // namespace oblong

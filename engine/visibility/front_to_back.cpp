@@ -49,7 +49,7 @@ FrontToBackWalk::FrontToBackWalk(const Level& level, const ViewContext& view, co
 }
 
 void FrontToBackWalk::start() {
-    scratch_.steps.assign(1, {level_.models[0].head_nodes[0], false, false, kAllSides});
+    scratch_.steps.assign(1, {level_.world().root, false, false, kAllSides});
 }
 
 std::optional<VisibleFace> FrontToBackWalk::next() {
@@ -59,8 +59,8 @@ std::optional<VisibleFace> FrontToBackWalk::next() {
             fragments_ = fragments_.subspan(1);
             return VisibleFace{fragment->face, fragment};
         }
-        while (face_ != end_face_) {
-            const std::int32_t face = face_++;
+        while (faces_.count > 0) {
+            const FaceIndex face = faces_.take_first();
             if (is_wanted(face)) return VisibleFace{face, nullptr};
         }
         if (span_buffer_.is_full()) return std::nullopt;
@@ -74,49 +74,44 @@ std::optional<VisibleFace> FrontToBackWalk::next() {
     }
 }
 
-bool FrontToBackWalk::is_wanted(std::int32_t face) const {
-    const auto index = static_cast<std::size_t>(face);
-    return (takes_all_faces_ || scratch_.face_marks[index] == scratch_.mark) &&
-           level_.faces[index].is_back != draws_front_;
+bool FrontToBackWalk::is_wanted(FaceIndex face) const {
+    return (takes_all_faces_ || scratch_.face_marks[face] == scratch_.mark) &&
+           level_.faces[face].is_back != draws_front_;
 }
 
 void FrontToBackWalk::take_step() {
     const WalkStep step = scratch_.steps.back();
     scratch_.steps.pop_back();
-    if (step.node < 0) return enter_leaf(-1 - step.node, step.planes_to_test);
-    if (!step.draws_faces) return enter_node(step.node, step.planes_to_test);
-    const Node& node = level_.nodes[static_cast<std::size_t>(step.node)];
-    face_ = node.first_face;
-    end_face_ = node.first_face + node.face_count;
+    if (step.at.is_leaf()) return enter_leaf(step.at.leaf(), step.planes_to_test);
+    if (!step.draws_faces) return enter_node(step.at.node(), step.planes_to_test);
+    faces_ = level_.nodes[step.at.node()].faces;
     draws_front_ = step.draws_front;
 }
 
-void FrontToBackWalk::enter_leaf(std::int32_t index, std::uint8_t planes) {
+void FrontToBackWalk::enter_leaf(LeafIndex index, std::uint8_t planes) {
     if (takes_all_faces_ || !visible_.has_leaf(index)) return;
-    const Leaf& leaf = level_.leaves[static_cast<std::size_t>(index)];
+    const Leaf& leaf = level_.leaves[index];
     if (planes_crossed(view_.frustum, leaf.box, view_.eye, planes) == kOutside) return;
-    for (std::int32_t i = 0; i < leaf.mark_face_count; ++i) {
-        const std::int32_t face = level_.mark_faces[static_cast<std::size_t>(leaf.first_mark_face + i)];
-        scratch_.face_marks[static_cast<std::size_t>(face)] = scratch_.mark;
-    }
+    for (const FaceIndex face : level_.faces_at(leaf)) scratch_.face_marks[face] = scratch_.mark;
     if (models_ && models_->has_any_in(index)) fragments_ = models_->front_to_back_in(index, level_, view_.eye);
 }
 
-void FrontToBackWalk::enter_node(std::int32_t index, std::uint8_t planes_to_test) {
+void FrontToBackWalk::enter_node(NodeIndex index, std::uint8_t planes_to_test) {
     if (!takes_all_faces_ && !visible_.has_node(index)) return;
-    const Node& node = level_.nodes[static_cast<std::size_t>(index)];
+    const Node& node = level_.nodes[index];
     const std::uint8_t planes = planes_crossed(view_.frustum, node.box, view_.eye, planes_to_test);
     if (planes == kOutside || is_hidden(node.box)) return;
 
-    const PlaneDistance distance = plane_distance(level_.planes[static_cast<std::size_t>(node.plane)], view_.eye);
-    const bool in_front = distance > PlaneDistance{}, has_faces = node.face_count > 0;
+    const PlaneDistance distance = plane_distance(level_.planes[node.plane], view_.eye);
+    const bool in_front = distance > PlaneDistance{}, has_faces = node.faces.count > 0;
     const bool is_thin = absolute(distance) < kBothSidesDistance;
     // Last in, first out: near side, faces toward the eye, far side; and those that face away but rounding may show,
     // whose leaves are on the far side.
-    if (has_faces && is_thin && !takes_all_faces_) scratch_.steps.push_back({index, true, !in_front, planes});
+    if (has_faces && is_thin && !takes_all_faces_)
+        scratch_.steps.push_back({NodeChild(index), true, !in_front, planes});
     scratch_.steps.push_back({node.children[in_front], false, false, planes});
-    if (has_faces && takes_all_faces_) scratch_.steps.push_back({index, true, !in_front, planes});
-    if (has_faces) scratch_.steps.push_back({index, true, in_front, planes});
+    if (has_faces && takes_all_faces_) scratch_.steps.push_back({NodeChild(index), true, !in_front, planes});
+    if (has_faces) scratch_.steps.push_back({NodeChild(index), true, in_front, planes});
     scratch_.steps.push_back({node.children[!in_front], false, false, planes});
 }
 

@@ -15,16 +15,16 @@ namespace oblong {
 
 /// What is left to do of a walk through the tree.
 struct WalkStep {
-    std::int32_t node;  ///< or -1 - leaf
-    bool draws_faces;   ///< false: enter the node or leaf; true: its near side is done, take the faces on its plane
-    bool draws_front;   ///< which of them: those that face the plane's front, or those that face its back
+    NodeChild at;
+    bool draws_faces;  ///< false: enter the node or leaf; true: its near side is done, take the faces on its plane
+    bool draws_front;  ///< which of them: those that face the plane's front, or those that face its back
     std::uint8_t planes_to_test;  ///< sides of the view that the node's parent still crossed
 };
 
 /// Scratch of a walk, kept from frame to frame.
 struct WalkScratch {
     std::vector<WalkStep> steps;
-    std::vector<std::uint32_t> face_marks;  ///< of each face: the frame in which a visited leaf last named it
+    Table<std::uint32_t, Face> face_marks;  ///< the frame in which a visited leaf last named it
     std::uint32_t mark = 0;
 };
 
@@ -34,7 +34,7 @@ inline constexpr std::uint8_t kAllSides = 15, kOutside = 0xff;
 
 /// A face that a walk has come to.
 struct VisibleFace {
-    std::int32_t face = 0;
+    FaceIndex face;
     const Fragment* fragment = nullptr;  ///< the part of a brush model's face that it is; null: a face of the world
 };
 
@@ -65,10 +65,10 @@ class FrontToBackWalk {
   private:
     void start();
     void take_step();
-    void enter_leaf(std::int32_t leaf, std::uint8_t planes);
-    void enter_node(std::int32_t node, std::uint8_t planes_to_test);
+    void enter_leaf(LeafIndex leaf, std::uint8_t planes);
+    void enter_node(NodeIndex node, std::uint8_t planes_to_test);
     bool is_hidden(const LevelBox& box) const;
-    bool is_wanted(std::int32_t face) const;
+    bool is_wanted(FaceIndex face) const;
 
     const Level& level_;
     const ViewContext& view_;
@@ -78,7 +78,7 @@ class FrontToBackWalk {
     WalkScratch& scratch_;
     bool takes_all_faces_ = false;                  ///< the second walk
     std::span<const Fragment* const> fragments_{};  ///< of the leaf at hand, still to be handed out
-    std::int32_t face_ = 0, end_face_ = 0;          ///< of the node at hand, still to be handed out
+    IndexRange<Face> faces_;                        ///< of the node at hand, still to be handed out
     bool draws_front_ = false;
 };
 

@@ -27,18 +27,17 @@ bool point_same_way(const Vec3<Unit>& a, const Vec3<Unit>& b) {
 /// Cuts one face at a time; pieces wait on a stack, each with the node that it has come down to.
 class FaceCutter {
   public:
-    FaceCutter(const Level& level, std::int32_t placed, ModelCut& cut) : level_(level), placed_(placed), cut_(cut) {}
+    FaceCutter(const Level& level, PlacedIndex placed, ModelCut& cut) : level_(level), placed_(placed), cut_(cut) {}
 
-    void cut(std::int32_t face, const Vec3<World>& offset, const FaceTable& table) {
+    void cut(FaceIndex face, const Vec3<World>& offset, const FaceTable& table) {
         const auto first = static_cast<std::uint32_t>(cut_.corners.size());
-        for (const std::int32_t vertex : table.corners_of(face))
-            cut_.corners.push_back(level_.vertices[static_cast<std::size_t>(vertex)] + offset);
-        pieces_.push_back(
-            {level_.models[0].head_nodes[0], first, static_cast<std::uint32_t>(cut_.corners.size()) - first});
+        for (const VertexIndex vertex : table.corners_of(face))
+            cut_.corners.push_back(level_.vertices[vertex] + offset);
+        pieces_.push_back({level_.world().root, first, static_cast<std::uint32_t>(cut_.corners.size()) - first});
         while (!pieces_.empty()) {
             const Piece piece = pieces_.back();
             pieces_.pop_back();
-            if (piece.node < 0)
+            if (piece.at.is_leaf())
                 add_to_leaf(face, piece);
             else
                 send_down(face, piece);
@@ -47,13 +46,13 @@ class FaceCutter {
 
   private:
     struct Piece {
-        std::int32_t node;
+        NodeChild at;
         std::uint32_t first_corner, corner_count;
     };
 
-    void send_down(std::int32_t face, const Piece& piece) {
-        const Node& node = level_.nodes[static_cast<std::size_t>(piece.node)];
-        const LevelPlane& plane = level_.planes[static_cast<std::size_t>(node.plane)];
+    void send_down(FaceIndex face, const Piece& piece) {
+        const Node& node = level_.nodes[piece.at.node()];
+        const LevelPlane& plane = level_.planes[node.plane];
         const auto polygon = std::span(cut_.corners).subspan(piece.first_corner, piece.corner_count);
         const PolygonSide side = polygon_side(plane, {}, polygon, distances_);
         if (side == PolygonSide::Both) return split(piece, node);
@@ -63,9 +62,9 @@ class FaceCutter {
     }
 
     /// A face in a node's plane belongs to the side that it is seen from.
-    bool is_seen_from_front(std::int32_t face, const LevelPlane& plane) const {
-        const Face& cut = level_.faces[static_cast<std::size_t>(face)];
-        const LevelPlane& own = level_.planes[static_cast<std::size_t>(cut.plane)];
+    bool is_seen_from_front(FaceIndex face, const LevelPlane& plane) const {
+        const Face& cut = level_.faces[face];
+        const LevelPlane& own = level_.planes[cut.plane];
         return point_same_way(own.normal, plane.normal) != cut.is_back;
     }
 
@@ -78,14 +77,14 @@ class FaceCutter {
         }
     }
 
-    void add_to_leaf(std::int32_t face, const Piece& piece) {
-        const std::int32_t leaf = -1 - piece.node;
-        if (level_.leaves[static_cast<std::size_t>(leaf)].contents == contents::kSolid) return;
+    void add_to_leaf(FaceIndex face, const Piece& piece) {
+        const LeafIndex leaf = piece.at.leaf();
+        if (level_.leaves[leaf].contents == contents::kSolid) return;
         cut_.fragments.push_back({face, leaf, placed_, piece.first_corner, piece.corner_count});
     }
 
     const Level& level_;
-    std::int32_t placed_;
+    PlacedIndex placed_;
     ModelCut& cut_;
     std::vector<Piece> pieces_;
     std::vector<PlaneDistance> distances_;
@@ -119,12 +118,10 @@ void append_part(std::vector<Vec3<World>>& corners, std::uint32_t first, std::sp
     }
 }
 
-ModelCut cut_model(const Level& level, const PlacedModel& model, std::int32_t placed, const FaceTable& table) {
+ModelCut cut_model(const Level& level, const PlacedModel& model, PlacedIndex placed, const FaceTable& table) {
     ModelCut cut;
     FaceCutter cutter(level, placed, cut);
-    const SubModel& source = level.models[static_cast<std::size_t>(model.model)];
-    for (std::int32_t face = source.first_face; face < source.first_face + source.face_count; ++face)
-        cutter.cut(face, model.offset, table);
+    for (const FaceIndex face : level.models[model.model].faces) cutter.cut(face, model.offset, table);
     return cut;
 }
 

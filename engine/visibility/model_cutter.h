@@ -12,10 +12,11 @@ namespace oblong {
 
 /// A part of a brush model's face that lies in one leaf of the world.
 struct Fragment {
-    std::int32_t face = 0, leaf = 0;
-    std::int32_t placed = 0;  ///< index into the scene's models
+    FaceIndex face;
+    LeafIndex leaf;
+    PlacedIndex placed;
     std::uint32_t first_corner = 0, corner_count = 0;
-    std::int32_t tree = -1;  ///< the FragmentTree whose corners are meant; -1: the model's cut
+    Index<struct FragmentTree> tree = Index<FragmentTree>::none();  ///< whose corners are meant; none: the model's cut
 };
 
 /// Where a polygon lies to a plane; corners within 1/1,024 unit of it are on it, so that no piece is thinner.
@@ -39,6 +40,6 @@ struct ModelCut {
 
 /// Cuts a model's faces by the planes of the world's tree, down to its leaves; parts in solid are left out. `placed` is
 /// the index that its fragments get.
-ModelCut cut_model(const Level& level, const PlacedModel& model, std::int32_t placed, const FaceTable& table);
+ModelCut cut_model(const Level& level, const PlacedModel& model, PlacedIndex placed, const FaceTable& table);
 
 }  // namespace oblong

@@ -14,23 +14,25 @@ class VisibleSet {
 
     /// Marks what may be seen from `leaf`: everything from solid and from sky, whose own sets hold nothing but
     /// themselves.
-    void see_from(const Level& level, std::int32_t leaf);
-    bool has_node(std::int32_t node) const { return node_marks_[static_cast<std::size_t>(node)] == mark_; }
-    bool has_leaf(std::int32_t leaf) const { return leaf_marks_[static_cast<std::size_t>(leaf)] == mark_; }
+    void see_from(const Level& level, LeafIndex leaf);
+    bool has_node(NodeIndex node) const { return node_marks_[node] == mark_; }
+    bool has_leaf(LeafIndex leaf) const { return leaf_marks_[leaf] == mark_; }
     /// Whether that leaf is neither solid nor sky.
     bool is_from_open() const { return is_from_open_; }
     /// The leaves that may be seen, each once.
-    const std::vector<std::int32_t>& leaves() const { return leaves_; }
+    const std::vector<LeafIndex>& leaves() const { return leaves_; }
 
   private:
-    void mark_upward(std::int32_t leaf);
+    void mark_upward(LeafIndex leaf);
 
-    std::vector<std::int32_t> node_parents_, leaf_parents_;  ///< -1: none
-    std::vector<std::uint32_t> node_marks_, leaf_marks_;
+    Table<NodeIndex, Node> node_parents_;
+    Table<NodeIndex, Leaf> leaf_parents_;
+    Table<std::uint32_t, Node> node_marks_;
+    Table<std::uint32_t, Leaf> leaf_marks_;
     std::vector<std::uint8_t> unpacked_;
-    std::vector<std::int32_t> leaves_;
+    std::vector<LeafIndex> leaves_;
     std::uint32_t mark_ = 0;
-    std::int32_t seen_from_ = -1;
+    LeafIndex seen_from_ = LeafIndex::none();
     bool is_from_open_ = false;
 };
 

@@ -29,10 +29,8 @@ class DemoLevel : public testing::Test {
     }
     std::vector<Corner> corners_of(const Face& face) const {
         std::vector<Corner> corners;
-        for (std::int32_t i = 0; i < face.edge_count; ++i) {
-            const std::int32_t surf_edge = level_.surf_edges[static_cast<std::size_t>(face.first_surfedge + i)];
-            const EdgeIndices& edge = level_.edges[static_cast<std::size_t>(std::abs(surf_edge))];
-            const auto& vertex = level_.vertices[static_cast<std::size_t>(surf_edge < 0 ? edge.to : edge.from)];
+        for (const SurfEdge edge : level_.edges_of(face)) {
+            const Vec3<World>& vertex = level_.vertices[level_.start_of(edge)];
             corners.push_back({units(vertex.x), units(vertex.y), units(vertex.z)});
         }
         return corners;
@@ -49,7 +47,7 @@ TEST_F(DemoLevel, HasABeginningAnEndAndWhatMoves) {
 
 TEST_F(DemoLevel, ThePlayerStartsInTheOpen) {
     const GameLevel level = make_game_level(level_);
-    EXPECT_EQ(hull_contents(level_, level_.models[0], Hull::Player, level.player_start), contents::kEmpty);
+    EXPECT_EQ(hull_contents(level_, level_.world(), Hull::Player, level.player_start), contents::kEmpty);
 }
 
 TEST_F(DemoLevel, CallsForSkyWaterLavaAndAnimation) {
@@ -69,8 +67,8 @@ TEST_F(DemoLevel, EveryCameraOfTheListStandsInTheOpen) {
     while (std::getline(cameras, line)) {
         int x = 0, y = 0, z = 0;
         ASSERT_EQ(std::sscanf(line.c_str(), "%d,%d,%d", &x, &y, &z), 3) << line;
-        const Position eye{World::from_int(x), World::from_int(y), World::from_int(z)};
-        EXPECT_NE(hull_contents(level_, level_.models[0], Hull::Point, eye), contents::kSolid) << line;
+        const Place eye{World::from_int(x), World::from_int(y), World::from_int(z)};
+        EXPECT_NE(hull_contents(level_, level_.world(), Hull::Point, eye), contents::kSolid) << line;
         ++count;
     }
     EXPECT_GE(count, 14);
@@ -113,8 +111,8 @@ bool splits(const Corner& point, const Corner& from, const Corner& to) {
 TEST_F(DemoLevel, NoCornerOfAWallLiesWithinTheEdgeOfAnother) {
     std::set<Corner> corners;
     std::set<std::pair<Corner, Corner>> edges;
-    for (std::int32_t i = 0; i < level_.models[0].face_count; ++i) {
-        const auto outline = corners_of(level_.faces[static_cast<std::size_t>(level_.models[0].first_face + i)]);
+    for (const FaceIndex face : level_.world().faces) {
+        const auto outline = corners_of(level_.faces[face]);
         for (std::size_t at = 0; at < outline.size(); ++at) {
             corners.insert(outline[at]);
             edges.emplace(std::minmax(outline[at], outline[(at + 1) % outline.size()]));
@@ -135,8 +133,7 @@ TEST_F(DemoLevel, ItsSphereIsAsWideAsItIsHigh) {
     // The faces with one of the sphere's two textures, which nothing else has; they reach its outline on every side.
     Corner low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
     for (const Face& face : level_.faces) {
-        const auto& texinfo = level_.texinfos[static_cast<std::size_t>(face.texinfo)];
-        if (level_.textures[static_cast<std::size_t>(texinfo.miptex)].name != "plaster_red") continue;
+        if (level_.texture_of(face).name != "plaster_red") continue;
         for (const Corner& corner : corners_of(face)) {
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 low[axis] = std::min(low[axis], corner[axis]);

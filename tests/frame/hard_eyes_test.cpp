@@ -29,13 +29,11 @@ Vec3<World> between(const Vec3<World>& a, const Vec3<World>& b, std::int32_t par
 
 /// A point of a face of the world.
 Vec3<World> point_on_a_face(const Level& level, const FaceTable& table, On on, std::mt19937& random) {
-    const SubModel& world = level.models[0];
-    const auto face = world.first_face + static_cast<std::int32_t>(random() % static_cast<unsigned>(world.face_count));
-    const std::span<const std::int32_t> corners = table.corners_of(face);
+    const IndexRange<Face> faces = level.world().faces;
+    const auto number = static_cast<std::int32_t>(random() % static_cast<unsigned>(faces.count));
+    const std::span<const VertexIndex> corners = table.corners_of(FaceIndex(faces.first.number() + number));
     const std::size_t first = random() % corners.size();
-    const auto corner = [&](std::size_t i) {
-        return level.vertices[static_cast<std::size_t>(corners[(first + i) % corners.size()])];
-    };
+    const auto corner = [&](std::size_t i) { return level.vertices[corners[(first + i) % corners.size()]]; };
     const auto part = [&] { return static_cast<std::int32_t>(random() % 65); };
     if (on == On::Corner) return corner(0);
     const Vec3<World> on_edge = between(corner(0), corner(1), part());
@@ -83,23 +81,22 @@ TEST_P(HardEyes, HardCaseV13_EyesOnCornersAreMovedClearOfAllPlanes) {
     OBLONG_NEEDS_SHARED_LEVELS();
     const Stage stage = stage_named(GetParam());
     const FaceTable table = make_face_table(stage.level);
-    const SubModel& world = stage.level.models[0];
-    for (std::int32_t face = world.first_face; face < world.first_face + world.face_count; ++face)
-        for (const std::int32_t corner : table.corners_of(face)) {
-            const Vec3<World> eye = stage.level.vertices[static_cast<std::size_t>(corner)];
+    for (const FaceIndex face : stage.level.world().faces)
+        for (const VertexIndex corner : table.corners_of(face)) {
+            const Vec3<World> eye = stage.level.vertices[corner];
             const PlacedEye placed = place_eye(stage.level, eye);
-            std::int32_t node = world.head_nodes[0];
+            NodeChild at = stage.level.world().root;
             double nearest = 1;
-            while (node >= 0) {
-                const Node& at = stage.level.nodes[static_cast<std::size_t>(node)];
-                const LevelPlane& plane = stage.level.planes[static_cast<std::size_t>(at.plane)];
+            while (!at.is_leaf()) {
+                const Node& node = stage.level.nodes[at.node()];
+                const LevelPlane& plane = stage.level.planes[node.plane];
                 const double distance =
                     std::ldexp(static_cast<double>(plane_distance(plane, placed.position).raw), -42);
                 nearest = std::min(nearest, std::abs(distance));
-                node = at.children[plane_side(plane, placed.position) > 0 ? 0 : 1];
+                at = node.children[plane_side(plane, placed.position) > 0 ? 0 : 1];
             }
-            ASSERT_GE(nearest, 1.0 / 2048) << "corner " << corner;
-            ASSERT_NE(stage.level.leaves[static_cast<std::size_t>(placed.leaf)].contents, contents::kSolid) << corner;
+            ASSERT_GE(nearest, 1.0 / 2048) << "corner " << corner.number();
+            ASSERT_NE(stage.level.leaves[placed.leaf].contents, contents::kSolid) << corner.number();
         }
 }
 

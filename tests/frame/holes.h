@@ -9,7 +9,7 @@ namespace oblong::test {
 
 /// Neither in a wall nor behind the sky.
 inline bool is_open(const Level& level, const Vec3<World>& p) {
-    const Leaf& leaf = level.leaves[static_cast<std::size_t>(find_leaf(level, level.models[0], p))];
+    const Leaf& leaf = level.leaves[find_leaf(level, level.world(), p)];
     return leaf.contents != contents::kSolid && leaf.contents != contents::kSky;
 }
 

@@ -32,8 +32,8 @@ Vec3<World> box_point(const LevelBox& box, const std::array<std::int32_t, 3>& pa
 
 std::vector<Vec3<World>> leaf_centres(const Level& level) {
     std::vector<Vec3<World>> points;
-    for (std::int32_t leaf = 1; leaf <= level.models[0].visible_leaf_count; ++leaf) {
-        const Vec3<World> p = box_point(level.leaves[static_cast<std::size_t>(leaf)].box, {8, 8, 8});
+    for (const LeafIndex leaf : level.visible_leaves()) {
+        const Vec3<World> p = box_point(level.leaves[leaf].box, {8, 8, 8});
         if (is_open(level, p)) points.push_back(p);
     }
     return points;
@@ -53,9 +53,14 @@ void expect_no_holes_around(Stage& stage, const std::vector<Vec3<World>>& points
             }
 }
 
+LeafIndex random_leaf(const Level& level, std::mt19937& random) {
+    return LeafIndex(
+        static_cast<std::int32_t>(1 + random() % static_cast<std::uint32_t>(level.world().visible_leaf_count)));
+}
+
 /// Anywhere in the box of a leaf, looking anywhere.
 Camera random_camera(const Level& level, std::mt19937& random) {
-    const auto leaf = 1 + random() % static_cast<std::uint32_t>(level.models[0].visible_leaf_count);
+    const LeafIndex leaf = random_leaf(level, random);
     const auto part = [&] { return static_cast<std::int32_t>(random() % 17); };
     Camera camera;
     camera.eye = box_point(level.leaves[leaf].box, {part(), part(), part()});
@@ -133,7 +138,7 @@ TEST_P(RealHoles, HardCaseV12_NoneFromCornersOfLeaves) {
     std::mt19937 random(12);
     for (int found = 0; found < 1500 && !HasFailure();) {
         // A corner of a leaf's box, or a step of World to a unit away from it: as near to walls as an eye can be.
-        const auto leaf = 1 + random() % static_cast<std::uint32_t>(stage.level.models[0].visible_leaf_count);
+        const LeafIndex leaf = random_leaf(stage.level, random);
         const auto corner = [&] { return random() % 2 ? 0 : 16; };
         Vec3<World> p = box_point(stage.level.leaves[leaf].box, {corner(), corner(), corner()});
         const auto away = [&] { return World::from_raw(static_cast<std::int32_t>(random() % 3) - 1); };

@@ -21,8 +21,8 @@ struct Point {
     double x, y, z;
 };
 
-Point point_of(const Level& level, std::int32_t vertex) {
-    const Vec3<World>& p = level.vertices[static_cast<std::size_t>(vertex)];
+Point point_of(const Level& level, VertexIndex vertex) {
+    const Vec3<World>& p = level.vertices[vertex];
     return {p.x.raw / 4096.0, p.y.raw / 4096.0, p.z.raw / 4096.0};
 }
 
@@ -37,20 +37,20 @@ bool is_inside_edge(const Point& a, const Point& b, const Point& p) {
     return std::hypot(offset.x - along.x * scale, offset.y - along.y * scale, offset.z - along.z * scale) < 1.0 / 600;
 }
 
-bool has_vertex_inside(const Level& level, const std::vector<std::int32_t>& by_x, std::int32_t from, std::int32_t to) {
+bool has_vertex_inside(const Level& level, const std::vector<VertexIndex>& by_x, VertexIndex from, VertexIndex to) {
     const Point a = point_of(level, from), b = point_of(level, to);
     const auto first = std::partition_point(
-        by_x.begin(), by_x.end(), [&](std::int32_t v) { return point_of(level, v).x < std::min(a.x, b.x) - 0.01; });
+        by_x.begin(), by_x.end(), [&](VertexIndex v) { return point_of(level, v).x < std::min(a.x, b.x) - 0.01; });
     for (auto v = first; v != by_x.end() && point_of(level, *v).x <= std::max(a.x, b.x) + 0.01; ++v)
         if (is_inside_edge(a, b, point_of(level, *v))) return true;
     return false;
 }
 
-std::vector<std::int32_t> used_vertices_by_x(const Level& level, const FaceTable& table) {
-    const std::set<std::int32_t> used(table.corners.begin(), table.corners.end());
-    std::vector<std::int32_t> sorted(used.begin(), used.end());
+std::vector<VertexIndex> used_vertices_by_x(const Level& level, const FaceTable& table) {
+    const std::set<VertexIndex> used(table.corners.begin(), table.corners.end());
+    std::vector<VertexIndex> sorted(used.begin(), used.end());
     std::sort(sorted.begin(), sorted.end(),
-              [&](std::int32_t a, std::int32_t b) { return point_of(level, a).x < point_of(level, b).x; });
+              [&](VertexIndex a, VertexIndex b) { return point_of(level, a).x < point_of(level, b).x; });
     return sorted;
 }
 
@@ -62,11 +62,12 @@ TEST_P(MendedOutlines, HardCaseE9_NoCornerLiesWithinAnEdge) {
     OBLONG_NEEDS_SHARED_LEVELS();
     const Stage stage = real_stage(GetParam());
     const FaceTable table = make_face_table(stage.level);
-    const std::vector<std::int32_t> by_x = used_vertices_by_x(stage.level, table);
-    for (std::int32_t face = 0; face < static_cast<std::int32_t>(stage.level.faces.size()); ++face) {
-        const std::span<const std::int32_t> corners = table.corners_of(face);
+    const std::vector<VertexIndex> by_x = used_vertices_by_x(stage.level, table);
+    for (const FaceIndex face : stage.level.faces.indices()) {
+        const std::span<const VertexIndex> corners = table.corners_of(face);
         for (std::size_t i = 0; i < corners.size(); ++i)
-            ASSERT_FALSE(has_vertex_inside(stage.level, by_x, corners[i], corners[(i + 1) % corners.size()])) << face;
+            ASSERT_FALSE(has_vertex_inside(stage.level, by_x, corners[i], corners[(i + 1) % corners.size()]))
+                << face.number();
     }
 }
 
@@ -76,13 +77,13 @@ TEST_P(MendedOutlines, TheFacesOfTheWorldAreAClosedSurface) {
     const Stage stage = real_stage(GetParam());
     const FaceTable table = make_face_table(stage.level);
     using Place = std::array<std::int32_t, 3>;
-    const auto place_of = [&](std::int32_t vertex) {
-        const Vec3<World>& p = stage.level.vertices[static_cast<std::size_t>(vertex)];
+    const auto place_of = [&](VertexIndex vertex) {
+        const Vec3<World>& p = stage.level.vertices[vertex];
         return Place{p.x.raw, p.y.raw, p.z.raw};
     };
     std::map<std::pair<Place, Place>, int> walked;  // of each edge, how often more in its direction than back
-    for (std::int32_t face = 0; face < stage.level.models[0].face_count; ++face) {
-        const std::span<const std::int32_t> corners = table.corners_of(face);
+    for (const FaceIndex face : stage.level.world().faces) {
+        const std::span<const VertexIndex> corners = table.corners_of(face);
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Place from = place_of(corners[i]), to = place_of(corners[(i + 1) % corners.size()]);
             ++walked[{from, to}];
@@ -98,17 +99,15 @@ TEST_P(MendedOutlines, CornersComeInTheOrderOfTheFaceAndSomeAreNew) {
     const Stage stage = real_stage(GetParam());
     const FaceTable table = make_face_table(stage.level);
     std::size_t added = 0;
-    for (std::size_t index = 0; index < stage.level.faces.size(); ++index) {
-        const Face& face = stage.level.faces[index];
-        const std::span<const std::int32_t> corners = table.corners_of(static_cast<std::int32_t>(index));
+    for (const FaceIndex index : stage.level.faces.indices()) {
+        const std::span<const SurfEdge> edges = stage.level.edges_of(stage.level.faces[index]);
+        const std::span<const VertexIndex> corners = table.corners_of(index);
         std::size_t at = 0;  // the file's corners must all be met, in their order
-        for (std::int32_t i = 0; i < face.edge_count; ++i) {
-            const std::int32_t edge = stage.level.surf_edges[static_cast<std::size_t>(face.first_surfedge + i)];
-            const EdgeIndices& ends = stage.level.edges[static_cast<std::size_t>(std::abs(edge))];
-            while (at < corners.size() && corners[at] != (edge < 0 ? ends.to : ends.from)) ++at;
-            ASSERT_LT(at, corners.size()) << index;
+        for (const SurfEdge edge : edges) {
+            while (at < corners.size() && corners[at] != stage.level.start_of(edge)) ++at;
+            ASSERT_LT(at, corners.size()) << index.number();
         }
-        added += corners.size() - static_cast<std::size_t>(face.edge_count);
+        added += corners.size() - edges.size();
     }
     EXPECT_GT(added, 0u) << "these levels are known to have T-junctions";
 }

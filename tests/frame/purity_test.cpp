@@ -35,22 +35,17 @@ std::vector<std::uint8_t> drawn_afresh(Stage& stage, const Camera& camera) {
 }
 
 bool is_named(const Level& level, const Face& face, const char* start) {
-    const TexInfo& texinfo = level.texinfos[static_cast<std::size_t>(face.texinfo)];
-    return level.textures[static_cast<std::size_t>(texinfo.miptex)].name.starts_with(start);
+    return level.texture_of(face).name.starts_with(start);
 }
 
 /// Whether a leaf that may be seen from `leaf` is bordered by a face whose texture's name starts so.
-bool sees_texture(const Level& level, std::int32_t leaf, const char* start) {
+bool sees_texture(const Level& level, LeafIndex leaf, const char* start) {
     std::vector<std::uint8_t> visible(visible_set_size(level));
     unpack_visible_set(level, leaf, visible);
-    for (std::int32_t other = 1; other <= level.models[0].visible_leaf_count; ++other) {
+    for (const LeafIndex other : level.visible_leaves()) {
         if (!is_in_set(visible, other)) continue;
-        const Leaf& at = level.leaves[static_cast<std::size_t>(other)];
-        for (std::int32_t i = 0; i < at.mark_face_count; ++i) {
-            const auto face =
-                static_cast<std::size_t>(level.mark_faces[static_cast<std::size_t>(at.first_mark_face + i)]);
+        for (const FaceIndex face : level.faces_at(level.leaves[other]))
             if (is_named(level, level.faces[face], start)) return true;
-        }
     }
     return false;
 }
@@ -123,7 +118,7 @@ TEST(Plan, HardCaseP5_HoldsWhatIsInSightAndAllowed) {
         FrameWorkspace work(stage.level, stage.mode);
         for (const Camera& camera : cameras_of(stage.level)) {
             stage.draw(camera, work);
-            const std::int32_t leaf = place_eye(stage.level, camera.eye).leaf;
+            const LeafIndex leaf = place_eye(stage.level, camera.eye).leaf;
             const bool sees_sky = sees_texture(stage.level, leaf, "sky");
             EXPECT_EQ(work.plan.effects.has(Effect::Sky), sees_sky);
             EXPECT_EQ(work.plan.effects.has(Effect::Liquid), sees_texture(stage.level, leaf, "*"));
@@ -169,19 +164,17 @@ TEST(Eye, HardCaseV11_InThePlaneOfAFaceIsAStepToTheBackOfIt) {
 std::vector<Vec3<World>> middles_of_liquids(const Level& level) {
     std::vector<Vec3<World>> middles;
     for (const Face& face : level.faces) {
-        const LevelPlane& plane = level.planes[static_cast<std::size_t>(face.plane)];
+        const LevelPlane& plane = level.planes[face.plane];
         if (!is_named(level, face, "*") || plane.normal.z != Unit::from_int(1)) continue;
         std::int64_t x = 0, y = 0;
         Vec3<World> corner;
-        for (std::int32_t i = 0; i < face.edge_count; ++i) {
-            const std::int32_t edge = level.surf_edges[static_cast<std::size_t>(face.first_surfedge + i)];
-            const EdgeIndices& ends = level.edges[static_cast<std::size_t>(std::abs(edge))];
-            corner = level.vertices[static_cast<std::size_t>(edge < 0 ? ends.to : ends.from)];
+        for (const SurfEdge edge : level.edges_of(face)) {
+            corner = level.vertices[level.start_of(edge)];
             x += corner.x.raw;
             y += corner.y.raw;
         }
         const auto mean = [&](std::int64_t sum) {
-            return World::from_raw(static_cast<std::int32_t>(sum / face.edge_count));
+            return World::from_raw(static_cast<std::int32_t>(sum / face.edges.count));
         };
         middles.push_back({mean(x), mean(y), corner.z});
     }
@@ -203,9 +196,7 @@ TEST(Eye, HardCaseV11_InASurfaceOfWaterIsAStepBelowIt) {
             in_surface.yaw = Angle::from_bam(static_cast<std::int64_t>(i) * 9973);
             Camera below = in_surface;
             below.eye.z.raw -= 2;
-            if (stage.level.leaves[static_cast<std::size_t>(place_eye(stage.level, below.eye).leaf)].contents ==
-                contents::kSolid)
-                continue;
+            if (stage.level.leaves[place_eye(stage.level, below.eye).leaf].contents == contents::kSolid) continue;
             FrameWorkspace work(stage.level, stage.mode);
             work.counts = std::make_unique<FrameCounts>();
             stage.draw(in_surface, work);
@@ -226,7 +217,7 @@ TEST(Eye, ClearOfAllPlanesStaysWhereItIs) {
         EXPECT_LE(moved(placed.position.x, camera.eye.x), 8);
         EXPECT_LE(moved(placed.position.y, camera.eye.y), 8);
         EXPECT_LE(moved(placed.position.z, camera.eye.z), 8);
-        EXPECT_EQ(placed.leaf, find_leaf(stage.level, stage.level.models[0], placed.position));
+        EXPECT_EQ(placed.leaf, find_leaf(stage.level, stage.level.world(), placed.position));
     }
 }
 

@@ -29,7 +29,7 @@ TEST(TornLevel, AFreePixelTakesTheColourOfItsNearestNeighbour) {
     for (auto vertex = stage.level.vertices.begin(); stage.level.vertices.end() - vertex > 5; vertex += 5)
         vertex->z += World::from_int(6);
     // A surface closed by moved corners stays closed: take the faces of every eleventh node away as well.
-    for (auto node = stage.level.nodes.begin(); stage.level.nodes.end() - node > 11; node += 11) node->face_count = 0;
+    for (auto node = stage.level.nodes.begin(); stage.level.nodes.end() - node > 11; node += 11) node->faces.count = 0;
 
     FrameWorkspace work(stage.level, stage.mode);
     int free_pixels = 0;

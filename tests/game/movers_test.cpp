@@ -352,7 +352,7 @@ TEST(GameLevel, AMoverThatWouldLeaveTheFormatStandsStill) {
     for (const World x : {World::highest() - travel, World::highest(), World::lowest()}) {
         const GameLevel level = movers_with_vertex(x);
         EXPECT_TRUE(level.movers.empty());
-        EXPECT_EQ(level.solid_static_models, std::vector<std::int32_t>{1});
+        EXPECT_EQ(level.solid_static_models, std::vector<ModelIndex>{ModelIndex(1)});
     }
 }
 
@@ -363,7 +363,9 @@ TEST(GameLevel, TensOfThousandsOfEntities) {
     toy.add_model(floor_and({}));
     for (int i = 0; i < kCount; ++i) {
         const std::string name = std::to_string(i), model = "*" + std::to_string(i + 1);
-        toy.level.models.push_back({{{3 * i, 0, 0}, {3 * i + 3, 10, 64}}, {}, {0, -1, -1, -1}, 0, 0, 0});
+        SubModel box;
+        box.box = {{3 * i, 0, 0}, {3 * i + 3, 10, 64}};
+        toy.level.models.push_back(box);
         toy.add_entity({{"classname", "func_door"}, {"model", model}, {"angle", "-1"}});
         toy.add_entity({{"classname", "func_button"}, {"model", model}, {"targetname", "all"}, {"target", "all"}});
         toy.add_entity({{"classname", "trigger_once"}, {"model", model}, {"target", "all"}});

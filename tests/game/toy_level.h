@@ -20,19 +20,19 @@ class ToyLevel {
   public:
     explicit ToyLevel(std::int32_t water_z = -30'000) {
         level.leaves.resize(3);
-        level.leaves[0].contents = contents::kSolid;
-        level.leaves[1].contents = contents::kEmpty;
-        level.leaves[2].contents = contents::kWater;
+        level.leaves[LeafIndex(0)].contents = contents::kSolid;
+        level.leaves[LeafIndex(1)].contents = contents::kEmpty;
+        level.leaves[LeafIndex(2)].contents = contents::kWater;
         Node surface;
         surface.plane = add_plane(2, water_z);
-        surface.children = {-1 - 1, -1 - 2};
+        surface.children = {NodeChild(LeafIndex(1)), NodeChild(LeafIndex(2))};
         level.nodes.push_back(surface);
     }
 
     /// Adds a model of these boxes: the first is the world, the others are entities' "*1", "*2" and so on.
     ToyLevel& add_model(const std::vector<Solid>& solids) {
         SubModel model;
-        model.head_nodes = {0, chain(solids), contents::kEmpty, contents::kEmpty};
+        model.clip_roots[0] = chain(solids);
         const Solid& box = solids.front();
         model.box = {{box.min_x, box.min_y, box.min_z}, {box.max_x, box.max_y, box.max_z}};
         level.models.push_back(model);
@@ -47,26 +47,26 @@ class ToyLevel {
     Level level;
 
   private:
-    std::int32_t add_plane(std::uint8_t axis, std::int32_t distance) {
+    PlaneIndex add_plane(std::uint8_t axis, std::int32_t distance) {
         LevelPlane plane;
         plane.axis = axis;
         (axis == 0 ? plane.normal.x : axis == 1 ? plane.normal.y : plane.normal.z) = Unit::from_int(1);
         plane.distance = PlaneDistance::from_int(distance);
         level.planes.push_back(plane);
-        return static_cast<std::int32_t>(level.planes.size()) - 1;
+        return PlaneIndex(level.planes.count() - 1);
     }
 
     // Six planes of a box: outside any of them is the next box's chain, inside all is solid.
-    std::int32_t chain(const std::vector<Solid>& solids) {
-        std::int32_t next = contents::kEmpty;
+    ClipChild chain(const std::vector<Solid>& solids) {
+        ClipChild next(contents::kEmpty);
         for (const Solid& s : solids) {
-            std::int32_t inside = contents::kSolid;
+            ClipChild inside(contents::kSolid);
             const auto cut = [&](std::uint8_t axis, std::int32_t distance, bool solid_is_front) {
                 ClipNode node;
                 node.plane = add_plane(axis, distance);
                 node.children = {solid_is_front ? inside : next, solid_is_front ? next : inside};
                 level.clip_nodes.push_back(node);
-                inside = static_cast<std::int32_t>(level.clip_nodes.size()) - 1;
+                inside = ClipChild(ClipNodeIndex(level.clip_nodes.count() - 1));
             };
             cut(0, s.min_x - 16, true), cut(0, s.max_x + 16, false);
             cut(1, s.min_y - 16, true), cut(1, s.max_y + 16, false);

@@ -96,6 +96,15 @@ TEST(BadInput, OneWrongNumberNamesItsLump) {
     }
 }
 
+/// Its lit surface would take as much memory as the numbers of the file ask for, 64 GiB for some.
+TEST(BadInput, HugeLitFacesAreRefusedInLevelsWithoutLightAsWell) {
+    test::Lumps lumps = test::make_tiny_lumps();
+    test::lump_of(lumps, Lump::Lighting).clear();
+    EXPECT_EQ(fault_of(test::join_lumps(29, lumps)), "");
+    test::put_number(test::lump_of(lumps, Lump::TexInfos), 0, 4, bits_of(200.F));  // the face is 32 units wide
+    EXPECT_TRUE(fault_of(test::join_lumps(29, lumps)).starts_with("lump 'faces', offset "));
+}
+
 TEST(BadInput, ErrorTellsTheByteOfTheFile) {
     test::Lumps lumps = test::make_tiny_lumps();
     test::put_number(test::lump_of(lumps, Lump::Faces), 10, 2, 1);  // the texinfo

@@ -53,15 +53,12 @@ TEST_P(RealLevel, BeginsWithTheWorldspawn) {
 // By the corners of their faces; a model may have brushes without faces (of the texture "skip", say) beyond them.
 TEST_P(RealLevel, BoxesOfModelsJustHoldTheirFaces) {
     int exact = 0, all = 0;
-    for (std::size_t i = 1; i < level_.models.size(); ++i) {
-        const SubModel& model = level_.models[i];
+    for (const SubModel& model : level_.models) {
+        if (&model == &level_.world()) continue;
         LevelBox faces{{99999, 99999, 99999}, {-99999, -99999, -99999}};
-        for (std::int32_t f = model.first_face; f < model.first_face + model.face_count; ++f) {
-            const Face& face = level_.faces[static_cast<std::size_t>(f)];
-            for (std::int32_t k = face.first_surfedge; k < face.first_surfedge + face.edge_count; ++k) {
-                const std::int32_t edge = level_.surf_edges[static_cast<std::size_t>(k)];
-                const EdgeIndices& ends = level_.edges[static_cast<std::size_t>(std::abs(edge))];
-                const auto& p = level_.vertices[static_cast<std::size_t>(edge < 0 ? ends.to : ends.from)];
+        for (const FaceIndex face : model.faces) {
+            for (const SurfEdge edge : level_.edges_of(level_.faces[face])) {
+                const Vec3<World>& p = level_.vertices[level_.start_of(edge)];
                 const std::array<std::int32_t, 3> raw{p.x.raw, p.y.raw, p.z.raw};
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     faces.mins[axis] = std::min(faces.mins[axis], raw[axis] >> World::kFractionBits);
@@ -69,7 +66,7 @@ TEST_P(RealLevel, BoxesOfModelsJustHoldTheirFaces) {
                 }
             }
         }
-        if (model.face_count == 0) continue;
+        if (model.faces.count == 0) continue;
         ++all;
         exact += faces.mins == model.box.mins && faces.maxs == model.box.maxs ? 1 : 0;
     }
@@ -112,26 +109,25 @@ std::vector<bool> unpack_row(const std::vector<std::uint8_t>& packed, std::size_
 }
 
 TEST_P(RealLevel, VisibleSetsAreThoseOfTheFile) {
-    const std::int32_t leaf_count = level_.models[0].visible_leaf_count;
+    const auto leaf_count = static_cast<std::size_t>(level_.world().visible_leaf_count);
     std::vector<std::uint8_t> visible(visible_set_size(level_));
-    for (std::int32_t leaf = 1; leaf <= leaf_count; ++leaf) {
-        const std::int32_t start = level_.leaves[static_cast<std::size_t>(leaf)].visibility_offset;
+    for (const LeafIndex leaf : level_.visible_leaves()) {
+        const std::int32_t start = level_.leaves[leaf].visibility_offset;
         ASSERT_GE(start, 0);
-        const auto expected =
-            unpack_row(level_.visibility, static_cast<std::size_t>(start), static_cast<std::size_t>(leaf_count));
+        const auto expected = unpack_row(level_.visibility, static_cast<std::size_t>(start), leaf_count);
         unpack_visible_set(level_, leaf, visible);
-        for (std::int32_t other = 1; other <= leaf_count; ++other)
-            ASSERT_EQ(is_in_set(visible, other), expected[static_cast<std::size_t>(other - 1)]) << leaf << ' ' << other;
+        for (const LeafIndex other : level_.visible_leaves())
+            ASSERT_EQ(is_in_set(visible, other), expected[other.position() - 1])
+                << leaf.number() << ' ' << other.number();
     }
 }
 
 TEST_P(RealLevel, FromOutsideEveryLeafIsVisible) {
     std::vector<std::uint8_t> visible(visible_set_size(level_));
-    unpack_visible_set(level_, 0, visible);
-    for (std::int32_t leaf = 1; leaf <= level_.models[0].visible_leaf_count; ++leaf)
-        ASSERT_TRUE(is_in_set(visible, leaf));
-    EXPECT_FALSE(is_in_set(visible, 0));
-    EXPECT_FALSE(is_in_set(visible, level_.models[0].visible_leaf_count + 1));
+    unpack_visible_set(level_, kSolidOutside, visible);
+    for (const LeafIndex leaf : level_.visible_leaves()) ASSERT_TRUE(is_in_set(visible, leaf));
+    EXPECT_FALSE(is_in_set(visible, kSolidOutside));
+    EXPECT_FALSE(is_in_set(visible, LeafIndex(level_.world().visible_leaf_count + 1)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, RealLevel, testing::ValuesIn(test::kRealLevels));

@@ -20,7 +20,7 @@ class RealTrace : public testing::TestWithParam<const char*> {
         level_ = read_bsp(test::read_shared_file(std::string(GetParam()) + ".bsp"));
     }
 
-    const SubModel& world() const { return level_.models[0]; }
+    const SubModel& world() const { return level_.world(); }
 
     Vec3<World> random_point() {
         const auto part = [this](std::size_t axis) {
@@ -55,9 +55,8 @@ class RealTrace : public testing::TestWithParam<const char*> {
 TEST_P(RealTrace, ContentsOfThePointHullAreThoseOfTheLeaf) {
     for (int i = 0; i < 5000; ++i) {
         const Vec3<World> p = random_point();
-        const std::int32_t leaf = find_leaf(level_, world(), p);
-        ASSERT_EQ(hull_contents(level_, world(), Hull::Point, p),
-                  level_.leaves[static_cast<std::size_t>(leaf)].contents);
+        const Leaf& leaf = level_.leaves[find_leaf(level_, world(), p)];
+        ASSERT_EQ(hull_contents(level_, world(), Hull::Point, p), leaf.contents);
     }
 }
 

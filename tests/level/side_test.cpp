@@ -69,9 +69,9 @@ class RealSides : public testing::TestWithParam<const char*> {
     /// Points where sides are in doubt: all vertices, and whole-unit points of the level's box; and others.
     std::vector<Vec3<World>> make_points() const {
         std::mt19937 random(1993);
-        std::vector<Vec3<World>> points = level_.vertices;
+        std::vector<Vec3<World>> points(level_.vertices.begin(), level_.vertices.end());
         for (int i = 0; i < 3000; ++i) {
-            Vec3<World> p = random_point(random, level_.models[0].box);
+            Vec3<World> p = random_point(random, level_.world().box);
             points.push_back(p);
             const auto to_whole = [](World part) { return World::from_raw(part.raw & ~0xfff); };
             points.push_back({to_whole(p.x), to_whole(p.y), to_whole(p.z)});
@@ -98,17 +98,18 @@ class RealSides : public testing::TestWithParam<const char*> {
 
 TEST_P(RealSides, LeafOfEveryPointIsThatOfTheExactWalk) {
     for (const Vec3<World>& p : make_points())
-        ASSERT_EQ(find_leaf(level_, level_.models[0], p), exact_leaf(p)) << p.x.raw << ' ' << p.y.raw << ' ' << p.z.raw;
+        ASSERT_EQ(find_leaf(level_, level_.world(), p).number(), exact_leaf(p))
+            << p.x.raw << ' ' << p.y.raw << ' ' << p.z.raw;
 }
 
 TEST_P(RealSides, EveryPlaneAgreesWithTheExactSide) {
     const std::vector<Vec3<World>> points = make_points();
     int on_plane = 0;
-    for (std::size_t i = 0; i < planes_.size(); ++i) {
-        for (std::size_t j = i % 37; j < points.size(); j += 37) {
-            const int side = exact_side(planes_[i], points[j]);
+    for (const PlaneIndex plane : level_.planes.indices()) {
+        for (std::size_t j = plane.position() % 37; j < points.size(); j += 37) {
+            const int side = exact_side(planes_[plane.position()], points[j]);
             on_plane += side == 0;
-            ASSERT_EQ(plane_side(level_.planes[i], points[j]), side) << "plane " << i;
+            ASSERT_EQ(plane_side(level_.planes[plane], points[j]), side) << "plane " << plane.number();
         }
     }
     EXPECT_GT(on_plane, 100) << "too few points in doubt to show anything";
@@ -122,7 +123,7 @@ LevelPlane read_plane(const FilePlane& plane) {
     test::Bytes& lump = test::lump_of(lumps, Lump::Planes);
     lump.clear();
     test::ByteWriter(lump).f32(plane.normal[0]).f32(plane.normal[1]).f32(plane.normal[2]).f32(plane.distance).i32(3);
-    return read_bsp(test::join_lumps(29, lumps)).planes[0];
+    return read_bsp(test::join_lumps(29, lumps)).planes.front();
 }
 
 FilePlane random_plane(std::mt19937& random) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <bit>
+
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
 #include "tests/support/tiny_bsp.h"
@@ -18,7 +20,7 @@ Vec3<World> point(std::int32_t x, std::int32_t y, std::int32_t z) {
 TEST(TinyLevel, FaceCoversItsTexels) {
     const Level level = read_tiny();
     ASSERT_EQ(level.faces.size(), 1u);
-    const Face& face = level.faces[0];
+    const Face& face = level.faces.front();
     // u = x + 4 runs from 4 to 36: cells 0 to 48. v = -y runs from -16 to 0: one cell.
     EXPECT_EQ(face.texel_min_u, 0);
     EXPECT_EQ(face.texel_extent_u, 48);
@@ -29,22 +31,22 @@ TEST(TinyLevel, FaceCoversItsTexels) {
 
 TEST(TinyLevel, NumbersAreInTheFormatsOfTheEngine) {
     const Level level = read_tiny();
-    EXPECT_EQ(level.vertices[3], point(32, 16, 8));
-    EXPECT_EQ(level.planes[0].normal.z, Unit::from_int(1));
-    EXPECT_EQ(level.planes[0].distance, PlaneDistance::from_int(8));
-    EXPECT_EQ(level.planes[0].axis, 2);
-    EXPECT_EQ(level.texinfos[0].s.x, TexelAxis::from_int(1));
-    EXPECT_EQ(level.texinfos[0].s_offset, Texel::from_int(4));
-    EXPECT_EQ(level.textures[0].name, "floor");
-    EXPECT_EQ(level.textures[0].mips[3].size(), 4u);
+    EXPECT_EQ(level.vertices[VertexIndex(3)], point(32, 16, 8));
+    EXPECT_EQ(level.planes.front().normal.z, Unit::from_int(1));
+    EXPECT_EQ(level.planes.front().distance, PlaneDistance::from_int(8));
+    EXPECT_EQ(level.planes.front().axis, 2);
+    EXPECT_EQ(level.texinfos.front().s.x, TexelAxis::from_int(1));
+    EXPECT_EQ(level.texinfos.front().s_offset, Texel::from_int(4));
+    EXPECT_EQ(level.textures.front().name, "floor");
+    EXPECT_EQ(level.textures.front().mips[3].size(), 4u);
 }
 
 TEST(TinyLevel, PointOnThePlaneBelongsToItsBack) {
     const Level level = read_tiny();
     Vec3<World> p = point(1, 1, 8);
-    EXPECT_EQ(find_leaf(level, level.models[0], p), 0);
+    EXPECT_EQ(find_leaf(level, level.world(), p), kSolidOutside);
     p.z += World::ulp();
-    EXPECT_EQ(find_leaf(level, level.models[0], p), 1);
+    EXPECT_EQ(find_leaf(level, level.world(), p), LeafIndex(1));
 }
 
 TEST(TinyLevel, IsTheSameInAllFormats) {
@@ -53,12 +55,25 @@ TEST(TinyLevel, IsTheSameInAllFormats) {
     EXPECT_EQ(read_tiny(), read_bsp(test::join_lumps(version_from_letters("2PSB"), test::widen_lumps(lumps, false))));
 }
 
+/// Bounds of 2^20 are taken: compilers write such for empty nodes.
+TEST(TinyLevel, BoxesOfNodesAndLeavesEndWithTheWorld) {
+    test::Lumps lumps = test::widen_lumps(test::make_tiny_lumps(), true);
+    for (const std::size_t axis : {0u, 1u, 2u}) {
+        test::put_number(test::lump_of(lumps, Lump::Nodes), 12 + axis * 4, 4, std::bit_cast<std::int32_t>(-1048576.F));
+        test::put_number(test::lump_of(lumps, Lump::Leaves), 44 + 20 + axis * 4, 4,
+                         std::bit_cast<std::int32_t>(1048576.F));
+    }
+    const Level level = read_bsp(test::join_lumps(version_from_letters("BSP2"), lumps));
+    EXPECT_EQ(level.nodes.front().box.mins, (std::array{-524287, -524287, -524287}));
+    EXPECT_EQ(level.leaves[LeafIndex(1)].box.maxs, (std::array{524287, 524287, 524287}));
+}
+
 TEST(TinyLevel, MissingTextureBecomesACheckerboard) {
     test::Lumps lumps = test::make_tiny_lumps();
     test::put_number(test::lump_of(lumps, Lump::Textures), 4, 4, -1);
     const Level level = read_tiny(lumps);
     ASSERT_EQ(level.textures.size(), 1u);
-    const MipTexture& texture = level.textures[0];
+    const MipTexture& texture = level.textures.front();
     EXPECT_TRUE(texture.is_missing);
     for (std::size_t mip = 0; mip < 4; ++mip)
         EXPECT_EQ(texture.mips[mip].size(), static_cast<std::size_t>((texture.width >> mip) * (texture.height >> mip)));
@@ -71,8 +86,8 @@ TEST(TinyLevel, TextureWhoseTexelsAreElsewhereKeepsItsName) {
     for (std::size_t mip = 0; mip < 4; ++mip)
         test::put_number(test::lump_of(lumps, Lump::Textures), 32 + mip * 4, 4, 0);
     const Level level = read_tiny(lumps);
-    EXPECT_TRUE(level.textures[0].is_missing);
-    EXPECT_EQ(level.textures[0].name, "floor");
+    EXPECT_TRUE(level.textures.front().is_missing);
+    EXPECT_EQ(level.textures.front().name, "floor");
 }
 
 // 16 bits hold both: indices up to the number of clipnodes, and contents near 65,536.
@@ -82,28 +97,34 @@ TEST(TinyLevel, MoreThan32767ClipNodesAreToldFromContents) {
     test::Bytes& nodes = test::lump_of(lumps, Lump::ClipNodes);
     nodes.clear();
     const auto child = [](std::int32_t index) { return index < kCount ? index : contents::kWater; };
+    const auto is_child = [](ClipChild found, std::int32_t expected) {
+        return found == (expected < 0 ? ClipChild(expected) : ClipChild(ClipNodeIndex(expected)));
+    };
     for (std::int32_t i = 0; i < kCount; ++i)
         test::ByteWriter(nodes).i32(0).i16(child(2 * i + 1)).i16(child(2 * i + 2));
     const Level level = read_tiny(lumps);
     for (std::int32_t i = 0; i < kCount; ++i) {
-        const auto& children = level.clip_nodes[static_cast<std::size_t>(i)].children;
-        ASSERT_EQ(children[0], child(2 * i + 1)) << i;
-        ASSERT_EQ(children[1], child(2 * i + 2)) << i;
+        const auto& children = level.clip_nodes[ClipNodeIndex(i)].children;
+        ASSERT_TRUE(is_child(children[0], child(2 * i + 1))) << i;
+        ASSERT_TRUE(is_child(children[1], child(2 * i + 2))) << i;
     }
 }
 
-TEST(TinyLevel, SkyAndLiquidsAreSpecialByNameOrFlag) {
-    for (const char* name : {"*lava", "sky1", "floor"}) {
+TEST(TinyLevel, MaterialsGoByNameOrFlag) {
+    for (const auto& [name, material] :
+         {std::pair{"*lava", Material::Liquid}, {"sky1", Material::Sky}, {"floor", Material::Lit}}) {
         test::Lumps lumps = test::make_tiny_lumps();
         test::Bytes& textures = test::lump_of(lumps, Lump::Textures);
         std::fill_n(textures.begin() + 8, 16, std::uint8_t{0});
         std::copy_n(name, std::string_view(name).size(), textures.begin() + 8);
-        EXPECT_EQ(read_tiny(lumps).texinfos[0].is_special, name != std::string("floor")) << name;
+        const Level level = read_tiny(lumps);
+        EXPECT_EQ(level.texinfos.front().material, material) << name;
+        EXPECT_EQ(level.sky.is_none(), material != Material::Sky) << name;
     }
     test::Lumps flagged = test::make_tiny_lumps();
     test::put_number(test::lump_of(flagged, Lump::TexInfos), 36, 4, 1);
-    EXPECT_TRUE(read_tiny(flagged).texinfos[0].is_special);
-    EXPECT_EQ(read_tiny(flagged).faces[0].light_offset, -1);
+    EXPECT_EQ(read_tiny(flagged).texinfos.front().material, Material::Liquid);
+    EXPECT_EQ(read_tiny(flagged).faces.front().light_offset, -1);
 }
 
 TEST(TinyLevel, WithoutLightOrVisibilityThereAreNoOffsets) {
@@ -111,8 +132,8 @@ TEST(TinyLevel, WithoutLightOrVisibilityThereAreNoOffsets) {
     test::lump_of(lumps, Lump::Lighting).clear();
     test::lump_of(lumps, Lump::Visibility).clear();
     const Level level = read_tiny(lumps);
-    EXPECT_EQ(level.faces[0].light_offset, -1);
-    EXPECT_EQ(level.leaves[1].visibility_offset, -1);
+    EXPECT_EQ(level.faces.front().light_offset, -1);
+    EXPECT_EQ(level.leaves[LeafIndex(1)].visibility_offset, -1);
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ std::vector<FilePlane> box_planes(double size, double facing) {
 }
 
 TraceResult trace(const Level& level, Point from, Point to) {
-    return trace_hull(level, level.models[0], Hull::Player, to_world(from), to_world(to));
+    return trace_hull(level, level.world(), Hull::Player, to_world(from), to_world(to));
 }
 
 TEST(Trace, StopsA32ndBeforeTheWallOfARoom) {
@@ -107,7 +107,7 @@ TEST(Trace, BacksOffFromAStopInsideSolid) {
 
     const TraceResult result = trace(level, {10, 0, 0}, {-10, 0, 0});
     EXPECT_TRUE(result.is_hit);
-    EXPECT_EQ(hull_contents(level, level.models[0], Hull::Player, result.end), contents::kEmpty);
+    EXPECT_EQ(hull_contents(level, level.world(), Hull::Player, result.end), contents::kEmpty);
     EXPECT_LE(to_point(result.end).x, 1. / 32 + 1. / 4096);
 }
 
@@ -137,7 +137,7 @@ TEST(Trace, FromSolidItMovesOutAndThroughSolidItStays) {
 TEST(Trace, PointOnAPlaneBelongsToItsFront) {
     const Level block = make_convex(box_planes(32, 1), true);
     const auto contents_at = [&block](Point p) {
-        return hull_contents(block, block.models[0], Hull::Player, to_world(p));
+        return hull_contents(block, block.world(), Hull::Player, to_world(p));
     };
     EXPECT_EQ(contents_at({32, 0, 0}), contents::kEmpty);
     EXPECT_EQ(contents_at({32 - 1. / 4096, 0, 0}), contents::kSolid);

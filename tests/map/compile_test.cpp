@@ -125,12 +125,12 @@ TEST(Compile, StepsEndInTheOpen) {
     for (int i = 0; i < 2000; ++i) {
         const auto at = [&] { return random_between(random, -256, 256); };
         const auto from = to_world({at(), at(), random_between(random, 24, 220)});
-        if (hull_contents(level, level.models[0], Hull::Player, from) != contents::kEmpty) continue;
+        if (hull_contents(level, level.world(), Hull::Player, from) != contents::kEmpty) continue;
         ++standing;
-        const TraceResult trace = trace_hull(level, level.models[0], Hull::Player, from,
+        const TraceResult trace = trace_hull(level, level.world(), Hull::Player, from,
                                              to_world({at(), at(), random_between(random, 0, 256)}));
-        EXPECT_EQ(hull_contents(level, level.models[0], Hull::Player, trace.end), contents::kEmpty);
-        EXPECT_EQ(hull_contents(level, level.models[0], Hull::Point, trace.end), contents::kEmpty);
+        EXPECT_EQ(hull_contents(level, level.world(), Hull::Player, trace.end), contents::kEmpty);
+        EXPECT_EQ(hull_contents(level, level.world(), Hull::Point, trace.end), contents::kEmpty);
     }
     EXPECT_GT(standing, 500);
 }

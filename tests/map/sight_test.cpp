@@ -39,8 +39,8 @@ class Sight {
             const Point from = random_point(random);
             Point to = random_point(random);
             if (i % 2 == 0) to.z = from.z + (to.z - from.z) / 16;
-            const std::int32_t here = open_leaf(from), there = open_leaf(to);
-            if (here == 0 || there == 0 || brushes_.is_blocked(from, to, kMargin)) continue;
+            const LeafIndex here = open_leaf(from), there = open_leaf(to);
+            if (here == kSolidOutside || there == kSolidOutside || brushes_.is_blocked(from, to, kMargin)) continue;
             ++witness.seen;
             if (!sees(here, there) || !sees(there, here)) ++witness.denied;
         }
@@ -57,17 +57,17 @@ class Sight {
     }
 
     // The leaf at a point, 0 in brushes and outside of the level.
-    std::int32_t open_leaf(const Point& point) const {
+    LeafIndex open_leaf(const Point& point) const {
         const auto to_world = [](double units) {
             return World::from_raw(static_cast<std::int32_t>(std::lround(units * (1 << World::kFractionBits))));
         };
-        const std::int32_t leaf =
-            find_leaf(level_, level_.models.front(), {to_world(point.x), to_world(point.y), to_world(point.z)});
-        const std::int32_t filling = level_.leaves[static_cast<std::size_t>(leaf)].contents;
-        return filling == contents::kSolid || filling == contents::kSky ? 0 : leaf;
+        const LeafIndex leaf =
+            find_leaf(level_, level_.world(), {to_world(point.x), to_world(point.y), to_world(point.z)});
+        const std::int32_t filling = level_.leaves[leaf].contents;
+        return filling == contents::kSolid || filling == contents::kSky ? kSolidOutside : leaf;
     }
 
-    bool sees(std::int32_t from, std::int32_t to) {
+    bool sees(LeafIndex from, LeafIndex to) {
         unpack_visible_set(level_, from, visible_);
         return is_in_set(visible_, to);
     }

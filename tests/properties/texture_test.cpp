@@ -96,9 +96,9 @@ RC_GTEST_PROP(PropertyTexture, TilesRepeatByWholeTexturesInEveryKernel, ()) {
 
 /// The level with each texture moved along its faces by its own number of whole textures.
 Level shifted_by_whole_textures(Level level) {
-    std::vector<std::array<std::int32_t, 2>> shifts;
+    Table<std::array<std::int32_t, 2>, TexInfo> shifts;
     for (TexInfo& texinfo : level.texinfos) {
-        const MipTexture& texture = level.textures[static_cast<std::size_t>(texinfo.miptex)];
+        const MipTexture& texture = level.textures[texinfo.texture];
         const std::int32_t by_u = *rc::gen::inRange(-20, 21) * texture.width,
                            by_v = *rc::gen::inRange(-20, 21) * texture.height;
         texinfo.s_offset += Texel::from_int(by_u);
@@ -106,7 +106,7 @@ Level shifted_by_whole_textures(Level level) {
         shifts.push_back({by_u, by_v});
     }
     for (Face& face : level.faces) {
-        const auto& [by_u, by_v] = shifts[static_cast<std::size_t>(face.texinfo)];
+        const auto& [by_u, by_v] = shifts[face.texinfo];
         face.texel_min_u += by_u;
         face.texel_min_v += by_v;
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "tests/visibility/rays.h"
 #include "tests/visibility/visibility_fixture.h"
@@ -22,15 +23,14 @@ Point point_in(std::span<const Point> corners, std::mt19937& random) {
     return along(along(corners[0], corners[fan], a), along(corners[0], corners[fan + 1], a), b / std::max(a + b, 1e-9));
 }
 
-/// The leaf that holds a point and all that is near it; -1: more than one.
-std::int32_t leaf_around(const Level& level, Point p) {
+/// The leaf that holds a point and all that is near it; none if it takes more than one.
+LeafIndex leaf_around(const Level& level, Point p) {
     constexpr double kNear = 1.0 / 64;
-    std::int32_t leaf = -1;
+    LeafIndex leaf = LeafIndex::none();
     for (int corner = 0; corner < 8; ++corner) {
         const auto off = [&](int bit) { return corner >> bit & 1 ? kNear : -kNear; };
-        const std::int32_t here =
-            find_leaf(level, level.models[0], to_world({p.x + off(0), p.y + off(1), p.z + off(2)}));
-        if (leaf >= 0 && here != leaf) return -1;
+        const LeafIndex here = find_leaf(level, level.world(), to_world({p.x + off(0), p.y + off(1), p.z + off(2)}));
+        if (!leaf.is_none() && here != leaf) return LeafIndex::none();
         leaf = here;
     }
     return leaf;
@@ -62,13 +62,13 @@ struct Tally {
 };
 
 /// Asks points of one face of a model: each is in one fragment, that of its leaf; in none where the world is solid.
-void check_points(const Level& level, const ModelCut& cut, std::int32_t face, std::span<const Point> outline,
+void check_points(const Level& level, const ModelCut& cut, FaceIndex face, std::span<const Point> outline,
                   std::mt19937& random, Tally& tally) {
     for (int i = 0; i < 20; ++i) {
         const Point p = point_in(outline, random);
-        const std::int32_t leaf = leaf_around(level, p);
+        const LeafIndex leaf = leaf_around(level, p);
         int holding = 0;
-        bool in_doubt = leaf < 0;
+        bool in_doubt = leaf.is_none();
         for (const Fragment& fragment : cut.fragments) {
             if (fragment.face != face || in_doubt) continue;
             const std::vector<Point> corners = corners_of(cut, fragment);
@@ -79,9 +79,9 @@ void check_points(const Level& level, const ModelCut& cut, std::int32_t face, st
             EXPECT_EQ(fragment.leaf, leaf);
         }
         if (in_doubt) continue;
-        const bool is_solid = level.leaves[static_cast<std::size_t>(leaf)].contents == contents::kSolid;
+        const bool is_solid = level.leaves[leaf].contents == contents::kSolid;
         ++(is_solid ? tally.in_solid : tally.in_open);
-        ASSERT_EQ(holding, is_solid ? 0 : 1) << "face " << face << " at " << p.x << ", " << p.y << ", " << p.z;
+        ASSERT_EQ(holding, is_solid ? 0 : 1) << "face " << face.number() << " at " << p.x << ", " << p.y << ", " << p.z;
     }
 }
 
@@ -91,26 +91,24 @@ std::vector<PlacedModel> moved_by(std::vector<PlacedModel> models, Vec3<World> b
 }
 
 /// The leaves that one model alone of `placed` is in: what shares a leaf is cut by each other as well.
-std::vector<std::int32_t> leaves_of_one_model(const Level& level, const FaceTable& table,
-                                              std::span<const PlacedModel> placed) {
-    constexpr std::int32_t kNone = -1, kSeveral = -2;
-    std::vector<std::int32_t> owners(level.leaves.size(), kNone), leaves;
-    for (std::size_t i = 0; i < placed.size(); ++i)
-        for (const Fragment& fragment : cut_model(level, placed[i], 0, table).fragments) {
-            std::int32_t& owner = owners[static_cast<std::size_t>(fragment.leaf)];
-            owner = owner == kNone || owner == static_cast<std::int32_t>(i) ? static_cast<std::int32_t>(i) : kSeveral;
-        }
-    for (std::size_t leaf = 0; leaf < owners.size(); ++leaf)
-        if (owners[leaf] >= 0) leaves.push_back(static_cast<std::int32_t>(leaf));
+std::vector<LeafIndex> leaves_of_one_model(const Level& level, const FaceTable& table,
+                                           std::span<const PlacedModel> placed) {
+    Table<std::set<const PlacedModel*>, Leaf> owners(level.leaves.size());
+    for (const PlacedModel& model : placed)
+        for (const Fragment& fragment : cut_model(level, model, {}, table).fragments)
+            owners[fragment.leaf].insert(&model);
+    std::vector<LeafIndex> leaves;
+    for (const LeafIndex leaf : owners.indices())
+        if (owners[leaf].size() == 1) leaves.push_back(leaf);
     return leaves;
 }
 
 /// Of each fragment in some leaves its model, and where its corners are kept.
-std::vector<std::pair<std::int32_t, const Vec3<World>*>> kept_corners(BrushModels& models,
-                                                                      std::span<const std::int32_t> leaves,
-                                                                      const Level& level, Vec3<World> eye) {
-    std::vector<std::pair<std::int32_t, const Vec3<World>*>> kept;
-    for (const std::int32_t leaf : leaves)
+std::vector<std::pair<PlacedIndex, const Vec3<World>*>> kept_corners(BrushModels& models,
+                                                                     std::span<const LeafIndex> leaves,
+                                                                     const Level& level, Vec3<World> eye) {
+    std::vector<std::pair<PlacedIndex, const Vec3<World>*>> kept;
+    for (const LeafIndex leaf : leaves)
         for (const Fragment* fragment : models.front_to_back_in(leaf, level, eye))
             kept.emplace_back(fragment->placed, models.corners_of(*fragment).data());
     return kept;
@@ -161,10 +159,9 @@ TEST_P(BrushModel, FragmentsCoverEachFaceOnceWhereTheWorldIsOpen) {
     const Vec3<World> off{World::from_raw(50'000), World::from_raw(-31'111), World::from_raw(123'457)};
     for (const std::vector<PlacedModel>& models : {models_at_rest(level), moved_by(models_at_rest(level), off)})
         for (const PlacedModel& placed : models) {
-            const ModelCut cut = cut_model(level, placed, 0, table);
-            const SubModel& model = level.models[static_cast<std::size_t>(placed.model)];
-            for (std::int32_t i = 0; i < model.face_count && !HasFatalFailure(); ++i) {
-                const std::int32_t face = model.first_face + i;
+            const ModelCut cut = cut_model(level, placed, {}, table);
+            for (const FaceIndex face : level.models[placed.model].faces) {
+                if (HasFatalFailure()) return;
                 const std::vector<Point> outline = points_of(level, table.corners_of(face), placed.offset);
                 check_points(level, cut, face, outline, random, tally);
             }
@@ -183,9 +180,8 @@ TEST_P(BrushModel, FragmentsOfALeafFaceTheEyeAndOneModelsComeFrontToBack) {
     for (int trial = 0; trial < 60; ++trial) {
         models.start_frame(level, models_at_rest(level), table);
         const Vec3<World> eye = random_open_point(level, random);
-        for (std::size_t leaf = 0; leaf < level.leaves.size(); ++leaf)
-            check_order(models, models.front_to_back_in(static_cast<std::int32_t>(leaf), level, eye), to_point(eye),
-                        tally);
+        for (const LeafIndex leaf : level.leaves.indices())
+            check_order(models, models.front_to_back_in(leaf, level, eye), to_point(eye), tally);
     }
     EXPECT_GT(tally.fragments, 300);
     // The demo level's models are convex: no two parts of one that face the eye are on a ray.
@@ -206,7 +202,7 @@ TEST_P(BrushModel, OnlyWhatHasMovedIsCutAgain) {
     moved[0].offset.z = moved[0].offset.z + World::from_int(3);
     std::vector<PlacedModel> all = at_rest;
     all.push_back(moved[0]);
-    const std::vector<std::int32_t> leaves = leaves_of_one_model(level, table, all);
+    const std::vector<LeafIndex> leaves = leaves_of_one_model(level, table, all);
 
     BrushModels models(level);
     models.start_frame(level, at_rest, table);
@@ -216,7 +212,7 @@ TEST_P(BrushModel, OnlyWhatHasMovedIsCutAgain) {
     EXPECT_EQ(kept_corners(models, leaves, level, eye), at_first);
     models.start_frame(level, moved, table);
     auto others_at_first = at_first, others = kept_corners(models, leaves, level, eye);
-    const auto is_moved = [](const auto& kept) { return kept.first == 0; };
+    const auto is_moved = [](const auto& kept) { return kept.first == PlacedIndex(0); };
     std::erase_if(others_at_first, is_moved);
     std::erase_if(others, is_moved);
     EXPECT_FALSE(others.empty());

@@ -15,14 +15,14 @@ namespace oblong::test {
 namespace {
 
 /// Of each face its places in the order: in the first walk and the second, or in the second alone.
-using Places = std::map<std::int32_t, std::vector<std::size_t>>;
+using Places = std::map<FaceIndex, std::vector<std::size_t>>;
 
 class Walker {
   public:
     explicit Walker(const std::string& name) : level(read_level(name)) {}
 
     Places walk(const ViewContext& view) {
-        visible_.see_from(level, find_leaf(level, level.models[0], view.eye));
+        visible_.see_from(level, find_leaf(level, level.world(), view.eye));
         Places places;
         std::size_t place = 0;
         FrontToBackWalk walk(level, view, visible_, nullptr, span_buffer_, scratch_);
@@ -43,7 +43,7 @@ class Walker {
   private:
     VisibleSet visible_{level};
     SpanBuffer span_buffer_{320, 200};
-    WalkScratch scratch_{{}, std::vector<std::uint32_t>(level.faces.size()), 0};
+    WalkScratch scratch_{{}, Table<std::uint32_t, Face>(level.faces.size()), 0};
 };
 
 ViewContext random_view(const Level& level, std::mt19937& random) {
@@ -68,18 +68,17 @@ Point random_ray(const ViewContext& view, std::mt19937& random) {
 
 struct Hit {
     double distance;
-    std::int32_t face;
+    FaceIndex face;
     bool is_from_front;
 };
 
 /// The faces of the world that a ray passes through, nearest first; none where that is in doubt of any.
-std::vector<Hit> hits_of(const std::vector<std::vector<Point>>& outlines, Point eye, Point ray) {
+std::vector<Hit> hits_of(const Table<std::vector<Point>, Face>& outlines, Point eye, Point ray) {
     std::vector<Hit> hits;
-    for (std::size_t face = 0; face < outlines.size(); ++face) {
+    for (const FaceIndex face : outlines.indices()) {
         const Passage passage = pass_through(outlines[face], eye, ray);
         if (passage.meeting == Meeting::Doubtful) return {};
-        if (passage.meeting == Meeting::Hit)
-            hits.push_back({passage.along * length(ray), static_cast<std::int32_t>(face), passage.is_from_front});
+        if (passage.meeting == Meeting::Hit) hits.push_back({passage.along * length(ray), face, passage.is_from_front});
     }
     std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.distance < b.distance; });
     return hits;
@@ -119,17 +118,16 @@ class FrontToBack : public testing::TestWithParam<const char*> {};
 TEST_P(FrontToBack, OfTwoFacesOnARayTheNearerComesFirstAndNoneComesTwice) {
     if (GetParam() != std::string("demo")) OBLONG_NEEDS_SHARED_LEVELS();
     Walker walker(GetParam());
-    const std::int32_t face_count = walker.level.models[0].face_count;
-    std::vector<std::vector<Point>> outlines;
-    for (std::int32_t face = 0; face < face_count; ++face)
+    Table<std::vector<Point>, Face> outlines;
+    for (const FaceIndex face : walker.level.world().faces)
         outlines.push_back(points_of(walker.level, walker.table.corners_of(face), {}));
     std::mt19937 random(1);
     Tally tally;
     for (int trial = 0; trial < 25 && !HasFatalFailure(); ++trial) {
         const ViewContext view = random_view(walker.level, random);
         const Places places = walker.walk(view);
-        for (const auto& [face, at] : places) ASSERT_LE(at.size(), 2U) << face << ": once a walk";
-        tally.views_with_faces_left_out += static_cast<std::int32_t>(places.size()) < face_count;
+        for (const auto& [face, at] : places) ASSERT_LE(at.size(), 2U) << face.number() << ": once a walk";
+        tally.views_with_faces_left_out += places.size() < outlines.size();
         for (int i = 0; i < 30; ++i)
             check_ray(hits_of(outlines, to_point(view.eye), random_ray(view, random)), places, tally);
     }

@@ -34,9 +34,9 @@ std::string answer_leaf(Fields& fields, LevelCache& cache) {
         cache.path = path;
     }
     if (!cache.is_readable) throw Unsupported{};
-    const std::int32_t index = find_leaf(cache.level, cache.level.models[0], point);
-    const Leaf& leaf = cache.level.leaves[static_cast<std::size_t>(index)];
-    return std::to_string(index) + ' ' + std::to_string(leaf.contents);
+    const LeafIndex index = find_leaf(cache.level, cache.level.world(), point);
+    const Leaf& leaf = cache.level.leaves[index];
+    return std::to_string(index.number()) + ' ' + std::to_string(leaf.contents);
 }
 
 }  // namespace oblong

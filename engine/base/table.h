@@ -1,0 +1,84 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <vector>
+
+namespace oblong {
+
+/// The number of a record in a table of Records, from 0 on; or none.
+template <class Record>
+class Index {
+  public:
+    constexpr Index() = default;
+    constexpr explicit Index(std::int32_t number) : number_(number) {}
+    static constexpr Index none() { return Index(-1); }
+
+    constexpr std::int32_t number() const { return number_; }
+    constexpr std::size_t position() const { return static_cast<std::size_t>(number_); }
+    constexpr bool is_none() const { return number_ < 0; }
+
+    constexpr Index& operator++() {
+        ++number_;
+        return *this;
+    }
+    constexpr auto operator<=>(const Index&) const = default;
+
+  private:
+    std::int32_t number_ = 0;
+};
+
+/// Records beside each other in a table: `count` of them from `first` on.
+template <class Record>
+struct IndexRange {
+    Index<Record> first;
+    std::int32_t count = 0;
+
+    struct Iterator {
+        Index<Record> at;
+        constexpr Index<Record> operator*() const { return at; }
+        constexpr Iterator& operator++() {
+            ++at;
+            return *this;
+        }
+        constexpr bool operator==(const Iterator&) const = default;
+    };
+    /// Takes the first one off; there must be one.
+    constexpr Index<Record> take_first() {
+        const Index<Record> taken = first;
+        ++first;
+        --count;
+        return taken;
+    }
+
+    constexpr Iterator begin() const { return {first}; }
+    constexpr Iterator end() const { return {Index<Record>(first.number() + count)}; }
+    constexpr bool operator==(const IndexRange&) const = default;
+};
+
+/// A vector that is subscripted by the index of its own records, or by a range of them. `Record` differs from what is
+/// stored where a table holds something more about the records of another one.
+template <class Value, class Record = Value>
+class Table : private std::vector<Value> {
+    using Base = std::vector<Value>;
+
+  public:
+    using Base::Base, Base::assign, Base::back, Base::begin, Base::clear, Base::data, Base::empty, Base::end,
+        Base::front, Base::insert, Base::push_back, Base::reserve, Base::resize, Base::size;
+
+    Value& operator[](Index<Record> index) { return Base::operator[](index.position()); }
+    const Value& operator[](Index<Record> index) const { return Base::operator[](index.position()); }
+    std::span<const Value> operator[](const IndexRange<Record>& range) const {
+        return std::span(Base::data(), Base::size())
+            .subspan(range.first.position(), static_cast<std::size_t>(range.count));
+    }
+
+    std::int32_t count() const { return static_cast<std::int32_t>(Base::size()); }
+    IndexRange<Record> indices() const { return {Index<Record>(0), count()}; }
+
+    bool operator==(const Table&) const = default;
+};
+
+}  // namespace oblong
