@@ -67,7 +67,7 @@ TEST_F(DemoLevel, EveryCameraOfTheListStandsInTheOpen) {
     while (std::getline(cameras, line)) {
         int x = 0, y = 0, z = 0;
         ASSERT_EQ(std::sscanf(line.c_str(), "%d,%d,%d", &x, &y, &z), 3) << line;
-        const Place eye{World::from_int(x), World::from_int(y), World::from_int(z)};
+        const Position eye{World::from_int(x), World::from_int(y), World::from_int(z)};
         EXPECT_NE(hull_contents(level_, level_.world(), Hull::Point, eye), contents::kSolid) << line;
         ++count;
     }
