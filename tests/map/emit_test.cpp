@@ -125,8 +125,8 @@ TEST(Emit, ModelsAreStoredAUnitSmallerASide) {
     EXPECT_EQ(bsp.models[1].maxs, (map::Floats{415, 63, 95}));
     const std::string bytes = map::to_bytes(bsp);
     const Level level = read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
-    EXPECT_EQ(level.models[1].box.mins, (std::array<std::int32_t, 3>{400, 0, 0}));
-    EXPECT_EQ(level.models[1].box.maxs, (std::array<std::int32_t, 3>{416, 64, 96}));
+    EXPECT_EQ(level.models[ModelIndex(1)].box.mins, (std::array<std::int32_t, 3>{400, 0, 0}));
+    EXPECT_EQ(level.models[ModelIndex(1)].box.maxs, (std::array<std::int32_t, 3>{416, 64, 96}));
 }
 
 TEST(Emit, AModelWithoutBrushesIsReadable) {
@@ -135,7 +135,7 @@ TEST(Emit, AModelWithoutBrushesIsReadable) {
         {true});
     const std::string bytes = map::to_bytes(bsp);
     const Level level = read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
-    EXPECT_EQ(level.models.at(1).face_count, 0);
+    EXPECT_EQ(level.models[ModelIndex(1)].faces.count, 0);
 }
 
 TEST(Emit, TriggersAndClipBrushesAreNotDrawn) {
