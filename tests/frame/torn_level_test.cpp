@@ -32,6 +32,7 @@ TEST(TornLevel, AFreePixelTakesTheColourOfItsNearestNeighbour) {
     for (auto node = stage.level.nodes.begin(); stage.level.nodes.end() - node > 11; node += 11) node->faces.count = 0;
 
     FrameWorkspace work(stage.level, stage.mode);
+    EXPECT_GT(work.faces.torn_edges, 0u);
     int free_pixels = 0;
     for (const std::int64_t yaw : {0, 90, 180, 270}) {
         work.counts = std::make_unique<FrameCounts>();
@@ -46,6 +47,24 @@ TEST(TornLevel, AFreePixelTakesTheColourOfItsNearestNeighbour) {
             }
     }
     EXPECT_GT(free_pixels, 100);
+}
+
+/// One corner of one face moved tears the two edges that meet in it: four are walked by one face alone.
+TEST(TornLevel, EveryEdgeThatOneFaceAloneWalksIsCounted) {
+    Stage stage = demo_stage();
+    ASSERT_EQ(make_face_table(stage.level).torn_edges, 0u);
+    const Face& face = stage.level.faces[stage.level.world().faces.first];
+    SurfEdge& last = stage.level.surf_edges[face.edges.first];
+    const Edge torn = stage.level.edges[last.edge];
+    stage.level.vertices.push_back(stage.level.vertices[last.is_reversed ? torn.to : torn.from] +
+                                   Vec3<World>{World::from_int(3), World::from_int(1), World::from_int(2)});
+    const VertexIndex moved(static_cast<std::int32_t>(stage.level.vertices.size()) - 1);
+    stage.level.edges.push_back(last.is_reversed ? Edge{torn.from, moved} : Edge{moved, torn.to});
+    last.edge = EdgeIndex(static_cast<std::int32_t>(stage.level.edges.size()) - 1);
+    const std::size_t torn_edges = make_face_table(stage.level).torn_edges;
+    // The moved ends of two edges, and those edges' other faces; more where other vertices lie on them.
+    EXPECT_GE(torn_edges, 4u);
+    EXPECT_LT(torn_edges, 40u);
 }
 
 }  // namespace
