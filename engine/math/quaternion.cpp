@@ -1,8 +1,6 @@
 #include "engine/math/quaternion.h"
 
 #include "engine/fixed/arithmetic.h"
-#include "engine/fixed/radians.h"
-#include "engine/fixed/root.h"
 #include "engine/fixed/trig.h"
 #include "engine/math/vec.h"
 
@@ -10,40 +8,8 @@ namespace oblong {
 
 namespace {
 
-constexpr Sine60 kOne60 = Sine60::from_int(1);
-
 Sine60 times(Unit a, Sine60 b) {
     return Sine60::from_raw(mul_shift(a.raw, b.raw, 30));
-}
-
-Sine60 dot(const Quaternion& a, const Quaternion& b) {
-    return widening_product(a.w, b.w) + widening_product(a.x, b.x) + widening_product(a.y, b.y) +
-           widening_product(a.z, b.z);
-}
-
-/// What each of two rotations counts for in a blend.
-struct Weights {
-    Sine60 from, to;
-};
-
-/// sin((1 - t) angle) and sin(t angle), where `cosine` is the angle's.
-Weights arc_weights(Sine60 cosine, Unit t) {
-    const Sine60 sine_squared = kOne60 - multiply(cosine, cosine);
-    const Radians angle = radians_of({square_root<Sine60>(sine_squared), cosine});
-    const Radians part = times(t, angle);
-    return {sine(angle - part), sine(part)};
-}
-
-Weights straight_weights(Unit t) {
-    const auto part = convert<Sine60>(t);
-    return {kOne60 - part, part};
-}
-
-Quaternion blend(const Quaternion& from, const Quaternion& to, const Weights& weights) {
-    const auto blended = [&weights](Unit a, Unit b) { return (times(a, weights.from) + times(b, weights.to)).raw; };
-    const auto unit = normalised_raw(
-        std::array{blended(from.w, to.w), blended(from.x, to.x), blended(from.y, to.y), blended(from.z, to.z)});
-    return {unit[0], unit[1], unit[2], unit[3]};
 }
 
 }  // namespace
@@ -85,16 +51,6 @@ Basis rotate(const Basis& basis, const Quaternion& rotation) {
     return {.right = rotate(basis.right, rotation),
             .up = rotate(basis.up, rotation),
             .forward = rotate(basis.forward, rotation)};
-}
-
-Quaternion slerp(const Quaternion& from, const Quaternion& to, Unit t) {
-    if (t <= Unit{}) return from;
-    if (t >= Unit::from_int(1)) return to;
-    const Sine60 signed_cosine = dot(from, to);
-    const bool is_long_way = signed_cosine < Sine60{};
-    const Sine60 cosine = is_long_way ? -signed_cosine : signed_cosine;
-    const bool is_nearly_straight = kOne60 - cosine < Sine60::from_raw(std::int64_t{1} << (60 - 16));
-    return blend(from, is_long_way ? -to : to, is_nearly_straight ? straight_weights(t) : arc_weights(cosine, t));
 }
 
 }  // namespace oblong

@@ -10,7 +10,6 @@ namespace oblong {
 struct Quaternion {
     Unit w = Unit::from_int(1), x, y, z;
 
-    constexpr Quaternion operator-() const { return {-w, -x, -y, -z}; }
     constexpr Quaternion conjugate() const { return {w, -x, -y, -z}; }
     constexpr bool operator==(const Quaternion&) const = default;
 };
@@ -27,10 +26,5 @@ Quaternion normalised(const Quaternion& quaternion);
 
 Vec3<Unit> rotate(const Vec3<Unit>& direction, const Quaternion& rotation);
 Basis rotate(const Basis& basis, const Quaternion& rotation);
-
-/// The rotation on the shorter arc from `from` (t = 0) to `to` (t = 1), at constant speed (Shoemake). `t` is cut to
-/// 0..1; the ends are `from` and `to` bit for bit, and all between has length 1 within 2^-28. Where the two are nearer
-/// than 1 - |dot| = 2^-16 the arc is taken for straight.
-Quaternion slerp(const Quaternion& from, const Quaternion& to, Unit t);
 
 }  // namespace oblong
