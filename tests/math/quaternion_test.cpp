@@ -1,4 +1,3 @@
-#include "engine/math/quaternion.h"
 
 #include <gtest/gtest.h>
 
