@@ -5,7 +5,7 @@
 
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
-#include "engine/geometry/camera.h"
+#include "engine/geometry/projection.h"
 #include "game/load.h"
 #include "game/tick_input_source.h"
 

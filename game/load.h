@@ -3,7 +3,6 @@
 #include <string>
 
 #include "engine/level/level.h"
-#include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {

@@ -10,8 +10,8 @@
 #include "game/options.h"
 #include "game/session.h"
 #include "game/timedemo.h"
+#include "tools/common/arguments.h"
 #include "tools/common/png.h"
-#include "tools/common/program.h"
 
 namespace oblong {
 namespace {

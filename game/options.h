@@ -5,7 +5,7 @@
 #include <string>
 
 #include "engine/frame/settings.h"
-#include "engine/geometry/camera.h"
+#include "engine/geometry/projection.h"
 #include "engine/platform/present_rect.h"
 #include "engine/screen/screen.h"
 

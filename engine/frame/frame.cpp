@@ -4,7 +4,7 @@
 
 #include "engine/effects/sky.h"
 #include "engine/frame/workspace.h"
-#include "engine/scene/face_gradients.h"
+#include "engine/scene/face_surface.h"
 #include "engine/screen/screen.h"
 #include "engine/visibility/eye.h"
 

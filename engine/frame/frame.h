@@ -4,13 +4,13 @@
 #include <span>
 
 #include "engine/frame/settings.h"
-#include "engine/geometry/camera.h"
+#include "engine/geometry/projection.h"
 #include "engine/level/level.h"
 #include "engine/scene/effects.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/placed_models.h"
 #include "engine/screen/screen.h"
-#include "engine/surface/colormap.h"
+#include "engine/surface/palette.h"
 
 namespace oblong {
 

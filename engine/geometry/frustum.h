@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "engine/base/range_probe.h"
-#include "engine/geometry/camera.h"
 #include "engine/geometry/projection.h"
 #include "engine/math/basis.h"
 

@@ -6,6 +6,7 @@
 #include "engine/fixed/angle.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/fixed.h"
+#include "engine/math/vec.h"
 #include "engine/screen/screen.h"
 
 namespace oblong {
@@ -51,5 +52,13 @@ inline ScreenWide project_axis(const ProjectionAxis& axis, View view, View z) {
     note_range<"projection numerator">(numerator);
     return bounded_quotient<ScreenWide>(numerator, z);
 }
+
+/// Where one looks from, whither, and how wide. Yaw counter-clockwise from +x seen from above, pitch positive looking
+/// down, roll positive leaning right (Quake's).
+struct Camera {
+    Vec3<World> eye;
+    Angle yaw, pitch, roll;
+    Degrees field_of_view = Degrees::from_int(90);  ///< across the whole width; 1 to 179
+};
 
 }  // namespace oblong

@@ -5,6 +5,7 @@
 
 #include "engine/base/range_probe.h"
 #include "engine/fixed/arithmetic.h"
+#include "engine/level/side.h"
 
 namespace oblong {
 
@@ -106,6 +107,15 @@ std::size_t arena_bytes(const Level& level, const FaceTable& table) {
     return bytes;
 }
 
+/// Texture coordinates of the eye, from the world's origin.
+Texel eye_texel(const Vec3<TexelAxis>& axis, Texel offset, const Vec3<World>& eye) {
+    const auto along = dot(axis, eye);
+    note_range<"texture axis . eye">(along);
+    const Texel texel = convert<Texel>(along) + offset;
+    note_range<"texel of the eye">(texel);
+    return texel;
+}
+
 }  // namespace
 
 FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, std::int32_t longest_px)
@@ -159,6 +169,26 @@ FaceSurface FaceSurfaces::tiled(const Face& face, int mip) const {
     surface.limits = make_texel_limits(kMostTexels, kMostTexels, longest_px_);
     surface.kernel = is_wrapped_by_masks(surface.view) ? kernel : draw_blocks_any_size;
     return surface;
+}
+
+TextureGradients make_face_gradients(const Level& level, const Face& face, const FaceSurface& surface,
+                                     const Vec3<World>& offset, const ViewContext& view,
+                                     const InverseProjection& inverse_projection) {
+    const LevelPlane& plane = level.planes[face.plane];
+    const TexInfo& texinfo = level.texinfos[face.texinfo];
+    const Vec3<World> eye = view.eye - offset;
+    const PlaneDistance distance = plane_distance(plane, eye);
+    TexturedPlane textured;
+    textured.normal = face.is_back ? -plane.normal : plane.normal;
+    // Edge-on, or turned round by rounding to the screen: a sliver, whose texels any steep view of the plane serves.
+    constexpr auto kLeastDistance = PlaneDistance::from_raw(std::int64_t{1} << 30);
+    textured.eye_distance = std::max(face.is_back ? -distance : distance, kLeastDistance);
+    textured.s = texinfo.s;
+    textured.t = texinfo.t;
+    textured.eye_u = eye_texel(texinfo.s, texinfo.s_offset, eye) - Texel::from_int(surface.origin_u);
+    textured.eye_v = eye_texel(texinfo.t, texinfo.t_offset, eye) - Texel::from_int(surface.origin_v);
+    textured.mip = surface.mip;
+    return make_texture_gradients(textured, view.axes, inverse_projection);
 }
 
 }  // namespace oblong

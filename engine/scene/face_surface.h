@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "engine/geometry/projection.h"
+#include "engine/geometry/texture_gradients.h"
+#include "engine/geometry/view_context.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_table.h"
 #include "engine/surface/surface_cache.h"
@@ -54,5 +56,10 @@ class FaceSurfaces {
     SurfaceCache cache_;
     std::vector<std::int32_t> corner_shades_;  ///< scratch
 };
+
+/// The screen gradients of a face's surface (make_texture_gradients), with the face moved by `offset`.
+TextureGradients make_face_gradients(const Level& level, const Face& face, const FaceSurface& surface,
+                                     const Vec3<World>& offset, const ViewContext& view,
+                                     const InverseProjection& inverse_projection);
 
 }  // namespace oblong

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/surface/colormap.h"
+#include "engine/surface/palette.h"
 
 namespace oblong {
 

@@ -1,9 +1,10 @@
+#include "engine/surface/palette.h"
+
 #include <gtest/gtest.h>
 
 #include <set>
 #include <tuple>
 
-#include "engine/surface/colormap.h"
 #include "tools/demo_level/art/ramps.h"
 
 namespace oblong {

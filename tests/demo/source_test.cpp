@@ -8,9 +8,9 @@
 
 #include "engine/platform/files.h"
 #include "tools/common/png.h"
-#include "tools/demo_level/art/catalogue.h"
+#include "tools/demo_level/art/textures.h"
 #include "tools/demo_level/map/museum.h"
-#include "tools/texture/texture_name.h"
+#include "tools/texture/texture_files.h"
 
 namespace oblong {
 namespace {

@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "engine/fixed/trig.h"
-#include "engine/math/orthonormal.h"
+#include "engine/math/basis.h"
 #include "engine/math/rotation.h"
 #include "engine/math/vec.h"
 #include "tests/math/vectors.h"

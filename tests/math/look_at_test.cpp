@@ -1,8 +1,7 @@
-#include "engine/math/look_at.h"
-
 #include <gtest/gtest.h>
 
 #include "engine/fixed/trig.h"
+#include "engine/math/basis.h"
 #include "tests/math/vectors.h"
 
 namespace oblong {

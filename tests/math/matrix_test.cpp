@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <random>
 
-#include "engine/math/transforms.h"
-
 namespace oblong {
 namespace {
 

@@ -1,9 +1,8 @@
-#include "engine/math/orthonormal.h"
-
 #include <gtest/gtest.h>
 
-#include "engine/math/vec.h"
+#include "engine/math/basis.h"
 #include "engine/math/rotation.h"
+#include "engine/math/vec.h"
 #include "tests/math/vectors.h"
 
 namespace oblong {

@@ -5,8 +5,8 @@
 
 #include <array>
 
+#include "engine/math/matrix.h"
 #include "engine/math/vec.h"
-#include "engine/math/transforms.h"
 #include "tests/seeds/seed_values.h"
 
 namespace oblong::test {

@@ -11,7 +11,7 @@
 #include "engine/geometry/clip.h"
 #include "engine/geometry/frustum.h"
 #include "engine/geometry/project.h"
-#include "engine/math/transforms.h"
+#include "engine/math/matrix.h"
 #include "engine/math/vec.h"
 #include "tests/seeds/seed_values.h"
 

@@ -3,11 +3,10 @@
 #include <cmath>
 
 #include "engine/fixed/root.h"
-#include "engine/math/look_at.h"
-#include "engine/math/vec.h"
-#include "engine/math/orthonormal.h"
+#include "engine/math/basis.h"
+#include "engine/math/matrix.h"
 #include "engine/math/plane.h"
-#include "engine/math/transforms.h"
+#include "engine/math/vec.h"
 
 // What the five texts say of vectors, with the values as corrected. M: Muratori, N: the course notes, P: Princeton,
 // A: Abrash.

@@ -1,10 +1,9 @@
-#include "engine/surface/colormap.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "engine/surface/palette.h"
 #include "tests/support/shared_levels.h"
 
 namespace oblong {

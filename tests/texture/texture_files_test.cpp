@@ -15,7 +15,6 @@
 #include "tools/common/png.h"
 #include "tools/common/wad.h"
 #include "tools/texture/mipmaps.h"
-#include "tools/texture/texture_name.h"
 
 namespace oblong {
 namespace {

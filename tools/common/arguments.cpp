@@ -1,11 +1,15 @@
 #include "tools/common/arguments.h"
 
 #include <charconv>
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
+#include <new>
 #include <optional>
 
 #include "engine/geometry/projection.h"
 #include "engine/level/entities.h"
+#include "engine/platform/files.h"
 
 namespace oblong {
 
@@ -80,6 +84,34 @@ void check_view(const ScreenMode& mode, Degrees field_of_view) {
 Preset parse_preset(const std::string& text) {
     if (const std::optional<Preset> preset = preset_named(text)) return *preset;
     throw UsageError("--accuracy: '" + text + "', expected 1991, 1994, 1996, bounded or exact");
+}
+
+int run_program(const std::string& name, const std::function<void()>& body) {
+    try {
+        body();
+        flush_standard_output();
+        return 0;
+    } catch (const UsageError& error) {
+        std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+        return 2;
+    } catch (const InputError& error) {
+        std::fprintf(stderr, "%s: %s: %s\n", name.c_str(), error.where.c_str(), error.what());
+        return 1;
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "%s: out of memory\n", name.c_str());
+        return 1;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+        return 1;
+    }
+}
+
+void warn_of_torn_edges(const std::string& program, const std::string& level_file, std::size_t edges) {
+    if (edges == 0) return;
+    std::fprintf(stderr,
+                 "%s: %s: warning: the level is torn at %zu edges, expected faces that meet: pixels there may show what "
+                 "is beside them\n",
+                 program.c_str(), level_file.c_str(), edges);
 }
 
 }  // namespace oblong

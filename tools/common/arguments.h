@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -31,5 +32,12 @@ Preset parse_preset(const std::string& text);
 /// A decimal number such as "-12.375" as raw units of 2^-fraction_bits (0 to 32), rounded to the nearest; |value| below
 /// 2^24. Throws UsageError that begins with `option` for anything else, "nan" and "1e3" included.
 std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits);
+
+/// Runs a program's body, sees that its standard output was written, and turns what it throws into the house's messages
+/// and exit codes: 0 success; 1 a failure, `PROGRAM: FILE: WHERE: what is wrong` on standard error; 2 wrong usage.
+int run_program(const std::string& name, const std::function<void()>& body);
+
+/// Says on standard error that faces of a level do not meet at so many edges; nothing where there are none.
+void warn_of_torn_edges(const std::string& program, const std::string& level_file, std::size_t edges);
 
 }  // namespace oblong

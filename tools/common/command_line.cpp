@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "tools/common/program.h"
+#include "tools/common/arguments.h"
 
 namespace oblong {
 

@@ -5,7 +5,7 @@
 
 #include "engine/platform/files.h"
 #include "tools/common/png.h"
-#include "tools/demo_level/art/catalogue.h"
+#include "tools/demo_level/art/textures.h"
 #include "tools/demo_level/map/museum.h"
 
 namespace oblong {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/camera.h"
+#include "engine/geometry/projection.h"
 
 namespace oblong {
 

@@ -7,7 +7,6 @@
 #include "tools/common/arguments.h"
 #include "tools/common/command_line.h"
 #include "tools/common/png.h"
-#include "tools/common/program.h"
 #include "tools/render/camera_list.h"
 #include "tools/render/report.h"
 

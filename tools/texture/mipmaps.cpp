@@ -1,8 +1,9 @@
 #include "tools/texture/mipmaps.h"
 
-#include "tools/texture/nearest_colour.h"
+#include <limits>
 
 namespace oblong {
+
 namespace {
 
 /// What a block of texels adds up to. Holes have no colour.
@@ -51,6 +52,11 @@ std::vector<std::uint8_t> shrink(const MipTexture& texture, const Palette& palet
     return texels;
 }
 
+int squared_distance(Rgb8 a, Rgb8 b) {
+    const int red = a.red - b.red, green = a.green - b.green, blue = a.blue - b.blue;
+    return red * red + green * green + blue * blue;
+}
+
 }  // namespace
 
 MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::int32_t height,
@@ -64,6 +70,17 @@ MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::in
         texture.mips[static_cast<std::size_t>(level)] = shrink(texture, palette, level);
     }
     return texture;
+}
+
+std::uint8_t nearest_colour(const Palette& palette, Rgb8 colour, ColourRange range) {
+    int best = range.begin, best_distance = std::numeric_limits<int>::max();
+    for (int index = range.begin; index < range.end; ++index) {
+        const int distance = squared_distance(palette.colours[static_cast<std::size_t>(index)], colour);
+        if (distance >= best_distance) continue;
+        best = index;
+        best_distance = distance;
+    }
+    return static_cast<std::uint8_t>(best);
 }
 
 }  // namespace oblong

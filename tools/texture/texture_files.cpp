@@ -5,16 +5,16 @@
 #include <map>
 #include <set>
 
+#include "engine/base/input_error.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
 #include "tools/common/arguments.h"
 #include "tools/common/png.h"
 #include "tools/common/wad.h"
 #include "tools/texture/mipmaps.h"
-#include "tools/texture/nearest_colour.h"
-#include "tools/texture/texture_name.h"
 
 namespace oblong {
+
 namespace {
 
 /// Two indices of a palette may have the same colour, and one of the two glow: only an index says which is meant.
@@ -99,6 +99,26 @@ void unpack_textures(const std::string& archive_path, const std::string& folder,
         const std::string path = (std::filesystem::path(folder) / file_of_texture_name(texture.name)).string();
         write_file(path, encode_indexed_png(texture.mips[0], texture.width, texture.height, palette));
     }
+}
+
+std::string texture_name_of_file(const std::string& path) {
+    constexpr std::size_t kLongestName = 15;
+    std::string name = std::filesystem::path(path).stem().string();
+    if (name.empty() || name.size() > kLongestName) {
+        throw InputError(
+            "name", "'" + name + "' has " + std::to_string(name.size()) + " characters, a texture's name has 1 to 15");
+    }
+    if (name[0] == '#') name[0] = '*';
+    return name;
+}
+
+std::string file_of_texture_name(const std::string& name) {
+    std::string file = name;
+    if (!file.empty() && file[0] == '*') file[0] = '#';
+    for (char& letter : file) {
+        if (letter == '/' || letter == '\\') letter = '_';
+    }
+    return file + ".png";
 }
 
 }  // namespace oblong

@@ -11,7 +11,6 @@
 #include "engine/platform/files.h"
 #include "engine/scene/placed_models.h"
 #include "tools/common/arguments.h"
-#include "tools/common/program.h"
 #include "tools/render/camera_list.h"
 
 namespace {

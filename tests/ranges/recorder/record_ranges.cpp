@@ -13,7 +13,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
 #include "engine/scene/placed_models.h"
-#include "tools/common/program.h"
+#include "tools/common/arguments.h"
 #include "tools/render/camera_list.h"
 
 #if !defined(OBLONG_RECORD_RANGES)

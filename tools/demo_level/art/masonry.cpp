@@ -1,8 +1,7 @@
-#include "tools/demo_level/art/masonry.h"
-
 #include <algorithm>
 
-#include "tools/demo_level/art/noise.h"
+#include "tools/demo_level/art/canvas.h"
+#include "tools/demo_level/art/textures.h"
 
 namespace oblong::art {
 namespace {

@@ -1,9 +1,8 @@
-#include "tools/demo_level/art/metal.h"
-
 #include <cmath>
 #include <cstdlib>
 
-#include "tools/demo_level/art/noise.h"
+#include "tools/demo_level/art/canvas.h"
+#include "tools/demo_level/art/textures.h"
 
 namespace oblong::art {
 namespace {

@@ -1,9 +1,8 @@
-#include "tools/demo_level/art/outdoors.h"
-
 #include <algorithm>
 #include <cstdlib>
 
-#include "tools/demo_level/art/noise.h"
+#include "tools/demo_level/art/canvas.h"
+#include "tools/demo_level/art/textures.h"
 
 namespace oblong::art {
 namespace {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/demo_level/art/noise.h"
-#include "tools/demo_level/art/signs.h"
+#include "tools/demo_level/art/canvas.h"
+#include "tools/demo_level/art/textures.h"
 
 namespace oblong::art {
 namespace {

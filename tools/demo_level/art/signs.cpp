@@ -1,7 +1,6 @@
-#include "tools/demo_level/art/signs.h"
-
 #include "tools/common/font.h"
-#include "tools/demo_level/art/noise.h"
+#include "tools/demo_level/art/canvas.h"
+#include "tools/demo_level/art/textures.h"
 
 namespace oblong::art {
 namespace {

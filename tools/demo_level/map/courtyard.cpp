@@ -1,6 +1,6 @@
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
-#include "tools/demo_level/map/round.h"
+#include "tools/demo_level/map/room.h"
 
 namespace oblong::map_source {
 namespace {

@@ -1,7 +1,7 @@
-#include "tools/demo_level/map/round.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "tools/demo_level/map/room.h"
 
 namespace oblong::map_source {
 namespace {

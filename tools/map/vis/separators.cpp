@@ -1,6 +1,6 @@
-#include "tools/map/vis/separators.h"
-
 #include <algorithm>
+
+#include "tools/map/vis/sight.h"
 
 namespace oblong::map {
 namespace {

@@ -4,8 +4,6 @@
 #include <deque>
 #include <numeric>
 
-#include "tools/map/vis/separators.h"
-
 namespace oblong::map {
 namespace {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tools/map/source/winding.h"
 #include "tools/map/vis/portal_graph.h"
 
 namespace oblong::map {
@@ -13,5 +14,22 @@ void narrow_might_see(VisGraph& graph);
 /// anti-penumbra, as in Quake's vis). Needs might_see, which
 /// is the result for a portal with too many chains; still a superset of what can be seen, but a close one.
 std::vector<BitSet> find_seen_portals(VisGraph& graph);
+
+/// The planes through an edge of one polygon and a corner of the other that have the source on one side and the pass on
+/// the other, into `planes`. What can be seen from some point of `source` through `pass` lies in front of all of them.
+void find_separators(const Winding& source, const Winding& pass, std::vector<Plane>& planes);
+
+/// Cuts polygons in place; keeps its memory from cut to cut, of which visible sets take millions.
+class SightCutter {
+  public:
+    /// Cuts off what is not in front of the plane; leaves nothing of a polygon on it.
+    void cut_to_front(Winding& winding, const Plane& plane);
+
+  private:
+    void keep_front(const Winding& winding);
+
+    std::vector<double> heights_;  // 0: on the plane
+    Winding kept_;
+};
 
 }  // namespace oblong::map

@@ -1,10 +1,4 @@
-#include "tools/demo_level/art/catalogue.h"
-
-#include "tools/demo_level/art/interior.h"
-#include "tools/demo_level/art/masonry.h"
-#include "tools/demo_level/art/metal.h"
-#include "tools/demo_level/art/outdoors.h"
-#include "tools/demo_level/art/signs.h"
+#include "tools/demo_level/art/textures.h"
 
 namespace oblong::art {
 namespace {
