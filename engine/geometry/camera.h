@@ -6,7 +6,7 @@
 
 namespace oblong {
 
-/// Where one looks from, whither, and how wide. Yaw counter-clockwise from +x seen from above, pitch positive looking
+/// Eye, orientation, horizontal field of view. Yaw counter-clockwise from +x seen from above, pitch positive looking
 /// down, roll positive leaning right (Quake's).
 struct Camera {
     Vec3<World> eye;

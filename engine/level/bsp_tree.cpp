@@ -45,7 +45,7 @@ IndexRange<Face> read_faces(const LumpReader& in, const BspFile& file, Read read
     return in.check_range<Face>(first, count, file.count(Lump::Faces), "faces");
 }
 
-/// What lies outside of the world holds no face, whatever the file says: middles of boxes fit World.
+/// Clamped to the world, so that the middle of a box fits World: no face lies outside of it.
 LevelBox within_world(LevelBox box) {
     constexpr std::int32_t kFarthest = (1 << 19) - 1;
     for (auto* const corner : {&box.mins, &box.maxs})

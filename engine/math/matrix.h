@@ -10,7 +10,7 @@
 
 namespace oblong {
 
-/// An entry of a matrix: 32.32 in 64 bits. A matrix of a scene holds distances of thousands of units beside inverses
+/// An entry of a matrix: 32.32 in 64 bits. A matrix of a scene holds distances of thousands of units next to inverses
 /// of scales and of viewplane distances, thousandths of a unit: 16.16 would leave either three digits.
 using Entry = Fixed<std::int64_t, 32>;
 

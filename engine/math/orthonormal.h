@@ -9,12 +9,12 @@ namespace oblong {
 /// components no longer gives lengths and angles (Muratori). Each axis is shorter than 1.6.
 Sine60 orthonormal_flaw(const Basis& basis);
 
-/// What the rounding of components to 2^-30 leaves at most, with room: 2^-26.
+/// The most that rounding components to 2^-30 causes, with a margin: 2^-26.
 inline constexpr Sine60 kOrthonormalFlaw = Sine60::from_raw(std::int64_t{1} << (60 - 26));
 bool is_orthonormal(const Basis& basis);
 
 /// Orthonormal axes of the same handedness (Gram and Schmidt): forward keeps its direction, up loses its part along
-/// forward, right follows from both. Axes that have no direction of their own are replaced by any that fit.
+/// forward, right follows from both. Zero or parallel axes are replaced by some that are perpendicular.
 Basis orthonormalised(const Basis& basis);
 
 }  // namespace oblong

@@ -21,7 +21,7 @@ Sine60 dot(const Quaternion& a, const Quaternion& b) {
            widening_product(a.z, b.z);
 }
 
-/// What each of two rotations counts for in a blend.
+/// The weights of two rotations in a blend.
 struct Weights {
     Sine60 from, to;
 };

@@ -15,7 +15,7 @@ struct Quaternion {
     constexpr bool operator==(const Quaternion&) const = default;
 };
 
-/// The rotation by `angle` about an axis of length 1, counter-clockwise with the axis pointing at one's eye
+/// The rotation by `angle` about an axis of length 1, counter-clockwise with the axis pointing at the viewer
 /// (right-handed axes).
 Quaternion quaternion_about_axis(const Vec3<Unit>& axis, Angle angle);
 
@@ -29,8 +29,8 @@ Vec3<Unit> rotate(const Vec3<Unit>& direction, const Quaternion& rotation);
 Basis rotate(const Basis& basis, const Quaternion& rotation);
 
 /// The rotation on the shorter arc from `from` (t = 0) to `to` (t = 1), at constant speed (Shoemake). `t` is cut to
-/// 0..1; the ends are `from` and `to` bit for bit, and all between has length 1 within 2^-28. Where the two are nearer
-/// than 1 - |dot| = 2^-16 the arc is taken for straight.
+/// 0..1; the ends are `from` and `to` bit for bit, and results between have length 1 within 2^-28. Where the two are
+/// nearer than 1 - |dot| = 2^-16 the interpolation is linear.
 Quaternion slerp(const Quaternion& from, const Quaternion& to, Unit t);
 
 }  // namespace oblong

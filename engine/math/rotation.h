@@ -6,7 +6,7 @@
 
 namespace oblong {
 
-/// A direction turned about an axis of length 1, counter-clockwise as seen with the axis pointing at one's eye (in
+/// A direction turned about an axis of length 1, counter-clockwise as seen with the axis pointing at the viewer (in
 /// right-handed axes). Rodrigues' formula, rounded once.
 Vec3<Unit> rotate_about_axis(const Vec3<Unit>& direction, const Vec3<Unit>& axis, Angle angle);
 Basis rotate_about_axis(const Basis& basis, const Vec3<Unit>& axis, Angle angle);

@@ -5,9 +5,9 @@
 
 namespace oblong {
 
-/// What moves points, and leaves directions (w = 0) alone.
+/// Moves points, and leaves directions (w = 0) alone.
 Matrix4 translation(const Vec3<Entry>& by);
-/// What stretches along the axes.
+/// Scales along the axes.
 Matrix4 scaling(const Vec3<Entry>& by);
 
 /// The rotation whose rows are right, up and forward: world directions to view directions.
@@ -18,8 +18,8 @@ Matrix4 view_matrix(const Basis& basis, const Vec3<World>& world_eye);
 /// View to world, the inverse of it: the columns are the axes and the eye.
 Matrix4 camera_matrix(const Basis& basis, const Vec3<World>& world_eye);
 
-/// What turns the normals of a model that `model_to_world` turns, stretches and shears: the transpose of the inverse.
-/// The matrix itself would keep them normal under rotation and uniform scale alone. None for a singular matrix.
+/// The matrix for the normals of a model whose points are transformed by `model_to_world`: the transpose of the
+/// inverse. `model_to_world` itself would do for rotation and uniform scale only. None for a singular matrix.
 std::optional<Matrix3> normal_matrix(const Matrix3& model_to_world);
 
 }  // namespace oblong

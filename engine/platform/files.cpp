@@ -20,7 +20,7 @@ std::string reason() {
     return std::strerror(errno);
 }
 
-/// What went wrong while writing; empty: nothing.
+/// The system's message if writing failed; else empty.
 std::string write_bytes(const std::string& path, std::span<const std::uint8_t> bytes) {
     File file(std::fopen(path.c_str(), "wb"));
     if (!file) return reason();

@@ -29,7 +29,7 @@ TextureGradients make_face_gradients(const Level& level, const Face& face, const
     const PlaneDistance distance = plane_distance(plane, eye);
     TexturedPlane textured;
     textured.normal = face.is_back ? -plane.normal : plane.normal;
-    // Edge-on, or turned round by rounding to the screen: a sliver, whose texels any steep view of the plane serves.
+    // Edge-on, or turned round by rounding to the screen: for such a sliver any steep view of the plane will do.
     constexpr auto kLeastDistance = PlaneDistance::from_raw(std::int64_t{1} << 30);
     textured.eye_distance = std::max(face.is_back ? -distance : distance, kLeastDistance);
     textured.s = texinfo.s;

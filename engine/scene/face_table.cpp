@@ -8,7 +8,7 @@ namespace oblong {
 
 namespace {
 
-/// Appends the corners of a face, each edge with the vertices inside it, in the direction in which the face walks it.
+/// Appends the corners of a face, each edge with the vertices inside it, in the face's direction.
 void append_corners(const Level& level, const Face& face, const TJunctions& junctions,
                     std::vector<VertexIndex>& corners) {
     for (const SurfEdge step : level.edges_of(face)) {
