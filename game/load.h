@@ -8,7 +8,7 @@
 
 namespace oblong {
 
-/// What a game is played with.
+/// The files that a game needs, loaded.
 struct GameData {
     std::string level_file;
     Level level;

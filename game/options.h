@@ -25,7 +25,7 @@ struct Options {
 };
 
 /// Runs `body` with what the command line asks for; the program's exit code: 0 also after --help and --version, 1 for
-/// what `body` throws, 2 for wrong usage, both said on standard error.
+/// what `body` throws, 2 for wrong usage, both reported on standard error.
 int run_with_options(int argument_count, const char* const* arguments, const std::function<void(const Options&)>& body);
 
 }  // namespace oblong

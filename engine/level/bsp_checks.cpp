@@ -106,7 +106,7 @@ void check_visibility(const BspFile& file, const Level& level) {
     std::int64_t work_left = in.size() * 64;
     for (const std::int32_t start : starts) {
         work_left -= packed_row_size(in, start, row_size);
-        if (work_left < 0) in.fail("rows of visible leaves overlap, expected them beside each other");
+        if (work_left < 0) in.fail("rows of visible leaves overlap, expected each to have its own bytes");
     }
 }
 

@@ -34,7 +34,7 @@ ClipChild read_clip_root(LumpReader& in, const BspFile& file) {
 std::int32_t read_float_bound(LumpReader& in, bool is_maximum) {
     const FloatBits value = in.read_float();
     const auto bound = is_maximum ? ceil_to_int(value) : floor_to_int(value);
-    if (!bound) in.fail("bound " + describe(value) + ", expected at most 1048576 either way");
+    if (!bound) in.fail("bound " + describe(value) + ", expected -1048576 to 1048576");
     return *bound;
 }
 

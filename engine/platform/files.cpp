@@ -74,7 +74,7 @@ void flush_standard_output() {
     std::cout.flush();
     if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
     const std::string why = errno == 0 ? "failed" : reason();
-    throw FileError("standard output", "write", why + ", expected a place for what the program says");
+    throw FileError("standard output", "write", why + ", expected it to be writable");
 }
 
 void make_folder(const std::string& path) {

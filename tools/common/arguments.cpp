@@ -60,7 +60,7 @@ Ratio parse_display(const std::string& text) {
 std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits) {
     const std::optional<std::int64_t> raw = parse_decimal(text, fraction_bits);
     if (raw && std::abs(*raw) < std::int64_t{1} << (24 + fraction_bits)) return *raw;
-    throw UsageError(option + ": '" + text + "', expected a decimal number below 16,777,216 either way");
+    throw UsageError(option + ": '" + text + "', expected a decimal number between -16,777,216 and 16,777,216");
 }
 
 Degrees parse_field_of_view(const std::string& text) {

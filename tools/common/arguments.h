@@ -10,7 +10,7 @@
 
 namespace oblong {
 
-/// An argument that can't be taken: programs print it and exit with 2.
+/// An invalid argument: programs print the message and exit with 2.
 class UsageError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -24,7 +24,7 @@ WindowSize parse_window_size(const std::string& text);
 Ratio parse_display(const std::string& text);
 /// A field of view in degrees, decimal, from 1 to 179.
 Degrees parse_field_of_view(const std::string& text);
-/// Refuses what each parser takes, but no frame can be drawn with together: a wide view in a mode of few pixels.
+/// Refuses values that are valid alone, but not together: a wide field of view in a mode of few pixels.
 void check_view(const ScreenMode& mode, Degrees field_of_view);
 /// "1991", "1994", "1996", "bounded", "exact".
 Preset parse_preset(const std::string& text);

@@ -4,7 +4,7 @@
 
 namespace oblong::map {
 
-/// Something in a map source that is taken in another way than it may be meant.
+/// Something in a map source that the compiler may read differently from what its author means.
 struct Warning {
     int line = 0;
     std::string what;

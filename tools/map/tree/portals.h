@@ -40,7 +40,7 @@ struct Leak {
     std::vector<Point> path;
 };
 
-/// Gaps narrower than this are none: brushes that an editor turned and rounded do not meet exactly.
+/// Narrower gaps do not count: brushes that an editor turned and rounded do not meet exactly.
 inline constexpr double kLeastGap = 1.0 / 64;
 
 /// Makes all leaves solid that can be reached from the outer box without passing solid, sky or a gap below kLeastGap.
