@@ -5,7 +5,7 @@
 
 namespace oblong {
 
-// The reader's parts: each turns one lump into its piece of the Level and checks all that it says. They depend on the
+// The reader's parts: each turns one lump into its piece of the Level and checks all its contents. They depend on the
 // counts of other lumps, not on their contents, except where an argument says so.
 
 Table<LevelPlane> read_planes(const BspFile& file);

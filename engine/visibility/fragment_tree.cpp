@@ -74,7 +74,7 @@ class TreeBuilder {
         }
     }
 
-    /// The part of a fragment on one side of the plane that side_of() was asked about last.
+    /// The part of a fragment on one side of the plane of the last call of side_of().
     PartIndex add_piece(PartIndex part, bool in_front) {
         Fragment piece = tree_.fragments[part];
         const auto first = static_cast<std::uint32_t>(tree_.corners.size());

@@ -133,7 +133,7 @@ WindowSize SdlPlatform::window_size() const {
     return size;
 }
 
-// `texture`, made anew where its size is another.
+// `texture`, made again if its size differs.
 SDL_Texture* SdlPlatform::fitted(Owned<SDL_Texture>& texture, int access, WindowSize size, SDL_ScaleMode scale_mode) {
     WindowSize is;
     if (texture) SDL_QueryTexture(texture.get(), nullptr, nullptr, &is.width_px, &is.height_px);

@@ -11,7 +11,7 @@ struct Warning {
 };
 
 /// Unknown classes and keys, what has no effect here, and a missing start, in the order of their first lines; each
-/// once, however often it stands there.
+/// once, with the number of repetitions.
 std::vector<Warning> find_warnings(const std::vector<MapEntity>& entities);
 
 }  // namespace oblong::map

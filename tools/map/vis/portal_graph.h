@@ -22,7 +22,7 @@ class BitSet {
         for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
     }
 
-    /// Becomes what both sets have; tells whether that holds anything that `known` does not.
+    /// Becomes the intersection of both sets; returns whether that holds anything that `known` does not.
     bool set_common(const BitSet& a, const BitSet& b, const BitSet& known) {
         std::uint64_t news = 0;
         for (std::size_t i = 0; i < words_.size(); ++i) {
@@ -48,7 +48,7 @@ struct Clusters {
     std::size_t count = 0;
 };
 
-/// `is_numbered`: tells of each leaf of the tree whether it has a place in the visible sets.
+/// `is_numbered`: for each leaf of the tree, whether it has a place in the visible sets.
 Clusters cluster_leaves(const Tree& tree, const std::vector<bool>& is_numbered);
 
 /// A portal: the polygon through which a cluster is seen.

@@ -69,7 +69,7 @@ class Flow {
     struct Link {
         Winding source;              // the part of the base portal that lines of sight may start from
         Winding target;              // the part of the last portal that they may pass
-        std::vector<Plane> frustum;  // all that is seen beyond is in front of these
+        std::vector<Plane> frustum;  // everything seen beyond is in front of these
         BitSet might_see;
     };
 
