@@ -31,7 +31,7 @@ class TreeBuilder {
     }
 
   private:
-    /// Of the first few parts the one whose plane cuts the fewest others.
+    /// The one of the first few parts whose plane cuts the fewest others.
     PartIndex choose_plane(const Parts& parts) {
         constexpr std::size_t kMostTried = 8;
         PartIndex best = parts[0];
