@@ -10,7 +10,7 @@ namespace oblong {
 /// codes: 0 success; 1 a failure, `PROGRAM: FILE: WHERE: what is wrong` on standard error; 2 wrong usage.
 int run_program(const std::string& name, const std::function<void()>& body);
 
-/// Says on standard error that faces of a level do not meet at so many edges; nothing where there are none.
+/// Warns on standard error that faces of a level do not meet at so many edges; prints nothing if there are none.
 void warn_of_torn_edges(const std::string& program, const std::string& level_file, std::size_t edges);
 
 }  // namespace oblong
