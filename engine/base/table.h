@@ -8,7 +8,7 @@
 
 namespace oblong {
 
-/// The number of a record in a table of Records, from 0 on; or none.
+/// The index of a record in a table of Records; or none.
 template <class Record>
 class Index {
   public:
@@ -30,7 +30,7 @@ class Index {
     std::int32_t number_ = 0;
 };
 
-/// Records beside each other in a table: `count` of them from `first` on.
+/// Consecutive records of a table: `count` of them from `first` on.
 template <class Record>
 struct IndexRange {
     Index<Record> first;
@@ -45,7 +45,7 @@ struct IndexRange {
         }
         constexpr bool operator==(const Iterator&) const = default;
     };
-    /// Takes the first one off; there must be one.
+    /// Removes the first index and returns it; the range must not be empty.
     constexpr Index<Record> take_first() {
         const Index<Record> taken = first;
         ++first;
@@ -58,8 +58,8 @@ struct IndexRange {
     constexpr bool operator==(const IndexRange&) const = default;
 };
 
-/// A vector that is subscripted by the index of its own records, or by a range of them. `Record` differs from what is
-/// stored where a table holds something more about the records of another one.
+/// A vector subscripted by the typed index of its records, or by a range of them. `Record` differs from the stored type
+/// where a table holds additional data on the records of another one.
 template <class Value, class Record = Value>
 class Table : private std::vector<Value> {
     using Base = std::vector<Value>;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto kClearance = PlaneDistance::from_raw(std::int64_t{2} << 30);
 constexpr std::int32_t kMostRounds = 16;
-/// At a corner three planes meet, and an edge of a fourth: each may have its open side before or behind.
+/// At a corner three planes meet, and perhaps a fourth: for each, either side may be the open one.
 constexpr unsigned kMostFlips = 4;
 
 /// The eye moved off a plane along the coordinate in which the normal is largest, where that changes the distance most.
@@ -37,7 +37,7 @@ bool is_solid(const Level& level, LeafIndex leaf) {
     return level.leaves[leaf].contents == contents::kSolid;
 }
 
-/// A try at placing an eye: whether it is clear of all the planes that bound its leaf.
+/// One attempt at placing an eye: whether it is clear of all the planes that bound its leaf.
 struct Try {
     PlacedEye placed;
     bool is_clear = false;

@@ -6,7 +6,7 @@
 
 namespace oblong {
 
-/// Where one looks from, and the leaf that holds it.
+/// The eye's position and its leaf.
 struct PlacedEye {
     Vec3<World> position;
     LeafIndex leaf;
