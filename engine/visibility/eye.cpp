@@ -84,8 +84,8 @@ bool is_clear(const Level& level, Vec3<World> eye) {
     return true;
 }
 
-/// The part of the world's tree around an eye: its open leaves, and the planes that come near to a cube, of which a
-/// level has few. A search of thousands of places asks these, not the whole tree.
+/// The part of the world's tree around an eye: its open leaves, and the few planes that come near to a cube. A search
+/// of thousands of places tests these, not the whole tree.
 class NearTree {
   public:
     /// The cube reaches `half_size` from the middle to each side.
