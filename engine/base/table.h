@@ -8,6 +8,11 @@
 
 namespace oblong {
 
+/// The item of a list by a number of any type that is not negative; an enumeration's too.
+constexpr decltype(auto) at(auto& items, auto number) {
+    return items[static_cast<std::size_t>(number)];
+}
+
 /// The number of a record in a table of Records, from 0 on; or none.
 template <class Record>
 class Index {
