@@ -30,6 +30,8 @@ class GameRenderer {
     void draw(const InterpolatedState& state, const Camera& camera, const Settings& settings);
     Framebuffer canvas();
     const ScreenMode& mode() const { return mode_; }
+    /// FaceTable::torn_edges of the level.
+    std::size_t torn_edges() const { return work_.faces.torn_edges; }
 
   private:
     const GameData& data_;

@@ -11,6 +11,7 @@
 #include "game/options.h"
 #include "game/session.h"
 #include "game/timedemo.h"
+#include "tools/common/arguments.h"
 #include "tools/common/png.h"
 
 namespace oblong {
@@ -69,6 +70,7 @@ std::unique_ptr<Platform> open_platform(const Options& options) {
 void time_demo(const Options& options, const GameData& data, const GameLevel& level) {
     const Demo demo = read_parsed(options.timedemo, decode_demo);
     GameRenderer renderer(data, level, options.mode);
+    warn_of_torn_edges("oblong", data.level_file, renderer.torn_edges());
     const Settings settings = settings_of(view_options_of(options));
     const auto result = naming_file(
         options.timedemo, [&] { return run_timedemo(level, demo, renderer, settings, options.field_of_view); });

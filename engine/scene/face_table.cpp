@@ -1,6 +1,8 @@
 #include "engine/scene/face_table.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include "engine/level/t_junctions.h"
 
@@ -32,6 +34,52 @@ void add_face(const Level& level, const Face& face, const TJunctions& junctions,
     table.most_corners = std::max(table.most_corners, count);
 }
 
+template <class Visit>
+void for_each_edge(const Level& level, const FaceTable& table, Visit visit) {
+    for (const FaceIndex face : level.world().faces) {
+        const std::span<const VertexIndex> corners = table.corners_of(face);
+        VertexIndex from = corners.back();
+        for (const VertexIndex to : corners) {
+            visit(level.vertices[from], level.vertices[to]);
+            from = to;
+        }
+    }
+}
+
+std::uint64_t hash_of(const Vec3<World>& from, const Vec3<World>& to) {
+    std::uint64_t hash = 0;
+    for (const World part : {from.x, from.y, from.z, to.x, to.y, to.z}) {
+        hash = (hash ^ static_cast<std::uint32_t>(part.raw)) * 0x9e3779b97f4a7c15;
+        hash ^= hash >> 29;
+    }
+    return hash;
+}
+
+/// Whether each edge is walked as often in one direction as in the other: then the hashes of both cancel. By chance
+/// they do so in one of 2^64 other levels.
+bool is_closed(const Level& level, const FaceTable& table) {
+    std::uint64_t sum = 0;
+    for_each_edge(level, table, [&](const Vec3<World>& from, const Vec3<World>& to) {
+        sum += hash_of(from, to) - hash_of(to, from);
+    });
+    return sum == 0;
+}
+
+/// Counts the edges that are walked more often in one direction than in the other.
+std::size_t count_torn_edges(const Level& level, const FaceTable& table) {
+    if (is_closed(level, table)) return 0;
+    const auto place = [](const Vec3<World>& p) { return std::array{p.x, p.y, p.z}; };
+    std::map<std::pair<std::array<World, 3>, std::array<World, 3>>, std::int32_t> balance;
+    for_each_edge(level, table, [&](const Vec3<World>& from, const Vec3<World>& to) {
+        if (place(from) < place(to))
+            ++balance[{place(from), place(to)}];
+        else
+            --balance[{place(to), place(from)}];
+    });
+    return static_cast<std::size_t>(
+        std::count_if(balance.begin(), balance.end(), [](const auto& edge) { return edge.second != 0; }));
+}
+
 }  // namespace
 
 FaceTable make_face_table(const Level& level) {
@@ -43,6 +91,7 @@ FaceTable make_face_table(const Level& level) {
         for (const FaceIndex face : level.faces_at(leaf)) effects = effects | effects_of(table.faces[face].material);
         table.leaf_effects.push_back(effects);
     }
+    table.torn_edges = count_torn_edges(level, table);
     return table;
 }
 

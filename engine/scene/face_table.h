@@ -32,6 +32,7 @@ struct FaceTable {
     std::vector<VertexIndex> corners;     ///< of all faces; those of T-junctions among them
     Table<EffectSet, Leaf> leaf_effects;  ///< what each leaf's faces call for
     std::size_t most_corners = 0;         ///< of any face
+    std::size_t torn_edges = 0;           ///< edges of the world where faces do not meet: pixels may stay free there
 
     std::span<const VertexIndex> corners_of(FaceIndex face) const {
         return std::span(corners).subspan(faces[face].first_corner, faces[face].corner_count);

@@ -23,12 +23,11 @@ std::uint8_t nearest_on_row(const std::vector<std::uint8_t>& pixels, const std::
     return 0;
 }
 
-/// The demo level with every fifth vertex moved up by some units: its faces no longer meet.
+/// The demo level with every fifth vertex moved up by some units, and the faces of every eleventh node left out.
 TEST(TornLevel, AFreePixelTakesTheColourOfItsNearestNeighbour) {
     Stage stage = demo_stage();
     for (auto vertex = stage.level.vertices.begin(); stage.level.vertices.end() - vertex > 5; vertex += 5)
         vertex->z += World::from_int(6);
-    // A surface closed by moved corners stays closed: take the faces of every eleventh node away as well.
     for (auto node = stage.level.nodes.begin(); stage.level.nodes.end() - node > 11; node += 11) node->faces.count = 0;
 
     FrameWorkspace work(stage.level, stage.mode);
@@ -46,6 +45,24 @@ TEST(TornLevel, AFreePixelTakesTheColourOfItsNearestNeighbour) {
             }
     }
     EXPECT_GT(free_pixels, 100);
+}
+
+/// One corner of one face moved tears the two edges that meet in it: four are walked by one face alone.
+TEST(TornLevel, EveryEdgeThatOneFaceAloneWalksIsCounted) {
+    Stage stage = demo_stage();
+    ASSERT_EQ(make_face_table(stage.level).torn_edges, 0u);
+    const Face& face = stage.level.faces[stage.level.world().faces.first];
+    SurfEdge& last = stage.level.surf_edges[face.edges.first];
+    const Edge torn = stage.level.edges[last.edge];
+    stage.level.vertices.push_back(stage.level.vertices[last.is_reversed ? torn.to : torn.from] +
+                                   Vec3<World>{World::from_int(3), World::from_int(1), World::from_int(2)});
+    const VertexIndex moved(static_cast<std::int32_t>(stage.level.vertices.size()) - 1);
+    stage.level.edges.push_back(last.is_reversed ? Edge{torn.from, moved} : Edge{moved, torn.to});
+    last.edge = EdgeIndex(static_cast<std::int32_t>(stage.level.edges.size()) - 1);
+    const std::size_t torn_edges = make_face_table(stage.level).torn_edges;
+    // The moved ends of two edges, and those edges' other faces; more where other vertices lie on them.
+    EXPECT_GE(torn_edges, 4u);
+    EXPECT_LT(torn_edges, 40u);
 }
 
 }  // namespace

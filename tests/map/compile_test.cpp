@@ -50,7 +50,10 @@ std::int64_t faulty_pixels(const map::BspFile& bsp, const std::vector<Camera>& c
     const Colormap colormap = make_colormap(read_palette(std::vector<std::uint8_t>(768, 32)));
     const auto models = models_at_rest(level);
     std::int64_t faulty = 0;
-    for (const FrameReport& frame : render_cameras({{level, colormap, models}, {}, {}, cameras}, [](auto, auto) {}))
+    FrameWorkspace work(level, {});
+    EXPECT_EQ(work.faces.torn_edges, 0u);
+    for (const FrameReport& frame :
+         render_cameras({{level, colormap, models}, {}, {}, cameras}, work, [](auto, auto) {}))
         faulty += frame.pixels_never + frame.pixels_twice;
     return faulty;
 }

@@ -106,4 +106,13 @@ int run_program(const std::string& name, const std::function<void()>& body) {
     }
 }
 
+void warn_of_torn_edges(const std::string& program, const std::string& level_file, std::size_t edges) {
+    if (edges == 0) return;
+    std::fprintf(
+        stderr,
+        "%s: %s: warning: the level is torn at %zu edges, expected faces that meet: pixels there may show what "
+        "is beside them\n",
+        program.c_str(), level_file.c_str(), edges);
+}
+
 }  // namespace oblong

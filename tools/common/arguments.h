@@ -37,4 +37,7 @@ std::int64_t parse_number(const std::string& option, const std::string& text, in
 /// and exit codes: 0 success; 1 a failure, `PROGRAM: FILE: WHERE: what is wrong` on standard error; 2 wrong usage.
 int run_program(const std::string& name, const std::function<void()>& body);
 
+/// Says on standard error that faces of a level do not meet at so many edges; nothing where there are none.
+void warn_of_torn_edges(const std::string& program, const std::string& level_file, std::size_t edges);
+
 }  // namespace oblong

@@ -114,7 +114,9 @@ void render(const Options& options) {
 
     if (!options.out.empty()) make_folder(options.out);
     const RenderJob job{{level, colormap, models, time_ms}, mode, settings, cameras, static_cast<int>(options.repeat)};
-    const auto frames = render_cameras(job, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
+    FrameWorkspace work(level, mode);
+    warn_of_torn_edges("oblong-render", options.level, work.faces.torn_edges);
+    const auto frames = render_cameras(job, work, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
         if (options.out.empty()) return;
         const auto png = encode_indexed_png(pixels, mode.width_px, mode.height_px, palette);
         write_file(picture_path(options.out, index), png);

@@ -14,8 +14,8 @@ namespace {
 /// Draws one camera's frames into a canvas of its own.
 class CameraRenderer {
   public:
-    explicit CameraRenderer(const RenderJob& job)
-        : job_(job), work_(job.scene.level, job.mode), pixels_(pixel_count(job.mode.width_px, job.mode.height_px)) {}
+    CameraRenderer(const RenderJob& job, FrameWorkspace& work)
+        : job_(job), work_(work), pixels_(pixel_count(job.mode.width_px, job.mode.height_px)) {}
 
     FrameReport render(const Camera& camera) {
         FrameReport report;
@@ -59,7 +59,7 @@ class CameraRenderer {
     }
 
     const RenderJob& job_;
-    FrameWorkspace work_;
+    FrameWorkspace& work_;
     std::vector<std::uint8_t> pixels_;
 };
 
@@ -73,8 +73,9 @@ TimeSummary summarize_times(std::vector<double> times) {
 }
 
 std::vector<FrameReport> render_cameras(
-    const RenderJob& job, const std::function<void(std::size_t, std::span<const std::uint8_t>)>& on_picture) {
-    CameraRenderer renderer(job);
+    const RenderJob& job, FrameWorkspace& work,
+    const std::function<void(std::size_t, std::span<const std::uint8_t>)>& on_picture) {
+    CameraRenderer renderer(job, work);
     std::vector<FrameReport> reports;
     for (std::size_t i = 0; i < job.cameras.size(); ++i) {
         reports.push_back(renderer.render(job.cameras[i]));

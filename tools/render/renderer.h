@@ -41,6 +41,7 @@ struct RenderJob {
 /// Renders every camera and calls on_picture(index, pixels) with each picture. Counts are taken in a rendering of their
 /// own, never in a timed one.
 std::vector<FrameReport> render_cameras(
-    const RenderJob& job, const std::function<void(std::size_t, std::span<const std::uint8_t>)>& on_picture);
+    const RenderJob& job, FrameWorkspace& work,
+    const std::function<void(std::size_t, std::span<const std::uint8_t>)>& on_picture);
 
 }  // namespace oblong
