@@ -28,7 +28,7 @@ bool contains(const GameLevel& level, const Obstacle& obstacle, const Position& 
            contents::kSolid;
 }
 
-// The positions beside, above and below a model that are next to one inside it.
+// For a position inside a model: those next to it at the model's sides, above and below.
 std::array<Position, 6> positions_around(const GameLevel& level, const Obstacle& obstacle, const Position& from) {
     constexpr World kGap = World::from_int(2);
     const Box model = box_of(level.model(obstacle.model).box).moved(obstacle.offset);

@@ -26,7 +26,7 @@ struct Demo {
 /// (u32), and for each tick forward, right (i8), yaw, pitch (i16), buttons (u8), state hash (u64).
 std::vector<std::uint8_t> encode_demo(const Demo& demo);
 
-/// The demo of such bytes. Throws InputError where they are not all of one.
+/// Parses such bytes. Throws InputError unless they are a whole demo.
 Demo decode_demo(std::span<const std::uint8_t> bytes);
 
 }  // namespace oblong

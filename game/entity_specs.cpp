@@ -120,7 +120,7 @@ Mover lift(const Entity& entity, const Box& box) {
     return mover;
 }
 
-// Sets of linked doors: each door's parent, up to the one that stands for its set.
+// Sets of linked doors (union-find): each door's parent, up to the one that represents its set.
 class DoorSets {
   public:
     explicit DoorSets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0u); }

@@ -20,10 +20,10 @@ std::optional<ModelIndex> model_of(const Entity& entity, const Level& bsp);
 World longest_travel(const Level& bsp);
 
 /// The mover that an entity describes (func_door, func_plat, func_button), as Quake's game does; nothing for any other
-/// entity, for one without a model, and where it would travel further than `longest`. Targets are not looked at.
+/// entity, for one without a model, and where it would travel further than `longest`. Ignores targets.
 std::optional<Mover> mover_of(const Entity& entity, const Level& bsp, World longest);
 
-/// Doors that touch each other open together: each gets the touch boxes of all that it is linked with. `entities[i]` is
+/// Doors that touch each other open together: each gets the touch boxes of all doors linked to it. `entities[i]` is
 /// that of `movers[i]`.
 void link_doors(std::vector<Mover>& movers, const std::vector<const Entity*>& entities, const Level& bsp);
 

@@ -46,13 +46,13 @@ struct Trigger {
 /// The most doors, lifts and buttons of a level; Quake allows 255 brush models, its successors some thousands.
 inline constexpr std::size_t kMostMovers = 16'384;
 
-/// All that is activated by one name.
+/// Everything that is activated by one name.
 struct Target {
     std::vector<std::uint32_t> movers;       ///< indices into GameLevel::movers
     std::vector<std::uint32_t> teleporters;  ///< indices into GameState::teleporter_ticks
 };
 
-/// All of a level that the game needs and that never changes.
+/// The part of a game that never changes: what it needs of a level.
 struct GameLevel {
     const Level* bsp = nullptr;  ///< outlives the game level
     std::vector<Mover> movers;

@@ -7,7 +7,7 @@
 
 namespace oblong {
 
-/// What a game is played with.
+/// The files that a game needs, loaded.
 struct GameData {
     std::string level_file;
     Level level;
@@ -15,8 +15,8 @@ struct GameData {
     Colormap colormap;
 };
 
-/// Reads the level and its palette; empty names: the demo level of `assets_folder`, and the palette.lmp beside the
-/// level, in gfx/ beside it, or in `assets_folder`. Throws FileError.
+/// Reads the level and its palette; empty names: the demo level of `assets_folder`, and the palette.lmp in the level's
+/// folder, in gfx/ there, or in `assets_folder`. Throws FileError.
 GameData load_game(const std::string& level_file, const std::string& palette_file, const std::string& assets_folder);
 
 }  // namespace oblong

@@ -11,7 +11,7 @@
 
 namespace oblong {
 
-/// What the command line asks for; empty strings and 0 where it says nothing.
+/// The command line's options; empty strings and 0 where they are not given.
 struct Options {
     std::string level, palette;
     ScreenMode mode;
@@ -24,8 +24,8 @@ struct Options {
     std::string out;
 };
 
-/// Runs `body` with what the command line asks for; the program's exit code: 0 also after --help and --version, 1 for
-/// what `body` throws, 2 for wrong usage, both said on standard error.
+/// Runs `body` with the command line's options; the program's exit code: 0 also after --help and --version, 1 for
+/// what `body` throws, 2 for wrong usage, both reported on standard error.
 int run_with_options(int argument_count, const char* const* arguments, const std::function<void(const Options&)>& body);
 
 }  // namespace oblong

@@ -13,7 +13,7 @@ namespace oblong {
 WindowSize exact_size(const ScreenMode& mode);
 
 /// Writes the picture as it is and in its exact size, as indexed PNGs "oblong-000.png" and "oblong-000-1600x1200.png"
-/// of the first free number, into a folder. What to tell the user, also where it did not work.
+/// of the first free number, into a folder. Returns a message for the user, also on failure.
 std::string save_screenshots(const std::string& folder, Framebuffer picture, const Palette& palette,
                              const ScreenMode& mode);
 

@@ -21,7 +21,7 @@ struct SessionSettings {
 /// A game from its start until the platform closes: the loop of input, ticks and frames.
 class Session {
   public:
-    /// All outlive the session.
+    /// All arguments must outlive the session.
     Session(const GameData& data, const GameLevel& level, const SessionSettings& settings, TickInputSource& input,
             Platform& platform);
 

@@ -36,7 +36,7 @@ struct MoverState {
     bool operator==(const MoverState&) const = default;
 };
 
-/// All that changes from tick to tick, and nothing else: what a demo must reproduce.
+/// Everything that changes from tick to tick, and nothing else: what a demo must reproduce.
 struct GameState {
     std::int64_t tick = 0;
     Player player;

@@ -28,7 +28,7 @@ void step_player(const GameLevel& level, GameState& state, const TickInput& inpu
 void touch_movers(const GameLevel& level, GameState& state);
 
 /// Activates movers and what they target: one at rest leaves, one on its way back turns round, one at its other end
-/// waits anew.
+/// restarts its wait.
 void activate(const GameLevel& level, GameState& state, std::span<const std::uint32_t> movers);
 
 /// Activates teleporters: they work for 0.2 s from now on.

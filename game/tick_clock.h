@@ -27,7 +27,7 @@ class TickClock {
 
   private:
     static constexpr std::int64_t kSecond_us = 1'000'000;
-    std::int64_t rest_ = 0;  // us * 35, below one tick
+    std::int64_t rest_ = 0;  // the remainder, us * 35, below one tick
 };
 
 }  // namespace oblong

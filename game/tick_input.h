@@ -7,7 +7,7 @@ namespace oblong {
 /// The rate of the simulation; frames are drawn at any rate.
 inline constexpr std::int64_t kTicksPerSecond = 35;
 
-/// All that a tick reads of the player's input. A demo is an array of these.
+/// The player's input for one tick. A demo is an array of these.
 struct TickInput {
     std::int8_t forward = 0;   ///< -127 to 127: part of the full speed, ahead positive
     std::int8_t right = 0;     ///< likewise, to the right positive

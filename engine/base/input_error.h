@@ -6,7 +6,7 @@
 
 namespace oblong {
 
-/// Words out of a damaged file, fit for a terminal: control characters become question marks, what is too long is cut.
+/// Text from a damaged file, safe to print: control characters become question marks, long text is truncated.
 inline std::string printable(std::string text) {
     constexpr std::size_t kMost = 400;
     if (text.size() > kMost) text.replace(kMost, std::string::npos, "...");
@@ -15,8 +15,8 @@ inline std::string printable(std::string text) {
     return text;
 }
 
-/// Bad input: what was read is not what it should be. `where` names the place in it ("lump planes, offset 1234"), the
-/// message says what is wrong and what was expected. Who opened the file adds its name: programs print
+/// Invalid input. `where` names the place in it ("lump planes, offset 1234"), the message says what is wrong and what
+/// was expected. The caller that opened the file adds its name: programs print
 /// `PROGRAM: FILE: WHERE: what is wrong, what was expected` and exit with 1.
 class InputError : public std::runtime_error {
   public:

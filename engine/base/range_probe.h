@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 
-/// Where the engine's arithmetic could run out of bits: the largest intermediate values, each named where it is noted.
-/// In the build that OBLONG_RECORD_RANGES makes (tests/ranges) every value that one of them takes is recorded, to show
-/// how many bits are left; in every other build note_range is nothing.
+/// Checks the arithmetic for overflow: the largest intermediate values, each named where note_range is called. The
+/// build with OBLONG_RECORD_RANGES (tests/ranges) records the range of each, to show how many bits are left; in every
+/// other build note_range does nothing.
 namespace oblong {
 
 /// A string as a template argument.
@@ -28,9 +28,8 @@ namespace oblong {
 
 struct SeenRange;
 
-/// All quantities of a program, noted or not. What is recorded is the one variable of the engine that is not handed in:
-/// a recorder through every signature would make the engine that is measured another one than the engine that draws. It
-/// exists in the recording build alone.
+/// All quantities of a program, recorded or not. The records are the engine's only global variable, and exist in the
+/// recording build only: passing a recorder through every signature would change the code that is measured.
 inline std::vector<const SeenRange*>& recorded_ranges() {
     static std::vector<const SeenRange*> ranges;
     return ranges;
@@ -38,8 +37,8 @@ inline std::vector<const SeenRange*>& recorded_ranges() {
 
 struct SeenRange {
     const char* name;
-    int bits, fraction_bits;     ///< of the format, its sign not counted
-    const char* file = nullptr;  ///< where it was noted; null: never
+    int bits, fraction_bits;     ///< of the format, without the sign
+    const char* file = nullptr;  ///< where it was recorded; null: never
     std::int64_t least = std::numeric_limits<std::int64_t>::max(), greatest = std::numeric_limits<std::int64_t>::min();
 
     SeenRange(const char* its_name, int its_bits, int its_fraction_bits)

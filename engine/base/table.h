@@ -8,12 +8,12 @@
 
 namespace oblong {
 
-/// The item of a list by a number of any type that is not negative; an enumeration's too.
-constexpr decltype(auto) at(auto& items, auto number) {
-    return items[static_cast<std::size_t>(number)];
+/// An element of a list by an index of any integer or enumeration type, 0 and up.
+constexpr decltype(auto) at(auto& items, auto index) {
+    return items[static_cast<std::size_t>(index)];
 }
 
-/// The number of a record in a table of Records, from 0 on; or none.
+/// The index of a record in a table of Records; or none.
 template <class Record>
 class Index {
   public:
@@ -35,7 +35,7 @@ class Index {
     std::int32_t number_ = 0;
 };
 
-/// Records beside each other in a table: `count` of them from `first` on.
+/// Consecutive records of a table: `count` of them from `first` on.
 template <class Record>
 struct IndexRange {
     Index<Record> first;
@@ -50,7 +50,7 @@ struct IndexRange {
         }
         constexpr bool operator==(const Iterator&) const = default;
     };
-    /// Takes the first one off; there must be one.
+    /// Removes the first index and returns it; the range must not be empty.
     constexpr Index<Record> take_first() {
         const Index<Record> taken = first;
         ++first;
@@ -63,8 +63,8 @@ struct IndexRange {
     constexpr bool operator==(const IndexRange&) const = default;
 };
 
-/// A vector that is subscripted by the index of its own records, or by a range of them. `Record` differs from what is
-/// stored where a table holds something more about the records of another one.
+/// A vector subscripted by the typed index of its records, or by a range of them. `Record` differs from the stored type
+/// where a table holds additional data on the records of another one.
 template <class Value, class Record = Value>
 class Table : private std::vector<Value> {
     using Base = std::vector<Value>;

@@ -6,11 +6,11 @@
 
 namespace oblong {
 
-/// Degrees at the door: field of view, angles of a command line. 16.48.
+/// Degrees, in public interfaces only: field of view, angles on a command line. 16.48.
 using Degrees = Fixed<std::int64_t, 48>;
 
 /// An angle in binary degrees: 65,536 to the turn, so that it wraps by itself; never negative, so that shifting it to
-/// index a table is safe. Degrees exist at the door only (degrees_to_angle, fixed/trig.h).
+/// index a table is safe. Degrees are for public interfaces only (degrees_to_angle, fixed/trig.h).
 struct Angle {
     std::uint16_t bam = 0;
 

@@ -7,12 +7,12 @@
 #include "engine/fixed/fixed.h"
 #include "engine/fixed/wide.h"
 
-// Total arithmetic: every input has a result. A result is exact and rounded once by name; where the format cannot hold
-// it, it is the end of the range on the right side.
+// Total, saturating arithmetic: every input has a result. It is exact, then rounded once by the named rule; what the
+// format cannot hold becomes its lowest or highest value.
 
 namespace oblong {
 
-/// The number with this raw value, or the end of the range that it lies beyond.
+/// The number with this raw value; saturates.
 template <class To>
 constexpr To saturated_to(std::int64_t raw) {
     using Raw = typename To::Raw;
@@ -20,7 +20,7 @@ constexpr To saturated_to(std::int64_t raw) {
     return To::from_raw(static_cast<Raw>(std::clamp(raw, kLowest, kHighest)));
 }
 
-/// a + b, or the end of the range that it lies beyond.
+/// a + b; saturates.
 constexpr std::int64_t saturating_sum(std::int64_t a, std::int64_t b) {
     if (b > 0 && a > std::numeric_limits<std::int64_t>::max() - b) return std::numeric_limits<std::int64_t>::max();
     if (b < 0 && a < std::numeric_limits<std::int64_t>::min() - b) return std::numeric_limits<std::int64_t>::min();
@@ -48,7 +48,7 @@ constexpr Fixed<Int, Frac> multiply(Fixed<Int, Frac> a, Fixed<Int, Frac> b,
         return saturated_to<Fixed<Int, Frac>>(mul_shift(a.raw, b.raw, Frac, rounding));
 }
 
-/// a / b; saturates. Division by zero gives the end of the range on the side of `a`, and 0 / 0 gives 0.
+/// a / b; saturates. Division by zero gives the lowest or highest value, by the sign of `a`; 0 / 0 gives 0.
 template <class To, class A, int FracA, class B, int FracB>
 constexpr To divide(Fixed<A, FracA> a, Fixed<B, FracB> b, Rounding rounding = Rounding::NearestHalfUp) {
     constexpr int kShift = To::kFractionBits + FracB - FracA;
@@ -69,7 +69,7 @@ constexpr To product_over(Fixed<A, FracA> a, Fixed<B, FracB> b, Fixed<C, FracC> 
     return saturated_to<To>(mul_div(a.raw, b.raw, std::int64_t{c.raw} * (std::int64_t{1} << kDropped)));
 }
 
-/// a / b rounded to the nearest, by one division of 64 bits. `b` is above 0; both have room for the bits that To drops.
+/// a / b rounded to the nearest, by one 64-bit division. `b` is above 0; both have room for the bits that To drops.
 template <class To, int FracA, int FracB>
 constexpr To bounded_quotient(Fixed<std::int64_t, FracA> a, Fixed<std::int64_t, FracB> b) {
     constexpr int kDropped = FracA - FracB - To::kFractionBits;
@@ -94,7 +94,7 @@ constexpr Fixed<Int, Frac> between(Fixed<Int, Frac> from, Fixed<Int, Frac> to, P
     return saturated_to<Fixed<Int, Frac>>(saturating_sum(from.raw, way));
 }
 
-/// The place of the highest bit: the floor of the logarithm to base 2. `value` is not 0.
+/// The position of the highest set bit: the floor of the logarithm to base 2. `value` is not 0.
 constexpr int log2_floor(std::uint64_t value) {
     return 63 - std::countl_zero(value);
 }

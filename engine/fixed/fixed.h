@@ -56,8 +56,8 @@ struct Fixed {
     constexpr auto operator<=>(const Fixed&) const = default;
 };
 
-/// `value` in another format, rounded by name where fraction bits are lost. The result must fit (saturating_convert
-/// asks).
+/// `value` in another format, rounded by name where fraction bits are lost. The result must fit: saturating_convert
+/// checks.
 template <class To, class Int, int Frac>
 constexpr To convert(Fixed<Int, Frac> value, Rounding rounding = Rounding::NearestHalfUp) {
     using Wide = std::conditional_t<(sizeof(Int) > sizeof(typename To::Raw)), Int, typename To::Raw>;
@@ -68,13 +68,13 @@ constexpr To convert(Fixed<Int, Frac> value, Rounding rounding = Rounding::Neare
         return To::from_raw(static_cast<typename To::Raw>(rounded_shift(wide, Frac - To::kFractionBits, rounding)));
 }
 
-/// |value|, which the format holds for all but its lowest number.
+/// |value|; not for the format's lowest number.
 template <class Int, int Frac>
 constexpr Fixed<Int, Frac> absolute(Fixed<Int, Frac> value) {
     return value < Fixed<Int, Frac>{} ? -value : value;
 }
 
-/// The largest whole number that is not above `value`.
+/// The largest integer not above `value`.
 template <class Int, int Frac>
 constexpr Int floor_of(Fixed<Int, Frac> value) {
     return floor_shift(value.raw, Frac);
@@ -86,8 +86,7 @@ constexpr Fixed<Int, Frac> floor_shift(Fixed<Int, Frac> value, int bits) {
     return Fixed<Int, Frac>::from_raw(floor_shift(value.raw, bits));
 }
 
-/// value + step * count, modulo 2^64: sums on the way may pass the ends of the format, as long as the last one does
-/// not.
+/// value + step * count, modulo 2^64: intermediate sums may overflow the format, as long as the last one does not.
 template <int Frac>
 constexpr Fixed<std::int64_t, Frac> stepped(Fixed<std::int64_t, Frac> value, Fixed<std::int64_t, Frac> step,
                                             std::int64_t count) {
@@ -96,27 +95,27 @@ constexpr Fixed<std::int64_t, Frac> stepped(Fixed<std::int64_t, Frac> value, Fix
                                   static_cast<std::uint64_t>(step.raw) * static_cast<std::uint64_t>(count)));
 }
 
-/// a - b in 64 bits, so that any two numbers of 32 have one.
+/// a - b in 64 bits: never overflows for 32-bit formats.
 template <class Int, int Frac>
 constexpr Fixed<std::int64_t, Frac> widening_difference(Fixed<Int, Frac> a, Fixed<Int, Frac> b) {
     static_assert(sizeof(Int) <= 4, "the difference must fit 64 bits");
     return Fixed<std::int64_t, Frac>::from_raw(std::int64_t{a.raw} - b.raw);
 }
 
-/// The exact product, in 64 bits: fraction bits add up. Both factors are of 32 bits or fewer.
+/// The exact product, in 64 bits: fraction bits add up. Both factors have 32 bits or fewer.
 template <class A, int FracA, class B, int FracB>
 constexpr auto widening_product(Fixed<A, FracA> a, Fixed<B, FracB> b) {
     static_assert(sizeof(A) <= 4 && sizeof(B) <= 4, "the product must fit 64 bits");
     return Fixed<std::int64_t, FracA + FracB>::from_raw(std::int64_t{a.raw} * b.raw);
 }
 
-/// The same of wider factors, whose product fits 64 bits because of what they stand for (tests/ranges).
+/// The same for wider factors, whose values are known to be small enough for 64 bits (tests/ranges).
 template <class A, int FracA, class B, int FracB>
 constexpr auto bounded_product(Fixed<A, FracA> a, Fixed<B, FracB> b) {
     return Fixed<std::int64_t, FracA + FracB>::from_raw(std::int64_t{a.raw} * b.raw);
 }
 
-// The engine's formats; the budget that they come from is the table in engine/fixed/README.md.
+// The engine's formats; what each must hold is in the table in engine/fixed/README.md.
 using World = Fixed<std::int32_t, 12>;          ///< world coordinates: 20.12, +-524,288 units by 1/4,096
 using Unit = Fixed<std::int32_t, 30>;           ///< components of unit vectors and rotations: 2.30, [-2, 2)
 using Sine60 = Fixed<std::int64_t, 60>;         ///< Unit times Unit; sines before the rounding of their product: 4.60
@@ -125,7 +124,7 @@ using PlaneDistance = Fixed<std::int64_t, 42>;  ///< World times Unit: 22.42
 using TexelAxis = Fixed<std::int32_t, 23>;      ///< components of texture axes, texels per world unit: 9.23
 using Multiplier = Fixed<std::int64_t, 32>;     ///< projection multipliers, pixels: 32.32
 using Screen = Fixed<std::int32_t, 8>;          ///< screen positions after clipping, pixels: 24.8
-using ScreenWide = Fixed<std::int64_t, 8>;      ///< screen positions that need not be on the screen, pixels: 56.8
+using ScreenWide = Fixed<std::int64_t, 8>;      ///< screen positions before clipping, pixels: 56.8
 using WorldWide = Fixed<std::int64_t, 12>;      ///< differences of world coordinates: 52.12
 using Texel = Fixed<std::int64_t, 16>;          ///< texture coordinates, texels: 48.16
 using InverseZ = Fixed<std::int64_t, 44>;       ///< 1/z, z in world units: 20.44

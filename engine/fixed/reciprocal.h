@@ -5,7 +5,7 @@
 
 namespace oblong {
 
-/// How 1 / n is found, from the cheapest. Errors are relative, worst over all mantissas; each never rises as n grows.
+/// Methods for 1 / n, from the cheapest. Errors are relative, worst over all mantissas; no result rises as n grows.
 enum class ReciprocalMethod {
     Table256,           ///< a table of 256 entries: 2^-9
     Table1024Newton,    ///< 1,024 entries and a step of Newton's: 2^-21

@@ -23,7 +23,7 @@ constexpr auto kRootsOfHighByte = [] {
     return table;
 }();
 
-/// Of a number from 2^14 to 2^16 - 1.
+/// The root of a number from 2^14 to 2^16 - 1.
 Root root_of_16_bits(std::uint32_t value) {
     std::uint32_t root = kRootsOfHighByte[(value >> 8) - 64];
     if ((root + 1) * (root + 1) <= value) ++root;
@@ -47,12 +47,12 @@ Root refine(Root high, std::uint64_t next, std::uint64_t last, int bits) {
     return is_too_great ? Root{root - 1, remainder + 2 * root - 1} : Root{root, remainder};
 }
 
-/// Of a number from 2^30 to 2^32 - 1.
+/// The root of a number from 2^30 to 2^32 - 1.
 Root root_of_32_bits(std::uint64_t value) {
     return refine(root_of_16_bits(static_cast<std::uint32_t>(value >> 16)), (value >> 8) & 0xff, value & 0xff, 8);
 }
 
-/// Of a number from 2^62 to 2^64 - 1.
+/// The root of a number from 2^62 to 2^64 - 1.
 Root root_of_64_bits(std::uint64_t value) {
     return refine(root_of_32_bits(value >> 32), (value >> 16) & 0xffff, value & 0xffff, 16);
 }

@@ -10,7 +10,7 @@ namespace oblong {
 
 /// The floor of the square root: r r <= value < (r + 1)(r + 1), for every value.
 std::uint32_t integer_root(std::uint64_t value);
-/// The same of a number of 128 bits.
+/// The same for a 128-bit number.
 std::uint64_t integer_root(portable::Uint128 value);
 
 /// The square root of `value` in the format To, exact before it is rounded. A negative value has the root 0.

@@ -7,8 +7,8 @@
 
 namespace oblong {
 
-/// How a sine is found: what games of the time did, beside the engine's own (fixed/trig.h). The error is the worst
-/// over all binary angles.
+/// Methods for a sine: those of games of the time, and the engine's own (fixed/trig.h). The error is the worst over all
+/// binary angles.
 enum class SineMethod {
     Nearest256,       ///< the nearest of 256 entries to the turn: 2^-6.3
     Lerp256,          ///< a straight line between two of 256: 2^-13.6

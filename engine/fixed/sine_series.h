@@ -4,7 +4,7 @@
 
 #include "engine/fixed/wide.h"
 
-// Taylor's series in integers: what every table and method of sines is made of. Sines have 62 fraction bits here, and
+// Taylor series in integers, from which all tables of sines are made. Sines have 62 fraction bits here, and
 // binary angles are counted in halves, so that the middle between two of them has a number.
 
 namespace oblong::detail {

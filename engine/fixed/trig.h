@@ -21,10 +21,11 @@ SineCosine60 half_angle_sine_cosine(Angle angle);
 /// Both of a decimal angle from 0 to 180 degrees, each within 2^-57: for half a field of view.
 SineCosine60 sine_cosine(Degrees angle);
 
-/// The nearest binary angle (a tie: the larger). Any sign; whole turns fall away.
+/// The nearest binary angle (a tie: the larger). Any sign; modulo a turn.
 Angle degrees_to_angle(Degrees degrees);
 
-/// The binary angle nearest to that of the point (x, y), counter-clockwise from +x; of any length. (0, 0) gives 0.
+/// The direction of (x, y), of any length, as the nearest binary angle counter-clockwise from +x (atan2). (0, 0) gives
+/// 0.
 Angle arctangent2(std::int64_t y, std::int64_t x);
 
 }  // namespace oblong

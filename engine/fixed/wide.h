@@ -21,20 +21,20 @@ constexpr std::uint64_t magnitude(std::int64_t value) {
     return value < 0 ? 0 - bits : bits;
 }
 
-/// The number of this sign and magnitude, or the end of the range that it lies beyond.
+/// The number of this sign and magnitude; saturates.
 constexpr std::int64_t saturated(bool is_negative, std::uint64_t size) {
     constexpr std::uint64_t kEnd = std::uint64_t{1} << 63;
     if (is_negative) return size >= kEnd ? std::numeric_limits<std::int64_t>::min() : -static_cast<std::int64_t>(size);
     return size >= kEnd ? std::numeric_limits<std::int64_t>::max() : static_cast<std::int64_t>(size);
 }
 
-/// What to add to a truncated magnitude, where the rest is `rest` halves-compared as `against_half`.
+/// Whether a truncated magnitude must be increased by 1; `against_half` compares the dropped fraction with 1/2.
 constexpr bool rounds_away(bool is_negative, bool is_exact, std::strong_ordering against_half, Rounding rounding) {
     if (rounding == Rounding::Floor) return is_negative && !is_exact;
     return against_half > 0 || (against_half == 0 && !is_negative);
 }
 
-/// Division by zero: the end of the range on the numerator's side; 0 / 0 is 0.
+/// Division by zero: the lowest or highest value, by the numerator's sign; 0 / 0 is 0.
 constexpr std::int64_t divided_by_zero(bool is_negative, bool is_zero) {
     return is_zero ? 0 : saturated(is_negative, ~std::uint64_t{0});
 }
@@ -68,7 +68,7 @@ struct Division {
     std::uint64_t quotient = 0, remainder = 0;
 };
 
-/// n / d where n.high < d, so that the quotient fits: a bit of it at a time.
+/// n / d where n.high < d, so that the quotient fits: binary long division.
 constexpr Division divide(Uint128 n, std::uint64_t d) {
     Division result{0, n.high};
     for (int bit = 63; bit >= 0; --bit) {
@@ -186,7 +186,7 @@ namespace chosen_wide = portable;
 #endif
 
 /// a * b / c of the exact 128-bit product, rounded once. Saturates where the quotient does not fit; division by zero
-/// gives the end of the range on the product's side, 0 / 0 gives 0.
+/// gives the lowest or highest value, by the product's sign, and 0 / 0 gives 0.
 constexpr std::int64_t mul_div(std::int64_t a, std::int64_t b, std::int64_t c,
                                Rounding rounding = Rounding::NearestHalfUp) {
     return chosen_wide::mul_div(a, b, c, rounding);

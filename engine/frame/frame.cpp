@@ -12,7 +12,7 @@ namespace oblong {
 
 namespace {
 
-/// All that stays the same while the faces of one frame are drawn.
+/// Everything that is constant while the faces of a frame are drawn.
 struct FrameContext {
     const Scene& scene;
     ViewContext view;
@@ -54,7 +54,7 @@ FrameContext begin_frame(const Scene& scene, const Camera& camera, const ScreenM
     return {scene, view, make_inverse_projection(view.projection), make_block_rule(settings.accuracy), out};
 }
 
-/// Corners to viewspace, clipped, projected: into work.polygon. False if nothing of the face is in view.
+/// Transforms, clips and projects the corners into work.polygon. False if nothing of the face is in view.
 bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
     if (work.counts) ++work.counts->faces_visited;
     if (visible.fragment)
@@ -62,7 +62,7 @@ bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspa
     return project_face(work.faces.corners_of(visible.face), frame.view, work.vertices, work.polygon);
 }
 
-/// Leaves the sky's spans to its pass, and gives what asks for an effect that is not on the plan one colour of its
+/// Collects sky spans for the sky pass, and fills faces whose effect is not on the plan with one colour of their
 /// texture. False for all other faces.
 bool draw_without_surface(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
     const Level& level = frame.scene.level;
@@ -109,8 +109,8 @@ void draw_sky_pass(const FrameContext& frame, const FrameWorkspace& work) {
              frame.view.projection, frame.out);
 }
 
-/// What no face covers. From inside a wall that is the void: colour 0. From the open it is where a level's faces do not
-/// meet: the colour of the nearest pixel on the row that is covered.
+/// Fills pixels that no face covers. From inside a wall they show the void: colour 0. From the open they are gaps
+/// between faces that do not meet: the colour of the nearest covered pixel on the row.
 void fill_free_pixels(FrameWorkspace& work, Framebuffer out) {
     work.owned.clear();
     work.span_buffer.claim_rest(work.owned);

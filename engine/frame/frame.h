@@ -16,11 +16,11 @@ namespace oblong {
 
 class FrameWorkspace;  // engine/frame/workspace.h: scratch and caches, owned by the caller, never part of the picture
 
-/// All that a frame shows. Level and colormap are the same in all frames of a workspace, and outlive it.
+/// Everything that a frame shows. Level and colormap are the same in all frames of a workspace, and outlive it.
 struct Scene {
     const Level& level;
     const Colormap& colormap;
-    std::span<const PlacedModel> models;  ///< each of the level's models once at the most
+    std::span<const PlacedModel> models;  ///< each of the level's models at most once
     std::int64_t time_ms = 0;             ///< of the scene; nothing in a frame moves by it yet
     LightStyles light_styles = plain_light_styles();
 };

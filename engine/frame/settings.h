@@ -8,7 +8,7 @@
 
 namespace oblong {
 
-/// The named presets (--accuracy): what could be afforded in that year, and two that no year could.
+/// The named presets (--accuracy): what games of that year could afford, and two that none could.
 enum class Preset { Year1991, Year1994, Year1996, Bounded, Exact };
 
 /// The dials of a preset.
@@ -22,7 +22,7 @@ std::optional<Preset> preset_named(std::string_view name);
 struct Settings {
     Accuracy accuracy;
     EffectSet allowed_effects = EffectSet::all();
-    bool correct_aspect = true;  ///< false: the projection takes pixels for square (F2 in the game)
+    bool correct_aspect = true;  ///< false: the projection assumes square pixels (F2 in the game)
 };
 
 }  // namespace oblong

@@ -34,7 +34,7 @@ class FrameWorkspace {
     SpanBuffer span_buffer;
     ScreenPolygon polygon;
     ScanlineExtents rows;
-    std::vector<Span> owned;      ///< what the face at hand claimed
+    std::vector<Span> owned;      ///< what the current face claimed
     std::vector<Span> sky_spans;  ///< what sky faces claimed, drawn last
     BlockList blocks;
     FaceSurfaces surfaces;

@@ -15,7 +15,7 @@ bool is_outside(const ClipVertex& vertex, const ClipPlane& plane, std::uint8_t b
     return plane.distance(vertex.position) < kOn;
 }
 
-/// Rounded positions may lie a step on the other side of where they were decided to be; then they lie on the plane.
+/// A rounded position may be a step across the plane from its decided side; it then counts as on the plane.
 void append_crossing(const ClipVertex& inside, const ClipVertex& outside, const ClipPlane& plane, std::uint8_t border,
                      std::vector<ClipVertex>& out) {
     const ClipDistance distance = plane.distance(inside.position);
@@ -23,7 +23,7 @@ void append_crossing(const ClipVertex& inside, const ClipVertex& outside, const 
     ClipVertex crossing;
     crossing.position =
         distance <= kOn ? inside.position : cross_plane(inside.position, distance, outside.position, beyond);
-    // Both ends on a border: so is what lies between.
+    // Both ends on a border: so is every point between.
     crossing.borders = static_cast<std::uint8_t>((inside.borders & outside.borders) | border);
     crossing.outcode = inside.outcode & outside.outcode;
     crossing.undecided =

@@ -7,20 +7,19 @@
 
 namespace oblong {
 
-/// A corner on its way through the clip planes. `borders` are the sides of the view on which clipping put it (Outcode's
-/// bits): there it projects exactly onto the screen's border, however near to the eye it lies and however coarse its
-/// position therefore is. Which sides it is outside of is decided once: a corner that clipping makes on an edge is
-/// where both of the edge's ends are, whatever its rounded position says. So all faces that share an edge, whatever
-/// their other corners, are left with the same part of it.
+/// A polygon's corner during clipping. `borders` are the sides of the view on which clipping put it (Outcode's bits):
+/// there it projects exactly onto the screen's border, however near to the eye it lies and however coarse its position
+/// therefore is. Which sides it is outside of is decided once: a corner that clipping makes on an edge is on the side
+/// of a plane that both ends of the edge are on, whatever its rounded position says. So all faces that share an edge,
+/// whatever their other corners, keep the same part of it.
 struct ClipVertex {
     Vec3<View> position;
     std::uint8_t borders = 0;
-    std::uint8_t outcode = 0;       ///< the sides that it is outside of, where decided
-    std::uint8_t undecided = 0xff;  ///< the sides of which its position has yet to say
+    std::uint8_t outcode = 0;       ///< the sides that it is outside of, among those decided
+    std::uint8_t undecided = 0xff;  ///< the sides still to be tested by its position
 };
 
-/// Two buffers that a polygon is clipped back and forth between; kept from frame to frame, so that nothing is
-/// allocated.
+/// Two buffers for clipping plane by plane; kept from frame to frame, so that nothing is allocated.
 struct ClipScratch {
     std::vector<ClipVertex> polygon, other;
 };
@@ -30,8 +29,8 @@ struct ClipScratch {
 Vec3<View> cross_plane(const Vec3<View>& inside, ClipDistance distance_inside, const Vec3<View>& outside,
                        ClipDistance distance_outside);
 
-/// Clips the convex polygon `scratch.polygon` to the planes in `outcodes` (the union of its vertices' outcodes). What
-/// is left is in `scratch.polygon`, with at most one vertex more for each plane; empty if nothing is. Sutherland and
+/// Clips the convex polygon `scratch.polygon` to the planes in `outcodes` (the union of its vertices' outcodes). The
+/// result is in `scratch.polygon`, with at most one vertex more for each plane; perhaps empty. Sutherland and
 /// Hodgman, "Reentrant polygon clipping", CACM 17 (1974).
 void clip_polygon(const Frustum& frustum, unsigned outcodes, ClipScratch& scratch);
 

@@ -17,7 +17,7 @@ SideSlope make_slope(Multiplier multiplier, std::int32_t size_px) {
             ClipNormal::from_raw(rounded_shift(along, shift, Rounding::NearestHalfUp))};
 }
 
-/// The world-space twin of a view-space side plane: its normal is a mix of two of the camera's axes.
+/// A side plane in world space: its normal is a linear combination of two of the camera's axes.
 CullPlane make_cull_plane(const Vec3<Unit>& across_axis, ClipNormal across, const Vec3<Unit>& forward,
                           ClipNormal along) {
     using Component = Fixed<std::int64_t, 20>;

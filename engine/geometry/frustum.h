@@ -9,14 +9,14 @@
 
 namespace oblong {
 
-/// Which sides of the view a point is outside of, a bit each. There is no near plane: the sides meet in the eye, and
-/// all that is inside of them is before it. What a near plane cuts off a wall that the eye touches is a hole (hard case
-/// V12). Behind the eye is no side of its own, as such a point is outside of another; it tells what wholly lies there.
+/// Which sides of the view a point is outside of, a bit each (Cohen and Sutherland). There is no near plane: the side
+/// planes meet in the eye, and everything inside them is in front of it. A near plane would cut a hole into a wall that
+/// the eye touches (hard case V12). kOutBehind is no clip plane; it serves to reject polygons wholly behind the eye.
 enum Outcode : std::uint8_t { kOutLeft = 1, kOutRight = 2, kOutBottom = 4, kOutTop = 8, kOutBehind = 16 };
 inline constexpr int kClipPlaneCount = 4;
 
-/// A component of a clip plane's normal, which need not be of length 1: from -1 to 1, so that positions of 35 bits give
-/// distances of 62.
+/// A component of a clip plane's normal, which need not be of length 1: from -1 to 1, so that 35-bit positions give
+/// 62-bit distances.
 using ClipNormal = Fixed<std::int64_t, 25>;
 using ClipDistance = Fixed<std::int64_t, 41>;
 
@@ -42,7 +42,7 @@ struct Frustum {
     std::array<CullPlane, 4> cull_planes;                ///< left, right, bottom, top
 };
 
-/// The planes of what the screen shows. A point on a plane is inside.
+/// The planes of the view frustum. A point on a plane is inside.
 Frustum make_frustum(const Basis& axes, const Projection& projection);
 
 /// The outcode of a point in viewspace.

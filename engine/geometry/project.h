@@ -9,8 +9,9 @@
 
 namespace oblong {
 
-/// Where a point in viewspace lands, pixels, 56.8, rounded once to the nearest 1/256. Any screen position is right to
-/// 1/512 + 64 * 2^-17 pixel. Its z is above 0, or 0 or less by rounding where clipping left a corner next to the eye.
+/// The screen position of a point in viewspace, pixels, 56.8, rounded once to the nearest 1/256. On the screen the
+/// error is at most 1/512 + 64 * 2^-17 pixel. z is above 0, or 0 or less by rounding for a clipped corner next to the
+/// eye.
 struct ScreenPosition {
     ScreenWide x, y;
 };
@@ -21,7 +22,7 @@ inline ScreenPosition project(const Vec3<View>& p, const Projection& projection)
             projection.y.centre + project_axis(projection.y, -p.y, z)};
 }
 
-/// The dial of sub-pixel precision: how many fraction bits a screen vertex keeps.
+/// Sub-pixel precision: how many fraction bits a screen vertex keeps.
 struct SubpixelGrid {
     std::int64_t half_step = 0, mask = -1;
 

@@ -8,7 +8,7 @@ namespace oblong {
 
 namespace {
 
-/// Larger multipliers, those of fields of view below a thousandth of a degree, stay here.
+/// Larger multipliers, those of fields of view below a thousandth of a degree, are clamped to this.
 constexpr Multiplier kLargestMultiplier = Multiplier::from_raw(std::int64_t{1} << 62);
 
 using HalfPixels = Fixed<std::int64_t, 1>;
@@ -50,7 +50,7 @@ bool is_drawable(const Projection& projection) {
 ScreenWide project_axis_wide(const ProjectionAxis& axis, View view, View z) {
     if (absolute(view) <= z * 64) return product_over<ScreenWide>(view, axis.coarse, z);
     const auto exact = product_over<ScreenWide>(view, axis.multiplier, z);
-    // What the other method gives at view = 64 z.
+    // The result of the fast method at view = 64 z.
     if (view < View{}) return std::min(exact, convert<ScreenWide>(-axis.coarse * 64));
     return std::max(exact, convert<ScreenWide>(axis.coarse * 64));
 }

@@ -17,7 +17,7 @@ using CoarseMultiplier = Fixed<std::int64_t, 16>;
 /// One axis of the projection: screen = centre + multiplier * view / view_z.
 struct ProjectionAxis {
     Multiplier multiplier;    ///< pixels; precomputed once for a mode and a field of view
-    CoarseMultiplier coarse;  ///< the same for what is near the screen
+    CoarseMultiplier coarse;  ///< the same for points near the screen
     View fast_limit;          ///< |view| below this: view * coarse fits 62 bits
     ScreenWide centre;        ///< the optical centre, pixels
 };
@@ -34,17 +34,17 @@ struct Projection {
 /// 2^-32 pixel for fields of view from 1 to 179 degrees.
 Projection make_projection(const ScreenMode& mode, Degrees field_of_view, bool correct_aspect = true);
 
-/// Whether frames can be drawn by it: multipliers of at least half a pixel, or their reciprocals do not fit what
-/// gradients are made of. At 179 degrees on 4:3 that takes 115x86 pixels, at 90 degrees any mode of 4:3 will do.
+/// Whether frames can be drawn with it: multipliers below half a pixel have reciprocals that do not fit the format used
+/// for gradients. At 179 degrees on 4:3 that takes 115x86 pixels, at 90 degrees any mode of 4:3 will do.
 bool is_drawable(const Projection& projection);
 
-/// project_axis() where a 64-bit product won't do.
+/// project_axis() where a 64-bit product would overflow.
 ScreenWide project_axis_wide(const ProjectionAxis& axis, View view, View z);
 
 /// multiplier * view / z, rounded to the nearest 1/256 pixel. z above 0. Near the screen (|view| <= 64 z) the
-/// multiplier has 16 fraction bits, so that a 64-bit product does, and is off by no more than 64 * 2^-17 pixel. Beyond,
-/// the exact quotient, held back from what the other gives where they meet. So all depends on view / z alone and never
-/// steps back where that grows.
+/// multiplier has 16 fraction bits, so that a 64-bit product fits; the error is at most 64 * 2^-17 pixel. Beyond, the
+/// exact quotient, but never nearer to the centre than the other method's result where they meet. So the result depends
+/// on view / z alone and is monotonic in it.
 inline ScreenWide project_axis(const ProjectionAxis& axis, View view, View z) {
     const View size = absolute(view);
     if (size >= axis.fast_limit || size > z * 64) return project_axis_wide(axis, view, z);
@@ -53,7 +53,7 @@ inline ScreenWide project_axis(const ProjectionAxis& axis, View view, View z) {
     return bounded_quotient<ScreenWide>(numerator, z);
 }
 
-/// Where one looks from, whither, and how wide. Yaw counter-clockwise from +x seen from above, pitch positive looking
+/// Eye, orientation, horizontal field of view. Yaw counter-clockwise from +x seen from above, pitch positive looking
 /// down, roll positive leaning right (Quake's).
 struct Camera {
     Vec3<World> eye;

@@ -9,12 +9,12 @@
 
 namespace oblong {
 
-/// A polygon on its way to the screen, and the scratch that it needs.
+/// A polygon while it is transformed, clipped and projected, with the scratch for it.
 struct ScreenPolygon {
     std::vector<CachedVertex*> corners;
     ClipScratch clip;
     std::vector<ScreenVertex> screen;
-    View nearest_z;  ///< of what is in view
+    View nearest_z;  ///< of the part in view
 };
 
 /// The polygon of a face of the level, from its vertices' indices, clockwise seen from its front: transform, clip,
@@ -22,7 +22,7 @@ struct ScreenPolygon {
 bool project_face(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
                   ScreenPolygon& polygon);
 
-/// The same of any polygon in the world.
+/// The same for any polygon in the world.
 bool project_polygon(std::span<const Vec3<World>> corners, const ViewContext& view, ScreenPolygon& polygon);
 
 }  // namespace oblong

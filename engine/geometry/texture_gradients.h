@@ -12,19 +12,19 @@ namespace oblong {
 /// 1 / multiplier: 2.62.
 using InverseMultiplier = Fixed<std::int64_t, 62>;
 
-/// What a frame needs again for each face, and the optical centre in half pixels.
+/// Reciprocals of the multipliers, computed once a frame, and the optical centre in half pixels.
 struct InverseProjection {
     InverseMultiplier inverse_x, inverse_y;
     std::int32_t centre_x_1 = 0, centre_y_1 = 0;
 };
 
-/// Of a projection that is_drawable().
+/// For a projection that is_drawable().
 InverseProjection make_inverse_projection(const Projection& projection);
 
-/// A plane with a texture on it, seen from an eye: all that its gradients depend on, in the world's axes.
+/// A textured plane relative to the eye: everything that its gradients depend on, in world axes.
 struct TexturedPlane {
     Vec3<Unit> normal;           ///< toward the eye
-    PlaneDistance eye_distance;  ///< of the eye before the plane, above 0
+    PlaneDistance eye_distance;  ///< of the eye in front of the plane, above 0
     Vec3<TexelAxis> s, t;        ///< texture axes
     Texel eye_u, eye_v;          ///< texture coordinates of the eye's foot along s and t, relative to the surface
     int mip = 0;

@@ -12,7 +12,7 @@ using Corner = Vec3<Fixed<std::int32_t, 14>>;
 /// B x C, C x A, A x B, 28 fraction bits: components below 2^59.
 using CornerNormals = std::array<Vec3<Fixed<std::int64_t, 28>>, 3>;
 
-/// Where pixels look: along (x, y, 1) through the centre of the anchor, and how that changes by pixels.
+/// View rays: (x, y, 1) through the centre of the anchor, and its change per pixel.
 struct PixelRay {
     SoftFloat x, y, x_per_column, y_per_row;
     PixelPosition anchor;
@@ -47,8 +47,8 @@ SoftFloat determinant(const Corner& a, const CornerNormals& normals) {
     return sum.scaled(-42);
 }
 
-/// In the given format; what is steeper than it holds changes by more than any texel from one pixel to the next, and
-/// its low bits then do not matter.
+/// In the given format. A slope too steep for it changes by more than the whole texture from one pixel to the next, so
+/// that its low bits do not matter.
 template <class Value>
 Value step_of(const SoftFloat& value) {
     constexpr auto kSteepest = Value::from_raw(std::int64_t{1} << 62);

@@ -21,9 +21,9 @@ struct PixelPosition {
     std::int32_t column = 0, row = 0;
 };
 
-/// The screen gradients of 1/z, u/z and v/z of a triangle. At the centre of `anchor` they are right to half a step of
-/// their formats, and each column or row away from it adds half a step: so a span anchored in its middle keeps its
-/// texels wherever it lies in whatever mode. None for a triangle that is seen edge-on.
+/// The screen gradients of 1/z, u/z and v/z of a triangle. At the centre of `anchor` they are within half a step of
+/// their formats, and each column or row away from it adds half a step: so spans anchored in their middle are accurate
+/// anywhere in any mode. None for a triangle that is seen edge-on.
 ///
 /// With corners A, B, C, N = A x B + B x C + C x A and D = A . (B x C), the point seen along P = (X, Y, 1) has
 ///     1/z = N . P / D,    u/z = (uA (B x C) + uB (C x A) + uC (A x B)) . P / D.

@@ -18,7 +18,7 @@ struct CachedVertex {
     bool is_projected = false;
 };
 
-/// The level's vertices in viewspace and on the screen, each computed once a frame, and only if a face asks for it.
+/// The level's vertices in viewspace and on the screen, each computed once a frame, when a face first needs it.
 class VertexCache {
   public:
     /// `world_vertices` must outlive it.

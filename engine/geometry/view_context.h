@@ -7,7 +7,7 @@
 
 namespace oblong {
 
-/// All that a frame transforms its vertices with.
+/// Everything that a frame transforms its vertices with.
 struct ViewContext {
     Vec3<World> eye;
     Basis axes;

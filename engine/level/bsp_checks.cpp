@@ -103,11 +103,11 @@ void check_visibility(const BspFile& file, const Level& level) {
     std::sort(starts.begin(), starts.end());
     starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
 
-    // Rows lie beside each other; a file whose rows overlap over and over is made to waste time.
+    // Rows do not overlap, but for files made to waste time.
     std::int64_t work_left = in.size() * 64;
     for (const std::int32_t start : starts) {
         work_left -= packed_row_size(in, start, row_size);
-        if (work_left < 0) in.fail("rows of visible leaves overlap, expected them beside each other");
+        if (work_left < 0) in.fail("rows of visible leaves overlap, expected each to have its own bytes");
     }
 }
 

@@ -59,8 +59,8 @@ std::int64_t lightmaps_size(const Face& face) {
     return maps * (face.texel_extent_u / 16 + 1) * (face.texel_extent_v / 16 + 1);
 }
 
-/// Sky, liquids and all faces of a level without light have none, whatever their offset says. Lit faces are bounded
-/// all the same: a frame keeps their surfaces.
+/// Sky, liquids and all faces of a level without light have none, whatever their offset says. The extent of lit faces
+/// is limited even so, as frames cache their surfaces.
 void check_light(const LumpReader& in, const BspFile& file, Material material, Face& face) {
     if (material != Material::Lit || file.count(Lump::Lighting) == 0) face.light_offset = -1;
     if (material != Material::Lit) return;
@@ -91,7 +91,7 @@ Table<TexInfo> read_texinfos(const BspFile& file, const Level& level) {
 Table<Face> read_faces(const BspFile& file, const Level& level, const Table<FloatBits3, Vertex>& vertex_floats) {
     LumpReader axes(file, Lump::TexInfos);
     std::vector<FloatBits3> polygon;
-    // Faces do not share surfedges; a file whose faces do over and over is made to waste time.
+    // Faces do not share surfedges, but for files made to waste time.
     std::int64_t work_left = std::int64_t{file.count(Lump::SurfEdges)} * 8;
     return read_records<Table<Face>>(file, Lump::Faces, [&](LumpReader& in) {
         Face face = read_face(in, file);

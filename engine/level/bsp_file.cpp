@@ -121,7 +121,8 @@ void LumpReader::check_extent(std::int64_t first, std::int64_t size_wanted, std:
 
 std::int64_t LumpReader::check_fixed(FloatBits value, int fraction_bits, std::int32_t limit, const char* what) const {
     if (const auto fixed = to_fixed(value, fraction_bits, limit)) return *fixed;
-    fail(std::string(what) + " " + describe(value) + ", expected less than " + std::to_string(limit) + " either way");
+    fail(std::string(what) + " " + describe(value) + ", expected between -" + std::to_string(limit) + " and " +
+         std::to_string(limit));
 }
 
 void LumpReader::fail(const std::string& what_is_wrong) const {

@@ -10,7 +10,7 @@
 
 namespace oblong {
 
-/// Throws the InputError of a fault in a lump; `file_offset` is the byte of the file where the wrong field starts.
+/// Throws an InputError for an error in a lump; `file_offset` is the byte of the file where the wrong field starts.
 [[noreturn]] void fail_in_lump(Lump lump, std::int64_t file_offset, const std::string& what_is_wrong);
 
 /// "plane 9, expected 0 to 7", or "plane 9, expected none: the file has no plane".
@@ -32,7 +32,7 @@ struct BspFile {
     std::int32_t count(Lump lump) const;
 };
 
-/// Checks the version and that every lump lies behind the header, inside the file, and holds whole records.
+/// Checks the version and that every lump lies after the header, inside the file, and holds whole records.
 BspFile open_bsp(std::span<const std::uint8_t> bytes);
 
 /// Reads the little-endian numbers of one lump, one after the other, whatever the machine's own byte order. Reading
@@ -43,7 +43,7 @@ class LumpReader {
         : bytes_(file.lump_bytes(lump)), file_offset_(file.range(lump).offset), lump_(lump), format_(file.format) {}
 
     std::int64_t size() const { return static_cast<std::int64_t>(bytes_.size()); }
-    /// Goes on reading at this byte of the lump, which may be its end.
+    /// Continues reading at this byte of the lump, which may be its end.
     void seek(std::int64_t lump_offset);
     std::span<const std::uint8_t> read_bytes(std::int64_t size);
     void skip(std::int64_t size) { read_bytes(size); }

@@ -67,7 +67,7 @@ std::int64_t nearest_to(Number value) {
     return shift_left(value.mantissa, value.exponent);
 }
 
-/// |value|, or nothing where that is no number or beyond 2^38 (a greater one is within no limit).
+/// |value|, or nothing for NaN and beyond 2^38 (no limit is larger).
 std::optional<Number> magnitude_of(FloatBits value) {
     if (!is_finite(value)) return std::nullopt;
     const Number number = to_number(value);
@@ -85,7 +85,7 @@ Number product(FloatBits a, FloatBits b) {
     return {x.mantissa * y.mantissa, x.exponent + y.exponent};
 }
 
-/// Without its last `excess` bits: to the nearest, a tie to the even one.
+/// Without its last `excess` bits: rounded to the nearest, a tie to even.
 Number without_bits(Number value, int excess) {
     if (excess <= 0) return value;
     if (excess > 62) return {};
@@ -103,8 +103,8 @@ Number rounded_to_float(Number value) {
     return without_bits(value, std::max(bit_width(value.mantissa) - kFloatBits, kLeastExponent - value.exponent));
 }
 
-/// value / 2^bits rounded down, but to an odd number where something is lost: it is still on the same side of every
-/// even one, so that rounding further away gives what the whole number would.
+/// value / 2^bits rounded to odd: an odd number where bits are lost, so that a later rounding to fewer bits gives what
+/// it would give for the exact value.
 std::int64_t shift_right_to_odd(std::int64_t value, int bits) {
     if (bits > 62) return value < 0 ? -1 : 1;
     const std::int64_t floor = floor_shift(value, bits);

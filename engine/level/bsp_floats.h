@@ -10,8 +10,8 @@
 
 namespace oblong {
 
-/// A float of a level file, as its 32 bits. They are taken apart in integers: no machine's floating point takes part,
-/// so that every one gets the same numbers.
+/// A float of a level file, as its 32 bits. It is decoded by integers, not by the machine's floating point, so that
+/// every machine gets the same numbers.
 struct FloatBits {
     std::uint32_t bits = 0;
 };
@@ -21,7 +21,7 @@ using FloatBits3 = std::array<FloatBits, 3>;
 /// limit * 2^fraction_bits must be at most 2^62.
 std::optional<std::int64_t> to_fixed(FloatBits value, int fraction_bits, std::int32_t limit);
 
-/// What is left of `value` after its first `fraction_bits` bits, in units of 2^-(fraction_bits + 30), rounded to
+/// The remainder of `value` after its first `fraction_bits` bits, in units of 2^-(fraction_bits + 30), rounded to
 /// nearest: from -2^29 to 2^29. The same range of values as to_fixed, which must have accepted it.
 std::int32_t rest_of_fixed(FloatBits value, int fraction_bits);
 

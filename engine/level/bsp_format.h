@@ -5,7 +5,7 @@
 
 namespace oblong {
 
-/// The parts of a level file, in the order of its header.
+/// The lumps of a level file, in the order of its header.
 enum class Lump : std::uint8_t {
     Entities,
     Planes,

@@ -54,7 +54,7 @@ LevelPlane read_plane(LumpReader& in) {
     constexpr int kBits = PlaneDistance::kFractionBits;
     plane.distance = PlaneDistance::from_raw(in.check_fixed(distance, kBits, kDistanceLimit, "distance"));
     plane.distance_rest_72 = rest_of_fixed(distance, kBits);
-    in.skip(4);  // the type: axis_of() asks the normal itself
+    in.skip(4);  // the type: axis_of() goes by the normal
     plane.axis = axis_of(plane);
     return plane;
 }

@@ -5,7 +5,7 @@
 
 namespace oblong {
 
-// The reader's parts: each turns one lump into its piece of the Level and checks all that it says. They depend on the
+// The reader's parts: each turns one lump into its piece of the Level and checks all its contents. They depend on the
 // counts of other lumps, not on their contents, except where an argument says so.
 
 Table<LevelPlane> read_planes(const BspFile& file);
@@ -47,9 +47,9 @@ LevelBox read_box(LumpReader& in, bool has_floats);
 /// Three floats within the world.
 Vec3<World> read_world_vector(LumpReader& in);
 
-/// Every node has at most one parent and every way down ends, within kMaxTreeDepth steps.
+/// Every node has at most one parent and every path down ends, within kMaxTreeDepth steps.
 void check_node_tree(const BspFile& file, const Table<Node>& nodes);
-/// Every way down ends, within kMaxTreeDepth steps; subtrees may be shared.
+/// Every path down ends, within kMaxTreeDepth steps; subtrees may be shared.
 void check_clip_nodes(const BspFile& file, const Table<ClipNode>& clip_nodes);
 /// The packed row of each leaf decodes to the world's number of visible leaves inside the lump.
 void check_visibility(const BspFile& file, const Level& level);

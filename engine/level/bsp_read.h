@@ -11,7 +11,7 @@ namespace oblong {
 /// Level in which every index, tree, offset and number has been checked, or an InputError whose `where` names the lump
 /// and the offset in the file ("lump 'planes', offset 1234"). Allocates no more than a small multiple of the file.
 ///
-/// Forgiven: a texture without texels (a checkerboard stands in); lightmap offsets where the level has no light, and
+/// Tolerated: a texture without texels (a checkerboard replaces it); lightmap offsets where the level has no light, and
 /// visibility offsets where it has no visibility (as if there were none).
 Level read_bsp(std::span<const std::uint8_t> bytes);
 

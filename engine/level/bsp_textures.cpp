@@ -20,7 +20,7 @@ std::string read_name(LumpReader& in) {
     return name;
 }
 
-/// What stands in for a texture that the file does not hold: squares of an eighth of its size, at every mip level.
+/// Replaces a texture that the file does not hold: squares of an eighth of its size, at every mip level.
 MipTexture make_checkerboard(std::string name) {
     MipTexture texture{std::move(name), kMissingSize, kMissingSize, {}, true};
     std::int32_t size = kMissingSize;
@@ -41,7 +41,7 @@ std::int32_t read_size(LumpReader& in) {
     return static_cast<std::int32_t>(size);
 }
 
-/// `texels_left`: how many bytes textures may still take; those of an honest file lie beside each other in the lump.
+/// `texels_left`: how many bytes textures may still take; textures do not overlap but in files made to waste memory.
 MipTexture read_texture(LumpReader& in, std::int64_t start, std::int64_t& texels_left) {
     in.seek(start);
     MipTexture texture;

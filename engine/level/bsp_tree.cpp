@@ -34,7 +34,7 @@ ClipChild read_clip_root(LumpReader& in, const BspFile& file) {
 std::int32_t read_float_bound(LumpReader& in, bool is_maximum) {
     const FloatBits value = in.read_float();
     const auto bound = is_maximum ? ceil_to_int(value) : floor_to_int(value);
-    if (!bound) in.fail("bound " + describe(value) + ", expected at most 1048576 either way");
+    if (!bound) in.fail("bound " + describe(value) + ", expected -1048576 to 1048576");
     return *bound;
 }
 
@@ -45,7 +45,7 @@ IndexRange<Face> read_faces(const LumpReader& in, const BspFile& file, Read read
     return in.check_range<Face>(first, count, file.count(Lump::Faces), "faces");
 }
 
-/// What lies outside of the world holds no face, whatever the file says: middles of boxes fit World.
+/// Clamped to the world, so that the middle of a box fits World: no face lies outside of it.
 LevelBox within_world(LevelBox box) {
     constexpr std::int32_t kFarthest = (1 << 19) - 1;
     for (auto* const corner : {&box.mins, &box.maxs})

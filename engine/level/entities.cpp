@@ -87,7 +87,7 @@ class EntityParser {
     std::size_t position_ = 0;
 };
 
-/// Takes the digits that `text` starts with, at most `most` of them into the number.
+/// Consumes the digits that `text` starts with, at most `most` of them into the number.
 std::int64_t take_digits(std::string_view& text, int most, int& taken) {
     std::int64_t number = 0;
     taken = 0;

@@ -64,10 +64,10 @@ struct LevelBox {
     bool operator==(const LevelBox&) const = default;
 };
 
-/// What a face is made of. Only lit faces have a lightmap, and a limit of extent.
+/// How a face is drawn. Only lit faces have a lightmap, and a limited extent.
 enum class Material : std::uint8_t { Lit, Liquid, Sky };
 
-/// The one place that knows what a texture's name says.
+/// The material that a texture's name stands for.
 constexpr Material material_of_texture(std::string_view name) {
     return name.starts_with('*') ? Material::Liquid : name.starts_with("sky") ? Material::Sky : Material::Lit;
 }
@@ -110,7 +110,7 @@ class NodeChild {
     constexpr bool operator==(const NodeChild&) const = default;
 
   private:
-    std::int32_t number_ = 0;  ///< as in the file: a node's, or -1 less a leaf's
+    std::int32_t number_ = 0;  ///< as in the file: a node's, or -1 minus a leaf's
 };
 
 /// Cuts a part of the level in two. children[0] is the plane's front (normal . p > distance).
@@ -184,7 +184,7 @@ struct Edge {
     bool operator==(const Edge&) const = default;
 };
 
-/// An edge as a face walks it.
+/// An edge in the direction in which a face uses it.
 struct SurfEdge {
     EdgeIndex edge;
     bool is_reversed = false;  ///< from `to` to `from`
@@ -223,7 +223,7 @@ struct Level {
     TextureIndex sky = TextureIndex::none();  ///< the first of its textures that is a sky
 
     const SubModel& world() const { return models.front(); }
-    /// The leaves that visible sets tell of: the world's, without the solid outside.
+    /// The leaves that visible sets cover: the world's, without the solid outside.
     IndexRange<Leaf> visible_leaves() const { return {LeafIndex(1), world().visible_leaf_count}; }
     const MipTexture& texture_of(const Face& face) const { return textures[texinfos[face.texinfo].texture]; }
     std::span<const FaceIndex> faces_at(const Leaf& leaf) const { return mark_faces[leaf.mark_faces]; }

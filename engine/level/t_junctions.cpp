@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t kTolerance_12 = 8;
 /// Longer edges, 262,144 units along an axis, have no vertices inside: squares of their length would not fit.
 constexpr std::int64_t kLongest_12 = std::int64_t{1} << 30;
-/// Vertices looked at in all, so that a level made for it can't take for ever; its edges beyond that stay as they are.
+/// Vertices tested in all, so that no hostile level takes too long; edges beyond that stay as they are.
 constexpr std::int64_t kMostLooks = std::int64_t{1} << 28;
 
 using Point = std::array<std::int64_t, 3>;  ///< units, 12 fraction bits

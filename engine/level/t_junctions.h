@@ -10,7 +10,7 @@ namespace oblong {
 
 /// The vertices that lie in the interior of each of a level's edges, from its `from` end to its `to` end: where a
 /// corner of one face meets the middle of another's edge. Rounded to the screen, the corner leaves the edge by part of
-/// a pixel and opens a crack (hard case E9); with the corner made part of the edge, both faces have the same outline.
+/// a pixel and opens a crack (hard case E9); with the corner inserted into the edge, both faces share all their edges.
 class TJunctions {
   public:
     explicit TJunctions(const Level& level);

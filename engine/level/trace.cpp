@@ -41,21 +41,21 @@ std::int32_t contents_at(const Tree& tree, Child at, Vec3<World> p) {
     return tree.contents(at);
 }
 
-/// What ask(tree) says of a model's tree for a hull.
+/// ask(tree) for a model's tree of a hull.
 template <class Ask>
 auto ask_tree(const Level& level, const SubModel& model, Hull hull, Ask ask) {
     if (hull == Hull::Point) return ask(PointTree{level, model.root});
     return ask(BodyTree{level, model.clip_roots[hull == Hull::Player ? 0 : 1]});
 }
 
-/// A part of a line: numerator / denominator, from 0 to 1.
+/// A fraction of a line: numerator / denominator, from 0 to 1.
 struct Part {
     NarrowDistance numerator, denominator = NarrowDistance::ulp();
 };
 
 struct LinePoint {
     Vec3<World> p;
-    Unit fraction;  ///< of the whole way
+    Unit fraction;  ///< of the whole line
 };
 
 LinePoint point_between(const LinePoint& a, const LinePoint& b, Part part) {
@@ -67,7 +67,7 @@ NarrowDistance distance_of(const LevelPlane& plane, Vec3<World> p) {
     return absolute(convert<NarrowDistance>(plane_distance(plane, p), Rounding::Floor));
 }
 
-/// Where on the way from a to b, which lie on different sides, the plane is 1/32 unit ahead; 0 if it is nearer at a.
+/// Where on the line from a to b, which lie on different sides, the plane is 1/32 unit ahead; 0 if a is nearer to it.
 Part part_before(const LevelPlane& plane, Vec3<World> a, Vec3<World> b) {
     const NarrowDistance near = distance_of(plane, a), far = distance_of(plane, b);
     if (near <= kKeptApart) return {};
@@ -129,8 +129,8 @@ class HullTracer {
         result_.fraction = point.fraction;
     }
 
-    /// The point before the plane; where that is solid, as the last 1/32 unit before other planes was never looked at,
-    /// the first that is not, back toward a in tenths of the way; at last the line's start.
+    /// The point in front of the plane. If that is solid (the last 1/32 unit in front of other planes is never tested),
+    /// the first that is not, going back toward a in tenths of the distance; if there is none, the line's start.
     LinePoint last_free_point(const LinePoint& a, const LinePoint& b, Part part) const {
         const auto step = NarrowDistance::from_raw(part.numerator.raw / kBackOffSteps);
         for (int i = 0; i <= kBackOffSteps; ++i) {

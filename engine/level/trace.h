@@ -16,19 +16,19 @@ enum class Hull : std::uint8_t {
 /// How far a body went.
 struct TraceResult {
     Vec3<World> end;
-    Unit fraction = Unit::from_int(1);  ///< of the way, 0 to 1
+    Unit fraction = Unit::from_int(1);  ///< of the distance, 0 to 1
     Vec3<Unit> normal;                  ///< of the plane that stopped it, toward the body; 0 if nothing did
     bool is_hit = false;
     bool starts_solid = false;  ///< `from` is solid
-    bool is_all_solid = false;  ///< so is all the way: the body stays where it is
+    bool is_all_solid = false;  ///< so is the whole line: the body stays where it is
 };
 
 /// What fills a model at a point (contents::k...), for a body of the hull's size. A point on a plane belongs to its
-/// front. `p` is in the model's own coordinates, for a model that has moved: less what it has moved by.
+/// front. `p` is in the model's own coordinates: a world position minus the model's offset.
 std::int32_t hull_contents(const Level& level, const SubModel& model, Hull hull, Vec3<World> p);
 
 /// Moves a body in a straight line until it would touch solid: it stops 1/32 unit before the plane, measured along the
-/// normal, or where it starts if that is nearer already. A way that ends in front of the plane is free. The end is
+/// normal, or where it starts if that is nearer already. A line that ends in front of the plane is free. The end is
 /// never solid unless `from` is; from solid, the body moves out freely and is stopped by what it meets then. The line
 /// is cut at planes as in Quake's hull check, which may miss solid thinner than 1/32 unit.
 TraceResult trace_hull(const Level& level, const SubModel& model, Hull hull, Vec3<World> from, Vec3<World> to);

@@ -35,7 +35,8 @@ Vec3<Sine60> without(const Vec3<Unit>& v, const Vec3<Unit>& axis) {
 Vec3<Unit> direction_without(const Vec3<Unit>& v, const Vec3<Unit>& axis) {
     const Vec3<Unit> once = normalised(without(v, axis));
     if (once == Vec3<Unit>{}) return perpendicular_to(axis);
-    // Of two nearly parallel directions little was left, and the axis's own rounding with it: a second time takes it.
+    // For nearly parallel directions the remainder is small, and rounding errors large in it: a second pass removes
+    // them.
     return normalised(without(once, axis));
 }
 

@@ -48,9 +48,9 @@ constexpr Vec3<View> to_view(const Vec3<World>& world_point, const Vec3<World>& 
 
 enum class Handedness { Right, Left };
 
-/// The axes of a view from `world_eye` to `world_target` whose up leans toward `up_hint` as far as it can (course
-/// notes). `handedness` is the world's. Always orthonormal: an eye in its target looks level, that is at right angles
-/// to the hint; a view along the hint, or no hint at all, has some up at right angles to the view.
+/// The axes of a view from `world_eye` to `world_target` whose up is as near to `up_hint` as possible (course notes).
+/// `handedness` is the world's. Always orthonormal: where eye and target are equal, forward is perpendicular to the
+/// hint; where the view is along the hint, or the hint is zero, up is some vector perpendicular to forward.
 Basis look_at(const Vec3<World>& world_eye, const Vec3<World>& world_target, const Vec3<Unit>& up_hint,
               Handedness handedness = Handedness::Right);
 
@@ -58,12 +58,12 @@ Basis look_at(const Vec3<World>& world_eye, const Vec3<World>& world_target, con
 /// components no longer gives lengths and angles (Muratori). Each axis is shorter than 1.6.
 Sine60 orthonormal_flaw(const Basis& basis);
 
-/// What the rounding of components to 2^-30 leaves at most, with room: 2^-26.
+/// The most that rounding components to 2^-30 causes, with a margin: 2^-26.
 inline constexpr Sine60 kOrthonormalFlaw = Sine60::from_raw(std::int64_t{1} << (60 - 26));
 bool is_orthonormal(const Basis& basis);
 
 /// Orthonormal axes of the same handedness (Gram and Schmidt): forward keeps its direction, up loses its part along
-/// forward, right follows from both. Axes that have no direction of their own are replaced by any that fit.
+/// forward, right follows from both. Zero or parallel axes are replaced by some that are perpendicular.
 Basis orthonormalised(const Basis& basis);
 
 }  // namespace oblong

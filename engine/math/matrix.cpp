@@ -11,10 +11,10 @@ namespace oblong {
 
 namespace {
 
-/// How much smaller than the largest entry a pivot may be before it is taken for what rounding left of 0, in bits.
+/// How much smaller than the largest entry a pivot may be before it counts as a rounded 0, in bits.
 constexpr int kSingularBits = 50;
 
-/// The matrix and, right of it, the identity: what rows are subtracted from one to give the other's inverse.
+/// The augmented matrix: the matrix and, right of it, the identity, which row operations turn into the inverse.
 template <std::size_t N>
 struct Elimination {
     std::array<std::array<SoftFloat, 2 * N>, N> rows{};
@@ -44,7 +44,7 @@ struct Elimination {
         for (SoftFloat& entry : rows[row]) entry = entry / divisor;
     }
 
-    /// Takes from every other row what it has in `column` times that column's own row.
+    /// Subtracts multiples of the pivot's row from all others, so that they become 0 in `column`.
     void clear_column(std::size_t column) {
         for (std::size_t i = 0; i < N; ++i) {
             if (i == column) continue;
@@ -75,7 +75,7 @@ std::optional<Matrix<static_cast<int>(N)>> right_half(const Elimination<N>& done
     return result;
 }
 
-/// Gauss and Jordan, with the largest pivot of each column.
+/// Gauss-Jordan elimination with partial pivoting.
 template <int N>
 std::optional<Matrix<N>> inverse_of(const Matrix<N>& matrix) {
     constexpr auto kSize = static_cast<std::size_t>(N);

@@ -11,7 +11,7 @@
 
 namespace oblong {
 
-/// An entry of a matrix: 32.32 in 64 bits. A matrix of a scene holds distances of thousands of units beside inverses
+/// An entry of a matrix: 32.32 in 64 bits. A matrix of a scene holds distances of thousands of units next to inverses
 /// of scales and of viewplane distances, thousandths of a unit: 16.16 would leave either three digits.
 using Entry = Fixed<std::int64_t, 32>;
 
@@ -81,9 +81,9 @@ constexpr Vec4 operator*(const Matrix4& m, const Vec4& v) {
 std::optional<Matrix3> inverse(const Matrix3& matrix);
 std::optional<Matrix4> inverse(const Matrix4& matrix);
 
-/// What moves points, and leaves directions (w = 0) alone.
+/// Moves points, and leaves directions (w = 0) alone.
 Matrix4 translation(const Vec3<Entry>& by);
-/// What stretches along the axes.
+/// Scales along the axes.
 Matrix4 scaling(const Vec3<Entry>& by);
 
 /// The rotation whose rows are right, up and forward: world directions to view directions.
@@ -94,8 +94,8 @@ Matrix4 view_matrix(const Basis& basis, const Vec3<World>& world_eye);
 /// View to world, the inverse of it: the columns are the axes and the eye.
 Matrix4 camera_matrix(const Basis& basis, const Vec3<World>& world_eye);
 
-/// What turns the normals of a model that `model_to_world` turns, stretches and shears: the transpose of the inverse.
-/// The matrix itself would keep them normal under rotation and uniform scale alone. None for a singular matrix.
+/// The matrix for the normals of a model whose points are transformed by `model_to_world`: the transpose of the
+/// inverse. `model_to_world` itself would do for rotation and uniform scale only. None for a singular matrix.
 std::optional<Matrix3> normal_matrix(const Matrix3& model_to_world);
 
 }  // namespace oblong

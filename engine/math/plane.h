@@ -14,7 +14,7 @@ struct Plane {
     PlaneDistance distance;
 };
 
-/// The plane through a point at right angles to a normal.
+/// The plane through a point with a normal.
 constexpr Plane plane_through(const Vec3<World>& world_point, const Vec3<Unit>& normal) {
     return {normal, dot(world_point, normal)};
 }
@@ -30,12 +30,12 @@ struct LineHit {
     Fixed<std::int64_t, 32> along;  ///< 0 at the line's start, 1 at its end; beyond them outside; saturates
 };
 
-/// Where the line through two points meets a plane (Abrash's LineIntersectPlane, whose errors it does not have). A
-/// start in the plane is the answer itself; a line parallel to the plane and off it has none. The point is rounded
+/// Where the line through two points meets a plane (Abrash's LineIntersectPlane, corrected). A start in the plane is
+/// returned as it is; a line parallel to the plane and off it gives none. The point is rounded
 /// once, to the nearest, and saturates.
 std::optional<LineHit> intersect_line(const Vec3<World>& world_start, const Vec3<World>& world_end, const Plane& plane);
 
-/// The same for the part from start to end alone. An end in the plane counts as met, both ends on the same side do not.
+/// The same for the segment from start to end. An end in the plane counts as a meeting point.
 std::optional<LineHit> intersect_segment(const Vec3<World>& world_start, const Vec3<World>& world_end,
                                          const Plane& plane);
 

@@ -6,7 +6,7 @@
 
 namespace oblong {
 
-/// A direction turned about an axis of length 1, counter-clockwise as seen with the axis pointing at one's eye (in
+/// A direction turned about an axis of length 1, counter-clockwise as seen with the axis pointing at the viewer (in
 /// right-handed axes). Rodrigues' formula, rounded once.
 Vec3<Unit> rotate_about_axis(const Vec3<Unit>& direction, const Vec3<Unit>& axis, Angle angle);
 Basis rotate_about_axis(const Basis& basis, const Vec3<Unit>& axis, Angle angle);
@@ -24,7 +24,7 @@ struct Quaternion {
     constexpr bool operator==(const Quaternion&) const = default;
 };
 
-/// The rotation by `angle` about an axis of length 1, counter-clockwise with the axis pointing at one's eye
+/// The rotation by `angle` about an axis of length 1, counter-clockwise with the axis pointing at the viewer
 /// (right-handed axes).
 Quaternion quaternion_about_axis(const Vec3<Unit>& axis, Angle angle);
 

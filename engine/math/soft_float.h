@@ -8,9 +8,9 @@
 
 namespace oblong {
 
-/// mantissa * 2^exponent, where numbers have no common scale: inside an elimination, far off the screen. The mantissa
-/// of all but 0 has 62 bits; a product or quotient is within 2^-60 of itself of the true one, a difference within 2^-60
-/// of the larger of its numbers.
+/// mantissa * 2^exponent, for numbers without a common scale: inside an elimination, far off the screen. The mantissa
+/// of all but 0 has 62 bits; products and quotients have a relative error of at most 2^-60, differences one of at most
+/// 2^-60 of the larger operand.
 struct SoftFloat {
     std::int64_t mantissa = 0;
     int exponent = 0;

@@ -8,7 +8,7 @@
 
 namespace oblong {
 
-/// Three numbers of one format: a point or a direction. Which space it is in stands in the variable's name.
+/// Three numbers of one format: a point or a direction. The variable's name says which space it is in.
 template <class T>
 struct Vec3 {
     T x{}, y{}, z{};
@@ -48,7 +48,7 @@ constexpr auto between(const Vec3<Fixed<Int, Frac>>& from, const Vec3<Fixed<Int,
 /// The exact dot product, in 64 bits (Muratori: |a| |b| cos of the angle between them, as long as the axes are at right
 /// angles and of equal length). Units with units give 4.60, world positions with units PlaneDistance. The true value
 /// must fit: by Cauchy's inequality it does for any world position and a unit vector, and for world positions within
-/// +-2^17 units of each other; then so do the sums on the way to it.
+/// +-2^17 units of each other; then intermediate sums fit too.
 template <class A, int FracA, class B, int FracB>
 constexpr auto dot(const Vec3<Fixed<A, FracA>>& a, const Vec3<Fixed<B, FracB>>& b) {
     return bounded_product(a.x, b.x) + bounded_product(a.y, b.y) + bounded_product(a.z, b.z);

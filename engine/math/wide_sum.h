@@ -13,7 +13,7 @@ class WideSum {
         sum_ = portable::add(sum_, (a < 0) != (b < 0) ? negated(size) : size);
     }
 
-    /// Of Fixed numbers: the sum then has the fraction bits of both.
+    /// For Fixed numbers: the sum then has the fraction bits of both.
     template <class A, int FracA, class B, int FracB>
     constexpr void add_product(Fixed<A, FracA> a, Fixed<B, FracB> b) {
         add_product(a.raw, b.raw);

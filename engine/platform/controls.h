@@ -5,7 +5,7 @@
 
 namespace oblong {
 
-/// What a key asks of the program, once for each press.
+/// A command key, reported once for each press.
 enum class Command {
     ShowHelp,          ///< F1
     ProjectionAspect,  ///< F2
@@ -16,7 +16,7 @@ enum class Command {
     Screenshot,        ///< F12
 };
 
-/// What the player's hands do between two polls: keys held now, and what has moved or been pressed since.
+/// The player's input between two polls: keys held now, mouse motion and presses since the last poll.
 struct Controls {
     bool forward = false, back = false, left = false, right = false;  ///< walk
     bool turn_left = false, turn_right = false, look_up = false, look_down = false;

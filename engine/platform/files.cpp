@@ -20,7 +20,7 @@ std::string reason() {
     return std::strerror(errno);
 }
 
-/// What went wrong while writing; empty: nothing.
+/// The system's message if writing failed; else empty.
 std::string write_bytes(const std::string& path, std::span<const std::uint8_t> bytes) {
     File file(std::fopen(path.c_str(), "wb"));
     if (!file) return reason();
@@ -74,7 +74,7 @@ void flush_standard_output() {
     std::cout.flush();
     if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
     const std::string why = errno == 0 ? "failed" : reason();
-    throw FileError("standard output", "write", why + ", expected a place for what the program says");
+    throw FileError("standard output", "write", why + ", expected it to be writable");
 }
 
 void make_folder(const std::string& path) {

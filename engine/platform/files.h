@@ -8,10 +8,10 @@
 
 #include "engine/base/input_error.h"
 
-/// Whole files, in and out: the one place of the programs that opens any.
+/// Reads and writes whole files. The programs open no file elsewhere.
 namespace oblong {
 
-/// What is wrong with a file or what is in it; says `FILE: WHERE: what is wrong, what was expected`.
+/// An error in a file or its contents: `FILE: WHERE: what is wrong, what was expected`.
 class FileError : public std::runtime_error {
   public:
     FileError(const std::string& path, const std::string& where, const std::string& what_is_wrong)
@@ -22,22 +22,21 @@ inline constexpr std::size_t kLargestFile_bytes = std::size_t{1} << 30;
 
 /// All bytes of a file. Throws FileError where it can't be read or has more than `most_bytes`.
 std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_bytes = kLargestFile_bytes);
-/// The same as characters.
+/// The same as text.
 std::string read_text(const std::string& path);
 
-/// Writes a whole file under another name and renames it when it is complete: whatever fails, a full disk too, what was
-/// there before stays. What is not a regular file (a device, a pipe, a link) is written to, never replaced. Throws
-/// FileError.
+/// Writes a whole file under another name and renames it when it is complete: whatever fails, a full disk too, the old
+/// file stays. Anything but a regular file (a device, a pipe, a link) is written to, never replaced. Throws FileError.
 void write_file(const std::string& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::string& path, const std::string& text);
 
-/// Hands on what is buffered for standard output. Throws FileError if any of it, now or before, could not be written.
+/// Flushes standard output. Throws FileError if any output, now or before, could not be written.
 void flush_standard_output();
 
 /// Makes a folder and those above it, unless they are there. Throws FileError.
 void make_folder(const std::string& path);
 
-/// work(), which finds fault with what a file holds by InputError: that becomes a FileError with the file's name.
+/// Runs work(); an InputError that it throws becomes a FileError with the file's name.
 template <class Work>
 auto naming_file(const std::string& path, Work work) {
     try {
@@ -47,7 +46,7 @@ auto naming_file(const std::string& path, Work work) {
     }
 }
 
-/// parse(all bytes of a file), with the file's name on what is wrong with them. Throws FileError.
+/// parse(all bytes of a file); an InputError becomes a FileError with the file's name. Throws FileError.
 template <class Parse>
 auto read_parsed(const std::string& path, Parse parse) {
     const std::vector<std::uint8_t> bytes = read_file(path);

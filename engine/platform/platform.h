@@ -9,13 +9,13 @@
 
 namespace oblong {
 
-/// The machine behind the game: a window (platform/sdl) or memory (platform/headless).
+/// Input, clock and output of the game: a window (platform/sdl) or memory (platform/headless).
 class Platform {
   public:
     virtual ~Platform() = default;
 
     virtual bool is_open() const = 0;            ///< false once the user has closed it, or the script has ended
-    virtual Controls poll() = 0;                 ///< the hands since the last poll
+    virtual Controls poll() = 0;                 ///< input since the last poll
     virtual std::uint64_t now_us() = 0;          ///< a clock that never runs backwards; starts anywhere
     virtual WindowSize window_size() const = 0;  ///< of the drawable, in pixels of the device
     virtual void set_title(const char* title) = 0;

@@ -7,7 +7,7 @@
 
 namespace oblong {
 
-/// How a picture's pixels become the window's.
+/// How a picture is scaled to the window.
 enum class Scaling {
     SharpBilinear,  ///< nearest to the next whole multiple, then linear down: exact shape, edges a pixel wide
     Rows,           ///< whole rows, exact shape: only columns are blended
@@ -46,7 +46,7 @@ struct PresentRect {
 
 /// The rectangle of a picture of `mode` in a window, centred. Integers only; fits the window at every size. A window
 /// without pixels gets an empty rectangle, any other at least one pixel. A window too small for a whole row or column
-/// is treated as Sharp by Rows and Even.
+/// is scaled by SharpBilinear instead of Rows and Even.
 PresentRect layout(WindowSize window, const ScreenMode& mode, ShownAs shown_as, Scaling scaling);
 
 /// "4:5, -4.0 %" for whole multiples of `mode`, "x 4.50, y 5.40" for others.

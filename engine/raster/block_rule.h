@@ -11,7 +11,7 @@ namespace oblong {
 /// Blocks are 1, 2, 4 ... 512 pixels long.
 inline constexpr int kBlockSizes = 10;
 
-/// What the dials say of block lengths, worked out once a frame.
+/// Block lengths by the accuracy settings, computed once a frame.
 struct BlockRule {
     Texturing texturing = Texturing::Bounded;
     /// Bounded: a block of n = 2^k pixels keeps its error under E pixels where 1/z >= |its step| * (n - E)^2 / 4 E:
@@ -19,16 +19,16 @@ struct BlockRule {
     std::array<std::uint64_t, kBlockSizes> factor_8{};
 };
 
-/// The rule of these dials.
+/// The rule for these settings.
 BlockRule make_block_rule(const Accuracy& accuracy);
 
-/// The least 1/z at which a block of 2^k pixels may begin, for one surface: factor times step, and where 1/z falls
-/// along the row, as much more as it falls on the way, since the bound holds for the smaller end.
+/// The least 1/z at which a block of 2^k pixels may begin, for one surface: factor times step. Where 1/z falls along
+/// the row, its decrease over the block is added, since the bound is on the smaller end.
 ///
-/// Why it is safe: along a row w = 1/z is linear and u = (u/z)/w a Moebius function. An affine block from x = 0 to n
-/// shows at x the texel that belongs at x', with x' - x = b x (x - n) / (w1 - b x), w1 = w at n, b the step. For b > 0
-/// the error is below E where b (n - x)(x - E) <= E w0 for all x; the left side is largest at x = (n + E)/2, so b (n -
-/// E)^2 <= 4 E w0 does. For b < 0 the same from the other end.
+/// Proof of the bound: along a row w = 1/z is linear and u = (u/z)/w a Moebius function. An affine block from x = 0 to
+/// n shows at x the texel that belongs at x', with x' - x = b x (x - n) / (w1 - b x), w1 = w at n, b the step. For b >
+/// 0 the error is below E where b (n - x)(x - E) <= E w0 for all x; the left side is largest at x = (n + E)/2, so b (n
+/// - E)^2 <= 4 E w0 does. For b < 0 the same from the other end.
 struct BlockThresholds {
     std::array<InverseZ, kBlockSizes> least_inverse_z{};
 };

@@ -10,7 +10,7 @@ namespace oblong {
 
 namespace {
 
-/// numerator / denominator toward minus infinity, with the rest; denominator above 0.
+/// numerator / denominator toward minus infinity, with the remainder; denominator above 0.
 struct FlooredQuotient {
     std::int64_t quotient, rest;
 
@@ -26,7 +26,7 @@ struct FlooredQuotient {
 /// Steps down an edge a row at a time, always at the first column whose centre lies at or right of it.
 /// With the edge from `top` to `bottom`, dy > 0, the column of row r is
 ///     ceil(((top.x - 1/2) dy + (r + 1/2 - top.y) dx) / dy),
-/// kept as a quotient and a rest, so that no step loses anything. |coordinates| <= 2^20: numerators stay below 2^60.
+/// kept as a quotient and a remainder, so that every step is exact. |coordinates| <= 2^20: numerators stay below 2^60.
 class EdgeWalker {
   public:
     EdgeWalker(ScreenVertex top, ScreenVertex bottom, std::int32_t row) {
@@ -93,7 +93,7 @@ ScreenVertex within_limits(ScreenVertex v) {
     return {std::clamp(v.x, -kLargestScreen, kLargestScreen), std::clamp(v.y, -kLargestScreen, kLargestScreen)};
 }
 
-/// What a polygon looks like before it is scanned.
+/// A polygon's bounds and shape, found before it is scanned.
 struct Profile {
     std::int32_t first_row, end_row;
     bool is_monotone;  ///< goes down once and up once, as convex polygons do

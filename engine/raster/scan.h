@@ -8,7 +8,7 @@
 
 namespace oblong {
 
-/// Of each row the columns [left, right) that a polygon covers; of rows [first, end).
+/// Scanline extents: for each of rows [first, end) the columns [left, right) that a polygon covers.
 struct ScanlineExtents {
     std::vector<std::int32_t> left, right;  ///< one a row of the screen
     std::int32_t first = 0, end = 0;
@@ -17,7 +17,7 @@ struct ScanlineExtents {
         : left(static_cast<std::size_t>(height_px)), right(static_cast<std::size_t>(height_px)) {}
 };
 
-/// Largest size of a screen coordinate that scan_convex() takes; what lies beyond is moved there.
+/// The largest magnitude of a screen coordinate in scan_convex(); larger ones are clamped.
 inline constexpr Screen kLargestScreen = Screen::from_int(1 << 20);
 
 /// The first row or column whose centre lies at or after `position`: ceil(position - 1/2).

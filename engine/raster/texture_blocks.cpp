@@ -11,7 +11,7 @@ namespace oblong {
 
 namespace {
 
-/// 1/z, u/z, v/z at one place.
+/// 1/z, u/z, v/z at one pixel.
 struct Perspective {
     InverseZ inverse_z;
     TexelOverZ u_over_z, v_over_z;
@@ -26,8 +26,7 @@ struct Perspective {
     }
 };
 
-/// The largest 1/z that Depth takes, at z = 2^-15 unit; what is nearer is drawn as if it were there. The smallest:
-/// beyond any world.
+/// 1/z is clamped to these: the largest is that of z = 2^-15 unit, the smallest that of a point beyond any world.
 constexpr auto kGreatestInverseZ = InverseZ::from_raw(std::int64_t{1} << 59);
 constexpr auto kLeastInverseZ = InverseZ::from_raw(std::int64_t{1} << 24);
 
@@ -52,7 +51,7 @@ struct Depth {
         greatest_over_z = TexelOverZ::from_raw(positive * 4 - 4);
     }
 
-    /// (u/z) * z, from 0 to 65,535 texels: what is outside comes to the nearer end, so that nothing overflows.
+    /// (u/z) * z, clamped to 0 to 65,535 texels, so that nothing overflows.
     Texel times(TexelOverZ over_z) const {
         using Scaled = Fixed<std::int64_t, 60>;
         const std::int64_t shifted = clamp_value(over_z, {}, greatest_over_z).raw << shift;
@@ -79,14 +78,14 @@ std::int32_t step_by_division(std::uint32_t from, std::uint32_t to, std::int32_t
     return static_cast<std::int32_t>(whole / steps - (whole % steps < 0));
 }
 
-/// The step between neighbours, held at 32,767 texels: a step's format has no more.
+/// The step between neighbours, clamped to 32,767 texels, the most that its format holds.
 std::int32_t step_to_neighbour(std::uint32_t from, std::uint32_t to) {
     constexpr std::int64_t kSteepest = std::numeric_limits<std::int32_t>::max();
     return static_cast<std::int32_t>(clamp_value(std::int64_t{to} - from, -kSteepest, kSteepest));
 }
 
 /// Cuts one span into blocks, left to right. Each block ends where the next begins, so a division serves twice. Its
-/// functions are inlined by force: then all of it lives in registers.
+/// functions are force-inlined, so that its members stay in registers.
 class SpanCutter {
   public:
     SpanCutter(const Span& span, std::int32_t pitch, const TextureGradients& gradients, const TexelLimits& limits,
@@ -113,8 +112,8 @@ class SpanCutter {
                step_by_shift(from.v_16, texel_.v_16, log2));
     }
 
-    /// The last block, of whatever is left (1 or more). It ends at the span's last pixel: beyond may lie the end of the
-    /// surface, or the horizon of its plane.
+    /// The last block, of the remaining pixels (1 or more). It ends at the span's last pixel: beyond may lie the end of
+    /// the surface, or the horizon of its plane.
     [[gnu::always_inline]] void cut_rest() {
         const std::int32_t steps = left_ - 1;
         if (steps == 0) return append(texel_, 1, 0, 0);

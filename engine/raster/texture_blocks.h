@@ -16,7 +16,8 @@ struct TexelPosition {
     std::uint32_t u_16, v_16;
 };
 
-/// Where in a surface samples may fall: inset from its edges by what rounding can drift in one block.
+/// The range of a surface's texture coordinates for samples: inset from its edges by the most that rounding adds up to
+/// in one block.
 struct TexelLimits {
     Texel least, greatest_u, greatest_v;
 };
@@ -24,14 +25,14 @@ struct TexelLimits {
 /// The limits of a surface of this size, 1 to 65,535 texels, for blocks of up to `longest_px` pixels.
 TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int32_t longest_px);
 
-/// Blocks that wait to be drawn: a batch of spans is cut up first and then drawn, so that each loop keeps its
-/// registers.
+/// Blocks waiting to be drawn: a batch of spans is first cut into blocks and then drawn, so that each loop keeps its
+/// values in registers.
 class BlockList {
   public:
     /// For spans of up to `longest_px` pixels.
     explicit BlockList(std::int32_t longest_px) : blocks_(static_cast<std::size_t>(longest_px) + kBatch) {}
 
-    /// Whether a span of `count` pixels surely fits.
+    /// Whether a span of `count` pixels fits in the worst case.
     bool has_room_for(std::int32_t count) const { return used_ + static_cast<std::size_t>(count) <= blocks_.size(); }
     std::span<const TexelBlock> waiting() const { return std::span(blocks_).first(used_); }
     void clear() { used_ = 0; }

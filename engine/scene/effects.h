@@ -6,7 +6,7 @@
 
 namespace oblong {
 
-/// What a scene can call for beside plain lit walls.
+/// What a scene may need in addition to lit walls.
 enum class Effect : std::uint8_t { Sky, Liquid, BrushModels };
 inline constexpr std::array<std::string_view, 3> kEffectNames{"sky", "liquid", "brush_models"};
 
@@ -22,12 +22,12 @@ struct EffectSet {
     constexpr bool operator==(const EffectSet&) const = default;
 };
 
-/// What one frame draws: plain data, made before it is drawn. An effect that is not on it executes no instruction.
+/// What a frame draws, found before it is drawn: the code of an effect that is not in it does not run.
 struct FramePlan {
     EffectSet effects;
 };
 
-/// The effects that something in sight calls for and that the settings allow.
+/// The effects that something in sight needs and the settings allow.
 constexpr FramePlan plan_frame(EffectSet called_for, EffectSet allowed) {
     return {called_for & allowed};
 }

@@ -12,7 +12,7 @@ namespace oblong {
 
 namespace {
 
-/// Texels that lit surfaces may take: a 320x200 frame needs about 1 MiB of them, the largest modes some 8.
+/// The size of the surface cache: a 320x200 frame needs about 1 MiB, the largest modes some 8.
 constexpr std::size_t kSurfaceArenaBytes = std::size_t{12} << 20;
 
 /// The mip level for a polygon whose nearest texels are 1, 0.4 and 0.2 pixels wide at the ends of levels 0, 1 and 2:
@@ -87,7 +87,7 @@ std::size_t light_sample_count(const Face& face) {
     return static_cast<std::size_t>(columns_of(face) * rows_of(face));
 }
 
-/// Rows are a power of two apart.
+/// The row stride is a power of two.
 std::size_t surface_bytes(const Face& face, int mip) {
     const SurfaceView surface = shape_of(face, mip);
     return static_cast<std::size_t>(surface.height) << surface.stride_log2;
@@ -180,7 +180,7 @@ TextureGradients make_face_gradients(const Level& level, const Face& face, const
     const PlaneDistance distance = plane_distance(plane, eye);
     TexturedPlane textured;
     textured.normal = face.is_back ? -plane.normal : plane.normal;
-    // Edge-on, or turned round by rounding to the screen: a sliver, whose texels any steep view of the plane serves.
+    // Edge-on, or turned round by rounding to the screen: for such a sliver any steep view of the plane will do.
     constexpr auto kLeastDistance = PlaneDistance::from_raw(std::int64_t{1} << 30);
     textured.eye_distance = std::max(face.is_back ? -distance : distance, kLeastDistance);
     textured.s = texinfo.s;

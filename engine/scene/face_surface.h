@@ -16,7 +16,7 @@ namespace oblong {
 /// Brightness of the 64 light styles, 256: as stored in the lightmaps.
 using LightStyles = std::array<std::uint16_t, 64>;
 
-/// All light styles as they are stored.
+/// All light styles at their stored brightness.
 constexpr LightStyles plain_light_styles() {
     LightStyles styles{};
     for (std::uint16_t& style : styles) style = 256;
@@ -27,7 +27,7 @@ constexpr LightStyles plain_light_styles() {
 struct FaceSurface {
     SurfaceView view;
     int mip = 0;
-    std::int32_t origin_u = 0, origin_v = 0;  ///< the texel of mip level 0 that its first column and row are
+    std::int32_t origin_u = 0, origin_v = 0;  ///< the texel of mip level 0 at its first column and row
     TexelLimits limits;
     BlockKernel kernel = nullptr;
 };
@@ -39,8 +39,8 @@ class FaceSurfaces {
     /// Level and table must outlive it. `longest_px`: of any span.
     FaceSurfaces(const Level& level, const FaceTable& faces, std::int32_t longest_px);
 
-    /// The surface of a lit or liquid face whose nearest corner in view has this depth. Its texels are good until the
-    /// next call. One colormap serves all calls.
+    /// The surface of a lit or liquid face whose nearest corner in view has this depth. Its texels are valid until the
+    /// next call. All calls must pass the same colormap.
     FaceSurface get(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x, const Colormap& colormap,
                     const LightStyles& styles);
 

@@ -10,7 +10,7 @@ namespace oblong {
 
 namespace {
 
-/// Appends the corners of a face, each edge with the vertices inside it, in the direction in which the face walks it.
+/// Appends the corners of a face, each edge with the vertices inside it, in the face's direction.
 void append_corners(const Level& level, const Face& face, const TJunctions& junctions,
                     std::vector<VertexIndex>& corners) {
     for (const SurfEdge step : level.edges_of(face)) {
@@ -55,8 +55,8 @@ std::uint64_t hash_of(const Vec3<World>& from, const Vec3<World>& to) {
     return hash;
 }
 
-/// Whether each edge is walked as often in one direction as in the other: then the hashes of both cancel. By chance
-/// they do so in one of 2^64 other levels.
+/// Whether each edge is used as often in one direction as in the other: then the hashes of both cancel. By chance they
+/// do so in one of 2^64 other levels.
 bool is_closed(const Level& level, const FaceTable& table) {
     std::uint64_t sum = 0;
     for_each_edge(level, table, [&](const Vec3<World>& from, const Vec3<World>& to) {
@@ -65,7 +65,7 @@ bool is_closed(const Level& level, const FaceTable& table) {
     return sum == 0;
 }
 
-/// Counts the edges that are walked more often in one direction than in the other.
+/// Counts the edges that are used more often in one direction than in the other.
 std::size_t count_torn_edges(const Level& level, const FaceTable& table) {
     if (is_closed(level, table)) return 0;
     const auto place = [](const Vec3<World>& p) { return std::array{p.x, p.y, p.z}; };

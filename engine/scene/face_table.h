@@ -12,25 +12,25 @@ namespace oblong {
 /// Texels per world unit: 48.16.
 using TexelDensity = Fixed<std::int64_t, 16>;
 
-/// What a face calls for.
+/// The effects that a face needs.
 constexpr EffectSet effects_of(Material material) {
     if (material == Material::Sky) return EffectSet{}.with(Effect::Sky);
     if (material == Material::Liquid) return EffectSet{}.with(Effect::Liquid);
     return {};
 }
 
-/// What every frame would otherwise work out again of a face.
+/// Data of a face, precomputed for all frames.
 struct PreparedFace {
     std::uint32_t first_corner = 0, corner_count = 0;  ///< in FaceTable::corners
     TexelDensity density;                              ///< texels of mip level 0 per unit, along the denser axis
     Material material = Material::Lit;
 };
 
-/// What every frame would otherwise work out again from a level's faces.
+/// Data of a level's faces, precomputed for all frames.
 struct FaceTable {
     Table<PreparedFace, Face> faces;
-    std::vector<VertexIndex> corners;     ///< of all faces; those of T-junctions among them
-    Table<EffectSet, Leaf> leaf_effects;  ///< what each leaf's faces call for
+    std::vector<VertexIndex> corners;     ///< of all faces, with those inserted at T-junctions
+    Table<EffectSet, Leaf> leaf_effects;  ///< what each leaf's faces need
     std::size_t most_corners = 0;         ///< of any face
     std::size_t torn_edges = 0;           ///< edges of the world where faces do not meet: pixels may stay free there
 

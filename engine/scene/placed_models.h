@@ -15,8 +15,8 @@ struct PlacedModel {
 
 using PlacedIndex = Index<PlacedModel>;  ///< of a scene's models
 
-/// The brush models that a level's entities show, where they stand when it begins. Triggers are not shown. An entity
-/// that names a model that the level hasn't is passed over.
+/// The brush models that a level's entities show, at their initial positions. Triggers are not shown. An entity that
+/// names a missing model is ignored.
 std::vector<PlacedModel> models_at_rest(const Level& level);
 
 }  // namespace oblong

@@ -6,8 +6,8 @@
 
 namespace oblong {
 
-/// A quantity that is linear on the screen: its value at the centre of pixel (0, 0) and its steps per pixel. Sums may
-/// wrap on the way: what counts is the value inside the polygon, and that fits.
+/// A quantity that is linear on the screen: its value at the centre of pixel (0, 0) and its steps per pixel.
+/// Intermediate sums may wrap; values inside the polygon fit.
 template <class Value>
 struct LinearQuantity {
     Value origin, per_column, per_row;
@@ -17,7 +17,7 @@ struct LinearQuantity {
     }
 };
 
-/// How a plane's texture lies on the screen (z in world units, u and v in texels of the mip level in use). The budget:
+/// The screen gradients of a textured plane (z in world units, u and v in texels of the mip level in use). Errors:
 /// engine/fixed/README.md.
 struct TextureGradients {
     LinearQuantity<InverseZ> inverse_z;

@@ -19,7 +19,7 @@ struct ScreenMode {
     constexpr Ratio pixel() const { return display * Ratio{height_px, width_px}; }
 };
 
-/// What the formats of the engine have head-room for (engine/fixed/README.md).
+/// The largest width and height that the engine's formats have head-room for (engine/fixed/README.md).
 inline constexpr std::int32_t kLargestMode_px = 4096;
 
 /// A vertex on the screen, pixels: written by projection, read by the scan converter. Pixel centres lie at +0.5.
@@ -38,8 +38,7 @@ struct Span {
     std::int32_t y, first, end;
 };
 
-/// A view of an 8-bit canvas that somebody else owns: rows top to bottom, `pitch` bytes apart, one palette index a
-/// pixel.
+/// A non-owning view of an 8-bit framebuffer: rows top to bottom, `pitch` bytes apart, one palette index a pixel.
 struct Framebuffer {
     std::uint8_t* pixels = nullptr;
     std::int32_t width_px = 0, height_px = 0, pitch = 0;

@@ -37,7 +37,7 @@ class SurfaceBuilder {
     SurfaceBuilder(const TextureView& texture, const Colormap& colormap, int mip)
         : texture_(texture), colormap_(colormap), cell_log2_(4 - mip) {}
 
-    /// A surface without extent in one direction, which a texture axis across its face makes: one colour.
+    /// A surface without extent in one direction (a texture axis perpendicular to the face): one colour.
     void build_line(std::int32_t shade_16, std::int32_t bytes, std::uint8_t* out) const {
         const std::int32_t u = wrap(texture_.min_u, texture_.width), v = wrap(texture_.min_v, texture_.height);
         const std::uint8_t texel = texture_.texels[v * texture_.width + u];

@@ -8,8 +8,7 @@
 namespace oblong {
 
 /// Texels ready to be drawn: rows `1 << stride_log2` bytes apart. Coordinates wrap at the masks, which are powers of
-/// two less one; a lit surface is never sampled beyond its size, so they do nothing there, and make a tile of a whole
-/// texture.
+/// two minus one: whole textures repeat, and lit surfaces, never sampled beyond their size, are not affected.
 struct SurfaceView {
     const std::uint8_t* texels = nullptr;
     std::int32_t width = 0, height = 0;
@@ -23,7 +22,7 @@ struct LightmapView {
     std::int32_t columns = 0, rows = 0;
     std::int32_t style_count = 0;
     std::array<std::uint16_t, 4> style_scale_256{};  ///< brightness of each style, 256: as stored
-    bool is_fullbright = false;  ///< the level has no light at all: colours as they are; else no style: dark
+    bool is_fullbright = false;  ///< the level has no light: unlit colours; else, without a style: darkest
 };
 
 /// One mip level of a texture and where a face's surface begins in it.

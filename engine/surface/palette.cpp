@@ -27,7 +27,7 @@ struct Candidate {
     std::uint8_t index;
 };
 
-/// The colours that others may become, from dark to light.
+/// The candidate colours, from dark to light.
 std::vector<Candidate> sort_by_luminance(const Palette& palette, std::size_t count) {
     std::vector<Candidate> sorted;
     for (std::size_t i = 0; i < count; ++i)

@@ -7,7 +7,7 @@
 namespace oblong {
 
 /// Lit surfaces, kept while they are valid. One slot for each face and mip level; the texels lie in one arena that is
-/// filled from the start and emptied when it is full. Never part of a picture: a surface rebuilt is the same surface.
+/// filled from the start and emptied when it is full. Caching never changes a picture: a rebuilt surface is the same.
 class SurfaceCache {
   public:
     SurfaceCache(std::size_t slot_count, std::size_t arena_bytes)

@@ -41,7 +41,7 @@ PixelRange project_extent(const ProjectionAxis& axis, const Extent& across, cons
 std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewContext& view) {
     constexpr View kNearest = View::from_int(4);
     const auto middle = [](std::int32_t low, std::int32_t high) { return World::from_raw((low + high) * 2048); };
-    // A unit more, for boxes that the file rounds.
+    // Conservative by one unit, as files round boxes.
     const auto half = [](std::int32_t low, std::int32_t high) {
         return WorldWide::from_raw((high - low) * std::int64_t{2048} + 4096);
     };

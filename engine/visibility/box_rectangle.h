@@ -8,8 +8,8 @@
 
 namespace oblong {
 
-/// A rectangle of pixels outside of which nothing in a box of the level is drawn, a pixel wider than it need be for
-/// what rounds on the way. Nothing if the box reaches the eye's plane or nearly: then it may be anywhere.
+/// A rectangle that holds every pixel where something in a box of the level may be drawn, conservative by one pixel for
+/// rounding. None if the box reaches the eye's plane or nearly: it may then be anywhere on the screen.
 std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewContext& view);
 
 }  // namespace oblong

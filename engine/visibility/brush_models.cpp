@@ -9,11 +9,11 @@ namespace oblong {
 
 namespace {
 
-/// A model may come to the eye, or the eye to it, as no plane of the world does (place_eye). A face that the eye is
-/// nearer to than this, half a step of World, it may as well be in: so it is edge-on, and shows nothing.
+/// place_eye() keeps the eye clear of the world's planes, not of those of moving models. A face whose plane the eye is
+/// nearer to than this, half a step of World, is taken as edge-on and not drawn.
 constexpr auto kEdgeOn = PlaneDistance::from_raw(std::int64_t{1} << 29);
 
-/// Gives the model's faces that face the eye their places, nearest first by the model's own tree; the others -1.
+/// Ranks the model's faces that face the eye, nearest first by the model's own tree; the others get -1.
 void rank_faces(const Level& level, const SubModel& model, const Vec3<World>& local_eye, std::vector<ModelStep>& steps,
                 Table<std::int32_t, Face>& ranks) {
     for (const FaceIndex face : model.faces) ranks[face] = -1;

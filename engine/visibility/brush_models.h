@@ -10,25 +10,25 @@
 
 namespace oblong {
 
-/// What is left to do of a walk down a model's tree: enter the node, or rank the faces on its plane.
+/// A pending step of a walk down a model's tree: enter the node, or rank the faces on its plane.
 struct ModelStep {
     NodeIndex node;
     bool is_entered = false;
 };
 
-/// The brush models of a scene (doors, lifts), cut up by the world's tree so that each part is drawn in front of what
-/// lies behind its leaf and behind what lies before it, and where several models stand in one leaf by each other's
-/// planes too. A model is cut anew only where it has moved.
+/// The brush models of a scene (doors, lifts), split by the world's tree so that each part is drawn with its leaf in
+/// front-to-back order; where several models are in one leaf, they are split by each other's planes too. A model is
+/// split again only when it has moved.
 class BrushModels {
   public:
     explicit BrushModels(const Level& level);
 
-    /// Starts a frame with the models as they stand now, each model of the level once at the most. Orders are found
-    /// anew, and only for models that the frame meets.
+    /// Starts a frame with the models at their current positions, each model of the level at most once. Orders are
+    /// found again, and only for models that the frame comes to.
     void start_frame(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
 
     bool has_any_in(LeafIndex leaf) const { return !leaves_[leaf].first_link.is_none(); }
-    /// What the parts in a leaf call for.
+    /// The effects that the parts in a leaf need.
     EffectSet effects_in(LeafIndex leaf) const { return leaves_[leaf].effects; }
     /// The parts in a leaf that face the eye, nearest first. Valid until the next call.
     std::span<const Fragment* const> front_to_back_in(LeafIndex leaf, const Level& level, const Vec3<World>& eye);
@@ -50,7 +50,7 @@ class BrushModels {
         Index<FragmentTree> tree = Index<FragmentTree>::none();  ///< of those, made when a frame first meets the leaf
         EffectSet effects;
     };
-    /// The order of what one frame meets of a model.
+    /// The order of a model's faces in one frame, found when the frame comes to it.
     struct Order {
         std::uint32_t frame = 0;
         std::int64_t squared_distance = 0;

@@ -1,7 +1,10 @@
 #include "engine/visibility/eye.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <optional>
+#include <vector>
 
 #include "engine/level/side.h"
 
@@ -11,7 +14,7 @@ namespace {
 
 constexpr auto kClearance = PlaneDistance::from_raw(std::int64_t{2} << 30);
 constexpr std::int32_t kMostRounds = 16;
-/// At a corner three planes meet, and an edge of a fourth: each may have its open side before or behind.
+/// At a corner three planes meet, and perhaps a fourth: for each, either side may be the open one.
 constexpr unsigned kMostFlips = 4;
 
 /// The eye moved off a plane along the coordinate in which the normal is largest, where that changes the distance most.
@@ -34,7 +37,7 @@ bool is_solid(const Level& level, LeafIndex leaf) {
     return level.leaves[leaf].contents == contents::kSolid;
 }
 
-/// A try at placing an eye: whether it is clear of all the planes that bound its leaf.
+/// One attempt at placing an eye: whether it is clear of all the planes that bound its leaf.
 struct Try {
     PlacedEye placed;
     bool is_clear = false;
@@ -81,26 +84,86 @@ bool is_clear(const Level& level, Vec3<World> eye) {
     return true;
 }
 
-/// The first clear and open place on cubes of growing size around the eye, up to 1/32 unit away: for the edges of
-/// wedges so sharp that the way off one of their planes leads through the other.
-Try search_around(const Level& level, const Vec3<World>& eye) {
-    constexpr std::int32_t kParts = 16, kLargestStep = 8;
-    const auto try_at = [&](std::int32_t x, std::int32_t y, std::int32_t z) {
-        const Vec3<World> place = eye + Vec3<World>{World::from_raw(x), World::from_raw(y), World::from_raw(z)};
-        return Try{{place, find_leaf(level, level.world(), place)}, is_clear(level, place)};
+/// The part of the world's tree around an eye: its open leaves, and the planes that come near to a cube, of which a
+/// level has few. A search of thousands of places asks these, not the whole tree.
+class NearTree {
+  public:
+    /// The cube reaches `half_size` from the middle to each side.
+    NearTree(const Level& level, const Vec3<World>& middle, World half_size)
+        : root_(add(level, level.world().root, middle, half_size)) {}
+
+    bool has_open_leaf() const { return root_ != Child::Solid; }
+
+    /// False if a place in the cube is not clear and open. Where true it nearly always is: the planes' last bits are
+    /// left out.
+    bool may_be_clear_and_open(const Vec3<World>& place) const {
+        Child at = root_;
+        while (at != Child::Solid && at != Child::Open) {
+            const NearNode& node = nodes_[static_cast<std::size_t>(at)];
+            const PlaneDistance distance = plane_distance(*node.plane, place);
+            if (absolute(distance) < kClearance) return false;
+            at = node.children[distance > PlaneDistance{} ? 0 : 1];
+        }
+        return at == Child::Open;
+    }
+
+  private:
+    enum class Child : std::int32_t { Open = -1, Solid = -2 };  ///< from 0 up: a node
+
+    struct NearNode {
+        const LevelPlane* plane;
+        std::array<Child, 2> children;
     };
-    for (std::int32_t step = 1; step <= kLargestStep; step *= 2)
-        for (std::int32_t x = -kParts; x <= kParts; ++x)
-            for (std::int32_t y = -kParts; y <= kParts; ++y)
-                for (std::int32_t z = -kParts; z <= kParts; ++z) {
-                    if (std::max({std::abs(x), std::abs(y), std::abs(z)}) < kParts) continue;
-                    const Try found = try_at(x * step, y * step, z * step);
-                    if (found.is_clear_and_open(level)) return found;
-                }
-    return {};
+
+    Child add(const Level& level, NodeChild at, const Vec3<World>& middle, World half_size) {
+        if (at.is_leaf()) return is_solid(level, at.leaf()) ? Child::Solid : Child::Open;
+        const Node& node = level.nodes[at.node()];
+        const LevelPlane& plane = level.planes[node.plane];
+        const Vec3<Unit> slope{absolute(plane.normal.x), absolute(plane.normal.y), absolute(plane.normal.z)};
+        const PlaneDistance distance = plane_distance(plane, middle);
+        const PlaneDistance near_distance = dot(Vec3<World>{half_size, half_size, half_size}, slope) + kClearance;
+        if (distance >= near_distance) return add(level, node.children[0], middle, half_size);
+        if (-distance >= near_distance) return add(level, node.children[1], middle, half_size);
+        const Child front = add(level, node.children[0], middle, half_size);
+        const Child back = add(level, node.children[1], middle, half_size);
+        if (front == Child::Solid && back == Child::Solid) return Child::Solid;
+        nodes_.push_back({&plane, {front, back}});
+        return static_cast<Child>(nodes_.size() - 1);
+    }
+
+    std::vector<NearNode> nodes_;
+    Child root_;
+};
+
+/// The places on the surface of a cube that reaches kParts steps from the middle to each side.
+constexpr std::int32_t kParts = 16;
+constexpr std::array<std::int32_t, 4> kSteps{1, 2, 4, 8};
+
+std::optional<PlacedEye> search_cube(const Level& level, const Vec3<World>& middle, std::int32_t step,
+                                     const NearTree& near_tree) {
+    for (std::int32_t x = -kParts; x <= kParts; ++x)
+        for (std::int32_t y = -kParts; y <= kParts; ++y) {
+            const bool is_side = std::max(std::abs(x), std::abs(y)) == kParts;
+            for (std::int32_t z = -kParts; z <= kParts; z += is_side ? 1 : 2 * kParts) {
+                const Vec3<World> place = middle + Vec3<World>{World::from_raw(x * step), World::from_raw(y * step),
+                                                               World::from_raw(z * step)};
+                if (!near_tree.may_be_clear_and_open(place) || !is_clear(level, place)) continue;
+                const LeafIndex leaf = find_leaf(level, level.world(), place);
+                if (!is_solid(level, leaf)) return PlacedEye{place, leaf};
+            }
+        }
+    return std::nullopt;
 }
 
 }  // namespace
+
+std::optional<PlacedEye> find_clear_place(const Level& level, const Vec3<World>& eye) {
+    const NearTree near_tree(level, eye, World::from_raw(kParts * kSteps.back()));
+    if (!near_tree.has_open_leaf()) return std::nullopt;
+    for (const std::int32_t step : kSteps)
+        if (const std::optional<PlacedEye> found = search_cube(level, eye, step, near_tree)) return found;
+    return std::nullopt;
+}
 
 PlacedEye place_eye(const Level& level, Vec3<World> eye) {
     const Try first = move_clear(level, eye, 0);
@@ -110,8 +173,7 @@ PlacedEye place_eye(const Level& level, Vec3<World> eye) {
         const Try other = move_clear(level, eye, other_sides);
         if (other.is_clear_and_open(level)) return other.placed;
     }
-    const Try nearby = search_around(level, eye);
-    return nearby.is_clear ? nearby.placed : first.placed;
+    return find_clear_place(level, eye).value_or(first.placed);
 }
 
 }  // namespace oblong

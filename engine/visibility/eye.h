@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/level/level.h"
 
 namespace oblong {
 
-/// Where one looks from, and the leaf that holds it.
+/// The eye's position and its leaf.
 struct PlacedEye {
     Vec3<World> position;
     LeafIndex leaf;
@@ -16,5 +18,10 @@ struct PlacedEye {
 /// front if the back is solid and the front is not. On an edge or in a corner so sharp that there is no such place next
 /// to it: to the first found within 1/32 unit.
 PlacedEye place_eye(const Level& level, Vec3<World> eye);
+
+/// The first place 2 steps clear of all planes and not solid on the surfaces of cubes that reach 16, 32, 64 and 128
+/// steps to each side of the eye, 33 places an edge, in the order of x, then y, then z: for the edges of wedges so
+/// sharp that the way off one of their planes leads through the other.
+std::optional<PlacedEye> find_clear_place(const Level& level, const Vec3<World>& eye);
 
 }  // namespace oblong

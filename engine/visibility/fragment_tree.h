@@ -21,7 +21,7 @@ struct FragmentTree {
     Index<Node> root = Index<Node>::none();
 };
 
-/// Above so many parts none are cut and the tree is empty: a tree of n parts takes n^2 steps.
+/// With more parts than this none are cut and the tree is empty: a tree of n parts takes n^2 steps.
 inline constexpr std::size_t kMostFragmentsInTree = 256;
 
 /// The tree of fragments, whose corners lie in `corners`. `models` are the scene's.

@@ -8,11 +8,10 @@ namespace oblong {
 
 namespace {
 
-/// How near to a plane the eye may be so that faces which face away from it by a hair are handed out all the same:
-/// rounded to the screen, such a face may turn round and show pixels that its neighbours, rounded too, leave. Drawn, it
-/// is what closes the outline of what is seen; most often it covers nothing. A face of L units at depth z turns round
-/// where it is d <= z^2 / (160 L) * (twice the rounding) before its plane: 32 units do for 16-unit faces 3,600 units
-/// away at 1/256 pixel. What coarser grids leave is for the second walk.
+/// If the eye is this near to a plane, faces on it that face away are returned too: rounded to the screen, such a face
+/// may turn round and cover pixels that its neighbours, rounded too, leave free; most often it covers nothing. A face
+/// of L units at depth z turns round where the eye's distance is d <= z^2 / (160 L) * (twice the rounding): 32 units
+/// are enough for 16-unit faces 3,600 units away at 1/256 pixel. What coarser grids leave is for the second walk.
 constexpr auto kBothSidesDistance = PlaneDistance::from_int(32);
 
 }  // namespace
@@ -21,7 +20,7 @@ std::uint8_t planes_crossed(const Frustum& frustum, const LevelBox& box, const V
     if (planes == 0) return 0;
     using Distance = Fixed<std::int64_t, 32>;
     const std::array at{convert<WorldWide>(eye.x), convert<WorldWide>(eye.y), convert<WorldWide>(eye.z)};
-    // Normals of .20 may be off by 2^-21 in each component: a box is given the benefit of that, and of a unit more.
+    // Conservative by one unit, and by the error of normals with 20 fraction bits: up to 2^-21 in each component.
     constexpr Distance kBenefit = Distance::from_int(1);
     for (unsigned plane = 0; plane < 4; ++plane) {
         if (!(planes >> plane & 1)) continue;

@@ -13,7 +13,7 @@
 
 namespace oblong {
 
-/// What is left to do of a walk through the tree.
+/// A pending step of a walk through the tree.
 struct WalkStep {
     NodeChild at;
     bool draws_faces;  ///< false: enter the node or leaf; true: its near side is done, take the faces on its plane
@@ -38,24 +38,24 @@ struct VisibleFace {
     const Fragment* fragment = nullptr;  ///< the part of a brush model's face that it is; null: a face of the world
 };
 
-/// Hands out the faces of a scene front to back, one at a time, until no pixel is free: the world's tree, near side
+/// Returns the faces of a scene front to back, one at a time, until no pixel is free: the world's tree, near side
 /// first (Fuchs, Kedem and Naylor 1980; Abrash, Black Book, ch. 62). Subtrees that cannot be seen from the eye's leaf,
 /// that are outside the view, or whose rectangle on the screen has no free pixel are not entered.
 ///
-/// Two walks. The first hands out what the visible set holds and what faces the eye: of each node the parts of brush
-/// models in its near leaves, then the faces on its plane. If pixels are still free after it, the second hands out all
+/// Two walks. The first returns faces in the visible set that face the eye: of each node the parts of brush
+/// models in its near leaves, then the faces on its plane. If pixels are still free after it, the second returns all
 /// faces of the world, whichever way they face.
 ///
-/// Why the second leaves none. The faces of a world are a closed surface (each edge is walked once in each direction:
-/// T-junctions are mended), and around an eye in its open side it is wound once: along each ray, faces that are
+/// Why the second leaves none. The faces of a world are a closed surface (each edge is used once in each direction:
+/// T-junctions are mended), and its winding number around an eye in the open is 1: along each ray, faces that are
 /// clockwise on the screen count +1, those that are counter-clockwise -1, and the sum is 1. Rounding moves corners, but
 /// each for all its faces alike, and clipping leaves all faces of an edge the same part of it: the surface stays
 /// closed, and the sum can only change where it passes through the eye, which place_eye() keeps clear of it. So every
-/// pixel is covered by a clockwise polygon, rounded by however much. But it may be that of a face which truly faces
-/// away, or which is not in the visible set, as that is true of exact polygons only.
+/// pixel is covered by a clockwise polygon, however it is rounded. But that may belong to a face which exactly computed
+/// faces away, or which is not in the visible set: those tests are right for unrounded polygons only.
 class FrontToBackWalk {
   public:
-    /// What it is given must outlive it. `models` is null where none is drawn.
+    /// The arguments must outlive it. `models` is null where none is drawn.
     FrontToBackWalk(const Level& level, const ViewContext& view, const VisibleSet& visible, BrushModels* models,
                     const SpanBuffer& span_buffer, WalkScratch& scratch);
 
@@ -77,8 +77,8 @@ class FrontToBackWalk {
     const SpanBuffer& span_buffer_;
     WalkScratch& scratch_;
     bool takes_all_faces_ = false;                  ///< the second walk
-    std::span<const Fragment* const> fragments_{};  ///< of the leaf at hand, still to be handed out
-    IndexRange<Face> faces_;                        ///< of the node at hand, still to be handed out
+    std::span<const Fragment* const> fragments_{};  ///< of the current leaf, still to be returned
+    IndexRange<Face> faces_;                        ///< of the current node, still to be returned
     bool draws_front_ = false;
 };
 

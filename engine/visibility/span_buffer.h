@@ -9,24 +9,25 @@
 
 namespace oblong {
 
-/// Which pixels of the screen are still free. Faces come front to back; each claims its spans, gets what was free of
-/// them and owns that: no pixel is written twice, and what is free at the end is a hole in the world. A row keeps a
-/// short sorted list of its free intervals, and beside it their hull, which answers most questions alone.
+/// The span buffer (S-buffer): which pixels of the screen are still free. Faces come front to back; each inserts
+/// ("claims") its spans and owns the parts that were free: no pixel is written twice, and what is free at the end is a
+/// hole in the world. A row keeps a short sorted list of its free spans, and its first and last free column, which
+/// answer most queries alone.
 class SpanBuffer {
   public:
     SpanBuffer(std::int32_t width_px, std::int32_t height_px);
 
     /// Everything is free again.
     void reset();
-    /// Appends to `owned` what was free of row y's pixels [first, end), and takes it. Columns may lie off the screen.
+    /// Claims row y's pixels [first, end): appends those that were free to `owned`. Columns may lie off the screen.
     void claim(std::int32_t y, std::int32_t first, std::int32_t end, std::vector<Span>& owned);
-    /// The same of every row of a scanned polygon.
+    /// The same for every row of a scanned polygon.
     void claim(const ScanlineExtents& rows, std::vector<Span>& owned);
-    /// Appends all that is free, and takes it.
+    /// Claims every pixel: appends those that were free to `owned`.
     void claim_rest(std::vector<Span>& owned);
     /// Whether no pixel is free.
     bool is_full() const { return free_px_ == 0; }
-    /// Whether some pixel of a rectangle may be free; if not, none is.
+    /// False only if no pixel of a rectangle is free.
     bool may_be_free(const ScreenRectangle& rectangle) const {
         for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y) {
             const Row& row = at(rows_, y);
@@ -47,7 +48,7 @@ class SpanBuffer {
     Interval* list_of(std::int32_t y) { return &intervals_[static_cast<std::size_t>(y) * row_capacity_]; }
 
     std::int32_t width_px_, height_px_;
-    std::size_t row_capacity_;  ///< intervals a row can fall into: every second pixel free
+    std::size_t row_capacity_;  ///< the most free spans of a row: every second pixel free
     std::int64_t free_px_ = 0;
     std::vector<Row> rows_;
     std::vector<Interval> intervals_;

@@ -7,7 +7,7 @@
 
 namespace oblong {
 
-/// Which nodes and leaves of the world the eye's leaf may see, kept until the eye changes its leaf.
+/// Which nodes and leaves of the world may be visible from the eye's leaf (PVS), kept until the eye changes its leaf.
 class VisibleSet {
   public:
     explicit VisibleSet(const Level& level);

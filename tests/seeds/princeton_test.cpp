@@ -6,8 +6,8 @@
 #include <array>
 
 #include "engine/fixed/trig.h"
-#include "engine/math/vec.h"
 #include "engine/math/plane.h"
+#include "engine/math/vec.h"
 #include "tests/seeds/seed_values.h"
 
 namespace oblong::test {

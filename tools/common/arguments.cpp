@@ -64,7 +64,7 @@ Ratio parse_display(const std::string& text) {
 std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits) {
     const std::optional<std::int64_t> raw = parse_decimal(text, fraction_bits);
     if (raw && std::abs(*raw) < std::int64_t{1} << (24 + fraction_bits)) return *raw;
-    throw UsageError(option + ": '" + text + "', expected a decimal number below 16,777,216 either way");
+    throw UsageError(option + ": '" + text + "', expected a decimal number between -16,777,216 and 16,777,216");
 }
 
 Degrees parse_field_of_view(const std::string& text) {
@@ -108,11 +108,10 @@ int run_program(const std::string& name, const std::function<void()>& body) {
 
 void warn_of_torn_edges(const std::string& program, const std::string& level_file, std::size_t edges) {
     if (edges == 0) return;
-    std::fprintf(
-        stderr,
-        "%s: %s: warning: the level is torn at %zu edges, expected faces that meet: pixels there may show what "
-        "is beside them\n",
-        program.c_str(), level_file.c_str(), edges);
+    std::fprintf(stderr,
+                 "%s: %s: warning: the level is torn at %zu edges, expected faces that meet: pixels there may take "
+                 "the colour next to them\n",
+                 program.c_str(), level_file.c_str(), edges);
 }
 
 }  // namespace oblong

@@ -11,7 +11,7 @@
 
 namespace oblong {
 
-/// An argument that can't be taken: programs print it and exit with 2.
+/// An invalid argument: programs print the message and exit with 2.
 class UsageError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -25,7 +25,7 @@ WindowSize parse_window_size(const std::string& text);
 Ratio parse_display(const std::string& text);
 /// A field of view in degrees, decimal, from 1 to 179.
 Degrees parse_field_of_view(const std::string& text);
-/// Refuses what each parser takes, but no frame can be drawn with together: a wide view in a mode of few pixels.
+/// Refuses values that are valid alone, but not together: a wide field of view in a mode of few pixels.
 void check_view(const ScreenMode& mode, Degrees field_of_view);
 /// "1991", "1994", "1996", "bounded", "exact".
 Preset parse_preset(const std::string& text);
@@ -33,11 +33,11 @@ Preset parse_preset(const std::string& text);
 /// 2^24. Throws UsageError that begins with `option` for anything else, "nan" and "1e3" included.
 std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits);
 
-/// Runs a program's body, sees that its standard output was written, and turns what it throws into the house's messages
-/// and exit codes: 0 success; 1 a failure, `PROGRAM: FILE: WHERE: what is wrong` on standard error; 2 wrong usage.
+/// Runs a program's body, checks that its standard output was written, and turns exceptions into messages and exit
+/// codes: 0 success; 1 a failure, `PROGRAM: FILE: WHERE: what is wrong` on standard error; 2 wrong usage.
 int run_program(const std::string& name, const std::function<void()>& body);
 
-/// Says on standard error that faces of a level do not meet at so many edges; nothing where there are none.
+/// Warns on standard error that faces of a level do not meet at so many edges; prints nothing if there are none.
 void warn_of_torn_edges(const std::string& program, const std::string& level_file, std::size_t edges);
 
 }  // namespace oblong

@@ -53,7 +53,8 @@ CommandOption Command::add(const std::string& names, Value& value, const std::st
     if (value != Value{}) option->capture_default_str();
     option->check(fault_of_empty, "");
     option->check(fault_of_dash, "", kNoDash);
-    if (names.starts_with('-')) option->allow_extra_args(false);  // --wad A --wad B, so that a place may follow
+    if (names.starts_with('-'))
+        option->allow_extra_args(false);  // --wad A --wad B, so that a positional argument may follow
     return CommandOption(option);
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// CLI11 takes longer to compile than any program that uses it, so one file does.
+// CLI11 takes long to compile, so that only one file includes it.
 namespace CLI {
 class App;
 class Option;
@@ -14,7 +14,7 @@ class Option;
 
 namespace oblong {
 
-/// An option that was added, to say more of it.
+/// An option that was added, for further settings.
 class CommandOption {
   public:
     explicit CommandOption(CLI::Option* option) : option_(option) {}
@@ -22,28 +22,27 @@ class CommandOption {
     CommandOption& require();
     CommandOption& limit(std::int64_t least, std::int64_t most);  ///< to a whole number from `least` to `most`
     CommandOption& need(const CommandOption& other);              ///< never without `other`
-    CommandOption& exclude(const CommandOption& other);           ///< never beside `other`
+    CommandOption& exclude(const CommandOption& other);           ///< never together with `other`
     CommandOption& accept_standard_output();                      ///< as "-"
 
   private:
     CLI::Option* option_;
 };
 
-/// What may be written after a command: options, places, and further commands.
+/// What may follow a command: options, positional arguments, and subcommands.
 class Command {
   public:
     explicit Command(CLI::App* app) : app_(app) {}
 
-    /// `names` such as "-o,--out"; a name without a dash is that of a place. The value that stands there before is the
-    /// default, and --help shows it unless it is empty or 0. For std::string, a vector of them (one or more may be
-    /// given), std::int64_t and double. An empty value is refused: in scripts it is a variable that was never set. So
-    /// is
-    /// "-", which elsewhere means standard input or output, unless the option accepts it.
+    /// `names` such as "-o,--out"; a name without a dash is a positional argument. The variable's value is the default,
+    /// and --help shows it unless it is empty or 0. For std::string, a vector of them (one or more may be given),
+    /// std::int64_t and double. An empty value is refused: in scripts it is an unset variable. So is "-", which
+    /// elsewhere means standard input or output, unless the option accepts it.
     template <class Value>
     CommandOption add(const std::string& names, Value& value, const std::string& help);
     void add_flag(const std::string& names, bool& value, const std::string& help);
 
-    /// One of several commands, of which one must be given.
+    /// A subcommand; one of them must be given.
     Command add_command(const std::string& name, const std::string& help);
     bool is_given() const;
 
@@ -57,7 +56,7 @@ class CommandLine : public Command {
     CommandLine(const std::string& program, const std::string& description);
 
     /// Reads the arguments and runs `body` as run_program() does; the program's exit code. After --help and --version
-    /// that is 0, and for wrong usage, said on standard error, 2: both without running `body`.
+    /// that is 0, and for wrong usage, reported on standard error, 2: both without running `body`.
     int run(int argument_count, const char* const* arguments, const std::function<void()>& body);
 
   private:

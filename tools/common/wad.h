@@ -18,7 +18,7 @@ struct WadTexture {
     std::span<const std::uint8_t> miptex;  ///< its header of 40 bytes and what follows, as BSP files hold it too
 };
 
-/// The name by which levels find a texture: in small letters.
+/// The name by which levels find a texture: in lower case.
 std::string lookup_name(std::string name);
 
 /// The textures of a WAD2, in the file's order; it points into `file`. Throws InputError where a size or an offset

@@ -13,7 +13,7 @@
 namespace oblong::map {
 namespace {
 
-// What a level is made of, before it is compiled: the brushes of the world, and of each brush entity.
+// The brushes of a level: those of the world, and those of each brush entity.
 struct LevelBrushes {
     PlaneList planes;
     TextureList textures;

@@ -97,7 +97,7 @@ struct DecimalFraction {
     }
 };
 
-/// a * b == c * d, of which none is negative.
+/// a * b == c * d, for numbers that are not negative.
 bool equal_products(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) {
     return compare_products(static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b), static_cast<std::uint64_t>(c),
                             static_cast<std::uint64_t>(d)) == 0;

@@ -22,7 +22,7 @@ std::optional<ParsedFixed> parse_fixed(std::string_view text, int fraction_bits)
 /// The same with 62 significant bits, of up to 18 decimals; below 10^18.
 std::optional<SoftFloat> parse_scaled(std::string_view text);
 
-/// raw / 2^fraction_bits with all its decimals: every binary fraction has an end. `fraction_bits` 0 to 60.
+/// raw / 2^fraction_bits with all its decimals, of which a binary fraction has finitely many. `fraction_bits` 0 to 60.
 std::string format_fixed(std::int64_t raw, int fraction_bits);
 
 template <class Int, int Frac>

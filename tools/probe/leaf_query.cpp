@@ -9,7 +9,7 @@ namespace oblong {
 
 namespace {
 
-/// Only files proper: a pipe would wait for whoever writes to it.
+/// Regular files only: reading from a pipe could block.
 bool read_level(const std::string& path, Level& level) {
     constexpr std::size_t kLargestLevel = std::size_t{1} << 28;
     std::error_code error;

@@ -46,7 +46,7 @@ void answer_lines(std::istream& in, std::ostream& out) {
     while (std::getline(in, line)) {
         if (line.ends_with('\r')) line.pop_back();
         out << probe.answer(line) << '\n';
-        // Who waits for an answer before asking on gets it; who does not is not slowed by flushing every line.
+        // Flushed only if no query is waiting: interactive clients get each answer, batches are not slowed.
         if (in.rdbuf()->in_avail() <= 0) out.flush();
     }
     out.flush();

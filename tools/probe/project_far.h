@@ -23,7 +23,7 @@ FarProjection make_far_projection(const ScreenMode& mode, const SoftFloat& field
 /// A world point as seen from `world_eye`, within 2^-39 unit: to_view() with axes and products that are not rounded to
 /// the frame's formats.
 FarPoint to_far_view(const Vec3<World>& world_point, const Vec3<World>& world_eye, const FineBasis& basis);
-/// The same point, as exact as it is.
+/// The same point, converted exactly.
 FarPoint to_far_view(const Vec3<View>& view_point);
 
 /// Where a point lands whose z is above 0, however far off the screen: the formula of project(), with relative errors

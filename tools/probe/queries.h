@@ -7,7 +7,7 @@
 
 namespace oblong {
 
-// One function a query: reads the fields after the query's name, asks the engine, returns the answer's line. Throws
+// One function a query: reads the fields after the query's name, calls the engine, returns the answer's line. Throws
 // Unsupported. The protocol is in README.md.
 
 std::string answer_project(Fields& fields);
@@ -23,7 +23,7 @@ std::string answer_cosine(Fields& fields);
 std::string answer_root(Fields& fields);
 std::string answer_reciprocal(Fields& fields);
 
-/// The level that was asked for last: thousands of points in one level read it once.
+/// The level of the last query: queries for many points of one level read it once.
 struct LevelCache {
     std::string path;
     Level level;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::int32_t kWidth_px = 320, kHeight_px = 200;
 using Triangle = std::array<ScreenVertex, 3>;
 
-/// What brings coordinates in 1/S pixel to the engine's 1/256.
+/// The factor from coordinates in 1/S pixel to the engine's 1/256.
 std::int32_t read_scale(Fields& fields) {
     const std::int64_t steps = fields.integer(16, 256);
     if (steps != 16 && steps != 256) throw Unsupported{};

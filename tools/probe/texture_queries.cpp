@@ -27,7 +27,7 @@ struct RebasedTexels {
     std::array<Texel, 3> moved;
 
     explicit RebasedTexels(const std::array<Texel, 3>& texels) {
-        // A texel of room, so that no rounding is held back by the surface's edge.
+        // A texel of margin, so that no rounding is clamped at the surface's edge.
         base = Texel::from_int(floor_of(*std::min_element(texels.begin(), texels.end())) - 1);
         for (std::size_t i = 0; i < 3; ++i) moved[i] = texels[i] - base;
     }

@@ -2,8 +2,8 @@
 
 namespace oblong::reference {
 
-/// Everything in this folder is written from the formulas alone, in doubles, and includes nothing of the engine: it is
-/// what the engine is held to.
+/// Everything in this folder is written from the formulas alone, in doubles, and includes nothing of the engine: tests
+/// compare the engine with it.
 struct Vec {
     double x = 0, y = 0, z = 0;
 

@@ -75,7 +75,7 @@ Camera parse_camera(const std::string& text, const std::vector<std::size_t>& col
         values_32[columns[i]] = *value_32;
     }
     const auto angle = [&](std::size_t index) {
-        // Whole turns fall away before the format's 16 integer bits are too few.
+        // Reduced modulo a turn first, as the format has only 16 integer bits.
         return degrees_to_angle(Degrees::from_raw(values_32[index] % (std::int64_t{360} << 32) * 65536));
     };
     Camera camera;

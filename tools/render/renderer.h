@@ -23,7 +23,7 @@ struct FrameReport {
     std::vector<EffectReport> effects;  ///< those of the frame's plan
 };
 
-/// The middle and the 99th of 100 of some times (at least one).
+/// The median and the 99th percentile of some times (at least one).
 struct TimeSummary {
     double median = 0, p99 = 0;
 };

@@ -7,7 +7,7 @@
 
 namespace oblong {
 
-/// What a report says beside its frames.
+/// The contents of a report besides its frames.
 struct ReportHead {
     std::string level;
     Preset preset = Preset::Bounded;

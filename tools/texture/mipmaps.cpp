@@ -8,7 +8,7 @@ namespace oblong {
 
 namespace {
 
-/// What a block of texels adds up to. Holes have no colour.
+/// The sums over a block of texels. Holes have no colour.
 struct BlockSum {
     int red = 0, green = 0, blue = 0, coloured = 0, fullbright = 0, holes = 0;
 

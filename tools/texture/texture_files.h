@@ -17,7 +17,7 @@ namespace oblong {
 MipTexture read_png_texture(const std::string& path, const Palette& palette, bool may_glow = false);
 
 /// `pack`: PNGs into a WAD, those whose texture names `glowing` lists with colours that glow. Two PNGs of one name,
-/// small and capital letters alike, are an error. Throws UsageError where `glowing` names none of the PNGs.
+/// whatever the case of its letters, are an error. Throws UsageError where `glowing` names none of the PNGs.
 void pack_textures(const std::vector<std::string>& png_paths, const std::vector<std::string>& glowing,
                    const std::string& wad_path, const Palette& palette);
 

@@ -7,14 +7,14 @@
 
 namespace oblong {
 
-/// A machine without a screen: hands by script, a clock that moves one tick a poll, frames to whoever takes them.
+/// A platform without a screen: scripted input, a clock that advances one tick a poll, frames passed to a callback.
 class HeadlessPlatform final : public Platform {
   public:
-    /// What the hands do at each poll; poll 0 is the first.
+    /// The input at each poll; poll 0 is the first.
     using Script = std::function<Controls(std::int64_t poll)>;
     using FrameSink = std::function<void(Framebuffer, const Palette&)>;
 
-    /// Open for `frames` pictures, its clock moves 1/`polls_per_second` s a poll (rounded up to the microsecond, so
+    /// Open for `frames` pictures. Its clock advances 1/`polls_per_second` s a poll (rounded up to the microsecond, so
     /// that poll n is never before tick n).
     HeadlessPlatform(std::int64_t frames, std::int64_t polls_per_second, Script script, FrameSink sink);
 

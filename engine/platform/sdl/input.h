@@ -14,7 +14,7 @@ class SdlInput {
   public:
     explicit SdlInput(SDL_Window* window) : window_(window) {}
 
-    /// Takes all events that wait; what has moved or been pressed, and the keys held now.
+    /// Handles all pending events: motion and presses since the last poll, and the keys held now.
     Controls poll();
     bool is_closed() const { return is_closed_; }
     /// True once after the renderer lost its textures.

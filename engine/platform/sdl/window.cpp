@@ -25,7 +25,7 @@ using Owned = std::unique_ptr<T, Destroy>;
     throw std::runtime_error(std::string(what) + ": " + SDL_GetError());
 }
 
-// SDL's last resorts are drivers that show nothing: for who asks for them by name only.
+// SDL falls back to drivers that show nothing: they are used only when asked for by name.
 bool shows_nothing() {
     if (SDL_getenv("SDL_VIDEODRIVER") != nullptr) return false;
     const std::string_view driver = SDL_GetCurrentVideoDriver();
@@ -60,7 +60,7 @@ Owned<SDL_Window> make_window(const char* title, WindowSize size) {
     return window;
 }
 
-// The graphics card where there is one, the processor where not.
+// A hardware renderer where there is one, else SDL's software renderer.
 Owned<SDL_Renderer> make_renderer(SDL_Window* window) {
     constexpr std::array<std::uint32_t, 3> wishes{SDL_RENDERER_ACCELERATED | SDL_RENDERER_PRESENTVSYNC,
                                                   SDL_RENDERER_ACCELERATED, SDL_RENDERER_SOFTWARE};
@@ -70,7 +70,7 @@ Owned<SDL_Renderer> make_renderer(SDL_Window* window) {
     fail("no renderer");
 }
 
-// How soon the next frame may follow, so that a display that doesn't wait is not fed for nothing.
+// The least time between frames, for displays that presenting does not wait for.
 std::uint32_t shortest_frame_ms(SDL_Renderer* renderer) {
     SDL_RendererInfo info{};
     SDL_GetRendererInfo(renderer, &info);
@@ -133,7 +133,7 @@ WindowSize SdlPlatform::window_size() const {
     return size;
 }
 
-// `texture`, made anew where its size is another.
+// `texture`, made again if its size differs.
 SDL_Texture* SdlPlatform::fitted(Owned<SDL_Texture>& texture, int access, WindowSize size, SDL_ScaleMode scale_mode) {
     WindowSize is;
     if (texture) SDL_QueryTexture(texture.get(), nullptr, nullptr, &is.width_px, &is.height_px);

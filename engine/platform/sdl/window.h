@@ -7,7 +7,7 @@
 namespace oblong {
 
 /// Opens a window of `size` pixels (0x0: the largest whole multiple of 320x240 with room on the desktop), and the
-/// user's keyboard and mouse with it. Throws std::runtime_error with SDL's words where there is no display.
+/// user's keyboard and mouse with it. Throws std::runtime_error with SDL's message where there is no display.
 std::unique_ptr<Platform> open_window(const char* title, WindowSize size);
 
 }  // namespace oblong

@@ -18,9 +18,9 @@ struct TexelBlock {
 /// Draws blocks of a surface whose sizes are powers of two. Every kernel writes the same bytes as draw_blocks_plain.
 using BlockKernel = void (*)(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
 
-/// The reference: the same arithmetic, written the slow obvious way.
+/// The reference implementation: the same arithmetic, in the most direct way.
 void draw_blocks_plain(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
-/// u and v in one 64-bit word: one addition steps both.
+/// SIMD within a register: u and v in one 64-bit word, so that one addition steps both.
 void draw_blocks_packed(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
 /// The same, the texel's offset taken from the word by one `pext`. Only where has_bmi2().
 void draw_blocks_bmi2(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);

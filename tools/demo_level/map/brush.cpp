@@ -43,7 +43,7 @@ BrushFace make_face(const std::vector<Point>& polygon, const Point& inside, cons
     return face;
 }
 
-/// Puts an outline's corner at `along` on its axis.
+/// Puts a polygon's corner at `along` on its axis.
 Point lift_corner(int axis, const std::array<double, 2>& corner, double along) {
     if (axis == 0) return {along, corner[0], corner[1]};
     if (axis == 1) return {corner[0], along, corner[1]};

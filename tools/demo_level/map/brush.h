@@ -58,7 +58,7 @@ Brush make_box(const Box& box, const Skin& skin);
 /// Lays the textures of a box's faces so that each begins at the face's upper left corner, at `scale` units a texel.
 void fit_textures(Brush& brush, const Box& box, double scale);
 
-/// A convex outline in the plane across `axis` (0: y and z; 1: x and z; 2: x and y), drawn out from `low` to `high`.
+/// A convex polygon in the plane across `axis` (0: y and z; 1: x and z; 2: x and y), drawn out from `low` to `high`.
 struct Outline {
     int axis = 2;
     std::vector<std::array<double, 2>> corners;

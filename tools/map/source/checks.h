@@ -4,14 +4,14 @@
 
 namespace oblong::map {
 
-/// Something in a map source that is taken in another way than it may be meant.
+/// Something in a map source that the compiler may read differently from what its author means.
 struct Warning {
     int line = 0;
     std::string what;
 };
 
 /// Unknown classes and keys, what has no effect here, and a missing start, in the order of their first lines; each
-/// once, however often it stands there.
+/// once, with the number of repetitions.
 std::vector<Warning> find_warnings(const std::vector<MapEntity>& entities);
 
 }  // namespace oblong::map

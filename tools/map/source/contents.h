@@ -28,7 +28,7 @@ constexpr bool is_liquid(int filling) {
     return contents_rank(filling) >= 1 && contents_rank(filling) <= 3;
 }
 
-/// Nothing passes and nothing is seen through: solid and sky.
+/// Opaque and impassable: solid and sky.
 constexpr bool is_opaque(int filling) {
     return contents_rank(filling) >= 4;
 }

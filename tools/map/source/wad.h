@@ -8,7 +8,7 @@
 
 namespace oblong::map {
 
-/// The textures of a WAD2 file: each as the bytes of its miptex, by its name in small letters.
+/// The textures of a WAD2 file: each as the bytes of its miptex, by its name in lower case.
 class Wad {
   public:
     /// Reads the bytes of a file, throwing InputError.

@@ -43,7 +43,7 @@ Reach reach(const Winding& winding, const Plane& plane);
 
 Winding reversed(const Winding& winding);
 
-/// Against the facing direction twice as long as the area (the polygon is clockwise).
+/// A vector opposite to the facing direction (the polygon is clockwise) whose length is twice the area.
 Point area_vector(const Winding& winding);
 
 /// The distance of two parallel lines between which the polygon just fits, over all directions along its edges.

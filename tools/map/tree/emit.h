@@ -10,8 +10,8 @@ class Emitter {
   public:
     Emitter(BspFile& bsp, const PlaneList& planes);
 
-    /// Appends a model with its planes, vertices, edges, faces, nodes, leaves and hulls. The result tells, for each
-    /// leaf of the model's tree, its index in the file (0 for all that are solid).
+    /// Appends a model with its planes, vertices, edges, faces, nodes, leaves and hulls. Returns, for each
+    /// leaf of the model's tree, its index in the file (0 for solid leaves).
     std::vector<int> add_model(const CompiledModel& model);
 
     void add_texinfos(const std::vector<TexInfo>& texinfos);

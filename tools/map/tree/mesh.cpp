@@ -91,7 +91,7 @@ class EdgeCutter {
     std::map<std::pair<int, int>, Loop> cuts_;
 };
 
-// Takes out edges that go nowhere, or to a vertex and right back.
+// Removes edges of no length, and pairs that go to a vertex and straight back.
 void remove_spikes(Loop& loop) {
     for (std::size_t i = 0; i < loop.size() && loop.size() >= 3;) {
         const std::size_t next = (i + 1) % loop.size(), after = (i + 2) % loop.size();

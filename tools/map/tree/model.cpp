@@ -22,7 +22,7 @@ Partition partition_brushes(const std::vector<Brush>& brushes, const PlaneList& 
 }
 
 // The same division into contents by a tree of their boundaries alone: smaller, as the inside of what is solid and
-// the outside of the level are no matter any more.
+// the outside of the level no longer matter.
 Partition refined(const Partition& rough, const PlaneList& planes, const Box& outer) {
     Partition made;
     made.tree = build_tree(boundaries(rough.tree, rough.portals), planes);

@@ -31,7 +31,7 @@ Portals find_portals(const Tree& tree, const PlaneList& planes, const Box& outer
 std::vector<LeafPiece> pieces_in_leaves(const Tree& tree, const PlaneList& planes, int child, const Winding& winding,
                                         const Plane& plane);
 
-/// Sets the box, an inner point and the contents of every leaf: those that `contents_of` tells of the inner point.
+/// Sets the box, an inner point and the contents of every leaf: contents_of(the inner point).
 void fill_leaves(Tree& tree, const Portals& portals, const std::function<int(const Point&)>& contents_of);
 
 /// The way from a point inside the level to the void around it.
@@ -40,7 +40,7 @@ struct Leak {
     std::vector<Point> path;
 };
 
-/// Gaps narrower than this are none: brushes that an editor turned and rounded do not meet exactly.
+/// Narrower gaps do not count: brushes that an editor turned and rounded do not meet exactly.
 inline constexpr double kLeastGap = 1.0 / 64;
 
 /// Makes all leaves solid that can be reached from the outer box without passing solid, sky or a gap below kLeastGap.

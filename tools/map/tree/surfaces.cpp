@@ -146,7 +146,7 @@ void check_count(std::size_t count) {
                                            " faces, expected larger texture scales or a smaller level");
 }
 
-// A hair over a whole step is no reason to cut: the reader rounds the same numbers.
+// A rounding error over a whole step is no reason to cut: the reader rounds the same numbers.
 std::vector<Winding> cut_along(Winding winding, const TexInfo& texinfo, int axis) {
     std::vector<Winding> pieces;
     while (true) {

@@ -14,7 +14,7 @@ struct BoundaryPiece {
     bool is_detail = false;  ///< cut by it only when nothing else is left
 };
 
-/// The sides of the brushes without what lies within other brushes: the outline of their union, roughly. Where two
+/// The sides of the brushes without the parts inside other brushes: the boundary of their union, roughly. Where two
 /// brushes fill the same space, the contents of higher rank stay, and of equal ones the later brush.
 std::vector<BoundaryPiece> outline(const std::vector<Brush>& brushes, const PlaneList& planes);
 

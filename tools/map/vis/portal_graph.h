@@ -22,7 +22,7 @@ class BitSet {
         for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
     }
 
-    /// Becomes what both sets have; tells whether that holds anything that `known` does not.
+    /// Becomes the intersection of both sets; returns whether that holds anything that `known` does not.
     bool set_common(const BitSet& a, const BitSet& b, const BitSet& known) {
         std::uint64_t news = 0;
         for (std::size_t i = 0; i < words_.size(); ++i) {
@@ -48,17 +48,17 @@ struct Clusters {
     std::size_t count = 0;
 };
 
-/// `is_numbered`: tells of each leaf of the tree whether it has a place in the visible sets.
+/// `is_numbered`: for each leaf of the tree, whether it has a place in the visible sets.
 Clusters cluster_leaves(const Tree& tree, const std::vector<bool>& is_numbered);
 
-/// A polygon through which one looks into a cluster.
+/// A portal: the polygon through which a cluster is seen.
 struct VisPortal {
     Winding winding;
     Plane plane;  ///< faces into the cluster
     int cluster = 0;
     Point centre;  ///< the polygon lies within `radius` of it
     double radius = 0;
-    BitSet might_see;  ///< the portals that one looking through this one might look through next
+    BitSet might_see;  ///< the portals that may be seen through this one
 };
 
 /// The clusters, and the ways between them.
@@ -89,8 +89,8 @@ void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass ma
 /// Portals lead each way between clusters whose leaves touch, if both leaves are not opaque.
 VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, const Clusters& clusters);
 
-/// Sets might_see of all portals: those that can be reached through portals which lie in front of the one looked
-/// through and face away from it. A superset of what can be seen.
+/// Sets might_see of all portals: those that can be reached through portals which lie in front of this one and face
+/// away from it. A superset of what can be seen.
 void find_might_see(VisGraph& graph);
 
 }  // namespace oblong::map

@@ -65,9 +65,9 @@ class Flow {
   private:
     // A link of the chain of portals that is being followed; kept for the next chain, with its memory.
     struct Link {
-        Winding source;              // what of the base portal is still looked from
-        Winding target;              // what is seen of the portal passed
-        std::vector<Plane> frustum;  // all that is seen beyond is in front of these
+        Winding source;              // the part of the base portal that lines of sight may start from
+        Winding target;              // the part of the last portal that they may pass
+        std::vector<Plane> frustum;  // everything seen beyond is in front of these
         BitSet might_see;
     };
 

@@ -19,7 +19,7 @@ std::vector<BitSet> find_seen_portals(VisGraph& graph);
 /// the other, into `planes`. What can be seen from some point of `source` through `pass` lies in front of all of them.
 void find_separators(const Winding& source, const Winding& pass, std::vector<Plane>& planes);
 
-/// Cuts polygons in place; keeps its memory from cut to cut, of which visible sets take millions.
+/// Cuts polygons in place; reuses its memory, as visible sets take millions of cuts.
 class SightCutter {
   public:
     /// Cuts off what is not in front of the plane; leaves nothing of a polygon on it.
