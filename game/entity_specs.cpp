@@ -25,10 +25,10 @@ Box model_box(const Level& bsp, ModelIndex model) {
 
 // The number of a key in world units; `otherwise` where it is absent, no number, or beyond +-`largest`.
 World number_of(const Entity& entity, const char* key, std::int32_t otherwise, std::int32_t largest = kWorldEnd) {
-    const auto number = parse_decimal(entity.value(key), World::kFractionBits);
-    const std::int64_t bound = World::from_int(largest).raw;
+    const World bound = World::from_int(largest);
+    const auto number = parse_world_number(entity.value(key));
     if (!number || *number > bound || *number < -bound) return World::from_int(otherwise);
-    return World::from_raw(static_cast<std::int32_t>(*number));
+    return *number;
 }
 
 World angle_of(const Entity& entity) {
@@ -60,7 +60,7 @@ World per_tick(World speed) {
 std::int32_t wait_ticks_of(const Entity& entity, std::int32_t otherwise) {
     const World seconds = number_of(entity, "wait", otherwise);
     if (seconds < World{}) return Mover::kForever;
-    return static_cast<std::int32_t>(std::int64_t{seconds.raw} * kTicksPerSecond >> World::kFractionBits);
+    return static_cast<std::int32_t>(floor_of(bounded_product(seconds, Fixed<std::int64_t, 0>{kTicksPerSecond})));
 }
 
 // How far a door or a button travels: its extent along its direction, less the lip that stays visible; as Quake's game,

@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 #include "game/entity_specs.h"
 
 namespace oblong {
@@ -38,7 +39,7 @@ class LevelBuilder {
     Target& target_named(const std::string& name) {
         const auto [found, is_new] = target_of_.emplace(name, static_cast<TargetIndex>(level_.targets.size()));
         if (is_new) level_.targets.emplace_back();
-        return level_.targets[static_cast<std::size_t>(found->second)];
+        return at(level_.targets, found->second);
     }
 
     TargetIndex target_of(const Entity& entity) const {
@@ -108,7 +109,7 @@ class LevelBuilder {
         std::vector<bool> is_activated(level_.targets.size());
         const auto resolve = [&](const Entity& entity) {
             const TargetIndex target = target_of(entity);
-            if (target != kNoTarget) is_activated[static_cast<std::size_t>(target)] = true;
+            if (target != kNoTarget) at(is_activated, target) = true;
             return target;
         };
         for (std::size_t i = 0; i < level_.movers.size(); ++i) level_.movers[i].target = resolve(*mover_entities_[i]);

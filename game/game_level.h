@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/level/level.h"
 #include "game/geometry.h"
 #include "game/state.h"
@@ -64,7 +65,7 @@ struct GameLevel {
     Angle player_yaw;
     std::string end_message;  ///< what the level says at its end; may be empty
 
-    const Target& target(TargetIndex index) const { return targets[static_cast<std::size_t>(index)]; }
+    const Target& target(TargetIndex index) const { return at(targets, index); }
     const SubModel& model(ModelIndex index) const { return bsp->models[index]; }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/screen/screen.h"
 #include "game/step.h"
 
 namespace oblong {
@@ -11,8 +12,8 @@ namespace {
 constexpr World kLongestMotion = World::from_int(128);
 
 World between(World before, World after, std::int32_t fraction_16) {
-    const std::int64_t way = std::int64_t{after.raw} - before.raw;
-    return World::from_raw(static_cast<std::int32_t>(before.raw + floor_shift(way * fraction_16, 16)));
+    const auto fraction = Fixed<std::int32_t, 16>::from_raw(fraction_16);
+    return before + convert<World>(bounded_product(widening_difference(after, before), fraction), Rounding::Floor);
 }
 
 Vec3<World> between(const Vec3<World>& before, const Vec3<World>& after, std::int32_t fraction_16) {
@@ -65,7 +66,7 @@ Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees fiel
 
 GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode)
     : data_(data), level_(level), mode_(mode), work_(data.level, mode) {
-    pixels_.resize(static_cast<std::size_t>(mode.width_px) * static_cast<std::size_t>(mode.height_px));
+    pixels_.resize(pixel_count(mode.width_px, mode.height_px));
 }
 
 void GameRenderer::draw(const InterpolatedState& state, const Camera& camera, const Settings& settings) {

@@ -7,6 +7,7 @@
 #include "engine/platform/files.h"
 #include "engine/platform/headless/headless.h"
 #include "engine/platform/sdl/window.h"
+#include "engine/screen/screen.h"
 #include "game/options.h"
 #include "game/session.h"
 #include "game/timedemo.h"
@@ -39,8 +40,7 @@ HeadlessPlatform::FrameSink png_sink(const std::string& folder) {
     return [folder, frame = 0](Framebuffer picture, const Palette& palette) mutable {
         char name[16];
         std::snprintf(name, sizeof name, "%05d.png", frame++);
-        const std::size_t size =
-            static_cast<std::size_t>(picture.width_px) * static_cast<std::size_t>(picture.height_px);
+        const std::size_t size = pixel_count(picture.width_px, picture.height_px);
         write_file((fs::path(folder) / name).string(),
                    encode_indexed_png({picture.pixels, size}, picture.width_px, picture.height_px, palette));
     };

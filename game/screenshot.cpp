@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/platform/files.h"
+#include "engine/screen/screen.h"
 #include "tools/common/png.h"
 
 namespace oblong {
@@ -36,7 +37,7 @@ Multiples exact_multiples(const ScreenMode& mode) {
 std::vector<std::uint8_t> enlarged(Framebuffer picture, Multiples by) {
     const std::int32_t width = picture.width_px * by.x, height = picture.height_px * by.y;
     std::vector<std::uint8_t> pixels;
-    pixels.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    pixels.reserve(pixel_count(width, height));
     for (std::int32_t y = 0; y < height; ++y)
         for (std::int32_t x = 0; x < width; ++x) pixels.push_back(picture.row(y / by.y)[x / by.x]);
     return pixels;

@@ -46,9 +46,9 @@ Velocity clip_velocity(const Velocity& v, std::span<const Normal> normals) {
     return along_crease(v, others.front(), normals.back());
 }
 
-std::int64_t level_square(const Position& from, const Position& to) {
+auto level_square(const Position& from, const Position& to) {
     const Vec3<World> way{to.x - from.x, to.y - from.y, World{}};
-    return dot(way, way).raw;
+    return dot(way, way);
 }
 
 }  // namespace

@@ -12,10 +12,9 @@ struct Hash {
         for (int byte = 0; byte < 8; ++byte)
             value = (value ^ ((static_cast<std::uint64_t>(number) >> (8 * byte)) & 0xff)) * kFnvPrime;
     }
+    void add(World number) { add(std::int64_t{number.raw}); }
     void add(const Vec3<World>& v) {
-        add(v.x.raw);
-        add(v.y.raw);
-        add(v.z.raw);
+        for (const std::int64_t number : raw_of(v)) add(number);
     }
 };
 
@@ -24,7 +23,7 @@ void add_player(Hash& hash, const Player& player) {
     hash.add(player.velocity);
     hash.add(player.yaw.bam);
     hash.add(player.pitch);
-    hash.add(player.eye_lag.raw);
+    hash.add(player.eye_lag);
     hash.add(player.ground);
     hash.add(static_cast<std::int64_t>(player.depth));
     hash.add(std::int64_t{player.holds_jump});
@@ -38,7 +37,7 @@ std::uint64_t hash_of(const GameState& state) {
     add_player(hash, state.player);
     for (const MoverState& mover : state.movers) {
         hash.add(static_cast<std::int64_t>(mover.phase));
-        hash.add(mover.travelled.raw);
+        hash.add(mover.travelled);
         hash.add(mover.wait_ticks);
     }
     for (const std::int32_t ticks : state.teleporter_ticks) hash.add(ticks);

@@ -8,6 +8,11 @@
 
 namespace oblong {
 
+/// An element of a list by an index of any integer or enumeration type, 0 and up.
+constexpr decltype(auto) at(auto& items, auto index) {
+    return items[static_cast<std::size_t>(index)];
+}
+
 /// The index of a record in a table of Records; or none.
 template <class Record>
 class Index {

@@ -98,5 +98,10 @@ constexpr Fixed<Int, Frac> between(Fixed<Int, Frac> from, Fixed<Int, Frac> to, P
 constexpr int log2_floor(std::uint64_t value) {
     return 63 - std::countl_zero(value);
 }
+/// The same of a number's steps; it is above 0.
+template <class Int, int Frac>
+constexpr int log2_floor(Fixed<Int, Frac> value) {
+    return log2_floor(static_cast<std::uint64_t>(value.raw));
+}
 
 }  // namespace oblong

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "engine/fixed/sine_series.h"
 #include "engine/fixed/trig.h"
 
@@ -18,8 +19,7 @@ constexpr auto kQuarterSines = [] {
     std::array<std::int32_t, kQuarterEntries + 1> table{};
     for (int i = 0; i <= kQuarterEntries; ++i) {
         const std::int64_t sine_62 = quarter_sine_series_62(i * (kQuarterHalves / kQuarterEntries));
-        table[static_cast<std::size_t>(i)] =
-            static_cast<std::int32_t>(rounded_shift(sine_62, 32, Rounding::NearestHalfUp));
+        at(table, i) = static_cast<std::int32_t>(rounded_shift(sine_62, 32, Rounding::NearestHalfUp));
     }
     return table;
 }();
@@ -32,9 +32,8 @@ constexpr auto kTurnSines = [] {
     std::array<std::int32_t, kTurnEntries> table{};
     for (int i = 0; i < kTurnEntries; ++i) {
         const int in_half = i % kHalf;
-        const std::int32_t size =
-            kQuarterSines[static_cast<std::size_t>(std::min(in_half, kHalf - in_half) * kSpacing)];
-        table[static_cast<std::size_t>(i)] = i < kHalf ? size : -size;
+        const std::int32_t size = at(kQuarterSines, std::min(in_half, kHalf - in_half) * kSpacing);
+        at(table, i) = i < kHalf ? size : -size;
     }
     return table;
 }();
@@ -72,8 +71,7 @@ constexpr auto kArctangents = [] {
     for (int i = 1; i < kMostRotations; ++i) {
         std::int64_t radians_62 = 0;
         for (int n = 1; i * n <= 62; n += 2) radians_62 += (n % 4 == 1 ? 1 : -1) * ((kOne62 >> (i * n)) / n);
-        table[static_cast<std::size_t>(i)] =
-            static_cast<std::int32_t>(mul_shift(radians_62, kTurnsPerRadian64, 62 + 64 - 32));
+        at(table, i) = static_cast<std::int32_t>(mul_shift(radians_62, kTurnsPerRadian64, 62 + 64 - 32));
     }
     return table;
 }();
@@ -91,7 +89,7 @@ std::int32_t cordic_sine(Angle angle, int rotations) {
         const std::int32_t turned_x = x - sign * floor_shift(y, i);
         y += sign * floor_shift(x, i);
         x = turned_x;
-        rest -= sign * kArctangents[static_cast<std::size_t>(i)];
+        rest -= sign * at(kArctangents, i);
     }
     const std::int32_t size = (angle.bam & kQuarterTurn.bam) == 0 ? y : x;
     return angle.bam < kHalfTurn.bam ? size : -size;

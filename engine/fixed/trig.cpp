@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "engine/base/table.h"
 #include "engine/fixed/sine_series.h"
 #include "engine/fixed/wide.h"
 
@@ -23,7 +24,7 @@ struct FineEntry {
 /// Sines of a quarter turn in 128 steps.
 constexpr auto kCoarseSines = [] {
     std::array<std::int64_t, kCoarseSteps + 1> table{};
-    for (int i = 0; i <= kCoarseSteps; ++i) table[static_cast<std::size_t>(i)] = quarter_sine_series_62(i * kFineSteps);
+    for (int i = 0; i <= kCoarseSteps; ++i) at(table, i) = quarter_sine_series_62(i * kFineSteps);
     return table;
 }();
 
@@ -32,7 +33,7 @@ constexpr auto kFine = [] {
     std::array<FineEntry, kFineSteps> table{};
     for (int i = 0; i < kFineSteps; ++i) {
         const std::int64_t radians = radians_of_halves_62(i);
-        table[static_cast<std::size_t>(i)] = {sine_series_62(radians), cosine_series_62(radians)};
+        at(table, i) = {sine_series_62(radians), cosine_series_62(radians)};
     }
     return table;
 }();
@@ -40,7 +41,7 @@ constexpr auto kFine = [] {
 /// sin(coarse + fine) = sin(coarse) cos(fine) + cos(coarse) sin(fine), from 0 to a quarter turn.
 std::int64_t quarter_sine_62(int halves) {
     const auto coarse = static_cast<std::size_t>(halves / kFineSteps);
-    const FineEntry& fine = kFine[static_cast<std::size_t>(halves % kFineSteps)];
+    const FineEntry& fine = at(kFine, halves % kFineSteps);
     return mul_shift(kCoarseSines[coarse], fine.cosine, 62) +
            mul_shift(kCoarseSines[kCoarseSteps - coarse], fine.sine, 62);
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/screen/screen.h"
+
 namespace oblong {
 
 namespace {
@@ -15,7 +17,7 @@ void count_run(std::uint32_t pixel, std::uint32_t count, std::vector<std::uint8_
 
 FrameCounts make_frame_counts(const Framebuffer& out) {
     FrameCounts counts;
-    counts.writes.resize(static_cast<std::size_t>(out.pitch) * static_cast<std::size_t>(out.height_px));
+    counts.writes.resize(pixel_count(out.pitch, out.height_px));
     counts.effect_pixels.resize(kEffectNames.size());
     return counts;
 }

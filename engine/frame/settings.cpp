@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 namespace {
@@ -21,7 +23,7 @@ constexpr std::array<NamedPreset, 5> kPresets{{
 }};
 
 const NamedPreset& entry_of(Preset preset) {
-    return kPresets[static_cast<std::size_t>(preset)];
+    return at(kPresets, preset);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ struct DistanceReciprocal {
     std::int64_t mantissa;  ///< 2^(62 + log2) / D, in (2^61, 2^62]
     int log2;
 
-    explicit DistanceReciprocal(PlaneDistance distance) : log2(log2_floor(static_cast<std::uint64_t>(distance.raw))) {
+    explicit DistanceReciprocal(PlaneDistance distance) : log2(log2_floor(distance)) {
         mantissa = mul_div(std::int64_t{1} << 62, std::int64_t{1} << log2, distance.raw);
     }
     InverseZ times(Sine60 value) const {

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "engine/level/bsp_parts.h"
 
 namespace oblong {
@@ -8,7 +9,7 @@ namespace {
 
 template <class Record>
 [[noreturn]] void fail_in_record(const BspFile& file, Lump lump, Index<Record> index, const std::string& what) {
-    const std::int64_t size = file.format.record_sizes[static_cast<std::size_t>(lump)];
+    const std::int64_t size = at(file.format.record_sizes, lump);
     fail_in_lump(lump, file.range(lump).offset + index.number() * size, what);
 }
 

@@ -1,6 +1,7 @@
 #include "engine/level/bsp_file.h"
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 
 namespace oblong {
 
@@ -36,7 +37,7 @@ void check_lump(Lump lump, LumpRange range, int record_size, std::int64_t file_s
 }  // namespace
 
 void fail_in_lump(Lump lump, std::int64_t file_offset, const std::string& what_is_wrong) {
-    const std::string name = kLumpNames[static_cast<std::size_t>(lump)];
+    const std::string name = at(kLumpNames, lump);
     throw InputError("lump '" + name + "', offset " + std::to_string(file_offset), what_is_wrong);
 }
 
@@ -52,7 +53,7 @@ std::span<const std::uint8_t> BspFile::lump_bytes(Lump lump) const {
 }
 
 std::int32_t BspFile::count(Lump lump) const {
-    return range(lump).size / format.record_sizes[static_cast<std::size_t>(lump)];
+    return range(lump).size / at(format.record_sizes, lump);
 }
 
 BspFile open_bsp(std::span<const std::uint8_t> bytes) {

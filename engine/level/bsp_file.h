@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "engine/base/table.h"
 #include "engine/level/bsp_floats.h"
 #include "engine/level/bsp_format.h"
 
@@ -25,7 +26,7 @@ struct BspFile {
     BspFormat format;
     std::array<LumpRange, kLumpCount> lumps;
 
-    LumpRange range(Lump lump) const { return lumps[static_cast<std::size_t>(lump)]; }
+    LumpRange range(Lump lump) const { return at(lumps, lump); }
     std::span<const std::uint8_t> lump_bytes(Lump lump) const;
     /// How many records the lump holds (bytes, where it is not made of records).
     std::int32_t count(Lump lump) const;

@@ -21,7 +21,7 @@ NormalPart read_normal_part(LumpReader& in) {
 }
 
 std::int64_t squared_length_30(const Vec3<Unit>& v) {
-    const auto square = [](Unit part) { return floor_shift(std::int64_t{part.raw} * part.raw, 30); };
+    const auto square = [](Unit part) { return floor_shift(widening_product(part, part), 30).raw; };
     return square(v.x) + square(v.y) + square(v.z);
 }
 
@@ -38,7 +38,7 @@ std::uint8_t axis_of(const LevelPlane& plane) {
     for (std::uint8_t i = 0; i < 3; ++i) {
         const std::size_t j = (i + 1u) % 3, k = (i + 2u) % 3;
         const bool is_axis = normal[i] == Unit::from_int(1) && rest[i] == 0;
-        if (is_axis && normal[j].raw == 0 && rest[j] == 0 && normal[k].raw == 0 && rest[k] == 0) return i;
+        if (is_axis && normal[j] == Unit{} && rest[j] == 0 && normal[k] == Unit{} && rest[k] == 0) return i;
     }
     return 3;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "engine/base/input_error.h"
 
@@ -107,12 +108,6 @@ std::string_view take_word(std::string_view& text) {
     return word;
 }
 
-std::optional<World> parse_coordinate(std::string_view word) {
-    const auto raw = parse_decimal(word, World::kFractionBits);
-    if (!raw || *raw < World::lowest().raw || *raw > World::highest().raw) return std::nullopt;
-    return World::from_raw(static_cast<std::int32_t>(*raw));
-}
-
 }  // namespace
 
 std::size_t find_closing_quote(std::string_view text, std::size_t start) {
@@ -151,10 +146,16 @@ std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bi
     return is_negative ? -magnitude : magnitude;
 }
 
+std::optional<World> parse_world_number(std::string_view text) {
+    const auto raw = parse_decimal(text, World::kFractionBits);
+    if (!raw || !std::in_range<World::Raw>(*raw)) return std::nullopt;
+    return World::from_raw(static_cast<World::Raw>(*raw));
+}
+
 std::optional<Vec3<World>> parse_world_vector(std::string_view text) {
-    const auto x = parse_coordinate(take_word(text));
-    const auto y = parse_coordinate(take_word(text));
-    const auto z = parse_coordinate(take_word(text));
+    const auto x = parse_world_number(take_word(text));
+    const auto y = parse_world_number(take_word(text));
+    const auto z = parse_world_number(take_word(text));
     if (!x || !y || !z || !take_word(text).empty()) return std::nullopt;
     return Vec3<World>{*x, *y, *z};
 }

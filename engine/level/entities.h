@@ -23,6 +23,9 @@ std::size_t find_closing_quote(std::string_view text, std::size_t start);
 /// |value| < 2^31.
 std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bits);
 
+/// The same in world units, where they fit.
+std::optional<World> parse_world_number(std::string_view text);
+
 /// Three decimal numbers "x y z", as in an entity's origin, in world units. Nothing unless there are three that fit.
 std::optional<Vec3<World>> parse_world_vector(std::string_view text);
 

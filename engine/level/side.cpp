@@ -4,8 +4,9 @@ namespace oblong {
 
 namespace {
 
-constexpr int sign_of(std::int64_t value) {
-    return (value > 0) - (value < 0);
+template <class Number>
+constexpr int sign_of(Number value) {
+    return (value > Number{}) - (value < Number{});
 }
 
 World coordinate(const Vec3<World>& p, std::uint8_t axis) {
@@ -15,15 +16,16 @@ World coordinate(const Vec3<World>& p, std::uint8_t axis) {
 /// The part of normal . p - distance that plane_distance leaves out, in units of 2^-72: below 2^62, as each rest is
 /// at most 2^29 and each coordinate 2^31.
 std::int64_t distance_rest_72(const LevelPlane& plane, Vec3<World> p) {
-    return std::int64_t{p.x.raw} * plane.normal_rest_60[0] + std::int64_t{p.y.raw} * plane.normal_rest_60[1] +
-           std::int64_t{p.z.raw} * plane.normal_rest_60[2] - plane.distance_rest_72;
+    const auto [x, y, z] = raw_of(p);
+    return x * plane.normal_rest_60[0] + y * plane.normal_rest_60[1] + z * plane.normal_rest_60[2] -
+           plane.distance_rest_72;
 }
 
 }  // namespace
 
 int plane_side(const LevelPlane& plane, Vec3<World> p) {
     if (plane.axis < 3 && plane.distance_rest_72 == 0)
-        return sign_of((convert<PlaneDistance>(coordinate(p, plane.axis)) - plane.distance).raw);
+        return sign_of(convert<PlaneDistance>(coordinate(p, plane.axis)) - plane.distance);
 
     // The rest is below 2^62 in units of 2^-72, 2^32 in those of 2^-42: it only decides when the distance is smaller.
     const std::int64_t distance = plane_distance(plane, p).raw;

@@ -19,8 +19,7 @@ constexpr std::int64_t kMostLooks = std::int64_t{1} << 28;
 using Point = std::array<std::int64_t, 3>;  ///< units, 12 fraction bits
 
 Point point_of(const Level& level, VertexIndex vertex) {
-    const Vec3<World>& p = level.vertices[vertex];
-    return {p.x.raw, p.y.raw, p.z.raw};
+    return raw_of(level.vertices[vertex]);
 }
 
 std::int64_t dot(const Point& a, const Point& b) {

@@ -2,16 +2,16 @@
 
 #include <algorithm>
 
-#include "engine/fixed/wide.h"
+#include "engine/fixed/arithmetic.h"
 #include "engine/level/side.h"
 
 namespace oblong {
 
 namespace {
 
-/// Distances here have 40 fraction bits, not 42, so that the difference of two fits.
-constexpr int kDroppedBits = 2;
-constexpr std::int64_t kKeptApart_40 = std::int64_t{1} << 35;  ///< 1/32 unit
+/// Distances with 40 fraction bits, not 42, so that the difference of two fits.
+using NarrowDistance = Fixed<std::int64_t, 40>;
+constexpr auto kKeptApart = NarrowDistance::from_raw(std::int64_t{1} << 35);  ///< 1/32 unit
 constexpr int kBackOffSteps = 10;
 
 /// A model's tree of nodes, in which a point moves.
@@ -50,7 +50,7 @@ auto ask_tree(const Level& level, const SubModel& model, Hull hull, Ask ask) {
 
 /// A fraction of a line: numerator / denominator, from 0 to 1.
 struct Part {
-    std::int64_t numerator = 0, denominator = 1;
+    NarrowDistance numerator, denominator = NarrowDistance::ulp();
 };
 
 struct LinePoint {
@@ -58,31 +58,20 @@ struct LinePoint {
     Unit fraction;  ///< of the whole line
 };
 
-std::int64_t part_of(std::int64_t length, Part part) {
-    return mul_div(length, part.numerator, part.denominator, Rounding::NearestHalfUp);
-}
-
-World point_between(World a, World b, Part part) {
-    return World::from_raw(static_cast<std::int32_t>(a.raw + part_of(std::int64_t{b.raw} - a.raw, part)));
-}
-
 LinePoint point_between(const LinePoint& a, const LinePoint& b, Part part) {
-    const Vec3<World> p = {point_between(a.p.x, b.p.x, part), point_between(a.p.y, b.p.y, part),
-                           point_between(a.p.z, b.p.z, part)};
-    const std::int64_t fraction = a.fraction.raw + part_of(std::int64_t{b.fraction.raw} - a.fraction.raw, part);
-    return {p, Unit::from_raw(static_cast<std::int32_t>(fraction))};
+    return {between(a.p, b.p, part.numerator, part.denominator),
+            between(a.fraction, b.fraction, part.numerator, part.denominator)};
 }
 
-std::int64_t distance_40(const LevelPlane& plane, Vec3<World> p) {
-    const std::int64_t distance = floor_shift(plane_distance(plane, p), kDroppedBits).raw;
-    return distance < 0 ? -distance : distance;
+NarrowDistance distance_of(const LevelPlane& plane, Vec3<World> p) {
+    return absolute(convert<NarrowDistance>(plane_distance(plane, p), Rounding::Floor));
 }
 
 /// Where on the line from a to b, which lie on different sides, the plane is 1/32 unit ahead; 0 if a is nearer to it.
 Part part_before(const LevelPlane& plane, Vec3<World> a, Vec3<World> b) {
-    const std::int64_t near = distance_40(plane, a), far = distance_40(plane, b);
-    if (near <= kKeptApart_40) return {0, 1};
-    return {near - kKeptApart_40, near + far};
+    const NarrowDistance near = distance_of(plane, a), far = distance_of(plane, b);
+    if (near <= kKeptApart) return {};
+    return {near - kKeptApart, near + far};
 }
 
 template <class Tree>
@@ -143,9 +132,9 @@ class HullTracer {
     /// The point in front of the plane. If that is solid (the last 1/32 unit in front of other planes is never tested),
     /// the first that is not, going back toward a in tenths of the distance; if there is none, the line's start.
     LinePoint last_free_point(const LinePoint& a, const LinePoint& b, Part part) const {
-        const std::int64_t step = part.numerator / kBackOffSteps;
+        const auto step = NarrowDistance::from_raw(part.numerator.raw / kBackOffSteps);
         for (int i = 0; i <= kBackOffSteps; ++i) {
-            const LinePoint point = point_between(a, b, {part.numerator - i * step, part.denominator});
+            const LinePoint point = point_between(a, b, {part.numerator - step * i, part.denominator});
             if (contents_at(tree_, tree_.root, point.p) != contents::kSolid) return point;
         }
         return start_;

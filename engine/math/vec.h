@@ -64,6 +64,12 @@ constexpr auto cross(const Vec3<Fixed<A, FracA>>& a, const Vec3<Fixed<B, FracB>>
                          widening_product(a.x, b.y) - widening_product(a.y, b.x)};
 }
 
+/// The vector's raw numbers.
+template <class Int, int Frac>
+constexpr std::array<std::int64_t, 3> raw_of(const Vec3<Fixed<Int, Frac>>& v) {
+    return {v.x.raw, v.y.raw, v.z.raw};
+}
+
 /// The length of a vector of any format, floored, in steps of that format.
 std::uint64_t length_of_raw(const std::array<std::int64_t, 3>& vector);
 
@@ -74,7 +80,7 @@ std::array<Unit, 4> normalised_raw(const std::array<std::int64_t, 4>& vector);
 
 template <class Int, int Frac>
 Vec3<Unit> normalised(const Vec3<Fixed<Int, Frac>>& vector) {
-    const auto unit = normalised_raw(std::array<std::int64_t, 3>{vector.x.raw, vector.y.raw, vector.z.raw});
+    const auto unit = normalised_raw(raw_of(vector));
     return {unit[0], unit[1], unit[2]};
 }
 
@@ -82,7 +88,7 @@ Vec3<Unit> normalised(const Vec3<Fixed<Int, Frac>>& vector) {
 template <class Int, int Frac>
 Fixed<std::int64_t, Frac> length(const Vec3<Fixed<Int, Frac>>& vector) {
     static_assert(sizeof(Int) <= 4, "a length of 64-bit numbers may need 65 bits");
-    const std::uint64_t raw = length_of_raw({vector.x.raw, vector.y.raw, vector.z.raw});
+    const std::uint64_t raw = length_of_raw(raw_of(vector));
     return Fixed<std::int64_t, Frac>::from_raw(static_cast<std::int64_t>(raw));
 }
 

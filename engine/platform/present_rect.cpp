@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdlib>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 namespace {
 
@@ -98,7 +100,7 @@ PresentRect even(Size fit, WindowSize window, const ScreenMode& mode, Ratio pixe
 
 const char* name_of(Scaling scaling) {
     constexpr std::array<const char*, kScalingCount> names{"sharp", "rows", "even", "nearest", "stretch"};
-    return names[static_cast<std::size_t>(scaling)];
+    return at(names, scaling);
 }
 
 PresentRect layout(WindowSize window, const ScreenMode& mode, ShownAs shown_as, Scaling scaling) {

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/base/range_probe.h"
+#include "engine/base/table.h"
 
 namespace oblong {
 
@@ -83,7 +84,7 @@ void widen_by_edge(ScreenVertex top, ScreenVertex bottom, std::vector<std::int32
     if (range.first >= range.end) return;
     EdgeWalker walker(top, bottom, range.first);
     for (std::int32_t row = range.first; row < range.end; ++row, walker.next_row()) {
-        std::int32_t& column = columns[static_cast<std::size_t>(row)];
+        std::int32_t& column = at(columns, row);
         column = is_left ? std::min(column, walker.column()) : std::max(column, walker.column());
     }
 }
@@ -122,8 +123,8 @@ Profile survey(std::span<const ScreenVertex> vertices, std::int32_t height) {
 /// outermost edges: its neighbours, which share them, may be overlapped by a sliver, but no gap can open.
 void scan_bent(std::span<const ScreenVertex> vertices, ScanlineExtents& rows) {
     for (std::int32_t row = rows.first; row < rows.end; ++row) {
-        rows.left[static_cast<std::size_t>(row)] = std::numeric_limits<std::int32_t>::max();
-        rows.right[static_cast<std::size_t>(row)] = std::numeric_limits<std::int32_t>::min();
+        at(rows.left, row) = std::numeric_limits<std::int32_t>::max();
+        at(rows.right, row) = std::numeric_limits<std::int32_t>::min();
     }
     ScreenVertex from = within_limits(vertices.back());
     for (const ScreenVertex& vertex : vertices) {

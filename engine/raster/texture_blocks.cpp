@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/base/range_probe.h"
+#include "engine/base/table.h"
 #include "engine/fixed/fixed.h"
 
 namespace oblong {
@@ -165,7 +166,7 @@ class SpanCutter {
     int log2 = kBlockSizes - 1;
     const auto& least = thresholds.least_inverse_z;
     while (true) {
-        while (log2 > 0 && cutter.inverse_z() < least[static_cast<std::size_t>(log2)]) --log2;
+        while (log2 > 0 && cutter.inverse_z() < at(least, log2)) --log2;
         if (cutter.left() <= 1 << log2) return cutter.cut_rest();
         cutter.cut_power(log2);
         while (log2 + 1 < kBlockSizes && cutter.inverse_z() >= least[static_cast<std::size_t>(log2) + 1]) ++log2;

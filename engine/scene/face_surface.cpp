@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "engine/base/range_probe.h"
+#include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/level/side.h"
 
@@ -30,7 +31,7 @@ std::int32_t floor_to_multiple(std::int32_t value, std::int32_t size) {
 /// A whole texture as a tile. Its masks wrap it if its sizes are powers of two.
 SurfaceView tile_of(const MipTexture& texture, int mip) {
     SurfaceView tile;
-    tile.texels = texture.mips[static_cast<std::size_t>(mip)].data();
+    tile.texels = at(texture.mips, mip).data();
     tile.width = texture.width >> mip;
     tile.height = texture.height >> mip;
     tile.stride_log2 = static_cast<int>(std::bit_width(static_cast<std::uint32_t>(tile.width))) - 1;
@@ -71,7 +72,7 @@ LightmapView light_of(const Level& level, const Face& face, const LightStyles& s
     light.samples = level.lighting.data() + face.light_offset;
     for (const std::uint8_t style : face.styles) {
         if (style == 255) break;
-        light.style_scale_256[static_cast<std::size_t>(light.style_count++)] = styles[style % styles.size()];
+        at(light.style_scale_256, light.style_count++) = styles[style % styles.size()];
     }
     return light;
 }
@@ -151,9 +152,8 @@ FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const Colormap& colormap
     if (found.is_valid) return surface;
 
     const MipTexture& texture = level_.texture_of(face);
-    const TextureView source{texture.mips[static_cast<std::size_t>(mip)].data(), texture.width >> mip,
-                             texture.height >> mip, floor_shift(face.texel_min_u, mip),
-                             floor_shift(face.texel_min_v, mip)};
+    const TextureView source{at(texture.mips, mip).data(), texture.width >> mip, texture.height >> mip,
+                             floor_shift(face.texel_min_u, mip), floor_shift(face.texel_min_v, mip)};
     build_lit_surface(source, light, colormap, mip, 1 << surface.view.stride_log2, corner_shades_.data(), found.texels);
     return surface;
 }

@@ -46,6 +46,11 @@ struct Framebuffer {
     std::uint8_t* row(std::int32_t y) const { return pixels + static_cast<std::int64_t>(y) * pitch; }
 };
 
+/// The pixels of a picture.
+constexpr std::size_t pixel_count(std::int32_t width_px, std::int32_t height_px) {
+    return static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
+}
+
 /// Paints spans in one colour.
 inline void fill_spans(std::span<const Span> spans, std::uint8_t colour, Framebuffer out) {
     for (const Span& span : spans) std::fill(out.row(span.y) + span.first, out.row(span.y) + span.end, colour);

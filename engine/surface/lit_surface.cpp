@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "engine/fixed/fixed.h"
 
 namespace oblong {
@@ -21,7 +22,7 @@ void compute_corner_shades(const LightmapView& light, std::int32_t* corner_shade
     for (std::int32_t i = 0; i < count; ++i) {
         std::int32_t sum_8 = 0;
         for (std::int32_t style = 0; style < light.style_count; ++style)
-            sum_8 += light.samples[style * count + i] * light.style_scale_256[static_cast<std::size_t>(style)];
+            sum_8 += light.samples[style * count + i] * at(light.style_scale_256, style);
         corner_shades[i] = light.is_fullbright ? 0 : shade_of(sum_8);
     }
 }
@@ -40,7 +41,7 @@ class SurfaceBuilder {
     void build_line(std::int32_t shade_16, std::int32_t bytes, std::uint8_t* out) const {
         const std::int32_t u = wrap(texture_.min_u, texture_.width), v = wrap(texture_.min_v, texture_.height);
         const std::uint8_t texel = texture_.texels[v * texture_.width + u];
-        std::fill_n(out, bytes, colormap_.shades[static_cast<std::size_t>(shade_16 >> 16)][texel]);
+        std::fill_n(out, bytes, at(colormap_.shades, shade_16 >> 16)[texel]);
     }
 
     void build_row(std::int32_t y, const std::int32_t* upper_16, std::int32_t columns, std::uint8_t* out) const {
@@ -68,7 +69,7 @@ class SurfaceBuilder {
         const std::int32_t step_24 = (right_20 - left_20) * (1 << (4 - cell_log2_));
         std::int32_t shade_24 = left_20 * 16;
         for (std::int32_t x = 0; x < 1 << cell_log2_; ++x) {
-            out[x] = colormap_.shades[static_cast<std::size_t>(shade_24 >> 24)][texels[u]];
+            out[x] = at(colormap_.shades, shade_24 >> 24)[texels[u]];
             shade_24 += step_24;
             if (++u == texture_.width) u = 0;
         }

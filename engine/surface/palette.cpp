@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 
 namespace oblong {
 
@@ -74,7 +75,7 @@ void shade_colour(const std::vector<Candidate>& sorted, std::size_t position, Co
     std::size_t last = position;
     for (int shade = 1; shade < Colormap::kShades; ++shade) {
         last = find_nearest(sorted, last, darken(full.colour, shade));
-        map.shades[static_cast<std::size_t>(shade)][full.index] = sorted[last].index;
+        at(map.shades, shade)[full.index] = sorted[last].index;
     }
 }
 

@@ -1,5 +1,6 @@
 #include "engine/visibility/model_cutter.h"
 
+#include "engine/base/table.h"
 #include "engine/level/side.h"
 
 namespace oblong {
@@ -73,7 +74,7 @@ class FaceCutter {
             const auto first = static_cast<std::uint32_t>(cut_.corners.size());
             append_part(cut_.corners, piece.first_corner, distances_, side == 0);
             const auto count = static_cast<std::uint32_t>(cut_.corners.size()) - first;
-            pieces_.push_back({node.children[static_cast<std::size_t>(side)], first, count});
+            pieces_.push_back({at(node.children, side), first, count});
         }
     }
 

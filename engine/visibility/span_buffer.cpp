@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 SpanBuffer::SpanBuffer(std::int32_t width_px, std::int32_t height_px)
@@ -15,14 +17,14 @@ SpanBuffer::SpanBuffer(std::int32_t width_px, std::int32_t height_px)
 
 void SpanBuffer::reset() {
     for (std::int32_t y = 0; y < height_px_; ++y) {
-        rows_[static_cast<std::size_t>(y)] = {0, width_px_, 1};
+        at(rows_, y) = {0, width_px_, 1};
         list_of(y)[0] = {0, static_cast<std::int16_t>(width_px_)};
     }
     free_px_ = std::int64_t{width_px_} * height_px_;
 }
 
 void SpanBuffer::claim(std::int32_t y, std::int32_t first, std::int32_t end, std::vector<Span>& owned) {
-    Row& row = rows_[static_cast<std::size_t>(y)];
+    Row& row = at(rows_, y);
     first = std::max(first, row.hull_first);
     end = std::min(end, row.hull_end);
     if (first >= end) return;
@@ -30,8 +32,7 @@ void SpanBuffer::claim(std::int32_t y, std::int32_t first, std::int32_t end, std
 }
 
 void SpanBuffer::claim(const ScanlineExtents& rows, std::vector<Span>& owned) {
-    for (std::int32_t y = rows.first; y < rows.end; ++y)
-        claim(y, rows.left[static_cast<std::size_t>(y)], rows.right[static_cast<std::size_t>(y)], owned);
+    for (std::int32_t y = rows.first; y < rows.end; ++y) claim(y, at(rows.left, y), at(rows.right, y), owned);
 }
 
 void SpanBuffer::claim_from(Row& row, Interval* list, const Span& span, std::vector<Span>& owned) {

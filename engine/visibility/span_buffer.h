@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/raster/scan.h"
 #include "engine/screen/screen.h"
 
@@ -29,7 +30,7 @@ class SpanBuffer {
     /// False only if no pixel of a rectangle is free.
     bool may_be_free(const ScreenRectangle& rectangle) const {
         for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y) {
-            const Row& row = rows_[static_cast<std::size_t>(y)];
+            const Row& row = at(rows_, y);
             if (rectangle.first_column < row.hull_end && rectangle.end_column > row.hull_first) return true;
         }
         return false;

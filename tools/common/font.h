@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 inline constexpr int kGlyphWidth_px = 5, kGlyphHeight_px = 8, kGlyphAdvance_px = 6, kLineHeight_px = 10;
@@ -14,7 +16,7 @@ using Glyph = std::array<std::uint8_t, kGlyphHeight_px>;
 
 /// Whether a glyph's pixel is set; `column` from the left.
 constexpr bool is_drawn(const Glyph& glyph, int row, int column) {
-    return (glyph[static_cast<std::size_t>(row)] >> (kGlyphWidth_px - 1 - column) & 1) != 0;
+    return (at(glyph, row) >> (kGlyphWidth_px - 1 - column) & 1) != 0;
 }
 
 /// The picture of a character of ASCII; a question mark for any other.

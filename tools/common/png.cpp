@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/base/input_error.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 namespace {
@@ -73,7 +74,7 @@ PngImage decode_png(std::span<const std::uint8_t> file) {
 std::vector<std::uint8_t> encode_indexed_png(std::span<const std::uint8_t> pixels, std::int32_t width_px,
                                              std::int32_t height_px, const Palette& palette) {
     const bool is_sane = width_px > 0 && height_px > 0;
-    if (!is_sane || pixels.size() != static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px)) {
+    if (!is_sane || pixels.size() != pixel_count(width_px, height_px)) {
         throw InputError("image", std::to_string(pixels.size()) + " pixels given for a picture of " +
                                       std::to_string(width_px) + "x" + std::to_string(height_px));
     }

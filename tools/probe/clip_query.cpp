@@ -48,8 +48,7 @@ ClipJob make_job(const std::vector<Corner>& fine_corners, View near, View far) {
     for (const Corner& corner : fine_corners) corners.push_back(convert<View>(corner));
     constexpr int kPositionBits = 34;  // of a sign and 34 bits: ClipPlane
     const View largest = largest_coordinate(corners);
-    const std::int64_t scale = std::int64_t{1}
-                               << (kPositionBits - 1 - log2_floor(static_cast<std::uint64_t>(largest.raw)));
+    const std::int64_t scale = std::int64_t{1} << (kPositionBits - 1 - log2_floor(largest));
     ClipJob job;
     for (const Vec3<View>& corner : corners)
         job.polygon.push_back({{corner.x * scale, corner.y * scale, corner.z * scale}, 0});

@@ -1,5 +1,6 @@
 #include <array>
 
+#include "engine/base/table.h"
 #include "engine/raster/scan.h"
 #include "tools/probe/queries.h"
 
@@ -41,8 +42,8 @@ template <class Visit>
 void for_each_covered_row(const Triangle& triangle, ScanlineExtents& rows, Visit visit) {
     if (!scan_triangle(triangle, rows)) return;
     for (std::int32_t row = rows.first; row < rows.end; ++row) {
-        const std::int32_t first = std::max(rows.left[static_cast<std::size_t>(row)], 0);
-        const std::int32_t end = std::min(rows.right[static_cast<std::size_t>(row)], kWidth_px);
+        const std::int32_t first = std::max(at(rows.left, row), 0);
+        const std::int32_t end = std::min(at(rows.right, row), kWidth_px);
         if (first < end) visit(row, first, end);
     }
 }
@@ -54,8 +55,8 @@ class OverlapCounter {
     OverlapCounter() : changes_(static_cast<std::size_t>(kHeight_px * kPitch)) {}
 
     void add_row(std::int32_t row, std::int32_t first, std::int32_t end) {
-        ++changes_[static_cast<std::size_t>(row * kPitch + first)];
-        --changes_[static_cast<std::size_t>(row * kPitch + end)];
+        ++at(changes_, row * kPitch + first);
+        --at(changes_, row * kPitch + end);
     }
 
     /// Pixels covered by no, one, and more triangles.
@@ -64,8 +65,8 @@ class OverlapCounter {
         for (std::int32_t row = 0; row < kHeight_px; ++row) {
             std::int32_t triangles = 0;
             for (std::int32_t column = 0; column < kWidth_px; ++column) {
-                triangles += changes_[static_cast<std::size_t>(row * kPitch + column)];
-                ++counts[static_cast<std::size_t>(std::min(triangles, 2))];
+                triangles += at(changes_, row * kPitch + column);
+                ++at(counts, std::min(triangles, 2));
             }
         }
         return counts;
@@ -87,7 +88,7 @@ std::vector<Triangle> read_triangles(Fields& fields, const std::vector<ScreenVer
     const std::int64_t count = fields.integer(0, static_cast<std::int64_t>(fields.left()) / 3);
     const auto corner = [&] {
         const std::int64_t index = fields.integer(0, static_cast<std::int64_t>(vertices.size()) - 1);
-        return vertices[static_cast<std::size_t>(index)];
+        return at(vertices, index);
     };
     std::vector<Triangle> triangles;
     for (std::int64_t i = 0; i < count; ++i) {

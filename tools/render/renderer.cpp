@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "engine/screen/screen.h"
+
 namespace oblong {
 
 namespace {
@@ -13,9 +15,7 @@ namespace {
 class CameraRenderer {
   public:
     CameraRenderer(const RenderJob& job, FrameWorkspace& work)
-        : job_(job),
-          work_(work),
-          pixels_(static_cast<std::size_t>(job.mode.width_px) * static_cast<std::size_t>(job.mode.height_px)) {}
+        : job_(job), work_(work), pixels_(pixel_count(job.mode.width_px, job.mode.height_px)) {}
 
     FrameReport render(const Camera& camera) {
         FrameReport report;

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 namespace {
@@ -28,7 +30,7 @@ BlockSum sum_block(const MipTexture& texture, const Palette& palette, int left, 
     BlockSum sum;
     for (int y = top; y < top + size; ++y) {
         for (int x = left; x < left + size; ++x) {
-            const std::uint8_t index = texture.mips[0][static_cast<std::size_t>(y * texture.width + x)];
+            const std::uint8_t index = at(texture.mips[0], y * texture.width + x);
             if (index == kHole && has_holes(texture.name))
                 ++sum.holes;
             else
@@ -67,7 +69,7 @@ MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::in
     texture.height = height;
     texture.mips[0] = std::move(texels);
     for (int level = 1; level < 4; ++level) {
-        texture.mips[static_cast<std::size_t>(level)] = shrink(texture, palette, level);
+        at(texture.mips, level) = shrink(texture, palette, level);
     }
     return texture;
 }
@@ -75,7 +77,7 @@ MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::in
 std::uint8_t nearest_colour(const Palette& palette, Rgb8 colour, ColourRange range) {
     int best = range.begin, best_distance = std::numeric_limits<int>::max();
     for (int index = range.begin; index < range.end; ++index) {
-        const int distance = squared_distance(palette.colours[static_cast<std::size_t>(index)], colour);
+        const int distance = squared_distance(at(palette.colours, index), colour);
         if (distance >= best_distance) continue;
         best = index;
         best_distance = distance;

@@ -8,6 +8,7 @@
 #include "engine/base/input_error.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
+#include "engine/screen/screen.h"
 #include "tools/common/arguments.h"
 #include "tools/common/png.h"
 #include "tools/common/wad.h"
@@ -28,7 +29,7 @@ std::vector<std::uint8_t> texels_of(const PngImage& image, const std::string& na
                                     bool may_glow) {
     const bool keeps_indices = has_palette(image, palette);
     const ColourRange range{0, !may_glow ? kFirstFullbright : has_holes(name) ? kHole : 256};
-    const auto count = static_cast<std::size_t>(image.width_px) * static_cast<std::size_t>(image.height_px);
+    const auto count = pixel_count(image.width_px, image.height_px);
     std::vector<std::uint8_t> texels;
     for (std::size_t at = 0; at < count; ++at) {
         const Rgba8 pixel = image.pixel(at);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "engine/base/table.h"
+#include "engine/screen/screen.h"
+
 namespace oblong::art {
 
 namespace {
@@ -12,7 +15,7 @@ constexpr std::array<std::array<int, 4>, 4> kBayer{{{0, 8, 2, 10}, {12, 4, 14, 6
 
 std::uint8_t palette_index(const Texel& texel, int x, int y) {
     const RampPlace place = place_of(texel.ramp);
-    const int threshold = kBayer[static_cast<std::size_t>(y & 3)][static_cast<std::size_t>(x & 3)];
+    const int threshold = at(at(kBayer, y & 3), x & 3);
     constexpr int kHalfStep = 128;
     const int dithered = texel.level + kHalfStep + (threshold * 2 - 15) * 4;
     const int step = std::clamp(std::max(dithered, 0) / 256, 0, place.count - 1);
@@ -35,8 +38,7 @@ int blend(int from, int to, int weight_256) {
 
 }  // namespace
 
-Canvas::Canvas(int width, int height)
-    : width_(width), height_(height), texels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+Canvas::Canvas(int width, int height) : width_(width), height_(height), texels_(pixel_count(width, height)) {}
 
 std::size_t Canvas::index_of(int x, int y) const {
     const int wrapped_x = (x % width_ + width_) % width_, wrapped_y = (y % height_ + height_) % height_;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "tools/demo_level/art/canvas.h"
 #include "tools/demo_level/art/textures.h"
 
@@ -167,7 +168,7 @@ Canvas paint_sand_frieze() {
         "#.#.#######.#.#.", "#.#.........#.#.", "#.###########.##", "................"};
     for (int y = 0; y < 16; ++y) {
         for (int x = 0; x < 64; ++x) {
-            if (kKey[static_cast<std::size_t>(y)][x % 16] != '#') continue;
+            if (at(kKey, y)[x % 16] != '#') continue;
             canvas.at(x, y + 8).level -= steps(5);
             canvas.at(x, y + 9).level += steps(1);
         }

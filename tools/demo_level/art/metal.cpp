@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "engine/base/table.h"
 #include "tools/demo_level/art/canvas.h"
 #include "tools/demo_level/art/textures.h"
 
@@ -63,7 +64,7 @@ Canvas paint_brass_trim() {
     Canvas canvas(64, 16);
     canvas.paint(canvas.whole(), [](int x, int y) {
         const int bead = y > 8 && y < 13 && x % 8 == 7 ? -steps(4) : 0;
-        const int level = steps(kMoulding[static_cast<std::size_t>(y)]) + (hash_255(x / 3, y, 71) - 128) / 2;
+        const int level = steps(at(kMoulding, y)) + (hash_255(x / 3, y, 71) - 128) / 2;
         return Texel{Ramp::Brass, level + bead - steps(1)};
     });
     return canvas;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/base/table.h"
 #include "tools/demo_level/art/canvas.h"
 #include "tools/demo_level/art/textures.h"
 
@@ -15,7 +16,7 @@ void paint_gilt_frame(Canvas& canvas) {
     constexpr std::array<int, kFrame> kProfile{4, 10, 14, 9, 5, 8, 12};
     for (int inset = 0; inset < kFrame; ++inset) {
         const int size = 64 - 2 * inset;
-        canvas.outline({inset, inset, size, size}, {Ramp::Brass, steps(kProfile[static_cast<std::size_t>(inset)])});
+        canvas.outline({inset, inset, size, size}, {Ramp::Brass, steps(at(kProfile, inset))});
     }
     for (int at = 4; at < 60; at += 6) {
         for (const int edge : {3, 60}) {
@@ -81,7 +82,7 @@ Canvas paint_picture_cubes() {
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column <= row; ++column) {
             const int x = 32 + (2 * column - row) * kSize, y = 20 + row * 14;
-            paint_isometric_cube(canvas, x, y, kSize, kHues[static_cast<std::size_t>((row + column) % 3)]);
+            paint_isometric_cube(canvas, x, y, kSize, at(kHues, (row + column) % 3));
         }
     }
     paint_gilt_frame(canvas);

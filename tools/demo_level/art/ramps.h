@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/base/table.h"
 #include "engine/surface/palette.h"
 
 namespace oblong::art {
@@ -40,7 +41,7 @@ constexpr RampPlace place_of(Ramp ramp) {
     constexpr std::array<RampPlace, 5> kGlowing{{{224, 8}, {232, 8}, {240, 4}, {244, 4}, {248, 4}}};
     const int index = static_cast<int>(ramp);
     if (index < kOrdinaryRamps) return {index * kRampSteps, kRampSteps};
-    return kGlowing[static_cast<std::size_t>(index - kOrdinaryRamps)];
+    return at(kGlowing, index - kOrdinaryRamps);
 }
 
 /// The palette of the demo level: fourteen ramps of sixteen steps that begin near black (index 0 is black), then 32

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/math/vec.h"
 
 namespace oblong::map {
@@ -42,11 +43,6 @@ inline double& component(Point& a, int axis) {
 /// The unit vector along axis 0, 1 or 2.
 inline Point axis_vector(int axis) {
     return {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
-}
-
-/// The item of a list whose indices are of type int, as those of level files are.
-constexpr decltype(auto) at(auto& items, int index) {
-    return items[static_cast<std::size_t>(index)];
 }
 
 /// An axis-aligned box; empty until a point is added.
