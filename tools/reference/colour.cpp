@@ -17,7 +17,7 @@ int wrapped(double texel, int size) {
 }
 
 double sample(const Level& level, const Face& face, int column, int row) {
-    const int count = face.light_columns * face.light_rows;
+    const std::int64_t count = std::int64_t{face.light_columns} * face.light_rows;
     int sum = 0;
     for (int style = 0; style < face.style_count(); ++style)
         sum += level.lighting[static_cast<std::size_t>(face.light_offset + style * count + row * face.light_columns +

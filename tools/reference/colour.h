@@ -32,8 +32,8 @@ struct ColourPixel {
     bool is_excluded = false;  ///< some of it is sky, or no face at all
 };
 
-/// Colours without colormap, mip levels or rounding: the mean of samples_per_axis^2 rays a pixel, evenly spread; with 1
-/// of the centre alone. 1, 2, 4, 8 or 16. Rows top to bottom.
+/// Colours without colormap, mip levels or rounding: the mean of samples_per_axis^2 rays a pixel, evenly spread, with 1
+/// the centre alone. Rows top to bottom.
 std::vector<ColourPixel> draw_colours(const Level& level, std::span<const PlacedModel> models, const View& view,
                                       const Palette& palette, int samples_per_axis = 1);
 

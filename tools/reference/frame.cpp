@@ -8,8 +8,9 @@ namespace oblong::reference {
 
 namespace {
 
-/// Two faces whose 1/z differ by less than this part of it are equally near.
-constexpr double kEqualDepth = 1e-9;
+/// Two faces whose 1/z differ by less than this part of it are equally near: the file's floats do not tell which is
+/// nearer.
+constexpr double kEqualDepth = 1e-6;
 /// Units in front of an eye on the wrong side of a face: more than corners are off their planes.
 constexpr double kClearlyBehind = 1;
 
@@ -131,10 +132,9 @@ class DepthBuffer {
     }
     void offer(int column, int row, const Nearest& offered) {
         Nearest& nearest = nearest_[static_cast<std::size_t>(row * grid_.width_px + column)];
-        const double difference = offered.inverse_z - nearest.inverse_z;
-        const bool is_equal = std::abs(difference) <= offered.inverse_z * kEqualDepth;
-        if (nearest.candidate < 0 || (difference > 0 && !is_equal))
-            nearest = offered;
+        const bool is_equal = std::abs(offered.inverse_z - nearest.inverse_z) <= offered.inverse_z * kEqualDepth;
+        if (nearest.candidate < 0 || offered.inverse_z > nearest.inverse_z)
+            nearest = {offered.candidate, offered.inverse_z, nearest.candidate >= 0 && is_equal};
         else if (is_equal)
             nearest.is_shared = true;
     }

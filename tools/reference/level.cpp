@@ -208,6 +208,8 @@ std::array<int, 2> cells_along(const Level& level, const Face& face, const Vec& 
         least = std::min(least, texel);
         most = std::max(most, texel);
     }
+    if (!(std::max(std::abs(least), std::abs(most)) < 1 << 30))
+        fail("lump 'faces'", "a texture coordinate beyond 2^30");
     return {static_cast<int>(std::floor(least / 16)), static_cast<int>(std::ceil(most / 16))};
 }
 
