@@ -23,9 +23,11 @@ const std::vector<Room>& project_rooms() {
         {"engine/frame", {"engine/visibility", "engine/effects"}},
         {"engine/platform", {"engine/screen", "engine/surface"}},
         {"engine/platform/sdl", {"engine/platform"}},
-        {"game", {"engine/frame", "engine/platform/sdl", "tools/common"}},
+        {"game", {"engine/frame", "engine/platform/sdl", "tools/common", "tools/measure"}},
         {"tools/common", {"engine/frame", "engine/platform"}},
-        {"tools", {"engine/frame", "engine/platform", "tools/common"}},
+        {"tools/reference", {}},
+        {"tools/measure", {"engine/frame", "engine/platform", "tools/common", "tools/reference"}},
+        {"tools", {"tools/measure"}},
     };
     return rooms;
 }
