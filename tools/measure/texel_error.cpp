@@ -9,8 +9,13 @@ namespace oblong {
 
 namespace {
 
-double number(Texel texel) {
-    return std::ldexp(static_cast<double>(texel.raw), -Texel::kFractionBits);
+constexpr double number(Texel texel) {
+    return static_cast<double>(texel.raw) / Texel::from_int(1).raw;
+}
+
+/// std::hypot() takes ten times as long; nothing here over- or underflows.
+double length(double x, double y) {
+    return std::sqrt(x * x + y * y);
 }
 
 ErrorSummary summarize(std::span<const TexelError> errors, float TexelError::*member) {
@@ -48,9 +53,9 @@ TexelError TexelErrorMeter::error_of(const PixelRecord& pixel, const reference::
     const double u = number(pixel.u), v = number(pixel.v);
     const auto place = plane.place_of(u, v);
     if (!place && !plane.place_of(exact.u, exact.v)) return {};  // a texture on edge, as it were
-    const double distance = place ? std::hypot(place->x - centre.x, place->y - centre.y) : diagonal_px_;
+    const double distance = place ? length(place->x - centre.x, place->y - centre.y) : diagonal_px_;
     return {static_cast<float>(std::min(distance, diagonal_px_)),
-            static_cast<float>(std::hypot(u - exact.u, v - exact.v))};
+            static_cast<float>(length(u - exact.u, v - exact.v))};
 }
 
 std::vector<TexelError> TexelErrorMeter::measure(const FrameRecord& record) {
