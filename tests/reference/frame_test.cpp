@@ -100,6 +100,19 @@ TEST(ReferenceFrame, FacesThatFaceAwayAreNotDrawn) {
     EXPECT_EQ(rectangle_of(draw(level, {}, make_plain_view()), 0), (Box{320, 200, 0, 0}));
 }
 
+TEST(ReferenceFrame, DepthStaysWithinTheCorners) {
+    // A plane through the corners on the left that misses those on the right by far.
+    Level level = make_level();
+    Face& face = add_face(
+        level, {point_at(100, 50, 100), point_at(200, 50, 120), point_at(200, 150, 120), point_at(100, 150, 100)});
+    face.plane.normal = {-0.5, -0.8, 0};
+    face.plane.offset = dot(face.plane.normal, point_at(100, 50, 100));
+    const Frame frame = draw(level, {}, make_plain_view());
+    EXPECT_NEAR(frame.at(100, 100).z, 100, 0.5);
+    EXPECT_NEAR(frame.at(199, 100).z, 120, 1e-9);
+    EXPECT_LT(PlaneView(level, face, {}, make_camera(make_plain_view())).inverse_z({199.5, 100.5}), 1 / 200.0);
+}
+
 TEST(ReferenceFrame, ModelsAreDrawnWhereTheyMovedTo) {
     Level level = make_level();
     add_rectangle(level, 0, 0, 320, 200, 320);
@@ -214,7 +227,11 @@ TEST(ReferenceFrame, CloseCallsAreFacesAtTheSameDepth) {
     add_rectangle(level, 20, 20, 40, 40, 160);
     add_rectangle(level, 50, 50, 70, 70, 160);
     add_rectangle(level, 50, 50, 70, 70, 160.01);
+    add_rectangle(level, 80, 80, 99, 99, 160.00001);
+    add_rectangle(level, 80, 80, 99, 99, 160);
     const Frame frame = draw(level, {}, make_plain_view());
+    EXPECT_EQ(frame.at(90, 90).face, 5);  // the nearer one all the same
+    EXPECT_TRUE(frame.at(90, 90).is_close_call);
     EXPECT_TRUE(frame.at(25, 25).is_close_call);
     EXPECT_FALSE(frame.at(15, 15).is_close_call);
     EXPECT_FALSE(frame.at(35, 35).is_close_call);

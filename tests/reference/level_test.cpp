@@ -53,6 +53,15 @@ TEST(ReferenceLevel, AFaceOnThePlanesBackIsTurned) {
     EXPECT_EQ(level.faces[0].plane.offset, -8);
 }
 
+TEST(ReferenceLevel, LightSamplesAreCountedInFloatsAsTheLightCompilersDo) {
+    // u from 16 + 2^-19 to 48 + 2^-19, which as a float is 48: no sample at 64.
+    Lumps lumps = make_tiny_lumps();
+    test::put_number(test::lump_of(lumps, Lump::TexInfos), 12, 4, std::bit_cast<std::int32_t>(16 + 0x1p-19F));
+    const reference::Level level = reference::read_level(join_lumps(29, lumps));
+    EXPECT_EQ(level.faces[0].first_u, 16);
+    EXPECT_EQ(level.faces[0].light_columns, 3);
+}
+
 TEST(ReferenceLevel, MaterialsGoByNameAndFlag) {
     const auto material = [](std::string_view name, int flags) {
         Lumps lumps = make_tiny_lumps();

@@ -133,10 +133,12 @@ TEST(PlaneView, TexelsBehindTheEyeHaveNoPlace) {
 }
 
 TEST(PlaneView, AxesAcrossThePlaneHaveNoPlaces) {
-    Level level = make_level();
-    level.texinfos[0].s = {1, 0, 0};
-    add_rectangle(level, 0, 0, 320, 200);
-    EXPECT_FALSE(PlaneView(level, level.faces[0], {}, make_camera(make_plain_view())).place_of(0, 0));
+    std::mt19937 random(5);
+    for (int i = 0; i < 100; ++i) {
+        RandomPlane plane(random);
+        plane.level.texinfos[0].s = plane.level.faces[0].plane.normal * 0.7;
+        EXPECT_FALSE(plane.make().place_of(random_between(random, -9, 9), random_between(random, -9, 9))) << i;
+    }
 }
 
 }  // namespace
