@@ -16,6 +16,7 @@ Scaling scaling_of(const std::string& name) {
 struct OptionTexts {
     std::string mode = "320x200", display = "4:3", field_of_view = "90", window, accuracy = "bounded",
                 scaling = "sharp";
+    std::vector<std::string> dials;
 };
 
 void declare(Command& line, Options& options, OptionTexts& texts) {
@@ -25,6 +26,7 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("--display", texts.display, "W:H, shape of the display that the picture is for");
     line.add("--fov", texts.field_of_view, "degrees seen across the whole width");
     line.add("--accuracy", texts.accuracy, "1991, 1994, 1996, bounded or exact");
+    line.add("--dial", texts.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
     line.add("--scaling", texts.scaling, "sharp, rows, even, nearest or stretch");
     line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");
     auto record = line.add("--record", options.record, "write the game played to this demo file");
@@ -46,6 +48,7 @@ void interpret(const OptionTexts& texts, Options& options) {
     options.field_of_view = parse_field_of_view(texts.field_of_view);
     check_view(options.mode, options.field_of_view);
     options.preset = parse_preset(texts.accuracy);
+    options.accuracy = parse_accuracy(options.preset, texts.dials);
     options.scaling = scaling_of(texts.scaling);
 }
 

@@ -3,7 +3,7 @@
 namespace oblong {
 namespace {
 
-constexpr int kPresetCount = static_cast<int>(Preset::Exact) + 1;
+constexpr int kPresetCount = static_cast<int>(kPresets.size());
 
 // The next value of an enumeration of `count`, the first after the last.
 template <class Enum>
@@ -31,7 +31,7 @@ std::string describe_display(const ViewOptions& options, const ScreenMode& mode,
 
 Settings settings_of(const ViewOptions& options) {
     Settings settings;
-    settings.accuracy = accuracy_of(options.preset);
+    settings.accuracy = options.accuracy;
     settings.correct_aspect = options.corrects_projection;
     return settings;
 }
@@ -53,6 +53,7 @@ std::string apply(Command command, ViewOptions& options, const ScreenMode& mode,
             return describe_display(options, mode, window);
         case Command::AccuracyTier:
             options.preset = next_of(options.preset, kPresetCount);
+            options.accuracy = accuracy_of(options.preset);
             return "F4 Accuracy: " + std::string(name_of(options.preset));
         case Command::ScalingMode:
             options.scaling = next_of(options.scaling, kScalingCount);

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "engine/accuracy/presets.h"
 #include "engine/frame/settings.h"
 #include "engine/platform/controls.h"
 #include "engine/platform/present_rect.h"
@@ -11,7 +12,8 @@ namespace oblong {
 
 /// What keys change during a game: how it is drawn and shown, never what happens in it.
 struct ViewOptions {
-    Preset preset = Preset::Bounded;
+    Preset preset = Preset::Bounded;  ///< the last one chosen
+    Accuracy accuracy;                ///< its dials, perhaps turned since
     bool corrects_projection = true;
     ShownAs shown_as = ShownAs::OnDisplay;
     Scaling scaling = Scaling::SharpBilinear;

@@ -11,7 +11,8 @@ namespace oblong {
 BlockRule make_block_rule(const Accuracy& accuracy) {
     BlockRule rule;
     rule.texturing = accuracy.texturing;
-    const std::int64_t error = accuracy.texture_error_px_256;
+    rule.texel_bound_256 = accuracy.texel_bound_256;
+    const std::int64_t error = accuracy.pixel_bound_256;
     for (std::size_t k = 0; k < kBlockSizes; ++k) {
         // A block no longer than the error allowed is within it whatever its slope.
         const std::int64_t reach = std::max((std::int64_t{256} << k) - error, std::int64_t{0});

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/accuracy/accuracy.h"
 #include "engine/fixed/fixed.h"
-#include "engine/raster/accuracy.h"
 
 namespace oblong {
 
@@ -14,6 +14,7 @@ inline constexpr int kBlockSizes = 10;
 /// Block lengths by the accuracy settings, computed once a frame.
 struct BlockRule {
     Texturing texturing = Texturing::Bounded;
+    std::int32_t texel_bound_256 = 0;  ///< BoundedTexels: the largest error of u and v, 1/256 texel
     /// Bounded: a block of n = 2^k pixels keeps its error under E pixels where 1/z >= |its step| * (n - E)^2 / 4 E:
     /// this factor, rounded up, with 8 fraction bits.
     std::array<std::uint64_t, kBlockSizes> factor_8{};

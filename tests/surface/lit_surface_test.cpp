@@ -43,7 +43,7 @@ struct Patch {
         light.style_scale_256[0] = scale;
         const std::int32_t stride = lit_size(columns, mip);
         std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * lit_size(rows, mip)));
-        build_lit_surface(texture, light, map, mip, stride, scratch.data(), out.data());
+        build_lit_surface(texture, light, map, {}, mip, stride, scratch.data(), out.data());
         return out;
     }
 
@@ -138,7 +138,7 @@ TEST(LitSurface, WithoutExtentIsOneColourAndWritesAllOfIt) {
         light.style_scale_256[0] = 256;
         const std::int32_t stride = std::max(lit_size(columns, 0), 1), height = std::max(lit_size(rows, 0), 1);
         std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * height), 0xa5);
-        build_lit_surface({patch.texels.data(), 64, 64, 16, 16}, light, map, 0, stride, patch.scratch.data(),
+        build_lit_surface({patch.texels.data(), 64, 64, 16, 16}, light, map, {}, 0, stride, patch.scratch.data(),
                           out.data());
         const int shade = std::max(kFullLight - patch.samples[0], 0) * 63 / kFullLight;
         EXPECT_EQ(std::count(out.begin(), out.end(), static_cast<std::uint8_t>(shade)), stride * height);
