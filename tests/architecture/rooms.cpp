@@ -25,7 +25,8 @@ const std::vector<Room>& project_rooms() {
         {"engine/platform/sdl", {"engine/platform"}},
         {"game", {"engine/frame", "engine/platform/sdl", "tools/common"}},
         {"tools/common", {"engine/frame", "engine/platform"}},
-        {"tools", {"engine/frame", "engine/platform", "tools/common"}},
+        {"tools/reference", {}},
+        {"tools", {"engine/frame", "engine/platform", "tools/common", "tools/reference"}},
     };
     return rooms;
 }
