@@ -23,8 +23,9 @@ const std::vector<Room>& project_rooms() {
         {"engine/frame", {"engine/visibility", "engine/effects"}},
         {"engine/platform", {"engine/screen", "engine/surface"}},
         {"engine/platform/sdl", {"engine/platform"}},
-        {"game", {"engine/frame", "engine/platform/sdl", "tools/common"}},
+        {"game", {"engine/frame", "engine/platform/sdl", "tools/common", "tools/measure"}},
         {"tools/common", {"engine/frame", "engine/platform"}},
+        {"tools/measure", {"engine/frame", "engine/platform", "tools/common"}},
         {"tools/reference", {}},
         {"tools", {"engine/frame", "engine/platform", "tools/common", "tools/reference"}},
     };
