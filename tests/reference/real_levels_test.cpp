@@ -7,6 +7,7 @@
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
+#include "engine/scene/placed_models.h"
 #include "engine/visibility/eye.h"
 #include "tests/support/shared_levels.h"
 #include "tools/reference/frame.h"
@@ -20,7 +21,9 @@ struct RealLevel {
     explicit RealLevel(const std::string& name)
         : bytes(test::read_shared_file(name + ".bsp")),
           level(read_bsp(bytes)),
-          true_level(reference::read_level(bytes)) {
+          true_level(reference::read_level(bytes)),
+          models(models_at_rest(level)) {
+        for (const PlacedModel& placed : models) true_models.push_back({placed.model.number(), {}});
         const auto csv = test::read_shared_file("cameras/" + name + ".csv");
         const std::vector<Camera> all = parse_cameras(csv, Degrees::from_int(90));
         for (std::size_t i = 0; i < all.size(); i += 99) {
@@ -32,6 +35,8 @@ struct RealLevel {
     std::vector<std::uint8_t> bytes;
     Level level;
     reference::Level true_level;
+    std::vector<PlacedModel> models;
+    std::vector<reference::PlacedModel> true_models;
     std::vector<Camera> cameras;
 };
 
@@ -111,8 +116,10 @@ TEST(ReferenceRealLevels, TheExactPresetShowsTheReferencesTexels) {
         FrameWorkspace work(real.level, mode);
         int compared = 0, different = 0;
         for (const Camera& camera : real.cameras) {
-            draw_frame({real.level, colormap, {}}, camera, mode, settings, work, {picture.data(), 320, 200, 320});
-            const reference::Frame frame = reference::draw_with_close_calls(real.true_level, {}, view_of(camera));
+            draw_frame({real.level, colormap, real.models}, camera, mode, settings, work,
+                       {picture.data(), 320, 200, 320});
+            const reference::Frame frame =
+                reference::draw_with_close_calls(real.true_level, real.true_models, view_of(camera));
             for (std::size_t i = 0; i < picture.size(); ++i) {
                 const reference::Pixel& pixel = frame.pixels[i];
                 const reference::Face& face = real.true_level.face(pixel.face);
