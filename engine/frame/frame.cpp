@@ -124,10 +124,21 @@ void draw_waiting_blocks(const VisibleFace& visible, const FaceSurface& surface,
     work.blocks.clear();
 }
 
+/// Only Texturing::Bounded reads them.
+BlockThresholds thresholds_of(const VisibleFace& visible, int mip, InverseZ inverse_z_step, const FrameContext& frame,
+                              const FrameWorkspace& work) {
+    if (frame.accuracy.texturing != Texturing::Bounded) return {};
+    const WidthAtOne width = frame.inverse_projection.least_pixel_width;
+    const auto nearest_width = product<WidthAtOne>(work.polygon.nearest_z, width, Rounding::Floor);
+    const TexelDensity density = work.faces.faces[visible.face].least_density;
+    const auto texels = floor_shift(product<TexelDensity>(nearest_width, density, Rounding::Floor), mip);
+    return make_block_thresholds(frame.block_rule, inverse_z_step, longest_block_log2(frame.block_rule, texels));
+}
+
 /// Cuts spans into blocks, then draws them.
 void draw_blocks(const VisibleFace& visible, const FaceSurface& surface, const TextureGradients& gradients,
                  std::span<const Span> spans, const FrameContext& frame, FrameWorkspace& work) {
-    const BlockThresholds thresholds = make_block_thresholds(frame.block_rule, gradients.inverse_z.per_column);
+    const BlockThresholds thresholds = thresholds_of(visible, surface.mip, gradients.inverse_z.per_column, frame, work);
     for (const Span& span : spans) {
         if (!work.blocks.has_room_for(span.end - span.first)) draw_waiting_blocks(visible, surface, frame.out, work);
         const std::int32_t divisions = frame.cut_blocks(span, frame.out.pitch, gradients, frame.block_rule, thresholds,
