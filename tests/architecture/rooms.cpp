@@ -25,9 +25,9 @@ const std::vector<Room>& project_rooms() {
         {"engine/platform/sdl", {"engine/platform"}},
         {"game", {"engine/frame", "engine/platform/sdl", "tools/common", "tools/measure"}},
         {"tools/common", {"engine/frame", "engine/platform"}},
-        {"tools/measure", {"engine/frame", "engine/platform", "tools/common"}},
         {"tools/reference", {}},
-        {"tools", {"engine/frame", "engine/platform", "tools/common", "tools/reference"}},
+        {"tools/measure", {"engine/frame", "engine/platform", "tools/common", "tools/reference"}},
+        {"tools", {"tools/measure"}},
     };
     return rooms;
 }
