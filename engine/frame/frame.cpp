@@ -124,14 +124,39 @@ void draw_waiting_blocks(const VisibleFace& visible, const FaceSurface& surface,
     work.blocks.clear();
 }
 
+/// The longest block of a face that rounding allows (longest_block_log2).
+int longest_block_of(const VisibleFace& visible, int mip, const FrameContext& frame, const FrameWorkspace& work) {
+    const WidthAtOne width = frame.inverse_projection.least_pixel_width;
+    const auto nearest_width = product<WidthAtOne>(work.polygon.nearest_z, width, Rounding::Floor);
+    const TexelDensity density = work.faces.faces[visible.face].least_density;
+    const auto texels = floor_shift(product<TexelDensity>(nearest_width, density, Rounding::Floor), mip);
+    return longest_block_log2(frame.block_rule, texels);
+}
+
+/// How the spans of one face are cut into blocks.
+struct BlockLimits {
+    BlockThresholds thresholds;
+    TexelLimits texels;
+};
+
+BlockLimits block_limits(const VisibleFace& visible, const FaceSurface& surface, InverseZ inverse_z_step,
+                         const FrameContext& frame, const FrameWorkspace& work) {
+    BlockLimits limits{{}, surface.limits};
+    if (frame.accuracy.texturing != Texturing::Bounded) return limits;
+    const int longest = longest_block_of(visible, surface.mip, frame, work);
+    limits.thresholds = make_block_thresholds(frame.block_rule, inverse_z_step, longest);
+    limits.texels.least = std::min(limits.texels.least, Texel::from_raw(std::int64_t{1} << longest));
+    return limits;
+}
+
 /// Cuts spans into blocks, then draws them.
 void draw_blocks(const VisibleFace& visible, const FaceSurface& surface, const TextureGradients& gradients,
                  std::span<const Span> spans, const FrameContext& frame, FrameWorkspace& work) {
-    const BlockThresholds thresholds = make_block_thresholds(frame.block_rule, gradients.inverse_z.per_column);
+    const BlockLimits limits = block_limits(visible, surface, gradients.inverse_z.per_column, frame, work);
     for (const Span& span : spans) {
         if (!work.blocks.has_room_for(span.end - span.first)) draw_waiting_blocks(visible, surface, frame.out, work);
-        const std::int32_t divisions = frame.cut_blocks(span, frame.out.pitch, gradients, frame.block_rule, thresholds,
-                                                        surface.limits, work.blocks);
+        const std::int32_t divisions = frame.cut_blocks(span, frame.out.pitch, gradients, frame.block_rule,
+                                                        limits.thresholds, limits.texels, work.blocks);
         if (work.counts) work.counts->divisions += divisions;
     }
     draw_waiting_blocks(visible, surface, frame.out, work);

@@ -44,10 +44,12 @@ def software_floats(symbols):
     return SOFTWARE_FLOAT.findall(symbols)
 
 
-def compile_to(command, output, more_options):
-    """Runs a compile command with its output elsewhere; returns the compiler's complaints."""
+def compile_to(command, output, more_options, source=None):
+    """Runs a compile command with its output elsewhere, perhaps on another source; returns the compiler's complaints."""
     words = shlex.split(command)
     words[words.index("-o") + 1] = output
+    if source:
+        words[words.index("-c") + 1] = source
     done = subprocess.run(words + more_options, capture_output=True, text=True)
     return [done.stderr.strip() or "the compiler failed"] if done.returncode else []
 
@@ -56,17 +58,51 @@ def output_of(*command):
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout
 
 
-def check_file(path, command, folder):
-    """What is wrong with one file, as lines of text."""
-    output = os.path.join(folder, path.replace("/", "_") + ".o")
+def integer_faults(command, output, source=None):
+    """What is wrong with a source when it is compiled without floating-point registers."""
     # Headers precompiled for other registers are left aside.
-    faults = compile_to(command, output, ["-O2", "-g0", "-mgeneral-regs-only", "-Wno-invalid-pch"])
-    if not faults:
-        faults = ["calls " + name for name in software_floats(output_of("nm", output))]
-    if not faults and path.startswith(KERNELS):
-        faults = compile_to(command, output, ["-O2", "-g0"])
-        faults += float_instructions(output_of("objdump", "-d", "--no-show-raw-insn", output))
-    return [f"{path}: {fault}" for fault in faults]
+    faults = compile_to(command, output, ["-O2", "-g0", "-mgeneral-regs-only", "-Wno-invalid-pch"], source)
+    return faults or ["calls " + name for name in software_floats(output_of("nm", output))]
+
+
+def instruction_faults(command, output):
+    """The floating-point instructions of a source that is compiled as usual."""
+    return (compile_to(command, output, ["-O2", "-g0"]) or
+            float_instructions(output_of("objdump", "-d", "--no-show-raw-insn", output)))
+
+
+def check_files(commands, folder):
+    """What is wrong with files that are compiled by the same options, as lines of text. They are compiled as one, since
+    reading headers takes most of the time; if anything is wrong then, each is compiled by itself, to name it."""
+    path, command = next(iter(commands.items()))
+    output = os.path.join(folder, path.replace("/", "_") + ".o")
+    together = output + ".cpp"
+    with open(together, "w") as file:
+        file.writelines(f'#include "{source_of(command)}"\n' for command in commands.values())
+    if not integer_faults(command, output, together):
+        return []
+    return [f"{path}: {fault}" for path, command in commands.items() for fault in integer_faults(command, output)]
+
+
+def check_kernel(path, command, folder):
+    output = os.path.join(folder, path.replace("/", "_") + ".kernel.o")
+    return [f"{path}: {fault}" for fault in instruction_faults(command, output)]
+
+
+def source_of(command):
+    words = shlex.split(command)
+    return os.path.abspath(words[words.index("-c") + 1])
+
+
+def groups_of(commands, count):
+    """The commands apart by their options, each of these in `count` groups."""
+    by_options = {}
+    for path, command in commands.items():
+        words = shlex.split(command)
+        options = tuple(word for i, word in enumerate(words) if i == 0 or words[i - 1] not in ("-o", "-c"))
+        by_options.setdefault(options, {})[path] = command
+    groups = [dict(list(group.items())[i::count]) for group in by_options.values() for i in range(count)]
+    return [group for group in groups if group]
 
 
 def engine_commands(entries, source):
@@ -89,10 +125,12 @@ def check_sources(source):
 
 
 def check_all(commands):
-    with tempfile.TemporaryDirectory() as folder:
-        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            results = list(pool.map(lambda item: check_file(*item, folder), commands.items()))
-    return [fault for faults in results for fault in faults]
+    workers = os.cpu_count()
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(workers) as pool:
+        parts = [pool.submit(check_files, group, folder) for group in groups_of(commands, workers)]
+        parts += [pool.submit(check_kernel, path, command, folder) for path, command in commands.items()
+                  if path.startswith(KERNELS)]
+        return [fault for part in parts for fault in part.result()]
 
 
 def main():

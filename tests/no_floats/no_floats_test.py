@@ -18,30 +18,44 @@ INTEGER = "long long tenth(long long x) { return x * 0x1999999a >> 32; }"
 COPY = "struct Block { long long a[8]; }; void copy(Block& to, const Block& from) { to = from; }"
 
 
-def faults_of(path, text):
+def faults_of(texts):
+    """Of files, path -> text."""
     with tempfile.TemporaryDirectory() as folder:
-        source = os.path.join(folder, "planted.cpp")
-        with open(source, "w") as file:
-            file.write(text)
-        return no_floats.check_file(path, f"{COMPILER} -std=c++20 -o unused.o -c {source}", folder)
+        commands = {}
+        for path, text in texts.items():
+            source = os.path.join(folder, path.replace("/", "_"))
+            with open(source, "w") as file:
+                file.write(text)
+            commands[path] = f"{COMPILER} -std=c++20 -o unused.o -c {source}"
+        return no_floats.check_all(commands)
 
 
 class PlantedFloats(unittest.TestCase):
     def test_parameter_is_caught(self):
-        self.assertTrue(faults_of("engine/a.cpp", PARAMETER))
+        self.assertTrue(faults_of({"engine/a.cpp": PARAMETER}))
 
     def test_local_is_caught(self):
-        self.assertTrue(faults_of("engine/a.cpp", LOCAL))
+        self.assertTrue(faults_of({"engine/a.cpp": LOCAL}))
 
     def test_integers_pass_everywhere(self):
         for text in (INTEGER, COPY):
-            self.assertEqual(faults_of("engine/a.cpp", text), [])
-            self.assertEqual(faults_of("engine/raster/kernels/a.cpp", text), [])
+            self.assertEqual(faults_of({"engine/a.cpp": text}), [])
+            self.assertEqual(faults_of({"engine/raster/kernels/a.cpp": text}), [])
+
+    def test_the_one_file_of_several_is_named(self):
+        texts = {f"engine/{name}.cpp": INTEGER.replace("tenth", name) for name in "abcdef"}
+        self.assertEqual(faults_of(texts), [])
+        [fault] = faults_of(texts | {"engine/c.cpp": PARAMETER})
+        self.assertTrue(fault.startswith("engine/c.cpp: "))
+
+    def test_files_that_cannot_be_compiled_as_one_are_compiled_apart(self):
+        texts = {f"engine/{name}.cpp": INTEGER for name in "abcdef"}
+        self.assertEqual(faults_of(texts), [])
 
     def test_float_that_hides_from_the_option_is_caught_in_a_kernel(self):
         hidden = 'int f() { int x; asm("cvtss2si %%xmm0, %0" : "=r"(x)); return x; }'
-        self.assertEqual(faults_of("engine/a.cpp", hidden), [])
-        self.assertIn("cvtss2si", faults_of("engine/raster/kernels/a.cpp", hidden)[0])
+        self.assertEqual(faults_of({"engine/a.cpp": hidden}), [])
+        self.assertIn("cvtss2si", faults_of({"engine/raster/kernels/a.cpp": hidden})[0])
 
 
 class Patterns(unittest.TestCase):

@@ -33,7 +33,7 @@ struct Frame {
 };
 
 /// The world's faces and those of the models: at each ray the nearest that faces the eye. `shift` moves all rays from
-/// the pixels' centres.
+/// the pixels' centres, by half a pixel at most.
 ///
 /// Which rays a face covers is exact: corners are rounded once, to 2^-20, after which whole numbers decide (rays.h).
 /// Neighbours share all corners, so that from inside a closed level no ray is missed; a ray through an edge belongs to
@@ -41,8 +41,8 @@ struct Frame {
 /// (2^35 units times pixels).
 Frame draw(const Level& level, std::span<const PlacedModel> models, const View& view, RayShift shift = {});
 
-/// draw(), and is_close_call where another face shows `distance` beside the centre, right or left and below or above
-/// it. Takes five times as long.
+/// draw() finds the close calls at equal depth. This finds those at edges too: where another face shows `distance`
+/// (1/4096 pixel) beside the centre, to the right or left and below or above. It takes three times as long.
 Frame draw_with_close_calls(const Level& level, std::span<const PlacedModel> models, const View& view,
                             int distance = kRayUnit / 512);
 
