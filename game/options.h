@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "engine/frame/settings.h"
+#include "engine/accuracy/presets.h"
 #include "engine/geometry/projection.h"
 #include "engine/platform/present_rect.h"
 #include "engine/screen/screen.h"
@@ -18,7 +18,10 @@ struct Options {
     WindowSize window;
     Degrees field_of_view = Degrees::from_int(90);
     Preset preset = Preset::Bounded;
+    Accuracy accuracy;  ///< the preset with dials turned
     Scaling scaling = Scaling::SharpBilinear;
+    bool corrects_projection = true;
+    ShownAs shown_as = ShownAs::OnDisplay;
     std::string record, replay, timedemo;
     std::int64_t headless_frames = 0;
     std::string out;

@@ -2,20 +2,24 @@
 
 #include <string>
 
+#include "engine/accuracy/presets.h"
 #include "engine/frame/settings.h"
 #include "engine/platform/controls.h"
 #include "engine/platform/present_rect.h"
 #include "engine/screen/screen.h"
+#include "game/lab_options.h"
 
 namespace oblong {
 
 /// What keys change during a game: how it is drawn and shown, never what happens in it.
 struct ViewOptions {
-    Preset preset = Preset::Bounded;
+    Preset preset = Preset::Bounded;  ///< the last one chosen
+    Accuracy accuracy;                ///< its dials, perhaps turned since
     bool corrects_projection = true;
     ShownAs shown_as = ShownAs::OnDisplay;
     Scaling scaling = Scaling::SharpBilinear;
-    bool shows_help = false, shows_cost = false;
+    bool shows_help = false, shows_cost = false, shows_aspect_guide = false, shows_four_aspects = false;
+    LabOptions lab;
 };
 
 Settings settings_of(const ViewOptions& options);

@@ -68,6 +68,14 @@ constexpr To convert(Fixed<Int, Frac> value, Rounding rounding = Rounding::Neare
         return To::from_raw(static_cast<typename To::Raw>(rounded_shift(wide, Frac - To::kFractionBits, rounding)));
 }
 
+/// `value` in the same type with fewer fraction bits, up to the type's own: rounded to the nearest.
+template <class Int, int Frac>
+constexpr Fixed<Int, Frac> rounded_to(Fixed<Int, Frac> value, int fraction_bits) {
+    const int dropped = Frac - fraction_bits;
+    return Fixed<Int, Frac>::from_raw(
+        static_cast<Int>(rounded_shift(value.raw, dropped, Rounding::NearestHalfUp) * (Int{1} << dropped)));
+}
+
 /// |value|; not for the format's lowest number.
 template <class Int, int Frac>
 constexpr Fixed<Int, Frac> absolute(Fixed<Int, Frac> value) {

@@ -1,7 +1,5 @@
 #include "engine/fixed/reciprocal.h"
 
-#include <bit>
-
 #include "engine/fixed/fixed.h"
 
 namespace oblong {
@@ -51,24 +49,12 @@ std::uint32_t two_newton_steps(std::uint32_t mantissa, std::uint32_t seed) {
 
 }  // namespace
 
-const char* name_of(ReciprocalMethod method) {
-    switch (method) {
-        case ReciprocalMethod::Table256:
-            return "table 256";
-        case ReciprocalMethod::Table1024Newton:
-            return "table 1024, Newton";
-        case ReciprocalMethod::Table256TwoNewton:
-            return "table 256, two Newton";
-        case ReciprocalMethod::Exact:
-            break;
-    }
-    return "exact";
-}
-
 std::uint32_t mantissa_reciprocal(std::uint32_t mantissa, ReciprocalMethod method) {
     switch (method) {
         case ReciprocalMethod::Table256:
             return kMiddles256[(mantissa >> 23) & 0xff];
+        case ReciprocalMethod::Table256Newton:
+            return static_cast<std::uint32_t>(newton_step(mantissa, kMiddles256[(mantissa >> 23) & 0xff], 0));
         case ReciprocalMethod::Table1024Newton:
             return static_cast<std::uint32_t>(newton_step(mantissa, kMiddles1024[(mantissa >> 21) & 0x3ff], 0));
         case ReciprocalMethod::Table256TwoNewton:
@@ -77,12 +63,6 @@ std::uint32_t mantissa_reciprocal(std::uint32_t mantissa, ReciprocalMethod metho
             break;
     }
     return static_cast<std::uint32_t>(nearest_quotient(kOne62, mantissa));
-}
-
-ScaledReciprocal scaled_reciprocal(std::uint64_t n, ReciprocalMethod method) {
-    const int zeros = std::countl_zero(n);
-    const auto mantissa = static_cast<std::uint32_t>((n << zeros) >> 32);
-    return {mantissa_reciprocal(mantissa, method), 94 - zeros};
 }
 
 }  // namespace oblong

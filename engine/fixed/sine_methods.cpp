@@ -115,24 +115,6 @@ std::int32_t raw_sine(Angle angle, SineMethod method) {
 
 }  // namespace
 
-const char* name_of(SineMethod method) {
-    switch (method) {
-        case SineMethod::Nearest256:
-            return "nearest of 256";
-        case SineMethod::Lerp256:
-            return "256, lerp";
-        case SineMethod::Quarter1024Lerp:
-            return "quarter of 1024, lerp";
-        case SineMethod::Cordic16:
-            return "CORDIC, 16 steps";
-        case SineMethod::Cordic30:
-            return "CORDIC, 30 steps";
-        case SineMethod::NearestStep:
-            break;
-    }
-    return "nearest step";
-}
-
 Unit sine(Angle angle, SineMethod method) {
     return Unit::from_raw(raw_sine(angle, method));
 }

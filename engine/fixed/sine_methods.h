@@ -22,9 +22,6 @@ enum class SineMethod {
 inline constexpr std::array kSineMethods = {SineMethod::Nearest256,      SineMethod::Lerp256,  SineMethod::Cordic16,
                                             SineMethod::Quarter1024Lerp, SineMethod::Cordic30, SineMethod::NearestStep};
 
-/// "nearest of 256", "CORDIC, 16 steps", ...
-const char* name_of(SineMethod method);
-
 Unit sine(Angle angle, SineMethod method);
 /// Bit for bit sine(angle + kQuarterTurn, method).
 Unit cosine(Angle angle, SineMethod method);

@@ -1,9 +1,12 @@
 #include "engine/frame/frame.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "engine/effects/sky.h"
+#include "engine/fixed/arithmetic.h"
 #include "engine/frame/workspace.h"
+#include "engine/raster/exact_spans.h"
 #include "engine/scene/face_surface.h"
 #include "engine/screen/screen.h"
 #include "engine/visibility/eye.h"
@@ -17,17 +20,22 @@ struct FrameContext {
     const Scene& scene;
     ViewContext view;
     InverseProjection inverse_projection;
+    const Accuracy& accuracy;
     BlockRule block_rule;
+    BlockCutter cut_blocks;
+    bool divides_each_pixel;
     Framebuffer out;
 };
 
 ViewContext make_view(const Camera& camera, const Vec3<World>& eye, const ScreenMode& mode, const Settings& settings) {
     ViewContext view;
     view.eye = eye;
-    view.axes = view_basis(camera.yaw, camera.pitch, camera.roll);
+    const Accuracy& accuracy = settings.accuracy;
+    view.axes = rounded_to(view_basis(camera.yaw, camera.pitch, camera.roll, accuracy.sine), accuracy.matrix_bits);
     view.projection = make_projection(mode, camera.field_of_view, settings.correct_aspect);
     view.frustum = make_frustum(view.axes, view.projection);
-    view.grid = SubpixelGrid::of_bits(settings.accuracy.subpixel_bits);
+    view.grid = SubpixelGrid::of_bits(accuracy.subpixel_bits);
+    view.view_bits = accuracy.view_bits;
     return view;
 }
 
@@ -45,13 +53,32 @@ FrameContext begin_frame(const Scene& scene, const Camera& camera, const ScreenM
     work.visible.see_from(scene.level, eye.leaf);
     work.brush_models.start_frame(scene.level, scene.models, work.faces);
     work.vertices.start_frame();
+    work.surfaces.start_frame(settings.accuracy, scene.colormap);
     work.span_buffer.reset();
     work.sky_spans.clear();
     work.plan = plan_frame(effects_in_sight(work), settings.allowed_effects);
     if (work.counts) *work.counts = make_frame_counts(out);
+    if (work.record) work.record->pixels.assign(pixel_count(out.pitch, out.height_px), {});
 
     const ViewContext view = make_view(camera, eye.position, mode, settings);
-    return {scene, view, make_inverse_projection(view.projection), make_block_rule(settings.accuracy), out};
+    const Accuracy& accuracy = settings.accuracy;
+    return {scene,
+            view,
+            make_inverse_projection(view.projection),
+            accuracy,
+            make_block_rule(accuracy),
+            block_cutter(accuracy),
+            accuracy.texturing == Texturing::Exact && accuracy.reciprocal == ReciprocalMethod::Exact,
+            out};
+}
+
+/// The corners of a face, those at T-junctions only if the settings mend them.
+std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& frame, FrameWorkspace& work) {
+    if (frame.accuracy.mends_t_junctions) return work.faces.corners_of(index);
+    const Level& level = frame.scene.level;
+    work.own_corners.clear();
+    for (const SurfEdge step : level.edges_of(level.faces[index])) work.own_corners.push_back(level.start_of(step));
+    return work.own_corners;
 }
 
 /// Transforms, clips and projects the corners into work.polygon. False if nothing of the face is in view.
@@ -59,7 +86,14 @@ bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspa
     if (work.counts) ++work.counts->faces_visited;
     if (visible.fragment)
         return project_polygon(work.brush_models.corners_of(*visible.fragment), frame.view, work.polygon);
-    return project_face(work.faces.corners_of(visible.face), frame.view, work.vertices, work.polygon);
+    return project_face(corners_of(visible.face, frame, work), frame.view, work.vertices, work.polygon);
+}
+
+PixelRecord record_of(const VisibleFace& visible) {
+    PixelRecord record;
+    record.face = visible.face;
+    if (visible.fragment) record.model = visible.fragment->placed;
+    return record;
 }
 
 /// Collects sky spans for the sky pass, and fills faces whose effect is not on the plan with one colour of their
@@ -73,6 +107,7 @@ bool draw_without_surface(const VisibleFace& visible, const FrameContext& frame,
     const bool is_on_plan = (effects & work.plan.effects) == effects;
     if (is_on_plan && material != Material::Sky) return false;
     if (work.counts) count_writes(work.owned, frame.out.pitch, *work.counts);
+    if (work.record) record_spans(record_of(visible), work.owned, frame.out, *work.record);
     if (is_on_plan) {
         work.sky_spans.insert(work.sky_spans.end(), work.owned.begin(), work.owned.end());
         return true;
@@ -81,23 +116,103 @@ bool draw_without_surface(const VisibleFace& visible, const FrameContext& frame,
     return true;
 }
 
-void draw_waiting_blocks(const FaceSurface& surface, Framebuffer out, FrameWorkspace& work) {
+void draw_waiting_blocks(const VisibleFace& visible, const FaceSurface& surface, Framebuffer out,
+                         FrameWorkspace& work) {
     surface.kernel(work.blocks.waiting(), surface.view, out.pixels);
     if (work.counts) count_writes(work.blocks.waiting(), *work.counts);
+    if (work.record) record_blocks(record_of(visible), work.blocks.waiting(), surface, *work.record);
     work.blocks.clear();
 }
 
-/// Cuts the owned spans into blocks, then draws them.
-void draw_textured(const FaceSurface& surface, const TextureGradients& gradients, const FrameContext& frame,
-                   FrameWorkspace& work) {
-    const BlockThresholds thresholds = make_block_thresholds(frame.block_rule, gradients.inverse_z.per_column);
-    for (const Span& span : work.owned) {
-        if (!work.blocks.has_room_for(span.end - span.first)) draw_waiting_blocks(surface, frame.out, work);
-        const std::int32_t divisions =
-            append_blocks(span, frame.out.pitch, gradients, frame.block_rule, thresholds, surface.limits, work.blocks);
+/// The longest block of a face that rounding allows (longest_block_log2).
+int longest_block_of(const VisibleFace& visible, int mip, const FrameContext& frame, const FrameWorkspace& work) {
+    const WidthAtOne width = frame.inverse_projection.least_pixel_width;
+    const auto nearest_width = product<WidthAtOne>(work.polygon.nearest_z, width, Rounding::Floor);
+    const TexelDensity density = work.faces.faces[visible.face].least_density;
+    const auto texels = floor_shift(product<TexelDensity>(nearest_width, density, Rounding::Floor), mip);
+    return longest_block_log2(frame.block_rule, texels);
+}
+
+/// How the spans of one face are cut into blocks.
+struct BlockLimits {
+    BlockThresholds thresholds;
+    TexelLimits texels;
+};
+
+BlockLimits block_limits(const VisibleFace& visible, const FaceSurface& surface, InverseZ inverse_z_step,
+                         const FrameContext& frame, const FrameWorkspace& work) {
+    BlockLimits limits{{}, surface.limits};
+    if (frame.accuracy.texturing != Texturing::Bounded) return limits;
+    const int longest = longest_block_of(visible, surface.mip, frame, work);
+    limits.thresholds = make_block_thresholds(frame.block_rule, inverse_z_step, longest);
+    limits.texels.least = std::min(limits.texels.least, Texel::from_raw(std::int64_t{1} << longest));
+    return limits;
+}
+
+/// Cuts spans into blocks, then draws them.
+void draw_blocks(const VisibleFace& visible, const FaceSurface& surface, const TextureGradients& gradients,
+                 std::span<const Span> spans, const FrameContext& frame, FrameWorkspace& work) {
+    const BlockLimits limits = block_limits(visible, surface, gradients.inverse_z.per_column, frame, work);
+    for (const Span& span : spans) {
+        if (!work.blocks.has_room_for(span.end - span.first)) draw_waiting_blocks(visible, surface, frame.out, work);
+        const std::int32_t divisions = frame.cut_blocks(span, frame.out.pitch, gradients, frame.block_rule,
+                                                        limits.thresholds, limits.texels, work.blocks);
         if (work.counts) work.counts->divisions += divisions;
     }
-    draw_waiting_blocks(surface, frame.out, work);
+    draw_waiting_blocks(visible, surface, frame.out, work);
+}
+
+TextureGradients gradients_of(const VisibleFace& visible, const FaceSurface& surface, const FrameContext& frame,
+                              const FrameWorkspace& work) {
+    const Level& level = frame.scene.level;
+    const Vec3<World> offset = visible.fragment ? work.brush_models.offset_of(*visible.fragment) : Vec3<World>{};
+    const TextureGradients gradients =
+        make_face_gradients(level, level.faces[visible.face], surface, offset, frame.view, frame.inverse_projection);
+    const Accuracy& accuracy = frame.accuracy;
+    if (accuracy.inverse_z_bits == InverseZ::kFractionBits && accuracy.over_z_bits == TexelOverZ::kFractionBits)
+        return gradients;
+    return rounded_to(gradients, accuracy.inverse_z_bits, accuracy.over_z_bits);
+}
+
+/// Draws spans of a face with its texture of one mip level. A frame that counts or records draws blocks always: they
+/// say what each pixel shows.
+void draw_textured(const VisibleFace& visible, int mip, std::span<const Span> spans, const FrameContext& frame,
+                   FrameWorkspace& work) {
+    const FaceSurface surface = work.surfaces.get(visible.face, mip, frame.scene.light_styles);
+    const TextureGradients gradients = gradients_of(visible, surface, frame, work);
+    if (work.counts) ++work.counts->stages.surfaces;
+    if (frame.divides_each_pixel && surface.is_wrapped_by_masks && !work.counts && !work.record)
+        return draw_exact_spans(spans, gradients, surface.limits, surface.view, frame.out);
+    draw_blocks(visible, surface, gradients, spans, frame, work);
+}
+
+/// The mip level of a face for pixels no nearer than this.
+int mip_level(FaceIndex face, View nearest_z, const FrameContext& frame, const FrameWorkspace& work) {
+    return work.surfaces.mip_level(face, nearest_z, frame.view.projection.x, frame.accuracy.mip_bias);
+}
+
+/// Draws each owned span with the mip level of its nearest pixel.
+void draw_by_span_mips(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
+    const auto inverse_z = gradients_of(visible, FaceSurface{}, frame, work).inverse_z;
+    const auto mip_of = [&](const Span& span) {
+        const InverseZ first = inverse_z.at(span.first, span.y), last = inverse_z.at(span.end - 1, span.y);
+        const auto nearest_z = reciprocal<View>(std::max({first, last, InverseZ::ulp()}));
+        return mip_level(visible.face, nearest_z, frame, work);
+    };
+    for (int mip = 0; mip < 4; ++mip) {
+        work.of_mip.clear();
+        std::copy_if(work.owned.begin(), work.owned.end(), std::back_inserter(work.of_mip),
+                     [&](const Span& span) { return mip_of(span) == mip; });
+        if (!work.of_mip.empty()) draw_textured(visible, mip, work.of_mip, frame, work);
+    }
+}
+
+void draw_with_mips(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
+    const MipSelection selection = frame.accuracy.mip;
+    if (selection == MipSelection::Span) return draw_by_span_mips(visible, frame, work);
+    const bool is_chosen = selection == MipSelection::Face;
+    draw_textured(visible, is_chosen ? mip_level(visible.face, work.polygon.nearest_z, frame, work) : 0, work.owned,
+                  frame, work);
 }
 
 void draw_sky_pass(const FrameContext& frame, const FrameWorkspace& work) {
@@ -124,30 +239,38 @@ void fill_free_pixels(FrameWorkspace& work, Framebuffer out) {
     }
 }
 
+/// Adds what is known at the end of a frame only.
+void count_frame(std::int64_t nodes, std::int64_t texels_before, FrameWorkspace& work) {
+    StageCounts& stages = work.counts->stages;
+    const VertexCache::Counts vertices = work.vertices.count();
+    stages.nodes = nodes;
+    stages.vertices = vertices.transformed;
+    stages.projected = vertices.projected;
+    stages.lit_texels = work.surfaces.built_texels() - texels_before;
+    for (const Span& span : work.sky_spans) stages.sky_pixels += span.end - span.first;
+    stages.flat_pixels -= stages.sky_pixels;
+}
+
 }  // namespace
 
 void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
                 FrameWorkspace& work, Framebuffer out) {
     const FrameContext frame = begin_frame(scene, camera, mode, settings, work, out);
     const Level& level = scene.level;
+    const std::int64_t texels_before = work.surfaces.built_texels();
     BrushModels* const models = work.plan.effects.has(Effect::BrushModels) ? &work.brush_models : nullptr;
 
     FrontToBackWalk walk(level, frame.view, work.visible, models, work.span_buffer, work.walk);
     while (const std::optional<VisibleFace> visible = walk.next()) {
         if (!project(*visible, frame, work)) continue;
-        scan_convex(work.polygon.screen, work.rows);
+        scan_convex(work.polygon.screen, work.rows, frame.accuracy.edges);
+        if (work.counts) count_polygon(work.polygon, work.rows, work.counts->stages);
         work.owned.clear();
         work.span_buffer.claim(work.rows, work.owned);
         if (work.owned.empty() || draw_without_surface(*visible, frame, work)) continue;
-
-        const Vec3<World> offset = visible->fragment ? work.brush_models.offset_of(*visible->fragment) : Vec3<World>{};
-        const Face& face = level.faces[visible->face];
-        const FaceSurface surface = work.surfaces.get(visible->face, work.polygon.nearest_z, frame.view.projection.x,
-                                                      scene.colormap, scene.light_styles);
-        const TextureGradients gradients =
-            make_face_gradients(level, face, surface, offset, frame.view, frame.inverse_projection);
-        draw_textured(surface, gradients, frame, work);
+        draw_with_mips(*visible, frame, work);
     }
+    if (work.counts) count_frame(walk.nodes_entered(), texels_before, work);
     if (work.plan.effects.has(Effect::Sky)) draw_sky_pass(frame, work);
     fill_free_pixels(work, out);
 }

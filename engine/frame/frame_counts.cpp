@@ -32,14 +32,28 @@ void count_face(EffectSet effects, std::span<const Span> spans, FrameCounts& cou
 }
 
 void count_writes(std::span<const Span> spans, std::int32_t pitch, FrameCounts& counts) {
-    for (const Span& span : spans)
+    for (const Span& span : spans) {
         count_run(static_cast<std::uint32_t>(span.y * pitch + span.first),
                   static_cast<std::uint32_t>(span.end - span.first), counts.writes);
+        counts.stages.flat_pixels += span.end - span.first;
+    }
 }
 
 void count_writes(std::span<const TexelBlock> blocks, FrameCounts& counts) {
-    for (const TexelBlock& block : blocks)
+    for (const TexelBlock& block : blocks) {
         count_run(block.pixel, static_cast<std::uint32_t>(block.count), counts.writes);
+        counts.stages.textured_pixels += block.count;
+        counts.stages.last_blocks += (block.count & (block.count - 1)) != 0;
+    }
+    counts.stages.blocks += static_cast<std::int64_t>(blocks.size());
+}
+
+void count_polygon(const ScreenPolygon& polygon, const ScanlineExtents& rows, StageCounts& stages) {
+    const auto corners = static_cast<std::int64_t>(polygon.screen.size());
+    if (polygon.is_clipped) stages.clipped_corners += corners;
+    stages.edges += corners;
+    stages.edge_rows += 2 * (rows.end - rows.first);
+    stages.claimed_rows += rows.end - rows.first;
 }
 
 }  // namespace oblong

@@ -4,15 +4,34 @@
 #include <span>
 #include <vector>
 
+#include "engine/geometry/screen_polygon.h"
 #include "engine/raster/kernels/kernels.h"
+#include "engine/raster/scan.h"
 #include "engine/scene/effects.h"
 #include "engine/screen/screen.h"
 
 namespace oblong {
 
+/// How often the stages of a frame did their work: what its operations are worked out from.
+struct StageCounts {
+    std::int64_t nodes = 0;            ///< of the tree, entered
+    std::int64_t vertices = 0;         ///< transformed
+    std::int64_t projected = 0;        ///< vertices put on the screen
+    std::int64_t clipped_corners = 0;  ///< left after clipping, all projected again
+    std::int64_t edges = 0;            ///< scanned
+    std::int64_t edge_rows = 0;        ///< steps down those edges
+    std::int64_t claimed_rows = 0;     ///< rows of faces looked up in the span buffer
+    std::int64_t surfaces = 0;         ///< for which gradients were made
+    std::int64_t blocks = 0;           ///< all of them
+    std::int64_t last_blocks = 0;      ///< those of any length, with a division for each step
+    std::int64_t textured_pixels = 0, flat_pixels = 0, sky_pixels = 0;
+    std::int64_t lit_texels = 0;  ///< built because the cache did not have them
+};
+
 /// Statistics of a frame, collected only on request (FrameWorkspace::counts).
 struct FrameCounts {
     std::int64_t faces_visited = 0, faces_drawn = 0, spans = 0, divisions = 0;
+    StageCounts stages;
     std::vector<std::uint8_t> writes;         ///< of each pixel, by faces, those of the sky too; at most 255
     std::vector<std::int64_t> effect_pixels;  ///< of each Effect: those of the faces that need it
 };
@@ -25,5 +44,7 @@ void count_face(EffectSet effects, std::span<const Span> spans, FrameCounts& cou
 /// Adds a write to each pixel of spans or blocks. `pitch` is the framebuffer's.
 void count_writes(std::span<const Span> spans, std::int32_t pitch, FrameCounts& counts);
 void count_writes(std::span<const TexelBlock> blocks, FrameCounts& counts);
+/// Adds a polygon that was scanned into `rows`.
+void count_polygon(const ScreenPolygon& polygon, const ScanlineExtents& rows, StageCounts& stages);
 
 }  // namespace oblong

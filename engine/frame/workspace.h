@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/frame/frame_counts.h"
+#include "engine/frame/frame_record.h"
 #include "engine/geometry/screen_polygon.h"
 #include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
@@ -32,9 +33,11 @@ class FrameWorkspace {
     VisibleSet visible;
     WalkScratch walk;
     SpanBuffer span_buffer;
+    std::vector<VertexIndex> own_corners;  ///< of the current face, without those at T-junctions
     ScreenPolygon polygon;
     ScanlineExtents rows;
     std::vector<Span> owned;      ///< what the current face claimed
+    std::vector<Span> of_mip;     ///< those of them that one mip level draws
     std::vector<Span> sky_spans;  ///< what sky faces claimed, drawn last
     BlockList blocks;
     FaceSurfaces surfaces;
@@ -42,6 +45,7 @@ class FrameWorkspace {
 
     FramePlan plan;                       ///< of the frame drawn last: for showing, never read by a frame
     std::unique_ptr<FrameCounts> counts;  ///< null: nothing is counted
+    std::unique_ptr<FrameRecord> record;  ///< null: nothing is recorded
 };
 
 }  // namespace oblong

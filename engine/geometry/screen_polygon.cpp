@@ -10,6 +10,7 @@ namespace {
 bool clip_and_project(unsigned outcodes, const ViewContext& view, ScreenPolygon& polygon) {
     if (outcodes != 0) clip_polygon(view.frustum, outcodes, polygon.clip);
     if (polygon.clip.polygon.size() < 3) return false;
+    polygon.is_clipped = true;
     polygon.nearest_z = View::highest();
     polygon.screen.clear();
     for (const ClipVertex& vertex : polygon.clip.polygon) {
@@ -22,6 +23,7 @@ bool clip_and_project(unsigned outcodes, const ViewContext& view, ScreenPolygon&
 }
 
 void use_cached_projections(const ViewContext& view, ScreenPolygon& polygon) {
+    polygon.is_clipped = false;
     polygon.nearest_z = View::highest();
     polygon.screen.clear();
     for (CachedVertex* corner : polygon.corners) {
@@ -30,40 +32,62 @@ void use_cached_projections(const ViewContext& view, ScreenPolygon& polygon) {
     }
 }
 
+/// Which sides of the view corners are outside of: any of them, all of them.
+struct OutcodeUnion {
+    unsigned any = 0, all = 0xff;
+
+    void add(unsigned outcode) {
+        any |= outcode;
+        all &= outcode;
+    }
+};
+
+template <bool RoundsPositions>
+OutcodeUnion gather_corners(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
+                            std::vector<CachedVertex*>& corners) {
+    OutcodeUnion outcodes;
+    corners.clear();
+    for (const VertexIndex index : corner_indices) {
+        CachedVertex& vertex = vertices.get<RoundsPositions>(index, view);
+        outcodes.add(vertex.outcode);
+        corners.push_back(&vertex);
+    }
+    return outcodes;
+}
+
+bool rounds_positions(const ViewContext& view) {
+    return view.view_bits != View::kFractionBits;
+}
+
 }  // namespace
 
 bool project_face(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
                   ScreenPolygon& polygon) {
-    unsigned any_outside = 0, all_outside = 0xff;
-    polygon.corners.clear();
-    for (const VertexIndex index : corner_indices) {
-        CachedVertex& vertex = vertices.get(index, view);
-        any_outside |= vertex.outcode;
-        all_outside &= vertex.outcode;
-        polygon.corners.push_back(&vertex);
-    }
-    if (all_outside != 0) return false;
-    if (any_outside == 0) {
+    const OutcodeUnion outcodes = rounds_positions(view)
+                                      ? gather_corners<true>(corner_indices, view, vertices, polygon.corners)
+                                      : gather_corners<false>(corner_indices, view, vertices, polygon.corners);
+    if (outcodes.all != 0) return false;
+    if (outcodes.any == 0) {
         use_cached_projections(view, polygon);
         return true;
     }
     polygon.clip.polygon.clear();
     for (const CachedVertex* corner : polygon.corners)
         polygon.clip.polygon.push_back({corner->view, 0, corner->outcode, 0});
-    return clip_and_project(any_outside, view, polygon);
+    return clip_and_project(outcodes.any, view, polygon);
 }
 
 bool project_polygon(std::span<const Vec3<World>> corners, const ViewContext& view, ScreenPolygon& polygon) {
-    unsigned any_outside = 0, all_outside = 0xff;
+    OutcodeUnion outcodes;
     polygon.clip.polygon.clear();
     for (const Vec3<World>& corner : corners) {
-        const Vec3<View> vertex = to_view(corner, view.eye, view.axes);
+        Vec3<View> vertex = to_view(corner, view.eye, view.axes);
+        if (rounds_positions(view)) vertex = rounded_to(vertex, view.view_bits);
         const std::uint8_t outcode = outcode_of(view.frustum, vertex);
-        any_outside |= outcode;
-        all_outside &= outcode;
+        outcodes.add(outcode);
         polygon.clip.polygon.push_back({vertex, 0, outcode, 0});
     }
-    return all_outside == 0 && clip_and_project(any_outside, view, polygon);
+    return outcodes.all == 0 && clip_and_project(outcodes.any, view, polygon);
 }
 
 }  // namespace oblong

@@ -1,5 +1,7 @@
 #include "engine/geometry/texture_gradients.h"
 
+#include <algorithm>
+
 #include "engine/base/range_probe.h"
 #include "engine/fixed/arithmetic.h"
 
@@ -64,11 +66,29 @@ LinearQuantity<TexelOverZ> texel_quantity(const Vec3<TexelAxis>& world_axis, Tex
                             with_eye(product<TexelOverZ>(-axis.y, projection.inverse_y), inverse_z.y), projection);
 }
 
+/// sec a is the root of 1 and the squares of both tangents; such a root is at most the greatest of the three and half
+/// of the others.
+WidthAtOne least_pixel_width(const InverseProjection& inverse) {
+    const auto tangent = [](InverseMultiplier step, std::int32_t halves) {
+        return product<WidthAtOne>(step, Fixed<std::int32_t, 1>::from_raw(halves));
+    };
+    const WidthAtOne x = tangent(inverse.inverse_x, inverse.centre_x_1);
+    const WidthAtOne y = tangent(inverse.inverse_y, inverse.centre_y_1), one = WidthAtOne::from_int(1);
+    const WidthAtOne secant = floor_shift(x + y + one + std::max({x, y, one}), 1) + WidthAtOne::ulp();
+    return product_over<WidthAtOne>(std::min(inverse.inverse_x, inverse.inverse_y), Fixed<std::int32_t, 4>::from_int(1),
+                                    secant);
+}
+
 }  // namespace
 
 InverseProjection make_inverse_projection(const Projection& projection) {
-    return {reciprocal<InverseMultiplier>(projection.x.multiplier),
-            reciprocal<InverseMultiplier>(projection.y.multiplier), projection.width_px, projection.height_px};
+    InverseProjection inverse{reciprocal<InverseMultiplier>(projection.x.multiplier),
+                              reciprocal<InverseMultiplier>(projection.y.multiplier),
+                              projection.width_px,
+                              projection.height_px,
+                              {}};
+    inverse.least_pixel_width = least_pixel_width(inverse);
+    return inverse;
 }
 
 TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& axes,

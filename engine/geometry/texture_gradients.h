@@ -12,10 +12,16 @@ namespace oblong {
 /// 1 / multiplier: 2.62.
 using InverseMultiplier = Fixed<std::int64_t, 62>;
 
+/// A length in the world at depth 1, units: 32.32.
+using WidthAtOne = Fixed<std::int64_t, 32>;
+
 /// Reciprocals of the multipliers, computed once a frame, and the optical centre in half pixels.
 struct InverseProjection {
     InverseMultiplier inverse_x, inverse_y;
     std::int32_t centre_x_1 = 0, centre_y_1 = 0;
+    /// A pixel is at least so wide on any surface, times its depth. If the surface faces the eye, z sec a away, a pixel
+    /// is cos^2 a / multiplier wide, a being 0 in the middle of the screen and greatest in the corners.
+    WidthAtOne least_pixel_width;
 };
 
 /// For a projection that is_drawable().

@@ -27,10 +27,26 @@ class VertexCache {
 
     void start_frame() { ++frame_; }
 
+    struct Counts {
+        std::int64_t transformed = 0, projected = 0;
+    };
+    /// What it computed in this frame, by a look at all vertices: for counting frames only.
+    Counts count() const {
+        Counts counts;
+        for (const CachedVertex& vertex : vertices_) {
+            if (vertex.frame != frame_) continue;
+            ++counts.transformed;
+            counts.projected += vertex.is_projected;
+        }
+        return counts;
+    }
+
+    template <bool RoundsPositions>
     CachedVertex& get(VertexIndex index, const ViewContext& view) {
         CachedVertex& vertex = vertices_[index];
         if (vertex.frame == frame_) return vertex;
         vertex.view = to_view(world_[index], view.eye, view.axes);
+        if constexpr (RoundsPositions) vertex.view = rounded_to(vertex.view, view.view_bits);
         vertex.outcode = outcode_of(view.frustum, vertex.view);
         vertex.frame = frame_;
         vertex.is_projected = false;

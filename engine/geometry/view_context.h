@@ -14,6 +14,7 @@ struct ViewContext {
     Projection projection;
     Frustum frustum;
     SubpixelGrid grid;
+    std::int32_t view_bits = View::kFractionBits;  ///< of positions in viewspace
 };
 
 }  // namespace oblong

@@ -40,18 +40,29 @@ Vec3<Unit> direction_without(const Vec3<Unit>& v, const Vec3<Unit>& axis) {
     return normalised(without(once, axis));
 }
 
+/// The engine's own keep 60 bits until the products are rounded.
+SineCosine60 sine_cosine_by(SineMethod method, Angle angle) {
+    if (method == SineMethod::NearestStep) return sine_cosine(angle);
+    return {convert<Sine60>(sine(angle, method)), convert<Sine60>(cosine(angle, method))};
+}
+
 }  // namespace
 
-Basis view_basis(Angle yaw, Angle pitch, Angle roll) {
-    const auto [sy, cy] = sine_cosine(yaw);
-    const auto [sp, cp] = sine_cosine(pitch);
-    const auto [sr, cr] = sine_cosine(roll);
+Basis view_basis(Angle yaw, Angle pitch, Angle roll, SineMethod method) {
+    const auto [sy, cy] = sine_cosine_by(method, yaw);
+    const auto [sp, cp] = sine_cosine_by(method, pitch);
+    const auto [sr, cr] = sine_cosine_by(method, roll);
     const Sine60 sr_sp = multiply(sr, sp), cr_sp = multiply(cr, sp);
     return {
         .right =
             rounded(multiply(cr, sy) - multiply(sr_sp, cy), -multiply(sr_sp, sy) - multiply(cr, cy), -multiply(sr, cp)),
         .up = rounded(multiply(cr_sp, cy) + multiply(sr, sy), multiply(cr_sp, sy) - multiply(sr, cy), multiply(cr, cp)),
         .forward = rounded(multiply(cp, cy), multiply(cp, sy), -sp)};
+}
+
+Basis rounded_to(const Basis& basis, std::int32_t fraction_bits) {
+    return {rounded_to(basis.right, fraction_bits), rounded_to(basis.up, fraction_bits),
+            rounded_to(basis.forward, fraction_bits)};
 }
 
 FineBasis y_up_fine_basis(Angle yaw, Angle pitch, Angle roll) {

@@ -3,6 +3,7 @@
 #include "engine/base/range_probe.h"
 #include "engine/fixed/angle.h"
 #include "engine/fixed/fixed.h"
+#include "engine/fixed/sine_methods.h"
 #include "engine/fixed/trig.h"
 #include "engine/math/vec.h"
 
@@ -16,8 +17,12 @@ struct Basis {
 
 /// The view's axes in the engine's world (x east, y north, z up, right-handed): yaw counter-clockwise from +x seen from
 /// above, then pitch, positive looking down, then roll, positive leaning right. At 0, 0, 0: forward = +x, right = -y,
-/// up = +z. Each component is within 0.51 steps of 2^-30 of the true rotation by these binary angles.
-Basis view_basis(Angle yaw, Angle pitch, Angle roll);
+/// up = +z. Each component is within 0.51 steps of 2^-30 of the true rotation by these binary angles; other methods
+/// than NearestStep add the errors of their sines.
+Basis view_basis(Angle yaw, Angle pitch, Angle roll, SineMethod method = SineMethod::NearestStep);
+
+/// The axes rounded to fewer fraction bits, 6 to 30.
+Basis rounded_to(const Basis& basis, std::int32_t fraction_bits);
 
 /// The same in a world with y up (x right, z forward, left-handed: a view that has not been turned): yaw turns forward
 /// toward +x, then pitch turns forward toward up, then roll turns right toward up. At 0, 0, 0 the axes are the world's.

@@ -31,6 +31,12 @@ constexpr Vec3<To> saturating_convert(const Vec3<Fixed<Int, Frac>>& v) {
     return {saturating_convert<To>(v.x), saturating_convert<To>(v.y), saturating_convert<To>(v.z)};
 }
 
+/// Each component in fewer fraction bits.
+template <class T>
+constexpr Vec3<T> rounded_to(const Vec3<T>& v, int fraction_bits) {
+    return {rounded_to(v.x, fraction_bits), rounded_to(v.y, fraction_bits), rounded_to(v.z, fraction_bits)};
+}
+
 /// a - b in 64 bits.
 template <class Int, int Frac>
 constexpr auto widening_difference(const Vec3<Fixed<Int, Frac>>& a, const Vec3<Fixed<Int, Frac>>& b) {

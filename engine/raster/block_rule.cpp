@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "engine/base/range_probe.h"
+#include "engine/base/table.h"
 #include "engine/fixed/wide.h"
 
 namespace oblong {
@@ -11,16 +12,19 @@ namespace oblong {
 BlockRule make_block_rule(const Accuracy& accuracy) {
     BlockRule rule;
     rule.texturing = accuracy.texturing;
-    const std::int64_t error = accuracy.texture_error_px_256;
+    rule.pixel_bound_256 = accuracy.pixel_bound_256;
+    rule.texel_bound_256 = accuracy.texel_bound_256;
+    const std::int64_t error_4096 = accuracy.pixel_bound_256 * std::int64_t{15};
     for (std::size_t k = 0; k < kBlockSizes; ++k) {
         // A block no longer than the error allowed is within it whatever its slope.
-        const std::int64_t reach = std::max((std::int64_t{256} << k) - error, std::int64_t{0});
-        rule.factor_8[k] = static_cast<std::uint64_t>((reach * reach + 4 * error - 1) / (4 * error));
+        const std::int64_t reach_4096 = std::max((std::int64_t{4096} << k) - error_4096, std::int64_t{0});
+        const std::int64_t per_pixel = 4 * 16 * error_4096;
+        rule.factor_8[k] = static_cast<std::uint64_t>((reach_4096 * reach_4096 + per_pixel - 1) / per_pixel);
     }
     return rule;
 }
 
-BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_step) {
+BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_step, int longest_log2) {
     BlockThresholds thresholds;
     const bool falls = inverse_z_step < InverseZ{};
     const std::uint64_t capped = std::min(detail::magnitude(inverse_z_step.raw), std::uint64_t{1} << 50);
@@ -32,7 +36,17 @@ BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_
         thresholds.least_inverse_z[k] =
             InverseZ::from_raw(static_cast<std::int64_t>(std::min(least, std::uint64_t{1} << 61)));
     }
+    for (int k = longest_log2 + 1; k < kBlockSizes; ++k) at(thresholds.least_inverse_z, k) = InverseZ::highest();
     return thresholds;
+}
+
+int longest_block_log2(const BlockRule& rule, Fixed<std::int64_t, 16> texels_per_pixel) {
+    // Steps of 2^-16 texel that are a sixteenth of the bound. One may be lost a pixel, and 8 by rounding the ends and
+    // z.
+    const std::int64_t steps = floor_shift(
+        std::min(texels_per_pixel, Fixed<std::int64_t, 16>::from_int(65536)).raw * rule.pixel_bound_256, 12);
+    const auto pixels = static_cast<std::uint64_t>(std::max(steps - 8, std::int64_t{1}));
+    return std::min(static_cast<int>(std::bit_width(pixels)) - 1, kBlockSizes - 1);
 }
 
 }  // namespace oblong

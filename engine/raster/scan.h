@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/accuracy/accuracy.h"
 #include "engine/screen/screen.h"
 
 namespace oblong {
@@ -26,10 +27,11 @@ constexpr std::int32_t first_centre_from(Screen position) {
 }
 
 /// Finds the pixels of a convex polygon whose vertices run clockwise as seen (y down). A pixel is covered when its
-/// centre is inside, on a left edge or on a top edge; polygons that share edges share no pixel and leave no gap. Edges
-/// are walked by an exact error term: the columns are those of the true edge between the snapped vertices, whatever its
-/// slope. Columns may lie off the screen; rows do not.
-void scan_convex(std::span<const ScreenVertex> vertices, ScanlineExtents& rows);
+/// centre is inside, on a left edge or on a top edge; polygons that share edges share no pixel and leave no gap. Exact
+/// edges are walked by an error term: the columns are those of the true edge between the snapped vertices, whatever its
+/// slope; Accumulated ones are up to 2^-17 pixel a row beside it. Columns may lie off the screen; rows do not.
+void scan_convex(std::span<const ScreenVertex> vertices, ScanlineExtents& rows,
+                 EdgeStepping stepping = EdgeStepping::Exact);
 
 /// Square pixels: 48.16.
 using ScreenArea = Fixed<std::int64_t, 16>;

@@ -1,7 +1,10 @@
 #include "engine/raster/texture_blocks.h"
 
+#include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <limits>
+#include <tuple>
 
 #include "engine/base/range_probe.h"
 #include "engine/base/table.h"
@@ -37,7 +40,17 @@ constexpr Number clamp_value(Number value, Number least, Number greatest) {
     return value > greatest ? greatest : value;
 }
 
-/// z as a reciprocal of 33 bits and a scale: one 64-bit division. Relative error below 2^-26.
+/// 2^92 / normalised, for a number from 2^59 to 2^60. Exact: one 64-bit division, relative error below 2^-26.
+template <ReciprocalMethod Method>
+std::int64_t reciprocal_of(std::uint64_t normalised) {
+    if constexpr (Method == ReciprocalMethod::Exact)
+        return static_cast<std::int64_t>((std::uint64_t{1} << 60) / (normalised >> 32));
+    else
+        return std::int64_t{mantissa_reciprocal(static_cast<std::uint32_t>(normalised >> 28), Method)} * 4;
+}
+
+/// z as a reciprocal of 33 bits and a scale.
+template <ReciprocalMethod Method>
 struct Depth {
     std::int64_t mantissa;       ///< 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]
     TexelOverZ greatest_over_z;  ///< u/z beyond which u would be more than 65,535 texels
@@ -46,8 +59,7 @@ struct Depth {
     explicit Depth(InverseZ inverse_z) {
         const std::int64_t positive = clamp_value(inverse_z, kLeastInverseZ, kGreatestInverseZ).raw;
         shift = std::countl_zero(static_cast<std::uint64_t>(positive)) - 4;
-        mantissa =
-            static_cast<std::int64_t>((std::uint64_t{1} << 60) / static_cast<std::uint64_t>((positive << shift) >> 32));
+        mantissa = reciprocal_of<Method>(static_cast<std::uint64_t>(positive) << shift);
         greatest_over_z = TexelOverZ::from_raw(positive * 4 - 4);
     }
 
@@ -62,7 +74,8 @@ struct Depth {
     }
 };
 
-TexelPosition texel_of(const Perspective& at, const Depth& depth, const TexelLimits& limits) {
+template <ReciprocalMethod Method>
+TexelPosition texel_of(const Perspective& at, const Depth<Method>& depth, const TexelLimits& limits) {
     const auto within = [&limits](Texel texel, Texel greatest) {
         return static_cast<std::uint32_t>(clamp_value(texel, limits.least, greatest).raw);
     };
@@ -86,6 +99,7 @@ std::int32_t step_to_neighbour(std::uint32_t from, std::uint32_t to) {
 
 /// Cuts one span into blocks, left to right. Each block ends where the next begins, so a division serves twice. Its
 /// functions are force-inlined, so that its members stay in registers.
+template <ReciprocalMethod Method>
 class SpanCutter {
   public:
     SpanCutter(const Span& span, std::int32_t pitch, const TextureGradients& gradients, const TexelLimits& limits,
@@ -126,14 +140,43 @@ class SpanCutter {
                step_by_division(from.v_16, texel_.v_16, steps));
     }
 
+    /// A block of 2^log2 pixels, or the last one, if it keeps u and v within `bound_256` of the truth; else nothing. A
+    /// block of one or two pixels always does.
+    [[gnu::always_inline]] bool try_block(int log2, std::int32_t bound_256) {
+        const std::int32_t size = std::int32_t{1} << log2, steps = std::min(size, left_ - 1);
+        const auto start = std::tuple(here_, depth_, texel_);
+        const TexelPosition from = texel_;
+        advance(steps);
+        const bool is_within = steps < 2 || is_straight(std::get<Perspective>(start).inverse_z, from, steps, bound_256);
+        std::tie(here_, depth_, texel_) = start;
+        if (is_within && steps == size) cut_power(log2);
+        if (is_within && steps < size) cut_rest();
+        return is_within;
+    }
+
   private:
+    /// Whether the texels between `from` and here lie within a bound of a straight line. With k the ratio of the two
+    /// ends' 1/z, the line is off by |du| (sqrt k - 1) / (sqrt k + 1) <= |du| (k - 1) / 4 at most; a step that is
+    /// floored loses less than 2^-16 texel a pixel.
+    bool is_straight(InverseZ from_z, TexelPosition from, std::int32_t steps, std::int32_t bound_256) const {
+        const InverseZ least = std::min(from_z, here_.inverse_z), rise = absolute(here_.inverse_z - from_z);
+        if (least < kLeastInverseZ) return false;
+        const int shift = std::max(static_cast<int>(std::bit_width(static_cast<std::uint64_t>(least.raw))) - 28, 0);
+        const std::int64_t room_16 = std::int64_t{bound_256} * 256 - steps - 4;
+        const std::int64_t rise_in_steps = floor_shift(rise, shift).raw + 1;
+        if (room_16 < 0 || rise_in_steps >= std::int64_t{1} << 31) return false;
+        const std::int64_t texels_16 =
+            std::max(std::abs(std::int64_t{texel_.u_16} - from.u_16), std::abs(std::int64_t{texel_.v_16} - from.v_16));
+        return texels_16 * rise_in_steps <= 4 * room_16 * floor_shift(least, shift).raw;
+    }
+
     [[gnu::always_inline]] void advance(std::int32_t count) {
         const InverseZ before = here_.inverse_z;
         here_.inverse_z = stepped(before, gradients_.inverse_z.per_column, count);
         here_.u_over_z = stepped(here_.u_over_z, gradients_.u_over_z.per_column, count);
         here_.v_over_z = stepped(here_.v_over_z, gradients_.v_over_z.per_column, count);
         if (here_.inverse_z != before) {
-            depth_ = Depth(here_.inverse_z);
+            depth_ = Depth<Method>(here_.inverse_z);
             ++divisions_;
         }
         texel_ = texel_of(here_, depth_, limits_);
@@ -152,17 +195,19 @@ class SpanCutter {
     std::int32_t left_;
     std::uint32_t pixel_;
     Perspective here_;
-    Depth depth_;
+    Depth<Method> depth_;
     TexelPosition texel_;
     std::int32_t divisions_ = 1;
 };
 
-[[gnu::always_inline]] inline void cut_every(SpanCutter& cutter, int log2) {
+template <class Cutter>
+[[gnu::always_inline]] inline void cut_every(Cutter& cutter, int log2) {
     while (cutter.left() > 1 << log2) cutter.cut_power(log2);
     cutter.cut_rest();
 }
 
-[[gnu::always_inline]] inline void cut_bounded(SpanCutter& cutter, const BlockThresholds& thresholds) {
+template <class Cutter>
+[[gnu::always_inline]] inline void cut_bounded(Cutter& cutter, const BlockThresholds& thresholds) {
     int log2 = kBlockSizes - 1;
     const auto& least = thresholds.least_inverse_z;
     while (true) {
@@ -171,6 +216,54 @@ class SpanCutter {
         cutter.cut_power(log2);
         while (log2 + 1 < kBlockSizes && cutter.inverse_z() >= least[static_cast<std::size_t>(log2) + 1]) ++log2;
     }
+}
+
+/// Tries a block twice as long as the last one, then halves it until it is within the bound.
+template <class Cutter>
+[[gnu::always_inline]] inline void cut_bounded_texels(Cutter& cutter, std::int32_t bound_256) {
+    int log2 = 3;
+    while (cutter.left() > 1) {
+        while (!cutter.try_block(log2, bound_256)) --log2;
+        log2 = std::min(log2 + 1, kBlockSizes - 1);
+    }
+    if (cutter.left() == 1) cutter.cut_rest();
+}
+
+template <Texturing Way, ReciprocalMethod Method>
+std::int32_t append_blocks(const Span& span, std::int32_t pitch, const TextureGradients& gradients,
+                           const BlockRule& rule, const BlockThresholds& thresholds, const TexelLimits& limits,
+                           BlockList& blocks) {
+    SpanCutter<Method> cutter(span, pitch, gradients, limits, blocks.end());
+    if constexpr (Way == Texturing::Affine) cutter.cut_rest();
+    if constexpr (Way == Texturing::Every32) cut_every(cutter, 5);
+    if constexpr (Way == Texturing::Every16) cut_every(cutter, 4);
+    if constexpr (Way == Texturing::Every8) cut_every(cutter, 3);
+    if constexpr (Way == Texturing::Bounded) cut_bounded(cutter, thresholds);
+    if constexpr (Way == Texturing::BoundedTexels) cut_bounded_texels(cutter, rule.texel_bound_256);
+    if constexpr (Way == Texturing::Exact) cut_every(cutter, 0);
+    blocks.set_end(cutter.end());
+    return cutter.divisions();
+}
+
+template <ReciprocalMethod Method>
+BlockCutter cutter_by(Texturing texturing) {
+    switch (texturing) {
+        case Texturing::Affine:
+            return append_blocks<Texturing::Affine, Method>;
+        case Texturing::Every32:
+            return append_blocks<Texturing::Every32, Method>;
+        case Texturing::Every16:
+            return append_blocks<Texturing::Every16, Method>;
+        case Texturing::Every8:
+            return append_blocks<Texturing::Every8, Method>;
+        case Texturing::Bounded:
+            return append_blocks<Texturing::Bounded, Method>;
+        case Texturing::BoundedTexels:
+            return append_blocks<Texturing::BoundedTexels, Method>;
+        case Texturing::Exact:
+            break;
+    }
+    return append_blocks<Texturing::Exact, Method>;
 }
 
 }  // namespace
@@ -183,29 +276,23 @@ TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int3
 TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& limits, std::int32_t column,
                        std::int32_t row) {
     const Perspective at(gradients, column, row);
-    return texel_of(at, Depth(at.inverse_z), limits);
+    return texel_of(at, Depth<ReciprocalMethod::Exact>(at.inverse_z), limits);
 }
 
-std::int32_t append_blocks(const Span& span, std::int32_t pitch, const TextureGradients& gradients,
-                           const BlockRule& rule, const BlockThresholds& thresholds, const TexelLimits& limits,
-                           BlockList& blocks) {
-    SpanCutter cutter(span, pitch, gradients, limits, blocks.end());
-    switch (rule.texturing) {
-        case Texturing::Affine:
-            cutter.cut_rest();
-            break;
-        case Texturing::Every16:
-            cut_every(cutter, 4);
-            break;
-        case Texturing::Bounded:
-            cut_bounded(cutter, thresholds);
-            break;
-        case Texturing::Exact:
-            cut_every(cutter, 0);
+BlockCutter block_cutter(const Accuracy& accuracy) {
+    switch (accuracy.reciprocal) {
+        case ReciprocalMethod::Table256:
+            return cutter_by<ReciprocalMethod::Table256>(accuracy.texturing);
+        case ReciprocalMethod::Table256Newton:
+            return cutter_by<ReciprocalMethod::Table256Newton>(accuracy.texturing);
+        case ReciprocalMethod::Table1024Newton:
+            return cutter_by<ReciprocalMethod::Table1024Newton>(accuracy.texturing);
+        case ReciprocalMethod::Table256TwoNewton:
+            return cutter_by<ReciprocalMethod::Table256TwoNewton>(accuracy.texturing);
+        case ReciprocalMethod::Exact:
             break;
     }
-    blocks.set_end(cutter.end());
-    return cutter.divisions();
+    return cutter_by<ReciprocalMethod::Exact>(accuracy.texturing);
 }
 
 }  // namespace oblong

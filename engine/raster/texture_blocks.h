@@ -49,9 +49,12 @@ class BlockList {
 
 /// Appends the blocks of one span, for which there must be room. `pitch` is the framebuffer's. Returns how many
 /// divisions that took.
-std::int32_t append_blocks(const Span& span, std::int32_t pitch, const TextureGradients& gradients,
-                           const BlockRule& rule, const BlockThresholds& thresholds, const TexelLimits& limits,
-                           BlockList& blocks);
+using BlockCutter = std::int32_t (*)(const Span& span, std::int32_t pitch, const TextureGradients& gradients,
+                                     const BlockRule& rule, const BlockThresholds& thresholds,
+                                     const TexelLimits& limits, BlockList& blocks);
+
+/// The cutter for these settings, chosen once a frame.
+BlockCutter block_cutter(const Accuracy& accuracy);
 
 /// The exact texel at the centre of a pixel.
 TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& limits, std::int32_t column,

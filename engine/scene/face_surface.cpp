@@ -15,14 +15,6 @@ namespace {
 /// The size of the surface cache: a 320x200 frame needs about 1 MiB, the largest modes some 8.
 constexpr std::size_t kSurfaceArenaBytes = std::size_t{12} << 20;
 
-/// The mip level for a polygon whose nearest texels are 1, 0.4 and 0.2 pixels wide at the ends of levels 0, 1 and 2:
-/// Quake's thresholds.
-int mip_level(View nearest_z, TexelDensity density, CoarseMultiplier multiplier) {
-    const auto density_times_z = product<CoarseMultiplier>(nearest_z, density, Rounding::Floor);
-    note_range<"texels per pixel, doubled">(density_times_z * 2);
-    return (density_times_z > multiplier) + (density_times_z * 2 > multiplier * 5) + (density_times_z > multiplier * 5);
-}
-
 std::int32_t floor_to_multiple(std::int32_t value, std::int32_t size) {
     const std::int32_t rest = value % size;
     return value - (rest < 0 ? rest + size : rest);
@@ -126,15 +118,32 @@ FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, std::int3
       cache_(level.faces.size() * 4, arena_bytes(level, faces)),
       corner_shades_(most_light_samples(level, faces)) {}
 
-FaceSurface FaceSurfaces::get(FaceIndex index, View nearest_z, const ProjectionAxis& projection_x,
-                              const Colormap& colormap, const LightStyles& styles) {
-    const PreparedFace& prepared = faces_.faces[index];
-    const int mip = mip_level(nearest_z, prepared.density, projection_x.coarse);
-    if (prepared.material == Material::Lit) return lit(index, mip, colormap, styles);
-    return tiled(level_.faces[index], mip);
+void FaceSurfaces::start_frame(const Accuracy& accuracy, const Colormap& colormap) {
+    const LightQuality quality{accuracy.light, accuracy.shades, accuracy.dithers_light};
+    if (colormap_ == &colormap && light_quality_ == quality) return;
+    cache_.clear();
+    light_quality_ = quality;
+    colormap_ = &colormap;
+    fewer_shades_.reset();
+    if (quality.shades < Colormap::kShades) fewer_shades_ = with_shades(colormap, quality.shades);
 }
 
-FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const Colormap& colormap, const LightStyles& styles) {
+/// Levels 0, 1 and 2 end where the nearest texels are 1, 0.4 and 0.2 pixels wide: Quake's thresholds.
+int FaceSurfaces::mip_level(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x,
+                            std::int32_t bias) const {
+    const CoarseMultiplier multiplier = floor_shift(projection_x.coarse, std::max(bias, 0));
+    const auto density_times_z = floor_shift(
+        product<CoarseMultiplier>(nearest_z, faces_.faces[face].density, Rounding::Floor), std::max(-bias, 0));
+    note_range<"texels per pixel, doubled">(density_times_z * 2);
+    return (density_times_z > multiplier) + (density_times_z * 2 > multiplier * 5) + (density_times_z > multiplier * 5);
+}
+
+FaceSurface FaceSurfaces::get(FaceIndex face, int mip, const LightStyles& styles) {
+    if (faces_.faces[face].material == Material::Lit) return lit(face, mip, styles);
+    return tiled(level_.faces[face], mip);
+}
+
+FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const LightStyles& styles) {
     const Face& face = level_.faces[index];
     FaceSurface surface;
     surface.view = shape_of(face, mip);
@@ -154,7 +163,9 @@ FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const Colormap& colormap
     const MipTexture& texture = level_.texture_of(face);
     const TextureView source{at(texture.mips, mip).data(), texture.width >> mip, texture.height >> mip,
                              floor_shift(face.texel_min_u, mip), floor_shift(face.texel_min_v, mip)};
-    build_lit_surface(source, light, colormap, mip, 1 << surface.view.stride_log2, corner_shades_.data(), found.texels);
+    build_lit_surface(source, light, fewer_shades_ ? *fewer_shades_ : *colormap_, light_quality_, mip,
+                      1 << surface.view.stride_log2, corner_shades_.data(), found.texels);
+    built_texels_ += std::int64_t{surface.view.width} * surface.view.height;
     return surface;
 }
 
@@ -167,7 +178,8 @@ FaceSurface FaceSurfaces::tiled(const Face& face, int mip) const {
     surface.origin_u = floor_to_multiple(face.texel_min_u, texture.width);
     surface.origin_v = floor_to_multiple(face.texel_min_v, texture.height);
     surface.limits = make_texel_limits(kMostTexels, kMostTexels, longest_px_);
-    surface.kernel = is_wrapped_by_masks(surface.view) ? kernel : draw_blocks_any_size;
+    surface.is_wrapped_by_masks = is_wrapped_by_masks(surface.view);
+    surface.kernel = surface.is_wrapped_by_masks ? kernel : draw_blocks_any_size;
     return surface;
 }
 

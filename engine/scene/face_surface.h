@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/geometry/projection.h"
@@ -30,6 +31,7 @@ struct FaceSurface {
     std::int32_t origin_u = 0, origin_v = 0;  ///< the texel of mip level 0 at its first column and row
     TexelLimits limits;
     BlockKernel kernel = nullptr;
+    bool is_wrapped_by_masks = true;
 };
 
 /// The surfaces of a level's faces: a lit one from the cache or built now (texture times light), for a liquid the
@@ -39,22 +41,31 @@ class FaceSurfaces {
     /// Level and table must outlive it. `longest_px`: of any span.
     FaceSurfaces(const Level& level, const FaceTable& faces, std::int32_t longest_px);
 
-    /// The surface of a lit or liquid face whose nearest corner in view has this depth. Its texels are valid until the
-    /// next call. All calls must pass the same colormap.
-    FaceSurface get(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x, const Colormap& colormap,
-                    const LightStyles& styles);
+    /// Sets how light is computed from now on.
+    void start_frame(const Accuracy& accuracy, const Colormap& colormap);
+    /// The mip level of a lit or liquid face, or a part of it, whose nearest point in view has this depth.
+    int mip_level(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x, std::int32_t bias) const;
+    /// The surface of a lit or liquid face. Its texels are valid until the next call.
+    FaceSurface get(FaceIndex face, int mip, const LightStyles& styles);
+    /// Forgets all lit surfaces: the next frame builds them again.
+    void clear() { cache_.clear(); }
+    std::int64_t built_texels() const { return built_texels_; }  ///< of all lit surfaces ever built
 
     BlockKernel kernel = best_block_kernel();
 
   private:
-    FaceSurface lit(FaceIndex face, int mip, const Colormap& colormap, const LightStyles& styles);
+    FaceSurface lit(FaceIndex face, int mip, const LightStyles& styles);
     FaceSurface tiled(const Face& face, int mip) const;
 
     const Level& level_;
     const FaceTable& faces_;
     std::int32_t longest_px_;
     SurfaceCache cache_;
+    LightQuality light_quality_;               ///< of the surfaces in the cache
+    const Colormap* colormap_ = nullptr;       ///< the scene's
+    std::optional<Colormap> fewer_shades_;     ///< instead of it
     std::vector<std::int32_t> corner_shades_;  ///< scratch
+    std::int64_t built_texels_ = 0;
 };
 
 /// The screen gradients of a face's surface (make_texture_gradients), with the face moved by `offset`.

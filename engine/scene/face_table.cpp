@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "engine/fixed/arithmetic.h"
 #include "engine/level/t_junctions.h"
 
 namespace oblong {
@@ -23,6 +24,18 @@ void append_corners(const Level& level, const Face& face, const TJunctions& junc
     }
 }
 
+/// The texture's axes map the face to a plane of texels. Of such a map the smallest stretch is at least its change of
+/// area by the root of the sum of its axes' squares (both singular values together), which is at most their sum.
+TexelDensity least_density(const LevelPlane& plane, const TexInfo& texinfo) {
+    using Coarse = Fixed<std::int32_t, 12>;
+    using Area = Fixed<std::int64_t, 30>;
+    const auto s = convert<Coarse>(texinfo.s), t = convert<Coarse>(texinfo.t);
+    const auto across = convert<Coarse>(cross(s, t));
+    const auto area = convert<Area>(absolute(dot(across, convert<Fixed<std::int32_t, 14>>(plane.normal))));
+    const auto both = length(s) + length(t) + Fixed<std::int64_t, 12>::from_raw(2);
+    return bounded_quotient<TexelDensity>(area, both);
+}
+
 void add_face(const Level& level, const Face& face, const TJunctions& junctions, FaceTable& table) {
     const TexInfo& texinfo = level.texinfos[face.texinfo];
     const std::size_t first = table.corners.size();
@@ -30,7 +43,7 @@ void add_face(const Level& level, const Face& face, const TJunctions& junctions,
     const std::size_t count = table.corners.size() - first;
     table.faces.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
                            convert<TexelDensity>(std::max(length(texinfo.s), length(texinfo.t)), Rounding::Floor),
-                           texinfo.material});
+                           least_density(level.planes[face.plane], texinfo), texinfo.material});
     table.most_corners = std::max(table.most_corners, count);
 }
 

@@ -23,6 +23,7 @@ constexpr EffectSet effects_of(Material material) {
 struct PreparedFace {
     std::uint32_t first_corner = 0, corner_count = 0;  ///< in FaceTable::corners
     TexelDensity density;                              ///< texels of mip level 0 per unit, along the denser axis
+    TexelDensity least_density;                        ///< no fewer in any direction on the face
     Material material = Material::Lit;
 };
 

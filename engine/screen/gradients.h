@@ -24,4 +24,16 @@ struct TextureGradients {
     LinearQuantity<TexelOverZ> u_over_z, v_over_z;
 };
 
+/// The same in fewer fraction bits, as narrower accumulators would hold them.
+template <class Value>
+LinearQuantity<Value> rounded_to(const LinearQuantity<Value>& quantity, int fraction_bits) {
+    return {rounded_to(quantity.origin, fraction_bits), rounded_to(quantity.per_column, fraction_bits),
+            rounded_to(quantity.per_row, fraction_bits)};
+}
+
+inline TextureGradients rounded_to(const TextureGradients& gradients, int inverse_z_bits, int over_z_bits) {
+    return {rounded_to(gradients.inverse_z, inverse_z_bits), rounded_to(gradients.u_over_z, over_z_bits),
+            rounded_to(gradients.v_over_z, over_z_bits)};
+}
+
 }  // namespace oblong

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/accuracy/accuracy.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {
@@ -35,15 +36,26 @@ struct TextureView {
 /// The lightmap value at and above which a texture shows its own colours: the middle of the range, as in Quake.
 inline constexpr std::int32_t kFullLight = 128;
 
+/// The dials of light.
+struct LightQuality {
+    LightSampling sampling = LightSampling::Interpolated;
+    std::int32_t shades = Colormap::kShades;  ///< 16, 32 or 64, from full light to the darkest
+    bool dithers = false;
+    bool operator==(const LightQuality&) const = default;
+};
+
 /// Texels a lit surface takes in one row or column at a mip level: 16 >> mip for each cell between two light samples.
 constexpr std::int32_t lit_size(std::int32_t samples, int mip) {
     return (samples - 1) * (16 >> mip);
 }
 
-/// Writes texture times light to `out`: shades are interpolated across each cell between four samples and looked up in
-/// the colormap (Abrash, Black Book, ch. 68). `out` has lit_size(rows) rows of `stride` bytes, at least one; a surface
-/// without extent in a direction is one colour. `corner_shades` is scratch of columns * rows entries.
-void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap, int mip,
-                       std::int32_t stride, std::int32_t* corner_shades, std::uint8_t* out);
+/// Writes texture times light to `out`: shades are interpolated across each cell between four samples, or taken from
+/// the nearest one, and looked up in the colormap (Abrash, Black Book, ch. 68). A dithered shade is rounded up in as
+/// many of 4x4 texels as its fraction asks for; others are rounded down. For fewer shades than 64, `colormap` is
+/// with_shades() of them. `out` has lit_size(rows) rows of `stride` bytes, at least one; a surface without extent in a
+/// direction is one colour. `corner_shades` is scratch of columns * rows entries.
+void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap,
+                       const LightQuality& quality, int mip, std::int32_t stride, std::int32_t* corner_shades,
+                       std::uint8_t* out);
 
 }  // namespace oblong

@@ -110,4 +110,13 @@ Colormap make_colormap(const Palette& palette, int fullbright_count) {
     return map;
 }
 
+Colormap with_shades(const Colormap& colormap, std::int32_t count) {
+    Colormap fewer;
+    for (std::int32_t shade = 0; shade < Colormap::kShades; ++shade) {
+        const std::int32_t level = shade * count / Colormap::kShades;
+        at(fewer.shades, shade) = at(colormap.shades, level * (Colormap::kShades - 1) / (count - 1));
+    }
+    return fewer;
+}
+
 }  // namespace oblong

@@ -47,4 +47,8 @@ struct Colormap {
 /// 32).
 Colormap make_colormap(const Palette& palette, int fullbright_count = 32);
 
+/// The colormap with only `count` different shades, 2 to 64, from full light to the darkest: each of 64 is replaced by
+/// the next brighter one of them.
+Colormap with_shades(const Colormap& colormap, std::int32_t count);
+
 }  // namespace oblong

@@ -9,10 +9,7 @@ SurfaceCache::Found SurfaceCache::get(std::size_t slot, std::size_t bytes, std::
         entry.light_key = light_key;
         return {arena_.get() + entry.offset, is_valid};
     }
-    if (bytes > arena_bytes_ - used_bytes_) {
-        used_bytes_ = 0;
-        ++generation_;
-    }
+    if (bytes > arena_bytes_ - used_bytes_) clear();
     entry = {light_key, used_bytes_, generation_};
     used_bytes_ += bytes;
     return {arena_.get() + entry.offset, false};

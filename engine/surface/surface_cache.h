@@ -22,6 +22,12 @@ class SurfaceCache {
     /// packs. Texels got before may be overwritten: use them before the next call.
     Found get(std::size_t slot, std::size_t bytes, std::uint64_t light_key);
 
+    /// Forgets all surfaces.
+    void clear() {
+        used_bytes_ = 0;
+        ++generation_;
+    }
+
   private:
     struct Slot {
         std::uint64_t light_key = 0;

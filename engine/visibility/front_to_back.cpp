@@ -97,6 +97,7 @@ void FrontToBackWalk::enter_leaf(LeafIndex index, std::uint8_t planes) {
 
 void FrontToBackWalk::enter_node(NodeIndex index, std::uint8_t planes_to_test) {
     if (!takes_all_faces_ && !visible_.has_node(index)) return;
+    ++nodes_entered_;
     const Node& node = level_.nodes[index];
     const std::uint8_t planes = planes_crossed(view_.frustum, node.box, view_.eye, planes_to_test);
     if (planes == kOutside || is_hidden(node.box)) return;

@@ -61,6 +61,8 @@ class FrontToBackWalk {
 
     /// The next face; none when no pixel is free, or no face is left.
     std::optional<VisibleFace> next();
+    /// How many nodes it has entered: those in sight of the eye's leaf.
+    std::int64_t nodes_entered() const { return nodes_entered_; }
 
   private:
     void start();
@@ -80,6 +82,7 @@ class FrontToBackWalk {
     std::span<const Fragment* const> fragments_{};  ///< of the current leaf, still to be returned
     IndexRange<Face> faces_;                        ///< of the current node, still to be returned
     bool draws_front_ = false;
+    std::int64_t nodes_entered_ = 0;
 };
 
 }  // namespace oblong

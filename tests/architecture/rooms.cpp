@@ -11,9 +11,10 @@ const std::vector<Room>& project_rooms() {
         {"engine/base", {}},
         {"engine/fixed", {"engine/base"}},
         {"engine/math", {"engine/fixed"}},
+        {"engine/accuracy", {"engine/fixed"}},
         {"engine/screen", {"engine/fixed"}},
-        {"engine/geometry", {"engine/math", "engine/screen"}},
-        {"engine/surface", {"engine/fixed"}},
+        {"engine/geometry", {"engine/math", "engine/screen", "engine/accuracy"}},
+        {"engine/surface", {"engine/accuracy"}},
         {"engine/raster", {"engine/screen", "engine/surface"}},
         {"engine/level", {"engine/math", "engine/surface"}},
         {"engine/scene", {"engine/geometry", "engine/raster", "engine/level"}},
@@ -22,9 +23,11 @@ const std::vector<Room>& project_rooms() {
         {"engine/frame", {"engine/visibility", "engine/effects"}},
         {"engine/platform", {"engine/screen", "engine/surface"}},
         {"engine/platform/sdl", {"engine/platform"}},
-        {"game", {"engine/frame", "engine/platform/sdl", "tools/common"}},
+        {"game", {"engine/frame", "engine/platform/sdl", "tools/common", "tools/measure"}},
         {"tools/common", {"engine/frame", "engine/platform"}},
-        {"tools", {"engine/frame", "engine/platform", "tools/common"}},
+        {"tools/reference", {}},
+        {"tools/measure", {"engine/frame", "engine/platform", "tools/common", "tools/reference"}},
+        {"tools", {"tools/measure"}},
     };
     return rooms;
 }

@@ -47,7 +47,7 @@ RC_GTEST_PROP(PropertyTexture, LitSurfacesRepeatByWholeTextures, ()) {
         const std::int32_t stride = lit_size(light.columns, mip);
         std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * lit_size(light.rows, mip)));
         std::vector<std::int32_t> corner_shades(samples.size());
-        build_lit_surface(view, light, any_colormap(), mip, stride, corner_shades.data(), out.data());
+        build_lit_surface(view, light, any_colormap(), {}, mip, stride, corner_shades.data(), out.data());
         return out;
     };
     TextureView shifted = texture;

@@ -52,7 +52,7 @@ RowError error_of(const TextureGradients& row, const Accuracy& accuracy, const T
     const BlockRule rule = make_block_rule(accuracy);
     const BlockThresholds thresholds = make_block_thresholds(rule, row.inverse_z.per_column);
     BlockList blocks(kWidth);
-    append_blocks({0, 0, kWidth}, kWidth, row, rule, thresholds, limits, blocks);
+    block_cutter(accuracy)({0, 0, kWidth}, kWidth, row, rule, thresholds, limits, blocks);
     RowError error;
     for (const TexelBlock& block : blocks.waiting()) {
         ++error.blocks;
@@ -74,8 +74,8 @@ TEST(BlockBound, ErrorOnScreenStaysUnderTheDial) {
     for (int trial = 0; trial < 4000; ++trial) {
         const double z0 = std::exp2(depth_log2(random)), z1 = std::exp2(depth_log2(random));
         Accuracy accuracy;
-        accuracy.texture_error_px_256 = 8 << random() % 8;  // 1/32 to 4 pixels
-        const double bound = accuracy.texture_error_px_256 / 256.0;
+        accuracy.pixel_bound_256 = 8 << random() % 8;  // 1/32 to 4 pixels
+        const double bound = accuracy.pixel_bound_256 / 256.0;
         // Many texels a pixel, so that the 16.16 of texel coordinates is no part of the error: 1/1,000 pixel is left
         // for it.
         const RowError error = error_of(row_of(z0, z1, 60000), accuracy);
@@ -93,7 +93,7 @@ TEST(BlockBound, HoldsToTheLastPixelOfASurfaceThatEndsThere) {
         const std::uint32_t last_16 = texel_at(row, kNoLimits, kWidth - 1, 0).u_16;
         const TexelLimits limits = make_texel_limits(static_cast<std::int32_t>(last_16 >> 16) + 1, 65535, 0);
         const Accuracy accuracy;
-        ASSERT_LE(error_of(row, accuracy, limits).largest_px, accuracy.texture_error_px_256 / 256.0 + 0.001) << trial;
+        ASSERT_LE(error_of(row, accuracy, limits).largest_px, accuracy.pixel_bound_256 / 256.0 + 0.001) << trial;
     }
 }
 
@@ -102,7 +102,7 @@ TEST(BlockBound, CoarserDialsTakeFewerBlocks) {
     std::size_t before = kWidth + 1;
     for (const std::int32_t error : {4, 24, 96, 512, 4096}) {
         Accuracy accuracy;
-        accuracy.texture_error_px_256 = error;
+        accuracy.pixel_bound_256 = error;
         const std::size_t blocks = error_of(wall, accuracy).blocks;
         EXPECT_LT(blocks, before) << error;
         before = blocks;
@@ -115,7 +115,7 @@ TEST(BlockBound, FacedSquarelyIsOneDivision) {
     const BlockRule rule = make_block_rule(accuracy);
     BlockList blocks(kWidth);
     const std::int32_t divisions =
-        append_blocks({0, 0, kWidth}, kWidth, floor_row, rule, make_block_thresholds(rule, {}),
+        block_cutter(accuracy)({0, 0, kWidth}, kWidth, floor_row, rule, make_block_thresholds(rule, {}),
                       make_texel_limits(65535, 65535, 0), blocks);
     EXPECT_EQ(divisions, 1);
     EXPECT_EQ(blocks.waiting().size(), 1u);

@@ -7,6 +7,7 @@
 #include <new>
 #include <optional>
 
+#include "engine/accuracy/dials.h"
 #include "engine/geometry/projection.h"
 #include "engine/level/entities.h"
 #include "engine/platform/files.h"
@@ -84,6 +85,49 @@ void check_view(const ScreenMode& mode, Degrees field_of_view) {
 Preset parse_preset(const std::string& text) {
     if (const std::optional<Preset> preset = preset_named(text)) return *preset;
     throw UsageError("--accuracy: '" + text + "', expected 1991, 1994, 1996, bounded or exact");
+}
+
+namespace {
+
+std::string names_of_dials() {
+    std::string names;
+    for (const Dial& dial : all_dials()) names += (names.empty() ? "" : ", ") + std::string(dial.name);
+    return names;
+}
+
+std::string values_of(const Dial& dial) {
+    std::string text;
+    for (const DialSetting& setting : dial.settings) text += (text.empty() ? "" : ", ") + std::string(setting.name);
+    if (dial.least == dial.greatest) return text;
+    return text + ", or any from " + value_text(dial, dial.least) + " to " + value_text(dial, dial.greatest);
+}
+
+std::optional<std::int32_t> dial_value(const Dial& dial, const std::string& text) {
+    for (const DialSetting& setting : dial.settings)
+        if (setting.name == text) return setting.value;
+    if (dial.least == dial.greatest) return std::nullopt;
+    const std::optional<std::int64_t> number = parse_decimal(text, dial.fraction_bits);
+    if (!number || *number < dial.least || *number > dial.greatest) return std::nullopt;
+    return static_cast<std::int32_t>(*number);
+}
+
+}  // namespace
+
+void parse_dial(const std::string& text, Accuracy& accuracy) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) throw UsageError("--dial: '" + text + "', expected NAME=VALUE");
+    const std::string name = text.substr(0, equals), value = text.substr(equals + 1);
+    const Dial* const dial = dial_named(name);
+    if (!dial) throw UsageError("--dial: '" + name + "', expected one of " + names_of_dials());
+    const std::optional<std::int32_t> number = dial_value(*dial, value);
+    if (!number) throw UsageError("--dial: '" + text + "', expected one of " + values_of(*dial));
+    dial->set(accuracy, *number);
+}
+
+Accuracy parse_accuracy(Preset preset, const std::vector<std::string>& dials) {
+    Accuracy accuracy = accuracy_of(preset);
+    for (const std::string& dial : dials) parse_dial(dial, accuracy);
+    return accuracy;
 }
 
 int run_program(const std::string& name, const std::function<void()>& body) {

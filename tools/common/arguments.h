@@ -3,9 +3,10 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "engine/accuracy/presets.h"
 #include "engine/fixed/angle.h"
-#include "engine/frame/settings.h"
 #include "engine/platform/present_rect.h"
 #include "engine/screen/screen.h"
 
@@ -29,6 +30,10 @@ Degrees parse_field_of_view(const std::string& text);
 void check_view(const ScreenMode& mode, Degrees field_of_view);
 /// "1991", "1994", "1996", "bounded", "exact".
 Preset parse_preset(const std::string& text);
+/// Sets a dial by "NAME=VALUE" (engine/accuracy/dials.h).
+void parse_dial(const std::string& text, Accuracy& accuracy);
+/// A preset with dials turned: those of --accuracy and all --dial.
+Accuracy parse_accuracy(Preset preset, const std::vector<std::string>& dials);
 /// A decimal number such as "-12.375" as raw units of 2^-fraction_bits (0 to 32), rounded to the nearest; |value| below
 /// 2^24. Throws UsageError that begins with `option` for anything else, "nan" and "1e3" included.
 std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits);

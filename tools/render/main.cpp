@@ -18,6 +18,7 @@ struct Options {
     std::string level, cameras, palette, out, json;
     std::string mode = "320x200", display = "4:3", field_of_view = "90", preset = "bounded", effects = "auto",
                 texel_error, seconds = "0";
+    std::vector<std::string> dials;
     std::int64_t repeat = 1, threads = 1;
 };
 
@@ -33,6 +34,7 @@ void declare(Command& line, Options& options) {
     line.add("--display", options.display, "shape of the display, WIDTH:HEIGHT");
     line.add("--fov", options.field_of_view, "degrees across");
     line.add("--accuracy", options.preset, "1991, 1994, 1996, bounded or exact");
+    line.add("--dial", options.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
     line.add("--texel-error", options.texel_error, "largest texture error on screen, pixels (default 0.375)");
     line.add("--effects", options.effects, "auto, none, or names: sky,liquid,brush_models");
     line.add("--threads", options.threads, "accepted; frames are drawn by one thread").limit(1, 256);
@@ -56,15 +58,15 @@ EffectSet parse_effects(const std::string& text) {
 
 Settings make_settings(const Options& options, Preset preset) {
     Settings settings;
-    settings.accuracy = accuracy_of(preset);
+    settings.accuracy = parse_accuracy(preset, options.dials);
     settings.allowed_effects = parse_effects(options.effects);
     if (options.texel_error.empty()) return settings;
-    if (preset != Preset::Bounded)
+    if (settings.accuracy.texturing != Texturing::Bounded)
         throw UsageError("--texel-error: is the bound of --accuracy bounded, expected no --accuracy " + options.preset);
     const std::int64_t error_px_256 = parse_number("--texel-error", options.texel_error, 8);
     if (error_px_256 < 1 || error_px_256 > 4096)
         throw UsageError("--texel-error: '" + options.texel_error + "', expected 1/256 to 16 pixels");
-    settings.accuracy.texture_error_px_256 = static_cast<std::int32_t>(error_px_256);
+    settings.accuracy.pixel_bound_256 = static_cast<std::int32_t>(error_px_256);
     return settings;
 }
 

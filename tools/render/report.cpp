@@ -49,7 +49,7 @@ double in_degrees(Degrees angle) {
 /// The bound in pixels; no number where the preset has no bound.
 Json texel_error_json(const Accuracy& accuracy) {
     if (accuracy.texturing != Texturing::Bounded) return nullptr;
-    return accuracy.texture_error_px_256 / 256.0;
+    return accuracy.pixel_bound_256 / 256.0;
 }
 
 Json allowed_effects_json(EffectSet allowed) {

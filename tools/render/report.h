@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/accuracy/presets.h"
 #include "tools/render/renderer.h"
 
 namespace oblong {

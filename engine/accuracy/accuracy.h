@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/fixed/reciprocal.h"
+#include "engine/fixed/sine_methods.h"
+
+namespace oblong {
+
+/// How texture coordinates are found along a span, from the coarsest. All but Exact step evenly between divisions.
+enum class Texturing {
+    Affine,         ///< a division at the first and the last pixel of the span
+    Every32,        ///< a division every 32 pixels
+    Every16,        ///< every 16 (Quake's)
+    Every8,         ///< every 8
+    Bounded,        ///< the longest blocks whose error on the screen stays under Accuracy::pixel_bound_256
+    BoundedTexels,  ///< the longest whose error on the texture stays under Accuracy::texel_bound_256
+    Exact           ///< a division a pixel
+};
+
+/// How the columns of an edge are found row by row.
+enum class EdgeStepping {
+    Accumulated,  ///< a slope of 16.16, added row by row: its rounding adds up
+    Exact         ///< a quotient and a remainder, as Bresenham's
+};
+
+/// Which light a texel gets from the samples around it, 16 texels apart.
+enum class LightSampling { Nearest, Interpolated };
+
+/// Where a mip level is chosen.
+enum class MipSelection {
+    None,  ///< level 0 everywhere
+    Face,  ///< by the nearest corner in view (Quake's)
+    Span   ///< by the nearest pixel of each span
+};
+
+/// The dials: each is an approximation whose error and cost can be measured (engine/accuracy/dials.h lists them). The
+/// values here are the defaults.
+struct Accuracy {
+    Texturing texturing = Texturing::Bounded;
+    std::int32_t pixel_bound_256 = 96;                      ///< 1/256 pixel, 1 to 4,096
+    std::int32_t texel_bound_256 = 96;                      ///< 1/256 texel, 1 to 4,096
+    ReciprocalMethod reciprocal = ReciprocalMethod::Exact;  ///< of 1/z
+    std::int32_t inverse_z_bits = 44;                       ///< fraction bits of 1/z, 12 to 44
+    std::int32_t over_z_bits = 30;                          ///< fraction bits of u/z and v/z, 4 to 30
+    SineMethod sine = SineMethod::NearestStep;              ///< of the camera's angles
+    std::int32_t matrix_bits = 30;                          ///< fraction bits of the view's axes, 6 to 30
+    std::int32_t view_bits = 16;                            ///< fraction bits of view positions, 0 to 16
+    std::int32_t subpixel_bits = 8;                         ///< fraction bits of screen vertices, 0 (whole pixels) to 8
+    EdgeStepping edges = EdgeStepping::Exact;
+    bool mends_t_junctions = true;
+    MipSelection mip = MipSelection::Face;
+    std::int32_t mip_bias = 0;  ///< added to mip levels, -3 to 3: above 0 blurs, below 0 sharpens and flickers
+    LightSampling light = LightSampling::Interpolated;
+    std::int32_t shades = 64;    ///< steps of light: 16, 32 or 64
+    bool dithers_light = false;  ///< between two shades, by a pattern of 4x4 texels
+    bool operator==(const Accuracy&) const = default;
+};
+
+}  // namespace oblong

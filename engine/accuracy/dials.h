@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "engine/accuracy/accuracy.h"
+
+namespace oblong {
+
+/// One position of a dial.
+struct DialSetting {
+    std::string_view name;  ///< as in `--dial NAME=VALUE`
+    std::int32_t value;
+};
+
+/// One field of Accuracy: what it is called and which values it has.
+struct Dial {
+    std::string_view name;     ///< as in `--dial NAME=VALUE`
+    std::string_view caption;  ///< at most 20 characters, for the screen
+    std::string_view about;    ///< what it approximates and how, one or two sentences
+    std::string_view unit;     ///< of its numbers; empty where its values have names
+    std::string_view read_in;  ///< the file that reads it
+    /// Whether another setting runs other code. If not, a value is only rounded to fewer bits in a wide type: its error
+    /// is real, its time is that of the wide type, and what narrow types would have cost can be modelled only.
+    bool changes_code;
+    std::span<const DialSetting> settings;  ///< from the coarsest to the most exact, which is the last
+    /// Numbers from `least` to `greatest`, in steps of 2^-fraction_bits, are valid too; none where both are 0.
+    std::int32_t least, greatest;
+    int fraction_bits;
+    std::int32_t (*get)(const Accuracy&);
+    void (*set)(Accuracy&, std::int32_t);
+};
+
+/// All dials, in the order of the stages that read them.
+std::span<const Dial> all_dials();
+/// The dial of that name; null if there is none.
+const Dial* dial_named(std::string_view name);
+
+/// The name of a dial's value, or its number: "every16", "0.375".
+std::string value_text(const Dial& dial, std::int32_t value);
+/// Sets a dial to the setting `steps` further to the exact end (negative: to the coarse one), from the one nearest to
+/// its value; stops at the ends.
+void turn(const Dial& dial, int steps, Accuracy& accuracy);
+
+}  // namespace oblong

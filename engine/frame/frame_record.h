@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/scene/face_surface.h"
+#include "engine/scene/placed_models.h"
+#include "engine/screen/screen.h"
+
+namespace oblong {
+
+/// What one pixel of a frame shows.
+struct PixelRecord {
+    FaceIndex face = FaceIndex::none();       ///< none: no face, or the void
+    PlacedIndex model = PlacedIndex::none();  ///< of the scene's models; none: the world
+    std::int8_t mip = -1;                     ///< -1: no texels: sky, or one colour
+    Texel u, v;  ///< s . p + s_offset, t . p + t_offset that is sampled: texels of mip level 0
+};
+
+/// What each pixel of a frame shows, recorded only on request (FrameWorkspace::record): for measuring errors.
+struct FrameRecord {
+    std::vector<PixelRecord> pixels;  ///< one a pixel of the framebuffer, its pitch included
+};
+
+/// Records pixels of spans that all show `face`, without texels.
+void record_spans(const PixelRecord& face, std::span<const Span> spans, Framebuffer out, FrameRecord& record);
+/// Records the texels of blocks of a surface, whose pixels are of `face`.
+void record_blocks(PixelRecord face, std::span<const TexelBlock> blocks, const FaceSurface& surface,
+                   FrameRecord& record);
+
+}  // namespace oblong

@@ -1,0 +1,102 @@
+// The promise of `bounded`, held against the reference: no texel of a frame lies farther from its place than the bound.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <random>
+
+#include "engine/visibility/eye.h"
+#include "tests/frame/holes.h"
+#include "tools/measure/texel_error.h"
+
+namespace oblong::test {
+namespace {
+
+struct MeasuredStage {
+    Stage stage;
+    reference::Level level;
+};
+
+/// The rounding of a texture coordinate alone (engine/fixed/README.md): closer no texel can be to its place. Next to a
+/// wall that the eye all but touches, where a texel is hundreds of pixels wide, it is more than the bound.
+constexpr float kRounding_texels = 1.0f / 4096;
+
+/// The largest error of a frame that is more than rounding, pixels.
+double largest_error(MeasuredStage& measured, Camera camera, std::int32_t bound_256, FrameWorkspace& work) {
+    Stage& stage = measured.stage;
+    stage.settings.accuracy.pixel_bound_256 = bound_256;
+    work.record = std::make_unique<FrameRecord>();
+    stage.draw(camera, work);
+    camera.eye = place_eye(stage.level, camera.eye).position;
+    TexelErrorMeter meter(measured.level, stage.models, camera, stage.mode);
+    float largest = 0;
+    for (const TexelError& error : meter.measure(*work.record))
+        if (error.texels > kRounding_texels) largest = std::max(largest, error.pixels);
+    return largest;
+}
+
+World units(double value) {
+    return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
+}
+
+/// An eye 1 to 16 units before the middle of some face of the world, looking anywhere; none if that is in a wall.
+std::optional<Camera> camera_near_a_wall(const Level& level, std::mt19937& random) {
+    const auto part = [&random](double least, double greatest) {
+        return std::uniform_real_distribution<double>(least, greatest)(random);
+    };
+    const IndexRange<Face> faces = level.world().faces;
+    const Face& face =
+        level.faces[FaceIndex(faces.first.number() + static_cast<int>(random() % static_cast<unsigned>(faces.count)))];
+    const LevelPlane& plane = level.planes[face.plane];
+    const double distance = part(1, 16) * (face.is_back ? -1 : 1);
+    std::array<double, 3> middle{};
+    for (const SurfEdge edge : level.edges_of(face)) {
+        const Vec3<World>& corner = level.vertices[level.start_of(edge)];
+        const std::array at{corner.x, corner.y, corner.z};
+        for (std::size_t axis = 0; axis < 3; ++axis) middle[axis] += at[axis].raw / 4096.0 / face.edges.count;
+    }
+    const auto moved = [&](double from, Unit normal) { return units(from + distance * normal.raw / (1 << 30)); };
+    Camera camera;
+    camera.eye = {moved(middle[0], plane.normal.x), moved(middle[1], plane.normal.y), moved(middle[2], plane.normal.z)};
+    camera.yaw = Angle::from_bam(static_cast<std::int32_t>(random() % 65536));
+    camera.pitch = Angle::from_bam(static_cast<std::int32_t>(random() % 24000) - 12000);
+    if (!is_open(level, camera.eye)) return std::nullopt;
+    return camera;
+}
+
+/// Errors of the record itself: texels of 16.16, and of the reference's z.
+constexpr double kMeasuring_px = 1e-3;
+
+void expect_within_the_bound(MeasuredStage measured, int frames) {
+    FrameWorkspace work(measured.stage.level, measured.stage.mode);
+    std::mt19937 random(7);
+    double largest_part = 0;
+    while (frames > 0) {
+        const std::optional<Camera> camera = camera_near_a_wall(measured.stage.level, random);
+        if (!camera) continue;
+        --frames;
+        const std::int32_t bound_256 = 24 << random() % 5;
+        const double error = largest_error(measured, *camera, bound_256, work), bound = bound_256 / 256.0;
+        EXPECT_LE(error, bound + kMeasuring_px) << describe(*camera, 0, 0);
+        largest_part = std::max(largest_part, error / bound);
+    }
+    EXPECT_GT(largest_part, 0.9) << "the bound is never nearly reached: blocks are shorter than they need be";
+}
+
+TEST(Bound, HoldsNextToWallsOfTheDemoLevel) {
+    const std::filesystem::path bsp = std::filesystem::path(OBLONG_BUILD_DIR) / "assets" / "demo.bsp";
+    expect_within_the_bound({demo_stage(), reference::read_level(read_file_bytes(bsp))}, 100);
+}
+
+TEST(Bound, HoldsNextToWallsOfRealLevels) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    for (const std::string name : kRealLevels) {
+        SCOPED_TRACE(name);
+        const std::filesystem::path bsp = find_shared_folder() / "levels" / (name + ".bsp");
+        expect_within_the_bound({real_stage(name), reference::read_level(read_file_bytes(bsp))}, 60);
+    }
+}
+
+}  // namespace
+}  // namespace oblong::test

@@ -1,0 +1,258 @@
+#include "tools/reference/frame.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "tests/reference/made_level.h"
+
+namespace oblong {
+namespace {
+
+using namespace reference;
+using namespace test;
+
+/// Left, top, right and bottom of the pixels that show a face, which must fill that rectangle.
+std::array<int, 4> rectangle_of(const Frame& frame, int face) {
+    std::array<int, 4> box{frame.width_px, frame.height_px, 0, 0};
+    int count = 0;
+    for (int row = 0; row < frame.height_px; ++row)
+        for (int column = 0; column < frame.width_px; ++column) {
+            if (frame.at(column, row).face != face) continue;
+            ++count;
+            box = {std::min(box[0], column), std::min(box[1], row), std::max(box[2], column + 1),
+                   std::max(box[3], row + 1)};
+        }
+    EXPECT_EQ(count, std::max(box[2] - box[0], 0) * std::max(box[3] - box[1], 0));
+    return box;
+}
+
+using Box = std::array<int, 4>;
+
+void expect_near(const Vec& found, const Vec& expected) {
+    const Vec difference = found - expected;
+    EXPECT_LT(dot(difference, difference), 1e-20) << found.x << ' ' << found.y << ' ' << found.z;
+}
+
+TEST(ReferenceView, AxesAreQuakes) {
+    const auto axes = [](double yaw, double pitch, double roll) {
+        return make_camera({.eye = {}, .yaw = yaw, .pitch = pitch, .roll = roll}).axes;
+    };
+    expect_near(axes(0, 0, 0).forward, {1, 0, 0});
+    expect_near(axes(0, 0, 0).right, {0, -1, 0});
+    expect_near(axes(0, 0, 0).up, {0, 0, 1});
+    expect_near(axes(16384, 0, 0).forward, {0, 1, 0});   // to the left, north
+    expect_near(axes(0, 16384, 0).forward, {0, 0, -1});  // down
+    expect_near(axes(0, 16384, 0).up, {1, 0, 0});
+    expect_near(axes(0, 0, 16384).right, {0, 0, -1});  // the head leans right: its right side is down
+    expect_near(axes(16384, 16384, 16384).right, {0, -1, 0});
+    expect_near(axes(16384, 16384, 16384).forward, {0, 0, -1});
+}
+
+TEST(ReferenceView, PixelsAreAsHighAsTheDisplayMakesThem) {
+    View view;
+    EXPECT_NEAR(make_camera(view).projection.multiplier_x, 160, 1e-9);
+    EXPECT_NEAR(make_camera(view).projection.multiplier_y, 160 / 1.2, 1e-9);
+    view.correct_aspect = false;
+    EXPECT_NEAR(make_camera(view).projection.multiplier_y, 160, 1e-9);
+}
+
+TEST(ReferenceFrame, ARectangleCoversThePixelsWhoseCentresAreInside) {
+    Level level = make_level();
+    add_rectangle(level, 10.25, 20.75, 30.25, 40.25);
+    EXPECT_EQ(rectangle_of(draw(level, {}, make_plain_view()), 0), (Box{10, 21, 30, 40}));
+}
+
+TEST(ReferenceFrame, CentresOnEdgesBelongToTheFaceOnTheRightOrBelow) {
+    Level level = make_level();
+    add_rectangle(level, 10.5, 20.5, 30.5, 40.5);
+    add_rectangle(level, 30.5, 20.5, 50.5, 40.5);
+    add_rectangle(level, 10.5, 40.5, 50.5, 60.5);
+    const Frame frame = draw(level, {}, make_plain_view());
+    EXPECT_EQ(rectangle_of(frame, 0), (Box{10, 20, 30, 40}));
+    EXPECT_EQ(rectangle_of(frame, 1), (Box{30, 20, 50, 40}));
+    EXPECT_EQ(rectangle_of(frame, 2), (Box{10, 40, 50, 60}));
+}
+
+TEST(ReferenceFrame, AShiftMovesTheRays) {
+    Level level = make_level();
+    add_rectangle(level, 10.25, 20.25, 30.25, 40.25);
+    EXPECT_EQ(rectangle_of(draw(level, {}, make_plain_view(), {-kRayUnit / 2, 0}), 0), (Box{11, 20, 31, 40}));
+    EXPECT_EQ(rectangle_of(draw(level, {}, make_plain_view(), {0, -kRayUnit / 2}), 0), (Box{10, 21, 30, 41}));
+}
+
+TEST(ReferenceFrame, NearerFacesHideFartherOnesInAnyOrder) {
+    Level level = make_level();
+    add_rectangle(level, 20, 20, 60, 60, 100);
+    add_rectangle(level, 0, 0, 320, 200, 200);
+    add_rectangle(level, 40, 40, 80, 80, 50);
+    const Frame frame = draw(level, {}, make_plain_view());
+    EXPECT_EQ(rectangle_of(frame, 2), (Box{40, 40, 80, 80}));
+    EXPECT_EQ(frame.at(39, 39).face, 0);
+    EXPECT_EQ(frame.at(60, 39).face, 1);
+    EXPECT_NEAR(frame.at(39, 39).z, 100, 1e-9);
+}
+
+TEST(ReferenceFrame, FacesThatFaceAwayAreNotDrawn) {
+    Level level = make_level();
+    add_face(level, {point_at(20, 40, 160), point_at(40, 40, 160), point_at(40, 20, 160), point_at(20, 20, 160)});
+    EXPECT_EQ(rectangle_of(draw(level, {}, make_plain_view()), 0), (Box{320, 200, 0, 0}));
+}
+
+TEST(ReferenceFrame, DepthStaysWithinTheCorners) {
+    // A plane through the corners on the left that misses those on the right by far.
+    Level level = make_level();
+    Face& face = add_face(
+        level, {point_at(100, 50, 100), point_at(200, 50, 120), point_at(200, 150, 120), point_at(100, 150, 100)});
+    face.plane.normal = {-0.5, -0.8, 0};
+    face.plane.offset = dot(face.plane.normal, point_at(100, 50, 100));
+    const Frame frame = draw(level, {}, make_plain_view());
+    EXPECT_NEAR(frame.at(100, 100).z, 100, 0.5);
+    EXPECT_NEAR(frame.at(199, 100).z, 120, 1e-9);
+    EXPECT_LT(PlaneView(level, face, {}, make_camera(make_plain_view())).inverse_z({199.5, 100.5}), 1 / 200.0);
+}
+
+TEST(ReferenceFrame, ModelsAreDrawnWhereTheyMovedTo) {
+    Level level = make_level();
+    add_rectangle(level, 0, 0, 320, 200, 320);
+    level.models.push_back({{}, {}, 1, 0});
+    add_rectangle(level, 20, 20, 40, 40, 160);
+    EXPECT_EQ(rectangle_of(draw(level, {}, make_plain_view()), 1), (Box{320, 200, 0, 0}));
+    const PlacedModel moved{1, {0, -5, -3}};
+    const Frame frame = draw(level, {&moved, 1}, make_plain_view());
+    EXPECT_EQ(rectangle_of(frame, 1), (Box{25, 23, 45, 43}));
+    EXPECT_EQ(frame.at(30, 30).model, 1);
+    EXPECT_EQ(frame.at(0, 0).model, 0);
+    // The texture moves along: the corner that was at column 20 is at u = -140.
+    EXPECT_NEAR(frame.at(25, 23).u, -139.5, 1e-9);
+    EXPECT_NEAR(frame.at(25, 23).v, -79.5, 1e-9);
+}
+
+TEST(ReferenceFrame, TexelsOnAWallAtAnAngleGoByAMoebiusFunction) {
+    const Vec start{100, 400, 0}, along{0.6, -0.8, 0}, up{0, 0, 1};
+    Level level = make_level();
+    level.texinfos[0] = {along, up * -1, -dot(along, start), 0, 0, false};
+    const Vec end = start + along * 1000;
+    add_face(level, {start + up * 900, end + up * 900, end - up * 900, start - up * 900});
+    const Frame frame = draw(level, {}, make_plain_view());
+    for (int column = 0; column < 320; ++column)
+        for (const int row : {0, 99, 100, 199}) {
+            // depth = start.x + u along.x, and -depth X / 160 = start.y + u along.y.
+            const double x = (column + 0.5 - 160) / 160, y = (row + 0.5 - 100) / 160;
+            const double u = -(start.y + start.x * x) / (along.y + along.x * x), depth = start.x + u * along.x;
+            const Pixel& pixel = frame.at(column, row);
+            ASSERT_EQ(pixel.face, u > 0 && u < 1000 && depth > 0 && std::abs(depth * y) < 900 ? 0 : -1) << column;
+            if (pixel.face < 0) continue;
+            EXPECT_NEAR(pixel.u, u, 1e-9);
+            EXPECT_NEAR(pixel.v, depth * y, 1e-9);
+            EXPECT_NEAR(pixel.z, depth, 1e-9);
+        }
+    EXPECT_EQ(frame.at(160, 100).face, 0);
+}
+
+TEST(ReferenceFrame, AFloorFromBehindTheEyeToTheHorizon) {
+    Level level = make_level();
+    level.texinfos[0] = {{1, 0, 0}, {0, -1, 0}, 0, 0, 0, false};
+    constexpr double kHeight = 64, kFar = 6400, kSide = 10000;
+    add_face(level,
+             {{-kFar, kSide, -kHeight}, {kFar, kSide, -kHeight}, {kFar, -kSide, -kHeight}, {-kFar, -kSide, -kHeight}});
+    const Frame frame = draw(level, {}, make_plain_view());
+    EXPECT_EQ(rectangle_of(frame, 0), (Box{0, 102, 320, 200}));  // 64 * 160 / 6400 = 1.6 rows below the horizon
+    for (int row = 102; row < 200; ++row)
+        for (const int column : {0, 160, 319}) {
+            const double depth = kHeight * 160 / (row + 0.5 - 100);
+            EXPECT_NEAR(frame.at(column, row).z, depth, 1e-8);
+            EXPECT_NEAR(frame.at(column, row).u, depth, 1e-8);
+            EXPECT_NEAR(frame.at(column, row).v, depth * (column + 0.5 - 160) / 160, 1e-8);
+        }
+}
+
+/// A room of 2 x 2 x 2 units times `half`, seen from inside.
+void add_room(Level& level, double half) {
+    const auto side = [&](const Vec& normal, const Vec& across) {
+        const Vec up = cross(normal, across);  // clockwise seen against the normal
+        add_face(level, {(up - across - normal) * half, (up + across - normal) * half, (across - up - normal) * half,
+                         (up + across + normal) * -half});
+    };
+    for (const double sign : {1.0, -1.0}) {
+        side({sign, 0, 0}, {0, 1, 0});
+        side({0, sign, 0}, {0, 0, 1});
+        side({0, 0, sign}, {1, 0, 0});
+    }
+}
+
+TEST(ReferenceFrame, FromInsideARoomEveryPixelShowsTheRightWall) {
+    Level level = make_level();
+    add_room(level, 100);
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> place(-99, 99), angle(0, 65536), field(1, 170);
+    for (int i = 0; i < 50; ++i) {
+        View view{
+            {place(random), place(random), place(random)}, angle(random), angle(random), angle(random), field(random)};
+        view.width_px = 64, view.height_px = 40;
+        const Camera camera = make_camera(view);
+        const Frame frame = draw(level, {}, view);
+        for (int row = 0; row < 40; ++row)
+            for (int column = 0; column < 64; ++column) {
+                const Pixel& pixel = frame.at(column, row);
+                ASSERT_GE(pixel.face, 0) << i << ' ' << column << ' ' << row;
+                const Vec ray = camera.axes.forward +
+                                camera.axes.right * ((column + 0.5 - 32) / camera.projection.multiplier_x) -
+                                camera.axes.up * ((row + 0.5 - 20) / camera.projection.multiplier_y);
+                const Vec point = view.eye + ray * pixel.z;
+                ASSERT_NEAR(std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z)}), 100, 1e-3);
+                ASSERT_NEAR(dot(level.face(pixel.face).plane.normal, point), -100, 1e-6);
+            }
+    }
+}
+
+TEST(ReferenceFrame, CloseCallsAreEdgesVeryNearToACentre) {
+    Level level = make_level();
+    add_rectangle(level, 10.5 + 1.0 / 1024, 20, 30.5 + 1.0 / 128, 40.5 - 1.0 / 1024, 160);
+    const Frame frame = draw_with_close_calls(level, {}, make_plain_view());
+    EXPECT_TRUE(frame.at(10, 30).is_close_call);   // just not covered
+    EXPECT_TRUE(frame.at(20, 40).is_close_call);   // likewise
+    EXPECT_FALSE(frame.at(30, 30).is_close_call);  // covered clearly enough
+    EXPECT_EQ(frame.at(30, 30).face, 0);
+    EXPECT_FALSE(frame.at(11, 30).is_close_call);
+    EXPECT_FALSE(frame.at(20, 20).is_close_call);
+    const Frame wider = draw_with_close_calls(level, {}, make_plain_view(), kRayUnit / 64);
+    EXPECT_TRUE(wider.at(30, 30).is_close_call);
+}
+
+TEST(ReferenceFrame, CloseCallsAreFacesAtTheSameDepth) {
+    Level level = make_level();
+    add_rectangle(level, 10, 10, 30, 30, 160);
+    add_rectangle(level, 20, 20, 40, 40, 160);
+    add_rectangle(level, 50, 50, 70, 70, 160);
+    add_rectangle(level, 50, 50, 70, 70, 160.01);
+    add_rectangle(level, 80, 80, 99, 99, 160.00001);
+    add_rectangle(level, 80, 80, 99, 99, 160);
+    const Frame frame = draw(level, {}, make_plain_view());
+    EXPECT_EQ(frame.at(90, 90).face, 5);  // the nearer one all the same
+    EXPECT_TRUE(frame.at(90, 90).is_close_call);
+    EXPECT_TRUE(frame.at(25, 25).is_close_call);
+    EXPECT_FALSE(frame.at(15, 15).is_close_call);
+    EXPECT_FALSE(frame.at(35, 35).is_close_call);
+    EXPECT_FALSE(frame.at(60, 60).is_close_call);
+}
+
+TEST(ReferenceFrame, EachPixelNamesThePlaneThatItShows) {
+    Level level = make_level();
+    add_room(level, 100);
+    const View view{{3, 5, 7}, 5000, 3000, 1000};
+    const Frame frame = draw(level, {}, view);
+    for (const int row : {0, 50, 150})
+        for (const int column : {0, 100, 300}) {
+            const Pixel& pixel = frame.at(column, row);
+            const Texel texel =
+                frame.planes.at(static_cast<std::size_t>(pixel.plane)).texel_at({column + 0.5, row + 0.5});
+            EXPECT_DOUBLE_EQ(texel.u, pixel.u);
+            EXPECT_DOUBLE_EQ(texel.v, pixel.v);
+            EXPECT_DOUBLE_EQ(1 / texel.inverse_z, pixel.z);
+        }
+}
+
+}  // namespace
+}  // namespace oblong

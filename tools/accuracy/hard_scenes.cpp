@@ -1,0 +1,188 @@
+#include "tools/accuracy/hard_scenes.h"
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "tools/accuracy/scene_textures.h"
+#include "tools/demo_level/map/room.h"
+#include "tools/map/compile.h"
+
+namespace oblong {
+
+namespace {
+
+using map_source::Brush;
+using map_source::Draft;
+using map_source::Point;
+
+/// Where a picture is seen from: world units, degrees.
+struct Eye {
+    Point position;
+    double yaw = 0, pitch = 0, roll = 0;
+};
+
+struct HardScene {
+    std::string name, about;
+    Draft draft;
+    std::vector<Eye> eyes;
+};
+
+/// A lit room of stone, tiles on its floor, with a place to start in.
+Draft make_room(const Point& size) {
+    Draft draft(std::vector<std::pair<std::string, std::string>>{{"light", "80"}});
+    build_room(draft, {{{0, 0, 0}, size}, "tiles", "tiles", {{size.z, "stone"}}, {}});
+    draft.add_point("info_player_start", {size.x / 2, 24, 32});
+    for (const double x : {0.05, 0.2, 0.4, 0.6, 0.8, 0.95})
+        for (const double y : {0.2, 0.8})
+            draft.add_light({size.x * x, size.y * y, size.z * 0.7}, static_cast<int>(200 + (size.x + size.y) / 12));
+    return draft;
+}
+
+/// The wall y = 0, seen at an angle. Its 1/z is (X cos(-yaw) + sin(-yaw)) / y, X from -1 to 1 across the screen:
+/// depths of 1:10 at 50.71 degrees, of 1:1000 at 45.057.
+HardScene make_wall_1_to_10() {
+    return {"wall, z 1:10",
+            "A wall that runs across the whole screen, ten times as far at one end as at the other; also over fewer "
+            "columns, and leaning.",
+            make_room({1024, 512, 256}),
+            {{{100, 32, 128}, -50.71},
+             {{100, 8, 100}, -50.71, 0, 25},
+             {{900, 32, 128}, 230.71},
+             {{100, 16, 128}, 20},
+             {{100, 24, 128}, -5, 10, 40}}};
+}
+
+HardScene make_wall_1_to_1000() {
+    return {"wall, z 1:1000",
+            "The same wall, a thousand times as far at one end as at the other.",
+            make_room({4096, 512, 256}),
+            {{{40, 4, 128}, -45.057}, {{40, 4, 120}, -45.057, 0, 30}, {{4056, 4, 128}, 225.057}}};
+}
+
+/// Blocks are long where depth changes little: there the rounding of their steps adds up.
+HardScene make_close_wall() {
+    Draft draft = make_room({1024, 512, 256});
+    Brush coarse = map_source::make_box({{560, 0, 0}, {900, 16, 256}}, "stone");
+    for (auto& face : coarse.faces) face.placement.scale_u = face.placement.scale_v = 4;
+    draft.add(std::move(coarse));
+    return {"wall close by",
+            "A wall 1 to 16 units from the eye, on part of it texels of 4 units: a texel is up to 640 pixels wide.",
+            std::move(draft),
+            {{{103, 1, 128}, -89.76, 0, 81.3},
+             {{700.5, 20, 100}, -90.21},
+             {{110, 2, 100}, -75, 10},
+             {{110, 16, 90}, -90.21},
+             {{701, 17, 128}, -89.8, 0, 40},
+             {{720, 32, 120}, -60}}};
+}
+
+HardScene make_horizon() {
+    return {"floor to the horizon",
+            "A floor and a ceiling that reach 4,000 units away.",
+            make_room({4096, 4096, 512}),
+            {{{30, 30, 48}, 33}, {{30, 30, 48}, 45, -6, 15}, {{4000, 100, 200}, 130, 4}}};
+}
+
+Brush make_ramp() {
+    const Point a{200, 150, 0}, b{800, 250, 0}, c{700, 800, 0}, d{180, 700, 0}, top{850, 850, 320}, side{150, 820, 140};
+    return map_source::make_solid({{a, b, c}, {a, top, b}, {a, side, top}, {a, d, side}, {d, c, top}, {b, top, c}},
+                                  {500, 500, 40}, "stone");
+}
+
+HardScene make_tilted_plane() {
+    Draft draft = make_room({1024, 1024, 512});
+    draft.add(make_ramp());
+    return {"tilted plane",
+            "A slope at odds with every axis, the eye leaning too: u, v and 1/z all change along a row.",
+            std::move(draft),
+            {{{120, 100, 200}, 48, 12, 20}, {{900, 120, 260}, 120, 20, -35}, {{120, 900, 300}, -40, 25, 70}}};
+}
+
+/// Walls of one degree each around a point that they nearly reach.
+HardScene make_slivers() {
+    Draft draft = make_room({1024, 1024, 256});
+    const auto corner = [](double degrees, double radius) {
+        const double angle = degrees * std::numbers::pi / 180;
+        const auto snapped = [](double value) { return std::round(value * 32) / 32; };
+        return std::array<double, 2>{snapped(512 + radius * std::cos(angle)), snapped(512 + radius * std::sin(angle))};
+    };
+    for (int i = 0; i < 40; ++i) {
+        const double from = i * 9.0 + 0.3;
+        draft.add(map_source::extrude({2, {corner(from, 24), corner(from, 320), corner(from + 1, 320)}}, 0, 60.0 + i,
+                                      "stone"));
+    }
+    return {"slivers",
+            "A fan of forty wedges one degree wide: faces thinner than a pixel.",
+            std::move(draft),
+            {{{100, 120, 190}, 45, 12}, {{512, 60, 130}, 90, 2}, {{520, 90, 230}, 90, 25, 15}}};
+}
+
+HardScene make_far_tower() {
+    Draft draft = make_room({6144, 1024, 1024});
+    for (int floor = 0; floor < 12; ++floor) {
+        const double half = 90 - floor * 6, low = floor * 64, centre = 512;
+        draft.add_box({{5600 - half, centre - half, low}, {5600 + half, centre + half, low + 56}},
+                      floor % 2 != 0 ? "stone" : "tiles");
+        draft.add_box({{5604 - half, centre - half + 4, low + 56}, {5596 + half, centre + half - 4, low + 64}},
+                      "tiles");
+    }
+    return {"far tower",
+            "A tower of twelve storeys 5,500 units away: many edges a pixel, small texels.",
+            std::move(draft),
+            {{{80, 500, 60}, 0.3, -3}, {{80, 60, 300}, 5, 1, 10}, {{3000, 700, 90}, -4, -4}}};
+}
+
+/// The sphere does not move: the eye goes around it.
+HardScene make_rotating_sphere() {
+    Draft draft = make_room({512, 512, 256});
+    draft.add(map_source::make_sphere({256, 256, 120}, 1, "stone", "tiles"));
+    std::vector<Eye> eyes;
+    for (int i = 0; i < 5; ++i) {
+        const double angle = (i * 15.7 + 7) * std::numbers::pi / 180, radius = 110 + 20 * i;
+        const auto snapped = [](double value) { return std::round(value * 16) / 16; };
+        eyes.push_back(
+            {{snapped(256 - radius * std::cos(angle)), snapped(256 - radius * std::sin(angle)), 110.0 + 8 * i},
+             angle * 180 / std::numbers::pi,
+             2.0 * i,
+             7.0 * i});
+    }
+    return {"rotating sphere", "A sphere of 24 by 12 facets, seen from five sides.", std::move(draft), std::move(eyes)};
+}
+
+Camera camera_of(const Eye& eye) {
+    const auto world = [](double value) {
+        return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
+    };
+    const auto angle = [](double degrees) { return Angle::from_bam(std::lround(degrees * 65536 / 360)); };
+    Camera camera;
+    camera.eye = {world(eye.position.x), world(eye.position.y), world(eye.position.z)};
+    camera.yaw = angle(eye.yaw);
+    camera.pitch = angle(eye.pitch);
+    camera.roll = angle(eye.roll);
+    return camera;
+}
+
+MeasuredLevel compiled(const HardScene& scene, const map::Wad& wad, std::size_t most_cameras) {
+    std::ostringstream text;
+    write_map(scene.draft, text);
+    const std::string bytes = map::to_bytes(map::compile_map(map::parse_map(text.str()), {wad}, {true}));
+    std::vector<Camera> cameras;
+    for (const Eye& eye : scene.eyes)
+        if (cameras.size() < most_cameras) cameras.push_back(camera_of(eye));
+    const std::vector<std::uint8_t> file(bytes.begin(), bytes.end());
+    return make_measured_level(scene.name, scene.about, file, std::move(cameras));
+}
+
+}  // namespace
+
+std::vector<MeasuredLevel> make_hard_scenes(const Palette& palette, std::size_t most_cameras) {
+    const map::Wad wad(make_scene_wad(palette));
+    std::vector<MeasuredLevel> levels;
+    for (const auto make : {make_wall_1_to_10, make_wall_1_to_1000, make_close_wall, make_horizon, make_tilted_plane,
+                            make_slivers, make_far_tower, make_rotating_sphere})
+        levels.push_back(compiled(make(), wad, most_cameras));
+    return levels;
+}
+
+}  // namespace oblong

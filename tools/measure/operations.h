@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "engine/accuracy/accuracy.h"
+#include "engine/frame/frame_counts.h"
+
+namespace oblong {
+
+/// The integers that an operation is done in: the narrowest that hold its operands.
+enum class Width { Bits16, Bits32, Bits64 };
+inline constexpr std::array<std::string_view, 3> kWidthNames{"16", "32", "64"};
+
+/// How many operations of each width.
+struct ByWidth {
+    std::array<std::int64_t, 3> counts{};
+
+    std::int64_t& operator[](Width width) { return counts[static_cast<std::size_t>(width)]; }
+    std::int64_t operator[](Width width) const { return counts[static_cast<std::size_t>(width)]; }
+    std::int64_t total() const { return counts[0] + counts[1] + counts[2]; }
+    bool operator==(const ByWidth&) const = default;
+};
+
+/// Operations by kind and width. Addresses and loops are counted as the additions that they take; jumps are not.
+struct Operations {
+    ByWidth adds;                                    ///< additions, subtractions, comparisons, shifts and masks
+    ByWidth multiplications;                         ///< of two factors of this width
+    ByWidth divisions;                               ///< by a divisor of this width
+    std::int64_t lookups = 0;                        ///< of a table or a texel, at an address computed from data
+    std::int64_t bytes_read = 0, bytes_written = 0;  ///< lookups included
+
+    bool operator==(const Operations&) const = default;
+};
+
+/// A stage of a frame and what it did.
+struct StageOperations {
+    std::string_view stage;   ///< "vertices", "edges", "blocks", "pixels" ...
+    std::int64_t events = 0;  ///< how often
+    Operations operations;    ///< all together
+};
+
+inline constexpr std::size_t kStageCount = 13;
+
+/// The operations of a frame: how often each stage did its work, as its code counted (FrameCounts::stages), times the
+/// operations of doing it once, which are listed for each piece of code in operations.cpp. Dials that round to fewer
+/// bits make operations narrower. Whole numbers: the same on every machine.
+std::array<StageOperations, kStageCount> operations_by_stage(const FrameCounts& counts, const Accuracy& accuracy);
+Operations sum_of(const std::array<StageOperations, kStageCount>& stages);
+
+/// A processor of the time.
+enum class Processor { I386, I486, Pentium };
+inline constexpr std::array kProcessors{Processor::I386, Processor::I486, Processor::Pentium};
+/// "386 at 33 MHz", "486 at 66 MHz", "Pentium at 90 MHz".
+std::string_view name_of(Processor processor);
+
+/// Cycles by the processor's instruction times (sources: operations.cpp): what operations alone take, without jumps,
+/// waiting for memory, or a Pentium's two pipelines.
+double cycles_on(Processor processor, const Operations& operations);
+/// Frames a second of that many cycles.
+double frame_rate(Processor processor, double cycles);
+
+}  // namespace oblong

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/geometry/projection.h"
+#include "engine/scene/placed_models.h"
+#include "engine/screen/screen.h"
+#include "tools/reference/frame.h"
+
+namespace oblong {
+
+/// What the reference renderer needs to see what the engine sees. `correct_aspect`: Settings::correct_aspect.
+reference::View reference_view(const Camera& camera, const ScreenMode& mode, bool correct_aspect = true);
+std::vector<reference::PlacedModel> reference_models(std::span<const PlacedModel> models);
+reference::Vec reference_vec(const Vec3<World>& world);
+
+}  // namespace oblong

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/frame/frame_record.h"
+#include "engine/geometry/projection.h"
+#include "engine/scene/placed_models.h"
+#include "engine/screen/screen.h"
+#include "tools/measure/error_summary.h"
+#include "tools/reference/plane_view.h"
+
+namespace oblong {
+
+/// How far the texel that one pixel shows is from where it belongs. Both are negative where there is nothing to
+/// measure: sky, one colour, no face, or a plane that is not in front of the eye there.
+struct TexelError {
+    /// From the pixel's centre to the place on the screen where the texel belongs, pixels; at most the picture's
+    /// diagonal, which also stands for a texel behind the eye.
+    float pixels = -1;
+    /// From the texel that belongs at the pixel's centre to the one shown, texels of mip level 0.
+    float texels = -1;
+    bool is_measured() const { return pixels >= 0; }
+};
+
+/// Measures frames of one camera. Levels and models must outlive it.
+class TexelErrorMeter {
+  public:
+    /// `level`: the reference's reading of the level that was drawn; `models`: those of the scene.
+    TexelErrorMeter(const reference::Level& level, std::span<const PlacedModel> models, const Camera& camera,
+                    const ScreenMode& mode, bool correct_aspect = true);
+
+    /// The error of each pixel, rows top to bottom without the framebuffer's pitch. Some milliseconds at 320x200.
+    std::vector<TexelError> measure(const FrameRecord& record);
+
+  private:
+    const reference::PlaneView& plane_of(const PixelRecord& pixel);
+    TexelError error_of(const PixelRecord& pixel, const reference::PlaneView& plane,
+                        reference::ScreenPoint centre) const;
+
+    const reference::Level& level_;
+    std::span<const PlacedModel> models_;
+    reference::Camera camera_;
+    std::int32_t width_px_, height_px_;
+    double diagonal_px_;
+    std::unordered_map<std::int64_t, reference::PlaneView> planes_;  ///< by face and model
+};
+
+/// Of the pixels that were measured.
+ErrorSummary summarize_pixels(std::span<const TexelError> errors);
+ErrorSummary summarize_texels(std::span<const TexelError> errors);
+
+}  // namespace oblong

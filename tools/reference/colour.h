@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tools/reference/frame.h"
+
+namespace oblong::reference {
+
+/// 0 to 255 a channel.
+struct Rgb {
+    double red = 0, green = 0, blue = 0;
+};
+
+using Palette = std::array<Rgb, 256>;
+
+/// From 768 bytes of red, green, blue; throws std::runtime_error for another size.
+Palette make_palette(std::span<const std::uint8_t> bytes);
+
+/// How bright a lit face is at a texel (not wrapped), 0 to 1: between four light samples, each the sum of the face's
+/// styles as they are stored, 128 or more being 1. Faces without a lightmap are dark, or bright if the level has no
+/// light at all.
+double light_at(const Level& level, const Face& face, double u, double v);
+
+/// The texel's colour times the light. Liquids, skies and the palette's last 32 colours are not lit.
+Rgb true_colour(const Level& level, const Face& face, double u, double v, const Palette& palette);
+
+struct ColourPixel {
+    Rgb colour;
+    bool is_excluded = false;  ///< some of it is sky, or no face at all
+};
+
+/// Colours without colormap, mip levels or rounding: the mean of samples_per_axis^2 rays a pixel, evenly spread, with 1
+/// the centre alone. Rows top to bottom.
+std::vector<ColourPixel> draw_colours(const Level& level, std::span<const PlacedModel> models, const View& view,
+                                      const Palette& palette, int samples_per_axis = 1);
+
+}  // namespace oblong::reference

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+
+#include "tools/reference/level.h"
+#include "tools/reference/texel.h"
+#include "tools/reference/view.h"
+
+namespace oblong::reference {
+
+/// Change of u and v (texels) from one column, one row to the next (pixels).
+struct TexelGradient {
+    double u_per_column = 0, v_per_column = 0, u_per_row = 0, v_per_row = 0;
+};
+
+/// The plane of a face as a view shows it, without end: which texel at which place on the screen, and back.
+///
+/// Along the ray r = right X / mx - up Y / my + forward, X and Y pixels from the optical centre, the point at depth z
+/// is eye + z r. So u is linear in z dot(s, r); and as that point is on the plane, 1/z = -dot(normal, r) / distance of
+/// the eye, which is linear in X and Y.
+class PlaneView {
+  public:
+    /// `offset`: how far the face's model has moved.
+    PlaneView(const Level& level, const Face& face, const Vec& offset, const Camera& camera);
+
+    double inverse_z(ScreenPoint at) const { return inverse_z_.at(from_centre(at)); }
+    /// The texel of the plane, at its own depth. Meaningless where inverse_z() is not above 0.
+    Texel texel_at(ScreenPoint at) const { return texel_at(at, inverse_z(at)); }
+    /// The texel of the point at another depth of the same ray.
+    Texel texel_at(ScreenPoint at, double inverse_z) const;
+    TexelGradient gradient_at(ScreenPoint at) const;
+    /// The place on the screen at which the plane shows a texel; none if that is not in front of the eye, or if the
+    /// texture's axes do not tell the plane's points apart. Its distance to the centre of the pixel where a renderer
+    /// shows this texel is that renderer's error there, in pixels.
+    std::optional<ScreenPoint> place_of(double u, double v) const;
+
+  private:
+    /// x X + y Y + constant, pixels from the optical centre.
+    struct Linear {
+        double x = 0, y = 0, constant = 0;
+        double at(ScreenPoint p) const { return x * p.x + y * p.y + constant; }
+    };
+
+    static Linear along_ray(const Vec& axis, const Camera& camera);
+    ScreenPoint from_centre(ScreenPoint at) const { return {at.x - centre_.x, at.y - centre_.y}; }
+
+    ScreenPoint centre_;
+    double eye_u_ = 0, eye_v_ = 0;
+    Linear u_along_ray_, v_along_ray_, inverse_z_;
+};
+
+}  // namespace oblong::reference
