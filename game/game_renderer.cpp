@@ -1,6 +1,7 @@
 #include "game/game_renderer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/screen/screen.h"
 #include "game/step.h"
@@ -31,8 +32,15 @@ bool is_motion(const Position& before, const Position& after) {
     return is_near(way.x) && is_near(way.y) && is_near(way.z);
 }
 
-// The brush models that are drawn, at their offsets; those of triggers are not.
-std::vector<PlacedModel> models_at(const GameLevel& level, const InterpolatedState& state) {
+// Since the level began.
+std::int64_t time_ms_at(const InterpolatedState& state) {
+    const std::int64_t ticks_16 = (state.before.tick << 16) + state.fraction_16;
+    return ticks_16 * 1000 / kTicksPerSecond >> 16;
+}
+
+}  // namespace
+
+std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state) {
     std::vector<PlacedModel> placed;
     for (std::size_t i = 0; i < level.movers.size(); ++i) {
         const Mover& mover = level.movers[i];
@@ -43,14 +51,6 @@ std::vector<PlacedModel> models_at(const GameLevel& level, const InterpolatedSta
     for (const ModelIndex model : level.static_models) placed.push_back({model, {}});
     return placed;
 }
-
-// Since the level began.
-std::int64_t time_ms_at(const InterpolatedState& state) {
-    const std::int64_t ticks_16 = (state.before.tick << 16) + state.fraction_16;
-    return ticks_16 * 1000 / kTicksPerSecond >> 16;
-}
-
-}  // namespace
 
 Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees field_of_view) {
     const Player& player = state.after.player;
@@ -70,9 +70,21 @@ GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const S
 }
 
 void GameRenderer::draw(const InterpolatedState& state, const Camera& camera, const Settings& settings) {
-    const std::vector<PlacedModel> models = models_at(level_, state);
+    const std::vector<PlacedModel> models = placed_models(level_, state);
     const Scene scene{data_.level, data_.colormap, models, time_ms_at(state)};
     draw_frame(scene, camera, mode_, settings, work_, canvas());
+}
+
+FrameCounts GameRenderer::draw_and_count(const GameView& view, const Settings& settings) {
+    work_.counts = std::make_unique<FrameCounts>();
+    draw(view.state, view.camera, settings);
+    return std::move(*std::exchange(work_.counts, nullptr));
+}
+
+FrameRecord GameRenderer::draw_and_record(const GameView& view, const Settings& settings) {
+    work_.record = std::make_unique<FrameRecord>();
+    draw(view.state, view.camera, settings);
+    return std::move(*std::exchange(work_.record, nullptr));
 }
 
 Framebuffer GameRenderer::canvas() {

@@ -18,6 +18,15 @@ struct InterpolatedState {
     std::int32_t fraction_16 = 0;
 };
 
+/// What a picture shows: the game at a moment, and from where.
+struct GameView {
+    InterpolatedState state;
+    Camera camera;
+};
+
+/// The brush models that are drawn, at their offsets; those of triggers are not.
+std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state);
+
 /// The player's eye, turned further by `offset`.
 Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees field_of_view);
 
@@ -28,6 +37,9 @@ class GameRenderer {
     GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode);
 
     void draw(const InterpolatedState& state, const Camera& camera, const Settings& settings);
+    /// What draw() counts or records: on the same canvas, but slower.
+    FrameCounts draw_and_count(const GameView& view, const Settings& settings);
+    FrameRecord draw_and_record(const GameView& view, const Settings& settings);
     Framebuffer canvas();
     const ScreenMode& mode() const { return mode_; }
     /// FaceTable::torn_edges of the level.

@@ -21,6 +21,7 @@ struct Hud {
 /// Shows a message from now on, for as long as it takes to read.
 void show_message(Hud& hud, std::string message, std::uint64_t now_us);
 
-void draw_hud(const Hud& hud, std::uint64_t now_us, TextColours colours, Framebuffer canvas);
+/// `bottom`: the row above which the line of the cost goes.
+void draw_hud(const Hud& hud, std::uint64_t now_us, std::int32_t bottom, TextColours colours, Framebuffer canvas);
 
 }  // namespace oblong

@@ -32,6 +32,8 @@ ViewOptions view_options_of(const Options& options) {
     view_options.preset = options.preset;
     view_options.accuracy = options.accuracy;
     view_options.scaling = options.scaling;
+    view_options.corrects_projection = options.corrects_projection;
+    view_options.shown_as = options.shown_as;
     return view_options;
 }
 

@@ -1,5 +1,8 @@
 #include "game/options.h"
 
+#include <array>
+#include <string_view>
+
 #include "tools/common/arguments.h"
 #include "tools/common/command_line.h"
 
@@ -12,10 +15,22 @@ Scaling scaling_of(const std::string& name) {
     throw UsageError("--scaling: '" + name + "', expected sharp, rows, even, nearest or stretch");
 }
 
+bool corrects_projection_of(const std::string& name) {
+    if (name == "display" || name == "square") return name == "display";
+    throw UsageError("--aspect-projection: '" + name + "', expected display or square");
+}
+
+ShownAs shown_as_of(const std::string& name) {
+    constexpr std::array<std::string_view, kShownAsCount> names{"display", "square", "fill"};
+    for (int i = 0; i < kShownAsCount; ++i)
+        if (name == names[static_cast<std::size_t>(i)]) return static_cast<ShownAs>(i);
+    throw UsageError("--aspect-display: '" + name + "', expected display, square or fill");
+}
+
 // The options that are parsed after the command line is read.
 struct OptionTexts {
     std::string mode = "320x200", display = "4:3", field_of_view = "90", window, accuracy = "bounded",
-                scaling = "sharp";
+                scaling = "sharp", aspect_projection = "display", aspect_display = "display";
     std::vector<std::string> dials;
 };
 
@@ -28,6 +43,8 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("--accuracy", texts.accuracy, "1991, 1994, 1996, bounded or exact");
     line.add("--dial", texts.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
     line.add("--scaling", texts.scaling, "sharp, rows, even, nearest or stretch");
+    line.add("--aspect-projection", texts.aspect_projection, "display or square: which pixels F2 starts with");
+    line.add("--aspect-display", texts.aspect_display, "display, square or fill: which shape F3 starts with");
     line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");
     auto record = line.add("--record", options.record, "write the game played to this demo file");
     auto replay = line.add("--replay", options.replay, "play this demo file instead of the keys");
@@ -50,6 +67,8 @@ void interpret(const OptionTexts& texts, Options& options) {
     options.preset = parse_preset(texts.accuracy);
     options.accuracy = parse_accuracy(options.preset, texts.dials);
     options.scaling = scaling_of(texts.scaling);
+    options.corrects_projection = corrects_projection_of(texts.aspect_projection);
+    options.shown_as = shown_as_of(texts.aspect_display);
 }
 
 }  // namespace

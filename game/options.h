@@ -20,6 +20,8 @@ struct Options {
     Preset preset = Preset::Bounded;
     Accuracy accuracy;  ///< the preset with dials turned
     Scaling scaling = Scaling::SharpBilinear;
+    bool corrects_projection = true;
+    ShownAs shown_as = ShownAs::OnDisplay;
     std::string record, replay, timedemo;
     std::int64_t headless_frames = 0;
     std::string out;

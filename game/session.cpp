@@ -35,8 +35,10 @@ void Session::run() {
 }
 
 void Session::play_frame() {
-    const Controls controls = platform_.poll();
+    Controls controls = platform_.poll();
     const std::uint64_t now_us = platform_.now_us();
+    if (!view_options_.lab.shows_panel) walk_by_arrows(controls);
+    drag_split(shown_rect(), view_options_.lab, controls);
     input_.gather(controls);
     handle_commands(controls, now_us);
     advance(now_us);
@@ -49,6 +51,23 @@ void Session::handle_commands(const Controls& controls, std::uint64_t now_us) {
         const std::string message = apply(command, view_options_, renderer_.mode(), platform_.window_size());
         if (!message.empty()) show_message(hud_, message, now_us);
     }
+    if (!controls.commands.empty()) keep_what_is_on();
+}
+
+// Makes what a command switched on, and frees what it switched off.
+void Session::keep_what_is_on() {
+    if (!needs_lab(view_options_.lab))
+        lab_.reset();
+    else if (!lab_)
+        lab_ = std::make_unique<Lab>(data_, level_, renderer_.mode());
+    if (!view_options_.shows_four_aspects)
+        four_aspects_.reset();
+    else if (!four_aspects_)
+        four_aspects_ = std::make_unique<FourAspects>(data_, level_);
+}
+
+PresentRect Session::shown_rect() const {
+    return layout(platform_.window_size(), renderer_.mode(), view_options_.shown_as, view_options_.scaling);
 }
 
 void Session::advance(std::uint64_t now_us) {
@@ -62,19 +81,40 @@ void Session::advance(std::uint64_t now_us) {
 void Session::draw(std::uint64_t now_us) {
     const std::int32_t fraction = clock_.fraction_16();
     const InterpolatedState state{before_, after_, fraction};
+    const GameView view{state, camera_at(state, input_.look_offset(fraction), field_of_view_)};
+    const Settings settings = settings_of(view_options_);
+    Settings shown_settings = settings;
+    if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, now_us);
     const std::uint64_t began_us = platform_.now_us();
-    renderer_.draw(state, camera_at(state, input_.look_offset(fraction), field_of_view_), settings_of(view_options_));
+    renderer_.draw(view.state, view.camera, shown_settings);
     note_cost(began_us, platform_.now_us());
 
+    draw_over(view, settings, now_us);
     const Framebuffer canvas = renderer_.canvas();
     if (wants_screenshot_)
         show_message(hud_, save_screenshots(screenshot_folder_, canvas, data_.palette, renderer_.mode()), now_us);
     wants_screenshot_ = false;
     hud_.shows_help = view_options_.shows_help;
     hud_.shows_end = after_.has_ended;
-    draw_hud(hud_, now_us, text_colours_, canvas);
-    platform_.present(canvas, data_.palette,
-                      layout(platform_.window_size(), renderer_.mode(), view_options_.shown_as, view_options_.scaling));
+    draw_hud(hud_, now_us, text_bottom_, text_colours_, canvas);
+    platform_.present(canvas, data_.palette, shown_rect());
+}
+
+void Session::draw_over(const GameView& view, const Settings& settings, std::uint64_t now_us) {
+    const Framebuffer canvas = renderer_.canvas();
+    const ScreenMode& mode = renderer_.mode();
+    text_bottom_ = canvas.height_px - kTextMargin_px;
+    if (four_aspects_) {
+        four_aspects_->draw(view, settings.accuracy, mode, shown_pixel(shown_rect(), mode), text_colours_, canvas);
+        text_bottom_ = 0;  // their captions leave no room
+        return;
+    }
+    if (lab_) text_bottom_ = lab_->draw(view_options_.lab, view, settings, now_us, platform_, canvas);
+    if (!view_options_.shows_aspect_guide) return;
+    draw_aspect_guide(mode, text_colours_, canvas);
+    const std::string caption = aspect_caption(mode, settings.correct_aspect, view_options_.shown_as,
+                                               view_options_.scaling, platform_.window_size());
+    text_bottom_ = draw_lines_above(text_bottom_, caption, text_colours_, canvas);
 }
 
 void Session::note_cost(std::uint64_t began_us, std::uint64_t ended_us) {

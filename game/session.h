@@ -1,8 +1,12 @@
 #pragma once
 
+#include <memory>
+
 #include "engine/platform/platform.h"
+#include "game/four_aspects.h"
 #include "game/game_renderer.h"
 #include "game/hud.h"
+#include "game/lab.h"
 #include "game/load.h"
 #include "game/tick_clock.h"
 #include "game/tick_input_source.h"
@@ -31,7 +35,10 @@ class Session {
     void play_frame();
     void advance(std::uint64_t now_us);
     void draw(std::uint64_t now_us);
+    void draw_over(const GameView& view, const Settings& settings, std::uint64_t now_us);
     void handle_commands(const Controls& controls, std::uint64_t now_us);
+    void keep_what_is_on();
+    PresentRect shown_rect() const;
     void note_cost(std::uint64_t began_us, std::uint64_t ended_us);
 
     const GameData& data_;
@@ -42,6 +49,8 @@ class Session {
     Degrees field_of_view_;
     std::string screenshot_folder_;
     GameRenderer renderer_;
+    std::unique_ptr<Lab> lab_;                   // only while something of it is on
+    std::unique_ptr<FourAspects> four_aspects_;  // likewise
     TextColours text_colours_;
     Hud hud_;
     TickClock clock_;
@@ -49,6 +58,7 @@ class Session {
     std::uint64_t last_us_ = 0;
     std::uint64_t cost_since_us_ = 0, drawing_us_ = 0;
     std::uint64_t frames_since_ = 0;
+    std::int32_t text_bottom_ = 0;  // the row above which the text at the bottom ends
     bool wants_screenshot_ = false;
 };
 

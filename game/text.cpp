@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "game/drawing.h"
 #include "tools/common/font.h"
 
 namespace oblong {
@@ -9,19 +10,10 @@ namespace {
 
 constexpr std::int32_t kPanelMargin_px = 6;
 
-// ITU-R BT.601's weights for red, green and blue, in thousandths.
-int luminance(Rgb8 colour) {
-    return 299 * colour.red + 587 * colour.green + 114 * colour.blue;
-}
-
-void put(Framebuffer canvas, std::int32_t x, std::int32_t y, std::uint8_t colour) {
-    if (x >= 0 && x < canvas.width_px && y >= 0 && y < canvas.height_px) canvas.row(y)[x] = colour;
-}
-
 void draw_glyph(Framebuffer canvas, std::int32_t x, std::int32_t y, const Glyph& glyph, std::uint8_t colour) {
     for (std::int32_t row = 0; row < kGlyphHeight_px; ++row)
         for (std::int32_t column = 0; column < kGlyphWidth_px; ++column)
-            if (is_drawn(glyph, row, column)) put(canvas, x + column, y + row, colour);
+            if (is_drawn(glyph, row, column)) set_pixel(canvas, x + column, y + row, colour);
 }
 
 void draw_plain(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, std::uint8_t colour) {
@@ -31,17 +23,12 @@ void draw_plain(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_
     }
 }
 
-void fill(Framebuffer canvas, std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height,
-          std::uint8_t colour) {
-    for (std::int32_t row = y; row < y + height; ++row)
-        for (std::int32_t column = x; column < x + width; ++column) put(canvas, column, row, colour);
-}
-
 }  // namespace
 
 TextColours text_colours_of(const Palette& palette) {
-    const auto [dark, bright] = std::minmax_element(palette.colours.begin(), palette.colours.end(),
-                                                    [](Rgb8 a, Rgb8 b) { return luminance(a) < luminance(b); });
+    const auto [dark, bright] = std::minmax_element(palette.colours.begin(), palette.colours.end(), [](Rgb8 a, Rgb8 b) {
+        return luminance_1000(a) < luminance_1000(b);
+    });
     return {static_cast<std::uint8_t>(bright - palette.colours.begin()),
             static_cast<std::uint8_t>(dark - palette.colours.begin())};
 }
@@ -68,13 +55,28 @@ void draw_text(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_v
     draw_plain(canvas, x, y, line, colours.bright);
 }
 
+void draw_lines(std::int32_t y, std::string_view text, TextColours colours, Framebuffer canvas) {
+    for (const std::string_view line : lines_of(text, canvas.width_px - 2 * kTextMargin_px)) {
+        draw_text(canvas, kTextMargin_px, y, line, colours);
+        y += kLineHeight_px;
+    }
+}
+
+std::int32_t draw_lines_above(std::int32_t bottom, std::string_view text, TextColours colours, Framebuffer canvas) {
+    const std::size_t count = lines_of(text, canvas.width_px - 2 * kTextMargin_px).size();
+    const std::int32_t top = bottom - static_cast<std::int32_t>(count) * kLineHeight_px;
+    draw_lines(top, text, colours, canvas);
+    return top;
+}
+
 void draw_panel(Framebuffer canvas, std::span<const std::string_view> lines, TextColours colours) {
     std::int32_t width = 0;
     for (const std::string_view line : lines) width = std::max(width, text_width_px(line));
     const auto height = static_cast<std::int32_t>(lines.size()) * kLineHeight_px;
     const std::int32_t x = (canvas.width_px - width) / 2, y = (canvas.height_px - height) / 2;
-    fill(canvas, x - kPanelMargin_px, y - kPanelMargin_px, width + 2 * kPanelMargin_px, height + 2 * kPanelMargin_px,
-         colours.dark);
+    fill_area(canvas,
+              {x - kPanelMargin_px, y - kPanelMargin_px, width + 2 * kPanelMargin_px, height + 2 * kPanelMargin_px},
+              colours.dark);
     for (std::size_t i = 0; i < lines.size(); ++i)
         draw_plain(canvas, x, y + static_cast<std::int32_t>(i) * kLineHeight_px, lines[i], colours.bright);
 }

@@ -16,6 +16,9 @@ struct TextColours {
 };
 TextColours text_colours_of(const Palette& palette);
 
+/// Between text and the sides of the canvas.
+inline constexpr std::int32_t kTextMargin_px = 4;
+
 /// How wide a line is, its shadow included.
 std::int32_t text_width_px(std::string_view line);
 
@@ -25,6 +28,11 @@ std::vector<std::string_view> lines_of(std::string_view text, std::int32_t width
 
 /// A line of ASCII whose cells begin at (x, y), with a dark shadow right below; what lies outside the canvas is cut.
 void draw_text(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, TextColours colours);
+
+/// A text from the row `y` down, in lines that fit between the canvas's margins.
+void draw_lines(std::int32_t y, std::string_view text, TextColours colours, Framebuffer canvas);
+/// The same, but so that it ends above the row `bottom`. The row above which it begins.
+std::int32_t draw_lines_above(std::int32_t bottom, std::string_view text, TextColours colours, Framebuffer canvas);
 
 /// A dark panel in the middle of the canvas with the lines on it.
 void draw_panel(Framebuffer canvas, std::span<const std::string_view> lines, TextColours colours);

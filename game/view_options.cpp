@@ -1,5 +1,7 @@
 #include "game/view_options.h"
 
+#include "game/aspect_guide.h"
+
 namespace oblong {
 namespace {
 
@@ -11,15 +13,11 @@ Enum next_of(Enum value, int count) {
     return static_cast<Enum>((static_cast<int>(value) + 1) % count);
 }
 
-std::string shape_of(const ScreenMode& mode) {
-    return std::to_string(mode.display.numerator) + ":" + std::to_string(mode.display.denominator);
-}
-
 std::string describe_display(const ViewOptions& options, const ScreenMode& mode, WindowSize window) {
     const std::string size = describe(layout(window, mode, options.shown_as, options.scaling), mode);
     switch (options.shown_as) {
         case ShownAs::OnDisplay:
-            return "F3 Display: " + shape_of(mode) + " (" + size + ")";
+            return "F3 Display: " + display_name(mode) + " (" + size + ")";
         case ShownAs::SquarePixels:
             return "F3 Display: square pixels (" + size + ")";
         default:
@@ -46,21 +44,27 @@ std::string apply(Command command, ViewOptions& options, const ScreenMode& mode,
             return "";
         case Command::ProjectionAspect:
             options.corrects_projection = !options.corrects_projection;
-            return options.corrects_projection ? "F2 Projection: for " + shape_of(mode)
+            return options.corrects_projection ? "F2 Projection: for " + display_name(mode)
                                                : "F2 Projection: for square pixels";
         case Command::DisplayAspect:
             options.shown_as = next_of(options.shown_as, kShownAsCount);
             return describe_display(options, mode, window);
         case Command::AccuracyTier:
             options.preset = next_of(options.preset, kPresetCount);
-            options.accuracy = accuracy_of(options.preset);
+            change_setting(accuracy_of(options.preset), options.lab, options.accuracy);
             return "F4 Accuracy: " + std::string(name_of(options.preset));
         case Command::ScalingMode:
             options.scaling = next_of(options.scaling, kScalingCount);
             return std::string("F5 Scaling: ") + name_of(options.scaling) + " (" +
                    describe(layout(window, mode, options.shown_as, options.scaling), mode) + ")";
-        default:
+        case Command::AspectGuide:
+            options.shows_aspect_guide = !options.shows_aspect_guide;
             return "";
+        case Command::FourAspects:
+            options.shows_four_aspects = !options.shows_four_aspects;
+            return "";
+        default:
+            return apply_to_lab(command, options.lab, options.accuracy);
     }
 }
 

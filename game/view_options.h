@@ -7,6 +7,7 @@
 #include "engine/platform/controls.h"
 #include "engine/platform/present_rect.h"
 #include "engine/screen/screen.h"
+#include "game/lab_options.h"
 
 namespace oblong {
 
@@ -17,7 +18,8 @@ struct ViewOptions {
     bool corrects_projection = true;
     ShownAs shown_as = ShownAs::OnDisplay;
     Scaling scaling = Scaling::SharpBilinear;
-    bool shows_help = false, shows_cost = false;
+    bool shows_help = false, shows_cost = false, shows_aspect_guide = false, shows_four_aspects = false;
+    LabOptions lab;
 };
 
 Settings settings_of(const ViewOptions& options);

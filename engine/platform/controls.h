@@ -13,7 +13,22 @@ enum class Command {
     AccuracyTier,      ///< F4
     ScalingMode,       ///< F5
     FrameCost,         ///< F6
+    LabPanel,          ///< F7
+    ErrorMap,          ///< F8
+    SplitView,         ///< F9
+    FlipSettings,      ///< F10
+    AspectGuide,       ///< F11
     Screenshot,        ///< F12
+    FourAspects,       ///< 4
+    DialUp,            ///< up arrow, again and again while it is held; for the lab, as are the other three
+    DialDown,          ///< down arrow
+    DialCoarser,       ///< left arrow
+    DialFiner,         ///< right arrow
+};
+
+/// The arrow keys held now.
+struct Arrows {
+    bool up = false, down = false, left = false, right = false;
 };
 
 /// The player's input between two polls: keys held now, mouse motion and presses since the last poll.
@@ -21,8 +36,18 @@ struct Controls {
     bool forward = false, back = false, left = false, right = false;  ///< walk
     bool turn_left = false, turn_right = false, look_up = false, look_down = false;
     bool jump = false, walk_slowly = false;
+    Arrows arrows;                          ///< not yet in the fields above: see walk_by_arrows()
+    bool holds_button = false;              ///< any button of the captured mouse
     std::int32_t mouse_x = 0, mouse_y = 0;  ///< counts of the device, right and down positive
     std::vector<Command> commands;
 };
+
+/// Makes the arrow keys walk and turn.
+inline void walk_by_arrows(Controls& controls) {
+    controls.forward |= controls.arrows.up;
+    controls.back |= controls.arrows.down;
+    controls.turn_left |= controls.arrows.left;
+    controls.turn_right |= controls.arrows.right;
+}
 
 }  // namespace oblong

@@ -90,8 +90,8 @@ TEST(Bound, HoldsNextToWallsOfTheDemoLevel) {
 }
 
 TEST(Bound, HoldsNextToWallsOfRealLevels) {
-    if (find_shared_folder().empty()) GTEST_SKIP() << "no shared/levels beside the project";
-    for (const std::string name : {"dm4", "e1m7", "end"}) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    for (const std::string name : kRealLevels) {
         SCOPED_TRACE(name);
         const std::filesystem::path bsp = find_shared_folder() / "levels" / (name + ".bsp");
         expect_within_the_bound({real_stage(name), reference::read_level(read_file_bytes(bsp))}, 60);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
+#include <set>
 #include <vector>
 
 #include "engine/surface/surface_cache.h"
@@ -34,7 +36,8 @@ struct Patch {
         scratch.resize(samples.size());
     }
 
-    std::vector<std::uint8_t> build(const Colormap& map, int mip, TextureView texture, std::uint16_t scale = 256) {
+    std::vector<std::uint8_t> build(const Colormap& map, int mip, TextureView texture, std::uint16_t scale = 256,
+                                    const LightQuality& quality = {}) {
         LightmapView light;
         light.samples = samples.data();
         light.columns = columns;
@@ -43,7 +46,7 @@ struct Patch {
         light.style_scale_256[0] = scale;
         const std::int32_t stride = lit_size(columns, mip);
         std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * lit_size(rows, mip)));
-        build_lit_surface(texture, light, map, {}, mip, stride, scratch.data(), out.data());
+        build_lit_surface(texture, light, map, quality, mip, stride, scratch.data(), out.data());
         return out;
     }
 
@@ -155,6 +158,58 @@ TEST(SurfaceCache, KeepsWhileValidAndForgetsWhenFull) {
     EXPECT_FALSE(cache.get(2, 1, 1).is_valid) << "full: all is forgotten";
     EXPECT_FALSE(cache.get(0, 40, 2).is_valid);
     EXPECT_TRUE(cache.get(2, 1, 1).is_valid);
+}
+
+TEST(LightQuality, NearestTakesTheSampleOnTheNearerSide) {
+    std::mt19937 random(21);
+    for (int mip = 0; mip < 4; ++mip) {
+        Patch patch(random, 4, 3);
+        const std::int32_t cell = 16 >> mip, width = lit_size(4, mip);
+        const auto lit = patch.build(shade_showing_map(), mip, {patch.texels.data(), 64, 64, 0, 0}, 256,
+                                     {LightSampling::Nearest, 64, false});
+        for (std::int32_t y = 0; y < lit_size(3, mip); ++y)
+            for (std::int32_t x = 0; x < width; ++x) {
+                const std::int32_t column = (x + cell / 2) / cell, row = (y + cell / 2) / cell;
+                const std::int32_t light = patch.samples[static_cast<std::size_t>(row * 4 + column)];
+                ASSERT_EQ(lit[static_cast<std::size_t>(y * width + x)],
+                          std::max(kFullLight - light, 0) * 63 / kFullLight)
+                    << x << "," << y << " of level " << mip;
+            }
+    }
+}
+
+/// Over 4x4 texels of the same light a dithered shade is right on average to 1/16 of a shade; a plain one is up to one
+/// too bright.
+TEST(LightQuality, DitheredLightIsRightOnAverage) {
+    std::mt19937 random(22);
+    for (int light = 3; light < 128; light += 4) {
+        Patch patch(random, 2, 2);
+        patch.samples.assign(4, static_cast<std::uint8_t>(light));
+        const TextureView texture{patch.texels.data(), 64, 64, 0, 0};
+        const auto mean_of = [&](bool dithers) {
+            const auto lit =
+                patch.build(shade_showing_map(), 0, texture, 256, {LightSampling::Interpolated, 64, dithers});
+            return std::accumulate(lit.begin(), lit.end(), 0.0) / static_cast<double>(lit.size());
+        };
+        const double shade = (kFullLight - light) * 63.0 / kFullLight;
+        EXPECT_NEAR(mean_of(true), shade, 1.0 / 16) << light;
+        EXPECT_EQ(mean_of(false), std::floor(shade)) << light;
+    }
+}
+
+TEST(LightQuality, FewerShadesReachFromFullLightToTheDarkest) {
+    for (const std::int32_t count : {16, 32, 64}) {
+        const Colormap map = with_shades(shade_showing_map(), count);
+        std::set<std::uint8_t> shades;
+        for (std::int32_t shade = 0; shade < 64; ++shade) {
+            const int shown = map.shades[static_cast<std::size_t>(shade)][7];
+            shades.insert(static_cast<std::uint8_t>(shown));
+            EXPECT_LE(std::abs(shown - shade), 64 / count) << shade << " of " << count;
+        }
+        EXPECT_EQ(shades.size(), static_cast<std::size_t>(count));
+        EXPECT_EQ(*shades.begin(), 0);
+        EXPECT_EQ(*shades.rbegin(), 63);
+    }
 }
 
 }  // namespace oblong::test

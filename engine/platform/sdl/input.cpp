@@ -3,20 +3,40 @@
 #include <SDL.h>
 
 #include <array>
+#include <span>
 #include <utility>
 
 namespace oblong {
 namespace {
 
-constexpr std::array<std::pair<SDL_Scancode, Command>, 7> kCommandKeys{{
+using CommandKey = std::pair<SDL_Scancode, Command>;
+
+constexpr std::array<CommandKey, 13> kCommandKeys{{
     {SDL_SCANCODE_F1, Command::ShowHelp},
     {SDL_SCANCODE_F2, Command::ProjectionAspect},
     {SDL_SCANCODE_F3, Command::DisplayAspect},
     {SDL_SCANCODE_F4, Command::AccuracyTier},
     {SDL_SCANCODE_F5, Command::ScalingMode},
     {SDL_SCANCODE_F6, Command::FrameCost},
+    {SDL_SCANCODE_F7, Command::LabPanel},
+    {SDL_SCANCODE_F8, Command::ErrorMap},
+    {SDL_SCANCODE_F9, Command::SplitView},
+    {SDL_SCANCODE_F10, Command::FlipSettings},
+    {SDL_SCANCODE_F11, Command::AspectGuide},
     {SDL_SCANCODE_F12, Command::Screenshot},
+    {SDL_SCANCODE_4, Command::FourAspects},
 }};
+constexpr std::array<CommandKey, 4> kRepeatingKeys{{
+    {SDL_SCANCODE_UP, Command::DialUp},
+    {SDL_SCANCODE_DOWN, Command::DialDown},
+    {SDL_SCANCODE_LEFT, Command::DialCoarser},
+    {SDL_SCANCODE_RIGHT, Command::DialFiner},
+}};
+
+void add_commands(std::span<const CommandKey> keys, SDL_Scancode code, Controls& controls) {
+    for (const auto& [key, command] : keys)
+        if (code == key) controls.commands.push_back(command);
+}
 
 bool is_mouse_captured() {
     return SDL_GetRelativeMouseMode() == SDL_TRUE;
@@ -28,12 +48,12 @@ void capture_mouse(bool captured) {
 // Scancodes, not letters: WASD are four places on the keyboard, in every country.
 void read_held_keys(Controls& controls) {
     const std::uint8_t* held = SDL_GetKeyboardState(nullptr);
-    controls.forward = held[SDL_SCANCODE_W] || held[SDL_SCANCODE_UP];
-    controls.back = held[SDL_SCANCODE_S] || held[SDL_SCANCODE_DOWN];
+    controls.forward = held[SDL_SCANCODE_W];
+    controls.back = held[SDL_SCANCODE_S];
     controls.left = held[SDL_SCANCODE_A];
     controls.right = held[SDL_SCANCODE_D];
-    controls.turn_left = held[SDL_SCANCODE_LEFT];
-    controls.turn_right = held[SDL_SCANCODE_RIGHT];
+    controls.arrows = {held[SDL_SCANCODE_UP] != 0, held[SDL_SCANCODE_DOWN] != 0, held[SDL_SCANCODE_LEFT] != 0,
+                       held[SDL_SCANCODE_RIGHT] != 0};
     controls.look_up = held[SDL_SCANCODE_PAGEUP];
     controls.look_down = held[SDL_SCANCODE_PAGEDOWN];
     controls.walk_slowly = held[SDL_SCANCODE_LSHIFT] || held[SDL_SCANCODE_RSHIFT];
@@ -46,6 +66,7 @@ Controls SdlInput::poll() {
     Controls controls;
     for (SDL_Event event; SDL_PollEvent(&event);) take(event, controls);
     read_held_keys(controls);
+    controls.holds_button = is_mouse_captured() && SDL_GetMouseState(nullptr, nullptr) != 0;
     return controls;
 }
 
@@ -59,6 +80,7 @@ void SdlInput::take(const SDL_Event& event, Controls& controls) {
             is_closed_ = true;
             break;
         case SDL_KEYDOWN:
+            add_commands(kRepeatingKeys, event.key.keysym.scancode, controls);
             if (event.key.repeat == 0) take_key(event.key, controls);
             break;
         case SDL_MOUSEBUTTONDOWN:
@@ -86,8 +108,7 @@ void SdlInput::take_key(const SDL_KeyboardEvent& key, Controls& controls) {
     if (code == SDL_SCANCODE_ESCAPE) return leave();
     if (code == SDL_SCANCODE_RETURN && (key.keysym.mod & KMOD_ALT) != 0) return toggle_fullscreen();
     if (code == SDL_SCANCODE_SPACE) controls.jump = true;  // also when let go before the poll
-    for (const auto& [command_key, command] : kCommandKeys)
-        if (code == command_key) controls.commands.push_back(command);
+    add_commands(kCommandKeys, code, controls);
 }
 
 void SdlInput::toggle_fullscreen() {

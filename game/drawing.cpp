@@ -1,0 +1,54 @@
+#include "game/drawing.h"
+
+#include <algorithm>
+
+namespace oblong {
+namespace {
+
+int square(int value) {
+    return value * value;
+}
+
+int squared_distance(Rgb8 a, Rgb8 b) {
+    return square(a.red - b.red) + square(a.green - b.green) + square(a.blue - b.blue);
+}
+
+}  // namespace
+
+Area clipped(const Area& area, Framebuffer canvas) {
+    const std::int32_t left = std::clamp(area.x, 0, canvas.width_px), top = std::clamp(area.y, 0, canvas.height_px);
+    const std::int32_t right = std::clamp(area.x + area.width, left, canvas.width_px);
+    const std::int32_t bottom = std::clamp(area.y + area.height, top, canvas.height_px);
+    return {left, top, right - left, bottom - top};
+}
+
+Framebuffer part_of(Framebuffer canvas, const Area& area) {
+    const Area part = clipped(area, canvas);
+    return {canvas.row(part.y) + part.x, part.width, part.height, canvas.pitch};
+}
+
+void set_pixel(Framebuffer canvas, std::int32_t x, std::int32_t y, std::uint8_t colour) {
+    if (x >= 0 && x < canvas.width_px && y >= 0 && y < canvas.height_px) canvas.row(y)[x] = colour;
+}
+
+void fill_area(Framebuffer canvas, const Area& area, std::uint8_t colour) {
+    const Framebuffer part = part_of(canvas, area);
+    for (std::int32_t row = 0; row < part.height_px; ++row) std::fill_n(part.row(row), part.width_px, colour);
+}
+
+void darken_area(Framebuffer canvas, const Area& area, const Colormap& colormap, int shade) {
+    const auto& darker = colormap.shades[static_cast<std::size_t>(shade)];
+    const Framebuffer part = part_of(canvas, area);
+    for (std::int32_t row = 0; row < part.height_px; ++row)
+        std::transform(part.row(row), part.row(row) + part.width_px, part.row(row),
+                       [&](std::uint8_t colour) { return darker[colour]; });
+}
+
+std::uint8_t nearest_colour(const Palette& palette, Rgb8 colour) {
+    const auto nearest = std::min_element(palette.colours.begin(), palette.colours.end(), [colour](Rgb8 a, Rgb8 b) {
+        return squared_distance(a, colour) < squared_distance(b, colour);
+    });
+    return static_cast<std::uint8_t>(nearest - palette.colours.begin());
+}
+
+}  // namespace oblong

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/screen/screen.h"
+#include "engine/surface/palette.h"
+
+namespace oblong {
+
+/// Columns [x, x + width) of rows [y, y + height) of a canvas; perhaps partly outside it.
+struct Area {
+    std::int32_t x = 0, y = 0, width = 0, height = 0;
+    bool operator==(const Area&) const = default;
+};
+
+/// The part of an area that is in the canvas.
+Area clipped(const Area& area, Framebuffer canvas);
+/// The part of a canvas that is in an area, as a canvas of its own.
+Framebuffer part_of(Framebuffer canvas, const Area& area);
+
+/// Sets a pixel; one outside the canvas is left out. So are those of the functions below.
+void set_pixel(Framebuffer canvas, std::int32_t x, std::int32_t y, std::uint8_t colour);
+void fill_area(Framebuffer canvas, const Area& area, std::uint8_t colour);
+/// Replaces what is there by its shade in the colormap, 0 to 63.
+void darken_area(Framebuffer canvas, const Area& area, const Colormap& colormap, int shade);
+
+/// The palette's entry nearest to a colour, by the sum of the squares of the differences; glowing ones too.
+std::uint8_t nearest_colour(const Palette& palette, Rgb8 colour);
+
+}  // namespace oblong

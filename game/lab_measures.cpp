@@ -1,0 +1,81 @@
+#include "game/lab_measures.h"
+
+#include <exception>
+
+#include "engine/platform/files.h"
+
+namespace oblong {
+namespace {
+
+// The turns of a round: two settings, the presets, operations, errors.
+constexpr std::size_t kFirstPreset = 2, kCount = kFirstPreset + kPresets.size(), kErrors = kCount + 1,
+                      kTurns = kErrors + 1;
+
+}  // namespace
+
+ErrorMeter::ErrorMeter(const std::string& level_file, const GameLevel& level) : level_(level) {
+    try {
+        reference_ = reference::read_level(read_file(level_file));
+    } catch (const std::exception& error) {
+        problem_ = error.what();
+    }
+}
+
+std::vector<TexelError> ErrorMeter::measure(const GameView& view, const Settings& settings, GameRenderer& renderer) {
+    if (!problem_.empty()) return {};
+    const std::vector<PlacedModel> models = placed_models(level_, view.state);
+    TexelErrorMeter meter(reference_, models, view.camera, renderer.mode(), settings.correct_aspect);
+    return meter.measure(renderer.draw_and_record(view, settings));
+}
+
+LabMeasures::LabMeasures() {
+    for (std::size_t i = 0; i < kPresets.size(); ++i) figures_.presets[i].accuracy = accuracy_of(kPresets[i]);
+}
+
+void LabMeasures::measure(const GameView& view, const Settings& now, const Accuracy& before, GameRenderer& renderer,
+                          ErrorMeter& meter, Platform& clock) {
+    follow(now.accuracy, before);
+    const std::size_t turn = turn_++ % kTurns;
+    if (turn == kCount) return count(view, now, renderer);
+    if (turn == kErrors) return note_errors(meter.measure(view, now, renderer), meter.problem());
+    TimedSetting& setting = turn == 0   ? figures_.now
+                            : turn == 1 ? figures_.before
+                                        : figures_.presets[turn - kFirstPreset];
+    time(setting, view, now, renderer, clock);
+}
+
+// Times of a setting stay with it when it becomes the one before; those of settings that are gone are forgotten.
+void LabMeasures::follow(const Accuracy& now, const Accuracy& before) {
+    const TimedSetting was_now = figures_.now, was_before = figures_.before;
+    const auto known = [&](const Accuracy& accuracy) {
+        if (accuracy == was_now.accuracy) return was_now;
+        return accuracy == was_before.accuracy ? was_before : TimedSetting{accuracy, {}};
+    };
+    if (figures_.now.accuracy != now) figures_.now = known(now);
+    if (figures_.before.accuracy != before) figures_.before = known(before);
+}
+
+void LabMeasures::time(TimedSetting& setting, const GameView& view, Settings settings, GameRenderer& renderer,
+                       Platform& clock) {
+    settings.accuracy = setting.accuracy;
+    renderer.draw(view.state, view.camera, settings);
+    const std::uint64_t began_us = clock.now_us();
+    renderer.draw(view.state, view.camera, settings);
+    const std::uint64_t ended_us = clock.now_us();
+    setting.times.add(ended_us - began_us, ended_us);
+}
+
+void LabMeasures::count(const GameView& view, const Settings& now, GameRenderer& renderer) {
+    renderer.draw(view.state, view.camera, now);  // lights its surfaces
+    figures_.operations = sum_of(operations_by_stage(renderer.draw_and_count(view, now), now.accuracy));
+    for (std::size_t i = 0; i < kProcessors.size(); ++i)
+        figures_.frame_rates[i] = frame_rate(kProcessors[i], cycles_on(kProcessors[i], figures_.operations));
+}
+
+void LabMeasures::note_errors(const std::vector<TexelError>& errors, const std::string& problem) {
+    figures_.problem = problem;
+    figures_.errors.reset();
+    if (problem.empty()) figures_.errors = summarize_pixels(errors);
+}
+
+}  // namespace oblong

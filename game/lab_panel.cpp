@@ -1,0 +1,158 @@
+#include "game/lab_panel.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "game/drawing.h"
+#include "tools/common/font.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int32_t kRow_px = 9, kMargin_px = 3, kShade = 52;
+constexpr std::size_t kDialRows = 7, kTextRows = 3;
+constexpr std::int32_t kPanelRows_px = static_cast<std::int32_t>(1 + kDialRows + kTextRows) * kRow_px + 2 * kMargin_px;
+constexpr std::size_t kDialColumns = 30;
+constexpr std::int32_t kDials_px = kDialColumns * kGlyphAdvance_px;
+constexpr std::int32_t kTimes_px = kMargin_px + kDials_px + 6, kNames_px = 8 * kGlyphAdvance_px;
+constexpr std::int32_t kLongestBar_px = 50;
+constexpr Rgb8 kDim{130, 130, 130}, kBar{60, 110, 190}, kChosen{20, 60, 130};
+
+// The panel's canvas and colours.
+struct Panel {
+    Framebuffer canvas;
+    TextColours bright, dim;
+    std::uint8_t bar, chosen;
+
+    void write(std::int32_t x, std::size_t row, std::string_view line, TextColours colours) const {
+        draw_text(canvas, x, y_of(row), line, colours);
+    }
+    static std::int32_t y_of(std::size_t row) { return kMargin_px + static_cast<std::int32_t>(row) * kRow_px; }
+};
+
+Panel make_panel(const Palette& palette, Framebuffer canvas) {
+    const TextColours bright = text_colours_of(palette);
+    return {canvas,
+            bright,
+            {nearest_colour(palette, kDim), bright.dark},
+            nearest_colour(palette, kBar),
+            nearest_colour(palette, kChosen)};
+}
+
+// A value with the ways in which it can be turned.
+std::string turnable(const Dial& dial, const Accuracy& accuracy) {
+    const std::int32_t value = dial.get(accuracy);
+    const bool is_first = value == dial.settings.front().value, is_last = value == dial.settings.back().value;
+    return (is_first ? " " : "<") + value_text(dial, value) + (is_last ? " " : ">");
+}
+
+void draw_dial(const Dial& dial, bool is_chosen, const Accuracy& accuracy, std::size_t row, const Panel& panel) {
+    const std::string value = is_chosen ? turnable(dial, accuracy) : value_text(dial, dial.get(accuracy)) + " ";
+    const std::string caption(dial.caption.substr(0, kDialColumns - std::min(value.size(), kDialColumns)));
+    const std::string gap(kDialColumns - std::min(kDialColumns, caption.size() + value.size()), ' ');
+    if (is_chosen) fill_area(panel.canvas, {0, Panel::y_of(row), kMargin_px + kDials_px, kRow_px}, panel.chosen);
+    panel.write(kMargin_px, row, caption + gap + value, is_idle(dial, accuracy) ? panel.dim : panel.bright);
+}
+
+void draw_dials(const LabOptions& options, const Accuracy& accuracy, const Panel& panel) {
+    const std::span<const Dial> dials = all_dials();
+    const std::size_t above = kDialRows / 2, last_first = dials.size() - std::min(dials.size(), kDialRows);
+    const std::size_t first = std::min(options.dial - std::min(options.dial, above), last_first);
+    for (std::size_t i = first; i < std::min(first + kDialRows, dials.size()); ++i)
+        draw_dial(dials[i], i == options.dial, accuracy, 1 + i - first, panel);
+    // Which part of all is seen.
+    const auto height = static_cast<std::int32_t>(kDialRows) * kRow_px, count = static_cast<std::int32_t>(dials.size());
+    fill_area(panel.canvas,
+              {kMargin_px + kDials_px + 1, Panel::y_of(1) + static_cast<std::int32_t>(first) * height / count, 1,
+               static_cast<std::int32_t>(kDialRows) * height / count},
+              panel.bright.bright);
+}
+
+std::uint64_t longest_of(const LabFigures& figures) {
+    std::uint64_t longest_us = 1;
+    for (const TimedSetting* setting : {&figures.now, &figures.before})
+        longest_us = std::max(longest_us, setting->times.median_us().value_or(0));
+    for (const TimedSetting& preset : figures.presets)
+        longest_us = std::max(longest_us, preset.times.median_us().value_or(0));
+    return longest_us;
+}
+
+void draw_time(std::string_view name, const TimedSetting& setting, std::uint64_t longest_us, std::size_t row,
+               TextColours colours, const Panel& panel) {
+    panel.write(kTimes_px, row, name, colours);
+    const std::optional<std::uint64_t> time_us = setting.times.median_us();
+    if (!time_us) return panel.write(kTimes_px + kNames_px, row, "...", colours);
+    const auto length = static_cast<std::int32_t>(*time_us * kLongestBar_px / longest_us);
+    fill_area(panel.canvas, {kTimes_px + kNames_px, Panel::y_of(row) + 1, length, kRow_px - 3}, panel.bar);
+    panel.write(kTimes_px + kNames_px + length + 2, row, std::to_string(*time_us), colours);
+}
+
+void draw_times(const LabFigures& figures, const Panel& panel) {
+    const std::uint64_t longest_us = longest_of(figures);
+    draw_time("now", figures.now, longest_us, 1, panel.bright, panel);
+    draw_time("before", figures.before, longest_us, 2, panel.bright, panel);
+    for (std::size_t i = 0; i < kPresets.size(); ++i)
+        draw_time(name_of(kPresets[i]), figures.presets[i], longest_us, 3 + i, panel.bright, panel);
+}
+
+std::string with_decimals(double value, int digits) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    return text;
+}
+
+std::string three_digits(double value) {
+    return with_decimals(value, value < 9.995 ? 2 : value < 99.95 ? 1 : 0);
+}
+
+std::string describe_errors(const LabFigures& figures) {
+    if (!figures.problem.empty()) return "No error: " + figures.problem;
+    if (!figures.errors) return "Texels out of place, pixels: ...";
+    if (figures.errors->count == 0) return "Texels out of place, pixels: no texels in view";
+    return "Texels out of place, pixels: rms " + three_digits(figures.errors->rms) + ", worst " +
+           three_digits(figures.errors->max);
+}
+
+std::string describe_operations(const Operations& operations) {
+    return "Work: " + short_count(operations.adds.total()) + " adds, " +
+           short_count(operations.multiplications.total()) + " muls, " + short_count(operations.divisions.total()) +
+           " divs, " + short_count(operations.lookups) + " look-ups";
+}
+
+std::string describe_frame_rates(const LabFigures& figures) {
+    const auto rate = [&](std::size_t processor) {
+        const double frames = figures.frame_rates[processor];
+        return with_decimals(frames, frames < 9.95 ? 1 : 0);
+    };
+    return "Frames/s: 386/33 " + rate(0) + ", 486/66 " + rate(1) + ", Pentium/90 " + rate(2);
+}
+
+}  // namespace
+
+std::string short_count(std::int64_t count) {
+    if (count < 1000) return std::to_string(count);
+    const bool is_large = count >= 999'500;
+    const double value = static_cast<double>(count) / (is_large ? 1e6 : 1e3);
+    return with_decimals(value, value < 9.95 ? 1 : 0) + (is_large ? "M" : "k");
+}
+
+std::int32_t lab_panel_rows(Framebuffer canvas) {
+    return std::min(kPanelRows_px, canvas.height_px);
+}
+
+void draw_lab_panel(const LabOptions& options, const LabFigures& figures, const Palette& palette,
+                    const Colormap& colormap, Framebuffer canvas) {
+    const std::int32_t rows = lab_panel_rows(canvas);
+    const Area area{0, canvas.height_px - rows, canvas.width_px, rows};
+    darken_area(canvas, area, colormap, kShade);
+    const Panel panel = make_panel(palette, part_of(canvas, area));
+    panel.write(kMargin_px, 0, "Arrows: dials, WASD: walk", panel.dim);
+    panel.write(kTimes_px, 0, "us a frame (median)", panel.dim);
+    draw_dials(options, figures.now.accuracy, panel);
+    draw_times(figures, panel);
+    panel.write(kMargin_px, 1 + kDialRows, describe_errors(figures), panel.bright);
+    panel.write(kMargin_px, 2 + kDialRows, describe_operations(figures.operations), panel.bright);
+    panel.write(kMargin_px, 3 + kDialRows, describe_frame_rates(figures), panel.bright);
+}
+
+}  // namespace oblong

@@ -1,0 +1,1 @@
+set(LINKS oblong_frame oblong_tool_cli)

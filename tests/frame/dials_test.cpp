@@ -1,0 +1,164 @@
+// What each dial does to a frame.
+
+#include "engine/accuracy/dials.h"
+
+#include <set>
+
+#include "engine/accuracy/presets.h"
+#include "engine/fixed/trig.h"
+#include "tests/frame/holes.h"
+
+namespace oblong::test {
+namespace {
+
+/// In the demo level's courtyard and next to a leaning board, where every dial shows.
+std::vector<Camera> cameras() {
+    Camera court;
+    court.eye = {World::from_int(300), World::from_int(1110), World::from_int(40)};
+    court.yaw = degrees_to_angle(Degrees::from_int(58));
+    court.pitch = degrees_to_angle(Degrees::from_int(-14));
+    Camera hall;
+    hall.eye = {World::from_int(0), World::from_int(-368), World::from_int(70)};
+    hall.yaw = Angle::from_bam(16500);
+    hall.pitch = Angle::from_bam(-777);
+    return {court, hall};
+}
+
+/// The pictures of all cameras, one after the other.
+std::vector<std::uint8_t> draw_all(Stage& stage, const Accuracy& accuracy, FrameWorkspace& work) {
+    stage.settings.accuracy = accuracy;
+    std::vector<std::uint8_t> all;
+    for (const Camera& camera : cameras()) {
+        stage.draw(camera, work);
+        all.insert(all.end(), stage.pixels.begin(), stage.pixels.end());
+    }
+    return all;
+}
+
+Accuracy with(std::string_view name, std::int32_t value) {
+    Accuracy accuracy;
+    dial_named(name)->set(accuracy, value);
+    if (name == "texel-bound") accuracy.texturing = Texturing::BoundedTexels;
+    return accuracy;
+}
+
+TEST(Dials, ChangeThePictureAndNoneIsRememberedByTheWorkspace) {
+    Stage stage = demo_stage();
+    FrameWorkspace used(stage.level, stage.mode);
+    for (const Dial& dial : all_dials()) {
+        SCOPED_TRACE(dial.name);
+        std::set<std::vector<std::uint8_t>> pictures;
+        for (const DialSetting& setting : dial.settings) {
+            const Accuracy accuracy = with(dial.name, setting.value);
+            FrameWorkspace fresh(stage.level, stage.mode);
+            pictures.insert(draw_all(stage, accuracy, used));
+            EXPECT_TRUE(pictures.contains(draw_all(stage, accuracy, fresh))) << setting.name;
+        }
+        // The finest steps of some dials are too small for two frames to show. The demo level has no T-junctions.
+        const std::size_t settings = dial.settings.size();
+        EXPECT_GE(pictures.size(), dial.name == "t-junctions" ? 1 : settings > 3 ? settings - 2 : settings);
+    }
+}
+
+TEST(Dials, MipLevelsAreThoseThatAreAskedFor) {
+    Stage stage = demo_stage();
+    FrameWorkspace work(stage.level, stage.mode);
+    work.record = std::make_unique<FrameRecord>();
+    const auto greatest_mip = [&](const Accuracy& accuracy) {
+        int greatest = -1;
+        stage.settings.accuracy = accuracy;
+        for (const Camera& camera : cameras()) {
+            stage.draw(camera, work);
+            for (const PixelRecord& pixel : work.record->pixels) greatest = std::max<int>(greatest, pixel.mip);
+        }
+        return greatest;
+    };
+    EXPECT_EQ(greatest_mip(with("mip", static_cast<std::int32_t>(MipSelection::None))), 0);
+    EXPECT_LT(greatest_mip(with("mip-bias", -3)), greatest_mip({}));
+    EXPECT_GT(greatest_mip(with("mip", static_cast<std::int32_t>(MipSelection::Span))), 0);
+    EXPECT_EQ(greatest_mip(with("mip-bias", 3)), 3);
+}
+
+/// By span, pixels may only get smaller levels than the face's nearest corner asks for.
+TEST(Dials, MipLevelsOfSpansAreNeverFinerThanThoseOfTheirFaces) {
+    Stage stage = demo_stage();
+    FrameWorkspace work(stage.level, stage.mode);
+    const auto record_by = [&](MipSelection selection) {
+        stage.settings.accuracy = with("mip", static_cast<std::int32_t>(selection));
+        work.record = std::make_unique<FrameRecord>();
+        stage.draw(cameras()[0], work);
+        return work.record->pixels;
+    };
+    const auto by_face = record_by(MipSelection::Face), by_span = record_by(MipSelection::Span);
+    int coarser = 0;
+    for (std::size_t i = 0; i < by_face.size(); ++i) {
+        ASSERT_EQ(by_face[i].face, by_span[i].face);
+        ASSERT_GE(by_span[i].mip, by_face[i].mip) << i;
+        coarser += by_span[i].mip > by_face[i].mip;
+    }
+    EXPECT_GT(coarser, 100);
+}
+
+/// Neighbours step along the edge that they share in the same way, whatever its error.
+TEST(Dials, AccumulatedEdgesLeaveNoHole) {
+    Stage stage = demo_stage();
+    FrameWorkspace work(stage.level, stage.mode);
+    work.counts = std::make_unique<FrameCounts>();
+    stage.settings.accuracy = with("edges", static_cast<std::int32_t>(EdgeStepping::Accumulated));
+    for (const Camera& camera : cameras()) expect_each_pixel_once(stage, camera, work);
+}
+
+/// A crack shows what is behind: another face, or the back of one.
+TEST(Dials, WithoutCornersAtTJunctionsCracksOpen) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    Stage stage = real_stage("e1m7");
+    FrameWorkspace work(stage.level, stage.mode);
+    work.record = std::make_unique<FrameRecord>();
+    const auto faces_shown = [&](const Camera& camera, bool mends) {
+        stage.settings.accuracy = accuracy_of(Preset::Year1991);
+        stage.settings.accuracy.mends_t_junctions = mends;
+        stage.draw(camera, work);
+        std::vector<FaceIndex> faces;
+        for (const PixelRecord& pixel : work.record->pixels) faces.push_back(pixel.face);
+        return faces;
+    };
+    int through_cracks = 0;
+    for (const Leaf& leaf : stage.level.leaves) {
+        const auto middle = [&](std::size_t axis) {
+            return World::from_int((leaf.box.mins[axis] + leaf.box.maxs[axis]) / 2);
+        };
+        Camera camera;
+        camera.eye = {middle(0), middle(1), middle(2)};
+        if (!is_open(stage.level, camera.eye)) continue;
+        const auto mended = faces_shown(camera, true), open = faces_shown(camera, false);
+        for (std::size_t i = 1; i + 1 < mended.size(); ++i) {
+            const bool is_beside = open[i] == mended[i - 1] || open[i] == mended[i + 1];
+            through_cracks += open[i] != mended[i] && !is_beside;
+        }
+    }
+    EXPECT_GT(through_cracks, 0);
+}
+
+TEST(Dials, CountsAddUp) {
+    Stage stage = demo_stage();
+    FrameWorkspace work(stage.level, stage.mode);
+    work.counts = std::make_unique<FrameCounts>();
+    for (const Texturing texturing : {Texturing::Affine, Texturing::Every16, Texturing::Exact}) {
+        stage.settings.accuracy = with("perspective", static_cast<std::int32_t>(texturing));
+        stage.draw(cameras()[0], work);
+        const StageCounts& stages = work.counts->stages;
+        EXPECT_EQ(stages.textured_pixels + stages.flat_pixels + stages.sky_pixels, 64000);
+        EXPECT_GE(stages.blocks, work.counts->divisions / 2);
+        EXPECT_LE(stages.last_blocks, stages.blocks);
+        EXPECT_LE(stages.projected, stages.vertices);
+        if (texturing == Texturing::Exact) {
+            EXPECT_EQ(stages.blocks, stages.textured_pixels);
+        }
+        if (texturing == Texturing::Affine) {
+            EXPECT_LE(stages.blocks, work.counts->spans);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace oblong::test

@@ -1,0 +1,95 @@
+#include "engine/raster/exact_spans.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace oblong::test {
+namespace {
+
+constexpr std::int32_t kWidth = 320, kHeight = 4, kSize = 256;
+
+/// A surface on which each texel differs from its neighbours.
+struct TestSurface {
+    std::vector<std::uint8_t> texels = std::vector<std::uint8_t>(kSize * kSize);
+    SurfaceView view;
+
+    TestSurface() {
+        for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<std::uint8_t>(i * 37 + i / kSize * 101);
+        view.texels = texels.data();
+        view.width = view.height = kSize;
+        view.stride_log2 = 8;
+        view.u_mask = view.v_mask = kSize - 1;
+    }
+};
+
+std::vector<std::uint8_t> by_blocks(const Span& span, const TextureGradients& gradients, const TexelLimits& limits,
+                                    const SurfaceView& surface) {
+    Accuracy accuracy;
+    accuracy.texturing = Texturing::Exact;
+    BlockList blocks(kWidth);
+    block_cutter(accuracy)(span, kWidth, gradients, make_block_rule(accuracy), {}, limits, blocks);
+    std::vector<std::uint8_t> pixels(kWidth * kHeight);
+    draw_blocks_plain(blocks.waiting(), surface, pixels.data());
+    return pixels;
+}
+
+std::vector<std::uint8_t> at_each_pixel(const Span& span, const TextureGradients& gradients, const TexelLimits& limits,
+                                        const SurfaceView& surface) {
+    std::vector<std::uint8_t> pixels(kWidth * kHeight);
+    draw_exact_spans(std::span(&span, 1), gradients, limits, surface, {pixels.data(), kWidth, kHeight, kWidth});
+    return pixels;
+}
+
+template <class Number>
+Number nearest(double value) {
+    return Number::from_raw(std::llround(std::ldexp(value, Number::kFractionBits)));
+}
+
+template <class Value>
+LinearQuantity<Value> along(double first, double last) {
+    return {nearest<Value>(first), nearest<Value>((last - first) / kWidth), nearest<Value>((last - first) / 9999)};
+}
+
+TEST(ExactSpans, DrawTheBytesOfBlocksOfOnePixel) {
+    const TestSurface surface;
+    std::mt19937 random(11);
+    const auto part = [&random](double least, double greatest) {
+        return std::uniform_real_distribution<double>(least, greatest)(random);
+    };
+    for (int trial = 0; trial < 3000; ++trial) {
+        // Depths of 1:1 to 1:10,000; texels within the surface and beyond its borders, where they are clamped.
+        const double w0 = std::exp2(part(-14, 4)), w1 = trial % 5 == 0 ? w0 : std::exp2(part(-14, 4));
+        TextureGradients gradients;
+        gradients.inverse_z = along<InverseZ>(w0, w1);
+        gradients.u_over_z = along<TexelOverZ>(part(-20, 280) * w0, part(-20, 280) * w1);
+        gradients.v_over_z = along<TexelOverZ>(part(0, 256) * w0, part(0, 256) * w1);
+        const auto first = static_cast<std::int32_t>(random() % 300);
+        const Span span{static_cast<std::int32_t>(random() % kHeight), first,
+                        first + 1 + static_cast<std::int32_t>(random() % static_cast<unsigned>(kWidth - first))};
+        const TexelLimits limits = make_texel_limits(kSize, kSize, kWidth);
+        ASSERT_EQ(at_each_pixel(span, gradients, limits, surface.view),
+                  by_blocks(span, gradients, limits, surface.view))
+            << trial;
+    }
+}
+
+TEST(ExactSpans, DrawTheBytesOfBlocksWhereZIsBeyondItsRange) {
+    const TestSurface surface;
+    const TexelLimits limits = make_texel_limits(kSize, kSize, kWidth);
+    const Span span{0, 0, kWidth};
+    for (const auto& [first, last] :
+         {std::pair{-1e-3, 2e-3}, {2e-3, -1e-3}, {0.0, 1e-6}, {40000.0, 20000.0}, {0.0, 0.0}}) {
+        TextureGradients gradients;
+        gradients.inverse_z = along<InverseZ>(first, last);
+        gradients.u_over_z = along<TexelOverZ>(1, 2);
+        gradients.v_over_z = along<TexelOverZ>(2, 1);
+        EXPECT_EQ(at_each_pixel(span, gradients, limits, surface.view),
+                  by_blocks(span, gradients, limits, surface.view))
+            << first << " to " << last;
+    }
+}
+
+}  // namespace
+}  // namespace oblong::test
