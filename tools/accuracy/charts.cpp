@@ -93,11 +93,11 @@ class Labels {
 void draw_axes(Svg& svg, const Box& frame, const LogAxis& across, const LogAxis& down, CostAxis cost) {
     for (const double tick : across.ticks()) {
         svg.line({across.place(tick), frame.top}, {across.place(tick), frame.bottom}, "grid");
-        svg.text({across.place(tick), frame.bottom + 16}, "middle", "tick", number_text(tick));
+        svg.text({across.place(tick), frame.bottom + 16}, "middle", "tick", short_number_text(tick));
     }
     for (const double tick : down.ticks()) {
         svg.line({frame.left, down.place(tick)}, {frame.right, down.place(tick)}, "grid");
-        svg.text({frame.left - 6, down.place(tick) + 4}, "end", "tick", number_text(tick));
+        svg.text({frame.left - 6, down.place(tick) + 4}, "end", "tick", short_number_text(tick));
     }
     svg.text({frame.left, 14}, "start", "axis", "\u2191 error: rms pixels that texels are out of place");
     svg.text({frame.right, frame.bottom + 34}, "end", "axis",
@@ -191,12 +191,14 @@ std::string dial_chart(const Report& report, const Configurations::DialRows& dia
         svg.text({errors.place(std::max(error(row), least_error / 2)) + 4, base}, "start", "tick",
                  number_text(error(row)));
         svg.rectangle({kCostLeft, top + 3}, end - kCostLeft, 14, is_measured ? "cost" : "cost modelled");
+        double label = end;
         if (is_measured) {
             const TimeSpread spread = *time_of(report, dial, row);
             const auto x = [&](double time) { return kCostLeft + time / 1000 / most_cost * (kCostRight - kCostLeft); };
             svg.line({x(spread.low), top + 10}, {x(spread.high), top + 10}, "spread");
+            label = x(spread.high);
         }
-        svg.text({std::max(end, kCostLeft) + 8, base}, "start", "tick", number_text(cost(row)));
+        svg.text({label + 6, base}, "start", "tick", number_text(cost(row)));
         top += kRow;
     }
     return svg.str();

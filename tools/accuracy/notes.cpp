@@ -108,8 +108,8 @@ std::vector<std::string> notes_on_presets(const Report& report) {
             const auto &time = report.times.settings[row.index]->frame,
                        &other_time = report.times.settings[other.index]->frame;
             const SettingResult &mine = result_of(report, row), &theirs = result_of(report, other);
-            if (theirs.errors.displacement.rms >= mine.errors.displacement.rms || other_time.median >= time.median)
-                continue;
+            const bool is_slower = time.low > other_time.median;
+            if (theirs.errors.displacement.rms >= mine.errors.displacement.rms || !is_slower) continue;
             const double cycles = mine.cost.cycles[i486], other_cycles = theirs.cost.cycles[i486];
             const std::string on_486 =
                 cycles < other_cycles ? "on a 486 the other would take " + percent_more(other_cycles, cycles) + " more"

@@ -23,7 +23,7 @@ std::vector<std::string> notes_on_order(const Report& report, const Configuratio
 /// Sentences on what a dial's settings cost and how far off they are, from the first to the last.
 std::string summary_of_dial(const Report& report, const Configurations::DialRows& dial);
 
-/// Sentences on presets that are both further off and slower here than another one.
+/// Sentences on presets that are further off than another one and slower here, by more than half of their times spread.
 std::vector<std::string> notes_on_presets(const Report& report);
 
 /// The time of a frame, ns: of one whose surfaces are all built, for a dial of light or mip levels. None if modelled.

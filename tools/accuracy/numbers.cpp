@@ -30,6 +30,14 @@ std::string number_text(double value) {
     return text;
 }
 
+std::string short_number_text(double value) {
+    std::string text = number_text(value);
+    if (text.find('.') == std::string::npos) return text;
+    text.resize(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
 std::string microseconds_text(double nanoseconds) {
     return number_text(nanoseconds / 1000) + " \u00b5s";
 }

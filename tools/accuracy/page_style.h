@@ -12,7 +12,7 @@ inline constexpr std::string_view kPageStyle = R"(
   :root { --paper: #16181d; --ink: #e8e6e1; --soft: #a3a7b0; --line: #33373f; --panel: #1f2229;
     --error: #f08a6b; --cost: #6cb0f5; --front: #7b818c; --link: #8fc1ff; } }
 * { box-sizing: border-box; }
-body { margin: 0 auto; padding: 1rem 1rem 4rem; max-width: 60rem; background: var(--paper); color: var(--ink);
+body { margin: 0 auto; padding: 1rem 1rem 4rem; max-width: 64rem; background: var(--paper); color: var(--ink);
   font: 1rem/1.5 system-ui, sans-serif; }
 h1 { font-size: 1.9rem; line-height: 1.15; margin: 0.5rem 0; }
 h2 { margin: 3rem 0 0.5rem; border-top: 2px solid var(--line); padding-top: 1.5rem; }
@@ -25,7 +25,7 @@ figure { margin: 1rem 0; }
 nav { display: flex; flex-wrap: wrap; gap: 0.3rem 0.9rem; margin: 1rem 0; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: 0.88rem; margin: 0.8rem 0; font-variant-numeric: tabular-nums; }
-th, td { text-align: right; padding: 0.25rem 0.7rem 0.25rem 0; border-bottom: 1px solid var(--line); white-space: nowrap; }
+th, td { text-align: right; padding: 0.25rem 0.6rem 0.25rem 0; border-bottom: 1px solid var(--line); white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; position: sticky; left: 0; background: var(--paper); }
 th { font-weight: 600; color: var(--soft); vertical-align: bottom; }
 tr.default td { font-weight: 600; }
@@ -41,7 +41,7 @@ svg { display: block; width: 100%; height: auto; font: 12px system-ui, sans-seri
 svg.dial { max-width: 38rem; }
 svg.narrow { display: none; }
 @media (max-width: 34rem) { svg.wide { display: none; } svg.narrow { display: block; } h1 { font-size: 1.5rem; } }
-svg text { fill: var(--ink); }
+svg text { fill: var(--ink); stroke: var(--paper); stroke-width: 3px; paint-order: stroke; stroke-linejoin: round; }
 svg .tick { fill: var(--soft); font-size: 11px; }
 svg .axis { fill: var(--soft); }
 svg .name { font-weight: 700; }

@@ -1,6 +1,8 @@
 #include "tools/accuracy/report_json.h"
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "tools/accuracy/notes.h"
@@ -13,9 +15,9 @@ using Json = nlohmann::ordered_json;
 
 /// To six significant digits.
 double rounded(double value) {
-    if (value == 0) return 0;
-    const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 5);
-    return std::round(value / unit) * unit;
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return std::atof(text);
 }
 
 Json error_json(const ErrorSummary& error, std::string_view unit) {
