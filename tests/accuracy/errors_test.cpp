@@ -46,5 +46,23 @@ TEST(HardScenes, BoundedStaysWithinItsBound) {
         }
 }
 
+/// Pixels that no face covers.
+std::int64_t free_pixels(const Scenes& scenes, const Accuracy& accuracy) {
+    const MeasuredLevel& level = scenes.named("slivers");
+    LevelFrames frames(level, scenes.colormap);
+    std::int64_t count = 0;
+    for (const Camera& camera : level.cameras)
+        for (const PixelRecord& pixel : frames.record(camera, accuracy).pixels) count += pixel.face.is_none();
+    return count;
+}
+
+TEST(HardScenes, LooseEdgesGapeUnlessTheyAreMended) {
+    const Scenes scenes(100);
+    Accuracy open;
+    open.mends_t_junctions = false;
+    EXPECT_GT(free_pixels(scenes, open), 5);
+    EXPECT_EQ(free_pixels(scenes, {}), 0);
+}
+
 }  // namespace
 }  // namespace oblong::test

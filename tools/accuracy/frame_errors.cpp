@@ -66,7 +66,7 @@ PixelErrors measure_frame(const DrawnFrame& frame) {
         errors.wrong_close_calls += is_close && is_wrong;
         errors.light.push_back(light_error(frame, pixel, frame.pixels[i]));
         errors.colour.push_back(colour.is_excluded ? -1 : distance(frame.palette[frame.pixels[i]], colour.colour));
-        errors.free_pixels += pixel.face.is_none();
+        errors.free.push_back(pixel.face.is_none() ? 1.f : 0.f);
     }
     return errors;
 }

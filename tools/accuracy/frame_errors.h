@@ -45,7 +45,7 @@ struct PixelErrors {
     std::vector<float> light;
     std::vector<float> colour;  ///< the distance in RGB from the mean colour of what the pixel covers
     std::int64_t wrong_close_calls = 0;
-    std::int64_t free_pixels = 0;  ///< that no face covers
+    std::vector<float> free;  ///< 1: no face covers it, 0: one does
 };
 
 PixelErrors measure_frame(const DrawnFrame& frame);

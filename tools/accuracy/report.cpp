@@ -88,8 +88,8 @@ CountedCost count_cost(const Accuracy& accuracy, std::span<const FrameJob> jobs)
 
 /// The frame of each measure in which a setting is furthest off.
 struct WorstFrames {
-    std::array<std::size_t, 4> job{};
-    std::array<double, 4> rms{-1, -1, -1, -1};
+    std::array<std::size_t, kMeasureCount> job{};
+    std::array<double, kMeasureCount> rms{};
 
     void add(const PixelErrors& errors, std::size_t index) {
         for (std::size_t measure = 0; measure < rms.size(); ++measure) {
