@@ -7,7 +7,7 @@ namespace oblong {
 namespace {
 
 // Of the picture's shorter side, as its display shows it.
-constexpr double kCircle = 0.6, kSquare = 0.68;
+constexpr double kCircle = 0.54, kSquare = 0.62;
 
 // A pixel's width and height in one unit of length.
 struct PixelSize {
@@ -63,13 +63,13 @@ std::string display_name(const ScreenMode& mode) {
     return std::to_string(mode.display.numerator) + ":" + std::to_string(mode.display.denominator);
 }
 
-std::string aspect_caption(const ScreenMode& mode, bool corrects_projection, ShownAs shown_as,
-                           const PresentRect& shown) {
-    const Ratio pixel = shown_pixel(shown, mode);
-    const std::string circle = describe_shape(pixel * mode.pixel().inverse());
+std::string aspect_caption(const ScreenMode& mode, bool corrects_projection, ShownAs shown_as, Scaling scaling,
+                           WindowSize window) {
+    const Ratio pixel = shown_pixel(layout(window, mode, shown_as, scaling), mode);
+    if (scaling == Scaling::Stretch) shown_as = ShownAs::FillWindow;
     return "Drawn for " + (corrects_projection ? display_name(mode) : "square pixels") + ", shown " +
-           name_of(shown_as, mode) + ": " + describe_shape(sphere_shape(mode, corrects_projection, pixel)) +
-           "\nCircle and square: true on " + display_name(mode) + (circle == "round" ? "" : ", here " + circle);
+           name_of(shown_as, mode) + ":\nspheres " + describe_shape(sphere_shape(mode, corrects_projection, pixel)) +
+           ", the circle " + describe_shape(pixel * mode.pixel().inverse());
 }
 
 std::vector<Pixel> circle_outline(const ScreenMode& mode) {

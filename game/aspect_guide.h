@@ -23,9 +23,9 @@ std::string describe_shape(Ratio width_to_height);
 /// The shape of the display that the mode is for: "4:3".
 std::string display_name(const ScreenMode& mode);
 
-/// "Drawn for 4:3, shown with square pixels: 17 % too flat", and a line for the circle and the square.
-std::string aspect_caption(const ScreenMode& mode, bool corrects_projection, ShownAs shown_as,
-                           const PresentRect& shown);
+/// "Drawn for 4:3, shown with square pixels:\nspheres 17 % too flat, the circle 17 % too flat".
+std::string aspect_caption(const ScreenMode& mode, bool corrects_projection, ShownAs shown_as, Scaling scaling,
+                           WindowSize window);
 
 struct Pixel {
     std::int32_t x, y;

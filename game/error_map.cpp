@@ -9,22 +9,17 @@
 namespace oblong {
 namespace {
 
-// From cold to hot; the first is nearly exact.
-constexpr std::array<Rgb8, ErrorMap::kBands> kColours{{{120, 120, 120},
-                                                       {40, 60, 220},
-                                                       {60, 190, 230},
-                                                       {60, 200, 60},
-                                                       {250, 230, 40},
-                                                       {250, 130, 20},
-                                                       {230, 20, 20},
-                                                       {255, 240, 240}}};
-constexpr std::array<std::string_view, ErrorMap::kBands> kLabels{"less", "1/16", "1/8", "1/4",
-                                                                 "1/2",  "1 px", "2",   "4 on"};
+// From cold to hot, in colours that Quake's palette has too. All but the first, which is for what is nearly exact, are
+// bright.
+constexpr std::array<Rgb8, ErrorMap::kBands> kColours{
+    {{90, 90, 90}, {40, 60, 220}, {110, 170, 240}, {250, 230, 40}, {240, 130, 30}, {230, 20, 20}, {255, 250, 250}}};
+constexpr std::array<std::string_view, ErrorMap::kBands> kLabels{"less", "1/8 px", "1/4 px", "1/2 px",
+                                                                 "1 px", "2 px",   "4 px"};
 constexpr std::int32_t kSwatch_px = 4;
 
-// A band's colour, as bright as a colour of the picture: from half as bright to fully.
+// A band's colour, by the brightness of a colour of the picture: from three quarters to all of its own.
 Rgb8 tinted(Rgb8 band, Rgb8 picture) {
-    const std::int32_t weight = 128 + luminance_1000(picture) / 2000;
+    const std::int32_t weight = 192 + luminance_1000(picture) / 4000;
     const auto scaled = [&](std::uint8_t channel) { return static_cast<std::uint8_t>(channel * weight / 256); };
     return {scaled(band.red), scaled(band.green), scaled(band.blue)};
 }
@@ -33,7 +28,7 @@ Rgb8 tinted(Rgb8 band, Rgb8 picture) {
 
 ErrorMap::ErrorMap(const Palette& palette) {
     for (std::size_t band = 0; band < kBands; ++band) {
-        swatches_[band] = nearest_colour(palette, kColours[band]);
+        swatches_[band] = nearest_colour(palette, tinted(kColours[band], {128, 128, 128}));
         for (std::size_t i = 0; i < palette.colours.size(); ++i)
             tints_[band][i] = nearest_colour(palette, tinted(kColours[band], palette.colours[i]));
     }

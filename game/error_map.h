@@ -13,8 +13,8 @@ namespace oblong {
 /// The map of the error: each pixel's colour says how far its texel is off its place.
 class ErrorMap {
   public:
-    /// Errors below the first are shown as grey, those from each of these pixels on in a colour of their own.
-    static constexpr std::array kSteps_256{16, 32, 64, 128, 256, 512, 1024};  // 1/16 to 4 pixels
+    /// Errors below the first are dark grey; from each of these on, 1/256 pixel, they have a colour of their own.
+    static constexpr std::array kSteps_256{32, 64, 128, 256, 512, 1024};  // 1/8 to 4 pixels
     static constexpr std::size_t kBands = kSteps_256.size() + 1;
 
     explicit ErrorMap(const Palette& palette);

@@ -101,12 +101,16 @@ std::string with_decimals(double value, int digits) {
     return text;
 }
 
+std::string three_digits(double value) {
+    return with_decimals(value, value < 9.995 ? 2 : value < 99.95 ? 1 : 0);
+}
+
 std::string describe_errors(const LabFigures& figures) {
     if (!figures.problem.empty()) return "No error: " + figures.problem;
-    if (!figures.errors) return "Texels off their place, pixels: ...";
-    if (figures.errors->count == 0) return "Texels off their place, pixels: no texels in view";
-    return "Texels off their place, pixels: rms " + with_decimals(figures.errors->rms, 2) + ", worst " +
-           with_decimals(figures.errors->max, 2);
+    if (!figures.errors) return "Texels out of place, pixels: ...";
+    if (figures.errors->count == 0) return "Texels out of place, pixels: no texels in view";
+    return "Texels out of place, pixels: rms " + three_digits(figures.errors->rms) + ", worst " +
+           three_digits(figures.errors->max);
 }
 
 std::string describe_operations(const Operations& operations) {

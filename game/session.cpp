@@ -89,8 +89,7 @@ void Session::draw(std::uint64_t now_us) {
     renderer_.draw(view.state, view.camera, shown_settings);
     note_cost(began_us, platform_.now_us());
 
-    const PresentRect shown = shown_rect();
-    draw_over(view, settings, shown, now_us);
+    draw_over(view, settings, now_us);
     const Framebuffer canvas = renderer_.canvas();
     if (wants_screenshot_)
         show_message(hud_, save_screenshots(screenshot_folder_, canvas, data_.palette, renderer_.mode()), now_us);
@@ -98,22 +97,24 @@ void Session::draw(std::uint64_t now_us) {
     hud_.shows_help = view_options_.shows_help;
     hud_.shows_end = after_.has_ended;
     draw_hud(hud_, now_us, text_bottom_, text_colours_, canvas);
-    platform_.present(canvas, data_.palette, shown);
+    platform_.present(canvas, data_.palette, shown_rect());
 }
 
-void Session::draw_over(const GameView& view, const Settings& settings, const PresentRect& shown,
-                        std::uint64_t now_us) {
+void Session::draw_over(const GameView& view, const Settings& settings, std::uint64_t now_us) {
     const Framebuffer canvas = renderer_.canvas();
     const ScreenMode& mode = renderer_.mode();
     text_bottom_ = canvas.height_px - kTextMargin_px;
-    if (four_aspects_)
-        return four_aspects_->draw(view, settings.accuracy, mode, shown_pixel(shown, mode), text_colours_, canvas);
-    if (view_options_.shows_aspect_guide) draw_aspect_guide(mode, text_colours_, canvas);
+    if (four_aspects_) {
+        four_aspects_->draw(view, settings.accuracy, mode, shown_pixel(shown_rect(), mode), text_colours_, canvas);
+        text_bottom_ = 0;  // their captions leave no room
+        return;
+    }
     if (lab_) text_bottom_ = lab_->draw(view_options_.lab, view, settings, now_us, platform_, canvas);
-    if (view_options_.shows_aspect_guide)
-        text_bottom_ =
-            draw_lines_above(text_bottom_, aspect_caption(mode, settings.correct_aspect, view_options_.shown_as, shown),
-                             text_colours_, canvas);
+    if (!view_options_.shows_aspect_guide) return;
+    draw_aspect_guide(mode, text_colours_, canvas);
+    const std::string caption = aspect_caption(mode, settings.correct_aspect, view_options_.shown_as,
+                                               view_options_.scaling, platform_.window_size());
+    text_bottom_ = draw_lines_above(text_bottom_, caption, text_colours_, canvas);
 }
 
 void Session::note_cost(std::uint64_t began_us, std::uint64_t ended_us) {

@@ -35,7 +35,7 @@ class Session {
     void play_frame();
     void advance(std::uint64_t now_us);
     void draw(std::uint64_t now_us);
-    void draw_over(const GameView& view, const Settings& settings, const PresentRect& shown, std::uint64_t now_us);
+    void draw_over(const GameView& view, const Settings& settings, std::uint64_t now_us);
     void handle_commands(const Controls& controls, std::uint64_t now_us);
     void keep_what_is_on();
     PresentRect shown_rect() const;

@@ -1,0 +1,120 @@
+#include "game/lab_measures.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "game/load.h"
+#include "game/recent_times.h"
+
+namespace oblong {
+namespace {
+
+TEST(RecentTimes, GiveTheMedianOfTwoSeconds) {
+    RecentTimes times;
+    EXPECT_FALSE(times.median_us());
+    times.add(900, 0);
+    EXPECT_EQ(times.median_us(), 900u);
+    times.add(100, 10);
+    times.add(200, 20);
+    EXPECT_EQ(times.median_us(), 200u);
+    times.add(300, 2'000'000);  // the first is just two seconds old
+    EXPECT_EQ(times.median_us(), 300u);
+    times.add(150, 2'000'001);
+    EXPECT_EQ(times.count(), 4u);
+    EXPECT_EQ(times.median_us(), 200u);
+    times.add(5, 9'000'000);
+    EXPECT_EQ(times.median_us(), 5u);
+}
+
+// Each reading of the clock is 1 us later than the last, and 1 us more than that.
+class Clock final : public Platform {
+  public:
+    bool is_open() const override { return true; }
+    Controls poll() override { return {}; }
+    std::uint64_t now_us() override { return now_us_ += ++step_us_; }
+    WindowSize window_size() const override { return {}; }
+    void set_title(const char*) override {}
+    void present(Framebuffer, const Palette&, const PresentRect&) override {}
+
+  private:
+    std::uint64_t now_us_ = 0, step_us_ = 0;
+};
+
+class LabMeasure : public testing::Test {
+  protected:
+    void SetUp() override {
+        const std::string assets = std::string(OBLONG_BUILD_DIR) + "/assets";
+        if (!std::filesystem::exists(assets + "/demo.bsp")) GTEST_SKIP() << "the demo level is not built";
+        data_ = load_game("", "", assets);
+        level_ = make_game_level(data_.level);
+        state_ = start_of(level_);
+        renderer_.emplace(data_, level_, ScreenMode{});
+        meter_.emplace(data_.level_file, level_);
+    }
+    GameView view() const {
+        const InterpolatedState state{state_, state_};
+        return {state, camera_at(state, {}, Degrees::from_int(90))};
+    }
+    void round(const Accuracy& now, const Accuracy& before) {
+        Settings settings;
+        settings.accuracy = now;
+        for (int turn = 0; turn < 9; ++turn) measures_.measure(view(), settings, before, *renderer_, *meter_, clock_);
+    }
+    ErrorSummary errors_of(const Accuracy& accuracy) {
+        Settings settings;
+        settings.accuracy = accuracy;
+        return summarize_pixels(meter_->measure(view(), settings, *renderer_));
+    }
+
+    GameData data_;
+    GameLevel level_;
+    GameState state_;
+    std::optional<GameRenderer> renderer_;
+    std::optional<ErrorMeter> meter_;
+    LabMeasures measures_;
+    Clock clock_;
+};
+
+TEST_F(LabMeasure, ARoundMeasuresEverythingOnce) {
+    const Accuracy now, before = accuracy_of(Preset::Exact);
+    round(now, before);
+    const LabFigures& figures = measures_.figures();
+    // The clock is read before and after each timed frame: its steps are 2, 4, 6 ...
+    EXPECT_EQ(figures.now.times.median_us(), 2u);
+    EXPECT_EQ(figures.before.times.median_us(), 4u);
+    for (std::size_t i = 0; i < kPresets.size(); ++i) EXPECT_EQ(figures.presets[i].times.median_us(), 6 + 2 * i);
+    EXPECT_GT(figures.operations.divisions.total(), 1000);
+    EXPECT_GT(figures.frame_rates[2], figures.frame_rates[0]);
+    ASSERT_TRUE(figures.errors);
+    EXPECT_GT(figures.errors->count, 60'000);
+    EXPECT_LE(figures.errors->max, 0.42);  // bounded by 3/8 pixel
+}
+
+TEST_F(LabMeasure, TimesStayWithTheirSettings) {
+    Accuracy first, second = first;
+    second.shades = 32;
+    round(first, accuracy_of(Preset::Exact));
+    round(second, first);
+    EXPECT_EQ(measures_.figures().now.times.count(), 1u);
+    EXPECT_EQ(measures_.figures().before.times.count(), 2u);  // those of when it was the setting now
+    round(first, second);
+    EXPECT_EQ(measures_.figures().now.times.count(), 3u);
+    EXPECT_EQ(measures_.figures().before.times.count(), 2u);
+}
+
+TEST_F(LabMeasure, ErrorsAreThoseOfTheSetting) {
+    EXPECT_LT(errors_of(accuracy_of(Preset::Exact)).max, 0.05);
+    EXPECT_GT(errors_of(accuracy_of(Preset::Year1994)).max, 1);
+    EXPECT_GT(errors_of(accuracy_of(Preset::Year1991)).rms, errors_of(accuracy_of(Preset::Bounded)).rms);
+}
+
+TEST_F(LabMeasure, SaysWhyThereAreNoErrors) {
+    meter_.emplace("/no/such.bsp", level_);
+    round({}, {});
+    EXPECT_FALSE(measures_.figures().errors);
+    EXPECT_NE(measures_.figures().problem.find("/no/such.bsp"), std::string::npos) << measures_.figures().problem;
+}
+
+}  // namespace
+}  // namespace oblong

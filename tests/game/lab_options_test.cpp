@@ -1,0 +1,132 @@
+#include "game/lab_options.h"
+
+#include <gtest/gtest.h>
+
+#include "game/view_options.h"
+
+namespace oblong {
+namespace {
+
+constexpr ScreenMode kMode{};
+constexpr WindowSize kWindow{1600, 1200};
+
+std::string press(Command command, ViewOptions& options) {
+    return apply(command, options, kMode, kWindow);
+}
+
+const Dial& chosen(const ViewOptions& options) {
+    return all_dials()[options.lab.dial];
+}
+
+TEST(LabOptions, ArrowsTurnDialsWhileTheLabIsOpenOnly) {
+    ViewOptions options;
+    press(Command::DialCoarser, options);
+    EXPECT_EQ(options.accuracy, Accuracy{});
+    press(Command::LabPanel, options);
+    EXPECT_EQ(chosen(options).name, "perspective");
+    press(Command::DialCoarser, options);
+    EXPECT_EQ(options.accuracy.texturing, Texturing::Every8);
+    press(Command::DialFiner, options);
+    press(Command::DialFiner, options);
+    EXPECT_EQ(options.accuracy.texturing, Texturing::BoundedTexels);
+    for (int i = 0; i < 20; ++i) press(Command::DialCoarser, options);
+    EXPECT_EQ(options.accuracy.texturing, Texturing::Affine);
+    EXPECT_EQ(options.lab.before.texturing, Texturing::Every32);  // a turn at the end changes nothing
+}
+
+TEST(LabOptions, EachDialIsReachedAndExplained) {
+    ViewOptions options;
+    press(Command::LabPanel, options);
+    const std::size_t first = options.lab.dial;
+    for (std::size_t i = 0; i < all_dials().size(); ++i) {
+        const std::string said = press(Command::DialDown, options);
+        EXPECT_EQ(said.rfind(std::string(chosen(options).caption) + ": ", 0), 0u) << said;
+        EXPECT_EQ(said.find("Its error is real") == std::string::npos, chosen(options).changes_code) << said;
+    }
+    EXPECT_EQ(options.lab.dial, first);
+    for (std::size_t i = 0; i <= first; ++i) press(Command::DialUp, options);
+    EXPECT_EQ(options.lab.dial, all_dials().size() - 1);
+}
+
+TEST(LabOptions, RemembersTheSettingBefore) {
+    ViewOptions options;
+    EXPECT_EQ(options.lab.before, accuracy_of(Preset::Exact));
+    options.preset = Preset::Year1991;
+    press(Command::AccuracyTier, options);
+    EXPECT_EQ(options.lab.before, Accuracy{});
+    press(Command::AccuracyTier, options);
+    EXPECT_EQ(options.lab.before, accuracy_of(Preset::Year1994));
+    EXPECT_EQ(options.accuracy, accuracy_of(Preset::Year1996));
+}
+
+TEST(LabOptions, FlipsEachHalfSecond) {
+    ViewOptions options;
+    press(Command::FlipSettings, options);
+    const auto shown = [&](std::uint64_t now_us) { return shown_setting(options.lab, options.accuracy, now_us); };
+    EXPECT_EQ(shown(499'999), options.accuracy);
+    EXPECT_EQ(shown(500'000), options.lab.before);
+    EXPECT_EQ(shown(1'000'000), options.accuracy);
+    press(Command::FlipSettings, options);
+    EXPECT_EQ(shown(500'000), options.accuracy);
+}
+
+TEST(LabOptions, SettingsHaveShortNames) {
+    for (const Preset preset : kPresets) EXPECT_EQ(setting_name(accuracy_of(preset)), name_of(preset));
+    Accuracy accuracy = accuracy_of(Preset::Year1996);
+    accuracy.shades = 32;
+    EXPECT_EQ(setting_name(accuracy), "1996, shades 32");
+    accuracy.dithers_light = true;
+    EXPECT_EQ(setting_name(accuracy), "1996, 2 dials turned");
+}
+
+TEST(LabOptions, DialsThatMeanNothingAreIdle) {
+    Accuracy accuracy;
+    const auto idle = [&] {
+        std::string names;
+        for (const Dial& dial : all_dials())
+            if (is_idle(dial, accuracy)) names += std::string(dial.name) + " ";
+        return names;
+    };
+    EXPECT_EQ(idle(), "texel-bound ");
+    accuracy.texturing = Texturing::BoundedTexels;
+    accuracy.mip = MipSelection::None;
+    EXPECT_EQ(idle(), "mip-bias pixel-bound ");
+}
+
+// The picture is 1600 of the window's pixels wide: 400 of the mouse's counts are a quarter of it.
+TEST(Split, MovesWithTheMouseWhileAButtonIsHeld) {
+    LabOptions options;
+    const PresentRect shown = layout(kWindow, kMode, ShownAs::OnDisplay, Scaling::SharpBilinear);
+    Controls controls;
+    controls.mouse_x = 400;
+    controls.mouse_y = 7;
+    controls.holds_button = true;
+    drag_split(shown, options, controls);
+    EXPECT_EQ(options.split_16, 32'768);  // not on
+    EXPECT_EQ(controls.mouse_x, 400);
+    options.splits = true;
+    drag_split(shown, options, controls);
+    EXPECT_EQ(options.split_16, 49'152);
+    EXPECT_EQ(controls.mouse_x, 0);  // the view stays
+    EXPECT_EQ(controls.mouse_y, 0);
+    controls = {};
+    controls.mouse_x = -100;
+    drag_split(shown, options, controls);
+    EXPECT_EQ(options.split_16, 49'152);  // no button
+    controls.holds_button = true;
+    controls.mouse_x = -2'000'000'000;
+    drag_split({}, options, controls);
+    EXPECT_EQ(options.split_16, 0);
+}
+
+TEST(Controls, ArrowsWalk) {
+    Controls controls;
+    controls.arrows = {true, false, false, true};
+    EXPECT_FALSE(controls.forward);
+    walk_by_arrows(controls);
+    EXPECT_TRUE(controls.forward && controls.turn_right);
+    EXPECT_FALSE(controls.back || controls.turn_left);
+}
+
+}  // namespace
+}  // namespace oblong

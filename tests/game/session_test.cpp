@@ -1,0 +1,88 @@
+#include "game/session.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "engine/platform/headless/headless.h"
+
+namespace oblong {
+namespace {
+
+using Picture = std::vector<std::uint8_t>;
+using Presses = std::map<std::int64_t, std::vector<Command>>;
+
+constexpr std::int64_t kFrames = 40;
+
+class SessionOfTheDemo : public testing::Test {
+  protected:
+    void SetUp() override {
+        const std::string assets = std::string(OBLONG_BUILD_DIR) + "/assets";
+        if (!std::filesystem::exists(assets + "/demo.bsp")) GTEST_SKIP() << "the demo level is not built";
+        data_ = load_game("", "", assets);
+        level_ = make_game_level(data_.level);
+    }
+
+    // Walks ahead in a turn with keys pressed at some frames; the demo that it recorded is in demo_.
+    std::vector<Picture> play(const Presses& presses, bool by_arrows = false) {
+        std::vector<Picture> pictures;
+        HeadlessPlatform platform(
+            kFrames, 35,
+            [&](std::int64_t poll) {
+                Controls controls;
+                if (by_arrows)
+                    controls.arrows = {true, false, false, true};
+                else
+                    controls.forward = controls.turn_right = true;
+                if (const auto found = presses.find(poll); found != presses.end()) controls.commands = found->second;
+                return controls;
+            },
+            [&](Framebuffer picture, const Palette&) {
+                pictures.emplace_back(picture.pixels,
+                                      picture.pixels + pixel_count(picture.width_px, picture.height_px));
+            });
+        TickInputSource input(start_of(level_), std::nullopt, true);
+        Session(data_, level_, {ScreenMode{}, Degrees::from_int(90), {}}, input, platform).run();
+        demo_ = encode_demo(input.recorded());
+        return pictures;
+    }
+
+    GameData data_;
+    GameLevel level_;
+    std::vector<std::uint8_t> demo_;
+};
+
+constexpr Command kPanel = Command::LabPanel, kMap = Command::ErrorMap, kSplit = Command::SplitView,
+                  kFlip = Command::FlipSettings, kGuide = Command::AspectGuide, kFour = Command::FourAspects;
+
+// Messages over the picture end after 2.5 s, or longer: the pictures are compared with those of a run that shows none.
+TEST_F(SessionOfTheDemo, TheLabLeavesNoTraceInTheGame) {
+    const std::vector<Picture> plain = play({{1, {kGuide}}, {20, {kGuide}}});
+    const std::vector<std::uint8_t> plain_demo = demo_;
+    const std::vector<Picture> watched = play({{1, {kPanel, kMap, kSplit, kFlip, kGuide}},
+                                               {10, {kFour}},
+                                               {15, {kFour}},
+                                               {20, {kPanel, kMap, kSplit, kFlip, kGuide}}});
+    EXPECT_EQ(demo_, plain_demo);
+    ASSERT_EQ(watched.size(), plain.size());
+    EXPECT_EQ(watched[0], plain[0]);
+    for (std::size_t frame = 1; frame < 20; ++frame) EXPECT_NE(watched[frame], plain[frame]) << frame;
+    constexpr std::size_t kBelowMessage = 320 * 40;
+    for (std::size_t frame = 20; frame < plain.size(); ++frame)
+        EXPECT_TRUE(std::equal(plain[frame].begin() + kBelowMessage, plain[frame].end(),
+                               watched[frame].begin() + kBelowMessage))
+            << frame;
+}
+
+TEST_F(SessionOfTheDemo, ArrowsWalkUnlessTheLabIsOpen) {
+    play({});
+    const std::vector<std::uint8_t> walked = demo_;
+    play({}, true);
+    EXPECT_EQ(demo_, walked);
+    play({{0, {kPanel}}}, true);
+    EXPECT_NE(demo_, walked);
+}
+
+}  // namespace
+}  // namespace oblong
