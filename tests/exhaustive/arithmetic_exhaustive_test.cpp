@@ -44,11 +44,11 @@ TEST(HardCaseA3, FlooredProductOfEveryPairOf16BitNumbers) {
     EXPECT_EQ(first_failure(0, kAll32, [](auto pair) { return is_product(pair, Rounding::Floor, 0); }), std::nullopt);
 }
 
+/// Pairs (a, b) with a >= 0: those of -a say the same. The lowest number has no negative.
 TEST(HardCaseA3, ProductOfTheNegativeIsWithinAStepOfTheNegativeProduct) {
-    EXPECT_EQ(first_failure(0, kAll32,
+    EXPECT_EQ(first_failure(0, kAll32 / 2,
                             [](std::uint64_t pair) {
-                                const Short a = first_of(pair), b = second_of(pair);
-                                if (a == Short::lowest()) return true;  // has no negative
+                                const Short b = first_of(pair), a = second_of(pair);
                                 return std::abs(multiply(a, b).raw + multiply(-a, b).raw) <= 1;
                             }),
               std::nullopt);

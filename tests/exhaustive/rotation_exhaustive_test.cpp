@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <thread>
-
 #include "engine/fixed/trig.h"
 #include "engine/math/basis.h"
 #include "engine/math/rotation.h"
@@ -25,12 +23,9 @@ std::int64_t worst_flaw_of_turns(const Vec3<Unit>& axis, int count) {
 
 TEST(HardCaseT2, TenMillionRotationsStayOrthonormal) {
     constexpr int kTurns = 10'000'000;
-    std::int64_t of_yaw = kOrthonormal60 + 1;
-    std::thread other([&of_yaw] { of_yaw = worst_flaw_of_turns({{}, {}, Unit::from_int(1)}, kTurns); });
+    EXPECT_LE(worst_flaw_of_turns({{}, {}, Unit::from_int(1)}, kTurns), kOrthonormal60);
     const Vec3<Unit> oblique = normalised(Vec3<Unit>{Unit::from_raw(3), Unit::from_raw(-5), Unit::from_raw(7)});
     EXPECT_LE(worst_flaw_of_turns(oblique, kTurns), kOrthonormal60);
-    other.join();
-    EXPECT_LE(of_yaw, kOrthonormal60);
 }
 
 }  // namespace

@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <random>
 #include <sstream>
+
+#include "tools/common/arguments.h"
 
 namespace oblong {
 namespace {
@@ -176,7 +180,7 @@ TEST(Probe, AnswersEveryLineByOneLineWhateverItsBytes) {
     text += std::string(1 << 20, '9') + '\n' + std::string(1 << 20, ' ');  // the last one without its end
     std::istringstream in(text);
     std::ostringstream out;
-    answer_lines(in, out);
+    answer_lines({}, in, out);
     const std::string answers = out.str();
     EXPECT_EQ(std::count(answers.begin(), answers.end(), '\n'), line_count + 2);
 }
@@ -230,10 +234,46 @@ TEST(Probe, SurvivesTheEndsOfEveryField) {
 }
 
 TEST(Probe, NamesItsTexturingModesMostAccurateFirst) {
-    EXPECT_EQ(ask("modes"), "exact bounded every16 affine");
+    EXPECT_EQ(ask("modes"), "exact bounded-texels bounded every8 every16 every32 affine");
     const std::string span = "320 200 4 3 90 -100 -100 50 0 0 100 -100 500 64 0 0 100 50 32 64 110 158 162";
     EXPECT_EQ(ask("texspan " + span), ask("texspanq exact " + span));
     EXPECT_NE(ask("texspan " + span), ask("texspanq affine " + span));
+}
+
+/// An answer's first number, with a dial turned.
+double first_number(const std::string& dial, const std::string& query) {
+    Accuracy accuracy;
+    parse_dial(dial, accuracy);
+    return std::stod(Probe(accuracy).answer(query));
+}
+
+TEST(Probe, DialsAddTheErrorsThatTheyStandFor) {
+    const double thirtieth = std::sin(2 * std::numbers::pi * 100 / 65536);
+    EXPECT_NEAR(first_number("sine=exact", "sin 100"), thirtieth, 0x1p-30);
+    EXPECT_NEAR(first_number("sine=quarter1024", "sin 100"), thirtieth, 0x1p-21);
+    EXPECT_EQ(first_number("sine=nearest256", "sin 100"), 0) << "nearer to 0 than to the first of 256 steps";
+    // A wall at a slant: u = 64 (z - 50) / 450, and at the centre of the view 1/z is the mean of both ends'.
+    const std::string wall = "texspan 320 200 4 3 90 -50 -100 50 0 0 500 -100 500 64 0 -50 100 50 0 64 100 160 161";
+    const double exact = first_number("reciprocal=exact", wall), coarse = first_number("reciprocal=table256", wall);
+    EXPECT_GT(std::abs(coarse - exact), 1e-4);
+    EXPECT_LT(std::abs(coarse / exact - 1), 0x1p-8);
+    EXPECT_GT(std::abs(first_number("inverse-z-bits=16", wall) - exact), 1e-3);
+}
+
+TEST(Probe, AnAccumulatedEdgeMissesColumnsOfTallTriangles) {
+    Accuracy accumulated;
+    accumulated.edges = EdgeStepping::Accumulated;
+    std::mt19937 random(5);
+    int wrong = 0;
+    for (int i = 0; i < 2000; ++i) {
+        std::string query = "coverage 16";
+        for (int corner = 0; corner < 3; ++corner)
+            query += ' ' + std::to_string(random() % 5120) + ' ' + std::to_string(random() % 3200);
+        wrong += Probe(accumulated).answer(query) != ask(query);
+    }
+    // period-costs: a pixel wrong in a tenth of the triangles. Here slopes are rounded to the nearest, not floored.
+    EXPECT_GT(wrong, 20);
+    EXPECT_LT(wrong, 300);
 }
 
 }  // namespace

@@ -1,14 +1,18 @@
 #include <iostream>
 
+#include "tools/common/arguments.h"
 #include "tools/common/command_line.h"
 #include "tools/probe/probe.h"
 
 int main(int argc, char** argv) {
     oblong::CommandLine line("oblong-probe",
                              "Answers queries about the engine's arithmetic: one a line on standard input.");
-    return line.run(argc, argv, [] {
+    std::vector<std::string> dials;
+    line.add("--dial", dials, "NAME=VALUE; may be given several times (README)");
+    return line.run(argc, argv, [&] {
+        const oblong::Accuracy accuracy = oblong::parse_accuracy(oblong::Preset::Bounded, dials);
         std::ios::sync_with_stdio(false);
         std::cin.tie(nullptr);
-        oblong::answer_lines(std::cin, std::cout);
+        oblong::answer_lines(accuracy, std::cin, std::cout);
     });
 }

@@ -1,6 +1,6 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/root.h"
-#include "engine/fixed/trig.h"
+#include "engine/fixed/sine_methods.h"
 #include "tools/probe/decimal.h"
 #include "tools/probe/queries.h"
 
@@ -28,12 +28,12 @@ Number read_only_number(Fields& fields) {
 
 }  // namespace
 
-std::string answer_sine(Fields& fields) {
-    return format_fixed(sine(read_only_angle(fields)));
+std::string answer_sine(Fields& fields, const Accuracy& accuracy) {
+    return format_fixed(sine(read_only_angle(fields), accuracy.sine));
 }
 
-std::string answer_cosine(Fields& fields) {
-    return format_fixed(cosine(read_only_angle(fields)));
+std::string answer_cosine(Fields& fields, const Accuracy& accuracy) {
+    return format_fixed(cosine(read_only_angle(fields), accuracy.sine));
 }
 
 std::string answer_root(Fields& fields) {

@@ -1,6 +1,5 @@
 #include "tools/probe/probe.h"
 
-#include <algorithm>
 #include <array>
 #include <istream>
 #include <ostream>
@@ -14,19 +13,28 @@ struct NamedQuery {
     std::string (*answer)(Fields&);
 };
 
-constexpr std::array kQueries = {NamedQuery{"project", answer_project},   NamedQuery{"view", answer_view},
-                                 NamedQuery{"coverage", answer_coverage}, NamedQuery{"mesh", answer_mesh},
-                                 NamedQuery{"texspan", answer_texspan},   NamedQuery{"texspanq", answer_texspanq},
-                                 NamedQuery{"modes", answer_modes},       NamedQuery{"clip", answer_clip},
-                                 NamedQuery{"sin", answer_sine},          NamedQuery{"cos", answer_cosine},
-                                 NamedQuery{"sqrt", answer_root},         NamedQuery{"recip", answer_reciprocal}};
+constexpr std::array kQueries = {NamedQuery{"project", answer_project}, NamedQuery{"view", answer_view},
+                                 NamedQuery{"modes", answer_modes},     NamedQuery{"clip", answer_clip},
+                                 NamedQuery{"sqrt", answer_root},       NamedQuery{"recip", answer_reciprocal}};
 
-std::string answer_fields(Fields& fields, LevelCache& levels) {
+struct NamedDialQuery {
+    std::string_view name;
+    std::string (*answer)(Fields&, const Accuracy&);
+};
+
+constexpr std::array kDialQueries = {
+    NamedDialQuery{"coverage", answer_coverage}, NamedDialQuery{"mesh", answer_mesh},
+    NamedDialQuery{"texspan", answer_texspan},   NamedDialQuery{"texspanq", answer_texspanq},
+    NamedDialQuery{"sin", answer_sine},          NamedDialQuery{"cos", answer_cosine}};
+
+std::string answer_fields(Fields& fields, const Accuracy& accuracy, LevelCache& levels) {
     const std::string_view name = fields.text();
     if (name == "leaf") return answer_leaf(fields, levels);
-    const auto query = std::find_if(kQueries.begin(), kQueries.end(), [&](const auto& q) { return q.name == name; });
-    if (query == kQueries.end()) throw Unsupported{};
-    return query->answer(fields);
+    for (const NamedQuery& query : kQueries)
+        if (query.name == name) return query.answer(fields);
+    for (const NamedDialQuery& query : kDialQueries)
+        if (query.name == name) return query.answer(fields, accuracy);
+    throw Unsupported{};
 }
 
 }  // namespace
@@ -34,14 +42,14 @@ std::string answer_fields(Fields& fields, LevelCache& levels) {
 std::string Probe::answer(std::string_view line) {
     try {
         Fields fields(line);
-        return answer_fields(fields, levels_);
+        return answer_fields(fields, accuracy_, levels_);
     } catch (const Unsupported&) {
         return "unsupported";
     }
 }
 
-void answer_lines(std::istream& in, std::ostream& out) {
-    Probe probe;
+void answer_lines(const Accuracy& accuracy, std::istream& in, std::ostream& out) {
+    Probe probe(accuracy);
     std::string line;
     while (std::getline(in, line)) {
         if (line.ends_with('\r')) line.pop_back();

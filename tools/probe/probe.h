@@ -11,14 +11,18 @@ namespace oblong {
 /// Answers queries about the engine's arithmetic, a line each: README.md.
 class Probe {
   public:
+    /// `accuracy`: the dials of the stages that it asks.
+    explicit Probe(const Accuracy& accuracy = {}) : accuracy_(accuracy) {}
+
     /// The answer's line, without its end; `unsupported` for whatever is not a query. Never throws on bad input.
     std::string answer(std::string_view line);
 
   private:
+    Accuracy accuracy_;
     LevelCache levels_;
 };
 
 /// Answers every line of `in` by a line on `out`, in order.
-void answer_lines(std::istream& in, std::ostream& out);
+void answer_lines(const Accuracy& accuracy, std::istream& in, std::ostream& out);
 
 }  // namespace oblong

@@ -2,24 +2,25 @@
 
 #include <string>
 
+#include "engine/accuracy/accuracy.h"
 #include "engine/level/level.h"
 #include "tools/probe/fields.h"
 
 namespace oblong {
 
 // One function a query: reads the fields after the query's name, calls the engine, returns the answer's line. Throws
-// Unsupported. The protocol is in README.md.
+// Unsupported. The protocol is in README.md. Those that take `accuracy` have the stages of its dials.
 
 std::string answer_project(Fields& fields);
 std::string answer_view(Fields& fields);
-std::string answer_coverage(Fields& fields);
-std::string answer_mesh(Fields& fields);
-std::string answer_texspan(Fields& fields);
-std::string answer_texspanq(Fields& fields);
+std::string answer_coverage(Fields& fields, const Accuracy& accuracy);
+std::string answer_mesh(Fields& fields, const Accuracy& accuracy);
+std::string answer_texspan(Fields& fields, const Accuracy& accuracy);
+std::string answer_texspanq(Fields& fields, const Accuracy& accuracy);
 std::string answer_modes(Fields& fields);
 std::string answer_clip(Fields& fields);
-std::string answer_sine(Fields& fields);
-std::string answer_cosine(Fields& fields);
+std::string answer_sine(Fields& fields, const Accuracy& accuracy);
+std::string answer_cosine(Fields& fields, const Accuracy& accuracy);
 std::string answer_root(Fields& fields);
 std::string answer_reciprocal(Fields& fields);
 

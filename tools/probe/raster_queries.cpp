@@ -29,18 +29,18 @@ ScreenVertex read_vertex(Fields& fields, std::int32_t scale) {
 }
 
 /// The rows of a triangle of either winding, its columns cut to the raster. False if it has no area.
-bool scan_triangle(Triangle triangle, ScanlineExtents& rows) {
+bool scan_triangle(Triangle triangle, EdgeStepping edges, ScanlineExtents& rows) {
     const ScreenArea area = doubled_area(triangle);
     if (area == ScreenArea{}) return false;
     if (area < ScreenArea{}) std::swap(triangle[1], triangle[2]);
-    scan_convex(triangle, rows);
+    scan_convex(triangle, rows, edges);
     return true;
 }
 
 /// Calls visit(row, first, end) for each row that has pixels on the raster.
 template <class Visit>
-void for_each_covered_row(const Triangle& triangle, ScanlineExtents& rows, Visit visit) {
-    if (!scan_triangle(triangle, rows)) return;
+void for_each_covered_row(const Triangle& triangle, EdgeStepping edges, ScanlineExtents& rows, Visit visit) {
+    if (!scan_triangle(triangle, edges, rows)) return;
     for (std::int32_t row = rows.first; row < rows.end; ++row) {
         const std::int32_t first = std::max(at(rows.left, row), 0);
         const std::int32_t end = std::min(at(rows.right, row), kWidth_px);
@@ -100,7 +100,7 @@ std::vector<Triangle> read_triangles(Fields& fields, const std::vector<ScreenVer
 
 }  // namespace
 
-std::string answer_coverage(Fields& fields) {
+std::string answer_coverage(Fields& fields, const Accuracy& accuracy) {
     const std::int32_t scale = read_scale(fields);
     const ScreenVertex a = read_vertex(fields, scale), b = read_vertex(fields, scale), c = read_vertex(fields, scale);
     fields.expect_end();
@@ -108,14 +108,14 @@ std::string answer_coverage(Fields& fields) {
     ScanlineExtents rows(kHeight_px);
     std::int32_t row_count = 0;
     std::string text;
-    for_each_covered_row({a, b, c}, rows, [&](std::int32_t row, std::int32_t first, std::int32_t end) {
+    for_each_covered_row({a, b, c}, accuracy.edges, rows, [&](std::int32_t row, std::int32_t first, std::int32_t end) {
         ++row_count;
         text += ' ' + std::to_string(row) + ' ' + std::to_string(first) + ' ' + std::to_string(end);
     });
     return std::to_string(row_count) + text;
 }
 
-std::string answer_mesh(Fields& fields) {
+std::string answer_mesh(Fields& fields, const Accuracy& accuracy) {
     const std::int32_t scale = read_scale(fields);
     const std::vector<ScreenVertex> vertices = read_vertices(fields, scale);
     const std::vector<Triangle> triangles = read_triangles(fields, vertices);
@@ -124,9 +124,9 @@ std::string answer_mesh(Fields& fields) {
     ScanlineExtents rows(kHeight_px);
     OverlapCounter counter;
     for (const Triangle& triangle : triangles)
-        for_each_covered_row(triangle, rows, [&](std::int32_t row, std::int32_t first, std::int32_t end) {
-            counter.add_row(row, first, end);
-        });
+        for_each_covered_row(
+            triangle, accuracy.edges, rows,
+            [&](std::int32_t row, std::int32_t first, std::int32_t end) { counter.add_row(row, first, end); });
     const std::array<std::int32_t, 3> counts = counter.count();
     return std::to_string(counts[0]) + ' ' + std::to_string(counts[1]) + ' ' + std::to_string(counts[2]);
 }

@@ -2,6 +2,7 @@
 #include <array>
 #include <string>
 
+#include "engine/accuracy/dials.h"
 #include "engine/geometry/triangle_gradients.h"
 #include "engine/raster/texture_blocks.h"
 #include "tools/probe/decimal.h"
@@ -10,16 +11,6 @@
 namespace oblong {
 
 namespace {
-
-struct NamedTexturing {
-    const char* name;
-    Texturing texturing;
-};
-
-/// Most accurate first.
-constexpr std::array kTexturings = {
-    NamedTexturing{"exact", Texturing::Exact}, NamedTexturing{"bounded", Texturing::Bounded},
-    NamedTexturing{"every16", Texturing::Every16}, NamedTexturing{"affine", Texturing::Affine}};
 
 /// A texture coordinate of the three corners, moved by whole texels to where surfaces begin: at 0.
 struct RebasedTexels {
@@ -73,53 +64,59 @@ void append_texels(const TexelBlock& block, const TexspanQuery& query, std::stri
 }
 
 /// Samples a part of the row that the query asks for.
-void append_part(const TexspanQuery& query, const Projection& projection, const Span& part, Texturing texturing,
+void append_part(const TexspanQuery& query, const Projection& projection, const Span& part, const Accuracy& accuracy,
                  std::string& text) {
     const PixelPosition middle{(part.first + part.end) / 2, part.y};
-    const auto gradients = make_triangle_gradients(query.corners, projection, middle);
-    if (!gradients) throw Unsupported{};
-
-    Accuracy accuracy;
-    accuracy.texturing = texturing;
+    const auto exact = make_triangle_gradients(query.corners, projection, middle);
+    if (!exact) throw Unsupported{};
+    const TextureGradients gradients = rounded_to(*exact, accuracy.inverse_z_bits, accuracy.over_z_bits);
     const BlockRule rule = make_block_rule(accuracy);
-    const BlockThresholds thresholds = make_block_thresholds(rule, gradients->inverse_z.per_column);
+    const BlockThresholds thresholds = make_block_thresholds(rule, gradients.inverse_z.per_column);
     BlockList blocks(part.end - part.first);
-    block_cutter(accuracy)(part, query.view.mode.width_px, *gradients, rule, thresholds,
+    block_cutter(accuracy)(part, query.view.mode.width_px, gradients, rule, thresholds,
                            make_texel_limits(65535, 65535, 0), blocks);
     for (const TexelBlock& block : blocks.waiting()) append_texels(block, query, text);
 }
 
-std::string sample_span(const TexspanQuery& query, Texturing texturing) {
+std::string sample_span(const TexspanQuery& query, const Accuracy& accuracy) {
     // Gradients lose half a step a pixel away from their anchor. Rows wider than any frame's are sampled in parts with
     // an anchor each; an affine span has to stay whole.
     constexpr std::int32_t kLongestPart_px = 512;
-    const std::int32_t longest_px = texturing == Texturing::Affine ? query.view.mode.width_px : kLongestPart_px;
+    const std::int32_t longest_px =
+        accuracy.texturing == Texturing::Affine ? query.view.mode.width_px : kLongestPart_px;
     const Projection projection = frame_lens(query.view);
     std::string text;
     for (std::int32_t first = query.span.first; first < query.span.end; first += longest_px)
-        append_part(query, projection, {query.span.y, first, std::min(first + longest_px, query.span.end)}, texturing,
+        append_part(query, projection, {query.span.y, first, std::min(first + longest_px, query.span.end)}, accuracy,
                     text);
     return text;
 }
 
 }  // namespace
 
-std::string answer_texspan(Fields& fields) {
-    return sample_span(read_query(fields), kTexturings[0].texturing);
+std::string answer_texspan(Fields& fields, const Accuracy& accuracy) {
+    Accuracy exact = accuracy;
+    exact.texturing = Texturing::Exact;
+    return sample_span(read_query(fields), exact);
 }
 
-std::string answer_texspanq(Fields& fields) {
+std::string answer_texspanq(Fields& fields, const Accuracy& accuracy) {
     const std::string_view name = fields.text();
-    const auto found =
-        std::find_if(kTexturings.begin(), kTexturings.end(), [&](const auto& entry) { return name == entry.name; });
-    if (found == kTexturings.end()) throw Unsupported{};
-    return sample_span(read_query(fields), found->texturing);
+    for (const DialSetting& setting : dial_named("perspective")->settings) {
+        if (name != setting.name) continue;
+        Accuracy named = accuracy;
+        named.texturing = static_cast<Texturing>(setting.value);
+        return sample_span(read_query(fields), named);
+    }
+    throw Unsupported{};
 }
 
 std::string answer_modes(Fields& fields) {
     fields.expect_end();
+    const std::span<const DialSetting> settings = dial_named("perspective")->settings;
     std::string text;
-    for (const NamedTexturing& entry : kTexturings) text += (text.empty() ? "" : " ") + std::string(entry.name);
+    for (auto setting = settings.rbegin(); setting != settings.rend(); ++setting)
+        text += (text.empty() ? "" : " ") + std::string(setting->name);
     return text;
 }
 

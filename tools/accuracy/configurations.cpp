@@ -1,0 +1,64 @@
+#include "tools/accuracy/configurations.h"
+
+#include <algorithm>
+
+#include "engine/accuracy/presets.h"
+
+namespace oblong {
+
+namespace {
+
+std::size_t index_of(const Accuracy& accuracy, Configurations& all) {
+    const auto found = std::find(all.accuracies.begin(), all.accuracies.end(), accuracy);
+    if (found != all.accuracies.end()) return static_cast<std::size_t>(found - all.accuracies.begin());
+    all.accuracies.push_back(accuracy);
+    all.is_timed.push_back(false);
+    return all.accuracies.size() - 1;
+}
+
+Configurations::DialRows rows_of(const Dial& dial, Configurations& all) {
+    Accuracy base;
+    Configurations::DialRows rows{&dial, measure_of(dial), "default", {}};
+    if (dial.name == "texel-bound") {  // has no effect on others
+        base.texturing = Texturing::BoundedTexels;
+        rows.base = "default with perspective=bounded-texels";
+    }
+    for (const DialSetting& setting : dial.settings) {
+        Accuracy accuracy = base;
+        dial.set(accuracy, setting.value);
+        const std::size_t index = index_of(accuracy, all);
+        if (dial.changes_code) all.is_timed[index] = true;
+        rows.rows.push_back({std::string(setting.name), index});
+    }
+    return rows;
+}
+
+}  // namespace
+
+Measure measure_of(const Dial& dial) {
+    const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
+        return std::find(names.begin(), names.end(), dial.name) != names.end();
+    };
+    if (is_one_of({"subpixel-bits", "edges", "t-junctions"})) return Measure::WrongPixels;
+    if (is_one_of({"light", "shades", "dither"})) return Measure::LightColour;
+    if (is_one_of({"mip", "mip-bias"})) return Measure::PixelColour;
+    return Measure::Displacement;
+}
+
+bool has_same_surfaces(const Accuracy& a, const Accuracy& b) {
+    return a.light == b.light && a.shades == b.shades && a.dithers_light == b.dithers_light;
+}
+
+Configurations make_configurations(std::span<const Dial> dials) {
+    Configurations all;
+    all.default_index = index_of(Accuracy{}, all);
+    all.is_timed[all.default_index] = true;
+    for (const Dial& dial : dials) all.dials.push_back(rows_of(dial, all));
+    for (const Preset preset : kPresets) {
+        all.presets.push_back({std::string(name_of(preset)), index_of(accuracy_of(preset), all)});
+        all.is_timed[all.presets.back().index] = true;
+    }
+    return all;
+}
+
+}  // namespace oblong

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "tools/accuracy/configurations.h"
+#include "tools/accuracy/frame_errors.h"
+
+namespace oblong {
+
+/// The errors of one setting over some frames.
+struct ErrorSummaries {
+    ErrorSummary displacement;  ///< pixels
+    ErrorSummary texels;        ///< texels
+    ErrorSummary wrong;         ///< of frames: pixels of another face, per mille of those that are no close calls
+    ErrorSummary free_pixels;   ///< of frames: pixels that no face covers, per mille
+    ErrorSummary light;         ///< RGB
+    ErrorSummary colour;        ///< RGB
+};
+
+const ErrorSummary& summary_of(const ErrorSummaries& errors, Measure measure);
+/// "pixels", "wrong pixels per mille of a frame", "RGB distance (0 to 442)".
+std::string_view unit_of(Measure measure);
+/// One sentence: what is measured.
+std::string_view about(Measure measure);
+
+/// Collects errors over frames.
+class ErrorCollector {
+  public:
+    void add(const PixelErrors& frame);
+    ErrorSummaries summarize() const;
+
+  private:
+    std::vector<float> displacement_, texels_, wrong_, free_, light_, colour_;
+};
+
+/// The value of each pixel by a measure.
+const std::vector<float>& pixels_by(const PixelErrors& errors, Measure measure);
+/// The root of the mean square of the values that are not negative.
+double rms_of(const std::vector<float>& values);
+
+}  // namespace oblong

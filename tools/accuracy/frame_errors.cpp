@@ -1,0 +1,72 @@
+#include "tools/accuracy/frame_errors.h"
+
+#include <cmath>
+
+#include "tools/accuracy/level_frames.h"
+#include "tools/measure/reference_view.h"
+#include "tools/measure/texel_error.h"
+
+namespace oblong {
+
+namespace {
+
+float distance(const reference::Rgb& a, const reference::Rgb& b) {
+    const double red = a.red - b.red, green = a.green - b.green, blue = a.blue - b.blue;
+    return static_cast<float>(std::sqrt(red * red + green * green + blue * blue));
+}
+
+double number(Texel texel) {
+    return static_cast<double>(texel.raw) / static_cast<double>(Texel::from_int(1).raw);
+}
+
+float light_error(const DrawnFrame& frame, const PixelRecord& pixel, std::uint8_t shown) {
+    if (pixel.face.is_none() || pixel.mip != 0) return -1;
+    const reference::Level& level = frame.level.exact;
+    const reference::Rgb truth =
+        true_colour(level, level.face(pixel.face.number()), number(pixel.u), number(pixel.v), frame.palette);
+    return distance(frame.palette[shown], truth);
+}
+
+}  // namespace
+
+reference::Palette reference_palette(const Palette& palette) {
+    reference::Palette converted;
+    for (std::size_t i = 0; i < converted.size(); ++i) {
+        const Rgb8 colour = palette.colours[i];
+        converted[i] = {double(colour.red), double(colour.green), double(colour.blue)};
+    }
+    return converted;
+}
+
+FrameTruth make_frame_truth(const MeasuredLevel& level, const Camera& camera, const reference::Palette& palette,
+                            int samples_per_axis) {
+    const reference::View view = reference_view(camera, kMeasuredMode);
+    const std::vector<reference::PlacedModel> models = reference_models(level.models);
+    FrameTruth truth;
+    for (const reference::Pixel& pixel : draw_with_close_calls(level.exact, models, view).pixels) {
+        truth.faces.push_back(pixel.is_close_call ? -1 : pixel.face);
+        truth.close_calls += pixel.is_close_call;
+    }
+    truth.colours = draw_colours(level.exact, models, view, palette, samples_per_axis);
+    return truth;
+}
+
+PixelErrors measure_frame(const DrawnFrame& frame) {
+    TexelErrorMeter meter(frame.level.exact, frame.level.models, frame.camera, kMeasuredMode);
+    const std::vector<TexelError> texels = meter.measure(frame.record);
+    PixelErrors errors;
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const PixelRecord& pixel = frame.record.pixels[i];
+        const std::int32_t true_face = frame.truth.faces[i];
+        const reference::ColourPixel& colour = frame.truth.colours[i];
+        errors.displacement.push_back(texels[i].pixels);
+        errors.texels.push_back(texels[i].texels);
+        errors.wrong.push_back(true_face < 0 ? -1.f : true_face == pixel.face.number() ? 0.f : 1.f);
+        errors.light.push_back(light_error(frame, pixel, frame.pixels[i]));
+        errors.colour.push_back(colour.is_excluded ? -1 : distance(frame.palette[frame.pixels[i]], colour.colour));
+        errors.free_pixels += pixel.face.is_none();
+    }
+    return errors;
+}
+
+}  // namespace oblong

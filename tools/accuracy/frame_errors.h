@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/frame/frame_record.h"
+#include "engine/surface/palette.h"
+#include "tools/accuracy/measured_level.h"
+#include "tools/measure/error_summary.h"
+#include "tools/reference/colour.h"
+
+namespace oblong {
+
+/// What a camera's frame shows in truth.
+struct FrameTruth {
+    std::vector<std::int32_t> faces;  ///< a pixel each; -1: none, or a close call
+    std::int64_t close_calls = 0;
+    std::vector<reference::ColourPixel> colours;  ///< means over the pixels
+};
+
+/// `samples_per_axis`: rays whose colours are averaged, each way of a pixel.
+FrameTruth make_frame_truth(const MeasuredLevel& level, const Camera& camera, const reference::Palette& palette,
+                            int samples_per_axis);
+
+reference::Palette reference_palette(const Palette& palette);
+
+/// A frame that was drawn, and what it should have been.
+struct DrawnFrame {
+    const MeasuredLevel& level;
+    const Camera& camera;
+    const FrameTruth& truth;
+    const reference::Palette& palette;
+    const FrameRecord& record;
+    std::span<const std::uint8_t> pixels;
+};
+
+/// A value a pixel, negative where there is none.
+struct PixelErrors {
+    std::vector<float> displacement;  ///< of texels on the screen, pixels
+    std::vector<float> texels;        ///< the same, texels of mip level 0
+    std::vector<float> wrong;         ///< 1: another face than the truth's, 0: the same
+    /// Where mip level 0 is drawn: the distance in RGB, 0 to 255 a channel, from the shown texel's colour times the
+    /// true light there.
+    std::vector<float> light;
+    std::vector<float> colour;     ///< the distance in RGB from the mean colour of what the pixel covers
+    std::int64_t free_pixels = 0;  ///< that no face covers
+};
+
+PixelErrors measure_frame(const DrawnFrame& frame);
+
+}  // namespace oblong

@@ -1,0 +1,175 @@
+#include "tools/accuracy/frame_times.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "tools/accuracy/instructions.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr int kMostUnlitRounds = 3;
+
+/// The times of one frame by one setting, a round each.
+using Rounds = std::vector<double>;
+
+double nanoseconds_of(LevelFrames& frames, const Camera& camera, const Accuracy& accuracy,
+                      EffectSet effects = EffectSet::all()) {
+    const auto start = std::chrono::steady_clock::now();
+    frames.draw(camera, accuracy, effects);
+    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+}
+
+double warm_nanoseconds(LevelFrames& frames, const Camera& camera, const Accuracy& accuracy,
+                        EffectSet effects = EffectSet::all()) {
+    frames.draw(camera, accuracy, effects);
+    return nanoseconds_of(frames, camera, accuracy, effects);
+}
+
+/// The value below which a part of them lies.
+double quantile(Rounds times, double part) {
+    const auto at = times.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(times.size() - 1) + 0.5);
+    std::nth_element(times.begin(), at, times.end());
+    return *at;
+}
+
+TimeSpread mean_of(std::span<const Rounds> frames) {
+    TimeSpread mean;
+    const auto count = static_cast<double>(frames.size());
+    for (const Rounds& times : frames) {
+        mean.median += quantile(times, 0.5) / count;
+        mean.low += quantile(times, 0.25) / count;
+        mean.high += quantile(times, 0.75) / count;
+    }
+    return mean;
+}
+
+/// Times of every setting: a list of frames each, level after level.
+using TimesTable = std::vector<std::vector<Rounds>>;
+
+std::size_t frame_count(std::span<const LevelFrames> levels) {
+    std::size_t count = 0;
+    for (const LevelFrames& level : levels) count += level.level().cameras.size();
+    return count;
+}
+
+/// Calls visit(level's frames, camera, index of the frame) for all frames.
+template <class Visit>
+void for_each_frame(std::span<LevelFrames> levels, Visit visit) {
+    std::size_t frame = 0;
+    for (LevelFrames& level : levels)
+        for (const Camera& camera : level.level().cameras) visit(level, camera, frame++);
+}
+
+std::vector<std::size_t> timed_settings(const Configurations& configurations) {
+    std::vector<std::size_t> timed;
+    for (std::size_t i = 0; i < configurations.accuracies.size(); ++i)
+        if (configurations.is_timed[i]) timed.push_back(i);
+    return timed;
+}
+
+/// Settings whose surfaces are not those of the default, and the default.
+std::vector<std::size_t> settings_with_own_surfaces(const Configurations& configurations) {
+    std::vector<std::size_t> settings;
+    const Accuracy& plain = configurations.accuracies[configurations.default_index];
+    for (const std::size_t i : timed_settings(configurations)) {
+        const Accuracy& accuracy = configurations.accuracies[i];
+        if (i == configurations.default_index || !has_same_surfaces(accuracy, plain) || accuracy.mip != plain.mip ||
+            accuracy.mip_bias != plain.mip_bias)
+            settings.push_back(i);
+    }
+    return settings;
+}
+
+void time_round(const Configurations& configurations, std::span<const std::size_t> settings,
+                std::span<LevelFrames> levels, std::size_t round, TimesTable& times) {
+    for_each_frame(levels, [&](LevelFrames& level, const Camera& camera, std::size_t frame) {
+        for (std::size_t k = 0; k < settings.size(); ++k) {
+            const std::size_t i = settings[(k + round) % settings.size()];  // each goes first once
+            times[i][frame].push_back(warm_nanoseconds(level, camera, configurations.accuracies[i]));
+        }
+    });
+}
+
+void time_unlit_round(const Configurations& configurations, std::span<const std::size_t> settings,
+                      std::span<LevelFrames> levels, TimesTable& times) {
+    for_each_frame(levels, [&](LevelFrames& level, const Camera& camera, std::size_t frame) {
+        for (const std::size_t i : settings) {
+            level.forget_surfaces(configurations.accuracies[i]);
+            times[i][frame].push_back(nanoseconds_of(level, camera, configurations.accuracies[i]));
+        }
+    });
+}
+
+SkyTimes time_sky(const Accuracy& accuracy, std::span<LevelFrames> levels, int rounds) {
+    const EffectSet no_sky = EffectSet{}.with(Effect::Liquid).with(Effect::BrushModels);
+    SkyTimes sky;
+    for_each_frame(levels, [&](LevelFrames& level, const Camera& camera, std::size_t) {
+        if (level.count(camera, accuracy).stages.sky_pixels == 0) return;
+        Rounds with, without;
+        for (int round = 0; round < rounds; ++round) {
+            with.push_back(warm_nanoseconds(level, camera, accuracy));
+            without.push_back(warm_nanoseconds(level, camera, accuracy, no_sky));
+        }
+        ++sky.frames;
+        sky.with_sky += quantile(with, 0.5);
+        sky.without += quantile(without, 0.5);
+    });
+    if (sky.frames == 0) return sky;
+    sky.with_sky /= static_cast<double>(sky.frames);
+    sky.without /= static_cast<double>(sky.frames);
+    return sky;
+}
+
+std::optional<double> instructions_of(const Accuracy& accuracy, std::span<LevelFrames> levels) {
+    InstructionCounter counter;
+    if (!counter.is_available()) return std::nullopt;
+    double sum = 0;
+    for_each_frame(levels, [&](LevelFrames& level, const Camera& camera, std::size_t) {
+        level.draw(camera, accuracy);
+        counter.start();
+        level.draw(camera, accuracy);
+        sum += static_cast<double>(counter.stop().value_or(0));
+    });
+    return sum / static_cast<double>(frame_count(levels));
+}
+
+SettingTimes summarize(std::span<const Rounds> frames, std::span<const LevelFrames> levels) {
+    SettingTimes times;
+    times.frame = mean_of(frames);
+    std::size_t first = 0;
+    for (const LevelFrames& level : levels) {
+        const std::size_t count = level.level().cameras.size();
+        times.by_level.push_back(mean_of(frames.subspan(first, count)).median);
+        first += count;
+    }
+    return times;
+}
+
+}  // namespace
+
+FrameTimes time_frames(const Configurations& configurations, std::span<LevelFrames> levels, int rounds,
+                       Progress& progress) {
+    const std::size_t settings = configurations.accuracies.size();
+    const std::vector<std::size_t> timed = timed_settings(configurations);
+    const std::vector<std::size_t> own_surfaces = settings_with_own_surfaces(configurations);
+    FrameTimes result{
+        std::vector<std::optional<SettingTimes>>(settings), {}, rounds, std::min(rounds, kMostUnlitRounds)};
+
+    TimesTable times(settings, std::vector<Rounds>(frame_count(levels))), unlit_times = times;
+    for (int round = 0; round < result.unlit_rounds; ++round)
+        time_unlit_round(configurations, own_surfaces, levels, unlit_times);
+    for (int round = 0; round < rounds; ++round, progress.step())
+        time_round(configurations, timed, levels, static_cast<std::size_t>(round), times);
+
+    for (const std::size_t i : timed) {
+        result.settings[i] = summarize(times[i], levels);
+        result.settings[i]->instructions = instructions_of(configurations.accuracies[i], levels);
+    }
+    for (const std::size_t i : own_surfaces) result.settings[i]->unlit = mean_of(unlit_times[i]);
+    result.sky = time_sky(configurations.accuracies[configurations.default_index], levels, rounds);
+    return result;
+}
+
+}  // namespace oblong

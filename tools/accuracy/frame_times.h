@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tools/accuracy/configurations.h"
+#include "tools/accuracy/level_frames.h"
+#include "tools/accuracy/progress.h"
+
+namespace oblong {
+
+/// The median of some times with the quartiles below and above it; nanoseconds.
+struct TimeSpread {
+    double median = 0, low = 0, high = 0;
+};
+
+/// The times of one setting: medians over the rounds of each frame, then the mean over frames.
+struct SettingTimes {
+    TimeSpread frame;  ///< its surfaces lit already
+    std::optional<TimeSpread>
+        unlit;  ///< all surfaces built anew; for settings whose surfaces are others, and the default
+    std::optional<double> instructions;  ///< a frame
+    std::vector<double> by_level;        ///< nanoseconds a frame, medians
+};
+
+/// What a frame's sky costs: the default's time with it and with one colour in its place.
+struct SkyTimes {
+    std::size_t frames = 0;            ///< those in which sky is seen
+    double with_sky = 0, without = 0;  ///< nanoseconds, means of these frames' medians
+};
+
+struct FrameTimes {
+    std::vector<std::optional<SettingTimes>> settings;  ///< by accuracy; none where no other code runs
+    SkyTimes sky;
+    int rounds = 0, unlit_rounds = 0;
+};
+
+/// Times frames of all timed settings in turn: in every round each frame is drawn once by each setting, just after an
+/// untimed drawing that warms the caches. Nothing is counted or recorded meanwhile.
+FrameTimes time_frames(const Configurations& configurations, std::span<LevelFrames> levels, int rounds,
+                       Progress& progress);
+
+}  // namespace oblong

@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <deque>
+#include <iterator>
+
+#include "engine/platform/files.h"
+#include "tools/accuracy/hard_scenes.h"
+#include "tools/accuracy/machine.h"
+#include "tools/accuracy/report.h"
+#include "tools/accuracy/report_html.h"
+#include "tools/accuracy/report_json.h"
+#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
+#include "tools/render/camera_list.h"
+
+namespace {
+
+using namespace oblong;
+
+struct Options {
+    std::string out = ".", level, cameras, palette;
+    bool is_quick = false;
+};
+
+void declare(Command& line, Options& options) {
+    line.add("--out", options.out, "folder for accuracy.html and accuracy.json");
+    line.add_flag("--quick", options.is_quick, "fewer cameras, fewer rounds: under a minute");
+    const CommandOption level =
+        line.add("LEVEL", options.level, "a level to measure besides the hard scenes and the demo");
+    CommandOption cameras = line.add("--cameras", options.cameras, "its cameras, CSV: x,y,z,yaw,pitch[,roll]");
+    cameras.need(level);
+    line.add("--palette", options.palette, "its palette (default: the demo level's)").need(level);
+}
+
+/// Some of the cameras, spread over the list.
+std::vector<Camera> thinned(const std::vector<Camera>& cameras, std::size_t most) {
+    if (cameras.size() <= most) return cameras;
+    std::vector<Camera> some;
+    for (std::size_t i = 0; i < most; ++i) some.push_back(cameras[i * cameras.size() / most]);
+    return some;
+}
+
+MeasuredLevel read_level(const std::string& path, const std::string& name, const std::string& cameras_path,
+                         std::size_t most_cameras) {
+    const std::vector<Camera> cameras =
+        read_parsed(cameras_path, [](const auto& bytes) { return parse_cameras(bytes, Degrees::from_int(90)); });
+    return read_parsed(
+        path, [&](const auto& bytes) { return make_measured_level(name, "", bytes, thinned(cameras, most_cameras)); });
+}
+
+/// Colours that levels are drawn in.
+struct Colours {
+    Palette palette;
+    Colormap colormap;
+
+    explicit Colours(const std::string& path) : palette(read_parsed(path, read_palette)) {
+        colormap = make_colormap(palette);
+    }
+};
+
+/// The hard scenes, the demo level, and last the level named, which is read first: it may be at fault.
+std::deque<MeasuredLevel> read_levels(const Options& options, const Palette& demo_palette) {
+    std::deque<MeasuredLevel> levels;
+    const std::size_t most = options.is_quick ? 4 : 1000;
+    if (!options.level.empty()) levels.push_back(read_level(options.level, options.level, options.cameras, most));
+    levels.push_front(read_level(OBLONG_DEMO_LEVEL, "demo level", OBLONG_DEMO_CAMERAS, most));
+    std::vector<MeasuredLevel> scenes = make_hard_scenes(demo_palette, options.is_quick ? 2 : 1000);
+    std::move(scenes.rbegin(), scenes.rend(), std::front_inserter(levels));
+    return levels;
+}
+
+void report_to_files(const Options& options) {
+    if (!options.level.empty() && options.cameras.empty())
+        throw UsageError("LEVEL needs --cameras, expected a file of cameras in the level");
+    const auto start = std::chrono::steady_clock::now();
+    make_folder(options.out);  // before the work that takes long
+    const Colours demo(OBLONG_DEMO_PALETTE), named(options.palette.empty() ? OBLONG_DEMO_PALETTE : options.palette);
+    const std::deque<MeasuredLevel> levels = read_levels(options, demo.palette);
+    std::vector<MeasuredPlace> places;
+    for (const MeasuredLevel& level : levels) {
+        const Colours& colours = &level == &levels.back() && !options.level.empty() ? named : demo;
+        places.push_back({level, colours.palette, colours.colormap});
+    }
+    Progress progress(true);
+    const Effort effort{options.is_quick ? 7 : 31, options.is_quick ? 2 : 4, options.is_quick};
+    Report report = measure_all(make_configurations(all_dials()), places, effort, progress);
+    report.machine = machine_name();
+    report.compiler = compiler_name();
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    write_file(options.out + "/accuracy.json", report_json(report));
+    write_file(options.out + "/accuracy.html", report_html(report));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    CommandLine line("oblong-accuracy", "Measures what each approximation costs, and writes it as a report.");
+    declare(line, options);
+    return line.run(argc, argv, [&] { report_to_files(options); });
+}

@@ -1,0 +1,193 @@
+#include "tools/accuracy/report.h"
+
+#include <algorithm>
+
+#include "tools/accuracy/heat_map.h"
+#include "tools/common/png.h"
+
+namespace oblong {
+
+namespace {
+
+/// A frame to measure.
+struct FrameJob {
+    LevelFrames& frames;
+    std::size_t level, camera;
+    const reference::Palette& palette;
+    const FrameTruth& truth;
+
+    const Camera& view() const { return frames.level().cameras[camera]; }
+    PixelErrors measure(const Accuracy& accuracy) const {
+        const FrameRecord& record = frames.record(view(), accuracy);
+        return measure_frame({frames.level(), view(), truth, palette, record, frames.pixels()});
+    }
+};
+
+/// Everything that measuring reads, level by level and frame by frame.
+struct Preparation {
+    std::vector<LevelFrames> levels;
+    std::vector<reference::Palette> palettes;
+    std::vector<std::vector<FrameTruth>> truths;
+
+    std::vector<FrameJob> jobs() {
+        std::vector<FrameJob> all;
+        for (std::size_t level = 0; level < levels.size(); ++level)
+            for (std::size_t camera = 0; camera < truths[level].size(); ++camera)
+                all.push_back({levels[level], level, camera, palettes[level], truths[level][camera]});
+        return all;
+    }
+};
+
+void add(const ByWidth& more, ByWidth& sum) {
+    for (std::size_t i = 0; i < sum.counts.size(); ++i) sum.counts[i] += more.counts[i];
+}
+
+void add(const Operations& more, Operations& sum) {
+    add(more.adds, sum.adds);
+    add(more.multiplications, sum.multiplications);
+    add(more.divisions, sum.divisions);
+    sum.lookups += more.lookups;
+    sum.bytes_read += more.bytes_read;
+    sum.bytes_written += more.bytes_written;
+}
+
+/// Each count divided and rounded to the nearest.
+Operations divided(const Operations& sum, std::int64_t count) {
+    const auto mean = [count](std::int64_t value) { return (value + count / 2) / count; };
+    Operations part = sum;
+    for (ByWidth* kind : {&part.adds, &part.multiplications, &part.divisions})
+        for (std::int64_t& value : kind->counts) value = mean(value);
+    part.lookups = mean(sum.lookups);
+    part.bytes_read = mean(sum.bytes_read);
+    part.bytes_written = mean(sum.bytes_written);
+    return part;
+}
+
+Operations lighting_of(const std::array<StageOperations, kStageCount>& stages) {
+    const auto found =
+        std::find_if(stages.begin(), stages.end(), [](const auto& s) { return s.stage == "lit texels"; });
+    return found == stages.end() ? Operations{} : found->operations;
+}
+
+CountedCost count_cost(const Accuracy& accuracy, std::span<const FrameJob> jobs) {
+    CountedCost cost;
+    for (const FrameJob& job : jobs) {
+        job.frames.forget_surfaces(accuracy);
+        add(lighting_of(operations_by_stage(job.frames.count(job.view(), accuracy), accuracy)), cost.lighting);
+        add(sum_of(operations_by_stage(job.frames.count(job.view(), accuracy), accuracy)), cost.operations);
+    }
+    const auto frames = static_cast<std::int64_t>(jobs.size());
+    cost.operations = divided(cost.operations, frames);
+    cost.lighting = divided(cost.lighting, frames);
+    for (std::size_t i = 0; i < kProcessors.size(); ++i) {
+        cost.cycles[i] = cycles_on(kProcessors[i], cost.operations);
+        cost.lighting_cycles[i] = cycles_on(kProcessors[i], cost.lighting);
+    }
+    return cost;
+}
+
+/// The frame of each measure in which a setting is furthest off.
+struct WorstFrames {
+    std::array<std::size_t, 4> job{};
+    std::array<double, 4> rms{-1, -1, -1, -1};
+
+    void add(const PixelErrors& errors, std::size_t index) {
+        for (std::size_t measure = 0; measure < rms.size(); ++measure) {
+            const double found = rms_of(pixels_by(errors, static_cast<Measure>(measure)));
+            if (found <= rms[measure]) continue;
+            rms[measure] = found;
+            job[measure] = index;
+        }
+    }
+};
+
+SettingResult measure_setting(const Accuracy& accuracy, std::span<const FrameJob> jobs, std::size_t level_count,
+                              WorstFrames& worst) {
+    ErrorCollector all;
+    std::vector<ErrorCollector> by_level(level_count);
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+        const PixelErrors errors = jobs[i].measure(accuracy);
+        all.add(errors);
+        by_level[jobs[i].level].add(errors);
+        worst.add(errors, i);
+    }
+    SettingResult result{all.summarize(), {}, count_cost(accuracy, jobs)};
+    for (const ErrorCollector& level : by_level) result.by_level.push_back(level.summarize());
+    return result;
+}
+
+HeatMap draw_heat_map(const Configurations::Row& row, const Accuracy& accuracy, Measure measure, const FrameJob& job) {
+    const PixelErrors errors = job.measure(accuracy);
+    const std::vector<float>& values = pixels_by(errors, measure);
+    return {row.name, job.frames.level().name, job.camera, rms_of(values),
+            encode_indexed_png(heat_pixels(values, measure), kMeasuredMode.width_px, kMeasuredMode.height_px,
+                               heat_palette())};
+}
+
+/// Of a dial's setting with the largest error and of its most exact one, in the frame where the first is furthest off.
+std::vector<HeatMap> draw_heat_maps(const Configurations::DialRows& dial, const Report& report,
+                                    std::span<const FrameJob> jobs, std::span<const WorstFrames> worst) {
+    const auto rms = [&](const Configurations::Row& row) {
+        return summary_of(report.results[row.index].errors, dial.measure).rms;
+    };
+    const auto furthest =
+        std::max_element(dial.rows.begin(), dial.rows.end(), [&](auto& a, auto& b) { return rms(a) < rms(b); });
+    const FrameJob& job = jobs[worst[furthest->index].job[static_cast<std::size_t>(dial.measure)]];
+    const auto draw = [&](const Configurations::Row& row) {
+        return draw_heat_map(row, report.configurations.accuracies[row.index], dial.measure, job);
+    };
+    std::vector<HeatMap> maps{draw(*furthest)};
+    if (&*furthest != &dial.rows.back()) maps.push_back(draw(dial.rows.back()));
+    return maps;
+}
+
+Preparation prepare(std::span<const MeasuredPlace> places, int samples_per_axis, Progress& progress) {
+    Preparation prepared;
+    for (const MeasuredPlace& place : places) {
+        prepared.levels.emplace_back(place.level, place.colormap);
+        prepared.palettes.push_back(reference_palette(place.palette));
+        std::vector<FrameTruth>& truths = prepared.truths.emplace_back();
+        for (const Camera& camera : place.level.cameras) {
+            truths.push_back(make_frame_truth(place.level, camera, prepared.palettes.back(), samples_per_axis));
+            progress.step();
+        }
+    }
+    return prepared;
+}
+
+LevelSummary summary_of_level(const MeasuredLevel& level, std::span<const FrameTruth> truths) {
+    double close_calls = 0;
+    for (const FrameTruth& truth : truths) close_calls += static_cast<double>(truth.close_calls);
+    const double pixels = static_cast<double>(truths.size()) * kMeasuredMode.width_px * kMeasuredMode.height_px;
+    return {level.name, level.about, level.cameras.size(), level.exact.faces.size(), 1000 * close_calls / pixels};
+}
+
+}  // namespace
+
+Report measure_all(const Configurations& configurations, std::span<const MeasuredPlace> places, const Effort& effort,
+                   Progress& progress) {
+    Report report;
+    report.configurations = configurations;
+    report.samples_per_axis = effort.samples_per_axis;
+    report.is_quick = effort.is_quick;
+    for (const MeasuredPlace& place : places) report.frames += place.level.cameras.size();
+
+    progress.begin("the exact frames", report.frames, 0, 15);
+    Preparation prepared = prepare(places, effort.samples_per_axis, progress);
+    const std::vector<FrameJob> jobs = prepared.jobs();
+    for (std::size_t i = 0; i < places.size(); ++i)
+        report.levels.push_back(summary_of_level(places[i].level, prepared.truths[i]));
+
+    std::vector<WorstFrames> worst(configurations.accuracies.size());
+    progress.begin("errors and operations", worst.size(), 15, 45);
+    for (std::size_t i = 0; i < worst.size(); ++i, progress.step())
+        report.results.push_back(measure_setting(configurations.accuracies[i], jobs, places.size(), worst[i]));
+    for (const Configurations::DialRows& dial : configurations.dials)
+        report.heat_maps.push_back(draw_heat_maps(dial, report, jobs, worst));
+
+    progress.begin("times", static_cast<std::size_t>(effort.rounds), 45, 100);
+    report.times = time_frames(configurations, prepared.levels, effort.rounds, progress);
+    return report;
+}
+
+}  // namespace oblong

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "tools/accuracy/configurations.h"
+#include "tools/accuracy/errors.h"
+#include "tools/accuracy/frame_times.h"
+#include "tools/accuracy/level_frames.h"
+#include "tools/measure/operations.h"
+
+namespace oblong {
+
+/// What one setting's frames take by counting, means over the frames.
+struct CountedCost {
+    Operations operations;  ///< of a frame whose surfaces are lit already
+    Operations lighting;    ///< of building all surfaces of a frame
+    std::array<double, kProcessors.size()> cycles{}, lighting_cycles{};
+};
+
+struct SettingResult {
+    ErrorSummaries errors;
+    std::vector<ErrorSummaries> by_level;
+    CountedCost cost;
+};
+
+/// The errors of a frame as a picture: an indexed PNG.
+struct HeatMap {
+    std::string setting, level;
+    std::size_t camera = 0;
+    double rms = 0;
+    std::vector<std::uint8_t> png;
+};
+
+/// A level that was measured.
+struct LevelSummary {
+    std::string name, about;
+    std::size_t cameras = 0, faces = 0;
+    double close_calls_per_mille = 0;
+};
+
+/// All that was measured, and how.
+struct Report {
+    Configurations configurations;
+    std::vector<SettingResult> results;  ///< by accuracy
+    FrameTimes times;
+    std::vector<std::vector<HeatMap>> heat_maps;  ///< of each dial
+    std::vector<LevelSummary> levels;
+    std::size_t frames = 0;
+    int samples_per_axis = 0;
+    bool is_quick = false;
+    std::string machine, compiler;
+    double seconds = 0;
+};
+
+/// How much is measured.
+struct Effort {
+    int rounds = 31;
+    int samples_per_axis = 4;
+    bool is_quick = false;
+};
+
+/// Measures settings in the frames of these levels, all drawn with one palette each.
+struct MeasuredPlace {
+    const MeasuredLevel& level;
+    const Palette& palette;
+    const Colormap& colormap;
+};
+Report measure_all(const Configurations& configurations, std::span<const MeasuredPlace> places, const Effort& effort,
+                   Progress& progress);
+
+}  // namespace oblong
