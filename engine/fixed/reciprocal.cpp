@@ -20,7 +20,8 @@ template <int Bits>
 constexpr auto reciprocals_of_middles() {
     std::array<std::uint32_t, std::size_t{1} << Bits> table{};
     for (std::uint32_t i = 0; i < table.size(); ++i)
-        table[i] = static_cast<std::uint32_t>(nearest_quotient(kUnity62, kFirstMantissa + ((2 * i + 1) << (30 - Bits))));
+        table[i] =
+            static_cast<std::uint32_t>(nearest_quotient(kUnity62, kFirstMantissa + ((2 * i + 1) << (30 - Bits))));
     return table;
 }
 
