@@ -36,12 +36,11 @@ void fill_area(Framebuffer canvas, const Area& area, std::uint8_t colour) {
     for (std::int32_t row = 0; row < part.height_px; ++row) std::fill_n(part.row(row), part.width_px, colour);
 }
 
-void darken_area(Framebuffer canvas, const Area& area, const Colormap& colormap, int shade) {
-    const auto& darker = colormap.shades[static_cast<std::size_t>(shade)];
+void recolour_area(Framebuffer canvas, const Area& area, const ColourTable& table) {
     const Framebuffer part = part_of(canvas, area);
     for (std::int32_t row = 0; row < part.height_px; ++row)
         std::transform(part.row(row), part.row(row) + part.width_px, part.row(row),
-                       [&](std::uint8_t colour) { return darker[colour]; });
+                       [&](std::uint8_t colour) { return table[colour]; });
 }
 
 std::uint8_t nearest_colour(const Palette& palette, Rgb8 colour) {
@@ -49,6 +48,15 @@ std::uint8_t nearest_colour(const Palette& palette, Rgb8 colour) {
         return squared_distance(a, colour) < squared_distance(b, colour);
     });
     return static_cast<std::uint8_t>(nearest - palette.colours.begin());
+}
+
+ColourTable darker_colours(const Palette& palette, int brightness) {
+    const auto darker = [=](std::uint8_t channel) { return static_cast<std::uint8_t>(channel * brightness / 256); };
+    ColourTable table;
+    std::transform(palette.colours.begin(), palette.colours.end(), table.begin(), [&](Rgb8 colour) {
+        return nearest_colour(palette, {darker(colour.red), darker(colour.green), darker(colour.blue)});
+    });
+    return table;
 }
 
 }  // namespace oblong

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "engine/screen/screen.h"
@@ -21,10 +22,14 @@ Framebuffer part_of(Framebuffer canvas, const Area& area);
 /// Sets a pixel; one outside the canvas is left out. So are those of the functions below.
 void set_pixel(Framebuffer canvas, std::int32_t x, std::int32_t y, std::uint8_t colour);
 void fill_area(Framebuffer canvas, const Area& area, std::uint8_t colour);
-/// Replaces what is there by its shade in the colormap, 0 to 63.
-void darken_area(Framebuffer canvas, const Area& area, const Colormap& colormap, int shade);
+/// A colour for each colour.
+using ColourTable = std::array<std::uint8_t, 256>;
+/// Replaces what is there by its entries in a table.
+void recolour_area(Framebuffer canvas, const Area& area, const ColourTable& table);
 
 /// The palette's entry nearest to a colour, by the sum of the squares of the differences; glowing ones too.
 std::uint8_t nearest_colour(const Palette& palette, Rgb8 colour);
+/// The palette's colours nearest to its own at `brightness` of 256.
+ColourTable darker_colours(const Palette& palette, int brightness);
 
 }  // namespace oblong

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "game/drawing.h"
 #include "tools/common/font.h"
 
 namespace oblong {

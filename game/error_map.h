@@ -5,6 +5,7 @@
 
 #include "engine/screen/screen.h"
 #include "engine/surface/palette.h"
+#include "game/drawing.h"
 #include "game/text.h"
 #include "tools/measure/texel_error.h"
 
@@ -28,7 +29,7 @@ class ErrorMap {
     static std::size_t band_of(float pixels);
 
   private:
-    std::array<std::array<std::uint8_t, 256>, kBands> tints_{};  // by band and the colour of the picture
+    std::array<ColourTable, kBands> tints_{};  // by band and the colour of the picture
     std::array<std::uint8_t, kBands> swatches_{};
 };
 

@@ -1,7 +1,6 @@
 #include "game/lab.h"
 
 #include "game/comparison.h"
-#include "game/lab_panel.h"
 
 namespace oblong {
 
@@ -9,6 +8,7 @@ Lab::Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode)
     : data_(data),
       level_(level),
       colours_(text_colours_of(data.palette)),
+      panel_colours_(panel_colours_of(data.palette)),
       renderer_(data, level, mode),
       error_map_(data.palette) {}
 
@@ -41,7 +41,7 @@ void Lab::draw_exact_side(const LabOptions& options, const GameView& view, Setti
 std::int32_t Lab::draw_panel(const LabOptions& options, const GameView& view, const Settings& settings, Platform& clock,
                              Framebuffer canvas) {
     measures_.measure(view, settings, options.before, renderer_, meter(), clock);
-    draw_lab_panel(options, measures_.figures(), data_.palette, data_.colormap, canvas);
+    draw_lab_panel(options, measures_.figures(), panel_colours_, canvas);
     return canvas.height_px - lab_panel_rows(canvas);
 }
 

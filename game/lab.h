@@ -6,6 +6,7 @@
 #include "game/error_map.h"
 #include "game/lab_measures.h"
 #include "game/lab_options.h"
+#include "game/lab_panel.h"
 
 namespace oblong {
 
@@ -33,6 +34,7 @@ class Lab {
     const GameData& data_;
     const GameLevel& level_;
     TextColours colours_;
+    PanelColours panel_colours_;
     GameRenderer renderer_;
     std::optional<ErrorMeter> meter_;  // made when errors are first asked for
     ErrorMap error_map_;

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "game/drawing.h"
 #include "tools/common/font.h"
 
 namespace oblong {
 namespace {
 
-constexpr std::int32_t kRow_px = 9, kMargin_px = 3, kShade = 52;
+constexpr std::int32_t kRow_px = 9, kMargin_px = 3, kBackground = 40;
 constexpr std::size_t kDialRows = 7, kTextRows = 3;
 constexpr std::int32_t kPanelRows_px = static_cast<std::int32_t>(1 + kDialRows + kTextRows) * kRow_px + 2 * kMargin_px;
 constexpr std::size_t kDialColumns = 30;
@@ -21,23 +20,13 @@ constexpr Rgb8 kDim{130, 130, 130}, kBar{60, 110, 190}, kChosen{20, 60, 130};
 // The panel's canvas and colours.
 struct Panel {
     Framebuffer canvas;
-    TextColours bright, dim;
-    std::uint8_t bar, chosen;
+    const PanelColours& colours;
 
-    void write(std::int32_t x, std::size_t row, std::string_view line, TextColours colours) const {
-        draw_text(canvas, x, y_of(row), line, colours);
+    void write(std::int32_t x, std::size_t row, std::string_view line, TextColours text) const {
+        draw_text(canvas, x, y_of(row), line, text);
     }
     static std::int32_t y_of(std::size_t row) { return kMargin_px + static_cast<std::int32_t>(row) * kRow_px; }
 };
-
-Panel make_panel(const Palette& palette, Framebuffer canvas) {
-    const TextColours bright = text_colours_of(palette);
-    return {canvas,
-            bright,
-            {nearest_colour(palette, kDim), bright.dark},
-            nearest_colour(palette, kBar),
-            nearest_colour(palette, kChosen)};
-}
 
 // A value with the ways in which it can be turned.
 std::string turnable(const Dial& dial, const Accuracy& accuracy) {
@@ -50,8 +39,10 @@ void draw_dial(const Dial& dial, bool is_chosen, const Accuracy& accuracy, std::
     const std::string value = is_chosen ? turnable(dial, accuracy) : value_text(dial, dial.get(accuracy)) + " ";
     const std::string caption(dial.caption.substr(0, kDialColumns - std::min(value.size(), kDialColumns)));
     const std::string gap(kDialColumns - std::min(kDialColumns, caption.size() + value.size()), ' ');
-    if (is_chosen) fill_area(panel.canvas, {0, Panel::y_of(row), kMargin_px + kDials_px, kRow_px}, panel.chosen);
-    panel.write(kMargin_px, row, caption + gap + value, is_idle(dial, accuracy) ? panel.dim : panel.bright);
+    if (is_chosen)
+        fill_area(panel.canvas, {0, Panel::y_of(row), kMargin_px + kDials_px, kRow_px}, panel.colours.chosen);
+    panel.write(kMargin_px, row, caption + gap + value,
+                is_idle(dial, accuracy) ? panel.colours.dim : panel.colours.bright);
 }
 
 void draw_dials(const LabOptions& options, const Accuracy& accuracy, const Panel& panel) {
@@ -65,7 +56,7 @@ void draw_dials(const LabOptions& options, const Accuracy& accuracy, const Panel
     fill_area(panel.canvas,
               {kMargin_px + kDials_px + 1, Panel::y_of(1) + static_cast<std::int32_t>(first) * height / count, 1,
                static_cast<std::int32_t>(kDialRows) * height / count},
-              panel.bright.bright);
+              panel.colours.bright.bright);
 }
 
 std::uint64_t longest_of(const LabFigures& figures) {
@@ -83,16 +74,16 @@ void draw_time(std::string_view name, const TimedSetting& setting, std::uint64_t
     const std::optional<std::uint64_t> time_us = setting.times.median_us();
     if (!time_us) return panel.write(kTimes_px + kNames_px, row, "...", colours);
     const auto length = static_cast<std::int32_t>(*time_us * kLongestBar_px / longest_us);
-    fill_area(panel.canvas, {kTimes_px + kNames_px, Panel::y_of(row) + 1, length, kRow_px - 3}, panel.bar);
+    fill_area(panel.canvas, {kTimes_px + kNames_px, Panel::y_of(row) + 1, length, kRow_px - 3}, panel.colours.bar);
     panel.write(kTimes_px + kNames_px + length + 2, row, std::to_string(*time_us), colours);
 }
 
 void draw_times(const LabFigures& figures, const Panel& panel) {
     const std::uint64_t longest_us = longest_of(figures);
-    draw_time("now", figures.now, longest_us, 1, panel.bright, panel);
-    draw_time("before", figures.before, longest_us, 2, panel.bright, panel);
+    draw_time("now", figures.now, longest_us, 1, panel.colours.bright, panel);
+    draw_time("before", figures.before, longest_us, 2, panel.colours.bright, panel);
     for (std::size_t i = 0; i < kPresets.size(); ++i)
-        draw_time(name_of(kPresets[i]), figures.presets[i], longest_us, 3 + i, panel.bright, panel);
+        draw_time(name_of(kPresets[i]), figures.presets[i], longest_us, 3 + i, panel.colours.bright, panel);
 }
 
 std::string with_decimals(double value, int digits) {
@@ -140,19 +131,28 @@ std::int32_t lab_panel_rows(Framebuffer canvas) {
     return std::min(kPanelRows_px, canvas.height_px);
 }
 
-void draw_lab_panel(const LabOptions& options, const LabFigures& figures, const Palette& palette,
-                    const Colormap& colormap, Framebuffer canvas) {
+PanelColours panel_colours_of(const Palette& palette) {
+    const TextColours bright = text_colours_of(palette);
+    return {bright,
+            {nearest_colour(palette, kDim), bright.dark},
+            nearest_colour(palette, kBar),
+            nearest_colour(palette, kChosen),
+            darker_colours(palette, kBackground)};
+}
+
+void draw_lab_panel(const LabOptions& options, const LabFigures& figures, const PanelColours& colours,
+                    Framebuffer canvas) {
     const std::int32_t rows = lab_panel_rows(canvas);
     const Area area{0, canvas.height_px - rows, canvas.width_px, rows};
-    darken_area(canvas, area, colormap, kShade);
-    const Panel panel = make_panel(palette, part_of(canvas, area));
-    panel.write(kMargin_px, 0, "Arrows: dials, WASD: walk", panel.dim);
-    panel.write(kTimes_px, 0, "us a frame (median)", panel.dim);
+    recolour_area(canvas, area, colours.background);
+    const Panel panel{part_of(canvas, area), colours};
+    panel.write(kMargin_px, 0, "Arrows: dials, WASD: walk", panel.colours.dim);
+    panel.write(kTimes_px, 0, "us a frame (median)", panel.colours.dim);
     draw_dials(options, figures.now.accuracy, panel);
     draw_times(figures, panel);
-    panel.write(kMargin_px, 1 + kDialRows, describe_errors(figures), panel.bright);
-    panel.write(kMargin_px, 2 + kDialRows, describe_operations(figures.operations), panel.bright);
-    panel.write(kMargin_px, 3 + kDialRows, describe_frame_rates(figures), panel.bright);
+    panel.write(kMargin_px, 1 + kDialRows, describe_errors(figures), panel.colours.bright);
+    panel.write(kMargin_px, 2 + kDialRows, describe_operations(figures.operations), panel.colours.bright);
+    panel.write(kMargin_px, 3 + kDialRows, describe_frame_rates(figures), panel.colours.bright);
 }
 
 }  // namespace oblong

@@ -14,7 +14,7 @@ std::optional<std::uint64_t> RecentTimes::median_us() const {
     if (samples_.empty()) return std::nullopt;
     std::vector<std::uint64_t> times_us;
     for (const Sample& sample : samples_) times_us.push_back(sample.time_us);
-    const auto middle = times_us.begin() + static_cast<std::ptrdiff_t>(times_us.size() / 2);
+    const auto middle = times_us.begin() + static_cast<std::ptrdiff_t>((times_us.size() - 1) / 2);
     std::nth_element(times_us.begin(), middle, times_us.end());
     return *middle;
 }

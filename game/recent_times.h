@@ -14,7 +14,7 @@ class RecentTimes {
 
     /// Forgets what is older than the window before `now_us`, which never runs backwards.
     void add(std::uint64_t time_us, std::uint64_t now_us);
-    /// The middle one (of an even number: the larger of the two in the middle); none before the first.
+    /// The middle one (of an even number: the smaller of the two there; noise only adds); none before the first.
     std::optional<std::uint64_t> median_us() const;
     std::size_t count() const { return samples_.size(); }
 

@@ -37,10 +37,10 @@ void Session::run() {
 void Session::play_frame() {
     Controls controls = platform_.poll();
     const std::uint64_t now_us = platform_.now_us();
+    handle_commands(controls, now_us);
     if (!view_options_.lab.shows_panel) walk_by_arrows(controls);
     drag_split(shown_rect(), view_options_.lab, controls);
     input_.gather(controls);
-    handle_commands(controls, now_us);
     advance(now_us);
     draw(now_us);
 }

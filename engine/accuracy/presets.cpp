@@ -6,10 +6,20 @@ namespace oblong {
 
 namespace {
 
-Accuracy textured_by(Texturing texturing, std::int32_t subpixel_bits) {
+/// Whole pixels, short tables and sums instead of divisions.
+Accuracy of_1991() {
+    Accuracy accuracy;
+    accuracy.texturing = Texturing::Affine;
+    accuracy.subpixel_bits = 0;
+    accuracy.edges = EdgeStepping::Accumulated;
+    accuracy.reciprocal = ReciprocalMethod::Table256;
+    accuracy.sine = SineMethod::Lerp256;
+    return accuracy;
+}
+
+Accuracy textured_by(Texturing texturing) {
     Accuracy accuracy;
     accuracy.texturing = texturing;
-    accuracy.subpixel_bits = subpixel_bits;
     return accuracy;
 }
 
@@ -20,15 +30,15 @@ constexpr std::array<std::string_view, kPresets.size()> kNames{"1991", "1994", "
 Accuracy accuracy_of(Preset preset) {
     switch (preset) {
         case Preset::Year1991:
-            return textured_by(Texturing::Affine, 0);
+            return of_1991();
         case Preset::Year1994:
-            return textured_by(Texturing::Affine, 8);
+            return textured_by(Texturing::Affine);
         case Preset::Year1996:
-            return textured_by(Texturing::Every16, 8);
+            return textured_by(Texturing::Every16);
         case Preset::Bounded:
             break;
         case Preset::Exact:
-            return textured_by(Texturing::Exact, 8);
+            return textured_by(Texturing::Exact);
     }
     return {};
 }

@@ -24,7 +24,6 @@ Palette grey_palette() {
     return palette;
 }
 const Palette kPalette = grey_palette();
-const Colormap kColormap = make_colormap(kPalette, 0);
 const TextColours kColours = text_colours_of(kPalette);
 
 // A canvas of one colour with a border around it that nothing may touch.
@@ -95,7 +94,7 @@ void draw_everything(const ScreenMode& mode, const GuardedCanvas& guarded) {
         draw_split_names(options, "bounded, 3 dials turned", "exact", canvas.height_px, kColours, canvas);
     }
     for (options.dial = 0; options.dial < all_dials().size(); ++options.dial)
-        draw_lab_panel(options, long_figures(), kPalette, kColormap, canvas);
+        draw_lab_panel(options, long_figures(), panel_colours_of(kPalette), canvas);
     const std::int32_t bottom = ErrorMap(kPalette).draw_legend(canvas.height_px, kColours, canvas);
     draw_hud(hud, 0, draw_flip_names(options, {}, 0, bottom, kColours, canvas), kColours, canvas);
 }
@@ -115,7 +114,7 @@ TEST(Overlay, ThePanelsTextFits320Columns) {
     const GuardedCanvas guarded(640, 400);
     LabOptions options;
     for (options.dial = 0; options.dial < all_dials().size(); ++options.dial) {
-        draw_lab_panel(options, long_figures(), kPalette, kColormap, guarded.canvas());
+        draw_lab_panel(options, long_figures(), panel_colours_of(kPalette), guarded.canvas());
         const Area text = guarded.box_of([](std::uint8_t colour) { return colour == kColours.bright; });
         EXPECT_LE(text.x + text.width, 319) << all_dials()[options.dial].caption;  // and a column for the shadow
     }

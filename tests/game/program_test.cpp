@@ -53,6 +53,16 @@ TEST_F(Program, HeadlessWritesAPictureATick) {
               test::read_file_bytes(folder_ / "walk" / "00011.png"));
 }
 
+// The display is the window's business: the picture itself is another only for another projection.
+TEST_F(Program, AspectOptionsSetTheStart) {
+    ASSERT_EQ(run("--headless 1 --out usual"), 0) << said("err.txt");
+    ASSERT_EQ(run("--headless 1 --out squeezed --aspect-projection square"), 0) << said("err.txt");
+    ASSERT_EQ(run("--headless 1 --out shown --aspect-display square --aspect-projection display"), 0);
+    const auto picture = [&](const char* name) { return test::read_file_bytes(folder_ / name / "00000.png"); };
+    EXPECT_NE(picture("squeezed"), picture("usual"));
+    EXPECT_EQ(picture("shown"), picture("usual"));
+}
+
 TEST_F(Program, AReplayShowsWhatWasRecorded) {
     ASSERT_EQ(run("--headless 60 --out live --record walk.demo"), 0) << said("err.txt");
     ASSERT_EQ(run("--headless 60 --out again --replay walk.demo"), 0) << said("err.txt");
@@ -84,6 +94,8 @@ TEST_F(Program, EndsWith2ForWrongUsageAnd1ForBadFiles) {
                               "--display 4",
                               "--accuracy best",
                               "--scaling soft",
+                              "--aspect-projection 4:3",
+                              "--aspect-display wide",
                               "--headless 5",
                               "''",
                               "--fov ''",

@@ -3,7 +3,7 @@
 
 The demo level's sphere, straight ahead, must be as wide as high on screen, to 1 %, at every size of window, when both
 halves of the correction of aspect are on or both are off, and off by the pixel's shape when only one is; also on the
-whole screen.
+whole screen, and in the picture of all four combinations. While the lab is open, arrow keys do not turn the view.
 Ends with 77 where a program that it needs is missing."""
 import math
 import os
@@ -125,8 +125,17 @@ class Game:
     def look(self):
         return Picture(self.display.output('import', '-window', 'root', '-depth', '8', 'ppm:-'))
 
+    def look_at(self, x, y, size):
+        """A part of the screen."""
+        part = '%dx%d+%d+%d' % (size + (x, y))
+        return Picture(self.display.output('import', '-window', 'root', '-crop', part, '-depth', '8', 'ppm:-'))
+
     def shape(self):
         return self.look().shape()
+
+    def leave(self):
+        self.press('Escape')
+        self.process.wait(timeout=10)
 
 
 class Report:
@@ -169,6 +178,44 @@ def check_fullscreen(game, report):
     game.press('alt+Return')
 
 
+def check_four_aspects(game, report):
+    """Their pictures are small, and captions are on them: a sphere may lack a row."""
+    game.press('4')
+    half = (SIZES[0][0] // 2, SIZES[0][1] // 2)
+    for column, row, wanted in [(0, 0, 1), (1, 0, 5 / 6), (0, 1, 6 / 5), (1, 1, 1)]:
+        picture = game.look_at(column * half[0], row * half[1], half)
+        report.expect('4: column %d, row %d of four' % (column + 1, row + 1), picture.shape(), wanted, 2 * ROUND)
+    game.press('4')
+
+
+def check_arrows(start, report):
+    """By the upper half, which the lab leaves open; its message covers little of the sphere."""
+    game = start()
+    game.resize(SIZES[0])
+    upper = (SIZES[0][0], SIZES[0][1] * 45 // 100)
+    before = game.look_at(0, 0, upper).middle_x()
+    game.press('F7', 'Right', 'Left')
+    report.expect('F7: arrows do not turn the view', game.look_at(0, 0, upper).middle_x(), before, ROUND)
+    game.press('F7')
+    game.tool('keydown', 'Right')
+    time.sleep(0.1)
+    game.tool('keyup', 'Right')
+    time.sleep(0.5)
+    after = game.look_at(0, 0, upper)
+    has_turned = sum(after.columns) <= 1000 or after.middle_x() < before - 20
+    report.expect('F7 again: they do (1 if so)', int(has_turned), 1, 0)
+    game.leave()
+
+
+def check_options(start, report):
+    for options, wanted in [(['--aspect-projection', 'square'], 5 / 6), (['--aspect-display', 'square'], 6 / 5),
+                            (['--aspect-projection', 'square', '--aspect-display', 'square'], 1)]:
+        game = start(*options)
+        game.resize(SIZES[0])
+        report.expect(' '.join(options), game.shape(), wanted, ROUND)
+        game.leave()
+
+
 def check_leaving(game, report):
     game.press('Escape')
     for _ in range(50):
@@ -190,12 +237,17 @@ def main():
         level = demo_sphere.build(build, folder)
         display = Display()
         try:
-            game = Game(display, build + '/bin/oblong', level, '--palette', build + '/assets/palette.lmp',
-                        '--fov', FIELD_OF_VIEW, '--window', '%dx%d' % SIZES[0])
+            def start(*options):
+                return Game(display, build + '/bin/oblong', level, '--palette', build + '/assets/palette.lmp',
+                            '--fov', FIELD_OF_VIEW, '--window', '%dx%d' % SIZES[0], *options)
+            game = start()
             check_sizes(game, report)
             check_keys(game, report)
+            check_four_aspects(game, report)
             check_fullscreen(game, report)
             check_leaving(game, report)
+            check_options(start, report)
+            check_arrows(start, report)
         finally:
             display.end()
     return 1 if report.failures else 0
