@@ -23,7 +23,8 @@ struct Mark {
 
 double cost_of(const Report& report, CostAxis across, std::size_t index) {
     if (across == CostAxis::Here) return report.times.settings[index]->frame.median / 1000;
-    return report.results[index].cost.cycles[static_cast<std::size_t>(Processor::I486)] / 66e3;
+    return milliseconds_on(Processor::I486,
+                           report.results[index].cost.cycles[static_cast<std::size_t>(Processor::I486)]);
 }
 
 std::vector<Mark> marks_of(const Report& report, CostAxis across) {
@@ -167,7 +168,7 @@ std::string dial_chart(const Report& report, const Configurations::DialRows& dia
     const bool is_measured = dial.dial->changes_code;
     const auto error = [&](auto& row) { return summary_of(report.results[row.index].errors, dial.measure).rms; };
     const auto cost = [&](auto& row) {
-        return is_measured ? time_of(report, dial, row)->median / 1000 : cycles_of(report, dial, row) / 66e3;
+        return is_measured ? time_of(report, dial, row)->median / 1000 : milliseconds_of(report, dial, row);
     };
     double most_error = kLeastError, least_error = 1e9, most_cost = 0;
     for (const Configurations::Row& row : dial.rows) {

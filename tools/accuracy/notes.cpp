@@ -44,7 +44,7 @@ std::string reason_for(const Report& report, Measure measure, const Configuratio
 
 std::string cost_text(const Report& report, const Configurations::DialRows& dial, const Configurations::Row& row) {
     if (const auto time = time_of(report, dial, row)) return microseconds_text(time->median) + " a frame here";
-    return number_text(cycles_of(report, dial, row) / 66e3) + " ms on a 486 (modelled)";
+    return number_text(milliseconds_of(report, dial, row)) + " ms on a 486 (modelled)";
 }
 
 }  // namespace
@@ -71,10 +71,15 @@ std::optional<TimeSpread> time_of(const Report& report, const Configurations::Di
     return is_about_surfaces(dial.measure) && times->unlit ? *times->unlit : times->frame;
 }
 
-double cycles_of(const Report& report, const Configurations::DialRows& dial, const Configurations::Row& row) {
+double milliseconds_on(Processor processor, double cycles) {
+    return 1000 / frame_rate(processor, cycles);
+}
+
+double milliseconds_of(const Report& report, const Configurations::DialRows& dial, const Configurations::Row& row) {
     const CountedCost& cost = result_of(report, row).cost;
     const auto i486 = static_cast<std::size_t>(Processor::I486);
-    return cost.cycles[i486] + (is_about_surfaces(dial.measure) ? cost.lighting_cycles[i486] : 0);
+    return milliseconds_on(Processor::I486,
+                           cost.cycles[i486] + (is_about_surfaces(dial.measure) ? cost.lighting_cycles[i486] : 0));
 }
 
 std::vector<std::string> notes_on_order(const Report& report, const Configurations::DialRows& dial) {

@@ -29,8 +29,9 @@ std::vector<std::string> notes_on_presets(const Report& report);
 /// The time of a frame, ns: of one whose surfaces are all built, for a dial of light or mip levels. None if modelled.
 std::optional<TimeSpread> time_of(const Report& report, const Configurations::DialRows& dial,
                                   const Configurations::Row& row);
-/// Cycles on a 486 for the same frame.
-double cycles_of(const Report& report, const Configurations::DialRows& dial, const Configurations::Row& row);
+/// Milliseconds that a 486 at 66 MHz takes for the same frame: modelled.
+double milliseconds_of(const Report& report, const Configurations::DialRows& dial, const Configurations::Row& row);
+double milliseconds_on(Processor processor, double cycles);
 /// Whether a dial's cost lies in building lit surfaces.
 bool is_about_surfaces(Measure measure);
 

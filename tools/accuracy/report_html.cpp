@@ -157,7 +157,7 @@ std::string dial_table(const Report& report, const Configurations::DialRows& dia
         if (dial.measure == Measure::WrongPixels) cells.push_back(number_text(result.errors.close_calls.rms));
         const Operations& operations = is_about_surfaces(dial.measure) ? result.cost.lighting : result.cost.operations;
         cells.insert(cells.end(),
-                     {time_text(time_of(report, dial, row)), number_text(cycles_of(report, dial, row) / 66e3),
+                     {time_text(time_of(report, dial, row)), number_text(milliseconds_of(report, dial, row)),
                       number_text(static_cast<double>(operations.multiplications.total())),
                       number_text(static_cast<double>(operations.divisions.total())),
                       number_text(static_cast<double>(operations.lookups))});
