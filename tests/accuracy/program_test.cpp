@@ -1,6 +1,7 @@
 // The program's answers to wrong usage and bad input, all before it measures anything.
 
 #include "tests/bad_input/run_program.h"
+#include "tests/support/tiny_bsp.h"
 
 namespace oblong::test {
 namespace {
@@ -27,6 +28,17 @@ TEST(AccuracyProgram, NamesTheFileThatItCannotRead) {
         EXPECT_EQ(outcome.exit_code, 1);
         EXPECT_EQ(outcome.error.find("oblong-accuracy: " + level + ": "), 0u) << outcome.error;
     }
+}
+
+/// The tiny level's floor is at z = 8, solid below.
+TEST(AccuracyProgram, NamesTheCameraThatIsInAWall) {
+    const TemporaryFolder folder;
+    const std::string level = folder.write("tiny.bsp", join_lumps(29, make_tiny_lumps())),
+                      cameras = folder.write("cameras.csv", std::string("x,y,z,yaw,pitch\n9,9,50,0,0\n9,9,0,0,0\n"));
+    const Outcome outcome =
+        run_program({"oblong-accuracy", "--quick", "--out", folder.path("out"), level, "--cameras", cameras});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.error.find("oblong-accuracy: " + level + ": camera 2: in a wall"), 0u) << outcome.error;
 }
 
 TEST(AccuracyProgram, NamesTheFolderThatItCannotMake) {

@@ -32,6 +32,7 @@ void expect_setting(const Json& setting) {
     EXPECT_LE(setting["error"]["p99"], setting["error"]["max"]);
     const Json& cost = setting["cost"];
     EXPECT_GT(cost["operations"]["adds"]["64"], 0);
+    EXPECT_GT(cost["stages"]["pixels"], 10000);
     EXPECT_GT(cost["cycles_486"], cost["cycles_pentium"]);
     EXPECT_GT(cost["cycles_386"], cost["cycles_486"]);
     const bool is_measured = setting["time"] == "measured";

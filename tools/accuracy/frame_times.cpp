@@ -9,7 +9,7 @@ namespace oblong {
 
 namespace {
 
-constexpr int kMostUnlitRounds = 3;
+constexpr int kMostUnlitRounds = 7;
 
 /// The times of one frame by one setting, a round each.
 using Rounds = std::vector<double>;

@@ -17,7 +17,12 @@ MeasuredLevel make_measured_level(const std::string& name, const std::string& ab
         throw InputError("the reference's reading", error.what());
     }
     measured.models = models_at_rest(measured.level);
-    for (Camera& camera : measured.cameras) camera.eye = place_eye(measured.level, camera.eye).position;
+    for (std::size_t i = 0; i < measured.cameras.size(); ++i) {
+        const PlacedEye eye = place_eye(measured.level, measured.cameras[i].eye);
+        if (measured.level.leaves[eye.leaf].contents == contents::kSolid)
+            throw InputError("camera " + std::to_string(i + 1), "in a wall or outside, expected an eye in the open");
+        measured.cameras[i].eye = eye.position;
+    }
     return measured;
 }
 

@@ -74,9 +74,13 @@ CountedCost count_cost(const Accuracy& accuracy, std::span<const FrameJob> jobs)
     for (const FrameJob& job : jobs) {
         job.frames.forget_surfaces(accuracy);
         add(lighting_of(operations_by_stage(job.frames.count(job.view(), accuracy), accuracy)), cost.lighting);
-        add(sum_of(operations_by_stage(job.frames.count(job.view(), accuracy), accuracy)), cost.operations);
+        const auto stages = operations_by_stage(job.frames.count(job.view(), accuracy), accuracy);
+        add(sum_of(stages), cost.operations);
+        for (std::size_t i = 0; i < stages.size(); ++i)
+            cost.stages[i] = {stages[i].stage, cost.stages[i].events + stages[i].events};
     }
     const auto frames = static_cast<std::int64_t>(jobs.size());
+    for (StageEvents& stage : cost.stages) stage.events = (stage.events + frames / 2) / frames;
     cost.operations = divided(cost.operations, frames);
     cost.lighting = divided(cost.lighting, frames);
     for (std::size_t i = 0; i < kProcessors.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/accuracy/configurations.h"
@@ -12,10 +13,17 @@
 
 namespace oblong {
 
+/// How often a stage of a mean frame did its work.
+struct StageEvents {
+    std::string_view stage;
+    std::int64_t events = 0;
+};
+
 /// What one setting's frames take by counting, means over the frames.
 struct CountedCost {
-    Operations operations;  ///< of a frame whose surfaces are lit already
-    Operations lighting;    ///< of building all surfaces of a frame
+    std::array<StageEvents, kStageCount> stages{};  ///< of a frame whose surfaces are lit already
+    Operations operations;                          ///< of a frame whose surfaces are lit already
+    Operations lighting;                            ///< of building all surfaces of a frame
     std::array<double, kProcessors.size()> cycles{}, lighting_cycles{};
 };
 

@@ -74,6 +74,7 @@ Json cost_json(const Report& report, std::size_t index, bool is_measured) {
     }
     cost["nanoseconds"] = nullptr;
     if (is_measured && report.times.settings[index]) add_times(*report.times.settings[index], cost);
+    for (const StageEvents& stage : counted.stages) cost["stages"][std::string(stage.stage)] = stage.events;
     cost["lighting_operations"] = operations_json(counted.lighting);
     return cost;
 }
