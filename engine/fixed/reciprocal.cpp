@@ -6,7 +6,7 @@ namespace oblong {
 
 namespace {
 
-constexpr std::uint64_t kOne62 = std::uint64_t{1} << 62;
+constexpr std::uint64_t kUnity62 = std::uint64_t{1} << 62;
 constexpr std::uint64_t kFirstMantissa = std::uint64_t{1} << 31;
 
 constexpr std::uint64_t nearest_quotient(std::uint64_t n, std::uint64_t d) {
@@ -20,7 +20,8 @@ template <int Bits>
 constexpr auto reciprocals_of_middles() {
     std::array<std::uint32_t, std::size_t{1} << Bits> table{};
     for (std::uint32_t i = 0; i < table.size(); ++i)
-        table[i] = static_cast<std::uint32_t>(nearest_quotient(kOne62, kFirstMantissa + ((2 * i + 1) << (30 - Bits))));
+        table[i] =
+            static_cast<std::uint32_t>(nearest_quotient(kUnity62, kFirstMantissa + ((2 * i + 1) << (30 - Bits))));
     return table;
 }
 
@@ -29,7 +30,7 @@ constexpr auto kMiddles1024 = reciprocals_of_middles<10>();
 
 /// Newton's r + r (1 - m r) with `more_bits` (0 to 10) below the 31 of the result, which is floored.
 std::uint64_t newton_step(std::uint32_t mantissa, std::uint64_t r, int more_bits) {
-    const auto error_62 = static_cast<std::int64_t>(kOne62 - mantissa * r);
+    const auto error_62 = static_cast<std::int64_t>(kUnity62 - mantissa * r);
     // The tables are right within 2^-9, so that the error has 54 bits; 40 fraction bits of it are enough.
     const std::int64_t correction = static_cast<std::int64_t>(r) * floor_shift(error_62, 22);
     return (r << more_bits) + static_cast<std::uint64_t>(floor_shift(correction, 40 - more_bits));
@@ -62,7 +63,7 @@ std::uint32_t mantissa_reciprocal(std::uint32_t mantissa, ReciprocalMethod metho
         case ReciprocalMethod::Exact:
             break;
     }
-    return static_cast<std::uint32_t>(nearest_quotient(kOne62, mantissa));
+    return static_cast<std::uint32_t>(nearest_quotient(kUnity62, mantissa));
 }
 
 }  // namespace oblong

@@ -5,8 +5,8 @@
 
 #include "engine/effects/sky.h"
 #include "engine/fixed/arithmetic.h"
+#include "engine/frame/texture_spans.h"
 #include "engine/frame/workspace.h"
-#include "engine/raster/exact_spans.h"
 #include "engine/scene/face_surface.h"
 #include "engine/screen/screen.h"
 #include "engine/visibility/eye.h"
@@ -21,9 +21,7 @@ struct FrameContext {
     ViewContext view;
     InverseProjection inverse_projection;
     const Accuracy& accuracy;
-    BlockRule block_rule;
-    BlockCutter cut_blocks;
-    bool divides_each_pixel;
+    SpanTexturing texturing;
     Framebuffer out;
 };
 
@@ -62,14 +60,7 @@ FrameContext begin_frame(const Scene& scene, const Camera& camera, const ScreenM
 
     const ViewContext view = make_view(camera, eye.position, mode, settings);
     const Accuracy& accuracy = settings.accuracy;
-    return {scene,
-            view,
-            make_inverse_projection(view.projection),
-            accuracy,
-            make_block_rule(accuracy),
-            block_cutter(accuracy),
-            accuracy.texturing == Texturing::Exact && accuracy.reciprocal == ReciprocalMethod::Exact,
-            out};
+    return {scene, view, make_inverse_projection(view.projection), accuracy, make_span_texturing(accuracy), out};
 }
 
 /// The corners of a face, those at T-junctions only if the settings mend them.
@@ -87,13 +78,6 @@ bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspa
     if (visible.fragment)
         return project_polygon(work.brush_models.corners_of(*visible.fragment), frame.view, work.polygon);
     return project_face(corners_of(visible.face, frame, work), frame.view, work.vertices, work.polygon);
-}
-
-PixelRecord record_of(const VisibleFace& visible) {
-    PixelRecord record;
-    record.face = visible.face;
-    if (visible.fragment) record.model = visible.fragment->placed;
-    return record;
 }
 
 /// Collects sky spans for the sky pass, and fills faces whose effect is not on the plan with one colour of their
@@ -116,52 +100,6 @@ bool draw_without_surface(const VisibleFace& visible, const FrameContext& frame,
     return true;
 }
 
-void draw_waiting_blocks(const VisibleFace& visible, const FaceSurface& surface, Framebuffer out,
-                         FrameWorkspace& work) {
-    surface.kernel(work.blocks.waiting(), surface.view, out.pixels);
-    if (work.counts) count_writes(work.blocks.waiting(), *work.counts);
-    if (work.record) record_blocks(record_of(visible), work.blocks.waiting(), surface, *work.record);
-    work.blocks.clear();
-}
-
-/// The longest block of a face that rounding allows (longest_block_log2).
-int longest_block_of(const VisibleFace& visible, int mip, const FrameContext& frame, const FrameWorkspace& work) {
-    const WidthAtOne width = frame.inverse_projection.least_pixel_width;
-    const auto nearest_width = product<WidthAtOne>(work.polygon.nearest_z, width, Rounding::Floor);
-    const TexelDensity density = work.faces.faces[visible.face].least_density;
-    const auto texels = floor_shift(product<TexelDensity>(nearest_width, density, Rounding::Floor), mip);
-    return longest_block_log2(frame.block_rule, texels);
-}
-
-/// How the spans of one face are cut into blocks.
-struct BlockLimits {
-    BlockThresholds thresholds;
-    TexelLimits texels;
-};
-
-BlockLimits block_limits(const VisibleFace& visible, const FaceSurface& surface, InverseZ inverse_z_step,
-                         const FrameContext& frame, const FrameWorkspace& work) {
-    BlockLimits limits{{}, surface.limits};
-    if (frame.accuracy.texturing != Texturing::Bounded) return limits;
-    const int longest = longest_block_of(visible, surface.mip, frame, work);
-    limits.thresholds = make_block_thresholds(frame.block_rule, inverse_z_step, longest);
-    limits.texels.least = std::min(limits.texels.least, Texel::from_raw(std::int64_t{1} << longest));
-    return limits;
-}
-
-/// Cuts spans into blocks, then draws them.
-void draw_blocks(const VisibleFace& visible, const FaceSurface& surface, const TextureGradients& gradients,
-                 std::span<const Span> spans, const FrameContext& frame, FrameWorkspace& work) {
-    const BlockLimits limits = block_limits(visible, surface, gradients.inverse_z.per_column, frame, work);
-    for (const Span& span : spans) {
-        if (!work.blocks.has_room_for(span.end - span.first)) draw_waiting_blocks(visible, surface, frame.out, work);
-        const std::int32_t divisions = frame.cut_blocks(span, frame.out.pitch, gradients, frame.block_rule,
-                                                        limits.thresholds, limits.texels, work.blocks);
-        if (work.counts) work.counts->divisions += divisions;
-    }
-    draw_waiting_blocks(visible, surface, frame.out, work);
-}
-
 TextureGradients gradients_of(const VisibleFace& visible, const FaceSurface& surface, const FrameContext& frame,
                               const FrameWorkspace& work) {
     const Level& level = frame.scene.level;
@@ -174,16 +112,15 @@ TextureGradients gradients_of(const VisibleFace& visible, const FaceSurface& sur
     return rounded_to(gradients, accuracy.inverse_z_bits, accuracy.over_z_bits);
 }
 
-/// Draws spans of a face with its texture of one mip level. A frame that counts or records draws blocks always: they
-/// say what each pixel shows.
+/// Draws spans of a face with its texture of one mip level.
 void draw_textured(const VisibleFace& visible, int mip, std::span<const Span> spans, const FrameContext& frame,
                    FrameWorkspace& work) {
     const FaceSurface surface = work.surfaces.get(visible.face, mip, frame.scene.light_styles);
     const TextureGradients gradients = gradients_of(visible, surface, frame, work);
     if (work.counts) ++work.counts->stages.surfaces;
-    if (frame.divides_each_pixel && surface.is_wrapped_by_masks && !work.counts && !work.record)
-        return draw_exact_spans(spans, gradients, surface.limits, surface.view, frame.out);
-    draw_blocks(visible, surface, gradients, spans, frame, work);
+    const WidthAtOne width = frame.inverse_projection.least_pixel_width;
+    const TexturedFace face{visible, surface, gradients, work.faces.faces[visible.face].least_density, width};
+    draw_texture_spans(face, spans, frame.texturing, frame.out, work);
 }
 
 /// The mip level of a face for pixels no nearer than this.
@@ -247,7 +184,7 @@ void count_frame(std::int64_t nodes, std::int64_t texels_before, FrameWorkspace&
     stages.vertices = vertices.transformed;
     stages.projected = vertices.projected;
     stages.lit_texels = work.surfaces.built_texels() - texels_before;
-    for (const Span& span : work.sky_spans) stages.sky_pixels += span.end - span.first;
+    stages.sky_pixels = pixels_of(work.sky_spans);
     stages.flat_pixels -= stages.sky_pixels;
 }
 

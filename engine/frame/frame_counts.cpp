@@ -15,6 +15,12 @@ void count_run(std::uint32_t pixel, std::uint32_t count, std::vector<std::uint8_
 
 }  // namespace
 
+std::int64_t pixels_of(std::span<const Span> spans) {
+    std::int64_t pixels = 0;
+    for (const Span& span : spans) pixels += span.end - span.first;
+    return pixels;
+}
+
 FrameCounts make_frame_counts(const Framebuffer& out) {
     FrameCounts counts;
     counts.writes.resize(pixel_count(out.pitch, out.height_px));
@@ -25,8 +31,7 @@ FrameCounts make_frame_counts(const Framebuffer& out) {
 void count_face(EffectSet effects, std::span<const Span> spans, FrameCounts& counts) {
     ++counts.faces_drawn;
     counts.spans += static_cast<std::int64_t>(spans.size());
-    std::int64_t pixels = 0;
-    for (const Span& span : spans) pixels += span.end - span.first;
+    const std::int64_t pixels = pixels_of(spans);
     for (std::size_t effect = 0; effect < kEffectNames.size(); ++effect)
         if (effects.has(static_cast<Effect>(effect))) counts.effect_pixels[effect] += pixels;
 }

@@ -22,10 +22,11 @@ struct StageCounts {
     std::int64_t edge_rows = 0;        ///< steps down those edges
     std::int64_t claimed_rows = 0;     ///< rows of faces looked up in the span buffer
     std::int64_t surfaces = 0;         ///< for which gradients were made
-    std::int64_t blocks = 0;           ///< all of them
+    std::int64_t blocks = 0;           ///< all of them, those of one pixel for each of divided_pixels too
     std::int64_t last_blocks = 0;      ///< those of any length, with a division for each step
     std::int64_t textured_pixels = 0, flat_pixels = 0, sky_pixels = 0;
-    std::int64_t lit_texels = 0;  ///< built because the cache did not have them
+    std::int64_t divided_pixels = 0;  ///< textured ones with a division each (raster/exact_spans.h)
+    std::int64_t lit_texels = 0;      ///< built because the cache did not have them
 };
 
 /// Statistics of a frame, collected only on request (FrameWorkspace::counts).
@@ -36,6 +37,8 @@ struct FrameCounts {
     std::vector<std::int64_t> effect_pixels;  ///< of each Effect: those of the faces that need it
 };
 
+/// The pixels of spans.
+std::int64_t pixels_of(std::span<const Span> spans);
 /// Counts of a frame in `out` that has drawn nothing yet.
 FrameCounts make_frame_counts(const Framebuffer& out);
 

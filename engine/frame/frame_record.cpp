@@ -4,6 +4,13 @@
 
 namespace oblong {
 
+PixelRecord record_of(const VisibleFace& visible) {
+    PixelRecord record;
+    record.face = visible.face;
+    if (visible.fragment) record.model = visible.fragment->placed;
+    return record;
+}
+
 void record_spans(const PixelRecord& face, std::span<const Span> spans, Framebuffer out, FrameRecord& record) {
     for (const Span& span : spans) {
         const auto row = record.pixels.begin() + std::ptrdiff_t{span.y} * out.pitch;

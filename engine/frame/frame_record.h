@@ -7,6 +7,7 @@
 #include "engine/scene/face_surface.h"
 #include "engine/scene/placed_models.h"
 #include "engine/screen/screen.h"
+#include "engine/visibility/front_to_back.h"
 
 namespace oblong {
 
@@ -23,6 +24,8 @@ struct FrameRecord {
     std::vector<PixelRecord> pixels;  ///< one a pixel of the framebuffer, its pitch included
 };
 
+/// A pixel of a face, without texels.
+PixelRecord record_of(const VisibleFace& visible);
 /// Records pixels of spans that all show `face`, without texels.
 void record_spans(const PixelRecord& face, std::span<const Span> spans, Framebuffer out, FrameRecord& record);
 /// Records the texels of blocks of a surface, whose pixels are of `face`.

@@ -36,9 +36,10 @@ class FrameWorkspace {
     std::vector<VertexIndex> own_corners;  ///< of the current face, without those at T-junctions
     ScreenPolygon polygon;
     ScanlineExtents rows;
-    std::vector<Span> owned;      ///< what the current face claimed
-    std::vector<Span> of_mip;     ///< those of them that one mip level draws
-    std::vector<Span> sky_spans;  ///< what sky faces claimed, drawn last
+    std::vector<Span> owned;                      ///< what the current face claimed
+    std::vector<Span> of_mip;                     ///< those of them that one mip level draws
+    std::vector<Span> long_blocks, short_blocks;  ///< those that bounded texturing draws as blocks, and pixel by pixel
+    std::vector<Span> sky_spans;                  ///< what sky faces claimed, drawn last
     BlockList blocks;
     FaceSurfaces surfaces;
     BrushModels brush_models;

@@ -12,9 +12,11 @@ bool clip_and_project(unsigned outcodes, const ViewContext& view, ScreenPolygon&
     if (polygon.clip.polygon.size() < 3) return false;
     polygon.is_clipped = true;
     polygon.nearest_z = View::highest();
+    polygon.farthest_z = View{};
     polygon.screen.clear();
     for (const ClipVertex& vertex : polygon.clip.polygon) {
         polygon.nearest_z = std::min(polygon.nearest_z, vertex.position.z);
+        polygon.farthest_z = std::max(polygon.farthest_z, vertex.position.z);
         const ScreenVertex inside =
             to_screen_vertex(project(vertex.position, view.projection), view.projection, view.grid);
         polygon.screen.push_back(to_screen_border(inside, vertex.borders, view.projection));
@@ -25,9 +27,11 @@ bool clip_and_project(unsigned outcodes, const ViewContext& view, ScreenPolygon&
 void use_cached_projections(const ViewContext& view, ScreenPolygon& polygon) {
     polygon.is_clipped = false;
     polygon.nearest_z = View::highest();
+    polygon.farthest_z = View{};
     polygon.screen.clear();
     for (CachedVertex* corner : polygon.corners) {
         polygon.nearest_z = std::min(polygon.nearest_z, corner->view.z);
+        polygon.farthest_z = std::max(polygon.farthest_z, corner->view.z);
         polygon.screen.push_back(VertexCache::project_once(*corner, view));
     }
 }

@@ -14,8 +14,8 @@ struct ScreenPolygon {
     std::vector<CachedVertex*> corners;
     ClipScratch clip;
     std::vector<ScreenVertex> screen;
-    View nearest_z;           ///< of the part in view
-    bool is_clipped = false;  ///< its corners are its own, not those of the vertex cache
+    View nearest_z, farthest_z;  ///< of the part in view
+    bool is_clipped = false;     ///< its corners are its own, not those of the vertex cache
 };
 
 /// The polygon of a face of the level, from its vertices' indices, clockwise seen from its front: transform, clip,

@@ -116,7 +116,7 @@ TEST(BlockBound, FacedSquarelyIsOneDivision) {
     BlockList blocks(kWidth);
     const std::int32_t divisions =
         block_cutter(accuracy)({0, 0, kWidth}, kWidth, floor_row, rule, make_block_thresholds(rule, {}),
-                      make_texel_limits(65535, 65535, 0), blocks);
+                               make_texel_limits(65535, 65535, 0), blocks);
     EXPECT_EQ(divisions, 1);
     EXPECT_EQ(blocks.waiting().size(), 1u);
 }

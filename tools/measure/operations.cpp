@@ -123,34 +123,31 @@ EventCost reciprocal_cost(ReciprocalMethod method) {
     return kDivision;
 }
 
-bool divides_each_pixel(const Accuracy& accuracy) {
-    return accuracy.texturing == Texturing::Exact && accuracy.reciprocal == ReciprocalMethod::Exact;
-}
-
 StageOperations blocks_of(const FrameCounts& counts, const Accuracy& accuracy, const Widths& widths) {
     const StageCounts& stages = counts.stages;
-    StageOperations stage{"blocks", stages.blocks, {}};
-    if (divides_each_pixel(accuracy)) return stage;
-    add(stages.blocks, kInverseZAdvance, widths.inverse_z, stage);
-    add(stages.blocks, kOverZAdvance, widths.over_z, stage);
+    const std::int64_t blocks = stages.blocks - stages.divided_pixels;
+    StageOperations stage{"blocks", blocks, {}};
+    add(blocks, kInverseZAdvance, widths.inverse_z, stage);
+    add(blocks, kOverZAdvance, widths.over_z, stage);
+    add(blocks, kBlockRead, Width::Bits32, stage);
     add(stages.last_blocks, kLastBlock, Width::Bits32, stage);
-    if (accuracy.texturing == Texturing::Bounded) add(stages.blocks, kThresholdTest, widths.inverse_z, stage);
-    if (accuracy.texturing == Texturing::BoundedTexels) add(stages.blocks, kStraightTest, widths.inverse_z, stage);
+    if (accuracy.texturing == Texturing::Bounded) add(blocks, kThresholdTest, widths.inverse_z, stage);
+    if (accuracy.texturing == Texturing::BoundedTexels) add(blocks, kStraightTest, widths.inverse_z, stage);
     return stage;
 }
 
 StageOperations divisions_of(const FrameCounts& counts, const Accuracy& accuracy, const Widths& widths) {
-    if (divides_each_pixel(accuracy)) {
-        StageOperations stage = stage_of("1/z", counts.stages.textured_pixels, {3, 0, 1}, widths.inverse_z);
-        add(counts.stages.textured_pixels, {kExactPixel.adds - 3, kExactPixel.multiplications}, widths.over_z, stage);
-        return stage;
-    }
-    return stage_of("1/z", counts.divisions, reciprocal_cost(accuracy.reciprocal), widths.inverse_z);
+    const StageCounts& stages = counts.stages;
+    StageOperations stage = stage_of("1/z", counts.divisions - stages.divided_pixels,
+                                     reciprocal_cost(accuracy.reciprocal), widths.inverse_z);
+    stage.events += stages.divided_pixels;
+    add(stages.divided_pixels, {kExactPixel.adds - 3, kExactPixel.multiplications}, widths.over_z, stage);
+    add(stages.divided_pixels, {3, 0, kExactPixel.divisions}, widths.inverse_z, stage);
+    return stage;
 }
 
-StageOperations pixels_of(const FrameCounts& counts, const Accuracy& accuracy) {
+StageOperations textured_of(const FrameCounts& counts) {
     StageOperations stage = stage_of("pixels", counts.stages.textured_pixels, kPixel, Width::Bits32);
-    if (!divides_each_pixel(accuracy)) add(counts.stages.blocks, kBlockRead, Width::Bits32, stage);
     add(counts.stages.flat_pixels, kFlatPixel, Width::Bits32, stage);
     return stage;
 }
@@ -227,7 +224,7 @@ std::array<StageOperations, kStageCount> operations_by_stage(const FrameCounts& 
             surfaces_of(stages, accuracy, widths),
             blocks_of(counts, accuracy, widths),
             divisions_of(counts, accuracy, widths),
-            pixels_of(counts, accuracy),
+            textured_of(counts),
             sky_of(stages),
             lit_texels_of(stages, accuracy)};
 }

@@ -54,8 +54,7 @@ TexelError TexelErrorMeter::error_of(const PixelRecord& pixel, const reference::
     const auto place = plane.place_of(u, v);
     if (!place && !plane.place_of(exact.u, exact.v)) return {};  // a texture on edge, as it were
     const double distance = place ? length(place->x - centre.x, place->y - centre.y) : diagonal_px_;
-    return {static_cast<float>(std::min(distance, diagonal_px_)),
-            static_cast<float>(length(u - exact.u, v - exact.v))};
+    return {static_cast<float>(std::min(distance, diagonal_px_)), static_cast<float>(length(u - exact.u, v - exact.v))};
 }
 
 std::vector<TexelError> TexelErrorMeter::measure(const FrameRecord& record) {

@@ -6,7 +6,7 @@ namespace oblong::reference {
 
 /// Where a picture is seen from. The world is Quake's: x east, y north, z up.
 struct View {
-    Vec eye;  ///< in the open; on the plane of a face it does not see that face
+    Vec eye;                              ///< in the open; on the plane of a face it does not see that face
     double yaw = 0, pitch = 0, roll = 0;  ///< 1/65536 turn: counter-clockwise from +x seen from above; looking down;
                                           ///< leaning right
     double field_of_view = 90;            ///< degrees across the width

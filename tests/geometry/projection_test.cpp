@@ -1,6 +1,7 @@
+#include "engine/geometry/projection.h"
+
 #include <gtest/gtest.h>
 
-#include "engine/geometry/projection.h"
 #include "engine/geometry/texture_gradients.h"
 
 namespace oblong {

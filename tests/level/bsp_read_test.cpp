@@ -1,8 +1,9 @@
+#include "engine/level/bsp_read.h"
+
 #include <gtest/gtest.h>
 
 #include <bit>
 
-#include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
 #include "tests/support/tiny_bsp.h"
 

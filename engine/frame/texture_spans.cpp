@@ -1,0 +1,119 @@
+#include "engine/frame/texture_spans.h"
+
+#include <algorithm>
+
+#include "engine/fixed/arithmetic.h"
+#include "engine/frame/workspace.h"
+#include "engine/raster/exact_spans.h"
+
+namespace oblong {
+
+namespace {
+
+/// Blocks shorter than 2^3 pixels take longer than a division at each of their pixels.
+constexpr std::size_t kLeastBlockLog2 = 3;
+
+void draw_waiting_blocks(const TexturedFace& face, Framebuffer out, FrameWorkspace& work) {
+    face.surface.kernel(work.blocks.waiting(), face.surface.view, out.pixels);
+    if (work.counts) count_writes(work.blocks.waiting(), *work.counts);
+    if (work.record) record_blocks(record_of(face.visible), work.blocks.waiting(), face.surface, *work.record);
+    work.blocks.clear();
+}
+
+/// How the spans of one face are cut into blocks.
+struct BlockLimits {
+    BlockThresholds thresholds;
+    TexelLimits texels;
+};
+
+/// Cuts spans into blocks, then draws them.
+void draw_blocks(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
+                 BlockCutter cut_blocks, const BlockLimits& limits, Framebuffer out, FrameWorkspace& work) {
+    for (const Span& span : spans) {
+        if (!work.blocks.has_room_for(span.end - span.first)) draw_waiting_blocks(face, out, work);
+        const std::int32_t divisions =
+            cut_blocks(span, out.pitch, face.gradients, texturing.rule, limits.thresholds, limits.texels, work.blocks);
+        if (work.counts) work.counts->divisions += divisions;
+    }
+    draw_waiting_blocks(face, out, work);
+}
+
+/// A frame that counts or records draws blocks, to the same bytes: they say what each pixel shows.
+void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
+                          Framebuffer out, FrameWorkspace& work) {
+    const FaceSurface& surface = face.surface;
+    if (surface.is_wrapped_by_masks && !work.counts && !work.record)
+        return draw_exact_spans(spans, face.gradients, surface.limits, surface.view, out);
+    const std::int64_t divisions_before = work.counts ? work.counts->divisions : 0;
+    draw_blocks(face, spans, texturing, texturing.cut_pixels, {{}, surface.limits}, out, work);
+    if (!work.counts || !surface.is_wrapped_by_masks) return;
+    const std::int64_t pixels = pixels_of(spans);
+    work.counts->stages.divided_pixels += pixels;
+    work.counts->divisions = divisions_before + pixels;
+}
+
+/// The longest block of a face that rounding allows (longest_block_log2).
+int longest_block_of(const TexturedFace& face, View nearest_z, const BlockRule& rule) {
+    const auto nearest_width = product<WidthAtOne>(nearest_z, face.least_pixel_width, Rounding::Floor);
+    const auto texels = product<TexelDensity>(nearest_width, face.least_density, Rounding::Floor);
+    return longest_block_log2(rule, floor_shift(texels, face.surface.mip));
+}
+
+BlockLimits bounded_limits(const TexturedFace& face, View nearest_z, const BlockRule& rule) {
+    const int longest = longest_block_of(face, nearest_z, rule);
+    BlockLimits limits{make_block_thresholds(rule, face.gradients.inverse_z.per_column, longest), face.surface.limits};
+    limits.texels.least = std::min(limits.texels.least, Texel::from_raw(std::int64_t{1} << longest));
+    return limits;
+}
+
+/// Whether 1/z falls below `least` nowhere on the face.
+bool is_above(InverseZ least, View farthest_z) {
+    return product<InverseZ>(least, farthest_z) < InverseZ::from_int(1);
+}
+
+/// Splits a span where 1/z, which is linear along it, crosses `least`.
+void split_at(InverseZ least, const Span& span, const LinearQuantity<InverseZ>& inverse_z, std::vector<Span>& above,
+              std::vector<Span>& below) {
+    const InverseZ first = inverse_z.at(span.first, span.y), last = inverse_z.at(span.end - 1, span.y);
+    const bool begins_above = first >= least;
+    std::vector<Span>& beginning = begins_above ? above : below;
+    if (begins_above == (last >= least)) return beginning.push_back(span);
+    const InverseZ way = begins_above ? first - least : least - first - InverseZ::ulp();
+    const auto steps = static_cast<std::int32_t>(way.raw / absolute(inverse_z.per_column).raw);
+    const std::int32_t middle = std::min(span.first + steps + 1, span.end - 1);
+    beginning.push_back({span.y, span.first, middle});
+    (begins_above ? below : above).push_back({span.y, middle, span.end});
+}
+
+/// Blocks where they are long enough to be worth it.
+void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
+                  Framebuffer out, FrameWorkspace& work) {
+    const BlockLimits limits = bounded_limits(face, work.polygon.nearest_z, texturing.rule);
+    const InverseZ least = limits.thresholds.least_inverse_z[kLeastBlockLog2];
+    if (!texturing.divides_exactly || is_above(least, work.polygon.farthest_z))
+        return draw_blocks(face, spans, texturing, texturing.cut_blocks, limits, out, work);
+    work.long_blocks.clear();
+    work.short_blocks.clear();
+    for (const Span& span : spans) split_at(least, span, face.gradients.inverse_z, work.long_blocks, work.short_blocks);
+    draw_blocks(face, work.long_blocks, texturing, texturing.cut_blocks, limits, out, work);
+    divide_at_each_pixel(face, work.short_blocks, texturing, out, work);
+}
+
+}  // namespace
+
+SpanTexturing make_span_texturing(const Accuracy& accuracy) {
+    Accuracy pixels = accuracy;
+    pixels.texturing = Texturing::Exact;
+    return {accuracy.texturing, make_block_rule(accuracy), block_cutter(accuracy), block_cutter(pixels),
+            accuracy.reciprocal == ReciprocalMethod::Exact};
+}
+
+void draw_texture_spans(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
+                        Framebuffer out, FrameWorkspace& work) {
+    if (texturing.texturing == Texturing::Bounded) return draw_bounded(face, spans, texturing, out, work);
+    if (texturing.texturing == Texturing::Exact && texturing.divides_exactly)
+        return divide_at_each_pixel(face, spans, texturing, out, work);
+    draw_blocks(face, spans, texturing, texturing.cut_blocks, {{}, face.surface.limits}, out, work);
+}
+
+}  // namespace oblong

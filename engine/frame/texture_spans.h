@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+
+#include "engine/accuracy/accuracy.h"
+#include "engine/geometry/texture_gradients.h"
+#include "engine/raster/texture_blocks.h"
+#include "engine/scene/face_surface.h"
+#include "engine/screen/screen.h"
+#include "engine/visibility/front_to_back.h"
+
+namespace oblong {
+
+class FrameWorkspace;
+
+/// How spans are textured, by the accuracy settings; computed once a frame.
+struct SpanTexturing {
+    Texturing texturing = Texturing::Bounded;
+    BlockRule rule;
+    BlockCutter cut_blocks = nullptr;
+    BlockCutter cut_pixels = nullptr;  ///< blocks of one pixel
+    bool divides_exactly = true;       ///< false: by another method, for which there are blocks only
+};
+SpanTexturing make_span_texturing(const Accuracy& accuracy);
+
+/// A face on the screen with one mip level of its texture.
+struct TexturedFace {
+    const VisibleFace& visible;
+    const FaceSurface& surface;
+    const TextureGradients& gradients;
+    TexelDensity least_density;    ///< PreparedFace::least_density
+    WidthAtOne least_pixel_width;  ///< InverseProjection::least_pixel_width
+};
+
+/// Draws spans of a face whose polygon is `work.polygon`: as blocks, or with a division at each pixel where the
+/// settings ask for that, or where bounded blocks would be so short that it is cheaper.
+void draw_texture_spans(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
+                        Framebuffer out, FrameWorkspace& work);
+
+}  // namespace oblong
