@@ -1,1 +1,2 @@
-set(LINKS oblong_frame oblong_tool_cli)
+find_package(nlohmann_json REQUIRED)
+    set(LINKS oblong_tool_accuracy oblong_tool_demo_level oblong_tool_probe nlohmann_json::nlohmann_json)

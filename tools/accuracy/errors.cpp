@@ -21,6 +21,8 @@ const ErrorSummary& summary_of(const ErrorSummaries& errors, Measure measure) {
     switch (measure) {
         case Measure::WrongPixels:
             return errors.wrong;
+        case Measure::FreePixels:
+            return errors.free_pixels;
         case Measure::LightColour:
             return errors.light;
         case Measure::PixelColour:
@@ -35,6 +37,8 @@ std::string_view unit_of(Measure measure) {
     switch (measure) {
         case Measure::WrongPixels:
             return "wrong pixels per mille of a frame";
+        case Measure::FreePixels:
+            return "pixels without a face per mille of a frame";
         case Measure::LightColour:
         case Measure::PixelColour:
             return "RGB distance, 0 to 442";
@@ -47,8 +51,11 @@ std::string_view unit_of(Measure measure) {
 std::string_view about(Measure measure) {
     switch (measure) {
         case Measure::WrongPixels:
-            return "The share of pixels that show another face than the exact one, close calls left out; rms, 99th "
-                   "percentile and largest are over frames.";
+            return "The share of pixels that show another face than the exact one, close calls (an edge within "
+                   "1/512 pixel of the centre) counted apart; rms, 99th percentile and largest are over frames.";
+        case Measure::FreePixels:
+            return "The share of pixels that no face covers: cracks between faces, filled with the colour beside them; "
+                   "rms, 99th percentile and largest are over frames.";
         case Measure::LightColour:
             return "How far a pixel's colour is from that of the texel it shows times the exact light there, where mip "
                    "level 0 is drawn. The 256 colours of the palette are part of it.";
@@ -69,18 +76,22 @@ void ErrorCollector::add(const PixelErrors& frame) {
     std::vector<float> known;
     append_measured(frame.wrong, known);
     wrong_.push_back(per_mille(std::count(known.begin(), known.end(), 1.f), known.size()));
-    free_.push_back(per_mille(frame.free_pixels, frame.wrong.size()));
+    close_calls_.push_back(per_mille(frame.wrong_close_calls, frame.wrong.size()));
+    free_.push_back(per_mille(std::count(frame.free.begin(), frame.free.end(), 1.f), frame.free.size()));
 }
 
 ErrorSummaries ErrorCollector::summarize() const {
     return {summarize_errors(displacement_), summarize_errors(texels_), summarize_errors(wrong_),
-            summarize_errors(free_),         summarize_errors(light_),  summarize_errors(colour_)};
+            summarize_errors(close_calls_),  summarize_errors(free_),   summarize_errors(light_),
+            summarize_errors(colour_)};
 }
 
 const std::vector<float>& pixels_by(const PixelErrors& errors, Measure measure) {
     switch (measure) {
         case Measure::WrongPixels:
             return errors.wrong;
+        case Measure::FreePixels:
+            return errors.free;
         case Measure::LightColour:
             return errors.light;
         case Measure::PixelColour:

@@ -44,8 +44,8 @@ FrameTruth make_frame_truth(const MeasuredLevel& level, const Camera& camera, co
     const std::vector<reference::PlacedModel> models = reference_models(level.models);
     FrameTruth truth;
     for (const reference::Pixel& pixel : draw_with_close_calls(level.exact, models, view).pixels) {
-        truth.faces.push_back(pixel.is_close_call ? -1 : pixel.face);
-        truth.close_calls += pixel.is_close_call;
+        truth.faces.push_back(pixel.face);
+        truth.is_close_call.push_back(pixel.is_close_call);
     }
     truth.colours = draw_colours(level.exact, models, view, palette, samples_per_axis);
     return truth;
@@ -58,13 +58,15 @@ PixelErrors measure_frame(const DrawnFrame& frame) {
     for (std::size_t i = 0; i < texels.size(); ++i) {
         const PixelRecord& pixel = frame.record.pixels[i];
         const std::int32_t true_face = frame.truth.faces[i];
+        const bool is_close = frame.truth.is_close_call[i], is_wrong = true_face != pixel.face.number();
         const reference::ColourPixel& colour = frame.truth.colours[i];
         errors.displacement.push_back(texels[i].pixels);
         errors.texels.push_back(texels[i].texels);
-        errors.wrong.push_back(true_face < 0 ? -1.f : true_face == pixel.face.number() ? 0.f : 1.f);
+        errors.wrong.push_back(true_face < 0 || is_close ? -1.f : is_wrong ? 1.f : 0.f);
+        errors.wrong_close_calls += is_close && is_wrong;
         errors.light.push_back(light_error(frame, pixel, frame.pixels[i]));
         errors.colour.push_back(colour.is_excluded ? -1 : distance(frame.palette[frame.pixels[i]], colour.colour));
-        errors.free_pixels += pixel.face.is_none();
+        errors.free.push_back(pixel.face.is_none() ? 1.f : 0.f);
     }
     return errors;
 }

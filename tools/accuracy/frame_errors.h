@@ -14,8 +14,8 @@ namespace oblong {
 
 /// What a camera's frame shows in truth.
 struct FrameTruth {
-    std::vector<std::int32_t> faces;  ///< a pixel each; -1: none, or a close call
-    std::int64_t close_calls = 0;
+    std::vector<std::int32_t> faces;  ///< a pixel each; -1: none
+    std::vector<bool> is_close_call;
     std::vector<reference::ColourPixel> colours;  ///< means over the pixels
 };
 
@@ -39,12 +39,13 @@ struct DrawnFrame {
 struct PixelErrors {
     std::vector<float> displacement;  ///< of texels on the screen, pixels
     std::vector<float> texels;        ///< the same, texels of mip level 0
-    std::vector<float> wrong;         ///< 1: another face than the truth's, 0: the same
+    std::vector<float> wrong;         ///< 1: another face than the truth's, 0: the same; close calls left out
     /// Where mip level 0 is drawn: the distance in RGB, 0 to 255 a channel, from the shown texel's colour times the
     /// true light there.
     std::vector<float> light;
-    std::vector<float> colour;     ///< the distance in RGB from the mean colour of what the pixel covers
-    std::int64_t free_pixels = 0;  ///< that no face covers
+    std::vector<float> colour;  ///< the distance in RGB from the mean colour of what the pixel covers
+    std::int64_t wrong_close_calls = 0;
+    std::vector<float> free;  ///< 1: no face covers it, 0: one does
 };
 
 PixelErrors measure_frame(const DrawnFrame& frame);

@@ -23,6 +23,8 @@ HeatScale heat_scale(Measure measure) {
     switch (measure) {
         case Measure::WrongPixels:
             return {0.5, 1, "same face", "another face"};
+        case Measure::FreePixels:
+            return {0.5, 1, "a face", "no face"};
         case Measure::LightColour:
         case Measure::PixelColour:
             return {1, 256, "1", "256"};

@@ -4,6 +4,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/level/bsp_read.h"
+#include "engine/visibility/eye.h"
 
 namespace oblong {
 
@@ -16,6 +17,7 @@ MeasuredLevel make_measured_level(const std::string& name, const std::string& ab
         throw InputError("the reference's reading", error.what());
     }
     measured.models = models_at_rest(measured.level);
+    for (Camera& camera : measured.cameras) camera.eye = place_eye(measured.level, camera.eye).position;
     return measured;
 }
 

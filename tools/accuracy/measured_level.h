@@ -22,7 +22,8 @@ struct MeasuredLevel {
     std::vector<Camera> cameras;
 };
 
-/// From the bytes of a level file. Throws InputError.
+/// From the bytes of a level file. Eyes are moved clear of planes first, as frames do it (engine/visibility/eye.h), so
+/// that both see from the same place. Throws InputError.
 MeasuredLevel make_measured_level(const std::string& name, const std::string& about, std::span<const std::uint8_t> file,
                                   std::vector<Camera> cameras);
 

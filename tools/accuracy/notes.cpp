@@ -23,20 +23,21 @@ std::string reason_for(const Report& report, Measure measure, const Configuratio
                        const Configurations::Row& exact) {
     const ErrorSummaries &a = result_of(report, coarse).errors, &b = result_of(report, exact).errors;
     const ErrorSummary &before = summary_of(a, measure), &after = summary_of(b, measure);
+    if (measure == Measure::PixelColour || measure == Measure::LightColour)
+        return "It is compared with a mean of many samples: what is sharper or smoother is not always nearer to that "
+               "mean. The largest errors: " +
+               number_text(before.max) + " and " + number_text(after.max) + ".";
+    if (after.max < before.max)
+        return "Its largest error is smaller: " + number_text(after.max) + " instead of " + number_text(before.max) +
+               ". It bounds the worst and spends less on what is within the bound.";
     if (measure == Measure::Displacement && b.texels.rms < a.texels.rms)
         return "By texels it is closer: rms " + number_text(b.texels.rms) + " instead of " + number_text(a.texels.rms) +
                ". It bounds the error on the texture; where texels are many pixels wide, "
                "that lets more pixels pass.";
-    if (after.max < before.max)
-        return "Its largest error is smaller: " + number_text(after.max) + " instead of " + number_text(before.max) +
-               ". It bounds the worst and spends less on what is within the bound.";
     if (measure == Measure::Displacement && before.rms < 1.0 / 256)
         return "Both are below 1/256 pixel, the step of the screen's coordinates: roundings that this dial does not "
                "set "
                "remain.";
-    if (measure == Measure::PixelColour || measure == Measure::LightColour)
-        return "It is compared with a mean of many samples: what looks sharper or smoother is not always nearer to "
-               "that mean.";
     return "The largest errors: " + number_text(before.max) + " and " + number_text(after.max) +
            ". Settings of this dial are not ordered by this measure.";
 }

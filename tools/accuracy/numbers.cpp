@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace oblong {
 
@@ -18,7 +19,9 @@ std::string number_text(double value) {
     if (value == 0) return "0";
     const double size = std::abs(value);
     if (size < 1e-5) return "below 0.00001";
-    const int digits = static_cast<int>(std::floor(std::log10(size))) + 1;
+    char rounded[16];
+    std::snprintf(rounded, sizeof rounded, "%.2e", size);  // 9.999 has two digits before the point, not one
+    const int digits = std::atoi(rounded + 5) + 1;
     if (digits >= 3) {
         const double unit = std::pow(10, digits - 3);
         const std::string whole =

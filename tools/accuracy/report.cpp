@@ -88,8 +88,8 @@ CountedCost count_cost(const Accuracy& accuracy, std::span<const FrameJob> jobs)
 
 /// The frame of each measure in which a setting is furthest off.
 struct WorstFrames {
-    std::array<std::size_t, 4> job{};
-    std::array<double, 4> rms{-1, -1, -1, -1};
+    std::array<std::size_t, kMeasureCount> job{};
+    std::array<double, kMeasureCount> rms{};
 
     void add(const PixelErrors& errors, std::size_t index) {
         for (std::size_t measure = 0; measure < rms.size(); ++measure) {
@@ -157,7 +157,8 @@ Preparation prepare(std::span<const MeasuredPlace> places, int samples_per_axis,
 
 LevelSummary summary_of_level(const MeasuredLevel& level, std::span<const FrameTruth> truths) {
     double close_calls = 0;
-    for (const FrameTruth& truth : truths) close_calls += static_cast<double>(truth.close_calls);
+    for (const FrameTruth& truth : truths)
+        close_calls += static_cast<double>(std::count(truth.is_close_call.begin(), truth.is_close_call.end(), true));
     const double pixels = static_cast<double>(truths.size()) * kMeasuredMode.width_px * kMeasuredMode.height_px;
     return {level.name, level.about, level.cameras.size(), level.exact.faces.size(), 1000 * close_calls / pixels};
 }

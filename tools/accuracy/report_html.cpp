@@ -145,7 +145,7 @@ std::string presets_section(const Report& report) {
 std::string dial_table(const Report& report, const Configurations::DialRows& dial) {
     std::vector<std::string> headings{"setting", "rms", "99th percentile", "largest"};
     if (dial.measure == Measure::Displacement) headings.push_back("rms, texels");
-    if (dial.measure == Measure::WrongPixels) headings.push_back("no face, \u2030");
+    if (dial.measure == Measure::WrongPixels) headings.push_back("close calls, \u2030");
     headings.insert(headings.end(), {"\u00b5s (quartiles)", "486, ms", "multiplications", "divisions", "look-ups"});
     HtmlTable table(headings);
     for (const Configurations::Row& row : dial.rows) {
@@ -154,7 +154,7 @@ std::string dial_table(const Report& report, const Configurations::DialRows& dia
         std::vector<std::string> cells{row.name, number_text(error.rms), number_text(error.p99),
                                        number_text(error.max)};
         if (dial.measure == Measure::Displacement) cells.push_back(number_text(result.errors.texels.rms));
-        if (dial.measure == Measure::WrongPixels) cells.push_back(number_text(result.errors.free_pixels.rms));
+        if (dial.measure == Measure::WrongPixels) cells.push_back(number_text(result.errors.close_calls.rms));
         const Operations& operations = is_about_surfaces(dial.measure) ? result.cost.lighting : result.cost.operations;
         cells.insert(cells.end(),
                      {time_text(time_of(report, dial, row)), number_text(cycles_of(report, dial, row) / 66e3),
@@ -174,6 +174,7 @@ std::string heat_map(const HeatMap& map) {
 }
 
 std::string heat_maps(const std::vector<HeatMap>& maps, Measure measure) {
+    if (maps.front().rms == 0) return paragraph("No pixel of any frame is off by this measure: no map.", "soft");
     const HeatScale scale = heat_scale(measure);
     std::string page = "<div class=\"maps\">\n";
     for (const HeatMap& map : maps) page += heat_map(map);
