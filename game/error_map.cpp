@@ -11,7 +11,7 @@ namespace {
 // From cold to hot, in colours that Quake's palette has too. All but the first, which is for what is nearly exact, are
 // bright.
 constexpr std::array<Rgb8, ErrorMap::kBands> kColours{
-    {{90, 90, 90}, {40, 60, 220}, {110, 170, 240}, {250, 230, 40}, {240, 130, 30}, {230, 20, 20}, {255, 250, 250}}};
+    {{90, 90, 90}, {40, 60, 220}, {150, 200, 250}, {250, 230, 40}, {240, 130, 30}, {230, 20, 20}, {255, 250, 250}}};
 constexpr std::array<std::string_view, ErrorMap::kBands> kLabels{"less", "1/8 px", "1/4 px", "1/2 px",
                                                                  "1 px", "2 px",   "4 px"};
 constexpr std::int32_t kSwatch_px = 4;
