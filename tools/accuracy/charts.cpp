@@ -11,7 +11,7 @@ namespace oblong {
 
 namespace {
 
-constexpr double kFont = 12, kCharacter = 6.6;  ///< height and mean width of a letter, as the style sets it
+constexpr double kFont = 12, kCharacter = 7.4;  ///< height and width of a wide letter, as the style sets it
 constexpr double kLeastError = 1e-5;
 
 /// A point of the chart: a setting, the names it goes by.
@@ -60,7 +60,7 @@ class Labels {
         taken_.push_back({point.x - radius, point.y - radius, point.x + radius, point.y + radius});
     }
 
-    /// To the right of a point, to its left, above or below; where none is free, nowhere unless it must be.
+    /// To the right of a point, to its left, above or below; where none is free, nowhere, or over others if it must be.
     void add(DrawingPoint point, const std::string& name, std::string_view css_class, bool is_needed) {
         const double width = static_cast<double>(name.size()) * kCharacter;
         const std::array<DrawingPoint, 6> corners{{{point.x + 9, point.y - kFont / 2},
@@ -71,7 +71,7 @@ class Labels {
                                                    {point.x + 7, point.y + 7}}};
         for (const DrawingPoint& corner : corners)
             if (is_free(corner, width)) return put(corner, width, name, css_class);
-        if (is_needed) put(corners[0], width, name, css_class);
+        if (is_needed) put(corners[point.x + 9 + width > frame_.right ? 1 : 0], width, name, css_class);
     }
 
   private:
