@@ -42,10 +42,12 @@ void draw_blocks(const TexturedFace& face, std::span<const Span> spans, const Sp
 void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
                           Framebuffer out, FrameWorkspace& work) {
     const FaceSurface& surface = face.surface;
+    TexelLimits limits = surface.limits;
+    limits.least = {};  // without steps nothing drifts
     if (surface.is_wrapped_by_masks && !work.counts && !work.record)
-        return draw_exact_spans(spans, face.gradients, surface.limits, surface.view, out);
+        return draw_exact_spans(spans, face.gradients, limits, surface.view, out);
     const std::int64_t divisions_before = work.counts ? work.counts->divisions : 0;
-    draw_blocks(face, spans, texturing, texturing.cut_pixels, {{}, surface.limits}, out, work);
+    draw_blocks(face, spans, texturing, texturing.cut_pixels, {{}, limits}, out, work);
     if (!work.counts || !surface.is_wrapped_by_masks) return;
     const std::int64_t pixels = pixels_of(spans);
     work.counts->stages.divided_pixels += pixels;
