@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "tools/accuracy/notes.h"
 #include "tools/accuracy/numbers.h"
@@ -123,36 +124,28 @@ std::string caption_of(const Mark& mark, CostAxis across) {
            (across == CostAxis::Here ? " \u00b5s" : " ms") + " a frame";
 }
 
-}  // namespace
+/// The least and the greatest cost and error.
+struct Extent {
+    Tradeoff least, greatest;
 
-std::string tradeoff_chart(const Report& report, CostAxis cost, double width, const std::string& css_class) {
-    const std::vector<Mark> marks = marks_of(report, cost);
-    std::vector<Tradeoff> all;
-    double least_cost = marks[0].at.cost, most_cost = least_cost, least = marks[0].at.error, most = least;
-    for (const Mark& mark : marks) {
-        all.push_back(mark.at);
-        least_cost = std::min(least_cost, mark.at.cost);
-        most_cost = std::max(most_cost, mark.at.cost);
-        least = std::min(least, mark.at.error);
-        most = std::max(most, mark.at.error);
+    explicit Extent(const std::vector<Mark>& marks) : least(marks[0].at), greatest(marks[0].at) {
+        for (const Mark& mark : marks) {
+            least.cost = std::min(least.cost, mark.at.cost);
+            least.error = std::min(least.error, mark.at.error);
+            greatest.cost = std::max(greatest.cost, mark.at.cost);
+            greatest.error = std::max(greatest.error, mark.at.error);
+        }
     }
-    const double height = 400;
-    const Box frame{52, 24, width - 12, height - 42};
-    const LogAxis across(least_cost / 1.06, most_cost * 1.06, frame.left, frame.right);
-    const LogAxis down(least / 2, most * 2, frame.bottom, frame.top);
-    Svg svg(width, height, css_class, "Error against cost of all settings");
-    draw_axes(svg, frame, across, down, cost);
+};
 
-    const std::vector<Tradeoff> front = pareto_front(all);
-    svg.polyline(steps_of(front, frame, across, down), "front");
+/// Dots, and names of the presets and of what is on the front.
+void draw_marks(Svg& svg, const std::vector<Mark>& marks, const std::vector<Tradeoff>& front, const Box& frame,
+                CostAxis cost, const std::function<DrawingPoint(const Mark&)>& place) {
     Labels labels(svg, frame);
-    const auto place = [&](const Mark& mark) {
-        return DrawingPoint{across.place(mark.at.cost), down.place(mark.at.error)};
-    };
     for (const Mark& mark : marks) {
-        svg.circle(place(mark), mark.is_preset ? 6 : 3.5, mark.is_preset ? "preset" : "setting",
-                   caption_of(mark, cost));
-        labels.reserve(place(mark), mark.is_preset ? 6 : 3.5);
+        const double radius = mark.is_preset ? 6 : 3.5;
+        svg.circle(place(mark), radius, mark.is_preset ? "preset" : "setting", caption_of(mark, cost));
+        labels.reserve(place(mark), radius);
     }
     const auto is_on_front = [&](const Mark& mark) {
         return std::any_of(front.begin(), front.end(), [&](const Tradeoff& p) { return p.index == mark.at.index; });
@@ -161,47 +154,82 @@ std::string tradeoff_chart(const Report& report, CostAxis cost, double width, co
         if (mark.is_preset) labels.add(place(mark), mark.name, "name", true);
     for (const Mark& mark : marks)
         if (!mark.is_preset && is_on_front(mark)) labels.add(place(mark), mark.name, "tick", false);
+}
+
+/// What the bars of a dial's chart are drawn by.
+struct DialBars {
+    static constexpr double kRow = 24, kErrorLeft = 118, kErrorRight = 226, kCostLeft = 292, kCostRight = 400;
+
+    const Report& report;
+    const Configurations::DialRows& dial;
+    double least_error = 1e9, most_error = kLeastError, most_cost = 0;
+
+    DialBars(const Report& of, const Configurations::DialRows& rows) : report(of), dial(rows) {
+        for (const Configurations::Row& row : dial.rows) {
+            most_error = std::max(most_error, error(row));
+            least_error = std::min(least_error, std::max(error(row), kLeastError));
+            most_cost = std::max(most_cost, is_measured() ? time_of(report, dial, row)->high / 1000 : cost(row));
+        }
+    }
+    bool is_measured() const { return dial.dial->changes_code; }
+    double error(const Configurations::Row& row) const {
+        return summary_of(report.results[row.index].errors, dial.measure).rms;
+    }
+    double cost(const Configurations::Row& row) const {
+        return is_measured() ? time_of(report, dial, row)->median / 1000 : milliseconds_of(report, dial, row);
+    }
+    double cost_place(double cost) const { return kCostLeft + cost / most_cost * (kCostRight - kCostLeft); }
+
+    void draw(const Configurations::Row& row, double top, Svg& svg) const {
+        const double base = top + 14, shown = std::max(error(row), least_error / 2);
+        const double error_end = LogAxis(least_error / 2, most_error, kErrorLeft, kErrorRight).place(shown);
+        const bool is_default = row.index == report.configurations.default_index;
+        svg.text({kErrorLeft - 6, base}, "end", is_default ? "name" : "tick", row.name);
+        svg.rectangle({kErrorLeft, top + 3}, error_end - kErrorLeft, 14, "error");
+        svg.text({error_end + 4, base}, "start", "tick", number_text(error(row)));
+        double end = cost_place(cost(row));
+        svg.rectangle({kCostLeft, top + 3}, end - kCostLeft, 14, is_measured() ? "cost" : "cost modelled");
+        if (is_measured()) {
+            const TimeSpread spread = *time_of(report, dial, row);
+            end = cost_place(spread.high / 1000);
+            svg.line({cost_place(spread.low / 1000), top + 10}, {end, top + 10}, "spread");
+        }
+        svg.text({end + 6, base}, "start", "tick", number_text(cost(row)));
+    }
+};
+
+}  // namespace
+
+std::string tradeoff_chart(const Report& report, CostAxis cost, double width, const std::string& css_class) {
+    const std::vector<Mark> marks = marks_of(report, cost);
+    const Extent extent(marks);
+    const double height = 400;
+    const Box frame{52, 24, width - 12, height - 42};
+    const LogAxis across(extent.least.cost / 1.06, extent.greatest.cost * 1.06, frame.left, frame.right);
+    const LogAxis down(extent.least.error / 2, extent.greatest.error * 2, frame.bottom, frame.top);
+    Svg svg(width, height, css_class, "Error against cost of all settings");
+    draw_axes(svg, frame, across, down, cost);
+
+    std::vector<Tradeoff> all;
+    for (const Mark& mark : marks) all.push_back(mark.at);
+    const std::vector<Tradeoff> front = pareto_front(all);
+    svg.polyline(steps_of(front, frame, across, down), "front");
+    draw_marks(svg, marks, front, frame, cost, [&](const Mark& mark) {
+        return DrawingPoint{across.place(mark.at.cost), down.place(mark.at.error)};
+    });
     return svg.str();
 }
 
 std::string dial_chart(const Report& report, const Configurations::DialRows& dial) {
-    const bool is_measured = dial.dial->changes_code;
-    const auto error = [&](auto& row) { return summary_of(report.results[row.index].errors, dial.measure).rms; };
-    const auto cost = [&](auto& row) {
-        return is_measured ? time_of(report, dial, row)->median / 1000 : milliseconds_of(report, dial, row);
-    };
-    double most_error = kLeastError, least_error = 1e9, most_cost = 0;
-    for (const Configurations::Row& row : dial.rows) {
-        most_error = std::max(most_error, error(row));
-        least_error = std::min(least_error, std::max(error(row), kLeastError));
-        most_cost = std::max(most_cost, is_measured ? time_of(report, dial, row)->high / 1000 : cost(row));
-    }
-    constexpr double kRow = 24, kErrorLeft = 118, kErrorRight = 226, kCostLeft = 292, kCostRight = 400;
-    const LogAxis errors(least_error / 2, most_error, kErrorLeft, kErrorRight);
-    const double height = 22 + kRow * static_cast<double>(dial.rows.size());
-    Svg svg(460, height, "dial", "Error and cost of the settings of " + std::string(dial.dial->name));
-    svg.text({kErrorLeft, 14}, "start", "axis", "rms error, log scale");
-    svg.text({kCostLeft, 14}, "start", "axis", is_measured ? "\u00b5s a frame, measured" : "486: ms, modelled");
-    double top = 22;
-    for (const Configurations::Row& row : dial.rows) {
-        const double base = top + 14, end = kCostLeft + cost(row) / most_cost * (kCostRight - kCostLeft);
-        const bool is_default = row.index == report.configurations.default_index;
-        svg.text({kErrorLeft - 6, base}, "end", is_default ? "name" : "tick", row.name);
-        svg.rectangle({kErrorLeft, top + 3}, errors.place(std::max(error(row), least_error / 2)) - kErrorLeft, 14,
-                      "error");
-        svg.text({errors.place(std::max(error(row), least_error / 2)) + 4, base}, "start", "tick",
-                 number_text(error(row)));
-        svg.rectangle({kCostLeft, top + 3}, end - kCostLeft, 14, is_measured ? "cost" : "cost modelled");
-        double label = end;
-        if (is_measured) {
-            const TimeSpread spread = *time_of(report, dial, row);
-            const auto x = [&](double time) { return kCostLeft + time / 1000 / most_cost * (kCostRight - kCostLeft); };
-            svg.line({x(spread.low), top + 10}, {x(spread.high), top + 10}, "spread");
-            label = x(spread.high);
-        }
-        svg.text({label + 6, base}, "start", "tick", number_text(cost(row)));
-        top += kRow;
-    }
+    const DialBars bars(report, dial);
+    constexpr double kTop = 22;
+    Svg svg(460, kTop + DialBars::kRow * static_cast<double>(dial.rows.size()), "dial",
+            "Error and cost of the settings of " + std::string(dial.dial->name));
+    svg.text({DialBars::kErrorLeft, 14}, "start", "axis", "rms error, log scale");
+    svg.text({DialBars::kCostLeft, 14}, "start", "axis",
+             bars.is_measured() ? "\u00b5s a frame, measured" : "486: ms, modelled");
+    for (std::size_t i = 0; i < dial.rows.size(); ++i)
+        bars.draw(dial.rows[i], kTop + DialBars::kRow * static_cast<double>(i), svg);
     return svg.str();
 }
 
