@@ -39,7 +39,8 @@ Measure measure_of(const Dial& dial) {
     const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
         return std::find(names.begin(), names.end(), dial.name) != names.end();
     };
-    if (is_one_of({"subpixel-bits", "edges"})) return Measure::WrongPixels;
+    if (is_one_of({"subpixel-bits"})) return Measure::WrongPixels;
+    if (is_one_of({"edges"})) return Measure::EdgePixels;
     if (is_one_of({"t-junctions"})) return Measure::FreePixels;
     if (is_one_of({"light", "shades", "dither"})) return Measure::LightColour;
     if (is_one_of({"mip", "mip-bias"})) return Measure::PixelColour;

@@ -13,6 +13,7 @@ namespace oblong {
 enum class Measure {
     Displacement,  ///< how far texels are from their places on the screen
     WrongPixels,   ///< how many pixels show another face
+    EdgePixels,    ///< how many pixels show another face than with exact edges
     FreePixels,    ///< how many pixels no face covers
     LightColour,   ///< how far the colours of texels are from those the light gives them
     PixelColour    ///< how far pixels are from the mean colour of what they cover
@@ -42,7 +43,7 @@ struct Configurations {
 /// presets.
 Configurations make_configurations(std::span<const Dial> dials);
 
-inline constexpr std::size_t kMeasureCount = 5;
+inline constexpr std::size_t kMeasureCount = 6;
 
 Measure measure_of(const Dial& dial);
 /// What lit surfaces depend on.

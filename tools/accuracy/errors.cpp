@@ -21,6 +21,8 @@ const ErrorSummary& summary_of(const ErrorSummaries& errors, Measure measure) {
     switch (measure) {
         case Measure::WrongPixels:
             return errors.wrong;
+        case Measure::EdgePixels:
+            return errors.edges;
         case Measure::FreePixels:
             return errors.free_pixels;
         case Measure::LightColour:
@@ -37,6 +39,8 @@ std::string_view unit_of(Measure measure) {
     switch (measure) {
         case Measure::WrongPixels:
             return "wrong pixels per mille of a frame";
+        case Measure::EdgePixels:
+            return "pixels changed per mille of a frame";
         case Measure::FreePixels:
             return "pixels without a face per mille of a frame";
         case Measure::LightColour:
@@ -53,6 +57,9 @@ std::string_view about(Measure measure) {
         case Measure::WrongPixels:
             return "The share of pixels that show another face than the exact one, close calls (an edge within "
                    "1/512 pixel of the centre) counted apart; rms, 99th percentile and largest are over frames.";
+        case Measure::EdgePixels:
+            return "The share of pixels that show another face than with exact edges between the same corners, close "
+                   "calls among them; rms, 99th percentile and largest are over frames.";
         case Measure::FreePixels:
             return "The share of pixels that no face covers: cracks between faces, filled with the colour beside them; "
                    "rms, 99th percentile and largest are over frames.";
@@ -76,20 +83,23 @@ void ErrorCollector::add(const PixelErrors& frame) {
     std::vector<float> known;
     append_measured(frame.wrong, known);
     wrong_.push_back(per_mille(std::count(known.begin(), known.end(), 1.f), known.size()));
+    edges_.push_back(per_mille(std::count(frame.edges.begin(), frame.edges.end(), 1.f), frame.edges.size()));
     close_calls_.push_back(per_mille(frame.wrong_close_calls, frame.wrong.size()));
     free_.push_back(per_mille(std::count(frame.free.begin(), frame.free.end(), 1.f), frame.free.size()));
 }
 
 ErrorSummaries ErrorCollector::summarize() const {
-    return {summarize_errors(displacement_), summarize_errors(texels_), summarize_errors(wrong_),
-            summarize_errors(close_calls_),  summarize_errors(free_),   summarize_errors(light_),
-            summarize_errors(colour_)};
+    return {summarize_errors(displacement_), summarize_errors(texels_),      summarize_errors(wrong_),
+            summarize_errors(edges_),        summarize_errors(close_calls_), summarize_errors(free_),
+            summarize_errors(light_),        summarize_errors(colour_)};
 }
 
 const std::vector<float>& pixels_by(const PixelErrors& errors, Measure measure) {
     switch (measure) {
         case Measure::WrongPixels:
             return errors.wrong;
+        case Measure::EdgePixels:
+            return errors.edges;
         case Measure::FreePixels:
             return errors.free;
         case Measure::LightColour:

@@ -13,6 +13,7 @@ struct ErrorSummaries {
     ErrorSummary displacement;  ///< pixels
     ErrorSummary texels;        ///< texels
     ErrorSummary wrong;         ///< of frames: pixels of another face, per mille of those that are no close calls
+    ErrorSummary edges;         ///< of frames: pixels of another face than with exact edges, per mille
     ErrorSummary close_calls;   ///< of frames: close calls that show another face, per mille of all pixels
     ErrorSummary free_pixels;   ///< of frames: pixels that no face covers, per mille
     ErrorSummary light;         ///< RGB
@@ -32,7 +33,7 @@ class ErrorCollector {
     ErrorSummaries summarize() const;
 
   private:
-    std::vector<float> displacement_, texels_, wrong_, close_calls_, free_, light_, colour_;
+    std::vector<float> displacement_, texels_, wrong_, edges_, close_calls_, free_, light_, colour_;
 };
 
 /// The value of each pixel by a measure.

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "tools/accuracy/level_frames.h"
 #include "tools/measure/reference_view.h"
 #include "tools/measure/texel_error.h"
 
@@ -38,8 +37,9 @@ reference::Palette reference_palette(const Palette& palette) {
     return converted;
 }
 
-FrameTruth make_frame_truth(const MeasuredLevel& level, const Camera& camera, const reference::Palette& palette,
+FrameTruth make_frame_truth(LevelFrames& frames, const Camera& camera, const reference::Palette& palette,
                             int samples_per_axis) {
+    const MeasuredLevel& level = frames.level();
     const reference::View view = reference_view(camera, kMeasuredMode);
     const std::vector<reference::PlacedModel> models = reference_models(level.models);
     FrameTruth truth;
@@ -47,6 +47,8 @@ FrameTruth make_frame_truth(const MeasuredLevel& level, const Camera& camera, co
         truth.faces.push_back(pixel.face);
         truth.is_close_call.push_back(pixel.is_close_call);
     }
+    for (const PixelRecord& pixel : frames.record(camera, Accuracy{}).pixels)
+        truth.exact_edges.push_back(pixel.face.number());
     truth.colours = draw_colours(level.exact, models, view, palette, samples_per_axis);
     return truth;
 }
@@ -63,6 +65,7 @@ PixelErrors measure_frame(const DrawnFrame& frame) {
         errors.displacement.push_back(texels[i].pixels);
         errors.texels.push_back(texels[i].texels);
         errors.wrong.push_back(true_face < 0 || is_close ? -1.f : is_wrong ? 1.f : 0.f);
+        errors.edges.push_back(frame.truth.exact_edges[i] != pixel.face.number() ? 1.f : 0.f);
         errors.wrong_close_calls += is_close && is_wrong;
         errors.light.push_back(light_error(frame, pixel, frame.pixels[i]));
         errors.colour.push_back(colour.is_excluded ? -1 : distance(frame.palette[frame.pixels[i]], colour.colour));

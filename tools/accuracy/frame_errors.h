@@ -6,6 +6,7 @@
 
 #include "engine/frame/frame_record.h"
 #include "engine/surface/palette.h"
+#include "tools/accuracy/level_frames.h"
 #include "tools/accuracy/measured_level.h"
 #include "tools/measure/error_summary.h"
 #include "tools/reference/colour.h"
@@ -16,11 +17,12 @@ namespace oblong {
 struct FrameTruth {
     std::vector<std::int32_t> faces;  ///< a pixel each; -1: none
     std::vector<bool> is_close_call;
+    std::vector<std::int32_t> exact_edges;        ///< the faces of the engine's frame with default settings
     std::vector<reference::ColourPixel> colours;  ///< means over the pixels
 };
 
-/// `samples_per_axis`: rays whose colours are averaged, each way of a pixel.
-FrameTruth make_frame_truth(const MeasuredLevel& level, const Camera& camera, const reference::Palette& palette,
+/// `frames`: the level's. `samples_per_axis`: rays whose colours are averaged, each way of a pixel.
+FrameTruth make_frame_truth(LevelFrames& frames, const Camera& camera, const reference::Palette& palette,
                             int samples_per_axis);
 
 reference::Palette reference_palette(const Palette& palette);
@@ -44,6 +46,7 @@ struct PixelErrors {
     /// true light there.
     std::vector<float> light;
     std::vector<float> colour;  ///< the distance in RGB from the mean colour of what the pixel covers
+    std::vector<float> edges;   ///< 1: another face than with exact edges, 0: the same
     std::int64_t wrong_close_calls = 0;
     std::vector<float> free;  ///< 1: no face covers it, 0: one does
 };

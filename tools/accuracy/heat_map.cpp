@@ -22,6 +22,7 @@ std::uint8_t mixed(std::uint8_t from, std::uint8_t to, double part) {
 HeatScale heat_scale(Measure measure) {
     switch (measure) {
         case Measure::WrongPixels:
+        case Measure::EdgePixels:
             return {0.5, 1, "same face", "another face"};
         case Measure::FreePixels:
             return {0.5, 1, "a face", "no face"};

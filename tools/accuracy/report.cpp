@@ -152,7 +152,8 @@ Preparation prepare(std::span<const MeasuredPlace> places, int samples_per_axis,
         prepared.palettes.push_back(reference_palette(place.palette));
         std::vector<FrameTruth>& truths = prepared.truths.emplace_back();
         for (const Camera& camera : place.level.cameras) {
-            truths.push_back(make_frame_truth(place.level, camera, prepared.palettes.back(), samples_per_axis));
+            truths.push_back(
+                make_frame_truth(prepared.levels.back(), camera, prepared.palettes.back(), samples_per_axis));
             progress.step();
         }
     }

@@ -28,6 +28,7 @@ Json errors_json(const ErrorSummaries& errors) {
     return {{"displacement", error_json(errors.displacement, unit_of(Measure::Displacement))},
             {"texels", error_json(errors.texels, "texels")},
             {"wrong_pixels", error_json(errors.wrong, unit_of(Measure::WrongPixels))},
+            {"edge_pixels", error_json(errors.edges, unit_of(Measure::EdgePixels))},
             {"close_calls", error_json(errors.close_calls, "close calls of another face per mille of a frame")},
             {"free_pixels", error_json(errors.free_pixels, "pixels without a face per mille of a frame")},
             {"light_colour", error_json(errors.light, unit_of(Measure::LightColour))},
