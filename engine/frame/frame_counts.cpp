@@ -15,6 +15,29 @@ void count_run(std::uint32_t pixel, std::uint32_t count, std::vector<std::uint8_
 
 }  // namespace
 
+std::vector<NamedCount> named_counts(const FrameCounts& counts) {
+    const StageCounts& stages = counts.stages;
+    return {{"faces_visited", counts.faces_visited},
+            {"faces_drawn", counts.faces_drawn},
+            {"spans", counts.spans},
+            {"divisions", counts.divisions},
+            {"nodes", stages.nodes},
+            {"vertices", stages.vertices},
+            {"projected", stages.projected},
+            {"clipped_corners", stages.clipped_corners},
+            {"edges", stages.edges},
+            {"edge_rows", stages.edge_rows},
+            {"claimed_rows", stages.claimed_rows},
+            {"surfaces", stages.surfaces},
+            {"blocks", stages.blocks},
+            {"last_blocks", stages.last_blocks},
+            {"textured_pixels", stages.textured_pixels},
+            {"divided_pixels", stages.divided_pixels},
+            {"flat_pixels", stages.flat_pixels},
+            {"sky_pixels", stages.sky_pixels},
+            {"lit_texels", stages.lit_texels}};
+}
+
 std::int64_t pixels_of(std::span<const Span> spans) {
     std::int64_t pixels = 0;
     for (const Span& span : spans) pixels += span.end - span.first;

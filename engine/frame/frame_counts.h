@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "engine/geometry/screen_polygon.h"
@@ -36,6 +37,14 @@ struct FrameCounts {
     std::vector<std::uint8_t> writes;         ///< of each pixel, by faces, those of the sky too; at most 255
     std::vector<std::int64_t> effect_pixels;  ///< of each Effect: those of the faces that need it
 };
+
+/// A count and its name, for reports.
+struct NamedCount {
+    std::string_view name;
+    std::int64_t count;
+};
+/// All counts but those of single pixels and effects.
+std::vector<NamedCount> named_counts(const FrameCounts& counts);
 
 /// The pixels of spans.
 std::int64_t pixels_of(std::span<const Span> spans);

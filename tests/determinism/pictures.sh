@@ -10,7 +10,9 @@ done
 runs=("--accuracy bounded" "--accuracy exact" "--accuracy 1996" "--accuracy 1991"
       "--accuracy bounded --mode 640x480 --time 12.3" "--accuracy exact --mode 640x480"
       "--accuracy bounded --fov 179" "--accuracy bounded --fov 1"
-      "--accuracy 1994 --mode 333x217 --display 16:9 --fov 140 --time 77")
+      "--accuracy 1994 --mode 333x217 --display 16:9 --fov 140 --time 77"
+      "--accuracy bounded --dial perspective=bounded-texels" "--accuracy bounded --dial mip=span"
+      "--accuracy bounded --dial dither=on" "--accuracy 1991 --dial light=nearest")
 
 # choose_cameras STEP: one in so many of each real level, and the demo level's with some at the ends of the world.
 choose_cameras() {
@@ -26,18 +28,28 @@ choose_cameras() {
 
 level_path() { if [ "$1" = demo ]; then echo "$build/assets/demo.bsp"; else echo "$levels/$1.bsp"; fi; }
 
-# rendered_checksums PROGRAM LEVEL CAMERAS ARGUMENT...: by an oblong-render, a line a picture.
-rendered_checksums() {
+# rendered_report PROGRAM LEVEL CAMERAS ARGUMENT...: an oblong-render's JSON.
+rendered_report() {
     local program=$1 level=$2 cameras=$3 report status=0
     shift 3
     report=$(mktemp "$work/report.XXXXXX")
     "$program" "$level" --cameras "$cameras" --palette "$build/assets/palette.lmp" "$@" --json "$report" >/dev/null &&
-        grep -o '"crc32": "[0-9a-f]*"' "$report" | cut -d '"' -f 4 || status=1
+        cat "$report" || status=1
     rm -f "$report"
     return "$status"
 }
 
-# list_checksums OUTPUT COMMAND...: "LEVEL RUN CAMERA CRC32" of all pictures, a line each. COMMAND is told a level, a list
+# The same's CRC-32s, a line a picture.
+rendered_checksums() { rendered_report "$@" | grep -o '"crc32": "[0-9a-f]*"' | cut -d '"' -f 4; }
+
+# With all counts of the frame behind each.
+rendered_counts() {
+    rendered_report "$@" | sed -nE '/"crc32"/ { s/.*: "([0-9a-f]+)".*/\1/; h }
+        /"counts"/,/\}/ { s/^ *"[a-z_]+": ([0-9]+),?$/\1/; T; H }
+        /"effects"/ { x; s/\n/ /g; p }'
+}
+
+# list_checksums OUTPUT COMMAND...: "LEVEL RUN CAMERA CRC32..." of all pictures, a line each. COMMAND is told a level, a list
 # of cameras and a run's arguments.
 list_checksums() {
     local output=$1 cameras name run
@@ -48,7 +60,7 @@ list_checksums() {
         for run in "${runs[@]}"; do
             # shellcheck disable=SC2086
             "$@" "$(level_path "$name")" "$cameras" $run >"$output.run" || fail "$* failed: $name $run"
-            awk -v head="$name $run" '{ print head, "camera", NR - 1, $1 }' "$output.run" >>"$output"
+            awk -v head="$name $run" '{ print head, "camera", NR - 1, $0 }' "$output.run" >>"$output"
         done
     done
     rm -f "$output.run"
@@ -56,7 +68,7 @@ list_checksums() {
 
 # list_reference: those of the build that was made before.
 list_reference() {
-    list_checksums "$work/reference.txt" rendered_checksums "$build/bin/oblong-render"
+    list_checksums "$work/reference.txt" rendered_counts "$build/bin/oblong-render"
     pictures=$(wc -l <"$work/reference.txt")
     [ "$pictures" -ge 100 ] || fail "only $pictures pictures to compare"
 }

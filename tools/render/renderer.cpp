@@ -49,10 +49,7 @@ class CameraRenderer {
         const std::unique_ptr<FrameCounts> counts = std::move(work_.counts);
         for (const std::uint8_t writes : counts->writes)
             ++(writes == 0 ? report.pixels_never : writes == 1 ? report.pixels_once : report.pixels_twice);
-        report.faces_visited = counts->faces_visited;
-        report.faces_drawn = counts->faces_drawn;
-        report.spans = counts->spans;
-        report.divisions = counts->divisions;
+        report.counts = named_counts(*counts);
         for (std::size_t effect = 0; effect < kEffectNames.size(); ++effect)
             if (work_.plan.effects.has(static_cast<Effect>(effect)))
                 report.effects.push_back({effect, counts->effect_pixels[effect]});

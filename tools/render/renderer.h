@@ -19,7 +19,7 @@ struct FrameReport {
     std::uint32_t crc32 = 0;
     double microseconds = 0;  ///< median of the timed renderings, drawing only
     std::int64_t pixels_once = 0, pixels_twice = 0, pixels_never = 0;
-    std::int64_t faces_visited = 0, faces_drawn = 0, spans = 0, divisions = 0;
+    std::vector<NamedCount> counts;
     std::vector<EffectReport> effects;  ///< those of the frame's plan
 };
 

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "engine/accuracy/dials.h"
+
 namespace oblong {
 
 namespace {
@@ -26,15 +28,13 @@ Json frame_json(std::size_t camera, const FrameReport& frame) {
         effects.push_back({{"name", kEffectNames[effect.effect]},
                            {"pixels", effect.pixels},
                            {"microseconds", nullptr}});  // not measured
+    Json counts;
+    for (const NamedCount& count : frame.counts) counts[std::string(count.name)] = count.count;
     return {{"camera", camera},
             {"crc32", hexadecimal(frame.crc32)},
             {"microseconds", rounded(frame.microseconds)},
             {"pixels", {{"once", frame.pixels_once}, {"twice", frame.pixels_twice}, {"never", frame.pixels_never}}},
-            {"counts",
-             {{"faces_visited", frame.faces_visited},
-              {"faces_drawn", frame.faces_drawn},
-              {"spans", frame.spans},
-              {"divisions", frame.divisions}}},
+            {"counts", counts},
             {"effects", effects}};
 }
 
@@ -44,6 +44,15 @@ std::string joined(std::int64_t first, char between, std::int64_t second) {
 
 double in_degrees(Degrees angle) {
     return std::ldexp(static_cast<double>(angle.raw), -Degrees::kFractionBits);
+}
+
+/// The dials that were turned on top of the preset.
+Json dials_json(const Accuracy& accuracy, Preset preset) {
+    Json json = Json::object();
+    for (const Dial& dial : all_dials())
+        if (dial.get(accuracy) != dial.get(accuracy_of(preset)))
+            json[std::string(dial.name)] = value_text(dial, dial.get(accuracy));
+    return json;
 }
 
 /// The bound in pixels; no number where the preset has no bound.
@@ -74,6 +83,7 @@ std::string report_json(const ReportHead& head, const std::vector<FrameReport>& 
                 {"display", joined(head.mode.display.numerator, ':', head.mode.display.denominator)},
                 {"field_of_view", in_degrees(head.field_of_view)},
                 {"accuracy", name_of(head.preset)},
+                {"dials", dials_json(head.settings.accuracy, head.preset)},
                 {"texel_error", texel_error_json(head.settings.accuracy)},
                 {"allowed_effects", allowed_effects_json(head.settings.allowed_effects)},
                 {"threads", 1},

@@ -30,8 +30,8 @@ std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
 using Options = std::map<std::string, std::string>;
 
 Options parse_options(std::span<char* const> arguments) {
-    Options options{
-        {"--accuracy", "bounded"}, {"--mode", "320x200"}, {"--display", "4:3"}, {"--fov", "90"}, {"--time", "0"}};
+    Options options{{"--accuracy", "bounded"}, {"--mode", "320x200"}, {"--display", "4:3"},
+                    {"--fov", "90"},           {"--time", "0"},       {"--dial", ""}};
     if (arguments.size() % 2 != 0) throw UsageError("expected an option and its value");
     for (std::size_t i = 0; i < arguments.size(); i += 2) {
         const auto option = options.find(arguments[i]);
@@ -48,6 +48,7 @@ void draw(const std::string& palette_path, const std::string& level_path, const 
     mode.display = parse_display(options.at("--display"));
     Settings settings;
     settings.accuracy = accuracy_of(parse_preset(options.at("--accuracy")));
+    if (!options.at("--dial").empty()) parse_dial(options.at("--dial"), settings.accuracy);
     const Degrees field_of_view = parse_field_of_view(options.at("--fov"));
     const std::int64_t time_ms = parse_number("--time", options.at("--time"), 20) * 1000 / (1 << 20);
 
@@ -61,9 +62,15 @@ void draw(const std::string& palette_path, const std::string& level_path, const 
     FrameWorkspace work(level, mode);
     std::vector<std::uint8_t> pixels(static_cast<std::size_t>(mode.width_px) *
                                      static_cast<std::size_t>(mode.height_px));
+    const Framebuffer out{pixels.data(), mode.width_px, mode.height_px, mode.width_px};
     for (const Camera& camera : cameras) {
-        draw_frame(scene, camera, mode, settings, work, {pixels.data(), mode.width_px, mode.height_px, mode.width_px});
-        std::printf("%08lx\n", static_cast<unsigned long>(crc32(pixels)));
+        work.counts = std::make_unique<FrameCounts>();
+        draw_frame(scene, camera, mode, settings, work, out);
+        const std::unique_ptr<FrameCounts> counts = std::move(work.counts);
+        draw_frame(scene, camera, mode, settings, work, out);
+        std::printf("%08lx", static_cast<unsigned long>(crc32(pixels)));
+        for (const NamedCount& count : named_counts(*counts)) std::printf(" %lld", static_cast<long long>(count.count));
+        std::printf("\n");
     }
 }
 
