@@ -8,6 +8,7 @@
 #include "game/hud.h"
 #include "game/lab.h"
 #include "game/load.h"
+#include "game/recent_times.h"
 #include "game/tick_clock.h"
 #include "game/tick_input_source.h"
 #include "game/view_options.h"
@@ -56,8 +57,8 @@ class Session {
     TickClock clock_;
     GameState before_, after_;
     std::uint64_t last_us_ = 0;
-    std::uint64_t cost_since_us_ = 0, drawing_us_ = 0;
-    std::uint64_t frames_since_ = 0;
+    RecentTimes frame_times_;
+    std::uint64_t cost_since_us_ = 0, frames_since_ = 0;
     std::int32_t text_bottom_ = 0;  // the row above which the text at the bottom ends
     bool wants_screenshot_ = false;
 };

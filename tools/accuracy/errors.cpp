@@ -1,7 +1,10 @@
 #include "tools/accuracy/errors.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+
+#include "engine/base/table.h"
 
 namespace oblong {
 
@@ -15,64 +18,46 @@ float per_mille(std::int64_t part, std::size_t whole) {
     return whole == 0 ? 0 : static_cast<float>(1000.0 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
+struct MeasureEntry {
+    ErrorSummary ErrorSummaries::*summary;
+    std::vector<float> PixelErrors::*pixels;
+    std::string_view unit, about;
+};
+
+/// In the order of Measure.
+constexpr std::array<MeasureEntry, kMeasureCount> kMeasures{{
+    {&ErrorSummaries::displacement, &PixelErrors::displacement, "pixels",
+     "How far from its place on the screen a texel is shown, in pixels."},
+    {&ErrorSummaries::wrong, &PixelErrors::wrong, "wrong pixels per mille of a frame",
+     "The share of pixels that show another face than the exact one, close calls (an edge within 1/512 pixel of the "
+     "centre) counted apart; rms, 99th percentile and largest are over frames."},
+    {&ErrorSummaries::edges, &PixelErrors::edges, "pixels changed per mille of a frame",
+     "The share of pixels that show another face than with exact edges between the same corners, close calls among "
+     "them; "
+     "rms, 99th percentile and largest are over frames."},
+    {&ErrorSummaries::free_pixels, &PixelErrors::free, "pixels without a face per mille of a frame",
+     "The share of pixels that no face covers: cracks between faces, filled with the colour beside them; rms, 99th "
+     "percentile and largest are over frames."},
+    {&ErrorSummaries::light, &PixelErrors::light, "RGB distance, 0 to 442",
+     "How far a pixel's colour is from that of the texel it shows times the exact light there, where mip level 0 is "
+     "drawn. "
+     "The 256 colours of the palette are part of it."},
+    {&ErrorSummaries::colour, &PixelErrors::colour, "RGB distance, 0 to 442",
+     "How far a pixel's colour is from the mean colour of all that it covers, found by many rays a pixel."},
+}};
+
 }  // namespace
 
 const ErrorSummary& summary_of(const ErrorSummaries& errors, Measure measure) {
-    switch (measure) {
-        case Measure::WrongPixels:
-            return errors.wrong;
-        case Measure::EdgePixels:
-            return errors.edges;
-        case Measure::FreePixels:
-            return errors.free_pixels;
-        case Measure::LightColour:
-            return errors.light;
-        case Measure::PixelColour:
-            return errors.colour;
-        case Measure::Displacement:
-            break;
-    }
-    return errors.displacement;
+    return errors.*at(kMeasures, measure).summary;
 }
 
 std::string_view unit_of(Measure measure) {
-    switch (measure) {
-        case Measure::WrongPixels:
-            return "wrong pixels per mille of a frame";
-        case Measure::EdgePixels:
-            return "pixels changed per mille of a frame";
-        case Measure::FreePixels:
-            return "pixels without a face per mille of a frame";
-        case Measure::LightColour:
-        case Measure::PixelColour:
-            return "RGB distance, 0 to 442";
-        case Measure::Displacement:
-            break;
-    }
-    return "pixels";
+    return at(kMeasures, measure).unit;
 }
 
 std::string_view about(Measure measure) {
-    switch (measure) {
-        case Measure::WrongPixels:
-            return "The share of pixels that show another face than the exact one, close calls (an edge within "
-                   "1/512 pixel of the centre) counted apart; rms, 99th percentile and largest are over frames.";
-        case Measure::EdgePixels:
-            return "The share of pixels that show another face than with exact edges between the same corners, close "
-                   "calls among them; rms, 99th percentile and largest are over frames.";
-        case Measure::FreePixels:
-            return "The share of pixels that no face covers: cracks between faces, filled with the colour beside them; "
-                   "rms, 99th percentile and largest are over frames.";
-        case Measure::LightColour:
-            return "How far a pixel's colour is from that of the texel it shows times the exact light there, where mip "
-                   "level 0 is drawn. The 256 colours of the palette are part of it.";
-        case Measure::PixelColour:
-            return "How far a pixel's colour is from the mean colour of all that it covers, found by many rays a "
-                   "pixel.";
-        case Measure::Displacement:
-            break;
-    }
-    return "How far from its place on the screen a texel is shown, in pixels.";
+    return at(kMeasures, measure).about;
 }
 
 void ErrorCollector::add(const PixelErrors& frame) {
@@ -95,21 +80,7 @@ ErrorSummaries ErrorCollector::summarize() const {
 }
 
 const std::vector<float>& pixels_by(const PixelErrors& errors, Measure measure) {
-    switch (measure) {
-        case Measure::WrongPixels:
-            return errors.wrong;
-        case Measure::EdgePixels:
-            return errors.edges;
-        case Measure::FreePixels:
-            return errors.free;
-        case Measure::LightColour:
-            return errors.light;
-        case Measure::PixelColour:
-            return errors.colour;
-        case Measure::Displacement:
-            break;
-    }
-    return errors.displacement;
+    return errors.*at(kMeasures, measure).pixels;
 }
 
 double rms_of(const std::vector<float>& values) {
