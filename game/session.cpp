@@ -122,6 +122,8 @@ void Session::note_cost(std::uint64_t began_us, std::uint64_t ended_us) {
     if (!view_options_.shows_cost) {
         hud_.cost.clear();
         frame_times_ = {};
+        cost_since_us_ = ended_us;
+        frames_since_ = 0;
         return;
     }
     frame_times_.add(ended_us - began_us, ended_us);
