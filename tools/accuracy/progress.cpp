@@ -27,9 +27,8 @@ void Progress::show() {
     const int percent = from_ + static_cast<int>(done_ * static_cast<std::size_t>(to_ - from_) / steps_);
     if (!is_shown_ || percent == shown_) return;
     shown_ = percent;
-    std::string bar(25, '.');
-    bar.replace(0, static_cast<std::size_t>(percent / 4), static_cast<std::size_t>(percent / 4), '#');
-    std::fprintf(stderr, "\r[%s] %3d %% %-40s", bar.c_str(), percent, what_.c_str());
+    constexpr const char* kBar = "#########################";
+    std::fprintf(stderr, "\r[%-25.*s] %3d %% %-40s", percent / 4, kBar, percent, what_.c_str());
     std::fflush(stderr);
 }
 
