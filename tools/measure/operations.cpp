@@ -1,12 +1,14 @@
 #include "tools/measure/operations.h"
 
+#include <algorithm>
+
 #include "engine/base/table.h"
 
 namespace oblong {
 
 namespace {
 
-/// Operations of one event of a stage.
+/// Operations of a hundred events of a stage.
 struct EventCost {
     int adds = 0, multiplications = 0, divisions = 0, lookups = 0, bytes_read = 0, bytes_written = 0;
 };
@@ -31,12 +33,13 @@ struct Widths {
 
 void add(std::int64_t events, const EventCost& cost, Width width, StageOperations& stage) {
     Operations& sum = stage.operations;
-    sum.adds[width] += events * cost.adds;
-    sum.multiplications[width] += events * cost.multiplications;
-    sum.divisions[width] += events * cost.divisions;
-    sum.lookups += events * cost.lookups;
-    sum.bytes_read += events * cost.bytes_read;
-    sum.bytes_written += events * cost.bytes_written;
+    const auto times = [events](int of_a_hundred) { return events * of_a_hundred / 100; };
+    sum.adds[width] += times(cost.adds);
+    sum.multiplications[width] += times(cost.multiplications);
+    sum.divisions[width] += times(cost.divisions);
+    sum.lookups += times(cost.lookups);
+    sum.bytes_read += times(cost.bytes_read);
+    sum.bytes_written += times(cost.bytes_written);
 }
 
 StageOperations stage_of(std::string_view name, std::int64_t events, const EventCost& cost, Width width) {
@@ -45,54 +48,76 @@ StageOperations stage_of(std::string_view name, std::int64_t events, const Event
     return stage;
 }
 
-/// visibility/front_to_back.cpp, enter_node(): the distance to the node's plane, its box against two of the four sides
-/// of the view (a parent's box is inside of the others), two to four steps pushed and popped.
-constexpr EventCost kNode{45, 15, 0, 0, 60, 48};
+// Additions, multiplications and divisions are those that tests/operations counts in the code, means over the cameras
+// of the demo level where an event's work varies. Look-ups and bytes are read from the code, and are its data alone.
+
+/// visibility/front_to_back.cpp, box_rectangle.cpp: the distance to the node's plane, its box against the sides of the
+/// view that its parent's crosses, its rectangle on the screen and the rows there; the leaves and faces below it.
+constexpr EventCost kNode{28580, 3298, 346, 0, 6000, 4800};
 /// math/basis.h, to_view(): three differences, nine products, three roundings.
-constexpr EventCost kRotation{18, 9, 0, 0, 48, 24};
-/// geometry/frustum.h, outcode_of(): four products, nine comparisons and what joins them.
-constexpr EventCost kOutcode{17, 4, 0, 0, 0, 1};
+constexpr EventCost kRotation{1800, 900, 0, 0, 4800, 2400};
+/// geometry/frustum.h, outcode_of(): four products, five comparisons and what joins them.
+constexpr EventCost kOutcode{1500, 400, 0, 0, 0, 100};
+/// geometry/screen_polygon.cpp: a face's corner looked up, its outcode joined to the others', its depth compared.
+constexpr EventCost kCorner{2285};
 /// geometry/projection.h, project_axis(), twice; geometry/project.cpp: rounding, snapping, keeping on the screen.
-constexpr EventCost kProjection{22, 2, 2, 0, 24, 8};
+constexpr EventCost kProjection{3520, 200, 200, 0, 2400, 800};
 /// geometry/clip.cpp: distances of both ends of an edge to a plane, the place between them.
-constexpr EventCost kClippedCorner{30, 9, 3, 0, 64, 32};
-/// raster/scan.cpp, the constructors of both walkers.
-constexpr EventCost kExactEdge{16, 3, 2, 0, 16, 0}, kAccumulatedEdge{9, 1, 1, 0, 16, 0};
+constexpr EventCost kClippedCorner{6750, 497, 153, 0, 6400, 3200};
+/// raster/scan.cpp: the survey of a polygon, and the constructors of both walkers, for the edges that reach a row (less
+/// than half of them).
+constexpr EventCost kExactEdge{3651, 91, 91, 0, 1600, 0}, kAccumulatedEdge{3611, 46, 46, 0, 1600, 0};
 /// raster/scan.cpp, next_row() and the column written.
-constexpr EventCost kExactEdgeRow{8, 0, 0, 0, 0, 4}, kAccumulatedEdgeRow{4, 0, 0, 0, 0, 4};
-/// visibility/span_buffer.cpp, claim(): a row's hull, and what of it is left; a span.
-constexpr EventCost kClaimedRow{12, 0, 0, 0, 20, 8}, kSpan{4, 0, 0, 0, 4, 12};
-/// geometry/texture_gradients.cpp: three vectors rotated, the plane's distance, nine slopes, three anchors.
-constexpr EventCost kGradients{70, 45, 1, 0, 160, 72};
+constexpr EventCost kExactEdgeRow{1100, 0, 0, 0, 0, 400}, kAccumulatedEdgeRow{700, 0, 0, 0, 0, 400};
+/// visibility/span_buffer.cpp, claim(): a row's hull; claim_from(): what of it is left; a span and what frame.cpp does
+/// with it.
+constexpr EventCost kClaimedRow{1425, 76, 0, 0, 2000, 800}, kSpan{3299, 8, 0, 0, 400, 1200};
+/// geometry/texture_gradients.cpp: three vectors rotated, the plane's distance, nine slopes, three anchors;
+/// scene/face_surface.cpp: the mip level, the size of the lit surface, its place in the cache.
+constexpr EventCost kGradients{30240, 6383, 102, 0, 16000, 7200};
 /// raster/block_rule.cpp, make_block_thresholds(): ten of them, once a surface.
-constexpr EventCost kThresholds{60, 10, 0, 0, 80, 80};
-/// raster/texture_blocks.cpp, advance(): 1/z on, by a product; u/z and v/z on, and times z; its clamps and steps.
-constexpr EventCost kInverseZAdvance{7, 1, 0, 0, 0, 0}, kOverZAdvance{22, 4, 0, 0, 0, 24};
-/// cut_rest(): steps by division.
-constexpr EventCost kLastBlock{6, 0, 2, 0, 0, 0};
-/// cut_bounded(): comparisons with thresholds; is_straight().
-constexpr EventCost kThresholdTest{4, 0, 0, 2, 16, 0}, kStraightTest{14, 2, 0, 0, 0, 0};
-/// reciprocal_of(): normalising, and the method.
-constexpr EventCost kDivision{6, 0, 1, 0, 0, 0}, kTable{8, 0, 0, 1, 4, 0}, kTableNewton{14, 2, 0, 1, 4, 0},
-    kTableTwoNewton{22, 4, 0, 1, 4, 0};
-/// raster/exact_spans.cpp, draw_octave(): three steps and shifts, a division, two products.
-constexpr EventCost kExactPixel{8, 2, 1, 0, 0, 0};
-/// raster/kernels/plain.cpp: two steps, two shifts, two masks, an address, the loop; the texel; the pixel.
-constexpr EventCost kPixel{9, 0, 0, 1, 1, 1};
+constexpr EventCost kThresholds{16607, 1105, 4, 0, 8000, 8000};
+/// raster/texture_blocks.cpp, a span: 1/z, u/z and v/z at its first and its last pixel, u and v there.
+constexpr EventCost kSpanInverseZ{800, 240}, kSpanOverZ{1600, 827};
+/// frame/texture_spans.cpp, a span: whether there is room for its blocks, and the call.
+constexpr EventCost kSpanCall{735};
+/// raster/texture_blocks.cpp, advance(), a block: 1/z on; u/z and v/z on, and times z; its clamps and steps. Where
+/// blocks have one length, steps are multiplied by shifts.
+constexpr EventCost kInverseZAdvance{600}, kOverZAdvance{2200, 200, 0, 0, 0, 2400};
+/// cut_rest(): steps by division, for a block of 2^k pixels too, which is not counted as a last one.
+constexpr EventCost kLastBlock{0, 0, 250};
+/// cut_bounded(): comparisons with thresholds, a block; products by its length, a block that does not end its span.
+constexpr EventCost kThresholdTest{1160, 0, 0, 200, 1600, 0}, kLengthProducts{0, 300};
+/// cut_bounded_texels(): the tries, is_straight().
+constexpr EventCost kStraightTest{5130, 909};
+/// Depth, reciprocal_of(): clamping, normalising, and the method.
+constexpr EventCost kDivision{900, 0, 100}, kTable{1900, 0, 0, 100, 400, 0}, kTableNewton{2200, 200, 0, 100, 400, 0},
+    kTableTwoNewton{3000, 400, 0, 100, 400, 0};
+/// raster/exact_spans.cpp, draw_octave(): three steps and shifts, a division, two products; the texel, the pixel.
+constexpr EventCost kExactOverZ{300, 200}, kExactInverseZ{300, 0, 100}, kExactTexel{800, 0, 0, 100, 100, 100};
+/// The same: where an octave ends and whether it needs clamping; for each span, and for each pixel of the short
+/// stretches that bounded texturing divides in.
+constexpr EventCost kExactSpan{7200, 1690, 87}, kExactStretchPixel{2270, 520, 34};
+/// raster/kernels/plain.cpp: two steps, two shifts, two masks, three addresses, the loop; the texel; the pixel.
+constexpr EventCost kPixel{1300, 0, 0, 100, 100, 100};
 /// The same from a block: its six numbers read.
-constexpr EventCost kBlockRead{4, 0, 0, 0, 24, 0};
-constexpr EventCost kFlatPixel{1, 0, 0, 0, 0, 1};
-/// effects/sky.cpp: an eighth of a direction (six products, a root of some 40 steps, four divisions), and the texel.
-constexpr EventCost kSkyDirection{130, 12, 4, 0, 0, 0}, kSkyPixel{12, 2, 0, 2, 2, 1};
-/// surface/lit_surface.cpp, build_cell_row(): texel and colormap looked up; a step of the shade; a threshold.
-constexpr EventCost kLitTexel{5, 0, 0, 2, 2, 1}, kNearestTexel{4, 0, 0, 2, 2, 1}, kDither{7, 1, 0, 1, 1, 0};
+constexpr EventCost kBlockRead{325, 0, 0, 0, 2400, 0};
+constexpr EventCost kFlatPixel{100, 0, 0, 0, 0, 100};
+/// effects/sky.cpp: one of the directions, a little more than one for eight pixels (six products, a root by division,
+/// four divisions more), and the texel.
+constexpr EventCost kSkyDirection{9980, 1430, 735}, kSkyPixel{1845, 382, 0, 200, 200, 100};
+/// surface/lit_surface.cpp, build_cell_row(): texel and colormap looked up; a step of the shade; a threshold. And, of
+/// the 16 texels of a cell's row or fewer: the shades at its ends.
+constexpr EventCost kLitTexel{1360, 35, 5, 200, 200, 100}, kNearestTexel{1409, 15, 5, 200, 200, 100},
+    kDither{404, 100, 0, 100, 100, 0};
 
 StageOperations vertices_of(const StageCounts& stages, const Widths& widths) {
     // A position has 20.12 bits: products with axes of up to 32 bits are of 32.
-    StageOperations stage = stage_of("vertices", stages.vertices, {0, kRotation.multiplications, 0, 0, 48, 24},
+    StageOperations stage = stage_of("vertices", stages.vertices, {0, kRotation.multiplications, 0, 0, 4800, 2400},
                                      widths.matrix == Width::Bits64 ? Width::Bits64 : Width::Bits32);
     add(stages.vertices, {kRotation.adds}, Width::Bits64, stage);
     add(stages.vertices, kOutcode, widths.view, stage);
+    add(stages.edges, kCorner, Width::Bits32, stage);
     return stage;
 }
 
@@ -123,32 +148,51 @@ EventCost reciprocal_cost(ReciprocalMethod method) {
     return kDivision;
 }
 
+/// Whether spans are drawn by raster/exact_spans.h alone, without blocks.
+bool divides_spans(const Accuracy& accuracy) {
+    return accuracy.texturing == Texturing::Exact && accuracy.reciprocal == ReciprocalMethod::Exact;
+}
+
 StageOperations blocks_of(const FrameCounts& counts, const Accuracy& accuracy, const Widths& widths) {
     const StageCounts& stages = counts.stages;
     const std::int64_t blocks = stages.blocks - stages.divided_pixels;
     StageOperations stage{"blocks", blocks, {}};
     add(blocks, kInverseZAdvance, widths.inverse_z, stage);
     add(blocks, kOverZAdvance, widths.over_z, stage);
-    add(blocks, kBlockRead, Width::Bits32, stage);
     add(stages.last_blocks, kLastBlock, Width::Bits32, stage);
-    if (accuracy.texturing == Texturing::Bounded) add(blocks, kThresholdTest, widths.inverse_z, stage);
+    if (accuracy.texturing == Texturing::Bounded) {
+        add(blocks, kThresholdTest, widths.inverse_z, stage);
+        add(std::max(blocks - counts.spans, std::int64_t{0}), kLengthProducts, widths.over_z, stage);
+    }
     if (accuracy.texturing == Texturing::BoundedTexels) add(blocks, kStraightTest, widths.inverse_z, stage);
+    if (divides_spans(accuracy)) return stage;
+    add(counts.spans, kSpanInverseZ, widths.inverse_z, stage);
+    add(counts.spans, kSpanOverZ, widths.over_z, stage);
+    add(counts.spans, kSpanCall, Width::Bits32, stage);
     return stage;
 }
 
 StageOperations divisions_of(const FrameCounts& counts, const Accuracy& accuracy, const Widths& widths) {
-    const StageCounts& stages = counts.stages;
-    StageOperations stage = stage_of("1/z", counts.divisions - stages.divided_pixels,
-                                     reciprocal_cost(accuracy.reciprocal), widths.inverse_z);
-    stage.events += stages.divided_pixels;
-    add(stages.divided_pixels, {kExactPixel.adds - 3, kExactPixel.multiplications}, widths.over_z, stage);
-    add(stages.divided_pixels, {3, 0, kExactPixel.divisions}, widths.inverse_z, stage);
+    const std::int64_t divided = counts.stages.divided_pixels;
+    StageOperations stage =
+        stage_of("1/z", counts.divisions - divided, reciprocal_cost(accuracy.reciprocal), widths.inverse_z);
+    stage.events += divided;
+    add(divided, kExactOverZ, widths.over_z, stage);
+    add(divided, kExactInverseZ, widths.inverse_z, stage);
+    if (divides_spans(accuracy))
+        add(counts.spans, kExactSpan, widths.inverse_z, stage);
+    else
+        add(divided, kExactStretchPixel, widths.inverse_z, stage);
     return stage;
 }
 
-StageOperations textured_of(const FrameCounts& counts) {
-    StageOperations stage = stage_of("pixels", counts.stages.textured_pixels, kPixel, Width::Bits32);
-    add(counts.stages.flat_pixels, kFlatPixel, Width::Bits32, stage);
+StageOperations textured_of(const StageCounts& stages) {
+    const std::int64_t divided = stages.divided_pixels;
+    StageOperations stage = stage_of("pixels", stages.textured_pixels - divided, kPixel, Width::Bits32);
+    stage.events += divided;
+    add(divided, kExactTexel, Width::Bits32, stage);
+    add(stages.blocks - divided, kBlockRead, Width::Bits32, stage);
+    add(stages.flat_pixels, kFlatPixel, Width::Bits32, stage);
     return stage;
 }
 
@@ -224,7 +268,7 @@ std::array<StageOperations, kStageCount> operations_by_stage(const FrameCounts& 
             surfaces_of(stages, accuracy, widths),
             blocks_of(counts, accuracy, widths),
             divisions_of(counts, accuracy, widths),
-            textured_of(counts),
+            textured_of(stages),
             sky_of(stages),
             lit_texels_of(stages, accuracy)};
 }
