@@ -269,7 +269,7 @@ std::string report_html(const Report& report) {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<title>What does accuracy cost?</title>\n<style>";
-    page += std::string(kPageStyle) + "</style>\n</head>\n<body>\n";
+    page.append(kPageStyle).append("</style>\n</head>\n<body>\n");
     page += first_screen(report) + presets_section(report) + dials_section(report) + run_section(report);
     return page + "</body>\n</html>\n";
 }
