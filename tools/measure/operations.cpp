@@ -95,9 +95,10 @@ constexpr EventCost kDivision{900, 0, 100}, kTable{1900, 0, 0, 100, 400, 0}, kTa
     kTableTwoNewton{3000, 400, 0, 100, 400, 0};
 /// raster/exact_spans.cpp, draw_octave(): three steps and shifts, a division, two products; the texel, the pixel.
 constexpr EventCost kExactOverZ{300, 200}, kExactInverseZ{300, 0, 100}, kExactTexel{800, 0, 0, 100, 100, 100};
-/// The same: where an octave ends and whether it needs clamping; for each span, and for each pixel of the short
-/// stretches that bounded texturing divides in.
-constexpr EventCost kExactSpan{7200, 1690, 87}, kExactStretchPixel{2270, 520, 34};
+/// The same, a span or the part of one that bounded texturing divides: where octaves end, whether one needs clamping.
+constexpr EventCost kDividedPart{7200, 1690, 87};
+/// The fewest pixels that such parts have in the mean.
+constexpr std::int64_t kDividedPart_px = 3;
 /// raster/kernels/plain.cpp: two steps, two shifts, two masks, three addresses, the loop; the texel; the pixel.
 constexpr EventCost kPixel{1300, 0, 0, 100, 100, 100};
 /// The same from a block: its six numbers read.
@@ -179,10 +180,9 @@ StageOperations divisions_of(const FrameCounts& counts, const Accuracy& accuracy
     stage.events += divided;
     add(divided, kExactOverZ, widths.over_z, stage);
     add(divided, kExactInverseZ, widths.inverse_z, stage);
-    if (divides_spans(accuracy))
-        add(counts.spans, kExactSpan, widths.inverse_z, stage);
-    else
-        add(divided, kExactStretchPixel, widths.inverse_z, stage);
+    const std::int64_t parts =
+        divides_spans(accuracy) ? counts.spans : std::min(counts.spans, divided / kDividedPart_px);
+    add(parts, kDividedPart, widths.inverse_z, stage);
     return stage;
 }
 
