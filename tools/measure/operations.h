@@ -47,9 +47,9 @@ inline constexpr std::size_t kStageCount = 13;
 /// operations of doing it once, which are listed for each piece of code in operations.cpp. tests/operations holds them
 /// against the additions, multiplications and divisions of the compiled engine, counted block by block: no part of a
 /// frame of the demo level is more than 5 % off. On another level the means of a part may differ: on one of Quake's
-/// single parts by up to 80 %, all divisions by 8 %, all multiplications by 11 %, all additions by 3 %. Left out is what
-/// is done once a frame, or when the eye enters another leaf (1.4 % of the additions), and placed models' vertices.
-/// Dials that round to fewer bits make operations narrower. Whole numbers: the same on every machine.
+/// single parts by up to 80 %, all divisions by 8 %, all multiplications by 11 %, all additions by 3 %. Left out is
+/// what is done once a frame, or when the eye enters another leaf (1.4 % of the additions), and placed models'
+/// vertices. Dials that round to fewer bits make operations narrower. Whole numbers: the same on every machine.
 std::array<StageOperations, kStageCount> operations_by_stage(const FrameCounts& counts, const Accuracy& accuracy);
 Operations sum_of(const std::array<StageOperations, kStageCount>& stages);
 
