@@ -5,6 +5,7 @@
 #include <map>
 
 #include "engine/fixed/arithmetic.h"
+#include "engine/fixed/root.h"
 #include "engine/level/t_junctions.h"
 
 namespace oblong {
@@ -24,16 +25,17 @@ void append_corners(const Level& level, const Face& face, const TJunctions& junc
     }
 }
 
-/// The texture's axes map the face to a plane of texels. Of such a map the smallest stretch is at least its change of
-/// area by the root of the sum of its axes' squares (both singular values together), which is at most their sum.
+/// The texture's axes map the face to a plane of texels. Of such a map the smallest stretch is its change of area by
+/// its greatest stretch, which is at most the root of the sum of both axes' squares.
 TexelDensity least_density(const LevelPlane& plane, const TexInfo& texinfo) {
     using Coarse = Fixed<std::int32_t, 12>;
     using Area = Fixed<std::int64_t, 30>;
     const auto s = convert<Coarse>(texinfo.s), t = convert<Coarse>(texinfo.t);
     const auto across = convert<Coarse>(cross(s, t));
     const auto area = convert<Area>(absolute(dot(across, convert<Fixed<std::int32_t, 14>>(plane.normal))));
-    const auto both = length(s) + length(t) + Fixed<std::int64_t, 12>::from_raw(2);
-    return bounded_quotient<TexelDensity>(area, both);
+    const auto squares = static_cast<std::uint64_t>((dot(s, s) + dot(t, t)).raw);
+    const auto greatest = Fixed<std::int64_t, 12>::from_raw(static_cast<std::int64_t>(integer_root(squares)) + 2);
+    return bounded_quotient<TexelDensity>(area, greatest);
 }
 
 void add_face(const Level& level, const Face& face, const TJunctions& junctions, FaceTable& table) {
