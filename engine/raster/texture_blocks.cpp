@@ -29,10 +29,6 @@ struct Perspective {
     }
 };
 
-/// 1/z is clamped to these: the largest is that of z = 2^-15 unit, the smallest that of a point beyond any world.
-constexpr auto kGreatestInverseZ = InverseZ::from_raw(std::int64_t{1} << 59);
-constexpr auto kLeastInverseZ = InverseZ::from_raw(std::int64_t{1} << 24);
-
 /// std::clamp by value: the compiler then keeps all of it in registers.
 template <class Number>
 constexpr Number clamp_value(Number value, Number least, Number greatest) {
@@ -159,8 +155,9 @@ class SpanCutter {
     /// ends' 1/z, the line is off by |du| (sqrt k - 1) / (sqrt k + 1) <= |du| (k - 1) / 4 at most; a step that is
     /// floored loses less than 2^-16 texel a pixel.
     bool is_straight(InverseZ from_z, TexelPosition from, std::int32_t steps, std::int32_t bound_256) const {
-        const InverseZ least = std::min(from_z, here_.inverse_z), rise = absolute(here_.inverse_z - from_z);
+        const InverseZ least = std::min(from_z, here_.inverse_z);
         if (least < kLeastInverseZ) return false;
+        const InverseZ rise = absolute(here_.inverse_z - from_z);
         const int shift = std::max(static_cast<int>(std::bit_width(static_cast<std::uint64_t>(least.raw))) - 28, 0);
         const std::int64_t room_16 = std::int64_t{bound_256} * 256 - steps - 4;
         const std::int64_t rise_in_steps = floor_shift(rise, shift).raw + 1;

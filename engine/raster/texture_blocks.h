@@ -11,6 +11,10 @@
 
 namespace oblong {
 
+/// 1/z is clamped to these: the largest is that of z = 2^-15 unit, the smallest that of a point beyond any world.
+inline constexpr auto kGreatestInverseZ = InverseZ::from_raw(std::int64_t{1} << 59);
+inline constexpr auto kLeastInverseZ = InverseZ::from_raw(std::int64_t{1} << 24);
+
 /// A texture coordinate pair, texels, 16.16.
 struct TexelPosition {
     std::uint32_t u_16, v_16;

@@ -91,5 +91,27 @@ TEST(ExactSpans, DrawTheBytesOfBlocksWhereZIsBeyondItsRange) {
     }
 }
 
+/// Planes that no level has: steps that leave every range within a pixel, sums that wrap.
+TEST(ExactSpans, DrawTheBytesOfBlocksForAnyGradients) {
+    const TestSurface surface;
+    const TexelLimits limits = make_texel_limits(kSize, kSize, kWidth);
+    std::mt19937_64 random(12);
+    const auto any = [&random] { return static_cast<std::int64_t>(random()) >> random() % 63; };
+    for (int trial = 0; trial < 4000; ++trial) {
+        TextureGradients gradients;
+        // An octave below the greatest 1/z and above it, too.
+        const std::int64_t near_greatest = (std::int64_t{1} << 59) + (any() >> 5);
+        gradients.inverse_z.origin = InverseZ::from_raw(trial % 2 ? near_greatest : any());
+        gradients.inverse_z.per_column = InverseZ::from_raw(any());
+        const std::int64_t part = static_cast<std::int64_t>(random() % kSize) * (gradients.inverse_z.origin.raw >> 14);
+        gradients.u_over_z = {TexelOverZ::from_raw(trial % 3 ? part : any()), TexelOverZ::from_raw(any()), {}};
+        gradients.v_over_z = {TexelOverZ::from_raw(trial % 3 ? part : any()), TexelOverZ::from_raw(any()), {}};
+        const Span span{0, 0, 1 + static_cast<std::int32_t>(random() % 20)};
+        ASSERT_EQ(at_each_pixel(span, gradients, limits, surface.view),
+                  by_blocks(span, gradients, limits, surface.view))
+            << trial;
+    }
+}
+
 }  // namespace
 }  // namespace oblong::test
