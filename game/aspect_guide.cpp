@@ -76,8 +76,9 @@ std::vector<Pixel> circle_outline(const ScreenMode& mode) {
     const PixelSize pixel = pixel_size(mode);
     const double diameter = kCircle * shorter_side(mode);
     const auto is_inside = [&](std::int32_t x, std::int32_t y) {
-        return std::hypot((2 * x + 1 - mode.width_px) * pixel.width, (2 * y + 1 - mode.height_px) * pixel.height) <=
-               diameter;
+        const double across = (2 * x + 1 - mode.width_px) * pixel.width,
+                     down = (2 * y + 1 - mode.height_px) * pixel.height;
+        return across * across + down * down <= diameter * diameter;
     };
     std::vector<Pixel> outline;
     for (std::int32_t y = 0; y < mode.height_px; ++y)

@@ -2,18 +2,9 @@
 
 #include <algorithm>
 
+#include "tools/common/nearest_colour.h"
+
 namespace oblong {
-namespace {
-
-int square(int value) {
-    return value * value;
-}
-
-int squared_distance(Rgb8 a, Rgb8 b) {
-    return square(a.red - b.red) + square(a.green - b.green) + square(a.blue - b.blue);
-}
-
-}  // namespace
 
 Area clipped(const Area& area, Framebuffer canvas) {
     const std::int32_t left = std::clamp(area.x, 0, canvas.width_px), top = std::clamp(area.y, 0, canvas.height_px);
@@ -41,13 +32,6 @@ void recolour_area(Framebuffer canvas, const Area& area, const ColourTable& tabl
     for (std::int32_t row = 0; row < part.height_px; ++row)
         std::transform(part.row(row), part.row(row) + part.width_px, part.row(row),
                        [&](std::uint8_t colour) { return table[colour]; });
-}
-
-std::uint8_t nearest_colour(const Palette& palette, Rgb8 colour) {
-    const auto nearest = std::min_element(palette.colours.begin(), palette.colours.end(), [colour](Rgb8 a, Rgb8 b) {
-        return squared_distance(a, colour) < squared_distance(b, colour);
-    });
-    return static_cast<std::uint8_t>(nearest - palette.colours.begin());
 }
 
 ColourTable darker_colours(const Palette& palette, int brightness) {

@@ -27,8 +27,6 @@ using ColourTable = std::array<std::uint8_t, 256>;
 /// Replaces what is there by its entries in a table.
 void recolour_area(Framebuffer canvas, const Area& area, const ColourTable& table);
 
-/// The palette's entry nearest to a colour, by the sum of the squares of the differences; glowing ones too.
-std::uint8_t nearest_colour(const Palette& palette, Rgb8 colour);
 /// The palette's colours nearest to its own at `brightness` of 256.
 ColourTable darker_colours(const Palette& palette, int brightness);
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "tools/common/font.h"
+#include "tools/common/nearest_colour.h"
 
 namespace oblong {
 namespace {

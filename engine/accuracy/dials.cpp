@@ -60,9 +60,9 @@ constexpr std::array kDithers{named("off", false), named("on", true)};
 
 template <auto Field>
 constexpr Dial dial(std::string_view name, std::string_view caption, std::string_view about, std::string_view unit,
-                    std::string_view read_in, bool changes_code, std::span<const DialSetting> settings,
+                    std::string_view read_in, bool changes_work, std::span<const DialSetting> settings,
                     std::int32_t least = 0, std::int32_t greatest = 0, int fraction_bits = 0) {
-    return {name,     caption, about,    unit,          read_in,          changes_code,
+    return {name,     caption, about,    unit,          read_in,          changes_work,
             settings, least,   greatest, fraction_bits, get_field<Field>, set_field<Field>};
 }
 
@@ -101,9 +101,9 @@ constexpr std::array kDials{
                                    "Mixes two shades in a pattern of 4x4 texels where the light lies between them.", "",
                                    "engine/surface/lit_surface.cpp", true, kDithers),
     dial<&Accuracy::inverse_z_bits>("inverse-z-bits", "1/z bits", "Fraction bits of 1/z.", "fraction bits",
-                                    "engine/geometry/texture_gradients.cpp", false, kInverseZBits, 12, 44),
+                                    "engine/frame/frame.cpp", false, kInverseZBits, 12, 44),
     dial<&Accuracy::over_z_bits>("over-z-bits", "u/z, v/z bits", "Fraction bits of u/z and v/z.", "fraction bits",
-                                 "engine/geometry/texture_gradients.cpp", false, kOverZBits, 4, 30),
+                                 "engine/frame/frame.cpp", false, kOverZBits, 4, 30),
     dial<&Accuracy::texturing>("perspective", "perspective",
                                "How often a span of pixels divides by z: at its ends, every so many pixels, as often "
                                "as a bound of the error asks, or at each pixel.",

@@ -22,9 +22,10 @@ struct Dial {
     std::string_view about;    ///< what it approximates and how, one or two sentences
     std::string_view unit;     ///< of its numbers; empty where its values have names
     std::string_view read_in;  ///< the file that reads it
-    /// Whether another setting runs other code. If not, a value is only rounded to fewer bits in a wide type: its error
-    /// is real, its time is that of the wide type, and what narrow types would have cost can be modelled only.
-    bool changes_code;
+    /// Whether another setting is other work: other code, or more or less of it. If not, a value is only rounded to
+    /// fewer bits in a wide type: its error is real, its time is that of the wide type, and what narrow types would
+    /// have cost can be modelled only.
+    bool changes_work;
     std::span<const DialSetting> settings;  ///< from the coarsest to the most exact, which is the last
     /// Numbers from `least` to `greatest`, in steps of 2^-fraction_bits, are valid too; none where both are 0.
     std::int32_t least, greatest;

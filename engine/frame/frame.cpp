@@ -1,8 +1,8 @@
 #include "engine/frame/frame.h"
 
 #include <algorithm>
-#include <iterator>
 
+#include "engine/base/table.h"
 #include "engine/effects/sky.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/texture_spans.h"
@@ -130,18 +130,16 @@ int mip_level(FaceIndex face, View nearest_z, const FrameContext& frame, const F
 
 /// Draws each owned span with the mip level of its nearest pixel.
 void draw_by_span_mips(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
-    const auto inverse_z = gradients_of(visible, FaceSurface{}, frame, work).inverse_z;
-    const auto mip_of = [&](const Span& span) {
+    const FaceSurface no_surface;  // 1/z does not depend on it
+    const auto inverse_z = gradients_of(visible, no_surface, frame, work).inverse_z;
+    for (std::vector<Span>& spans : work.of_mip) spans.clear();
+    for (const Span& span : work.owned) {
         const InverseZ first = inverse_z.at(span.first, span.y), last = inverse_z.at(span.end - 1, span.y);
         const auto nearest_z = reciprocal<View>(std::max({first, last, InverseZ::ulp()}));
-        return mip_level(visible.face, nearest_z, frame, work);
-    };
-    for (int mip = 0; mip < 4; ++mip) {
-        work.of_mip.clear();
-        std::copy_if(work.owned.begin(), work.owned.end(), std::back_inserter(work.of_mip),
-                     [&](const Span& span) { return mip_of(span) == mip; });
-        if (!work.of_mip.empty()) draw_textured(visible, mip, work.of_mip, frame, work);
+        at(work.of_mip, mip_level(visible.face, nearest_z, frame, work)).push_back(span);
     }
+    for (int mip = 0; mip < 4; ++mip)
+        if (!at(work.of_mip, mip).empty()) draw_textured(visible, mip, at(work.of_mip, mip), frame, work);
 }
 
 void draw_with_mips(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -37,7 +38,7 @@ class FrameWorkspace {
     ScreenPolygon polygon;
     ScanlineExtents rows;
     std::vector<Span> owned;                      ///< what the current face claimed
-    std::vector<Span> of_mip;                     ///< those of them that one mip level draws
+    std::array<std::vector<Span>, 4> of_mip;      ///< those of them that each mip level draws
     std::vector<Span> long_blocks, short_blocks;  ///< those that bounded texturing draws as blocks, and pixel by pixel
     std::vector<Span> sky_spans;                  ///< what sky faces claimed, drawn last
     BlockList blocks;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <set>
 
 #include "engine/accuracy/presets.h"
@@ -34,6 +35,7 @@ TEST(Dials, NamesDiffer) {
         EXPECT_TRUE(names.insert(dial.name).second) << dial.name;
         EXPECT_EQ(dial_named(dial.name), &dial);
         EXPECT_LE(dial.caption.size(), 20u) << dial.name;
+        EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(OBLONG_SOURCE_DIR) / dial.read_in)) << dial.name;
         std::set<std::string_view> settings;
         for (const DialSetting& setting : dial.settings) EXPECT_TRUE(settings.insert(setting.name).second) << dial.name;
     }

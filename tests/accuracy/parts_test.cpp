@@ -24,7 +24,7 @@ TEST(Configurations, AreAllDialsAloneAroundTheDefaultAndThePresets) {
             if (rows.dial->name == "texel-bound") expected.texturing = Texturing::BoundedTexels;
             rows.dial->set(expected, rows.dial->settings[i].value);
             EXPECT_EQ(all.accuracies[rows.rows[i].index], expected) << rows.dial->name << '=' << rows.rows[i].name;
-            EXPECT_TRUE(all.is_timed[rows.rows[i].index] || !rows.dial->changes_code);
+            EXPECT_TRUE(all.is_timed[rows.rows[i].index] || !rows.dial->changes_work);
         }
 }
 

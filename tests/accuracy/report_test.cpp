@@ -46,7 +46,7 @@ void expect_dial(const Json& found, const Dial& dial) {
     ASSERT_EQ(found["settings"].size(), dial.settings.size());
     for (std::size_t k = 0; k < dial.settings.size(); ++k) {
         EXPECT_EQ(found["settings"][k]["name"], dial.settings[k].name);
-        EXPECT_EQ(found["settings"][k]["time"], dial.changes_code ? "measured" : "modelled");
+        EXPECT_EQ(found["settings"][k]["time"], dial.changes_work ? "measured" : "modelled");
         expect_setting(found["settings"][k]);
     }
 }
@@ -141,7 +141,7 @@ void expect_section(const Dial& dial, const std::string& page) {
     const std::size_t section = page.find("<h3 id=\"" + std::string(dial.name) + "\"");
     ASSERT_NE(section, std::string::npos) << dial.name;
     const std::string text = page.substr(section, page.find("<h3", section + 1) - section);
-    EXPECT_EQ(text.find("<td>modelled</td>") != std::string::npos, !dial.changes_code) << dial.name;
+    EXPECT_EQ(text.find("<td>modelled</td>") != std::string::npos, !dial.changes_work) << dial.name;
     EXPECT_NE(text.find("<svg class=\"dial\""), std::string::npos) << dial.name;
     const bool has_map = text.find("<img") != std::string::npos;
     EXPECT_NE(has_map, text.find("off by this measure: no map") != std::string::npos) << dial.name;

@@ -41,7 +41,7 @@ TEST(LabOptions, EachDialIsReachedAndExplained) {
     for (std::size_t i = 0; i < all_dials().size(); ++i) {
         const std::string said = press(Command::DialDown, options);
         EXPECT_EQ(said.rfind(std::string(chosen(options).caption) + ": ", 0), 0u) << said;
-        EXPECT_EQ(said.find("Its error is real") == std::string::npos, chosen(options).changes_code) << said;
+        EXPECT_EQ(said.find("Its error is real") == std::string::npos, chosen(options).changes_work) << said;
     }
     EXPECT_EQ(options.lab.dial, first);
     for (std::size_t i = 0; i <= first; ++i) press(Command::DialUp, options);

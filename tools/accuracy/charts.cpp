@@ -39,7 +39,7 @@ std::vector<Mark> marks_of(const Report& report, CostAxis across) {
     };
     for (const Configurations::Row& preset : report.configurations.presets) add(preset, preset.name, true);
     for (const Configurations::DialRows& dial : report.configurations.dials)
-        if (dial.dial->changes_code && dial.measure == Measure::Displacement)
+        if (dial.dial->changes_work && dial.measure == Measure::Displacement)
             for (const Configurations::Row& row : dial.rows)
                 add(row, std::string(dial.dial->name) + "=" + row.name, false);
     return marks;
@@ -171,7 +171,7 @@ struct DialBars {
             most_cost = std::max(most_cost, is_measured() ? time_of(report, dial, row)->high / 1000 : cost(row));
         }
     }
-    bool is_measured() const { return dial.dial->changes_code; }
+    bool is_measured() const { return dial.dial->changes_work; }
     double error(const Configurations::Row& row) const {
         return summary_of(report.results[row.index].errors, dial.measure).rms;
     }

@@ -27,7 +27,7 @@ Configurations::DialRows rows_of(const Dial& dial, Configurations& all) {
         Accuracy accuracy = base;
         dial.set(accuracy, setting.value);
         const std::size_t index = index_of(accuracy, all);
-        if (dial.changes_code) all.is_timed[index] = true;
+        if (dial.changes_work) all.is_timed[index] = true;
         rows.rows.push_back({std::string(setting.name), index});
     }
     return rows;

@@ -14,15 +14,11 @@ float distance(const reference::Rgb& a, const reference::Rgb& b) {
     return static_cast<float>(std::sqrt(red * red + green * green + blue * blue));
 }
 
-double number(Texel texel) {
-    return static_cast<double>(texel.raw) / static_cast<double>(Texel::from_int(1).raw);
-}
-
 float light_error(const DrawnFrame& frame, const PixelRecord& pixel, std::uint8_t shown) {
     if (pixel.face.is_none() || pixel.mip != 0) return -1;
     const reference::Level& level = frame.level.exact;
     const reference::Rgb truth =
-        true_colour(level, level.face(pixel.face.number()), number(pixel.u), number(pixel.v), frame.palette);
+        true_colour(level, level.face(pixel.face.number()), number_of(pixel.u), number_of(pixel.v), frame.palette);
     return distance(frame.palette[shown], truth);
 }
 

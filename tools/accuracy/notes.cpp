@@ -65,7 +65,7 @@ bool is_about_surfaces(Measure measure) {
 
 std::optional<TimeSpread> time_of(const Report& report, const Configurations::DialRows& dial,
                                   const Configurations::Row& row) {
-    if (!dial.dial->changes_code) return std::nullopt;
+    if (!dial.dial->changes_work) return std::nullopt;
     const auto& times = report.times.settings[row.index];
     if (!times) return std::nullopt;
     return is_about_surfaces(dial.measure) && times->unlit ? *times->unlit : times->frame;

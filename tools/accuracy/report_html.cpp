@@ -184,7 +184,7 @@ std::string heat_maps(const std::vector<HeatMap>& maps, Measure measure) {
 }
 
 std::string kind_of_time(const Configurations::DialRows& dial) {
-    if (!dial.dial->changes_code)
+    if (!dial.dial->changes_work)
         return "Its settings round to fewer bits in a wide type: their errors are real, what narrow types would cost "
                "is "
                "modelled from counted operations, and there is no time to measure.";

@@ -108,7 +108,7 @@ Json dial_json(const Report& report, const Configurations::DialRows& rows) {
     const Dial& dial = *rows.dial;
     Json settings = Json::array();
     for (const Configurations::Row& row : rows.rows)
-        settings.push_back(setting_json(report, row, rows.measure, dial.changes_code));
+        settings.push_back(setting_json(report, row, rows.measure, dial.changes_work));
     return {{"name", dial.name},
             {"about", dial.about},
             {"unit", dial.unit},

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "tools/common/nearest_colour.h"
 #include "tools/common/wad.h"
 #include "tools/texture/mipmaps.h"
 

@@ -96,7 +96,7 @@ constexpr EventCost kDivision{900, 0, 100}, kTable{1900, 0, 0, 100, 400, 0}, kTa
 /// raster/exact_spans.cpp, draw_octave(): three steps and shifts, a division, two products; the texel, the pixel.
 constexpr EventCost kExactOverZ{300, 200}, kExactInverseZ{300, 0, 100}, kExactTexel{800, 0, 0, 100, 100, 100};
 /// The same, a span or the part of one that bounded texturing divides: where octaves end, whether one needs clamping.
-constexpr EventCost kDividedPart{7200, 1690, 87};
+constexpr EventCost kDividedPart{9200, 1840, 87};
 /// The fewest pixels that such parts have in the mean.
 constexpr std::int64_t kDividedPart_px = 3;
 /// raster/kernels/plain.cpp: two steps, two shifts, two masks, three addresses, the loop; the texel; the pixel.

@@ -1,20 +1,9 @@
 #include "tools/measure/reference_view.h"
 
-#include <cmath>
-
 namespace oblong {
 
-namespace {
-
-template <class Int, int Frac>
-double number(Fixed<Int, Frac> value) {
-    return std::ldexp(static_cast<double>(value.raw), -Frac);
-}
-
-}  // namespace
-
 reference::Vec reference_vec(const Vec3<World>& world) {
-    return {number(world.x), number(world.y), number(world.z)};
+    return {number_of(world.x), number_of(world.y), number_of(world.z)};
 }
 
 reference::View reference_view(const Camera& camera, const ScreenMode& mode, bool correct_aspect) {
@@ -23,7 +12,7 @@ reference::View reference_view(const Camera& camera, const ScreenMode& mode, boo
     view.yaw = camera.yaw.bam;
     view.pitch = camera.pitch.bam;
     view.roll = camera.roll.bam;
-    view.field_of_view = number(camera.field_of_view);
+    view.field_of_view = number_of(camera.field_of_view);
     view.width_px = mode.width_px;
     view.height_px = mode.height_px;
     view.display = static_cast<double>(mode.display.numerator) / static_cast<double>(mode.display.denominator);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,11 @@
 #include "tools/reference/frame.h"
 
 namespace oblong {
+
+template <class Int, int Frac>
+double number_of(Fixed<Int, Frac> value) {
+    return std::ldexp(static_cast<double>(value.raw), -Frac);
+}
 
 /// What the reference renderer needs to see what the engine sees. `correct_aspect`: Settings::correct_aspect.
 reference::View reference_view(const Camera& camera, const ScreenMode& mode, bool correct_aspect = true);

@@ -9,10 +9,6 @@ namespace oblong {
 
 namespace {
 
-constexpr double number(Texel texel) {
-    return static_cast<double>(texel.raw) / Texel::from_int(1).raw;
-}
-
 /// std::hypot() takes ten times as long; nothing here over- or underflows.
 double length(double x, double y) {
     return std::sqrt(x * x + y * y);
@@ -50,7 +46,7 @@ TexelError TexelErrorMeter::error_of(const PixelRecord& pixel, const reference::
                                      reference::ScreenPoint centre) const {
     const reference::Texel exact = plane.texel_at(centre);
     if (!(exact.inverse_z > 0)) return {};
-    const double u = number(pixel.u), v = number(pixel.v);
+    const double u = number_of(pixel.u), v = number_of(pixel.v);
     const auto place = plane.place_of(u, v);
     if (!place && !plane.place_of(exact.u, exact.v)) return {};  // a texture on edge, as it were
     const double distance = place ? length(place->x - centre.x, place->y - centre.y) : diagonal_px_;

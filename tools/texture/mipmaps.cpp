@@ -1,8 +1,7 @@
 #include "tools/texture/mipmaps.h"
 
-#include <limits>
-
 #include "engine/base/table.h"
+#include "tools/common/nearest_colour.h"
 
 namespace oblong {
 
@@ -54,11 +53,6 @@ std::vector<std::uint8_t> shrink(const MipTexture& texture, const Palette& palet
     return texels;
 }
 
-int squared_distance(Rgb8 a, Rgb8 b) {
-    const int red = a.red - b.red, green = a.green - b.green, blue = a.blue - b.blue;
-    return red * red + green * green + blue * blue;
-}
-
 }  // namespace
 
 MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::int32_t height,
@@ -72,17 +66,6 @@ MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::in
         at(texture.mips, level) = shrink(texture, palette, level);
     }
     return texture;
-}
-
-std::uint8_t nearest_colour(const Palette& palette, Rgb8 colour, ColourRange range) {
-    int best = range.begin, best_distance = std::numeric_limits<int>::max();
-    for (int index = range.begin; index < range.end; ++index) {
-        const int distance = squared_distance(at(palette.colours, index), colour);
-        if (distance >= best_distance) continue;
-        best = index;
-        best_distance = distance;
-    }
-    return static_cast<std::uint8_t>(best);
 }
 
 }  // namespace oblong

@@ -10,6 +10,7 @@
 #include "engine/platform/files.h"
 #include "engine/screen/screen.h"
 #include "tools/common/arguments.h"
+#include "tools/common/nearest_colour.h"
 #include "tools/common/png.h"
 #include "tools/common/wad.h"
 #include "tools/texture/mipmaps.h"
