@@ -76,6 +76,11 @@ void count_writes(std::span<const TexelBlock> blocks, FrameCounts& counts) {
     counts.stages.blocks += static_cast<std::int64_t>(blocks.size());
 }
 
+void count_sky(std::span<const Span> spans, FrameCounts& counts) {
+    counts.stages.sky_pixels = pixels_of(spans);
+    counts.stages.flat_pixels -= counts.stages.sky_pixels;
+}
+
 void count_polygon(const ScreenPolygon& polygon, const ScanlineExtents& rows, StageCounts& stages) {
     const auto corners = static_cast<std::int64_t>(polygon.screen.size());
     if (polygon.is_clipped) stages.clipped_corners += corners;

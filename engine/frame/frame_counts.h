@@ -56,6 +56,8 @@ void count_face(EffectSet effects, std::span<const Span> spans, FrameCounts& cou
 /// Adds a write to each pixel of spans or blocks. `pitch` is the framebuffer's.
 void count_writes(std::span<const Span> spans, std::int32_t pitch, FrameCounts& counts);
 void count_writes(std::span<const TexelBlock> blocks, FrameCounts& counts);
+/// Moves these spans, all of the sky's, from the pixels of one colour to those of the sky.
+void count_sky(std::span<const Span> spans, FrameCounts& counts);
 /// Adds a polygon that was scanned into `rows`.
 void count_polygon(const ScreenPolygon& polygon, const ScanlineExtents& rows, StageCounts& stages);
 

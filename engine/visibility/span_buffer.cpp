@@ -35,6 +35,17 @@ void SpanBuffer::claim(const ScanlineExtents& rows, std::vector<Span>& owned) {
     for (std::int32_t y = rows.first; y < rows.end; ++y) claim(y, at(rows.left, y), at(rows.right, y), owned);
 }
 
+void SpanBuffer::find_free(const ScanlineExtents& rows, std::vector<Span>& free) const {
+    for (std::int32_t y = rows.first; y < rows.end; ++y) {
+        const std::span intervals(list_of(y), static_cast<std::size_t>(at(rows_, y).count));
+        for (const Interval& interval : intervals) {
+            const std::int32_t first = std::max<std::int32_t>(interval.first, at(rows.left, y));
+            const std::int32_t end = std::min<std::int32_t>(interval.end, at(rows.right, y));
+            if (first < end) free.push_back({y, first, end});
+        }
+    }
+}
+
 void SpanBuffer::claim_from(Row& row, Interval* list, const Span& span, std::vector<Span>& owned) {
     Interval* const list_end = list + row.count;
     Interval* read = list;
