@@ -62,10 +62,18 @@ void FaceClaims::clear() {
     effects = {};
 }
 
+std::int64_t pixels_of(const FaceClaims& claims, FaceList list) {
+    std::int64_t pixels = 0;
+    for (const ClaimedFace& face : claims.list(list)) pixels += pixels_of(claims.spans_of(face));
+    return pixels;
+}
+
 void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
+    const Stopwatch watch(work.times.get(), &FrameTimes::claims_ns);
     BrushModels* const models = frame.allows(Effect::BrushModels) ? &work.brush_models : nullptr;
     FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk);
     while (const std::optional<VisibleFace> visible = walk.next()) {
+        const Stopwatch of_models(visible->fragment ? work.times.get() : nullptr, Effect::BrushModels);
         if (!project(*visible, frame, work)) continue;
         scan_convex(work.polygon.screen, work.rows, frame.accuracy().edges);
         if (work.counts) count_polygon(work.polygon, work.rows, work.counts->stages);

@@ -40,6 +40,9 @@ struct FaceClaims {
     void clear();
 };
 
+/// The pixels of a list's faces.
+std::int64_t pixels_of(const FaceClaims& claims, FaceList list);
+
 /// Takes the faces front to back and lets each claim its pixels; draws nothing. Faces that are seen through get the
 /// pixels that were free when the walk came to them, and leave them free.
 void claim_faces(const FrameContext& frame, FrameWorkspace& work);

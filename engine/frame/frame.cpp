@@ -27,9 +27,13 @@ ViewContext make_view(const Camera& camera, const Vec3<World>& eye, const Screen
 /// Moves the eye clear of planes, and finds what may be seen from there.
 FrameContext begin_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
                          FrameWorkspace& work, Framebuffer out) {
+    if (work.times) *work.times = {work.times->clock};
     const PlacedEye eye = place_eye(scene.level, camera.eye);
     work.visible.see_from(scene.level, eye.leaf);
-    work.brush_models.start_frame(scene.level, scene.models, work.faces);
+    {
+        const Stopwatch watch(work.times.get(), Effect::BrushModels);
+        work.brush_models.start_frame(scene.level, scene.models, work.faces);
+    }
     work.vertices.start_frame();
     work.surfaces.start_frame(settings.accuracy, scene.colormap);
     work.span_buffer.reset();
@@ -75,6 +79,7 @@ void draw_sky_faces(const FrameContext& frame, FrameWorkspace& work) {
 }
 
 void run(Pass pass, const FrameContext& frame, FrameWorkspace& work) {
+    const Stopwatch watch(work.times.get(), pass);
     switch (pass) {
         case Pass::Walls:
             return draw_surfaces(FaceList::Walls, frame, work);
@@ -109,6 +114,8 @@ void count_frame(std::int64_t texels_before, FrameWorkspace& work) {
     stages.vertices = vertices.transformed;
     stages.projected = vertices.projected;
     stages.lit_texels = work.surfaces.built_texels() - texels_before;
+    work.counts->pass_pixels = {pixels_of(work.claims, FaceList::Walls), pixels_of(work.claims, FaceList::Flat),
+                                pixels_of(work.claims, FaceList::Liquid), pixels_of(work.claims, FaceList::Sky)};
 }
 
 }  // namespace

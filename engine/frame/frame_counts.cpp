@@ -47,7 +47,6 @@ std::int64_t pixels_of(std::span<const Span> spans) {
 FrameCounts make_frame_counts(const Framebuffer& out) {
     FrameCounts counts;
     counts.writes.resize(pixel_count(out.pitch, out.height_px));
-    counts.effect_pixels.resize(kEffectNames.size());
     return counts;
 }
 

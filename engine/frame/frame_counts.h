@@ -1,14 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "engine/frame/plan.h"
 #include "engine/geometry/screen_polygon.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/raster/scan.h"
-#include "engine/scene/effects.h"
 #include "engine/screen/screen.h"
 
 namespace oblong {
@@ -34,8 +35,9 @@ struct StageCounts {
 struct FrameCounts {
     std::int64_t faces_visited = 0, faces_drawn = 0, spans = 0, divisions = 0;
     StageCounts stages;
-    std::vector<std::uint8_t> writes;         ///< of each pixel, by faces, those of the sky too; at most 255
-    std::vector<std::int64_t> effect_pixels;  ///< of each Effect: those of the faces that need it
+    std::vector<std::uint8_t> writes;  ///< of each pixel, by faces, those of the sky too; at most 255
+    std::array<std::int64_t, kEffectCount> effect_pixels{};  ///< of each Effect: of what needs it
+    std::array<std::int64_t, kPassCount> pass_pixels{};      ///< of each Pass
 };
 
 /// A count and its name, for reports.

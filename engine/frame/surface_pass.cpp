@@ -13,11 +13,16 @@ namespace oblong {
 
 namespace {
 
+FaceSurface surface_of(FaceIndex face, int mip, const FrameContext& frame, FrameWorkspace& work) {
+    const Stopwatch watch(work.times.get(), &FrameTimes::surfaces_ns);
+    return work.surfaces.get(face, mip, frame.scene.light_styles);
+}
+
 /// Draws spans of a face with its texture of one mip level.
 void draw_textured(const ClaimedFace& claimed, int mip, std::span<const Span> spans, const FrameContext& frame,
                    FrameWorkspace& work) {
     const FaceIndex index = claimed.visible.face;
-    const FaceSurface surface = work.surfaces.get(index, mip, frame.scene.light_styles);
+    const FaceSurface surface = surface_of(index, mip, frame, work);
     const TextureGradients gradients = gradients_of(claimed.visible, surface, frame, work);
     if (work.counts) ++work.counts->stages.surfaces;
     const WidthAtOne width = frame.inverse_projection.least_pixel_width;
@@ -61,6 +66,7 @@ TextureGradients gradients_of(const VisibleFace& visible, const FaceSurface& sur
 void draw_surfaces(FaceList list, const FrameContext& frame, FrameWorkspace& work) {
     const MipSelection selection = frame.accuracy().mip;
     for (const ClaimedFace& claimed : work.claims.list(list)) {
+        const Stopwatch of_models(claimed.visible.fragment ? work.times.get() : nullptr, Effect::BrushModels);
         if (selection == MipSelection::Span) {
             draw_by_span_mips(claimed, frame, work);
             continue;

@@ -9,6 +9,7 @@
 #include "engine/frame/claims.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
+#include "engine/frame/frame_times.h"
 #include "engine/frame/plan.h"
 #include "engine/geometry/screen_polygon.h"
 #include "engine/raster/scan.h"
@@ -46,9 +47,10 @@ class FrameWorkspace {
     FaceSurfaces surfaces;
     BrushModels brush_models;
 
-    FramePlan plan;                       ///< of the frame drawn last: for showing, never read by a frame
+    FramePlan plan;                       ///< of the frame drawn last
     std::unique_ptr<FrameCounts> counts;  ///< null: nothing is counted
     std::unique_ptr<FrameRecord> record;  ///< null: nothing is recorded
+    std::unique_ptr<FrameTimes> times;    ///< null: nothing is timed
 };
 
 }  // namespace oblong
