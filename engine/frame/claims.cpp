@@ -3,6 +3,7 @@
 #include "engine/frame/frame_context.h"
 #include "engine/frame/workspace.h"
 #include "engine/raster/scan.h"
+#include "engine/visibility/model_cutter.h"
 
 namespace oblong {
 
@@ -17,9 +18,32 @@ std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& fra
     return work.own_corners;
 }
 
+/// The same for what a mirror shows: the part of the face that is before the mirror.
+bool project_before_mirror(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
+    const MirrorPlane& mirror = *frame.mirror;
+    const Level& level = frame.scene.level;
+    std::vector<Vec3<World>>& corners = work.mirror.corners;
+    corners.clear();
+    if (visible.fragment) {
+        const auto own = work.brush_models.corners_of(*visible.fragment);
+        corners.assign(own.begin(), own.end());
+    } else {
+        for (const VertexIndex corner : corners_of(visible.face, frame, work))
+            corners.push_back(level.vertices[corner]);
+    }
+    const PolygonSide side = polygon_side(level.planes[mirror.plane], mirror.offset, corners, work.mirror.distances);
+    const PolygonSide shown = mirror.is_back ? PolygonSide::Back : PolygonSide::Front;
+    if (side == shown) return project_polygon(corners, frame.view, work.polygon);
+    if (side != PolygonSide::Both) return false;
+    const std::size_t count = corners.size();
+    append_part(corners, 0, work.mirror.distances, !mirror.is_back);
+    return project_polygon(std::span(corners).subspan(count), frame.view, work.polygon);
+}
+
 /// Transforms, clips and projects the corners into work.polygon. False if nothing of the face is in view.
 bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
     if (work.counts) ++work.counts->faces_visited;
+    if (frame.mirror) return project_before_mirror(visible, frame, work);
     if (visible.fragment)
         return project_polygon(work.brush_models.corners_of(*visible.fragment), frame.view, work.polygon);
     return project_face(corners_of(visible.face, frame, work), frame.view, work.vertices, work.polygon);
@@ -59,6 +83,7 @@ void claim_face(const VisibleFace& visible, const FrameContext& frame, FrameWork
 void FaceClaims::clear() {
     spans.clear();
     for (auto& faces : lists) faces.clear();
+    left_free.clear();
     effects = {};
 }
 
@@ -79,7 +104,8 @@ void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
         if (work.counts) count_polygon(work.polygon, work.rows, work.counts->stages);
         claim_face(*visible, frame, work);
     }
-    if (work.counts) work.counts->stages.nodes = walk.nodes_entered();
+    work.span_buffer.claim_rest(work.claims.left_free);
+    if (work.counts) count_walk(walk.nodes_entered(), work.vertices.count(), work.counts->stages);
 }
 
 }  // namespace oblong

@@ -30,7 +30,8 @@ struct ClaimedFace {
 struct FaceClaims {
     std::vector<Span> spans;
     std::array<std::vector<ClaimedFace>, kFaceListCount> lists;
-    EffectSet effects;  ///< that these faces need and the settings allow
+    EffectSet effects;            ///< that these faces need and the settings allow
+    std::vector<Span> left_free;  ///< pixels that no face owns
 
     std::vector<ClaimedFace>& list(FaceList which) { return lists[static_cast<std::size_t>(which)]; }
     const std::vector<ClaimedFace>& list(FaceList which) const { return lists[static_cast<std::size_t>(which)]; }

@@ -80,6 +80,12 @@ void count_sky(std::span<const Span> spans, FrameCounts& counts) {
     counts.stages.flat_pixels -= counts.stages.sky_pixels;
 }
 
+void count_walk(std::int64_t nodes, const VertexCache::Counts& vertices, StageCounts& stages) {
+    stages.nodes = nodes;
+    stages.vertices = vertices.transformed;
+    stages.projected = vertices.projected;
+}
+
 void count_polygon(const ScreenPolygon& polygon, const ScanlineExtents& rows, StageCounts& stages) {
     const auto corners = static_cast<std::int64_t>(polygon.screen.size());
     if (polygon.is_clipped) stages.clipped_corners += corners;

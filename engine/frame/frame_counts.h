@@ -8,6 +8,7 @@
 
 #include "engine/frame/plan.h"
 #include "engine/geometry/screen_polygon.h"
+#include "engine/geometry/vertex_cache.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/raster/scan.h"
 #include "engine/screen/screen.h"
@@ -60,6 +61,8 @@ void count_writes(std::span<const Span> spans, std::int32_t pitch, FrameCounts& 
 void count_writes(std::span<const TexelBlock> blocks, FrameCounts& counts);
 /// Moves these spans, all of the sky's, from the pixels of one colour to those of the sky.
 void count_sky(std::span<const Span> spans, FrameCounts& counts);
+/// Adds what a walk and its vertices took.
+void count_walk(std::int64_t nodes, const VertexCache::Counts& vertices, StageCounts& stages);
 /// Adds a polygon that was scanned into `rows`.
 void count_polygon(const ScreenPolygon& polygon, const ScanlineExtents& rows, StageCounts& stages);
 

@@ -13,6 +13,8 @@ std::optional<Pass> pass_of(Effect effect) {
             return Pass::Sky;
         case Effect::Liquid:
             return Pass::Liquid;
+        case Effect::Mirror:
+            return Pass::Mirror;
         default:
             return std::nullopt;
     }

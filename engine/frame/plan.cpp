@@ -12,6 +12,7 @@ FramePlan plan_frame(const FaceClaims& claims) {
     add_if_called_for(Pass::Flat, FaceList::Flat);
     add_if_called_for(Pass::Liquid, FaceList::Liquid);
     add_if_called_for(Pass::Sky, FaceList::Sky);
+    add_if_called_for(Pass::Mirror, FaceList::Mirror);
     return plan;
 }
 

@@ -11,9 +11,9 @@
 namespace oblong {
 
 /// A step of a frame that writes pixels, in the order in which they run.
-enum class Pass : std::uint8_t { Walls, Flat, Liquid, Sky };
-inline constexpr std::size_t kPassCount = 4;
-inline constexpr std::array<std::string_view, kPassCount> kPassNames{"walls", "flat", "liquid", "sky"};
+enum class Pass : std::uint8_t { Walls, Flat, Liquid, Sky, Mirror };
+inline constexpr std::size_t kPassCount = 5;
+inline constexpr std::array<std::string_view, kPassCount> kPassNames{"walls", "flat", "liquid", "sky", "mirror"};
 
 /// What a frame runs: nothing else does. A pass is on it if something that owns pixels needs it.
 struct FramePlan {

@@ -10,6 +10,7 @@
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
 #include "engine/frame/frame_times.h"
+#include "engine/frame/mirror_pass.h"
 #include "engine/frame/plan.h"
 #include "engine/geometry/screen_polygon.h"
 #include "engine/raster/scan.h"
@@ -43,6 +44,7 @@ class FrameWorkspace {
     std::array<std::vector<Span>, 4> of_mip;      ///< the current face's spans that each mip level draws
     std::vector<Span> long_blocks, short_blocks;  ///< those that bounded texturing draws as blocks, and pixel by pixel
     std::vector<Span> pass_spans;                 ///< all of the current pass, where it draws them together
+    MirrorScratch mirror;
     BlockList blocks;
     FaceSurfaces surfaces;
     BrushModels brush_models;

@@ -25,9 +25,12 @@ void append_corners(const Level& level, const Face& face, const TJunctions& junc
     }
 }
 
-EffectSet effects_of(Material material) {
-    if (material == Material::Sky) return EffectSet{}.with(Effect::Sky);
-    if (material == Material::Liquid) return EffectSet{}.with(Effect::Liquid);
+/// The effects that a face needs by its texture.
+EffectSet effects_of(const TexInfo& texinfo, const std::string& texture) {
+    if (texinfo.material == Material::Sky) return EffectSet{}.with(Effect::Sky);
+    if (texinfo.material == Material::Liquid) return EffectSet{}.with(Effect::Liquid);
+    if (texture.starts_with("mirror")) return EffectSet{}.with(Effect::Mirror);
+    if (texture.starts_with('{')) return EffectSet{}.with(Effect::Fence);
     return {};
 }
 
@@ -52,7 +55,7 @@ void add_face(const Level& level, const Face& face, const TJunctions& junctions,
     table.faces.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
                            convert<TexelDensity>(std::max(length(texinfo.s), length(texinfo.t)), Rounding::Floor),
                            least_density(level.planes[face.plane], texinfo), texinfo.material,
-                           effects_of(texinfo.material)});
+                           effects_of(texinfo, level.texture_of(face).name)});
     table.most_corners = std::max(table.most_corners, count);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/base/table.h"
@@ -19,6 +20,8 @@ class SpanBuffer {
 
     /// Everything is free again.
     void reset();
+    /// These alone are free: sorted by row, then by column, and without overlap.
+    void reset_to(std::span<const Span> free);
     /// Claims row y's pixels [first, end): appends those that were free to `owned`. Columns may lie off the screen.
     void claim(std::int32_t y, std::int32_t first, std::int32_t end, std::vector<Span>& owned);
     /// The same for every row of a scanned polygon.
