@@ -21,7 +21,7 @@ void add_way_down(Draft& draft) {
 }
 
 void add_garden_tree(Draft& draft, double x, double y) {
-    draft.add(extrude({2, circle(6, x, y, 8, 0)}, kLawn, kLawn + 24, "wood_panel"));
+    draft.add_detail(extrude({2, circle(6, x, y, 8, 0)}, kLawn, kLawn + 24, "wood_panel"));
     std::vector<std::vector<Point>> sides;
     const auto ring = circle(6, x, y, 34, 30);
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -29,7 +29,7 @@ void add_garden_tree(Draft& draft, double x, double y) {
         for (const double tip : {24.0, 210.0})
             sides.push_back({{a[0], a[1], kLawn + 44}, {b[0], b[1], kLawn + 44}, {x, y, kLawn + tip}});
     }
-    draft.add(make_solid(sides, {x, y, kLawn + 60}, "hedge"));
+    draft.add_detail(make_solid(sides, {x, y, kLawn + 60}, "hedge"));
 }
 
 void add_lawns(Draft& draft) {

@@ -79,8 +79,8 @@ void add_windows(Draft& draft) {
 /// The end of the visit: a light on a dais under painted stars.
 void add_end(Draft& draft) {
     draft.add(extrude({2, octagon(64)}, kFloor, kFloor + 8, "marble_green"));
-    draft.add(extrude({2, octagon(28)}, kFloor + 8, kFloor + 36, "brass_panel"));
-    draft.add(make_crystal({kX, kY, kFloor + 64}, 14, 22, 45, "lamp_blue"));
+    draft.add_detail(extrude({2, octagon(28)}, kFloor + 8, kFloor + 36, "brass_panel"));
+    draft.add_detail(make_crystal({kX, kY, kFloor + 64}, 14, 22, 45, "lamp_blue"));
     draft.add_light({kX, kY + 40, kFloor + 72}, 360);
     draft.add_light({kX, kY - 40, kFloor + 72}, 360);
     draft.add_light({kX, kY, 280}, 400);
