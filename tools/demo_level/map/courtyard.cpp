@@ -44,6 +44,8 @@ void add_plants(Draft& draft) {
                               {60, 620, 0},
                               {1090, 1440, 0},
                               {-40, 1120, 0},
+                              {280, 1720, 0},
+                              {790, 1700, 0},
                               {-40, 1420, 0}})
         add_lamp_post(draft, lamp, 290);
     for (const Point& tree : {Point{980, 590, 0},

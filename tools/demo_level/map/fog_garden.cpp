@@ -40,6 +40,7 @@ void add_lawns(Draft& draft) {
     }
     for (const double x : {kGarden.low.x, kGarden.high.x - 24})
         draft.add_box({{x, kGarden.low.y, kLawn}, {x + 24, kGarden.high.y, kLawn + 40}}, "hedge");
+    for (const double x : {kPathX - 120, kPathX + 120}) add_lamp_post(draft, {x, 1990, kLawn}, 280);
     for (const double y : {2210.0, 2400.0}) {
         for (const double x : {kPathX - 60, kPathX + 60}) add_lamp_post(draft, {x, y, kLawn}, 280);
     }
