@@ -1,6 +1,7 @@
 #include "engine/raster/kernels/effect_kernels.h"
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 
 namespace oblong {
@@ -37,12 +38,19 @@ template <TexelTraits Traits>
         .texels[static_cast<std::uint32_t>(v >> 16) % height * width + static_cast<std::uint32_t>(u >> 16) % width];
 }
 
+/// What a pixel becomes. Around holes the old colour is chosen, not left: where texels change fast, a branch costs
+/// more.
 template <TexelTraits Traits>
-[[gnu::always_inline]] inline void draw_pixel(const EffectTexels& texels, std::uint8_t texel, std::uint8_t& pixel) {
-    if constexpr (Traits.has_holes)
-        if (texel == kHoleTexel) return;
-    if constexpr (Traits.has_holes || Traits.blends) texel = (*texels.shades)[texel];
-    pixel = Traits.blends ? texels.blend->rows[texel][pixel] : texel;
+[[gnu::always_inline]] inline std::uint8_t seen_through(const EffectTexels& texels, std::uint8_t texel,
+                                                        std::uint8_t below) {
+    std::uint8_t colour = texel;
+    if constexpr (Traits.has_holes || Traits.blends) colour = (*texels.shades)[texel];
+    if constexpr (Traits.blends) colour = texels.blend->rows[colour][below];
+    if constexpr (Traits.has_holes) {
+        const auto keeps = static_cast<std::uint8_t>(-static_cast<int>(texel == kHoleTexel));
+        colour = static_cast<std::uint8_t>(colour ^ ((colour ^ below) & keeps));
+    }
+    return colour;
 }
 
 template <TexelTraits Traits>
@@ -54,7 +62,7 @@ void draw_effect_blocks(std::span<const TexelBlock> blocks, const EffectTexels& 
         const auto v_step = static_cast<std::uint32_t>(block.v_step_16);
         std::uint8_t* const end = pixels + block.pixel + block.count;
         for (std::uint8_t* pixel = pixels + block.pixel; pixel != end; ++pixel, u_16 += u_step, v_16 += v_step)
-            draw_pixel<Traits>(texels, texel_at<Traits>(texels, u_16, v_16), *pixel);
+            *pixel = seen_through<Traits>(texels, texel_at<Traits>(texels, u_16, v_16), *pixel);
     }
 }
 
