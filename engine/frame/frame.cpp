@@ -115,7 +115,7 @@ TextureGradients gradients_of(const VisibleFace& visible, const FaceSurface& sur
 /// Draws spans of a face with its texture of one mip level.
 void draw_textured(const VisibleFace& visible, int mip, std::span<const Span> spans, const FrameContext& frame,
                    FrameWorkspace& work) {
-    const FaceSurface surface = work.surfaces.get(visible.face, mip, frame.scene.light_styles);
+    const FaceSurface surface = work.surfaces.get(visible.face, mip, {frame.scene.light_styles});
     const TextureGradients gradients = gradients_of(visible, surface, frame, work);
     if (work.counts) ++work.counts->stages.surfaces;
     const WidthAtOne width = frame.inverse_projection.least_pixel_width;
