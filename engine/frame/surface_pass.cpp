@@ -15,7 +15,7 @@ namespace {
 
 FaceSurface surface_of(FaceIndex face, int mip, const FrameContext& frame, FrameWorkspace& work) {
     const Stopwatch watch(work.times.get(), &FrameTimes::surfaces_ns);
-    return work.surfaces.get(face, mip, frame.scene.light_styles);
+    return work.surfaces.get(face, mip, {frame.scene.light_styles});
 }
 
 /// Draws spans of a face with its texture of one mip level.

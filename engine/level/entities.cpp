@@ -146,6 +146,16 @@ std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bi
     return is_negative ? -magnitude : magnitude;
 }
 
+std::optional<std::vector<std::int64_t>> parse_decimals(std::string_view text, int fraction_bits) {
+    std::vector<std::int64_t> numbers;
+    for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
+        const std::optional<std::int64_t> number = parse_decimal(word, fraction_bits);
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
 std::optional<World> parse_world_number(std::string_view text) {
     const auto raw = parse_decimal(text, World::kFractionBits);
     if (!raw || !std::in_range<World::Raw>(*raw)) return std::nullopt;

@@ -23,7 +23,10 @@ std::size_t find_closing_quote(std::string_view text, std::size_t start);
 /// |value| < 2^31.
 std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bits);
 
-/// The same in world units, where they fit.
+/// All numbers of a text, each as parse_decimal() reads it. Nothing if a word of it is no number.
+std::optional<std::vector<std::int64_t>> parse_decimals(std::string_view text, int fraction_bits);
+
+/// A decimal number in world units, where it fits.
 std::optional<World> parse_world_number(std::string_view text);
 
 /// Three decimal numbers "x y z", as in an entity's origin, in world units. Nothing unless there are three that fit.

@@ -20,7 +20,7 @@ std::int32_t shade_of(std::int32_t light_8) {
 void compute_corner_shades(const LightmapView& light, std::int32_t* corner_shades) {
     const std::int32_t count = light.columns * light.rows;
     for (std::int32_t i = 0; i < count; ++i) {
-        std::int32_t sum_8 = 0;
+        std::int32_t sum_8 = light.added_8 ? light.added_8[i] : 0;
         for (std::int32_t style = 0; style < light.style_count; ++style)
             sum_8 += light.samples[style * count + i] * at(light.style_scale_256, style);
         corner_shades[i] = light.is_fullbright ? 0 : shade_of(sum_8);

@@ -150,6 +150,12 @@ int run_program(const std::string& name, const std::function<void()>& body) {
     }
 }
 
+void print_warnings(const std::string& program, const std::string& level_file,
+                    const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings)
+        std::fprintf(stderr, "%s: %s: warning: %s\n", program.c_str(), level_file.c_str(), warning.c_str());
+}
+
 void warn_of_torn_edges(const std::string& program, const std::string& level_file, std::size_t edges) {
     if (edges == 0) return;
     std::fprintf(stderr,

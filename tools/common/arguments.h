@@ -42,6 +42,10 @@ std::int64_t parse_number(const std::string& option, const std::string& text, in
 /// codes: 0 success; 1 a failure, `PROGRAM: FILE: WHERE: what is wrong` on standard error; 2 wrong usage.
 int run_program(const std::string& name, const std::function<void()>& body);
 
+/// Prints warnings about a level on standard error, a line each.
+void print_warnings(const std::string& program, const std::string& level_file,
+                    const std::vector<std::string>& warnings);
+
 /// Warns on standard error that faces of a level do not meet at so many edges; prints nothing if there are none.
 void warn_of_torn_edges(const std::string& program, const std::string& level_file, std::size_t edges);
 

@@ -3,6 +3,7 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
+#include "engine/scene/level_effects.h"
 #include "engine/scene/placed_models.h"
 #include "tools/common/arguments.h"
 #include "tools/common/command_line.h"
@@ -128,6 +129,7 @@ void render(const Options& options) {
     if (!options.out.empty()) make_folder(options.out);
     const RenderJob job{{level, colormap, models, time_ms}, mode, settings, cameras, static_cast<int>(options.repeat)};
     FrameWorkspace work(level, mode);
+    print_warnings("oblong-render", options.level, read_level_effects(level).warnings);
     warn_of_torn_edges("oblong-render", options.level, work.faces.torn_edges);
     const auto frames = render_cameras(job, work, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
         if (options.out.empty()) return;
