@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/level/level.h"
+#include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {

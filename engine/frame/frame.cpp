@@ -51,7 +51,7 @@ FrameContext begin_frame(const Scene& scene, const Camera& camera, const ScreenM
     work.visible.see_from(scene.level, eye.leaf);
     work.brush_models.start_frame(scene.level, scene.models, work.faces);
     work.vertices.start_frame();
-    work.surfaces.start_frame(settings.accuracy, scene.colormap);
+    work.surfaces.start_frame(settings.accuracy, settings.brightness_100, scene.colormap);
     work.span_buffer.reset();
     work.sky_spans.clear();
     work.plan = plan_frame(effects_in_sight(work), settings.allowed_effects);
