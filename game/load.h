@@ -4,6 +4,7 @@
 
 #include "engine/level/level.h"
 #include "engine/scene/level_effects.h"
+#include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {

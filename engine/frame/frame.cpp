@@ -34,7 +34,7 @@ FrameContext begin_frame(const Scene& scene, const Camera& camera, const ScreenM
         work.brush_models.start_frame(scene.level, scene.models, work.faces);
     }
     work.vertices.start_frame();
-    work.surfaces.start_frame(settings.accuracy, scene.colormap);
+    work.surfaces.start_frame(settings.accuracy, settings.brightness_100, scene.colormap);
     work.span_buffer.reset();
     work.claims.clear();
     if (work.counts) *work.counts = make_frame_counts(out);

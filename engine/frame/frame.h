@@ -10,7 +10,7 @@
 #include "engine/scene/face_surface.h"
 #include "engine/scene/placed_models.h"
 #include "engine/screen/screen.h"
-#include "engine/surface/palette.h"
+#include "engine/surface/colormap.h"
 
 namespace oblong {
 

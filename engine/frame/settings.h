@@ -9,7 +9,8 @@ namespace oblong {
 struct Settings {
     Accuracy accuracy;
     EffectSet allowed_effects = EffectSet::all();
-    bool correct_aspect = true;  ///< false: the projection assumes square pixels (F2 in the game)
+    std::int32_t brightness_100 = 100;  ///< of the light on lit surfaces, hundredths; up to their brightest shade
+    bool correct_aspect = true;         ///< false: the projection assumes square pixels (F2 in the game)
 };
 
 }  // namespace oblong

@@ -123,8 +123,8 @@ FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, std::int3
       moving_lights_(level, faces),
       corner_shades_(most_light_samples(level, faces)) {}
 
-void FaceSurfaces::start_frame(const Accuracy& accuracy, const Colormap& colormap) {
-    const LightQuality quality{accuracy.light, accuracy.shades, accuracy.dithers_light};
+void FaceSurfaces::start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap) {
+    const LightQuality quality{accuracy.light, accuracy.shades, accuracy.dithers_light, brightness_100};
     if (colormap_ == &colormap && light_quality_ == quality) return;
     cache_.clear();
     light_quality_ = quality;

@@ -41,7 +41,7 @@ class FaceSurfaces {
     FaceSurfaces(const Level& level, const FaceTable& faces, std::int32_t longest_px);
 
     /// Sets how light is computed from now on.
-    void start_frame(const Accuracy& accuracy, const Colormap& colormap);
+    void start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap);
     /// The mip level of a lit or liquid face, or a part of it, whose nearest point in view has this depth.
     int mip_level(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x, std::int32_t bias) const;
     /// Sets the moving lights from now on; at first there are none.

@@ -1,3 +1,4 @@
+#include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
 
 #include <gtest/gtest.h>

@@ -26,6 +26,8 @@ WindowSize parse_window_size(const std::string& text);
 Ratio parse_display(const std::string& text);
 /// A field of view in degrees, decimal, from 1 to 179.
 Degrees parse_field_of_view(const std::string& text);
+/// How bright lit surfaces are, decimal, from 0.25 to 8: in hundredths.
+std::int32_t parse_brightness(const std::string& text);
 /// Refuses values that are valid alone, but not together: a wide field of view in a mode of few pixels.
 void check_view(const ScreenMode& mode, Degrees field_of_view);
 /// "1991", "1994", "1996", "bounded", "exact".

@@ -17,8 +17,8 @@ using namespace oblong;
 
 struct Options {
     std::string level, cameras, palette, out, json;
-    std::string mode = "320x200", display = "4:3", field_of_view = "90", preset = "bounded", effects = "auto",
-                texel_error, seconds = "0";
+    std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", preset = "bounded",
+                effects = "auto", texel_error, seconds = "0";
     std::vector<std::string> dials;
     std::int64_t repeat = 1, threads = 1;
     bool prints_plan = false;
@@ -41,6 +41,7 @@ void declare(Command& line, Options& options) {
     line.add("--mode", options.mode, "pixels, WIDTHxHEIGHT");
     line.add("--display", options.display, "shape of the display, WIDTH:HEIGHT");
     line.add("--fov", options.field_of_view, "degrees across");
+    line.add("--brightness", options.brightness, "of the light on surfaces, 0.25 to 8");
     line.add("--accuracy", options.preset, "1991, 1994, 1996, bounded or exact");
     line.add("--dial", options.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
     line.add("--texel-error", options.texel_error, "largest texture error on screen, pixels (default 0.375)");
@@ -69,6 +70,7 @@ EffectSet parse_effects(const std::string& text) {
 Settings make_settings(const Options& options, Preset preset) {
     Settings settings;
     settings.accuracy = parse_accuracy(preset, options.dials);
+    settings.brightness_100 = parse_brightness(options.brightness);
     settings.allowed_effects = parse_effects(options.effects);
     if (options.texel_error.empty()) return settings;
     if (settings.accuracy.texturing != Texturing::Bounded)
