@@ -95,5 +95,21 @@ TEST_F(DemoWalk, WhoFallsIntoTheCanalCanSwimAndClimbOut) {
     EXPECT_EQ(visitor_.state().player.depth, Depth::Dry);
 }
 
+TEST_F(DemoWalk, WhoFallsIntoTheLavaCanClimbOutAtBothEndsOfBothPits) {
+    constexpr double kStandingOnTheFloor = 48 + 24, kInLava = 48;
+    walk(kEntranceToGallery);
+    walk({{736, 416}, {736, 560}, {512, 760}, {512, 1160}, {512, 1360}});
+    walk({kCourtyardToEnd.begin(), kCourtyardToEnd.begin() + 9});
+    for (const double y : {2432.0, 2236.0}) {
+        for (const double x : {-780.0, -160.0}) {
+            walk({{-472, 2320, kStandingOnTheFloor - 1}, {-472, y}});
+            ASSERT_NE(visitor_.state().player.depth, Depth::Dry) << y;
+            ASSERT_LT(units(visitor_.state().player.position.z), kInLava) << y;
+            walk({{x, y, kStandingOnTheFloor - 1}, {x, 2320}});
+            EXPECT_EQ(visitor_.state().player.depth, Depth::Dry) << x << ' ' << y;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace oblong

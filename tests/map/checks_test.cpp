@@ -50,6 +50,19 @@ TEST(Checks, NameValuesThatAreTakenInAnotherWay) {
               Said{"line 6: 'wait' is '1 2', expected one number: the first is taken"});
 }
 
+TEST(Checks, KnowEffects) {
+    EXPECT_EQ(warnings_of(entity_at("misc_rain", {1, 2, 3}, {{"size", "64 64 64"}, {"count", "200"}}) +
+                          entity_at("misc_sprite", {1, 2, 3}, {{"texture", "{tree"}, {"shadow", "24"}}) +
+                          entity("func_detail_fence", {{"palette_cycle", "240 243 4"}, {"fog", "0.5 1 1 1"}})),
+              Said{});
+    EXPECT_EQ(warnings_of(entity("misc_dust", {{"size", "64"}})), Said{"line 6: 'size' is '64', expected 3 numbers"});
+    EXPECT_EQ(warnings_of(entity("func_wall", {{"palette_cycle2", "240 243"}, {"palette_cycles", "1 2 3"}})),
+              (Said{"line 6: 'palette_cycle2' is '240 243', expected first, last, steps a second",
+                    "line 7: the key 'palette_cycles' is unknown"}));
+    EXPECT_EQ(warnings_of(entity("misc_lantern", {{"texture", "lamp"}})),
+              Said{"line 4: the texture of a misc_lantern is 'lamp', expected one that begins with '{'"});
+}
+
 TEST(Checks, MissTheStart) {
     const auto warnings = map::find_warnings(map::parse_map("// a remark\n{\n\"classname\" \"worldspawn\"\n}\n"));
     ASSERT_EQ(warnings.size(), 1u);

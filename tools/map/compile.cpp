@@ -38,6 +38,7 @@ LevelBrushes make_brushes(const std::vector<MapEntity>& entities) {
             if (is_detail_entity(entity)) model.back().is_detail = true;
         }
     }
+    for (const TextureUse& use : shown_textures(entities)) level.textures.find_or_add_name(use);
     if (level.models.front().empty())
         throw InputError("line " + std::to_string(entities.front().line),
                          "the world has no brushes, expected a room that encloses the entities");
@@ -91,6 +92,7 @@ std::string points_text(const std::vector<Point>& path) {
 
 BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wads, const CompileOptions& options) {
     assign_switchable_styles(entities);
+    split_off_fences(entities);
     LevelBrushes level = make_brushes(entities);
     BspFile bsp;
     bsp.textures = collect_textures(level.textures.names(), wads);

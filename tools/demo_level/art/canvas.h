@@ -18,6 +18,8 @@ struct Texel {
     int level = 0;
 };
 
+inline constexpr Texel kHole{Ramp::Hole, 0};
+
 struct Box {
     int x = 0, y = 0, width = 0, height = 0;
 };

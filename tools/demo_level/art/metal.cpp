@@ -159,4 +159,21 @@ Canvas paint_lit_window() {
     return canvas;
 }
 
+Canvas paint_grate() {
+    Canvas canvas(64, 64);
+    canvas.fill(canvas.whole(), kHole);
+    for (int at = 4; at < 64; at += 16) {
+        canvas.paint({0, at, 64, 4}, [](int x, int y) {
+            return Texel{Ramp::Stone, steps(9 - 2 * y) + hash_255(x, y, 78)};
+        });
+    }
+    for (int at = 6; at < 64; at += 16) {
+        canvas.paint({at, 0, 5, 64}, [](int x, int y) {
+            return Texel{Ramp::Stone, steps(11 - 2 * x) + hash_255(x, y, 79)};
+        });
+        for (int y = 5; y < 64; y += 16) paint_rivet(canvas, at + 1, y);
+    }
+    return canvas;
+}
+
 }  // namespace oblong::art

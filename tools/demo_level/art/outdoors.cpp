@@ -84,4 +84,14 @@ Canvas paint_earth() {
     return canvas;
 }
 
+Canvas paint_hedge() {
+    Canvas canvas(64, 64);
+    const NoiseField field{64, 64, 111};
+    canvas.paint(canvas.whole(), [&](int x, int y) {
+        const int leaf = (hash_255(x / 3 + y / 4, y / 3 - x / 5, 112) - 90) * 3;
+        return Texel{Ramp::Moss, steps(5) + leaf + fractal_noise(field, x, y, 8) * 2};
+    });
+    return canvas;
+}
+
 }  // namespace oblong::art

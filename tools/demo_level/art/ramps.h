@@ -8,7 +8,7 @@
 
 namespace oblong::art {
 
-/// A run of the palette from dark to bright in one hue. The last five glow.
+/// A run of the palette from dark to bright in one hue. The last six glow.
 enum class Ramp : std::uint8_t {
     Grey,
     Stone,
@@ -28,7 +28,8 @@ enum class Ramp : std::uint8_t {
     Ice,
     Magenta,
     Green,
-    Cyan
+    Cyan,
+    Hole  ///< index 255, seen through where a texture's name begins with '{'
 };
 
 struct RampPlace {
@@ -38,7 +39,7 @@ struct RampPlace {
 inline constexpr int kOrdinaryRamps = 14, kRampSteps = 16;
 
 constexpr RampPlace place_of(Ramp ramp) {
-    constexpr std::array<RampPlace, 5> kGlowing{{{224, 8}, {232, 8}, {240, 4}, {244, 4}, {248, 4}}};
+    constexpr std::array<RampPlace, 6> kGlowing{{{224, 8}, {232, 8}, {240, 4}, {244, 4}, {248, 4}, {255, 1}}};
     const int index = static_cast<int>(ramp);
     if (index < kOrdinaryRamps) return {index * kRampSteps, kRampSteps};
     return at(kGlowing, index - kOrdinaryRamps);

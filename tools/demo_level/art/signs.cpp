@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "tools/common/font.h"
 #include "tools/demo_level/art/canvas.h"
 #include "tools/demo_level/art/textures.h"
@@ -46,16 +48,14 @@ void engrave(Canvas& canvas, std::string_view text, int y, int scale, Texel ink)
 }  // namespace
 
 Canvas paint_sign(std::string_view first, std::string_view second) {
-    Canvas canvas(128, 32);
+    constexpr int kScale = 2, kMargin = 18, kLine = 18;
+    const int text = std::max(text_width(first, kScale), text_width(second, kScale));
+    Canvas canvas((text + kMargin + 15) / 16 * 16, second.empty() ? 32 : 48);
     paint_board(canvas);
     const Texel gold{Ramp::Brass, steps(14)};
-    if (!second.empty()) {
-        engrave(canvas, first, 7, 1, gold);
-        engrave(canvas, second, 18, 1, gold);
-        return canvas;
-    }
-    const bool is_short = text_width(first, 2) <= canvas.width() - 16;
-    engrave(canvas, first, is_short ? 9 : 12, is_short ? 2 : 1, gold);
+    const int y = second.empty() ? 9 : 7;
+    engrave(canvas, first, y, kScale, gold);
+    engrave(canvas, second, y + kLine, kScale, gold);
     return canvas;
 }
 
@@ -74,13 +74,11 @@ Canvas paint_title(std::string_view text) {
 }
 
 Canvas paint_exit_sign(int frame) {
-    Canvas canvas(64, 32);
+    Canvas canvas(112, 32);
     paint_board(canvas);
-    const Texel ink{Ramp::Green, steps(frame == 0 ? 2 : 3)};
-    draw_text(canvas, "EXIT", 9, 12, 1, ink);
-    for (int arrow = 0; arrow < 3; ++arrow) {
-        const bool is_lit = arrow % 2 == frame;
-        draw_text(canvas, ">", 36 + arrow * 7, 12, 1, {Ramp::Green, steps(is_lit ? 3 : 1)});
+    draw_text(canvas, "EXIT", 12, 9, 2, {Ramp::Green, steps(2)});
+    for (int arrow = 0; arrow < kExitFrames - 1; ++arrow) {
+        draw_text(canvas, ">", 64 + arrow * 13, 9, 2, {Ramp::Green, steps(arrow == frame ? 3 : 0)});
     }
     return canvas;
 }

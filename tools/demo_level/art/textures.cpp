@@ -27,6 +27,7 @@ void add_metal(Textures& all) {
     all.push_back({"lamp", paint_lamp()});
     all.push_back({"lamp_blue", paint_lamp_blue()});
     all.push_back({"lit_window", paint_lit_window()});
+    all.push_back({"{grate", paint_grate()});
 }
 
 void add_interior(Textures& all) {
@@ -51,6 +52,7 @@ void add_outdoors(Textures& all) {
     all.push_back({"#water", paint_water()});
     all.push_back({"#lava", paint_lava()});
     all.push_back({"earth", paint_earth()});
+    all.push_back({"hedge", paint_hedge()});
 }
 
 void add_signs(Textures& all) {
@@ -64,8 +66,9 @@ void add_signs(Textures& all) {
     all.push_back({"sign_forced", paint_sign("FORCED", "PERSPECTIVE")});
     all.push_back({"sign_accuracy", paint_sign("ACCURACY")});
     all.push_back({"sign_distance", paint_sign("DISTANCE")});
-    all.push_back({"+0exit", paint_exit_sign(0)});
-    all.push_back({"+1exit", paint_exit_sign(1)});
+    for (int frame = 0; frame < kExitFrames; ++frame) {
+        all.push_back({"+" + std::to_string(frame) + "exit", paint_exit_sign(frame)});
+    }
     all.push_back({"picture_road", paint_picture_road()});
     all.push_back({"picture_cubes", paint_picture_cubes()});
     all.push_back({"picture_eye", paint_picture_eye()});

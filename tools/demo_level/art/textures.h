@@ -21,6 +21,7 @@ Canvas paint_sky();    ///< 256x128: right half the stars far behind, left half 
 Canvas paint_water();  ///< 64x64
 Canvas paint_lava();   ///< 64x64, glows
 Canvas paint_earth();  ///< 64x64, lawn between paths
+Canvas paint_hedge();  ///< 64x64, clipped leaves
 
 Canvas paint_brass_panel();  ///< 64x64, riveted plates
 Canvas paint_brass_trim();   ///< 64x16, a moulding
@@ -30,6 +31,7 @@ Canvas paint_copper_roof();  ///< 64x64, scales gone green
 Canvas paint_lamp();         ///< 32x32, glowing glass in a brass cage
 Canvas paint_lamp_blue();    ///< 32x32, the same in blue
 Canvas paint_lit_window();   ///< 32x64, a window with light behind it
+Canvas paint_grate();        ///< 64x64, bars with holes between them
 
 /// Walls and floors of stone. All are 64x64 but for the checker, which is 128x128 (four tiles of 64).
 
@@ -58,11 +60,13 @@ Canvas paint_cube_face(Ramp ramp);
 Canvas paint_ruler();    ///< thin stripes: what affine texturing cannot hide
 Canvas paint_diamond();  ///< 64x64 floor of slanted squares
 
-/// A brass-framed plate of 128x32 with a room's title engraved in gold on night blue; two lines if `second` is given.
+/// A brass-framed plate, as wide as its text needs and 32 high, with a room's title engraved in gold on night blue;
+/// 48 high and of two lines if `second` is given.
 Canvas paint_sign(std::string_view first, std::string_view second = "");
 /// 128x32 in large letters that glow.
 Canvas paint_title(std::string_view text);
-/// 64x32, a glowing arrow with EXIT; `frame` 0 or 1 of its animation.
+inline constexpr int kExitFrames = 4;
+/// 112x32, EXIT and three arrows that light up one after the other; in the last frame of four none does.
 Canvas paint_exit_sign(int frame);
 
 /// Pictures of 64x64 in gilt frames.

@@ -53,7 +53,7 @@ void build_axonometry_room(Draft& draft) {
     add_cube(draft, {1452, 268, 72}, 32);
     draft.add_box({{1464, 280, 40}, {1472, 288, 72}}, "brass_trim");
     add_door_frame(draft, Side::South, north, 624);
-    add_panel(draft, {Side::South, {{1424, 620, 128}, {1552, 624, 160}}, "sign_planes", 128, 32});
+    add_sign(draft, {Side::South, {1488, 624, 144}, 1, "sign_planes", 128, 32});
     add_panel(draft, {Side::North, {{1600, 208, 56}, {1696, 212, 152}}, "picture_cubes"});
     draft.add_light({1400, 250, 150}, 300);
     draft.add_light({1500, 360, 190}, 660);

@@ -21,9 +21,51 @@ void add_bank(Draft& draft, double y_low, double y_high) {
     add_ground(draft, 1008, y_low, 1168, y_high, "stone_floor");
 }
 
+/// A cypress in a tub of stone.
+void add_tree(Draft& draft, double x, double y) {
+    draft.add(extrude({2, circle(8, x, y, 22, 22.5)}, 0, 20, "marble_ivory"));
+    std::vector<std::vector<Point>> sides;
+    const auto ring = circle(6, x, y, 28, 0);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const auto &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        for (const double tip : {16.0, 190.0}) sides.push_back({{a[0], a[1], 56}, {b[0], b[1], 56}, {x, y, tip}});
+    }
+    draft.add(make_solid(sides, {x, y, 60}, "hedge"));
+}
+
+/// Lamps, trees and hedges along the walls and in the corners.
+void add_plants(Draft& draft) {
+    for (const Point& lamp : {Point{1090, 610, 0},
+                              {930, 620, 0},
+                              {1090, 1900, 0},
+                              {820, 1900, 0},
+                              {240, 1900, 0},
+                              {-40, 1900, 0},
+                              {60, 620, 0},
+                              {1090, 1440, 0},
+                              {-40, 1120, 0},
+                              {-40, 1420, 0}})
+        add_lamp_post(draft, lamp, 400);
+    for (const Point& tree : {Point{980, 590, 0},
+                              {1110, 670, 0},
+                              {1110, 1830, 0},
+                              {1000, 1930, 0},
+                              {740, 1930, 0},
+                              {320, 1930, 0},
+                              {140, 1930, 0},
+                              {-60, 1780, 0},
+                              {-60, 980, 0},
+                              {-60, 700, 0}})
+        add_tree(draft, tree.x, tree.y);
+    for (const double x : {-96.0, 608.0}) {
+        for (const double y : {1180.0, 1340.0})
+            draft.add_box({{x, y - 8, 0}, {x < 0 ? 256.0 : 990.0, y + 8, 28}}, "hedge");
+    }
+}
+
 void add_moonlight(Draft& draft) {
-    for (const double y : {720.0, 1100.0, 1480.0, 1860.0}) {
-        for (const double x : {0.0, 450.0, 900.0}) draft.add_light({x, y, 620}, 960);
+    for (const double y : {690.0, 1080.0, 1480.0, 1880.0}) {
+        for (const double x : {-40.0, 450.0, 940.0}) draft.add_light({x, y, 500}, 850);
     }
 }
 
@@ -52,7 +94,8 @@ void build_courtyard(Draft& draft) {
     for (const double y : {736.0, 960.0, 1440.0}) {
         for (const double x : {416.0, 608.0}) add_lamp_post(draft, {x, y, 0}, 420);
     }
-    add_panel(draft, {Side::East, {{-256, 1520, 118}, {-252, 1648, 150}}, "sign_forced", 128, 32});
+    add_way_board(draft, {Side::South, {340, 1440, 78}, 1, "sign_forced", 160, 48});
+    add_plants(draft);
     add_moonlight(draft);
 }
 

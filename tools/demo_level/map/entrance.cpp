@@ -12,8 +12,8 @@ void furnish(Draft& draft) {
             add_wall_lamp(draft, {x + (x < 0 ? 26 : -26), y, 112}, x < 0 ? Side::East : Side::West, 330);
         }
     }
-    add_panel(draft, {Side::South, {{-84, -40, 152}, {84, -32, 194}}, "title", 128, 32});
-    add_panel(draft, {Side::South, {{-64, -36, 116}, {64, -32, 148}}, "sign_museum", 128, 32});
+    add_panel(draft, {Side::South, {{-84, -40, 176}, {84, -32, 218}}, "title", 128, 32});
+    add_sign(draft, {Side::South, {0, -32, 145}, 1.125, "sign_museum", 160, 48});
     add_panel(draft, {Side::East, {{-160, -208, 72}, {-154, -112, 168}}, "picture_moon"});
     add_panel(draft, {Side::West, {{154, -208, 72}, {160, -112, 168}}, "picture_eye"});
 }

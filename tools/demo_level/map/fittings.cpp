@@ -1,5 +1,7 @@
 #include "tools/demo_level/map/fittings.h"
 
+#include <cmath>
+
 namespace oblong::map_source {
 namespace {
 
@@ -40,6 +42,22 @@ Placement panel_placement(const Panel& panel) {
     return placement;
 }
 
+/// From the middle of a sign's back, half its width along the wall, to the front's corner.
+Box sign_box(const Sign& sign) {
+    constexpr double kThickness = 4;
+    const Point out = towards(sign.facing);
+    const double half_width = sign.texture_width * sign.scale / 2, half_height = sign.texture_height * sign.scale / 2;
+    const bool spans_x = out.x == 0;
+    Box box{sign.at, sign.at};
+    (out.x + out.y > 0 ? (spans_x ? box.high.y : box.high.x) : (spans_x ? box.low.y : box.low.x)) +=
+        kThickness * (out.x + out.y);
+    (spans_x ? box.low.x : box.low.y) -= half_width;
+    (spans_x ? box.high.x : box.high.y) += half_width;
+    box.low.z -= half_height;
+    box.high.z += half_height;
+    return box;
+}
+
 void add_lamp_body(Draft& draft, const Point& centre) {
     const Box box = box_around(centre, 8);
     Brush brush = make_box(box, "lamp");
@@ -65,6 +83,34 @@ void add_panel(Draft& draft, const Panel& panel) {
         if (looks_to(outward_normal(face), panel.facing)) face.placement = panel_placement(panel);
     }
     draft.add(std::move(brush));
+}
+
+void add_sign(Draft& draft, const Sign& sign) {
+    add_panel(draft, {sign.facing, sign_box(sign), sign.texture, sign.texture_width, sign.texture_height});
+}
+
+namespace {
+
+/// Two rods between two heights, a sixth of the board's width from its ends and on its back.
+void add_rods(Draft& draft, const Sign& sign, double half, double z_low, double z_high) {
+    const Point out = towards(sign.facing);
+    const double reach = std::round(sign.texture_width * sign.scale / 3);
+    for (const double side : {-reach, reach}) {
+        const Point at{sign.at.x + side * out.y - half * out.x, sign.at.y + side * out.x - half * out.y, 0};
+        draft.add_box({{at.x - half, at.y - half, z_low}, {at.x + half, at.y + half, z_high}}, "brass_trim");
+    }
+}
+
+}  // namespace
+
+void add_way_board(Draft& draft, const Sign& sign) {
+    add_sign(draft, sign);
+    add_rods(draft, sign, 3, 0, sign.at.z + sign.texture_height * sign.scale / 2);
+}
+
+void add_hanging_sign(Draft& draft, const Sign& sign, double ceiling_z) {
+    add_sign(draft, sign);
+    add_rods(draft, sign, 1, sign.at.z, ceiling_z);
 }
 
 void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightness) {

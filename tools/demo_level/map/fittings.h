@@ -16,6 +16,20 @@ struct Panel {
 };
 void add_panel(Draft& draft, const Panel& panel);
 
+/// A board whose back's middle is at `at`, 4 units thick, its texture at `scale` units a texel.
+struct Sign {
+    Side facing = Side::South;
+    Point at;
+    double scale = 1;
+    std::string texture;
+    double texture_width = 112, texture_height = 32;
+};
+void add_sign(Draft& draft, const Sign& sign);
+/// Free, on two posts behind it that stand on the ground at z = 0.
+void add_way_board(Draft& draft, const Sign& sign);
+/// On two rods from the ceiling.
+void add_hanging_sign(Draft& draft, const Sign& sign, double ceiling_z);
+
 /// A lamp of 16 units at `centre` and its light, which stands `reach` before it to the given side.
 void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightness);
 

@@ -52,7 +52,7 @@ void build_gallery(Draft& draft) {
     add_pictures(draft);
     add_columns_and_lamps(draft);
     add_door_frame(draft, Side::West, east, 1312);
-    add_panel(draft, {Side::West, {{1308, 352, 128}, {1312, 480, 160}}, "sign_axono", 128, 32});
+    add_hanging_sign(draft, {Side::West, {640, kMiddle, 149}, 1, "sign_axono", 144, 32}, 176);
     add_sliding_door(draft);
 }
 

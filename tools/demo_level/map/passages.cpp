@@ -42,7 +42,7 @@ void build_tower_bridge(Draft& draft) {
                        "stone_dark",
                        {{160, "stone_dark"}},
                        {{Side::North, 464, 560, 48, 160}, {Side::South, 472, 552, 48, 160}}});
-    add_panel(draft, {Side::East, {{464, 2040, 112}, {468, 2104, 144}}, "+0exit", 64, 32});
+    add_hanging_sign(draft, {Side::North, {512, 2080, 142}, 0.75, "+0exit", 112, 32}, 160);
     draft.add_light({512, 2180, 130}, 310);
     draft.add_light({512, 1960, 130}, 240);
 }

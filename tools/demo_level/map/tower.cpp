@@ -1,3 +1,5 @@
+#include <set>
+
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
 
@@ -5,35 +7,48 @@ namespace oblong::map_source {
 namespace {
 
 constexpr double kX = 512, kY = 1712, kFloor = 48;
-constexpr double kInner = 112, kOuter = 144, kRoof = 168;
+constexpr double kInner = 112, kOuter = 144, kRoof = 168, kGateTop = 152;
 
 /// An octagon with sides to the north, east ... of which each is `apothem` from the middle; to whole units.
 std::vector<std::array<double, 2>> octagon(double apothem) {
     return circle(8, kX, kY, apothem / 0.92387953, 22.5);
 }
 
-/// The walls between two octagons. `leave_out`, if not negative, is a side: 0 north-east, then counter-clockwise.
+/// The walls between two octagons, but for the sides left out: 0 is north-east, then counter-clockwise.
 void add_ring(Draft& draft, double inner, double outer, double z_low, double z_high, const Skin& skin,
-              int leave_out = -1) {
+              const std::set<std::size_t>& left_out = {}) {
     const auto near = octagon(inner), far = octagon(outer);
     for (std::size_t i = 0; i < 8; ++i) {
         const std::size_t next = (i + 1) % 8;
-        if (static_cast<int>(i) == leave_out) continue;
+        if (left_out.contains(i)) continue;
         draft.add(extrude({2, {near[i], near[next], far[next], far[i]}}, z_low, z_high, skin));
     }
 }
 
-/// The north wall, with the doorway that the passage comes in by.
-void add_north_wall(Draft& draft, double z_high, const Skin& skin) {
-    constexpr double kDoorHalf = 40, kDoorTop = 160;
+/// A doorway in the side of the tower whose corners in the octagons are `east` and `west`, above the tower's floor.
+struct Doorway {
+    std::size_t east = 0, west = 0;
+    double half_width = 0, z_top = 0;
+};
+
+void add_wall_with_door(Draft& draft, const Doorway& door, double z_high, const Skin& skin) {
     const auto near = octagon(kInner), far = octagon(kOuter);
-    const double y_near = near[1][1], y_far = far[1][1];
-    const std::array<double, 2> east_near{kX + kDoorHalf, y_near}, east_far{kX + kDoorHalf, y_far};
-    const std::array<double, 2> west_near{kX - kDoorHalf, y_near}, west_far{kX - kDoorHalf, y_far};
-    draft.add(extrude({2, {near[1], east_near, east_far, far[1]}}, 0, z_high, skin));
-    draft.add(extrude({2, {near[2], west_near, west_far, far[2]}}, 0, z_high, skin));
-    draft.add(extrude({2, {east_near, west_near, west_far, east_far}}, kDoorTop, z_high, skin));
+    const double y_near = near[door.east][1], y_far = far[door.east][1];
+    const std::array<double, 2> east_near{kX + door.half_width, y_near}, east_far{kX + door.half_width, y_far};
+    const std::array<double, 2> west_near{kX - door.half_width, y_near}, west_far{kX - door.half_width, y_far};
+    draft.add(extrude({2, {near[door.east], east_near, east_far, far[door.east]}}, 0, z_high, skin));
+    draft.add(extrude({2, {near[door.west], west_near, west_far, far[door.west]}}, 0, z_high, skin));
+    draft.add(extrude({2, {east_near, west_near, west_far, east_far}}, door.z_top, z_high, skin));
     draft.add(extrude({2, {east_near, west_near, west_far, east_far}}, 0, kFloor, skin));
+}
+
+/// Seen through from the courtyard, and closed: the way in is by the passage from the north.
+void add_portcullis(Draft& draft, double half_width, double z_top) {
+    const double y = kY - (kInner + kOuter) / 2;
+    const Box box{{kX - half_width, y - 2, kFloor}, {kX + half_width, y + 2, z_top}};
+    Brush bars = make_box(box, "{grate");
+    fit_textures(bars, box, 0.5);
+    draft.add_entity({{{"classname", "func_wall"}}, {bars}});
 }
 
 void add_roof(Draft& draft, double z_low, double z_tip) {
@@ -50,8 +65,7 @@ void add_roof(Draft& draft, double z_low, double z_tip) {
 
 void add_windows(Draft& draft) {
     for (const double z : {136.0, 232.0, 360.0}) {
-        add_panel(draft,
-                  {Side::South, {{kX - 16, kY - kOuter - 4, z}, {kX + 16, kY - kOuter, z + 64}}, "lit_window", 32, 64});
+        if (z > kGateTop) add_sign(draft, {Side::South, {kX, kY - kOuter, z + 32}, 1, "lit_window", 32, 64});
         add_panel(draft,
                   {Side::East, {{kX + kOuter, kY - 16, z}, {kX + kOuter + 4, kY + 16, z + 64}}, "lit_window", 32, 64});
         add_panel(draft,
@@ -59,8 +73,7 @@ void add_windows(Draft& draft) {
         draft.add_light({kX, kY - kOuter - 40, z + 24}, 290);
         draft.add_light({kX + kOuter + 40, kY, z + 24}, 240);
     }
-    add_panel(draft, {Side::South, {{kX - 32, kY - kOuter - 4, 0}, {kX + 32, kY - kOuter, 112}}, "wood_door", 64, 128});
-    for (const double x : {kX - 52, kX + 52}) add_wall_lamp(draft, {x, kY - kOuter - 8, 84}, Side::South, 350);
+    for (const double x : {kX - 50, kX + 50}) add_wall_lamp(draft, {x, kY - kOuter - 8, 120}, Side::South, 320);
 }
 
 /// The end of the visit: a light on a dais under painted stars.
@@ -71,8 +84,8 @@ void add_end(Draft& draft) {
     draft.add_light({kX, kY + 40, kFloor + 72}, 360);
     draft.add_light({kX, kY - 40, kFloor + 72}, 360);
     draft.add_light({kX, kY, 280}, 400);
-    add_panel(draft, {Side::North, {{kX - 44, kY - kInner, 200}, {kX + 44, kY - kInner + 4, 222}}, "title", 128, 32});
-    add_panel(draft, {Side::North, {{kX - 32, kY - kInner, 160}, {kX + 32, kY - kInner + 4, 192}}, "+0exit", 64, 32});
+    add_panel(draft, {Side::North, {{kX - 44, kY - kInner, 204}, {kX + 44, kY - kInner + 4, 226}}, "title", 128, 32});
+    add_sign(draft, {Side::North, {kX, kY - kInner, 180}, 0.75, "+0exit", 112, 32});
     draft.add_entity({{{"classname", "trigger_changelevel"}, {"map", "demo"}, {"message", "You have seen the museum."}},
                       {make_box({{kX - 60, kY - 60, kFloor + 8}, {kX + 60, kY + 60, kFloor + 72}}, "brass_trim")}});
 }
@@ -81,11 +94,17 @@ void add_end(Draft& draft) {
 
 void build_tower(Draft& draft) {
     constexpr double kTop = 456;
-    constexpr int kNorthSide = 1;
+    constexpr std::size_t kNorthSide = 1, kSouthSide = 5;
+    constexpr double kGateHalf = 32;
     const Skin stone{"stone_dark"};
     draft.add(extrude({2, octagon(kInner)}, 0, kFloor, {"stone_dark", "diamond"}));
-    add_ring(draft, kInner, kOuter, 0, kTop, stone, kNorthSide);
-    add_north_wall(draft, kTop, stone);
+    add_ring(draft, kInner, kOuter, 0, kTop, stone, {kNorthSide, kSouthSide});
+    add_wall_with_door(draft, {1, 2, 40, 160}, kTop, stone);
+    add_wall_with_door(draft, {6, 5, kGateHalf, kGateTop}, kTop, stone);
+    add_portcullis(draft, kGateHalf, kGateTop);
+    const double south = kY - kOuter;
+    add_door_frame(draft, Side::South, {Side::South, kX - kGateHalf, kX + kGateHalf, kFloor, kGateTop}, south);
+    add_stairs(draft, {kX - 64, kX + 64, south - 72, 0, 24, 3, true}, {"sand_frieze", "stone_floor"});
     draft.add(extrude({2, octagon(kInner)}, 400, 416, "plaster_night"));
     for (const double z : {208.0, 320.0}) add_ring(draft, kOuter, kOuter + 8, z, z + 16, "sand_frieze");
     add_ring(draft, kOuter - 8, kOuter + 16, kTop - 16, kTop, "sand_frieze");

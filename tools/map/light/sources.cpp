@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <set>
 
 #include "engine/base/input_error.h"
 #include "tools/map/source/entities.h"
@@ -80,6 +81,19 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
     return source;
 }
 
+// The switchable styles that no light has by its key: one with a "pattern" of its own, say.
+std::vector<int> styles_left_free(const std::vector<MapEntity>& entities) {
+    std::set<int> taken;
+    for (const MapEntity& entity : entities) {
+        if (is_light(entity) && entity.has("style")) taken.insert(static_cast<int>(number_of(entity, "style", 0)));
+    }
+    std::vector<int> free;
+    for (int style = kFirstSwitchableStyle; style < kStyleCount; ++style) {
+        if (!taken.contains(style)) free.push_back(style);
+    }
+    return free;
+}
+
 }  // namespace
 
 bool is_falloff(double delay) {
@@ -140,17 +154,19 @@ Lights lights_of(const std::vector<MapEntity>& entities) {
 }
 
 void assign_switchable_styles(std::vector<MapEntity>& entities) {
+    const std::vector<int> free = styles_left_free(entities);
     std::vector<std::string> names;
     for (MapEntity& entity : entities) {
         const std::string name = entity.value("targetname");
         if (!is_light(entity) || name.empty() || entity.has("style")) continue;
         const auto found = std::find(names.begin(), names.end(), name);
-        const auto index = static_cast<int>(found - names.begin());
+        const auto index = static_cast<std::size_t>(found - names.begin());
         if (found == names.end()) names.push_back(name);
-        if (kFirstSwitchableStyle + index >= kStyleCount)
+        if (index >= free.size())
             throw InputError("line " + std::to_string(entity.line),
-                             "more than 32 names of switchable lights, expected at most 32");
-        entity.pairs.push_back({"style", std::to_string(kFirstSwitchableStyle + index), entity.line});
+                             "more than " + std::to_string(free.size()) +
+                                 " names of switchable lights, expected at most " + std::to_string(free.size()));
+        entity.pairs.push_back({"style", std::to_string(free[index]), entity.line});
     }
 }
 

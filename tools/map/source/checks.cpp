@@ -4,6 +4,7 @@
 #include <map>
 
 #include "tools/map/light/sources.h"
+#include "tools/map/source/contents.h"
 #include "tools/map/source/entities.h"
 
 namespace oblong::map {
@@ -19,6 +20,7 @@ const Names kClasses{"worldspawn",
                      "func_detail",
                      "func_detail_wall",
                      "func_detail_illusionary",
+                     "func_detail_fence",
                      "func_wall",
                      "func_door",
                      "func_door_secret",
@@ -63,13 +65,31 @@ const Names kClasses{"worldspawn",
                      "test_"};
 
 // The same for keys, whatever class they belong to.
-const Names kKeys{"classname",  "origin",     "angle",       "angles",  "mangle", "target",     "targetname",
-                  "killtarget", "spawnflags", "model",       "delay",   "wait",   "message",    "sounds",
-                  "speed",      "lip",        "dmg",         "health",  "height", "count",      "style",
-                  "light",      "map",        "t_length",    "t_width", "noise",  "noise1",     "noise2",
-                  "noise3",     "noise4",     "netname",     "color",   "wad",    "worldtype",  "gravity",
-                  "volume",     "cnt",        "sky",         "fog",     "alpha",  "mapversion", "_light",
-                  "_minlight",  "_sunlight",  "_sun_mangle", "_sky",    "_wad",   "_tb_"};
+const Names kKeys{
+    "classname",  "origin",     "angle",     "angles",    "mangle",      "target",      "targetname", "killtarget",
+    "spawnflags", "model",      "delay",     "wait",      "message",     "sounds",      "speed",      "lip",
+    "dmg",        "health",     "height",    "count",     "style",       "light",       "map",        "t_length",
+    "t_width",    "noise",      "noise1",    "noise2",    "noise3",      "noise4",      "netname",    "color",
+    "wad",        "worldtype",  "gravity",   "volume",    "cnt",         "sky",         "fog",        "alpha",
+    "mapversion", "_light",     "_minlight", "_sunlight", "_sun_mangle", "_sky",        "_wad",       "_tb_",
+    "wateralpha", "slimealpha", "lavaalpha", "telealpha", "_wateralpha", "_slimealpha", "_lavaalpha", "_telealpha",
+    "size",       "colour",     "period",    "texture",   "scale",       "shadow",      "radius",     "pattern"};
+
+struct Count {
+    std::string_view key, wanted;
+    std::size_t least, most;
+};
+
+// How many numbers keys of effects take.
+const std::vector<Count> kCounts{{"fog", "density and colour (4 numbers), or 8 with heights", 4, 8},
+                                 {"size", "3 numbers", 3, 3},
+                                 {"palette_cycle", "first, last, steps a second", 3, 3}};
+
+// palette_cycle, palette_cycle2 ...
+bool is_palette_cycle(std::string_view key) {
+    constexpr std::string_view kName = "palette_cycle";
+    return key.starts_with(kName) && key.substr(kName.size()).find_first_not_of("0123456789") == std::string_view::npos;
+}
 
 // Keys whose value is one number to the light compiler.
 const Names kNumbers{"wait", "delay", "style", "_minlight", "_sunlight"};
@@ -92,9 +112,26 @@ class Checker {
     }
 
     void check_key(const MapPair& pair) {
-        if (is_one_of(kKeys, pair.key)) return;
+        if (is_one_of(kKeys, pair.key) || is_palette_cycle(pair.key)) return;
         const bool is_for_compilers = pair.key.starts_with('_');
         add(pair.line, "the key '" + pair.key + (is_for_compilers ? "' has no effect here" : "' is unknown"));
+    }
+
+    void check_count(const MapPair& pair) {
+        const std::size_t words = count_words(pair.value);
+        for (const Count& count : kCounts) {
+            if (pair.key != count.key && !(count.key == "palette_cycle" && is_palette_cycle(pair.key))) continue;
+            if (words < count.least || words > count.most)
+                add(pair.line, "'" + pair.key + "' is '" + pair.value + "', expected " + std::string(count.wanted));
+        }
+    }
+
+    // A sprite is a texture with holes.
+    void check_sprite(const MapEntity& entity) {
+        const std::string name = entity.value("classname"), texture = entity.value("texture");
+        if (name != "misc_sprite" && name != "misc_lantern") return;
+        if (!is_fence_texture(texture))
+            add(entity.line, "the texture of a " + name + " is '" + texture + "', expected one that begins with '{'");
     }
 
     void check_light(const MapEntity& entity, const MapPair& pair) {
@@ -134,8 +171,10 @@ std::vector<Warning> find_warnings(const std::vector<MapEntity>& entities) {
         const std::string name = entity.value("classname");
         has_start = has_start || name == "info_player_start";
         checker.check_class(entity);
+        checker.check_sprite(entity);
         for (const MapPair& pair : entity.pairs) {
             checker.check_key(pair);
+            checker.check_count(pair);
             if (name == "worldspawn" || name.starts_with("light")) checker.check_light(entity, pair);
         }
     }

@@ -47,6 +47,11 @@ constexpr bool is_undrawn_texture(std::string_view name) {
     return name == "clip" || name == "skip" || name == "trigger";
 }
 
+/// Full of holes (texels of index 255), through which one sees, and light falls.
+constexpr bool is_fence_texture(std::string_view name) {
+    return name.starts_with("{");
+}
+
 /// A brush with one of these on any side advises other compilers where to cut the tree; it fills nothing.
 constexpr bool is_hint_texture(std::string_view name) {
     return name == "hint" || name == "hintskip";

@@ -1,15 +1,23 @@
 #include "tools/map/source/entities.h"
 
+#include <algorithm>
 #include <charconv>
 #include <iterator>
 #include <sstream>
 
 #include "engine/base/input_error.h"
+#include "tools/common/wad.h"
+#include "tools/map/source/contents.h"
 
 namespace oblong::map {
 namespace {
 
 const std::string kPassable = "func_illusionary";  // drawn, and no obstacle
+
+bool is_no_fence(const MapBrush& brush) {
+    return std::none_of(brush.sides.begin(), brush.sides.end(),
+                        [](const MapSide& side) { return is_fence_texture(side.texture.name); });
+}
 
 }  // namespace
 
@@ -44,7 +52,7 @@ bool belongs_to_world(const MapEntity& entity) {
 
 bool is_detail_entity(const MapEntity& entity) {
     const std::string name = entity.value("classname");
-    return name == "func_detail" || name == "func_detail_wall";
+    return name == "func_detail" || name == "func_detail_wall" || name == "func_detail_fence";
 }
 
 std::optional<Point> origin_of(const MapEntity& entity) {
@@ -55,6 +63,30 @@ std::optional<Point> origin_of(const MapEntity& entity) {
 
 double number_of(const MapEntity& entity, std::string_view key, double otherwise) {
     return entity.has(key) ? numbers_of(entity, key, 1).front() : otherwise;
+}
+
+void split_off_fences(std::vector<MapEntity>& entities) {
+    std::vector<MapEntity> fences;
+    for (MapEntity& entity : entities) {
+        if (!belongs_to_world(entity)) continue;
+        const auto first = std::stable_partition(entity.brushes.begin(), entity.brushes.end(), is_no_fence);
+        for (auto brush = first; brush != entity.brushes.end(); ++brush)
+            fences.push_back({{{"classname", "func_wall", brush->line}}, {*brush}, brush->line});
+        entity.brushes.erase(first, entity.brushes.end());
+    }
+    std::move(fences.begin(), fences.end(), std::back_inserter(entities));
+}
+
+std::vector<TextureUse> shown_textures(const std::vector<MapEntity>& entities) {
+    std::vector<TextureUse> uses;
+    for (const MapEntity& entity : entities) {
+        const std::string name = entity.value("classname");
+        if (name != "misc_sprite" && name != "misc_lantern") continue;
+        for (const MapPair& pair : entity.pairs) {
+            if (pair.key == "texture") uses.push_back({lookup_name(pair.value), pair.line});
+        }
+    }
+    return uses;
 }
 
 std::string entities_text(const std::vector<MapEntity>& entities) {

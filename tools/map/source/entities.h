@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "tools/map/source/map_file.h"
+#include "tools/map/source/textures.h"
 
 namespace oblong::map {
 
@@ -23,6 +23,13 @@ std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, st
 
 /// The number that is the value of a key, or `otherwise` if it is missing. Throws InputError if it is malformed.
 double number_of(const MapEntity& entity, std::string_view key, double otherwise);
+
+/// Makes each of the world's brushes with a fence's texture (see is_fence_texture()) an entity of its own, func_wall:
+/// it hides nothing, neither from view nor from light, and stops players as before.
+void split_off_fences(std::vector<MapEntity>& entities);
+
+/// The textures that misc_sprite and misc_lantern name by their key "texture".
+std::vector<TextureUse> shown_textures(const std::vector<MapEntity>& entities);
 
 /// The entities lump: all pairs as written; brush entities get a "model" "*N", N counting from 1. The brushes of a
 /// func_detail_illusionary, which stop nobody, become a func_illusionary.

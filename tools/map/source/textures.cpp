@@ -55,7 +55,7 @@ int TextureList::find_or_add(const MapSide& side, const Point& normal) {
     wanted.axes = fields.has_axes ? fields.axes : rotated(standard_axes(normal), fields.rotation_degrees);
     for (std::size_t i = 0; i < 2; ++i) wanted.axes[i] = scaled(wanted.axes[i], 1 / fields.scale[i]);
     wanted.offset = fields.offset;
-    wanted.texture = find_or_add_name(side);
+    wanted.texture = find_or_add_name({fields.name, side.line});
     wanted.is_special = contents_of_texture(fields.name) != contents::kSolid;
     for (std::size_t i = 0; i < texinfos_.size(); ++i) {
         if (texinfos_[i] == wanted) return static_cast<int>(i);
@@ -64,11 +64,11 @@ int TextureList::find_or_add(const MapSide& side, const Point& normal) {
     return static_cast<int>(texinfos_.size()) - 1;
 }
 
-int TextureList::find_or_add_name(const MapSide& side) {
+int TextureList::find_or_add_name(const TextureUse& use) {
     for (std::size_t i = 0; i < names_.size(); ++i) {
-        if (names_[i].name == side.texture.name) return static_cast<int>(i);
+        if (names_[i].name == use.name) return static_cast<int>(i);
     }
-    names_.push_back({side.texture.name, side.line});
+    names_.push_back(use);
     return static_cast<int>(names_.size()) - 1;
 }
 

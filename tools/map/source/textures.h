@@ -33,13 +33,13 @@ class TextureList {
   public:
     /// The index of the TexInfo of a side whose plane has the outward `normal`, or -1 if its texture is not drawn.
     int find_or_add(const MapSide& side, const Point& normal);
+    /// The index of a texture's name, which may be on no side: an entity shows it.
+    int find_or_add_name(const TextureUse& use);
 
     const std::vector<TexInfo>& texinfos() const { return texinfos_; }
     const std::vector<TextureUse>& names() const { return names_; }
 
   private:
-    int find_or_add_name(const MapSide& side);
-
     std::vector<TexInfo> texinfos_;
     std::vector<TextureUse> names_;
 };
