@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 
+#include "engine/effects/view_directions.h"
 #include "engine/fixed/root.h"
 #include "engine/raster/kernels/kernels.h"
 
@@ -32,38 +33,14 @@ struct SkyPosition {
     std::int64_t u_16, v_16;
 };
 
-/// A direction of view in the world, of any length: 34.30.
-using Direction = std::array<std::int64_t, 3>;
-
-/// Directions of view are linear on the screen. Column and row are those of pixel centres.
-class DirectionField {
-  public:
-    DirectionField(const Basis& axes, const Projection& projection) {
-        const std::int64_t half_width_1 = projection.width_px, half_height_1 = projection.height_px;
-        const std::array<const Unit*, 3> right{&axes.right.x, &axes.right.y, &axes.right.z};
-        const std::array<const Unit*, 3> up{&axes.up.x, &axes.up.y, &axes.up.z};
-        const std::array<const Unit*, 3> forward{&axes.forward.x, &axes.forward.y, &axes.forward.z};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            per_column_[axis] =
-                mul_div(right[axis]->raw, std::int64_t{1} << 32, projection.x.multiplier.raw, Rounding::Floor);
-            per_row_[axis] =
-                -mul_div(up[axis]->raw, std::int64_t{1} << 32, projection.y.multiplier.raw, Rounding::Floor);
-            origin_[axis] = forward[axis]->raw + floor_shift(per_column_[axis] * (1 - half_width_1), 1) +
-                            floor_shift(per_row_[axis] * (1 - half_height_1), 1);
-        }
-    }
-
-    Direction at(std::int32_t column, std::int32_t row) const {
-        Direction direction{};
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            direction[axis] = origin_[axis] + per_column_[axis] * column + per_row_[axis] * row;
-        return direction;
-    }
-    const Direction& per_column() const { return per_column_; }
-
-  private:
-    Direction origin_{}, per_column_{}, per_row_{};
+/// A direction of view, of any length.
+struct Direction {
+    DirectionPart x, y, z;
 };
+
+Direction direction_at(const ViewDirections& directions, std::int32_t column, std::int32_t row) {
+    return {directions.x.at(column, row), directions.y.at(column, row), directions.z.at(column, row)};
+}
 
 /// The dome of one sky: from directions to texels.
 class Dome {
@@ -72,8 +49,8 @@ class Dome {
         : radius_texels_(kDomeRadius_texels * size / 128), offset_16_(offset_16) {}
 
     SkyPosition at(const Direction& direction) const {
-        const std::int64_t x_16 = floor_shift(direction[0], 14), y_16 = floor_shift(direction[1], 14);
-        const std::int64_t z_16 = floor_shift(direction[2], 14) * 3;
+        const std::int64_t x_16 = floor_shift(direction.x, 14).raw, y_16 = floor_shift(direction.y, 14).raw;
+        const std::int64_t z_16 = floor_shift(direction.z, 14).raw * 3;
         const auto square = static_cast<std::uint64_t>(x_16 * x_16 + y_16 * y_16 + z_16 * z_16);
         const ReciprocalRoot root = reciprocal_root(std::max<std::uint64_t>(square, 1));
         return {texels_of(x_16, root), texels_of(y_16, root)};
@@ -105,16 +82,19 @@ int cell_log2(const Basis& axes, const Projection& projection) {
 /// part of the sky does not move the rest of it.
 class CellWalk {
   public:
-    CellWalk(const Dome& dome, const DirectionField& field, int cell_log2, std::int32_t column, std::int32_t row)
-        : dome_(dome), cell_log2_(cell_log2), direction_(field.at(column, row)), to_(dome.at(direction_)) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            per_cell_[axis] = field.per_column()[axis] * (std::int64_t{1} << cell_log2);
-    }
+    CellWalk(const Dome& dome, const ViewDirections& directions, int cell_log2, std::int32_t column, std::int32_t row)
+        : dome_(dome),
+          cell_log2_(cell_log2),
+          per_cell_{directions.x.per_column * (std::int64_t{1} << cell_log2),
+                    directions.y.per_column * (std::int64_t{1} << cell_log2),
+                    directions.z.per_column * (std::int64_t{1} << cell_log2)},
+          direction_(direction_at(directions, column, row)),
+          to_(dome.at(direction_)) {}
 
     /// The part of the next cell from its pixel `first` on.
     TexelBlock next(std::uint32_t pixel, std::int32_t first, std::int32_t count) {
         const SkyPosition from = to_;
-        for (std::size_t axis = 0; axis < 3; ++axis) direction_[axis] += per_cell_[axis];
+        direction_ = {direction_.x + per_cell_.x, direction_.y + per_cell_.y, direction_.z + per_cell_.z};
         to_ = dome_.at(direction_);
         const std::int64_t u_step = floor_shift(to_.u_16 - from.u_16, cell_log2_);
         const std::int64_t v_step = floor_shift(to_.v_16 - from.v_16, cell_log2_);
@@ -129,20 +109,21 @@ class CellWalk {
   private:
     const Dome dome_;
     const int cell_log2_;
-    Direction direction_, per_cell_{};
+    const Direction per_cell_;
+    Direction direction_;
     SkyPosition to_;
 };
 
 /// The dome of a frame.
 struct DomeView {
     Dome dome;
-    DirectionField field;
+    ViewDirections directions;
     int cell_log2;
 };
 
 TexelBlock* append_cells(const Span& span, const DomeView& view, std::int32_t pitch, TexelBlock* blocks) {
     const std::int32_t size_px = 1 << view.cell_log2, start = span.first & -size_px;
-    CellWalk walk(view.dome, view.field, view.cell_log2, start, span.y);
+    CellWalk walk(view.dome, view.directions, view.cell_log2, start, span.y);
     for (std::int32_t cell = start; cell < span.end; cell += size_px) {
         const std::int32_t first = std::max(cell, span.first), end = std::min(cell + size_px, span.end);
         *blocks++ = walk.next(static_cast<std::uint32_t>(span.y * pitch + first), first - cell, end - first);
@@ -234,7 +215,7 @@ void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& a
     const SkyScroll scroll = scroll_at(time_ms, sky.size);
     // Three times round are more than the dome's radius: no coordinate is below 0.
     const Dome dome(sky.size, scroll.background_16 + std::int64_t{3 * 65536} * sky.size);
-    const DomeView view{dome, DirectionField(axes, projection), cell_log2(axes, projection)};
+    const DomeView view{dome, make_view_directions(axes, projection), cell_log2(axes, projection)};
     if (!is_worth_composing(spans, sky.size))
         return draw_cells(spans, view, out.pitch, [&](std::span<const TexelBlock> blocks) {
             draw_both_layers(blocks, sky, scroll.clouds_further, out.pixels);
