@@ -119,7 +119,9 @@ class ThingReader {
         lantern.period_ms = values.period_ms(8000);
         const Vec3<World> half = half_size_of({*origin, texture, lantern.scale});
         const Vec3<World> reach = half + Vec3<World>{lantern.radius, lantern.radius, {}};
-        things_.lanterns.push_back({lantern, place_box(level_, box_around(*origin, reach))});
+        const World light = lantern.radius + lantern.light_radius;
+        things_.lanterns.push_back({lantern, place_box(level_, box_around(*origin, reach)),
+                                    place_box(level_, box_around(*origin, {light, light, lantern.light_radius}))});
     }
 
     /// Of `count` particles, those that the level's limit leaves.

@@ -26,6 +26,7 @@ struct PlacedSprite {
 struct PlacedLantern {
     Lantern lantern;
     PlacedBox place;  ///< of its whole circle
+    PlacedBox lit;    ///< of what its light may reach
 };
 
 /// What a level's entities put into it in addition to its faces: misc_rain, misc_dust, misc_sparks, air_bubbles;

@@ -64,7 +64,7 @@ void claim_face(const VisibleFace& visible, const FrameContext& frame, FrameWork
     const EffectSet needs = work.faces.faces[visible.face].effects;
     const EffectSet effects = visible.fragment ? needs.with(Effect::BrushModels) : needs;
     const FaceList list = list_for(needs, frame.settings.allowed_effects);
-    FaceClaims& claims = work.claims;
+    Claims& claims = work.claims;
     const std::size_t first = claims.spans.size();
     if (list == FaceList::SeeThrough)
         work.span_buffer.find_free(work.rows, claims.spans);
@@ -80,14 +80,19 @@ void claim_face(const VisibleFace& visible, const FrameContext& frame, FrameWork
 
 }  // namespace
 
-void FaceClaims::clear() {
+void Claims::clear() {
     spans.clear();
     for (auto& faces : lists) faces.clear();
     left_free.clear();
+    fog_runs.clear();
+    things.dots.clear();
+    things.found.clear();
+    things.shadows.clear();
+    is_under_liquid = false;
     effects = {};
 }
 
-std::int64_t pixels_of(const FaceClaims& claims, FaceList list) {
+std::int64_t pixels_of(const Claims& claims, FaceList list) {
     std::int64_t pixels = 0;
     for (const ClaimedFace& face : claims.list(list)) pixels += pixels_of(claims.spans_of(face));
     return pixels;

@@ -15,6 +15,12 @@ std::optional<Pass> pass_of(Effect effect) {
             return Pass::Liquid;
         case Effect::Mirror:
             return Pass::Mirror;
+        case Effect::Shadows:
+            return Pass::Shadows;
+        case Effect::Fog:
+            return Pass::Fog;
+        case Effect::Underwater:
+            return Pass::Underwater;
         default:
             return std::nullopt;
     }

@@ -3,7 +3,11 @@
 #include <algorithm>
 
 #include "engine/effects/sky.h"
+#include "engine/effects/underwater.h"
+#include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
+#include "engine/frame/light_pass.h"
+#include "engine/frame/see_through_pass.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/frame/workspace.h"
 
@@ -40,22 +44,37 @@ void draw_sky_faces(const FrameContext& frame, FrameWorkspace& work) {
     const bool is_layered = texture.width == 2 * texture.height && (texture.height & (texture.height - 1)) == 0;
     if (!is_layered) return fill_spans(work.pass_spans, texture.mips[0][0], frame.out);
     draw_sky(work.pass_spans, {texture.mips[0].data(), texture.height, texture.width}, frame.view.axes,
-             frame.view.projection, frame.out);
+             frame.view.projection, frame.scene.time_ms, work.sky_layers, frame.out);
 }
 
-void run(Pass pass, const FrameContext& frame, FrameWorkspace& work) {
+SurfaceDrawing liquid_drawing() {
+    SurfaceDrawing drawing;
+    drawing.is_plain = false;
+    drawing.traits.warps = true;
+    return drawing;
+}
+
+void run(Pass pass, const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work) {
     const Stopwatch watch(work.times.get(), pass);
     switch (pass) {
         case Pass::Walls:
-            return draw_surfaces(FaceList::Walls, frame, work);
+            return draw_surfaces(FaceList::Walls, {}, frame, work);
         case Pass::Flat:
             return draw_flat(frame, work);
         case Pass::Liquid:
-            return draw_surfaces(FaceList::Liquid, frame, work);
+            return draw_surfaces(FaceList::Liquid, liquid_drawing(), frame, work);
         case Pass::Sky:
             return draw_sky_faces(frame, work);
         case Pass::Mirror:
             return draw_mirrors(frame, work);
+        case Pass::Shadows:
+            return draw_shadows(frame, work);
+        case Pass::Fog:
+            return draw_fog(work.claims.fog_runs, fog.tables->colours, frame.out);
+        case Pass::SeeThrough:
+            return draw_see_through(frame, fog, work);
+        case Pass::Underwater:
+            return draw_underwater(frame.scene.time_ms, work.underwater, frame.out);
     }
 }
 
@@ -72,12 +91,41 @@ void fill_free_pixels(const FrameWorkspace& work, Framebuffer out) {
     }
 }
 
+/// Whether the eye is in a liquid: then the whole picture waves, but not those in mirrors.
+void find_underwater(const FrameContext& frame, FrameWorkspace& work) {
+    const bool is_liquid = frame.eye_contents <= contents::kWater && frame.eye_contents >= contents::kLava;
+    work.claims.is_under_liquid = is_liquid && !frame.mirror && frame.allows(Effect::Underwater);
+    if (work.claims.is_under_liquid) work.claims.effects = work.claims.effects.with(Effect::Underwater);
+}
+
+void count_passes(const Claims& claims, const Framebuffer& out, FrameCounts& counts) {
+    counts.of(Pass::Walls) = pixels_of(claims, FaceList::Walls);
+    counts.of(Pass::Flat) = pixels_of(claims, FaceList::Flat);
+    counts.of(Pass::Liquid) = pixels_of(claims, FaceList::Liquid);
+    counts.of(Pass::Sky) = pixels_of(claims, FaceList::Sky);
+    counts.of(Pass::Mirror) = pixels_of(claims, FaceList::Mirror);
+    counts.of(Pass::Shadows) = counts.of(Effect::Shadows);
+    for (const FogRun& run : claims.fog_runs) counts.of(Effect::Fog) += run.span.end - run.span.first;
+    counts.of(Pass::Fog) = counts.of(Effect::Fog);
+    counts.of(Pass::SeeThrough) =
+        pixels_of(claims, FaceList::SeeThrough) + counts.of(Effect::Particles) + counts.of(Effect::Sprites);
+    if (!claims.is_under_liquid) return;
+    counts.of(Effect::Underwater) = std::int64_t{out.width_px} * out.height_px;
+    counts.of(Pass::Underwater) = counts.of(Effect::Underwater);
+}
+
 }  // namespace
 
 FramePlan draw_view(const FrameContext& frame, FrameWorkspace& work) {
     claim_faces(frame, work);
+    const FrameFog fog = make_frame_fog(frame, work);
+    find_things(frame, fog, work);
+    find_fog(frame, fog, work);
+    find_light(frame, work);
+    find_underwater(frame, work);
     FramePlan plan = plan_frame(work.claims);
-    for (const Pass pass : plan.passes) run(pass, frame, work);
+    if (work.counts) count_passes(work.claims, frame.out, *work.counts);
+    for (const Pass pass : plan.passes) run(pass, frame, fog, work);
     fill_free_pixels(work, frame.out);
     return plan;
 }

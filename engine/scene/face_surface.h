@@ -48,6 +48,11 @@ class FaceSurfaces {
     void set_moving_lights(std::span<const MovingLight> lights, const Vec3<World>& eye) {
         moving_lights_.set(lights, eye);
     }
+    bool has_moving_lights() const { return !moving_lights_.is_empty(); }
+    /// Whether one of them touches a lit face, its model moved by `offset`.
+    bool is_touched(FaceIndex face, const Vec3<World>& offset) {
+        return faces_.faces[face].material == Material::Lit && moving_lights_.touch(face, offset).lights != 0;
+    }
     /// The surface of a lit or liquid face. Its texels are valid until the next call.
     FaceSurface get(FaceIndex face, int mip, const SurfaceState& state);
     /// Forgets all lit surfaces: the next frame builds them again.

@@ -79,6 +79,7 @@ Colormap make_colormap(const Palette& palette, int fullbright_count) {
     const auto ordinary = static_cast<std::size_t>(256 - std::clamp(fullbright_count, 0, 256));
     const std::vector<Candidate> sorted = sort_by_luminance(palette, ordinary);
     Colormap map;
+    map.palette = palette;
     for (std::size_t position = 0; position < ordinary; ++position) shade_colour(sorted, position, map);
     for (auto& shade : map.shades)
         for (std::size_t i = ordinary; i < 256; ++i) shade[i] = static_cast<std::uint8_t>(i);
@@ -89,6 +90,7 @@ Colormap with_shades(const Colormap& colormap, std::int32_t count) {
     constexpr std::int32_t kOwn = Colormap::kOwnShade;
     const std::int32_t step = Colormap::kShades / count, most = count / 2 - 1;
     Colormap fewer;
+    fewer.palette = colormap.palette;
     for (std::int32_t shade = 0; shade < kOwn; ++shade) {
         at(fewer.shades, shade) = at(colormap.shades, shade / step * step);
         at(fewer.shades, kOwn + shade) = at(colormap.shades, kOwn + shade / step * (kOwn - 1) / most);

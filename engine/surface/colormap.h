@@ -12,6 +12,7 @@ namespace oblong {
 struct Colormap {
     static constexpr int kShades = 64, kOwnShade = 32;
     std::array<std::array<std::uint8_t, 256>, kShades> shades{};
+    Palette palette;  ///< whose colours these are
 };
 
 /// How bright a shade is: this many parts of `whole`, which is the colour itself.

@@ -131,7 +131,8 @@ void render(const Options& options) {
     if (!options.out.empty()) make_folder(options.out);
     const RenderJob job{{level, colormap, models, time_ms}, mode, settings, cameras, static_cast<int>(options.repeat)};
     FrameWorkspace work(level, mode);
-    print_warnings("oblong-render", options.level, read_level_effects(level).warnings);
+    print_warnings("oblong-render", options.level, work.effects.warnings);
+    print_warnings("oblong-render", options.level, work.things.warnings);
     warn_of_torn_edges("oblong-render", options.level, work.faces.torn_edges);
     const auto frames = render_cameras(job, work, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
         if (options.out.empty()) return;
