@@ -99,7 +99,7 @@ std::int64_t pixels_of(const Claims& claims, FaceList list) {
 }
 
 void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
-    const Stopwatch watch(work.times.get(), &FrameTimes::claims_ns);
+    const Stopwatch watch(work.times.get(), &PassTimes::claims_ns);
     BrushModels* const models = frame.allows(Effect::BrushModels) ? &work.brush_models : nullptr;
     FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk);
     while (const std::optional<VisibleFace> visible = walk.next()) {

@@ -14,8 +14,8 @@
 #include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
-#include "engine/frame/frame_times.h"
 #include "engine/frame/mirror_pass.h"
+#include "engine/frame/pass_times.h"
 #include "engine/frame/plan.h"
 #include "engine/geometry/screen_polygon.h"
 #include "engine/raster/scan.h"
@@ -72,7 +72,7 @@ class FrameWorkspace {
     FramePlan plan;                       ///< of the frame drawn last
     std::unique_ptr<FrameCounts> counts;  ///< null: nothing is counted
     std::unique_ptr<FrameRecord> record;  ///< null: nothing is recorded
-    std::unique_ptr<FrameTimes> times;    ///< null: nothing is timed
+    std::unique_ptr<PassTimes> times;     ///< null: nothing is timed
 };
 
 }  // namespace oblong
