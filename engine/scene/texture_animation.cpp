@@ -54,24 +54,29 @@ std::map<std::string, NamedFrames> frames_by_name(const Level& level, std::vecto
     return names;
 }
 
-/// Sets `fault` where the frames of one kind have a gap, or sizes that differ from `size`.
-void check_frames(const Level& level, int kind, const std::string& name, NamedFrames& frames) {
+const MipTexture& first_of(const Level& level, const NamedFrames& frames) {
+    for (const auto& of_kind : frames.of_kind)
+        for (const TextureIndex index : of_kind)
+            if (!index.is_none()) return level.textures[index];
+    return level.textures.front();  // not reached: a name has a frame
+}
+
+/// What is wrong with the frames of one kind: a gap, or a size unlike that of the first frame. Empty: nothing.
+std::string fault_of(const Level& level, int kind, const std::string& name, const NamedFrames& frames) {
     const auto& of_kind = at(frames.of_kind, kind);
-    const MipTexture* first = nullptr;
-    for (const auto& both : frames.of_kind)
-        for (const TextureIndex index : both)
-            if (!first && !index.is_none()) first = &level.textures[index];
+    const MipTexture& first = first_of(level, frames);
     const auto last = std::find_if(of_kind.rbegin(), of_kind.rend(), [](TextureIndex i) { return !i.is_none(); });
     for (int frame = 0; frame < of_kind.rend() - last; ++frame) {
         const TextureIndex index = at(of_kind, frame);
         if (index.is_none()) {
             const char letter = static_cast<char>((kind == 0 ? '0' : 'a') + frame);
-            frames.fault = std::string("frame '+") + letter + name + "' is missing, expected no gap";
-        } else if (level.textures[index].width != first->width || level.textures[index].height != first->height) {
-            frames.fault = "'" + level.textures[index].name + "' and '" + first->name +
-                           "' differ in size, expected frames of one size";
+            return std::string("frame '+") + letter + name + "' is missing, expected no gap";
         }
+        const MipTexture& texture = level.textures[index];
+        if (texture.width != first.width || texture.height != first.height)
+            return "'" + texture.name + "' and '" + first.name + "' differ in size, expected frames of one size";
     }
+    return "";
 }
 
 std::vector<TextureIndex> present(const std::array<TextureIndex, TextureAnimations::kMostFrames>& frames) {
@@ -84,7 +89,8 @@ std::vector<TextureIndex> present(const std::array<TextureIndex, TextureAnimatio
 
 TextureAnimations::TextureAnimations(const Level& level, std::vector<std::string>& warnings) {
     for (auto& [name, frames] : frames_by_name(level, warnings)) {
-        for (const int kind : {0, 1}) check_frames(level, kind, name, frames);
+        for (const int kind : {0, 1})
+            if (frames.fault.empty()) frames.fault = fault_of(level, kind, name, frames);
         if (!frames.fault.empty()) {
             warnings.push_back(printable("animated texture '" + name + "': " + frames.fault + "; it stands still"));
             continue;
