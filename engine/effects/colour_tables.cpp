@@ -21,12 +21,11 @@ std::int32_t difference(Rgb8 a, Rgb8 b) {
     return 299 * red * red + kGreenWeight * green * green + 114 * blue * blue;
 }
 
-/// Finds the ordinary colour of a palette that is nearest to any colour; of equals, the first.
+/// Finds which of the first `count` colours of a palette is nearest to any colour; of equals, the first.
 class NearestColours {
   public:
-    explicit NearestColours(const Palette& palette) {
-        for (int i = 0; i < kOrdinaryColours; ++i)
-            by_green_.push_back({at(palette.colours, i), static_cast<std::uint8_t>(i)});
+    NearestColours(const Palette& palette, int count) {
+        for (int i = 0; i < count; ++i) by_green_.push_back({at(palette.colours, i), static_cast<std::uint8_t>(i)});
         std::stable_sort(by_green_.begin(), by_green_.end(),
                          [](const Entry& a, const Entry& b) { return a.colour.green < b.colour.green; });
     }
@@ -74,32 +73,51 @@ Rgb8 mixture(Rgb8 front, Rgb8 behind, Share16 share) {
     return {channel(front.red, behind.red), channel(front.green, behind.green), channel(front.blue, behind.blue)};
 }
 
+/// Mixtures of a palette's colours.
+class Mixer {
+  public:
+    explicit Mixer(const Palette& palette) : ordinary_(palette, kOrdinaryColours), all_(palette, 256) {}
+
+    /// Fullbright only if one of the two is.
+    std::uint8_t find(Rgb8 front, Rgb8 behind, Share16 share, bool is_fullbright) const {
+        return (is_fullbright ? all_ : ordinary_).find(mixture(front, behind, share));
+    }
+
+  private:
+    NearestColours ordinary_, all_;
+};
+
+bool is_fullbright(int colour) {
+    return colour >= kOrdinaryColours;
+}
+
 }  // namespace
 
 BlendTable make_blend_table(const Palette& palette, std::int32_t share_256) {
     const Share16 share = std::clamp(share_256, 0, 256) * 256;
-    const NearestColours nearest(palette);
+    const Mixer mixer(palette);
+    const auto blend = [&](int front, int behind) {
+        if (front == behind || share == kAll) return static_cast<std::uint8_t>(front);
+        if (share == 0) return static_cast<std::uint8_t>(behind);
+        return mixer.find(at(palette.colours, front), at(palette.colours, behind), share,
+                          is_fullbright(front) || is_fullbright(behind));
+    };
     BlendTable table;
     for (int front = 0; front < 256; ++front)
-        for (int behind = 0; behind < 256; ++behind) {
-            const bool is_front = front == behind || share == kAll;
-            at(at(table.rows, front), behind) =
-                is_front     ? static_cast<std::uint8_t>(front)
-                : share == 0 ? static_cast<std::uint8_t>(behind)
-                             : nearest.find(mixture(at(palette.colours, front), at(palette.colours, behind), share));
-        }
+        for (int behind = 0; behind < 256; ++behind) at(at(table.rows, front), behind) = blend(front, behind);
     return table;
 }
 
 FogTable make_fog_table(const Palette& palette, Rgb8 fog, std::int32_t share_256) {
     constexpr int kDensest = FogTable::kLevels - 1;
-    const NearestColours nearest(palette);
+    const Mixer mixer(palette);
     FogTable table;
     for (int colour = 0; colour < 256; ++colour) at(table.levels[0], colour) = static_cast<std::uint8_t>(colour);
     for (int level = 1; level <= kDensest; ++level) {
         const Share16 share = std::clamp(share_256, 0, 256) * 256 * level / kDensest;
         for (int colour = 0; colour < 256; ++colour)
-            at(at(table.levels, level), colour) = nearest.find(mixture(fog, at(palette.colours, colour), share));
+            at(at(table.levels, level), colour) =
+                mixer.find(fog, at(palette.colours, colour), share, is_fullbright(colour));
     }
     return table;
 }
