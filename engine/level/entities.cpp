@@ -99,15 +99,6 @@ std::int64_t take_digits(std::string_view& text, int most, int& taken) {
     return number;
 }
 
-std::string_view take_word(std::string_view& text) {
-    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-    std::size_t size = 0;
-    while (size < text.size() && !is_space(text[size])) ++size;
-    const std::string_view word = text.substr(0, size);
-    text.remove_prefix(size);
-    return word;
-}
-
 }  // namespace
 
 std::size_t find_closing_quote(std::string_view text, std::size_t start) {
@@ -154,6 +145,15 @@ std::optional<std::vector<std::int64_t>> parse_decimals(std::string_view text, i
         numbers.push_back(*number);
     }
     return numbers;
+}
+
+std::string_view take_word(std::string_view& text) {
+    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+    std::size_t size = 0;
+    while (size < text.size() && !is_space(text[size])) ++size;
+    const std::string_view word = text.substr(0, size);
+    text.remove_prefix(size);
+    return word;
 }
 
 std::optional<World> parse_world_number(std::string_view text) {
