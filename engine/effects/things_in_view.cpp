@@ -7,14 +7,6 @@ namespace oblong {
 
 namespace {
 
-void add_emitter(const ParticleEmitter& emitter, std::int64_t time_ms, const ViewContext& view, ThingsInView& in_view,
-                 DepthBuffer& depth) {
-    const std::size_t first = in_view.dots.size();
-    append_dots(emitter, time_ms, view, in_view.dots);
-    in_view.particles_computed += emitter.count;
-    depth.want(rectangle_around(std::span(in_view.dots).subspan(first)));
-}
-
 void add_sprite(const Sprite& sprite, const Level& level, const ViewContext& view, ThingsInView& in_view,
                 DepthBuffer& depth) {
     const std::optional<ScreenSprite> screen = project_sprite(sprite, level.textures[sprite.texture], view);
@@ -25,23 +17,31 @@ void add_sprite(const Sprite& sprite, const Level& level, const ViewContext& vie
 
 }  // namespace
 
-void find_things_in_view(const Things& things, std::int64_t time_ms, const Level& level, const VisibleSet& visible,
-                         const ViewContext& view, ThingsInView& in_view, DepthBuffer& depth) {
-    in_view.dots.clear();
-    in_view.sprites.clear();
-    in_view.shadows.clear();
-    in_view.particles_computed = 0;
-    for (const PlacedEmitter& placed : things.emitters)
-        if (may_be_seen(placed.place, visible, view)) add_emitter(placed.emitter, time_ms, view, in_view, depth);
-    for (const PlacedSprite& placed : things.sprites) {
-        if (!may_be_seen(placed.place, visible, view)) continue;
-        add_sprite(placed.sprite, level, view, in_view, depth);
-        if (placed.floor)
-            in_view.shadows.push_back(make_shadow(*placed.floor, placed.sprite.position, placed.shadow_radius));
+void find_particles(const Things& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
+                    DepthBuffer& depth) {
+    for (const PlacedEmitter& placed : things.emitters) {
+        if (!may_be_seen(placed.place, sight.visible, sight.view)) continue;
+        const std::size_t first = in_view.dots.size();
+        append_dots(placed.emitter, time_ms, sight.view, in_view.dots);
+        in_view.particles_computed += placed.emitter.count;
+        depth.want(rectangle_around(std::span(in_view.dots).subspan(first)));
     }
+}
+
+void find_sprites(const Things& things, std::int64_t time_ms, const Level& level, const Sight& sight,
+                  ThingsInView& in_view, DepthBuffer& depth) {
+    for (const PlacedSprite& placed : things.sprites)
+        if (may_be_seen(placed.place, sight.visible, sight.view))
+            add_sprite(placed.sprite, level, sight.view, in_view, depth);
     for (const PlacedLantern& placed : things.lanterns)
-        if (may_be_seen(placed.place, visible, view))
-            add_sprite(lantern_at(placed.lantern, time_ms), level, view, in_view, depth);
+        if (may_be_seen(placed.place, sight.visible, sight.view))
+            add_sprite(lantern_at(placed.lantern, time_ms), level, sight.view, in_view, depth);
+}
+
+void find_shadows(const Things& things, const Sight& sight, ThingsInView& in_view) {
+    for (const PlacedSprite& placed : things.sprites)
+        if (placed.floor && may_be_seen(placed.place, sight.visible, sight.view))
+            in_view.shadows.push_back(make_shadow(*placed.floor, placed.sprite.position, placed.shadow_radius));
 }
 
 }  // namespace oblong

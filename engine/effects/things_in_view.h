@@ -23,12 +23,29 @@ struct ThingsInView {
     std::vector<Shadow> shadows;
     std::int64_t particles_computed = 0;  ///< of emitters that may be seen, in view or not
 
-    bool has_any() const { return !dots.empty() || !sprites.empty(); }
+    void clear() {
+        dots.clear();
+        sprites.clear();
+        shadows.clear();
+        particles_computed = 0;
+    }
 };
 
-/// Finds the things that may be seen at a time of 0 and more, and wants depth where they are. Those whose place is out
-/// of view, or in no leaf of the visible set, are not computed at all.
-void find_things_in_view(const Things& things, std::int64_t time_ms, const Level& level, const VisibleSet& visible,
-                         const ViewContext& view, ThingsInView& in_view, DepthBuffer& depth);
+/// What a frame sees from where.
+struct Sight {
+    const VisibleSet& visible;
+    const ViewContext& view;
+};
+
+// Each adds those things that may be seen at a time of 0 and more, and wants depth where they are. Those whose place is
+// out of view, or in no leaf of the visible set, are not computed at all.
+
+void find_particles(const Things& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
+                    DepthBuffer& depth);
+/// Those of lanterns too.
+void find_sprites(const Things& things, std::int64_t time_ms, const Level& level, const Sight& sight,
+                  ThingsInView& in_view, DepthBuffer& depth);
+/// They need no depth.
+void find_shadows(const Things& things, const Sight& sight, ThingsInView& in_view);
 
 }  // namespace oblong

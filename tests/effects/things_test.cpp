@@ -35,8 +35,13 @@ ThingsInView seen_from(const Level& level, Angle yaw, std::int64_t time_ms = 0) 
     visible.see_from(level, LeafIndex(1));
     ThingsInView in_view;
     DepthBuffer depth(320, 200);
-    find_things_in_view(things, time_ms, level, visible, view_from(at_units(-100, 8, 40), yaw), in_view, depth);
-    EXPECT_EQ(depth.is_wanted(), in_view.has_any());
+    const ViewContext view = view_from(at_units(-100, 8, 40), yaw);
+    const Sight sight{visible, view};
+    find_particles(things, time_ms, sight, in_view, depth);
+    EXPECT_EQ(depth.is_wanted(), !in_view.dots.empty());
+    find_sprites(things, time_ms, level, sight, in_view, depth);
+    EXPECT_EQ(depth.is_wanted(), !in_view.dots.empty() || !in_view.sprites.empty());
+    find_shadows(things, sight, in_view);
     return in_view;
 }
 
@@ -142,7 +147,7 @@ TEST(Things, OutOfViewAreNotComputed) {
     EXPECT_GT(seen_from(level, Angle{}).dots.size(), 200u);
     const ThingsInView away = seen_from(level, kHalfTurn);
     EXPECT_EQ(away.particles_computed, 0);
-    EXPECT_FALSE(away.has_any());
+    EXPECT_TRUE(away.dots.empty());
 }
 
 TEST(Things, InNoVisibleLeafAreNotComputed) {
