@@ -47,7 +47,6 @@ std::int64_t pixels_of(std::span<const Span> spans) {
 FrameCounts make_frame_counts(const Framebuffer& out) {
     FrameCounts counts;
     counts.writes.resize(pixel_count(out.pitch, out.height_px));
-    counts.effect_pixels.resize(kEffectNames.size());
     return counts;
 }
 
@@ -74,6 +73,17 @@ void count_writes(std::span<const TexelBlock> blocks, FrameCounts& counts) {
         counts.stages.last_blocks += (block.count & (block.count - 1)) != 0;
     }
     counts.stages.blocks += static_cast<std::int64_t>(blocks.size());
+}
+
+void count_sky(std::span<const Span> spans, FrameCounts& counts) {
+    counts.stages.sky_pixels = pixels_of(spans);
+    counts.stages.flat_pixels -= counts.stages.sky_pixels;
+}
+
+void count_walk(std::int64_t nodes, const VertexCache::Counts& vertices, StageCounts& stages) {
+    stages.nodes = nodes;
+    stages.vertices = vertices.transformed;
+    stages.projected = vertices.projected;
 }
 
 void count_polygon(const ScreenPolygon& polygon, const ScanlineExtents& rows, StageCounts& stages) {

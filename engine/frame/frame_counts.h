@@ -1,14 +1,16 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "engine/frame/plan.h"
 #include "engine/geometry/screen_polygon.h"
+#include "engine/geometry/vertex_cache.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/raster/scan.h"
-#include "engine/scene/effects.h"
 #include "engine/screen/screen.h"
 
 namespace oblong {
@@ -34,8 +36,9 @@ struct StageCounts {
 struct FrameCounts {
     std::int64_t faces_visited = 0, faces_drawn = 0, spans = 0, divisions = 0;
     StageCounts stages;
-    std::vector<std::uint8_t> writes;         ///< of each pixel, by faces, those of the sky too; at most 255
-    std::vector<std::int64_t> effect_pixels;  ///< of each Effect: those of the faces that need it
+    std::vector<std::uint8_t> writes;  ///< of each pixel, by faces, those of the sky too; at most 255
+    std::array<std::int64_t, kEffectCount> effect_pixels{};  ///< of each Effect: of what needs it
+    std::array<std::int64_t, kPassCount> pass_pixels{};      ///< of each Pass
 };
 
 /// A count and its name, for reports.
@@ -56,6 +59,10 @@ void count_face(EffectSet effects, std::span<const Span> spans, FrameCounts& cou
 /// Adds a write to each pixel of spans or blocks. `pitch` is the framebuffer's.
 void count_writes(std::span<const Span> spans, std::int32_t pitch, FrameCounts& counts);
 void count_writes(std::span<const TexelBlock> blocks, FrameCounts& counts);
+/// Moves these spans, all of the sky's, from the pixels of one colour to those of the sky.
+void count_sky(std::span<const Span> spans, FrameCounts& counts);
+/// Adds what a walk and its vertices took.
+void count_walk(std::int64_t nodes, const VertexCache::Counts& vertices, StageCounts& stages);
 /// Adds a polygon that was scanned into `rows`.
 void count_polygon(const ScreenPolygon& polygon, const ScanlineExtents& rows, StageCounts& stages);
 

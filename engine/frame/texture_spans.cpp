@@ -16,7 +16,7 @@ constexpr std::size_t kLeastBlockLog2 = 3;
 void draw_waiting_blocks(const TexturedFace& face, Framebuffer out, FrameWorkspace& work) {
     face.surface.kernel(work.blocks.waiting(), face.surface.view, out.pixels);
     if (work.counts) count_writes(work.blocks.waiting(), *work.counts);
-    if (work.record) record_blocks(record_of(face.visible), work.blocks.waiting(), face.surface, *work.record);
+    if (work.record) record_blocks(record_of(face.claimed.visible), work.blocks.waiting(), face.surface, *work.record);
     work.blocks.clear();
 }
 
@@ -90,9 +90,9 @@ void split_at(InverseZ least, const Span& span, const LinearQuantity<InverseZ>& 
 /// Blocks where they are long enough to be worth it.
 void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
                   Framebuffer out, FrameWorkspace& work) {
-    const BlockLimits limits = bounded_limits(face, work.polygon.nearest_z, texturing.rule);
+    const BlockLimits limits = bounded_limits(face, face.claimed.nearest_z, texturing.rule);
     const InverseZ least = limits.thresholds.least_inverse_z[kLeastBlockLog2];
-    if (!texturing.divides_exactly || is_above(least, work.polygon.farthest_z))
+    if (!texturing.divides_exactly || is_above(least, face.claimed.farthest_z))
         return draw_blocks(face, spans, texturing, texturing.cut_blocks, limits, out, work);
     work.long_blocks.clear();
     work.short_blocks.clear();

@@ -3,11 +3,11 @@
 #include <span>
 
 #include "engine/accuracy/accuracy.h"
+#include "engine/frame/claims.h"
 #include "engine/geometry/texture_gradients.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_surface.h"
 #include "engine/screen/screen.h"
-#include "engine/visibility/front_to_back.h"
 
 namespace oblong {
 
@@ -25,14 +25,14 @@ SpanTexturing make_span_texturing(const Accuracy& accuracy);
 
 /// A face on the screen with one mip level of its texture.
 struct TexturedFace {
-    const VisibleFace& visible;
+    const ClaimedFace& claimed;
     const FaceSurface& surface;
     const TextureGradients& gradients;
     TexelDensity least_density;    ///< PreparedFace::least_density
     WidthAtOne least_pixel_width;  ///< InverseProjection::least_pixel_width
 };
 
-/// Draws spans of a face whose polygon is `work.polygon`: as blocks, or with a division at each pixel where the
+/// Draws spans of a face: as blocks, or with a division at each pixel where the
 /// settings ask for that, or where bounded blocks would be so short that it is cheaper.
 void draw_texture_spans(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
                         Framebuffer out, FrameWorkspace& work);

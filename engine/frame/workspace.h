@@ -6,12 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "engine/frame/claims.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
+#include "engine/frame/frame_times.h"
+#include "engine/frame/mirror_pass.h"
+#include "engine/frame/plan.h"
 #include "engine/geometry/screen_polygon.h"
 #include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
-#include "engine/scene/effects.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/face_table.h"
 #include "engine/screen/screen.h"
@@ -37,17 +40,19 @@ class FrameWorkspace {
     std::vector<VertexIndex> own_corners;  ///< of the current face, without those at T-junctions
     ScreenPolygon polygon;
     ScanlineExtents rows;
-    std::vector<Span> owned;                      ///< what the current face claimed
-    std::array<std::vector<Span>, 4> of_mip;      ///< those of them that each mip level draws
+    FaceClaims claims;                            ///< of the frame's faces
+    std::array<std::vector<Span>, 4> of_mip;      ///< the current face's spans that each mip level draws
     std::vector<Span> long_blocks, short_blocks;  ///< those that bounded texturing draws as blocks, and pixel by pixel
-    std::vector<Span> sky_spans;                  ///< what sky faces claimed, drawn last
+    std::vector<Span> pass_spans;                 ///< all of the current pass, where it draws them together
+    MirrorScratch mirror;
     BlockList blocks;
     FaceSurfaces surfaces;
     BrushModels brush_models;
 
-    FramePlan plan;                       ///< of the frame drawn last: for showing, never read by a frame
+    FramePlan plan;                       ///< of the frame drawn last
     std::unique_ptr<FrameCounts> counts;  ///< null: nothing is counted
     std::unique_ptr<FrameRecord> record;  ///< null: nothing is recorded
+    std::unique_ptr<FrameTimes> times;    ///< null: nothing is timed
 };
 
 }  // namespace oblong

@@ -25,6 +25,15 @@ void append_corners(const Level& level, const Face& face, const TJunctions& junc
     }
 }
 
+/// The effects that a face needs by its texture.
+EffectSet effects_of(const TexInfo& texinfo, const std::string& texture) {
+    if (texinfo.material == Material::Sky) return EffectSet{}.with(Effect::Sky);
+    if (texinfo.material == Material::Liquid) return EffectSet{}.with(Effect::Liquid);
+    if (texture.starts_with("mirror")) return EffectSet{}.with(Effect::Mirror);
+    if (texture.starts_with('{')) return EffectSet{}.with(Effect::Fence);
+    return {};
+}
+
 /// The texture's axes map the face to a plane of texels. Of such a map the smallest stretch is its change of area by
 /// its greatest stretch, which is at most the root of the sum of both axes' squares.
 TexelDensity least_density(const LevelPlane& plane, const TexInfo& texinfo) {
@@ -45,7 +54,8 @@ void add_face(const Level& level, const Face& face, const TJunctions& junctions,
     const std::size_t count = table.corners.size() - first;
     table.faces.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
                            convert<TexelDensity>(std::max(length(texinfo.s), length(texinfo.t)), Rounding::Floor),
-                           least_density(level.planes[face.plane], texinfo), texinfo.material});
+                           least_density(level.planes[face.plane], texinfo), texinfo.material,
+                           effects_of(texinfo, level.texture_of(face).name)});
     table.most_corners = std::max(table.most_corners, count);
 }
 
@@ -101,11 +111,6 @@ FaceTable make_face_table(const Level& level) {
     FaceTable table;
     const TJunctions junctions(level);
     for (const Face& face : level.faces) add_face(level, face, junctions, table);
-    for (const Leaf& leaf : level.leaves) {
-        EffectSet effects;
-        for (const FaceIndex face : level.faces_at(leaf)) effects = effects | effects_of(table.faces[face].material);
-        table.leaf_effects.push_back(effects);
-    }
     table.torn_edges = count_torn_edges(level, table);
     return table;
 }

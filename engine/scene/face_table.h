@@ -12,28 +12,21 @@ namespace oblong {
 /// Texels per world unit: 48.16.
 using TexelDensity = Fixed<std::int64_t, 16>;
 
-/// The effects that a face needs.
-constexpr EffectSet effects_of(Material material) {
-    if (material == Material::Sky) return EffectSet{}.with(Effect::Sky);
-    if (material == Material::Liquid) return EffectSet{}.with(Effect::Liquid);
-    return {};
-}
-
 /// Data of a face, precomputed for all frames.
 struct PreparedFace {
     std::uint32_t first_corner = 0, corner_count = 0;  ///< in FaceTable::corners
     TexelDensity density;                              ///< texels of mip level 0 per unit, along the denser axis
     TexelDensity least_density;                        ///< no fewer in any direction on the face
     Material material = Material::Lit;
+    EffectSet effects;  ///< that it needs
 };
 
 /// Data of a level's faces, precomputed for all frames.
 struct FaceTable {
     Table<PreparedFace, Face> faces;
-    std::vector<VertexIndex> corners;     ///< of all faces, with those inserted at T-junctions
-    Table<EffectSet, Leaf> leaf_effects;  ///< what each leaf's faces need
-    std::size_t most_corners = 0;         ///< of any face
-    std::size_t torn_edges = 0;           ///< edges of the world where faces do not meet: pixels may stay free there
+    std::vector<VertexIndex> corners;  ///< of all faces, with those inserted at T-junctions
+    std::size_t most_corners = 0;      ///< of any face
+    std::size_t torn_edges = 0;        ///< edges of the world where faces do not meet: pixels may stay free there
 
     std::span<const VertexIndex> corners_of(FaceIndex face) const {
         return std::span(corners).subspan(faces[face].first_corner, faces[face].corner_count);

@@ -71,21 +71,19 @@ void BrushModels::place(const Level& level, std::span<const PlacedModel> models,
         if (placed_[index] != model) cuts_[index] = cut_model(level, model, index, table);
         placed_[index] = model;
     }
-    link_leaves(table);
+    link_leaves();
 }
 
-void BrushModels::link_leaves(const FaceTable& table) {
+void BrushModels::link_leaves() {
     std::fill(leaves_.begin(), leaves_.end(), LeafModels{});
     links_.clear();
     trees_.clear();
     for (const ModelCut& cut : cuts_)
-        for (const Fragment& fragment : cut.fragments)
-            add_to_leaf(fragment, effects_of(table.faces[fragment.face].material));
+        for (const Fragment& fragment : cut.fragments) add_to_leaf(fragment);
 }
 
-void BrushModels::add_to_leaf(const Fragment& fragment, EffectSet effects) {
+void BrushModels::add_to_leaf(const Fragment& fragment) {
     LeafModels& leaf = leaves_[fragment.leaf];
-    leaf.effects = leaf.effects | effects.with(Effect::BrushModels);
     if (!leaf.first_link.is_none()) leaf.has_several |= links_[leaf.first_link].fragment->placed != fragment.placed;
     links_.push_back({&fragment, std::exchange(leaf.first_link, Index<Link>(links_.count()))});
 }

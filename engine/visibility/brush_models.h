@@ -28,8 +28,6 @@ class BrushModels {
     void start_frame(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
 
     bool has_any_in(LeafIndex leaf) const { return !leaves_[leaf].first_link.is_none(); }
-    /// The effects that the parts in a leaf need.
-    EffectSet effects_in(LeafIndex leaf) const { return leaves_[leaf].effects; }
     /// The parts in a leaf that face the eye, nearest first. Valid until the next call.
     std::span<const Fragment* const> front_to_back_in(LeafIndex leaf, const Level& level, const Vec3<World>& eye);
     std::span<const Vec3<World>> corners_of(const Fragment& fragment) const {
@@ -48,7 +46,6 @@ class BrushModels {
         Index<Link> first_link = Index<Link>::none();
         bool has_several = false;                                ///< parts of more than one model
         Index<FragmentTree> tree = Index<FragmentTree>::none();  ///< of those, made when a frame first meets the leaf
-        EffectSet effects;
     };
     /// The order of a model's faces in one frame, found when the frame comes to it.
     struct Order {
@@ -57,8 +54,8 @@ class BrushModels {
     };
 
     void place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
-    void link_leaves(const FaceTable& table);
-    void add_to_leaf(const Fragment& fragment, EffectSet effects);
+    void link_leaves();
+    void add_to_leaf(const Fragment& fragment);
     const FragmentTree& tree_of(LeafModels& leaf, const Level& level);
     void order_model(PlacedIndex placed, const Level& level, const Vec3<World>& eye);
     void find_facing(const Fragment& fragment, const Level& level, const Vec3<World>& eye);

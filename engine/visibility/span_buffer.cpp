@@ -23,6 +23,23 @@ void SpanBuffer::reset() {
     free_px_ = std::int64_t{width_px_} * height_px_;
 }
 
+void SpanBuffer::reset_to(std::span<const Span> free) {
+    for (Row& row : rows_) row = {width_px_, 0, 0};
+    free_px_ = 0;
+    for (const Span& span : free) {
+        Row& row = at(rows_, span.y);
+        Interval* const list = list_of(span.y);
+        const auto first = static_cast<std::int16_t>(span.first), end = static_cast<std::int16_t>(span.end);
+        if (row.count > 0 && list[row.count - 1].end == first)
+            list[row.count - 1].end = end;
+        else
+            list[row.count++] = {first, end};
+        row.hull_first = list[0].first;
+        row.hull_end = end;
+        free_px_ += span.end - span.first;
+    }
+}
+
 void SpanBuffer::claim(std::int32_t y, std::int32_t first, std::int32_t end, std::vector<Span>& owned) {
     Row& row = at(rows_, y);
     first = std::max(first, row.hull_first);
@@ -33,6 +50,17 @@ void SpanBuffer::claim(std::int32_t y, std::int32_t first, std::int32_t end, std
 
 void SpanBuffer::claim(const ScanlineExtents& rows, std::vector<Span>& owned) {
     for (std::int32_t y = rows.first; y < rows.end; ++y) claim(y, at(rows.left, y), at(rows.right, y), owned);
+}
+
+void SpanBuffer::find_free(const ScanlineExtents& rows, std::vector<Span>& free) const {
+    for (std::int32_t y = rows.first; y < rows.end; ++y) {
+        const std::span intervals(list_of(y), static_cast<std::size_t>(at(rows_, y).count));
+        for (const Interval& interval : intervals) {
+            const std::int32_t first = std::max<std::int32_t>(interval.first, at(rows.left, y));
+            const std::int32_t end = std::min<std::int32_t>(interval.end, at(rows.right, y));
+            if (first < end) free.push_back({y, first, end});
+        }
+    }
 }
 
 void SpanBuffer::claim_from(Row& row, Interval* list, const Span& span, std::vector<Span>& owned) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/base/table.h"
@@ -19,10 +20,14 @@ class SpanBuffer {
 
     /// Everything is free again.
     void reset();
+    /// These alone are free: sorted by row, then by column, and without overlap.
+    void reset_to(std::span<const Span> free);
     /// Claims row y's pixels [first, end): appends those that were free to `owned`. Columns may lie off the screen.
     void claim(std::int32_t y, std::int32_t first, std::int32_t end, std::vector<Span>& owned);
     /// The same for every row of a scanned polygon.
     void claim(const ScanlineExtents& rows, std::vector<Span>& owned);
+    /// Appends those pixels of a scanned polygon that are free, and leaves them free.
+    void find_free(const ScanlineExtents& rows, std::vector<Span>& free) const;
     /// Claims every pixel: appends those that were free to `owned`.
     void claim_rest(std::vector<Span>& owned);
     /// Whether no pixel is free.
@@ -46,6 +51,7 @@ class SpanBuffer {
 
     void claim_from(Row& row, Interval* list, const Span& span, std::vector<Span>& owned);
     Interval* list_of(std::int32_t y) { return &intervals_[static_cast<std::size_t>(y) * row_capacity_]; }
+    const Interval* list_of(std::int32_t y) const { return &intervals_[static_cast<std::size_t>(y) * row_capacity_]; }
 
     std::int32_t width_px_, height_px_;
     std::size_t row_capacity_;  ///< the most free spans of a row: every second pixel free

@@ -37,9 +37,12 @@ std::optional<double> entry_of(const TexturedBox& box, const Direction& eye, con
     return enter < leave ? std::optional(enter) : std::nullopt;
 }
 
-/// The colour of the box that a ray meets first; none where two of different colours are as near as rounding.
+constexpr std::uint8_t kMirrorColour = 9;
+
+/// The colour of the box that a ray meets first; none where two of different colours are as near as rounding. A mirror
+/// faces -x, and shows what the reflected ray meets; `is_reflected`: the ray comes from it.
 std::optional<std::uint8_t> colour_along(const std::vector<TexturedBox>& boxes, const Direction& eye,
-                                         const Direction& ray) {
+                                         const Direction& ray, bool is_reflected = false) {
     std::uint8_t colour = kRoomColour;
     double nearest = 1e9;
     bool is_tie = false;
@@ -51,7 +54,10 @@ std::optional<std::uint8_t> colour_along(const std::vector<TexturedBox>& boxes, 
         else if (*entry < nearest)
             nearest = *entry, colour = box.colour, is_tie = false;
     }
-    return is_tie ? std::nullopt : std::optional(colour);
+    if (is_tie) return std::nullopt;
+    if (colour != kMirrorColour || is_reflected) return colour;
+    const Direction hit{eye[0] + ray[0] * nearest - 1e-6, eye[1] + ray[1] * nearest, eye[2] + ray[2] * nearest};
+    return colour_along(boxes, hit, {-ray[0], ray[1], ray[2]}, true);
 }
 
 /// The ray through a place on the 320x200 screen at 90 degrees, looking along yaw (Muratori's multipliers: 160 across,
@@ -136,6 +142,18 @@ TEST(ModelPictures, OfModelsThatReachIntoEachOtherTheNearestShows) {
         }
         expect_nearest_boxes(boxes, {-210, between(-80, 80), between(-60, 60)}, between(-2000, 2000));
     }
+}
+
+/// Boxes before the mirror, beside it, and behind it, where it must not show them; one reaches through its plane.
+TEST(ModelPictures, AMirrorShowsWhatIsBeforeIt) {
+    const std::vector<TexturedBox> boxes{{{100, -120, -90}, {104, 120, 90}, "mirror", kMirrorColour},
+                                         {{20, -60, -40}, {50, -10, 30}, "floor", 2},
+                                         {{-220, 60, -80}, {-190, 110, 80}, "other", 3},
+                                         {{120, 20, -30}, {180, 80, 40}, "+0lamp", 7},
+                                         {{60, 121, -60}, {200, 140, 60}, "+1lamp", 8}};
+    expect_nearest_boxes(boxes, {-100, 0, 0}, 0);
+    expect_nearest_boxes(boxes, {-60, 90, 40}, -3000);
+    expect_nearest_boxes(boxes, {70, -100, 10}, 9000);
 }
 
 TEST(ModelPictures, ALongThinModelBeforeALargeOneShowsThoughItsMiddleIsFarther) {

@@ -20,7 +20,14 @@ struct Options {
                 texel_error, seconds = "0";
     std::vector<std::string> dials;
     std::int64_t repeat = 1, threads = 1;
+    bool prints_plan = false;
 };
+
+std::string effect_names() {
+    std::string names;
+    for (const std::string_view name : kEffectNames) names += (names.empty() ? "" : ",") + std::string(name);
+    return names;
+}
 
 void declare(Command& line, Options& options) {
     line.add("LEVEL", options.level, "a Quake level: BSP 29, BSP2 or 2PSB").require();
@@ -36,7 +43,9 @@ void declare(Command& line, Options& options) {
     line.add("--accuracy", options.preset, "1991, 1994, 1996, bounded or exact");
     line.add("--dial", options.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
     line.add("--texel-error", options.texel_error, "largest texture error on screen, pixels (default 0.375)");
-    line.add("--effects", options.effects, "auto, none, or names: sky,liquid,brush_models");
+    line.add("--effects", options.effects, "auto, none, or names: " + effect_names());
+    line.add_flag("--plan", options.prints_plan,
+                  "print the passes and effects of each frame, with their pixels and times");
     line.add("--threads", options.threads, "accepted; frames are drawn by one thread").limit(1, 256);
     line.add("--time", options.seconds, "the scene's time, seconds");
 }
@@ -49,7 +58,7 @@ EffectSet parse_effects(const std::string& text) {
         const std::size_t end = std::min(text.find(',', start), text.size());
         const auto known = std::find(kEffectNames.begin(), kEffectNames.end(), text.substr(start, end - start));
         if (known == kEffectNames.end())
-            throw UsageError("--effects: '" + text + "', expected auto, none, or names of sky,liquid,brush_models");
+            throw UsageError("--effects: '" + text + "', expected auto, none, or names of " + effect_names());
         effects = effects.with(static_cast<Effect>(known - kEffectNames.begin()));
         start = end + 1;
     }
@@ -82,12 +91,14 @@ std::string picture_path(const std::string& folder, std::size_t index) {
     return folder + "/" + name;
 }
 
-void report(const ReportHead& head, const std::vector<FrameReport>& frames, const std::string& json_path) {
+void report(const ReportHead& head, const std::vector<FrameReport>& frames, const Options& options) {
+    const std::string& json_path = options.json;
     const std::string json = json_path.empty() ? "" : report_json(head, frames);
     if (json_path == "-") {
         std::fputs(json.c_str(), stdout);
         return;
     }
+    if (options.prints_plan) std::fputs(plan_text(frames).c_str(), stdout);
     const TimeSummary times = summarize_times(frames);
     std::printf("%zu frames, median %.1f us, 99th percentile %.1f us, level loaded in %.1f ms\n", frames.size(),
                 times.median, times.p99, head.load_milliseconds);
@@ -123,7 +134,7 @@ void render(const Options& options) {
         const auto png = encode_indexed_png(pixels, mode.width_px, mode.height_px, palette);
         write_file(picture_path(options.out, index), png);
     });
-    report({options.level, preset, mode, field_of_view, settings, load.count()}, frames, options.json);
+    report({options.level, preset, mode, field_of_view, settings, load.count()}, frames, options);
 }
 
 }  // namespace

@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "engine/screen/screen.h"
 
 namespace oblong {
 
 namespace {
+
+std::int64_t steady_clock_ns() {
+    return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 /// Draws one camera's frames into a canvas of its own.
 class CameraRenderer {
@@ -50,9 +55,15 @@ class CameraRenderer {
         for (const std::uint8_t writes : counts->writes)
             ++(writes == 0 ? report.pixels_never : writes == 1 ? report.pixels_once : report.pixels_twice);
         report.counts = named_counts(*counts);
-        for (std::size_t effect = 0; effect < kEffectNames.size(); ++effect)
-            if (work_.plan.effects.has(static_cast<Effect>(effect)))
-                report.effects.push_back({effect, counts->effect_pixels[effect]});
+        const FrameTimes times = time_passes(camera);
+        report.passes = pass_lines(work_.plan, *counts, times);
+        report.effects = effect_lines(work_.plan, *counts, times);
+    }
+
+    FrameTimes time_passes(const Camera& camera) {
+        work_.times = std::make_unique<FrameTimes>(FrameTimes{steady_clock_ns});
+        draw(camera);
+        return *std::exchange(work_.times, nullptr);
     }
 
     const RenderJob& job_;

@@ -10,17 +10,12 @@
 
 namespace oblong {
 
-struct EffectReport {
-    std::size_t effect = 0;  ///< index into kEffectNames
-    std::int64_t pixels = 0;
-};
-
 struct FrameReport {
     std::uint32_t crc32 = 0;
     double microseconds = 0;  ///< median of the timed renderings, drawing only
     std::int64_t pixels_once = 0, pixels_twice = 0, pixels_never = 0;
     std::vector<NamedCount> counts;
-    std::vector<EffectReport> effects;  ///< those of the frame's plan
+    std::vector<PlanLine> passes, effects;  ///< of the frame's plan
 };
 
 /// The median and the 99th percentile of some times (at least one).

@@ -22,12 +22,16 @@ double rounded(double value) {
     return std::round(value * 1000) / 1000;
 }
 
+Json lines_json(const std::vector<PlanLine>& lines) {
+    Json json = Json::array();
+    for (const PlanLine& line : lines)
+        json.push_back({{"name", line.name},
+                        {"pixels", line.pixels},
+                        {"microseconds", rounded(static_cast<double>(line.nanoseconds) / 1000)}});
+    return json;
+}
+
 Json frame_json(std::size_t camera, const FrameReport& frame) {
-    Json effects = Json::array();
-    for (const EffectReport& effect : frame.effects)
-        effects.push_back({{"name", kEffectNames[effect.effect]},
-                           {"pixels", effect.pixels},
-                           {"microseconds", nullptr}});  // not measured
     Json counts;
     for (const NamedCount& count : frame.counts) counts[std::string(count.name)] = count.count;
     return {{"camera", camera},
@@ -35,7 +39,8 @@ Json frame_json(std::size_t camera, const FrameReport& frame) {
             {"microseconds", rounded(frame.microseconds)},
             {"pixels", {{"once", frame.pixels_once}, {"twice", frame.pixels_twice}, {"never", frame.pixels_never}}},
             {"counts", counts},
-            {"effects", effects}};
+            {"passes", lines_json(frame.passes)},
+            {"effects", lines_json(frame.effects)}};
 }
 
 std::string joined(std::int64_t first, char between, std::int64_t second) {
@@ -74,6 +79,25 @@ TimeSummary summarize_times(const std::vector<FrameReport>& frames) {
     std::vector<double> times;
     for (const FrameReport& frame : frames) times.push_back(frame.microseconds);
     return summarize_times(std::move(times));
+}
+
+std::string plan_text(const std::vector<FrameReport>& frames) {
+    std::string text;
+    const auto add = [&](const char* kind, const std::vector<PlanLine>& lines) {
+        for (const PlanLine& line : lines) {
+            char row[96];
+            std::snprintf(row, sizeof row, "  %-6s %-18.*s %9lld pixels %9.1f us\n", kind,
+                          static_cast<int>(line.name.size()), line.name.data(), static_cast<long long>(line.pixels),
+                          static_cast<double>(line.nanoseconds) / 1000);
+            text += row;
+        }
+    };
+    for (std::size_t camera = 0; camera < frames.size(); ++camera) {
+        text += "camera " + std::to_string(camera) + "\n";
+        add("pass", frames[camera].passes);
+        add("effect", frames[camera].effects);
+    }
+    return text;
 }
 
 std::string report_json(const ReportHead& head, const std::vector<FrameReport>& frames) {

@@ -20,6 +20,9 @@ struct ReportHead {
 
 TimeSummary summarize_times(const std::vector<FrameReport>& frames);
 
+/// The plan of each frame for reading: what `oblong-render --plan` prints.
+std::string plan_text(const std::vector<FrameReport>& frames);
+
 /// The JSON that `oblong-render --json` writes.
 std::string report_json(const ReportHead& head, const std::vector<FrameReport>& frames);
 

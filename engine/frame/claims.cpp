@@ -1,0 +1,111 @@
+#include "engine/frame/claims.h"
+
+#include "engine/frame/frame_context.h"
+#include "engine/frame/workspace.h"
+#include "engine/raster/scan.h"
+#include "engine/visibility/model_cutter.h"
+
+namespace oblong {
+
+namespace {
+
+/// The corners of a face, those at T-junctions only if the settings mend them.
+std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& frame, FrameWorkspace& work) {
+    if (frame.accuracy().mends_t_junctions) return work.faces.corners_of(index);
+    const Level& level = frame.scene.level;
+    work.own_corners.clear();
+    for (const SurfEdge step : level.edges_of(level.faces[index])) work.own_corners.push_back(level.start_of(step));
+    return work.own_corners;
+}
+
+/// The same for what a mirror shows: the part of the face that is before the mirror.
+bool project_before_mirror(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
+    const MirrorPlane& mirror = *frame.mirror;
+    const Level& level = frame.scene.level;
+    std::vector<Vec3<World>>& corners = work.mirror.corners;
+    corners.clear();
+    if (visible.fragment) {
+        const auto own = work.brush_models.corners_of(*visible.fragment);
+        corners.assign(own.begin(), own.end());
+    } else {
+        for (const VertexIndex corner : corners_of(visible.face, frame, work))
+            corners.push_back(level.vertices[corner]);
+    }
+    const PolygonSide side = polygon_side(level.planes[mirror.plane], mirror.offset, corners, work.mirror.distances);
+    const PolygonSide shown = mirror.is_back ? PolygonSide::Back : PolygonSide::Front;
+    if (side == shown) return project_polygon(corners, frame.view, work.polygon);
+    if (side != PolygonSide::Both) return false;
+    const std::size_t count = corners.size();
+    append_part(corners, 0, work.mirror.distances, !mirror.is_back);
+    return project_polygon(std::span(corners).subspan(count), frame.view, work.polygon);
+}
+
+/// Transforms, clips and projects the corners into work.polygon. False if nothing of the face is in view.
+bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
+    if (work.counts) ++work.counts->faces_visited;
+    if (frame.mirror) return project_before_mirror(visible, frame, work);
+    if (visible.fragment)
+        return project_polygon(work.brush_models.corners_of(*visible.fragment), frame.view, work.polygon);
+    return project_face(corners_of(visible.face, frame, work), frame.view, work.vertices, work.polygon);
+}
+
+/// The list of a face that calls for these effects. What is not allowed is drawn in one colour, or as a wall.
+FaceList list_for(EffectSet needs, EffectSet allowed) {
+    const EffectSet effects = needs & allowed;
+    if (needs.has(Effect::Sky)) return effects.has(Effect::Sky) ? FaceList::Sky : FaceList::Flat;
+    if (needs.has(Effect::Liquid) && !effects.has(Effect::Liquid)) return FaceList::Flat;
+    if (effects.has(Effect::Translucency) || effects.has(Effect::Fence)) return FaceList::SeeThrough;
+    if (effects.has(Effect::Liquid)) return FaceList::Liquid;
+    return effects.has(Effect::Mirror) ? FaceList::Mirror : FaceList::Walls;
+}
+
+/// Adds the pixels of the scanned rows that are free to the list's face.
+void claim_face(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
+    const EffectSet needs = work.faces.faces[visible.face].effects;
+    const EffectSet effects = visible.fragment ? needs.with(Effect::BrushModels) : needs;
+    const FaceList list = list_for(needs, frame.settings.allowed_effects);
+    FaceClaims& claims = work.claims;
+    const std::size_t first = claims.spans.size();
+    if (list == FaceList::SeeThrough)
+        work.span_buffer.find_free(work.rows, claims.spans);
+    else
+        work.span_buffer.claim(work.rows, claims.spans);
+    const std::size_t count = claims.spans.size() - first;
+    if (count == 0) return;
+    claims.effects = claims.effects | (effects & frame.settings.allowed_effects);
+    claims.list(list).push_back({visible, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
+                                 work.polygon.nearest_z, work.polygon.farthest_z});
+    if (work.counts) count_face(effects, std::span(claims.spans).subspan(first), *work.counts);
+}
+
+}  // namespace
+
+void FaceClaims::clear() {
+    spans.clear();
+    for (auto& faces : lists) faces.clear();
+    left_free.clear();
+    effects = {};
+}
+
+std::int64_t pixels_of(const FaceClaims& claims, FaceList list) {
+    std::int64_t pixels = 0;
+    for (const ClaimedFace& face : claims.list(list)) pixels += pixels_of(claims.spans_of(face));
+    return pixels;
+}
+
+void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
+    const Stopwatch watch(work.times.get(), &FrameTimes::claims_ns);
+    BrushModels* const models = frame.allows(Effect::BrushModels) ? &work.brush_models : nullptr;
+    FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk);
+    while (const std::optional<VisibleFace> visible = walk.next()) {
+        const Stopwatch of_models(visible->fragment ? work.times.get() : nullptr, Effect::BrushModels);
+        if (!project(*visible, frame, work)) continue;
+        scan_convex(work.polygon.screen, work.rows, frame.accuracy().edges);
+        if (work.counts) count_polygon(work.polygon, work.rows, work.counts->stages);
+        claim_face(*visible, frame, work);
+    }
+    work.span_buffer.claim_rest(work.claims.left_free);
+    if (work.counts) count_walk(walk.nodes_entered(), work.vertices.count(), work.counts->stages);
+}
+
+}  // namespace oblong

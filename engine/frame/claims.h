@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/geometry/view_context.h"
+#include "engine/scene/effects.h"
+#include "engine/screen/screen.h"
+#include "engine/visibility/front_to_back.h"
+
+namespace oblong {
+
+struct FrameContext;
+class FrameWorkspace;
+
+/// The passes that draw faces, each the faces of one list.
+enum class FaceList : std::uint8_t { Walls, Flat, Liquid, Sky, Mirror, SeeThrough };
+inline constexpr std::size_t kFaceListCount = 6;
+
+/// A face that owns pixels of a frame, or sees through to those behind it.
+struct ClaimedFace {
+    VisibleFace visible;
+    std::uint32_t first_span = 0, span_count = 0;  ///< in FaceClaims
+    View nearest_z, farthest_z;                    ///< of the face's part in view
+};
+
+/// What the faces of a frame own: each has a place in the list of the pass that draws it, front to back.
+struct FaceClaims {
+    std::vector<Span> spans;
+    std::array<std::vector<ClaimedFace>, kFaceListCount> lists;
+    EffectSet effects;            ///< that these faces need and the settings allow
+    std::vector<Span> left_free;  ///< pixels that no face owns
+
+    std::vector<ClaimedFace>& list(FaceList which) { return lists[static_cast<std::size_t>(which)]; }
+    const std::vector<ClaimedFace>& list(FaceList which) const { return lists[static_cast<std::size_t>(which)]; }
+    std::span<const Span> spans_of(const ClaimedFace& face) const {
+        return std::span(spans).subspan(face.first_span, face.span_count);
+    }
+    void clear();
+};
+
+/// The pixels of a list's faces.
+std::int64_t pixels_of(const FaceClaims& claims, FaceList list);
+
+/// Takes the faces front to back and lets each claim its pixels; draws nothing. Faces that are seen through get the
+/// pixels that were free when the walk came to them, and leave them free.
+void claim_faces(const FrameContext& frame, FrameWorkspace& work);
+
+}  // namespace oblong

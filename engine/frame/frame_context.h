@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/accuracy/accuracy.h"
+#include "engine/frame/frame.h"
+#include "engine/frame/mirror_pass.h"
+#include "engine/frame/texture_spans.h"
+#include "engine/geometry/texture_gradients.h"
+#include "engine/geometry/view_context.h"
+
+namespace oblong {
+
+/// Everything that is constant while a frame is drawn.
+struct FrameContext {
+    const Scene& scene;
+    const Settings& settings;
+    ViewContext view;
+    InverseProjection inverse_projection;
+    SpanTexturing texturing;
+    Framebuffer out;
+    const MirrorPlane* mirror = nullptr;  ///< the frame is what this mirror shows
+
+    const Accuracy& accuracy() const { return settings.accuracy; }
+    bool allows(Effect effect) const { return settings.allowed_effects.has(effect); }
+};
+
+}  // namespace oblong

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "engine/frame/plan.h"
+#include "engine/scene/effects.h"
+
+namespace oblong {
+
+struct FrameCounts;
+
+/// A clock that a program hands in: nanoseconds since any moment.
+using FrameClock = std::int64_t (*)();
+
+/// Where the time of a frame went, measured only on request (FrameWorkspace::times).
+struct FrameTimes {
+    FrameClock clock = nullptr;
+    std::int64_t claims_ns = 0;                           ///< the walk, polygons, scan, span buffer
+    std::int64_t surfaces_ns = 0;                         ///< building lit surfaces, part of its pass
+    std::array<std::int64_t, kPassCount> passes_ns{};     ///< of each Pass
+    std::array<std::int64_t, kEffectCount> effects_ns{};  ///< of each Effect that has no pass of its own
+};
+
+/// Adds the time from its construction to its end to one of the times, if there are any.
+class Stopwatch {
+  public:
+    Stopwatch(FrameTimes* times, std::int64_t FrameTimes::*sum) : Stopwatch(times, times ? &(times->*sum) : nullptr) {}
+    Stopwatch(FrameTimes* times, Pass pass)
+        : Stopwatch(times, times ? &times->passes_ns[static_cast<std::size_t>(pass)] : nullptr) {}
+    Stopwatch(FrameTimes* times, Effect effect)
+        : Stopwatch(times, times ? &times->effects_ns[static_cast<std::size_t>(effect)] : nullptr) {}
+    Stopwatch(const Stopwatch&) = delete;
+    ~Stopwatch() {
+        if (clock_) *sum_ += clock_() - began_ns_;
+    }
+
+  private:
+    Stopwatch(const FrameTimes* times, std::int64_t* sum) : clock_(times ? times->clock : nullptr), sum_(sum) {
+        if (clock_) began_ns_ = clock_();
+    }
+
+    FrameClock clock_;
+    std::int64_t* sum_;
+    std::int64_t began_ns_ = 0;
+};
+
+/// A line of a plan as it is shown.
+struct PlanLine {
+    std::string_view name;
+    std::int64_t pixels = 0;
+    std::int64_t nanoseconds = 0;
+};
+
+/// The passes of a plan with their pixels and times, and the effects on it.
+std::vector<PlanLine> pass_lines(const FramePlan& plan, const FrameCounts& counts, const FrameTimes& times);
+std::vector<PlanLine> effect_lines(const FramePlan& plan, const FrameCounts& counts, const FrameTimes& times);
+
+}  // namespace oblong

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/level/level.h"
+
+namespace oblong {
+
+struct FrameContext;
+class FrameWorkspace;
+
+/// The plane of a mirror, moved by `offset` with its brush model. The picture in it shows what is on the side that it
+/// faces.
+struct MirrorPlane {
+    PlaneIndex plane;
+    bool is_back = false;  ///< it faces the plane's back
+    Vec3<World> offset;
+    bool operator==(const MirrorPlane&) const = default;
+};
+
+/// Scratch of mirrors; empty until a frame shows one.
+struct MirrorScratch {
+    std::vector<std::uint8_t> pixels;      ///< the flipped picture
+    std::vector<Vec3<World>> corners;      ///< of a face, then of its part before the mirror
+    std::vector<PlaneDistance> distances;  ///< of the corners
+};
+
+/// The most mirror planes of a frame: of more, the farther ones are drawn as walls.
+inline constexpr std::size_t kMostMirrors = 4;
+
+/// Draws what the frame's mirrors show, one level deep: mirrors in a mirror are walls. Each plane takes a picture of
+/// its own from the mirrored eye, of which only the pixels that its faces own are drawn. Mirrored axes are left-handed
+/// where the view's are right-handed; with `right` turned round they are a camera again, whose picture is flipped.
+void draw_mirrors(const FrameContext& frame, FrameWorkspace& work);
+
+}  // namespace oblong

@@ -1,0 +1,19 @@
+#include "engine/frame/plan.h"
+
+namespace oblong {
+
+FramePlan plan_frame(const FaceClaims& claims) {
+    FramePlan plan;
+    plan.effects = claims.effects;
+    const auto add_if_called_for = [&](Pass pass, FaceList list) {
+        if (!claims.list(list).empty()) plan.passes.push_back(pass);
+    };
+    add_if_called_for(Pass::Walls, FaceList::Walls);
+    add_if_called_for(Pass::Flat, FaceList::Flat);
+    add_if_called_for(Pass::Liquid, FaceList::Liquid);
+    add_if_called_for(Pass::Sky, FaceList::Sky);
+    add_if_called_for(Pass::Mirror, FaceList::Mirror);
+    return plan;
+}
+
+}  // namespace oblong
