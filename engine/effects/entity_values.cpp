@@ -1,7 +1,5 @@
 #include "engine/effects/entity_values.h"
 
-#include <algorithm>
-
 #include "engine/base/input_error.h"
 #include "engine/level/entities.h"
 
@@ -20,6 +18,12 @@ std::string decimal(World value) {
 
 std::string range_text(World least, World most) {
     return decimal(least) + " to " + decimal(most);
+}
+
+std::optional<std::uint8_t> parse_colour(std::string_view text) {
+    const std::optional<std::int64_t> number = parse_decimal(text, 0);
+    if (!number || *number < 0 || *number > 255) return std::nullopt;
+    return static_cast<std::uint8_t>(*number);
 }
 
 bool is_between(World value, World least, World most) {
@@ -68,6 +72,17 @@ std::optional<Vec3<World>> EntityValues::vector(const std::string& key, World le
         return value;
     warn_of(key, "three numbers from " + range_text(least, most));
     return std::nullopt;
+}
+
+ColourRamp EntityValues::colours(const std::string& key, const ColourRamp& otherwise) const {
+    const std::string text = entity_.value(key);
+    if (text.empty()) return otherwise;
+    const std::size_t space = text.find(' ');
+    const auto first = parse_colour(text.substr(0, space));
+    const auto last = space == std::string::npos ? first : parse_colour(text.substr(space + 1));
+    if (first && last) return {*first, *last};
+    warn_of(key, "one or two palette indices from 0 to 255: the default is taken");
+    return otherwise;
 }
 
 std::optional<Vec3<World>> EntityValues::origin() const {

@@ -14,6 +14,11 @@ struct NumberRange {
     World least, most, otherwise;
 };
 
+/// Colours of the palette, from one to another.
+struct ColourRamp {
+    std::uint8_t first, last;
+};
+
 /// The keys of an entity as checked numbers. Bad values are replaced, and add a warning that names entity and key.
 class EntityValues {
   public:
@@ -29,6 +34,8 @@ class EntityValues {
     std::int32_t period_ms(std::int32_t otherwise_ms) const;
     /// Three numbers from `least` to `most`; none if the key is missing (no warning) or bad.
     std::optional<Vec3<World>> vector(const std::string& key, World least, World most) const;
+    /// One colour, or the first and the last one of a ramp.
+    ColourRamp colours(const std::string& key, const ColourRamp& otherwise) const;
     /// Where the entity is; none, with a warning, if that is missing or farther than 65,536 from the world's origin.
     std::optional<Vec3<World>> origin() const;
 

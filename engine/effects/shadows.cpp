@@ -29,10 +29,10 @@ std::array<Vec3<World>, kCorners> corners_of_disc(const LevelPlane& plane, const
 
 }  // namespace
 
-Shadow make_shadow(const Floor& floor, const Vec3<World>& middle, World radius_below) {
+Shadow make_shadow(const Floor& floor, const Vec3<World>& middle, World radius) {
     constexpr auto kFarthest = convert<WorldWide>(kFarthestShadow);
     const WorldWide distance = std::clamp(widening_difference(middle.z, floor.position.z), WorldWide{}, kFarthest);
-    return {floor, product_over<World>(std::min(radius_below, kLargestRadius), kFarthest - distance, kFarthest)};
+    return {floor, product_over<World>(std::min(radius, kLargestRadius), kFarthest - distance, kFarthest)};
 }
 
 bool scan_shadow(const Shadow& shadow, std::int32_t share_8, const Level& level, const ViewContext& view,

@@ -18,7 +18,8 @@ struct Shadow {
     Floor floor;
     World radius;  ///< on the floor; 0 to 4,096
 };
-Shadow make_shadow(const Floor& floor, const Vec3<World>& middle, World radius_below);
+/// `radius` is that of a shadow right below `middle`.
+Shadow make_shadow(const Floor& floor, const Vec3<World>& middle, World radius);
 
 /// Scratch of the shadow pass.
 struct ShadowScratch {

@@ -53,6 +53,14 @@ LevelBox box_around(const Vec3<World>& middle, const Vec3<World>& half_size) {
     return box;
 }
 
+LevelBox box_around_both(LevelBox box, const LevelBox& other) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.mins[axis] = std::min(box.mins[axis], other.mins[axis]);
+        box.maxs[axis] = std::max(box.maxs[axis], other.maxs[axis]);
+    }
+    return box;
+}
+
 class ThingReader {
   public:
     explicit ThingReader(const Level& level) : level_(level) {}
@@ -86,10 +94,9 @@ class ThingReader {
         emitter.period_ms = values.period_ms(its_class.period_ms);
         emitter.count = particles_left(values.whole_number("count", 0, kMostParticles, its_class.count), values);
         emitter.seed = static_cast<std::uint32_t>(index);
-        const bool has_colour = !values.text("colour").empty();
-        const std::int32_t colour = values.whole_number("colour", 0, 255, its_class.first_colour);
-        emitter.first_colour = static_cast<std::uint8_t>(colour);
-        emitter.last_colour = has_colour ? emitter.first_colour : its_class.last_colour;
+        const ColourRamp ramp = values.colours("colour", {its_class.first_colour, its_class.last_colour});
+        emitter.first_colour = ramp.first;
+        emitter.last_colour = ramp.last;
         if (emitter.count == 0) return;
         things_.emitters.push_back({emitter, place_box(level_, box_around(emitter.middle, emitter.half_size))});
     }
@@ -100,9 +107,14 @@ class ThingReader {
         if (!origin || texture.is_none() || !has_room(things_.sprites.size(), kMostSprites, values)) return;
         PlacedSprite placed;
         placed.sprite = {*origin, texture, scale_of(values)};
-        placed.place = place_box(level_, box_around(*origin, half_size_of(placed.sprite)));
         placed.shadow_radius = values.number("shadow", {World{}, World::from_int(512), World{}});
         if (placed.shadow_radius > World{}) placed.floor = find_floor(level_, *origin, kFarthestShadow);
+        LevelBox box = box_around(*origin, half_size_of(placed.sprite));
+        if (placed.floor) {
+            const World radius = placed.shadow_radius;  // floors rise by no more than that
+            box = box_around_both(box, box_around(placed.floor->position, {radius, radius, radius}));
+        }
+        placed.place = place_box(level_, box);
         things_.sprites.push_back(std::move(placed));
     }
 
