@@ -58,6 +58,53 @@ TEST_F(DemoLevel, CallsForSkyWaterLavaAndAnimation) {
     for (const MipTexture& texture : level_.textures) EXPECT_FALSE(texture.is_missing) << texture.name;
 }
 
+TEST_F(DemoLevel, CallsForEveryEffectByWhatMappersUse) {
+    std::set<std::string> names;
+    for (const MipTexture& texture : level_.textures) names.insert(texture.name);
+    for (const char* name : {"*teleport", "mirror_hall", "{grate", "{fern", "{lantern", "+0exit", "+1exit", "+2exit",
+                             "+3exit", "+0volt", "+3volt"})
+        EXPECT_TRUE(names.contains(name)) << name;
+    for (const char* classname : {"misc_rain", "misc_dust", "misc_sparks", "misc_sprite", "misc_lantern",
+                                  "trigger_teleport", "info_teleport_destination"})
+        EXPECT_TRUE(has_entity(classname)) << classname;
+    for (const char* key : {"fog", "wateralpha", "palette_cycle"})
+        EXPECT_NE(level_.entities.front().value(key), "") << key;
+    std::set<int> styles;
+    for (const Face& face : level_.faces) styles.insert(face.styles.begin(), face.styles.end());
+    for (const int style : {2, 3, 4, 6, 7, 10, 32}) EXPECT_TRUE(styles.contains(style)) << style;
+}
+
+/// The palette indices of a texture's largest mip level.
+std::set<int> colours_of(const MipTexture& texture) {
+    return {texture.mips[0].begin(), texture.mips[0].end()};
+}
+
+TEST_F(DemoLevel, CyclesColoursOfTheNeonSignAlone) {
+    int first = 0, last = 0, steps = 0;
+    const std::string cycle = level_.entities.front().value("palette_cycle");
+    ASSERT_EQ(std::sscanf(cycle.c_str(), "%d %d %d", &first, &last, &steps), 3) << cycle;
+    for (const MipTexture& texture : level_.textures) {
+        const std::set<int> colours = colours_of(texture);
+        for (int colour = first; colour <= last; ++colour)
+            EXPECT_EQ(colours.contains(colour), texture.name == "neon") << texture.name << ' ' << colour;
+    }
+}
+
+TEST_F(DemoLevel, ItsFogLiesBelowAllRoomsButTheGarden) {
+    const std::string fog = level_.entities.front().value("fog");
+    double top = 0;
+    ASSERT_EQ(std::sscanf(fog.c_str(), "%*f %*f %*f %*f %*f %*f %*f %lf", &top), 1) << fog;
+    int in_fog = 0;
+    for (const FaceIndex face : level_.world().faces) {
+        for (const Corner& corner : corners_of(level_.faces[face])) {
+            const bool is_in_garden = corner[0] >= 1184 && corner[0] <= 1600 && corner[1] >= 1856 && corner[1] <= 2528;
+            ASSERT_TRUE(is_in_garden || corner[2] >= top) << corner[0] << ' ' << corner[1];
+            in_fog += corner[2] < top;
+        }
+    }
+    EXPECT_GT(in_fog, 100);
+}
+
 TEST_F(DemoLevel, EveryCameraOfTheListStandsInTheOpen) {
     std::ifstream cameras(OBLONG_SOURCE_DIR "/assets/demo_cameras.csv");
     std::string line;
@@ -74,15 +121,34 @@ TEST_F(DemoLevel, EveryCameraOfTheListStandsInTheOpen) {
     EXPECT_GE(count, 14);
 }
 
+/// The light of each sample of each face, all styles at their steady strength.
+std::vector<int> light_samples(const Level& level) {
+    std::vector<int> lights;
+    for (const Face& face : level.faces) {
+        if (face.light_offset < 0) continue;
+        const auto count = static_cast<std::size_t>((face.texel_extent_u / 16 + 1) * (face.texel_extent_v / 16 + 1));
+        std::vector<int> sums(count, 0);
+        auto next = static_cast<std::size_t>(face.light_offset);
+        for (const std::uint8_t style : face.styles) {
+            if (style == 255) break;
+            for (int& sum : sums) sum += level.lighting.at(next++);
+        }
+        lights.insert(lights.end(), sums.begin(), sums.end());
+    }
+    return lights;
+}
+
 TEST_F(DemoLevel, IsDarkButReadable) {
     // Of all light samples: some pools near full light, most below half, hardly any quite black.
-    ASSERT_FALSE(level_.lighting.empty());
+    const std::vector<int> lights = light_samples(level_);
+    ASSERT_FALSE(lights.empty());
     const auto count = [&](int low, int high) {
-        return std::count_if(level_.lighting.begin(), level_.lighting.end(),
-                             [&](std::uint8_t light) { return light >= low && light <= high; });
+        return std::count_if(lights.begin(), lights.end(), [&](int light) { return light >= low && light <= high; });
     };
-    const auto all = static_cast<std::ptrdiff_t>(level_.lighting.size());
-    EXPECT_GT(count(176, 255), all / 50);
+    const auto all = static_cast<std::ptrdiff_t>(lights.size());
+    EXPECT_GT(count(160, 1000), all / 50);
+    EXPECT_LT(count(160, 1000), all / 5) << "washed out: from 128 on light brightens a texture's own colour";
+    EXPECT_LT(count(192, 1000), all / 10);
     EXPECT_GT(count(0, 128), all / 2);
     EXPECT_LT(count(0, 4), all / 100);
 }

@@ -38,6 +38,12 @@ class Visitor {
         return state_.has_ended;
     }
 
+    /// One tick towards a place. False from half a minute of them on.
+    bool step_to(double x, double y) {
+        step(level_, state_, step_towards(x - units(state_.player.position.x), y - units(state_.player.position.y)));
+        return ++lone_steps_ < 30 * kTicksPerSecond;
+    }
+
   private:
     TickInput step_towards(double dx, double dy) const {
         TickInput input;
@@ -49,6 +55,7 @@ class Visitor {
 
     GameLevel level_;
     GameState state_;
+    std::int64_t lone_steps_ = 0;
 };
 
 class DemoWalk : public testing::Test {
@@ -93,6 +100,24 @@ TEST_F(DemoWalk, WhoFallsIntoTheCanalCanSwimAndClimbOut) {
     EXPECT_NE(visitor_.state().player.depth, Depth::Dry);
     walk({{860, 1264}, {1060, 1264, 20}});
     EXPECT_EQ(visitor_.state().player.depth, Depth::Dry);
+}
+
+TEST_F(DemoWalk, ThroughTheRainAndTheFogAndByTheTeleporterToTheEnd) {
+    walk(kEntranceToGallery);
+    walk({{736, 416}, {736, 560}, {512, 760}, {512, 1160}, {512, 1360}});
+    walk({{740, 1430}, {1000, 1616}, {1230, 1616}, {1230, 1776}, {1392, 1776}, {1392, 1870}, {1392, 2240}});
+    constexpr double kInTheGarden = -208 + 24;
+    EXPECT_NEAR(units(visitor_.state().player.position.z), kInTheGarden, 1.5);
+    while (units(visitor_.state().player.position.y) > 1800) ASSERT_TRUE(visitor_.step_to(1392, 2600));
+    EXPECT_NEAR(units(visitor_.state().player.position.x), 40, 20) << "before the room of forced perspective";
+    walk({kCourtyardToEnd.begin() + 2, kCourtyardToEnd.end()});
+    EXPECT_TRUE(visitor_.state().has_ended);
+}
+
+TEST_F(DemoWalk, ThroughTheRoomsSouthOfTheGallery) {
+    walk(kEntranceToGallery);
+    walk({{736, 416}, {736, 290}, {736, 160}, {560, 144}, {470, 90}, {330, 144}, {470, 200}, {560, 144}});
+    walk({{736, 220}, {936, 144}, {1000, 100}, {1190, 144}, {960, 144}, {736, 220}, {736, 416}});
 }
 
 TEST_F(DemoWalk, WhoFallsIntoTheLavaCanClimbOutAtBothEndsOfBothPits) {

@@ -170,7 +170,7 @@ std::string wad_bytes(const std::vector<std::string>& names) {
 
 map::BspFile compile(std::string_view text, const map::CompileOptions& options) {
     const std::vector<map::Wad> wads{map::Wad(
-        wad_bytes({"wall", "floor", "other", "*water", "*lava", "sky", "+0lamp", "+1lamp", "{bars", "mirror"}))};
+        wad_bytes({"wall", "floor", "other", "*water", "*lava", "sky", "+0lamp", "+1lamp", "mirror", "{bars"}))};
     return map::compile_map(map::parse_map(text), wads, options);
 }
 

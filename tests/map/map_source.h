@@ -41,7 +41,7 @@ std::string level(std::string_view brushes, std::string_view entities = "");
 /// A WAD2 of 16 x 16 textures of one colour.
 std::string wad_bytes(const std::vector<std::string>& names);
 
-/// Compiles with a WAD that has wall, floor, other, *water, *lava, sky, {bars, mirror and an animated +0lamp, +1lamp.
+/// Compiles with a WAD that has wall, floor, other, *water, *lava, sky, mirror, {bars and an animated +0lamp, +1lamp.
 map::BspFile compile(std::string_view text, const map::CompileOptions& options = {});
 
 /// What follows a side's points.

@@ -37,7 +37,7 @@ std::optional<double> entry_of(const TexturedBox& box, const Direction& eye, con
     return enter < leave ? std::optional(enter) : std::nullopt;
 }
 
-constexpr std::uint8_t kMirrorColour = 10;
+constexpr std::uint8_t kMirrorColour = 9;
 
 /// The colour of the box that a ray meets first; none where two of different colours are as near as rounding. A mirror
 /// faces -x, and shows what the reflected ray meets; `is_reflected`: the ray comes from it.

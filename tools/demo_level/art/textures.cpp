@@ -66,6 +66,11 @@ void add_signs(Textures& all) {
     all.push_back({"sign_forced", paint_sign("FORCED", "PERSPECTIVE")});
     all.push_back({"sign_accuracy", paint_sign("ACCURACY")});
     all.push_back({"sign_distance", paint_sign("DISTANCE")});
+    all.push_back({"sign_light", paint_sign("LIGHT AND", "SHADOW")});
+    all.push_back({"sign_dust", paint_sign("DUST")});
+    all.push_back({"sign_sparks", paint_sign("SPARKS")});
+    all.push_back({"sign_rain", paint_sign("RAIN")});
+    all.push_back({"sign_fog", paint_sign("FOG")});
     for (int frame = 0; frame < kExitFrames; ++frame) {
         all.push_back({"+" + std::to_string(frame) + "exit", paint_exit_sign(frame)});
     }
@@ -73,6 +78,18 @@ void add_signs(Textures& all) {
     all.push_back({"picture_cubes", paint_picture_cubes()});
     all.push_back({"picture_eye", paint_picture_eye()});
     all.push_back({"picture_moon", paint_picture_moon()});
+}
+
+void add_furnishings(Textures& all) {
+    all.push_back({"#teleport", paint_teleport()});
+    all.push_back({"mirror_hall", paint_mirror()});
+    all.push_back({"{lantern", paint_lantern()});
+    all.push_back({"{fern", paint_fern()});
+    all.push_back({"neon", paint_neon()});
+    all.push_back({"lamp_dead", paint_lamp_dead()});
+    for (int frame = 0; frame < kVoltFrames; ++frame) {
+        all.push_back({"+" + std::to_string(frame) + "volt", paint_volt(frame)});
+    }
 }
 
 }  // namespace
@@ -84,6 +101,7 @@ std::vector<NamedCanvas> paint_all_textures() {
     add_interior(all);
     add_outdoors(all);
     add_signs(all);
+    add_furnishings(all);
     return all;
 }
 

@@ -60,6 +60,15 @@ Canvas paint_cube_face(Ramp ramp);
 Canvas paint_ruler();    ///< thin stripes: what affine texturing cannot hide
 Canvas paint_diamond();  ///< 64x64 floor of slanted squares
 
+Canvas paint_teleport();  ///< 64x64, a swirl that glows
+Canvas paint_mirror();    ///< 64x64, silvered glass where mirrors are not drawn
+Canvas paint_lantern();   ///< 32x32, with holes around it
+Canvas paint_fern();      ///< 48x64, in a pot, with holes around it
+Canvas paint_neon();      ///< 128x32, WORKSHOP among lights in the colours of Ramp::Magenta, which nothing else has
+Canvas paint_volt(int frame);  ///< 64x64, a bolt that brightens and fades in kVoltFrames frames
+Canvas paint_lamp_dead();      ///< 32x32, the lamp with broken glass
+inline constexpr int kVoltFrames = 4;
+
 /// A brass-framed plate, as wide as its text needs and 32 high, with a room's title engraved in gold on night blue;
 /// 48 high and of two lines if `second` is given.
 Canvas paint_sign(std::string_view first, std::string_view second = "");

@@ -28,9 +28,9 @@ void add_tree(Draft& draft, double x, double y) {
     const auto ring = circle(6, x, y, 28, 0);
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const auto &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        for (const double tip : {16.0, 190.0}) sides.push_back({{a[0], a[1], 56}, {b[0], b[1], 56}, {x, y, tip}});
+        for (const double tip : {16.0, 190.0}) sides.push_back({{a[0], a[1], 40}, {b[0], b[1], 40}, {x, y, tip}});
     }
-    draft.add(make_solid(sides, {x, y, 60}, "hedge"));
+    draft.add(make_solid(sides, {x, y, 44}, "hedge"));
 }
 
 /// Lamps, trees and hedges along the walls and in the corners.
@@ -45,7 +45,7 @@ void add_plants(Draft& draft) {
                               {1090, 1440, 0},
                               {-40, 1120, 0},
                               {-40, 1420, 0}})
-        add_lamp_post(draft, lamp, 400);
+        add_lamp_post(draft, lamp, 290);
     for (const Point& tree : {Point{980, 590, 0},
                               {1110, 670, 0},
                               {1110, 1830, 0},
@@ -65,7 +65,7 @@ void add_plants(Draft& draft) {
 
 void add_moonlight(Draft& draft) {
     for (const double y : {690.0, 1080.0, 1480.0, 1880.0}) {
-        for (const double x : {-40.0, 450.0, 940.0}) draft.add_light({x, y, 500}, 850);
+        for (const double x : {-40.0, 450.0, 940.0}) draft.add_light({x, y, 480}, 745);
     }
 }
 
@@ -80,6 +80,7 @@ void build_courtyard(Draft& draft) {
                          {Side::South, 688, 784, 0, 112},
                          {Side::East, 696, 784, 0, 112},
                          {Side::East, 840, 936, 160, 272},
+                         {Side::East, 1568, 1664, 0, 112},
                          {Side::West, 1536, 1632, 0, 112},
                          {Side::North, 448, 576, 32, 176}}});
     draft.add_box({{-272, 528, 704}, {1168, 2000, 720}}, "sky_night");
@@ -92,9 +93,11 @@ void build_courtyard(Draft& draft) {
         draft.add(make_sphere({x, 1080, 50}, 0.5, "marble_ivory", "marble_ivory"));
     }
     for (const double y : {736.0, 960.0, 1440.0}) {
-        for (const double x : {416.0, 608.0}) add_lamp_post(draft, {x, y, 0}, 420);
+        for (const double x : {416.0, 608.0}) add_lamp_post(draft, {x, y, 0}, 290);
     }
     add_way_board(draft, {Side::South, {340, 1440, 78}, 1, "sign_forced", 160, 48});
+    add_sign(draft, {Side::West, {1152, 1616, 146}, 1.5, "sign_rain", 64, 32});
+    for (const double y : {1540.0, 1692.0}) add_wall_lamp(draft, {1144, y, 96}, Side::West, 360);
     add_plants(draft);
     add_moonlight(draft);
 }
@@ -114,7 +117,7 @@ void build_canal(Draft& draft) {
     draft.add_box({{432, 1176, 16}, {592, 1352, 32}}, {"sand_frieze", "stone_floor"});
     for (const double x : {434.0, 590.0}) {
         add_balustrade(draft, {x, 1178, 32}, {x, 1350, 32}, "marble_ivory");
-        for (const double y : {1164.0, 1364.0}) add_lamp_post(draft, {x, y, 16}, 440);
+        for (const double y : {1164.0, 1364.0}) add_lamp_post(draft, {x, y, 16}, 290);
     }
 }
 
@@ -125,9 +128,9 @@ void build_balcony(Draft& draft) {
     add_balustrade(draft, {1012, 764, 160}, {1012, 1036, 160}, "marble_ivory");
     add_balustrade(draft, {1012, 764, 160}, {1150, 764, 160}, "marble_ivory");
     add_balustrade(draft, {1012, 1036, 160}, {1060, 1036, 160}, "marble_ivory");
-    add_wall_lamp(draft, {1144, 800, 232}, Side::West, 350);
-    add_wall_lamp(draft, {1144, 980, 232}, Side::West, 350);
-    add_lamp_post(draft, {1032, 1180, 0}, 400);
+    add_wall_lamp(draft, {1144, 800, 232}, Side::West, 290);
+    add_wall_lamp(draft, {1144, 980, 232}, Side::West, 290);
+    add_lamp_post(draft, {1032, 1180, 0}, 290);
     add_wall_lamp(draft, {1144, 828, 72}, Side::West, 330);
     build_room(draft, {{{1184, 688, 0}, {1312, 792, 128}},
                        "stone_floor",

@@ -113,14 +113,14 @@ void add_hanging_sign(Draft& draft, const Sign& sign, double ceiling_z) {
     add_rods(draft, sign, 1, sign.at.z, ceiling_z);
 }
 
-void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightness) {
+void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightness, int style) {
     add_lamp_body(draft, centre);
     draft.add_box({{centre.x - 4, centre.y - 4, centre.z - 16}, {centre.x + 4, centre.y + 4, centre.z - 8}},
                   "brass_trim");
     draft.add_box({{centre.x - 10, centre.y - 10, centre.z + 8}, {centre.x + 10, centre.y + 10, centre.z + 12}},
                   "brass_trim");
     const Point out = towards(facing);
-    draft.add_light({centre.x + out.x * 24, centre.y + out.y * 24, centre.z}, brightness);
+    draft.add_light({centre.x + out.x * 24, centre.y + out.y * 24, centre.z}, brightness, style);
 }
 
 void add_hanging_lamp(Draft& draft, const Point& centre, double ceiling_z, int brightness) {

@@ -30,8 +30,8 @@ void add_way_board(Draft& draft, const Sign& sign);
 /// On two rods from the ceiling.
 void add_hanging_sign(Draft& draft, const Sign& sign, double ceiling_z);
 
-/// A lamp of 16 units at `centre` and its light, which stands `reach` before it to the given side.
-void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightness);
+/// A lamp of 16 units at `centre` and its light, which stands before it to the given side; `style` as of add_light().
+void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightness, int style = 0);
 
 /// A lamp that hangs from `ceiling_z`, its light below it.
 void add_hanging_lamp(Draft& draft, const Point& centre, double ceiling_z, int brightness);

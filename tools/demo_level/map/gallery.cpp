@@ -9,9 +9,9 @@ constexpr double kNorth = 512, kSouth = 320, kMiddle = 416;
 void add_pictures(Draft& draft) {
     const std::array<const char*, 4> pictures{"picture_road", "picture_cubes", "picture_eye", "picture_moon"};
     for (std::size_t i = 0; i < 8; ++i) {
+        if (i == 3) continue;  // the ways out to the courtyard and to the light hall
         const double x = 352 + 128 * static_cast<double>(i);
         add_panel(draft, {Side::North, {{x - 32, kSouth, 48}, {x + 32, kSouth + 4, 112}}, pictures[i % 4]});
-        if (i == 3) continue;  // the way out to the courtyard
         add_panel(draft, {Side::South, {{x - 32, kNorth - 4, 48}, {x + 32, kNorth, 112}}, pictures[(i + 2) % 4]});
     }
 }
@@ -42,18 +42,20 @@ void add_sliding_door(Draft& draft) {
 
 void build_gallery(Draft& draft) {
     const Opening west{Side::West, 368, 464, 0, 112}, east{Side::East, 368, 464, 0, 112};
-    const Opening courtyard{Side::North, 688, 784, 0, 112};
+    const Opening courtyard{Side::North, 688, 784, 0, 112}, light_hall{Side::South, 688, 784, 0, 112};
     build_room(draft, {{{288, kSouth, 0}, {1312, kNorth, 176}},
                        "checker",
                        "coffer",
                        {{32, "wood_panel"}, {144, "sand_wall"}, {176, "sand_frieze"}},
-                       {west, east, courtyard}});
+                       {west, east, courtyard, light_hall}});
     add_arch(draft, 1, {{688, kNorth, 0}, {784, 544, 112}}, "sand_wall");
     add_pictures(draft);
     add_columns_and_lamps(draft);
     add_door_frame(draft, Side::West, east, 1312);
     add_hanging_sign(draft, {Side::West, {640, kMiddle, 149}, 1, "sign_axono", 144, 32}, 176);
     add_sliding_door(draft);
+    add_door_frame(draft, Side::North, light_hall, kSouth);
+    add_sign(draft, {Side::North, {736, kSouth, 144}, 1, "sign_light", 128, 48});
 }
 
 }  // namespace oblong::map_source

@@ -5,6 +5,9 @@ namespace oblong::map_source {
 Draft make_museum() {
     Draft draft({{"message", "A museum of perspective at night"},
                  {"wad", "demo.wad"},
+                 {"wateralpha", "0.7"},
+                 {"fog", fog_of_garden()},
+                 {"palette_cycle", "240 243 6"},  // Ramp::Magenta: the workshop's neon sign
                  {"_minlight", "28"},
                  {"_sunlight", "90"},
                  {"_sun_mangle", "125 -38 0"},
@@ -12,6 +15,9 @@ Draft make_museum() {
     build_entrance(draft);
     build_aspect_room(draft);
     build_gallery(draft);
+    build_light_hall(draft);
+    build_dust_room(draft);
+    build_workshop(draft);
     build_axonometry_room(draft);
     build_plane_room(draft);
     build_lift(draft);
@@ -19,6 +25,8 @@ Draft make_museum() {
     build_canal(draft);
     build_balcony(draft);
     build_colonnade(draft);
+    build_rain_court(draft);
+    build_fog_garden(draft);
     build_tower(draft);
     build_forced_perspective(draft);
     build_passages(draft);

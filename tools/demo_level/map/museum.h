@@ -13,13 +13,18 @@ namespace oblong::map_source {
 ///                   forced persp. --+-- courtyard, canal ---- balcony -- lift
 ///                                            |                 |          |
 ///                          aspect -- gallery (vanishing point) |      any plane
-///                             |                  |             |          |
-///                          entrance (start)      '------- axonometry -----'
+///                             |              |   |             |          |
+///                          entrance (start)  |   '------- axonometry -----'
+///                                            |
+///                                dust --- light hall --- workshop
 Draft make_museum();
 
 void build_entrance(Draft& draft);
 void build_aspect_room(Draft& draft);
 void build_gallery(Draft& draft);
+void build_light_hall(Draft& draft);
+void build_dust_room(Draft& draft);
+void build_workshop(Draft& draft);
 void build_axonometry_room(Draft& draft);
 void build_plane_room(Draft& draft);
 void build_lift(Draft& draft);
@@ -27,6 +32,10 @@ void build_courtyard(Draft& draft);
 void build_canal(Draft& draft);
 void build_balcony(Draft& draft);
 void build_colonnade(Draft& draft);
+void build_rain_court(Draft& draft);
+/// Its fog, as the world's key "fog": it lies in the garden alone, which is deeper than all other rooms.
+std::string fog_of_garden();
+void build_fog_garden(Draft& draft);
 void build_tower(Draft& draft);
 void build_forced_perspective(Draft& draft);
 void build_passages(Draft& draft);

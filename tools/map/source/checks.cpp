@@ -81,7 +81,7 @@ struct Count {
 };
 
 // How many numbers keys of effects take.
-const std::vector<Count> kCounts{{"fog", "density and colour (4 numbers), or 8 with heights", 4, 8},
+const std::vector<Count> kCounts{{"fog", "density red green blue, perhaps alpha mindist maxdist top fadedepth", 4, 9},
                                  {"size", "3 numbers", 3, 3},
                                  {"palette_cycle", "first, last, steps a second", 3, 3}};
 
