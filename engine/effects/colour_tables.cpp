@@ -76,7 +76,7 @@ Rgb8 mixture(Rgb8 front, Rgb8 behind, Share16 share) {
 /// Mixtures of a palette's colours.
 class Mixer {
   public:
-    explicit Mixer(const Palette& palette) : ordinary_(palette, kOrdinaryColours), all_(palette, 256) {}
+    explicit Mixer(const Palette& palette) : ordinary_(palette, kFirstFullbright), all_(palette, 256) {}
 
     /// Fullbright only if one of the two is.
     std::uint8_t find(Rgb8 front, Rgb8 behind, Share16 share, bool is_fullbright) const {
@@ -88,7 +88,7 @@ class Mixer {
 };
 
 bool is_fullbright(int colour) {
-    return colour >= kOrdinaryColours;
+    return colour >= kFirstFullbright;
 }
 
 }  // namespace

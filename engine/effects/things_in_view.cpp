@@ -24,7 +24,10 @@ void find_particles(const Things& things, std::int64_t time_ms, const Sight& sig
         const std::size_t first = in_view.dots.size();
         append_dots(placed.emitter, time_ms, sight.view, in_view.dots);
         in_view.particles_computed += placed.emitter.count;
-        depth.want(rectangle_around(std::span(in_view.dots).subspan(first)));
+        const std::span<const ParticleDot> dots = std::span(in_view.dots).subspan(first);
+        if (dots.empty()) continue;
+        in_view.emitters.push_back({first, dots.size(), placed.emitter.middle});
+        depth.want(rectangle_around(dots));
     }
 }
 

@@ -13,18 +13,26 @@ namespace oblong {
 
 struct SpriteInView {
     ScreenSprite screen;
-    Vec3<World> position;  ///< for its light
+    Vec3<World> position;
+};
+
+/// The dots of one emitter.
+struct EmitterInView {
+    std::size_t first_dot = 0, dot_count = 0;  ///< in ThingsInView::dots
+    Vec3<World> middle;
 };
 
 /// The things of a frame that may be seen. Kept from frame to frame, so that little is allocated.
 struct ThingsInView {
     std::vector<ParticleDot> dots;
+    std::vector<EmitterInView> emitters;  ///< those with dots
     std::vector<SpriteInView> sprites;
     std::vector<Shadow> shadows;
     std::int64_t particles_computed = 0;  ///< of emitters that may be seen, in view or not
 
     void clear() {
         dots.clear();
+        emitters.clear();
         sprites.clear();
         shadows.clear();
         particles_computed = 0;

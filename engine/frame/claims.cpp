@@ -85,9 +85,7 @@ void Claims::clear() {
     for (auto& faces : lists) faces.clear();
     left_free.clear();
     fog_runs.clear();
-    things.dots.clear();
-    things.found.clear();
-    things.shadows.clear();
+    things.clear();
     is_under_liquid = false;
     effects = {};
 }

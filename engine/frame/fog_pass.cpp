@@ -73,6 +73,9 @@ void find_fog(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& wo
             const auto inverse_z = gradients_of(claimed.visible, FaceSurface{}, frame, work).inverse_z;
             append_runs(claims.spans_of(claimed), inverse_z, fog, claims.fog_runs);
         }
+    const std::int32_t sky_level = fog.height ? 0 : sky_fog_level(work.effects.sky_fog_256);
+    for (const ClaimedFace& claimed : claims.list(FaceList::Sky))
+        for (const Span& span : claims.spans_of(claimed)) claims.fog_runs.push_back({span, sky_level});
     std::erase_if(claims.fog_runs, [](const FogRun& run) { return run.level == 0; });
     if (!claims.fog_runs.empty()) claims.effects = claims.effects.with(Effect::Fog);
 }

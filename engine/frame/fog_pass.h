@@ -34,7 +34,7 @@ void append_runs(std::span<const Span> spans, const LinearQuantity<InverseZ>& in
 const ColourRow& fog_colours(std::int32_t column, std::int32_t row, InverseZ inverse_z, const FrameFog& fog,
                              FrameWorkspace& work);
 
-/// Finds the pixels of opaque faces that fog covers. The sky stays clear.
+/// Finds the pixels of opaque faces that fog covers. Fog that lies low leaves the sky clear.
 void find_fog(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work);
 
 }  // namespace oblong

@@ -15,33 +15,8 @@ namespace {
 constexpr int kShadowShade = Colormap::kOwnShade + 12;
 constexpr std::int32_t kWholeRadius_8 = 256, kCoreRadius_8 = 160;
 
-void find_dots(const FrameContext& frame, FrameWorkspace& work) {
-    FrameThings& things = work.claims.things;
-    for (const PlacedEmitter& placed : work.things.emitters) {
-        if (!may_be_seen(placed.place, work.visible, frame.view)) continue;
-        const std::size_t first = things.dots.size();
-        append_dots(placed.emitter, frame.scene.time_ms, frame.view, things.dots);
-        const std::span<const ParticleDot> dots = std::span(things.dots).subspan(first);
-        if (dots.empty()) continue;
-        work.depth.want(rectangle_around(dots));
-        things.found.push_back({placed.emitter.middle, static_cast<std::uint32_t>(first),
-                                static_cast<std::uint32_t>(dots.size()), std::nullopt, nullptr});
-    }
-}
-
-void find_sprite(const Sprite& sprite, const PlacedBox& place, const FrameContext& frame, FrameWorkspace& work) {
-    if (!may_be_seen(place, work.visible, frame.view)) return;
-    const auto on_screen = project_sprite(sprite, frame.scene.level.textures[sprite.texture], frame.view);
-    if (!on_screen) return;
-    work.depth.want(on_screen->pixels);
-    work.claims.things.found.push_back(
-        {sprite.position, 0, 0, on_screen, frame.scene.colormap.shades[Colormap::kOwnShade].data()});
-}
-
-void find_sprites(const FrameContext& frame, FrameWorkspace& work) {
-    for (const PlacedSprite& placed : work.things.sprites) find_sprite(placed.sprite, placed.place, frame, work);
-    for (const PlacedLantern& placed : work.things.lanterns)
-        find_sprite(lantern_at(placed.lantern, frame.scene.time_ms), placed.place, frame, work);
+std::span<ParticleDot> dots_of(FrameThings& things, std::size_t first, std::size_t count) {
+    return std::span(things.in_view.dots).subspan(first, count);
 }
 
 /// Sets the depth of all pixels that things may cover.
@@ -79,18 +54,24 @@ InverseZ inverse_z_of(InverseDepth depth) {
     return InverseZ::from_raw(std::int64_t{depth} << (InverseZ::kFractionBits - 32));
 }
 
-/// Leaves out what faces hide, and counts the pixels of the rest.
-void keep_visible(FrameWorkspace& work) {
+/// Keeps what faces do not wholly hide, and counts its pixels.
+void keep_visible(const FrameContext& frame, FrameWorkspace& work) {
     FrameThings& things = work.claims.things;
     std::int64_t dot_pixels = 0, sprite_pixels = 0;
-    std::erase_if(things.found, [&](const FoundThing& thing) {
+    for (const EmitterInView& emitter : things.in_view.emitters) {
         std::int64_t pixels = 0;
-        for (const ParticleDot& dot : std::span(things.dots).subspan(thing.first_dot, thing.dot_count))
+        for (const ParticleDot& dot : dots_of(things, emitter.first_dot, emitter.dot_count))
             pixels += visible_pixels(dot, work.depth);
-        if (thing.sprite) pixels += visible_pixels(thing.sprite->pixels, middle_depth(*thing.sprite), work.depth);
-        (thing.sprite ? sprite_pixels : dot_pixels) += pixels;
-        return pixels == 0;
-    });
+        dot_pixels += pixels;
+        if (pixels > 0)
+            things.owning.push_back({emitter.middle, emitter.first_dot, emitter.dot_count, nullptr, nullptr});
+    }
+    const std::uint8_t* const own_colours = frame.scene.colormap.shades[Colormap::kOwnShade].data();
+    for (const SpriteInView& sprite : things.in_view.sprites) {
+        const std::int64_t pixels = visible_pixels(sprite.screen.pixels, middle_depth(sprite.screen), work.depth);
+        sprite_pixels += pixels;
+        if (pixels > 0) things.owning.push_back({sprite.position, 0, 0, &sprite.screen, own_colours});
+    }
     EffectSet& effects = work.claims.effects;
     if (dot_pixels > 0) effects = effects.with(Effect::Particles);
     if (sprite_pixels > 0) effects = effects.with(Effect::Sprites);
@@ -101,8 +82,8 @@ void keep_visible(FrameWorkspace& work) {
 
 void colour_by_fog(const FrameFog& fog, FrameWorkspace& work) {
     FrameThings& things = work.claims.things;
-    for (FoundThing& thing : things.found) {
-        for (ParticleDot& dot : std::span(things.dots).subspan(thing.first_dot, thing.dot_count))
+    for (OwningThing& thing : things.owning) {
+        for (ParticleDot& dot : dots_of(things, thing.first_dot, thing.dot_count))
             dot.colour =
                 fog_colours(dot.first_column, dot.first_row, inverse_z_of(dot.inverse_depth), fog, work)[dot.colour];
         if (!thing.sprite) continue;
@@ -136,33 +117,42 @@ bool is_seen(const Shadow& shadow, const FrameContext& frame, FrameWorkspace& wo
     return pixels > 0;
 }
 
-void find_shadows(const FrameContext& frame, FrameWorkspace& work) {
+void find_seen_shadows(const FrameContext& frame, FrameWorkspace& work) {
+    ThingsInView& in_view = work.claims.things.in_view;
+    find_shadows(work.things, {work.visible, frame.view}, in_view);
     std::vector<Shadow>& shadows = work.claims.things.shadows;
-    for (const PlacedSprite& placed : work.things.sprites) {
-        if (!placed.floor) continue;
-        const Shadow shadow = make_shadow(*placed.floor, placed.sprite.position, placed.shadow_radius);
+    for (const Shadow& shadow : in_view.shadows)
         if (is_seen(shadow, frame, work)) shadows.push_back(shadow);
-    }
     if (!shadows.empty()) work.claims.effects = work.claims.effects.with(Effect::Shadows);
 }
 
 }  // namespace
 
+void FrameThings::clear() {
+    in_view.clear();
+    owning.clear();
+    shadows.clear();
+}
+
 void find_things(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work) {
+    ThingsInView& in_view = work.claims.things.in_view;
+    const Sight sight{work.visible, frame.view};
+    const std::int64_t time_ms = frame.scene.time_ms;
     work.depth.start_frame();
-    if (frame.allows(Effect::Particles)) find_dots(frame, work);
-    if (frame.allows(Effect::Sprites)) find_sprites(frame, work);
-    if (frame.allows(Effect::Shadows)) find_shadows(frame, work);
+    if (frame.allows(Effect::Particles)) find_particles(work.things, time_ms, sight, in_view, work.depth);
+    if (frame.allows(Effect::Sprites))
+        find_sprites(work.things, time_ms, frame.scene.level, sight, in_view, work.depth);
+    if (frame.allows(Effect::Shadows)) find_seen_shadows(frame, work);
     if (!work.depth.is_wanted()) return;
     fill_depth(frame, work);
-    keep_visible(work);
+    keep_visible(frame, work);
     if (fog.tables) colour_by_fog(fog, work);
 }
 
-void draw_thing(const FoundThing& thing, const FrameContext& frame, FrameWorkspace& work) {
+void draw_thing(const OwningThing& thing, const FrameContext& frame, FrameWorkspace& work) {
     const Stopwatch watch(work.times.get(), thing.sprite ? Effect::Sprites : Effect::Particles);
     if (thing.sprite) return draw_sprite(*thing.sprite, thing.colours, work.depth, frame.out);
-    draw_dots(std::span(work.claims.things.dots).subspan(thing.first_dot, thing.dot_count), work.depth, frame.out);
+    draw_dots(dots_of(work.claims.things, thing.first_dot, thing.dot_count), work.depth, frame.out);
 }
 
 void draw_shadows(const FrameContext& frame, FrameWorkspace& work) {

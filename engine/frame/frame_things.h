@@ -2,10 +2,7 @@
 
 #include <vector>
 
-#include "engine/effects/particle_dots.h"
-#include "engine/effects/shadows.h"
-#include "engine/effects/sprites.h"
-#include "engine/surface/colormap.h"
+#include "engine/effects/things_in_view.h"
 
 namespace oblong {
 
@@ -13,19 +10,21 @@ struct FrameContext;
 struct FrameFog;
 class FrameWorkspace;
 
-/// The dots of one emitter that a frame shows, or one sprite.
-struct FoundThing {
-    Vec3<World> middle;                          ///< of the emitter's box or the sprite
-    std::uint32_t first_dot = 0, dot_count = 0;  ///< in FrameThings::dots
-    std::optional<ScreenSprite> sprite;
+/// The dots of an emitter, or a sprite, that owns pixels.
+struct OwningThing {
+    Vec3<World> middle;
+    std::size_t first_dot = 0, dot_count = 0;  ///< in ThingsInView::dots
+    const ScreenSprite* sprite = nullptr;
     const std::uint8_t* colours = nullptr;  ///< of the sprite: 256 of them
 };
 
-/// What is drawn into a frame beside its faces.
+/// What a frame shows beside its faces.
 struct FrameThings {
-    std::vector<ParticleDot> dots;
-    std::vector<FoundThing> found;
+    ThingsInView in_view;
+    std::vector<OwningThing> owning;
     std::vector<Shadow> shadows;
+
+    void clear();
 };
 
 /// Finds the particles, sprites and shadows that own pixels of the frame whose faces are claimed: what is in view, and
@@ -33,7 +32,7 @@ struct FrameThings {
 void find_things(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work);
 
 /// Draws one of them where no face is nearer.
-void draw_thing(const FoundThing& thing, const FrameContext& frame, FrameWorkspace& work);
+void draw_thing(const OwningThing& thing, const FrameContext& frame, FrameWorkspace& work);
 
 /// Darkens the pixels of floors that shadows fall on.
 void draw_shadows(const FrameContext& frame, FrameWorkspace& work);

@@ -21,9 +21,9 @@ bool is_behind(const Vec3<World>& place, const ClaimedFace& claimed, const Level
 }
 
 /// Draws the things that wait, those behind a face alone if there is one.
-void draw_waiting(const ClaimedFace* face, std::vector<FoundThing>& waiting, const FrameContext& frame,
+void draw_waiting(const ClaimedFace* face, std::vector<OwningThing>& waiting, const FrameContext& frame,
                   FrameWorkspace& work) {
-    std::erase_if(waiting, [&](const FoundThing& thing) {
+    std::erase_if(waiting, [&](const OwningThing& thing) {
         if (face && !is_behind(thing.middle, *face, frame.scene.level, work)) return false;
         draw_thing(thing, frame, work);
         return true;
@@ -77,7 +77,7 @@ void draw_see_through(const FrameContext& frame, const FrameFog& fog, FrameWorks
     // What is behind these faces is what counts and records say of their pixels.
     auto counts = std::exchange(work.counts, nullptr);
     auto record = std::exchange(work.record, nullptr);
-    std::vector<FoundThing> waiting = std::move(work.claims.things.found);
+    std::vector<OwningThing> waiting = std::move(work.claims.things.owning);
     const std::vector<ClaimedFace>& faces = work.claims.list(FaceList::SeeThrough);
     for (auto face = faces.rbegin(); face != faces.rend(); ++face) {
         if (!waiting.empty()) draw_waiting(&*face, waiting, frame, work);

@@ -114,6 +114,13 @@ void read_palette_cycle(const std::string& key, const std::string& value, LevelE
     effects.palette_cycles.push_back(*cycle);
 }
 
+void read_sky_fog(const std::string& value, LevelEffects& effects) {
+    const std::optional<std::int64_t> share_256 = parse_decimal(value, 8);
+    if (!share_256 || *share_256 < 0 || *share_256 > 256)
+        return warn_of_value(effects.warnings, "skyfog", value, "a share from 0 to 1");
+    effects.sky_fog_256 = static_cast<std::int32_t>(*share_256);
+}
+
 /// The kind whose alpha a key sets, with or without '_' before it.
 std::optional<LiquidKind> kind_of_alpha_key(std::string_view key) {
     if (key.starts_with('_')) key.remove_prefix(1);
@@ -126,6 +133,7 @@ void read_world_key(const std::string& key, const std::string& value, LevelEffec
     constexpr std::string_view kCycle = "palette_cycle";
     const bool is_cycle = key.starts_with(kCycle) && key.find_first_not_of("0123456789", kCycle.size()) == key.npos;
     if (key == "fog") return read_fog(value, effects);
+    if (key == "skyfog") return read_sky_fog(value, effects);
     if (is_cycle) return read_palette_cycle(key, value, effects);
     if (const auto kind = kind_of_alpha_key(key)) return read_alpha(*kind, key, value, effects);
     if (key == "sky" || key == "skyname")

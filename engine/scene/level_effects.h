@@ -43,6 +43,7 @@ struct LevelEffects {
     static constexpr std::size_t kMostPaletteCycles = 16;
 
     std::optional<LevelFog> fog;
+    std::int32_t sky_fog_256 = 128;  ///< how much of the fog lies over the sky (FitzQuake's key `skyfog`, 0 to 1)
     std::array<std::uint16_t, 4> liquid_alpha_256{256, 256, 256, 256};  ///< by LiquidKind; 256: opaque
     std::vector<LevelPaletteCycle> palette_cycles;
     LightPatterns light_patterns;

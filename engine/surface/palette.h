@@ -11,6 +11,9 @@ struct Rgb8 {
     constexpr bool operator==(const Rgb8&) const = default;
 };
 
+/// The last 32 colours of a palette glow: light does not change them.
+inline constexpr int kFirstFullbright = 224;
+
 /// The 256 colours of a picture.
 struct Palette {
     std::array<Rgb8, 256> colours{};
