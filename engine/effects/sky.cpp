@@ -195,13 +195,13 @@ void draw_both_layers(std::span<const TexelBlock> blocks, const SkyTexture& sky,
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(block.count); ++i) {
             const std::uint32_t u = (block.u_16 + static_cast<std::uint32_t>(block.u_step_16) * i) >> 16;
             const std::uint32_t v = (block.v_16 + static_cast<std::uint32_t>(block.v_step_16) * i) >> 16;
-            const std::uint8_t cloud = *texel(u + further, v + further);
-            pixels[block.pixel + i] = cloud != 0 ? cloud : texel(u, v)[sky.size];
+            const std::uint8_t cloud = *texel(u + further, v + further), behind = texel(u, v)[sky.size];
+            const auto is_hole = static_cast<std::uint8_t>(-static_cast<int>(cloud == 0));  // not by a branch
+            pixels[block.pixel + i] = static_cast<std::uint8_t>(cloud | (behind & is_hole));
         }
 }
 
-/// Composing takes a seventh of the time that drawing takes, a texel against a pixel; looking up both layers doubles
-/// the latter.
+/// Composing a texel takes a ninth of the time that looking up both layers adds to a pixel.
 bool is_worth_composing(std::span<const Span> spans, std::int32_t size) {
     std::int64_t pixels = 0;
     for (const Span& span : spans) pixels += span.end - span.first;
