@@ -39,7 +39,7 @@ TEST(Floor, IsNotFoundTooFarBelowOrFromSolid) {
 
 TEST(Floor, IsWhereSolidBeginsInRealLevels) {
     OBLONG_NEEDS_SHARED_LEVELS();
-    constexpr std::int32_t kMost = 128, kStep = 4096 / 8;
+    constexpr std::int32_t kMost = 128, kStep = 4096 / 2;
     for (const char* name : kRealLevels) {
         const Level level = read_bsp(read_shared_file(std::string(name) + ".bsp"));
         std::mt19937 random(1);
