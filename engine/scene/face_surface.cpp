@@ -160,16 +160,15 @@ FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const SurfaceState& stat
     surface.kernel = kernel;
 
     LightmapView light = light_of(level_, face, state.styles);
-    const TextureIndex texture = texture_of(level_, face, state);
     const bool may_be_touched = !moving_lights_.is_empty() && !light.is_fullbright;
     const LightTouch touch = may_be_touched ? moving_lights_.touch(index, state.offset) : LightTouch{};
     const SurfaceCache::Found found =
         cache_.get(index.position() * 4 + static_cast<std::size_t>(mip), surface_bytes(face, mip),
-                   {key_of(light), texture.number(), touch.version});
+                   {key_of(light), state.texture.number(), touch.version});
     surface.view.texels = found.texels;
     if (found.is_valid) return surface;
     light.added_8 = moving_light(index, touch, state.offset);
-    build(index, surface, texture, light, found.texels);
+    build(index, surface, texture_of(level_, face, state), light, found.texels);
     return surface;
 }
 

@@ -6,7 +6,7 @@ SurfaceCache::Found SurfaceCache::get(std::size_t slot, std::size_t bytes, const
     Slot& entry = slots_[slot];
     if (entry.generation == generation_) {
         const bool is_valid = entry.key == key;
-        entry.key = key;
+        if (!is_valid) entry.key = key;
         return {arena_.get() + entry.offset, is_valid};
     }
     if (bytes > arena_bytes_ - used_bytes_) clear();

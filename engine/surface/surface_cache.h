@@ -9,7 +9,7 @@ namespace oblong {
 /// What the texels of a surface were made of, beside what never changes.
 struct SurfaceKey {
     std::uint64_t light = 0;          ///< the brightness of the face's styles, packed
-    std::int32_t texture = 0;         ///< the frame that an animated texture shows
+    std::int32_t texture = 0;         ///< that an animated one shows; -1: the face's own
     std::uint32_t moving_lights = 0;  ///< a number of those that touch it, where they are; 0: none
     bool operator==(const SurfaceKey&) const = default;
 };
