@@ -36,9 +36,9 @@ void paint_stars(Canvas& canvas) {
 /// Thin clouds: where the noise is low, index 0 lets the stars through.
 Texel cloud(int x, int y) {
     const NoiseField field{kSkyHalf, kSkyHalf, 104};
-    const int density = fractal_noise(field, x, y, 64) - 70 + hash_255(x, y, 105) / 8;
+    const int density = fractal_noise(field, x, y, 64) - 40 + hash_255(x, y, 105) / 6;
     if (density < 0) return {Ramp::Grey, 0};
-    return {Ramp::Night, steps(2) + density * 4};
+    return {density > 70 ? Ramp::Stone : Ramp::Night, steps(2) + density * 9 / 2};
 }
 
 }  // namespace

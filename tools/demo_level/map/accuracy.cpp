@@ -49,7 +49,7 @@ void build_accuracy_room(Draft& draft) {
     add_floors_and_lava(draft);
     draft.add(extrude({0, {{kSouth, kFloor}, {kSouth, 240}, {kSouth + 56, kFloor}}}, -680, -264, "ruler"));
     add_sign(draft, {Side::South, {-750, kNorth, 240}, 1.75, "sign_accuracy", 112, 32});
-    add_sign(draft, {Side::West, {kEast, 2320, 216}, 2, "sign_distance", 112, 32});
+    add_sign(draft, {Side::West, {kEast, 2320, 216}, 2.25, "sign_distance", 112, 32});
     draft.add_light({-784, 2440, 200}, 200);
     for (const double x : {-784.0, -160.0}) add_hanging_lamp(draft, {x, 2320, 200}, 272, 370);
 }

@@ -33,7 +33,7 @@ void build_aspect_room(Draft& draft) {
     add_round_window(draft, kWindowX, kWindowZ, 512, kWindowHalf, 72, "brass_panel");
     add_sphere(draft);
     add_sign(draft, {Side::South, {kWindowX, 512, 260}, 1.625, "sign_aspect", 96, 32});
-    add_way_board(draft, {Side::South, {168, 240, 60}, 0.75, "sign_vanish", 176, 48});
+    add_way_board(draft, {Side::South, {168, 240, 62}, 0.84375, "sign_vanish", 176, 48});
     add_door_frame(draft, Side::West, east, 256);
     for (const double x : {-248.0, 248.0}) {
         add_wall_lamp(draft, {x, 128, 120}, x < 0 ? Side::East : Side::West, 440);

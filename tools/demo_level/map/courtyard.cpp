@@ -96,7 +96,7 @@ void build_courtyard(Draft& draft) {
         for (const double x : {416.0, 608.0}) add_lamp_post(draft, {x, y, 0}, 290);
     }
     add_way_board(draft, {Side::South, {340, 1440, 78}, 1, "sign_forced", 160, 48});
-    add_sign(draft, {Side::West, {1152, 1616, 146}, 1.5, "sign_rain", 64, 32});
+    add_sign(draft, {Side::West, {1152, 1616, 158}, 2.25, "sign_rain", 64, 32});
     for (const double y : {1540.0, 1692.0}) add_wall_lamp(draft, {1144, y, 96}, Side::West, 360);
     add_plants(draft);
     add_moonlight(draft);

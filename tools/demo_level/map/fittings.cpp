@@ -123,12 +123,12 @@ void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightnes
     draft.add_light({centre.x + out.x * 24, centre.y + out.y * 24, centre.z}, brightness, style);
 }
 
-void add_hanging_lamp(Draft& draft, const Point& centre, double ceiling_z, int brightness) {
+void add_hanging_lamp(Draft& draft, const Point& centre, double ceiling_z, int brightness, int style) {
     add_lamp_body(draft, centre);
     draft.add_box({{centre.x - 1, centre.y - 1, centre.z + 8}, {centre.x + 1, centre.y + 1, ceiling_z}}, "brass_trim");
-    draft.add_light({centre.x, centre.y, centre.z - 36}, brightness);
+    draft.add_light({centre.x, centre.y, centre.z - 36}, brightness, style);
     // The lamp shades the ceiling from the light below it: a weaker one above it, beside the chain.
-    draft.add_light({centre.x + 4, centre.y + 4, centre.z + 14}, brightness / 2);
+    draft.add_light({centre.x + 4, centre.y + 4, centre.z + 14}, brightness / 2, style);
 }
 
 Brush make_crystal(const Point& middle, double radius, double height, double turn_degrees, const Skin& skin) {

@@ -34,7 +34,7 @@ void add_hanging_sign(Draft& draft, const Sign& sign, double ceiling_z);
 void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightness, int style = 0);
 
 /// A lamp that hangs from `ceiling_z`, its light below it.
-void add_hanging_lamp(Draft& draft, const Point& centre, double ceiling_z, int brightness);
+void add_hanging_lamp(Draft& draft, const Point& centre, double ceiling_z, int brightness, int style = 0);
 
 /// Two pyramids of four sides base to base: eight faces, none along an axis.
 Brush make_crystal(const Point& middle, double radius, double height, double turn_degrees, const Skin& skin);

@@ -52,7 +52,7 @@ void build_gallery(Draft& draft) {
     add_pictures(draft);
     add_columns_and_lamps(draft);
     add_door_frame(draft, Side::West, east, 1312);
-    add_hanging_sign(draft, {Side::West, {640, kMiddle, 149}, 1, "sign_axono", 144, 32}, 176);
+    add_hanging_sign(draft, {Side::West, {512, kMiddle, 149}, 1, "sign_axono", 144, 32}, 176);
     add_sliding_door(draft);
     add_door_frame(draft, Side::North, light_hall, kSouth);
     add_sign(draft, {Side::North, {736, kSouth, 144}, 1, "sign_light", 128, 48});

@@ -44,8 +44,8 @@ void build_light_hall(Draft& draft) {
     }
     add_door_frame(draft, Side::East, west, 544);
     add_door_frame(draft, Side::West, east, 928);
-    add_sign(draft, {Side::East, {544, 144, 140}, 1, "sign_dust", 64, 32});
-    add_sign(draft, {Side::West, {928, 144, 140}, 1, "sign_sparks", 96, 32});
+    add_sign(draft, {Side::East, {544, 144, 140}, 1.25, "sign_dust", 64, 32});
+    add_sign(draft, {Side::West, {928, 144, 140}, 1.25, "sign_sparks", 96, 32});
     for (const double y : {8.0, 280.0}) {
         const Side facing = y < 144 ? Side::North : Side::South;
         add_wall_lamp(draft, {y < 144 ? 596.0 : 640.0, y, 96}, facing, 330, kCandle);

@@ -32,7 +32,7 @@ void build_plane_room(Draft& draft) {
     add_crystal_on_stem(draft, {1600, 856, 96}, 40, 64, 20, "cube_blue");
     add_crystal_on_stem(draft, {1480, 900, 72}, 26, 44, 50, "cube_gold");
     for (const Opening& door : {arcade, lift}) add_door_frame(draft, Side::East, door, 1344);
-    add_sign(draft, {Side::East, {1344, 888, 140}, 1, "sign_fov", 176, 32});
+    add_sign(draft, {Side::East, {1344, 888, 140}, 1.125, "sign_fov", 176, 32});
     draft.add_light({1560, 760, 150}, 510);
     draft.add_light({1420, 820, 120}, 330);
     add_wall_lamp(draft, {1352, 980, 120}, Side::East, 330);
