@@ -19,7 +19,7 @@ namespace oblong {
 /// What the look of a face depends on beside its mip level.
 struct SurfaceState {
     const LightStyles& styles;
-    TextureIndex texture = TextureIndex::none();  ///< the frame of an animated texture; none: the face's own texture
+    TextureIndex texture = TextureIndex::none();  ///< the frame of an animated texture; none: the face's own
     Vec3<World> offset{};                         ///< of the face's model
 };
 

@@ -1,4 +1,3 @@
-#include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
 
 #include <gtest/gtest.h>
@@ -6,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "engine/surface/colormap.h"
 #include "tools/demo_level/art/ramps.h"
 
 namespace oblong {

@@ -147,8 +147,8 @@ TEST(Colormap, NoAllowedColourIsNearer) {
     }
 }
 
-/// Ramps of 16 steps from black, of colours that darken into one another's neighbourhood: grey, slate, tan, brown, olive,
-/// brick.
+/// Ramps of 16 steps from black, of colours that darken into one another's neighbourhood: grey, slate, tan, brown,
+/// olive, brick.
 Palette wall_palette() {
     constexpr std::array<Rgb8, 6> kBrightest{Rgb8{235, 235, 235}, {150, 160, 205}, {225, 200, 160},
                                              {150, 105, 55},      {110, 110, 35},  {180, 75, 50}};
@@ -168,7 +168,8 @@ TEST(Colormap, DarkShadesStayOnTheirRamp) {
         for (std::size_t shade = Colormap::kOwnShade; shade < Colormap::kShades; ++shade) {
             const std::size_t shown = map.shades[shade][colour];
             const bool is_nearly_black = luminance(palette.colours[shown]) < 25;
-            EXPECT_TRUE(is_nearly_black || shown / 16 == colour / 16) << colour << " shade " << shade << " is " << shown;
+            EXPECT_TRUE(is_nearly_black || shown / 16 == colour / 16)
+                << colour << " shade " << shade << " is " << shown;
         }
 }
 
