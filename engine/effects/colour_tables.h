@@ -8,9 +8,6 @@
 
 namespace oblong {
 
-/// The colours before this one; the last 32 are fullbright: only mixtures with one of them become one.
-inline constexpr int kOrdinaryColours = 224;
-
 /// What a mixture of two colours looks like: `share_256` of the front one, 0 to 256. With share 0 every row is the
 /// colours behind, with 256 the colour in front, and a colour over itself is itself. 64 KiB: made when a level is
 /// loaded.

@@ -124,7 +124,7 @@ void draw_mirrors(const FrameContext& frame, FrameWorkspace& work) {
     std::swap(work.depth, work.mirror.depth);
     work.mirror.pixels.assign(pixel_count(frame.out.width_px, frame.out.height_px), 0);
 
-    std::vector<ClaimedFace> left = claims.list(FaceList::Mirror);
+    std::vector<ClaimedFace> left = claims.list(FaceList::Mirror), drawn_faces;
     for (std::size_t drawn = 0; drawn < kMostMirrors && !left.empty(); ++drawn) {
         const MirrorPlane mirror = plane_of(left.front(), level, work);
         const LeafIndex leaf = leaf_before(left.front(), mirror, level, work);
@@ -132,6 +132,7 @@ void draw_mirrors(const FrameContext& frame, FrameWorkspace& work) {
             left.begin(), left.end(), [&](const ClaimedFace& face) { return plane_of(face, level, work) == mirror; });
         const std::vector<Span> flipped = flipped_spans({left.begin(), others}, claims, frame.out.width_px);
         draw_mirrored_view(mirrored(frame.view, mirror, level), mirror, leaf, flipped, frame, work);
+        drawn_faces.insert(drawn_faces.end(), left.begin(), others);
         left.erase(left.begin(), others);
     }
 
@@ -140,6 +141,7 @@ void draw_mirrors(const FrameContext& frame, FrameWorkspace& work) {
     work.record = std::move(record);
     work.times = std::move(times);
     work.claims.list(FaceList::Mirror) = std::move(left);
+    for (const ClaimedFace& face : drawn_faces) note_spans(face, work.claims.spans_of(face), frame.out, work);
     std::swap(work.depth, work.mirror.depth);
     find_light(frame, work);
     draw_surfaces(FaceList::Mirror, {}, frame, work);

@@ -15,18 +15,12 @@ namespace oblong {
 
 namespace {
 
-/// Counts and records spans that are drawn without a surface.
-void note_flat(const ClaimedFace& claimed, std::span<const Span> spans, Framebuffer out, FrameWorkspace& work) {
-    if (work.counts) count_writes(spans, out.pitch, *work.counts);
-    if (work.record) record_spans(record_of(claimed.visible), spans, out, *work.record);
-}
-
 /// Fills faces whose effect is not allowed with one colour of their texture.
 void draw_flat(const FrameContext& frame, FrameWorkspace& work) {
     const Level& level = frame.scene.level;
     for (const ClaimedFace& claimed : work.claims.list(FaceList::Flat)) {
         const std::span<const Span> spans = work.claims.spans_of(claimed);
-        note_flat(claimed, spans, frame.out, work);
+        note_spans(claimed, spans, frame.out, work);
         fill_spans(spans, level.texture_of(level.faces[claimed.visible.face]).mips[3][0], frame.out);
     }
 }
@@ -35,7 +29,7 @@ void draw_sky_faces(const FrameContext& frame, FrameWorkspace& work) {
     work.pass_spans.clear();
     for (const ClaimedFace& claimed : work.claims.list(FaceList::Sky)) {
         const std::span<const Span> spans = work.claims.spans_of(claimed);
-        note_flat(claimed, spans, frame.out, work);
+        note_spans(claimed, spans, frame.out, work);
         work.pass_spans.insert(work.pass_spans.end(), spans.begin(), spans.end());
     }
     if (work.counts) count_sky(work.pass_spans, *work.counts);
@@ -115,6 +109,11 @@ void count_passes(const Claims& claims, const Framebuffer& out, FrameCounts& cou
 }
 
 }  // namespace
+
+void note_spans(const ClaimedFace& claimed, std::span<const Span> spans, Framebuffer out, FrameWorkspace& work) {
+    if (work.counts) count_writes(spans, out.pitch, *work.counts);
+    if (work.record) record_spans(record_of(claimed.visible), spans, out, *work.record);
+}
 
 FramePlan draw_view(const FrameContext& frame, FrameWorkspace& work) {
     claim_faces(frame, work);

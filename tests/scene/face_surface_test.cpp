@@ -30,7 +30,7 @@ struct Surfaces {
     FaceSurfaces surfaces;
 
     explicit Surfaces(Level made) : level(std::move(made)), faces(make_face_table(level)), surfaces(level, faces, 320) {
-        surfaces.start_frame({}, colormap);
+        surfaces.start_frame({}, 100, colormap);
     }
 
     Texels look(FaceIndex face, const SurfaceState& state, int mip = 0) {
@@ -127,8 +127,8 @@ TEST(FaceSurfaces, AMovingLightBrightensAndIsGoneAgain) {
     const MovingLight light{units(12, 16, 20), World::from_int(30)};  // adds 18 to sample 1 of row 0
     scene.surfaces.set_moving_lights(std::span(&light, 1), {});
     const Texels with = scene.look(kNear, {styles});
-    EXPECT_EQ(before[16], (128 - 100) * 63 / 128);
-    EXPECT_EQ(with[16], (128 - 118) * 63 / 128);
+    EXPECT_EQ(before[16], 32 + (128 - 100) * 31 / 128);
+    EXPECT_EQ(with[16], 32 + (128 - 118) * 31 / 128);
     for (std::size_t i = 0; i < with.size(); ++i) EXPECT_LE(with[i], before[i]);
     scene.surfaces.set_moving_lights({}, {});
     EXPECT_EQ(scene.look(kNear, {styles}), before);
