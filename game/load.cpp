@@ -4,6 +4,7 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
+#include "tools/common/arguments.h"
 
 namespace oblong {
 namespace {
@@ -22,6 +23,8 @@ GameData load_game(const std::string& level_file, const std::string& palette_fil
     GameData data;
     data.level_file = level_file.empty() ? (fs::path(assets_folder) / "demo.bsp").string() : level_file;
     data.level = read_parsed(data.level_file, read_bsp);
+    data.effects = read_level_effects(data.level);
+    print_warnings("oblong", data.level_file, data.effects.warnings);
     const std::string palette =
         palette_file.empty() ? find_palette(fs::path(data.level_file).parent_path(), assets_folder) : palette_file;
     data.palette = read_parsed(palette, read_palette);

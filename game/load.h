@@ -3,6 +3,8 @@
 #include <string>
 
 #include "engine/level/level.h"
+#include "engine/scene/level_effects.h"
+#include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {
@@ -11,12 +13,14 @@ namespace oblong {
 struct GameData {
     std::string level_file;
     Level level;
+    LevelEffects effects;  ///< of the level
     Palette palette;
     Colormap colormap;
 };
 
 /// Reads the level and its palette; empty names: the demo level of `assets_folder`, and the palette.lmp in the level's
-/// folder, in gfx/ there, or in `assets_folder`. Throws FileError.
+/// folder, in gfx/ there, or in `assets_folder`. Prints on standard error what of the level is not obeyed. Throws
+/// FileError.
 GameData load_game(const std::string& level_file, const std::string& palette_file, const std::string& assets_folder);
 
 }  // namespace oblong

@@ -30,6 +30,7 @@ std::string assets_folder(const char* called_as) {
 ViewOptions view_options_of(const Options& options) {
     ViewOptions view_options;
     view_options.preset = options.preset;
+    view_options.brightness_100 = options.brightness_100;
     view_options.accuracy = options.accuracy;
     view_options.scaling = options.scaling;
     view_options.corrects_projection = options.corrects_projection;

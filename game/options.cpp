@@ -29,7 +29,7 @@ ShownAs shown_as_of(const std::string& name) {
 
 // The options that are parsed after the command line is read.
 struct OptionTexts {
-    std::string mode = "320x200", display = "4:3", field_of_view = "90", window, accuracy = "bounded",
+    std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", window, accuracy = "bounded",
                 scaling = "sharp", aspect_projection = "display", aspect_display = "display";
     std::vector<std::string> dials;
 };
@@ -40,6 +40,7 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("--mode", texts.mode, "WxH, size of the picture in pixels");
     line.add("--display", texts.display, "W:H, shape of the display that the picture is for");
     line.add("--fov", texts.field_of_view, "degrees seen across the whole width");
+    line.add("--brightness", texts.brightness, "of the light on surfaces, 0.25 to 8; real levels are dark at 1");
     line.add("--accuracy", texts.accuracy, "1991, 1994, 1996, bounded or exact");
     line.add("--dial", texts.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
     line.add("--scaling", texts.scaling, "sharp, rows, even, nearest or stretch");
@@ -64,6 +65,7 @@ void interpret(const OptionTexts& texts, Options& options) {
     if (!texts.window.empty()) options.window = parse_window_size(texts.window);
     options.field_of_view = parse_field_of_view(texts.field_of_view);
     check_view(options.mode, options.field_of_view);
+    options.brightness_100 = parse_brightness(texts.brightness);
     options.preset = parse_preset(texts.accuracy);
     options.accuracy = parse_accuracy(options.preset, texts.dials);
     options.scaling = scaling_of(texts.scaling);

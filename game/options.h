@@ -17,6 +17,7 @@ struct Options {
     ScreenMode mode;
     WindowSize window;
     Degrees field_of_view = Degrees::from_int(90);
+    std::int32_t brightness_100 = 100;
     Preset preset = Preset::Bounded;
     Accuracy accuracy;  ///< the preset with dials turned
     Scaling scaling = Scaling::SharpBilinear;

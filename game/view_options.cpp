@@ -30,6 +30,7 @@ std::string describe_display(const ViewOptions& options, const ScreenMode& mode,
 Settings settings_of(const ViewOptions& options) {
     Settings settings;
     settings.accuracy = options.accuracy;
+    settings.brightness_100 = options.brightness_100;
     settings.correct_aspect = options.corrects_projection;
     return settings;
 }

@@ -15,6 +15,7 @@ namespace oblong {
 struct ViewOptions {
     Preset preset = Preset::Bounded;  ///< the last one chosen
     Accuracy accuracy;                ///< its dials, perhaps turned since
+    std::int32_t brightness_100 = 100;
     bool corrects_projection = true;
     ShownAs shown_as = ShownAs::OnDisplay;
     Scaling scaling = Scaling::SharpBilinear;

@@ -95,7 +95,7 @@ constexpr std::array kDials{
     dial<&Accuracy::light>("light", "light",
                            "The light of a texel: that of the nearest sample, or interpolated between four.", "",
                            "engine/surface/lit_surface.cpp", true, kLights),
-    dial<&Accuracy::shades>("shades", "shades", "Steps of light between a colour and black.", "shades",
+    dial<&Accuracy::shades>("shades", "shades", "Steps of light between twice a colour and black.", "shades",
                             "engine/surface/lit_surface.cpp", true, kShades),
     dial<&Accuracy::dithers_light>("dither", "dithered light",
                                    "Mixes two shades in a pattern of 4x4 texels where the light lies between them.", "",

@@ -2,93 +2,235 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstring>
 
+#include "engine/effects/view_directions.h"
 #include "engine/fixed/root.h"
+#include "engine/raster/kernels/kernels.h"
 
 namespace oblong {
 
 namespace {
 
-constexpr std::int32_t kStep_px = 8;  ///< Quake's: 32
+constexpr int kLeastCellLog2 = 3, kGreatestCellLog2 = 6;
 /// Texels from the zenith to the horizon of a dome of a 128-texel sky: Quake's 6 * (128 / 2 - 1).
 constexpr std::int64_t kDomeRadius_texels = 378;
 
-/// Texels of one layer, 16.16, from the zenith.
-struct SkyPosition {
-    std::int32_t u_16, v_16;
+/// Where the layers are at one time.
+struct SkyScroll {
+    std::int64_t background_16;   ///< texels from the zenith, 16.16, along both axes
+    std::int32_t clouds_further;  ///< whole texels
 };
 
-/// Directions of view in the world, of any length: linear on the screen. Column and row are those of pixel centres.
-class DirectionField {
-  public:
-    DirectionField(const Basis& axes, const Projection& projection) {
-        const std::int64_t half_width_1 = projection.width_px, half_height_1 = projection.height_px;
-        const std::array<const Unit*, 3> right{&axes.right.x, &axes.right.y, &axes.right.z};
-        const std::array<const Unit*, 3> up{&axes.up.x, &axes.up.y, &axes.up.z};
-        const std::array<const Unit*, 3> forward{&axes.forward.x, &axes.forward.y, &axes.forward.z};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            per_column_30_[axis] =
-                mul_div(right[axis]->raw, std::int64_t{1} << 32, projection.x.multiplier.raw, Rounding::Floor);
-            per_row_30_[axis] =
-                -mul_div(up[axis]->raw, std::int64_t{1} << 32, projection.y.multiplier.raw, Rounding::Floor);
-            origin_30_[axis] = forward[axis]->raw + floor_shift(per_column_30_[axis] * (1 - half_width_1), 1) +
-                               floor_shift(per_row_30_[axis] * (1 - half_height_1), 1);
-        }
-    }
+SkyScroll scroll_at(std::int64_t time_ms, std::int32_t size) {
+    const std::int64_t background_16 = time_ms % kSkyPeriod_ms * size * 65536 / kSkyPeriod_ms;
+    return {background_16, static_cast<std::int32_t>(background_16 >> 16)};
+}
 
-    SkyPosition at(std::int32_t column, std::int32_t row, std::int32_t size) const {
-        std::array<std::int64_t, 3> direction_16{};
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            direction_16[axis] =
-                floor_shift(origin_30_[axis] + per_column_30_[axis] * column + per_row_30_[axis] * row, 14);
-        direction_16[2] *= 3;
-        const std::int64_t length_16 = std::max<std::int64_t>(length(direction_16), 1);
-        const std::int64_t radius_16 = kDomeRadius_texels * size / 128 * 65536;
-        return {static_cast<std::int32_t>(direction_16[0] * radius_16 / length_16),
-                static_cast<std::int32_t>(direction_16[1] * radius_16 / length_16)};
+/// Texels, 16.16.
+struct SkyPosition {
+    std::int64_t u_16, v_16;
+};
+
+/// A direction of view, of any length.
+struct Direction {
+    DirectionPart x, y, z;
+};
+
+Direction direction_at(const ViewDirections& directions, std::int32_t column, std::int32_t row) {
+    return {directions.x.at(column, row), directions.y.at(column, row), directions.z.at(column, row)};
+}
+
+/// The dome of one sky: from directions to texels.
+class Dome {
+  public:
+    Dome(std::int32_t size, std::int64_t offset_16)
+        : radius_texels_(kDomeRadius_texels * size / 128), offset_16_(offset_16) {}
+
+    SkyPosition at(const Direction& direction) const {
+        const std::int64_t x_16 = floor_shift(direction.x, 14).raw, y_16 = floor_shift(direction.y, 14).raw;
+        const std::int64_t z_16 = floor_shift(direction.z, 14).raw * 3;
+        const auto square = static_cast<std::uint64_t>(x_16 * x_16 + y_16 * y_16 + z_16 * z_16);
+        const ReciprocalRoot root = reciprocal_root(std::max<std::uint64_t>(square, 1));
+        return {texels_of(x_16, root), texels_of(y_16, root)};
     }
 
   private:
-    static std::int64_t length(const std::array<std::int64_t, 3>& v) {
-        return static_cast<std::int64_t>(
-            integer_root(static_cast<std::uint64_t>(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])));
+    std::int64_t texels_of(std::int64_t part_16, const ReciprocalRoot& root) const {
+        const std::int64_t cosine_30 = floor_shift(part_16 * root.mantissa, root.shift);
+        return floor_shift(cosine_30 * radius_texels_, 14) + offset_16_;
     }
 
-    std::array<std::int64_t, 3> origin_30_{}, per_column_30_{}, per_row_30_{};
+    std::int64_t radius_texels_, offset_16_;
 };
 
-std::uint8_t sky_texel(const SkyTexture& sky, std::int32_t u_16, std::int32_t v_16) {
-    const std::int32_t u = floor_shift(u_16, 16) & (sky.size - 1), v = floor_shift(v_16, 16) & (sky.size - 1);
-    const std::uint8_t* row = sky.texels + v * sky.stride;
-    const std::uint8_t cloud = row[u];
-    return cloud != 0 ? cloud : row[u + sky.size];
+/// The length of cells, columns within which texels are interpolated: the longest whose error stays under a texel of a
+/// 128-texel sky. A line over n pixels is off by n^2 / 8 times the dome's greatest second derivative along the row:
+/// radius (1 + 8 r^2) / multiplier^2, r being how far a row leans (heights are tripled; 9 = 1 + 8).
+int cell_log2(const Basis& axes, const Projection& projection) {
+    const std::int64_t lean_15 = floor_shift(std::int64_t{axes.right.z.raw}, 15);
+    const std::int64_t bend_30 = (std::int64_t{1} << 30) + 8 * lean_15 * lean_15;
+    const std::int64_t width_px = std::min<std::int64_t>(floor_of(projection.x.multiplier), kLargestMode_px);
+    const std::int64_t squared_radii_30 = width_px * width_px * 8 * (std::int64_t{1} << 30) / kDomeRadius_texels;
+    int log2 = kLeastCellLog2;
+    while (log2 < kGreatestCellLog2 && bend_30 * (std::int64_t{4} << 2 * log2) <= squared_radii_30) ++log2;
+    return log2;
 }
 
-/// In 64 bits: the domes of large skies are 2^31 steps wide and more.
-std::int32_t step_between(std::int32_t from_16, std::int32_t to_16, std::int32_t count) {
-    return static_cast<std::int32_t>((std::int64_t{to_16} - from_16) / count);
-}
+/// Walks along a row from cell to cell. Cells begin at multiples of their length, wherever a span begins: what covers a
+/// part of the sky does not move the rest of it.
+class CellWalk {
+  public:
+    CellWalk(const Dome& dome, const ViewDirections& directions, int cell_log2, std::int32_t column, std::int32_t row)
+        : dome_(dome),
+          cell_log2_(cell_log2),
+          per_cell_{directions.x.per_column * (std::int64_t{1} << cell_log2),
+                    directions.y.per_column * (std::int64_t{1} << cell_log2),
+                    directions.z.per_column * (std::int64_t{1} << cell_log2)},
+          direction_(direction_at(directions, column, row)),
+          to_(dome.at(direction_)) {}
 
-void draw_sky_span(const Span& span, const SkyTexture& sky, const DirectionField& field, std::uint8_t* row) {
-    SkyPosition from = field.at(span.first, span.y, sky.size);
-    for (std::int32_t column = span.first; column < span.end;) {
-        const std::int32_t count = std::min(kStep_px, span.end - column);
-        const SkyPosition to = field.at(column + count, span.y, sky.size);
-        const std::int32_t u_step_16 = step_between(from.u_16, to.u_16, count);
-        const std::int32_t v_step_16 = step_between(from.v_16, to.v_16, count);
-        for (std::int32_t i = 0; i < count; ++i)
-            row[column + i] = sky_texel(sky, from.u_16 + u_step_16 * i, from.v_16 + v_step_16 * i);
-        column += count;
-        from = to;
+    /// The part of the next cell from its pixel `first` on.
+    TexelBlock next(std::uint32_t pixel, std::int32_t first, std::int32_t count) {
+        const SkyPosition from = to_;
+        direction_ = {direction_.x + per_cell_.x, direction_.y + per_cell_.y, direction_.z + per_cell_.z};
+        to_ = dome_.at(direction_);
+        const std::int64_t u_step = floor_shift(to_.u_16 - from.u_16, cell_log2_);
+        const std::int64_t v_step = floor_shift(to_.v_16 - from.v_16, cell_log2_);
+        return {pixel,
+                count,
+                static_cast<std::uint32_t>(from.u_16 + u_step * first),
+                static_cast<std::uint32_t>(from.v_16 + v_step * first),
+                static_cast<std::int32_t>(u_step),
+                static_cast<std::int32_t>(v_step)};
     }
+
+  private:
+    const Dome dome_;
+    const int cell_log2_;
+    const Direction per_cell_;
+    Direction direction_;
+    SkyPosition to_;
+};
+
+/// The dome of a frame.
+struct DomeView {
+    Dome dome;
+    ViewDirections directions;
+    int cell_log2;
+};
+
+TexelBlock* append_cells(const Span& span, const DomeView& view, std::int32_t pitch, TexelBlock* blocks) {
+    const std::int32_t size_px = 1 << view.cell_log2, start = span.first & -size_px;
+    CellWalk walk(view.dome, view.directions, view.cell_log2, start, span.y);
+    for (std::int32_t cell = start; cell < span.end; cell += size_px) {
+        const std::int32_t first = std::max(cell, span.first), end = std::min(cell + size_px, span.end);
+        *blocks++ = walk.next(static_cast<std::uint32_t>(span.y * pitch + first), first - cell, end - first);
+    }
+    return blocks;
+}
+
+/// Cuts spans into blocks and hands these to `draw`, some hundred at a time.
+template <class Draw>
+void draw_cells(std::span<const Span> spans, const DomeView& view, std::int32_t pitch, Draw draw) {
+    constexpr std::int32_t kMostOfSpan = (kLargestMode_px >> kLeastCellLog2) + 1;
+    std::array<TexelBlock, kMostOfSpan + 256> blocks;
+    TexelBlock* end = blocks.data();
+    for (const Span& span : spans) {
+        if (end - blocks.data() > 256) {
+            draw(std::span<const TexelBlock>(blocks.data(), end));
+            end = blocks.data();
+        }
+        end = append_cells(span, view, pitch, end);
+    }
+    draw(std::span<const TexelBlock>(blocks.data(), end));
+}
+
+/// Eight bytes of `front`, and of `back` where those are 0: adding 127 leaves the highest bit of a 0 clear.
+void overlay_8(const std::uint8_t* front, const std::uint8_t* back, std::uint8_t* out) {
+    constexpr std::uint64_t kOnes = 0x0101010101010101;
+    std::uint64_t above, below;
+    std::memcpy(&above, front, 8);
+    std::memcpy(&below, back, 8);
+    const std::uint64_t is_set = (((above & kOnes * 127) + kOnes * 127) | above) >> 7 & kOnes;
+    above |= below & ~(is_set * 255);
+    std::memcpy(out, &above, 8);
+}
+
+/// The same of any number of bytes; the last eight may overlap those before.
+void overlay(const std::uint8_t* front, const std::uint8_t* back, std::int32_t count, std::uint8_t* out) {
+    if (count < 8) {
+        for (std::int32_t i = 0; i < count; ++i) out[i] = front[i] != 0 ? front[i] : back[i];
+        return;
+    }
+    for (std::int32_t i = 0; i < count - 8; i += 8) overlay_8(front + i, back + i, out + i);
+    overlay_8(front + count - 8, back + count - 8, out + count - 8);
+}
+
+/// Both layers in one texture, the clouds moved against the background.
+void compose_layers(const SkyTexture& sky, std::int32_t clouds_further, std::uint8_t* out) {
+    const std::int32_t until_edge = sky.size - clouds_further;
+    for (std::int32_t v = 0; v < sky.size; ++v, out += sky.size) {
+        const std::uint8_t* const clouds = sky.texels + ((v + clouds_further) & (sky.size - 1)) * sky.stride;
+        const std::uint8_t* const background = sky.texels + v * sky.stride + sky.size;
+        overlay(clouds + clouds_further, background, until_edge, out);
+        overlay(clouds, background + until_edge, clouds_further, out + until_edge);
+    }
+}
+
+SurfaceView tile_of(const std::vector<std::uint8_t>& texels, std::int32_t size) {
+    const auto mask = static_cast<std::uint32_t>(size - 1);
+    return {texels.data(), size, size, std::countr_zero(static_cast<std::uint32_t>(size)), mask, mask};
+}
+
+/// For skies of more texels than would be worth composing: looks both layers up at each pixel.
+void draw_both_layers(std::span<const TexelBlock> blocks, const SkyTexture& sky, std::int32_t clouds_further,
+                      std::uint8_t* pixels) {
+    const auto mask = static_cast<std::uint32_t>(sky.size - 1), further = static_cast<std::uint32_t>(clouds_further);
+    const auto texel = [&](std::uint32_t u, std::uint32_t v) {
+        return sky.texels + static_cast<std::int64_t>(v & mask) * sky.stride + (u & mask);
+    };
+    for (const TexelBlock& block : blocks)
+        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(block.count); ++i) {
+            const std::uint32_t u = (block.u_16 + static_cast<std::uint32_t>(block.u_step_16) * i) >> 16;
+            const std::uint32_t v = (block.v_16 + static_cast<std::uint32_t>(block.v_step_16) * i) >> 16;
+            const std::uint8_t cloud = *texel(u + further, v + further), behind = texel(u, v)[sky.size];
+            const auto is_hole = static_cast<std::uint8_t>(-static_cast<int>(cloud == 0));  // not by a branch
+            pixels[block.pixel + i] = static_cast<std::uint8_t>(cloud | (behind & is_hole));
+        }
+}
+
+/// Composing a texel takes a ninth of the time that looking up both layers adds to a pixel.
+bool is_worth_composing(std::span<const Span> spans, std::int32_t size) {
+    std::int64_t pixels = 0;
+    for (const Span& span : spans) pixels += span.end - span.first;
+    return size <= 1024 && std::int64_t{size} * size <= 8 * pixels;
 }
 
 }  // namespace
 
 void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& axes, const Projection& projection,
+              std::int64_t time_ms, std::vector<std::uint8_t>& layers, Framebuffer out) {
+    const SkyScroll scroll = scroll_at(time_ms, sky.size);
+    // Three times round are more than the dome's radius: no coordinate is below 0.
+    const Dome dome(sky.size, scroll.background_16 + std::int64_t{3 * 65536} * sky.size);
+    const DomeView view{dome, make_view_directions(axes, projection), cell_log2(axes, projection)};
+    if (!is_worth_composing(spans, sky.size))
+        return draw_cells(spans, view, out.pitch, [&](std::span<const TexelBlock> blocks) {
+            draw_both_layers(blocks, sky, scroll.clouds_further, out.pixels);
+        });
+    layers.resize(static_cast<std::size_t>(sky.size) * static_cast<std::size_t>(sky.size));
+    compose_layers(sky, scroll.clouds_further, layers.data());
+    const SurfaceView tile = tile_of(layers, sky.size);
+    const BlockKernel kernel = best_block_kernel();
+    draw_cells(spans, view, out.pitch, [&](std::span<const TexelBlock> blocks) { kernel(blocks, tile, out.pixels); });
+}
+
+void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& axes, const Projection& projection,
               Framebuffer out) {
-    const DirectionField field(axes, projection);
-    for (const Span& span : spans) draw_sky_span(span, sky, field, out.row(span.y));
+    std::vector<std::uint8_t> layers;
+    draw_sky(spans, sky, axes, projection, 0, layers, out);
 }
 
 }  // namespace oblong

@@ -23,6 +23,25 @@ constexpr auto kRootsOfHighByte = [] {
     return table;
 }();
 
+/// 2^30 / sqrt(m) in the middle of each 256th of m from 1/4 to 1: right within 2^-8 of itself.
+constexpr auto kReciprocalRootsOfMiddles = [] {
+    std::array<std::uint32_t, 192> table{};
+    std::uint64_t root = std::uint64_t{1} << 31;  // the table falls: each search goes on from the last
+    for (std::uint64_t i = 0; i < 192; ++i) {
+        const std::uint64_t middle_9 = 2 * (i + 64) + 1;
+        // root^2 m <= 2^60, on 16 bits of the root.
+        while ((root >> 15) * (root >> 15) * middle_9 > std::uint64_t{1} << 39) root -= std::uint64_t{1} << 15;
+        table[i] = static_cast<std::uint32_t>(root);
+    }
+    return table;
+}();
+
+/// Newton's r (3 - m r^2) / 2, m with 32 fraction bits and r with 30.
+std::uint64_t newton_step(std::uint64_t m_32, std::uint64_t r_30) {
+    const std::uint64_t square_30 = r_30 * r_30 >> 30;
+    return r_30 * ((std::uint64_t{3} << 30) - (m_32 * square_30 >> 32)) >> 31;
+}
+
 /// The root of a number from 2^14 to 2^16 - 1.
 Root root_of_16_bits(std::uint32_t value) {
     std::uint32_t root = kRootsOfHighByte[(value >> 8) - 64];
@@ -65,6 +84,14 @@ std::uint32_t integer_root(std::uint64_t value) {
     const bool is_short = even_shift >= 32;
     const Root scaled = is_short ? root_of_32_bits(value << (even_shift - 32)) : root_of_64_bits(value << even_shift);
     return static_cast<std::uint32_t>(scaled.root >> ((is_short ? even_shift - 32 : even_shift) / 2));
+}
+
+ReciprocalRoot reciprocal_root(std::uint64_t value) {
+    const int even_shift = std::countl_zero(value) & ~1;
+    const std::uint64_t m_32 = (value << even_shift) >> 32;  // a quarter or more
+    const std::uint64_t seed = kReciprocalRootsOfMiddles[(m_32 >> 24) - 64];
+    const std::uint64_t root = newton_step(m_32, newton_step(m_32, seed));
+    return {static_cast<std::uint32_t>(root), 32 - even_shift / 2};
 }
 
 std::uint64_t integer_root(portable::Uint128 value) {

@@ -13,6 +13,15 @@ std::uint32_t integer_root(std::uint64_t value);
 /// The same for a 128-bit number.
 std::uint64_t integer_root(portable::Uint128 value);
 
+/// 1 / sqrt(value) without a division: mantissa * 2^-(30 + shift), the mantissa from 2^30 - 8 to 2^31, the shift 1 to
+/// 32. Relative error below 2^-27.
+struct ReciprocalRoot {
+    std::uint32_t mantissa;
+    int shift;
+};
+/// `value` is not 0.
+ReciprocalRoot reciprocal_root(std::uint64_t value);
+
 /// The square root of `value` in the format To, exact before it is rounded. A negative value has the root 0.
 template <class To, class Int, int Frac>
 To square_root(Fixed<Int, Frac> value, Rounding rounding = Rounding::Floor) {

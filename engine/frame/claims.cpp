@@ -64,7 +64,7 @@ void claim_face(const VisibleFace& visible, const FrameContext& frame, FrameWork
     const EffectSet needs = work.faces.faces[visible.face].effects;
     const EffectSet effects = visible.fragment ? needs.with(Effect::BrushModels) : needs;
     const FaceList list = list_for(needs, frame.settings.allowed_effects);
-    FaceClaims& claims = work.claims;
+    Claims& claims = work.claims;
     const std::size_t first = claims.spans.size();
     if (list == FaceList::SeeThrough)
         work.span_buffer.find_free(work.rows, claims.spans);
@@ -80,21 +80,24 @@ void claim_face(const VisibleFace& visible, const FrameContext& frame, FrameWork
 
 }  // namespace
 
-void FaceClaims::clear() {
+void Claims::clear() {
     spans.clear();
     for (auto& faces : lists) faces.clear();
     left_free.clear();
+    fog_runs.clear();
+    things.clear();
+    is_under_liquid = false;
     effects = {};
 }
 
-std::int64_t pixels_of(const FaceClaims& claims, FaceList list) {
+std::int64_t pixels_of(const Claims& claims, FaceList list) {
     std::int64_t pixels = 0;
     for (const ClaimedFace& face : claims.list(list)) pixels += pixels_of(claims.spans_of(face));
     return pixels;
 }
 
 void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
-    const Stopwatch watch(work.times.get(), &FrameTimes::claims_ns);
+    const Stopwatch watch(work.times.get(), &PassTimes::claims_ns);
     BrushModels* const models = frame.allows(Effect::BrushModels) ? &work.brush_models : nullptr;
     FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk);
     while (const std::optional<VisibleFace> visible = walk.next()) {

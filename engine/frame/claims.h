@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/effects/fog.h"
+#include "engine/frame/frame_things.h"
 #include "engine/geometry/view_context.h"
 #include "engine/scene/effects.h"
 #include "engine/screen/screen.h"
@@ -22,16 +24,20 @@ inline constexpr std::size_t kFaceListCount = 6;
 /// A face that owns pixels of a frame, or sees through to those behind it.
 struct ClaimedFace {
     VisibleFace visible;
-    std::uint32_t first_span = 0, span_count = 0;  ///< in FaceClaims
+    std::uint32_t first_span = 0, span_count = 0;  ///< in Claims
     View nearest_z, farthest_z;                    ///< of the face's part in view
 };
 
-/// What the faces of a frame own: each has a place in the list of the pass that draws it, front to back.
-struct FaceClaims {
+/// What the faces, and the things among them, own of a frame: each has a place in the list of the pass that draws it,
+/// front to back.
+struct Claims {
     std::vector<Span> spans;
     std::array<std::vector<ClaimedFace>, kFaceListCount> lists;
-    EffectSet effects;            ///< that these faces need and the settings allow
-    std::vector<Span> left_free;  ///< pixels that no face owns
+    EffectSet effects;             ///< that these faces need and the settings allow
+    std::vector<Span> left_free;   ///< pixels that no face owns
+    std::vector<FogRun> fog_runs;  ///< pixels in fog
+    FrameThings things;            ///< what is among the faces
+    bool is_under_liquid = false;  ///< the eye is in a liquid
 
     std::vector<ClaimedFace>& list(FaceList which) { return lists[static_cast<std::size_t>(which)]; }
     const std::vector<ClaimedFace>& list(FaceList which) const { return lists[static_cast<std::size_t>(which)]; }
@@ -42,7 +48,7 @@ struct FaceClaims {
 };
 
 /// The pixels of a list's faces.
-std::int64_t pixels_of(const FaceClaims& claims, FaceList list);
+std::int64_t pixels_of(const Claims& claims, FaceList list);
 
 /// Takes the faces front to back and lets each claim its pixels; draws nothing. Faces that are seen through get the
 /// pixels that were free when the walk came to them, and leave them free.

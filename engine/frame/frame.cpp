@@ -34,23 +34,25 @@ FrameContext begin_frame(const Scene& scene, const Camera& camera, const ScreenM
         work.brush_models.start_frame(scene.level, scene.models, work.faces);
     }
     work.vertices.start_frame();
-    work.surfaces.start_frame(settings.accuracy, scene.colormap);
+    work.surfaces.start_frame(settings.accuracy, settings.brightness_100, scene.colormap);
     work.span_buffer.reset();
     work.claims.clear();
     if (work.counts) *work.counts = make_frame_counts(out);
     if (work.record) work.record->pixels.assign(pixel_count(out.pitch, out.height_px), {});
 
     const ViewContext view = make_view(camera, eye.position, mode, settings);
-    return {scene, settings, view, make_inverse_projection(view.projection), make_span_texturing(settings.accuracy),
-            out};
+    return {scene,
+            settings,
+            view,
+            make_inverse_projection(view.projection),
+            make_span_texturing(settings.accuracy),
+            out,
+            scene.level.leaves[eye.leaf].contents};
 }
 
 /// Adds what is known at the end of a frame only.
 void count_frame(std::int64_t texels_before, FrameWorkspace& work) {
     work.counts->stages.lit_texels = work.surfaces.built_texels() - texels_before;
-    work.counts->pass_pixels = {pixels_of(work.claims, FaceList::Walls), pixels_of(work.claims, FaceList::Flat),
-                                pixels_of(work.claims, FaceList::Liquid), pixels_of(work.claims, FaceList::Sky),
-                                pixels_of(work.claims, FaceList::Mirror)};
 }
 
 }  // namespace

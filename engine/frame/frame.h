@@ -10,7 +10,7 @@
 #include "engine/scene/face_surface.h"
 #include "engine/scene/placed_models.h"
 #include "engine/screen/screen.h"
-#include "engine/surface/palette.h"
+#include "engine/surface/colormap.h"
 
 namespace oblong {
 
@@ -20,9 +20,10 @@ class FrameWorkspace;  // engine/frame/workspace.h: scratch and caches, owned by
 struct Scene {
     const Level& level;
     const Colormap& colormap;
-    std::span<const PlacedModel> models;  ///< each of the level's models at most once
-    std::int64_t time_ms = 0;             ///< of the scene; nothing in a frame moves by it yet
-    LightStyles light_styles = plain_light_styles();
+    std::span<const PlacedModel> models;              ///< each of the level's models at most once
+    std::int64_t time_ms = 0;                         ///< 0 or more: what moves by itself is a function of it
+    LightStyles light_styles = plain_light_styles();  ///< times what the level's patterns make of them
+    std::span<const MovingLight> moving_lights = {};  ///< besides those of the level's lanterns
 };
 
 /// Draws one picture: a pure function of its first four arguments. Every pixel of `out` (whose size is the mode's) is

@@ -17,7 +17,8 @@ struct FrameContext {
     InverseProjection inverse_projection;
     SpanTexturing texturing;
     Framebuffer out;
-    const MirrorPlane* mirror = nullptr;  ///< the frame is what this mirror shows
+    std::int32_t eye_contents = contents::kEmpty;  ///< of the leaf that the eye is in
+    const MirrorPlane* mirror = nullptr;           ///< the frame is what this mirror shows
 
     const Accuracy& accuracy() const { return settings.accuracy; }
     bool allows(Effect effect) const { return settings.allowed_effects.has(effect); }

@@ -39,6 +39,9 @@ struct FrameCounts {
     std::vector<std::uint8_t> writes;  ///< of each pixel, by faces, those of the sky too; at most 255
     std::array<std::int64_t, kEffectCount> effect_pixels{};  ///< of each Effect: of what needs it
     std::array<std::int64_t, kPassCount> pass_pixels{};      ///< of each Pass
+
+    std::int64_t& of(Effect effect) { return effect_pixels[static_cast<std::size_t>(effect)]; }
+    std::int64_t& of(Pass pass) { return pass_pixels[static_cast<std::size_t>(pass)]; }
 };
 
 /// A count and its name, for reports.

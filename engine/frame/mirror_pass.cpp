@@ -5,6 +5,7 @@
 
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/frame_context.h"
+#include "engine/frame/light_pass.h"
 #include "engine/frame/passes.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/frame/workspace.h"
@@ -73,7 +74,7 @@ LeafIndex leaf_before(const ClaimedFace& claimed, const MirrorPlane& mirror, con
 }
 
 /// The spans of all faces of one mirror, with columns from the right, sorted.
-std::vector<Span> flipped_spans(std::span<const ClaimedFace> faces, const FaceClaims& claims, std::int32_t width_px) {
+std::vector<Span> flipped_spans(std::span<const ClaimedFace> faces, const Claims& claims, std::int32_t width_px) {
     std::vector<Span> flipped;
     for (const ClaimedFace& face : faces)
         for (const Span& span : claims.spans_of(face))
@@ -101,6 +102,7 @@ void draw_mirrored_view(const ViewContext& view, const MirrorPlane& mirror, Leaf
         frame.inverse_projection,
         frame.texturing,
         {work.mirror.pixels.data(), frame.out.width_px, frame.out.height_px, frame.out.width_px},
+        contents::kEmpty,
         &mirror};
     work.visible.see_from(frame.scene.level, leaf);
     work.brush_models.start_frame(frame.scene.level, frame.scene.models, work.faces);
@@ -115,13 +117,14 @@ void draw_mirrored_view(const ViewContext& view, const MirrorPlane& mirror, Leaf
 
 void draw_mirrors(const FrameContext& frame, FrameWorkspace& work) {
     const Level& level = frame.scene.level;
-    FaceClaims claims = std::exchange(work.claims, {});
+    Claims claims = std::exchange(work.claims, {});
     auto counts = std::exchange(work.counts, nullptr);
     auto record = std::exchange(work.record, nullptr);
     auto times = std::exchange(work.times, nullptr);
+    std::swap(work.depth, work.mirror.depth);
     work.mirror.pixels.assign(pixel_count(frame.out.width_px, frame.out.height_px), 0);
 
-    std::vector<ClaimedFace> left = claims.list(FaceList::Mirror);
+    std::vector<ClaimedFace> left = claims.list(FaceList::Mirror), drawn_faces;
     for (std::size_t drawn = 0; drawn < kMostMirrors && !left.empty(); ++drawn) {
         const MirrorPlane mirror = plane_of(left.front(), level, work);
         const LeafIndex leaf = leaf_before(left.front(), mirror, level, work);
@@ -129,6 +132,7 @@ void draw_mirrors(const FrameContext& frame, FrameWorkspace& work) {
             left.begin(), left.end(), [&](const ClaimedFace& face) { return plane_of(face, level, work) == mirror; });
         const std::vector<Span> flipped = flipped_spans({left.begin(), others}, claims, frame.out.width_px);
         draw_mirrored_view(mirrored(frame.view, mirror, level), mirror, leaf, flipped, frame, work);
+        drawn_faces.insert(drawn_faces.end(), left.begin(), others);
         left.erase(left.begin(), others);
     }
 
@@ -137,7 +141,10 @@ void draw_mirrors(const FrameContext& frame, FrameWorkspace& work) {
     work.record = std::move(record);
     work.times = std::move(times);
     work.claims.list(FaceList::Mirror) = std::move(left);
-    draw_surfaces(FaceList::Mirror, frame, work);
+    for (const ClaimedFace& face : drawn_faces) note_spans(face, work.claims.spans_of(face), frame.out, work);
+    std::swap(work.depth, work.mirror.depth);
+    find_light(frame, work);
+    draw_surfaces(FaceList::Mirror, {}, frame, work);
 }
 
 }  // namespace oblong

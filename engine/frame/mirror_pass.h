@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/level/level.h"
+#include "engine/raster/depth.h"
 
 namespace oblong {
 
@@ -24,6 +25,7 @@ struct MirrorScratch {
     std::vector<std::uint8_t> pixels;      ///< the flipped picture
     std::vector<Vec3<World>> corners;      ///< of a face, then of its part before the mirror
     std::vector<PlaneDistance> distances;  ///< of the corners
+    DepthBuffer depth;                     ///< of the picture
 };
 
 /// The most mirror planes of a frame: of more, the farther ones are drawn as walls.

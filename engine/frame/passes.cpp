@@ -3,7 +3,11 @@
 #include <algorithm>
 
 #include "engine/effects/sky.h"
+#include "engine/effects/underwater.h"
+#include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
+#include "engine/frame/light_pass.h"
+#include "engine/frame/see_through_pass.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/frame/workspace.h"
 
@@ -11,18 +15,12 @@ namespace oblong {
 
 namespace {
 
-/// Counts and records spans that are drawn without a surface.
-void note_flat(const ClaimedFace& claimed, std::span<const Span> spans, Framebuffer out, FrameWorkspace& work) {
-    if (work.counts) count_writes(spans, out.pitch, *work.counts);
-    if (work.record) record_spans(record_of(claimed.visible), spans, out, *work.record);
-}
-
 /// Fills faces whose effect is not allowed with one colour of their texture.
 void draw_flat(const FrameContext& frame, FrameWorkspace& work) {
     const Level& level = frame.scene.level;
     for (const ClaimedFace& claimed : work.claims.list(FaceList::Flat)) {
         const std::span<const Span> spans = work.claims.spans_of(claimed);
-        note_flat(claimed, spans, frame.out, work);
+        note_spans(claimed, spans, frame.out, work);
         fill_spans(spans, level.texture_of(level.faces[claimed.visible.face]).mips[3][0], frame.out);
     }
 }
@@ -31,7 +29,7 @@ void draw_sky_faces(const FrameContext& frame, FrameWorkspace& work) {
     work.pass_spans.clear();
     for (const ClaimedFace& claimed : work.claims.list(FaceList::Sky)) {
         const std::span<const Span> spans = work.claims.spans_of(claimed);
-        note_flat(claimed, spans, frame.out, work);
+        note_spans(claimed, spans, frame.out, work);
         work.pass_spans.insert(work.pass_spans.end(), spans.begin(), spans.end());
     }
     if (work.counts) count_sky(work.pass_spans, *work.counts);
@@ -40,22 +38,37 @@ void draw_sky_faces(const FrameContext& frame, FrameWorkspace& work) {
     const bool is_layered = texture.width == 2 * texture.height && (texture.height & (texture.height - 1)) == 0;
     if (!is_layered) return fill_spans(work.pass_spans, texture.mips[0][0], frame.out);
     draw_sky(work.pass_spans, {texture.mips[0].data(), texture.height, texture.width}, frame.view.axes,
-             frame.view.projection, frame.out);
+             frame.view.projection, frame.scene.time_ms, work.sky_layers, frame.out);
 }
 
-void run(Pass pass, const FrameContext& frame, FrameWorkspace& work) {
+SurfaceDrawing liquid_drawing() {
+    SurfaceDrawing drawing;
+    drawing.is_plain = false;
+    drawing.traits.warps = true;
+    return drawing;
+}
+
+void run(Pass pass, const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work) {
     const Stopwatch watch(work.times.get(), pass);
     switch (pass) {
         case Pass::Walls:
-            return draw_surfaces(FaceList::Walls, frame, work);
+            return draw_surfaces(FaceList::Walls, {}, frame, work);
         case Pass::Flat:
             return draw_flat(frame, work);
         case Pass::Liquid:
-            return draw_surfaces(FaceList::Liquid, frame, work);
+            return draw_surfaces(FaceList::Liquid, liquid_drawing(), frame, work);
         case Pass::Sky:
             return draw_sky_faces(frame, work);
         case Pass::Mirror:
             return draw_mirrors(frame, work);
+        case Pass::Shadows:
+            return draw_shadows(frame, work);
+        case Pass::Fog:
+            return draw_fog(work.claims.fog_runs, fog.tables->colours, frame.out);
+        case Pass::SeeThrough:
+            return draw_see_through(frame, fog, work);
+        case Pass::Underwater:
+            return draw_underwater(frame.scene.time_ms, work.underwater, frame.out);
     }
 }
 
@@ -72,12 +85,46 @@ void fill_free_pixels(const FrameWorkspace& work, Framebuffer out) {
     }
 }
 
+/// Whether the eye is in a liquid: then the whole picture waves, but not those in mirrors.
+void find_underwater(const FrameContext& frame, FrameWorkspace& work) {
+    const bool is_liquid = frame.eye_contents <= contents::kWater && frame.eye_contents >= contents::kLava;
+    work.claims.is_under_liquid = is_liquid && !frame.mirror && frame.allows(Effect::Underwater);
+    if (work.claims.is_under_liquid) work.claims.effects = work.claims.effects.with(Effect::Underwater);
+}
+
+void count_passes(const Claims& claims, const Framebuffer& out, FrameCounts& counts) {
+    counts.of(Pass::Walls) = pixels_of(claims, FaceList::Walls);
+    counts.of(Pass::Flat) = pixels_of(claims, FaceList::Flat);
+    counts.of(Pass::Liquid) = pixels_of(claims, FaceList::Liquid);
+    counts.of(Pass::Sky) = pixels_of(claims, FaceList::Sky);
+    counts.of(Pass::Mirror) = pixels_of(claims, FaceList::Mirror);
+    counts.of(Pass::Shadows) = counts.of(Effect::Shadows);
+    for (const FogRun& run : claims.fog_runs) counts.of(Effect::Fog) += run.span.end - run.span.first;
+    counts.of(Pass::Fog) = counts.of(Effect::Fog);
+    counts.of(Pass::SeeThrough) =
+        pixels_of(claims, FaceList::SeeThrough) + counts.of(Effect::Particles) + counts.of(Effect::Sprites);
+    if (!claims.is_under_liquid) return;
+    counts.of(Effect::Underwater) = std::int64_t{out.width_px} * out.height_px;
+    counts.of(Pass::Underwater) = counts.of(Effect::Underwater);
+}
+
 }  // namespace
+
+void note_spans(const ClaimedFace& claimed, std::span<const Span> spans, Framebuffer out, FrameWorkspace& work) {
+    if (work.counts) count_writes(spans, out.pitch, *work.counts);
+    if (work.record) record_spans(record_of(claimed.visible), spans, out, *work.record);
+}
 
 FramePlan draw_view(const FrameContext& frame, FrameWorkspace& work) {
     claim_faces(frame, work);
+    const FrameFog fog = make_frame_fog(frame, work);
+    find_things(frame, fog, work);
+    find_fog(frame, fog, work);
+    find_light(frame, work);
+    find_underwater(frame, work);
     FramePlan plan = plan_frame(work.claims);
-    for (const Pass pass : plan.passes) run(pass, frame, work);
+    if (work.counts) count_passes(work.claims, frame.out, *work.counts);
+    for (const Pass pass : plan.passes) run(pass, frame, fog, work);
     fill_free_pixels(work, frame.out);
     return plan;
 }

@@ -2,7 +2,7 @@
 
 namespace oblong {
 
-FramePlan plan_frame(const FaceClaims& claims) {
+FramePlan plan_frame(const Claims& claims) {
     FramePlan plan;
     plan.effects = claims.effects;
     const auto add_if_called_for = [&](Pass pass, FaceList list) {
@@ -13,6 +13,11 @@ FramePlan plan_frame(const FaceClaims& claims) {
     add_if_called_for(Pass::Liquid, FaceList::Liquid);
     add_if_called_for(Pass::Sky, FaceList::Sky);
     add_if_called_for(Pass::Mirror, FaceList::Mirror);
+    if (!claims.things.shadows.empty()) plan.passes.push_back(Pass::Shadows);
+    if (!claims.fog_runs.empty()) plan.passes.push_back(Pass::Fog);
+    if (!claims.list(FaceList::SeeThrough).empty() || !claims.things.owning.empty())
+        plan.passes.push_back(Pass::SeeThrough);
+    if (claims.is_under_liquid) plan.passes.push_back(Pass::Underwater);
     return plan;
 }
 

@@ -11,9 +11,10 @@
 namespace oblong {
 
 /// A step of a frame that writes pixels, in the order in which they run.
-enum class Pass : std::uint8_t { Walls, Flat, Liquid, Sky, Mirror };
-inline constexpr std::size_t kPassCount = 5;
-inline constexpr std::array<std::string_view, kPassCount> kPassNames{"walls", "flat", "liquid", "sky", "mirror"};
+enum class Pass : std::uint8_t { Walls, Flat, Liquid, Sky, Mirror, Shadows, Fog, SeeThrough, Underwater };
+inline constexpr std::size_t kPassCount = 9;
+inline constexpr std::array<std::string_view, kPassCount> kPassNames{
+    "walls", "flat", "liquid", "sky", "mirror", "shadows", "fog", "see_through", "underwater"};
 
 /// What a frame runs: nothing else does. A pass is on it if something that owns pixels needs it.
 struct FramePlan {
@@ -22,6 +23,6 @@ struct FramePlan {
 };
 
 /// The plan for these claims.
-FramePlan plan_frame(const FaceClaims& claims);
+FramePlan plan_frame(const Claims& claims);
 
 }  // namespace oblong

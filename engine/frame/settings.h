@@ -2,6 +2,7 @@
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/scene/effects.h"
+#include "engine/scene/light_styles.h"
 
 namespace oblong {
 
@@ -9,7 +10,9 @@ namespace oblong {
 struct Settings {
     Accuracy accuracy;
     EffectSet allowed_effects = EffectSet::all();
-    bool correct_aspect = true;  ///< false: the projection assumes square pixels (F2 in the game)
+    Flashes flashes = Flashes::Full;
+    std::int32_t brightness_100 = 100;  ///< of the light on lit surfaces, hundredths; up to their brightest shade
+    bool correct_aspect = true;         ///< false: the projection assumes square pixels (F2 in the game)
 };
 
 }  // namespace oblong

@@ -13,20 +13,56 @@ namespace oblong {
 
 namespace {
 
-FaceSurface surface_of(FaceIndex face, int mip, const FrameContext& frame, FrameWorkspace& work) {
-    const Stopwatch watch(work.times.get(), &FrameTimes::surfaces_ns);
-    return work.surfaces.get(face, mip, frame.scene.light_styles);
+/// The texture that a face shows now; none: its own.
+TextureIndex texture_now(const VisibleFace& visible, const FrameContext& frame, const FrameWorkspace& work) {
+    if (!work.faces.faces[visible.face].effects.has(Effect::AnimatedTextures)) return TextureIndex::none();
+    if (!frame.allows(Effect::AnimatedTextures)) return TextureIndex::none();
+    const Level& level = frame.scene.level;
+    const bool is_switched = visible.fragment && work.brush_models.is_switched(*visible.fragment);
+    return work.effects.animations.shown(level.texinfos[level.faces[visible.face].texinfo].texture, is_switched,
+                                         frame.scene.time_ms);
+}
+
+/// The effect that building a face's surface is for; none for faces whose surface stays.
+std::optional<Effect> reason_to_build(FaceIndex face, const FrameWorkspace& work) {
+    const EffectSet effects = work.faces.faces[face].effects & work.claims.effects;
+    if (work.claims.effects.has(Effect::Lights)) return Effect::Lights;
+    if (effects.has(Effect::Styles)) return Effect::Styles;
+    if (effects.has(Effect::AnimatedTextures)) return Effect::AnimatedTextures;
+    return std::nullopt;
+}
+
+FaceSurface surface_of(const VisibleFace& visible, int mip, const FrameContext& frame, FrameWorkspace& work) {
+    const std::optional<Effect> reason = work.times ? reason_to_build(visible.face, work) : std::nullopt;
+    const Stopwatch watch(work.times.get(), &PassTimes::surfaces_ns);
+    const Stopwatch of_effect(reason ? work.times.get() : nullptr, reason.value_or(Effect::Styles));
+    const Vec3<World> offset = visible.fragment ? work.brush_models.offset_of(*visible.fragment) : Vec3<World>{};
+    return work.surfaces.get(visible.face, mip, {work.light_styles, texture_now(visible, frame, work), offset});
+}
+
+/// Sets the kernel of a drawing that is not plain, and what it needs.
+void add_effect(const SurfaceDrawing& drawing, int mip, const FrameContext& frame, FrameWorkspace& work,
+                TexturedFace& face) {
+    TexelTraits traits = drawing.traits;
+    traits.is_wrapped_by_masks = face.surface.is_wrapped_by_masks;
+    if (traits.warps && work.warp_time_ms != frame.scene.time_ms) {
+        work.warp = make_warp_tables(frame.scene.time_ms);
+        work.warp_time_ms = frame.scene.time_ms;
+    }
+    face.effect_kernel = effect_kernel(traits);
+    face.texels = {face.surface.view, &at(work.warp, mip), drawing.colours, drawing.blend};
 }
 
 /// Draws spans of a face with its texture of one mip level.
-void draw_textured(const ClaimedFace& claimed, int mip, std::span<const Span> spans, const FrameContext& frame,
-                   FrameWorkspace& work) {
+void draw_textured(const ClaimedFace& claimed, int mip, std::span<const Span> spans, const SurfaceDrawing& drawing,
+                   const FrameContext& frame, FrameWorkspace& work) {
     const FaceIndex index = claimed.visible.face;
-    const FaceSurface surface = surface_of(index, mip, frame, work);
+    const FaceSurface surface = surface_of(claimed.visible, mip, frame, work);
     const TextureGradients gradients = gradients_of(claimed.visible, surface, frame, work);
     if (work.counts) ++work.counts->stages.surfaces;
     const WidthAtOne width = frame.inverse_projection.least_pixel_width;
-    const TexturedFace face{claimed, surface, gradients, work.faces.faces[index].least_density, width};
+    TexturedFace face{claimed, surface, gradients, work.faces.faces[index].least_density, width, nullptr, {}};
+    if (!drawing.is_plain) add_effect(drawing, mip, frame, work, face);
     draw_texture_spans(face, spans, frame.texturing, frame.out, work);
 }
 
@@ -36,17 +72,18 @@ int mip_level(FaceIndex face, View nearest_z, const FrameContext& frame, const F
 }
 
 /// Draws each span with the mip level of its nearest pixel.
-void draw_by_span_mips(const ClaimedFace& claimed, const FrameContext& frame, FrameWorkspace& work) {
+void draw_by_span_mips(const ClaimedFace& claimed, std::span<const Span> whole, const SurfaceDrawing& drawing,
+                       const FrameContext& frame, FrameWorkspace& work) {
     const FaceSurface no_surface;  // 1/z does not depend on it
     const auto inverse_z = gradients_of(claimed.visible, no_surface, frame, work).inverse_z;
     for (std::vector<Span>& spans : work.of_mip) spans.clear();
-    for (const Span& span : work.claims.spans_of(claimed)) {
+    for (const Span& span : whole) {
         const InverseZ first = inverse_z.at(span.first, span.y), last = inverse_z.at(span.end - 1, span.y);
         const auto nearest_z = reciprocal<View>(std::max({first, last, InverseZ::ulp()}));
         at(work.of_mip, mip_level(claimed.visible.face, nearest_z, frame, work)).push_back(span);
     }
     for (int mip = 0; mip < 4; ++mip)
-        if (!at(work.of_mip, mip).empty()) draw_textured(claimed, mip, at(work.of_mip, mip), frame, work);
+        if (!at(work.of_mip, mip).empty()) draw_textured(claimed, mip, at(work.of_mip, mip), drawing, frame, work);
 }
 
 }  // namespace
@@ -63,17 +100,19 @@ TextureGradients gradients_of(const VisibleFace& visible, const FaceSurface& sur
     return rounded_to(gradients, accuracy.inverse_z_bits, accuracy.over_z_bits);
 }
 
-void draw_surfaces(FaceList list, const FrameContext& frame, FrameWorkspace& work) {
+void draw_surface(const ClaimedFace& claimed, std::span<const Span> spans, const SurfaceDrawing& drawing,
+                  const FrameContext& frame, FrameWorkspace& work) {
     const MipSelection selection = frame.accuracy().mip;
+    if (selection == MipSelection::Span) return draw_by_span_mips(claimed, spans, drawing, frame, work);
+    const bool is_chosen = selection == MipSelection::Face;
+    const int mip = is_chosen ? mip_level(claimed.visible.face, claimed.nearest_z, frame, work) : 0;
+    draw_textured(claimed, mip, spans, drawing, frame, work);
+}
+
+void draw_surfaces(FaceList list, const SurfaceDrawing& drawing, const FrameContext& frame, FrameWorkspace& work) {
     for (const ClaimedFace& claimed : work.claims.list(list)) {
         const Stopwatch of_models(claimed.visible.fragment ? work.times.get() : nullptr, Effect::BrushModels);
-        if (selection == MipSelection::Span) {
-            draw_by_span_mips(claimed, frame, work);
-            continue;
-        }
-        const bool is_chosen = selection == MipSelection::Face;
-        const int mip = is_chosen ? mip_level(claimed.visible.face, claimed.nearest_z, frame, work) : 0;
-        draw_textured(claimed, mip, work.claims.spans_of(claimed), frame, work);
+        draw_surface(claimed, work.claims.spans_of(claimed), drawing, frame, work);
     }
 }
 

@@ -2,12 +2,25 @@
 
 #include "engine/frame/claims.h"
 #include "engine/geometry/texture_gradients.h"
+#include "engine/raster/kernels/effect_kernels.h"
 #include "engine/scene/face_surface.h"
 
 namespace oblong {
 
-/// Draws the faces of a list with their surfaces: texture, light, mip levels.
-void draw_surfaces(FaceList list, const FrameContext& frame, FrameWorkspace& work);
+/// How surfaces are drawn: plain texels, or with what these members say (EffectTexels).
+struct SurfaceDrawing {
+    bool is_plain = true;
+    TexelTraits traits;
+    const ColourRow* colours = nullptr;
+    const BlendTable* blend = nullptr;
+};
+
+/// Draws spans of a face with its surface: texture, light, mip levels.
+void draw_surface(const ClaimedFace& claimed, std::span<const Span> spans, const SurfaceDrawing& drawing,
+                  const FrameContext& frame, FrameWorkspace& work);
+
+/// Draws all spans of the faces of a list so.
+void draw_surfaces(FaceList list, const SurfaceDrawing& drawing, const FrameContext& frame, FrameWorkspace& work);
 
 /// The gradients of 1/z, u/z and v/z of a face with this surface, in as many bits as the settings keep.
 TextureGradients gradients_of(const VisibleFace& visible, const FaceSurface& surface, const FrameContext& frame,

@@ -14,7 +14,10 @@ namespace {
 constexpr std::size_t kLeastBlockLog2 = 3;
 
 void draw_waiting_blocks(const TexturedFace& face, Framebuffer out, FrameWorkspace& work) {
-    face.surface.kernel(work.blocks.waiting(), face.surface.view, out.pixels);
+    if (face.effect_kernel)
+        face.effect_kernel(work.blocks.waiting(), face.texels, out.pixels);
+    else
+        face.surface.kernel(work.blocks.waiting(), face.surface.view, out.pixels);
     if (work.counts) count_writes(work.blocks.waiting(), *work.counts);
     if (work.record) record_blocks(record_of(face.claimed.visible), work.blocks.waiting(), face.surface, *work.record);
     work.blocks.clear();
@@ -44,7 +47,7 @@ void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans,
     const FaceSurface& surface = face.surface;
     TexelLimits limits = surface.limits;
     limits.least = {};  // without steps nothing drifts
-    if (surface.is_wrapped_by_masks && !work.counts && !work.record)
+    if (surface.is_wrapped_by_masks && !face.effect_kernel && !work.counts && !work.record)
         return draw_exact_spans(spans, face.gradients, limits, surface.view, out);
     const std::int64_t divisions_before = work.counts ? work.counts->divisions : 0;
     draw_blocks(face, spans, texturing, texturing.cut_pixels, {{}, limits}, out, work);

@@ -5,6 +5,7 @@
 #include "engine/accuracy/accuracy.h"
 #include "engine/frame/claims.h"
 #include "engine/geometry/texture_gradients.h"
+#include "engine/raster/kernels/effect_kernels.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_surface.h"
 #include "engine/screen/screen.h"
@@ -30,6 +31,8 @@ struct TexturedFace {
     const TextureGradients& gradients;
     TexelDensity least_density;    ///< PreparedFace::least_density
     WidthAtOne least_pixel_width;  ///< InverseProjection::least_pixel_width
+    EffectKernel effect_kernel;    ///< null: plain texels
+    EffectTexels texels;           ///< what that kernel draws
 };
 
 /// Draws spans of a face: as blocks, or with a division at each pixel where the

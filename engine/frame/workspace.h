@@ -6,17 +6,23 @@
 #include <span>
 #include <vector>
 
+#include "engine/effects/sky.h"
+#include "engine/effects/things.h"
+#include "engine/effects/underwater.h"
+#include "engine/effects/warp.h"
 #include "engine/frame/claims.h"
+#include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
-#include "engine/frame/frame_times.h"
 #include "engine/frame/mirror_pass.h"
+#include "engine/frame/pass_times.h"
 #include "engine/frame/plan.h"
 #include "engine/geometry/screen_polygon.h"
 #include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/face_table.h"
+#include "engine/scene/level_effects.h"
 #include "engine/screen/screen.h"
 #include "engine/visibility/brush_models.h"
 #include "engine/visibility/front_to_back.h"
@@ -40,19 +46,33 @@ class FrameWorkspace {
     std::vector<VertexIndex> own_corners;  ///< of the current face, without those at T-junctions
     ScreenPolygon polygon;
     ScanlineExtents rows;
-    FaceClaims claims;                            ///< of the frame's faces
+    Claims claims;                                ///< of the frame's faces
     std::array<std::vector<Span>, 4> of_mip;      ///< the current face's spans that each mip level draws
     std::vector<Span> long_blocks, short_blocks;  ///< those that bounded texturing draws as blocks, and pixel by pixel
     std::vector<Span> pass_spans;                 ///< all of the current pass, where it draws them together
-    MirrorScratch mirror;
     BlockList blocks;
     FaceSurfaces surfaces;
     BrushModels brush_models;
 
+    LevelEffects effects;                               ///< what the level calls for
+    Things things;                                      ///< what is in it beside its faces
+    LightStyles light_styles{};                         ///< of the frame
+    std::vector<MovingLight> lights;                    ///< of the frame
+    DepthBuffer depth;                                  ///< around the things in view
+    ShadowScratch shadows;                              ///< untouched without shadows
+    std::unique_ptr<LevelFogTables> fog_tables;         ///< null until a frame shows fog
+    std::array<std::unique_ptr<BlendTable>, 4> blends;  ///< by LiquidKind; null until a frame sees through one
+    std::vector<FogRun> thing_runs;                     ///< scratch of the fog on a thing
+    WarpTables warp{};                                  ///< of liquids
+    std::int64_t warp_time_ms = -1;                     ///< the time of `warp`
+    std::vector<std::uint8_t> sky_layers;               ///< both layers of the sky as one
+    UnderwaterScratch underwater;
+    MirrorScratch mirror;
+
     FramePlan plan;                       ///< of the frame drawn last
     std::unique_ptr<FrameCounts> counts;  ///< null: nothing is counted
     std::unique_ptr<FrameRecord> record;  ///< null: nothing is recorded
-    std::unique_ptr<FrameTimes> times;    ///< null: nothing is timed
+    std::unique_ptr<PassTimes> times;     ///< null: nothing is timed
 };
 
 }  // namespace oblong

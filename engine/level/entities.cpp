@@ -99,15 +99,6 @@ std::int64_t take_digits(std::string_view& text, int most, int& taken) {
     return number;
 }
 
-std::string_view take_word(std::string_view& text) {
-    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
-    std::size_t size = 0;
-    while (size < text.size() && !is_space(text[size])) ++size;
-    const std::string_view word = text.substr(0, size);
-    text.remove_prefix(size);
-    return word;
-}
-
 }  // namespace
 
 std::size_t find_closing_quote(std::string_view text, std::size_t start) {
@@ -144,6 +135,25 @@ std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bi
     const std::int64_t one = std::int64_t{1} << fraction_bits;
     const std::int64_t magnitude = whole * one + (fraction * one * 2 + denominator) / (denominator * 2);
     return is_negative ? -magnitude : magnitude;
+}
+
+std::optional<std::vector<std::int64_t>> parse_decimals(std::string_view text, int fraction_bits) {
+    std::vector<std::int64_t> numbers;
+    for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
+        const std::optional<std::int64_t> number = parse_decimal(word, fraction_bits);
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+std::string_view take_word(std::string_view& text) {
+    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+    std::size_t size = 0;
+    while (size < text.size() && !is_space(text[size])) ++size;
+    const std::string_view word = text.substr(0, size);
+    text.remove_prefix(size);
+    return word;
 }
 
 std::optional<World> parse_world_number(std::string_view text) {

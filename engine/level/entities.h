@@ -18,12 +18,18 @@ std::vector<Entity> parse_entities(std::string_view text, std::string_view sourc
 /// of the text, backslash and all, unless it is the last one of its line: paths such as "C:\gfx\" end in backslashes.
 std::size_t find_closing_quote(std::string_view text, std::size_t start);
 
+/// Removes the first word from a text, with the white space before it, and returns it; empty where none is left.
+std::string_view take_word(std::string_view& text);
+
 /// A decimal number such as "-12.5" in fixed point: value * 2^fraction_bits (0 to 32), rounded to nearest, a tie away
 /// from zero. Digits past the ninth of the fraction are not read. Nothing unless the whole text is a number and
 /// |value| < 2^31.
 std::optional<std::int64_t> parse_decimal(std::string_view text, int fraction_bits);
 
-/// The same in world units, where they fit.
+/// All numbers of a text, each as parse_decimal() reads it. Nothing if a word of it is no number.
+std::optional<std::vector<std::int64_t>> parse_decimals(std::string_view text, int fraction_bits);
+
+/// A decimal number in world units, where it fits.
 std::optional<World> parse_world_number(std::string_view text);
 
 /// Three decimal numbers "x y z", as in an entity's origin, in world units. Nothing unless there are three that fit.

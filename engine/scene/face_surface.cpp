@@ -69,6 +69,10 @@ LightmapView light_of(const Level& level, const Face& face, const LightStyles& s
     return light;
 }
 
+TextureIndex texture_of(const Level& level, const Face& face, const SurfaceState& state) {
+    return state.texture.is_none() ? level.texinfos[face.texinfo].texture : state.texture;
+}
+
 std::uint64_t key_of(const LightmapView& light) {
     std::uint64_t key = 0;
     for (const std::uint16_t scale : light.style_scale_256) key = key << 16 | scale;
@@ -116,10 +120,11 @@ FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, std::int3
       faces_(faces),
       longest_px_(longest_px),
       cache_(level.faces.size() * 4, arena_bytes(level, faces)),
+      moving_lights_(level, faces),
       corner_shades_(most_light_samples(level, faces)) {}
 
-void FaceSurfaces::start_frame(const Accuracy& accuracy, const Colormap& colormap) {
-    const LightQuality quality{accuracy.light, accuracy.shades, accuracy.dithers_light};
+void FaceSurfaces::start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap) {
+    const LightQuality quality{accuracy.light, accuracy.shades, accuracy.dithers_light, brightness_100};
     if (colormap_ == &colormap && light_quality_ == quality) return;
     cache_.clear();
     light_quality_ = quality;
@@ -138,12 +143,12 @@ int FaceSurfaces::mip_level(FaceIndex face, View nearest_z, const ProjectionAxis
     return (density_times_z > multiplier) + (density_times_z * 2 > multiplier * 5) + (density_times_z > multiplier * 5);
 }
 
-FaceSurface FaceSurfaces::get(FaceIndex face, int mip, const LightStyles& styles) {
-    if (faces_.faces[face].material == Material::Lit) return lit(face, mip, styles);
-    return tiled(level_.faces[face], mip);
+FaceSurface FaceSurfaces::get(FaceIndex face, int mip, const SurfaceState& state) {
+    if (faces_.faces[face].material == Material::Lit) return lit(face, mip, state);
+    return tiled(level_.faces[face], mip, level_.textures[texture_of(level_, level_.faces[face], state)]);
 }
 
-FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const LightStyles& styles) {
+FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const SurfaceState& state) {
     const Face& face = level_.faces[index];
     FaceSurface surface;
     surface.view = shape_of(face, mip);
@@ -154,24 +159,40 @@ FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const LightStyles& style
                                        longest_px_);
     surface.kernel = kernel;
 
-    const LightmapView light = light_of(level_, face, styles);
+    LightmapView light = light_of(level_, face, state.styles);
+    const bool may_be_touched = !moving_lights_.is_empty() && !light.is_fullbright;
+    const LightTouch touch = may_be_touched ? moving_lights_.touch(index, state.offset) : LightTouch{};
     const SurfaceCache::Found found =
-        cache_.get(index.position() * 4 + static_cast<std::size_t>(mip), surface_bytes(face, mip), key_of(light));
+        cache_.get(index.position() * 4 + static_cast<std::size_t>(mip), surface_bytes(face, mip),
+                   {key_of(light), state.texture.number(), touch.version});
     surface.view.texels = found.texels;
     if (found.is_valid) return surface;
-
-    const MipTexture& texture = level_.texture_of(face);
-    const TextureView source{at(texture.mips, mip).data(), texture.width >> mip, texture.height >> mip,
-                             floor_shift(face.texel_min_u, mip), floor_shift(face.texel_min_v, mip)};
-    build_lit_surface(source, light, fewer_shades_ ? *fewer_shades_ : *colormap_, light_quality_, mip,
-                      1 << surface.view.stride_log2, corner_shades_.data(), found.texels);
-    built_texels_ += std::int64_t{surface.view.width} * surface.view.height;
+    light.added_8 = moving_light(index, touch, state.offset);
+    build(index, surface, texture_of(level_, face, state), light, found.texels);
     return surface;
 }
 
-FaceSurface FaceSurfaces::tiled(const Face& face, int mip) const {
+const std::int32_t* FaceSurfaces::moving_light(FaceIndex index, const LightTouch& touch, const Vec3<World>& offset) {
+    if (touch.lights == 0) return nullptr;
+    moving_light_8_.assign(light_sample_count(level_.faces[index]), 0);
+    moving_lights_.add_light(index, offset, touch.lights, moving_light_8_);
+    return moving_light_8_.data();
+}
+
+void FaceSurfaces::build(FaceIndex index, const FaceSurface& surface, TextureIndex texture_index,
+                         const LightmapView& light, std::uint8_t* texels) {
+    const Face& face = level_.faces[index];
+    const MipTexture& texture = level_.textures[texture_index];
+    const int mip = surface.mip;
+    const TextureView source{at(texture.mips, mip).data(), texture.width >> mip, texture.height >> mip,
+                             floor_shift(face.texel_min_u, mip), floor_shift(face.texel_min_v, mip)};
+    build_lit_surface(source, light, fewer_shades_ ? *fewer_shades_ : *colormap_, light_quality_, mip,
+                      1 << surface.view.stride_log2, corner_shades_.data(), texels);
+    built_texels_ += std::int64_t{surface.view.width} * surface.view.height;
+}
+
+FaceSurface FaceSurfaces::tiled(const Face& face, int mip, const MipTexture& texture) const {
     constexpr std::int32_t kMostTexels = 65535;
-    const MipTexture& texture = level_.texture_of(face);
     FaceSurface surface;
     surface.view = tile_of(texture, mip);
     surface.mip = mip;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/geometry/projection.h"
@@ -10,19 +10,18 @@
 #include "engine/geometry/view_context.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_table.h"
+#include "engine/scene/light_styles.h"
+#include "engine/scene/moving_lights.h"
 #include "engine/surface/surface_cache.h"
 
 namespace oblong {
 
-/// Brightness of the 64 light styles, 256: as stored in the lightmaps.
-using LightStyles = std::array<std::uint16_t, 64>;
-
-/// All light styles at their stored brightness.
-constexpr LightStyles plain_light_styles() {
-    LightStyles styles{};
-    for (std::uint16_t& style : styles) style = 256;
-    return styles;
-}
+/// What the look of a face depends on beside its mip level.
+struct SurfaceState {
+    const LightStyles& styles;
+    TextureIndex texture = TextureIndex::none();  ///< the frame of an animated texture; none: the face's own
+    Vec3<World> offset{};                         ///< of the face's model
+};
 
 /// The texels that one face shows, and how they are drawn.
 struct FaceSurface {
@@ -42,11 +41,20 @@ class FaceSurfaces {
     FaceSurfaces(const Level& level, const FaceTable& faces, std::int32_t longest_px);
 
     /// Sets how light is computed from now on.
-    void start_frame(const Accuracy& accuracy, const Colormap& colormap);
+    void start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap);
     /// The mip level of a lit or liquid face, or a part of it, whose nearest point in view has this depth.
     int mip_level(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x, std::int32_t bias) const;
+    /// Sets the moving lights from now on; at first there are none.
+    void set_moving_lights(std::span<const MovingLight> lights, const Vec3<World>& eye) {
+        moving_lights_.set(lights, eye);
+    }
+    bool has_moving_lights() const { return !moving_lights_.is_empty(); }
+    /// Whether one of them touches a lit face, its model moved by `offset`.
+    bool is_touched(FaceIndex face, const Vec3<World>& offset) {
+        return faces_.faces[face].material == Material::Lit && moving_lights_.touch(face, offset).lights != 0;
+    }
     /// The surface of a lit or liquid face. Its texels are valid until the next call.
-    FaceSurface get(FaceIndex face, int mip, const LightStyles& styles);
+    FaceSurface get(FaceIndex face, int mip, const SurfaceState& state);
     /// Forgets all lit surfaces: the next frame builds them again.
     void clear() { cache_.clear(); }
     std::int64_t built_texels() const { return built_texels_; }  ///< of all lit surfaces ever built
@@ -54,17 +62,23 @@ class FaceSurfaces {
     BlockKernel kernel = best_block_kernel();
 
   private:
-    FaceSurface lit(FaceIndex face, int mip, const LightStyles& styles);
-    FaceSurface tiled(const Face& face, int mip) const;
+    FaceSurface lit(FaceIndex face, int mip, const SurfaceState& state);
+    FaceSurface tiled(const Face& face, int mip, const MipTexture& texture) const;
+    void build(FaceIndex face, const FaceSurface& surface, TextureIndex texture, const LightmapView& light,
+               std::uint8_t* texels);
+    /// The moving light on a face's samples; null: none.
+    const std::int32_t* moving_light(FaceIndex face, const LightTouch& touch, const Vec3<World>& offset);
 
     const Level& level_;
     const FaceTable& faces_;
     std::int32_t longest_px_;
     SurfaceCache cache_;
-    LightQuality light_quality_;               ///< of the surfaces in the cache
-    const Colormap* colormap_ = nullptr;       ///< the scene's
-    std::optional<Colormap> fewer_shades_;     ///< instead of it
-    std::vector<std::int32_t> corner_shades_;  ///< scratch
+    MovingLights moving_lights_;
+    LightQuality light_quality_;                ///< of the surfaces in the cache
+    const Colormap* colormap_ = nullptr;        ///< the scene's
+    std::optional<Colormap> fewer_shades_;      ///< instead of it
+    std::vector<std::int32_t> corner_shades_;   ///< scratch
+    std::vector<std::int32_t> moving_light_8_;  ///< scratch, made when a moving light first touches a face
     std::int64_t built_texels_ = 0;
 };
 

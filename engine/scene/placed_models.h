@@ -10,6 +10,7 @@ namespace oblong {
 struct PlacedModel {
     ModelIndex model;
     Vec3<World> offset;
+    bool is_switched = false;  ///< shows the other frames of its animated textures, as a pressed button does
     constexpr bool operator==(const PlacedModel&) const = default;
 };
 

@@ -9,21 +9,29 @@ namespace oblong {
 
 namespace {
 
-constexpr std::int32_t kDarkest_16 = (Colormap::kShades - 1) << 16;
+constexpr std::int32_t kFull_8 = kFullLight * 256;
 
-/// The shade of a light value with 8 fraction bits: 0 from kFullLight up, the darkest at 0; 16 fraction bits.
+/// The shade of a light value with 8 fraction bits, from 0 to twice kFullLight, itself with 16: what light_of_shade()
+/// says in reverse.
 std::int32_t shade_of(std::int32_t light_8) {
-    const std::int64_t missing_8 = std::max(kFullLight * 256 - light_8, 0);
-    return static_cast<std::int32_t>(missing_8 * kDarkest_16 / (kFullLight * 256));
+    constexpr std::int32_t kOwn = Colormap::kOwnShade, kBrighter_16 = (kOwn << 16) / kFull_8,
+                           kDarker_16 = ((Colormap::kShades - 1 - kOwn) << 16) / kFull_8;
+    if (light_8 < kFull_8) return (kOwn << 16) + (kFull_8 - light_8) * kDarker_16;
+    return (2 * kFull_8 - light_8) * kBrighter_16;
 }
 
-void compute_corner_shades(const LightmapView& light, std::int32_t* corner_shades) {
+/// At most the brightest light that a shade shows.
+std::int32_t brightened(std::int64_t light_8, std::int32_t brightness_100) {
+    return static_cast<std::int32_t>(std::clamp<std::int64_t>(light_8 * brightness_100 / 100, 0, 2 * kFull_8));
+}
+
+void compute_corner_shades(const LightmapView& light, std::int32_t brightness_100, std::int32_t* corner_shades) {
     const std::int32_t count = light.columns * light.rows;
     for (std::int32_t i = 0; i < count; ++i) {
-        std::int32_t sum_8 = 0;
+        std::int32_t sum_8 = light.added_8 ? light.added_8[i] : 0;
         for (std::int32_t style = 0; style < light.style_count; ++style)
             sum_8 += light.samples[style * count + i] * at(light.style_scale_256, style);
-        corner_shades[i] = light.is_fullbright ? 0 : shade_of(sum_8);
+        corner_shades[i] = shade_of(light.is_fullbright ? kFull_8 : brightened(sum_8, brightness_100));
     }
 }
 
@@ -125,7 +133,7 @@ void build_surface(const TextureView& texture, const LightmapView& light, const 
 void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap,
                        const LightQuality& quality, int mip, std::int32_t stride, std::int32_t* corner_shades,
                        std::uint8_t* out) {
-    compute_corner_shades(light, corner_shades);
+    compute_corner_shades(light, quality.brightness_100, corner_shades);
     const bool interpolates = quality.sampling == LightSampling::Interpolated;
     const auto build = interpolates ? (quality.dithers ? build_surface<LightSampling::Interpolated, true>
                                                        : build_surface<LightSampling::Interpolated, false>)

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/accuracy/accuracy.h"
-#include "engine/surface/palette.h"
+#include "engine/surface/colormap.h"
 
 namespace oblong {
 
@@ -23,6 +23,7 @@ struct LightmapView {
     std::int32_t columns = 0, rows = 0;
     std::int32_t style_count = 0;
     std::array<std::uint16_t, 4> style_scale_256{};  ///< brightness of each style, 256: as stored
+    const std::int32_t* added_8 = nullptr;  ///< light added to each sample, 8 fraction bits; null: none
     bool is_fullbright = false;  ///< the level has no light: unlit colours; else, without a style: darkest
 };
 
@@ -33,14 +34,16 @@ struct TextureView {
     std::int32_t min_u = 0, min_v = 0;   ///< of the surface, in this mip level's texels; any sign
 };
 
-/// The lightmap value at and above which a texture shows its own colours: the middle of the range, as in Quake.
+/// The lightmap value at which a texture shows its own colours: the middle of the range, as in Quake. Twice this value
+/// is twice as bright, and the brightest.
 inline constexpr std::int32_t kFullLight = 128;
 
-/// The dials of light.
+/// The dials of light, and how bright it is.
 struct LightQuality {
     LightSampling sampling = LightSampling::Interpolated;
-    std::int32_t shades = Colormap::kShades;  ///< 16, 32 or 64, from full light to the darkest
+    std::int32_t shades = Colormap::kShades;  ///< 16, 32 or 64, from the brightest to the darkest
     bool dithers = false;
+    std::int32_t brightness_100 = 100;  ///< hundredths of the light as stored
     bool operator==(const LightQuality&) const = default;
 };
 

@@ -11,6 +11,9 @@ struct Rgb8 {
     constexpr bool operator==(const Rgb8&) const = default;
 };
 
+/// The last 32 colours of a palette glow: light does not change them.
+inline constexpr int kFirstFullbright = 224;
+
 /// The 256 colours of a picture.
 struct Palette {
     std::array<Rgb8, 256> colours{};
@@ -35,20 +38,5 @@ Palette as_shown_by_dac6(const Palette& palette);
 constexpr std::int32_t luminance_1000(Rgb8 colour) {
     return 299 * colour.red + 587 * colour.green + 114 * colour.blue;
 }
-
-/// Shade x colour -> colour. Shade 0 is the colour itself, 63 the darkest; luminance never rises with the shade.
-struct Colormap {
-    static constexpr int kShades = 64;
-    std::array<std::array<std::uint8_t, 256>, kShades> shades{};
-};
-
-/// The colormap of a palette: the palette entry nearest to the colour times (63 - shade) / 63. The last
-/// `fullbright_count` colours glow: they are the same in every shade, and no other colour becomes one (Quake's last
-/// 32).
-Colormap make_colormap(const Palette& palette, int fullbright_count = 32);
-
-/// The colormap with only `count` different shades, 2 to 64, from full light to the darkest: each of 64 is replaced by
-/// the next brighter one of them.
-Colormap with_shades(const Colormap& colormap, std::int32_t count);
 
 }  // namespace oblong

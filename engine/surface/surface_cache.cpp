@@ -2,15 +2,15 @@
 
 namespace oblong {
 
-SurfaceCache::Found SurfaceCache::get(std::size_t slot, std::size_t bytes, std::uint64_t light_key) {
+SurfaceCache::Found SurfaceCache::get(std::size_t slot, std::size_t bytes, const SurfaceKey& key) {
     Slot& entry = slots_[slot];
     if (entry.generation == generation_) {
-        const bool is_valid = entry.light_key == light_key;
-        entry.light_key = light_key;
+        const bool is_valid = entry.key == key;
+        if (!is_valid) entry.key = key;
         return {arena_.get() + entry.offset, is_valid};
     }
     if (bytes > arena_bytes_ - used_bytes_) clear();
-    entry = {light_key, used_bytes_, generation_};
+    entry = {key, static_cast<std::uint32_t>(used_bytes_), generation_};
     used_bytes_ += bytes;
     return {arena_.get() + entry.offset, false};
 }

@@ -35,6 +35,7 @@ class BrushModels {
         return std::span(corners).subspan(fragment.first_corner, fragment.corner_count);
     }
     const Vec3<World>& offset_of(const Fragment& fragment) const { return placed_[fragment.placed].offset; }
+    bool is_switched(const Fragment& fragment) const { return placed_[fragment.placed].is_switched; }
 
   private:
     struct Link {

@@ -19,7 +19,7 @@ const std::vector<Room>& project_rooms() {
         {"engine/level", {"engine/math", "engine/surface"}},
         {"engine/scene", {"engine/geometry", "engine/raster", "engine/level"}},
         {"engine/visibility", {"engine/scene"}},
-        {"engine/effects", {"engine/geometry", "engine/raster"}},
+        {"engine/effects", {"engine/visibility"}},
         {"engine/frame", {"engine/visibility", "engine/effects"}},
         {"engine/platform", {"engine/screen", "engine/surface"}},
         {"engine/platform/sdl", {"engine/platform"}},

@@ -129,6 +129,7 @@ TEST_F(BadRender, WrongUsageExitsWith2) {
                                                          {"--fov", "0"},
                                                          {"--fov", "180"},
                                                          {"--fov", "nan"},
+                                                         {"--brightness", "0"},
                                                          {"--fov", "-90"},
                                                          {"--mode", "8x8", "--fov", "179"},
                                                          {"--accuracy", "2001"},

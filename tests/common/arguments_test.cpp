@@ -35,6 +35,16 @@ TEST(Arguments, FieldOfViewIsFromOneTo179Degrees) {
             << text;
 }
 
+TEST(Arguments, BrightnessIsFromAQuarterToEight) {
+    EXPECT_EQ(parse_brightness("1"), 100);
+    EXPECT_EQ(parse_brightness("1.29"), 129);
+    EXPECT_EQ(parse_brightness("0.25"), 25);
+    EXPECT_EQ(parse_brightness("8"), 800);
+    for (const std::string text : {"0.24", "8.01", "-1", "", "bright"})
+        EXPECT_TRUE(complaint_of([&] { parse_brightness(text); }).starts_with("--brightness: '" + text + "', expected"))
+            << text;
+}
+
 TEST(Arguments, PresetsAreKnownByName) {
     EXPECT_EQ(parse_preset("1991"), Preset::Year1991);
     EXPECT_EQ(parse_preset("exact"), Preset::Exact);

@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "engine/surface/colormap.h"
 #include "tools/demo_level/art/ramps.h"
 
 namespace oblong {

@@ -7,15 +7,18 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
+#include <tuple>
 #include <vector>
 
 namespace oblong::test {
 
 namespace {
 
-constexpr std::int32_t kSize = 128, kStep_px = 8;
+/// Lines between texels that are right begin at multiples of 8, 16, 32 or 64 columns.
+constexpr std::int32_t kSize = 128, kLongestLine_px = 64;
 /// Texels that lines of 8 pixels may be off the dome: 8^2 / 8 times its curvature, 378 * 9 / 160^2 texels a pixel
-/// squared where it bends most (heights are tripled), at 160 pixels a unit; and a step of 2^-16.
+/// squared where it bends most (heights are tripled), at 160 pixels a unit; and a step of 2^-16. Longer lines: less.
 constexpr double kLineError_texels = 8 * 378 * 9.0 / (160 * 160) + 0.01;
 
 enum class Axis { U, V };
@@ -35,11 +38,16 @@ class SkyPicture {
   public:
     explicit SkyPicture(const Basis& axes) : axes_(axes) {}
 
-    void draw(const std::vector<std::uint8_t>& texels) {
+    void draw(const std::vector<std::uint8_t>& texels, std::int64_t time_ms = 0) {
         std::vector<Span> spans;
         for (std::int32_t y = 0; y < 200; ++y) spans.push_back({y, 0, 320});
-        draw_sky(spans, {texels.data(), kSize, 2 * kSize}, axes_, projection_, {pixels_.data(), 320, 200, 320});
+        draw(spans, {texels.data(), kSize, 2 * kSize}, time_ms);
     }
+    void draw(std::span<const Span> spans, const SkyTexture& sky, std::int64_t time_ms) {
+        draw_sky(spans, sky, axes_, projection_, time_ms, layers_, {pixels_.data(), 320, 200, 320});
+    }
+    const std::vector<std::uint8_t>& pixels() const { return pixels_; }
+    std::size_t scratch_bytes() const { return layers_.size(); }
     std::uint8_t at(std::int32_t column, std::int32_t row) const {
         return pixels_[static_cast<std::size_t>(row * 320 + column)];
     }
@@ -56,7 +64,7 @@ class SkyPicture {
   private:
     Basis axes_;
     Projection projection_ = make_projection(ScreenMode{}, Degrees::from_int(90));
-    std::vector<std::uint8_t> pixels_ = std::vector<std::uint8_t>(320 * 200);
+    std::vector<std::uint8_t> pixels_ = std::vector<std::uint8_t>(320 * 200), layers_;
 };
 
 /// How far `place` is outside of texel [index, index + 1), round the sky; 0 inside.
@@ -68,6 +76,22 @@ double distance_to_texel(double place, std::int32_t index) {
 std::int32_t steps_between(std::uint8_t a, std::uint8_t b) {
     const std::int32_t apart = std::abs(a - b);
     return std::min(apart, kSize - apart);
+}
+
+/// A 128-texel sky with each texel repeated: the same picture, by more texels than are worth composing.
+std::vector<std::uint8_t> enlarged(const std::vector<std::uint8_t>& texels, std::int32_t times) {
+    std::vector<std::uint8_t> larger;
+    for (std::int32_t v = 0; v < kSize * times; ++v)
+        for (std::int32_t u = 0; u < 2 * kSize * times; ++u)
+            larger.push_back(texels[static_cast<std::size_t>(v / times * 2 * kSize + u / times)]);
+    return larger;
+}
+
+/// Of random colours, a third of the clouds' texels holes.
+std::vector<std::uint8_t> random_sky(std::mt19937& random) {
+    std::vector<std::uint8_t> texels(2 * kSize * kSize);
+    for (std::uint8_t& texel : texels) texel = static_cast<std::uint8_t>(random() % 3 == 0 ? 0 : random());
+    return texels;
 }
 
 Basis random_axes(std::mt19937& random) {
@@ -85,7 +109,7 @@ TEST(Sky, IsTheDomeWhereAStepBeginsAndNearItBetween) {
             for (std::int32_t row = 0; row < 200; row += 3)
                 for (std::int32_t column = 0; column < 320; ++column) {
                     const double off = distance_to_texel(picture.dome(column, row, axis), picture.at(column, row) - 1);
-                    ASSERT_LE(off, column % kStep_px == 0 ? 0.01 : kLineError_texels) << column << ", " << row;
+                    ASSERT_LE(off, column % kLongestLine_px == 0 ? 0.01 : kLineError_texels) << column << ", " << row;
                 }
         }
 }
@@ -144,12 +168,87 @@ TEST(Sky, TheBackgroundShowsWhereCloudsAreColour0) {
         }
 }
 
+TEST(Sky, TheBackgroundMovesAtHalfTheSpeedOfTheClouds) {
+    std::mt19937 random(5);
+    const std::vector<std::uint8_t> clouds = numbered_clouds(Axis::U);
+    std::vector<std::uint8_t> background(clouds.size());
+    for (std::size_t i = 0; i < clouds.size(); ++i) background[i] = i % (2 * kSize) < kSize ? 0 : clouds[i - kSize];
+    for (int trial = 0; trial < 40; ++trial) {
+        SkyPicture picture(random_axes(random));
+        const std::int64_t time_ms = random() % 1'000'000;
+        const double moved = 8.0 * static_cast<double>(time_ms) / 1000;
+        for (const double times : {1, 2}) {
+            picture.draw(times == 1 ? background : clouds, time_ms);
+            for (std::int32_t row = 0; row < 200; row += 7)
+                for (std::int32_t column = 0; column < 320; column += kLongestLine_px) {
+                    const double expected = picture.dome(column, row, Axis::U) + times * moved;
+                    // The clouds' second texel is added when it is whole.
+                    ASSERT_LE(distance_to_texel(expected, picture.at(column, row) - 1), times == 1 ? 0.02 : 1.02)
+                        << time_ms << " ms, " << column << ", " << row;
+                }
+        }
+    }
+}
+
+TEST(Sky, RepeatsAfterItsPeriodAndAtNoTimeBefore) {
+    std::mt19937 random(6);
+    const std::vector<std::uint8_t> texels = random_sky(random);
+    const Basis axes = random_axes(random);
+    const auto at_time = [&](std::int64_t time_ms) {
+        SkyPicture picture(axes);
+        picture.draw(texels, time_ms);
+        return picture.pixels();
+    };
+    const std::int64_t late_ms = (std::int64_t{1} << 40) / kSkyPeriod_ms * kSkyPeriod_ms;
+    for (const std::int64_t time_ms : {0, 1, 777, 12'345, 15'999}) {
+        EXPECT_EQ(at_time(time_ms), at_time(time_ms + kSkyPeriod_ms)) << time_ms;
+        EXPECT_EQ(at_time(time_ms), at_time(time_ms + late_ms)) << time_ms;
+        EXPECT_NE(at_time(time_ms), at_time(time_ms + kSkyPeriod_ms / 2)) << time_ms;
+        EXPECT_NE(at_time(time_ms), at_time(time_ms + 125)) << time_ms;
+    }
+}
+
+TEST(Sky, LargeTexturesShowTheSamePictureWithoutScratch) {
+    std::mt19937 random(7);
+    for (int trial = 0; trial < 4; ++trial) {
+        const std::vector<std::uint8_t> texels = random_sky(random), large = enlarged(texels, 8);
+        const Basis axes = random_axes(random);
+        SkyPicture composed(axes), looked_up(axes);
+        std::vector<Span> spans;
+        for (std::int32_t y = 0; y < 200; ++y) spans.push_back({y, 0, 320});
+        const std::int64_t time_ms = 125 * trial;  // when the clouds are at a whole texel
+        composed.draw(texels, time_ms);
+        looked_up.draw(spans, {large.data(), 8 * kSize, 16 * kSize}, time_ms);
+        EXPECT_EQ(composed.scratch_bytes(), kSize * kSize);
+        EXPECT_EQ(looked_up.scratch_bytes(), 0u);
+        int different = 0;
+        for (std::size_t i = 0; i < 320 * 200; ++i) different += composed.pixels()[i] != looked_up.pixels()[i];
+        EXPECT_LT(different, 320 * 200 / 100) << "more than what rounding does at the texels' edges";
+    }
+}
+
+TEST(Sky, HoldsEveryTextureSizeModeAndFieldOfView) {
+    std::mt19937 random(8);
+    for (std::int32_t size = 1; size <= 2048; size *= 2) {
+        const std::vector<std::uint8_t> texels(static_cast<std::size_t>(2 * size * size), 9);
+        for (const auto& [width, height, degrees] : {std::tuple{320, 200, 90}, {4096, 40, 179}, {60, 4096, 1}}) {
+            std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width * height)), layers;
+            const std::vector<Span> spans{{0, 0, width}, {height / 2, 1, width - 1}, {height - 1, width - 1, width}};
+            const Projection projection = make_projection({width, height}, Degrees::from_int(degrees));
+            draw_sky(spans, {texels.data(), size, 2 * size}, random_axes(random), projection, random(), layers,
+                     {pixels.data(), width, height, width});
+            EXPECT_EQ(std::count(pixels.begin(), pixels.end(), 9), 2 * width - 1) << size << ", " << width;
+        }
+    }
+}
+
 TEST(Sky, PixelsOutsideOfItsSpansStay) {
     std::vector<std::uint8_t> pixels(320 * 200, 77);
     const std::vector<std::uint8_t> texels(2 * kSize * kSize, 5);
     const std::vector<Span> spans{{3, 11, 12}, {3, 20, 37}, {199, 319, 320}};
+    std::vector<std::uint8_t> layers;
     draw_sky(spans, {texels.data(), kSize, 2 * kSize}, view_basis({}, Angle::from_bam(60000), {}),
-             make_projection(ScreenMode{}, Degrees::from_int(90)), {pixels.data(), 320, 200, 320});
+             make_projection(ScreenMode{}, Degrees::from_int(90)), 0, layers, {pixels.data(), 320, 200, 320});
     EXPECT_EQ(std::count_if(pixels.begin(), pixels.end(), [](std::uint8_t p) { return p == 5; }), 1 + 17 + 1);
     EXPECT_EQ(std::count(pixels.begin(), pixels.end(), 77), 320 * 200 - (1 + 17 + 1));
     for (const std::size_t drawn : {3 * 320 + 11, 3 * 320 + 20, 3 * 320 + 36, 199 * 320 + 319})

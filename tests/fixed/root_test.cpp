@@ -83,6 +83,26 @@ TEST(SquareRoot, OfA16Dot16NumberIsTheNearestOf32FractionBits) {
     }
 }
 
+/// |r root(value) - 1| <= 2^-27, as squares: r^2 value within 2^-26 of 1, the mantissa scaled by 2^(30 + shift).
+TEST(ReciprocalRoot, IsWithinItsBound) {
+    std::mt19937_64 random(5);
+    const auto check = [](std::uint64_t value) {
+        const ReciprocalRoot r = reciprocal_root(value);
+        ASSERT_GE(r.mantissa, (1u << 30) - 8) << value;
+        ASSERT_LE(r.mantissa, (1u << 31)) << value;
+        const Uint128 square = Uint128{r.mantissa} * r.mantissa;  // of 2^(60 + 2 shift) / value
+        const Uint128 scaled =
+            r.shift >= 2 ? square * (value >> (2 * r.shift - 4)) : square * (value << (4 - 2 * r.shift));
+        const Uint128 one = Uint128{1} << 64, cut = r.shift >= 2 ? square : 0;  // what value loses when it is shifted
+        ASSERT_GE(scaled + cut, one - (one >> 26)) << value;
+        ASSERT_LE(scaled, one + (one >> 26)) << value;
+    };
+    for (int bit = 0; bit < 64; ++bit)
+        for (std::uint64_t off = 0; off < 3; ++off)
+            check(std::max<std::uint64_t>((std::uint64_t{1} << bit) - 1 + off, 1));
+    for (int i = 0; i < 300'000; ++i) check(std::max<std::uint64_t>(random() >> (random() % 64), 1));
+}
+
 TEST(SquareRoot, OfNegativesIsZero) {
     EXPECT_EQ(square_root<World>(World::from_int(-1)), World{});
 }

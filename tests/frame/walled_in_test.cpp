@@ -136,6 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Levels, WalledIn, testing::ValuesIn(kRealLevels), [](co
 TEST(BehindTheSky, HardCaseV14_AllThatFacesTheEyeIsDrawn) {
     Stage stage = demo_stage();
     stage.models.clear();
+    stage.settings.allowed_effects = EffectSet{}.with(Effect::Sky).with(Effect::Liquid);  // no things before the void
     const auto work = counting_workspace(stage);
     std::mt19937 random(15);
     Tally tally;

@@ -107,7 +107,9 @@ void expect_nearest_boxes(const std::vector<TexturedBox>& boxes, const Whole& ey
     Camera camera;
     camera.eye = {World::from_int(eye[0]), World::from_int(eye[1]), World::from_int(eye[2])};
     camera.yaw = Angle::from_bam(yaw_bam);
-    draw_frame({level, colormap, models}, camera, {}, {}, work, {pixels.data(), 320, 200, 320});
+    Settings settings;  // +0lamp and +1lamp are to be two colours
+    settings.allowed_effects = settings.allowed_effects.without(Effect::AnimatedTextures);
+    draw_frame({level, colormap, models}, camera, {}, settings, work, {pixels.data(), 320, 200, 320});
 
     const double yaw = static_cast<double>(yaw_bam) / 65536 * 2 * std::numbers::pi;
     const Direction from{1.0 * eye[0], 1.0 * eye[1], 1.0 * eye[2]};

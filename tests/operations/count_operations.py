@@ -32,7 +32,7 @@ PARTS = {
     ("lit texels",): "surface/lit_surface",
 }
 LEFT_OUT = ("left out",)
-BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy)")
+BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|surface/(palette|colormap|oklab))")
 TOOLS = ["tools/common/arguments.cpp", "tools/render/camera_list.cpp", "tools/measure/operations.cpp",
          "tests/operations/counter/count_operations.cpp"]
 LARGEST_DIFFERENCE = 0.05

@@ -39,7 +39,7 @@ TEST(ReferenceLight, IsTheSampleAtASample) {
     EXPECT_DOUBLE_EQ(lit.at(0, 32), 0.5);
     EXPECT_DOUBLE_EQ(lit.at(-16, 48), 0.25);
     EXPECT_DOUBLE_EQ(lit.at(16, 32), 1);
-    EXPECT_DOUBLE_EQ(lit.at(16, 48), 1);  // 255 is not brighter than 128
+    EXPECT_DOUBLE_EQ(lit.at(16, 48), 255 / 128.0);
 }
 
 TEST(ReferenceLight, IsInterpolatedBetweenSamples) {
@@ -48,7 +48,7 @@ TEST(ReferenceLight, IsInterpolatedBetweenSamples) {
     EXPECT_DOUBLE_EQ(lit.at(-16, 40), 0.125);
     EXPECT_DOUBLE_EQ(lit.at(-8, 40), (0 + 0.5 + 0.25 + 0.75) / 4);
     EXPECT_DOUBLE_EQ(lit.at(-12, 32), 0.125);
-    EXPECT_DOUBLE_EQ(lit.at(8, 48), 0.875);  // samples are limited first: (0.75 + 1) / 2
+    EXPECT_DOUBLE_EQ(lit.at(8, 48), (96 + 255) / 256.0);
 }
 
 TEST(ReferenceLight, BeyondTheSamplesIsTheLastOne) {
@@ -65,6 +65,14 @@ TEST(ReferenceLight, StylesAddUp) {
     EXPECT_DOUBLE_EQ(lit.at(0, 40), 0.25);
 }
 
+TEST(ReferenceLight, IsAtMostTwiceFull) {
+    LitFace lit;
+    lit.level.lighting = {200, 0, 0, 0, 0, 0, 200, 0, 0, 0, 0, 0};
+    lit.face.styles = {0, 3, 255, 255};
+    EXPECT_DOUBLE_EQ(lit.at(-16, 32), 2);
+    EXPECT_DOUBLE_EQ(lit.at(-8, 32), 1);  // samples are limited first: (2 + 0) / 2
+}
+
 TEST(ReferenceLight, WithoutALightmapFacesAreDarkAndLevelsBright) {
     LitFace lit;
     lit.face.light_offset = -1;
@@ -75,6 +83,7 @@ TEST(ReferenceLight, WithoutALightmapFacesAreDarkAndLevelsBright) {
 
 TEST(ReferenceColour, IsThatOfTheWrappedTexelTimesTheLight) {
     LitFace lit;
+    lit.level.lighting[5] = 128;
     Texture& texture = lit.level.textures[0];
     for (int i = 0; i < 256; ++i) texture.texels[static_cast<std::size_t>(i)] = static_cast<std::uint8_t>(i);
     const auto colour = [&](double u, double v) { return true_colour(lit.level, lit.face, u, v, make_test_palette()); };
@@ -85,6 +94,10 @@ TEST(ReferenceColour, IsThatOfTheWrappedTexelTimesTheLight) {
     EXPECT_DOUBLE_EQ(colour(15.5, -0.5).red, 255);             // texel (15, 15): glows
     EXPECT_DOUBLE_EQ(colour(-16, 14.5).red, 224);              // the first that does
     EXPECT_DOUBLE_EQ(colour(-1, 13.5).blue, 100 * 15.0 / 32);  // 223: the last that does not
+    lit.level.lighting.assign(6, 192);
+    EXPECT_DOUBLE_EQ(colour(-14.5, 32).green, 2 * 1.5);  // texel (1, 0)
+    EXPECT_DOUBLE_EQ(colour(-1, 13.5).red, 255);         // 223 times 1.5 is more
+    EXPECT_DOUBLE_EQ(colour(-1, 13.5).blue, 150);
     lit.face.material = Material::Liquid;
     EXPECT_DOUBLE_EQ(colour(-1, 13.5).blue, 100);
 }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <random>
-#include <set>
 #include <vector>
 
 #include "engine/surface/surface_cache.h"
@@ -21,6 +21,12 @@ Colormap shade_showing_map() {
     for (std::size_t shade = 0; shade < Colormap::kShades; ++shade)
         map.shades[shade].fill(static_cast<std::uint8_t>(shade));
     return map;
+}
+
+/// Twice full light is shade 0, full light 32, none 63.
+double shade_of(double light) {
+    return light < kFullLight ? 32 + (kFullLight - light) * 31 / kFullLight
+                              : std::max(2 * kFullLight - light, 0.0) * 32 / kFullLight;
 }
 
 struct Patch {
@@ -53,8 +59,7 @@ struct Patch {
     /// The shade at a texel by real numbers: between the four samples around it.
     double shade_at(std::int32_t x, std::int32_t y, std::int32_t cell) const {
         const auto corner = [&](std::int32_t column, std::int32_t row) {
-            const double light = samples[static_cast<std::size_t>(row * columns + column)];
-            return std::max(kFullLight - light, 0.0) * 63 / kFullLight;
+            return shade_of(samples[static_cast<std::size_t>(row * columns + column)]);
         };
         const double right = x % cell / double(cell), down = y % cell / double(cell);
         const std::int32_t column = x / cell, row = y / cell;
@@ -80,17 +85,18 @@ TEST(LitSurface, ShadesAreThoseBetweenTheSamples) {
     }
 }
 
-TEST(LitSurface, LightJustBelowFullIsTheTextureItselfForEveryBrightness) {
+TEST(LitSurface, LightJustBelowTheBrightestIsTheFirstShadeForEveryScale) {
     // No step on the way may be rounded past the brightest shade: before it there is none.
+    constexpr std::uint32_t kBrightest_8 = 2 * kFullLight * 256;
     std::mt19937 random(10);
     Colormap map = shade_showing_map();
     map.shades[0].fill(200);
     for (int mip = 0; mip < 4; ++mip)
-        for (std::uint32_t scale = 256; scale < 2048; ++scale) {
+        for (std::uint32_t scale = 258; scale < 2048; ++scale) {
             Patch patch(random, 2, 2);
             std::fill(patch.samples.begin(), patch.samples.end(), std::uint8_t{255});
-            patch.samples[0] = static_cast<std::uint8_t>((kFullLight * 256 - 1) / scale);
-            if (kFullLight * 256 - patch.samples[0] * scale > 500) continue;  // less than shade 1
+            patch.samples[0] = static_cast<std::uint8_t>((kBrightest_8 - 1) / scale);
+            if (kBrightest_8 - patch.samples[0] * scale > 1000) continue;  // less than shade 1
             const auto lit =
                 patch.build(map, mip, {patch.texels.data(), 64, 64, 0, 0}, static_cast<std::uint16_t>(scale));
             ASSERT_EQ(std::count(lit.begin(), lit.end(), std::uint8_t{200}), std::ssize(lit))
@@ -101,9 +107,10 @@ TEST(LitSurface, LightJustBelowFullIsTheTextureItselfForEveryBrightness) {
 TEST(LitSurface, FullLightIsTheTextureItself) {
     std::mt19937 random(7);
     Patch patch(random, 3, 3);
-    std::fill(patch.samples.begin(), patch.samples.end(), std::uint8_t{255});
+    std::fill(patch.samples.begin(), patch.samples.end(), static_cast<std::uint8_t>(kFullLight));
     Colormap map = shade_showing_map();
-    for (std::size_t colour = 0; colour < 256; ++colour) map.shades[0][colour] = static_cast<std::uint8_t>(colour);
+    for (std::size_t colour = 0; colour < 256; ++colour)
+        map.shades[Colormap::kOwnShade][colour] = static_cast<std::uint8_t>(colour);
     for (const std::int32_t origin : {0, 16, -16, 1600, -1616}) {
         const auto lit = patch.build(map, 0, {patch.texels.data(), 64, 64, origin, origin});
         for (std::int32_t y = 0; y < 32; ++y)
@@ -124,8 +131,37 @@ TEST(LitSurface, AStyleScalesItsLight) {
         return patch.build(map, 0, {patch.texels.data(), 64, 64, 0, 0}, scale)[0];
     };
     EXPECT_EQ(shade(0), 63);
-    EXPECT_EQ(shade(256), (kFullLight - 100) * 63 / kFullLight);
-    EXPECT_EQ(shade(512), 0);
+    EXPECT_EQ(shade(256), static_cast<int>(shade_of(100)));
+    EXPECT_EQ(shade(512), static_cast<int>(shade_of(200)));
+    EXPECT_EQ(shade(768), 0);
+    EXPECT_EQ(shade(65535), 0);
+}
+
+TEST(LitSurface, BrightnessMultipliesAllLightUpToTheBrightestShade) {
+    std::mt19937 random(11);
+    Patch patch(random, 2, 2);
+    const TextureView texture{patch.texels.data(), 64, 64, 0, 0};
+    for (const std::int32_t brightness_100 : {0, 25, 99, 100, 150, 800, std::numeric_limits<std::int32_t>::max()})
+        for (int light = 0; light < 256; light += 5) {
+            patch.samples.assign(4, static_cast<std::uint8_t>(light));
+            LightQuality quality;
+            quality.brightness_100 = brightness_100;
+            const double shade = shade_of(std::floor(light * 256.0 * brightness_100 / 100) / 256);
+            EXPECT_EQ(patch.build(shade_showing_map(), 0, texture, 256, quality)[0], std::floor(shade))
+                << light << " at " << brightness_100;
+        }
+}
+
+TEST(LitSurface, ALevelWithoutLightShowsItsOwnColours) {
+    std::mt19937 random(12);
+    Patch patch(random, 2, 2);
+    LightmapView light;
+    light.columns = light.rows = 2;
+    light.is_fullbright = true;
+    std::vector<std::uint8_t> out(256);
+    build_lit_surface({patch.texels.data(), 64, 64, 0, 0}, light, shade_showing_map(), {}, 0, 16, patch.scratch.data(),
+                      out.data());
+    EXPECT_EQ(std::count(out.begin(), out.end(), std::uint8_t{Colormap::kOwnShade}), 256);
 }
 
 TEST(LitSurface, WithoutExtentIsOneColourAndWritesAllOfIt) {
@@ -143,21 +179,32 @@ TEST(LitSurface, WithoutExtentIsOneColourAndWritesAllOfIt) {
         std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * height), 0xa5);
         build_lit_surface({patch.texels.data(), 64, 64, 16, 16}, light, map, {}, 0, stride, patch.scratch.data(),
                           out.data());
-        const int shade = std::max(kFullLight - patch.samples[0], 0) * 63 / kFullLight;
+        const int shade = static_cast<int>(shade_of(patch.samples[0]));
         EXPECT_EQ(std::count(out.begin(), out.end(), static_cast<std::uint8_t>(shade)), stride * height);
     }
 }
 
 TEST(SurfaceCache, KeepsWhileValidAndForgetsWhenFull) {
     SurfaceCache cache(4, 100);
-    EXPECT_FALSE(cache.get(0, 40, 1).is_valid);
-    EXPECT_TRUE(cache.get(0, 40, 1).is_valid);
-    EXPECT_FALSE(cache.get(0, 40, 2).is_valid) << "the light has changed";
-    EXPECT_TRUE(cache.get(0, 40, 2).is_valid);
-    EXPECT_FALSE(cache.get(1, 60, 1).is_valid);
-    EXPECT_FALSE(cache.get(2, 1, 1).is_valid) << "full: all is forgotten";
-    EXPECT_FALSE(cache.get(0, 40, 2).is_valid);
-    EXPECT_TRUE(cache.get(2, 1, 1).is_valid);
+    EXPECT_FALSE(cache.get(0, 40, {1}).is_valid);
+    EXPECT_TRUE(cache.get(0, 40, {1}).is_valid);
+    EXPECT_FALSE(cache.get(0, 40, {2}).is_valid) << "the light has changed";
+    EXPECT_TRUE(cache.get(0, 40, {2}).is_valid);
+    EXPECT_FALSE(cache.get(1, 60, {1}).is_valid);
+    EXPECT_FALSE(cache.get(2, 1, {1}).is_valid) << "full: all is forgotten";
+    EXPECT_FALSE(cache.get(0, 40, {2}).is_valid);
+    EXPECT_TRUE(cache.get(2, 1, {1}).is_valid);
+}
+
+TEST(SurfaceCache, EachPartOfTheKeyCounts) {
+    SurfaceCache cache(1, 100);
+    const SurfaceKey key{1, 2, 3};
+    cache.get(0, 10, key);
+    for (const SurfaceKey& other : {SurfaceKey{9, 2, 3}, SurfaceKey{1, 9, 3}, SurfaceKey{1, 2, 9}}) {
+        EXPECT_TRUE(cache.get(0, 10, key).is_valid);
+        EXPECT_FALSE(cache.get(0, 10, other).is_valid);
+        EXPECT_FALSE(cache.get(0, 10, key).is_valid) << "only the last one is kept";
+    }
 }
 
 TEST(LightQuality, NearestTakesTheSampleOnTheNearerSide) {
@@ -171,8 +218,7 @@ TEST(LightQuality, NearestTakesTheSampleOnTheNearerSide) {
             for (std::int32_t x = 0; x < width; ++x) {
                 const std::int32_t column = (x + cell / 2) / cell, row = (y + cell / 2) / cell;
                 const std::int32_t light = patch.samples[static_cast<std::size_t>(row * 4 + column)];
-                ASSERT_EQ(lit[static_cast<std::size_t>(y * width + x)],
-                          std::max(kFullLight - light, 0) * 63 / kFullLight)
+                ASSERT_EQ(lit[static_cast<std::size_t>(y * width + x)], static_cast<int>(shade_of(light)))
                     << x << "," << y << " of level " << mip;
             }
     }
@@ -182,7 +228,7 @@ TEST(LightQuality, NearestTakesTheSampleOnTheNearerSide) {
 /// too bright.
 TEST(LightQuality, DitheredLightIsRightOnAverage) {
     std::mt19937 random(22);
-    for (int light = 3; light < 128; light += 4) {
+    for (int light = 3; light < 256; light += 4) {
         Patch patch(random, 2, 2);
         patch.samples.assign(4, static_cast<std::uint8_t>(light));
         const TextureView texture{patch.texels.data(), 64, 64, 0, 0};
@@ -191,24 +237,9 @@ TEST(LightQuality, DitheredLightIsRightOnAverage) {
                 patch.build(shade_showing_map(), 0, texture, 256, {LightSampling::Interpolated, 64, dithers});
             return std::accumulate(lit.begin(), lit.end(), 0.0) / static_cast<double>(lit.size());
         };
-        const double shade = (kFullLight - light) * 63.0 / kFullLight;
+        const double shade = shade_of(light);
         EXPECT_NEAR(mean_of(true), shade, 1.0 / 16) << light;
         EXPECT_EQ(mean_of(false), std::floor(shade)) << light;
-    }
-}
-
-TEST(LightQuality, FewerShadesReachFromFullLightToTheDarkest) {
-    for (const std::int32_t count : {16, 32, 64}) {
-        const Colormap map = with_shades(shade_showing_map(), count);
-        std::set<std::uint8_t> shades;
-        for (std::int32_t shade = 0; shade < 64; ++shade) {
-            const int shown = map.shades[static_cast<std::size_t>(shade)][7];
-            shades.insert(static_cast<std::uint8_t>(shown));
-            EXPECT_LE(std::abs(shown - shade), 64 / count) << shade << " of " << count;
-        }
-        EXPECT_EQ(shades.size(), static_cast<std::size_t>(count));
-        EXPECT_EQ(*shades.begin(), 0);
-        EXPECT_EQ(*shades.rbegin(), 63);
     }
 }
 

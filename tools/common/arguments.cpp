@@ -75,6 +75,14 @@ Degrees parse_field_of_view(const std::string& text) {
     return Degrees::from_raw(*raw_32 << 16);
 }
 
+std::int32_t parse_brightness(const std::string& text) {
+    constexpr std::int64_t kOne_16 = 1 << 16;
+    const std::optional<std::int64_t> raw_16 = parse_decimal(text, 16);
+    if (!raw_16 || *raw_16 < kOne_16 / 4 || *raw_16 > kOne_16 * 8)
+        throw UsageError("--brightness: '" + text + "', expected 0.25 to 8");
+    return static_cast<std::int32_t>((*raw_16 * 100 + kOne_16 / 2) / kOne_16);
+}
+
 void check_view(const ScreenMode& mode, Degrees field_of_view) {
     if (is_drawable(make_projection(mode, field_of_view))) return;
     throw UsageError("--mode: '" + std::to_string(mode.width_px) + "x" + std::to_string(mode.height_px) +
@@ -148,6 +156,12 @@ int run_program(const std::string& name, const std::function<void()>& body) {
         std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
         return 1;
     }
+}
+
+void print_warnings(const std::string& program, const std::string& level_file,
+                    const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings)
+        std::fprintf(stderr, "%s: %s: warning: %s\n", program.c_str(), level_file.c_str(), warning.c_str());
 }
 
 void warn_of_torn_edges(const std::string& program, const std::string& level_file, std::size_t edges) {

@@ -26,6 +26,8 @@ WindowSize parse_window_size(const std::string& text);
 Ratio parse_display(const std::string& text);
 /// A field of view in degrees, decimal, from 1 to 179.
 Degrees parse_field_of_view(const std::string& text);
+/// How bright lit surfaces are, decimal, from 0.25 to 8: in hundredths.
+std::int32_t parse_brightness(const std::string& text);
 /// Refuses values that are valid alone, but not together: a wide field of view in a mode of few pixels.
 void check_view(const ScreenMode& mode, Degrees field_of_view);
 /// "1991", "1994", "1996", "bounded", "exact".
@@ -41,6 +43,10 @@ std::int64_t parse_number(const std::string& option, const std::string& text, in
 /// Runs a program's body, checks that its standard output was written, and turns exceptions into messages and exit
 /// codes: 0 success; 1 a failure, `PROGRAM: FILE: WHERE: what is wrong` on standard error; 2 wrong usage.
 int run_program(const std::string& name, const std::function<void()>& body);
+
+/// Prints warnings about a level on standard error, a line each.
+void print_warnings(const std::string& program, const std::string& level_file,
+                    const std::vector<std::string>& warnings);
 
 /// Warns on standard error that faces of a level do not meet at so many edges; prints nothing if there are none.
 void warn_of_torn_edges(const std::string& program, const std::string& level_file, std::size_t edges);

@@ -6,9 +6,6 @@
 
 namespace oblong {
 
-/// The last 32 colours of a palette glow: light does not change them.
-inline constexpr int kFirstFullbright = 224;
-
 /// A range of palette indices, `end` not included.
 struct ColourRange {
     int begin = 0, end = 256;

@@ -109,7 +109,7 @@ constexpr EventCost kFlatPixel{100, 0, 0, 0, 0, 100};
 constexpr EventCost kSkyDirection{9980, 1430, 735}, kSkyPixel{1845, 382, 0, 200, 200, 100};
 /// surface/lit_surface.cpp, build_cell_row(): texel and colormap looked up; a step of the shade; a threshold. And, of
 /// the 16 texels of a cell's row or fewer: the shades at its ends.
-constexpr EventCost kLitTexel{1360, 35, 5, 200, 200, 100}, kNearestTexel{1409, 15, 5, 200, 200, 100},
+constexpr EventCost kLitTexel{1360, 35, 6, 200, 200, 100}, kNearestTexel{1409, 15, 6, 200, 200, 100},
     kDither{404, 100, 0, 100, 100, 0};
 
 StageOperations vertices_of(const StageCounts& stages, const Widths& widths) {

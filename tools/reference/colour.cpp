@@ -8,7 +8,7 @@ namespace oblong::reference {
 
 namespace {
 
-constexpr double kFullLight = 128, kCell = 16;  ///< of a lightmap: value; texels
+constexpr double kFullLight = 128, kBrightest = 2, kCell = 16;  ///< of a lightmap: value; times that; texels
 constexpr int kFirstFullbright = 224;
 
 int wrapped(double texel, int size) {
@@ -22,7 +22,7 @@ double sample(const Level& level, const Face& face, int column, int row) {
     for (int style = 0; style < face.style_count(); ++style)
         sum += level.lighting[static_cast<std::size_t>(face.light_offset + style * count + row * face.light_columns +
                                                        column)];
-    return std::min(sum / kFullLight, 1.0);
+    return std::min(sum / kFullLight, kBrightest);
 }
 
 /// A place between samples, kept on the face.
@@ -68,8 +68,9 @@ Rgb true_colour(const Level& level, const Face& face, double u, double v, const 
     const std::uint8_t texel = texture.texels[static_cast<std::size_t>(row * texture.width + column)];
     const bool is_lit = face.material == Material::Lit && texel < kFirstFullbright;
     const double light = is_lit ? light_at(level, face, u, v) : 1;
+    const auto lit = [light](double channel) { return std::min(channel * light, 255.0); };
     const Rgb& full = palette[texel];
-    return {full.red * light, full.green * light, full.blue * light};
+    return {lit(full.red), lit(full.green), lit(full.blue)};
 }
 
 std::vector<ColourPixel> draw_colours(const Level& level, std::span<const PlacedModel> models, const View& view,

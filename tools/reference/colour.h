@@ -19,12 +19,13 @@ using Palette = std::array<Rgb, 256>;
 /// From 768 bytes of red, green, blue; throws std::runtime_error for another size.
 Palette make_palette(std::span<const std::uint8_t> bytes);
 
-/// How bright a lit face is at a texel (not wrapped), 0 to 1: between four light samples, each the sum of the face's
-/// styles as they are stored, 128 or more being 1. Faces without a lightmap are dark, or bright if the level has no
-/// light at all.
+/// How bright a lit face is at a texel (not wrapped), 0 to 2: between four light samples, each the sum of the face's
+/// styles as they are stored, 128 being 1 and 256 or more 2. Faces without a lightmap are dark, or 1 if the level has
+/// no light at all.
 double light_at(const Level& level, const Face& face, double u, double v);
 
-/// The texel's colour times the light. Liquids, skies and the palette's last 32 colours are not lit.
+/// The texel's colour times the light, no channel above 255. Liquids, skies and the palette's last 32 colours are not
+/// lit.
 Rgb true_colour(const Level& level, const Face& face, double u, double v, const Palette& palette);
 
 struct ColourPixel {

@@ -3,6 +3,7 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
+#include "engine/scene/level_effects.h"
 #include "engine/scene/placed_models.h"
 #include "tools/common/arguments.h"
 #include "tools/common/command_line.h"
@@ -16,8 +17,8 @@ using namespace oblong;
 
 struct Options {
     std::string level, cameras, palette, out, json;
-    std::string mode = "320x200", display = "4:3", field_of_view = "90", preset = "bounded", effects = "auto",
-                texel_error, seconds = "0";
+    std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", preset = "bounded",
+                effects = "auto", texel_error, seconds = "0";
     std::vector<std::string> dials;
     std::int64_t repeat = 1, threads = 1;
     bool prints_plan = false;
@@ -40,6 +41,7 @@ void declare(Command& line, Options& options) {
     line.add("--mode", options.mode, "pixels, WIDTHxHEIGHT");
     line.add("--display", options.display, "shape of the display, WIDTH:HEIGHT");
     line.add("--fov", options.field_of_view, "degrees across");
+    line.add("--brightness", options.brightness, "of the light on surfaces, 0.25 to 8");
     line.add("--accuracy", options.preset, "1991, 1994, 1996, bounded or exact");
     line.add("--dial", options.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
     line.add("--texel-error", options.texel_error, "largest texture error on screen, pixels (default 0.375)");
@@ -68,6 +70,7 @@ EffectSet parse_effects(const std::string& text) {
 Settings make_settings(const Options& options, Preset preset) {
     Settings settings;
     settings.accuracy = parse_accuracy(preset, options.dials);
+    settings.brightness_100 = parse_brightness(options.brightness);
     settings.allowed_effects = parse_effects(options.effects);
     if (options.texel_error.empty()) return settings;
     if (settings.accuracy.texturing != Texturing::Bounded)
@@ -128,6 +131,8 @@ void render(const Options& options) {
     if (!options.out.empty()) make_folder(options.out);
     const RenderJob job{{level, colormap, models, time_ms}, mode, settings, cameras, static_cast<int>(options.repeat)};
     FrameWorkspace work(level, mode);
+    print_warnings("oblong-render", options.level, work.effects.warnings);
+    print_warnings("oblong-render", options.level, work.things.warnings);
     warn_of_torn_edges("oblong-render", options.level, work.faces.torn_edges);
     const auto frames = render_cameras(job, work, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
         if (options.out.empty()) return;

@@ -55,13 +55,13 @@ class CameraRenderer {
         for (const std::uint8_t writes : counts->writes)
             ++(writes == 0 ? report.pixels_never : writes == 1 ? report.pixels_once : report.pixels_twice);
         report.counts = named_counts(*counts);
-        const FrameTimes times = time_passes(camera);
+        const PassTimes times = time_passes(camera);
         report.passes = pass_lines(work_.plan, *counts, times);
         report.effects = effect_lines(work_.plan, *counts, times);
     }
 
-    FrameTimes time_passes(const Camera& camera) {
-        work_.times = std::make_unique<FrameTimes>(FrameTimes{steady_clock_ns});
+    PassTimes time_passes(const Camera& camera) {
+        work_.times = std::make_unique<PassTimes>(PassTimes{steady_clock_ns});
         draw(camera);
         return *std::exchange(work_.times, nullptr);
     }

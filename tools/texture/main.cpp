@@ -1,25 +1,30 @@
 #include "engine/platform/files.h"
 #include "tools/common/command_line.h"
+#include "tools/texture/ramp_sheet.h"
 #include "tools/texture/texture_files.h"
 
 int main(int argc, char** argv) {
     using namespace oblong;
     std::vector<std::string> pictures, glowing;
     std::string archive, output, palette_file;
-    CommandLine line("oblong-texture", "Textures in and out of Quake's files.");
+    CommandLine line("oblong-texture", "Textures in and out of Quake's files, and how light changes their colours.");
     Command pack = line.add_command(
         "pack", "PNGs into a WAD2. A texture is named after its file; a leading '#' becomes '*' (liquids).");
     Command unpack = line.add_command("unpack", "The textures of a WAD2 or a BSP as indexed PNGs.");
+    Command ramps = line.add_command(
+        "ramps", "The colormap of a palette as a PNG: a row for each colour, brightest shade to darkest.");
     pack.add("input", pictures, "PNG files, sizes multiples of 16").require();
     pack.add("-o", output, "the WAD to write").require();
     pack.add("--glow", glowing, "texture NAME whose colours may glow (palette indices 224 to 255)");
     unpack.add("input", archive, "a WAD2 or BSP file").require();
     unpack.add("-o", output, "the folder to write to").require();
-    for (Command* command : {&pack, &unpack})
+    ramps.add("-o", output, "the PNG to write").require();
+    for (Command* command : {&pack, &unpack, &ramps})
         command->add("--palette", palette_file, "768 bytes: red, green, blue of 256 colours").require();
     return line.run(argc, argv, [&] {
         const Palette palette = read_parsed(palette_file, read_palette);
         if (pack.is_given()) pack_textures(pictures, glowing, output, palette);
         if (unpack.is_given()) unpack_textures(archive, output, palette);
+        if (ramps.is_given()) write_file(output, make_ramp_sheet(palette));
     });
 }

@@ -1,4 +1,4 @@
-#include "engine/frame/frame_times.h"
+#include "engine/frame/pass_times.h"
 
 #include "engine/frame/frame_counts.h"
 
@@ -15,6 +15,12 @@ std::optional<Pass> pass_of(Effect effect) {
             return Pass::Liquid;
         case Effect::Mirror:
             return Pass::Mirror;
+        case Effect::Shadows:
+            return Pass::Shadows;
+        case Effect::Fog:
+            return Pass::Fog;
+        case Effect::Underwater:
+            return Pass::Underwater;
         default:
             return std::nullopt;
     }
@@ -22,7 +28,7 @@ std::optional<Pass> pass_of(Effect effect) {
 
 }  // namespace
 
-std::vector<PlanLine> pass_lines(const FramePlan& plan, const FrameCounts& counts, const FrameTimes& times) {
+std::vector<PlanLine> pass_lines(const FramePlan& plan, const FrameCounts& counts, const PassTimes& times) {
     std::vector<PlanLine> lines;
     for (const Pass pass : plan.passes) {
         const auto index = static_cast<std::size_t>(pass);
@@ -31,7 +37,7 @@ std::vector<PlanLine> pass_lines(const FramePlan& plan, const FrameCounts& count
     return lines;
 }
 
-std::vector<PlanLine> effect_lines(const FramePlan& plan, const FrameCounts& counts, const FrameTimes& times) {
+std::vector<PlanLine> effect_lines(const FramePlan& plan, const FrameCounts& counts, const PassTimes& times) {
     std::vector<PlanLine> lines;
     for (std::size_t index = 0; index < kEffectCount; ++index) {
         const auto effect = static_cast<Effect>(index);

@@ -17,7 +17,7 @@ struct FrameCounts;
 using FrameClock = std::int64_t (*)();
 
 /// Where the time of a frame went, measured only on request (FrameWorkspace::times).
-struct FrameTimes {
+struct PassTimes {
     FrameClock clock = nullptr;
     std::int64_t claims_ns = 0;                           ///< the walk, polygons, scan, span buffer
     std::int64_t surfaces_ns = 0;                         ///< building lit surfaces, part of its pass
@@ -28,10 +28,10 @@ struct FrameTimes {
 /// Adds the time from its construction to its end to one of the times, if there are any.
 class Stopwatch {
   public:
-    Stopwatch(FrameTimes* times, std::int64_t FrameTimes::*sum) : Stopwatch(times, times ? &(times->*sum) : nullptr) {}
-    Stopwatch(FrameTimes* times, Pass pass)
+    Stopwatch(PassTimes* times, std::int64_t PassTimes::*sum) : Stopwatch(times, times ? &(times->*sum) : nullptr) {}
+    Stopwatch(PassTimes* times, Pass pass)
         : Stopwatch(times, times ? &times->passes_ns[static_cast<std::size_t>(pass)] : nullptr) {}
-    Stopwatch(FrameTimes* times, Effect effect)
+    Stopwatch(PassTimes* times, Effect effect)
         : Stopwatch(times, times ? &times->effects_ns[static_cast<std::size_t>(effect)] : nullptr) {}
     Stopwatch(const Stopwatch&) = delete;
     ~Stopwatch() {
@@ -39,7 +39,7 @@ class Stopwatch {
     }
 
   private:
-    Stopwatch(const FrameTimes* times, std::int64_t* sum) : clock_(times ? times->clock : nullptr), sum_(sum) {
+    Stopwatch(const PassTimes* times, std::int64_t* sum) : clock_(times ? times->clock : nullptr), sum_(sum) {
         if (clock_) began_ns_ = clock_();
     }
 
@@ -56,7 +56,7 @@ struct PlanLine {
 };
 
 /// The passes of a plan with their pixels and times, and the effects on it.
-std::vector<PlanLine> pass_lines(const FramePlan& plan, const FrameCounts& counts, const FrameTimes& times);
-std::vector<PlanLine> effect_lines(const FramePlan& plan, const FrameCounts& counts, const FrameTimes& times);
+std::vector<PlanLine> pass_lines(const FramePlan& plan, const FrameCounts& counts, const PassTimes& times);
+std::vector<PlanLine> effect_lines(const FramePlan& plan, const FrameCounts& counts, const PassTimes& times);
 
 }  // namespace oblong

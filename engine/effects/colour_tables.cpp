@@ -1,0 +1,125 @@
+#include "engine/effects/colour_tables.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "engine/base/table.h"
+
+namespace oblong {
+
+namespace {
+
+/// A share of all: 0 to 2^16.
+using Share16 = std::int32_t;
+constexpr Share16 kAll = 65536;
+
+/// Squared difference, each channel weighted as in luminance_1000.
+constexpr std::int32_t kGreenWeight = 587;
+std::int32_t difference(Rgb8 a, Rgb8 b) {
+    const std::int32_t red = a.red - b.red, green = a.green - b.green, blue = a.blue - b.blue;
+    return 299 * red * red + kGreenWeight * green * green + 114 * blue * blue;
+}
+
+/// Finds which of the first `count` colours of a palette is nearest to any colour; of equals, the first.
+class NearestColours {
+  public:
+    NearestColours(const Palette& palette, int count) {
+        for (int i = 0; i < count; ++i) by_green_.push_back({at(palette.colours, i), static_cast<std::uint8_t>(i)});
+        std::stable_sort(by_green_.begin(), by_green_.end(),
+                         [](const Entry& a, const Entry& b) { return a.colour.green < b.colour.green; });
+    }
+
+    /// Outward from the colour's own green, until green alone differs more than the nearest one does.
+    std::uint8_t find(Rgb8 colour) const {
+        Best best;
+        const auto middle = std::partition_point(by_green_.begin(), by_green_.end(),
+                                                 [&](const Entry& e) { return e.colour.green < colour.green; });
+        for (auto entry = middle; entry != by_green_.end() && best.may_be_beaten_by(*entry, colour); ++entry)
+            best.try_entry(*entry, colour);
+        for (auto entry = middle; entry != by_green_.begin() && best.may_be_beaten_by(*(entry - 1), colour); --entry)
+            best.try_entry(*(entry - 1), colour);
+        return best.index;
+    }
+
+  private:
+    struct Entry {
+        Rgb8 colour;
+        std::uint8_t index;
+    };
+    struct Best {
+        std::int32_t least = std::numeric_limits<std::int32_t>::max();
+        std::uint8_t index = 0;
+
+        bool may_be_beaten_by(const Entry& entry, Rgb8 colour) const {
+            const std::int32_t green = entry.colour.green - colour.green;
+            return kGreenWeight * green * green <= least;
+        }
+        void try_entry(const Entry& entry, Rgb8 colour) {
+            const std::int32_t far = difference(entry.colour, colour);
+            if (far > least || (far == least && entry.index > index)) return;
+            least = far;
+            index = entry.index;
+        }
+    };
+
+    std::vector<Entry> by_green_;
+};
+
+Rgb8 mixture(Rgb8 front, Rgb8 behind, Share16 share) {
+    const auto channel = [=](std::int32_t a, std::int32_t b) {
+        return static_cast<std::uint8_t>((a * share + b * (kAll - share) + kAll / 2) >> 16);
+    };
+    return {channel(front.red, behind.red), channel(front.green, behind.green), channel(front.blue, behind.blue)};
+}
+
+/// Mixtures of a palette's colours.
+class Mixer {
+  public:
+    explicit Mixer(const Palette& palette) : ordinary_(palette, kFirstFullbright), all_(palette, 256) {}
+
+    /// Fullbright only if one of the two is.
+    std::uint8_t find(Rgb8 front, Rgb8 behind, Share16 share, bool is_fullbright) const {
+        return (is_fullbright ? all_ : ordinary_).find(mixture(front, behind, share));
+    }
+
+  private:
+    NearestColours ordinary_, all_;
+};
+
+bool is_fullbright(int colour) {
+    return colour >= kFirstFullbright;
+}
+
+}  // namespace
+
+BlendTable make_blend_table(const Palette& palette, std::int32_t share_256) {
+    const Share16 share = std::clamp(share_256, 0, 256) * 256;
+    const Mixer mixer(palette);
+    const auto blend = [&](int front, int behind) {
+        if (front == behind || share == kAll) return static_cast<std::uint8_t>(front);
+        if (share == 0) return static_cast<std::uint8_t>(behind);
+        return mixer.find(at(palette.colours, front), at(palette.colours, behind), share,
+                          is_fullbright(front) || is_fullbright(behind));
+    };
+    BlendTable table;
+    for (int front = 0; front < 256; ++front)
+        for (int behind = 0; behind < 256; ++behind) at(at(table.rows, front), behind) = blend(front, behind);
+    return table;
+}
+
+FogTable make_fog_table(const Palette& palette, Rgb8 fog, std::int32_t share_256) {
+    constexpr int kDensest = FogTable::kLevels - 1;
+    const Mixer mixer(palette);
+    FogTable table;
+    for (int colour = 0; colour < 256; ++colour) at(table.levels[0], colour) = static_cast<std::uint8_t>(colour);
+    for (int level = 1; level <= kDensest; ++level) {
+        const Share16 share = std::clamp(share_256, 0, 256) * 256 * level / kDensest;
+        for (int colour = 0; colour < 256; ++colour)
+            at(at(table.levels, level), colour) =
+                mixer.find(fog, at(palette.colours, colour), share, is_fullbright(colour));
+    }
+    return table;
+}
+
+}  // namespace oblong

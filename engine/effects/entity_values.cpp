@@ -1,0 +1,95 @@
+#include "engine/effects/entity_values.h"
+
+#include "engine/base/input_error.h"
+#include "engine/level/entities.h"
+
+namespace oblong {
+
+namespace {
+
+/// With two digits of the fraction, if it has one.
+std::string decimal(World value) {
+    const bool is_negative = value < World{};
+    const std::int64_t hundredths = (std::int64_t{is_negative ? -value.raw : value.raw} * 100 + 2048) / 4096;
+    std::string text = (is_negative ? "-" : "") + std::to_string(hundredths / 100);
+    if (hundredths % 100 != 0) text += '.' + std::to_string(hundredths % 100 + 100).substr(1);
+    return text;
+}
+
+std::string range_text(World least, World most) {
+    return decimal(least) + " to " + decimal(most);
+}
+
+std::optional<std::uint8_t> parse_colour(std::string_view text) {
+    const std::optional<std::int64_t> number = parse_decimal(text, 0);
+    if (!number || *number < 0 || *number > 255) return std::nullopt;
+    return static_cast<std::uint8_t>(*number);
+}
+
+bool is_between(World value, World least, World most) {
+    return value >= least && value <= most;
+}
+
+}  // namespace
+
+void EntityValues::warn(const std::string& what) const {
+    warnings_.push_back(
+        printable("entity " + std::to_string(index_) + " (" + entity_.value("classname") + "): " + what));
+}
+
+void EntityValues::warn_of(const std::string& key, const std::string& expected) const {
+    warn(key + " is \"" + entity_.value(key) + "\", expected " + expected);
+}
+
+World EntityValues::number(const std::string& key, const NumberRange& range) const {
+    const std::string text = entity_.value(key);
+    if (text.empty()) return range.otherwise;
+    const std::optional<World> value = parse_world_number(text);
+    if (value && is_between(*value, range.least, range.most)) return *value;
+    warn_of(key,
+            "a number from " + range_text(range.least, range.most) + ": it is taken as " + decimal(range.otherwise));
+    return range.otherwise;
+}
+
+std::int32_t EntityValues::whole_number(const std::string& key, std::int32_t least, std::int32_t most,
+                                        std::int32_t otherwise) const {
+    return floor_of(number(key, {World::from_int(least), World::from_int(most), World::from_int(otherwise)}));
+}
+
+std::int32_t EntityValues::period_ms(std::int32_t otherwise_ms) const {
+    constexpr World kLeast = World::from_raw(4096 / 20), kMost = World::from_int(3600);
+    const World otherwise = World::from_raw((otherwise_ms * 4096 + 500) / 1000);
+    const std::int64_t seconds_12 = number("period", {kLeast, kMost, otherwise}).raw;
+    return static_cast<std::int32_t>((seconds_12 * 1000 + 2048) / 4096);
+}
+
+std::optional<Vec3<World>> EntityValues::vector(const std::string& key, World least, World most) const {
+    const std::string text = entity_.value(key);
+    if (text.empty()) return std::nullopt;
+    const std::optional<Vec3<World>> value = parse_world_vector(text);
+    if (value && is_between(value->x, least, most) && is_between(value->y, least, most) &&
+        is_between(value->z, least, most))
+        return value;
+    warn_of(key, "three numbers from " + range_text(least, most));
+    return std::nullopt;
+}
+
+ColourRamp EntityValues::colours(const std::string& key, const ColourRamp& otherwise) const {
+    const std::string text = entity_.value(key);
+    if (text.empty()) return otherwise;
+    const std::size_t space = text.find(' ');
+    const auto first = parse_colour(text.substr(0, space));
+    const auto last = space == std::string::npos ? first : parse_colour(text.substr(space + 1));
+    if (first && last) return {*first, *last};
+    warn_of(key, "one or two palette indices from 0 to 255: the default is taken");
+    return otherwise;
+}
+
+std::optional<Vec3<World>> EntityValues::origin() const {
+    constexpr World kFarthest = World::from_int(65536);
+    const std::optional<Vec3<World>> origin = vector("origin", -kFarthest, kFarthest);
+    if (!origin) warn("it has no place, and is left out");
+    return origin;
+}
+
+}  // namespace oblong

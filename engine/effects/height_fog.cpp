@@ -1,0 +1,88 @@
+#include "engine/effects/height_fog.h"
+
+#include <algorithm>
+
+#include "engine/fixed/arithmetic.h"
+#include "engine/raster/texture_blocks.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr std::int32_t kStep_px = 16;
+/// Rays that climb less than this have one density all along: that of their middle.
+constexpr View kLevelClimb = View::from_raw(1 << 12);
+constexpr View kHighestClimb = View::from_int(std::int64_t{1} << 24);
+
+/// The density at `depth` below the top, 0 to 1, and its integral from the top down.
+View density_at(View depth, View fade_depth) {
+    if (depth <= View{}) return {};
+    return depth >= fade_depth ? View::from_int(1) : divide<View>(depth, fade_depth);
+}
+View density_above(View depth, View fade_depth) {
+    if (depth <= View{}) return {};
+    if (depth >= fade_depth) return depth - floor_shift(fade_depth, 1);
+    return product_over<View>(depth, depth, fade_depth * 2);
+}
+
+/// The length of a ray in fog, from the eye to a depth of z, as z in full fog. `depth` is the eye's below the top.
+View length_in_fog(View z, View climb, View depth, View fade_depth) {
+    const View end_depth = depth - climb;
+    if (std::min(depth, end_depth) >= fade_depth) return z;
+    if (std::max(depth, end_depth) <= View{}) return {};
+    if (absolute(climb) < kLevelClimb) return product<View>(z, density_at(depth - floor_shift(climb, 1), fade_depth));
+    return product_over<View>(z, density_above(depth, fade_depth) - density_above(end_depth, fade_depth), climb);
+}
+
+/// Levels of the pixels of one span.
+class LevelFinder {
+  public:
+    LevelFinder(const Span& span, const LinearQuantity<InverseZ>& inverse_z, const HeightFogView& view,
+                const FogDepths& depths, std::vector<FogRun>& runs)
+        : row_(span.y), inverse_z_(inverse_z), view_(view), depths_(depths), runs_(runs) {}
+
+    std::int32_t level_at(std::int32_t column) const {
+        const auto z = reciprocal<View>(std::clamp(inverse_z_.at(column, row_), kLeastInverseZ, kGreatestInverseZ));
+        const auto climb = std::clamp(product<View>(z, view_.rise.at(column, row_)), -kHighestClimb, kHighestClimb);
+        const View length = length_in_fog(z, climb, view_.top_above_eye, view_.fade_depth);
+        return depths_.level_at(reciprocal<InverseZ>(std::max(length, View{})));
+    }
+
+    /// Appends pixels [first, end), given the levels of the first of them and of pixel `end`.
+    void append(std::int32_t first, std::int32_t end, std::int32_t first_level, std::int32_t end_level) {
+        if (first_level == end_level || end - first == 1)
+            return append_fog_run({{row_, first, end}, first_level}, runs_);
+        const std::int32_t middle = (first + end) / 2, level = level_at(middle);
+        append(first, middle, first_level, level);
+        append(middle, end, level, end_level);
+    }
+
+  private:
+    const std::int32_t row_;
+    const LinearQuantity<InverseZ>& inverse_z_;
+    const HeightFogView& view_;
+    const FogDepths& depths_;
+    std::vector<FogRun>& runs_;
+};
+
+}  // namespace
+
+HeightFogView make_height_fog_view(const HeightFog& fog, const Vec3<World>& eye, const ViewDirections& directions) {
+    return {convert<View>(widening_difference(fog.top, eye.z)), std::max(convert<View>(fog.fade_depth), View{}),
+            directions.z};
+}
+
+void append_height_fog_runs(const Span& span, const LinearQuantity<InverseZ>& inverse_z, const HeightFogView& view,
+                            const FogDepths& depths, std::vector<FogRun>& runs) {
+    LevelFinder finder(span, inverse_z, view, depths, runs);
+    std::int32_t first = span.first, level = finder.level_at(first);
+    for (const std::int32_t last = span.end - 1; first < last;) {
+        const std::int32_t end = std::min(first + kStep_px, last), end_level = finder.level_at(end);
+        finder.append(first, end, level, end_level);
+        first = end;
+        level = end_level;
+    }
+    append_fog_run({{span.y, first, span.end}, level}, runs);
+}
+
+}  // namespace oblong

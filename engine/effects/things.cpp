@@ -1,0 +1,188 @@
+#include "engine/effects/things.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "engine/effects/entity_values.h"
+#include "engine/effects/shadows.h"
+
+namespace oblong {
+
+namespace {
+
+/// How the particles of an entity class are unless its keys say otherwise.
+struct EmitterClass {
+    std::string_view name;
+    ParticleKind kind;
+    Vec3<World> size;
+    std::int32_t count, period_ms;
+    std::uint8_t first_colour, last_colour;
+};
+
+constexpr Vec3<World> whole(std::int32_t x, std::int32_t y, std::int32_t z) {
+    return {World::from_int(x), World::from_int(y), World::from_int(z)};
+}
+
+/// Colours are those of Quake's palette: greys, browns, fire from light to dark.
+constexpr std::array kEmitterClasses{
+    EmitterClass{"misc_rain", ParticleKind::Rain, whole(256, 256, 256), 400, 700, 8, 11},
+    EmitterClass{"misc_dust", ParticleKind::Dust, whole(256, 256, 128), 100, 20000, 6, 9},
+    EmitterClass{"misc_sparks", ParticleKind::Sparks, whole(64, 64, 48), 40, 900, 111, 104},
+    EmitterClass{"air_bubbles", ParticleKind::Bubbles, whole(32, 32, 96), 12, 4000, 11, 13},
+};
+
+const EmitterClass* emitter_class(std::string_view name) {
+    const auto found = std::find_if(kEmitterClasses.begin(), kEmitterClasses.end(),
+                                    [name](const EmitterClass& each) { return each.name == name; });
+    return found == kEmitterClasses.end() ? nullptr : &*found;
+}
+
+World half_of(World size) {
+    return World::from_raw(size.raw / 2);
+}
+
+/// A box around a place, 8 units larger than what stays in it: things are drawn around their places.
+LevelBox box_around(const Vec3<World>& middle, const Vec3<World>& half_size) {
+    const std::array at{middle.x, middle.y, middle.z}, half{half_size.x, half_size.y, half_size.z};
+    LevelBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.mins[axis] = floor_of(at[axis] - half[axis]) - 8;
+        box.maxs[axis] = floor_of(at[axis] + half[axis]) + 9;
+    }
+    return box;
+}
+
+LevelBox box_around_both(LevelBox box, const LevelBox& other) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.mins[axis] = std::min(box.mins[axis], other.mins[axis]);
+        box.maxs[axis] = std::max(box.maxs[axis], other.maxs[axis]);
+    }
+    return box;
+}
+
+class ThingReader {
+  public:
+    explicit ThingReader(const Level& level) : level_(level) {}
+
+    Things read() {
+        for (std::size_t i = 0; i < level_.entities.size(); ++i) read(level_.entities[i], i);
+        return std::move(things_);
+    }
+
+  private:
+    void read(const Entity& entity, std::size_t index) {
+        const std::string name = entity.value("classname");
+        const EntityValues values(entity, index, things_.warnings);
+        if (const EmitterClass* known = emitter_class(name)) read_emitter(*known, values, index);
+        if (name == "misc_sprite") read_sprite(values);
+        if (name == "misc_lantern") read_lantern(values);
+    }
+
+    void read_emitter(const EmitterClass& its_class, const EntityValues& values, std::size_t index) {
+        const std::optional<Vec3<World>> origin = values.origin();
+        if (!origin || !has_room(things_.emitters.size(), kMostEmitters, values)) return;
+        constexpr World kLeastSize = World::from_int(1), kMostSize = World::from_int(65536);
+        const std::optional<Vec3<World>> size = values.vector("size", kLeastSize, kMostSize);
+        const Vec3<World> used = size.value_or(its_class.size);
+        ParticleEmitter emitter;
+        emitter.kind = its_class.kind;
+        emitter.half_size = {half_of(used.x), half_of(used.y), half_of(used.z)};
+        emitter.middle = *origin;
+        // Quake's has no size: bubbles rise from where it is.
+        if (emitter.kind == ParticleKind::Bubbles && !size) emitter.middle.z += emitter.half_size.z;
+        emitter.period_ms = values.period_ms(its_class.period_ms);
+        emitter.count = particles_left(values.whole_number("count", 0, kMostParticles, its_class.count), values);
+        emitter.seed = static_cast<std::uint32_t>(index);
+        const ColourRamp ramp = values.colours("colour", {its_class.first_colour, its_class.last_colour});
+        emitter.first_colour = ramp.first;
+        emitter.last_colour = ramp.last;
+        if (emitter.count == 0) return;
+        things_.emitters.push_back({emitter, place_box(level_, box_around(emitter.middle, emitter.half_size))});
+    }
+
+    void read_sprite(const EntityValues& values) {
+        const std::optional<Vec3<World>> origin = values.origin();
+        const TextureIndex texture = texture_of(values);
+        if (!origin || texture.is_none() || !has_room(things_.sprites.size(), kMostSprites, values)) return;
+        PlacedSprite placed;
+        placed.sprite = {*origin, texture, scale_of(values)};
+        placed.shadow_radius = values.number("shadow", {World{}, World::from_int(512), World{}});
+        if (placed.shadow_radius > World{}) placed.floor = find_floor(level_, *origin, kFarthestShadow);
+        LevelBox box = box_around(*origin, half_size_of(placed.sprite));
+        if (placed.floor) {
+            const World radius = placed.shadow_radius;  // floors rise by no more than that
+            box = box_around_both(box, box_around(placed.floor->position, {radius, radius, radius}));
+        }
+        placed.place = place_box(level_, box);
+        things_.sprites.push_back(std::move(placed));
+    }
+
+    void read_lantern(const EntityValues& values) {
+        const std::optional<Vec3<World>> origin = values.origin();
+        const TextureIndex texture = texture_of(values);
+        if (!origin || texture.is_none() || !has_room(things_.lanterns.size(), kMostLanterns, values)) return;
+        Lantern lantern;
+        lantern.middle = *origin;
+        lantern.texture = texture;
+        lantern.scale = scale_of(values);
+        lantern.radius = values.number("radius", {World{}, World::from_int(4096), World::from_int(64)});
+        lantern.light_radius = values.number("light", {World{}, World::from_int(2048), World::from_int(200)});
+        lantern.period_ms = values.period_ms(8000);
+        const Vec3<World> half = half_size_of({*origin, texture, lantern.scale});
+        const Vec3<World> reach = half + Vec3<World>{lantern.radius, lantern.radius, {}};
+        const World light = lantern.radius + lantern.light_radius;
+        things_.lanterns.push_back({lantern, place_box(level_, box_around(*origin, reach)),
+                                    place_box(level_, box_around(*origin, {light, light, lantern.light_radius}))});
+    }
+
+    /// Of `count` particles, those that the level's limit leaves.
+    std::int32_t particles_left(std::int32_t count, const EntityValues& values) {
+        const std::int32_t left = std::min(count, kMostParticles - particle_count_);
+        if (left < count)
+            values.warn("the level has more than " + std::to_string(kMostParticles) +
+                        " particles: " + std::to_string(left) + " of " + std::to_string(count) + " are kept");
+        particle_count_ += left;
+        return left;
+    }
+
+    static bool has_room(std::size_t count, std::size_t most, const EntityValues& values) {
+        if (count < most) return true;
+        values.warn("the level has more than " + std::to_string(most) + " of its kind: it is left out");
+        return false;
+    }
+
+    TextureIndex texture_of(const EntityValues& values) const {
+        const std::string name = values.text("texture");
+        for (const TextureIndex index : level_.textures.indices())
+            if (level_.textures[index].name == name) return index;
+        values.warn("texture is \"" + name + "\", expected one of the level's: it is left out");
+        return TextureIndex::none();
+    }
+
+    static World scale_of(const EntityValues& values) {
+        return values.number("scale", {World::from_raw(4096 / 16), World::from_int(16), World::from_int(1)});
+    }
+
+    /// Sideways in any direction, as it turns.
+    Vec3<World> half_size_of(const Sprite& sprite) const {
+        const MipTexture& texture = level_.textures[sprite.texture];
+        const auto half = [&](std::int32_t texels) {
+            const std::int64_t raw = std::int64_t{texels} * sprite.scale.raw / 2;
+            return World::from_raw(static_cast<std::int32_t>(std::min<std::int64_t>(raw, World::from_int(65536).raw)));
+        };
+        return {half(texture.width), half(texture.width), half(texture.height)};
+    }
+
+    const Level& level_;
+    Things things_;
+    std::int32_t particle_count_ = 0;
+};
+
+}  // namespace
+
+Things read_things(const Level& level) {
+    return ThingReader(level).read();
+}
+
+}  // namespace oblong

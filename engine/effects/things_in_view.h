@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/effects/particle_dots.h"
+#include "engine/effects/shadows.h"
+#include "engine/effects/sprites.h"
+#include "engine/effects/things.h"
+#include "engine/raster/depth.h"
+
+namespace oblong {
+
+struct SpriteInView {
+    ScreenSprite screen;
+    Vec3<World> position;
+};
+
+/// The dots of one emitter.
+struct EmitterInView {
+    std::size_t first_dot = 0, dot_count = 0;  ///< in ThingsInView::dots
+    Vec3<World> middle;
+};
+
+/// The things of a frame that may be seen. Kept from frame to frame, so that little is allocated.
+struct ThingsInView {
+    std::vector<ParticleDot> dots;
+    std::vector<EmitterInView> emitters;  ///< those with dots
+    std::vector<SpriteInView> sprites;
+    std::vector<Shadow> shadows;
+    std::int64_t particles_computed = 0;  ///< of emitters that may be seen, in view or not
+
+    void clear() {
+        dots.clear();
+        emitters.clear();
+        sprites.clear();
+        shadows.clear();
+        particles_computed = 0;
+    }
+};
+
+/// What a frame sees from where.
+struct Sight {
+    const VisibleSet& visible;
+    const ViewContext& view;
+};
+
+// Each adds those things that may be seen at a time of 0 and more, and wants depth where they are. Those whose place is
+// out of view, or in no leaf of the visible set, are not computed at all.
+
+void find_particles(const Things& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
+                    DepthBuffer& depth);
+/// Those of lanterns too.
+void find_sprites(const Things& things, std::int64_t time_ms, const Level& level, const Sight& sight,
+                  ThingsInView& in_view, DepthBuffer& depth);
+/// They need no depth.
+void find_shadows(const Things& things, const Sight& sight, ThingsInView& in_view);
+
+}  // namespace oblong

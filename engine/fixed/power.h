@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+
+namespace oblong {
+
+namespace detail {
+
+inline constexpr int kLogarithmBits = 22;
+
+constexpr std::uint64_t floor_of_root(std::uint64_t value) {
+    std::uint64_t root = 0;
+    for (std::uint64_t bit = std::uint64_t{1} << 31; bit != 0; bit >>= 1)
+        if ((root + bit) * (root + bit) <= value) root += bit;
+    return root;
+}
+
+/// 2^-(1/2), 2^-(1/4), 2^-(1/8) and so on, each the root of the one before; 32 fraction bits.
+inline constexpr auto kRootsOfHalf_32 = [] {
+    std::array<std::uint64_t, kLogarithmBits> roots{};
+    std::uint64_t root = std::uint64_t{1} << 31;
+    for (std::uint64_t& entry : roots) entry = root = floor_of_root(root << 32);
+    return roots;
+}();
+
+/// -log2 of a fraction above 0: squaring a number doubles its logarithm, whose bits overflow one by one.
+constexpr std::uint64_t negative_logarithm_22(std::uint32_t base_30) {
+    const int shift = std::countl_zero(base_30);
+    std::uint64_t mantissa_31 = std::uint64_t{base_30} << shift, fraction = 0;
+    for (int bit = 0; bit < kLogarithmBits; ++bit) {
+        mantissa_31 = mantissa_31 * mantissa_31 >> 31;
+        const std::uint64_t overflow = mantissa_31 >> 32;
+        mantissa_31 >>= overflow;
+        fraction = fraction << 1 | overflow;
+    }
+    return (static_cast<std::uint64_t>(shift - 1) << kLogarithmBits) - fraction;
+}
+
+constexpr std::uint32_t power_of_half_30(std::uint64_t exponent_22) {
+    const std::uint64_t whole = exponent_22 >> kLogarithmBits;
+    if (whole > 30) return 0;
+    std::uint64_t power_31 = std::uint64_t{1} << 31;
+    for (std::size_t bit = 0; bit < kRootsOfHalf_32.size(); ++bit) {
+        const bool is_factor = exponent_22 >> (kLogarithmBits - 1 - bit) & 1;
+        power_31 = power_31 * (is_factor ? kRootsOfHalf_32[bit] : std::uint64_t{1} << 32) >> 32;
+    }
+    return static_cast<std::uint32_t>(power_31 >> whole >> 1);
+}
+
+}  // namespace detail
+
+/// A fraction to the power of numerator / denominator, both with 30 fraction bits, within 2^-20 for exponents up to 3.
+/// `base_30` is 0 to 2^30, the exponent's parts 1 to 2^20. 0 to any power is 0.
+constexpr std::uint32_t power_30(std::uint32_t base_30, std::uint32_t numerator, std::uint32_t denominator) {
+    if (base_30 == 0) return 0;
+    return detail::power_of_half_30(detail::negative_logarithm_22(base_30) * numerator / denominator);
+}
+
+}  // namespace oblong

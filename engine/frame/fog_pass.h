@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/effects/fog.h"
+#include "engine/effects/height_fog.h"
+#include "engine/frame/claims.h"
+#include "engine/scene/level_effects.h"
+#include "engine/surface/colormap.h"
+
+namespace oblong {
+
+/// The fog of a level in the colours of a palette, made when a frame first calls for it.
+struct LevelFogTables {
+    FogDepths depths;
+    FogTable colours;
+};
+
+/// The fog of a frame.
+struct FrameFog {
+    const LevelFogTables* tables = nullptr;  ///< null: none
+    std::optional<HeightFogView> height;     ///< of a fog that lies low
+    World top = World::highest();            ///< nothing is in fog where eye and face are both above it
+};
+
+/// The fog from this view, if the level has one and the settings allow it.
+FrameFog make_frame_fog(const FrameContext& frame, FrameWorkspace& work);
+
+/// Appends the runs of spans of a face, clear ones too.
+void append_runs(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z, const FrameFog& fog,
+                 std::vector<FogRun>& runs);
+
+/// The row of colours for a thing at one pixel and depth.
+const ColourRow& fog_colours(std::int32_t column, std::int32_t row, InverseZ inverse_z, const FrameFog& fog,
+                             FrameWorkspace& work);
+
+/// Finds the pixels of opaque faces that fog covers. Fog that lies low leaves the sky clear.
+void find_fog(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work);
+
+}  // namespace oblong

@@ -1,0 +1,170 @@
+#include "engine/frame/frame_things.h"
+
+#include <algorithm>
+
+#include "engine/frame/fog_pass.h"
+#include "engine/frame/frame_context.h"
+#include "engine/frame/surface_pass.h"
+#include "engine/frame/workspace.h"
+
+namespace oblong {
+
+namespace {
+
+/// How dark a shadow is, and the share of its radius up to which it is that dark, 256: all of it.
+constexpr int kShadowShade = Colormap::kOwnShade + 12;
+constexpr std::int32_t kWholeRadius_8 = 256, kCoreRadius_8 = 160;
+
+std::span<ParticleDot> dots_of(FrameThings& things, std::size_t first, std::size_t count) {
+    return std::span(things.in_view.dots).subspan(first, count);
+}
+
+/// Sets the depth of all pixels that things may cover.
+void fill_depth(const FrameContext& frame, FrameWorkspace& work) {
+    work.depth.clear();
+    for (const FaceList list : {FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror})
+        for (const ClaimedFace& claimed : work.claims.list(list)) {
+            const std::span<const Span> spans = work.claims.spans_of(claimed);
+            if (!work.depth.touches(spans)) continue;
+            work.depth.fill(spans, gradients_of(claimed.visible, FaceSurface{}, frame, work).inverse_z);
+        }
+}
+
+/// The pixels of a rectangle at which nothing is nearer.
+std::int64_t visible_pixels(const ScreenRectangle& pixels, InverseDepth inverse_depth, DepthBuffer& depth) {
+    std::int64_t count = 0;
+    for (std::int32_t y = pixels.first_row; y < pixels.end_row; ++y) {
+        const InverseDepth* const row = depth.row(y);
+        count += std::count_if(row + pixels.first_column, row + pixels.end_column,
+                               [inverse_depth](InverseDepth face) { return face <= inverse_depth; });
+    }
+    return count;
+}
+
+std::int64_t visible_pixels(const ParticleDot& dot, DepthBuffer& depth) {
+    return visible_pixels({dot.first_column, dot.end_column, dot.first_row, dot.end_row}, dot.inverse_depth, depth);
+}
+
+InverseDepth middle_depth(const ScreenSprite& sprite) {
+    const std::int64_t rows = (sprite.pixels.end_row - sprite.pixels.first_row) / 2;
+    return static_cast<InverseDepth>((sprite.inverse_depth_16 + rows * sprite.inverse_depth_step_16) >> 16);
+}
+
+InverseZ inverse_z_of(InverseDepth depth) {
+    return InverseZ::from_raw(std::int64_t{depth} << (InverseZ::kFractionBits - 32));
+}
+
+/// Keeps what faces do not wholly hide, and counts its pixels.
+void keep_visible(const FrameContext& frame, FrameWorkspace& work) {
+    FrameThings& things = work.claims.things;
+    std::int64_t dot_pixels = 0, sprite_pixels = 0;
+    for (const EmitterInView& emitter : things.in_view.emitters) {
+        std::int64_t pixels = 0;
+        for (const ParticleDot& dot : dots_of(things, emitter.first_dot, emitter.dot_count))
+            pixels += visible_pixels(dot, work.depth);
+        dot_pixels += pixels;
+        if (pixels > 0)
+            things.owning.push_back({emitter.middle, emitter.first_dot, emitter.dot_count, nullptr, nullptr});
+    }
+    const std::uint8_t* const own_colours = frame.scene.colormap.shades[Colormap::kOwnShade].data();
+    for (const SpriteInView& sprite : things.in_view.sprites) {
+        const std::int64_t pixels = visible_pixels(sprite.screen.pixels, middle_depth(sprite.screen), work.depth);
+        sprite_pixels += pixels;
+        if (pixels > 0) things.owning.push_back({sprite.position, 0, 0, &sprite.screen, own_colours});
+    }
+    EffectSet& effects = work.claims.effects;
+    if (dot_pixels > 0) effects = effects.with(Effect::Particles);
+    if (sprite_pixels > 0) effects = effects.with(Effect::Sprites);
+    if (!work.counts) return;
+    work.counts->of(Effect::Particles) = dot_pixels;
+    work.counts->of(Effect::Sprites) = sprite_pixels;
+}
+
+void colour_by_fog(const FrameFog& fog, FrameWorkspace& work) {
+    FrameThings& things = work.claims.things;
+    for (OwningThing& thing : things.owning) {
+        for (ParticleDot& dot : dots_of(things, thing.first_dot, thing.dot_count))
+            dot.colour =
+                fog_colours(dot.first_column, dot.first_row, inverse_z_of(dot.inverse_depth), fog, work)[dot.colour];
+        if (!thing.sprite) continue;
+        const ScreenRectangle& pixels = thing.sprite->pixels;
+        thing.colours =
+            fog_colours((pixels.first_column + pixels.end_column) / 2, (pixels.first_row + pixels.end_row) / 2,
+                        inverse_z_of(middle_depth(*thing.sprite)), fog, work)
+                .data();
+    }
+}
+
+/// How many pixels of spans are within scanned rows.
+std::int64_t pixels_within(std::span<const Span> spans, const ScanlineExtents& rows) {
+    std::int64_t pixels = 0;
+    for (const Span& span : spans) {
+        if (span.y < rows.first || span.y >= rows.end) continue;
+        const std::int32_t first = std::max(span.first, at(rows.left, span.y));
+        pixels += std::max(std::min(span.end, at(rows.right, span.y)) - first, 0);
+    }
+    return pixels;
+}
+
+/// Whether a pixel of a shadow's floor is in it.
+bool is_seen(const Shadow& shadow, const FrameContext& frame, FrameWorkspace& work) {
+    if (!scan_shadow(shadow, kWholeRadius_8, frame.scene.level, frame.view, work.shadows)) return false;
+    std::int64_t pixels = 0;
+    for (const ClaimedFace& claimed : work.claims.list(FaceList::Walls))
+        if (frame.scene.level.faces[claimed.visible.face].plane == shadow.floor.plane && !claimed.visible.fragment)
+            pixels += pixels_within(work.claims.spans_of(claimed), work.shadows.rows);
+    if (work.counts) work.counts->of(Effect::Shadows) += pixels;
+    return pixels > 0;
+}
+
+void find_seen_shadows(const FrameContext& frame, FrameWorkspace& work) {
+    ThingsInView& in_view = work.claims.things.in_view;
+    find_shadows(work.things, {work.visible, frame.view}, in_view);
+    std::vector<Shadow>& shadows = work.claims.things.shadows;
+    for (const Shadow& shadow : in_view.shadows)
+        if (is_seen(shadow, frame, work)) shadows.push_back(shadow);
+    if (!shadows.empty()) work.claims.effects = work.claims.effects.with(Effect::Shadows);
+}
+
+}  // namespace
+
+void FrameThings::clear() {
+    in_view.clear();
+    owning.clear();
+    shadows.clear();
+}
+
+void find_things(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work) {
+    ThingsInView& in_view = work.claims.things.in_view;
+    const Sight sight{work.visible, frame.view};
+    const std::int64_t time_ms = frame.scene.time_ms;
+    work.depth.start_frame();
+    if (frame.allows(Effect::Particles)) find_particles(work.things, time_ms, sight, in_view, work.depth);
+    if (frame.allows(Effect::Sprites))
+        find_sprites(work.things, time_ms, frame.scene.level, sight, in_view, work.depth);
+    if (frame.allows(Effect::Shadows)) find_seen_shadows(frame, work);
+    if (!work.depth.is_wanted()) return;
+    fill_depth(frame, work);
+    keep_visible(frame, work);
+    if (fog.tables) colour_by_fog(fog, work);
+}
+
+void draw_thing(const OwningThing& thing, const FrameContext& frame, FrameWorkspace& work) {
+    const Stopwatch watch(work.times.get(), thing.sprite ? Effect::Sprites : Effect::Particles);
+    if (thing.sprite) return draw_sprite(*thing.sprite, thing.colours, work.depth, frame.out);
+    draw_dots(dots_of(work.claims.things, thing.first_dot, thing.dot_count), work.depth, frame.out);
+}
+
+void draw_shadows(const FrameContext& frame, FrameWorkspace& work) {
+    const Level& level = frame.scene.level;
+    const std::uint8_t* const shade = frame.scene.colormap.shades[kShadowShade].data();
+    for (const Shadow& shadow : work.claims.things.shadows)
+        for (const std::int32_t share_8 : {kWholeRadius_8, kCoreRadius_8}) {
+            if (!scan_shadow(shadow, share_8, level, frame.view, work.shadows)) continue;
+            for (const ClaimedFace& claimed : work.claims.list(FaceList::Walls))
+                if (level.faces[claimed.visible.face].plane == shadow.floor.plane && !claimed.visible.fragment)
+                    darken_spans(work.claims.spans_of(claimed), work.shadows.rows, shade, frame.out);
+        }
+}
+
+}  // namespace oblong

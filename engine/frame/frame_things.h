@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/effects/things_in_view.h"
+
+namespace oblong {
+
+struct FrameContext;
+struct FrameFog;
+class FrameWorkspace;
+
+/// The dots of an emitter, or a sprite, that owns pixels.
+struct OwningThing {
+    Vec3<World> middle;
+    std::size_t first_dot = 0, dot_count = 0;  ///< in ThingsInView::dots
+    const ScreenSprite* sprite = nullptr;
+    const std::uint8_t* colours = nullptr;  ///< of the sprite: 256 of them
+};
+
+/// What a frame shows beside its faces.
+struct FrameThings {
+    ThingsInView in_view;
+    std::vector<OwningThing> owning;
+    std::vector<Shadow> shadows;
+
+    void clear();
+};
+
+/// Finds the particles, sprites and shadows that own pixels of the frame whose faces are claimed: what is in view, and
+/// not wholly behind faces.
+void find_things(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work);
+
+/// Draws one of them where no face is nearer.
+void draw_thing(const OwningThing& thing, const FrameContext& frame, FrameWorkspace& work);
+
+/// Darkens the pixels of floors that shadows fall on.
+void draw_shadows(const FrameContext& frame, FrameWorkspace& work);
+
+}  // namespace oblong

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace oblong {
+
+struct FrameContext;
+class FrameWorkspace;
+
+/// Finds how bright the light styles of the claimed faces are, and which moving lights touch them: none are kept if
+/// they touch no face. What these change is built again when it is drawn.
+void find_light(const FrameContext& frame, FrameWorkspace& work);
+
+}  // namespace oblong

@@ -1,0 +1,92 @@
+#include "engine/raster/depth.h"
+
+#include <algorithm>
+
+#include "engine/base/table.h"
+
+namespace oblong {
+
+namespace {
+
+/// More rectangles than these are joined whatever area that adds: each span that is near any is compared with all.
+constexpr std::size_t kMostRectangles = 16;
+
+std::int64_t area_of(const ScreenRectangle& rectangle) {
+    return std::int64_t{rectangle.end_column - rectangle.first_column} * (rectangle.end_row - rectangle.first_row);
+}
+
+ScreenRectangle joined(const ScreenRectangle& a, const ScreenRectangle& b) {
+    return {std::min(a.first_column, b.first_column), std::max(a.end_column, b.end_column),
+            std::min(a.first_row, b.first_row), std::max(a.end_row, b.end_row)};
+}
+
+/// The pixels that joining two rectangles adds to them; negative where they overlap more than that.
+std::int64_t added_area(const ScreenRectangle& a, const ScreenRectangle& b) {
+    return area_of(joined(a, b)) - area_of(a) - area_of(b);
+}
+
+/// Depths of `count` pixels from 1/z of the first on. 1/z is linear: it needs no clamp between two ends that need none.
+void fill_run(InverseZ first, InverseZ step, std::int32_t count, InverseDepth* out) {
+    constexpr int kDropped = InverseZ::kFractionBits - 32;
+    const auto is_within = [](InverseZ value) { return value >= InverseZ{} && value < InverseZ::from_int(1); };
+    if (!is_within(first) || !is_within(stepped(first, step, count - 1))) {
+        for (std::int32_t i = 0; i < count; ++i) out[i] = to_inverse_depth(stepped(first, step, i));
+        return;
+    }
+    auto value = static_cast<std::uint64_t>(first.raw);
+    for (std::int32_t i = 0; i < count; ++i, value += static_cast<std::uint64_t>(step.raw))
+        out[i] = static_cast<InverseDepth>(value >> kDropped);
+}
+
+}  // namespace
+
+void DepthBuffer::want(ScreenRectangle wanted) {
+    if (area_of(wanted) <= 0) return;
+    while (!rectangles_.empty()) {
+        const auto nearest = std::min_element(
+            rectangles_.begin(), rectangles_.end(),
+            [&](const auto& a, const auto& b) { return added_area(wanted, a) < added_area(wanted, b); });
+        if (added_area(wanted, *nearest) > 0 && rectangles_.size() < kMostRectangles) break;
+        wanted = joined(wanted, *nearest);
+        *nearest = rectangles_.back();
+        rectangles_.pop_back();
+    }
+    rectangles_.push_back(wanted);
+}
+
+void DepthBuffer::allocate() {
+    if (depths_) return;
+    depths_ = std::make_unique_for_overwrite<InverseDepth[]>(pixel_count(width_px_, height_px_));
+    hulls_.resize(static_cast<std::size_t>(height_px_));
+}
+
+void DepthBuffer::clear() {
+    allocate();
+    std::fill(hulls_.begin(), hulls_.end(), Hull{});
+    for (const ScreenRectangle& rectangle : rectangles_)
+        for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y) {
+            std::fill(row(y) + rectangle.first_column, row(y) + rectangle.end_column, InverseDepth{0});
+            Hull& hull = at(hulls_, y);
+            hull.first = std::min(hull.first, rectangle.first_column);
+            hull.end = std::max(hull.end, rectangle.end_column);
+        }
+}
+
+bool DepthBuffer::touches(std::span<const Span> spans) const {
+    return std::any_of(spans.begin(), spans.end(), [this](const Span& span) { return touches(span); });
+}
+
+void DepthBuffer::fill(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z) {
+    for (const Span& span : spans) {
+        if (!touches(span)) continue;
+        for (const ScreenRectangle& rectangle : rectangles_) {
+            if (span.y < rectangle.first_row || span.y >= rectangle.end_row) continue;
+            const std::int32_t first = std::max(span.first, rectangle.first_column);
+            const std::int32_t end = std::min(span.end, rectangle.end_column);
+            if (first < end)
+                fill_run(inverse_z.at(first, span.y), inverse_z.per_column, end - first, row(span.y) + first);
+        }
+    }
+}
+
+}  // namespace oblong

@@ -1,0 +1,81 @@
+#include "engine/raster/kernels/effect_kernels.h"
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace oblong {
+
+namespace {
+
+constexpr std::size_t index_of(TexelTraits traits) {
+    return static_cast<std::size_t>(traits.warps) | static_cast<std::size_t>(traits.has_holes) << 1 |
+           static_cast<std::size_t>(traits.blends) << 2 | static_cast<std::size_t>(traits.is_wrapped_by_masks) << 3;
+}
+constexpr TexelTraits traits_of(std::size_t index) {
+    return {(index & 1) != 0, (index & 2) != 0, (index & 4) != 0, (index & 8) != 0};
+}
+
+std::uint32_t shift_at(const WarpTable& warp, std::uint32_t texel_16) {
+    return warp.shift_16[(texel_16 >> 16) % WarpTable::kEntries];
+}
+
+/// The texel at u and v, moved by the warp and wrapped. Without masks sums must not overflow: they have 64 bits.
+template <TexelTraits Traits>
+[[gnu::always_inline]] inline std::uint8_t texel_at(const EffectTexels& texels, std::uint32_t u_16,
+                                                    std::uint32_t v_16) {
+    const SurfaceView& surface = texels.surface;
+    using Coordinate = std::conditional_t<Traits.is_wrapped_by_masks, std::uint32_t, std::uint64_t>;
+    Coordinate u = u_16, v = v_16;
+    if constexpr (Traits.warps) {
+        u += shift_at(*texels.warp, v_16);
+        v += shift_at(*texels.warp, u_16);
+    }
+    if constexpr (Traits.is_wrapped_by_masks)
+        return surface.texels[(((v >> 16) & surface.v_mask) << surface.stride_log2) + ((u >> 16) & surface.u_mask)];
+    const auto width = static_cast<std::uint32_t>(surface.width), height = static_cast<std::uint32_t>(surface.height);
+    return surface
+        .texels[static_cast<std::uint32_t>(v >> 16) % height * width + static_cast<std::uint32_t>(u >> 16) % width];
+}
+
+/// What a pixel becomes. Around holes the old colour is chosen, not left: where texels change fast, a branch costs
+/// more.
+template <TexelTraits Traits>
+[[gnu::always_inline]] inline std::uint8_t seen_through(const EffectTexels& texels, std::uint8_t texel,
+                                                        std::uint8_t below) {
+    std::uint8_t colour = texel;
+    if constexpr (Traits.has_holes || Traits.blends) colour = (*texels.shades)[texel];
+    if constexpr (Traits.blends) colour = texels.blend->rows[colour][below];
+    if constexpr (Traits.has_holes) {
+        const auto keeps = static_cast<std::uint8_t>(-static_cast<int>(texel == kHoleTexel));
+        colour = static_cast<std::uint8_t>(colour ^ ((colour ^ below) & keeps));
+    }
+    return colour;
+}
+
+template <TexelTraits Traits>
+void draw_effect_blocks(std::span<const TexelBlock> blocks, const EffectTexels& given, std::uint8_t* pixels) {
+    const EffectTexels texels = given;  // a copy that no pixel written can change: it stays in registers
+    for (const TexelBlock& block : blocks) {
+        std::uint32_t u_16 = block.u_16, v_16 = block.v_16;
+        const auto u_step = static_cast<std::uint32_t>(block.u_step_16);
+        const auto v_step = static_cast<std::uint32_t>(block.v_step_16);
+        std::uint8_t* const end = pixels + block.pixel + block.count;
+        for (std::uint8_t* pixel = pixels + block.pixel; pixel != end; ++pixel, u_16 += u_step, v_16 += v_step)
+            *pixel = seen_through<Traits>(texels, texel_at<Traits>(texels, u_16, v_16), *pixel);
+    }
+}
+
+template <std::size_t... Index>
+constexpr std::array<EffectKernel, sizeof...(Index)> all_kernels(std::index_sequence<Index...>) {
+    return {draw_effect_blocks<traits_of(Index)>...};
+}
+constexpr auto kKernels = all_kernels(std::make_index_sequence<16>());
+
+}  // namespace
+
+EffectKernel effect_kernel(TexelTraits traits) {
+    return kKernels[index_of(traits)];
+}
+
+}  // namespace oblong

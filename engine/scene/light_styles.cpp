@@ -1,0 +1,134 @@
+#include "engine/scene/light_styles.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "engine/base/table.h"
+
+namespace oblong {
+
+namespace {
+
+/// As many steps as may begin within a third of a second.
+constexpr std::size_t kStepsOfChange = 4;
+/// Reduced styles are averaged over a second: a strobe keeps its mean, a slow pulse goes on.
+constexpr std::size_t kAveragedSteps = 10;
+constexpr std::uint8_t kNoStyle = 255;
+
+/// The sums of `steps` values from each one on. Values repeat.
+std::vector<std::int32_t> sums_ahead(const std::vector<std::uint16_t>& values, std::size_t steps) {
+    std::vector<std::int32_t> sums;
+    std::int32_t sum = 0;
+    for (std::size_t i = 0; i < steps; ++i) sum += values[i % values.size()];
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        sums.push_back(sum);
+        sum += values[(i + steps) % values.size()] - values[i];
+    }
+    return sums;
+}
+
+std::int32_t most_change(const std::vector<std::int32_t>& values, std::size_t steps) {
+    std::int32_t most = 0;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        for (std::size_t step = 1; step <= steps; ++step)
+            most = std::max(most, std::abs(values[(i + step) % values.size()] - values[i]));
+    return most;
+}
+
+/// Averages, then moves all values toward the mean until none changes too much. Rounding adds less than a step of
+/// brightness to a change, for which there is room.
+std::vector<std::uint16_t> reduced_steps(const std::vector<std::uint16_t>& full, std::int32_t mean) {
+    constexpr std::int64_t kMost = (kReducedChange - 1) * static_cast<std::int64_t>(kAveragedSteps);
+    const std::vector<std::int32_t> sums = sums_ahead(full, kAveragedSteps);
+    const std::int64_t change = std::max<std::int64_t>(most_change(sums, kStepsOfChange), kMost);
+    std::vector<std::uint16_t> reduced;
+    for (const std::int32_t sum : sums) {
+        const std::int64_t away = sum - std::int64_t{mean} * static_cast<std::int64_t>(kAveragedSteps);
+        const std::int64_t limited = away * kMost / change / static_cast<std::int64_t>(kAveragedSteps);
+        reduced.push_back(static_cast<std::uint16_t>(mean + limited));
+    }
+    return reduced;
+}
+
+std::array<bool, kLightStyleCount> styles_in_use(const Level& level) {
+    std::array<bool, kLightStyleCount> in_use{};
+    for (const Face& face : level.faces) {
+        if (face.light_offset < 0) continue;
+        for (const std::uint8_t style : face.styles) {
+            if (style == kNoStyle) break;
+            at(in_use, style % kLightStyleCount) = true;
+        }
+    }
+    return in_use;
+}
+
+}  // namespace
+
+bool is_light_pattern(std::string_view letters) {
+    return !letters.empty() && letters.size() <= kMostPatternLetters &&
+           std::all_of(letters.begin(), letters.end(), [](char letter) { return letter >= 'a' && letter <= 'z'; });
+}
+
+std::uint16_t StyleSteps::at(std::int64_t time_ms, Flashes flashes) const {
+    if (flashes == Flashes::Off || full.empty()) return mean;
+    const std::vector<std::uint16_t>& steps = flashes == Flashes::Full ? full : reduced;
+    return steps[static_cast<std::uint64_t>(time_ms / kPatternStepMs) % steps.size()];
+}
+
+StyleSteps make_style_steps(std::string_view letters) {
+    StyleSteps steps;
+    for (const char letter : letters) steps.full.push_back(brightness_of(letter));
+    const std::int64_t sum = std::accumulate(steps.full.begin(), steps.full.end(), std::int64_t{0});
+    const std::int64_t count = std::ssize(steps.full);
+    steps.mean = static_cast<std::uint16_t>((sum * 2 + count) / (count * 2));
+    steps.reduced = reduced_steps(steps.full, steps.mean);
+    return steps;
+}
+
+bool LightPatterns::has(std::uint8_t style) const {
+    return std::any_of(entries.begin(), entries.end(), [style](const Entry& entry) { return entry.style == style; });
+}
+
+bool LightPatterns::is_called_for_by(const Face& face) const {
+    if (face.light_offset < 0) return false;
+    const auto end = std::find(face.styles.begin(), face.styles.end(), kNoStyle);
+    return std::any_of(face.styles.begin(), end, [this](std::uint8_t style) { return has(style % kLightStyleCount); });
+}
+
+std::string_view quake_light_pattern(int style) {
+    // As Quake's world.qc sets them when a level begins. Style 0 is "m": plain.
+    constexpr std::array<std::string_view, 12> kPatterns{"",
+                                                         "mmnmmommommnonmmonqnmmo",
+                                                         "abcdefghijklmnopqrstuvwxyzyxwvutsrqponmlkjihgfedcba",
+                                                         "mmmmmaaaaammmmmaaaaaabcdefgabcdefg",
+                                                         "mamamamamama",
+                                                         "jklmnopqrstuvwxyzyxwvutsrqponmlkj",
+                                                         "nmonqnmomnmomomno",
+                                                         "mmmaaaabcdefgmmmmaaaammmaamm",
+                                                         "mmmaaammmaaammmabcdefaaaammmmabcdefmmmaaaa",
+                                                         "aaaaaaaazzzzzzzz",
+                                                         "mmamammmmammamamaaamammma",
+                                                         "abcdefghijklmnopqrrqponmlkjihgfedcba"};
+    return style >= 0 && style < std::ssize(kPatterns) ? at(kPatterns, style) : std::string_view{};
+}
+
+LightPatterns make_light_patterns(const Level& level, const std::array<std::string, kLightStyleCount>& own) {
+    LightPatterns patterns;
+    const std::array<bool, kLightStyleCount> in_use = styles_in_use(level);
+    for (int style = 0; style < kLightStyleCount; ++style) {
+        const std::string_view letters = at(own, style).empty() ? quake_light_pattern(style) : at(own, style);
+        const bool is_plain = letters.find_first_not_of('m') == std::string_view::npos;
+        if (is_plain || !at(in_use, style)) continue;
+        patterns.entries.push_back({static_cast<std::uint8_t>(style), make_style_steps(letters)});
+    }
+    return patterns;
+}
+
+LightStyles light_styles_at(const LightPatterns& patterns, std::int64_t time_ms, Flashes flashes) {
+    LightStyles styles = plain_light_styles();
+    for (const LightPatterns::Entry& entry : patterns.entries)
+        at(styles, entry.style) = entry.steps.at(time_ms, flashes);
+    return styles;
+}
+
+}  // namespace oblong

@@ -1,0 +1,248 @@
+#include "engine/scene/moving_lights.h"
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <utility>
+
+#include "engine/base/table.h"
+#include "engine/fixed/arithmetic.h"
+#include "engine/fixed/root.h"
+#include "engine/level/side.h"
+#include "engine/math/wide_sum.h"
+
+namespace oblong {
+
+namespace {
+
+/// Distances within a light's radius: World's steps in 64 bits.
+using Distance = WorldWide;
+/// Vectors on a face, world units.
+using OnFace = Fixed<std::int64_t, 24>;
+
+constexpr std::int32_t kSampleStep = 16;  ///< texels from one light sample to the next
+
+/// A light seen from a face: how far it is in front, and at which texel, from that of the first light sample.
+struct LightAtFace {
+    PlaneDistance distance;
+    Texel u, v;
+};
+
+Vec3<World> in_model(const Vec3<World>& position, const Vec3<World>& offset) {
+    return saturating_convert<World>(widening_difference(position, offset));
+}
+
+/// s . p for any p: its parts may be too large for one exact sum.
+Texel texel_along(const Vec3<TexelAxis>& axis, const Vec3<World>& p) {
+    return product<Texel>(axis.x, p.x) + product<Texel>(axis.y, p.y) + product<Texel>(axis.z, p.z);
+}
+
+/// The texel that is nearest to a point at this distance from the plane.
+Texel texel_below(const Vec3<TexelAxis>& axis, Texel offset, const LevelPlane& plane, const Vec3<World>& p,
+                  PlaneDistance distance) {
+    return texel_along(axis, p) + offset - product<Texel>(dot(axis, plane.normal), distance);
+}
+
+LightAtFace light_at_face(const Level& level, const Face& face, const Vec3<World>& p) {
+    const LevelPlane& plane = level.planes[face.plane];
+    const TexInfo& texinfo = level.texinfos[face.texinfo];
+    const PlaneDistance distance = plane_distance(plane, p);
+    return {face.is_back ? -distance : distance,
+            texel_below(texinfo.s, texinfo.s_offset, plane, p, distance) - Texel::from_int(face.texel_min_u),
+            texel_below(texinfo.t, texinfo.t_offset, plane, p, distance) - Texel::from_int(face.texel_min_v)};
+}
+
+/// The way on a face from a texel to the next, world units.
+using TexelWay = std::array<SoftFloat, 3>;
+struct TexelWays {
+    TexelWay u, v;
+};
+
+/// With s . u = t . v = 1 and s . v = t . u = n . u = n . v = 0. Nothing if the axes are parallel on the plane.
+std::optional<TexelWays> texel_ways(const LevelPlane& plane, const TexInfo& texinfo) {
+    const auto u = cross(texinfo.t, plane.normal), v = cross(plane.normal, texinfo.s);
+    WideSum sum;
+    sum.add_product(texinfo.s.x, u.x);
+    sum.add_product(texinfo.s.y, u.y);
+    sum.add_product(texinfo.s.z, u.z);
+    const SoftFloat volume = sum.scaled(-TexelAxis::kFractionBits - decltype(u.x)::kFractionBits);
+    if (volume.is_zero()) return std::nullopt;
+    const auto divided = [&volume](const auto& way) {
+        return TexelWay{SoftFloat::from(way.x) / volume, SoftFloat::from(way.y) / volume,
+                        SoftFloat::from(way.z) / volume};
+    };
+    return TexelWays{divided(u), divided(v)};
+}
+
+/// u across + v down, if each part is below 2^26 units.
+std::optional<Vec3<OnFace>> on_face(const TexelWays& ways, Texel u, Texel v) {
+    constexpr auto kMost = OnFace::from_int(1 << 26);
+    std::array<OnFace, 3> parts;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const SoftFloat part = ways.u[axis] * SoftFloat::from(u) + ways.v[axis] * SoftFloat::from(v);
+        const std::optional<OnFace> fixed = fixed_of<OnFace>(part);
+        if (!fixed || absolute(*fixed) >= kMost) return std::nullopt;
+        parts[axis] = *fixed;
+    }
+    return Vec3<OnFace>{parts[0], parts[1], parts[2]};
+}
+
+/// From the point of a face that is nearest to a light: the first light sample, and steps to the next ones.
+struct SampleGrid {
+    Vec3<OnFace> first, column, row;
+};
+
+std::optional<SampleGrid> sample_grid(const TexelWays& ways, const LightAtFace& light) {
+    const auto first = on_face(ways, -light.u, -light.v);
+    const auto column = on_face(ways, Texel::from_int(kSampleStep), Texel{});
+    const auto row = on_face(ways, Texel{}, Texel::from_int(kSampleStep));
+    if (!first || !column || !row) return std::nullopt;
+    return SampleGrid{*first, *column, *row};
+}
+
+/// What a light adds to a sample at `way` from the point nearest to it; 8 fraction bits. `square` is that of its
+/// distance from the plane. With a radius below 2^23 steps no square exceeds 2^48.
+std::int32_t light_at(const Vec3<OnFace>& way, std::int64_t square, Distance radius, std::int32_t brightness_256) {
+    for (const OnFace part : {way.x, way.y, way.z}) {
+        const auto distance = convert<Distance>(part);
+        if (absolute(distance) >= radius) return 0;
+        square += distance.raw * distance.raw;
+    }
+    const auto distance = Distance::from_raw(integer_root(static_cast<std::uint64_t>(square)));
+    if (distance >= radius) return 0;
+    return static_cast<std::int32_t>(floor_shift((radius - distance).raw * brightness_256, Distance::kFractionBits));
+}
+
+/// Adds a light to samples, `columns` a row.
+void add_samples(const SampleGrid& grid, PlaneDistance distance, const MovingLight& light, std::int32_t columns,
+                 std::span<std::int32_t> samples_8) {
+    const std::int64_t height = convert<Distance>(distance).raw;
+    const auto radius = convert<Distance>(light.radius);
+    Vec3<OnFace> row_start = grid.first;
+    for (; !samples_8.empty(); samples_8 = samples_8.subspan(static_cast<std::size_t>(columns))) {
+        Vec3<OnFace> way = row_start;
+        for (std::int32_t column = 0; column < columns; ++column) {
+            at(samples_8, column) += light_at(way, height * height, radius, light.brightness_256);
+            way = way + grid.column;
+        }
+        row_start = row_start + grid.row;
+    }
+}
+
+/// What comes first, nearest first: the distance from the eye to a light's reach with 8 fraction bits, and the light.
+using Candidate = std::pair<std::int64_t, std::size_t>;
+
+Candidate candidate_of(const MovingLight& light, std::size_t index, const Vec3<World>& eye) {
+    constexpr int kDropped = World::kFractionBits - 8;  // so that squares of any distance fit
+    const auto square = [](Distance way) { return floor_shift(way.raw, kDropped) * floor_shift(way.raw, kDropped); };
+    const Vec3<Distance> way = widening_difference(light.position, eye);
+    const auto squared = static_cast<std::uint64_t>(square(way.x) + square(way.y) + square(way.z));
+    return {std::int64_t{integer_root(squared)} - floor_shift(light.radius.raw, kDropped), index};
+}
+
+/// A light within the limits; nothing if it gives no light.
+std::optional<MovingLight> limited(MovingLight light) {
+    if (light.radius <= World{} || light.brightness_256 <= 0) return std::nullopt;
+    light.radius = std::min(light.radius, kMostLightRadius);
+    light.brightness_256 = std::min(light.brightness_256, kMostBrightness_256);
+    return light;
+}
+
+template <class Visit>
+void for_each_bit(std::uint32_t bits, Visit visit) {
+    for (; bits != 0; bits &= bits - 1) visit(std::countr_zero(bits));
+}
+
+}  // namespace
+
+void MovingLights::choose(std::span<const MovingLight> lights, const Vec3<World>& eye) {
+    std::array<Candidate, kMost> heap;  // the last of the chosen ones first
+    std::size_t count = 0;
+    for (std::size_t index = 0; index < lights.size(); ++index) {
+        const std::optional<MovingLight> light = limited(lights[index]);
+        if (!light) continue;
+        const Candidate candidate = candidate_of(*light, index, eye);
+        if (count == kMost) {
+            if (candidate > heap.front()) continue;
+            std::pop_heap(heap.begin(), heap.end());
+            --count;
+        }
+        at(heap, count++) = candidate;
+        std::push_heap(heap.begin(), heap.begin() + static_cast<std::ptrdiff_t>(count));
+    }
+    chosen_.clear();
+    for (const Candidate& candidate : std::span(heap).first(count))
+        chosen_.push_back(*limited(lights[candidate.second]));
+}
+
+/// Chosen lights that are known as they are stay so, and leave the list.
+void MovingLights::keep_known() {
+    const std::uint32_t before = std::exchange(active_, 0);
+    std::erase_if(chosen_, [&](const MovingLight& light) {
+        for (int i = 0; i < kMost; ++i) {
+            const std::uint32_t bit = std::uint32_t{1} << i;
+            if ((before & ~active_ & bit) == 0 || at(known_, i).light != light) continue;
+            active_ |= bit;
+            return true;
+        }
+        return false;
+    });
+}
+
+void MovingLights::add_new() {
+    for (const MovingLight& light : chosen_) {
+        const int free = std::countr_one(active_);
+        at(known_, free) = {light, ++version_};
+        active_ |= std::uint32_t{1} << free;
+    }
+}
+
+void MovingLights::set(std::span<const MovingLight> lights, const Vec3<World>& eye) {
+    if (lights.empty() && active_ == 0) return;
+    choose(lights, eye);
+    keep_known();
+    add_new();
+}
+
+bool MovingLights::touches(const MovingLight& light, const Face& face, TexelDensity density,
+                           const Vec3<World>& offset) const {
+    const LightAtFace seen = light_at_face(level_, face, in_model(light.position, offset));
+    if (seen.distance <= PlaneDistance{} || convert<Distance>(seen.distance) >= convert<Distance>(light.radius))
+        return false;
+    const Texel reach = product<Texel>(light.radius, density);
+    return seen.u > -reach && seen.u < Texel::from_int(face.texel_extent_u) + reach && seen.v > -reach &&
+           seen.v < Texel::from_int(face.texel_extent_v) + reach;
+}
+
+LightTouch MovingLights::touch(FaceIndex index, const Vec3<World>& offset) {
+    const Face& face = level_.faces[index];
+    const TexelDensity density = faces_.faces[index].density + TexelDensity::ulp();
+    FaceTouch now;
+    for_each_bit(active_, [&](int light) {
+        const Known& known = at(known_, light);
+        if (!touches(known.light, face, density, offset)) return;
+        now.lights |= std::uint32_t{1} << light;
+        now.newest = std::max(now.newest, known.version);
+    });
+    if (now.lights == 0) return {};
+    if (touch_of_.empty()) touch_of_.resize(level_.faces.size());
+    FaceTouch& last = touch_of_[index];
+    if (last.lights != now.lights || last.newest != now.newest || last.offset != offset)
+        last = {now.lights, last.version + 1, now.newest, offset};
+    return {last.lights, last.version};
+}
+
+void MovingLights::add_light(FaceIndex index, const Vec3<World>& offset, std::uint32_t lights,
+                             std::span<std::int32_t> samples_8) const {
+    const Face& face = level_.faces[index];
+    const auto ways = texel_ways(level_.planes[face.plane], level_.texinfos[face.texinfo]);
+    if (!ways) return;
+    for_each_bit(lights, [&](int number) {
+        const MovingLight& light = at(known_, number).light;
+        const LightAtFace seen = light_at_face(level_, face, in_model(light.position, offset));
+        if (const std::optional<SampleGrid> grid = sample_grid(*ways, seen))
+            add_samples(*grid, seen.distance, light, face.texel_extent_u / kSampleStep + 1, samples_8);
+    });
+}
+
+}  // namespace oblong

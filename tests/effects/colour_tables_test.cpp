@@ -1,0 +1,126 @@
+// Tables of mixed colours against a search through all colours, on palettes of random colours.
+#include "engine/effects/colour_tables.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace oblong::test {
+
+namespace {
+
+Palette random_palette(std::mt19937& random) {
+    Palette palette;
+    for (Rgb8& colour : palette.colours)
+        colour = {static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
+                  static_cast<std::uint8_t>(random())};
+    return palette;
+}
+
+struct MixedChannels {
+    std::int64_t red, green, blue;  ///< times 256 * 63, before rounding
+};
+
+MixedChannels mixed(Rgb8 front, Rgb8 behind, std::int64_t part, std::int64_t whole) {
+    const auto channel = [&](std::int64_t a, std::int64_t b) {
+        return ((a * part + b * (whole - part)) * 2 + whole) / (2 * whole);
+    };
+    return {channel(front.red, behind.red), channel(front.green, behind.green), channel(front.blue, behind.blue)};
+}
+
+std::int64_t difference(const MixedChannels& a, Rgb8 b) {
+    const std::int64_t red = a.red - b.red, green = a.green - b.green, blue = a.blue - b.blue;
+    return 299 * red * red + 587 * green * green + 114 * blue * blue;
+}
+
+/// Whether none of the first `count` colours is nearer.
+testing::AssertionResult is_nearest(const Palette& palette, const MixedChannels& wanted, std::size_t count,
+                                    std::uint8_t chosen) {
+    if (chosen >= count) return testing::AssertionFailure() << "fullbright " << int{chosen};
+    for (std::size_t i = 0; i < count; ++i)
+        if (difference(wanted, palette.colours[i]) < difference(wanted, palette.colours[chosen]))
+            return testing::AssertionFailure() << i << " is nearer than " << int{chosen};
+    return testing::AssertionSuccess();
+}
+
+std::int64_t distance(Rgb8 a, Rgb8 b) {
+    return difference({a.red, a.green, a.blue}, b);
+}
+
+}  // namespace
+
+TEST(BlendTable, IsTheNearestColourOfTheMixtureFullbrightOnlyIfAPartIs) {
+    std::mt19937 random(1);
+    const Palette palette = random_palette(random);
+    const BlendTable table = make_blend_table(palette, 90);
+    for (int trial = 0; trial < 5000; ++trial) {
+        const std::size_t front = random() % 256, behind = random() % 256;
+        if (front == behind) continue;
+        const MixedChannels wanted = mixed(palette.colours[front], palette.colours[behind], 90, 256);
+        ASSERT_TRUE(is_nearest(palette, wanted, std::max(front, behind) < 224 ? 224 : 256, table.rows[front][behind]))
+            << front << " over " << behind;
+    }
+}
+
+TEST(BlendTable, SharesOfNothingAndOfAllAreIdentities) {
+    std::mt19937 random(2);
+    const Palette palette = random_palette(random);
+    const BlendTable none = make_blend_table(palette, 0), half = make_blend_table(palette, 128),
+                     all = make_blend_table(palette, 256);
+    for (std::size_t front = 0; front < 256; ++front) {
+        EXPECT_EQ(half.rows[front][front], front);
+        for (std::size_t behind = 0; behind < 256; ++behind) {
+            ASSERT_EQ(none.rows[front][behind], behind);
+            ASSERT_EQ(all.rows[front][behind], front);
+        }
+    }
+}
+
+TEST(FogTable, Level0IsIdentityAndTheLastLevelIsTheFog) {
+    std::mt19937 random(3);
+    const Palette palette = random_palette(random);
+    const FogTable table = make_fog_table(palette, palette.colours[77]);
+    for (std::size_t colour = 0; colour < 256; ++colour) {
+        EXPECT_EQ(table.levels[0][colour], colour);
+        EXPECT_EQ(table.levels[63][colour], 77);
+    }
+}
+
+TEST(FogTable, IsTheNearestColourAtEachLevelFullbrightOnlyIfItWas) {
+    std::mt19937 random(4);
+    const Palette palette = random_palette(random);
+    const Rgb8 fog{200, 190, 170};
+    const FogTable table = make_fog_table(palette, fog, 256);
+    for (std::size_t level = 1; level < 64; ++level)
+        for (std::size_t colour = 0; colour < 256; colour += 5) {
+            // The share is rounded down to a step of 2^-16: a channel may be rounded to the other side of a tie.
+            const auto part = static_cast<std::int64_t>(level * 65536 / 63);
+            ASSERT_TRUE(is_nearest(palette, mixed(fog, palette.colours[colour], part, 65536), colour < 224 ? 224 : 256,
+                                   table.levels[level][colour]))
+                << level << ", " << colour;
+        }
+}
+
+TEST(FogTable, GreysComeNearerToTheFogWithEachLevel) {
+    Palette greys;
+    for (std::size_t i = 0; i < 256; ++i) {
+        const auto grey = static_cast<std::uint8_t>(i * 255 / 223);
+        greys.colours[i] = i < 224 ? Rgb8{grey, grey, grey} : Rgb8{255, 0, 0};
+    }
+    for (const std::int32_t share_256 : {256, 128}) {
+        const Rgb8 fog{160, 160, 160};
+        const FogTable table = make_fog_table(greys, fog, share_256);
+        for (std::size_t colour = 0; colour < 224; ++colour) {
+            for (std::size_t level = 1; level < 64; ++level)
+                ASSERT_LE(distance(greys.colours[table.levels[level][colour]], fog),
+                          distance(greys.colours[table.levels[level - 1][colour]], fog))
+                    << level << ", " << colour;
+            const int left = greys.colours[table.levels[63][colour]].red - 160;
+            const int before = greys.colours[colour].red - 160;
+            EXPECT_NEAR(left, before * (256 - share_256) / 256, 2) << "the densest fog hides its share";
+        }
+    }
+}
+
+}  // namespace oblong::test

@@ -1,0 +1,136 @@
+// Distance fog against FitzQuake's formula in doubles, and its runs against the level of each pixel.
+#include "engine/effects/fog.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace oblong::test {
+
+namespace {
+
+FogDensity density_of(double density) {
+    return FogDensity::from_raw(std::llround(std::ldexp(density, 32)));
+}
+View units(double z) {
+    return View::from_raw(std::llround(std::ldexp(z, 16)));
+}
+InverseZ inverse_of(double z) {
+    return InverseZ::from_raw(std::llround(std::ldexp(1 / z, 44)));
+}
+
+/// Parts of 63 that fog hides, before rounding.
+double hidden_63(double density, double z, double start = 0) {
+    const double reach = density / 64 * std::max(z - start, 0.0);
+    return 63 * (1 - std::exp(-reach * reach));
+}
+
+/// Of random depths and slopes: gentle, steep, through 0 and beyond what any polygon has.
+LinearQuantity<InverseZ> random_inverse_z(std::mt19937_64& random) {
+    const auto number = [&](int bits) { return static_cast<std::int64_t>(random()) >> (64 - bits); };
+    const int bits = 8 + static_cast<int>(random() % 40);
+    return {InverseZ::from_raw(number(1 + static_cast<int>(random() % 62))), InverseZ::from_raw(number(bits)),
+            InverseZ::from_raw(number(bits))};
+}
+
+}  // namespace
+
+TEST(Fog, HidesWhatFitzQuakesFormulaSays) {
+    std::mt19937 random(1);
+    for (int trial = 0; trial < 20'000; ++trial) {
+        const double density = std::exp2(-8 + static_cast<double>(random() % 1000) / 100);
+        const double start = trial % 2 ? static_cast<double>(random() % 300) : 0;
+        const double z = std::exp2(static_cast<double>(random() % 1300) / 100);
+        const double hidden = hidden_63(density, z, start);
+        if (std::abs(hidden - std::floor(hidden) - 0.5) < 0.001) continue;  // where the depths' rounding decides
+        const FogDepths depths = make_fog_depths(density_of(density), units(start));
+        ASSERT_EQ(depths.level_at(inverse_of(z)), std::lround(hidden)) << density << ", " << start << ", " << z;
+    }
+}
+
+TEST(Fog, GrowsWithDepthUpToItsEnd) {
+    const FogDepths depths = make_fog_depths(density_of(0.2), units(100), units(400));
+    std::int32_t before = 0;
+    for (int z = 1; z < 5000; ++z) {
+        const std::int32_t level = depths.level_at(inverse_of(z));
+        ASSERT_GE(level, before) << z;
+        if (z <= 100) {
+            ASSERT_EQ(level, 0) << z;
+        }
+        if (z > 400) {
+            ASSERT_EQ(level, std::lround(hidden_63(0.2, 400, 100))) << z;
+        }
+        before = level;
+    }
+}
+
+TEST(Fog, DensitiesThatMeanNothingAreClear) {
+    for (const FogDensity density : {FogDensity{}, density_of(-1), FogDensity::lowest()}) {
+        const FogDepths depths = make_fog_depths(density);
+        for (const double z : {0.01, 1.0, 1e5}) EXPECT_EQ(depths.level_at(inverse_of(z)), 0);
+    }
+    const FogDepths thin = make_fog_depths(FogDensity::ulp()), thick = make_fog_depths(FogDensity::highest());
+    EXPECT_EQ(thin.level_at(inverse_of(1e6)), 0);
+    EXPECT_EQ(thick.level_at(inverse_of(1)), 63);
+    const FogDepths before_eye = make_fog_depths(density_of(0.1), units(-500), units(1000));
+    EXPECT_EQ(before_eye.greatest_inverse_z, make_fog_depths(density_of(0.1), {}, units(1000)).greatest_inverse_z);
+    const FogDepths reversed = make_fog_depths(density_of(0.1), units(500), units(100));
+    EXPECT_EQ(reversed.level_at(inverse_of(1e4)), 0);
+}
+
+TEST(Fog, RunsHaveTheLevelOfEachPixelAndLeaveNoGap) {
+    std::mt19937_64 random(2);
+    for (int trial = 0; trial < 20'000; ++trial) {
+        const FogDepths depths = make_fog_depths(FogDensity::from_raw(static_cast<std::int64_t>(random() >> 28)));
+        const LinearQuantity<InverseZ> inverse_z = random_inverse_z(random);
+        const auto first = static_cast<std::int32_t>(random() % 300);
+        const Span span{static_cast<std::int32_t>(random() % 200), first,
+                        first + 1 + static_cast<std::int32_t>(random() % 100)};
+        std::vector<FogRun> runs;
+        append_fog_runs(span, inverse_z, depths, runs);
+        std::int32_t column = span.first;
+        for (const FogRun& run : runs) {
+            ASSERT_EQ(run.span.y, span.y);
+            ASSERT_EQ(run.span.first, column);
+            for (; column < run.span.end; ++column)
+                ASSERT_EQ(run.level, depths.level_at(std::clamp(inverse_z.at(column, span.y), InverseZ{},
+                                                                InverseZ::from_raw(std::int64_t{1} << 59))))
+                    << trial << ", " << column;
+        }
+        ASSERT_EQ(column, span.end);
+    }
+}
+
+TEST(Fog, ARunOfOneLevelIsNotCut) {
+    const FogDepths depths = make_fog_depths(density_of(0.05));
+    std::vector<FogRun> runs;
+    const LinearQuantity<InverseZ> wall{inverse_of(500), {}, {}};
+    append_fog_runs({7, 10, 200}, wall, depths, runs);
+    append_fog_runs({7, 200, 300}, wall, depths, runs);
+    ASSERT_EQ(runs.size(), 1u);
+    EXPECT_EQ(runs[0].span.end, 300);
+    EXPECT_GT(runs[0].level, 0);
+}
+
+TEST(Fog, ColoursTheRunsThatAreNotClear) {
+    FogTable table;
+    for (std::size_t level = 0; level < 64; ++level)
+        for (std::size_t colour = 0; colour < 256; ++colour)
+            table.levels[level][colour] = static_cast<std::uint8_t>(colour + level);
+    std::vector<std::uint8_t> pixels(40 * 3, 100);
+    const std::vector<FogRun> runs{{{0, 0, 40}, 0}, {{1, 5, 9}, 3}, {{1, 9, 10}, 63}, {{2, 39, 40}, 1}};
+    draw_fog(runs, table, {pixels.data(), 40, 3, 40});
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const int expected = i >= 45 && i < 49 ? 103 : i == 49 ? 163 : i == 119 ? 101 : 100;
+        EXPECT_EQ(pixels[i], expected) << i;
+    }
+}
+
+TEST(Fog, TheSkyHasNoneHalfOrAll) {
+    EXPECT_EQ(sky_fog_level(0), 0);
+    EXPECT_EQ(sky_fog_level(128), 32);
+    EXPECT_EQ(sky_fog_level(256), 63);
+}
+
+}  // namespace oblong::test

@@ -1,0 +1,201 @@
+#include "engine/effects/palette_effects.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "engine/base/input_error.h"
+
+namespace oblong::test {
+namespace {
+
+constexpr std::int64_t kLate_ms = std::int64_t{1} << 62;
+
+/// Colour i is (i, 255 - i, 7 i mod 256).
+Palette numbered_palette() {
+    Palette palette;
+    for (std::size_t i = 0; i < 256; ++i) {
+        const auto c = static_cast<std::uint8_t>(i);
+        palette.colours[i] = {c, static_cast<std::uint8_t>(255 - c), static_cast<std::uint8_t>(c * 7)};
+    }
+    return palette;
+}
+
+Palette cycled(const PaletteCycle& cycle, std::int64_t time_ms) {
+    PaletteEffects effects;
+    effects.cycles = {cycle};
+    return apply_palette_effects(numbered_palette(), effects, time_ms);
+}
+
+Palette tinted(const Tint& tint) {
+    PaletteEffects effects;
+    effects.liquid = tint;
+    return apply_palette_effects(numbered_palette(), effects, 0);
+}
+
+TEST(PaletteEffects, NothingIsPlainAndChangesNothing) {
+    EXPECT_TRUE(PaletteEffects{}.is_plain());
+    EXPECT_EQ(apply_palette_effects(numbered_palette(), {}, 12345).colours, numbered_palette().colours);
+}
+
+TEST(PaletteEffects, EachEffectIsNotPlain) {
+    PaletteEffects effects;
+    effects.cycles = {{10, 19, 1 << 16}};
+    EXPECT_FALSE(effects.is_plain());
+    for (Tint PaletteEffects::*tint :
+         {&PaletteEffects::liquid, &PaletteEffects::damage, &PaletteEffects::pickup, &PaletteEffects::fade}) {
+        PaletteEffects tinting;
+        tinting.*tint = {{255, 0, 0}, 1};
+        EXPECT_FALSE(tinting.is_plain());
+    }
+    PaletteEffects brightening;
+    brightening.gamma = make_gamma_table(150);
+    EXPECT_FALSE(brightening.is_plain());
+}
+
+TEST(PaletteCycle, MovesItsColoursUpAndNoOthers) {
+    const Palette before = numbered_palette(), after = cycled({10, 19, 2 << 16}, 1500);  // three steps
+    for (std::size_t i = 0; i < 256; ++i) {
+        const std::size_t from = i < 10 || i > 19 ? i : i < 13 ? i + 7 : i - 3;
+        EXPECT_EQ(after.colours[i], before.colours[from]) << i;
+    }
+}
+
+TEST(PaletteCycle, BackwardsItsFirstStepTakesAsLong) {
+    EXPECT_EQ(cycled({10, 19, -(1 << 16)}, 999).colours, numbered_palette().colours);
+    EXPECT_NE(cycled({10, 19, -(1 << 16)}, 1000).colours, numbered_palette().colours);
+}
+
+TEST(PaletteCycle, BackwardsItMovesThemDown) {
+    EXPECT_EQ(cycled({10, 19, -(2 << 16)}, 1500).colours[10], numbered_palette().colours[13]);
+}
+
+TEST(PaletteCycle, StepsWhenItsTimeHasCome) {
+    EXPECT_EQ(cycled({0, 255, 2 << 16}, 499).colours, numbered_palette().colours);
+    EXPECT_NE(cycled({0, 255, 2 << 16}, 500).colours, numbered_palette().colours);
+    EXPECT_EQ(cycled({0, 255, 1 << 15}, 1999).colours, numbered_palette().colours);
+    EXPECT_NE(cycled({0, 255, 1 << 15}, 2000).colours, numbered_palette().colours);
+}
+
+TEST(PaletteCycle, ReturnsAfterItsPeriodAtAnyTime) {
+    constexpr std::int64_t kPeriod_ms = 2500;  // ten colours at four steps a second
+    for (const std::int64_t start :
+         {std::int64_t{0}, ((std::int64_t{1} << 32) / kPeriod_ms) * kPeriod_ms, (kLate_ms / kPeriod_ms) * kPeriod_ms})
+        for (std::int64_t time = 0; time < kPeriod_ms; time += 130)
+            for (const std::int32_t rate_16 : {4 << 16, -(4 << 16)})
+                ASSERT_EQ(cycled({10, 19, rate_16}, start + time).colours, cycled({10, 19, rate_16}, time).colours)
+                    << start << " + " << time;
+}
+
+TEST(PaletteCycle, KeepsEveryColour) {
+    std::set<std::tuple<int, int, int>> seen;
+    for (const Rgb8 colour : cycled({0, 255, 100 << 16}, 987'654'321).colours)
+        seen.emplace(colour.red, colour.green, colour.blue);
+    EXPECT_EQ(seen.size(), 256u);
+}
+
+TEST(PaletteCycle, IsReadFromTheWorldspawn) {
+    const Entity worldspawn{{{"palette_cycle", "16 31 2.5"}, {"palette_cycle16", "224 227 -100"}, {"fog", "1"}}};
+    const std::vector<PaletteCycle> expected{{16, 31, 5 << 15}, {224, 227, -(100 << 16)}};
+    EXPECT_EQ(read_palette_cycles(worldspawn), expected);
+    EXPECT_TRUE(read_palette_cycles({}).empty());
+}
+
+TEST(PaletteCycle, OtherValuesAreRefusedByName) {
+    for (const char* wrong : {"16", "16 31", "16 31 x", "31 16 2", "16 16 2", "-1 5 2", "16 256 2", "16.5 31 2",
+                              "16 31 101", "16 31 -101", "16 31 2 7", "nan 31 2", "99999999999 31 2"}) {
+        try {
+            read_palette_cycles({{{"palette_cycle2", wrong}}});
+            FAIL() << wrong;
+        } catch (const InputError& error) {
+            EXPECT_EQ(error.where, "worldspawn, key palette_cycle2");
+            EXPECT_TRUE(std::string(error.what()).starts_with("'" + std::string(wrong) + "', expected FIRST LAST"))
+                << error.what();
+        }
+    }
+}
+
+TEST(Tint, WithoutAShareIsThePaletteItself) {
+    EXPECT_EQ(tinted({{200, 100, 50}, 0}).colours, numbered_palette().colours);
+}
+
+TEST(Tint, OfAllPartsIsOneColour) {
+    for (const Rgb8 colour : tinted({{200, 100, 50}, 256}).colours) EXPECT_EQ(colour, (Rgb8{200, 100, 50}));
+}
+
+// Quake: colour += (share * (tint - colour)) >> 8.
+TEST(Tint, MixesAsQuakeDoes) {
+    const Palette before = numbered_palette();
+    for (const std::int32_t contents : {contents::kWater, contents::kSlime, contents::kLava}) {
+        const Tint tint = liquid_tint(contents);
+        const Palette after = tinted(tint);
+        for (std::size_t i = 0; i < 256; ++i) {
+            const auto mixed = [&](int from, int to) {
+                return from + static_cast<int>(std::floor(tint.share_256 * (to - from) / 256.0));
+            };
+            ASSERT_EQ(after.colours[i].red, mixed(before.colours[i].red, tint.colour.red)) << i;
+            ASSERT_EQ(after.colours[i].green, mixed(before.colours[i].green, tint.colour.green)) << i;
+            ASSERT_EQ(after.colours[i].blue, mixed(before.colours[i].blue, tint.colour.blue)) << i;
+        }
+    }
+}
+
+TEST(Tint, OnlyLiquidsTint) {
+    EXPECT_EQ(liquid_tint(contents::kWater), (Tint{{130, 80, 50}, 128}));
+    for (const std::int32_t other : {contents::kEmpty, contents::kSolid, contents::kSky, 0, -7})
+        EXPECT_EQ(liquid_tint(other), Tint{}) << other;
+}
+
+TEST(Tint, FadesToNothingAndStaysThere) {
+    EXPECT_EQ(faded(kDamageFlash, 0, 1000), kDamageFlash);
+    EXPECT_EQ(faded(kDamageFlash, 500, 1000).share_256, kDamageFlash.share_256 / 2);
+    for (const std::int64_t late : {std::int64_t{1000}, std::int64_t{1001}, std::int64_t{1} << 32, kLate_ms})
+        EXPECT_EQ(faded(kDamageFlash, late, 1000).share_256, 0) << late;
+    for (std::int64_t time = 1; time <= 1000; ++time)
+        ASSERT_LE(faded(kPickupFlash, time, 1000).share_256, faded(kPickupFlash, time - 1, 1000).share_256);
+}
+
+TEST(Gamma, IsThePowerInDoubles) {
+    for (std::int32_t gamma_100 = 50; gamma_100 <= 200; ++gamma_100) {
+        const GammaTable table = make_gamma_table(gamma_100);
+        for (int value = 0; value < 256; ++value)
+            ASSERT_NEAR(table[static_cast<std::size_t>(value)], 255 * std::pow(value / 255.0, 100.0 / gamma_100), 0.51)
+                << value << " at " << gamma_100;
+    }
+}
+
+TEST(Gamma, KeepsTheOrderAndBothEnds) {
+    for (std::int32_t gamma_100 = 50; gamma_100 <= 200; ++gamma_100) {
+        const GammaTable table = make_gamma_table(gamma_100);
+        EXPECT_EQ(table[0], 0);
+        EXPECT_EQ(table[255], 255);
+        EXPECT_TRUE(std::is_sorted(table.begin(), table.end())) << gamma_100;
+    }
+}
+
+TEST(Gamma, OfOneIsThePaletteItself) {
+    PaletteEffects effects;
+    effects.gamma = make_gamma_table(100);
+    EXPECT_EQ(apply_palette_effects(numbered_palette(), effects, 0).colours, numbered_palette().colours);
+}
+
+// Cycles, then tints in turn, then gamma: all others would give another colour.
+TEST(PaletteEffects, ComeInOrder) {
+    PaletteEffects effects;
+    effects.cycles = {{0, 1, 1 << 16}};
+    effects.liquid = {{100, 100, 100}, 128};
+    effects.damage = {{255, 0, 0}, 64};
+    effects.pickup = {{0, 255, 0}, 64};
+    effects.fade = {{0, 0, 0}, 32};
+    effects.gamma = make_gamma_table(200);
+    Palette palette;
+    palette.colours[0] = {40, 40, 40};
+    const int red_of_one = (((40 * 128 + 100 * 128) / 256 * 192 + 255 * 64) / 256 * 192 / 256) * 224 / 256;
+    const double shown = 255 * std::sqrt(red_of_one / 255.0);
+    EXPECT_NEAR(apply_palette_effects(palette, effects, 1000).colours[1].red, shown, 0.51);
+}
+
+}  // namespace
+}  // namespace oblong::test

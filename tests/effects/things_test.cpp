@@ -1,0 +1,190 @@
+// What is read from entities, what is said of bad ones, and what of it a frame computes.
+#include "engine/effects/things.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "engine/effects/things_in_view.h"
+#include "engine/level/bsp_read.h"
+#include "engine/level/entities.h"
+#include "tests/effects/view.h"
+#include "tests/support/point.h"
+#include "tests/support/tiny_bsp.h"
+
+namespace oblong::test {
+
+namespace {
+
+/// The tiny level (solid below z = 8) with these entities.
+Level level_with(const std::string& entities) {
+    Level level = read_bsp(join_lumps(29, make_tiny_lumps()));
+    level.entities = parse_entities(entities, "entities");
+    return level;
+}
+
+std::string entity(const std::string& class_name, const std::string& more = "\"origin\" \"16 8 40\"") {
+    return "{ \"classname\" \"" + class_name + "\" " + more + " }";
+}
+
+/// What a frame computes from inside the tiny level.
+ThingsInView seen_from(const Level& level, Angle yaw, std::int64_t time_ms = 0) {
+    const Things things = read_things(level);
+    VisibleSet visible(level);
+    visible.see_from(level, LeafIndex(1));
+    ThingsInView in_view;
+    DepthBuffer depth(320, 200);
+    const ViewContext view = view_from(at_units(-100, 8, 40), yaw);
+    const Sight sight{visible, view};
+    find_particles(things, time_ms, sight, in_view, depth);
+    EXPECT_EQ(depth.is_wanted(), !in_view.dots.empty());
+    find_sprites(things, time_ms, level, sight, in_view, depth);
+    EXPECT_EQ(depth.is_wanted(), !in_view.dots.empty() || !in_view.sprites.empty());
+    find_shadows(things, sight, in_view);
+    return in_view;
+}
+
+}  // namespace
+
+TEST(Things, AreReadFromEntities) {
+    const Level level = level_with(
+        entity("misc_rain",
+               "\"origin\" \"16 8 40\" \"size\" \"20 30 40\" \"count\" \"77\" \"colour\" \"12\" \"period\" \"1.5\"") +
+        entity("misc_sparks", "\"origin\" \"16 8 40\" \"colour\" \"111 104\"") + entity("air_bubbles") +
+        entity("info_null") +
+        entity("misc_sprite", "\"origin\" \"16 8 40\" \"texture\" \"floor\" \"scale\" \"0.5\" \"shadow\" \"24\"") +
+        entity("misc_lantern",
+               "\"origin\" \"16 8 40\" \"texture\" \"floor\" \"radius\" \"32\" \"period\" \"4\" \"light\" \"150\""));
+    const Things things = read_things(level);
+    EXPECT_TRUE(things.warnings.empty()) << things.warnings.front();
+    ASSERT_EQ(things.emitters.size(), 3u);
+    const ParticleEmitter& rain = things.emitters[0].emitter;
+    EXPECT_EQ(rain.kind, ParticleKind::Rain);
+    EXPECT_EQ(rain.middle, at_units(16, 8, 40));
+    EXPECT_EQ(rain.half_size, at_units(10, 15, 20));
+    EXPECT_EQ(rain.count, 77);
+    EXPECT_EQ(rain.first_colour, 12);
+    EXPECT_EQ(rain.last_colour, 12);
+    EXPECT_EQ(rain.period_ms, 1500);
+    EXPECT_EQ(things.emitters[1].emitter.first_colour, 111);
+    EXPECT_EQ(things.emitters[1].emitter.last_colour, 104);
+    const ParticleEmitter& bubbles = things.emitters[2].emitter;
+    EXPECT_EQ(bubbles.middle.z - bubbles.half_size.z, World::from_int(40)) << "they rise from where the entity is";
+    ASSERT_EQ(things.sprites.size(), 1u);
+    EXPECT_EQ(things.sprites[0].sprite.scale, World::from_raw(2048));
+    ASSERT_TRUE(things.sprites[0].floor);
+    EXPECT_EQ(things.sprites[0].floor->position, at_units(16, 8, 8));
+    ASSERT_EQ(things.lanterns.size(), 1u);
+    EXPECT_EQ(things.lanterns[0].lantern.radius, World::from_int(32));
+    EXPECT_EQ(things.lanterns[0].lantern.period_ms, 4000);
+    EXPECT_EQ(things.lanterns[0].lantern.light_radius, World::from_int(150));
+}
+
+TEST(Things, BadValuesAreReplacedAndReported) {
+    struct Case {
+        const char *key, *value;
+    };
+    for (const Case& bad : {Case{"size", "0 0 0"}, Case{"size", "10 -5 10"}, Case{"size", "nan nan nan"},
+                            Case{"size", "7"}, Case{"size", "99999999 1 1"}, Case{"count", "-1"}, Case{"count", "1e9"},
+                            Case{"count", "131073"}, Case{"count", "9999999999999999999999"}, Case{"colour", "256"},
+                            Case{"colour", "-1"}, Case{"colour", "1 2 3"}, Case{"colour", "red"}, Case{"period", "0"},
+                            Case{"period", "-2"}, Case{"period", "NaN"}, Case{"period", "1000000"}}) {
+        const std::string pair = std::string("\"") + bad.key + "\" \"" + bad.value + "\" \"origin\" \"16 8 40\"";
+        const Things things = read_things(level_with(entity("worldspawn") + entity("misc_sparks", pair)));
+        ASSERT_EQ(things.warnings.size(), 1u) << bad.key << " " << bad.value;
+        EXPECT_NE(things.warnings[0].find("entity 1 (misc_sparks): " + std::string(bad.key) + " is \"" + bad.value +
+                                          "\", expected"),
+                  std::string::npos)
+            << things.warnings[0];
+        ASSERT_EQ(things.emitters.size(), 1u);
+        const ParticleEmitter good =
+            read_things(level_with(entity("worldspawn") + entity("misc_sparks"))).emitters[0].emitter;
+        const ParticleEmitter& used = things.emitters[0].emitter;
+        EXPECT_EQ(used.half_size, good.half_size);
+        EXPECT_EQ(used.count, good.count);
+        EXPECT_EQ(used.first_colour, good.first_colour);
+        EXPECT_EQ(used.period_ms, good.period_ms);
+    }
+}
+
+TEST(Things, WithoutAPlaceOrATextureAreLeftOutAndReported) {
+    const Things things =
+        read_things(level_with(entity("misc_rain", "") + entity("misc_dust", "\"origin\" \"1 2 x\"") +
+                               entity("misc_rain", "\"origin\" \"400000 0 0\"") + entity("misc_sprite") +
+                               entity("misc_lantern", "\"origin\" \"0 0 9\" \"texture\" \"gone\"")));
+    EXPECT_TRUE(things.emitters.empty() && things.sprites.empty() && things.lanterns.empty());
+    for (const char* part : {"entity 0 (misc_rain)", "entity 1 (misc_dust)", "entity 2 (misc_rain)",
+                             "entity 3 (misc_sprite)", "texture is \"gone\""})
+        EXPECT_EQ(std::count_if(things.warnings.begin(), things.warnings.end(),
+                                [part](const std::string& each) {
+                                    return each.find(part) != std::string::npos &&
+                                           each.find("left out") != std::string::npos;
+                                }),
+                  1)
+            << part;
+}
+
+TEST(Things, HaveLimits) {
+    std::string text;
+    for (int i = 0; i < 1100; ++i) text += entity("misc_dust", "\"origin\" \"16 8 40\" \"count\" \"1000\"");
+    for (int i = 0; i < 4100; ++i) text += entity("misc_sprite", "\"origin\" \"16 8 40\" \"texture\" \"floor\"");
+    for (int i = 0; i < 70; ++i) text += entity("misc_lantern", "\"origin\" \"16 8 40\" \"texture\" \"floor\"");
+    const Things things = read_things(level_with(text));
+    std::int64_t particles = 0;
+    for (const PlacedEmitter& each : things.emitters) particles += each.emitter.count;
+    EXPECT_EQ(particles, 131072);
+    EXPECT_EQ(things.emitters.size(), 132u) << "those without a particle left do not count";
+    EXPECT_EQ(things.sprites.size(), 4096u);
+    EXPECT_EQ(things.lanterns.size(), 64u);
+    EXPECT_EQ(things.warnings.size(), 1100u - 131 + 4 + 6);
+}
+
+TEST(Things, OutOfViewAreNotComputed) {
+    const Level level =
+        level_with(entity("misc_rain", "\"origin\" \"16 8 40\" \"size\" \"16 16 16\" \"count\" \"300\""));
+    EXPECT_EQ(seen_from(level, Angle{}).particles_computed, 300);
+    EXPECT_GT(seen_from(level, Angle{}).dots.size(), 200u);
+    const ThingsInView away = seen_from(level, kHalfTurn);
+    EXPECT_EQ(away.particles_computed, 0);
+    EXPECT_TRUE(away.dots.empty());
+}
+
+TEST(Things, InNoVisibleLeafAreNotComputed) {
+    const Level level = level_with(entity("misc_rain", "\"origin\" \"16 8 -40\" \"size\" \"16 16 16\"") +
+                                   entity("misc_sprite", "\"origin\" \"16 8 -40\" \"texture\" \"floor\""));
+    const ThingsInView in_view = seen_from(level, Angle{});
+    EXPECT_EQ(in_view.particles_computed, 0) << "they are in the solid below";
+    EXPECT_TRUE(in_view.sprites.empty());
+}
+
+TEST(Things, SpritesBringTheirShadowsAndLanternsMove) {
+    const Level level = level_with(
+        entity("misc_sprite", "\"origin\" \"16 8 72\" \"texture\" \"floor\" \"shadow\" \"20\"") +
+        entity("misc_lantern", "\"origin\" \"16 8 40\" \"texture\" \"floor\" \"radius\" \"8\" \"period\" \"8\""));
+    const ThingsInView now = seen_from(level, Angle{}),
+                       later = seen_from(level, Angle{}, 2000 + (std::int64_t{8000} << 32));
+    ASSERT_EQ(now.sprites.size(), 2u);
+    ASSERT_EQ(later.sprites.size(), 2u);
+    EXPECT_EQ(now.sprites[0].position, later.sprites[0].position);
+    EXPECT_EQ(now.sprites[1].position, at_units(24, 8, 40));
+    EXPECT_EQ(later.sprites[1].position, at_units(16, 16, 40)) << "a quarter turn, and many whole ones";
+    ASSERT_EQ(now.shadows.size(), 1u);
+    EXPECT_EQ(now.shadows[0].radius, World::from_int(10)) << "64 units up: half";
+}
+
+TEST(Lanterns, StayOnTheirCircleAndReturnAfterTheirPeriod) {
+    Lantern lantern{at_units(100, 200, 50), World::from_int(64), 3000, {}, TextureIndex(0), World::from_int(1)};
+    for (std::int64_t time_ms = 0; time_ms < 3000; time_ms += 7) {
+        const Point p = to_point(lantern_at(lantern, time_ms).position);
+        const double angle = 2 * M_PI * static_cast<double>(time_ms) / 3000;
+        // A step of the angle is 64 * 2 pi / 65,536 units.
+        ASSERT_NEAR(p.x, 100 + 64 * std::cos(angle), 0.007);
+        ASSERT_NEAR(p.y, 200 + 64 * std::sin(angle), 0.007);
+        ASSERT_EQ(p.z, 50);
+        ASSERT_EQ(lantern_at(lantern, time_ms + (std::int64_t{3000} << 40)).position,
+                  lantern_at(lantern, time_ms).position);
+    }
+}
+
+}  // namespace oblong::test

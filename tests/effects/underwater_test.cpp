@@ -1,0 +1,106 @@
+// The waving picture against its formula in doubles, and what it may not do: show what is outside of the picture.
+#include "engine/effects/underwater.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <tuple>
+
+namespace oblong::test {
+
+namespace {
+
+struct Picture {
+    std::int32_t width, height, pitch;
+    std::vector<std::uint8_t> pixels;
+
+    Picture(std::int32_t width_px, std::int32_t height_px, std::int32_t padding = 0)
+        : width(width_px),
+          height(height_px),
+          pitch(width_px + padding),
+          pixels(static_cast<std::size_t>(pitch * height_px)) {}
+
+    std::uint8_t& at(std::int32_t x, std::int32_t y) { return pixels[static_cast<std::size_t>(y * pitch + x)]; }
+    void draw(std::int64_t time_ms) {
+        UnderwaterScratch scratch;
+        draw_underwater(time_ms, scratch, {pixels.data(), width, height, pitch});
+    }
+};
+
+Picture random_picture(std::int32_t width, std::int32_t height) {
+    std::mt19937 random(1);
+    Picture picture(width, height);
+    for (std::uint8_t& pixel : picture.pixels) pixel = static_cast<std::uint8_t>(random());
+    return picture;
+}
+
+std::vector<std::uint8_t> waved(Picture picture, std::int64_t time_ms) {
+    picture.draw(time_ms);
+    return picture.pixels;
+}
+
+}  // namespace
+
+TEST(Underwater, ShowsThePlaceThatTheFormulaSays) {
+    for (const std::int64_t time_ms : {0, 100, 3'210, 6'399}) {
+        Picture columns(320, 200), rows(320, 200);
+        for (std::int32_t y = 0; y < 200; ++y)
+            for (std::int32_t x = 0; x < 320; ++x) {
+                columns.at(x, y) = static_cast<std::uint8_t>(x % 256);
+                rows.at(x, y) = static_cast<std::uint8_t>(y);
+            }
+        columns.draw(time_ms);
+        rows.draw(time_ms);
+        const auto wave = [&](int place) {
+            return 3 + 3 * std::sin(2 * std::numbers::pi * (place + static_cast<double>(time_ms) / 50) / 128);
+        };
+        for (std::int32_t y = 0; y < 200; ++y)
+            for (std::int32_t x = 0; x < 320; ++x) {
+                const double from_x = std::floor(x * 314.0 / 320) + wave(y),
+                             from_y = std::floor(y * 194.0 / 200) + wave(x);
+                const double column = columns.at(x, y) + (from_x > 128 && columns.at(x, y) < 100 ? 256 : 0);
+                ASSERT_NEAR(column, from_x, 0.51) << x << ", " << y;
+                ASSERT_NEAR(rows.at(x, y), from_y, 0.51) << x << ", " << y;
+            }
+    }
+}
+
+TEST(Underwater, MovesAndRepeatsAfterItsPeriod) {
+    const Picture picture = random_picture(320, 200);
+    const std::int64_t late_ms = (std::int64_t{1} << 40) / kUnderwaterPeriod_ms * kUnderwaterPeriod_ms;
+    for (const std::int64_t time_ms : {0, 50, 4'321}) {
+        EXPECT_EQ(waved(picture, time_ms), waved(picture, time_ms + kUnderwaterPeriod_ms));
+        EXPECT_EQ(waved(picture, time_ms), waved(picture, time_ms + late_ms));
+        EXPECT_NE(waved(picture, time_ms), waved(picture, time_ms + kUnderwaterPeriod_ms / 2));
+        EXPECT_NE(waved(picture, time_ms), waved(picture, time_ms + 100));
+    }
+}
+
+TEST(Underwater, EveryModeStaysWithinItsPicture) {
+    for (const auto& [width, height] :
+         {std::pair{8, 8}, {8, 4096}, {4096, 8}, {4096, 200}, {4096, 16}, {321, 67}, {640, 480}, {9, 11}})
+        for (const std::int64_t time_ms : {0, 1'600, 3'000, 4'800}) {
+            Picture picture(width, height, 5);
+            for (std::int32_t y = 0; y < height; ++y)
+                for (std::int32_t x = 0; x < picture.pitch; ++x) picture.at(x, y) = x < width ? 1 : 2;
+            picture.draw(time_ms);
+            for (std::int32_t y = 0; y < height; ++y)
+                for (std::int32_t x = 0; x < picture.pitch; ++x)
+                    ASSERT_EQ(picture.at(x, y), x < width ? 1 : 2) << width << "x" << height << ": " << x << ", " << y;
+        }
+}
+
+TEST(Underwater, ReachesTheEdgesOfThePicture) {
+    Picture picture(320, 200);
+    std::fill(picture.pixels.begin(), picture.pixels.end(), std::uint8_t{1});
+    for (std::int32_t x = 0; x < 320; ++x) picture.at(x, 0) = picture.at(x, 199) = 2;
+    const std::vector<std::uint8_t> drawn = waved(picture, 0);
+    EXPECT_EQ(*std::min_element(drawn.begin(), drawn.begin() + 320), 1) << "waves leave the first row";
+    EXPECT_EQ(*std::max_element(drawn.begin(), drawn.begin() + 320), 2) << "and come back to it";
+    EXPECT_EQ(*std::max_element(drawn.end() - 320, drawn.end()), 2);
+}
+
+}  // namespace oblong::test

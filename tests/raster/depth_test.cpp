@@ -1,0 +1,135 @@
+// The depth buffer against 2^32 / z in doubles.
+#include "engine/raster/depth.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace oblong::test {
+
+namespace {
+
+constexpr std::int32_t kWidth = 320, kHeight = 200;
+
+/// Rows of 1/z that rises to the right and down.
+struct Slope {
+    double origin = 0.004, per_column = 0.00001, per_row = 0.00002;
+
+    LinearQuantity<InverseZ> quantity() const {
+        const auto fixed = [](double value) { return InverseZ::from_raw(std::llround(std::ldexp(value, 44))); };
+        return {fixed(origin), fixed(per_column), fixed(per_row)};
+    }
+    double steps(std::int32_t column, std::int32_t row) const {
+        return std::ldexp(origin + per_column * column + per_row * row, 32);
+    }
+};
+
+std::vector<Span> whole_screen() {
+    std::vector<Span> spans;
+    for (std::int32_t y = 0; y < kHeight; ++y) spans.push_back({y, 0, kWidth});
+    return spans;
+}
+
+bool holds(const ScreenRectangle& outer, const ScreenRectangle& inner) {
+    return outer.first_column <= inner.first_column && outer.end_column >= inner.end_column &&
+           outer.first_row <= inner.first_row && outer.end_row >= inner.end_row;
+}
+
+}  // namespace
+
+TEST(DepthBuffer, HoldsTheInverseDepthOfAPlaneWhereItIsWanted) {
+    const std::vector<ScreenRectangle> wanted{{10, 40, 20, 60}, {200, 320, 150, 200}, {35, 70, 50, 90}};
+    DepthBuffer depth(kWidth, kHeight);
+    depth.start_frame();
+    for (const ScreenRectangle& rectangle : wanted) depth.want(rectangle);
+    depth.clear();
+    const Slope slope;
+    depth.fill(whole_screen(), slope.quantity());
+    for (const ScreenRectangle& rectangle : wanted)
+        for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y)
+            for (std::int32_t x = rectangle.first_column; x < rectangle.end_column; ++x)
+                // Steps of 2^-44 are half a step off, 520 times.
+                ASSERT_NEAR(depth.row(y)[x], slope.steps(x, y), 1.1) << x << ", " << y;
+}
+
+TEST(DepthBuffer, IsInfinitelyFarWhereNoFaceWasFilled) {
+    DepthBuffer depth(kWidth, kHeight);
+    for (int frame = 0; frame < 2; ++frame) {
+        depth.start_frame();
+        depth.want({0, 50, 0, 50});
+        depth.clear();
+        if (frame == 0) depth.fill(whole_screen(), Slope{}.quantity());
+    }
+    EXPECT_EQ(std::count(depth.row(20), depth.row(20) + 50, 0u), 50);
+}
+
+TEST(DepthBuffer, ClampsWhatIsNearerThanAUnitOrBehindTheEye) {
+    DepthBuffer depth(kWidth, kHeight);
+    depth.start_frame();
+    depth.want({0, kWidth, 0, 1});
+    depth.clear();
+    depth.fill(std::vector<Span>{{0, 0, kWidth}}, Slope{-1, 0.01, 0}.quantity());
+    EXPECT_EQ(depth.row(0)[50], 0u) << "1/z = -0.5";
+    EXPECT_NEAR(depth.row(0)[150], std::ldexp(0.5, 32), 2);
+    EXPECT_EQ(depth.row(0)[250], 0xffffffffu) << "1/z = 1.5";
+}
+
+TEST(DepthBuffer, IsNotWantedWithoutARectangle) {
+    DepthBuffer depth(kWidth, kHeight);
+    depth.start_frame();
+    depth.want({30, 30, 0, 200});
+    EXPECT_FALSE(depth.is_wanted());
+    depth.want({30, 31, 0, 200});
+    EXPECT_TRUE(depth.is_wanted());
+    depth.start_frame();
+    EXPECT_FALSE(depth.is_wanted());
+}
+
+TEST(DepthBuffer, CoversWhatIsWantedByFewRectangles) {
+    std::mt19937 random(1);
+    const auto below = [&random](std::int32_t end) {
+        return static_cast<std::int32_t>(random() % static_cast<unsigned>(end));
+    };
+    for (int trial = 0; trial < 50; ++trial) {
+        DepthBuffer depth(kWidth, kHeight);
+        std::vector<ScreenRectangle> wanted;
+        for (int i = 0; i < 200; ++i) {
+            const std::int32_t x = below(310), y = below(190);
+            wanted.push_back({x, x + 1 + below(10), y, y + 1 + below(10)});
+            depth.want(wanted.back());
+        }
+        EXPECT_LE(depth.rectangles().size(), 16u);
+        for (const ScreenRectangle& rectangle : wanted)
+            ASSERT_TRUE(std::any_of(depth.rectangles().begin(), depth.rectangles().end(),
+                                    [&](const ScreenRectangle& outer) { return holds(outer, rectangle); }));
+    }
+}
+
+TEST(DepthBuffer, FewSmallRectanglesStayApart) {
+    DepthBuffer depth(kWidth, kHeight);
+    depth.want({0, 4, 0, 4});
+    depth.want({300, 304, 190, 194});
+    depth.want({2, 6, 2, 6});
+    std::int64_t area = 0;
+    for (const ScreenRectangle& each : depth.rectangles())
+        area += std::int64_t{each.end_column - each.first_column} * (each.end_row - each.first_row);
+    EXPECT_LE(area, 16 + 36);
+}
+
+TEST(DepthBuffer, SpansTouchItOnlyWhereTheyReachIntoItsRows) {
+    DepthBuffer depth(kWidth, kHeight);
+    depth.want({100, 110, 50, 60});
+    depth.clear();
+    const auto touches = [&depth](Span span) { return depth.touches(std::vector<Span>{{0, 0, 320}, span}); };
+    EXPECT_TRUE(touches({50, 0, 101}));
+    EXPECT_TRUE(touches({59, 109, 320}));
+    EXPECT_FALSE(touches({50, 0, 100}));
+    EXPECT_FALSE(touches({59, 110, 320}));
+    EXPECT_FALSE(touches({49, 0, 320}));
+    EXPECT_FALSE(touches({60, 0, 320}));
+}
+
+}  // namespace oblong::test

@@ -1,0 +1,110 @@
+// Kernels of surfaces that warp, have holes, or show what is behind them, against the definition of one pixel.
+#include "engine/raster/kernels/effect_kernels.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace oblong::test {
+
+namespace {
+
+std::uint8_t random_byte(std::mt19937& random) {
+    return static_cast<std::uint8_t>(random());
+}
+
+/// Everything that a kernel may need, at random. A third of the texels are holes.
+struct RandomTexels {
+    std::vector<std::uint8_t> texels;
+    WarpTable warp;
+    ColourRow shades{};
+    BlendTable blend;
+    EffectTexels all;
+
+    RandomTexels(std::mt19937& random, std::int32_t width, std::int32_t height, std::int32_t stride_log2)
+        : texels(static_cast<std::size_t>(width * height)) {
+        for (std::uint8_t& texel : texels) texel = random() % 3 == 0 ? kHoleTexel : random_byte(random);
+        for (std::uint32_t& shift_16 : warp.shift_16)
+            shift_16 = static_cast<std::uint32_t>(random() % (16 * 65536 + 1));
+        for (std::uint8_t& shade : shades) shade = random_byte(random);
+        for (auto& row : blend.rows) std::generate(row.begin(), row.end(), [&] { return random_byte(random); });
+        const auto u_mask = static_cast<std::uint32_t>(width - 1), v_mask = static_cast<std::uint32_t>(height - 1);
+        all = {{texels.data(), width, height, stride_log2, u_mask, v_mask}, &warp, &shades, &blend};
+    }
+};
+
+/// Coordinates that go anywhere within 65,535 texels.
+std::vector<TexelBlock> random_blocks(std::mt19937& random, std::uint32_t pixels) {
+    std::vector<TexelBlock> blocks;
+    for (std::uint32_t pixel = 0; pixel < pixels;) {
+        const std::int32_t count = 1 + static_cast<std::int32_t>(random() % 40);
+        const auto coordinate = [&] { return static_cast<std::int64_t>(random() % 0xffff0000u); };
+        const std::int64_t u = coordinate(), v = coordinate();
+        blocks.push_back({pixel, count, static_cast<std::uint32_t>(u), static_cast<std::uint32_t>(v),
+                          static_cast<std::int32_t>((coordinate() - u) / count / (random() % 2 ? 1 : 4096)),
+                          static_cast<std::int32_t>((coordinate() - v) / count / (random() % 2 ? 1 : 4096))});
+        pixel += static_cast<std::uint32_t>(count + static_cast<std::int32_t>(random() % 3));
+    }
+    return blocks;
+}
+
+/// One pixel, by the definition, in 64 bits and by division.
+std::uint8_t defined(const EffectTexels& texels, TexelTraits traits, std::int64_t u_16, std::int64_t v_16,
+                     std::uint8_t below) {
+    const std::int64_t du = traits.warps ? texels.warp->shift_16[static_cast<std::size_t>(v_16 / 65536 % 128)] : 0;
+    const std::int64_t dv = traits.warps ? texels.warp->shift_16[static_cast<std::size_t>(u_16 / 65536 % 128)] : 0;
+    const std::int64_t u = (u_16 + du) / 65536 % texels.surface.width, v = (v_16 + dv) / 65536 % texels.surface.height;
+    const std::uint8_t texel = texels.surface.texels[v * texels.surface.width + u];
+    if (traits.has_holes && texel == kHoleTexel) return below;
+    const std::uint8_t shade = traits.has_holes || traits.blends ? (*texels.shades)[texel] : texel;
+    return traits.blends ? texels.blend->rows[shade][below] : shade;
+}
+
+void expect_the_definition(std::mt19937& random, const RandomTexels& texels, TexelTraits traits) {
+    const std::vector<TexelBlock> blocks = random_blocks(random, 3000);
+    std::vector<std::uint8_t> behind(3100);
+    for (std::uint8_t& pixel : behind) pixel = random_byte(random);
+    std::vector<std::uint8_t> expected = behind, drawn = behind;
+    for (const TexelBlock& block : blocks)
+        for (std::int64_t i = 0; i < block.count; ++i) {
+            std::uint8_t& pixel = expected[block.pixel + static_cast<std::size_t>(i)];
+            pixel =
+                defined(texels.all, traits, block.u_16 + i * block.u_step_16, block.v_16 + i * block.v_step_16, pixel);
+        }
+    EffectTexels needed = texels.all;  // what the traits do not call for must not be read
+    if (!traits.warps) needed.warp = nullptr;
+    if (!traits.blends) needed.blend = nullptr;
+    if (!traits.blends && !traits.has_holes) needed.shades = nullptr;
+    effect_kernel(traits)(blocks, needed, drawn.data());
+    ASSERT_EQ(drawn, expected) << traits.warps << traits.has_holes << traits.blends << traits.is_wrapped_by_masks;
+}
+
+template <class Visit>
+void for_all_effects(bool is_wrapped_by_masks, Visit visit) {
+    for (const bool warps : {false, true})
+        for (const bool has_holes : {false, true})
+            for (const bool blends : {false, true}) visit(TexelTraits{warps, has_holes, blends, is_wrapped_by_masks});
+}
+
+}  // namespace
+
+TEST(EffectKernels, SurfacesThatMasksWrap) {
+    std::mt19937 random(1);
+    for (int trial = 0; trial < 30; ++trial) {
+        const int width_log2 = static_cast<int>(random() % 9), height_log2 = static_cast<int>(random() % 9);
+        const RandomTexels texels(random, 1 << width_log2, 1 << height_log2, width_log2);
+        for_all_effects(true, [&](TexelTraits traits) { expect_the_definition(random, texels, traits); });
+    }
+}
+
+TEST(EffectKernels, SurfacesOfAnySize) {
+    std::mt19937 random(2);
+    for (const auto& [width, height] : {std::pair{300, 7}, {48, 80}, {1, 1}, {513, 3}}) {
+        const RandomTexels texels(random, width, height, 0);
+        for_all_effects(false, [&](TexelTraits traits) { expect_the_definition(random, texels, traits); });
+    }
+}
+
+}  // namespace oblong::test

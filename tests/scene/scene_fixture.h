@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+
+#include "engine/level/bsp_read.h"
+#include "engine/scene/face_surface.h"
+#include "tests/support/tiny_bsp.h"
+
+namespace oblong::test {
+
+/// The tiny level: a lit floor at z = 8 that is 32 x 16 units, 4 x 2 light samples of 100 each, u = x + 4, v = -y.
+inline Level tiny_level() {
+    return read_bsp(join_lumps(29, make_tiny_lumps()));
+}
+
+/// Adds a texture of one colour, 16 x 16 texels unless told otherwise.
+inline TextureIndex add_texture(Level& level, const std::string& name, std::uint8_t colour = 7,
+                                std::int32_t width = 16) {
+    MipTexture texture{name, width, 16, {}, false};
+    for (int mip = 0; mip < 4; ++mip)
+        texture.mips[static_cast<std::size_t>(mip)].assign(static_cast<std::size_t>((width >> mip) * (16 >> mip)),
+                                                           colour);
+    level.textures.push_back(texture);
+    return TextureIndex(level.textures.count() - 1);
+}
+
+/// A colormap that shows nothing but a texel's own colour in the brightest shade, and the shade in all others.
+inline Colormap plain_colormap() {
+    Colormap map;
+    for (std::size_t shade = 0; shade < map.shades.size(); ++shade)
+        for (std::size_t colour = 0; colour < 256; ++colour)
+            map.shades[shade][colour] = static_cast<std::uint8_t>(shade == 0 ? colour : shade);
+    return map;
+}
+
+inline Vec3<World> units(int x, int y, int z) {
+    return {World::from_int(x), World::from_int(y), World::from_int(z)};
+}
+
+}  // namespace oblong::test
