@@ -15,8 +15,7 @@ import re
 import subprocess
 import sys
 
-SETTINGS = ["perspective=bounded"]
-OTHER = ["perspective=affine", "perspective=every16", "perspective=bounded-texels",
+SETTINGS = ["perspective=bounded", "perspective=affine", "perspective=every16", "perspective=bounded-texels",
             "perspective=exact", "edges=accumulated", "reciprocal=table256-newton1", "light=nearest", "dither=on"]
 
 # The stages of the model that files do the work of. All other files do what the model leaves out.

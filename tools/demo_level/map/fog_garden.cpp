@@ -71,7 +71,7 @@ void add_light_of_sky(Draft& draft) {
 }  // namespace
 
 std::string fog_of_garden() {
-    return "0.3 0.36 0.42 0.55 1 0 16384 -112 64";
+    return "0.45 0.36 0.42 0.55 1 0 16384 -112 56";
 }
 
 /// Sunken below all other rooms: the fog lies in it.

@@ -35,7 +35,7 @@ void add_broken_lamp(Draft& draft, const Point& centre, double ceiling) {
     draft.add_detail_box({{centre.x + 5, centre.y - 1, centre.z + 8}, {centre.x + 7, centre.y + 1, ceiling}},
                          "brass_trim");
     draft.add_point("misc_sparks", {centre.x, centre.y, centre.z - 12},
-                    {{"size", "8 8 8"}, {"count", "48"}, {"colour", "229"}, {"period", "2"}});
+                    {{"size", "64 64 72"}, {"count", "48"}, {"colour", "231 225"}, {"period", "1.5"}});
     draft.add_light({centre.x, centre.y, centre.z - 24}, 330, kFluorescent);
 }
 
@@ -64,7 +64,9 @@ void build_workshop(Draft& draft) {
     add_benches(draft);
     add_sign(draft, {Side::South, {1090, 288, 112}, 1, "neon", 128, 32});
     add_wall_lamp(draft, {984, 8, 104}, Side::North, 280);
-    draft.add_light({1090, 250, 96}, 160);
+    draft.add_light({1090, 240, 110}, 270);
+    draft.add_light({1030, 100, 130}, 290);
+    draft.add_light({1260, 144, 60}, 200);
 }
 
 }  // namespace oblong::map_source
