@@ -32,13 +32,16 @@ bool is_motion(const Position& before, const Position& after) {
     return is_near(way.x) && is_near(way.y) && is_near(way.z);
 }
 
-// Since the level began.
+}  // namespace
+
 std::int64_t time_ms_at(const InterpolatedState& state) {
     const std::int64_t ticks_16 = (state.before.tick << 16) + state.fraction_16;
     return ticks_16 * 1000 / kTicksPerSecond >> 16;
 }
 
-}  // namespace
+bool was_teleported(const Player& before, const Player& after) {
+    return !is_motion(eye_of(before), eye_of(after));
+}
 
 std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state) {
     std::vector<PlacedModel> placed;
@@ -56,7 +59,7 @@ Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees fiel
     const Player& player = state.after.player;
     const Position before = eye_of(state.before.player), after = eye_of(player);
     Camera camera;
-    camera.eye = is_motion(before, after) ? between(before, after, state.fraction_16) : after;
+    camera.eye = was_teleported(state.before.player, player) ? after : between(before, after, state.fraction_16);
     camera.yaw = player.yaw + Angle::from_bam(offset.yaw);
     camera.pitch =
         Angle::from_bam(std::clamp(player.pitch + offset.pitch, -Player::kSteepestPitch, Player::kSteepestPitch));
@@ -85,6 +88,12 @@ FrameRecord GameRenderer::draw_and_record(const GameView& view, const Settings& 
     work_.record = std::make_unique<FrameRecord>();
     draw(view.state, view.camera, settings);
     return std::move(*std::exchange(work_.record, nullptr));
+}
+
+PassTimes GameRenderer::draw_and_time(const GameView& view, const Settings& settings, FrameClock clock) {
+    work_.times = std::make_unique<PassTimes>(PassTimes{clock});
+    draw(view.state, view.camera, settings);
+    return *std::exchange(work_.times, nullptr);
 }
 
 Framebuffer GameRenderer::canvas() {

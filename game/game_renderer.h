@@ -24,6 +24,12 @@ struct GameView {
     Camera camera;
 };
 
+/// The time since the level began.
+std::int64_t time_ms_at(const InterpolatedState& state);
+
+/// Whether the player's way within a tick is too long for a motion.
+bool was_teleported(const Player& before, const Player& after);
+
 /// The brush models that are drawn, at their offsets; those of triggers are not.
 std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state);
 
@@ -40,6 +46,10 @@ class GameRenderer {
     /// What draw() counts or records: on the same canvas, but slower.
     FrameCounts draw_and_count(const GameView& view, const Settings& settings);
     FrameRecord draw_and_record(const GameView& view, const Settings& settings);
+    /// What draw() takes in its passes; the clock's time counts in it.
+    PassTimes draw_and_time(const GameView& view, const Settings& settings, FrameClock clock);
+    /// The plan of the picture drawn last.
+    const FramePlan& plan() const { return work_.plan; }
     Framebuffer canvas();
     const ScreenMode& mode() const { return mode_; }
     /// FaceTable::torn_edges of the level.

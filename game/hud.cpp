@@ -46,7 +46,7 @@ void show_message(Hud& hud, std::string message, std::uint64_t now_us) {
 }
 
 void draw_hud(const Hud& hud, std::uint64_t now_us, std::int32_t bottom, TextColours colours, Framebuffer canvas) {
-    if (!hud.cost.empty()) draw_lines_above(bottom, hud.cost, colours, canvas);
+    draw_cost(hud.cost, bottom, colours, canvas);
     if (hud.shows_end) draw_end(hud.end_message, colours, canvas);
     if (hud.shows_help) draw_panel(canvas, kHelp, colours);
     if (!hud.message.empty() && now_us < hud.message_ends_us) draw_lines(kTextMargin_px, hud.message, colours, canvas);

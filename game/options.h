@@ -7,6 +7,7 @@
 #include "engine/accuracy/presets.h"
 #include "engine/geometry/projection.h"
 #include "engine/platform/present_rect.h"
+#include "engine/scene/light_styles.h"
 #include "engine/screen/screen.h"
 
 namespace oblong {
@@ -17,7 +18,8 @@ struct Options {
     ScreenMode mode;
     WindowSize window;
     Degrees field_of_view = Degrees::from_int(90);
-    std::int32_t brightness_100 = 100;
+    std::int32_t brightness_100 = 100, gamma_100 = 100;
+    Flashes flashes = Flashes::Full;
     Preset preset = Preset::Bounded;
     Accuracy accuracy;  ///< the preset with dials turned
     Scaling scaling = Scaling::SharpBilinear;

@@ -31,6 +31,7 @@ Settings settings_of(const ViewOptions& options) {
     Settings settings;
     settings.accuracy = options.accuracy;
     settings.brightness_100 = options.brightness_100;
+    settings.flashes = options.flashes;
     settings.correct_aspect = options.corrects_projection;
     return settings;
 }

@@ -16,6 +16,8 @@ struct ViewOptions {
     Preset preset = Preset::Bounded;  ///< the last one chosen
     Accuracy accuracy;                ///< its dials, perhaps turned since
     std::int32_t brightness_100 = 100;
+    std::int32_t gamma_100 = 100;
+    Flashes flashes = Flashes::Full;
     bool corrects_projection = true;
     ShownAs shown_as = ShownAs::OnDisplay;
     Scaling scaling = Scaling::SharpBilinear;
