@@ -12,6 +12,8 @@ namespace {
 // A change of position larger than this within a tick is no motion: the player was teleported.
 constexpr World kLongestMotion = World::from_int(128);
 
+constexpr World kTorchRadius = World::from_int(240);
+
 World between(World before, World after, std::int32_t fraction_16) {
     const auto fraction = Fixed<std::int32_t, 16>::from_raw(fraction_16);
     return before + convert<World>(bounded_product(widening_difference(after, before), fraction), Rounding::Floor);
@@ -72,27 +74,29 @@ GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const S
     pixels_.resize(pixel_count(mode.width_px, mode.height_px));
 }
 
-void GameRenderer::draw(const InterpolatedState& state, const Camera& camera, const Settings& settings) {
-    const std::vector<PlacedModel> models = placed_models(level_, state);
-    const Scene scene{data_.level, data_.colormap, models, time_ms_at(state)};
-    draw_frame(scene, camera, mode_, settings, work_, canvas());
+void GameRenderer::draw(const GameView& view, const Settings& settings) {
+    const std::vector<PlacedModel> models = placed_models(level_, view.state);
+    const MovingLight torch{view.camera.eye, kTorchRadius};
+    Scene scene{data_.level, data_.colormap, models, time_ms_at(view.state)};
+    if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
+    draw_frame(scene, view.camera, mode_, settings, work_, canvas());
 }
 
 FrameCounts GameRenderer::draw_and_count(const GameView& view, const Settings& settings) {
     work_.counts = std::make_unique<FrameCounts>();
-    draw(view.state, view.camera, settings);
+    draw(view, settings);
     return std::move(*std::exchange(work_.counts, nullptr));
 }
 
 FrameRecord GameRenderer::draw_and_record(const GameView& view, const Settings& settings) {
     work_.record = std::make_unique<FrameRecord>();
-    draw(view.state, view.camera, settings);
+    draw(view, settings);
     return std::move(*std::exchange(work_.record, nullptr));
 }
 
 PassTimes GameRenderer::draw_and_time(const GameView& view, const Settings& settings, FrameClock clock) {
     work_.times = std::make_unique<PassTimes>(PassTimes{clock});
-    draw(view.state, view.camera, settings);
+    draw(view, settings);
     return *std::exchange(work_.times, nullptr);
 }
 

@@ -22,6 +22,7 @@ struct InterpolatedState {
 struct GameView {
     InterpolatedState state;
     Camera camera;
+    bool has_torch = false;  ///< a light at the eye
 };
 
 /// The time since the level began.
@@ -42,7 +43,7 @@ class GameRenderer {
     /// `data` and `level` outlive the renderer.
     GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode);
 
-    void draw(const InterpolatedState& state, const Camera& camera, const Settings& settings);
+    void draw(const GameView& view, const Settings& settings);
     /// What draw() counts or records: on the same canvas, but slower.
     FrameCounts draw_and_count(const GameView& view, const Settings& settings);
     FrameRecord draw_and_record(const GameView& view, const Settings& settings);

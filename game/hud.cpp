@@ -25,9 +25,9 @@ constexpr std::array<std::string_view, 15> kHelp{
     "4    F2 and F3, all four   F8   map of the error",
     "                           F9   split with exact",
     "Picture                    F10  flip two settings",
-    "F5   scaling",
+    "F5   scaling               L    torch",
+    "- =  brightness            C    look of a tube",
     "F12  screenshots           F1   this help",
-    "",
     "Alt+Enter whole screen    Esc free the mouse, leave",
 };
 

@@ -63,6 +63,7 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("--accuracy", texts.accuracy, "1991, 1994, 1996, bounded or exact");
     line.add("--dial", texts.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
     line.add("--scaling", texts.scaling, "sharp, rows, even, nearest or stretch");
+    line.add_flag("--crt", options.has_crt_look, "scanlines, mask and glow of a tube, drawn by the window");
     line.add("--aspect-projection", texts.aspect_projection, "display or square: which pixels F2 starts with");
     line.add("--aspect-display", texts.aspect_display, "display, square or fill: which shape F3 starts with");
     line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");

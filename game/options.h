@@ -23,7 +23,7 @@ struct Options {
     Preset preset = Preset::Bounded;
     Accuracy accuracy;  ///< the preset with dials turned
     Scaling scaling = Scaling::SharpBilinear;
-    bool corrects_projection = true;
+    bool corrects_projection = true, has_crt_look = false;
     ShownAs shown_as = ShownAs::OnDisplay;
     std::string record, replay, timedemo;
     std::int64_t headless_frames = 0;

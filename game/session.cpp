@@ -68,7 +68,9 @@ void Session::keep_what_is_on() {
 }
 
 PresentRect Session::shown_rect() const {
-    return layout(platform_.window_size(), renderer_.mode(), view_options_.shown_as, view_options_.scaling);
+    PresentRect rect = layout(platform_.window_size(), renderer_.mode(), view_options_.shown_as, view_options_.scaling);
+    rect.has_crt_look = view_options_.has_crt_look;
+    return rect;
 }
 
 void Session::advance(std::uint64_t now_us) {
@@ -83,12 +85,12 @@ void Session::advance(std::uint64_t now_us) {
 void Session::draw(std::uint64_t now_us) {
     const std::int32_t fraction = clock_.fraction_16();
     const InterpolatedState state{before_, after_, fraction};
-    const GameView view{state, camera_at(state, input_.look_offset(fraction), field_of_view_)};
+    const GameView view{state, camera_at(state, input_.look_offset(fraction), field_of_view_), view_options_.has_torch};
     const Settings settings = settings_of(view_options_);
     Settings shown_settings = settings;
     if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, now_us);
     const std::uint64_t began_us = platform_.now_us();
-    renderer_.draw(view.state, view.camera, shown_settings);
+    renderer_.draw(view, shown_settings);
     const PaletteEffects effects = palette_.effects_at(view, settings.flashes);
     note_cost(view, shown_settings, effects, began_us);
 
@@ -110,7 +112,7 @@ void Session::draw_over(const GameView& view, const Settings& settings, std::uin
     const ScreenMode& mode = renderer_.mode();
     text_bottom_ = canvas.height_px - kTextMargin_px;
     if (four_aspects_) {
-        four_aspects_->draw(view, settings.accuracy, mode, shown_pixel(shown_rect(), mode), text_colours_, canvas);
+        four_aspects_->draw(view, settings, mode, shown_pixel(shown_rect(), mode), text_colours_, canvas);
         text_bottom_ = 0;  // their captions leave no room
         return;
     }
