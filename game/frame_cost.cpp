@@ -88,7 +88,7 @@ CostText FrameCost::measure(const GameView& view, const Settings& settings, cons
     CostText text{background_, {}, {}, {}};
     // The median: a mean can't tell settings apart that differ by a tenth.
     text.frame = std::to_string(times_.median_us().value_or(0)) + " us a frame, " + std::to_string(frames_a_second_) +
-                 " frames a second";
+                 " frames a second, " + std::to_string(view.state.after.active_movers.size()) + " movers";
     const FrameCounts counts = renderer.draw_and_count(view, settings);
     const PassTimes times = renderer.draw_and_time(view, settings, steady_clock_ns);
     text.passes = pass_lines(renderer.plan(), counts, times);

@@ -34,6 +34,13 @@ bool is_motion(const Position& before, const Position& after) {
     return is_near(way.x) && is_near(way.y) && is_near(way.z);
 }
 
+LightStyles light_styles_of(const GameState& state) {
+    LightStyles styles = plain_light_styles();
+    for (std::size_t style = 0; style < styles.size(); ++style)
+        if ((state.dark_styles >> style & 1) != 0) styles[style] = 0;
+    return styles;
+}
+
 }  // namespace
 
 std::int64_t time_ms_at(const InterpolatedState& state) {
@@ -51,7 +58,8 @@ std::vector<PlacedModel> placed_models(const GameLevel& level, const Interpolate
         const Mover& mover = level.movers[i];
         const Vec3<World> before = offset_of(mover, state.before.movers[i]),
                           after = offset_of(mover, state.after.movers[i]);
-        placed.push_back({mover.model, between(before, after, state.fraction_16)});
+        const bool is_pressed = mover.is_button && state.after.movers[i].phase != MoverState::Phase::AtStart;
+        placed.push_back({mover.model, between(before, after, state.fraction_16), is_pressed});
     }
     for (const ModelIndex model : level.static_models) placed.push_back({model, {}});
     return placed;
@@ -78,6 +86,7 @@ void GameRenderer::draw(const GameView& view, const Settings& settings) {
     const std::vector<PlacedModel> models = placed_models(level_, view.state);
     const MovingLight torch{view.camera.eye, kTorchRadius};
     Scene scene{data_.level, data_.colormap, models, time_ms_at(view.state)};
+    scene.light_styles = light_styles_of(view.state.after);
     if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
     draw_frame(scene, view.camera, mode_, settings, work_, canvas());
 }
