@@ -42,7 +42,6 @@ struct EffectSet {
 };
 
 /// Those that leave texels and light as the level's file has them: what a frame's exactness is measured with.
-inline constexpr EffectSet kStillEffects =
-    EffectSet{}.with(Effect::Sky).with(Effect::Liquid).with(Effect::BrushModels);
+inline constexpr EffectSet kStillEffects = EffectSet{}.with(Effect::Sky).with(Effect::Liquid).with(Effect::BrushModels);
 
 }  // namespace oblong

@@ -23,7 +23,7 @@ struct LightmapView {
     std::int32_t columns = 0, rows = 0;
     std::int32_t style_count = 0;
     std::array<std::uint16_t, 4> style_scale_256{};  ///< brightness of each style, 256: as stored
-    const std::int32_t* added_8 = nullptr;  ///< light added to each sample, 8 fraction bits; null: none
+    const std::int32_t* added_8 = nullptr;           ///< light added to each sample, 8 fraction bits; null: none
     bool is_fullbright = false;  ///< the level has no light: unlit colours; else, without a style: darkest
 };
 
