@@ -227,10 +227,12 @@ void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& a
     draw_cells(spans, view, out.pitch, [&](std::span<const TexelBlock> blocks) { kernel(blocks, tile, out.pixels); });
 }
 
-void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& axes, const Projection& projection,
-              Framebuffer out) {
-    std::vector<std::uint8_t> layers;
-    draw_sky(spans, sky, axes, projection, 0, layers, out);
+SkyWork work_of_sky(std::span<const Span> spans, std::int32_t size, const Basis& axes, const Projection& projection) {
+    const int log2 = cell_log2(axes, projection);
+    SkyWork work;
+    for (const Span& span : spans) work.directions += ((span.end - 1) >> log2) - (span.first >> log2) + 2;
+    if (is_worth_composing(spans, size)) work.composed_texels = std::int64_t{size} * size;
+    return work;
 }
 
 }  // namespace oblong

@@ -29,8 +29,12 @@ inline constexpr std::int64_t kSkyPeriod_ms = 16'000;
 void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& axes, const Projection& projection,
               std::int64_t time_ms, std::vector<std::uint8_t>& layers, Framebuffer out);
 
-/// The same at time 0.
-void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& axes, const Projection& projection,
-              Framebuffer out);
+/// How much draw_sky() has to do for these spans.
+struct SkyWork {
+    std::int64_t directions = 0;       ///< computed: one more a span than it has blocks
+    std::int64_t composed_texels = 0;  ///< of both layers as one; 0: both are looked up at each pixel
+};
+/// `size` is the sky texture's.
+SkyWork work_of_sky(std::span<const Span> spans, std::int32_t size, const Basis& axes, const Projection& projection);
 
 }  // namespace oblong

@@ -35,6 +35,9 @@ std::vector<NamedCount> named_counts(const FrameCounts& counts) {
             {"divided_pixels", stages.divided_pixels},
             {"flat_pixels", stages.flat_pixels},
             {"sky_pixels", stages.sky_pixels},
+            {"sky_blocks", stages.sky_blocks},
+            {"sky_directions", stages.sky_directions},
+            {"sky_texels", stages.sky_texels},
             {"lit_texels", stages.lit_texels}};
 }
 

@@ -41,4 +41,8 @@ struct EffectSet {
     constexpr bool operator==(const EffectSet&) const = default;
 };
 
+/// Those that leave texels and light as the level's file has them: what a frame's exactness is measured with.
+inline constexpr EffectSet kStillEffects =
+    EffectSet{}.with(Effect::Sky).with(Effect::Liquid).with(Effect::BrushModels);
+
 }  // namespace oblong

@@ -24,14 +24,18 @@ PARTS = {
     ("vertices", "projection"): "geometry/screen_polygon geometry/project",
     ("clipping",): "geometry/clip",
     ("edges", "edge rows"): "raster/scan",
-    ("spans",): "visibility/span_buffer frame/frame",
+    ("spans",): "visibility/span_buffer frame/frame frame/claims frame/surface_pass frame/passes frame/plan",
     ("gradients",): "geometry/texture_gradients scene/face_surface surface/surface_cache raster/block_rule",
     ("blocks", "1/z", "pixels"): "raster/texture_blocks frame/texture_spans fixed/reciprocal raster/exact_spans "
                                  "raster/kernels/plain",
-    ("sky",): "effects/sky fixed/root",
+    ("sky",): "effects/sky effects/view_directions fixed/root",
     ("lit texels",): "surface/lit_surface",
 }
 LEFT_OUT = ("left out",)
+# What other effects need: the frames that are counted do not allow them. From the libraries of the build.
+OF_EFFECTS = re.compile("engine/(effects/|raster/(depth|kernels/effect_kernels)|scene/(light_styles|texture_animation|"
+                        "moving_lights|level_effects)|visibility/placed_box|level/floor|math/(soft_float|wide_sum)|"
+                        "frame/(fog|light|mirror|see_through)_pass|frame/(frame_things|pass_times))")
 BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|surface/(palette|colormap|oklab))")
 TOOLS = ["tools/common/arguments.cpp", "tools/render/camera_list.cpp", "tools/measure/operations.cpp",
          "tests/operations/counter/count_operations.cpp"]
@@ -99,14 +103,16 @@ class CountingBuild:
         rest = [file for file in sorted(glob.glob("engine/**/*.cpp", root_dir=source, recursive=True))
                 if file not in counted and "/sdl/" not in file]
         loading = [file for file in rest if BEFORE_FRAMES.match(file)]
-        parts[LEFT_OUT] = [file for file in rest if file not in loading]
+        parts[LEFT_OUT] = [file for file in rest if file not in loading and not OF_EFFECTS.match(file)]
         self.names = {part: part[0].replace("/", "").replace(" ", "_") for part in parts}
         profiled = [[*self.compile, "-fprofile-arcs", "-c", self.write_file(name, parts[part])]
                     for part, name in self.names.items()]
         # Behind the profiled files, whose copies of functions of headers are then the ones that are linked.
         others = [[*self.compile, "-O0", "-c", self.write_file("others", loading + TOOLS)]]
         objects = list(self.pool.map(self.compile_one, profiled + others))
-        run(compiler, "-fprofile-arcs", *objects, "-o", "count_operations", cwd=self.work)
+        libraries = glob.glob(f"{build}/engine/liboblong_*.a")
+        run(compiler, "-fprofile-arcs", *objects, "-Wl,--start-group", *libraries, "-Wl,--end-group", "-o",
+            "count_operations", cwd=self.work)
 
     def write_file(self, name, files):
         """A file of all these, by its path."""

@@ -110,6 +110,7 @@ TEST(ReferenceRealLevels, TheExactPresetShowsTheReferencesTexels) {
     Settings settings;
     settings.accuracy = accuracy_of(Preset::Exact);
     settings.accuracy.mip = MipSelection::None;
+    settings.allowed_effects = kStillEffects;
     std::vector<std::uint8_t> picture(pixel_count(mode.width_px, mode.height_px));
     for (const char* name : test::kRealLevels) {
         const RealLevel real(name);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
@@ -46,6 +47,9 @@ TEST_F(Report, SaysTheDefaults) {
     EXPECT_EQ(report({}).at("texel_error"), 0.375);
 }
 
+// Others draw over them.
+constexpr std::array kPassesOfEachPixel{"walls", "flat", "liquid", "sky", "mirror"};
+
 TEST_F(Report, GivesThePassesThatMakeUpAFrame) {
     std::size_t effects = 0;
     const Json json = report({"--repeat", "2"});
@@ -55,7 +59,8 @@ TEST_F(Report, GivesThePassesThatMakeUpAFrame) {
         for (const Json& pass : frame.at("passes")) {
             EXPECT_GT(pass.at("pixels"), 0);
             EXPECT_GT(pass.at("microseconds"), 0);
-            pixels += pass.at("pixels").get<std::int64_t>();
+            if (std::count(kPassesOfEachPixel.begin(), kPassesOfEachPixel.end(), pass.at("name").get<std::string>()))
+                pixels += pass.at("pixels").get<std::int64_t>();
         }
         EXPECT_EQ(pixels, 320 * 200);
         for (const Json& effect : frame.at("effects")) EXPECT_GT(effect.at("pixels"), 0);

@@ -24,7 +24,7 @@ class LevelFrames {
     const MeasuredLevel& level() const { return level_; }
     std::span<const std::uint8_t> pixels() const { return pixels_; }  ///< of the last frame
 
-    void draw(const Camera& camera, const Accuracy& accuracy, EffectSet effects = EffectSet::all());
+    void draw(const Camera& camera, const Accuracy& accuracy, EffectSet effects = kStillEffects);
     /// Makes the next frame of these settings build all its surfaces.
     void forget_surfaces(const Accuracy& accuracy);
     /// Draws; what each pixel shows, until the next call.

@@ -63,7 +63,7 @@ constexpr EventCost kCorner{2285};
 /// geometry/projection.h, project_axis(), twice; geometry/project.cpp: rounding, snapping, keeping on the screen.
 constexpr EventCost kProjection{3520, 200, 200, 0, 2400, 800};
 /// geometry/clip.cpp: distances of both ends of an edge to a plane, the place between them.
-constexpr EventCost kClippedCorner{6750, 497, 153, 0, 6400, 3200};
+constexpr EventCost kClippedCorner{6370, 470, 145, 0, 6400, 3200};
 /// raster/scan.cpp: the survey of a polygon, and the constructors of both walkers, for the edges that reach a row (less
 /// than half of them).
 constexpr EventCost kExactEdge{3651, 91, 91, 0, 1600, 0}, kAccumulatedEdge{3611, 46, 46, 0, 1600, 0};
@@ -104,12 +104,13 @@ constexpr EventCost kPixel{1300, 0, 0, 100, 100, 100};
 /// The same from a block: its six numbers read.
 constexpr EventCost kBlockRead{325, 0, 0, 0, 2400, 0};
 constexpr EventCost kFlatPixel{100, 0, 0, 0, 0, 100};
-/// effects/sky.cpp: one of the directions, a little more than one for eight pixels (six products, a root by division,
-/// four divisions more), and the texel.
-constexpr EventCost kSkyDirection{9980, 1430, 735}, kSkyPixel{1845, 382, 0, 200, 200, 100};
+/// effects/sky.cpp: one of the directions (products, a root without a division) and the block to it; eight texels of
+/// both layers put into one; a pixel of both layers that are not; the sky of a frame.
+constexpr EventCost kSkyDirection{4940, 1673}, kSkyTexels_8{1550, 109, 0, 0, 1600, 800},
+    kSkyPixel{1845, 200, 0, 200, 200, 100}, kSkyFrame{0, 0, 900};
 /// surface/lit_surface.cpp, build_cell_row(): texel and colormap looked up; a step of the shade; a threshold. And, of
 /// the 16 texels of a cell's row or fewer: the shades at its ends.
-constexpr EventCost kLitTexel{1360, 35, 6, 200, 200, 100}, kNearestTexel{1409, 15, 6, 200, 200, 100},
+constexpr EventCost kLitTexel{1360, 35, 7, 200, 200, 100}, kNearestTexel{1409, 16, 7, 200, 200, 100},
     kDither{404, 100, 0, 100, 100, 0};
 
 StageOperations vertices_of(const StageCounts& stages, const Widths& widths) {
@@ -188,8 +189,11 @@ StageOperations divisions_of(const FrameCounts& counts, const Accuracy& accuracy
 
 StageOperations textured_of(const StageCounts& stages) {
     const std::int64_t divided = stages.divided_pixels;
-    StageOperations stage = stage_of("pixels", stages.textured_pixels - divided, kPixel, Width::Bits32);
+    const bool is_sky_one_layer = stages.sky_texels > 0;  // drawn by the same kernel
+    const std::int64_t pixels = stages.textured_pixels - divided + (is_sky_one_layer ? stages.sky_pixels : 0);
+    StageOperations stage = stage_of("pixels", pixels, kPixel, Width::Bits32);
     stage.events += divided;
+    if (is_sky_one_layer) add(stages.sky_blocks, kBlockRead, Width::Bits32, stage);
     add(divided, kExactTexel, Width::Bits32, stage);
     add(stages.blocks - divided, kBlockRead, Width::Bits32, stage);
     add(stages.flat_pixels, kFlatPixel, Width::Bits32, stage);
@@ -197,8 +201,10 @@ StageOperations textured_of(const StageCounts& stages) {
 }
 
 StageOperations sky_of(const StageCounts& stages) {
-    StageOperations stage = stage_of("sky", stages.sky_pixels, kSkyPixel, Width::Bits32);
-    add(stages.sky_pixels / 8, kSkyDirection, Width::Bits64, stage);
+    StageOperations stage = stage_of("sky", stages.sky_directions, kSkyDirection, Width::Bits64);
+    if (stages.sky_directions > 0) add(1, kSkyFrame, Width::Bits64, stage);
+    add(stages.sky_texels / 8, kSkyTexels_8, Width::Bits64, stage);
+    if (stages.sky_texels == 0 && stages.sky_directions > 0) add(stages.sky_pixels, kSkyPixel, Width::Bits32, stage);
     return stage;
 }
 

@@ -84,7 +84,7 @@ std::vector<ColourPixel> draw_colours(const Level& level, std::span<const Placed
         const Frame frame = draw(level, models, view, shift);
         for (std::size_t at = 0; at < picture.size(); ++at) {
             const Pixel& pixel = frame.pixels[at];
-            if (pixel.face < 0 || level.face(pixel.face).material == Material::Sky) {
+            if (pixel.face < 0 || level.face(pixel.face).material != Material::Lit) {
                 picture[at].is_excluded = true;
                 continue;
             }

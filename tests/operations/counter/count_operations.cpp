@@ -45,6 +45,7 @@ void draw(const Scene& scene, const std::vector<Camera>& cameras, const Accuracy
     const ScreenMode mode;
     Settings settings;
     settings.accuracy = accuracy;
+    settings.allowed_effects = EffectSet{}.with(Effect::Sky).with(Effect::BrushModels);  // those that are worked out
     std::vector<std::uint8_t> pixels(pixel_count(mode.width_px, mode.height_px));
     for (const Camera& camera : cameras) {
         draw_frame(scene, camera, mode, settings, work, {pixels.data(), mode.width_px, mode.height_px, mode.width_px});

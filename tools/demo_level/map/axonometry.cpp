@@ -31,9 +31,9 @@ void add_wire_cube(Draft& draft, const Point& low, double size, double beam) {
         for (const double b : ends) {
             const Point x{low.x, low.y + a, low.z + b}, y{low.x + a, low.y + beam, low.z + b};
             const Point z{low.x + a, low.y + b, low.z + beam};
-            draft.add_box({x, {x.x + size, x.y + beam, x.z + beam}}, "brass_panel");
-            draft.add_box({y, {y.x + beam, y.y + size - 2 * beam, y.z + beam}}, "brass_panel");
-            draft.add_box({z, {z.x + beam, z.y + beam, z.z + size - 2 * beam}}, "brass_panel");
+            draft.add_detail_box({x, {x.x + size, x.y + beam, x.z + beam}}, "brass_panel");
+            draft.add_detail_box({y, {y.x + beam, y.y + size - 2 * beam, y.z + beam}}, "brass_panel");
+            draft.add_detail_box({z, {z.x + beam, z.y + beam, z.z + size - 2 * beam}}, "brass_panel");
         }
     }
 }
@@ -48,7 +48,7 @@ void build_axonometry_room(Draft& draft) {
                        {{192, "grid_paper"}, {224, "sand_frieze"}},
                        {west, north}});
     add_corner_pile(draft);
-    draft.add(extrude({2, circle(8, 1468, 284, 44, 22.5)}, 0, 40, "marble_green"));
+    draft.add_detail(extrude({2, circle(8, 1468, 284, 44, 22.5)}, 0, 40, "marble_green"));
     add_wire_cube(draft, {1436, 252, 56}, 64, 6);
     add_cube(draft, {1452, 268, 72}, 32);
     draft.add_box({{1464, 280, 40}, {1472, 288, 72}}, "brass_trim");

@@ -23,14 +23,14 @@ void add_bank(Draft& draft, double y_low, double y_high) {
 
 /// A cypress in a tub of stone.
 void add_tree(Draft& draft, double x, double y) {
-    draft.add(extrude({2, circle(8, x, y, 22, 22.5)}, 0, 20, "marble_ivory"));
+    draft.add_detail(extrude({2, circle(8, x, y, 22, 22.5)}, 0, 20, "marble_ivory"));
     std::vector<std::vector<Point>> sides;
     const auto ring = circle(6, x, y, 28, 0);
     for (std::size_t i = 0; i < ring.size(); ++i) {
         const auto &a = ring[i], &b = ring[(i + 1) % ring.size()];
         for (const double tip : {16.0, 190.0}) sides.push_back({{a[0], a[1], 40}, {b[0], b[1], 40}, {x, y, tip}});
     }
-    draft.add(make_solid(sides, {x, y, 44}, "hedge"));
+    draft.add_detail(make_solid(sides, {x, y, 44}, "hedge"));
 }
 
 /// Lamps, trees and hedges along the walls and in the corners.
@@ -44,6 +44,8 @@ void add_plants(Draft& draft) {
                               {60, 620, 0},
                               {1090, 1440, 0},
                               {-40, 1120, 0},
+                              {280, 1720, 0},
+                              {790, 1700, 0},
                               {-40, 1420, 0}})
         add_lamp_post(draft, lamp, 290);
     for (const Point& tree : {Point{980, 590, 0},
@@ -89,8 +91,8 @@ void build_courtyard(Draft& draft) {
     add_bank(draft, 1328, 2000);
     add_ground(draft, 1008, 1200, 1168, 1328, "stone_floor");
     for (const double x : {400.0, 624.0}) {
-        draft.add(extrude({2, circle(8, x, 1080, 22, 22.5)}, 0, 24, "marble_green"));
-        draft.add(make_sphere({x, 1080, 50}, 0.5, "marble_ivory", "marble_ivory"));
+        draft.add_detail(extrude({2, circle(8, x, 1080, 22, 22.5)}, 0, 24, "marble_green"));
+        draft.add_detail(make_sphere({x, 1080, 50}, 0.5, "marble_ivory", "marble_ivory"));
     }
     for (const double y : {736.0, 960.0, 1440.0}) {
         for (const double x : {416.0, 608.0}) add_lamp_post(draft, {x, y, 0}, 290);

@@ -30,6 +30,7 @@ void write_brush(const Brush& brush, std::ostream& out) {
 Draft::Draft(std::vector<std::pair<std::string, std::string>> world_pairs) {
     world_pairs.insert(world_pairs.begin(), {"classname", "worldspawn"});
     entities_.push_back({std::move(world_pairs), {}});
+    entities_.push_back({{{"classname", "func_detail"}}, {}});
 }
 
 void Draft::add_point(const std::string& classname, const Point& origin,

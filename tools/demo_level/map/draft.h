@@ -15,13 +15,16 @@ struct MapEntity {
     std::vector<Brush> brushes;
 };
 
-/// A level while it is built: the first entity is the world.
+/// A level while it is built: the first entity is the world, the second its details.
 class Draft {
   public:
     explicit Draft(std::vector<std::pair<std::string, std::string>> world_pairs);
 
     void add(Brush brush) { entities_.front().brushes.push_back(std::move(brush)); }
     void add_box(const Box& box, const Skin& skin) { add(make_box(box, skin)); }
+    /// For what hides little (columns, lamps, trees): the compiler need not work out what is seen past it.
+    void add_detail(Brush brush) { entities_[1].brushes.push_back(std::move(brush)); }
+    void add_detail_box(const Box& box, const Skin& skin) { add_detail(make_box(box, skin)); }
     /// A point entity; `more` are pairs after classname and origin.
     void add_point(const std::string& classname, const Point& origin,
                    std::vector<std::pair<std::string, std::string>> more = {});

@@ -62,7 +62,7 @@ void add_lamp_body(Draft& draft, const Point& centre) {
     const Box box = box_around(centre, 8);
     Brush brush = make_box(box, "lamp");
     fit_textures(brush, box, 0.5);
-    draft.add(std::move(brush));
+    draft.add_detail(std::move(brush));
 }
 
 }  // namespace
@@ -72,9 +72,9 @@ void add_column(Draft& draft, const Point& foot, double height, double radius, c
     const auto square = [&](double z_low, double z_high) {
         return Box{{foot.x - plinth, foot.y - plinth, z_low}, {foot.x + plinth, foot.y + plinth, z_high}};
     };
-    draft.add_box(square(foot.z, foot.z + slab), skin);
-    draft.add_box(square(foot.z + height - slab, foot.z + height), skin);
-    draft.add(extrude({2, circle(12, foot.x, foot.y, radius, 15)}, foot.z + slab, foot.z + height - slab, skin));
+    draft.add_detail_box(square(foot.z, foot.z + slab), skin);
+    draft.add_detail_box(square(foot.z + height - slab, foot.z + height), skin);
+    draft.add_detail(extrude({2, circle(12, foot.x, foot.y, radius, 15)}, foot.z + slab, foot.z + height - slab, skin));
 }
 
 void add_panel(Draft& draft, const Panel& panel) {
@@ -82,7 +82,7 @@ void add_panel(Draft& draft, const Panel& panel) {
     for (BrushFace& face : brush.faces) {
         if (looks_to(outward_normal(face), panel.facing)) face.placement = panel_placement(panel);
     }
-    draft.add(std::move(brush));
+    draft.add_detail(std::move(brush));
 }
 
 void add_sign(Draft& draft, const Sign& sign) {
@@ -97,7 +97,7 @@ void add_rods(Draft& draft, const Sign& sign, double half, double z_low, double 
     const double reach = std::round(sign.texture_width * sign.scale / 3);
     for (const double side : {-reach, reach}) {
         const Point at{sign.at.x + side * out.y - half * out.x, sign.at.y + side * out.x - half * out.y, 0};
-        draft.add_box({{at.x - half, at.y - half, z_low}, {at.x + half, at.y + half, z_high}}, "brass_trim");
+        draft.add_detail_box({{at.x - half, at.y - half, z_low}, {at.x + half, at.y + half, z_high}}, "brass_trim");
     }
 }
 
@@ -115,17 +115,18 @@ void add_hanging_sign(Draft& draft, const Sign& sign, double ceiling_z) {
 
 void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightness, int style) {
     add_lamp_body(draft, centre);
-    draft.add_box({{centre.x - 4, centre.y - 4, centre.z - 16}, {centre.x + 4, centre.y + 4, centre.z - 8}},
-                  "brass_trim");
-    draft.add_box({{centre.x - 10, centre.y - 10, centre.z + 8}, {centre.x + 10, centre.y + 10, centre.z + 12}},
-                  "brass_trim");
+    draft.add_detail_box({{centre.x - 4, centre.y - 4, centre.z - 16}, {centre.x + 4, centre.y + 4, centre.z - 8}},
+                         "brass_trim");
+    draft.add_detail_box({{centre.x - 10, centre.y - 10, centre.z + 8}, {centre.x + 10, centre.y + 10, centre.z + 12}},
+                         "brass_trim");
     const Point out = towards(facing);
     draft.add_light({centre.x + out.x * 24, centre.y + out.y * 24, centre.z}, brightness, style);
 }
 
 void add_hanging_lamp(Draft& draft, const Point& centre, double ceiling_z, int brightness, int style) {
     add_lamp_body(draft, centre);
-    draft.add_box({{centre.x - 1, centre.y - 1, centre.z + 8}, {centre.x + 1, centre.y + 1, ceiling_z}}, "brass_trim");
+    draft.add_detail_box({{centre.x - 1, centre.y - 1, centre.z + 8}, {centre.x + 1, centre.y + 1, ceiling_z}},
+                         "brass_trim");
     draft.add_light({centre.x, centre.y, centre.z - 36}, brightness, style);
     // The lamp shades the ceiling from the light below it: a weaker one above it, beside the chain.
     draft.add_light({centre.x + 4, centre.y + 4, centre.z + 14}, brightness / 2, style);
@@ -148,10 +149,10 @@ void add_lamp_post(Draft& draft, const Point& foot, int brightness) {
     const auto square = [&](double half, double z_low, double z_high) {
         return Box{{foot.x - half, foot.y - half, foot.z + z_low}, {foot.x + half, foot.y + half, foot.z + z_high}};
     };
-    draft.add_box(square(8, 0, 8), "marble_green");
-    draft.add_box(square(3, 8, kLampHeight - 8), "brass_trim");
+    draft.add_detail_box(square(8, 0, 8), "marble_green");
+    draft.add_detail_box(square(3, 8, kLampHeight - 8), "brass_trim");
     add_lamp_body(draft, {foot.x, foot.y, foot.z + kLampHeight});
-    draft.add_box(square(10, kLampHeight + 8, kLampHeight + 12), "brass_trim");
+    draft.add_detail_box(square(10, kLampHeight + 8, kLampHeight + 12), "brass_trim");
     // The lamp's own body would shade a single light in its middle: one on each side of it, and the ground is lit all
     // round.
     for (const double side : {-14.0, 14.0}) {
@@ -161,12 +162,14 @@ void add_lamp_post(Draft& draft, const Point& foot, int brightness) {
 
 void add_balustrade(Draft& draft, const Point& from, const Point& to, const Skin& skin) {
     constexpr double kSpacing = 24, kHalf = 2;
-    draft.add_box({{from.x - kHalf, from.y - kHalf, from.z + 26}, {to.x + kHalf, to.y + kHalf, from.z + 32}}, skin);
+    draft.add_detail_box({{from.x - kHalf, from.y - kHalf, from.z + 26}, {to.x + kHalf, to.y + kHalf, from.z + 32}},
+                         skin);
     const double length = (to.x - from.x) + (to.y - from.y);
     const bool along_x = to.x > from.x;
     for (double at = 0; at <= length; at += kSpacing) {
         const Point foot{from.x + (along_x ? at : 0), from.y + (along_x ? 0 : at), from.z};
-        draft.add_box({{foot.x - kHalf, foot.y - kHalf, foot.z}, {foot.x + kHalf, foot.y + kHalf, foot.z + 26}}, skin);
+        draft.add_detail_box({{foot.x - kHalf, foot.y - kHalf, foot.z}, {foot.x + kHalf, foot.y + kHalf, foot.z + 26}},
+                             skin);
     }
 }
 
@@ -189,7 +192,7 @@ void add_door_frame(Draft& draft, Side facing, const Opening& opening, double wa
     const auto add_bar = [&](double low, double high, double z_low, double z_high) {
         const Box bar =
             spans_x ? Box{{low, near, z_low}, {high, far, z_high}} : Box{{near, low, z_low}, {far, high, z_high}};
-        draft.add_box(bar, "brass_trim");
+        draft.add_detail_box(bar, "brass_trim");
     };
     add_bar(opening.low - kWidth, opening.low, opening.z_low, opening.z_high);
     add_bar(opening.high, opening.high + kWidth, opening.z_low, opening.z_high);

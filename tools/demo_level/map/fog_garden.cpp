@@ -21,7 +21,7 @@ void add_way_down(Draft& draft) {
 }
 
 void add_garden_tree(Draft& draft, double x, double y) {
-    draft.add(extrude({2, circle(6, x, y, 8, 0)}, kLawn, kLawn + 24, "wood_panel"));
+    draft.add_detail(extrude({2, circle(6, x, y, 8, 0)}, kLawn, kLawn + 24, "wood_panel"));
     std::vector<std::vector<Point>> sides;
     const auto ring = circle(6, x, y, 34, 30);
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -29,7 +29,7 @@ void add_garden_tree(Draft& draft, double x, double y) {
         for (const double tip : {24.0, 210.0})
             sides.push_back({{a[0], a[1], kLawn + 44}, {b[0], b[1], kLawn + 44}, {x, y, kLawn + tip}});
     }
-    draft.add(make_solid(sides, {x, y, kLawn + 60}, "hedge"));
+    draft.add_detail(make_solid(sides, {x, y, kLawn + 60}, "hedge"));
 }
 
 void add_lawns(Draft& draft) {
@@ -40,6 +40,7 @@ void add_lawns(Draft& draft) {
     }
     for (const double x : {kGarden.low.x, kGarden.high.x - 24})
         draft.add_box({{x, kGarden.low.y, kLawn}, {x + 24, kGarden.high.y, kLawn + 40}}, "hedge");
+    for (const double x : {kPathX - 120, kPathX + 120}) add_lamp_post(draft, {x, 1990, kLawn}, 280);
     for (const double y : {2210.0, 2400.0}) {
         for (const double x : {kPathX - 60, kPathX + 60}) add_lamp_post(draft, {x, y, kLawn}, 280);
     }
@@ -70,7 +71,7 @@ void add_light_of_sky(Draft& draft) {
 }  // namespace
 
 std::string fog_of_garden() {
-    return "0.3 0.36 0.42 0.55 1 0 16384 -112 64";
+    return "0.45 0.36 0.42 0.55 1 0 16384 -112 56";
 }
 
 /// Sunken below all other rooms: the fog lies in it.

@@ -16,8 +16,8 @@ void build_west_passage(Draft& draft) {
     constexpr int kFlickers = 1;  // light style
     for (const double y : {1700.0, 2020.0}) add_hanging_lamp(draft, {-792, y, 148}, 176, 340);
     add_hanging_lamp(draft, {-792, 1860, 148}, 176, 340, kFlickers);
-    draft.add_point("misc_sparks", {-792, 1860, 132},
-                    {{"size", "8 8 8"}, {"count", "32"}, {"colour", "229"}, {"period", "3"}});
+    draft.add_point("misc_sparks", {-792, 1860, 136},
+                    {{"size", "48 48 72"}, {"count", "24"}, {"colour", "231 225"}, {"period", "2"}});
     add_panel(draft, {Side::West, {{-740, 1740, 84}, {-736, 1804, 148}}, "picture_road"});
 
     // At the end of forced perspective: small, and taken for large.

@@ -78,7 +78,7 @@ void build_rain_court(Draft& draft) {
     const Box rain = within_walk(kWalk + 8, -8, kCourtHigh.z);
     const auto size = std::to_string(static_cast<int>(rain.high.x - rain.low.x));
     draft.add_point("misc_rain", rain.centre(),
-                    {{"size", size + ' ' + size + " 400"}, {"count", "500"}, {"colour", "120"}});
+                    {{"size", size + ' ' + size + " 400"}, {"count", "500"}, {"colour", "25 30"}});
 }
 
 }  // namespace oblong::map_source

@@ -71,7 +71,7 @@ void add_windows(Draft& draft) {
         add_panel(draft,
                   {Side::West, {{kX - kOuter - 4, kY - 16, z}, {kX - kOuter, kY + 16, z + 64}}, "lit_window", 32, 64});
         draft.add_light({kX, kY - kOuter - 40, z + 24}, 290);
-        draft.add_light({kX + kOuter + 40, kY, z + 24}, 240);
+        for (const double x : {kX - kOuter - 40, kX + kOuter + 40}) draft.add_light({x, kY, z + 24}, 240);
     }
     for (const double x : {kX - 50, kX + 50}) add_wall_lamp(draft, {x, kY - kOuter - 8, 120}, Side::South, 320);
 }
@@ -79,8 +79,8 @@ void add_windows(Draft& draft) {
 /// The end of the visit: a light on a dais under painted stars.
 void add_end(Draft& draft) {
     draft.add(extrude({2, octagon(64)}, kFloor, kFloor + 8, "marble_green"));
-    draft.add(extrude({2, octagon(28)}, kFloor + 8, kFloor + 36, "brass_panel"));
-    draft.add(make_crystal({kX, kY, kFloor + 64}, 14, 22, 45, "lamp_blue"));
+    draft.add_detail(extrude({2, octagon(28)}, kFloor + 8, kFloor + 36, "brass_panel"));
+    draft.add_detail(make_crystal({kX, kY, kFloor + 64}, 14, 22, 45, "lamp_blue"));
     draft.add_light({kX, kY + 40, kFloor + 72}, 360);
     draft.add_light({kX, kY - 40, kFloor + 72}, 360);
     draft.add_light({kX, kY, 280}, 400);
