@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 10> kKeysOfOthers{"classname", "message",
 constexpr std::array<std::string_view, 4> kAlphaKeys{"wateralpha", "slimealpha", "lavaalpha", "telealpha"};
 
 /// Text from the level, shortened.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     constexpr std::size_t kMost = 60;
     return "'" + std::string(text.substr(0, kMost)) + (text.size() > kMost ? "...'" : "'");
 }
@@ -35,7 +35,7 @@ void warn(Warnings& warnings, const std::string& text) {
 }
 
 void warn_of_value(Warnings& warnings, std::string_view key, std::string_view value, const std::string& expected) {
-    warn(warnings, "worldspawn key " + quoted(key) + ": " + quoted(value) + ", expected " + expected);
+    warn(warnings, "worldspawn key " + in_quotes(key) + ": " + in_quotes(value) + ", expected " + expected);
 }
 
 constexpr bool is_within(std::int64_t value, std::int64_t least, std::int64_t most) {
@@ -110,7 +110,7 @@ void read_palette_cycle(const std::string& key, const std::string& value, LevelE
             effects.warnings, key, value,
             "first last steps_per_second: colours 0 <= first < last <= 255, -1000 to 1000 steps, not 0");
     if (effects.palette_cycles.size() == LevelEffects::kMostPaletteCycles)
-        return warn(effects.warnings, "worldspawn key " + quoted(key) + ": expected 16 palette cycles at most");
+        return warn(effects.warnings, "worldspawn key " + in_quotes(key) + ": expected 16 palette cycles at most");
     effects.palette_cycles.push_back(*cycle);
 }
 
@@ -137,9 +137,9 @@ void read_world_key(const std::string& key, const std::string& value, LevelEffec
     if (is_cycle) return read_palette_cycle(key, value, effects);
     if (const auto kind = kind_of_alpha_key(key)) return read_alpha(*kind, key, value, effects);
     if (key == "sky" || key == "skyname")
-        return warn(effects.warnings, "worldspawn key " + quoted(key) + ": sky boxes are not supported");
+        return warn(effects.warnings, "worldspawn key " + in_quotes(key) + ": sky boxes are not supported");
     const bool is_of_others = key.starts_with('_') || std::count(kKeysOfOthers.begin(), kKeysOfOthers.end(), key) != 0;
-    if (!is_of_others) warn(effects.warnings, "worldspawn key " + quoted(key) + " is unknown");
+    if (!is_of_others) warn(effects.warnings, "worldspawn key " + in_quotes(key) + " is unknown");
 }
 
 void read_world(const Level& level, LevelEffects& effects) {
@@ -156,7 +156,7 @@ std::string fault_of_pattern(const std::string& pattern, const std::string& styl
     if (style.empty()) return "its style is not a number from 32 to 63, expected a style that the game may set";
     if (!is_light_pattern(pattern)) return "expected 1 to 65536 letters from a to z";
     if (!same_style.empty() && same_style != pattern)
-        return "style " + style + " has the pattern " + quoted(same_style) + " already, expected one";
+        return "style " + style + " has the pattern " + in_quotes(same_style) + " already, expected one";
     return "";
 }
 
@@ -173,7 +173,7 @@ std::array<std::string, kLightStyleCount> own_patterns(const Level& level, Warni
         if (fault.empty())
             of_style = pattern;
         else
-            warn(warnings, "light with the pattern " + quoted(pattern) + ": " + fault);
+            warn(warnings, "light with the pattern " + in_quotes(pattern) + ": " + fault);
     }
     return patterns;
 }
