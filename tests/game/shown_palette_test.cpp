@@ -47,7 +47,7 @@ TEST(ShownPalette, IsPlainInTheOpenAndTintedInALiquid) {
     const GameData open = data_in(contents::kEmpty), water = data_in(contents::kWater);
     EXPECT_TRUE(ShownPalette(open, 100).effects_at(view, Flashes::Full).is_plain());
     EXPECT_FALSE(ShownPalette(open, 150).effects_at(view, Flashes::Full).is_plain());
-    EXPECT_EQ(ShownPalette(water, 100).effects_at(view, Flashes::Off).liquid, liquid_tint(contents::kWater));
+    EXPECT_EQ(ShownPalette(water, 100).effects_at(view, Flashes::Off).liquid, (Tint{{130, 80, 50}, 128}));
 }
 
 }  // namespace
