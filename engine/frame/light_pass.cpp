@@ -20,11 +20,13 @@ void find_styles(const FrameContext& frame, FrameWorkspace& work) {
     }
 }
 
-/// The lights that may touch something in view.
+/// The lights that may touch something in view. With mirrors all of them: a face that both pictures show would be lit
+/// again for each if their lights were not the same.
 void gather_lights(const FrameContext& frame, FrameWorkspace& work) {
+    const bool has_mirrors = frame.mirror || !work.claims.list(FaceList::Mirror).empty();
     work.lights.assign(frame.scene.moving_lights.begin(), frame.scene.moving_lights.end());
     for (const PlacedLantern& placed : work.things.lanterns) {
-        if (!may_be_seen(placed.lit, work.visible, frame.view)) continue;
+        if (!has_mirrors && !may_be_seen(placed.lit, work.visible, frame.view)) continue;
         const Sprite lantern = lantern_at(placed.lantern, frame.scene.time_ms);
         work.lights.push_back({lantern.position, placed.lantern.light_radius});
     }

@@ -137,13 +137,13 @@ void draw_mirrors(const FrameContext& frame, FrameWorkspace& work) {
     }
 
     work.claims = std::move(claims);
+    std::swap(work.depth, work.mirror.depth);
+    find_light(frame, work);  // the frame's own again, counted before
     work.counts = std::move(counts);
     work.record = std::move(record);
     work.times = std::move(times);
     work.claims.list(FaceList::Mirror) = std::move(left);
     for (const ClaimedFace& face : drawn_faces) note_spans(face, work.claims.spans_of(face), frame.out, work);
-    std::swap(work.depth, work.mirror.depth);
-    find_light(frame, work);
     draw_surfaces(FaceList::Mirror, {}, frame, work);
 }
 

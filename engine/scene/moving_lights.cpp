@@ -175,13 +175,13 @@ void MovingLights::choose(std::span<const MovingLight> lights, const Vec3<World>
         chosen_.push_back(*limited(lights[candidate.second]));
 }
 
-/// Chosen lights that are known as they are stay so, and leave the list.
+/// Chosen lights that are known as they are stay so, those of earlier frames too, and leave the list.
 void MovingLights::keep_known() {
-    const std::uint32_t before = std::exchange(active_, 0);
+    active_ = 0;
     std::erase_if(chosen_, [&](const MovingLight& light) {
         for (int i = 0; i < kMost; ++i) {
             const std::uint32_t bit = std::uint32_t{1} << i;
-            if ((before & ~active_ & bit) == 0 || at(known_, i).light != light) continue;
+            if ((active_ & bit) != 0 || at(known_, i).version == 0 || at(known_, i).light != light) continue;
             active_ |= bit;
             return true;
         }

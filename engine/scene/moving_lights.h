@@ -51,7 +51,7 @@ class MovingLights {
                    std::span<std::int32_t> samples_8) const;
 
   private:
-    /// A light that stays in its place from frame to frame, as long as it is the same.
+    /// A light that stays in its place until another one takes it, in frames that don't show it too.
     struct Known {
         MovingLight light;
         std::uint64_t version = 0;

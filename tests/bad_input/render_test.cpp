@@ -142,6 +142,7 @@ TEST_F(BadRender, WrongUsageExitsWith2) {
                                                          {"--time", "noon"},
                                                          {"--time", "inf"},
                                                          {"--time", "-1"},
+                                                         {"--time-step", "61"},
                                                          {"--texel-error", "0.5", "--accuracy", "1991"},
                                                          {"--texel-error", "0.5", "--accuracy", "exact"},
                                                          {"--out", "-"},

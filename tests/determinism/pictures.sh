@@ -6,18 +6,23 @@ for place in ../shared "${OBLONG_SHARED:-}"; do
     [ -z "$levels" ] && [ -d "$place/levels" ] && levels=$place/levels
 done
 
-# Arguments of oblong-render, a line a run.
-runs=("--accuracy bounded" "--accuracy exact" "--accuracy 1996" "--accuracy 1991"
+# Arguments of oblong-render, a line a run. Effects move: several times, one of them past 2^32 milliseconds.
+runs=("--accuracy bounded" "--accuracy exact --time 31.4" "--accuracy 1996 --time 4294967.5" "--accuracy 1991"
       "--accuracy bounded --mode 640x480 --time 12.3" "--accuracy exact --mode 640x480"
-      "--accuracy bounded --fov 179" "--accuracy bounded --fov 1"
+      "--accuracy bounded --fov 179 --time 8.05" "--accuracy bounded --fov 1"
       "--accuracy 1994 --mode 333x217 --display 16:9 --fov 140 --time 77"
       "--accuracy bounded --dial perspective=bounded-texels" "--accuracy bounded --dial mip=span"
       "--accuracy bounded --dial dither=on" "--accuracy 1991 --dial light=nearest")
 
-# choose_cameras STEP: one in so many of each real level, and the demo level's with some at the ends of the world.
+# choose_cameras STEP: one in so many of each real level, the demo level's with some at the ends of the world, and some in
+# a room that calls for all effects: from a tank of water, and outside.
 choose_cameras() {
     mkdir -p "$work"
     rm -f "$work"/*.csv
+    "$build/bin/oblong-map" tools/effect_costs/all_effects.map -o "$work/all_effects.bsp" --wad "$build/assets/demo.wad" >/dev/null ||
+        fail "$build/bin/oblong-map does not compile tools/effect_costs/all_effects.map"
+    printf '%s\n' x,y,z,yaw,pitch -310,0,120,0,8 -310,60,40,-20,0 -280,0,120,0,8 -200,200,60,-40,5 300,-200,90,135,10 \
+        20,-220,110,25,0 >"$work/all_effects.csv"
     { cat assets/demo_cameras.csv; printf '%s\n' 32767,32767,32767,225,35 -32767,32767,-32767,315,-35 32767,-32767,0,135,0; } >"$work/demo.csv"
     [ -n "$levels" ] || { echo "no folder shared/ beside the project: the demo level alone"; return; }
     local name
@@ -26,7 +31,13 @@ choose_cameras() {
     done
 }
 
-level_path() { if [ "$1" = demo ]; then echo "$build/assets/demo.bsp"; else echo "$levels/$1.bsp"; fi; }
+level_path() {
+    case $1 in
+        demo) echo "$build/assets/demo.bsp" ;;
+        all_effects) echo "$work/all_effects.bsp" ;;
+        *) echo "$levels/$1.bsp" ;;
+    esac
+}
 
 # rendered_report PROGRAM LEVEL CAMERAS ARGUMENT...: an oblong-render's JSON.
 rendered_report() {

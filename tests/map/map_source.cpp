@@ -26,17 +26,18 @@ void put_name(std::string& bytes, std::string name) {
     bytes += name;
 }
 
-std::string miptex(const std::string& name, char colour) {
-    std::string bytes;
-    put_name(bytes, name);
-    put_u32(bytes, 16);
-    put_u32(bytes, 16);
-    std::size_t offset = 40;
-    for (std::size_t size : {256u, 64u, 16u, 4u}) {
-        put_u32(bytes, offset);
-        offset += size;
+std::string miptex(const StripedTexture& texture) {
+    std::string bytes, texels;
+    put_name(bytes, texture.name);
+    put_u32(bytes, texture.width);
+    put_u32(bytes, texture.height);
+    for (int mip = 0; mip < 4; ++mip) {
+        const std::uint32_t width = texture.width >> mip, height = texture.height >> mip;
+        put_u32(bytes, 40 + texels.size());
+        for (std::uint32_t i = 0; i < width * height; ++i)
+            texels += static_cast<char>(i % width * 8 / width % 2 == 0 ? texture.first : texture.second);
     }
-    return bytes + std::string(256 + 64 + 16 + 4, colour);
+    return bytes + texels;
 }
 
 Whole rounded(double x, double y, double z) {
@@ -151,16 +152,25 @@ std::string level(std::string_view brushes, std::string_view entities) {
 }
 
 std::string wad_bytes(const std::vector<std::string>& names) {
+    std::vector<StripedTexture> textures;
+    for (const std::string& name : names) {
+        const auto colour = static_cast<std::uint8_t>(textures.size() + 1);
+        textures.push_back({name, colour, colour});
+    }
+    return wad_bytes(textures);
+}
+
+std::string wad_bytes(const std::vector<StripedTexture>& textures) {
     std::string bytes = "WAD2", directory;
-    put_u32(bytes, names.size());
+    put_u32(bytes, textures.size());
     put_u32(bytes, 0);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const std::string texture = miptex(names[i], static_cast<char>(i + 1));
+    for (const StripedTexture& each : textures) {
+        const std::string texture = miptex(each);
         put_u32(directory, bytes.size());
         put_u32(directory, texture.size());
         put_u32(directory, texture.size());
         directory += std::string("D\0\0\0", 4);
-        put_name(directory, names[i]);
+        put_name(directory, each.name);
         bytes += texture;
     }
     std::string place;

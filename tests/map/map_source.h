@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <string_view>
@@ -40,6 +41,15 @@ std::string level(std::string_view brushes, std::string_view entities = "");
 
 /// A WAD2 of 16 x 16 textures of one colour.
 std::string wad_bytes(const std::vector<std::string>& names);
+
+/// A texture of upright stripes, an eighth of its width each: `first`, `second`, `first` ...
+struct StripedTexture {
+    std::string name;
+    std::uint8_t first = 0, second = 0;
+    std::uint32_t width = 16, height = 16;
+};
+/// A WAD2 of these.
+std::string wad_bytes(const std::vector<StripedTexture>& textures);
 
 /// Compiles with a WAD that has wall, floor, other, *water, *lava, sky, mirror, {bars and an animated +0lamp, +1lamp.
 map::BspFile compile(std::string_view text, const map::CompileOptions& options = {});

@@ -19,7 +19,7 @@ using namespace oblong;
 struct Options {
     std::string level, cameras, palette, out, json;
     std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", preset = "bounded",
-                effects = "auto", texel_error, seconds = "0";
+                effects = "auto", texel_error, seconds = "0", step_seconds = "0";
     std::vector<std::string> dials;
     std::int64_t repeat = 1, threads = 1;
     bool prints_plan = false;
@@ -51,6 +51,7 @@ void declare(Command& line, Options& options) {
                   "print the passes and effects of each frame, with their pixels and times");
     line.add("--threads", options.threads, "accepted; frames are drawn by one thread").limit(1, 256);
     line.add("--time", options.seconds, "the scene's time, seconds");
+    line.add("--time-step", options.step_seconds, "seconds from each timed rendering of a frame to the next, up to 60");
 }
 
 EffectSet parse_effects(const std::string& text) {
@@ -83,10 +84,16 @@ Settings make_settings(const Options& options, Preset preset) {
     return settings;
 }
 
-std::int64_t parse_time_ms(const std::string& seconds) {
-    const std::int64_t time_20 = parse_number("--time", seconds, 20);
-    if (time_20 < 0) throw UsageError("--time: '" + seconds + "', expected seconds from 0");
+std::int64_t parse_time_ms(const std::string& option, const std::string& seconds) {
+    const std::int64_t time_20 = parse_number(option, seconds, 20);
+    if (time_20 < 0) throw UsageError(option + ": '" + seconds + "', expected seconds from 0");
     return time_20 * 1000 / (1 << 20);
+}
+
+std::int64_t parse_time_step_ms(const std::string& seconds) {
+    const std::int64_t step_ms = parse_time_ms("--time-step", seconds);
+    if (step_ms > 60'000) throw UsageError("--time-step: '" + seconds + "', expected 0 to 60 seconds");
+    return step_ms;
 }
 
 std::string picture_path(const std::string& folder, std::size_t index) {
@@ -126,7 +133,8 @@ void render(const Options& options) {
     check_view(mode, field_of_view);
     const Preset preset = parse_preset(options.preset);
     const Settings settings = make_settings(options, preset);
-    const std::int64_t time_ms = parse_time_ms(options.seconds);
+    const std::int64_t time_ms = parse_time_ms("--time", options.seconds),
+                       step_ms = parse_time_step_ms(options.step_seconds);
 
     const auto start = std::chrono::steady_clock::now();
     const Level level = read_parsed(options.level, read_bsp);
@@ -139,7 +147,8 @@ void render(const Options& options) {
     const std::vector<PlacedModel> models = models_at_rest(level);
 
     if (!options.out.empty()) make_folder(options.out);
-    const RenderJob job{{level, colormap, models, time_ms}, mode, settings, cameras, static_cast<int>(options.repeat)};
+    const RenderJob job{{level, colormap, models, time_ms}, mode,   settings, cameras,
+                        static_cast<int>(options.repeat),   step_ms};
     FrameWorkspace work(level, mode);
     print_warnings("oblong-render", options.level, work.effects.warnings);
     print_warnings("oblong-render", options.level, work.things.warnings);

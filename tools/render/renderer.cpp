@@ -32,8 +32,10 @@ class CameraRenderer {
     std::span<const std::uint8_t> pixels() const { return pixels_; }
 
   private:
-    void draw(const Camera& camera) {
-        draw_frame(job_.scene, camera, job_.mode, job_.settings, work_,
+    void draw(const Camera& camera, std::int64_t later_ms = 0) {
+        Scene scene = job_.scene;
+        scene.time_ms += later_ms;
+        draw_frame(scene, camera, job_.mode, job_.settings, work_,
                    {pixels_.data(), job_.mode.width_px, job_.mode.height_px, job_.mode.width_px});
     }
 
@@ -41,10 +43,11 @@ class CameraRenderer {
         std::vector<double> microseconds;
         for (int i = 0; i < job_.repeat; ++i) {
             const auto start = std::chrono::steady_clock::now();
-            draw(camera);
+            draw(camera, i * job_.time_step_ms);
             const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
             microseconds.push_back(taken.count());
         }
+        if (job_.time_step_ms != 0) draw(camera);  // the picture of the scene's own time
         return summarize_times(std::move(microseconds)).median;
     }
 

@@ -30,7 +30,8 @@ struct RenderJob {
     ScreenMode mode;
     Settings settings;
     std::span<const Camera> cameras;
-    int repeat = 1;  ///< timed renderings of each frame
+    int repeat = 1;                 ///< timed renderings of each frame
+    std::int64_t time_step_ms = 0;  ///< from each of those to the next: what moves is then lit and drawn anew
 };
 
 /// Renders every camera and calls on_picture(index, pixels) with each picture. Counts are taken in a rendering of their

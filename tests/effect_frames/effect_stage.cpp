@@ -1,0 +1,136 @@
+#include "tests/effect_frames/effect_stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/level/bsp_read.h"
+#include "tools/map/compile.h"
+
+namespace oblong::test {
+
+namespace {
+
+const std::vector<StripedTexture>& textures() {
+    static const std::vector<StripedTexture> all = {
+        {"wall", kWall, kWall},          {"floor", kFloor, kFloor},
+        {"other", kOther, kOther},       {"*water", kWater, kWaterStripe, 64, 64},
+        {"*slime", kSlime, kSlime},      {"*lava", kLava, kLava},
+        {"sky", 1, 5, 256, 128},         {"+0sign", kSign0, kSign0},
+        {"+1sign", kSign1, kSign1},      {"+2sign", kSign2, kSign2},
+        {"+asign", kSignOn, kSignOn},    {"{bars", kBars, kHole, 64, 64},
+        {"{lamp", kLamp, kLamp, 32, 32}, {"mirror", kMirror, kMirror},
+    };
+    return all;
+}
+
+Palette greys() {
+    Palette palette;
+    for (std::size_t i = 0; i < 256; ++i) {
+        const auto grey = static_cast<std::uint8_t>(i);
+        palette.colours[i] = i < kFirstFullbright ? Rgb8{grey, grey, grey} : Rgb8{grey, 0, 0};
+    }
+    return palette;
+}
+
+}  // namespace
+
+Level compile_effects(const MapText& text) {
+    std::string source = entity("worldspawn", text.world_keys, text.brushes) + text.entities;
+    if (text.entities.find("info_player_start") == std::string::npos)
+        source += entity_at("info_player_start", {0, 0, 64});
+    const std::vector<map::Wad> wads{map::Wad(wad_bytes(textures()))};
+    const std::string bytes = map::to_bytes(map::compile_map(map::parse_map(source), wads, {true}));
+    return read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
+Colormap effect_colours() {
+    Colormap map;
+    map.palette = greys();
+    for (std::size_t shade = 0; shade < map.shades.size(); ++shade)
+        for (std::size_t i = 0; i < 256; ++i)
+            map.shades[shade][i] = static_cast<std::uint8_t>(shade == kShadowShade ? i / 2 : i);
+    return map;
+}
+
+Colormap shades_as_colours() {
+    Colormap map;
+    map.palette = greys();
+    for (std::size_t shade = 0; shade < map.shades.size(); ++shade)
+        map.shades[shade].fill(static_cast<std::uint8_t>(shade));
+    return map;
+}
+
+Vec3<World> place(double x, double y, double z) {
+    const auto world = [](double value) {
+        return World::from_raw(static_cast<World::Raw>(std::lround(std::ldexp(value, World::kFractionBits))));
+    };
+    return {world(x), world(y), world(z)};
+}
+
+Camera camera_at(const Vec3<World>& eye, double yaw, double pitch) {
+    const auto angle = [](double degrees) { return Angle::from_bam(std::llround(degrees / 360 * 65536)); };
+    Camera camera;
+    camera.eye = eye;
+    camera.yaw = angle(yaw);
+    camera.pitch = angle(pitch);
+    return camera;
+}
+
+EffectStage::EffectStage(Level its_level, const Camera& its_camera, Colormap colours)
+    : level(std::move(its_level)),
+      colormap(std::move(colours)),
+      models(models_at_rest(level)),
+      camera(its_camera),
+      work(level, {}) {
+    work.counts = std::make_unique<FrameCounts>();
+    work.record = std::make_unique<FrameRecord>();
+}
+
+Picture EffectStage::draw_in(FrameWorkspace& in, std::int64_t time_ms) const {
+    Picture picture(kPicturePixels, 0x5a);
+    Scene scene{level, colormap, models};
+    scene.time_ms = time_ms;
+    scene.moving_lights = moving_lights;
+    draw_frame(scene, camera, {}, settings, in, {picture.data(), kPictureWidth, kPictureHeight, kPictureWidth});
+    return picture;
+}
+
+Picture EffectStage::draw_afresh(std::int64_t time_ms) const {
+    FrameWorkspace fresh(level, {});
+    return draw_in(fresh, time_ms);
+}
+
+Picture EffectStage::draw_without(Effect effect, std::int64_t time_ms) {
+    const EffectSet allowed = settings.allowed_effects;
+    settings.allowed_effects = allowed.without(effect);
+    Picture picture = draw(time_ms);
+    settings.allowed_effects = allowed;
+    return picture;
+}
+
+bool EffectStage::has(Pass pass) const {
+    return std::find(work.plan.passes.begin(), work.plan.passes.end(), pass) != work.plan.passes.end();
+}
+
+const Face* EffectStage::face_at(std::size_t pixel) const {
+    const FaceIndex face = work.record->pixels[pixel].face;
+    return face.is_none() ? nullptr : &level.faces[face];
+}
+
+const std::string& EffectStage::texture_at(std::size_t pixel) const {
+    static const std::string none;
+    const Face* const face = face_at(pixel);
+    return face ? level.texture_of(*face).name : none;
+}
+
+std::int64_t changed_pixels(const Picture& a, const Picture& b) {
+    std::int64_t changed = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) changed += a[i] != b[i];
+    return changed;
+}
+
+std::int64_t count_of(const Picture& picture, std::uint8_t colour) {
+    return std::count(picture.begin(), picture.end(), colour);
+}
+
+}  // namespace oblong::test

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/frame/frame.h"
+#include "engine/frame/workspace.h"
+#include "tests/map/map_source.h"
+
+/// Frames of small levels that call for effects, compiled on the spot.
+namespace oblong::test {
+
+/// Colours of the textures that compile_effects() knows. Colour i is a grey of i of 255 up to 223.
+inline constexpr std::uint8_t kWall = 16, kFloor = 48, kOther = 80, kWater = 120, kWaterStripe = 160, kSlime = 200,
+                              kLava = 224, kSign0 = 90, kSign1 = 92, kSign2 = 94, kSignOn = 96, kBars = 110,
+                              kLamp = 210, kMirror = 9, kHole = 255;
+/// Of the shadows' row of shaded_colours() and of effect_colours().
+inline constexpr int kShadowShade = Colormap::kOwnShade + 12;
+
+struct MapText {
+    std::string brushes, entities;
+    std::vector<std::array<std::string, 2>> world_keys;
+};
+
+/// With wall, floor, other, *water (striped), *slime, *lava, sky, +0sign to +2sign, +asign, {bars (striped with holes),
+/// {lamp and mirror; a start where `MapText::entities` has none.
+Level compile_effects(const MapText& text);
+
+/// The palette of greys; every shade is the colour itself, but in shadows half of it.
+Colormap effect_colours();
+/// The same palette; a surface shows the number of its shade.
+Colormap shades_as_colours();
+
+Vec3<World> place(double x, double y, double z);
+/// Degrees; pitch positive looks down.
+Camera camera_at(const Vec3<World>& eye, double yaw, double pitch = 0);
+
+using Picture = std::vector<std::uint8_t>;
+inline constexpr int kPictureWidth = 320, kPictureHeight = 200, kPicturePixels = kPictureWidth * kPictureHeight;
+
+/// A level, and what draws it at 320x200.
+class EffectStage {
+  public:
+    EffectStage(Level its_level, const Camera& its_camera, Colormap colours = effect_colours());
+    EffectStage(const MapText& text, const Camera& its_camera, Colormap colours = effect_colours())
+        : EffectStage(compile_effects(text), its_camera, std::move(colours)) {}
+    EffectStage(const EffectStage&) = delete;  // the workspace refers to the level
+
+    /// In `work`, which keeps what the frames before left there.
+    Picture draw(std::int64_t time_ms = 0) { return draw_in(work, time_ms); }
+    Picture draw_afresh(std::int64_t time_ms = 0) const;
+    Picture draw_without(Effect effect, std::int64_t time_ms = 0);
+    /// Of the frame drawn last, in `work`.
+    bool has(Effect effect) const { return work.plan.effects.has(effect); }
+    bool has(Pass pass) const;
+    std::int64_t pixels(Effect effect) const { return work.counts->of(effect); }
+    std::int64_t pixels(Pass pass) const { return work.counts->of(pass); }
+    /// The face that a pixel showed, behind what is seen through; none: the void.
+    const Face* face_at(std::size_t pixel) const;
+    const std::string& texture_at(std::size_t pixel) const;
+
+    Level level;
+    Colormap colormap;
+    std::vector<PlacedModel> models;
+    std::vector<MovingLight> moving_lights;
+    Settings settings;
+    Camera camera;
+    FrameWorkspace work;
+
+  private:
+    Picture draw_in(FrameWorkspace& in, std::int64_t time_ms) const;
+};
+
+/// How many pixels differ.
+std::int64_t changed_pixels(const Picture& a, const Picture& b);
+std::int64_t count_of(const Picture& picture, std::uint8_t colour);
+
+}  // namespace oblong::test

@@ -1,0 +1,214 @@
+// Levels that call for far too much: a stated limit with a warning, or a picture, and never worse.
+
+#include <algorithm>
+
+#include "engine/base/input_error.h"
+#include "tests/effect_frames/effect_stage.h"
+
+namespace oblong::test {
+namespace {
+
+Camera in_room() {
+    return camera_at(place(-200, 3, 100), 0, 10);
+}
+
+MapText plain_box() {
+    MapText text;
+    text.brushes = room({-256, -256, 0}, {256, 256, 192}, 16, "other");
+    text.entities = entity_at("info_player_start", {-100, 0, 64}) + entity_at("light", {0, 0, 120});
+    return text;
+}
+
+Entity entity_of(std::vector<std::pair<std::string, std::string>> pairs) {
+    return {std::move(pairs)};
+}
+
+/// The level of the plain box with further entities.
+Level with_entities(int count, const Entity& entity, const MapText& text = plain_box()) {
+    Level level = compile_effects(text);
+    level.entities.insert(level.entities.end(), static_cast<std::size_t>(count), entity);
+    return level;
+}
+
+int warnings_with(const std::vector<std::string>& warnings, const std::string& part) {
+    return static_cast<int>(std::count_if(warnings.begin(), warnings.end(), [&](const std::string& warning) {
+        return warning.find(part) != std::string::npos;
+    }));
+}
+
+/// Draws at several times, 2^62 ms among them, each the same in a fresh workspace.
+void expect_same_afresh(EffectStage& stage) {
+    for (const std::int64_t time_ms : {std::int64_t{0}, std::int64_t{1'234}, std::int64_t{1} << 62})
+        ASSERT_EQ(stage.draw(time_ms), stage.draw_afresh(time_ms)) << time_ms;
+}
+
+TEST(Hostile, TenThousandMovingLights) {
+    EffectStage stage(plain_box(), in_room(), shades_as_colours());
+    const Picture dark = stage.draw();
+    for (int i = 0; i < 10'000; ++i)
+        stage.moving_lights.push_back(
+            {place(i % 100 * 5 - 250, i / 100 * 5 - 250, 10 + i % 170), World::from_int(i % 300), i % 1000});
+    EXPECT_NE(stage.draw(), dark);
+    expect_same_afresh(stage);
+    const World far = World::highest(), near = World::lowest();
+    stage.moving_lights.assign(10'000, {{far, far, far}, far, 1 << 30});
+    stage.moving_lights.push_back({{near, near, near}, near, -(1 << 30)});
+    EXPECT_EQ(stage.draw(), dark) << "out of reach";
+    for (MovingLight& light : stage.moving_lights) light.position = in_room().eye;
+    expect_same_afresh(stage);
+}
+
+TEST(Hostile, TooManyLanterns) {
+    EffectStage stage(with_entities(10'000, entity_of({{"classname", "misc_lantern"},
+                                                       {"origin", "0 0 80"},
+                                                       {"texture", "other"},
+                                                       {"light", "2048"},
+                                                       {"radius", "4096"},
+                                                       {"period", "0.05"}})),
+                      in_room());
+    EXPECT_EQ(stage.work.things.lanterns.size(), kMostLanterns);
+    EXPECT_EQ(warnings_with(stage.work.things.warnings, "more than 64"), 10'000 - 64);
+    expect_same_afresh(stage);
+}
+
+TEST(Hostile, AHundredThousandParticlesAndTooMany) {
+    for (const auto& [emitters, count] : {std::pair(100, "1000"), std::pair(3, "100000"), std::pair(2'000, "100")}) {
+        EffectStage stage(with_entities(emitters, entity_of({{"classname", "misc_sparks"},
+                                                             {"origin", "0 0 80"},
+                                                             {"size", "400 400 150"},
+                                                             {"count", count}})),
+                          in_room());
+        std::int64_t kept = 0;
+        for (const PlacedEmitter& placed : stage.work.things.emitters) kept += placed.emitter.count;
+        EXPECT_EQ(kept, std::min<std::int64_t>(std::int64_t{emitters} * std::stoi(count),
+                                               emitters == 2'000 ? 102'400 : kMostParticles));
+        EXPECT_EQ(stage.work.things.warnings.empty(), emitters == 100);
+        expect_same_afresh(stage);
+        EXPECT_GT(stage.pixels(Effect::Particles), 10'000);
+    }
+}
+
+TEST(Hostile, TooManySpritesAndSpritesWithoutATexture) {
+    Level level = with_entities(5'000, entity_of({{"classname", "misc_sprite"},
+                                                  {"origin", "0 0 80"},
+                                                  {"texture", "other"},
+                                                  {"scale", "16"},
+                                                  {"shadow", "512"}}));
+    const Entity without = entity_of({{"classname", "misc_sprite"}, {"origin", "0 0 80"}, {"texture", "no_such"}});
+    level.entities.insert(level.entities.begin(), 10, without);
+    EffectStage stage(std::move(level), in_room());
+    EXPECT_EQ(stage.work.things.sprites.size(), kMostSprites);
+    EXPECT_EQ(warnings_with(stage.work.things.warnings, "no_such"), 10);
+    EXPECT_EQ(warnings_with(stage.work.things.warnings, "more than 4096"), 5'000 - 4'096);
+    expect_same_afresh(stage);
+}
+
+TEST(Hostile, FourThousandBrushModels) {
+    MapText text = plain_box();
+    for (int i = 0; i < 4'096; ++i) {
+        const int x = i % 16 * 24 - 180, y = i / 16 % 16 * 30 - 240, z = i / 256 * 11 + 2;
+        text.entities += entity("func_wall", {}, box({x, y, z}, {x + 8, y + 8, z + 6}, i % 2 ? "other" : "*slime"));
+    }
+    EffectStage stage(text, in_room());
+    EXPECT_EQ(stage.models.size(), 4'096u);
+    EXPECT_EQ(stage.draw(), stage.draw_afresh());
+    EXPECT_GT(stage.pixels(Effect::BrushModels), 20'000);
+    for (int i = 0; i < 4'096; ++i)  // all into each other
+        stage.models[static_cast<std::size_t>(i)].offset = place(i % 7 - i % 16 * 24, i % 5 - i / 16 % 16 * 30, 0);
+    EXPECT_EQ(stage.draw(), stage.draw_afresh());
+}
+
+TEST(Hostile, LightPatternsOfAKilobyteAndOfTooMuch) {
+    const auto lit = [](const std::string& pattern) {
+        MapText text = plain_box();
+        text.entities += entity_at("light", {0, 0, 100}, {{"style", "40"}});
+        Level level = compile_effects(text);
+        for (Entity& entity : level.entities)
+            if (entity.value("style") == "40") entity.pairs.emplace_back("pattern", pattern);
+        return level;
+    };
+    std::string letters;
+    for (int i = 0; i < 1'024; ++i) letters += static_cast<char>('a' + i * i % 26);
+    EffectStage kilobyte(lit(letters), in_room(), shades_as_colours());
+    EXPECT_TRUE(kilobyte.work.effects.warnings.empty());
+    EXPECT_EQ(kilobyte.draw(1'500), kilobyte.draw(1'500 + 102'400));
+    EXPECT_TRUE(kilobyte.has(Effect::Styles));
+    expect_same_afresh(kilobyte);
+    for (const std::string& bad : {std::string(65'537, 'a'), std::string("abcABC"), std::string("a b")}) {
+        EffectStage stage(lit(bad), in_room(), shades_as_colours());
+        EXPECT_EQ(warnings_with(stage.work.effects.warnings, "65536"), 1);
+        stage.draw(1'500);
+        EXPECT_FALSE(stage.has(Effect::Styles));
+    }
+}
+
+TEST(Hostile, FogThatIsNone) {
+    EffectStage clear(plain_box(), in_room());
+    const Picture expected = clear.draw();
+    for (const char* fog :
+         {"-0.1 1 1 1", "0.1 1 1 1 1 500 100", "0.1 1 1 1 1 -500 -100", "nan nan nan nan", "inf 1 1 1", "1e9 1 1 1",
+          "99999999999999999999 1 1 1", "0.1 2 1 1", "0.1 -1 1 1", "0.1", "", "0.1 1 1 1 1 0 4096 50 0",
+          "0.1 1 1 1 1 0 4096 50 -30", "0.1 1 1 1 1 0 4096 50 30 7", "0.1 1 1 1 x"}) {
+        SCOPED_TRACE(fog);
+        MapText text = plain_box();
+        Level level = compile_effects(text);
+        level.entities[0].pairs.emplace_back("fog", fog);
+        EffectStage stage(std::move(level), in_room());
+        EXPECT_EQ(warnings_with(stage.work.effects.warnings, "worldspawn key 'fog'"), 1);
+        EXPECT_EQ(stage.draw(), expected);
+        EXPECT_FALSE(stage.has(Effect::Fog));
+    }
+}
+
+TEST(Hostile, FogAtTheEndsOfItsRange) {
+    for (const char* fog : {"64 1 1 1", "0.00001 0 0 0", "64 1 1 1 1 0 0.001", "64 1 1 1 1 262143 262144",
+                            "64 1 1 1 1 0 262144 262144 262144", "64 1 1 1 1 0 262144 -262144 0.001",
+                            "64 1 1 1 1 0 262144 100 0.001", "64 1 1 1 0.001"}) {
+        SCOPED_TRACE(fog);
+        Level level = compile_effects(plain_box());
+        level.entities[0].pairs.emplace_back("fog", fog);
+        EffectStage stage(std::move(level), in_room());
+        EXPECT_TRUE(stage.work.effects.warnings.empty());
+        expect_same_afresh(stage);
+    }
+}
+
+/// Half of a ball's four hundred sides face the eye; each but kMostMirrors is a wall.
+TEST(Hostile, TwoHundredMirrors) {
+    MapText text = plain_box();
+    text.entities += entity("func_wall", {}, ball({0, 0, 100}, 80, 20, 20, "mirror"));
+    EffectStage stage(text, in_room());
+    expect_same_afresh(stage);
+    EXPECT_GT(stage.pixels(Effect::Mirror), 5'000);
+    const std::int64_t walls = count_of(stage.draw(), kMirror);
+    EXPECT_GT(walls, 1'000);
+    EXPECT_LT(walls, stage.pixels(Effect::Mirror)) << "some of them are mirrors";
+}
+
+TEST(Hostile, AThousandFacesThatAreSeenThrough) {
+    MapText text = plain_box();
+    for (int i = 0; i < 500; ++i)
+        text.entities += entity(
+            "func_wall", {}, box({i - 150, -200 + i % 3, 2}, {i - 149, 200 - i % 7, 180}, i % 2 ? "{bars" : "*slime"));
+    text.world_keys = {{"slimealpha", "0.1"}, {"fog", "1 0.5 0.5 0.5"}};
+    EffectStage stage(text, in_room());
+    EXPECT_EQ(stage.models.size(), 500u);
+    expect_same_afresh(stage);
+    EXPECT_GT(stage.pixels(Pass::SeeThrough), 1'000'000);
+}
+
+TEST(Hostile, EyesInThePlaneOfAMirrorAndOfASheetOfWater) {
+    MapText text = plain_box();
+    text.brushes += box({-256, -256, 0}, {256, 256, 100}, "*water");
+    text.entities += entity("func_wall", {}, box({0, -100, 30}, {8, 100, 160}, "mirror"));
+    text.world_keys = {{"wateralpha", "0.5"}};
+    EffectStage stage(text, in_room());
+    for (const double x : {-0.001, 0.0, 0.001, 4.0})
+        for (const double z : {99.999, 100.0, 100.001}) {
+            stage.camera = camera_at(place(x, 3, z), 170, 1);
+            expect_same_afresh(stage);
+        }
+}
+
+}  // namespace
+}  // namespace oblong::test

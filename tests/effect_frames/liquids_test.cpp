@@ -1,0 +1,161 @@
+// Liquids: they move and return, cover what is under them by a share, and wave the picture of who is in them.
+
+#include <set>
+
+#include "engine/effects/colour_tables.h"
+#include "engine/effects/underwater.h"
+#include "engine/effects/warp.h"
+#include "tests/effect_frames/effect_stage.h"
+
+namespace oblong::test {
+namespace {
+
+constexpr std::int64_t kHuge_ms = std::int64_t{1} << 32;
+
+/// The first whole number of periods at 2^32 ms or later.
+constexpr std::int64_t periods_past_huge(std::int64_t period_ms) {
+    return (kHuge_ms + period_ms - 1) / period_ms * period_ms;
+}
+
+/// A room whose floor is under 32 units of a liquid.
+MapText pool(const std::string& liquid, const std::vector<std::array<std::string, 2>>& world_keys = {}) {
+    MapText text;
+    text.brushes = room({-256, -256, 0}, {256, 256, 192}, 16, "floor");
+    if (!liquid.empty()) text.brushes += box({-256, -256, 0}, {256, 256, 32}, liquid);
+    text.world_keys = world_keys;
+    return text;
+}
+
+Camera above() {
+    return camera_at(place(-200, 3, 120), 0, 30);
+}
+
+TEST(Liquids, MoveOnTheirOwnPixelsAndRepeat) {
+    EffectStage stage(pool("*water"), above());
+    const Picture start = stage.draw(0);
+    EXPECT_GT(stage.pixels(Effect::Liquid), 10'000);
+    EXPECT_EQ(stage.pixels(Pass::Liquid), stage.pixels(Effect::Liquid));
+    for (const std::int64_t time_ms : {std::int64_t{100}, std::int64_t{1'600}, std::int64_t{4'711}}) {
+        const Picture later = stage.draw(time_ms);
+        EXPECT_GT(changed_pixels(later, start), 500) << time_ms;
+        for (std::size_t i = 0; i < later.size(); ++i) {
+            if (later[i] != start[i]) {
+                ASSERT_EQ(stage.texture_at(i), "*water") << time_ms;
+            }
+        }
+        EXPECT_EQ(stage.draw(time_ms + kWarpPeriod_ms), later);
+        EXPECT_EQ(stage.draw(time_ms + periods_past_huge(kWarpPeriod_ms)), later);
+        EXPECT_EQ(stage.draw(time_ms + (kHuge_ms << 20) / kWarpPeriod_ms * kWarpPeriod_ms), later);
+    }
+}
+
+TEST(Liquids, NotAllowedAreOneColourInPlace) {
+    EffectStage stage(pool("*water"), above());
+    const Picture with = stage.draw();
+    const std::int64_t owned = stage.pixels(Effect::Liquid);
+    const Picture without = stage.draw_without(Effect::Liquid);
+    EXPECT_FALSE(stage.has(Pass::Liquid));
+    EXPECT_FALSE(stage.has(Effect::Liquid));
+    EXPECT_EQ(stage.pixels(Pass::Flat), owned);
+    std::set<std::uint8_t> colours;
+    for (std::size_t i = 0; i < with.size(); ++i) {
+        if (stage.texture_at(i) == "*water")
+            colours.insert(without[i]);
+        else
+            ASSERT_EQ(without[i], with[i]);
+    }
+    EXPECT_EQ(colours.size(), 1u);
+}
+
+/// Half of one grey over another is the grey between: of a half, the brighter one.
+TEST(Translucency, IsThatShareOfWhatIsBehind) {
+    const Picture behind = EffectStage(pool(""), above()).draw();
+    for (const auto& [alpha, share_256] : {std::pair("0.25", 64), std::pair("0.5", 128), std::pair("0.75", 192)}) {
+        EffectStage stage(pool("*slime", {{"slimealpha", alpha}}), above());
+        const Picture picture = stage.draw();
+        EXPECT_TRUE(stage.has(Effect::Translucency));
+        std::int64_t mixed = 0;
+        for (std::size_t i = 0; i < picture.size(); ++i) {
+            const int mixture = (kSlime * share_256 + behind[i] * (256 - share_256) + 128) / 256;
+            mixed += picture[i] == mixture;
+            ASSERT_TRUE(picture[i] == mixture || picture[i] == behind[i]) << int{picture[i]};
+        }
+        EXPECT_EQ(mixed, stage.pixels(Effect::Translucency));
+        EXPECT_GT(mixed, 10'000);
+    }
+}
+
+TEST(Translucency, OfOneIsOpaqueAndOfZeroNothing) {
+    EffectStage opaque(pool("*water"), above()), of_one(pool("*water", {{"wateralpha", "1"}}), above()),
+        of_zero(pool("*water", {{"wateralpha", "0"}}), above());
+    EXPECT_EQ(of_one.draw(777), opaque.draw(777));
+    EXPECT_FALSE(of_one.has(Effect::Translucency));
+    EXPECT_EQ(of_one.work.plan.passes, opaque.work.plan.passes);
+    EXPECT_EQ(of_zero.draw(777), EffectStage(pool(""), above()).draw());
+}
+
+TEST(Translucency, NotAllowedIsOpaque) {
+    EffectStage opaque(pool("*water"), above()), half(pool("*water", {{"wateralpha", "0.5"}}), above());
+    EXPECT_EQ(half.draw_without(Effect::Translucency, 777), opaque.draw(777));
+    EXPECT_FALSE(half.has(Pass::SeeThrough));
+    EXPECT_EQ(half.pixels(Effect::Liquid), opaque.pixels(Effect::Liquid));
+}
+
+TEST(Underwater, OnlyWhereTheEyeIsInALiquid) {
+    EffectStage stage(pool("*water"), camera_at(place(-200, 3, 33), 0, 10));
+    stage.draw();
+    EXPECT_FALSE(stage.has(Pass::Underwater));
+    EXPECT_EQ(stage.pixels(Effect::Underwater), 0);
+    stage.camera.eye = place(-200, 3, 31);
+    const Picture start = stage.draw();
+    EXPECT_TRUE(stage.has(Pass::Underwater));
+    EXPECT_EQ(stage.pixels(Effect::Underwater), kPicturePixels);
+    EXPECT_NE(stage.draw(1'000), start);
+    EXPECT_EQ(stage.draw(kUnderwaterPeriod_ms * kWarpPeriod_ms), start);
+    EXPECT_NE(stage.draw_without(Effect::Underwater), start);
+    EXPECT_FALSE(stage.has(Pass::Underwater));
+}
+
+/// Waves move pixels by a few, and invent no colour.
+TEST(Underwater, ShowsPixelsFromNearby) {
+    EffectStage stage(pool("*water"), camera_at(place(-200, 3, 16), 0, 10));
+    const Picture waving = stage.draw(500), still = stage.draw_without(Effect::Underwater, 500);
+    constexpr int kReach = 9;  // twice the amplitude of 3 to and fro, and the part that is cut off for it
+    for (int y = 0; y < kPictureHeight; ++y)
+        for (int x = 0; x < kPictureWidth; ++x) {
+            bool is_found = false;
+            for (int v = std::max(y - kReach, 0); v <= std::min(y + kReach, kPictureHeight - 1) && !is_found; ++v)
+                for (int u = std::max(x - kReach, 0); u <= std::min(x + kReach, kPictureWidth - 1); ++u)
+                    is_found |= still[static_cast<std::size_t>(v * kPictureWidth + u)] ==
+                                waving[static_cast<std::size_t>(y * kPictureWidth + x)];
+            ASSERT_TRUE(is_found) << x << " " << y;
+        }
+}
+
+TEST(Sky, DriftsOnItsOwnPixelsAndRepeats) {
+    MapText text;
+    text.brushes = box({-272, -272, -16}, {272, 272, 0}) + box({-272, -272, 192}, {272, 272, 208}, "sky") +
+                   box({-272, -272, 0}, {-256, 272, 192}) + box({256, -272, 0}, {272, 272, 192}) +
+                   box({-256, -272, 0}, {256, -256, 192}) + box({-256, 256, 0}, {256, 272, 192});
+    EffectStage stage(text, camera_at(place(-200, 3, 100), 0, -20));
+    const Picture start = stage.draw(0), later = stage.draw(1'500);
+    EXPECT_GT(stage.pixels(Pass::Sky), 5'000);
+    EXPECT_GT(changed_pixels(start, later), 200);
+    for (std::size_t i = 0; i < later.size(); ++i) {
+        if (later[i] != start[i]) {
+            ASSERT_EQ(stage.texture_at(i), "sky");
+        }
+    }
+    EXPECT_EQ(stage.draw(1'500 + 16'000), later);
+    EXPECT_EQ(stage.draw(1'500 + periods_past_huge(16'000)), later);
+    const Picture flat = stage.draw_without(Effect::Sky);
+    EXPECT_FALSE(stage.has(Pass::Sky));
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+        if (flat[i] != start[i]) {
+            ASSERT_EQ(stage.texture_at(i), "sky");
+        }
+    }
+}
+
+}  // namespace
+}  // namespace oblong::test

@@ -1,0 +1,69 @@
+// Mirrors: what is in them, and what they leave of the frame around them. Rays through one are in tests/map.
+
+#include "tests/effect_frames/effect_stage.h"
+
+namespace oblong::test {
+namespace {
+
+/// A room with a mirror on its far wall, a lantern near the eye, and lamps at both sides.
+MapText mirror_room(const std::string& entities = "") {
+    MapText text;
+    text.brushes = room({-256, -256, 0}, {256, 256, 192}, 16, "other");
+    text.entities = entity("func_wall", {}, box({248, -100, 30}, {254, 100, 160}, "mirror")) +
+                    entity_at("info_player_start", {-100, 0, 64}) + entity_at("light", {0, 0, 120}) + entities;
+    return text;
+}
+
+Camera toward_mirror() {
+    return camera_at(place(-100, 3, 90), 0);
+}
+
+TEST(Mirrors, ShowWhatIsBehindTheEye) {
+    const std::string lamp = entity_at("misc_sprite", {-200, 30, 90}, {{"texture", "{lamp"}, {"scale", "2"}});
+    EffectStage stage(mirror_room(lamp), toward_mirror());
+    const Picture with = stage.draw();
+    EXPECT_TRUE(stage.has(Pass::Mirror));
+    const std::int64_t owned = stage.pixels(Effect::Mirror);
+    EXPECT_FALSE(stage.has(Effect::Sprites)) << "none of the frame's own";
+    std::int64_t left = 0, right = 0;
+    for (std::size_t i = 0; i < with.size(); ++i)
+        if (with[i] == kLamp) ++(i % kPictureWidth < kPictureWidth / 2 ? left : right);
+    EXPECT_GT(left, 50) << "on the side of +y, as a mirror shows it";
+    EXPECT_GT(left, right);
+    const Picture without = stage.draw_without(Effect::Mirror);
+    EXPECT_FALSE(stage.has(Pass::Mirror));
+    EXPECT_EQ(count_of(without, kLamp), 0);
+    EXPECT_LE(changed_pixels(with, without), owned);
+    EXPECT_EQ(count_of(without, kMirror), owned) << "a wall";
+}
+
+TEST(Mirrors, BuildNoSurfaceAgainAndCountLightOnce) {
+    const std::string lantern =
+        entity_at("misc_lantern", {100, 0, 80}, {{"texture", "{lamp"}, {"light", "300"}, {"scale", "0.25"}});
+    EffectStage stage(mirror_room(lantern), toward_mirror(), shades_as_colours());
+    const Picture first = stage.draw(1'000);
+    EXPECT_GT(stage.work.counts->stages.lit_texels, 0);
+    EXPECT_TRUE(stage.has(Effect::Lights));
+    EXPECT_LE(stage.pixels(Effect::Lights), kPicturePixels);
+    EXPECT_EQ(stage.draw(1'000), first);
+    EXPECT_EQ(stage.work.counts->stages.lit_texels, 0) << "nothing has moved";
+    stage.draw(2'000);
+    EXPECT_GT(stage.work.counts->stages.lit_texels, 0);
+    EXPECT_EQ(stage.draw(1'000), first);
+}
+
+/// The lights that only the mirror's picture calls for, and those that only the frame's own does.
+TEST(Mirrors, WithLightsOnOneSideOnlyBuildNoSurfaceAgain) {
+    for (const Whole& origin : {Whole{-230, 0, 80}, Whole{200, 200, 80}}) {
+        const std::string lantern =
+            entity_at("misc_lantern", origin, {{"texture", "{lamp"}, {"light", "120"}, {"radius", "0"}});
+        EffectStage stage(mirror_room(lantern), toward_mirror(), shades_as_colours());
+        const Picture first = stage.draw();
+        EXPECT_EQ(stage.draw(), first);
+        EXPECT_EQ(stage.work.counts->stages.lit_texels, 0);
+        EXPECT_EQ(stage.draw_afresh(), first);
+    }
+}
+
+}  // namespace
+}  // namespace oblong::test

@@ -1,0 +1,148 @@
+// Fences, and things before and behind them.
+
+#include "tests/effect_frames/effect_stage.h"
+
+namespace oblong::test {
+namespace {
+
+/// A fence across a room at x = 0, and a striped wall behind it.
+MapText fenced_room(const std::string& entities = "") {
+    MapText text;
+    text.brushes = room({-256, -256, 0}, {256, 256, 192});
+    for (int y = -240; y < 240; y += 48) text.brushes += box({200, y, 0}, {256, y + 24, 192}, "other");
+    text.entities = entity("func_wall", {}, box({-4, -256, 0}, {4, 256, 192}, "{bars")) +
+                    entity_at("info_player_start", {-100, 0, 64}) + entities;
+    return text;
+}
+
+Camera before_fence() {
+    return camera_at(place(-150, 3, 90), 0, 0);
+}
+
+std::string lamp_at(const Whole& origin, const std::string& scale = "2") {
+    return entity_at("misc_sprite", origin, {{"texture", "{lamp"}, {"scale", scale}});
+}
+
+TEST(Fence, ShowsWhatIsBehindItsHoles) {
+    EffectStage stage(fenced_room(), before_fence());
+    const Picture fenced = stage.draw();
+    EXPECT_TRUE(stage.has(Effect::Fence));
+    stage.models.clear();
+    const Picture open = stage.draw();
+    EXPECT_FALSE(stage.has(Pass::SeeThrough));
+    std::int64_t bars = 0, holes = 0;
+    for (std::size_t i = 0; i < fenced.size(); ++i) {
+        ASSERT_TRUE(fenced[i] == kBars || fenced[i] == open[i]);
+        ++(fenced[i] == kBars ? bars : holes);
+    }
+    EXPECT_GT(bars, 20'000);
+    EXPECT_GT(holes, 20'000);
+}
+
+TEST(Fence, NotAllowedIsAWallWithItsHolesFilled) {
+    EffectStage stage(fenced_room(), before_fence());
+    stage.draw_without(Effect::Fence);
+    EXPECT_FALSE(stage.has(Pass::SeeThrough));
+    EXPECT_EQ(stage.pixels(Effect::Fence), stage.pixels(Effect::BrushModels)) << "counted as what needs it";
+    for (std::size_t i = 0; i < kPicturePixels; ++i) ASSERT_NE(stage.texture_at(i), "other") << "is behind the fence";
+}
+
+TEST(Sprites, BeforeAFenceHideIt) {
+    EffectStage stage(fenced_room(lamp_at({-60, 0, 90})), before_fence());
+    const Picture picture = stage.draw();
+    EXPECT_TRUE(stage.has(Effect::Sprites));
+    const PlacedModel fence = stage.models[0];
+    stage.models.clear();
+    const Picture open = stage.draw();
+    stage.models.push_back(fence);
+    const Picture bare = stage.draw_without(Effect::Sprites);
+    EXPECT_GT(count_of(open, kLamp), 5'000);
+    for (std::size_t i = 0; i < picture.size(); ++i) ASSERT_EQ(picture[i], open[i] == kLamp ? kLamp : bare[i]);
+}
+
+TEST(Sprites, BehindAFenceShowInItsHoles) {
+    EffectStage stage(fenced_room(lamp_at({60, 0, 90})), before_fence());
+    const Picture picture = stage.draw();
+    const PlacedModel fence = stage.models[0];
+    stage.models.clear();
+    const Picture open = stage.draw();
+    stage.models.push_back(fence);
+    const Picture bare = stage.draw_without(Effect::Sprites);
+    EXPECT_GT(count_of(picture, kLamp), 500);
+    EXPECT_LT(count_of(picture, kLamp), count_of(open, kLamp));
+    for (std::size_t i = 0; i < picture.size(); ++i) ASSERT_EQ(picture[i], bare[i] == kBars ? kBars : open[i]);
+}
+
+TEST(Sprites, HideBehindWalls) {
+    EffectStage stage(fenced_room(lamp_at({228, -36, 90}, "0.5")), before_fence());  // in a pillar
+    EXPECT_EQ(count_of(stage.draw(), kLamp), 0);
+    EXPECT_FALSE(stage.has(Effect::Sprites));
+}
+
+TEST(Particles, HideBehindWallsAndAppearBefore) {
+    const auto dust = [](const Whole& origin) {
+        return entity_at("misc_dust", origin, {{"size", "40 200 100"}, {"count", "500"}, {"colour", "211 211"}});
+    };
+    MapText text;
+    text.brushes = room({-256, -256, 0}, {256, 256, 192});
+    text.entities = entity("func_wall", {}, box({0, -256, 0}, {16, 256, 192}, "other")) +
+                    entity_at("info_player_start", {-100, 0, 64}) + dust({120, 0, 80});
+    EffectStage hidden(text, before_fence());
+    for (const std::int64_t time_ms : {0, 5'000, 12'345}) {
+        EXPECT_EQ(count_of(hidden.draw(time_ms), 211), 0);
+        EXPECT_FALSE(hidden.has(Effect::Particles));
+        EXPECT_EQ(hidden.pixels(Effect::Particles), 0);
+    }
+    const PlacedModel wall = hidden.models[0];
+    hidden.models.clear();
+    EXPECT_GT(count_of(hidden.draw(), 211), 300);
+    EXPECT_TRUE(hidden.has(Effect::Particles));
+    hidden.models.push_back(wall);
+    hidden.models[0].offset.z = World::from_int(-100);  // the wall's lower half sinks into the floor
+    const std::int64_t above_it = count_of(hidden.draw(), 211);
+    EXPECT_GT(above_it, 50);
+
+    text.entities += dust({-60, 0, 80});
+    EffectStage before(text, before_fence());
+    EXPECT_GT(count_of(before.draw(), 211), 300);
+}
+
+TEST(Particles, ReturnAfterTheirPeriod) {
+    MapText text;
+    text.brushes = room({-256, -256, 0}, {256, 256, 192});
+    text.entities = entity_at("misc_sparks", {0, 0, 64}, {{"period", "1.5"}, {"count", "200"}}) +
+                    entity_at("info_player_start", {-100, 0, 64});
+    EffectStage stage(text, before_fence());
+    const Picture some = stage.draw(700);
+    EXPECT_NE(stage.draw(900), some);
+    EXPECT_EQ(stage.draw(700 + 1'500), some);
+    EXPECT_EQ(stage.draw(700 + 1'500 * (std::int64_t{1} << 40)), some);
+}
+
+TEST(Shadows, FallOnTheirFloorAndOnNothingElse) {
+    MapText text;
+    text.brushes = room({-256, -256, 0}, {256, 256, 192}) + box({10, -100, 0}, {60, 100, 40}, "other");
+    text.entities = entity_at("misc_sprite", {0, 0, 40}, {{"texture", "{lamp"}, {"shadow", "40"}}) +
+                    entity_at("info_player_start", {-100, 0, 64});
+    EffectStage stage(text, camera_at(place(-150, 3, 120), 0, 30));
+    const Picture with = stage.draw();
+    EXPECT_TRUE(stage.has(Pass::Shadows));
+    EXPECT_TRUE(stage.has(Effect::Shadows));
+    const std::int64_t owned = stage.pixels(Effect::Shadows);
+    const Picture without = stage.draw_without(Effect::Shadows);
+    EXPECT_FALSE(stage.has(Pass::Shadows));
+    std::int64_t dark = 0;
+    for (std::size_t i = 0; i < with.size(); ++i) {
+        if (with[i] == without[i]) continue;
+        ++dark;
+        ASSERT_EQ(stage.texture_at(i), "wall");
+        const LevelPlane& plane = stage.level.planes[stage.face_at(i)->plane];
+        ASSERT_EQ(plane.normal.z, Unit::from_int(1));
+        ASSERT_TRUE(with[i] == kWall / 2 || with[i] == kWall / 4);
+    }
+    EXPECT_GT(dark, 300);
+    EXPECT_LE(dark, owned);
+}
+
+}  // namespace
+}  // namespace oblong::test
