@@ -17,7 +17,7 @@ void ShownPalette::note_tick(const GameState& before, const GameState& after) {
 }
 
 PaletteEffects ShownPalette::effects_at(const GameView& view, Flashes flashes) const {
-    PaletteEffects effects = palette_effects_at(data_.level, data_.effects, view.camera.eye, flashes);
+    PaletteEffects effects = palette_effects_at(data_.level, data_.effects, data_.palette, view.camera.eye, flashes);
     if (teleport_ms_ && flashes == Flashes::Full)
         effects.flash = faded(kTeleportFlash, time_ms_at(view.state) - *teleport_ms_, kTeleportFlash_ms);
     effects.gamma = gamma_;

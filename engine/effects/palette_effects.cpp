@@ -1,6 +1,7 @@
 #include "engine/effects/palette_effects.h"
 
 #include <algorithm>
+#include <span>
 
 #include "engine/base/table.h"
 #include "engine/fixed/power.h"
@@ -46,16 +47,37 @@ std::vector<PaletteCycle> shown_cycles(const std::vector<PaletteCycle>& cycles, 
     return shown;
 }
 
+const MipTexture* texture_of(LiquidKind kind, const Level& level) {
+    for (const MipTexture& texture : level.textures)
+        if (texture.name.starts_with('*') && !texture.mips[3].empty() && liquid_kind_of_texture(texture.name) == kind)
+            return &texture;
+    return nullptr;
+}
+
+Rgb8 mean_colour(std::span<const std::uint8_t> texels, const Palette& palette) {
+    std::size_t red = 0, green = 0, blue = 0;
+    for (const std::uint8_t texel : texels) {
+        const Rgb8 colour = palette.colours[texel];
+        red += colour.red, green += colour.green, blue += colour.blue;
+    }
+    const auto mean = [&](std::size_t sum) { return static_cast<std::uint8_t>(sum / texels.size()); };
+    return {mean(red), mean(green), mean(blue)};
+}
+
 }  // namespace
 
-Tint liquid_tint(std::int32_t contents) {
+Tint liquid_tint(std::int32_t contents, const Level& level, const Palette& palette) {
+    const auto tint = [&](LiquidKind kind, const Tint& quakes) {
+        const MipTexture* const texture = texture_of(kind, level);
+        return texture ? Tint{mean_colour(texture->mips[3], palette), quakes.share_256} : quakes;
+    };
     switch (contents) {
         case contents::kWater:
-            return {{130, 80, 50}, 128};
+            return tint(LiquidKind::Water, {{130, 80, 50}, 128});
         case contents::kSlime:
-            return {{0, 25, 5}, 150};
+            return tint(LiquidKind::Slime, {{0, 25, 5}, 150});
         case contents::kLava:
-            return {{255, 80, 0}, 150};
+            return tint(LiquidKind::Lava, {{255, 80, 0}, 150});
         default:
             return {};
     }
@@ -80,11 +102,11 @@ bool PaletteEffects::is_plain() const {
     return cycles.empty() && liquid.share_256 == 0 && flash.share_256 == 0 && !gamma;
 }
 
-PaletteEffects palette_effects_at(const Level& level, const LevelEffects& effects, const Vec3<World>& eye,
-                                  Flashes flashes) {
+PaletteEffects palette_effects_at(const Level& level, const LevelEffects& effects, const Palette& palette,
+                                  const Vec3<World>& eye, Flashes flashes) {
     PaletteEffects shown;
     shown.cycles = shown_cycles(effects.palette_cycles, flashes);
-    shown.liquid = liquid_tint(level.leaves[place_eye(level, eye).leaf].contents);
+    shown.liquid = liquid_tint(level.leaves[place_eye(level, eye).leaf].contents, level, palette);
     return shown;
 }
 

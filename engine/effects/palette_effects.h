@@ -23,8 +23,9 @@ struct Tint {
     bool operator==(const Tint&) const = default;
 };
 
-/// Quake's, of all that is seen from inside a liquid (`contents` of the eye's leaf).
-Tint liquid_tint(std::int32_t contents);
+/// That of all that is seen from inside a liquid (`contents` of the eye's leaf): the mean colour of the level's first
+/// texture of its kind, in Quake's shares. Where the level has none, Quake's colours.
+Tint liquid_tint(std::int32_t contents, const Level& level, const Palette& palette);
 
 /// What is left of a tint that fades to nothing within `duration_ms` (above 0), `elapsed_ms` (from 0) after it began.
 Tint faded(const Tint& tint, std::int64_t elapsed_ms, std::int64_t duration_ms);
@@ -46,8 +47,8 @@ struct PaletteEffects {
 
 /// What a level and the place of the eye call for: cycles, and the tint of a liquid. Cycles go at kReducedCycleRate at
 /// most if flashes are reduced, and stand still if they are off.
-PaletteEffects palette_effects_at(const Level& level, const LevelEffects& effects, const Vec3<World>& eye,
-                                  Flashes flashes);
+PaletteEffects palette_effects_at(const Level& level, const LevelEffects& effects, const Palette& palette,
+                                  const Vec3<World>& eye, Flashes flashes);
 
 /// The palette that shows a picture at a time from 0 on; a pure function of its arguments.
 Palette apply_palette_effects(const Palette& palette, const PaletteEffects& effects, std::int64_t time_ms);

@@ -114,7 +114,7 @@ TEST(PaletteCycle, GoesSlowlyOrNotAtAllWhereFlashesAreNotFull) {
     LevelEffects level_effects;
     level_effects.palette_cycles = {cycle(0, 9, 100), cycle(10, 19, -100), cycle(20, 29, 2)};
     const auto shown = [&](Flashes flashes) {
-        return palette_effects_at(level_of_leaf(contents::kEmpty), level_effects, {}, flashes).cycles;
+        return palette_effects_at(level_of_leaf(contents::kEmpty), level_effects, {}, {}, flashes).cycles;
     };
     EXPECT_EQ(shown(Flashes::Full), level_effects.palette_cycles);
     EXPECT_EQ(shown(Flashes::Reduced), (std::vector{cycle(0, 9, 3), cycle(10, 19, -3), cycle(20, 29, 2)}));
@@ -123,7 +123,8 @@ TEST(PaletteCycle, GoesSlowlyOrNotAtAllWhereFlashesAreNotFull) {
 
 TEST(Tint, IsThatOfTheLeafOfTheEye) {
     for (const std::int32_t contents : {contents::kEmpty, contents::kWater, contents::kSlime, contents::kLava})
-        EXPECT_EQ(palette_effects_at(level_of_leaf(contents), {}, {}, Flashes::Off).liquid, liquid_tint(contents));
+        EXPECT_EQ(palette_effects_at(level_of_leaf(contents), {}, {}, {}, Flashes::Off).liquid,
+                  liquid_tint(contents, {}, {}));
 }
 
 TEST(Tint, WithoutAShareIsThePaletteItself) {
@@ -138,7 +139,7 @@ TEST(Tint, OfAllPartsIsOneColour) {
 TEST(Tint, MixesAsQuakeDoes) {
     const Palette before = numbered_palette();
     for (const std::int32_t contents : {contents::kWater, contents::kSlime, contents::kLava}) {
-        const Tint tint = liquid_tint(contents);
+        const Tint tint = liquid_tint(contents, {}, {});
         const Palette after = tinted(tint);
         for (std::size_t i = 0; i < 256; ++i) {
             const auto mixed = [&](int from, int to) {
@@ -152,9 +153,24 @@ TEST(Tint, MixesAsQuakeDoes) {
 }
 
 TEST(Tint, OnlyLiquidsTint) {
-    EXPECT_EQ(liquid_tint(contents::kWater), (Tint{{130, 80, 50}, 128}));
+    EXPECT_EQ(liquid_tint(contents::kWater, {}, {}), (Tint{{130, 80, 50}, 128}));
     for (const std::int32_t other : {contents::kEmpty, contents::kSolid, contents::kSky, 0, -7})
-        EXPECT_EQ(liquid_tint(other), Tint{}) << other;
+        EXPECT_EQ(liquid_tint(other, {}, {}), Tint{}) << other;
+}
+
+TEST(Tint, IsTheMeanColourOfTheLevelsLiquid) {
+    Level level;
+    for (const char* name : {"water", "*lava", "*water", "*water2"}) {
+        MipTexture texture;
+        texture.name = name;
+        texture.mips[3] = {10, 20, 20, 30};
+        level.textures.push_back(texture);
+    }
+    level.textures[TextureIndex(1)].mips[3] = {100, 101};
+    const Palette palette = numbered_palette();
+    EXPECT_EQ(liquid_tint(contents::kWater, level, palette), (Tint{{20, 235, 140}, 128}));
+    EXPECT_EQ(liquid_tint(contents::kLava, level, palette), (Tint{{100, 154, 191}, 150}));
+    EXPECT_EQ(liquid_tint(contents::kSlime, level, palette), (Tint{{0, 25, 5}, 150})) << "none in the level";
 }
 
 TEST(Tint, FadesToNothingAndStaysThere) {

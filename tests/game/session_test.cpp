@@ -75,6 +75,22 @@ TEST_F(SessionOfTheDemo, TheLabLeavesNoTraceInTheGame) {
             << frame;
 }
 
+// F6 draws the view twice more; a torch lights the picture alone.
+TEST_F(SessionOfTheDemo, CostTorchAndTubeLeaveNoTraceInTheGame) {
+    const std::vector<Picture> plain = play({});
+    const std::vector<std::uint8_t> plain_demo = demo_;
+    const std::vector<Picture> watched = play({{1, {Command::FrameCost, Command::Torch, Command::CrtLook}},
+                                               {30, {Command::FrameCost, Command::Torch, Command::CrtLook}}});
+    EXPECT_EQ(demo_, plain_demo);
+    ASSERT_EQ(watched.size(), plain.size());
+    for (std::size_t frame = 1; frame < 30; ++frame) EXPECT_NE(watched[frame], plain[frame]) << frame;
+    constexpr std::size_t kBelowMessage = 320 * 40;
+    for (std::size_t frame = 30; frame < plain.size(); ++frame)
+        EXPECT_TRUE(std::equal(plain[frame].begin() + kBelowMessage, plain[frame].end(),
+                               watched[frame].begin() + kBelowMessage))
+            << frame;
+}
+
 TEST_F(SessionOfTheDemo, ArrowsWalkUnlessTheLabIsOpen) {
     play({});
     const std::vector<std::uint8_t> walked = demo_;

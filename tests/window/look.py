@@ -3,7 +3,8 @@
 
 The demo level's sphere, straight ahead, must be as wide as high on screen, to 1 %, at every size of window, when both
 halves of the correction of aspect are on or both are off, and off by the pixel's shape when only one is; also on the
-whole screen, and in the picture of all four combinations. While the lab is open, arrow keys do not turn the view.
+whole screen, with the look of a tube, and in the picture of all four combinations. While the lab is open, arrow keys do
+not turn the view.
 Ends with 77 where a program that it needs is missing."""
 import math
 import os
@@ -171,6 +172,18 @@ def check_keys(game, report):
         report.expect('F5: ' + mode, game.shape(), 1, ROUND)
 
 
+def check_tube(game, report):
+    """Rows get darker borders, and a glow around them: the sphere stays round, and is as before when it is off."""
+    plain = game.look()
+    game.press('c')
+    shown = game.look()
+    report.expect('C: a tube', shown.shape(), 1, ROUND)
+    report.expect('C: is another picture (1 if so)', int(shown.rows != plain.rows), 1, 0)
+    game.press('c')
+    time.sleep(3)  # its message goes away
+    report.expect('C again: as before (1 if so)', int(game.look().rows == plain.rows), 1, 0)
+
+
 def check_fullscreen(game, report):
     game.press('alt+Return')
     report.expect('Alt+Enter: the whole screen', game.shape(), 1, ROUND)
@@ -239,10 +252,12 @@ def main():
         try:
             def start(*options):
                 return Game(display, build + '/bin/oblong', level, '--palette', build + '/assets/palette.lmp',
-                            '--fov', FIELD_OF_VIEW, '--window', '%dx%d' % SIZES[0], *options)
+                            '--fov', FIELD_OF_VIEW, '--window', '%dx%d' % SIZES[0],
+                            '--flashes', 'off', *options)  # else the sphere's colour takes turns with others
             game = start()
             check_sizes(game, report)
             check_keys(game, report)
+            check_tube(game, report)
             check_four_aspects(game, report)
             check_fullscreen(game, report)
             check_leaving(game, report)

@@ -119,7 +119,8 @@ void report(const ReportHead& head, const std::vector<FrameReport>& frames, cons
 /// The palette that shows a camera's picture.
 Palette shown_palette(const Palette& palette, const RenderJob& job, const LevelEffects& level_effects,
                       const Camera& camera) {
-    PaletteEffects effects = palette_effects_at(job.scene.level, level_effects, camera.eye, job.settings.flashes);
+    PaletteEffects effects =
+        palette_effects_at(job.scene.level, level_effects, palette, camera.eye, job.settings.flashes);
     if (!job.settings.allowed_effects.has(Effect::Underwater)) effects.liquid = {};
     return apply_palette_effects(palette, effects, job.scene.time_ms);
 }

@@ -1,0 +1,54 @@
+#include "game/shown_palette.h"
+
+#include <gtest/gtest.h>
+
+namespace oblong {
+namespace {
+
+// A level without planes: all of it is in leaf 1.
+GameData data_in(std::int32_t contents) {
+    GameData data;
+    data.level.leaves.resize(2);
+    data.level.leaves[LeafIndex(0)].contents = contents::kSolid;
+    data.level.leaves[LeafIndex(1)].contents = contents;
+    SubModel world;
+    world.root = NodeChild(LeafIndex(1));
+    data.level.models.push_back(world);
+    return data;
+}
+
+GameState state_at(std::int64_t tick, std::int32_t x) {
+    GameState state;
+    state.tick = tick;
+    state.player.position.x = World::from_int(x);
+    return state;
+}
+
+TEST(ShownPalette, FlashesAndFadesAfterATeleporterOnly) {
+    const GameData data = data_in(contents::kEmpty);
+    ShownPalette palette(data, 100);
+    const auto flash_at = [&](std::int64_t tick, Flashes flashes) {
+        const GameState state = state_at(tick, 0);
+        return palette.effects_at({{state, state}, {}}, flashes).flash.share_256;
+    };
+    palette.note_tick(state_at(99, 0), state_at(100, 20));
+    EXPECT_EQ(flash_at(99, Flashes::Full), 0) << "walking is none";
+    palette.note_tick(state_at(100, 20), state_at(101, 2000));
+    EXPECT_GT(flash_at(100, Flashes::Full), 100);
+    for (std::int64_t tick = 101; tick < 114; ++tick)
+        EXPECT_LT(flash_at(tick, Flashes::Full), flash_at(tick - 1, Flashes::Full)) << tick;
+    EXPECT_EQ(flash_at(115, Flashes::Full), 0);
+    for (const Flashes flashes : {Flashes::Reduced, Flashes::Off}) EXPECT_EQ(flash_at(100, flashes), 0);
+}
+
+TEST(ShownPalette, IsPlainInTheOpenAndTintedInALiquid) {
+    const GameState state = state_at(0, 0);
+    const GameView view{{state, state}, {}};
+    const GameData open = data_in(contents::kEmpty), water = data_in(contents::kWater);
+    EXPECT_TRUE(ShownPalette(open, 100).effects_at(view, Flashes::Full).is_plain());
+    EXPECT_FALSE(ShownPalette(open, 150).effects_at(view, Flashes::Full).is_plain());
+    EXPECT_EQ(ShownPalette(water, 100).effects_at(view, Flashes::Off).liquid, (Tint{{130, 80, 50}, 128}));
+}
+
+}  // namespace
+}  // namespace oblong
