@@ -7,7 +7,7 @@ namespace oblong {
 
 namespace {
 
-constexpr View kNearest = View::from_int(16);
+constexpr View kNearestDot = View::from_int(16);
 
 /// Half the size of a particle in the world.
 struct HalfSize {
@@ -28,10 +28,6 @@ HalfSize half_size_of(ParticleKind kind, bool is_streak) {
     }
     return {quarters(4), quarters(4)};
 }
-
-struct PixelRange {
-    std::int32_t first, end;
-};
 
 /// One axis of the screen for points inside of the view: by one reciprocal of z for both axes, and 64-bit products. A
 /// position is within 1/16 pixel of the exact one.
@@ -76,7 +72,7 @@ class DotProjection {
     std::optional<ParticleDot> dot(const Particle& particle, const HalfSize& half) const {
         const auto from_eye = widening_difference(particle.position, view_.eye);
         const View z = view_coordinate(from_eye, view_.axes.forward);
-        if (z < kNearest) return std::nullopt;
+        if (z < kNearestDot) return std::nullopt;
         const View x = view_coordinate(from_eye, view_.axes.right), y = view_coordinate(from_eye, view_.axes.up);
         if (x_.is_outside(x, z, half.across) || y_.is_outside(y, z, half.up)) return std::nullopt;
         const std::int64_t inverse_32 = (std::int64_t{1} << 48) / z.raw;

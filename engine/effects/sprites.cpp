@@ -11,7 +11,7 @@ namespace oblong {
 
 namespace {
 
-constexpr View kNearest = View::from_int(4);
+constexpr View kNearestSprite = View::from_int(4);
 constexpr std::uint8_t kTransparent = 255;
 
 /// From one border of the sprite to the other, along one axis of the screen.
@@ -19,10 +19,6 @@ struct Extent {
     ScreenWide first, end;
 
     ScreenWide size() const { return end - first; }
-};
-
-struct PixelRange {
-    std::int32_t first, end;
 };
 
 PixelRange pixels_of(const Extent& extent, std::int32_t size_px) {
@@ -73,7 +69,7 @@ struct MiddleLine {
         bottom_y = middle.y - up;
         bottom_z = middle.z - forward;
     }
-    bool is_near() const { return std::min(top_z, bottom_z) < kNearest; }
+    bool is_near() const { return std::min(top_z, bottom_z) < kNearestSprite; }
 };
 
 std::int64_t inverse_depth_16_of(View z) {

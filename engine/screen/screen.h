@@ -33,6 +33,11 @@ struct ScreenRectangle {
     std::int32_t first_column, end_column, first_row, end_row;
 };
 
+/// Columns or rows [first, end), perhaps none.
+struct PixelRange {
+    std::int32_t first, end;
+};
+
 /// Pixels [first, end) of row y.
 struct Span {
     std::int32_t y, first, end;

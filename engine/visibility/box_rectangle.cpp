@@ -18,11 +18,6 @@ Extent extent_along(const Vec3<Unit>& axis, View middle, const Vec3<WorldWide>& 
     return {middle - reach, middle + reach};
 }
 
-/// Pixels, from the screen's left or top.
-struct PixelRange {
-    std::int32_t first, end;
-};
-
 /// Where an extent lies on one axis of the screen: each end is farthest out where z is least, or nearest the centre
 /// where it is greatest.
 PixelRange project_extent(const ProjectionAxis& axis, const Extent& across, const Extent& z, std::int32_t size_px) {
