@@ -7,7 +7,7 @@ namespace oblong {
 
 namespace {
 
-constexpr View kNearest = View::from_int(16);
+constexpr View kNearestDot = View::from_int(16);
 
 /// Half the size of a particle in the world.
 struct HalfSize {
@@ -29,7 +29,7 @@ HalfSize half_size_of(ParticleKind kind, bool is_streak) {
     return {quarters(4), quarters(4)};
 }
 
-struct PixelRange {
+struct DotRange {
     std::int32_t first, end;
 };
 
@@ -48,7 +48,7 @@ class DotAxis {
     }
     /// The pixels of [position - half, position + half], at least one; on the screen, perhaps none. `inverse_32` is
     /// 1/z.
-    PixelRange range(View position, View half, std::int64_t inverse_32) const {
+    DotRange range(View position, View half, std::int64_t inverse_32) const {
         const std::int64_t wide_px = floor_shift(2 * pixels_8(half, inverse_32) + 128, 8);
         const auto width_px = static_cast<std::int32_t>(std::clamp<std::int64_t>(wide_px, 1, most_px_));
         const std::int64_t left_8 = pixels_8(position, inverse_32) + (size_px_ - width_px + 1) * 128;
@@ -76,11 +76,11 @@ class DotProjection {
     std::optional<ParticleDot> dot(const Particle& particle, const HalfSize& half) const {
         const auto from_eye = widening_difference(particle.position, view_.eye);
         const View z = view_coordinate(from_eye, view_.axes.forward);
-        if (z < kNearest) return std::nullopt;
+        if (z < kNearestDot) return std::nullopt;
         const View x = view_coordinate(from_eye, view_.axes.right), y = view_coordinate(from_eye, view_.axes.up);
         if (x_.is_outside(x, z, half.across) || y_.is_outside(y, z, half.up)) return std::nullopt;
         const std::int64_t inverse_32 = (std::int64_t{1} << 48) / z.raw;
-        const PixelRange columns = x_.range(x, half.across, inverse_32), rows = y_.range(-y, half.up, inverse_32);
+        const DotRange columns = x_.range(x, half.across, inverse_32), rows = y_.range(-y, half.up, inverse_32);
         if (columns.first >= columns.end || rows.first >= rows.end) return std::nullopt;
         const auto narrow = [](std::int32_t px) { return static_cast<std::int16_t>(px); };
         return ParticleDot{narrow(columns.first),

@@ -11,7 +11,7 @@ namespace oblong {
 
 namespace {
 
-constexpr View kNearest = View::from_int(4);
+constexpr View kNearestSprite = View::from_int(4);
 constexpr std::uint8_t kTransparent = 255;
 
 /// From one border of the sprite to the other, along one axis of the screen.
@@ -73,7 +73,7 @@ struct MiddleLine {
         bottom_y = middle.y - up;
         bottom_z = middle.z - forward;
     }
-    bool is_near() const { return std::min(top_z, bottom_z) < kNearest; }
+    bool is_near() const { return std::min(top_z, bottom_z) < kNearestSprite; }
 };
 
 std::int64_t inverse_depth_16_of(View z) {

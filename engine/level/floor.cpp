@@ -10,7 +10,7 @@ namespace oblong {
 namespace {
 
 /// A part of the vertical line that is still to be followed down the tree.
-struct Part {
+struct LinePart {
     NodeChild at;
     World high, low;
     PlaneIndex entered;  ///< the plane that it begins on; none: at the line's start
@@ -34,9 +34,9 @@ bool is_floor(const Level& level, NodeChild leaf, PlaneIndex entered) {
 std::optional<Floor> find_floor(const Level& level, const Vec3<World>& from, World most) {
     const auto at_height = [&from](World z) { return Vec3<World>{from.x, from.y, z}; };
     const World low = saturated_to<World>(std::int64_t{from.z.raw} - most.raw);
-    std::vector<Part> parts{{level.world().root, from.z, low, PlaneIndex::none()}};
+    std::vector<LinePart> parts{{level.world().root, from.z, low, PlaneIndex::none()}};
     while (!parts.empty()) {
-        Part part = parts.back();
+        LinePart part = parts.back();
         parts.pop_back();
         while (!part.at.is_leaf()) {
             const Node& node = level.nodes[part.at.node()];

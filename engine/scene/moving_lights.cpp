@@ -130,9 +130,9 @@ void add_samples(const SampleGrid& grid, PlaneDistance distance, const MovingLig
 }
 
 /// What comes first, nearest first: the distance from the eye to a light's reach with 8 fraction bits, and the light.
-using Candidate = std::pair<std::int64_t, std::size_t>;
+using NearLight = std::pair<std::int64_t, std::size_t>;
 
-Candidate candidate_of(const MovingLight& light, std::size_t index, const Vec3<World>& eye) {
+NearLight near_light(const MovingLight& light, std::size_t index, const Vec3<World>& eye) {
     constexpr int kDropped = World::kFractionBits - 8;  // so that squares of any distance fit
     const auto square = [](Distance way) { return floor_shift(way.raw, kDropped) * floor_shift(way.raw, kDropped); };
     const Vec3<Distance> way = widening_difference(light.position, eye);
@@ -156,12 +156,12 @@ void for_each_bit(std::uint32_t bits, Visit visit) {
 }  // namespace
 
 void MovingLights::choose(std::span<const MovingLight> lights, const Vec3<World>& eye) {
-    std::array<Candidate, kMost> heap;  // the last of the chosen ones first
+    std::array<NearLight, kMost> heap;  // the last of the chosen ones first
     std::size_t count = 0;
     for (std::size_t index = 0; index < lights.size(); ++index) {
         const std::optional<MovingLight> light = limited(lights[index]);
         if (!light) continue;
-        const Candidate candidate = candidate_of(*light, index, eye);
+        const NearLight candidate = near_light(*light, index, eye);
         if (count == kMost) {
             if (candidate > heap.front()) continue;
             std::pop_heap(heap.begin(), heap.end());
@@ -171,7 +171,7 @@ void MovingLights::choose(std::span<const MovingLight> lights, const Vec3<World>
         std::push_heap(heap.begin(), heap.begin() + static_cast<std::ptrdiff_t>(count));
     }
     chosen_.clear();
-    for (const Candidate& candidate : std::span(heap).first(count))
+    for (const NearLight& candidate : std::span(heap).first(count))
         chosen_.push_back(*limited(lights[candidate.second]));
 }
 
