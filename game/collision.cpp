@@ -11,14 +11,20 @@ struct Obstacle {
     Vec3<World> offset;
 };
 
-// Calls visit(obstacle) for the world, the static models and the movers, until one answers false.
+Obstacle obstacle_of(const GameLevel& level, const GameState& state, std::size_t number) {
+    const std::size_t fixed = level.solid_static_models.size();
+    if (number < fixed) return {level.solid_static_models[number], {}};
+    const Mover& mover = level.movers[number - fixed];
+    return {mover.model, offset_of(mover, state.movers[number - fixed])};
+}
+
+// Calls visit(obstacle) for the world, and the static models and the movers that may be in an area, until one answers
+// false.
 template <class Visit>
-bool for_each_obstacle(const GameLevel& level, const GameState& state, Visit visit) {
+bool for_each_obstacle(const GameLevel& level, const GameState& state, const Box& area, Visit visit) {
     if (!visit(Obstacle{kWorldModel, {}})) return false;
-    for (const ModelIndex model : level.solid_static_models)
-        if (!visit(Obstacle{model, {}})) return false;
-    for (std::size_t i = 0; i < level.movers.size(); ++i)
-        if (!visit(Obstacle{level.movers[i].model, offset_of(level.movers[i], state.movers[i])})) return false;
+    for (const std::uint32_t number : level.obstacles.overlapping(area))
+        if (!visit(obstacle_of(level, state, number))) return false;
     return true;
 }
 
@@ -54,7 +60,7 @@ Contact move_box(const GameLevel& level, const GameState& state, const Position&
     const Box swept = player_box(from).united(player_box(to));
     Contact first{to, false, {}, kWorldModel, false};
     Unit first_fraction = Unit::from_int(1);
-    for_each_obstacle(level, state, [&](const Obstacle& obstacle) {
+    for_each_obstacle(level, state, swept, [&](const Obstacle& obstacle) {
         if (!may_touch(level, obstacle.model, obstacle.offset, swept)) return true;
         const TraceResult trace = trace_hull(*level.bsp, level.model(obstacle.model), Hull::Player,
                                              from - obstacle.offset, to - obstacle.offset);
@@ -70,20 +76,19 @@ Contact move_box(const GameLevel& level, const GameState& state, const Position&
 }
 
 bool is_free(const GameLevel& level, const GameState& state, const Position& position) {
-    return for_each_obstacle(level, state,
+    return for_each_obstacle(level, state, player_box(position),
                              [&](const Obstacle& obstacle) { return !contains(level, obstacle, position); });
 }
 
-// A model's box, grown by some room for the rounding of files: compilers write boxes up to a unit too small.
 bool may_touch(const GameLevel& level, ModelIndex model, const Vec3<World>& offset, const Box& box) {
     if (model == kWorldModel) return true;
-    return box_of(level.model(model).box).grown(world_vector(2, 2, 2)).moved(offset).overlaps(box);
+    return obstacle_box(level, model, offset).overlaps(box);
 }
 
 WayOut find_way_out(const GameLevel& level, const GameState& state, const Position& from) {
     WayOut out;
     World shortest = World::highest();
-    for_each_obstacle(level, state, [&](const Obstacle& obstacle) {
+    for_each_obstacle(level, state, player_box(from), [&](const Obstacle& obstacle) {
         if (obstacle.model == kWorldModel || !contains(level, obstacle, from)) return true;
         out.is_inside_model = true;
         for (const Position& position : positions_around(level, obstacle, from)) {

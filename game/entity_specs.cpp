@@ -6,12 +6,15 @@
 
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
+#include "engine/scene/light_styles.h"
 #include "game/tick_input.h"
 
 namespace oblong {
 namespace {
 
 constexpr int kStartsOpen = 1, kNotLinked = 4;          // spawnflags of func_door
+constexpr int kStartsDark = 1;                          // of lights
+constexpr std::int64_t kFirstSwitchable = 32;           // light style
 constexpr std::int32_t kUpwards = -1, kDownwards = -2;  // values of "angle" that are no yaw
 constexpr std::int32_t kLargestAngle = 3600;            // degrees
 constexpr std::int32_t kLiftInset = 25;
@@ -93,6 +96,7 @@ Mover door(const Entity& entity, const Box& box) {
 Mover button(const Entity& entity, const Box& box) {
     Mover mover = sliding_mover(entity, box, 4, 40, 1);
     mover.touch_box = box.grown(kButtonReach);
+    mover.is_button = true;
     return mover;
 }
 
@@ -205,6 +209,13 @@ std::optional<Mover> mover_of(const Entity& entity, const Level& bsp, World long
     if (!mover || mover->length > longest) return {};
     mover->model = *model;
     return mover;
+}
+
+std::optional<SwitchableLight> switchable_light_of(const Entity& entity) {
+    if (!entity.value("classname").starts_with("light") || entity.value("targetname").empty()) return {};
+    const auto style = parse_decimal(entity.value("style"), 0);
+    if (!style || *style < kFirstSwitchable || *style >= kLightStyleCount) return {};
+    return SwitchableLight{std::uint64_t{1} << *style, has_flag(entity, kStartsDark)};
 }
 
 void link_doors(std::vector<Mover>& movers, const std::vector<const Entity*>& entities, const Level& bsp) {

@@ -23,6 +23,15 @@ World longest_travel(const Level& bsp);
 /// entity, for one without a model, and where it would travel further than `longest`. Ignores targets.
 std::optional<Mover> mover_of(const Entity& entity, const Level& bsp, World longest);
 
+/// A light that can be switched, and whether it is off at the start.
+struct SwitchableLight {
+    std::uint64_t style;  ///< the bit of its style
+    bool starts_dark;
+};
+
+/// As in Quake: a light with a targetname and a style from 32 on, off at the start by spawnflag 1.
+std::optional<SwitchableLight> switchable_light_of(const Entity& entity);
+
 /// Doors that touch each other open together: each gets the touch boxes of all doors linked to it. `entities[i]` is
 /// that of `movers[i]`.
 void link_doors(std::vector<Mover>& movers, const std::vector<const Entity*>& entities, const Level& bsp);

@@ -63,24 +63,24 @@ std::string caption_of(const AspectView& view, const ScreenMode& mode) {
            describe_shape(sphere_shape(mode, view.corrects_projection, pixel));
 }
 
-void FourAspects::draw(const GameView& view, const Accuracy& accuracy, const ScreenMode& mode, Ratio pixel,
+void FourAspects::draw(const GameView& view, const Settings& settings, const ScreenMode& mode, Ratio pixel,
                        TextColours colours, Framebuffer canvas) {
     const std::array<AspectView, 4> aspects = four_aspects(mode, pixel);
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, colours.dark);
     for (std::size_t i = 0; i < aspects.size(); ++i) {
-        draw_view(view, accuracy, aspects[i], renderers_[i], part_of(canvas, aspects[i].area));
+        draw_view(view, settings, aspects[i], renderers_[i], part_of(canvas, aspects[i].area));
         draw_caption(aspects[i], mode, colours, canvas);
     }
 }
 
-void FourAspects::draw_view(const GameView& view, const Accuracy& accuracy, const AspectView& aspect,
+void FourAspects::draw_view(const GameView& view, const Settings& settings, const AspectView& aspect,
                             std::unique_ptr<GameRenderer>& renderer, Framebuffer out) {
     if (!can_be_drawn(aspect.mode, view.camera.field_of_view)) return;
     if (!renderer || !is_same(renderer->mode(), aspect.mode))
         renderer = std::make_unique<GameRenderer>(data_, level_, aspect.mode);
-    Settings settings;
-    settings.accuracy = accuracy;
-    renderer->draw(view.state, view.camera, settings);
+    Settings true_settings = settings;
+    true_settings.correct_aspect = true;  // the small mode's display is what is to be corrected for
+    renderer->draw(view, true_settings);
     copy_picture(renderer->canvas(), out);
 }
 

@@ -29,11 +29,11 @@ class FourAspects {
     /// `data` and `level` outlive it.
     FourAspects(const GameData& data, const GameLevel& level) : data_(data), level_(level) {}
 
-    void draw(const GameView& view, const Accuracy& accuracy, const ScreenMode& mode, Ratio pixel, TextColours colours,
+    void draw(const GameView& view, const Settings& settings, const ScreenMode& mode, Ratio pixel, TextColours colours,
               Framebuffer canvas);
 
   private:
-    void draw_view(const GameView& view, const Accuracy& accuracy, const AspectView& aspect,
+    void draw_view(const GameView& view, const Settings& settings, const AspectView& aspect,
                    std::unique_ptr<GameRenderer>& renderer, Framebuffer out);
 
     const GameData& data_;

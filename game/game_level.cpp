@@ -27,7 +27,9 @@ class LevelBuilder {
     GameLevel build() {
         add_models();
         add_triggers();
+        add_lights();
         resolve_targets();
+        make_trees();
         add_start();
         if (const Entity* end = find_class(*level_.bsp, "trigger_changelevel"))
             level_.end_message = end->value("message");
@@ -82,6 +84,7 @@ class LevelBuilder {
             if (!model) continue;
             Trigger trigger;
             trigger.box = box_of(level_.model(*model).box);
+            trigger.switches_once = name == "trigger_once";
             if (name == "trigger_changelevel")
                 trigger.ends_level = true;
             else if (name == "trigger_teleport" ? !make_teleporter(entity, trigger)
@@ -105,6 +108,15 @@ class LevelBuilder {
         return true;
     }
 
+    void add_lights() {
+        for (const Entity& entity : level_.bsp->entities) {
+            const std::optional<SwitchableLight> light = switchable_light_of(entity);
+            if (!light) continue;
+            target_named(entity.value("targetname")).light_styles |= light->style;
+            if (light->starts_dark) level_.dark_styles |= light->style;
+        }
+    }
+
     void resolve_targets() {
         std::vector<bool> is_activated(level_.targets.size());
         const auto resolve = [&](const Entity& entity) {
@@ -124,6 +136,25 @@ class LevelBuilder {
     void leave_to_activators(const Target& target) {
         for (const std::uint32_t i : target.movers)
             if (mover_entities_[i]->value("classname") == "func_door") level_.movers[i].touch_box.reset();
+    }
+
+    void make_trees() {
+        std::vector<BoxTree::Entry> touch_boxes, trigger_boxes, obstacles;
+        const auto add = [](const Box& box, std::vector<BoxTree::Entry>& entries, std::size_t number) {
+            entries.push_back({box, static_cast<std::uint32_t>(number)});
+        };
+        for (const ModelIndex model : level_.solid_static_models)
+            add(obstacle_box(level_, model, {}), obstacles, obstacles.size());
+        for (std::size_t i = 0; i < level_.movers.size(); ++i) {
+            const Mover& mover = level_.movers[i];
+            if (mover.touch_box) add(*mover.touch_box, touch_boxes, i);
+            const Box at_start = obstacle_box(level_, mover.model, mover.start);
+            add(at_start.united(at_start.moved(mover.travel)), obstacles, obstacles.size());
+        }
+        for (std::size_t i = 0; i < level_.triggers.size(); ++i) add(level_.triggers[i].box, trigger_boxes, i);
+        level_.touch_boxes = BoxTree(std::move(touch_boxes));
+        level_.trigger_boxes = BoxTree(std::move(trigger_boxes));
+        level_.obstacles = BoxTree(std::move(obstacles));
     }
 
     void add_start() {
@@ -151,8 +182,13 @@ GameState start_of(const GameLevel& level) {
     state.player.position = level.player_start;
     state.player.yaw = level.player_yaw;
     state.movers.resize(level.movers.size());
-    state.teleporter_ticks.resize(level.targeted_teleporters);
+    state.teleporter_ends.resize(level.targeted_teleporters);
+    state.dark_styles = level.dark_styles;
     return state;
+}
+
+Box obstacle_box(const GameLevel& level, ModelIndex model, const Vec3<World>& offset) {
+    return box_of(level.model(model).box).grown(world_vector(2, 2, 2)).moved(offset);
 }
 
 Vec3<World> offset_of(const Mover& mover, const MoverState& state) {

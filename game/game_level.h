@@ -7,6 +7,7 @@
 
 #include "engine/base/table.h"
 #include "engine/level/level.h"
+#include "game/box_tree.h"
 #include "game/geometry.h"
 #include "game/state.h"
 
@@ -26,6 +27,7 @@ struct Mover {
     std::int32_t wait_ticks = 0;     ///< at the other end; kForever: it stays there
     std::optional<Box> touch_box;    ///< the player in here activates it
     TargetIndex target = kNoTarget;  ///< what it activates in turn (a button)
+    bool is_button = false;          ///< shows the other frames of its textures unless it is at its start
 
     static constexpr std::int32_t kForever = -1;
 };
@@ -34,13 +36,14 @@ struct Mover {
 struct Trigger {
     Box box;
     bool ends_level = false;
+    bool switches_once = false;      ///< lights of its target: once, not each time that the player enters
     TargetIndex target = kNoTarget;  ///< what it activates
     struct Exit {
         Position position;
         Angle yaw;
     };
     std::optional<Exit> teleports_to;
-    std::optional<std::uint32_t> activation;  ///< into GameState::teleporter_ticks: works only after it was activated
+    std::optional<std::uint32_t> activation;  ///< into GameState::teleporter_ends: works only after it was activated
 };
 
 /// The most doors, lifts and buttons of a level; Quake allows 255 brush models, its successors some thousands.
@@ -49,7 +52,8 @@ inline constexpr std::size_t kMostMovers = 16'384;
 /// Everything that is activated by one name.
 struct Target {
     std::vector<std::uint32_t> movers;       ///< indices into GameLevel::movers
-    std::vector<std::uint32_t> teleporters;  ///< indices into GameState::teleporter_ticks
+    std::vector<std::uint32_t> teleporters;  ///< indices into GameState::teleporter_ends
+    std::uint64_t light_styles = 0;          ///< a bit for each style of its lights, switched off and on by turns
 };
 
 /// The part of a game that never changes: what it needs of a level.
@@ -58,9 +62,13 @@ struct GameLevel {
     std::vector<Mover> movers;
     std::vector<Trigger> triggers;
     std::vector<Target> targets;
-    std::uint32_t targeted_teleporters = 0;       ///< how many GameState::teleporter_ticks has
+    std::uint32_t targeted_teleporters = 0;       ///< how many GameState::teleporter_ends has
+    std::uint64_t dark_styles = 0;                ///< GameState::dark_styles at the start
     std::vector<ModelIndex> static_models;        ///< brush models that are drawn and never move
     std::vector<ModelIndex> solid_static_models;  ///< those of them that stop the player
+    BoxTree touch_boxes;                          ///< of movers, by their indices
+    BoxTree trigger_boxes;                        ///< by the indices of triggers
+    BoxTree obstacles;  ///< all places that solid static models, then movers, may take; numbered in this order
     Position player_start;
     Angle player_yaw;
     std::string end_message;  ///< what the level says at its end; may be empty
@@ -70,12 +78,17 @@ struct GameLevel {
 };
 
 /// Reads entities: info_player_start, func_door, func_plat, func_button, trigger_once, trigger_multiple,
-/// trigger_teleport, trigger_changelevel; any other func_ stands still. Keys that are no numbers count as absent.
+/// trigger_teleport, trigger_changelevel, and lights with a targetname and a style from 32 on; any other func_ stands
+/// still. Keys that are no numbers count as absent.
 /// Throws InputError for more than kMostMovers movers: doors that overlap are compared in pairs.
 GameLevel make_game_level(const Level& bsp);
 
 /// The state in which a level begins.
 GameState start_of(const GameLevel& level);
+
+/// The box of a model at an offset, grown by some room for the rounding of files: compilers write boxes up to a unit
+/// too small.
+Box obstacle_box(const GameLevel& level, ModelIndex model, const Vec3<World>& offset);
 
 /// Where a mover's model is, as an offset.
 Vec3<World> offset_of(const Mover& mover, const MoverState& state);

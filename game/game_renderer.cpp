@@ -12,6 +12,8 @@ namespace {
 // A change of position larger than this within a tick is no motion: the player was teleported.
 constexpr World kLongestMotion = World::from_int(128);
 
+constexpr World kTorchRadius = World::from_int(240);
+
 World between(World before, World after, std::int32_t fraction_16) {
     const auto fraction = Fixed<std::int32_t, 16>::from_raw(fraction_16);
     return before + convert<World>(bounded_product(widening_difference(after, before), fraction), Rounding::Floor);
@@ -32,13 +34,23 @@ bool is_motion(const Position& before, const Position& after) {
     return is_near(way.x) && is_near(way.y) && is_near(way.z);
 }
 
-// Since the level began.
+LightStyles light_styles_of(const GameState& state) {
+    LightStyles styles = plain_light_styles();
+    for (std::size_t style = 0; style < styles.size(); ++style)
+        if ((state.dark_styles >> style & 1) != 0) styles[style] = 0;
+    return styles;
+}
+
+}  // namespace
+
 std::int64_t time_ms_at(const InterpolatedState& state) {
     const std::int64_t ticks_16 = (state.before.tick << 16) + state.fraction_16;
     return ticks_16 * 1000 / kTicksPerSecond >> 16;
 }
 
-}  // namespace
+bool was_teleported(const Player& before, const Player& after) {
+    return !is_motion(eye_of(before), eye_of(after));
+}
 
 std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state) {
     std::vector<PlacedModel> placed;
@@ -46,7 +58,8 @@ std::vector<PlacedModel> placed_models(const GameLevel& level, const Interpolate
         const Mover& mover = level.movers[i];
         const Vec3<World> before = offset_of(mover, state.before.movers[i]),
                           after = offset_of(mover, state.after.movers[i]);
-        placed.push_back({mover.model, between(before, after, state.fraction_16)});
+        const bool is_pressed = mover.is_button && state.after.movers[i].phase != MoverState::Phase::AtStart;
+        placed.push_back({mover.model, between(before, after, state.fraction_16), is_pressed});
     }
     for (const ModelIndex model : level.static_models) placed.push_back({model, {}});
     return placed;
@@ -56,7 +69,7 @@ Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees fiel
     const Player& player = state.after.player;
     const Position before = eye_of(state.before.player), after = eye_of(player);
     Camera camera;
-    camera.eye = is_motion(before, after) ? between(before, after, state.fraction_16) : after;
+    camera.eye = was_teleported(state.before.player, player) ? after : between(before, after, state.fraction_16);
     camera.yaw = player.yaw + Angle::from_bam(offset.yaw);
     camera.pitch =
         Angle::from_bam(std::clamp(player.pitch + offset.pitch, -Player::kSteepestPitch, Player::kSteepestPitch));
@@ -69,22 +82,31 @@ GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const S
     pixels_.resize(pixel_count(mode.width_px, mode.height_px));
 }
 
-void GameRenderer::draw(const InterpolatedState& state, const Camera& camera, const Settings& settings) {
-    const std::vector<PlacedModel> models = placed_models(level_, state);
-    const Scene scene{data_.level, data_.colormap, models, time_ms_at(state)};
-    draw_frame(scene, camera, mode_, settings, work_, canvas());
+void GameRenderer::draw(const GameView& view, const Settings& settings) {
+    const std::vector<PlacedModel> models = placed_models(level_, view.state);
+    const MovingLight torch{view.camera.eye, kTorchRadius};
+    Scene scene{data_.level, data_.colormap, models, time_ms_at(view.state)};
+    scene.light_styles = light_styles_of(view.state.after);
+    if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
+    draw_frame(scene, view.camera, mode_, settings, work_, canvas());
 }
 
 FrameCounts GameRenderer::draw_and_count(const GameView& view, const Settings& settings) {
     work_.counts = std::make_unique<FrameCounts>();
-    draw(view.state, view.camera, settings);
+    draw(view, settings);
     return std::move(*std::exchange(work_.counts, nullptr));
 }
 
 FrameRecord GameRenderer::draw_and_record(const GameView& view, const Settings& settings) {
     work_.record = std::make_unique<FrameRecord>();
-    draw(view.state, view.camera, settings);
+    draw(view, settings);
     return std::move(*std::exchange(work_.record, nullptr));
+}
+
+PassTimes GameRenderer::draw_and_time(const GameView& view, const Settings& settings, FrameClock clock) {
+    work_.times = std::make_unique<PassTimes>(PassTimes{clock});
+    draw(view, settings);
+    return *std::exchange(work_.times, nullptr);
 }
 
 Framebuffer GameRenderer::canvas() {

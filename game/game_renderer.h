@@ -22,7 +22,14 @@ struct InterpolatedState {
 struct GameView {
     InterpolatedState state;
     Camera camera;
+    bool has_torch = false;  ///< a light at the eye
 };
+
+/// The time since the level began.
+std::int64_t time_ms_at(const InterpolatedState& state);
+
+/// Whether the player's way within a tick is too long for a motion.
+bool was_teleported(const Player& before, const Player& after);
 
 /// The brush models that are drawn, at their offsets; those of triggers are not.
 std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state);
@@ -36,10 +43,14 @@ class GameRenderer {
     /// `data` and `level` outlive the renderer.
     GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode);
 
-    void draw(const InterpolatedState& state, const Camera& camera, const Settings& settings);
+    void draw(const GameView& view, const Settings& settings);
     /// What draw() counts or records: on the same canvas, but slower.
     FrameCounts draw_and_count(const GameView& view, const Settings& settings);
     FrameRecord draw_and_record(const GameView& view, const Settings& settings);
+    /// What draw() takes in its passes; the clock's time counts in it.
+    PassTimes draw_and_time(const GameView& view, const Settings& settings, FrameClock clock);
+    /// The plan of the picture drawn last.
+    const FramePlan& plan() const { return work_.plan; }
     Framebuffer canvas();
     const ScreenMode& mode() const { return mode_; }
     /// FaceTable::torn_edges of the level.

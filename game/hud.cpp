@@ -25,9 +25,9 @@ constexpr std::array<std::string_view, 15> kHelp{
     "4    F2 and F3, all four   F8   map of the error",
     "                           F9   split with exact",
     "Picture                    F10  flip two settings",
-    "F5   scaling",
+    "F5   scaling               L    torch",
+    "- =  brightness            C    look of a tube",
     "F12  screenshots           F1   this help",
-    "",
     "Alt+Enter whole screen    Esc free the mouse, leave",
 };
 
@@ -46,7 +46,7 @@ void show_message(Hud& hud, std::string message, std::uint64_t now_us) {
 }
 
 void draw_hud(const Hud& hud, std::uint64_t now_us, std::int32_t bottom, TextColours colours, Framebuffer canvas) {
-    if (!hud.cost.empty()) draw_lines_above(bottom, hud.cost, colours, canvas);
+    draw_cost(hud.cost, bottom, colours, canvas);
     if (hud.shows_end) draw_end(hud.end_message, colours, canvas);
     if (hud.shows_help) draw_panel(canvas, kHelp, colours);
     if (!hud.message.empty() && now_us < hud.message_ends_us) draw_lines(kTextMargin_px, hud.message, colours, canvas);

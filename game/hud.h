@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/screen/screen.h"
-#include "game/text.h"
+#include "game/frame_cost.h"
 
 namespace oblong {
 
@@ -12,7 +12,7 @@ namespace oblong {
 struct Hud {
     std::string message;  ///< shown until message_ends_us
     std::uint64_t message_ends_us = 0;
-    std::string cost;  ///< a line at the bottom; empty: none
+    CostText cost;  ///< at the bottom
     bool shows_help = false;
     bool shows_end = false;
     std::string end_message;  ///< instead of the usual one
@@ -21,7 +21,7 @@ struct Hud {
 /// Shows a message from now on, for as long as it takes to read.
 void show_message(Hud& hud, std::string message, std::uint64_t now_us);
 
-/// `bottom`: the row above which the line of the cost goes.
+/// `bottom`: the row above which the cost goes.
 void draw_hud(const Hud& hud, std::uint64_t now_us, std::int32_t bottom, TextColours colours, Framebuffer canvas);
 
 }  // namespace oblong

@@ -34,7 +34,7 @@ void Lab::draw_errors(const GameView& view, const Settings& shown, Framebuffer c
 
 void Lab::draw_exact_side(const LabOptions& options, const GameView& view, Settings settings, Framebuffer canvas) {
     settings.accuracy = accuracy_of(Preset::Exact);
-    renderer_.draw(view.state, view.camera, settings);
+    renderer_.draw(view, settings);
     draw_split(options, renderer_.canvas(), colours_, canvas);
 }
 

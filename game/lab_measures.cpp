@@ -58,15 +58,15 @@ void LabMeasures::follow(const Accuracy& now, const Accuracy& before) {
 void LabMeasures::time(TimedSetting& setting, const GameView& view, Settings settings, GameRenderer& renderer,
                        Platform& clock) {
     settings.accuracy = setting.accuracy;
-    renderer.draw(view.state, view.camera, settings);
+    renderer.draw(view, settings);
     const std::uint64_t began_us = clock.now_us();
-    renderer.draw(view.state, view.camera, settings);
+    renderer.draw(view, settings);
     const std::uint64_t ended_us = clock.now_us();
     setting.times.add(ended_us - began_us, ended_us);
 }
 
 void LabMeasures::count(const GameView& view, const Settings& now, GameRenderer& renderer) {
-    renderer.draw(view.state, view.camera, now);  // lights its surfaces
+    renderer.draw(view, now);  // lights its surfaces
     figures_.operations = sum_of(operations_by_stage(renderer.draw_and_count(view, now), now.accuracy));
     for (std::size_t i = 0; i < kProcessors.size(); ++i)
         figures_.frame_rates[i] = frame_rate(kProcessors[i], cycles_on(kProcessors[i], figures_.operations));

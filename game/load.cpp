@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "engine/effects/things.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
 #include "tools/common/arguments.h"
@@ -25,6 +26,7 @@ GameData load_game(const std::string& level_file, const std::string& palette_fil
     data.level = read_parsed(data.level_file, read_bsp);
     data.effects = read_level_effects(data.level);
     print_warnings("oblong", data.level_file, data.effects.warnings);
+    print_warnings("oblong", data.level_file, read_things(data.level).warnings);
     const std::string palette =
         palette_file.empty() ? find_palette(fs::path(data.level_file).parent_path(), assets_folder) : palette_file;
     data.palette = read_parsed(palette, read_palette);

@@ -31,7 +31,10 @@ ViewOptions view_options_of(const Options& options) {
     ViewOptions view_options;
     view_options.preset = options.preset;
     view_options.brightness_100 = options.brightness_100;
+    view_options.gamma_100 = options.gamma_100;
+    view_options.flashes = options.flashes;
     view_options.accuracy = options.accuracy;
+    view_options.has_crt_look = options.has_crt_look;
     view_options.scaling = options.scaling;
     view_options.corrects_projection = options.corrects_projection;
     view_options.shown_as = options.shown_as;

@@ -66,48 +66,67 @@ void move(const GameLevel& level, GameState& state, std::size_t index) {
     reverse(state.movers[index]);
 }
 
-void activate_one(const Mover& mover, MoverState& state) {
-    if (state.phase == Phase::AtEnd)
-        state.wait_ticks = mover.wait_ticks;
+bool is_at_rest(const Mover& mover, const MoverState& state) {
+    return state.phase == Phase::AtStart || (state.phase == Phase::AtEnd && mover.wait_ticks == Mover::kForever);
+}
+
+void activate_one(const GameLevel& level, GameState& state, std::uint32_t index) {
+    const Mover& mover = level.movers[index];
+    MoverState& mover_state = state.movers[index];
+    if (mover_state.phase == Phase::AtEnd)
+        mover_state.wait_ticks = mover.wait_ticks;
     else
-        state.phase = Phase::Leaving;
+        mover_state.phase = Phase::Leaving;
+    if (is_at_rest(mover, mover_state)) return;
+    const auto place = std::lower_bound(state.active_movers.begin(), state.active_movers.end(), index);
+    if (place == state.active_movers.end() || *place != index) state.active_movers.insert(place, index);
 }
 
 }  // namespace
 
+void switch_lights(const Target& target, GameState& state) {
+    state.dark_styles ^= target.light_styles;
+}
+
 void activate_teleporters(const Target& target, GameState& state) {
-    for (const std::uint32_t teleporter : target.teleporters) state.teleporter_ticks[teleporter] = kTeleporterTicks;
+    for (const std::uint32_t teleporter : target.teleporters)
+        state.teleporter_ends[teleporter] = state.tick + kTeleporterTicks;
 }
 
 // Each target once, however many movers name it.
 void activate(const GameLevel& level, GameState& state, std::span<const std::uint32_t> movers) {
-    std::set<TargetIndex> targets;
+    std::set<TargetIndex> targets, switched;
     for (const std::uint32_t i : movers) {
-        if (!is_moving(state.movers[i]) && level.movers[i].target != kNoTarget) targets.insert(level.movers[i].target);
-        activate_one(level.movers[i], state.movers[i]);
+        const TargetIndex target = level.movers[i].target;
+        if (target != kNoTarget && !is_moving(state.movers[i])) targets.insert(target);
+        if (target != kNoTarget && state.movers[i].phase == Phase::AtStart) switched.insert(target);
+        activate_one(level, state, i);
     }
+    for (const TargetIndex index : switched) switch_lights(level.target(index), state);
     for (const TargetIndex index : targets) {
         const Target& target = level.target(index);
-        for (const std::uint32_t i : target.movers) activate_one(level.movers[i], state.movers[i]);
+        for (const std::uint32_t i : target.movers) activate_one(level, state, i);
         activate_teleporters(target, state);
     }
 }
 
 void touch_movers(const GameLevel& level, GameState& state) {
     const Box player = player_box(state.player.position);
-    std::vector<std::uint32_t> touched;
-    for (std::uint32_t i = 0; i < level.movers.size(); ++i)
-        if (level.movers[i].touch_box && level.movers[i].touch_box->overlaps(player)) touched.push_back(i);
+    std::vector<std::uint32_t> touched = level.touch_boxes.overlapping(player);
+    std::erase_if(touched, [&](std::uint32_t i) {
+        return !level.movers[i].touch_box || !level.movers[i].touch_box->overlaps(player);
+    });
     activate(level, state, touched);
 }
 
 void step_movers(const GameLevel& level, GameState& state) {
-    for (std::size_t i = 0; i < level.movers.size(); ++i) {
+    for (const std::uint32_t i : state.active_movers) {
         if (is_moving(state.movers[i]))
             move(level, state, i);
         else if (state.movers[i].phase == Phase::AtEnd)
             wait(level.movers[i], state.movers[i]);
     }
+    std::erase_if(state.active_movers, [&](std::uint32_t i) { return is_at_rest(level.movers[i], state.movers[i]); });
 }
 
 }  // namespace oblong

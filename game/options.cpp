@@ -1,5 +1,6 @@
 #include "game/options.h"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -27,10 +28,26 @@ ShownAs shown_as_of(const std::string& name) {
     throw UsageError("--aspect-display: '" + name + "', expected display, square or fill");
 }
 
+std::int32_t gamma_of(const std::string& text) {
+    constexpr std::int64_t kOne_16 = 1 << 16;
+    const std::int64_t gamma_16 = parse_number("--gamma", text, 16);
+    if (gamma_16 < kOne_16 / 2 || gamma_16 > kOne_16 * 2)
+        throw UsageError("--gamma: '" + text + "', expected 0.5 to 2");
+    return static_cast<std::int32_t>((gamma_16 * 100 + kOne_16 / 2) / kOne_16);
+}
+
+Flashes flashes_of(const std::string& name) {
+    constexpr std::array<std::string_view, 3> kNames{"full", "reduced", "off"};
+    const auto found = std::find(kNames.begin(), kNames.end(), name);
+    if (found == kNames.end()) throw UsageError("--flashes: '" + name + "', expected full, reduced or off");
+    return static_cast<Flashes>(found - kNames.begin());
+}
+
 // The options that are parsed after the command line is read.
 struct OptionTexts {
-    std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", window, accuracy = "bounded",
-                scaling = "sharp", aspect_projection = "display", aspect_display = "display";
+    std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", gamma = "1",
+                flashes = "full", window, accuracy = "bounded", scaling = "sharp", aspect_projection = "display",
+                aspect_display = "display";
     std::vector<std::string> dials;
 };
 
@@ -41,9 +58,12 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("--display", texts.display, "W:H, shape of the display that the picture is for");
     line.add("--fov", texts.field_of_view, "degrees seen across the whole width");
     line.add("--brightness", texts.brightness, "of the light on surfaces, 0.25 to 8; real levels are dark at 1");
+    line.add("--gamma", texts.gamma, "of the display, 0.5 to 2: above 1, dark colours are brighter");
+    line.add("--flashes", texts.flashes, "full, reduced or off: lights that flicker, colours that change, flashes");
     line.add("--accuracy", texts.accuracy, "1991, 1994, 1996, bounded or exact");
     line.add("--dial", texts.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
     line.add("--scaling", texts.scaling, "sharp, rows, even, nearest or stretch");
+    line.add_flag("--crt", options.has_crt_look, "scanlines, mask and glow of a tube, drawn by the window");
     line.add("--aspect-projection", texts.aspect_projection, "display or square: which pixels F2 starts with");
     line.add("--aspect-display", texts.aspect_display, "display, square or fill: which shape F3 starts with");
     line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");
@@ -66,6 +86,8 @@ void interpret(const OptionTexts& texts, Options& options) {
     options.field_of_view = parse_field_of_view(texts.field_of_view);
     check_view(options.mode, options.field_of_view);
     options.brightness_100 = parse_brightness(texts.brightness);
+    options.gamma_100 = gamma_of(texts.gamma);
+    options.flashes = flashes_of(texts.flashes);
     options.preset = parse_preset(texts.accuracy);
     options.accuracy = parse_accuracy(options.preset, texts.dials);
     options.scaling = scaling_of(texts.scaling);

@@ -7,6 +7,7 @@
 #include "engine/accuracy/presets.h"
 #include "engine/geometry/projection.h"
 #include "engine/platform/present_rect.h"
+#include "engine/scene/light_styles.h"
 #include "engine/screen/screen.h"
 
 namespace oblong {
@@ -17,11 +18,12 @@ struct Options {
     ScreenMode mode;
     WindowSize window;
     Degrees field_of_view = Degrees::from_int(90);
-    std::int32_t brightness_100 = 100;
+    std::int32_t brightness_100 = 100, gamma_100 = 100;
+    Flashes flashes = Flashes::Full;
     Preset preset = Preset::Bounded;
     Accuracy accuracy;  ///< the preset with dials turned
     Scaling scaling = Scaling::SharpBilinear;
-    bool corrects_projection = true;
+    bool corrects_projection = true, has_crt_look = false;
     ShownAs shown_as = ShownAs::OnDisplay;
     std::string record, replay, timedemo;
     std::int64_t headless_frames = 0;

@@ -5,11 +5,6 @@
 #include "game/screenshot.h"
 
 namespace oblong {
-namespace {
-
-constexpr std::uint64_t kCostEvery_us = 500'000;
-
-}  // namespace
 
 Session::Session(const GameData& data, const GameLevel& level, const SessionSettings& settings, TickInputSource& input,
                  Platform& platform)
@@ -21,6 +16,7 @@ Session::Session(const GameData& data, const GameLevel& level, const SessionSett
       field_of_view_(settings.field_of_view),
       screenshot_folder_(settings.screenshot_folder),
       renderer_(data, level, settings.mode),
+      palette_(data, settings.view_options.gamma_100),
       text_colours_(text_colours_of(data.palette)),
       before_(start_of(level)),
       after_(before_) {
@@ -29,7 +25,7 @@ Session::Session(const GameData& data, const GameLevel& level, const SessionSett
 
 void Session::run() {
     platform_.set_title(("Oblong - " + std::filesystem::path(data_.level_file).stem().string()).c_str());
-    last_us_ = cost_since_us_ = platform_.now_us();
+    last_us_ = platform_.now_us();
     show_message(hud_, "F1 Help", last_us_);
     while (platform_.is_open()) play_frame();
 }
@@ -64,16 +60,24 @@ void Session::keep_what_is_on() {
         four_aspects_.reset();
     else if (!four_aspects_)
         four_aspects_ = std::make_unique<FourAspects>(data_, level_);
+    if (!view_options_.shows_cost) {
+        cost_.reset();
+        hud_.cost = {};
+    } else if (!cost_)
+        cost_ = std::make_unique<FrameCost>(data_.palette, platform_.now_us());
 }
 
 PresentRect Session::shown_rect() const {
-    return layout(platform_.window_size(), renderer_.mode(), view_options_.shown_as, view_options_.scaling);
+    PresentRect rect = layout(platform_.window_size(), renderer_.mode(), view_options_.shown_as, view_options_.scaling);
+    rect.has_crt_look = view_options_.has_crt_look;
+    return rect;
 }
 
 void Session::advance(std::uint64_t now_us) {
     for (int due = clock_.advance(now_us - last_us_); due > 0; --due) {
         before_ = after_;
         input_.play_tick(level_, after_);
+        palette_.note_tick(before_, after_);
     }
     last_us_ = now_us;
 }
@@ -81,23 +85,26 @@ void Session::advance(std::uint64_t now_us) {
 void Session::draw(std::uint64_t now_us) {
     const std::int32_t fraction = clock_.fraction_16();
     const InterpolatedState state{before_, after_, fraction};
-    const GameView view{state, camera_at(state, input_.look_offset(fraction), field_of_view_)};
+    const GameView view{state, camera_at(state, input_.look_offset(fraction), field_of_view_), view_options_.has_torch};
     const Settings settings = settings_of(view_options_);
     Settings shown_settings = settings;
     if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, now_us);
     const std::uint64_t began_us = platform_.now_us();
-    renderer_.draw(view.state, view.camera, shown_settings);
-    note_cost(began_us, platform_.now_us());
+    renderer_.draw(view, shown_settings);
+    const PaletteEffects effects = palette_.effects_at(view, settings.flashes);
+    note_cost(view, shown_settings, effects, began_us);
 
     draw_over(view, settings, now_us);
+    const Palette palette =
+        effects.is_plain() ? data_.palette : apply_palette_effects(data_.palette, effects, time_ms_at(state));
     const Framebuffer canvas = renderer_.canvas();
     if (wants_screenshot_)
-        show_message(hud_, save_screenshots(screenshot_folder_, canvas, data_.palette, renderer_.mode()), now_us);
+        show_message(hud_, save_screenshots(screenshot_folder_, canvas, palette, renderer_.mode()), now_us);
     wants_screenshot_ = false;
     hud_.shows_help = view_options_.shows_help;
     hud_.shows_end = after_.has_ended;
     draw_hud(hud_, now_us, text_bottom_, text_colours_, canvas);
-    platform_.present(canvas, data_.palette, shown_rect());
+    platform_.present(canvas, palette, shown_rect());
 }
 
 void Session::draw_over(const GameView& view, const Settings& settings, std::uint64_t now_us) {
@@ -105,7 +112,7 @@ void Session::draw_over(const GameView& view, const Settings& settings, std::uin
     const ScreenMode& mode = renderer_.mode();
     text_bottom_ = canvas.height_px - kTextMargin_px;
     if (four_aspects_) {
-        four_aspects_->draw(view, settings.accuracy, mode, shown_pixel(shown_rect(), mode), text_colours_, canvas);
+        four_aspects_->draw(view, settings, mode, shown_pixel(shown_rect(), mode), text_colours_, canvas);
         text_bottom_ = 0;  // their captions leave no room
         return;
     }
@@ -117,23 +124,10 @@ void Session::draw_over(const GameView& view, const Settings& settings, std::uin
     text_bottom_ = draw_lines_above(text_bottom_, caption, text_colours_, canvas);
 }
 
-// The line of F6: the median of two seconds, since a mean can't tell settings apart that differ by a tenth.
-void Session::note_cost(std::uint64_t began_us, std::uint64_t ended_us) {
-    if (!view_options_.shows_cost) {
-        hud_.cost.clear();
-        frame_times_ = {};
-        cost_since_us_ = ended_us;
-        frames_since_ = 0;
-        return;
-    }
-    frame_times_.add(ended_us - began_us, ended_us);
-    ++frames_since_;
-    const std::uint64_t since_us = ended_us - cost_since_us_;
-    if (since_us < kCostEvery_us) return;
-    hud_.cost = std::to_string(frame_times_.median_us().value_or(0)) + " us a frame, " +
-                std::to_string(frames_since_ * 1'000'000 / since_us) + " frames a second";
-    cost_since_us_ = ended_us;
-    frames_since_ = 0;
+void Session::note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,
+                        std::uint64_t began_us) {
+    if (!cost_ || !cost_->note(began_us, platform_.now_us())) return;
+    hud_.cost = cost_->measure(view, settings, data_.palette, effects, renderer_);
 }
 
 }  // namespace oblong

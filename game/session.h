@@ -8,7 +8,7 @@
 #include "game/hud.h"
 #include "game/lab.h"
 #include "game/load.h"
-#include "game/recent_times.h"
+#include "game/shown_palette.h"
 #include "game/tick_clock.h"
 #include "game/tick_input_source.h"
 #include "game/view_options.h"
@@ -40,7 +40,8 @@ class Session {
     void handle_commands(const Controls& controls, std::uint64_t now_us);
     void keep_what_is_on();
     PresentRect shown_rect() const;
-    void note_cost(std::uint64_t began_us, std::uint64_t ended_us);
+    void note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,
+                   std::uint64_t began_us);
 
     const GameData& data_;
     const GameLevel& level_;
@@ -52,14 +53,14 @@ class Session {
     GameRenderer renderer_;
     std::unique_ptr<Lab> lab_;                   // only while something of it is on
     std::unique_ptr<FourAspects> four_aspects_;  // likewise
+    ShownPalette palette_;
     TextColours text_colours_;
     Hud hud_;
     TickClock clock_;
     GameState before_, after_;
     std::uint64_t last_us_ = 0;
-    RecentTimes frame_times_;
-    std::uint64_t cost_since_us_ = 0, frames_since_ = 0;
-    std::int32_t text_bottom_ = 0;  // the row above which the text at the bottom ends
+    std::unique_ptr<FrameCost> cost_;  // only while it is shown
+    std::int32_t text_bottom_ = 0;     // the row above which the text at the bottom ends
     bool wants_screenshot_ = false;
 };
 

@@ -31,6 +31,7 @@ void add_player(Hash& hash, const Player& player) {
 
 }  // namespace
 
+// Active movers follow from the movers' states.
 std::uint64_t hash_of(const GameState& state) {
     Hash hash;
     hash.add(state.tick);
@@ -40,7 +41,9 @@ std::uint64_t hash_of(const GameState& state) {
         hash.add(mover.travelled);
         hash.add(mover.wait_ticks);
     }
-    for (const std::int32_t ticks : state.teleporter_ticks) hash.add(ticks);
+    for (const std::int64_t tick : state.teleporter_ends) hash.add(tick);
+    if (state.dark_styles != 0) hash.add(static_cast<std::int64_t>(state.dark_styles));
+    for (const std::uint32_t trigger : state.touched_switches) hash.add(trigger);
     hash.add(std::int64_t{state.has_ended});
     return hash.value;
 }

@@ -40,14 +40,17 @@ struct MoverState {
 struct GameState {
     std::int64_t tick = 0;
     Player player;
-    std::vector<MoverState> movers;              ///< in the order of GameLevel::movers
-    std::vector<std::int32_t> teleporter_ticks;  ///< how long each targeted teleporter still works
+    std::vector<MoverState> movers;               ///< in the order of GameLevel::movers
+    std::vector<std::uint32_t> active_movers;     ///< not at rest, ascending: ticks step no others
+    std::vector<std::int64_t> teleporter_ends;    ///< the tick from which each targeted teleporter works no more
+    std::uint64_t dark_styles = 0;                ///< a bit for each light style that is switched off
+    std::vector<std::uint32_t> touched_switches;  ///< triggers, ascending, that switch no lights while they are here
     bool has_ended = false;
 
     bool operator==(const GameState&) const = default;
 };
 
-/// FNV-1a over every field in order; equal states give equal hashes on every machine.
+/// FNV-1a over the fields in order; equal states give equal hashes on every machine.
 std::uint64_t hash_of(const GameState& state);
 
 }  // namespace oblong

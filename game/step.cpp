@@ -1,5 +1,6 @@
 #include "game/step.h"
 
+#include <algorithm>
 #include <set>
 
 #include "engine/fixed/trig.h"
@@ -20,7 +21,7 @@ void teleport(Player& player, const Trigger::Exit& exit) {
 
 bool teleports(const Trigger& trigger, const GameState& state) {
     if (!trigger.teleports_to) return false;
-    return !trigger.activation || state.teleporter_ticks[*trigger.activation] > 0;
+    return !trigger.activation || state.tick < state.teleporter_ends[*trigger.activation];
 }
 
 // Each target is activated once, however many triggers name it.
@@ -34,15 +35,51 @@ void activate_targets(const GameLevel& level, GameState& state, const std::set<T
     activate(level, state, movers);
 }
 
-void touch_triggers(const GameLevel& level, GameState& state) {
-    std::set<TargetIndex> targets;
-    for (const Trigger& trigger : level.triggers) {
-        if (!trigger.box.overlaps(player_box(state.player.position))) continue;
-        state.has_ended |= trigger.ends_level;
-        if (trigger.target != kNoTarget) targets.insert(trigger.target);
-        if (teleports(trigger, state)) teleport(state.player, *trigger.teleports_to);
+// The triggers that the player is in, in their order. One that teleports the player ends those at the old place.
+std::vector<std::uint32_t> enter_triggers(const GameLevel& level, GameState& state) {
+    std::vector<std::uint32_t> entered;
+    const auto is_later = [&](std::uint32_t i) { return entered.empty() || i > entered.back(); };
+    for (bool is_moved = true; is_moved;) {
+        is_moved = false;
+        for (const std::uint32_t i : level.trigger_boxes.overlapping(player_box(state.player.position))) {
+            const Trigger& trigger = level.triggers[i];
+            if (!is_later(i) || !trigger.box.overlaps(player_box(state.player.position))) continue;
+            entered.push_back(i);
+            state.has_ended |= trigger.ends_level;
+            is_moved = teleports(trigger, state);
+            if (!is_moved) continue;
+            teleport(state.player, *trigger.teleports_to);
+            break;
+        }
     }
+    return entered;
+}
+
+// Each target's lights are switched once, however many triggers name it, when the player enters one of them.
+void enter_switches(const GameLevel& level, GameState& state, const std::vector<std::uint32_t>& entered) {
+    std::vector<std::uint32_t>& touched = state.touched_switches;
+    std::set<TargetIndex> switched;
+    std::erase_if(touched, [&](std::uint32_t i) {
+        return !level.triggers[i].switches_once && !std::binary_search(entered.begin(), entered.end(), i);
+    });
+    for (const std::uint32_t i : entered) {
+        const TargetIndex target = level.triggers[i].target;
+        if (target == kNoTarget || level.target(target).light_styles == 0) continue;
+        const auto place = std::lower_bound(touched.begin(), touched.end(), i);
+        if (place != touched.end() && *place == i) continue;
+        touched.insert(place, i);
+        switched.insert(target);
+    }
+    for (const TargetIndex target : switched) switch_lights(level.target(target), state);
+}
+
+void touch_triggers(const GameLevel& level, GameState& state) {
+    const std::vector<std::uint32_t> entered = enter_triggers(level, state);
+    std::set<TargetIndex> targets;
+    for (const std::uint32_t i : entered)
+        if (level.triggers[i].target != kNoTarget) targets.insert(level.triggers[i].target);
     activate_targets(level, state, targets);
+    enter_switches(level, state, entered);
 }
 
 // A player who falls out of a level that leaks starts again.
@@ -57,7 +94,6 @@ void restart_outside(const GameLevel& level, Player& player) {
 void step(const GameLevel& level, GameState& state, const TickInput& input) {
     ++state.tick;
     if (state.has_ended) return;
-    for (std::int32_t& ticks : state.teleporter_ticks) ticks = std::max(ticks - 1, 0);
     step_movers(level, state);
     step_player(level, state, input);
     restart_outside(level, state.player);

@@ -18,7 +18,7 @@ void step(const GameLevel& level, GameState& state, const TickInput& input);
 
 // The parts of a tick, in their order.
 
-/// Moves all movers. They carry and push the player; one that has no room to push turns back.
+/// Moves the active movers. They carry and push the player; one that has no room to push turns back.
 void step_movers(const GameLevel& level, GameState& state);
 
 /// Moves the player as Quake does: walks, climbs steps of up to 18 units, jumps, falls, swims.
@@ -28,8 +28,11 @@ void step_player(const GameLevel& level, GameState& state, const TickInput& inpu
 void touch_movers(const GameLevel& level, GameState& state);
 
 /// Activates movers and what they target: one at rest leaves, one on its way back turns round, one at its other end
-/// restarts its wait.
+/// restarts its wait. Lights that they target are switched by those that leave their start.
 void activate(const GameLevel& level, GameState& state, std::span<const std::uint32_t> movers);
+
+/// Switches a target's lights: on if they are off, else off.
+void switch_lights(const Target& target, GameState& state);
 
 /// Activates teleporters: they work for 0.2 s from now on.
 void activate_teleporters(const Target& target, GameState& state);

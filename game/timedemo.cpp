@@ -24,7 +24,7 @@ TimedemoResult run_timedemo(const GameLevel& level, const Demo& demo, GameRender
         input.play_tick(level, state);
         const InterpolatedState frame{state, state, 0};
         const Clock::time_point began = Clock::now();
-        renderer.draw(frame, camera_at(frame, {}, field_of_view), settings);
+        renderer.draw({frame, camera_at(frame, {}, field_of_view)}, settings);
         times_ns.push_back(std::chrono::nanoseconds(Clock::now() - began).count());
     }
     TimedemoResult result;

@@ -1,5 +1,8 @@
 #include "game/view_options.h"
 
+#include <algorithm>
+#include <array>
+
 #include "game/aspect_guide.h"
 
 namespace oblong {
@@ -11,6 +14,17 @@ constexpr int kPresetCount = static_cast<int>(kPresets.size());
 template <class Enum>
 Enum next_of(Enum value, int count) {
     return static_cast<Enum>((static_cast<int>(value) + 1) % count);
+}
+
+// The next value of those that a key steps through; the last ones are the limits of --brightness.
+std::int32_t next_brightness(std::int32_t brightness_100, bool is_brighter) {
+    constexpr std::array<std::int32_t, 11> kValues{25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800};
+    if (is_brighter) {
+        const auto above = std::upper_bound(kValues.begin(), kValues.end(), brightness_100);
+        return above == kValues.end() ? kValues.back() : *above;
+    }
+    const auto from = std::lower_bound(kValues.begin(), kValues.end(), brightness_100);
+    return from == kValues.begin() ? kValues.front() : *(from - 1);
 }
 
 std::string describe_display(const ViewOptions& options, const ScreenMode& mode, WindowSize window) {
@@ -31,6 +45,7 @@ Settings settings_of(const ViewOptions& options) {
     Settings settings;
     settings.accuracy = options.accuracy;
     settings.brightness_100 = options.brightness_100;
+    settings.flashes = options.flashes;
     settings.correct_aspect = options.corrects_projection;
     return settings;
 }
@@ -58,6 +73,16 @@ std::string apply(Command command, ViewOptions& options, const ScreenMode& mode,
             options.scaling = next_of(options.scaling, kScalingCount);
             return std::string("F5 Scaling: ") + name_of(options.scaling) + " (" +
                    describe(layout(window, mode, options.shown_as, options.scaling), mode) + ")";
+        case Command::Darker:
+        case Command::Brighter:
+            options.brightness_100 = next_brightness(options.brightness_100, command == Command::Brighter);
+            return "Brightness " + std::to_string(options.brightness_100) + " %";
+        case Command::Torch:
+            options.has_torch = !options.has_torch;
+            return options.has_torch ? "L Torch" : "L Torch: off";
+        case Command::CrtLook:
+            options.has_crt_look = !options.has_crt_look;
+            return options.has_crt_look ? "C Tube: scanlines, mask, glow" : "C Tube: off";
         case Command::AspectGuide:
             options.shows_aspect_guide = !options.shows_aspect_guide;
             return "";

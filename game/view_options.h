@@ -16,7 +16,9 @@ struct ViewOptions {
     Preset preset = Preset::Bounded;  ///< the last one chosen
     Accuracy accuracy;                ///< its dials, perhaps turned since
     std::int32_t brightness_100 = 100;
-    bool corrects_projection = true;
+    std::int32_t gamma_100 = 100;
+    Flashes flashes = Flashes::Full;
+    bool corrects_projection = true, has_torch = false, has_crt_look = false;
     ShownAs shown_as = ShownAs::OnDisplay;
     Scaling scaling = Scaling::SharpBilinear;
     bool shows_help = false, shows_cost = false, shows_aspect_guide = false, shows_four_aspects = false;

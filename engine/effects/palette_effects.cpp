@@ -1,38 +1,20 @@
 #include "engine/effects/palette_effects.h"
 
 #include <algorithm>
-#include <string>
-#include <string_view>
 
-#include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "engine/fixed/power.h"
-#include "engine/level/entities.h"
+#include "engine/visibility/eye.h"
 
 namespace oblong {
 
 namespace {
 
-/// A whole number from 0 to 255.
-std::optional<std::int32_t> palette_index(std::string_view text) {
-    const std::optional<std::int64_t> number_16 = parse_decimal(text, 16);
-    if (!number_16 || (*number_16 & 0xffff) != 0 || *number_16 < 0 || *number_16 > 255 << 16) return std::nullopt;
-    return static_cast<std::int32_t>(*number_16 >> 16);
-}
-
-std::optional<PaletteCycle> parse_palette_cycle(std::string_view text) {
-    const std::optional<std::int32_t> from = palette_index(take_word(text)), to = palette_index(take_word(text));
-    const std::optional<std::int64_t> rate_16 = parse_decimal(take_word(text), 16);
-    if (!from || !to || *from >= *to || !rate_16 || !take_word(text).empty()) return std::nullopt;
-    if (*rate_16 < -(kMostCycleSteps << 16) || *rate_16 > kMostCycleSteps << 16) return std::nullopt;
-    return PaletteCycle{*from, *to, static_cast<std::int32_t>(*rate_16)};
-}
-
 /// How many places up the colours of a cycle are. Whole rounds are left out first, for the product to fit at any time.
 std::int64_t cycle_shift(const PaletteCycle& cycle, std::int64_t time_ms) {
-    constexpr std::int64_t kStep = std::int64_t{1000} << 16;
+    constexpr std::int64_t kStep = std::int64_t{1000} << PaletteCycle::Rate::kFractionBits;
     const std::int64_t count = cycle.last - cycle.first + 1, round = count * kStep;
-    const std::int64_t steps = time_ms % round * cycle.steps_per_second_16 % round / kStep;
+    const std::int64_t steps = time_ms % round * cycle.steps_per_second.raw % round / kStep;
     return steps < 0 ? steps + count : steps;
 }
 
@@ -55,23 +37,16 @@ void apply_gamma(const GammaTable& gamma, Palette& palette) {
     for (Rgb8& colour : palette.colours) colour = {gamma[colour.red], gamma[colour.green], gamma[colour.blue]};
 }
 
-}  // namespace
-
-std::vector<PaletteCycle> read_palette_cycles(const Entity& worldspawn) {
-    std::vector<PaletteCycle> cycles;
-    for (int number = 1; number <= kMostPaletteCycles; ++number) {
-        const std::string key = "palette_cycle" + (number == 1 ? "" : std::to_string(number));
-        const std::string text = worldspawn.value(key);
-        if (text.empty()) continue;
-        const std::optional<PaletteCycle> cycle = parse_palette_cycle(text);
-        if (!cycle)
-            throw InputError("worldspawn, key " + key, "'" + text +
-                                                           "', expected FIRST LAST STEPS_PER_SECOND: two palette "
-                                                           "indices, 0 <= FIRST < LAST <= 255, and -100 to 100");
-        cycles.push_back(*cycle);
-    }
-    return cycles;
+std::vector<PaletteCycle> shown_cycles(const std::vector<PaletteCycle>& cycles, Flashes flashes) {
+    if (flashes == Flashes::Off) return {};
+    std::vector<PaletteCycle> shown = cycles;
+    if (flashes == Flashes::Reduced)
+        for (PaletteCycle& cycle : shown)
+            cycle.steps_per_second = std::clamp(cycle.steps_per_second, -kReducedCycleRate, kReducedCycleRate);
+    return shown;
 }
+
+}  // namespace
 
 Tint liquid_tint(std::int32_t contents) {
     switch (contents) {
@@ -102,14 +77,22 @@ GammaTable make_gamma_table(std::int32_t gamma_100) {
 }
 
 bool PaletteEffects::is_plain() const {
-    return cycles.empty() && liquid.share_256 == 0 && damage.share_256 == 0 && pickup.share_256 == 0 &&
-           fade.share_256 == 0 && !gamma;
+    return cycles.empty() && liquid.share_256 == 0 && flash.share_256 == 0 && !gamma;
+}
+
+PaletteEffects palette_effects_at(const Level& level, const LevelEffects& effects, const Vec3<World>& eye,
+                                  Flashes flashes) {
+    PaletteEffects shown;
+    shown.cycles = shown_cycles(effects.palette_cycles, flashes);
+    shown.liquid = liquid_tint(level.leaves[place_eye(level, eye).leaf].contents);
+    return shown;
 }
 
 Palette apply_palette_effects(const Palette& palette, const PaletteEffects& effects, std::int64_t time_ms) {
     Palette shown = palette;
     for (const PaletteCycle& cycle : effects.cycles) apply_cycle(cycle, time_ms, shown);
-    for (const Tint& tint : {effects.liquid, effects.damage, effects.pickup, effects.fade}) apply_tint(tint, shown);
+    apply_tint(effects.liquid, shown);
+    apply_tint(effects.flash, shown);
     if (effects.gamma) apply_gamma(*effects.gamma, shown);
     return shown;
 }

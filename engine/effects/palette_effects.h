@@ -5,25 +5,16 @@
 #include <optional>
 #include <vector>
 
-#include "engine/level/level.h"
+#include "engine/scene/level_effects.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {
 
 /// Effects on the 256 colours that a picture is shown in: no pixel is read or written for them.
 
-/// Colours `first` to `last` that move round in their places: `last` to `first` and all others one place up at each
-/// step. Steps a second have 16 fraction bits, and are negative for the other direction.
-struct PaletteCycle {
-    std::int32_t first = 0, last = 0;
-    std::int32_t steps_per_second_16 = 0;  ///< within kMostCycleSteps << 16
-    bool operator==(const PaletteCycle&) const = default;
-};
-inline constexpr std::int32_t kMostCycleSteps = 100, kMostPaletteCycles = 16;
-
-/// The cycles that a worldspawn's keys palette_cycle, palette_cycle2 and so on to palette_cycle16 ask for, "FIRST LAST
-/// STEPS_PER_SECOND" each. Throws InputError for any other value.
-std::vector<PaletteCycle> read_palette_cycles(const Entity& worldspawn);
+/// The most steps a second of a cycle if flashes are reduced. WCAG 2.2, success criterion 2.3.1: three flashes a second
+/// at most. A flash is a change and the opposite one, so that this is half of it.
+inline constexpr auto kReducedCycleRate = PaletteCycle::Rate::from_int(3);
 
 /// A colour mixed into all others: of 256 parts, `share_256` are of it.
 struct Tint {
@@ -32,9 +23,8 @@ struct Tint {
     bool operator==(const Tint&) const = default;
 };
 
-/// Quake's, of all that is seen from inside a liquid (`contents` of the eye's leaf), when hurt, and on a pickup.
+/// Quake's, of all that is seen from inside a liquid (`contents` of the eye's leaf).
 Tint liquid_tint(std::int32_t contents);
-inline constexpr Tint kDamageFlash{{255, 0, 0}, 150}, kPickupFlash{{215, 186, 69}, 50};
 
 /// What is left of a tint that fades to nothing within `duration_ms` (above 0), `elapsed_ms` (from 0) after it began.
 Tint faded(const Tint& tint, std::int64_t elapsed_ms, std::int64_t duration_ms);
@@ -47,12 +37,17 @@ GammaTable make_gamma_table(std::int32_t gamma_100);
 /// What is done to a palette, in this order.
 struct PaletteEffects {
     std::vector<PaletteCycle> cycles;
-    Tint liquid, damage, pickup, fade;
+    Tint liquid, flash;
     std::optional<GammaTable> gamma;
 
     /// Whether nothing is done.
     bool is_plain() const;
 };
+
+/// What a level and the place of the eye call for: cycles, and the tint of a liquid. Cycles go at kReducedCycleRate at
+/// most if flashes are reduced, and stand still if they are off.
+PaletteEffects palette_effects_at(const Level& level, const LevelEffects& effects, const Vec3<World>& eye,
+                                  Flashes flashes);
 
 /// The palette that shows a picture at a time from 0 on; a pure function of its arguments.
 Palette apply_palette_effects(const Palette& palette, const PaletteEffects& effects, std::int64_t time_ms);

@@ -20,6 +20,10 @@ enum class Command {
     AspectGuide,       ///< F11
     Screenshot,        ///< F12
     FourAspects,       ///< 4
+    Torch,             ///< L
+    CrtLook,           ///< C
+    Darker,            ///< -
+    Brighter,          ///< =
     DialUp,            ///< up arrow, again and again while it is held; for the lab, as are the other three
     DialDown,          ///< down arrow
     DialCoarser,       ///< left arrow

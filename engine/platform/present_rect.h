@@ -40,6 +40,7 @@ struct PresentRect {
     std::int32_t upscale_x = 1, upscale_y = 1;
     bool is_blended = false;                ///< the last step is linear; else nearest
     std::int32_t shape_error_permille = 0;  ///< pixels too wide (positive) or too narrow, against the shape asked for
+    bool has_crt_look = false;              ///< scanlines, mask and glow of a tube, where the platform can
 
     bool operator==(const PresentRect&) const = default;
 };

@@ -92,23 +92,23 @@ void read_alpha(LiquidKind kind, const std::string& key, const std::string& valu
     at(effects.liquid_alpha_256, kind) = static_cast<std::uint16_t>(*alpha_256);
 }
 
-std::optional<LevelPaletteCycle> palette_cycle_of(const Numbers& numbers) {
-    using Rate = Fixed<std::int64_t, 16>;
+std::optional<PaletteCycle> palette_cycle_of(const Numbers& numbers) {
+    using Rate = PaletteCycle::Rate;
     if (numbers.size() != 3) return std::nullopt;
     const Rate first = Rate::from_raw(numbers[0]), last = Rate::from_raw(numbers[1]), rate = Rate::from_raw(numbers[2]);
     const bool is_whole = first == Rate::from_int(floor_of(first)) && last == Rate::from_int(floor_of(last));
     if (!is_whole || first < Rate{} || last <= first || last > Rate::from_int(255)) return std::nullopt;
-    if (rate <= Rate{} || rate > Rate::from_int(1000)) return std::nullopt;
-    return LevelPaletteCycle{static_cast<std::uint8_t>(floor_of(first)), static_cast<std::uint8_t>(floor_of(last)),
-                             rate};
+    if (rate == Rate{} || absolute(rate) > Rate::from_int(1000)) return std::nullopt;
+    return PaletteCycle{static_cast<std::uint8_t>(floor_of(first)), static_cast<std::uint8_t>(floor_of(last)), rate};
 }
 
 void read_palette_cycle(const std::string& key, const std::string& value, LevelEffects& effects) {
     const std::optional<Numbers> numbers = parse_decimals(value, 16);
-    const std::optional<LevelPaletteCycle> cycle = numbers ? palette_cycle_of(*numbers) : std::nullopt;
+    const std::optional<PaletteCycle> cycle = numbers ? palette_cycle_of(*numbers) : std::nullopt;
     if (!cycle)
-        return warn_of_value(effects.warnings, key, value,
-                             "first last steps_per_second: colours 0 <= first < last <= 255, above 0 to 1000 steps");
+        return warn_of_value(
+            effects.warnings, key, value,
+            "first last steps_per_second: colours 0 <= first < last <= 255, -1000 to 1000 steps, not 0");
     if (effects.palette_cycles.size() == LevelEffects::kMostPaletteCycles)
         return warn(effects.warnings, "worldspawn key " + in_quotes(key) + ": expected 16 palette cycles at most");
     effects.palette_cycles.push_back(*cycle);

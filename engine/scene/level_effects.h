@@ -32,10 +32,14 @@ struct LevelFog {
 enum class LiquidKind : std::uint8_t { Water, Slime, Lava, Teleporter };
 LiquidKind liquid_kind_of_texture(std::string_view name);
 
-/// Colours that move on through a part of the palette: `palette_cycle` "first last steps_per_second".
-struct LevelPaletteCycle {
-    std::uint8_t first = 0, last = 0;          ///< first < last
-    Fixed<std::int64_t, 16> steps_per_second;  ///< above 0, 1,000 at most
+/// Colours `first` to `last` that move round in their places: `last` to `first` and all others one place up at each
+/// step. `palette_cycle` "first last steps_per_second".
+struct PaletteCycle {
+    using Rate = Fixed<std::int64_t, 16>;
+
+    std::uint8_t first = 0, last = 0;  ///< first < last
+    Rate steps_per_second;             ///< up to 1,000, not 0; negative: one place down
+    bool operator==(const PaletteCycle&) const = default;
 };
 
 /// What a level calls for by its entities and texture names, read once.
@@ -45,7 +49,7 @@ struct LevelEffects {
     std::optional<LevelFog> fog;
     std::int32_t sky_fog_256 = 128;  ///< how much of the fog lies over the sky (FitzQuake's key `skyfog`, 0 to 1)
     std::array<std::uint16_t, 4> liquid_alpha_256{256, 256, 256, 256};  ///< by LiquidKind; 256: opaque
-    std::vector<LevelPaletteCycle> palette_cycles;
+    std::vector<PaletteCycle> palette_cycles;
     LightPatterns light_patterns;
     TextureAnimations animations;
     /// What is not obeyed: unknown keys of worldspawn, each once, and values that cannot be read. At most some dozens;

@@ -61,14 +61,19 @@ void BrushModels::start_frame(const Level& level, std::span<const PlacedModel> m
 }
 
 void BrushModels::place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table) {
-    const bool is_same_set = std::equal(models.begin(), models.end(), placed_.begin(), placed_.end());
-    if (is_same_set) return;
+    const auto has_same_place = [](const PlacedModel& a, const PlacedModel& b) {
+        return a.model == b.model && a.offset == b.offset;
+    };
+    if (std::equal(models.begin(), models.end(), placed_.begin(), placed_.end(), has_same_place)) {
+        std::copy(models.begin(), models.end(), placed_.begin());
+        return;
+    }
     placed_.resize(models.size(), {ModelIndex::none(), {}});
     cuts_.resize(models.size());
     orders_.assign(models.size(), {});
     for (const PlacedIndex index : placed_.indices()) {
         const PlacedModel& model = models[index.position()];
-        if (placed_[index] != model) cuts_[index] = cut_model(level, model, index, table);
+        if (!has_same_place(placed_[index], model)) cuts_[index] = cut_model(level, model, index, table);
         placed_[index] = model;
     }
     link_leaves();

@@ -2,11 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
-
-#include "engine/base/input_error.h"
 
 namespace oblong::test {
 namespace {
@@ -23,9 +22,25 @@ Palette numbered_palette() {
     return palette;
 }
 
-Palette cycled(const PaletteCycle& cycle, std::int64_t time_ms) {
+PaletteCycle cycle(std::uint8_t first, std::uint8_t last, double rate) {
+    return {first, last, PaletteCycle::Rate::from_raw(static_cast<std::int64_t>(rate * 65536))};
+}
+
+/// Without planes: all of space is in leaf 1.
+Level level_of_leaf(std::int32_t contents) {
+    Level level;
+    level.leaves.resize(2);
+    level.leaves[LeafIndex(0)].contents = contents::kSolid;
+    level.leaves[LeafIndex(1)].contents = contents;
+    SubModel world;
+    world.root = NodeChild(LeafIndex(1));
+    level.models.push_back(world);
+    return level;
+}
+
+Palette cycled(const PaletteCycle& moved, std::int64_t time_ms) {
     PaletteEffects effects;
-    effects.cycles = {cycle};
+    effects.cycles = {moved};
     return apply_palette_effects(numbered_palette(), effects, time_ms);
 }
 
@@ -42,10 +57,9 @@ TEST(PaletteEffects, NothingIsPlainAndChangesNothing) {
 
 TEST(PaletteEffects, EachEffectIsNotPlain) {
     PaletteEffects effects;
-    effects.cycles = {{10, 19, 1 << 16}};
+    effects.cycles = {cycle(10, 19, 1)};
     EXPECT_FALSE(effects.is_plain());
-    for (Tint PaletteEffects::*tint :
-         {&PaletteEffects::liquid, &PaletteEffects::damage, &PaletteEffects::pickup, &PaletteEffects::fade}) {
+    for (Tint PaletteEffects::*tint : {&PaletteEffects::liquid, &PaletteEffects::flash}) {
         PaletteEffects tinting;
         tinting.*tint = {{255, 0, 0}, 1};
         EXPECT_FALSE(tinting.is_plain());
@@ -56,7 +70,7 @@ TEST(PaletteEffects, EachEffectIsNotPlain) {
 }
 
 TEST(PaletteCycle, MovesItsColoursUpAndNoOthers) {
-    const Palette before = numbered_palette(), after = cycled({10, 19, 2 << 16}, 1500);  // three steps
+    const Palette before = numbered_palette(), after = cycled(cycle(10, 19, 2), 1500);  // three steps
     for (std::size_t i = 0; i < 256; ++i) {
         const std::size_t from = i < 10 || i > 19 ? i : i < 13 ? i + 7 : i - 3;
         EXPECT_EQ(after.colours[i], before.colours[from]) << i;
@@ -64,19 +78,19 @@ TEST(PaletteCycle, MovesItsColoursUpAndNoOthers) {
 }
 
 TEST(PaletteCycle, BackwardsItsFirstStepTakesAsLong) {
-    EXPECT_EQ(cycled({10, 19, -(1 << 16)}, 999).colours, numbered_palette().colours);
-    EXPECT_NE(cycled({10, 19, -(1 << 16)}, 1000).colours, numbered_palette().colours);
+    EXPECT_EQ(cycled(cycle(10, 19, -1), 999).colours, numbered_palette().colours);
+    EXPECT_NE(cycled(cycle(10, 19, -1), 1000).colours, numbered_palette().colours);
 }
 
 TEST(PaletteCycle, BackwardsItMovesThemDown) {
-    EXPECT_EQ(cycled({10, 19, -(2 << 16)}, 1500).colours[10], numbered_palette().colours[13]);
+    EXPECT_EQ(cycled(cycle(10, 19, -2), 1500).colours[10], numbered_palette().colours[13]);
 }
 
 TEST(PaletteCycle, StepsWhenItsTimeHasCome) {
-    EXPECT_EQ(cycled({0, 255, 2 << 16}, 499).colours, numbered_palette().colours);
-    EXPECT_NE(cycled({0, 255, 2 << 16}, 500).colours, numbered_palette().colours);
-    EXPECT_EQ(cycled({0, 255, 1 << 15}, 1999).colours, numbered_palette().colours);
-    EXPECT_NE(cycled({0, 255, 1 << 15}, 2000).colours, numbered_palette().colours);
+    EXPECT_EQ(cycled(cycle(0, 255, 2), 499).colours, numbered_palette().colours);
+    EXPECT_NE(cycled(cycle(0, 255, 2), 500).colours, numbered_palette().colours);
+    EXPECT_EQ(cycled(cycle(0, 255, 0.5), 1999).colours, numbered_palette().colours);
+    EXPECT_NE(cycled(cycle(0, 255, 0.5), 2000).colours, numbered_palette().colours);
 }
 
 TEST(PaletteCycle, ReturnsAfterItsPeriodAtAnyTime) {
@@ -84,37 +98,32 @@ TEST(PaletteCycle, ReturnsAfterItsPeriodAtAnyTime) {
     for (const std::int64_t start :
          {std::int64_t{0}, ((std::int64_t{1} << 32) / kPeriod_ms) * kPeriod_ms, (kLate_ms / kPeriod_ms) * kPeriod_ms})
         for (std::int64_t time = 0; time < kPeriod_ms; time += 130)
-            for (const std::int32_t rate_16 : {4 << 16, -(4 << 16)})
-                ASSERT_EQ(cycled({10, 19, rate_16}, start + time).colours, cycled({10, 19, rate_16}, time).colours)
+            for (const int rate : {4, -4})
+                ASSERT_EQ(cycled(cycle(10, 19, rate), start + time).colours, cycled(cycle(10, 19, rate), time).colours)
                     << start << " + " << time;
 }
 
 TEST(PaletteCycle, KeepsEveryColour) {
     std::set<std::tuple<int, int, int>> seen;
-    for (const Rgb8 colour : cycled({0, 255, 100 << 16}, 987'654'321).colours)
+    for (const Rgb8 colour : cycled(cycle(0, 255, 1000), 987'654'321).colours)
         seen.emplace(colour.red, colour.green, colour.blue);
     EXPECT_EQ(seen.size(), 256u);
 }
 
-TEST(PaletteCycle, IsReadFromTheWorldspawn) {
-    const Entity worldspawn{{{"palette_cycle", "16 31 2.5"}, {"palette_cycle16", "224 227 -100"}, {"fog", "1"}}};
-    const std::vector<PaletteCycle> expected{{16, 31, 5 << 15}, {224, 227, -(100 << 16)}};
-    EXPECT_EQ(read_palette_cycles(worldspawn), expected);
-    EXPECT_TRUE(read_palette_cycles({}).empty());
+TEST(PaletteCycle, GoesSlowlyOrNotAtAllWhereFlashesAreNotFull) {
+    LevelEffects level_effects;
+    level_effects.palette_cycles = {cycle(0, 9, 100), cycle(10, 19, -100), cycle(20, 29, 2)};
+    const auto shown = [&](Flashes flashes) {
+        return palette_effects_at(level_of_leaf(contents::kEmpty), level_effects, {}, flashes).cycles;
+    };
+    EXPECT_EQ(shown(Flashes::Full), level_effects.palette_cycles);
+    EXPECT_EQ(shown(Flashes::Reduced), (std::vector{cycle(0, 9, 3), cycle(10, 19, -3), cycle(20, 29, 2)}));
+    EXPECT_TRUE(shown(Flashes::Off).empty());
 }
 
-TEST(PaletteCycle, OtherValuesAreRefusedByName) {
-    for (const char* wrong : {"16", "16 31", "16 31 x", "31 16 2", "16 16 2", "-1 5 2", "16 256 2", "16.5 31 2",
-                              "16 31 101", "16 31 -101", "16 31 2 7", "nan 31 2", "99999999999 31 2"}) {
-        try {
-            read_palette_cycles({{{"palette_cycle2", wrong}}});
-            FAIL() << wrong;
-        } catch (const InputError& error) {
-            EXPECT_EQ(error.where, "worldspawn, key palette_cycle2");
-            EXPECT_TRUE(std::string(error.what()).starts_with("'" + std::string(wrong) + "', expected FIRST LAST"))
-                << error.what();
-        }
-    }
+TEST(Tint, IsThatOfTheLeafOfTheEye) {
+    for (const std::int32_t contents : {contents::kEmpty, contents::kWater, contents::kSlime, contents::kLava})
+        EXPECT_EQ(palette_effects_at(level_of_leaf(contents), {}, {}, Flashes::Off).liquid, liquid_tint(contents));
 }
 
 TEST(Tint, WithoutAShareIsThePaletteItself) {
@@ -149,12 +158,13 @@ TEST(Tint, OnlyLiquidsTint) {
 }
 
 TEST(Tint, FadesToNothingAndStaysThere) {
-    EXPECT_EQ(faded(kDamageFlash, 0, 1000), kDamageFlash);
-    EXPECT_EQ(faded(kDamageFlash, 500, 1000).share_256, kDamageFlash.share_256 / 2);
+    constexpr Tint kRed{{255, 0, 0}, 150};
+    EXPECT_EQ(faded(kRed, 0, 1000), kRed);
+    EXPECT_EQ(faded(kRed, 500, 1000).share_256, kRed.share_256 / 2);
     for (const std::int64_t late : {std::int64_t{1000}, std::int64_t{1001}, std::int64_t{1} << 32, kLate_ms})
-        EXPECT_EQ(faded(kDamageFlash, late, 1000).share_256, 0) << late;
+        EXPECT_EQ(faded(kRed, late, 1000).share_256, 0) << late;
     for (std::int64_t time = 1; time <= 1000; ++time)
-        ASSERT_LE(faded(kPickupFlash, time, 1000).share_256, faded(kPickupFlash, time - 1, 1000).share_256);
+        ASSERT_LE(faded(kRed, time, 1000).share_256, faded(kRed, time - 1, 1000).share_256);
 }
 
 TEST(Gamma, IsThePowerInDoubles) {
@@ -184,15 +194,13 @@ TEST(Gamma, OfOneIsThePaletteItself) {
 // Cycles, then tints in turn, then gamma: all others would give another colour.
 TEST(PaletteEffects, ComeInOrder) {
     PaletteEffects effects;
-    effects.cycles = {{0, 1, 1 << 16}};
+    effects.cycles = {cycle(0, 1, 1)};
     effects.liquid = {{100, 100, 100}, 128};
-    effects.damage = {{255, 0, 0}, 64};
-    effects.pickup = {{0, 255, 0}, 64};
-    effects.fade = {{0, 0, 0}, 32};
+    effects.flash = {{255, 0, 0}, 64};
     effects.gamma = make_gamma_table(200);
     Palette palette;
     palette.colours[0] = {40, 40, 40};
-    const int red_of_one = (((40 * 128 + 100 * 128) / 256 * 192 + 255 * 64) / 256 * 192 / 256) * 224 / 256;
+    const int red_of_one = ((40 * 128 + 100 * 128) / 256 * 192 + 255 * 64) / 256;
     const double shown = 255 * std::sqrt(red_of_one / 255.0);
     EXPECT_NEAR(apply_palette_effects(palette, effects, 1000).colours[1].red, shown, 0.51);
 }

@@ -79,12 +79,22 @@ LabFigures long_figures() {
     return figures;
 }
 
+// Every pass and effect there is, with numbers as long as they get.
+CostText long_cost() {
+    CostText cost;
+    cost.frame = "99999 us a frame, 999 frames a second";
+    cost.background.fill(kPicture);
+    for (const std::string_view name : kPassNames) cost.passes.push_back({name, 64'000, 9'999'000});
+    for (const std::string_view name : kEffectNames) cost.effects.push_back({name, 64'000, 9'999'000});
+    return cost;
+}
+
 void draw_everything(const ScreenMode& mode, const GuardedCanvas& guarded) {
     const Framebuffer canvas = guarded.canvas();
     LabOptions options;
     options.flips = options.splits = true;
     Hud hud;
-    hud.cost = "123 us a frame, 60 frames a second";
+    hud.cost = long_cost();
     hud.shows_help = hud.shows_end = true;
     show_message(hud, std::string(200, 'm'), 0);
     draw_aspect_guide(mode, kColours, canvas);
@@ -121,6 +131,20 @@ TEST(Overlay, ThePanelsTextFits320Columns) {
     EXPECT_LE(lab_panel_rows(guarded.canvas()), 110);  // half of the view stays open
 }
 
+TEST(Overlay, ThePlanFits320x200InTwoColumns) {
+    const GuardedCanvas guarded(640, 200);
+    CostText cost = long_cost();
+    draw_cost(cost, 200 - kTextMargin_px, kColours, guarded.canvas());
+    const Area all = guarded.box_of([](std::uint8_t colour) { return colour != kPicture; });
+    EXPECT_LE(all.x + all.width, 320);
+    EXPECT_GE(all.y, 20);  // messages stay free
+    const GuardedCanvas left(640, 200);
+    cost.effects.clear();
+    draw_cost(cost, 200 - kTextMargin_px, kColours, left.canvas());
+    for (std::int32_t y = 0; y < 180; ++y)
+        for (std::int32_t x = 148; x < 320; ++x) ASSERT_EQ(left.canvas().row(y)[x], kPicture) << x << ", " << y;
+}
+
 // The help covers the lines of the cost nowhere, and all of it is on the screen.
 TEST(Overlay, TheHelpFits320x200AboveTheCost) {
     const GuardedCanvas larger(640, 400);
@@ -133,7 +157,8 @@ TEST(Overlay, TheHelpFits320x200AboveTheCost) {
 
     const GuardedCanvas usual(320, 200);
     Hud cost;
-    cost.cost = "99999 us a frame, 999 frames a second";
+    cost.cost.background.fill(kPicture);
+    cost.cost.frame = "99999 us a frame, 999 frames a second";
     draw_hud(cost, 0, 200 - kTextMargin_px, kColours, usual.canvas());
     const Area line = usual.box_of([](std::uint8_t colour) { return colour != kPicture; });
     EXPECT_GT(line.y, help_bottom + 1);

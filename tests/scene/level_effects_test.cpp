@@ -120,13 +120,14 @@ TEST(LevelEffects, LiquidKindsByTextureName) {
 }
 
 TEST(LevelEffects, PaletteCyclesInTheirOrder) {
-    const LevelEffects effects = effects_of_world({{"palette_cycle2", "16 31 8"}, {"palette_cycle", "224 239 0.5"}});
+    const LevelEffects effects = effects_of_world({{"palette_cycle2", "16 31 -8"}, {"palette_cycle", "224 239 0.5"}});
     ASSERT_EQ(effects.palette_cycles.size(), 2u);
     EXPECT_EQ(effects.palette_cycles[0].first, 16);
     EXPECT_EQ(effects.palette_cycles[0].last, 31);
+    EXPECT_EQ(number(effects.palette_cycles[0].steps_per_second), -8);
     EXPECT_EQ(number(effects.palette_cycles[1].steps_per_second), 0.5);
     for (const char* value : {"", "1 2", "1 2 3 4", "5 5 1", "6 5 1", "-1 5 1", "0 256 1", "0.5 5 1", "0 5.5 1",
-                              "0 5 0", "0 5 -1", "0 5 1001", "a b c"}) {
+                              "0 5 0", "0 5 -1001", "0 5 1001", "a b c"}) {
         const LevelEffects wrong = effects_of_key("palette_cycle", value);
         EXPECT_TRUE(wrong.palette_cycles.empty()) << value;
         EXPECT_EQ(wrong.warnings.size(), 1u) << value;

@@ -219,6 +219,24 @@ TEST_P(BrushModel, OnlyWhatHasMovedIsCutAgain) {
     EXPECT_EQ(others, others_at_first);
 }
 
+TEST_P(BrushModel, OneThatIsOnlySwitchedIsNotCutAgain) {
+    if (GetParam() != std::string("demo")) OBLONG_NEEDS_SHARED_LEVELS();
+    const Level level = read_level(GetParam());
+    const FaceTable table = make_face_table(level);
+    std::vector<PlacedModel> placed = models_at_rest(level);
+    const Fragment fragment = cut_model(level, placed[0], PlacedIndex(0), table).fragments[0];
+    BrushModels models(level);
+    models.start_frame(level, placed, table);
+    const Vec3<World>* const corners = models.corners_of(fragment).data();
+    placed[0].is_switched = true;
+    models.start_frame(level, placed, table);
+    EXPECT_TRUE(models.is_switched(fragment));
+    EXPECT_EQ(models.corners_of(fragment).data(), corners);
+    placed[0].offset.z = placed[0].offset.z + World::ulp();
+    models.start_frame(level, placed, table);
+    EXPECT_NE(models.corners_of(fragment).data(), corners);
+}
+
 INSTANTIATE_TEST_SUITE_P(Levels, BrushModel, testing::Values("demo", "e1m7", "end"),
                          [](const auto& name) { return name.param; });
 

@@ -1,4 +1,5 @@
 """The demo level with the player before its sphere, which glows in a colour that nothing else there has."""
+import re
 import struct
 import subprocess
 import zlib
@@ -14,7 +15,7 @@ def build(build_folder, folder):
     with open(build_folder + '/assets/demo.map') as file:
         text = file.read()
     with open(folder + '/sphere.map', 'w') as file:
-        file.write(with_player_before_it(with_glowing_sphere(text)))
+        file.write(with_player_before_it(with_glowing_sphere(without_palette_cycles(text))))
     write_png(folder + '/glow.png', GLOW)
     programs, assets = build_folder + '/bin', build_folder + '/assets'
     subprocess.run([programs + '/oblong-texture', 'pack', folder + '/glow.png', '-o', folder + '/glow.wad',
@@ -23,6 +24,11 @@ def build(build_folder, folder):
                     '--wad', assets + '/demo.wad', '--wad', folder + '/glow.wad'],
                    check=True, stdout=subprocess.DEVNULL)
     return folder + '/sphere.bsp'
+
+
+def without_palette_cycles(text):
+    """The glow would take turns with its neighbours."""
+    return re.sub(r'"palette_cycle\d*" "[^"]*"\n', '', text)
 
 
 def with_glowing_sphere(text):

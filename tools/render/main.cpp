@@ -1,6 +1,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "engine/effects/palette_effects.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
 #include "engine/scene/level_effects.h"
@@ -115,6 +116,14 @@ void report(const ReportHead& head, const std::vector<FrameReport>& frames, cons
     if (!json_path.empty()) write_file(json_path, json);
 }
 
+/// The palette that shows a camera's picture.
+Palette shown_palette(const Palette& palette, const RenderJob& job, const LevelEffects& level_effects,
+                      const Camera& camera) {
+    PaletteEffects effects = palette_effects_at(job.scene.level, level_effects, camera.eye, job.settings.flashes);
+    if (!job.settings.allowed_effects.has(Effect::Underwater)) effects.liquid = {};
+    return apply_palette_effects(palette, effects, job.scene.time_ms);
+}
+
 void render(const Options& options) {
     ScreenMode mode;
     parse_mode_size(options.mode, mode);
@@ -145,7 +154,8 @@ void render(const Options& options) {
     warn_of_torn_edges("oblong-render", options.level, work.faces.torn_edges);
     const auto frames = render_cameras(job, work, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
         if (options.out.empty()) return;
-        const auto png = encode_indexed_png(pixels, mode.width_px, mode.height_px, palette);
+        const Palette shown = shown_palette(palette, job, work.effects, cameras[index]);
+        const auto png = encode_indexed_png(pixels, mode.width_px, mode.height_px, shown);
         write_file(picture_path(options.out, index), png);
     });
     report({options.level, preset, mode, field_of_view, settings, load.count()}, frames, options);

@@ -11,7 +11,7 @@ namespace {
 
 using CommandKey = std::pair<SDL_Scancode, Command>;
 
-constexpr std::array<CommandKey, 13> kCommandKeys{{
+constexpr std::array<CommandKey, 17> kCommandKeys{{
     {SDL_SCANCODE_F1, Command::ShowHelp},
     {SDL_SCANCODE_F2, Command::ProjectionAspect},
     {SDL_SCANCODE_F3, Command::DisplayAspect},
@@ -25,6 +25,10 @@ constexpr std::array<CommandKey, 13> kCommandKeys{{
     {SDL_SCANCODE_F11, Command::AspectGuide},
     {SDL_SCANCODE_F12, Command::Screenshot},
     {SDL_SCANCODE_4, Command::FourAspects},
+    {SDL_SCANCODE_L, Command::Torch},
+    {SDL_SCANCODE_C, Command::CrtLook},
+    {SDL_SCANCODE_MINUS, Command::Darker},
+    {SDL_SCANCODE_EQUALS, Command::Brighter},
 }};
 constexpr std::array<CommandKey, 4> kRepeatingKeys{{
     {SDL_SCANCODE_UP, Command::DialUp},

@@ -8,18 +8,23 @@
 #include <string>
 #include <string_view>
 
+#include "engine/platform/sdl/crt_look.h"
 #include "engine/platform/sdl/input.h"
+#include "engine/platform/sdl/owned.h"
 
 namespace oblong {
-namespace {
 
-struct Destroy {
-    void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
-    void operator()(SDL_Renderer* renderer) const { SDL_DestroyRenderer(renderer); }
-    void operator()(SDL_Texture* texture) const { SDL_DestroyTexture(texture); }
-};
-template <class T>
-using Owned = std::unique_ptr<T, Destroy>;
+void DestroySdl::operator()(SDL_Window* window) const {
+    SDL_DestroyWindow(window);
+}
+void DestroySdl::operator()(SDL_Renderer* renderer) const {
+    SDL_DestroyRenderer(renderer);
+}
+void DestroySdl::operator()(SDL_Texture* texture) const {
+    SDL_DestroyTexture(texture);
+}
+
+namespace {
 
 [[noreturn]] void fail(const char* what) {
     throw std::runtime_error(std::string(what) + ": " + SDL_GetError());
@@ -111,12 +116,14 @@ class SdlPlatform final : public Platform {
   private:
     SDL_Texture* fitted(Owned<SDL_Texture>& texture, int access, WindowSize size, SDL_ScaleMode scale_mode);
     SDL_Texture* upscaled(SDL_Texture* picture, WindowSize size);
+    void draw_crt_look(const PresentRect& shown);
     void wait_for_turn();
 
     Video video_;  // first: it outlives the rest
     Owned<SDL_Window> window_;
     Owned<SDL_Renderer> renderer_;
     Owned<SDL_Texture> picture_, upscaled_;
+    std::unique_ptr<CrtLook> crt_look_;  // only while it is on
     std::uint32_t shortest_frame_ms_;
     std::uint64_t last_frame_ms_ = 0;
     SdlInput input_;
@@ -156,6 +163,7 @@ void SdlPlatform::present(Framebuffer picture, const Palette& palette, const Pre
     if (input_.take_textures_lost()) {
         picture_.reset();
         upscaled_.reset();
+        crt_look_.reset();
     }
     SDL_Texture* source =
         fitted(picture_, SDL_TEXTUREACCESS_STREAMING, {picture.width_px, picture.height_px}, SDL_ScaleModeNearest);
@@ -168,8 +176,15 @@ void SdlPlatform::present(Framebuffer picture, const Palette& palette, const Pre
     SDL_RenderClear(renderer_.get());
     const SDL_Rect target{shown.x_px, shown.y_px, shown.width_px, shown.height_px};
     if (target.w > 0) SDL_RenderCopy(renderer_.get(), source, nullptr, &target);
+    draw_crt_look(shown);
     wait_for_turn();
     SDL_RenderPresent(renderer_.get());
+}
+
+void SdlPlatform::draw_crt_look(const PresentRect& shown) {
+    if (!shown.has_crt_look) return crt_look_.reset();
+    if (!crt_look_) crt_look_ = std::make_unique<CrtLook>(renderer_.get());
+    crt_look_->draw_over(picture_.get(), shown);
 }
 
 void SdlPlatform::wait_for_turn() {

@@ -1,0 +1,59 @@
+#include "game/box_tree.h"
+
+#include <array>
+#include <utility>
+
+namespace oblong {
+namespace {
+
+constexpr std::uint32_t kMostInLeaf = 4;
+
+using Axis = World Vec3<World>::*;
+
+// The axis along which an area is longest.
+Axis longest_axis(const Box& area) {
+    constexpr std::array<Axis, 3> kAxes{&Vec3<World>::x, &Vec3<World>::y, &Vec3<World>::z};
+    const auto length = [&](Axis axis) { return std::int64_t{(area.maxs.*axis).raw} - (area.mins.*axis).raw; };
+    return *std::max_element(kAxes.begin(), kAxes.end(), [&](Axis a, Axis b) { return length(a) < length(b); });
+}
+
+}  // namespace
+
+BoxTree::BoxTree(std::vector<Entry> entries) : entries_(std::move(entries)) {
+    if (!entries_.empty()) add_node(0, static_cast<std::uint32_t>(entries_.size()));
+}
+
+void BoxTree::add_node(std::uint32_t first, std::uint32_t end) {
+    Box bounds = entries_[first].box;
+    for (std::uint32_t i = first; i < end; ++i) bounds = bounds.united(entries_[i].box);
+    const std::size_t node = nodes_.size();
+    nodes_.push_back({bounds, first, end});
+    if (end - first <= kMostInLeaf) return;
+    const Axis axis = longest_axis(bounds);
+    const std::uint32_t middle = first + (end - first) / 2;
+    std::nth_element(entries_.begin() + first, entries_.begin() + middle, entries_.begin() + end,
+                     [axis](const Entry& a, const Entry& b) { return a.box.mins.*axis < b.box.mins.*axis; });
+    add_node(first, middle);
+    nodes_[node].second_child = static_cast<std::uint32_t>(nodes_.size());
+    add_node(middle, end);
+}
+
+std::vector<std::uint32_t> BoxTree::overlapping(const Box& area) const {
+    std::vector<std::uint32_t> found;
+    if (!nodes_.empty()) collect(0, area, found);
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+void BoxTree::collect(std::uint32_t index, const Box& area, std::vector<std::uint32_t>& found) const {
+    const Node& node = nodes_[index];
+    if (!node.bounds.overlaps(area)) return;
+    if (node.second_child != 0) {
+        collect(index + 1, area, found);
+        return collect(node.second_child, area, found);
+    }
+    for (std::uint32_t i = node.first; i < node.end; ++i)
+        if (entries_[i].box.overlaps(area)) found.push_back(entries_[i].number);
+}
+
+}  // namespace oblong

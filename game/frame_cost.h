@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+
+#include "engine/effects/palette_effects.h"
+#include "game/drawing.h"
+#include "game/game_renderer.h"
+#include "game/recent_times.h"
+#include "game/text.h"
+
+namespace oblong {
+
+/// What F6 shows.
+struct CostText {
+    ColourTable background{};               ///< what the picture becomes behind it
+    std::string frame;                      ///< time and rate of frames; empty: nothing is shown
+    std::vector<PlanLine> passes, effects;  ///< of the plan; effects without those that are passes of their own
+};
+
+/// Draws the text so that it ends above the row `bottom`: the plan's passes at the left, effects at the right.
+void draw_cost(const CostText& text, std::int32_t bottom, TextColours colours, Framebuffer canvas);
+
+/// Measures what frames cost, each half second, as long as it exists.
+class FrameCost {
+  public:
+    FrameCost(const Palette& palette, std::uint64_t now_us);
+
+    /// Notes a frame's time. True if the text is to be made anew.
+    bool note(std::uint64_t began_us, std::uint64_t ended_us);
+    /// Draws the view twice more, to the same picture: to count pixels, and to time passes.
+    CostText measure(const GameView& view, const Settings& settings, const Palette& palette,
+                     const PaletteEffects& effects, GameRenderer& renderer) const;
+
+  private:
+    ColourTable background_;
+    RecentTimes times_;
+    std::uint64_t since_us_, frames_ = 0, frames_a_second_ = 0;
+};
+
+}  // namespace oblong

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/effects/palette_effects.h"
+#include "game/game_renderer.h"
+
+namespace oblong {
+
+/// The palette in which the pictures of a game are shown: cycles, the tint of a liquid, a flash after a teleporter, and
+/// gamma.
+class ShownPalette {
+  public:
+    /// `data` outlives it. `gamma_100`: 50 to 200, 100 changes nothing.
+    ShownPalette(const GameData& data, std::int32_t gamma_100);
+
+    /// Notes a tick: one that teleports the player is the start of a flash.
+    void note_tick(const GameState& before, const GameState& after);
+    /// What is done to the palette. The flash is left out unless flashes are full.
+    PaletteEffects effects_at(const GameView& view, Flashes flashes) const;
+
+  private:
+    const GameData& data_;
+    std::optional<GammaTable> gamma_;
+    std::optional<std::int64_t> teleport_ms_;  // when the player was teleported last
+};
+
+}  // namespace oblong
