@@ -9,8 +9,8 @@
 namespace oblong {
 
 /// What a mixture of two colours looks like: `share_256` of the front one, 0 to 256. With share 0 every row is the
-/// colours behind, with 256 the colour in front, and a colour over itself is itself. 64 KiB: made when a level is
-/// loaded.
+/// colours behind, with 256 the colour in front, and a colour over itself is itself. 64 KiB: made when a frame
+/// first calls for it.
 BlendTable make_blend_table(const Palette& palette, std::int32_t share_256);
 
 /// Colours seen through fog: level 0 is clear, level k has k / 63 of the densest fog.

@@ -1,5 +1,6 @@
 #include "engine/effects/things_in_view.h"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 
@@ -7,10 +8,23 @@ namespace oblong {
 
 namespace {
 
-void add_sprite(const Sprite& sprite, const Level& level, const ViewContext& view, ThingsInView& in_view,
+bool overlap(const ScreenRectangle& a, const ScreenRectangle& b) {
+    return a.first_column < b.end_column && b.first_column < a.end_column && a.first_row < b.end_row &&
+           b.first_row < a.end_row;
+}
+
+/// Leaves out the dots from `first` on that are not in the part of the screen that is drawn.
+void keep_dots_in(const ScreenRectangle& part, std::size_t first, std::vector<ParticleDot>& dots) {
+    const auto is_outside = [&part](const ParticleDot& dot) {
+        return !overlap({dot.first_column, dot.end_column, dot.first_row, dot.end_row}, part);
+    };
+    dots.erase(std::remove_if(dots.begin() + static_cast<std::ptrdiff_t>(first), dots.end(), is_outside), dots.end());
+}
+
+void add_sprite(const Sprite& sprite, const Level& level, const Sight& sight, ThingsInView& in_view,
                 DepthBuffer& depth) {
-    const std::optional<ScreenSprite> screen = project_sprite(sprite, level.textures[sprite.texture], view);
-    if (!screen) return;
+    const std::optional<ScreenSprite> screen = project_sprite(sprite, level.textures[sprite.texture], sight.view);
+    if (!screen || (sight.part && !overlap(screen->pixels, *sight.part))) return;
     in_view.sprites.push_back({*screen, sprite.position});
     depth.want(screen->pixels);
 }
@@ -24,6 +38,7 @@ void find_particles(const Things& things, std::int64_t time_ms, const Sight& sig
         const std::size_t first = in_view.dots.size();
         append_dots(placed.emitter, time_ms, sight.view, in_view.dots);
         in_view.particles_computed += placed.emitter.count;
+        if (sight.part) keep_dots_in(*sight.part, first, in_view.dots);
         const std::span<const ParticleDot> dots = std::span(in_view.dots).subspan(first);
         if (dots.empty()) continue;
         in_view.emitters.push_back({first, dots.size(), placed.emitter.middle});
@@ -35,10 +50,10 @@ void find_sprites(const Things& things, std::int64_t time_ms, const Level& level
                   ThingsInView& in_view, DepthBuffer& depth) {
     for (const PlacedSprite& placed : things.sprites)
         if (may_be_seen(placed.place, sight.visible, sight.view))
-            add_sprite(placed.sprite, level, sight.view, in_view, depth);
+            add_sprite(placed.sprite, level, sight, in_view, depth);
     for (const PlacedLantern& placed : things.lanterns)
         if (may_be_seen(placed.place, sight.visible, sight.view))
-            add_sprite(lantern_at(placed.lantern, time_ms), level, sight.view, in_view, depth);
+            add_sprite(lantern_at(placed.lantern, time_ms), level, sight, in_view, depth);
 }
 
 void find_shadows(const Things& things, const Sight& sight, ThingsInView& in_view) {

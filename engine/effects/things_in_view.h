@@ -43,6 +43,7 @@ struct ThingsInView {
 struct Sight {
     const VisibleSet& visible;
     const ViewContext& view;
+    const ScreenRectangle* part = nullptr;  ///< of the screen that is drawn; null: all of it
 };
 
 // Each adds those things that may be seen at a time of 0 and more, and wants depth where they are. Those whose place is

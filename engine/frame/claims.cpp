@@ -20,7 +20,7 @@ std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& fra
 
 /// The same for what a mirror shows: the part of the face that is before the mirror.
 bool project_before_mirror(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
-    const MirrorPlane& mirror = *frame.mirror;
+    const MirrorPlane& mirror = frame.mirror->plane;
     const Level& level = frame.scene.level;
     std::vector<Vec3<World>>& corners = work.mirror.corners;
     corners.clear();

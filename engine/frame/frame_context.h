@@ -18,7 +18,7 @@ struct FrameContext {
     SpanTexturing texturing;
     Framebuffer out;
     std::int32_t eye_contents = contents::kEmpty;  ///< of the leaf that the eye is in
-    const MirrorPlane* mirror = nullptr;           ///< the frame is what this mirror shows
+    const MirrorView* mirror = nullptr;            ///< the frame is what this mirror shows
 
     const Accuracy& accuracy() const { return settings.accuracy; }
     bool allows(Effect effect) const { return settings.allowed_effects.has(effect); }

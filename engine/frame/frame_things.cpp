@@ -60,6 +60,7 @@ void keep_visible(const FrameContext& frame, FrameWorkspace& work) {
     std::int64_t dot_pixels = 0, sprite_pixels = 0;
     for (const EmitterInView& emitter : things.in_view.emitters) {
         std::int64_t pixels = 0;
+        if (frame.mirror && is_behind(*frame.mirror, emitter.middle, frame.scene.level)) continue;
         for (const ParticleDot& dot : dots_of(things, emitter.first_dot, emitter.dot_count))
             pixels += visible_pixels(dot, work.depth);
         dot_pixels += pixels;
@@ -68,6 +69,7 @@ void keep_visible(const FrameContext& frame, FrameWorkspace& work) {
     }
     const std::uint8_t* const own_colours = frame.scene.colormap.shades[Colormap::kOwnShade].data();
     for (const SpriteInView& sprite : things.in_view.sprites) {
+        if (frame.mirror && is_behind(*frame.mirror, sprite.position, frame.scene.level)) continue;
         const std::int64_t pixels = visible_pixels(sprite.screen.pixels, middle_depth(sprite.screen), work.depth);
         sprite_pixels += pixels;
         if (pixels > 0) things.owning.push_back({sprite.position, 0, 0, &sprite.screen, own_colours});
@@ -136,7 +138,7 @@ void FrameThings::clear() {
 
 void find_things(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work) {
     ThingsInView& in_view = work.claims.things.in_view;
-    const Sight sight{work.visible, frame.view};
+    const Sight sight{work.visible, frame.view, frame.mirror ? &frame.mirror->pixels : nullptr};
     const std::int64_t time_ms = frame.scene.time_ms;
     work.depth.start_frame();
     if (frame.allows(Effect::Particles)) find_particles(work.things, time_ms, sight, in_view, work.depth);

@@ -39,13 +39,14 @@ Vec3<World> reflected_eye(const Vec3<World>& eye, const LevelPlane& plane, const
 }
 
 /// The view whose picture, flipped, is what the mirror shows.
-ViewContext mirrored(const ViewContext& view, const MirrorPlane& mirror, const Level& level) {
-    const LevelPlane& plane = level.planes[mirror.plane];
+ViewContext mirrored(const ViewContext& view, const MirrorView& mirror, const Level& level) {
+    const LevelPlane& plane = level.planes[mirror.plane.plane];
     ViewContext turned = view;
-    turned.eye = place_eye(level, reflected_eye(view.eye, plane, mirror.offset)).position;
+    turned.eye = place_eye(level, reflected_eye(view.eye, plane, mirror.plane.offset)).position;
     turned.axes = {-reflected(view.axes.right, plane.normal), reflected(view.axes.up, plane.normal),
                    reflected(view.axes.forward, plane.normal)};
     turned.frustum = make_frustum(turned.axes, turned.projection);
+    narrow_cull_planes(turned.axes, turned.projection, mirror.pixels, turned.frustum);
     return turned;
 }
 
@@ -84,6 +85,16 @@ std::vector<Span> flipped_spans(std::span<const ClaimedFace> faces, const Claims
     return flipped;
 }
 
+/// `spans` are sorted by row, and not empty.
+ScreenRectangle rectangle_around(std::span<const Span> spans) {
+    ScreenRectangle around{spans.front().first, spans.front().end, spans.front().y, spans.back().y + 1};
+    for (const Span& span : spans) {
+        around.first_column = std::min(around.first_column, span.first);
+        around.end_column = std::max(around.end_column, span.end);
+    }
+    return around;
+}
+
 void copy_flipped(std::span<const Span> flipped, const Framebuffer& from, Framebuffer to) {
     for (const Span& span : flipped)
         std::reverse_copy(from.row(span.y) + span.first, from.row(span.y) + span.end,
@@ -91,14 +102,14 @@ void copy_flipped(std::span<const Span> flipped, const Framebuffer& from, Frameb
 }
 
 /// Draws the mirrored view where `flipped` are free. Uses the workspace's scratch, but not its claims.
-void draw_mirrored_view(const ViewContext& view, const MirrorPlane& mirror, LeafIndex leaf,
-                        std::span<const Span> flipped, const FrameContext& frame, FrameWorkspace& work) {
+void draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span<const Span> flipped,
+                        const FrameContext& frame, FrameWorkspace& work) {
     Settings settings = frame.settings;
     settings.allowed_effects = settings.allowed_effects.without(Effect::Mirror);
     const FrameContext mirrored_frame{
         frame.scene,
         settings,
-        view,
+        mirrored(frame.view, mirror, frame.scene.level),
         frame.inverse_projection,
         frame.texturing,
         {work.mirror.pixels.data(), frame.out.width_px, frame.out.height_px, frame.out.width_px},
@@ -114,6 +125,11 @@ void draw_mirrored_view(const ViewContext& view, const MirrorPlane& mirror, Leaf
 }
 
 }  // namespace
+
+bool is_behind(const MirrorView& mirror, const Vec3<World>& place, const Level& level) {
+    const MirrorPlane& plane = mirror.plane;
+    return (plane_distance(level.planes[plane.plane], place - plane.offset) > PlaneDistance{}) == plane.is_back;
+}
 
 void draw_mirrors(const FrameContext& frame, FrameWorkspace& work) {
     const Level& level = frame.scene.level;
@@ -131,7 +147,7 @@ void draw_mirrors(const FrameContext& frame, FrameWorkspace& work) {
         const auto others = std::stable_partition(
             left.begin(), left.end(), [&](const ClaimedFace& face) { return plane_of(face, level, work) == mirror; });
         const std::vector<Span> flipped = flipped_spans({left.begin(), others}, claims, frame.out.width_px);
-        draw_mirrored_view(mirrored(frame.view, mirror, level), mirror, leaf, flipped, frame, work);
+        draw_mirrored_view({mirror, rectangle_around(flipped)}, leaf, flipped, frame, work);
         drawn_faces.insert(drawn_faces.end(), left.begin(), others);
         left.erase(left.begin(), others);
     }

@@ -5,6 +5,7 @@
 
 #include "engine/level/level.h"
 #include "engine/raster/depth.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 
@@ -19,6 +20,15 @@ struct MirrorPlane {
     Vec3<World> offset;
     bool operator==(const MirrorPlane&) const = default;
 };
+
+/// The picture in a mirror: its plane, and the pixels of the flipped picture that it owns, or more.
+struct MirrorView {
+    MirrorPlane plane;
+    ScreenRectangle pixels;
+};
+
+/// Whether a place is behind a mirror, so that it does not show it.
+bool is_behind(const MirrorView& mirror, const Vec3<World>& place, const Level& level);
 
 /// Scratch of mirrors; empty until a frame shows one.
 struct MirrorScratch {

@@ -9,10 +9,12 @@ struct SideSlope {
     ClipNormal across, along;
 };
 
-SideSlope make_slope(Multiplier multiplier, std::int32_t size_px) {
-    const std::int64_t across = multiplier.raw, along = std::int64_t{size_px} << 31;
+/// For a side `distance_1` half pixels from the optical centre; below 0 where the centre is outside of it.
+SideSlope make_slope(Multiplier multiplier, std::int32_t distance_1) {
+    const std::int64_t across = multiplier.raw, along = std::int64_t{distance_1} * (std::int64_t{1} << 31);
     int shift = 0;
-    while (((across | along) >> shift) >= (std::int64_t{1} << ClipNormal::kFractionBits)) ++shift;
+    while (((across | (along < 0 ? -along : along)) >> shift) >= (std::int64_t{1} << ClipNormal::kFractionBits))
+        ++shift;
     return {ClipNormal::from_raw(rounded_shift(across, shift, Rounding::NearestHalfUp)),
             ClipNormal::from_raw(rounded_shift(along, shift, Rounding::NearestHalfUp))};
 }
@@ -46,6 +48,19 @@ Frustum make_frustum(const Basis& axes, const Projection& projection) {
     frustum.cull_planes[2] = make_cull_plane(axes.up, y.across, axes.forward, y.along);
     frustum.cull_planes[3] = make_cull_plane(axes.up, -y.across, axes.forward, y.along);
     return frustum;
+}
+
+void narrow_cull_planes(const Basis& axes, const Projection& projection, const ScreenRectangle& part,
+                        Frustum& frustum) {
+    const std::int32_t width_1 = projection.width_px, height_1 = projection.height_px;
+    const SideSlope left = make_slope(projection.x.multiplier, width_1 - 2 * (part.first_column - 1));
+    const SideSlope right = make_slope(projection.x.multiplier, 2 * (part.end_column + 1) - width_1);
+    const SideSlope bottom = make_slope(projection.y.multiplier, 2 * (part.end_row + 1) - height_1);
+    const SideSlope top = make_slope(projection.y.multiplier, height_1 - 2 * (part.first_row - 1));
+    frustum.cull_planes[0] = make_cull_plane(axes.right, left.across, axes.forward, left.along);
+    frustum.cull_planes[1] = make_cull_plane(axes.right, -right.across, axes.forward, right.along);
+    frustum.cull_planes[2] = make_cull_plane(axes.up, bottom.across, axes.forward, bottom.along);
+    frustum.cull_planes[3] = make_cull_plane(axes.up, -top.across, axes.forward, top.along);
 }
 
 }  // namespace oblong

@@ -45,6 +45,10 @@ struct Frustum {
 /// The planes of the view frustum. A point on a plane is inside.
 Frustum make_frustum(const Basis& axes, const Projection& projection);
 
+/// Moves the cull planes to the borders of a part of the screen, a pixel outward; the clip planes stay. For views of
+/// which no more than that is drawn.
+void narrow_cull_planes(const Basis& axes, const Projection& projection, const ScreenRectangle& part, Frustum& frustum);
+
 /// The outcode of a point in viewspace.
 inline std::uint8_t outcode_of(const Frustum& frustum, const Vec3<View>& p) {
     constexpr ClipDistance kOn{};
