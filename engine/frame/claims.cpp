@@ -18,23 +18,27 @@ std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& fra
     return work.own_corners;
 }
 
-/// The same for what a mirror shows: the part of the face that is before the mirror.
-bool project_before_mirror(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
-    const MirrorPlane& mirror = frame.mirror->plane;
-    const Level& level = frame.scene.level;
+/// Copies the corners of a face into work.mirror.corners.
+void copy_corners(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
     std::vector<Vec3<World>>& corners = work.mirror.corners;
     corners.clear();
     if (visible.fragment) {
         const auto own = work.brush_models.corners_of(*visible.fragment);
         corners.assign(own.begin(), own.end());
-    } else {
-        for (const VertexIndex corner : corners_of(visible.face, frame, work))
-            corners.push_back(level.vertices[corner]);
+        return;
     }
-    const PolygonSide side = polygon_side(level.planes[mirror.plane], mirror.offset, corners, work.mirror.distances);
-    const PolygonSide shown = mirror.is_back ? PolygonSide::Back : PolygonSide::Front;
-    if (side == shown) return project_polygon(corners, frame.view, work.polygon);
-    if (side != PolygonSide::Both) return false;
+    for (const VertexIndex corner : corners_of(visible.face, frame, work))
+        corners.push_back(frame.scene.level.vertices[corner]);
+}
+
+/// Whether the part of a projected face that is before the frame's mirror is in view; projects that part alone.
+bool keep_before_mirror(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
+    const MirrorPlane& mirror = frame.mirror->plane;
+    std::vector<Vec3<World>>& corners = work.mirror.corners;
+    copy_corners(visible, frame, work);
+    const PolygonSide side =
+        polygon_side(frame.scene.level.planes[mirror.plane], mirror.offset, corners, work.mirror.distances);
+    if (side != PolygonSide::Both) return side == (mirror.is_back ? PolygonSide::Back : PolygonSide::Front);
     const std::size_t count = corners.size();
     append_part(corners, 0, work.mirror.distances, !mirror.is_back);
     return project_polygon(std::span(corners).subspan(count), frame.view, work.polygon);
@@ -43,10 +47,10 @@ bool project_before_mirror(const VisibleFace& visible, const FrameContext& frame
 /// Transforms, clips and projects the corners into work.polygon. False if nothing of the face is in view.
 bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
     if (work.counts) ++work.counts->faces_visited;
-    if (frame.mirror) return project_before_mirror(visible, frame, work);
-    if (visible.fragment)
-        return project_polygon(work.brush_models.corners_of(*visible.fragment), frame.view, work.polygon);
-    return project_face(corners_of(visible.face, frame, work), frame.view, work.vertices, work.polygon);
+    const bool is_in_view =
+        visible.fragment ? project_polygon(work.brush_models.corners_of(*visible.fragment), frame.view, work.polygon)
+                         : project_face(corners_of(visible.face, frame, work), frame.view, work.vertices, work.polygon);
+    return is_in_view && (!frame.mirror || keep_before_mirror(visible, frame, work));
 }
 
 /// The list of a face that calls for these effects. What is not allowed is drawn in one colour, or as a wall.
@@ -78,6 +82,12 @@ void claim_face(const VisibleFace& visible, const FrameContext& frame, FrameWork
     if (work.counts) count_face(effects, std::span(claims.spans).subspan(first), *work.counts);
 }
 
+/// A walk stays before a mirror; one that moves with its model sets no limit.
+WalkLimit limit_of(const MirrorView& mirror, const Level& level) {
+    if (mirror.plane.offset != Vec3<World>{}) return {};
+    return {&level.planes[mirror.plane.plane], mirror.plane.is_back};
+}
+
 }  // namespace
 
 void Claims::clear() {
@@ -99,7 +109,8 @@ std::int64_t pixels_of(const Claims& claims, FaceList list) {
 void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
     const Stopwatch watch(work.times.get(), &PassTimes::claims_ns);
     BrushModels* const models = frame.allows(Effect::BrushModels) ? &work.brush_models : nullptr;
-    FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk);
+    const WalkLimit limit = frame.mirror ? limit_of(*frame.mirror, frame.scene.level) : WalkLimit{};
+    FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk, limit);
     while (const std::optional<VisibleFace> visible = walk.next()) {
         const Stopwatch of_models(visible->fragment ? work.times.get() : nullptr, Effect::BrushModels);
         if (!project(*visible, frame, work)) continue;

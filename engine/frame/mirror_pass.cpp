@@ -137,6 +137,8 @@ void draw_mirrors(const FrameContext& frame, FrameWorkspace& work) {
     auto counts = std::exchange(work.counts, nullptr);
     auto record = std::exchange(work.record, nullptr);
     auto times = std::exchange(work.times, nullptr);
+    if (!work.mirror.visible) work.mirror.visible = std::make_unique<VisibleSet>(level);
+    std::swap(work.visible, *work.mirror.visible);
     std::swap(work.depth, work.mirror.depth);
     work.mirror.pixels.assign(pixel_count(frame.out.width_px, frame.out.height_px), 0);
 
@@ -153,6 +155,7 @@ void draw_mirrors(const FrameContext& frame, FrameWorkspace& work) {
     }
 
     work.claims = std::move(claims);
+    std::swap(work.visible, *work.mirror.visible);
     std::swap(work.depth, work.mirror.depth);
     find_light(frame, work);  // the frame's own again, counted before
     work.counts = std::move(counts);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "engine/level/level.h"
 #include "engine/raster/depth.h"
 #include "engine/screen/screen.h"
+#include "engine/visibility/visible_set.h"
 
 namespace oblong {
 
@@ -36,6 +38,7 @@ struct MirrorScratch {
     std::vector<Vec3<World>> corners;      ///< of a face, then of its part before the mirror
     std::vector<PlaneDistance> distances;  ///< of the corners
     DepthBuffer depth;                     ///< of the picture
+    std::unique_ptr<VisibleSet> visible;   ///< from before the mirror
 };
 
 /// The most mirror planes of a frame: of more, the farther ones are drawn as walls.

@@ -38,7 +38,7 @@ FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode)
       things(read_things(level)),
       depth(mode.width_px, mode.height_px),
       shadows(mode.height_px),
-      mirror{{}, {}, {}, DepthBuffer(mode.width_px, mode.height_px)} {
+      mirror{{}, {}, {}, DepthBuffer(mode.width_px, mode.height_px), nullptr} {
     add_effects(level, effects, faces);
     walk.face_marks.resize(level.faces.size());
     walk.steps.reserve(level.nodes.size());

@@ -14,6 +14,18 @@ namespace {
 /// are enough for 16-unit faces 3,600 units away at 1/256 pixel. What coarser grids leave is for the second walk.
 constexpr auto kBothSidesDistance = PlaneDistance::from_int(32);
 
+/// Whether nothing of a box is on the limit's side: not its corner that is farthest there.
+bool is_beyond(const WalkLimit& limit, const LevelBox& box) {
+    const std::array normal{limit.plane->normal.x, limit.plane->normal.y, limit.plane->normal.z};
+    std::array<World, 3> corner{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const bool is_high = (normal[axis] > Unit{}) != limit.is_back;
+        corner[axis] = World::from_int(is_high ? box.maxs[axis] : box.mins[axis]);
+    }
+    const PlaneDistance distance = plane_distance(*limit.plane, {corner[0], corner[1], corner[2]});
+    return limit.is_back ? distance > PlaneDistance{} : distance < PlaneDistance{};
+}
+
 }  // namespace
 
 std::uint8_t planes_crossed(const Frustum& frustum, const LevelBox& box, const Vec3<World>& eye, std::uint8_t planes) {
@@ -41,8 +53,15 @@ std::uint8_t planes_crossed(const Frustum& frustum, const LevelBox& box, const V
 }
 
 FrontToBackWalk::FrontToBackWalk(const Level& level, const ViewContext& view, const VisibleSet& visible,
-                                 BrushModels* models, const SpanBuffer& span_buffer, WalkScratch& scratch)
-    : level_(level), view_(view), visible_(visible), models_(models), span_buffer_(span_buffer), scratch_(scratch) {
+                                 BrushModels* models, const SpanBuffer& span_buffer, WalkScratch& scratch,
+                                 WalkLimit limit)
+    : level_(level),
+      view_(view),
+      visible_(visible),
+      models_(models),
+      span_buffer_(span_buffer),
+      scratch_(scratch),
+      limit_(limit) {
     ++scratch_.mark;
     start();
 }
@@ -100,7 +119,7 @@ void FrontToBackWalk::enter_node(NodeIndex index, std::uint8_t planes_to_test) {
     ++nodes_entered_;
     const Node& node = level_.nodes[index];
     const std::uint8_t planes = planes_crossed(view_.frustum, node.box, view_.eye, planes_to_test);
-    if (planes == kOutside || is_hidden(node.box)) return;
+    if (planes == kOutside || (limit_.plane && is_beyond(limit_, node.box)) || is_hidden(node.box)) return;
 
     const PlaneDistance distance = plane_distance(level_.planes[node.plane], view_.eye);
     const bool in_front = distance > PlaneDistance{}, has_faces = node.faces.count > 0;

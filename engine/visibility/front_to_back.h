@@ -38,6 +38,12 @@ struct VisibleFace {
     const Fragment* fragment = nullptr;  ///< the part of a brush model's face that it is; null: a face of the world
 };
 
+/// One side of a plane, beyond which a walk does not go: what a mirror shows is before it.
+struct WalkLimit {
+    const LevelPlane* plane = nullptr;  ///< null: no limit
+    bool is_back = false;               ///< the plane's back is the side that is walked
+};
+
 /// Returns the faces of a scene front to back, one at a time, until no pixel is free: the world's tree, near side
 /// first (Fuchs, Kedem and Naylor 1980; Abrash, Black Book, ch. 62). Subtrees that cannot be seen from the eye's leaf,
 /// that are outside the view, or whose rectangle on the screen has no free pixel are not entered.
@@ -57,7 +63,7 @@ class FrontToBackWalk {
   public:
     /// The arguments must outlive it. `models` is null where none is drawn.
     FrontToBackWalk(const Level& level, const ViewContext& view, const VisibleSet& visible, BrushModels* models,
-                    const SpanBuffer& span_buffer, WalkScratch& scratch);
+                    const SpanBuffer& span_buffer, WalkScratch& scratch, WalkLimit limit = {});
 
     /// The next face; none when no pixel is free, or no face is left.
     std::optional<VisibleFace> next();
@@ -78,6 +84,7 @@ class FrontToBackWalk {
     BrushModels* models_;
     const SpanBuffer& span_buffer_;
     WalkScratch& scratch_;
+    WalkLimit limit_;
     bool takes_all_faces_ = false;                  ///< the second walk
     std::span<const Fragment* const> fragments_{};  ///< of the current leaf, still to be returned
     IndexRange<Face> faces_;                        ///< of the current node, still to be returned
