@@ -63,11 +63,13 @@ FaceList list_for(EffectSet needs, EffectSet allowed) {
     return effects.has(Effect::Mirror) ? FaceList::Mirror : FaceList::Walls;
 }
 
-/// Adds the pixels of the scanned rows that are free to the list's face.
-void claim_face(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
+/// Lets a face claim the pixels of the scanned rows that are free. The second walk comes again to faces that are seen
+/// through: they have their pixels.
+void claim_face(const VisibleFace& visible, bool is_second_walk, const FrameContext& frame, FrameWorkspace& work) {
     const EffectSet needs = work.faces.faces[visible.face].effects;
     const EffectSet effects = visible.fragment ? needs.with(Effect::BrushModels) : needs;
     const FaceList list = list_for(needs, frame.settings.allowed_effects);
+    if (list == FaceList::SeeThrough && is_second_walk) return;
     Claims& claims = work.claims;
     const std::size_t first = claims.spans.size();
     if (list == FaceList::SeeThrough)
@@ -116,7 +118,7 @@ void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
         if (!project(*visible, frame, work)) continue;
         scan_convex(work.polygon.screen, work.rows, frame.accuracy().edges);
         if (work.counts) count_polygon(work.polygon, work.rows, work.counts->stages);
-        claim_face(*visible, frame, work);
+        claim_face(*visible, walk.takes_all_faces(), frame, work);
     }
     work.span_buffer.claim_rest(work.claims.left_free);
     if (work.counts) count_walk(walk.nodes_entered(), work.vertices.count(), work.counts->stages);

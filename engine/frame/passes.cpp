@@ -131,8 +131,10 @@ FramePlan draw_view(const FrameContext& frame, FrameWorkspace& work) {
     find_underwater(frame, work);
     FramePlan plan = plan_frame(work.claims);
     if (work.counts) count_passes(work.claims, frame.out, *work.counts);
-    for (const Pass pass : plan.passes) run(pass, frame, fog, work);
+    const auto first_over_others = std::find_if(plan.passes.begin(), plan.passes.end(), draws_over_others);
+    for (auto pass = plan.passes.begin(); pass != first_over_others; ++pass) run(*pass, frame, fog, work);
     fill_free_pixels(work, frame.out);
+    for (auto pass = first_over_others; pass != plan.passes.end(); ++pass) run(*pass, frame, fog, work);
     return plan;
 }
 

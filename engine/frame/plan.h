@@ -16,6 +16,11 @@ inline constexpr std::size_t kPassCount = 9;
 inline constexpr std::array<std::string_view, kPassCount> kPassNames{
     "walls", "flat", "liquid", "sky", "mirror", "shadows", "fog", "see_through", "underwater"};
 
+/// Whether a pass reads or covers pixels that others have drawn.
+constexpr bool draws_over_others(Pass pass) {
+    return pass >= Pass::Shadows;
+}
+
 /// What a frame runs: nothing else does. A pass is on it if something that owns pixels needs it.
 struct FramePlan {
     std::vector<Pass> passes;

@@ -67,6 +67,8 @@ class FrontToBackWalk {
 
     /// The next face; none when no pixel is free, or no face is left.
     std::optional<VisibleFace> next();
+    /// Whether the second walk has begun.
+    bool takes_all_faces() const { return takes_all_faces_; }
     /// How many nodes it has entered: those in sight of the eye's leaf.
     std::int64_t nodes_entered() const { return nodes_entered_; }
 

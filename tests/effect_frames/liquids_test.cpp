@@ -5,6 +5,7 @@
 #include "engine/effects/colour_tables.h"
 #include "engine/effects/underwater.h"
 #include "engine/effects/warp.h"
+#include "engine/level/pvs.h"
 #include "tests/effect_frames/effect_stage.h"
 
 namespace oblong::test {
@@ -83,6 +84,31 @@ TEST(Translucency, IsThatShareOfWhatIsBehind) {
         EXPECT_EQ(mixed, stage.pixels(Effect::Translucency));
         EXPECT_GT(mixed, 10'000);
     }
+}
+
+/// The level as compilers make it that take liquids for opaque: no leaf sees leaves that other contents fill.
+Level with_opaque_liquids(Level level) {
+    level.visibility.clear();
+    for (const LeafIndex from : level.visible_leaves()) {
+        level.leaves[from].visibility_offset = static_cast<std::int32_t>(level.visibility.size());
+        std::vector<std::uint8_t> row(visible_set_size(level));
+        for (const LeafIndex to : level.visible_leaves())
+            if (level.leaves[to].contents == level.leaves[from].contents)
+                row[(to.position() - 1) / 8] |= static_cast<std::uint8_t>(1 << (to.position() - 1) % 8);
+        for (const std::uint8_t bits : row) {
+            level.visibility.push_back(bits);
+            if (bits == 0) level.visibility.push_back(1);  // so many bytes of 0
+        }
+    }
+    return level;
+}
+
+/// What is under the surface is found by the second walk, which comes to the surface again.
+TEST(Translucency, OfALiquidThatTheVisibleSetsEndAtIsMixedOnce) {
+    const Level level = compile_effects(pool("*slime", {{"slimealpha", "0.5"}}));
+    EffectStage known(level, above()), unknown(with_opaque_liquids(level), above());
+    EXPECT_EQ(unknown.draw(), known.draw());
+    EXPECT_GT(unknown.pixels(Effect::Translucency), 10'000);
 }
 
 TEST(Translucency, OfOneIsOpaqueAndOfZeroNothing) {
