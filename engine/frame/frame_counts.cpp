@@ -38,6 +38,7 @@ std::vector<NamedCount> named_counts(const FrameCounts& counts) {
             {"sky_blocks", stages.sky_blocks},
             {"sky_directions", stages.sky_directions},
             {"sky_texels", stages.sky_texels},
+            {"particles", stages.particles},
             {"lit_texels", stages.lit_texels}};
 }
 

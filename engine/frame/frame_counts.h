@@ -30,6 +30,7 @@ struct StageCounts {
     std::int64_t textured_pixels = 0, flat_pixels = 0, sky_pixels = 0;
     std::int64_t sky_blocks = 0, sky_directions = 0, sky_texels = 0;  ///< SkyWork
     std::int64_t divided_pixels = 0;  ///< textured ones with a division each (raster/exact_spans.h)
+    std::int64_t particles = 0;       ///< computed, in view or not
     std::int64_t lit_texels = 0;      ///< built because the cache did not have them
 };
 

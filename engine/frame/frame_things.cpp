@@ -142,6 +142,7 @@ void find_things(const FrameContext& frame, const FrameFog& fog, FrameWorkspace&
     const std::int64_t time_ms = frame.scene.time_ms;
     work.depth.start_frame();
     if (frame.allows(Effect::Particles)) find_particles(work.things, time_ms, sight, in_view, work.depth);
+    if (work.counts) work.counts->stages.particles = in_view.particles_computed;
     if (frame.allows(Effect::Sprites))
         find_sprites(work.things, time_ms, frame.scene.level, sight, in_view, work.depth);
     if (frame.allows(Effect::Shadows)) find_seen_shadows(frame, work);

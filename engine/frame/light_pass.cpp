@@ -37,8 +37,7 @@ bool find_touched(FrameWorkspace& work) {
     bool is_any = false;
     for (const FaceList list : {FaceList::Walls, FaceList::SeeThrough})
         for (const ClaimedFace& claimed : work.claims.list(list)) {
-            const Fragment* const fragment = claimed.visible.fragment;
-            const Vec3<World> offset = fragment ? work.brush_models.offset_of(*fragment) : Vec3<World>{};
+            const Vec3<World> offset = work.brush_models.offset_of(claimed.visible.fragment);
             if (!work.surfaces.is_touched(claimed.visible.face, offset)) continue;
             is_any = true;
             if (work.counts) work.counts->of(Effect::Lights) += pixels_of(work.claims.spans_of(claimed));

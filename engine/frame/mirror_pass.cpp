@@ -18,8 +18,7 @@ namespace {
 
 MirrorPlane plane_of(const ClaimedFace& claimed, const Level& level, const FrameWorkspace& work) {
     const Face& face = level.faces[claimed.visible.face];
-    const Fragment* const fragment = claimed.visible.fragment;
-    return {face.plane, face.is_back, fragment ? work.brush_models.offset_of(*fragment) : Vec3<World>{}};
+    return {face.plane, face.is_back, work.brush_models.offset_of(claimed.visible.fragment)};
 }
 
 /// v - 2 (v . n) n: within 2 steps of 2^-30.

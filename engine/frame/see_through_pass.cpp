@@ -15,8 +15,7 @@ namespace {
 
 bool is_behind(const Vec3<World>& place, const ClaimedFace& claimed, const Level& level, const FrameWorkspace& work) {
     const Face& face = level.faces[claimed.visible.face];
-    const Fragment* const fragment = claimed.visible.fragment;
-    const Vec3<World> offset = fragment ? work.brush_models.offset_of(*fragment) : Vec3<World>{};
+    const Vec3<World> offset = work.brush_models.offset_of(claimed.visible.fragment);
     return (plane_distance(level.planes[face.plane], place - offset) > PlaneDistance{}) == face.is_back;
 }
 

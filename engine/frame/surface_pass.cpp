@@ -24,19 +24,21 @@ TextureIndex texture_now(const VisibleFace& visible, const FrameContext& frame, 
 }
 
 /// The effect that building a face's surface is for; none for faces whose surface stays.
-std::optional<Effect> reason_to_build(FaceIndex face, const FrameWorkspace& work) {
-    const EffectSet effects = work.faces.faces[face].effects & work.claims.effects;
-    if (work.claims.effects.has(Effect::Lights)) return Effect::Lights;
+std::optional<Effect> reason_to_build(const VisibleFace& visible, FrameWorkspace& work) {
+    const EffectSet effects = work.faces.faces[visible.face].effects & work.claims.effects;
+    const Vec3<World> offset = work.brush_models.offset_of(visible.fragment);
+    if (work.claims.effects.has(Effect::Lights) && work.surfaces.is_touched(visible.face, offset))
+        return Effect::Lights;
     if (effects.has(Effect::Styles)) return Effect::Styles;
     if (effects.has(Effect::AnimatedTextures)) return Effect::AnimatedTextures;
     return std::nullopt;
 }
 
 FaceSurface surface_of(const VisibleFace& visible, int mip, const FrameContext& frame, FrameWorkspace& work) {
-    const std::optional<Effect> reason = work.times ? reason_to_build(visible.face, work) : std::nullopt;
+    const std::optional<Effect> reason = work.times ? reason_to_build(visible, work) : std::nullopt;
     const Stopwatch watch(work.times.get(), &PassTimes::surfaces_ns);
     const Stopwatch of_effect(reason ? work.times.get() : nullptr, reason.value_or(Effect::Styles));
-    const Vec3<World> offset = visible.fragment ? work.brush_models.offset_of(*visible.fragment) : Vec3<World>{};
+    const Vec3<World> offset = work.brush_models.offset_of(visible.fragment);
     return work.surfaces.get(visible.face, mip, {work.light_styles, texture_now(visible, frame, work), offset});
 }
 
@@ -91,7 +93,7 @@ void draw_by_span_mips(const ClaimedFace& claimed, std::span<const Span> whole, 
 TextureGradients gradients_of(const VisibleFace& visible, const FaceSurface& surface, const FrameContext& frame,
                               const FrameWorkspace& work) {
     const Level& level = frame.scene.level;
-    const Vec3<World> offset = visible.fragment ? work.brush_models.offset_of(*visible.fragment) : Vec3<World>{};
+    const Vec3<World> offset = work.brush_models.offset_of(visible.fragment);
     const TextureGradients gradients =
         make_face_gradients(level, level.faces[visible.face], surface, offset, frame.view, frame.inverse_projection);
     const Accuracy& accuracy = frame.accuracy();

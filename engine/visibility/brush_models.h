@@ -35,6 +35,8 @@ class BrushModels {
         return std::span(corners).subspan(fragment.first_corner, fragment.corner_count);
     }
     const Vec3<World>& offset_of(const Fragment& fragment) const { return placed_[fragment.placed].offset; }
+    /// The same for a face that may be of the world: null, which has none.
+    Vec3<World> offset_of(const Fragment* fragment) const { return fragment ? offset_of(*fragment) : Vec3<World>{}; }
     bool is_switched(const Fragment& fragment) const { return placed_[fragment.placed].is_switched; }
 
   private:
