@@ -5,8 +5,8 @@
 
 #include "engine/platform/present_rect.h"
 #include "engine/screen/screen.h"
-#include "game/drawing.h"
-#include "game/text.h"
+#include "tools/common/drawing.h"
+#include "tools/common/text.h"
 
 namespace oblong {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "game/drawing.h"
+#include "tools/common/drawing.h"
 #include "tools/common/font.h"
 
 namespace oblong {

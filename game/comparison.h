@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "game/lab_options.h"
-#include "game/text.h"
+#include "tools/common/text.h"
 
 namespace oblong {
 

@@ -5,8 +5,8 @@
 
 #include "engine/screen/screen.h"
 #include "engine/surface/palette.h"
-#include "game/drawing.h"
-#include "game/text.h"
+#include "tools/common/drawing.h"
+#include "tools/common/text.h"
 #include "tools/measure/texel_error.h"
 
 namespace oblong {

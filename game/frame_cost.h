@@ -3,10 +3,10 @@
 #include <string>
 
 #include "engine/effects/palette_effects.h"
-#include "game/drawing.h"
+#include "tools/common/drawing.h"
 #include "game/game_renderer.h"
 #include "game/recent_times.h"
-#include "game/text.h"
+#include "tools/common/text.h"
 
 namespace oblong {
 

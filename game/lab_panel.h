@@ -1,10 +1,10 @@
 #pragma once
 
 #include "engine/surface/palette.h"
-#include "game/drawing.h"
+#include "tools/common/drawing.h"
 #include "game/lab_measures.h"
 #include "game/lab_options.h"
-#include "game/text.h"
+#include "tools/common/text.h"
 
 namespace oblong {
 

@@ -20,14 +20,16 @@ const std::vector<Room>& project_rooms() {
         {"engine/scene", {"engine/geometry", "engine/raster", "engine/level"}},
         {"engine/visibility", {"engine/scene"}},
         {"engine/effects", {"engine/visibility"}},
-        {"engine/frame", {"engine/visibility", "engine/effects"}},
+        {"engine/mesh", {"engine/scene"}},
+        {"engine/frame", {"engine/visibility", "engine/effects", "engine/mesh"}},
         {"engine/platform", {"engine/screen", "engine/surface"}},
         {"engine/platform/sdl", {"engine/platform"}},
-        {"game", {"engine/frame", "engine/platform/sdl", "tools/common", "tools/measure"}},
+        {"game", {"engine/frame", "engine/platform/sdl", "tools/common", "tools/measure", "tools/gallery"}},
         {"tools/common", {"engine/frame", "engine/platform"}},
         {"tools/reference", {}},
         {"tools/measure", {"engine/frame", "engine/platform", "tools/common", "tools/reference"}},
-        {"tools", {"tools/measure"}},
+        {"tools/gallery", {"tools/measure"}},
+        {"tools", {"tools/measure", "tools/gallery"}},
     };
     return rooms;
 }

@@ -1,4 +1,4 @@
-#include "game/text.h"
+#include "tools/common/text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "game/drawing.h"
+#include "tools/common/drawing.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
-#include "game/text.h"
+#include "tools/common/text.h"
 
 #include <algorithm>
 
-#include "game/drawing.h"
+#include "tools/common/drawing.h"
 #include "tools/common/font.h"
 
 namespace oblong {

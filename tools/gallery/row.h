@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/frame/settings.h"
+#include "engine/level/level.h"
+#include "engine/screen/screen.h"
+#include "engine/surface/colormap.h"
+#include "tools/common/text.h"
+
+namespace oblong {
+
+/// A number that a row is about: what it should be, worked out from the seed or by an independent method, and what the
+/// engine computed for this picture.
+struct Figure {
+    std::string name, expected, found;
+    bool agrees = false;
+};
+
+/// Two numbers that agree within `tolerance`; both are written with `decimals`.
+Figure number_figure(std::string name, double expected, double found, double tolerance, int decimals = 3);
+/// Two counts that are equal.
+Figure count_figure(std::string name, std::int64_t expected, std::int64_t found);
+/// A measurement that nothing is compared with: a time, a count of operations.
+Figure measured(std::string name, std::string found);
+
+/// A number of a row that keys change; with `choices`, one of these names (from 0).
+struct Parameter {
+    std::string name;
+    std::int64_t least = 0, most = 0, step = 1, start = 0;
+    std::vector<std::string> choices = {};
+};
+Parameter choice_parameter(std::string name, std::vector<std::string> choices, std::int64_t start = 0);
+
+/// What rows draw with.
+struct GalleryAssets {
+    const Level& demo_level;
+    const Colormap& colormap;  ///< with its palette
+    TextColours text;
+    /// The index whose colour is nearest to red, green, blue of 0 to 255.
+    std::uint8_t colour(int red, int green, int blue) const;
+};
+
+/// Everything that a row's picture is a function of.
+struct RowInput {
+    const GalleryAssets& assets;
+    ScreenMode mode;
+    Settings settings;                 ///< accuracy, and whether the projection corrects the aspect
+    std::vector<std::int64_t> values;  ///< of the row's parameters, in their order
+    std::int64_t time_ms = 0;
+};
+
+/// What a row says beside its picture.
+struct RowPage {
+    std::vector<Figure> figures;     ///< the first three are shown below the picture, all are in the index page
+    std::vector<std::string> notes;  ///< short sentences
+};
+
+/// One thing that the seeds name, with its scene. `draw` fills the whole canvas (of the mode's size); the gallery then
+/// writes the name over the top kHeader_px rows and figures over the lowest kFooter_px.
+struct Row {
+    std::string_view id;      ///< of its files: "lines-bresenham"
+    std::string_view name;    ///< in the field's terms
+    std::string_view seeds;   ///< "2 Lab", "3 Notes: Lines; 4 Princeton: Projection"
+    std::string_view source;  ///< the file that does it: "engine/raster/lines.h"
+    std::string_view test;    ///< the file that tests it: "tests/raster/lines_test.cpp"
+    std::vector<Parameter> parameters;
+    RowPage (*draw)(const RowInput& input, Framebuffer canvas);
+};
+
+inline constexpr std::int32_t kHeader_px = 12, kFooter_px = 34;
+
+}  // namespace oblong
