@@ -63,10 +63,12 @@ std::string value_text(const Parameter& parameter, std::int64_t value) {
 }
 
 std::string figure_text(const Figure& figure) {
-    std::string text = figure.name + ": " + figure.found;
-    if (!figure.agrees) return text + " WRONG, expected " + figure.expected;
-    if (!figure.expected.empty() && figure.expected != figure.found) text += " (expected " + figure.expected + ")";
-    return text;
+    std::string text = figure.found;
+    if (!figure.agrees)
+        text = "WRONG: " + text + ", expected " + figure.expected;
+    else if (!figure.expected.empty() && figure.expected != figure.found)
+        text += " (expected " + figure.expected + ")";
+    return text + "  " + figure.name;
 }
 
 RowPage draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer canvas) {

@@ -81,7 +81,7 @@ inline constexpr std::int32_t kHeader_px = 12, kFooter_px = 34;
 
 /// Draws a row with its name above and its figures below; of its parameters, the one numbered `chosen` is named.
 RowPage draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer canvas);
-/// A figure in one line: "far face's corner: 140 (expected 140)".
+/// A figure in one line: "140  column of the far face's corner".
 std::string figure_text(const Figure& figure);
 
 }  // namespace oblong
