@@ -82,13 +82,24 @@ GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const S
     pixels_.resize(pixel_count(mode.width_px, mode.height_px));
 }
 
-void GameRenderer::draw(const GameView& view, const Settings& settings) {
+template <class Use>
+void GameRenderer::use_scene(const GameView& view, Use use) const {
     const std::vector<PlacedModel> models = placed_models(level_, view.state);
     const MovingLight torch{view.camera.eye, kTorchRadius};
     Scene scene{data_.level, data_.colormap, models, time_ms_at(view.state)};
     scene.light_styles = light_styles_of(view.state.after);
     if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
-    draw_frame(scene, view.camera, mode_, settings, work_, canvas());
+    use(scene);
+}
+
+void GameRenderer::draw(const GameView& view, const Settings& settings) {
+    use_scene(view, [&](const Scene& scene) { draw_frame(scene, view.camera, mode_, settings, work_, canvas()); });
+}
+
+void GameRenderer::note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log) const {
+    use_scene(view, [&](const Scene& scene) {
+        log.note_each_second({scene, view.camera, mode_, settings, work_}, now_us);
+    });
 }
 
 FrameCounts GameRenderer::draw_and_count(const GameView& view, const Settings& settings) {

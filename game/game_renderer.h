@@ -8,6 +8,7 @@
 #include "engine/geometry/projection.h"
 #include "game/load.h"
 #include "game/tick_input_source.h"
+#include "tools/common/frame_log.h"
 
 namespace oblong {
 
@@ -49,6 +50,8 @@ class GameRenderer {
     FrameRecord draw_and_record(const GameView& view, const Settings& settings);
     /// What draw() takes in its passes; the clock's time counts in it.
     PassTimes draw_and_time(const GameView& view, const Settings& settings, FrameClock clock);
+    /// Writes what the log's channels say of the picture drawn last, of this view, at most once a second.
+    void note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log) const;
     /// The plan of the picture drawn last.
     const FramePlan& plan() const { return work_.plan; }
     Framebuffer canvas();
@@ -57,6 +60,9 @@ class GameRenderer {
     std::size_t torn_edges() const { return work_.faces.torn_edges; }
 
   private:
+    template <class Use>
+    void use_scene(const GameView& view, Use use) const;
+
     const GameData& data_;
     const GameLevel& level_;
     ScreenMode mode_;

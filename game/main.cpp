@@ -39,6 +39,7 @@ ViewOptions view_options_of(const Options& options) {
     view_options.scaling = options.scaling;
     view_options.corrects_projection = options.corrects_projection;
     view_options.shown_as = options.shown_as;
+    view_options.log = options.log;
     return view_options;
 }
 

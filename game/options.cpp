@@ -47,7 +47,7 @@ Flashes flashes_of(const std::string& name) {
 struct OptionTexts {
     std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", gamma = "1",
                 flashes = "full", window, accuracy = "bounded", scaling = "sharp", aspect_projection = "display",
-                aspect_display = "display";
+                aspect_display = "display", log;
     std::vector<std::string> dials;
 };
 
@@ -67,6 +67,8 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("--aspect-projection", texts.aspect_projection, "display or square: which pixels F2 starts with");
     line.add("--aspect-display", texts.aspect_display, "display, square or fill: which shape F3 starts with");
     line.add_flag("--gallery", options.shows_gallery, "all that the engine can do, one thing after the other; no game");
+    line.add("--log", texts.log,
+             "once a second, lines of these kinds on standard error: " + names_of(LogChannels::all()));
     line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");
     auto record = line.add("--record", options.record, "write the game played to this demo file");
     auto replay = line.add("--replay", options.replay, "play this demo file instead of the keys");
@@ -94,6 +96,7 @@ void interpret(const OptionTexts& texts, Options& options) {
     options.scaling = scaling_of(texts.scaling);
     options.corrects_projection = corrects_projection_of(texts.aspect_projection);
     options.shown_as = shown_as_of(texts.aspect_display);
+    if (!texts.log.empty()) options.log = parse_log_channels(texts.log);
     if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())
         throw UsageError("--gallery: there is no game to record or to replay, expected it without the other");
 }

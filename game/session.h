@@ -12,6 +12,7 @@
 #include "game/tick_clock.h"
 #include "game/tick_input_source.h"
 #include "game/view_options.h"
+#include "tools/common/frame_log.h"
 
 namespace oblong {
 
@@ -36,6 +37,7 @@ class Session {
     void play_frame();
     void advance(std::uint64_t now_us);
     void draw(std::uint64_t now_us);
+    void inspect(const GameView& view);
     void draw_over(const GameView& view, const Settings& settings, std::uint64_t now_us);
     void handle_commands(const Controls& controls, std::uint64_t now_us);
     void keep_what_is_on();
@@ -53,6 +55,7 @@ class Session {
     GameRenderer renderer_;
     std::unique_ptr<Lab> lab_;                   // only while something of it is on
     std::unique_ptr<FourAspects> four_aspects_;  // likewise
+    std::unique_ptr<FrameLog> log_;              // likewise
     ShownPalette palette_;
     TextColours text_colours_;
     Hud hud_;

@@ -83,6 +83,12 @@ std::string apply(Command command, ViewOptions& options, const ScreenMode& mode,
         case Command::CrtLook:
             options.has_crt_look = !options.has_crt_look;
             return options.has_crt_look ? "C Tube: scanlines, mask, glow" : "C Tube: off";
+        case Command::Inspect:
+            options.inspects = !options.inspects;
+            return "";
+        case Command::Log:
+            options.log = next_channels(options.log);
+            return "O Log: " + names_of(options.log) + (options.log.is_empty() ? "" : ", on standard error");
         case Command::AspectGuide:
             options.shows_aspect_guide = !options.shows_aspect_guide;
             return "";

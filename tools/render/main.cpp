@@ -8,6 +8,7 @@
 #include "engine/scene/placed_models.h"
 #include "tools/common/arguments.h"
 #include "tools/common/command_line.h"
+#include "tools/common/frame_log.h"
 #include "tools/common/png.h"
 #include "tools/render/camera_list.h"
 #include "tools/render/report.h"
@@ -19,7 +20,7 @@ using namespace oblong;
 struct Options {
     std::string level, cameras, palette, out, json;
     std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", preset = "bounded",
-                effects = "auto", texel_error, seconds = "0", step_seconds = "0";
+                effects = "auto", log, texel_error, seconds = "0", step_seconds = "0";
     std::vector<std::string> dials;
     std::int64_t repeat = 1, threads = 1;
     bool prints_plan = false;
@@ -49,6 +50,7 @@ void declare(Command& line, Options& options) {
     line.add("--effects", options.effects, "auto, none, or names: " + effect_names());
     line.add_flag("--plan", options.prints_plan,
                   "print the passes and effects of each frame, with their pixels and times");
+    line.add("--log", options.log, "write lines of these kinds on standard error: " + names_of(LogChannels::all()));
     line.add("--threads", options.threads, "accepted; frames are drawn by one thread").limit(1, 256);
     line.add("--time", options.seconds, "the scene's time, seconds");
     line.add("--time-step", options.step_seconds, "seconds from each timed rendering of a frame to the next, up to 60");
@@ -133,6 +135,7 @@ void render(const Options& options) {
     check_view(mode, field_of_view);
     const Preset preset = parse_preset(options.preset);
     const Settings settings = make_settings(options, preset);
+    const LogChannels channels = options.log.empty() ? LogChannels{} : parse_log_channels(options.log);
     const std::int64_t time_ms = parse_time_ms("--time", options.seconds),
                        step_ms = parse_time_step_ms(options.step_seconds);
 
@@ -153,7 +156,9 @@ void render(const Options& options) {
     print_warnings("oblong-render", options.level, work.effects.warnings);
     print_warnings("oblong-render", options.level, work.things.warnings);
     warn_of_torn_edges("oblong-render", options.level, work.faces.torn_edges);
+    FrameLog log(channels, standard_error_lines());
     const auto frames = render_cameras(job, work, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
+        if (!channels.is_empty()) log.note({job.scene, cameras[index], mode, settings, work});
         if (options.out.empty()) return;
         const Palette shown = shown_palette(palette, job, work.effects, cameras[index]);
         const auto png = encode_indexed_png(pixels, mode.width_px, mode.height_px, shown);
