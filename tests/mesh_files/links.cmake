@@ -1,1 +1,1 @@
-set(LINKS oblong_mesh)
+set(LINKS oblong_tool_models)
