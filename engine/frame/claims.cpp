@@ -53,55 +53,23 @@ bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspa
     return is_in_view && (!frame.mirror || keep_before_mirror(visible, frame, work));
 }
 
-/// The list of a face that calls for these effects. What is not allowed is drawn in one colour, or as a wall.
-FaceList list_for(EffectSet needs, EffectSet allowed) {
-    const EffectSet effects = needs & allowed;
-    if (needs.has(Effect::Sky)) return effects.has(Effect::Sky) ? FaceList::Sky : FaceList::Flat;
-    if (needs.has(Effect::Liquid) && !effects.has(Effect::Liquid)) return FaceList::Flat;
-    if (effects.has(Effect::Translucency) || effects.has(Effect::Fence)) return FaceList::SeeThrough;
-    if (effects.has(Effect::Liquid)) return FaceList::Liquid;
-    return effects.has(Effect::Mirror) ? FaceList::Mirror : FaceList::Walls;
-}
-
-/// Adds a face to its list if spans were appended for it, from `first` on.
-void add_claim(const VisibleFace& visible, std::size_t first, View nearest_z, View farthest_z,
-               const FrameContext& frame, FrameWorkspace& work) {
-    Claims& claims = work.claims;
-    const std::size_t count = claims.spans.size() - first;
-    if (count == 0) return;
-    const EffectSet needs = work.faces.faces[visible.face].effects;
-    const EffectSet effects = visible.fragment ? needs.with(Effect::BrushModels) : needs;
-    claims.effects = claims.effects | (effects & frame.settings.allowed_effects);
-    claims.list(list_for(needs, frame.settings.allowed_effects))
-        .push_back(
-            {visible, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), nearest_z, farthest_z});
-    if (work.counts) count_face(effects, std::span(claims.spans).subspan(first), *work.counts);
-}
-
-bool is_seen_through(const VisibleFace& visible, const FrameContext& frame, const FrameWorkspace& work) {
-    return list_for(work.faces.faces[visible.face].effects, frame.settings.allowed_effects) == FaceList::SeeThrough;
-}
-
 /// Lets a face claim the pixels of the scanned rows that are free. The second walk comes again to faces that are seen
 /// through: they have their pixels.
 void claim_face(const VisibleFace& visible, bool is_second_walk, const FrameContext& frame, FrameWorkspace& work) {
-    const bool stays_free = is_seen_through(visible, frame, work);
-    if (stays_free && is_second_walk) return;
+    const EffectSet needs = work.faces.faces[visible.face].effects;
+    const EffectSet effects = visible.fragment ? needs.with(Effect::BrushModels) : needs;
+    const FaceList list = list_for(needs, frame.settings.allowed_effects);
+    if (list == FaceList::SeeThrough && is_second_walk) return;
     Claims& claims = work.claims;
     const std::size_t first = claims.spans.size();
-    if (stays_free)
+    if (list == FaceList::SeeThrough)
         work.span_buffer.find_free(work.rows, claims.spans);
     else
         work.span_buffer.claim(work.rows, claims.spans);
-    add_claim(visible, first, work.polygon.nearest_z, work.polygon.farthest_z, frame, work);
-}
-
-/// Whether a face is in view; its polygon and rows, if it is.
-bool project_and_scan(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
-    if (!project(visible, frame, work)) return false;
-    scan_convex(work.polygon.screen, work.rows, frame.accuracy().edges);
-    if (work.counts) count_polygon(work.polygon, work.rows, work.counts->stages);
-    return true;
+    if (claims.spans.size() == first) return;
+    claims.add(list, {visible, 0, 0, work.polygon.nearest_z, work.polygon.farthest_z}, first);
+    claims.effects = claims.effects | (effects & frame.settings.allowed_effects);
+    if (work.counts) count_face(effects, std::span(claims.spans).subspan(first), *work.counts);
 }
 
 /// The corners of a face that was projected; of its part before the mirror, if the frame is one's.
@@ -117,35 +85,18 @@ std::span<const Vec3<World>> projected_corners(const VisibleFace& visible, const
     return std::span(corners).subspan(corners.size() > whole ? whole : 0);
 }
 
-/// Hands the faces the pixels that a method other than the span buffer found to be theirs; what has no owner stays
-/// free.
-void claim_owned(const FrameContext& frame, FrameWorkspace& work) {
-    const ScannedFaces& scanned = work.hidden_surfaces->scanned;
-    const std::vector<OwnedRun> runs = owned_runs(work.hidden_surfaces->owners);
-    for (auto run = runs.begin(); run != runs.end();) {
-        const ScannedFace& face = at(scanned.faces, run->face);
-        const std::size_t first = work.claims.spans.size();
-        for (const std::int32_t index = run->face; run != runs.end() && run->face == index; ++run) {
-            if (face.is_seen_through)
-                work.claims.spans.push_back(run->span);
-            else
-                work.span_buffer.claim(run->span.y, run->span.first, run->span.end, work.claims.spans);
-        }
-        add_claim(face.visible, first, face.nearest_z, face.farthest_z, frame, work);
-    }
-}
-
-/// Takes the first of the two walks without the span buffer. The first face of the second, if there is one.
-std::optional<VisibleFace> claim_first_walk(FrontToBackWalk& walk, const FrameContext& frame, FrameWorkspace& work) {
-    start_scanned_faces(work);
-    std::optional<VisibleFace> visible = walk.next();
-    for (; visible && !walk.takes_all_faces(); visible = walk.next())
-        if (project_and_scan(*visible, frame, work))
-            add_scanned_face(*visible, is_seen_through(*visible, frame, work), projected_corners(*visible, frame, work),
-                             frame, work);
-    find_pixel_owners(frame, work);
-    claim_owned(frame, work);
-    return visible;
+/// Counts a scanned face, if the frame is counted, and keeps it for claim_owned() while the first walk lasts, if
+/// `keeps_faces`. Whether it was kept.
+bool keep_or_count(const VisibleFace& visible, bool is_second_walk, bool& keeps_faces, const FrameContext& frame,
+                   FrameWorkspace& work) {
+    if (work.counts) count_polygon(work.polygon, work.rows, work.counts->stages);
+    if (!keeps_faces) return false;
+    keeps_faces = !is_second_walk;
+    if (keeps_faces)
+        add_scanned_face(visible, projected_corners(visible, frame, work), frame, work);
+    else
+        claim_owned(frame, work);
+    return keeps_faces;
 }
 
 /// A walk stays before a mirror; one that moves with its model sets no limit.
@@ -177,12 +128,17 @@ void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
     BrushModels* const models = frame.allows(Effect::BrushModels) ? &work.brush_models : nullptr;
     const WalkLimit limit = frame.mirror ? limit_of(*frame.mirror, frame.scene.level) : WalkLimit{};
     FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk, limit);
-    const bool is_by_span_buffer = frame.settings.hidden_surfaces == HiddenSurfaces::SpanBuffer;
-    std::optional<VisibleFace> visible = is_by_span_buffer ? walk.next() : claim_first_walk(walk, frame, work);
-    for (; visible; visible = walk.next()) {
+    bool keeps_faces = frame.settings.hidden_surfaces != HiddenSurfaces::SpanBuffer;
+    const bool is_watched = keeps_faces || work.counts;  // one test a face instead of two
+    if (keeps_faces) start_scanned_faces(work);
+    while (const std::optional<VisibleFace> visible = walk.next()) {
         const Stopwatch of_models(visible->fragment ? work.times.get() : nullptr, Effect::BrushModels);
-        if (project_and_scan(*visible, frame, work)) claim_face(*visible, walk.takes_all_faces(), frame, work);
+        if (!project(*visible, frame, work)) continue;
+        scan_convex(work.polygon.screen, work.rows, frame.accuracy().edges);
+        if (is_watched && keep_or_count(*visible, walk.takes_all_faces(), keeps_faces, frame, work)) continue;
+        claim_face(*visible, walk.takes_all_faces(), frame, work);
     }
+    if (keeps_faces) claim_owned(frame, work);
     work.span_buffer.claim_rest(work.claims.left_free);
     if (work.counts) count_walk(walk.nodes_entered(), work.vertices.count(), work.counts->stages);
 }

@@ -20,10 +20,11 @@ struct HiddenSurfaceScratch {
 
 /// No face is scanned yet.
 void start_scanned_faces(FrameWorkspace& work);
-/// Adds a face that is in work.polygon and work.rows, for find_pixel_owners(). `corners` are its own, in the world.
-void add_scanned_face(const VisibleFace& visible, bool is_seen_through, std::span<const Vec3<World>> corners,
-                      const FrameContext& frame, FrameWorkspace& work);
-/// Finds which of the faces added owns each pixel, by the settings' method.
-void find_pixel_owners(const FrameContext& frame, FrameWorkspace& work);
+/// Adds a face that is in work.polygon and work.rows. `corners` are its own, in the world.
+void add_scanned_face(const VisibleFace& visible, std::span<const Vec3<World>> corners, const FrameContext& frame,
+                      FrameWorkspace& work);
+/// Finds by the settings' method which of the faces added owns each pixel, and claims it for it. What has no owner
+/// stays free in the span buffer.
+void claim_owned(const FrameContext& frame, FrameWorkspace& work);
 
 }  // namespace oblong
