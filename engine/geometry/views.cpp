@@ -9,9 +9,13 @@ namespace {
 
 constexpr Vec3<Unit> kWorldUp{{}, {}, Unit::from_int(1)};
 
-/// The axes that look along a direction, z up.
-Basis axes_along(std::int32_t x, std::int32_t y, std::int32_t z) {
-    return look_at({}, {World::from_raw(x), World::from_raw(y), World::from_raw(z)}, kWorldUp);
+/// The axes that look along a direction, z up, turned about z. Parts below 2^29.
+Basis axes_along(std::int32_t x, std::int32_t y, std::int32_t z, Angle turn) {
+    const auto turned = [](std::int32_t by_cosine, Unit cosine, std::int32_t by_sine, Unit sine) {
+        return product<World>(World::from_raw(by_cosine), cosine) + product<World>(World::from_raw(by_sine), sine);
+    };
+    const Unit c = cosine(turn), s = sine(turn);
+    return look_at({}, {turned(x, c, -y, s), turned(y, c, x, s), World::from_raw(z)}, kWorldUp);
 }
 
 ViewCut cut_along(const Vec3<Unit>& normal, const Vec3<World>& from, World distance) {
@@ -99,11 +103,12 @@ Basis side_axes(ViewSide side) {
     return {kNorth, kWorldUp, -kEast};
 }
 
-Basis axonometric_axes(Axonometry kind) {
-    if (kind == Axonometry::Isometric) return axes_along(1, 1, -1);
+Basis axonometric_axes(Axonometry kind, Angle turn) {
+    constexpr std::int32_t kUnit = 100'000'000;
+    if (kind == Axonometry::Isometric) return axes_along(kUnit, kUnit, -kUnit, turn);
     // Along (sqrt 7, 1, -1): x is shortened to sqrt 2 / 3, y and z to twice that.
-    if (kind == Axonometry::Dimetric) return axes_along(26'457'513, 10'000'000, -10'000'000);
-    return axes_along(3, 2, -2);
+    if (kind == Axonometry::Dimetric) return axes_along(264'575'131, kUnit, -kUnit, turn);
+    return axes_along(3 * kUnit, 2 * kUnit, -2 * kUnit, turn);
 }
 
 ViewSpec oblique_view(const Vec3<World>& centre, const Basis& axes, View width, Unit length, Angle angle) {

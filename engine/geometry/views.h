@@ -26,9 +26,10 @@ enum class ViewSide { Front, Top, Side };
 Basis side_axes(ViewSide side);
 
 /// Axes for orthographic_view(), seen from above: all three axes of the world are shortened alike (isometric), two of
-/// them (dimetric, x half as long as y and z: 7 and 42 degrees of engineering drawings), or none (trimetric).
+/// them (dimetric, x half as long as y and z: 7 and 42 degrees of engineering drawings), or none (trimetric). From the
+/// south-west; `turn` turns the view counter-clockwise about z.
 enum class Axonometry { Isometric, Dimetric, Trimetric };
-Basis axonometric_axes(Axonometry kind);
+Basis axonometric_axes(Axonometry kind, Angle turn = {});
 
 /// Parallel, but not at right angles to the view plane: what is a unit farther is shown `length` farther along `angle`
 /// (counter-clockwise from right). Length 1: cavalier; 1/2: cabinet (Princeton: x + L cos a z, y + L sin a z). `length`
