@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/geometry/views.h"
 #include "engine/screen/screen.h"
 #include "game/step.h"
 
@@ -98,7 +99,8 @@ void GameRenderer::draw(const GameView& view, const Settings& settings) {
 
 void GameRenderer::note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log) const {
     use_scene(view, [&](const Scene& scene) {
-        log.note_each_second({scene, view.camera, mode_, settings, work_}, now_us);
+        const ViewSpec spec = first_person_view(view.camera, settings.accuracy.sine);
+        log.note_each_second({scene, spec, mode_, settings, work_}, now_us);
     });
 }
 

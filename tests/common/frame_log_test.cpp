@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/fixed/trig.h"
+#include "engine/geometry/views.h"
 #include "engine/level/bsp_read.h"
 #include "tests/support/tiny_bsp.h"
 #include "tools/common/arguments.h"
@@ -37,7 +38,10 @@ class FrameLogTest : public testing::Test {
 
     void draw() { draw_frame(scene_, camera_, mode_, settings_, work_, {pixels_.data(), 64, 40, 64}); }
 
-    LoggedFrame frame() const { return {scene_, camera_, mode_, settings_, work_}; }
+    LoggedFrame frame() {
+        view_ = first_person_view(camera_);
+        return {scene_, view_, mode_, settings_, work_};
+    }
 
     /// A point of the world in viewspace, in double.
     std::array<double, 3> to_view_in_double(double x, double y, double z) const {
@@ -55,6 +59,7 @@ class FrameLogTest : public testing::Test {
     const Settings settings_;
     const Scene scene_{level_, colormap_, {}};
     Camera camera_;
+    ViewSpec view_;
     FrameWorkspace work_{level_, mode_};
     std::vector<std::uint8_t> pixels_ = std::vector<std::uint8_t>(64 * 40);
 };

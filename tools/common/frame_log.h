@@ -7,6 +7,7 @@
 
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
+#include "engine/geometry/view_spec.h"
 #include "tools/common/log_channels.h"
 
 namespace oblong {
@@ -15,7 +16,7 @@ namespace oblong {
 /// out afterwards, from what the frame was drawn with and from what it left.
 struct LoggedFrame {
     const Scene& scene;
-    const Camera& camera;
+    const ViewSpec& view;
     const ScreenMode& mode;
     const Settings& settings;
     const FrameWorkspace& work;

@@ -68,8 +68,7 @@ std::vector<Vec3<World>> world_corners(const VisibleFace& visible, const LoggedF
 
 std::vector<Vec3<View>> view_corners(const VisibleFace& visible, const LoggedFrame& frame, const ViewContext& view) {
     std::vector<Vec3<View>> corners;
-    for (const Vec3<World>& corner : world_corners(visible, frame))
-        corners.push_back(rounded_to(to_view(corner, view.eye, view.axes), view.view_bits));
+    for (const Vec3<World>& corner : world_corners(visible, frame)) corners.push_back(to_view(corner, view));
     return corners;
 }
 
@@ -123,15 +122,11 @@ LogLines lines_of_face(const ListedFace& listed, const LoggedFrame& frame, const
 
 ViewContext view_of(const LoggedFrame& frame) {
     const Accuracy& accuracy = frame.settings.accuracy;
-    const Camera& camera = frame.camera;
-    ViewContext view;
-    view.eye = place_eye(frame.scene.level, camera.eye).position;
-    view.axes = rounded_to(view_basis(camera.yaw, camera.pitch, camera.roll, accuracy.sine), accuracy.matrix_bits);
-    view.projection = make_projection(frame.mode, camera.field_of_view, frame.settings.correct_aspect);
-    view.frustum = make_frustum(view.axes, view.projection);
-    view.grid = SubpixelGrid::of_bits(accuracy.subpixel_bits);
-    view.view_bits = accuracy.view_bits;
-    return view;
+    ViewSpec spec = frame.view;
+    if (!spec.is_parallel) spec.eye = place_eye(frame.scene.level, spec.eye).position;
+    return make_view_context(
+        spec, frame.mode,
+        {accuracy.matrix_bits, accuracy.view_bits, accuracy.subpixel_bits, frame.settings.correct_aspect});
 }
 
 LogLines matrix_lines(const LoggedFrame& frame) {
