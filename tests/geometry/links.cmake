@@ -1,1 +1,2 @@
-set(LINKS oblong_geometry)
+find_package(rapidcheck REQUIRED)
+set(LINKS oblong_geometry rapidcheck)
