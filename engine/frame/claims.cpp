@@ -31,17 +31,22 @@ void copy_corners(const VisibleFace& visible, const FrameContext& frame, FrameWo
         corners.push_back(frame.scene.level.vertices[corner]);
 }
 
-/// Whether the part of a projected face that is before the frame's mirror is in view; projects that part alone.
-bool keep_before_mirror(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
-    const MirrorPlane& mirror = frame.mirror->plane;
+/// Whether the part of a projected face that is within the frame's limits is in view; projects that part alone. Faces
+/// in the plane of a limit are left out: so is a mirror from its own picture.
+bool keep_within_limits(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
     std::vector<Vec3<World>>& corners = work.mirror.corners;
     copy_corners(visible, frame, work);
-    const PolygonSide side =
-        polygon_side(frame.scene.level.planes[mirror.plane], mirror.offset, corners, work.mirror.distances);
-    if (side != PolygonSide::Both) return side == (mirror.is_back ? PolygonSide::Back : PolygonSide::Front);
-    const std::size_t count = corners.size();
-    append_part(corners, 0, work.mirror.distances, !mirror.is_back);
-    return project_polygon(std::span(corners).subspan(count), frame.view, work.polygon);
+    bool is_cut = false;
+    for (const WalkLimit& limit : frame.limits) {
+        const PolygonSide side = polygon_side(limit.plane, limit.offset, corners, work.mirror.distances);
+        if (side == (limit.is_back ? PolygonSide::Back : PolygonSide::Front)) continue;
+        if (side != PolygonSide::Both) return false;
+        const auto count = static_cast<std::ptrdiff_t>(corners.size());
+        append_part(corners, 0, work.mirror.distances, !limit.is_back);
+        corners.erase(corners.begin(), corners.begin() + count);
+        is_cut = true;
+    }
+    return !is_cut || project_polygon(corners, frame.view, work.polygon);
 }
 
 /// Transforms, clips and projects the corners into work.polygon. False if nothing of the face is in view.
@@ -50,7 +55,7 @@ bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspa
     const bool is_in_view =
         visible.fragment ? project_polygon(work.brush_models.corners_of(*visible.fragment), frame.view, work.polygon)
                          : project_face(corners_of(visible.face, frame, work), frame.view, work.vertices, work.polygon);
-    return is_in_view && (!frame.mirror || keep_before_mirror(visible, frame, work));
+    return is_in_view && (frame.limits.empty() || keep_within_limits(visible, frame, work));
 }
 
 /// The list of a face that calls for these effects. What is not allowed is drawn in one colour, or as a wall.
@@ -84,12 +89,6 @@ void claim_face(const VisibleFace& visible, bool is_second_walk, const FrameCont
     if (work.counts) count_face(effects, std::span(claims.spans).subspan(first), *work.counts);
 }
 
-/// A walk stays before a mirror; one that moves with its model sets no limit.
-WalkLimit limit_of(const MirrorView& mirror, const Level& level) {
-    if (mirror.plane.offset != Vec3<World>{}) return {};
-    return {&level.planes[mirror.plane.plane], mirror.plane.is_back};
-}
-
 }  // namespace
 
 void Claims::clear() {
@@ -111,8 +110,8 @@ std::int64_t pixels_of(const Claims& claims, FaceList list) {
 void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
     const Stopwatch watch(work.times.get(), &PassTimes::claims_ns);
     BrushModels* const models = frame.allows(Effect::BrushModels) ? &work.brush_models : nullptr;
-    const WalkLimit limit = frame.mirror ? limit_of(*frame.mirror, frame.scene.level) : WalkLimit{};
-    FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk, limit);
+    FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk,
+                         frame.limits);
     while (const std::optional<VisibleFace> visible = walk.next()) {
         const Stopwatch of_models(visible->fragment ? work.times.get() : nullptr, Effect::BrushModels);
         if (!project(*visible, frame, work)) continue;
