@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/frame/wireframe.h"
+#include "engine/geometry/views.h"
 #include "engine/screen/screen.h"
 #include "game/step.h"
 
@@ -89,6 +91,11 @@ void GameRenderer::draw(const GameView& view, const Settings& settings) {
     scene.light_styles = light_styles_of(view.state.after);
     if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
     draw_frame(scene, view.camera, mode_, settings, work_, canvas());
+}
+
+void GameRenderer::draw_edges(const GameView& view, const Settings& settings, const LineStyle& style) {
+    draw_wireframe(data_.level, first_person_view(view.camera, settings.accuracy.sine), mode_, settings, work_, style,
+                   canvas());
 }
 
 FrameCounts GameRenderer::draw_and_count(const GameView& view, const Settings& settings) {

@@ -9,6 +9,7 @@
 #include "engine/platform/present_rect.h"
 #include "engine/scene/light_styles.h"
 #include "engine/screen/screen.h"
+#include "game/line_overlays.h"
 
 namespace oblong {
 
@@ -25,6 +26,9 @@ struct Options {
     Scaling scaling = Scaling::SharpBilinear;
     bool corrects_projection = true, has_crt_look = false;
     ShownAs shown_as = ShownAs::OnDisplay;
+    MapView map = MapView::Off;
+    Wireframe wireframe = Wireframe::Off;
+    LineMethod line_method = LineMethod::GuptaSproull;
     std::string record, replay, timedemo;
     std::int64_t headless_frames = 0;
     std::string out;

@@ -8,6 +8,7 @@
 #include "engine/platform/present_rect.h"
 #include "engine/screen/screen.h"
 #include "game/lab_options.h"
+#include "game/line_overlays.h"
 
 namespace oblong {
 
@@ -22,6 +23,9 @@ struct ViewOptions {
     ShownAs shown_as = ShownAs::OnDisplay;
     Scaling scaling = Scaling::SharpBilinear;
     bool shows_help = false, shows_cost = false, shows_aspect_guide = false, shows_four_aspects = false;
+    MapView map = MapView::Off;
+    Wireframe wireframe = Wireframe::Off;
+    LineMethod line_method = LineMethod::GuptaSproull;  ///< of both
     LabOptions lab;
 };
 

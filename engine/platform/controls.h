@@ -22,6 +22,8 @@ enum class Command {
     FourAspects,       ///< 4
     Torch,             ///< L
     CrtLook,           ///< C
+    Automap,           ///< Tab
+    Wireframe,         ///< E
     Darker,            ///< -
     Brighter,          ///< =
     DialUp,            ///< up arrow, again and again while it is held; for the lab, as are the other three
