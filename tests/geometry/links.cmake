@@ -1,2 +1,1 @@
-find_package(rapidcheck REQUIRED)
-set(LINKS oblong_geometry rapidcheck)
+set(LINKS oblong_geometry oblong_raster)
