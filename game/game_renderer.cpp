@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/frame/wireframe.h"
 #include "engine/geometry/views.h"
 #include "engine/screen/screen.h"
 #include "game/step.h"
@@ -102,6 +103,11 @@ void GameRenderer::note(const GameView& view, const Settings& settings, std::uin
         const ViewSpec spec = first_person_view(view.camera, settings.accuracy.sine);
         log.note_each_second({scene, spec, mode_, settings, work_}, now_us);
     });
+}
+
+void GameRenderer::draw_edges(const GameView& view, const Settings& settings, const LineStyle& style) {
+    draw_wireframe(data_.level, first_person_view(view.camera, settings.accuracy.sine), mode_, settings, work_, style,
+                   canvas());
 }
 
 FrameCounts GameRenderer::draw_and_count(const GameView& view, const Settings& settings) {

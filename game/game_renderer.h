@@ -6,6 +6,7 @@
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/geometry/projection.h"
+#include "engine/raster/lines.h"
 #include "game/load.h"
 #include "game/tick_input_source.h"
 #include "tools/common/frame_log.h"
@@ -48,6 +49,8 @@ class GameRenderer {
     /// What draw() counts or records: on the same canvas, but slower.
     FrameCounts draw_and_count(const GameView& view, const Settings& settings);
     FrameRecord draw_and_record(const GameView& view, const Settings& settings);
+    /// Draws the edges of the faces that own pixels over the picture, which is of this view and these settings.
+    void draw_edges(const GameView& view, const Settings& settings, const LineStyle& style);
     /// What draw() takes in its passes; the clock's time counts in it.
     PassTimes draw_and_time(const GameView& view, const Settings& settings, FrameClock clock);
     /// Writes what the log's channels say of the picture drawn last, of this view, at most once a second.

@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/base/table.h"
 #include "game/aspect_guide.h"
 
 namespace oblong {
 namespace {
+
+constexpr std::array<const char*, kMapViewCount> kMapMessages{"Tab Map: off", "Tab Map: turns with you",
+                                                              "Tab Map: north is up"};
+constexpr std::array<const char*, kWireframeCount> kWireframeMessages{
+    "E Edges: off", "E Edges: of the faces that own pixels", "E Edges: by themselves"};
 
 constexpr int kPresetCount = static_cast<int>(kPresets.size());
 
@@ -89,6 +95,12 @@ std::string apply(Command command, ViewOptions& options, const ScreenMode& mode,
         case Command::Log:
             options.log = next_channels(options.log);
             return "O Log: " + names_of(options.log) + (options.log.is_empty() ? "" : ", on standard error");
+        case Command::Automap:
+            options.map = next_of(options.map, kMapViewCount);
+            return at(kMapMessages, options.map);
+        case Command::Wireframe:
+            options.wireframe = next_of(options.wireframe, kWireframeCount);
+            return at(kWireframeMessages, options.wireframe);
         case Command::AspectGuide:
             options.shows_aspect_guide = !options.shows_aspect_guide;
             return "";

@@ -24,6 +24,8 @@ enum class Command {
     CrtLook,           ///< C
     Inspect,           ///< I
     Log,               ///< O
+    Automap,           ///< Tab
+    Wireframe,         ///< E
     Darker,            ///< -
     Brighter,          ///< =
     DialUp,            ///< up arrow, again and again while it is held; for the lab, as are the other three
