@@ -88,6 +88,8 @@ void GameRenderer::draw(const GameView& view, const Settings& settings) {
     Scene scene{data_.level, data_.colormap, models, time_ms_at(view.state)};
     scene.light_styles = light_styles_of(view.state.after);
     if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
+    place_models(data_.models, scene.time_ms, meshes_);
+    scene.meshes = meshes_;
     draw_frame(scene, view.camera, mode_, settings, work_, canvas());
 }
 

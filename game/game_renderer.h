@@ -62,6 +62,7 @@ class GameRenderer {
     ScreenMode mode_;
     FrameWorkspace work_;
     std::vector<std::uint8_t> pixels_;
+    std::vector<PlacedMesh> meshes_;
 };
 
 }  // namespace oblong
