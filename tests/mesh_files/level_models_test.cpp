@@ -151,16 +151,16 @@ TEST_F(ModelFolder, KeysAreThoseOfTheWorldsKind) {
 
 TEST_F(ModelFolder, AMissingFileIsOneWarning) {
     const std::string armor = R"({ "classname" "item_armor1" "origin" "5 6 70" })",
-                      cells = R"({ "classname" "item_cells" "origin" "1 2 3" })";
+                      cells = R"({ "classname" "item_cells" "origin" "1 2 3" })",
+                      shells = R"({ "classname" "item_shells" "origin" "1 2 3" })";
     EXPECT_TRUE(read(armor + cells).warnings.empty()) << "nobody said where Quake's models are";
-    const LevelModels models = read(armor + armor + cells + cells, path("elsewhere"));
+    const LevelModels models = read(armor + armor + cells + cells + shells, path("elsewhere"));
     EXPECT_TRUE(models.models.empty());
     ASSERT_EQ(models.warnings.size(), 2u);
-    EXPECT_NE(models.warnings[0].find("b_batt0.bsp, are not shown"), std::string::npos) << models.warnings[0];
-    EXPECT_NE(
-        models.warnings[1].find("entity 1 (item_armor1): there is no file progs/armor.mdl for the model at 5 6 70"),
-        std::string::npos)
-        << models.warnings[1];
+    EXPECT_NE(models.warnings[0].find("entity 1 (item_armor1): at 5 6 70: there is no file progs/armor.mdl"),
+              std::string::npos)
+        << models.warnings[0];
+    EXPECT_NE(models.warnings[1].find("maps/b_batt0.bsp is made of brushes"), std::string::npos) << models.warnings[1];
     const LevelModels own = read(misc_model("\"model\" \"models/none.obj\""));
     ASSERT_EQ(own.warnings.size(), 1u);
     EXPECT_NE(own.warnings[0].find("there is no file models/none.obj for the model at 5 6 70"), std::string::npos);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "engine/base/table.h"
@@ -77,7 +78,6 @@ class LevelModelReader {
             if (entity.value("classname") == "worldspawn")
                 world_type_ = parse_decimal(entity.value("worldtype"), 0).value_or(0);
         for (std::size_t i = 0; i < level_.entities.size(); ++i) read_entity(level_.entities[i], i);
-        for (auto& [file, warning] : missing_) models_.warnings.push_back(std::move(warning));
         return std::move(models_);
     }
 
@@ -174,18 +174,16 @@ class LevelModelReader {
         models_.models.push_back(model);
     }
 
-    /// One warning a file, of the first entity that wants it.
+    /// One warning a file, of the first entity that wants it; one for all models of brushes.
     void report_missing(const ModelClass& its_class, const Entity& entity, std::size_t index) {
         const std::string file(its_class.file);
-        if (missing_.contains(file)) return;
-        std::vector<std::string> warning;
         const bool has_brushes = file.ends_with(".bsp");
-        EntityValues(entity, index, warning)
-            .warn("there is no file " + fs::path(file).replace_extension(".mdl").string() + " for the model at " +
-                  entity.value("origin") +
-                  (has_brushes ? " (and models of brushes, " + file + ", are not shown)" : "") +
-                  ": it and others of its kind are left out");
-        missing_.emplace(file, warning.front());
+        if (!missing_.insert(has_brushes ? "brushes" : file).second) return;
+        const std::string what = has_brushes ? "its model " + file +
+                                                   " is made of brushes, which is not shown (an .mdl of its "
+                                                   "name would be), nor are others like it"
+                                             : "there is no file " + file + " for the model, which is not shown";
+        EntityValues(entity, index, models_.warnings).warn("at " + entity.value("origin") + ": " + what);
     }
 
     Vec3<World> resting_place(const Vec3<World>& origin, const ModelClass& its_class) const {
@@ -221,7 +219,7 @@ class LevelModelReader {
     std::int64_t world_type_ = 0;
     LevelModels models_;
     std::map<ModelFile, const Mesh*> meshes_;
-    std::map<std::string, std::string> missing_;  ///< files of Quake's classes, with a warning each
+    std::set<std::string> missing_;  ///< files of Quake's classes
 };
 
 /// Of a model whose frames are sequences of their own.
