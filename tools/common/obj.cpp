@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "engine/base/table.h"
+#include "engine/geometry/triangulate.h"
 #include "engine/platform/files.h"
 #include "tools/common/obj_check.h"
 #include "tools/common/obj_materials.h"
@@ -99,7 +100,9 @@ class ObjMeshBuilder {
     void add_face(std::span<const tinyobj::index_t> corners, std::uint32_t skin, std::int64_t smoothing) {
         const std::size_t first = numbers_.size();
         for (const tinyobj::index_t& corner : corners) add_corner(corner, skin, smoothing);
-        for (std::size_t i = first + 2; i < numbers_.size(); ++i) add_triangle(first, i, i - 1, skin);
+        if (corners.size() == 3) add_triangle(first, {0, 1, 2}, skin);
+        if (corners.size() > 3)
+            for (const CornerTriple& triple : triangulated(corners)) add_triangle(first, triple, skin);
         numbers_.resize(first);
         smooth_numbers_.resize(first);
         if (mesh_.triangles.size() > kMostMeshTriangles || vertices_.records().size() > kMostMeshVertices)
@@ -125,6 +128,12 @@ class ObjMeshBuilder {
     }
 
   private:
+    std::vector<CornerTriple> triangulated(std::span<const tinyobj::index_t> corners) const {
+        std::vector<Vec3<World>> polygon;
+        for (const tinyobj::index_t& corner : corners) polygon.push_back(at(positions_, corner.vertex_index));
+        return triangulate_by_diagonals(polygon);
+    }
+
     void add_corner(const tinyobj::index_t& corner, std::uint32_t skin, std::int64_t smoothing) {
         const std::uint32_t smooth = smooth_vertices_.number_of({corner.vertex_index, smoothing});
         const bool has_normal = corner.normal_index >= 0 && at(normals_, corner.normal_index) != Vec3<Unit>{};
@@ -133,8 +142,9 @@ class ObjMeshBuilder {
         smooth_numbers_.push_back(smooth);
     }
 
-    /// Of corners as they stand in numbers_, clockwise.
-    void add_triangle(std::size_t a, std::size_t b, std::size_t c, std::uint32_t skin) {
+    /// Of corners that stand in numbers_ from `first` on: counter-clockwise in the file, clockwise in the mesh.
+    void add_triangle(std::size_t first, const CornerTriple& corners, std::uint32_t skin) {
+        const std::size_t a = first + corners[0], b = first + corners[2], c = first + corners[1];
         mesh_.triangles.push_back({{numbers_[a], numbers_[b], numbers_[c]}, skin});
         smooth_triangles_.push_back({smooth_numbers_[a], smooth_numbers_[b], smooth_numbers_[c]});
     }
