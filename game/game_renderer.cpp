@@ -85,12 +85,14 @@ GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const S
 }
 
 template <class Use>
-void GameRenderer::use_scene(const GameView& view, Use use) const {
+void GameRenderer::use_scene(const GameView& view, Use use) {
     const std::vector<PlacedModel> models = placed_models(level_, view.state);
     const MovingLight torch{view.camera.eye, kTorchRadius};
     Scene scene{data_.level, data_.colormap, models, time_ms_at(view.state)};
     scene.light_styles = light_styles_of(view.state.after);
     if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
+    place_models(data_.models, scene.time_ms, meshes_);
+    scene.meshes = meshes_;
     use(scene);
 }
 
@@ -98,7 +100,7 @@ void GameRenderer::draw(const GameView& view, const Settings& settings) {
     use_scene(view, [&](const Scene& scene) { draw_frame(scene, view.camera, mode_, settings, work_, canvas()); });
 }
 
-void GameRenderer::note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log) const {
+void GameRenderer::note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log) {
     use_scene(view, [&](const Scene& scene) {
         const ViewSpec spec = first_person_view(view.camera, settings.accuracy.sine);
         log.note_each_second({scene, spec, mode_, settings, work_}, now_us);

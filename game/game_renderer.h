@@ -54,7 +54,7 @@ class GameRenderer {
     /// What draw() takes in its passes; the clock's time counts in it.
     PassTimes draw_and_time(const GameView& view, const Settings& settings, FrameClock clock);
     /// Writes what the log's channels say of the picture drawn last, of this view, at most once a second.
-    void note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log) const;
+    void note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log);
     /// The plan of the picture drawn last.
     const FramePlan& plan() const { return work_.plan; }
     Framebuffer canvas();
@@ -64,13 +64,14 @@ class GameRenderer {
 
   private:
     template <class Use>
-    void use_scene(const GameView& view, Use use) const;
+    void use_scene(const GameView& view, Use use);
 
     const GameData& data_;
     const GameLevel& level_;
     ScreenMode mode_;
     FrameWorkspace work_;
     std::vector<std::uint8_t> pixels_;
+    std::vector<PlacedMesh> meshes_;
 };
 
 }  // namespace oblong

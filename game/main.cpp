@@ -124,7 +124,7 @@ void play(const Options& options, const GameData& data, const GameLevel& level) 
 }
 
 void run_game(const Options& options, const std::string& assets) {
-    const GameData data = load_game(options.level, options.palette, assets);
+    const GameData data = load_game(options.level, options.palette, assets, options.models);
     if (options.shows_gallery) return show_gallery(options, data);
     const GameLevel level = naming_file(data.level_file, [&] { return make_game_level(data.level); });
     if (!options.timedemo.empty())

@@ -68,6 +68,7 @@ struct OptionTexts {
 void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("level", options.level, "Quake BSP file to play; without one, the demo level");
     line.add("--palette", options.palette, "768 bytes of red, green, blue; default: the level's, else the demo's");
+    line.add("--models", options.models, "folder of Quake's models: shows a level's items (README)");
     line.add("--mode", texts.mode, "WxH, size of the picture in pixels");
     line.add("--display", texts.display, "W:H, shape of the display that the picture is for");
     line.add("--fov", texts.field_of_view, "degrees seen across the whole width");

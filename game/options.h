@@ -16,7 +16,7 @@ namespace oblong {
 
 /// The command line's options; empty strings and 0 where they are not given.
 struct Options {
-    std::string level, palette;
+    std::string level, palette, models;
     ScreenMode mode;
     WindowSize window;
     Degrees field_of_view = Degrees::from_int(90);
