@@ -14,6 +14,7 @@
 #include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
+#include "engine/frame/hidden_surfaces.h"
 #include "engine/frame/mirror_pass.h"
 #include "engine/frame/pass_times.h"
 #include "engine/frame/plan.h"
@@ -71,6 +72,7 @@ class FrameWorkspace {
     std::vector<std::uint8_t> sky_layers;               ///< both layers of the sky as one
     UnderwaterScratch underwater;
     MirrorScratch mirror;
+    std::unique_ptr<HiddenSurfaceScratch> hidden_surfaces;  ///< null until a frame goes without the span buffer
 
     FramePlan plan;                       ///< of the frame drawn last
     std::unique_ptr<FrameCounts> counts;  ///< null: nothing is counted
