@@ -31,17 +31,22 @@ void copy_corners(const VisibleFace& visible, const FrameContext& frame, FrameWo
         corners.push_back(frame.scene.level.vertices[corner]);
 }
 
-/// Whether the part of a projected face that is before the frame's mirror is in view; projects that part alone.
-bool keep_before_mirror(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
-    const MirrorPlane& mirror = frame.mirror->plane;
+/// Whether the part of a projected face that is within the frame's limits is in view; projects that part alone. Faces
+/// in the plane of a limit are left out: so is a mirror from its own picture.
+bool keep_within_limits(const VisibleFace& visible, const FrameContext& frame, FrameWorkspace& work) {
     std::vector<Vec3<World>>& corners = work.mirror.corners;
     copy_corners(visible, frame, work);
-    const PolygonSide side =
-        polygon_side(frame.scene.level.planes[mirror.plane], mirror.offset, corners, work.mirror.distances);
-    if (side != PolygonSide::Both) return side == (mirror.is_back ? PolygonSide::Back : PolygonSide::Front);
-    const std::size_t count = corners.size();
-    append_part(corners, 0, work.mirror.distances, !mirror.is_back);
-    return project_polygon(std::span(corners).subspan(count), frame.view, work.polygon);
+    bool is_cut = false;
+    for (const WalkLimit& limit : frame.limits) {
+        const PolygonSide side = polygon_side(limit.plane, limit.offset, corners, work.mirror.distances);
+        if (side == (limit.is_back ? PolygonSide::Back : PolygonSide::Front)) continue;
+        if (side != PolygonSide::Both) return false;
+        const auto count = static_cast<std::ptrdiff_t>(corners.size());
+        append_part(corners, 0, work.mirror.distances, !limit.is_back);
+        corners.erase(corners.begin(), corners.begin() + count);
+        is_cut = true;
+    }
+    return !is_cut || project_polygon(corners, frame.view, work.polygon);
 }
 
 /// Transforms, clips and projects the corners into work.polygon. False if nothing of the face is in view.
@@ -50,7 +55,7 @@ bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspa
     const bool is_in_view =
         visible.fragment ? project_polygon(work.brush_models.corners_of(*visible.fragment), frame.view, work.polygon)
                          : project_face(corners_of(visible.face, frame, work), frame.view, work.vertices, work.polygon);
-    return is_in_view && (!frame.mirror || keep_before_mirror(visible, frame, work));
+    return is_in_view && (frame.limits.empty() || keep_within_limits(visible, frame, work));
 }
 
 /// Lets a face claim the pixels of the scanned rows that are free. The second walk comes again to faces that are seen
@@ -72,17 +77,11 @@ void claim_face(const VisibleFace& visible, bool is_second_walk, const FrameCont
     if (work.counts) count_face(effects, std::span(claims.spans).subspan(first), *work.counts);
 }
 
-/// The corners of a face that was projected; of its part before the mirror, if the frame is one's.
+/// The corners of a face that was projected; of its part within the frame's limits, if it has any.
 std::span<const Vec3<World>> projected_corners(const VisibleFace& visible, const FrameContext& frame,
                                                FrameWorkspace& work) {
-    std::vector<Vec3<World>>& corners = work.mirror.corners;
-    if (!frame.mirror) {
-        copy_corners(visible, frame, work);
-        return corners;
-    }
-    const std::size_t whole =
-        visible.fragment ? visible.fragment->corner_count : corners_of(visible.face, frame, work).size();
-    return std::span(corners).subspan(corners.size() > whole ? whole : 0);
+    if (frame.limits.empty()) copy_corners(visible, frame, work);
+    return work.mirror.corners;
 }
 
 /// Counts a scanned face, if the frame is counted, and keeps it for claim_owned() while the first walk lasts, if
@@ -97,12 +96,6 @@ bool keep_or_count(const VisibleFace& visible, bool is_second_walk, bool& keeps_
     else
         claim_owned(frame, work);
     return keeps_faces;
-}
-
-/// A walk stays before a mirror; one that moves with its model sets no limit.
-WalkLimit limit_of(const MirrorView& mirror, const Level& level) {
-    if (mirror.plane.offset != Vec3<World>{}) return {};
-    return {&level.planes[mirror.plane.plane], mirror.plane.is_back};
 }
 
 }  // namespace
@@ -126,8 +119,8 @@ std::int64_t pixels_of(const Claims& claims, FaceList list) {
 void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
     const Stopwatch watch(work.times.get(), &PassTimes::claims_ns);
     BrushModels* const models = frame.allows(Effect::BrushModels) ? &work.brush_models : nullptr;
-    const WalkLimit limit = frame.mirror ? limit_of(*frame.mirror, frame.scene.level) : WalkLimit{};
-    FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk, limit);
+    FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk,
+                         frame.limits);
     bool keeps_faces = frame.settings.hidden_surfaces != HiddenSurfaces::SpanBuffer;
     const bool is_watched = keeps_faces || work.counts;  // one test a face instead of two
     if (keeps_faces) start_scanned_faces(work);

@@ -42,7 +42,7 @@ FrameFog make_frame_fog(const FrameContext& frame, FrameWorkspace& work) {
     if (!fog->has_top) return found;
     found.top = fog->top;
     found.height = make_height_fog_view({fog->top, fog->fade_depth}, frame.view.eye,
-                                        make_view_directions(frame.view.axes, frame.view.projection));
+                                        make_view_directions(frame.view.rays, frame.view.projection));
     return found;
 }
 

@@ -5,29 +5,42 @@
 #include "engine/frame/frame_context.h"
 #include "engine/frame/passes.h"
 #include "engine/frame/workspace.h"
+#include "engine/geometry/views.h"
 #include "engine/visibility/eye.h"
 
 namespace oblong {
 
 namespace {
 
-ViewContext make_view(const Camera& camera, const Vec3<World>& eye, const ScreenMode& mode, const Settings& settings) {
-    ViewContext view;
-    view.eye = eye;
-    const Accuracy& accuracy = settings.accuracy;
-    view.axes = rounded_to(view_basis(camera.yaw, camera.pitch, camera.roll, accuracy.sine), accuracy.matrix_bits);
-    view.projection = make_projection(mode, camera.field_of_view, settings.correct_aspect);
-    view.frustum = make_frustum(view.axes, view.projection);
-    view.grid = SubpixelGrid::of_bits(accuracy.subpixel_bits);
-    view.view_bits = accuracy.view_bits;
-    return view;
+/// What has a meaning in this view. Depth among things, fog, and the water before the eye are measured from an eye: a
+/// parallel view has none, and is drawn without them; mirrors in it are walls.
+EffectSet allowed_in(const ViewSpec& view, EffectSet allowed) {
+    if (!view.is_parallel) return allowed;
+    for (const Effect effect : {Effect::Particles, Effect::Sprites, Effect::Fog, Effect::Underwater, Effect::Mirror})
+        allowed = allowed.without(effect);
+    return allowed;
 }
 
-/// Moves the eye clear of planes, and finds what may be seen from there.
-FrameContext begin_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
+std::vector<WalkLimit> limits_of(const ViewSpec& view) {
+    std::vector<WalkLimit> limits;
+    for (const ViewCut& cut : view.cuts) limits.push_back({{cut.normal, cut.distance}, false, {}});
+    return limits;
+}
+
+/// The eye, moved clear of planes. The whole level may be seen where the void may: not from where the eye is, but from
+/// where its rays begin.
+PlacedEye place_viewer(const Level& level, const ViewSpec& view) {
+    if (view.is_parallel) return {view.eye, kSolidOutside};
+    const PlacedEye eye = place_eye(level, view.eye);
+    return {eye.position, view.cuts.empty() ? eye.leaf : kSolidOutside};
+}
+
+/// Finds what may be seen, and starts everything that lasts for a frame.
+FrameContext begin_frame(const Scene& scene, ViewSpec spec, const ScreenMode& mode, const Settings& settings,
                          FrameWorkspace& work, Framebuffer out) {
     if (work.times) *work.times = {work.times->clock};
-    const PlacedEye eye = place_eye(scene.level, camera.eye);
+    const PlacedEye eye = place_viewer(scene.level, spec);
+    spec.eye = eye.position;
     work.visible.see_from(scene.level, eye.leaf);
     {
         const Stopwatch watch(work.times.get(), Effect::BrushModels);
@@ -40,14 +53,18 @@ FrameContext begin_frame(const Scene& scene, const Camera& camera, const ScreenM
     if (work.counts) *work.counts = make_frame_counts(out);
     if (work.record) work.record->pixels.assign(pixel_count(out.pitch, out.height_px), {});
 
-    const ViewContext view = make_view(camera, eye.position, mode, settings);
+    const Accuracy& accuracy = settings.accuracy;
+    const ViewContext view = make_view_context(
+        spec, mode, {accuracy.matrix_bits, accuracy.view_bits, accuracy.subpixel_bits, settings.correct_aspect});
     return {scene,
             settings,
             view,
-            make_inverse_projection(view.projection),
+            make_inverse_projection(view.projection, spec.shear_x, spec.shear_y),
             make_span_texturing(settings.accuracy),
             out,
-            scene.level.leaves[eye.leaf].contents};
+            scene.level.leaves[eye.leaf].contents,
+            nullptr,
+            limits_of(spec)};
 }
 
 /// Adds what is known at the end of a frame only.
@@ -57,12 +74,19 @@ void count_frame(std::int64_t texels_before, FrameWorkspace& work) {
 
 }  // namespace
 
-void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
+void draw_frame(const Scene& scene, const ViewSpec& view, const ScreenMode& mode, const Settings& settings,
                 FrameWorkspace& work, Framebuffer out) {
-    const FrameContext frame = begin_frame(scene, camera, mode, settings, work, out);
+    Settings in_view = settings;
+    in_view.allowed_effects = allowed_in(view, settings.allowed_effects);
+    const FrameContext frame = begin_frame(scene, view, mode, in_view, work, out);
     const std::int64_t texels_before = work.surfaces.built_texels();
     work.plan = draw_view(frame, work);
     if (work.counts) count_frame(texels_before, work);
+}
+
+void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
+                FrameWorkspace& work, Framebuffer out) {
+    draw_frame(scene, first_person_view(camera, settings.accuracy.sine), mode, settings, work, out);
 }
 
 }  // namespace oblong

@@ -5,7 +5,9 @@
 
 #include "engine/frame/settings.h"
 #include "engine/geometry/projection.h"
+#include "engine/geometry/view_spec.h"
 #include "engine/level/level.h"
+#include "engine/mesh/placed_mesh.h"
 #include "engine/scene/effects.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/placed_models.h"
@@ -24,13 +26,22 @@ struct Scene {
     std::int64_t time_ms = 0;                         ///< 0 or more: what moves by itself is a function of it
     LightStyles light_styles = plain_light_styles();  ///< times what the level's patterns make of them
     std::span<const MovingLight> moving_lights = {};  ///< besides those of the level's lanterns
+    std::span<const PlacedMesh> meshes = {};          ///< models made of triangles
 };
 
-/// Draws one picture: a pure function of its first four arguments. Every pixel of `out` (whose size is the mode's) is
-/// written once: in the open by the world, which leaves no pixel free if its faces meet; where they do not, a free
-/// pixel takes the colour of the nearest covered one on its row. From inside a wall or behind the sky all faces that
-/// face the eye are drawn, and what none of them covers is colour 0. Fields of view are bounded by make_projection()
-/// and, in modes of few pixels, by make_inverse_projection().
+/// Draws one picture of any view: a pure function of its first four arguments. Every pixel of `out` (whose size is the
+/// mode's) is written once: in the open by the world, which leaves no pixel free if its faces meet; where they do not,
+/// a free pixel takes the colour of the nearest covered one on its row. From inside a wall or behind the sky all faces
+/// that face the eye are drawn, and what none of them covers is colour 0. Fields of view are bounded by
+/// make_projection() and, in modes of few pixels, by make_inverse_projection(); other views have no problem_of().
+///
+/// A parallel view shows faces that its direction faces, wherever they are: a level seen from outside shows its rooms
+/// without the walls and ceilings that turn away. It is drawn without effects that have no meaning without an eye.
+/// Where it, or one that planes cut, shows nothing, there is colour 0.
+void draw_frame(const Scene& scene, const ViewSpec& view, const ScreenMode& mode, const Settings& settings,
+                FrameWorkspace& work, Framebuffer out);
+
+/// The same as a camera looks.
 void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,
                 FrameWorkspace& work, Framebuffer out);
 

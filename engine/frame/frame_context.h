@@ -19,6 +19,7 @@ struct FrameContext {
     Framebuffer out;
     std::int32_t eye_contents = contents::kEmpty;  ///< of the leaf that the eye is in
     const MirrorView* mirror = nullptr;            ///< the frame is what this mirror shows
+    std::vector<WalkLimit> limits;                 ///< parts of the level beyond them are left out
 
     const Accuracy& accuracy() const { return settings.accuracy; }
     bool allows(Effect effect) const { return settings.allowed_effects.has(effect); }

@@ -28,6 +28,10 @@ Vec3<Unit> reflected(const Vec3<Unit>& v, const Vec3<Unit>& normal) {
     return v - Vec3<Unit>{part(normal.x), part(normal.y), part(normal.z)};
 }
 
+Basis reflected(const Basis& axes, const Vec3<Unit>& normal) {
+    return {-reflected(axes.right, normal), reflected(axes.up, normal), reflected(axes.forward, normal)};
+}
+
 Vec3<World> reflected_eye(const Vec3<World>& eye, const LevelPlane& plane, const Vec3<World>& offset) {
     const PlaneDistance distance = plane_distance(plane, eye - offset);
     const auto moved = [distance](World from, Unit component) {
@@ -42,10 +46,11 @@ ViewContext mirrored(const ViewContext& view, const MirrorView& mirror, const Le
     const LevelPlane& plane = level.planes[mirror.plane.plane];
     ViewContext turned = view;
     turned.eye = place_eye(level, reflected_eye(view.eye, plane, mirror.plane.offset)).position;
-    turned.axes = {-reflected(view.axes.right, plane.normal), reflected(view.axes.up, plane.normal),
-                   reflected(view.axes.forward, plane.normal)};
+    turned.viewpoint = {turned.eye};
+    turned.axes = reflected(view.axes, plane.normal);
+    turned.rays = reflected(view.rays, plane.normal);
     turned.frustum = make_frustum(turned.axes, turned.projection);
-    narrow_cull_planes(turned.axes, turned.projection, mirror.pixels, turned.frustum);
+    narrow_cull_planes(turned.axes, turned.projection, {}, mirror.pixels, turned.frustum);
     return turned;
 }
 
@@ -100,6 +105,14 @@ void copy_flipped(std::span<const Span> flipped, const Framebuffer& from, Frameb
                           to.row(span.y) + (to.width_px - span.end));
 }
 
+/// Those of the frame, and the mirror.
+std::vector<WalkLimit> limits_of(const MirrorView& mirror, const FrameContext& frame) {
+    std::vector<WalkLimit> limits = frame.limits;
+    const MirrorPlane& plane = mirror.plane;
+    limits.push_back({frame.scene.level.planes[plane.plane], plane.is_back, plane.offset});
+    return limits;
+}
+
 /// Draws the mirrored view where `flipped` are free. Uses the workspace's scratch, but not its claims.
 void draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span<const Span> flipped,
                         const FrameContext& frame, FrameWorkspace& work) {
@@ -113,7 +126,8 @@ void draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span<cons
         frame.texturing,
         {work.mirror.pixels.data(), frame.out.width_px, frame.out.height_px, frame.out.width_px},
         contents::kEmpty,
-        &mirror};
+        &mirror,
+        limits_of(mirror, frame)};
     work.visible.see_from(frame.scene.level, leaf);
     work.brush_models.start_frame(frame.scene.level, frame.scene.models, work.faces);
     work.vertices.start_frame();

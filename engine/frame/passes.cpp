@@ -7,6 +7,7 @@
 #include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/light_pass.h"
+#include "engine/frame/model_pass.h"
 #include "engine/frame/see_through_pass.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/frame/workspace.h"
@@ -38,13 +39,14 @@ void draw_sky_faces(const FrameContext& frame, FrameWorkspace& work) {
     const bool is_layered = texture.width == 2 * texture.height && (texture.height & (texture.height - 1)) == 0;
     if (!is_layered) return fill_spans(work.pass_spans, texture.mips[0][0], frame.out);
     if (work.counts) {
-        const SkyWork sky = work_of_sky(work.pass_spans, texture.height, frame.view.axes, frame.view.projection);
+        const SkyWork sky =
+            work_of_sky(work.pass_spans, texture.height, frame.view.ray_directions(), frame.view.projection);
         StageCounts& stages = work.counts->stages;
         stages.sky_directions = sky.directions;
         stages.sky_blocks = sky.directions - std::ssize(work.pass_spans);
         stages.sky_texels = sky.composed_texels;
     }
-    draw_sky(work.pass_spans, {texture.mips[0].data(), texture.height, texture.width}, frame.view.axes,
+    draw_sky(work.pass_spans, {texture.mips[0].data(), texture.height, texture.width}, frame.view.ray_directions(),
              frame.view.projection, frame.scene.time_ms, work.sky_layers, frame.out);
 }
 
@@ -72,6 +74,8 @@ void run(Pass pass, const FrameContext& frame, const FrameFog& fog, FrameWorkspa
             return draw_shadows(frame, work);
         case Pass::Fog:
             return draw_fog(work.claims.fog_runs, fog.tables->colours, frame.out);
+        case Pass::Models:
+            return draw_meshes(frame, fog, work);
         case Pass::SeeThrough:
             return draw_see_through(frame, fog, work);
         case Pass::Underwater:

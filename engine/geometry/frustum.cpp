@@ -20,8 +20,8 @@ SideSlope make_slope(Multiplier multiplier, std::int32_t distance_1) {
 }
 
 /// A side plane in world space: its normal is a linear combination of two of the camera's axes.
-CullPlane make_cull_plane(const Vec3<Unit>& across_axis, ClipNormal across, const Vec3<Unit>& forward,
-                          ClipNormal along) {
+CullPlane make_cull_plane(const Vec3<Unit>& across_axis, ClipNormal across, const Vec3<Unit>& forward, ClipNormal along,
+                          View parallel_depth) {
     using Component = Fixed<std::int64_t, 20>;
     const auto mix = [&](Unit a, Unit f) {
         const auto mixed =
@@ -29,12 +29,16 @@ CullPlane make_cull_plane(const Vec3<Unit>& across_axis, ClipNormal across, cons
         note_range<"cull plane's normal">(mixed);
         return convert<Component>(mixed);
     };
-    return {{mix(across_axis.x, forward.x), mix(across_axis.y, forward.y), mix(across_axis.z, forward.z)}};
+    constexpr CullDistance kMargin = CullDistance::from_int(1);
+    const auto offset = convert<CullDistance>(bounded_product(along, parallel_depth));
+    return {{mix(across_axis.x, forward.x), mix(across_axis.y, forward.y), mix(across_axis.z, forward.z)},
+            -offset - kMargin,
+            kMargin - offset};
 }
 
 }  // namespace
 
-Frustum make_frustum(const Basis& axes, const Projection& projection) {
+Frustum make_frustum(const Basis& axes, const Projection& projection, View parallel_depth) {
     const SideSlope x = make_slope(projection.x.multiplier, projection.width_px);
     const SideSlope y = make_slope(projection.y.multiplier, projection.height_px);
 
@@ -43,24 +47,24 @@ Frustum make_frustum(const Basis& axes, const Projection& projection) {
     frustum.clip_planes[1] = {{-x.across, {}, x.along}, {}};
     frustum.clip_planes[2] = {{{}, y.across, y.along}, {}};
     frustum.clip_planes[3] = {{{}, -y.across, y.along}, {}};
-    frustum.cull_planes[0] = make_cull_plane(axes.right, x.across, axes.forward, x.along);
-    frustum.cull_planes[1] = make_cull_plane(axes.right, -x.across, axes.forward, x.along);
-    frustum.cull_planes[2] = make_cull_plane(axes.up, y.across, axes.forward, y.along);
-    frustum.cull_planes[3] = make_cull_plane(axes.up, -y.across, axes.forward, y.along);
+    frustum.cull_planes[0] = make_cull_plane(axes.right, x.across, axes.forward, x.along, parallel_depth);
+    frustum.cull_planes[1] = make_cull_plane(axes.right, -x.across, axes.forward, x.along, parallel_depth);
+    frustum.cull_planes[2] = make_cull_plane(axes.up, y.across, axes.forward, y.along, parallel_depth);
+    frustum.cull_planes[3] = make_cull_plane(axes.up, -y.across, axes.forward, y.along, parallel_depth);
     return frustum;
 }
 
-void narrow_cull_planes(const Basis& axes, const Projection& projection, const ScreenRectangle& part,
-                        Frustum& frustum) {
+void narrow_cull_planes(const Basis& axes, const Projection& projection, View parallel_depth,
+                        const ScreenRectangle& part, Frustum& frustum) {
     const std::int32_t width_1 = projection.width_px, height_1 = projection.height_px;
     const SideSlope left = make_slope(projection.x.multiplier, width_1 - 2 * (part.first_column - 1));
     const SideSlope right = make_slope(projection.x.multiplier, 2 * (part.end_column + 1) - width_1);
     const SideSlope bottom = make_slope(projection.y.multiplier, 2 * (part.end_row + 1) - height_1);
     const SideSlope top = make_slope(projection.y.multiplier, height_1 - 2 * (part.first_row - 1));
-    frustum.cull_planes[0] = make_cull_plane(axes.right, left.across, axes.forward, left.along);
-    frustum.cull_planes[1] = make_cull_plane(axes.right, -right.across, axes.forward, right.along);
-    frustum.cull_planes[2] = make_cull_plane(axes.up, bottom.across, axes.forward, bottom.along);
-    frustum.cull_planes[3] = make_cull_plane(axes.up, -top.across, axes.forward, top.along);
+    frustum.cull_planes[0] = make_cull_plane(axes.right, left.across, axes.forward, left.along, parallel_depth);
+    frustum.cull_planes[1] = make_cull_plane(axes.right, -right.across, axes.forward, right.along, parallel_depth);
+    frustum.cull_planes[2] = make_cull_plane(axes.up, bottom.across, axes.forward, bottom.along, parallel_depth);
+    frustum.cull_planes[3] = make_cull_plane(axes.up, -top.across, axes.forward, top.along, parallel_depth);
 }
 
 }  // namespace oblong

@@ -32,9 +32,15 @@ struct ClipPlane {
     }
 };
 
-/// A side plane in the world, through the eye: normal . (p - eye) >= 0 is inside; for culling boxes.
+/// A distance from a cull plane, times the length of its normal.
+using CullDistance = Fixed<std::int64_t, 32>;
+
+/// A side plane in the world, for culling boxes: normal . (p - eye) is below `outside` for points that are surely
+/// outside, and at least `inside` for those that are surely inside. Conservative by one unit, and so by the error of
+/// the normal: up to 2^-21 in each component. In a perspective view the plane goes through the eye.
 struct CullPlane {
     std::array<Fixed<std::int64_t, 20>, 3> normal{};
+    CullDistance outside, inside;
 };
 
 struct Frustum {
@@ -42,12 +48,14 @@ struct Frustum {
     std::array<CullPlane, 4> cull_planes;                ///< left, right, bottom, top
 };
 
-/// The planes of the view frustum. A point on a plane is inside.
-Frustum make_frustum(const Basis& axes, const Projection& projection);
+/// The planes of the view frustum; with a `parallel_depth` above 0 (ViewContext) that is a box. A point on a plane is
+/// inside.
+Frustum make_frustum(const Basis& axes, const Projection& projection, View parallel_depth = {});
 
 /// Moves the cull planes to the borders of a part of the screen, a pixel outward; the clip planes stay. For views of
 /// which no more than that is drawn.
-void narrow_cull_planes(const Basis& axes, const Projection& projection, const ScreenRectangle& part, Frustum& frustum);
+void narrow_cull_planes(const Basis& axes, const Projection& projection, View parallel_depth,
+                        const ScreenRectangle& part, Frustum& frustum);
 
 /// The outcode of a point in viewspace.
 inline std::uint8_t outcode_of(const Frustum& frustum, const Vec3<View>& p) {

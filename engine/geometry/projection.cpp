@@ -24,10 +24,17 @@ ProjectionAxis make_axis(Multiplier multiplier, std::int32_t size_px) {
 
 }  // namespace
 
-Projection make_projection(const ScreenMode& mode, Degrees field_of_view, bool correct_aspect) {
-    const SineCosine60 half = sine_cosine(floor_shift(field_of_view, 1));
+View shown_half_width(const ViewWindow& window, const ScreenMode& mode) {
+    using Whole = Fixed<std::int64_t, 0>;
+    const Ratio display = mode.display.reduced();
+    const auto by_height = product_over<View>(window.half_height, Whole::from_int(display.numerator),
+                                              Whole::from_int(display.denominator));
+    return std::max(window.half_width, by_height);
+}
+
+Projection make_projection(const ScreenMode& mode, const ViewWindow& window, bool correct_aspect) {
     const auto half_width = convert<Multiplier>(HalfPixels::from_raw(mode.width_px));
-    const auto distance = product_over<Multiplier>(half_width, half.cosine, half.sine);
+    const auto distance = product_over<Multiplier>(half_width, window.distance, shown_half_width(window, mode));
 
     using Whole = Fixed<std::int64_t, 0>;
     const Ratio squeeze = (mode.display * Ratio{mode.height_px, mode.width_px}).reduced();
@@ -40,6 +47,15 @@ Projection make_projection(const ScreenMode& mode, Degrees field_of_view, bool c
     projection.width_px = mode.width_px;
     projection.height_px = mode.height_px;
     return projection;
+}
+
+ViewWindow window_of(Degrees field_of_view) {
+    const SineCosine60 half = sine_cosine(floor_shift(field_of_view, 1));
+    return {View::from_raw(half.sine.raw), View::from_raw(half.cosine.raw)};
+}
+
+Projection make_projection(const ScreenMode& mode, Degrees field_of_view, bool correct_aspect) {
+    return make_projection(mode, window_of(field_of_view), correct_aspect);
 }
 
 bool is_drawable(const Projection& projection) {

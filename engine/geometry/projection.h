@@ -29,6 +29,23 @@ struct Projection {
     std::int32_t width_px = 0, height_px = 0;
 };
 
+/// The part of the view plane that the screen shows, in any common unit: half its width and its distance from the
+/// eye, whose ratio is tan(field of view / 2). With a `half_height` the window is shown whole, whatever its shape: on a
+/// screen of another shape there is more around it, and never another scale across than down.
+struct ViewWindow {
+    View half_width, distance;
+    View half_height = {};  ///< 0: as the display's shape gives it
+};
+
+/// Half the width of what a screen of this shape shows of the world around a window, in the window's unit.
+View shown_half_width(const ViewWindow& window, const ScreenMode& mode);
+
+/// d = (width / 2) * distance / half_width, or less where the height asks for it; for y see below. Parts above 0.
+Projection make_projection(const ScreenMode& mode, const ViewWindow& window, bool correct_aspect = true);
+
+/// The window of a field of view across the whole width, above 0 and below 180 degrees.
+ViewWindow window_of(Degrees field_of_view);
+
 /// d = (width / 2) / tan(fov / 2); x: d, y: d * display * height / width. Without `correct_aspect` y takes x's
 /// multiplier, as if pixels were square. `field_of_view` is above 0 and below 180 degrees; the multipliers are right to
 /// 2^-32 pixel for fields of view from 1 to 179 degrees.

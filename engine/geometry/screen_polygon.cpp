@@ -46,28 +46,24 @@ struct OutcodeUnion {
     }
 };
 
-template <bool RoundsPositions>
+template <bool AdjustsPositions>
 OutcodeUnion gather_corners(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
                             std::vector<CachedVertex*>& corners) {
     OutcodeUnion outcodes;
     corners.clear();
     for (const VertexIndex index : corner_indices) {
-        CachedVertex& vertex = vertices.get<RoundsPositions>(index, view);
+        CachedVertex& vertex = vertices.get<AdjustsPositions>(index, view);
         outcodes.add(vertex.outcode);
         corners.push_back(&vertex);
     }
     return outcodes;
 }
 
-bool rounds_positions(const ViewContext& view) {
-    return view.view_bits != View::kFractionBits;
-}
-
 }  // namespace
 
 bool project_face(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
                   ScreenPolygon& polygon) {
-    const OutcodeUnion outcodes = rounds_positions(view)
+    const OutcodeUnion outcodes = view.adjusts_positions
                                       ? gather_corners<true>(corner_indices, view, vertices, polygon.corners)
                                       : gather_corners<false>(corner_indices, view, vertices, polygon.corners);
     if (outcodes.all != 0) return false;
@@ -85,8 +81,7 @@ bool project_polygon(std::span<const Vec3<World>> corners, const ViewContext& vi
     OutcodeUnion outcodes;
     polygon.clip.polygon.clear();
     for (const Vec3<World>& corner : corners) {
-        Vec3<View> vertex = to_view(corner, view.eye, view.axes);
-        if (rounds_positions(view)) vertex = rounded_to(vertex, view.view_bits);
+        const Vec3<View> vertex = to_view(corner, view);
         const std::uint8_t outcode = outcode_of(view.frustum, vertex);
         outcodes.add(outcode);
         polygon.clip.polygon.push_back({vertex, 0, outcode, 0});

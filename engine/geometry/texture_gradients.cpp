@@ -68,39 +68,69 @@ LinearQuantity<TexelOverZ> texel_quantity(const Vec3<TexelAxis>& world_axis, Tex
 
 /// sec a is the root of 1 and the squares of both tangents; such a root is at most the greatest of the three and half
 /// of the others.
-WidthAtOne least_pixel_width(const InverseProjection& inverse) {
-    const auto tangent = [](InverseMultiplier step, std::int32_t halves) {
-        return product<WidthAtOne>(step, Fixed<std::int32_t, 1>::from_raw(halves));
+WidthAtOne least_pixel_width(const InverseProjection& inverse, Unit shear_x, Unit shear_y) {
+    const auto tangent = [](InverseMultiplier step, std::int32_t halves, Unit shear) {
+        return product<WidthAtOne>(step, Fixed<std::int32_t, 1>::from_raw(halves)) +
+               convert<WidthAtOne>(absolute(shear));
     };
-    const WidthAtOne x = tangent(inverse.inverse_x, inverse.centre_x_1);
-    const WidthAtOne y = tangent(inverse.inverse_y, inverse.centre_y_1), one = WidthAtOne::from_int(1);
+    const WidthAtOne x = tangent(inverse.inverse_x, inverse.centre_x_1, shear_x);
+    const WidthAtOne y = tangent(inverse.inverse_y, inverse.centre_y_1, shear_y), one = WidthAtOne::from_int(1);
     const WidthAtOne secant = floor_shift(x + y + one + std::max({x, y, one}), 1) + WidthAtOne::ulp();
     return product_over<WidthAtOne>(std::min(inverse.inverse_x, inverse.inverse_y), Fixed<std::int32_t, 4>::from_int(1),
                                     secant);
 }
 
+/// u/z or v/z where 1/z is constant: along the surface, not along the texture's axis, whose part along the rays is
+/// taken off in the plane's own slope.
+LinearQuantity<TexelOverZ> parallel_quantity(const Vec3<TexelAxis>& axis, Texel eye_texel, const TexturedPlane& plane,
+                                             const Basis& rays, InverseZ inverse_z,
+                                             const InverseProjection& projection) {
+    using Slope = Fixed<std::int64_t, 32>;  // texels per unit of distance from the plane
+    // Edge-on, or turned round by rounding to the screen: for such a sliver any steep view of the plane will do.
+    constexpr auto kLeastFacing = Sine60::from_raw(std::int64_t{1} << 40);
+    const Sine60 facing = std::max(-dot(plane.normal, rays.forward), kLeastFacing);
+    const auto per_distance =
+        product_over<Slope>(dot(axis, rays.forward), Fixed<std::int64_t, 39>::from_int(1), facing);
+    const auto along = [&](const Vec3<Unit>& ray) {
+        return convert<TexelOverZ>(dot(axis, ray)) + product<TexelOverZ>(per_distance, dot(plane.normal, ray));
+    };
+    const Texel ahead = eye_texel + product<Texel>(per_distance, plane.eye_distance);
+    const auto of_mip = [&](TexelOverZ value) { return floor_shift(value, plane.mip); };
+    return anchor_at_centre(of_mip(product<TexelOverZ>(ahead, inverse_z)),
+                            of_mip(product<TexelOverZ>(along(rays.right), projection.inverse_x)),
+                            of_mip(product<TexelOverZ>(-along(rays.up), projection.inverse_y)), projection);
+}
+
 }  // namespace
 
-InverseProjection make_inverse_projection(const Projection& projection) {
+InverseProjection make_inverse_projection(const Projection& projection, Unit shear_x, Unit shear_y) {
     InverseProjection inverse{reciprocal<InverseMultiplier>(projection.x.multiplier),
                               reciprocal<InverseMultiplier>(projection.y.multiplier),
                               projection.width_px,
                               projection.height_px,
                               {}};
-    inverse.least_pixel_width = least_pixel_width(inverse);
+    inverse.least_pixel_width = least_pixel_width(inverse, shear_x, shear_y);
     return inverse;
 }
 
-TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& axes,
+TextureGradients make_parallel_gradients(const TexturedPlane& plane, const Basis& rays, View depth,
+                                         const InverseProjection& projection) {
+    const auto inverse_z = reciprocal<InverseZ>(depth);
+    return {{inverse_z, {}, {}},
+            parallel_quantity(plane.s, plane.eye_u, plane, rays, inverse_z, projection),
+            parallel_quantity(plane.t, plane.eye_v, plane, rays, inverse_z, projection)};
+}
+
+TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& rays,
                                         const InverseProjection& projection) {
-    const auto normal = rotate_to_view<"normal in view axes">(plane.normal, axes);
+    const auto normal = rotate_to_view<"normal in view axes">(plane.normal, rays);
     const DistanceReciprocal over_distance(plane.eye_distance);
     const ViewSlope<InverseZ> inverse_z{over_distance.times(-product<Sine60>(normal.x, projection.inverse_x)),
                                         over_distance.times(product<Sine60>(normal.y, projection.inverse_y)),
                                         over_distance.times(-normal.ahead)};
     return {anchor_at_centre(inverse_z.ahead, inverse_z.x, inverse_z.y, projection),
-            texel_quantity(plane.s, plane.eye_u, inverse_z, axes, projection, plane.mip),
-            texel_quantity(plane.t, plane.eye_v, inverse_z, axes, projection, plane.mip)};
+            texel_quantity(plane.s, plane.eye_u, inverse_z, rays, projection, plane.mip),
+            texel_quantity(plane.t, plane.eye_v, inverse_z, rays, projection, plane.mip)};
 }
 
 }  // namespace oblong

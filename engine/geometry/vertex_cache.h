@@ -41,12 +41,12 @@ class VertexCache {
         return counts;
     }
 
-    template <bool RoundsPositions>
+    template <bool AdjustsPositions>
     CachedVertex& get(VertexIndex index, const ViewContext& view) {
         CachedVertex& vertex = vertices_[index];
         if (vertex.frame == frame_) return vertex;
         vertex.view = to_view(world_[index], view.eye, view.axes);
-        if constexpr (RoundsPositions) vertex.view = rounded_to(vertex.view, view.view_bits);
+        if constexpr (AdjustsPositions) vertex.view = adjusted(vertex.view, view);
         vertex.outcode = outcode_of(view.frustum, vertex.view);
         vertex.frame = frame_;
         vertex.is_projected = false;

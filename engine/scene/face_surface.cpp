@@ -186,8 +186,8 @@ void FaceSurfaces::build(FaceIndex index, const FaceSurface& surface, TextureInd
     const int mip = surface.mip;
     const TextureView source{at(texture.mips, mip).data(), texture.width >> mip, texture.height >> mip,
                              floor_shift(face.texel_min_u, mip), floor_shift(face.texel_min_v, mip)};
-    build_lit_surface(source, light, fewer_shades_ ? *fewer_shades_ : *colormap_, light_quality_, mip,
-                      1 << surface.view.stride_log2, corner_shades_.data(), texels);
+    build_lit_surface(source, light, colormap(), light_quality_, mip, 1 << surface.view.stride_log2,
+                      corner_shades_.data(), texels);
     built_texels_ += std::int64_t{surface.view.width} * surface.view.height;
 }
 
@@ -215,13 +215,16 @@ TextureGradients make_face_gradients(const Level& level, const Face& face, const
     textured.normal = face.is_back ? -plane.normal : plane.normal;
     // Edge-on, or turned round by rounding to the screen: for such a sliver any steep view of the plane will do.
     constexpr auto kLeastDistance = PlaneDistance::from_raw(std::int64_t{1} << 30);
-    textured.eye_distance = std::max(face.is_back ? -distance : distance, kLeastDistance);
+    textured.eye_distance = face.is_back ? -distance : distance;
     textured.s = texinfo.s;
     textured.t = texinfo.t;
     textured.eye_u = eye_texel(texinfo.s, texinfo.s_offset, eye) - Texel::from_int(surface.origin_u);
     textured.eye_v = eye_texel(texinfo.t, texinfo.t_offset, eye) - Texel::from_int(surface.origin_v);
     textured.mip = surface.mip;
-    return make_texture_gradients(textured, view.axes, inverse_projection);
+    if (view.is_parallel())
+        return make_parallel_gradients(textured, view.rays, view.parallel_depth, inverse_projection);
+    textured.eye_distance = std::max(textured.eye_distance, kLeastDistance);
+    return make_texture_gradients(textured, view.rays, inverse_projection);
 }
 
 }  // namespace oblong

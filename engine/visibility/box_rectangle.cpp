@@ -46,7 +46,7 @@ std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewConte
         to_view({middle(box.mins[0], box.maxs[0]), middle(box.mins[1], box.maxs[1]), middle(box.mins[2], box.maxs[2])},
                 view.eye, view.axes);
 
-    const Extent z = extent_along(view.axes.forward, centre.z, sizes);
+    const Extent z = extent_along(view.axes.forward, centre.z + view.parallel_depth, sizes);
     if (z.least < kNearest) return std::nullopt;
     const Extent x = extent_along(view.axes.right, centre.x, sizes);
     const Extent y = extent_along(view.axes.up, -centre.y, sizes);

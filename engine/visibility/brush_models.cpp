@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/level/side.h"
+#include "engine/visibility/viewpoint.h"
 
 namespace oblong {
 
@@ -14,7 +14,7 @@ namespace {
 constexpr auto kEdgeOn = PlaneDistance::from_raw(std::int64_t{1} << 29);
 
 /// Ranks the model's faces that face the eye, nearest first by the model's own tree; the others get -1.
-void rank_faces(const Level& level, const SubModel& model, const Vec3<World>& local_eye, std::vector<ModelStep>& steps,
+void rank_faces(const Level& level, const SubModel& model, const Viewpoint& local, std::vector<ModelStep>& steps,
                 Table<std::int32_t, Face>& ranks) {
     for (const FaceIndex face : model.faces) ranks[face] = -1;
     std::int32_t rank = 0;
@@ -27,7 +27,7 @@ void rank_faces(const Level& level, const SubModel& model, const Vec3<World>& lo
         const ModelStep step = steps.back();
         steps.pop_back();
         const Node& node = level.nodes[step.node];
-        const PlaneDistance distance = plane_distance(level.planes[node.plane], local_eye);
+        const PlaneDistance distance = plane_distance(level.planes[node.plane], local);
         const bool in_front = distance > PlaneDistance{};
         if (step.is_entered) {
             if (absolute(distance) < kEdgeOn) continue;
@@ -41,14 +41,18 @@ void rank_faces(const Level& level, const SubModel& model, const Vec3<World>& lo
     }
 }
 
-std::int64_t squared_distance(const SubModel& model, const PlacedModel& placed, const Vec3<World>& eye) {
-    const auto part = [](std::int32_t low, std::int32_t high, World offset, World at) {
-        const std::int64_t middle = (std::int64_t{low} + high) / 2 + floor_of(widening_difference(offset, at));
-        return middle * middle;
+/// Squared from an eye, or along the rays of a parallel view; grows with the distance of a model's middle.
+std::int64_t distance_order(const SubModel& model, const PlacedModel& placed, const Viewpoint& viewpoint) {
+    const auto part = [&](std::int32_t low, std::int32_t high, World offset, World from) {
+        const std::int64_t middle = (std::int64_t{low} + high) / 2;
+        if (viewpoint.is_direction()) return -(middle + floor_of(offset)) * from.raw;
+        const std::int64_t away = middle + floor_of(widening_difference(offset, from));
+        return away * away;
     };
-    return part(model.box.mins[0], model.box.maxs[0], placed.offset.x, eye.x) +
-           part(model.box.mins[1], model.box.maxs[1], placed.offset.y, eye.y) +
-           part(model.box.mins[2], model.box.maxs[2], placed.offset.z, eye.z);
+    const Vec3<World>& from = viewpoint.position;
+    return part(model.box.mins[0], model.box.maxs[0], placed.offset.x, from.x) +
+           part(model.box.mins[1], model.box.maxs[1], placed.offset.y, from.y) +
+           part(model.box.mins[2], model.box.maxs[2], placed.offset.z, from.z);
 }
 
 }  // namespace
@@ -111,26 +115,26 @@ const FragmentTree& BrushModels::tree_of(LeafModels& leaf, const Level& level) {
     return trees_[leaf.tree];
 }
 
-void BrushModels::order_model(PlacedIndex placed, const Level& level, const Vec3<World>& eye) {
+void BrushModels::order_model(PlacedIndex placed, const Level& level, const Viewpoint& viewpoint) {
     Order& order = orders_[placed];
     if (order.frame == frame_) return;
     const PlacedModel& at = placed_[placed];
     const SubModel& model = level.models[at.model];
-    order = {frame_, squared_distance(model, at, eye)};
-    rank_faces(level, model, eye - at.offset, steps_, face_ranks_);
+    order = {frame_, distance_order(model, at, viewpoint)};
+    rank_faces(level, model, viewpoint.relative_to(at.offset), steps_, face_ranks_);
 }
 
 bool BrushModels::is_before(const Fragment& a, const Fragment& b) const {
-    const std::int64_t distance_a = orders_[a.placed].squared_distance;
-    const std::int64_t distance_b = orders_[b.placed].squared_distance;
+    const std::int64_t distance_a = orders_[a.placed].distance;
+    const std::int64_t distance_b = orders_[b.placed].distance;
     if (distance_a != distance_b) return distance_a < distance_b;
     if (a.placed != b.placed) return a.placed < b.placed;
     if (a.face == b.face) return a.first_corner < b.first_corner;
     return face_ranks_[a.face] < face_ranks_[b.face];
 }
 
-void BrushModels::find_facing(const Fragment& fragment, const Level& level, const Vec3<World>& eye) {
-    order_model(fragment.placed, level, eye);
+void BrushModels::find_facing(const Fragment& fragment, const Level& level, const Viewpoint& viewpoint) {
+    order_model(fragment.placed, level, viewpoint);
     if (face_ranks_[fragment.face] >= 0) found_.push_back(&fragment);
 }
 
@@ -140,30 +144,30 @@ void BrushModels::sort_found(std::size_t first) {
 }
 
 void BrushModels::walk_tree(const FragmentTree& tree, Index<FragmentTree::Node> index, const Level& level,
-                            const Vec3<World>& eye) {
+                            const Viewpoint& viewpoint) {
     if (index.is_none()) return;
     const FragmentTree::Node& node = tree.nodes[index];
     const Fragment& on_plane = tree.fragments[node.on_plane.front()];
     const LevelPlane& plane = level.planes[level.faces[on_plane.face].plane];
-    const bool in_front = plane_distance(plane, eye - offset_of(on_plane)) > PlaneDistance{};
-    walk_tree(tree, in_front ? node.front : node.back, level, eye);
+    const bool in_front = plane_distance(plane, viewpoint.relative_to(offset_of(on_plane))) > PlaneDistance{};
+    walk_tree(tree, in_front ? node.front : node.back, level, viewpoint);
     const std::size_t first = found_.size();
-    for (const Index<Fragment> fragment : node.on_plane) find_facing(tree.fragments[fragment], level, eye);
+    for (const Index<Fragment> fragment : node.on_plane) find_facing(tree.fragments[fragment], level, viewpoint);
     sort_found(first);
-    walk_tree(tree, in_front ? node.back : node.front, level, eye);
+    walk_tree(tree, in_front ? node.back : node.front, level, viewpoint);
 }
 
 std::span<const Fragment* const> BrushModels::front_to_back_in(LeafIndex leaf, const Level& level,
-                                                               const Vec3<World>& eye) {
+                                                               const Viewpoint& viewpoint) {
     found_.clear();
     LeafModels& in_leaf = leaves_[leaf];
     if (in_leaf.has_several) {
         const FragmentTree& tree = tree_of(in_leaf, level);
-        walk_tree(tree, tree.root, level, eye);
+        walk_tree(tree, tree.root, level, viewpoint);
         if (!tree.root.is_none()) return found_;
     }
     for (Index<Link> link = in_leaf.first_link; !link.is_none(); link = links_[link].next)
-        find_facing(*links_[link].fragment, level, eye);
+        find_facing(*links_[link].fragment, level, viewpoint);
     sort_found(0);
     return found_;
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/geometry/view_context.h"
 #include "engine/level/level.h"
 #include "engine/scene/face_table.h"
 #include "engine/visibility/fragment_tree.h"
@@ -28,8 +29,8 @@ class BrushModels {
     void start_frame(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
 
     bool has_any_in(LeafIndex leaf) const { return !leaves_[leaf].first_link.is_none(); }
-    /// The parts in a leaf that face the eye, nearest first. Valid until the next call.
-    std::span<const Fragment* const> front_to_back_in(LeafIndex leaf, const Level& level, const Vec3<World>& eye);
+    /// The parts in a leaf that face the viewpoint, nearest first. Valid until the next call.
+    std::span<const Fragment* const> front_to_back_in(LeafIndex leaf, const Level& level, const Viewpoint& viewpoint);
     std::span<const Vec3<World>> corners_of(const Fragment& fragment) const {
         const auto& corners = fragment.tree.is_none() ? cuts_[fragment.placed].corners : trees_[fragment.tree].corners;
         return std::span(corners).subspan(fragment.first_corner, fragment.corner_count);
@@ -53,18 +54,18 @@ class BrushModels {
     /// The order of a model's faces in one frame, found when the frame comes to it.
     struct Order {
         std::uint32_t frame = 0;
-        std::int64_t squared_distance = 0;
+        std::int64_t distance = 0;  ///< squared, or along the rays of a parallel view: of use for comparing only
     };
 
     void place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
     void link_leaves();
     void add_to_leaf(const Fragment& fragment);
     const FragmentTree& tree_of(LeafModels& leaf, const Level& level);
-    void order_model(PlacedIndex placed, const Level& level, const Vec3<World>& eye);
-    void find_facing(const Fragment& fragment, const Level& level, const Vec3<World>& eye);
+    void order_model(PlacedIndex placed, const Level& level, const Viewpoint& viewpoint);
+    void find_facing(const Fragment& fragment, const Level& level, const Viewpoint& viewpoint);
     void sort_found(std::size_t first);
     void walk_tree(const FragmentTree& tree, Index<FragmentTree::Node> node, const Level& level,
-                   const Vec3<World>& eye);
+                   const Viewpoint& viewpoint);
     /// Which of two parts without a plane between them comes first: that of the nearer model, and within a model as its
     /// own tree orders them.
     bool is_before(const Fragment& a, const Fragment& b) const;

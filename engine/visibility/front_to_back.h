@@ -38,10 +38,11 @@ struct VisibleFace {
     const Fragment* fragment = nullptr;  ///< the part of a brush model's face that it is; null: a face of the world
 };
 
-/// One side of a plane, beyond which a walk does not go: what a mirror shows is before it.
+/// One side of a plane, beyond which a walk does not go: what a mirror shows is before it, and what a cut keeps.
 struct WalkLimit {
-    const LevelPlane* plane = nullptr;  ///< null: no limit
-    bool is_back = false;               ///< the plane's back is the side that is walked
+    LevelPlane plane;
+    bool is_back = false;  ///< the plane's back is the side that is walked
+    Vec3<World> offset;    ///< of the plane, moved with its model: then no more than faces are compared with it
 };
 
 /// Returns the faces of a scene front to back, one at a time, until no pixel is free: the world's tree, near side
@@ -59,11 +60,14 @@ struct WalkLimit {
 /// closed, and the sum can only change where it passes through the eye, which place_eye() keeps clear of it. So every
 /// pixel is covered by a clockwise polygon, however it is rounded. But that may belong to a face which exactly computed
 /// faces away, or which is not in the visible set: those tests are right for unrounded polygons only.
+///
+/// Where the void shows (ViewContext::shows_void) there is no second walk: rays begin outside, inside walls and in the
+/// open side by side, and what is free after the first shows nothing.
 class FrontToBackWalk {
   public:
     /// The arguments must outlive it. `models` is null where none is drawn.
     FrontToBackWalk(const Level& level, const ViewContext& view, const VisibleSet& visible, BrushModels* models,
-                    const SpanBuffer& span_buffer, WalkScratch& scratch, WalkLimit limit = {});
+                    const SpanBuffer& span_buffer, WalkScratch& scratch, std::span<const WalkLimit> limits = {});
 
     /// The next face; none when no pixel is free, or no face is left.
     std::optional<VisibleFace> next();
@@ -77,6 +81,7 @@ class FrontToBackWalk {
     void take_step();
     void enter_leaf(LeafIndex leaf, std::uint8_t planes);
     void enter_node(NodeIndex node, std::uint8_t planes_to_test);
+    bool is_beyond_limits(const LevelBox& box) const;
     bool is_hidden(const LevelBox& box) const;
     bool is_wanted(FaceIndex face) const;
 
@@ -86,7 +91,7 @@ class FrontToBackWalk {
     BrushModels* models_;
     const SpanBuffer& span_buffer_;
     WalkScratch& scratch_;
-    WalkLimit limit_;
+    std::span<const WalkLimit> limits_;
     bool takes_all_faces_ = false;                  ///< the second walk
     std::span<const Fragment* const> fragments_{};  ///< of the current leaf, still to be returned
     IndexRange<Face> faces_;                        ///< of the current node, still to be returned

@@ -9,6 +9,8 @@ inline ViewContext view_from(const Vec3<World>& eye, Angle yaw = {}, Angle pitch
     ViewContext view;
     view.eye = eye;
     view.axes = view_basis(yaw, pitch, {});
+    view.viewpoint = {view.eye};
+    view.rays = view.axes;
     view.projection = make_projection(mode, Degrees::from_int(90));
     view.frustum = make_frustum(view.axes, view.projection);
     view.grid = SubpixelGrid::of_bits(8);

@@ -16,6 +16,8 @@ struct FrameOutline {
 
     FrameOutline() {
         view.axes = y_up_basis({}, {}, {});
+        view.viewpoint = {view.eye};
+        view.rays = view.axes;
         view.projection = make_projection({}, Degrees::from_int(90));
         view.frustum = make_frustum(view.axes, view.projection);
         view.grid = SubpixelGrid::of_bits(8);

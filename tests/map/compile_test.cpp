@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "engine/geometry/views.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
 #include "engine/scene/placed_models.h"
@@ -49,11 +50,13 @@ std::int64_t faulty_pixels(const map::BspFile& bsp, const std::vector<Camera>& c
     const Level level = as_engine_level(bsp);
     const Colormap colormap = make_colormap(read_palette(std::vector<std::uint8_t>(768, 32)));
     const auto models = models_at_rest(level);
+    std::vector<ViewSpec> views;
+    for (const Camera& camera : cameras) views.push_back(first_person_view(camera));
     std::int64_t faulty = 0;
     FrameWorkspace work(level, {});
     EXPECT_EQ(work.faces.torn_edges, 0u);
     for (const FrameReport& frame :
-         render_cameras({{level, colormap, models}, {}, {}, cameras}, work, [](auto, auto) {}))
+         render_views({{level, colormap, models}, {}, {}, views}, work, [](auto, auto) {}))
         faulty += frame.pixels_never + frame.pixels_twice;
     return faulty;
 }

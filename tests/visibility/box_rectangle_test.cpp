@@ -17,6 +17,8 @@ ViewContext random_view(std::mt19937& random, std::int32_t reach = 2000) {
     };
     view.eye = {coordinate(), coordinate(), coordinate()};
     view.axes = view_basis(Angle::from_bam(random()), Angle::from_bam(random()), Angle::from_bam(random()));
+    view.viewpoint = {view.eye};
+    view.rays = view.axes;
     view.projection = make_projection(ScreenMode{}, Degrees::from_int(20 + random() % 130));
     view.frustum = make_frustum(view.axes, view.projection);
     view.grid = SubpixelGrid::of_bits(8);

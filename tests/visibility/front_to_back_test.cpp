@@ -50,6 +50,8 @@ ViewContext random_view(const Level& level, std::mt19937& random) {
     ViewContext view;
     view.eye = random_open_point(level, random);
     view.axes = view_basis(Angle::from_bam(random()), Angle::from_bam(random() % 16384 - 8192), {});
+    view.viewpoint = {view.eye};
+    view.rays = view.axes;
     view.projection = make_projection(ScreenMode{}, Degrees::from_int(90));
     view.frustum = make_frustum(view.axes, view.projection);
     view.grid = SubpixelGrid::of_bits(8);

@@ -15,6 +15,8 @@ ViewContext view_from(const Vec3<World>& eye, Angle yaw) {
     ViewContext view;
     view.eye = eye;
     view.axes = view_basis(yaw, {}, {});
+    view.viewpoint = {view.eye};
+    view.rays = view.axes;
     view.projection = make_projection(ScreenMode{}, Degrees::from_int(90));
     view.frustum = make_frustum(view.axes, view.projection);
     return view;

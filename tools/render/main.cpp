@@ -11,6 +11,7 @@
 #include "tools/common/png.h"
 #include "tools/render/camera_list.h"
 #include "tools/render/report.h"
+#include "tools/render/view_option.h"
 
 namespace {
 
@@ -19,7 +20,8 @@ using namespace oblong;
 struct Options {
     std::string level, cameras, palette, out, json;
     std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", preset = "bounded",
-                effects = "auto", hidden_surfaces = "span-buffer", texel_error, seconds = "0", step_seconds = "0";
+                effects = "auto", hidden_surfaces = "span-buffer", texel_error, view = "first-person", seconds = "0",
+                step_seconds = "0";
     std::vector<std::string> dials;
     std::int64_t repeat = 1, threads = 1;
     bool prints_plan = false;
@@ -54,6 +56,7 @@ void declare(Command& line, Options& options) {
     line.add("--repeat", options.repeat, "timed renderings of each frame").limit(1, 100'000);
     line.add("--mode", options.mode, "pixels, WIDTHxHEIGHT");
     line.add("--display", options.display, "shape of the display, WIDTH:HEIGHT");
+    line.add("--view", options.view, kViewSyntax);
     line.add("--fov", options.field_of_view, "degrees across");
     line.add("--brightness", options.brightness, "of the light on surfaces, 0.25 to 8");
     line.add("--accuracy", options.preset, "1991, 1994, 1996, bounded or exact");
@@ -131,12 +134,24 @@ void report(const ReportHead& head, const std::vector<FrameReport>& frames, cons
     if (!json_path.empty()) write_file(json_path, json);
 }
 
-/// The palette that shows a camera's picture.
+/// What the option makes of each camera.
+std::vector<ViewSpec> views_of(std::span<const Camera> cameras, const std::string& option, const ScreenMode& mode,
+                               SineMethod sine) {
+    const ViewOfCamera view_of = parse_view(option);
+    std::vector<ViewSpec> views;
+    for (const Camera& camera : cameras)
+        views.push_back(option == "first-person"
+                            ? first_person_view(camera, sine)
+                            : checked_view(view_of, camera, mode, "--view at camera " + std::to_string(views.size())));
+    return views;
+}
+
+/// The palette that shows a view's picture.
 Palette shown_palette(const Palette& palette, const RenderJob& job, const LevelEffects& level_effects,
-                      const Camera& camera) {
+                      const ViewSpec& view) {
     PaletteEffects effects =
-        palette_effects_at(job.scene.level, level_effects, palette, camera.eye, job.settings.flashes);
-    if (!job.settings.allowed_effects.has(Effect::Underwater)) effects.liquid = {};
+        palette_effects_at(job.scene.level, level_effects, palette, view.eye, job.settings.flashes);
+    if (view.is_parallel || !job.settings.allowed_effects.has(Effect::Underwater)) effects.liquid = {};
     return apply_palette_effects(palette, effects, job.scene.time_ms);
 }
 
@@ -159,18 +174,19 @@ void render(const Options& options) {
     const Colormap colormap = make_colormap(palette);
     const std::vector<Camera> cameras =
         read_parsed(options.cameras, [&](const auto& bytes) { return parse_cameras(bytes, field_of_view); });
+    const std::vector<ViewSpec> views = views_of(cameras, options.view, mode, settings.accuracy.sine);
     const std::vector<PlacedModel> models = models_at_rest(level);
 
     if (!options.out.empty()) make_folder(options.out);
-    const RenderJob job{{level, colormap, models, time_ms}, mode,   settings, cameras,
+    const RenderJob job{{level, colormap, models, time_ms}, mode,   settings, views,
                         static_cast<int>(options.repeat),   step_ms};
     FrameWorkspace work(level, mode);
     print_warnings("oblong-render", options.level, work.effects.warnings);
     print_warnings("oblong-render", options.level, work.things.warnings);
     warn_of_torn_edges("oblong-render", options.level, work.faces.torn_edges);
-    const auto frames = render_cameras(job, work, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
+    const auto frames = render_views(job, work, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
         if (options.out.empty()) return;
-        const Palette shown = shown_palette(palette, job, work.effects, cameras[index]);
+        const Palette shown = shown_palette(palette, job, work.effects, views[index]);
         const auto png = encode_indexed_png(pixels, mode.width_px, mode.height_px, shown);
         write_file(picture_path(options.out, index), png);
     });

@@ -29,14 +29,14 @@ struct RenderJob {
     Scene scene;
     ScreenMode mode;
     Settings settings;
-    std::span<const Camera> cameras;
+    std::span<const ViewSpec> views;
     int repeat = 1;                 ///< timed renderings of each frame
     std::int64_t time_step_ms = 0;  ///< from each of those to the next: what moves is then lit and drawn anew
 };
 
-/// Renders every camera and calls on_picture(index, pixels) with each picture. Counts are taken in a rendering of their
+/// Renders every view and calls on_picture(index, pixels) with each picture. Counts are taken in a rendering of their
 /// own, never in a timed one.
-std::vector<FrameReport> render_cameras(
+std::vector<FrameReport> render_views(
     const RenderJob& job, FrameWorkspace& work,
     const std::function<void(std::size_t, std::span<const std::uint8_t>)>& on_picture);
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "engine/geometry/views.h"
+
+namespace oblong {
+
+/// The view of a camera; in most views the camera's position is what they show the middle of.
+using ViewOfCamera = std::function<ViewSpec(const Camera&)>;
+
+/// The names and keys of views for --help and messages.
+extern const char* const kViewSyntax;
+
+/// "NAME" or "NAME:KEY=VALUE,...". Throws UsageError that says which name, key or value is wrong.
+ViewOfCamera parse_view(const std::string& text);
+
+/// What `view` makes of a camera. Throws InputError with `where` if it cannot be drawn in the mode.
+ViewSpec checked_view(const ViewOfCamera& view, const Camera& camera, const ScreenMode& mode, const std::string& where);
+
+}  // namespace oblong
