@@ -52,7 +52,7 @@ void find_owners(const FrameContext& frame, HiddenSurfaceScratch& scratch) {
             paint_by(SortDepth::Mean, scratch);
             break;
         case HiddenSurfaces::RayCasting:
-            find_owners_by_rays(scratch.scanned, make_view_directions(frame.view.axes, frame.view.projection),
+            find_owners_by_rays(scratch.scanned, make_view_directions(frame.view.rays, frame.view.projection),
                                 scratch.targets, scratch.owners);
             break;
     }

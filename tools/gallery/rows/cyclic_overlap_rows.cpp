@@ -8,6 +8,7 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/geometry/screen_polygon.h"
 #include "engine/geometry/texture_gradients.h"
+#include "engine/geometry/views.h"
 #include "engine/level/side.h"
 #include "engine/raster/scan.h"
 #include "engine/visibility/model_cutter.h"
@@ -65,12 +66,13 @@ Piece make_plank(int number, double rise) {
 }
 
 ViewContext view_of_planks(const RowInput& input) {
-    ViewContext view;
-    view.axes = view_basis(degrees_to_angle(Degrees::from_int(90)), {}, {});
-    view.projection = make_projection(input.mode, Degrees::from_int(50), input.settings.correct_aspect);
-    view.frustum = make_frustum(view.axes, view.projection);
-    view.grid = SubpixelGrid::of_bits(input.settings.accuracy.subpixel_bits);
-    return view;
+    Camera camera;
+    camera.yaw = degrees_to_angle(Degrees::from_int(90));
+    camera.field_of_view = Degrees::from_int(50);
+    ViewPrecision precision;
+    precision.subpixel_bits = input.settings.accuracy.subpixel_bits;
+    precision.corrects_aspect = input.settings.correct_aspect;
+    return make_view_context(first_person_view(camera), input.mode, precision);
 }
 
 /// The pieces nearest first: the first one's plane cuts the others, and what is on the eye's side of it comes before
@@ -146,7 +148,7 @@ PixelOwners owners_by(Method method, const ScannedFaces& scanned, const ViewCont
             find_owners_by_z_buffer(scanned, depths, owners);
             break;
         case Method::Rays:
-            find_owners_by_rays(scanned, make_view_directions(view.axes, view.projection), targets, owners);
+            find_owners_by_rays(scanned, make_view_directions(view.rays, view.projection), targets, owners);
             break;
     }
     return owners;
