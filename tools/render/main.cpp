@@ -150,6 +150,14 @@ std::vector<ViewSpec> views_of(std::span<const Camera> cameras, const std::strin
     return views;
 }
 
+void check_hidden_surfaces(const Settings& settings, std::span<const ViewSpec> views) {
+    const auto is_parallel = [](const ViewSpec& view) { return view.is_parallel; };
+    if (serves_parallel_views(settings.hidden_surfaces) || std::none_of(views.begin(), views.end(), is_parallel))
+        return;
+    throw UsageError("--hidden-surfaces: " + std::string(at(kHiddenSurfaceNames, settings.hidden_surfaces)) +
+                     " of a parallel view, expected span-buffer or painter");
+}
+
 /// The palette that shows a view's picture.
 Palette shown_palette(const Palette& palette, const RenderJob& job, const LevelEffects& level_effects,
                       const ViewSpec& view) {
@@ -180,6 +188,7 @@ void render(const Options& options) {
     const std::vector<Camera> cameras =
         read_parsed(options.cameras, [&](const auto& bytes) { return parse_cameras(bytes, field_of_view); });
     const std::vector<ViewSpec> views = views_of(cameras, options.view, mode, settings.accuracy.sine);
+    check_hidden_surfaces(settings, views);
     const std::vector<PlacedModel> models = models_at_rest(level);
     const LevelModels level_models = read_level_models(level, palette, {options.level, options.models});
 
