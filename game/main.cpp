@@ -8,6 +8,7 @@
 #include "engine/platform/headless/headless.h"
 #include "engine/platform/sdl/window.h"
 #include "engine/screen/screen.h"
+#include "game/gallery.h"
 #include "game/options.h"
 #include "game/session.h"
 #include "game/timedemo.h"
@@ -66,12 +67,25 @@ Controls short_walk(std::int64_t tick) {
     return controls;
 }
 
+// The input of --headless --gallery: a row a picture.
+Controls page_through(std::int64_t poll) {
+    Controls controls;
+    if (poll > 0) controls.commands.push_back(Command::PageDown);
+    return controls;
+}
+
 std::unique_ptr<Platform> open_platform(const Options& options) {
     if (options.headless_frames == 0) return open_window("Oblong", options.window);
-    const bool replays = !options.replay.empty();
-    return std::make_unique<HeadlessPlatform>(
-        options.headless_frames, kTicksPerSecond,
-        [replays](std::int64_t poll) { return replays ? Controls{} : short_walk(poll); }, png_sink(options.out));
+    const auto script = [&options](std::int64_t poll) {
+        if (options.shows_gallery) return page_through(poll);
+        return options.replay.empty() ? short_walk(poll) : Controls{};
+    };
+    return std::make_unique<HeadlessPlatform>(options.headless_frames, kTicksPerSecond, script, png_sink(options.out));
+}
+
+void show_gallery(const Options& options, const GameData& data) {
+    const auto platform = open_platform(options);
+    Gallery(data, {options.mode, options.field_of_view, view_options_of(options)}, *platform).run();
 }
 
 void time_demo(const Options& options, const GameData& data, const GameLevel& level) {
@@ -107,6 +121,7 @@ void play(const Options& options, const GameData& data, const GameLevel& level) 
 
 void run_game(const Options& options, const std::string& assets) {
     const GameData data = load_game(options.level, options.palette, assets);
+    if (options.shows_gallery) return show_gallery(options, data);
     const GameLevel level = naming_file(data.level_file, [&] { return make_game_level(data.level); });
     if (!options.timedemo.empty())
         time_demo(options, data, level);

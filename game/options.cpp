@@ -66,6 +66,7 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add_flag("--crt", options.has_crt_look, "scanlines, mask and glow of a tube, drawn by the window");
     line.add("--aspect-projection", texts.aspect_projection, "display or square: which pixels F2 starts with");
     line.add("--aspect-display", texts.aspect_display, "display, square or fill: which shape F3 starts with");
+    line.add_flag("--gallery", options.shows_gallery, "all that the engine can do, one thing after the other; no game");
     line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");
     auto record = line.add("--record", options.record, "write the game played to this demo file");
     auto replay = line.add("--replay", options.replay, "play this demo file instead of the keys");
@@ -93,6 +94,8 @@ void interpret(const OptionTexts& texts, Options& options) {
     options.scaling = scaling_of(texts.scaling);
     options.corrects_projection = corrects_projection_of(texts.aspect_projection);
     options.shown_as = shown_as_of(texts.aspect_display);
+    if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())
+        throw UsageError("--gallery: there is no game to record or to replay, expected it without the other");
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct Options {
     std::string record, replay, timedemo;
     std::int64_t headless_frames = 0;
     std::string out;
+    bool shows_gallery = false;
 };
 
 /// Runs `body` with the command line's options; the program's exit code: 0 also after --help and --version, 1 for

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/effects/fog.h"
-#include "engine/effects/view_directions.h"
+#include "engine/geometry/view_directions.h"
 #include "engine/math/vec.h"
 
 namespace oblong {

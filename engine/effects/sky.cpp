@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstring>
 
-#include "engine/effects/view_directions.h"
+#include "engine/geometry/view_directions.h"
 #include "engine/fixed/root.h"
 #include "engine/raster/kernels/kernels.h"
 

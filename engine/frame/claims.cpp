@@ -58,16 +58,6 @@ bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspa
     return is_in_view && (frame.limits.empty() || keep_within_limits(visible, frame, work));
 }
 
-/// The list of a face that calls for these effects. What is not allowed is drawn in one colour, or as a wall.
-FaceList list_for(EffectSet needs, EffectSet allowed) {
-    const EffectSet effects = needs & allowed;
-    if (needs.has(Effect::Sky)) return effects.has(Effect::Sky) ? FaceList::Sky : FaceList::Flat;
-    if (needs.has(Effect::Liquid) && !effects.has(Effect::Liquid)) return FaceList::Flat;
-    if (effects.has(Effect::Translucency) || effects.has(Effect::Fence)) return FaceList::SeeThrough;
-    if (effects.has(Effect::Liquid)) return FaceList::Liquid;
-    return effects.has(Effect::Mirror) ? FaceList::Mirror : FaceList::Walls;
-}
-
 /// Lets a face claim the pixels of the scanned rows that are free. The second walk comes again to faces that are seen
 /// through: they have their pixels.
 void claim_face(const VisibleFace& visible, bool is_second_walk, const FrameContext& frame, FrameWorkspace& work) {
@@ -81,12 +71,31 @@ void claim_face(const VisibleFace& visible, bool is_second_walk, const FrameCont
         work.span_buffer.find_free(work.rows, claims.spans);
     else
         work.span_buffer.claim(work.rows, claims.spans);
-    const std::size_t count = claims.spans.size() - first;
-    if (count == 0) return;
+    if (claims.spans.size() == first) return;
+    claims.add(list, {visible, 0, 0, work.polygon.nearest_z, work.polygon.farthest_z}, first);
     claims.effects = claims.effects | (effects & frame.settings.allowed_effects);
-    claims.list(list).push_back({visible, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
-                                 work.polygon.nearest_z, work.polygon.farthest_z});
     if (work.counts) count_face(effects, std::span(claims.spans).subspan(first), *work.counts);
+}
+
+/// The corners of a face that was projected; of its part within the frame's limits, if it has any.
+std::span<const Vec3<World>> projected_corners(const VisibleFace& visible, const FrameContext& frame,
+                                               FrameWorkspace& work) {
+    if (frame.limits.empty()) copy_corners(visible, frame, work);
+    return work.mirror.corners;
+}
+
+/// Counts a scanned face, if the frame is counted, and keeps it for claim_owned() while the first walk lasts, if
+/// `keeps_faces`. Whether it was kept.
+bool keep_or_count(const VisibleFace& visible, bool is_second_walk, bool& keeps_faces, const FrameContext& frame,
+                   FrameWorkspace& work) {
+    if (work.counts) count_polygon(work.polygon, work.rows, work.counts->stages);
+    if (!keeps_faces) return false;
+    keeps_faces = !is_second_walk;
+    if (keeps_faces)
+        add_scanned_face(visible, projected_corners(visible, frame, work), frame, work);
+    else
+        claim_owned(frame, work);
+    return keeps_faces;
 }
 
 }  // namespace
@@ -112,13 +121,17 @@ void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
     BrushModels* const models = frame.allows(Effect::BrushModels) ? &work.brush_models : nullptr;
     FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk,
                          frame.limits);
+    bool keeps_faces = frame.settings.hidden_surfaces != HiddenSurfaces::SpanBuffer;
+    const bool is_watched = keeps_faces || work.counts;  // one test a face instead of two
+    if (keeps_faces) start_scanned_faces(work);
     while (const std::optional<VisibleFace> visible = walk.next()) {
         const Stopwatch of_models(visible->fragment ? work.times.get() : nullptr, Effect::BrushModels);
         if (!project(*visible, frame, work)) continue;
         scan_convex(work.polygon.screen, work.rows, frame.accuracy().edges);
-        if (work.counts) count_polygon(work.polygon, work.rows, work.counts->stages);
+        if (is_watched && keep_or_count(*visible, walk.takes_all_faces(), keeps_faces, frame, work)) continue;
         claim_face(*visible, walk.takes_all_faces(), frame, work);
     }
+    if (keeps_faces) claim_owned(frame, work);
     work.span_buffer.claim_rest(work.claims.left_free);
     if (work.counts) count_walk(walk.nodes_entered(), work.vertices.count(), work.counts->stages);
 }

@@ -45,7 +45,23 @@ struct Claims {
         return std::span(spans).subspan(face.first_span, face.span_count);
     }
     void clear();
+    /// Adds a face whose spans are the last ones, from `first_span` on.
+    void add(FaceList which, ClaimedFace face, std::size_t first_span) {
+        face.first_span = static_cast<std::uint32_t>(first_span);
+        face.span_count = static_cast<std::uint32_t>(spans.size() - first_span);
+        list(which).push_back(face);
+    }
 };
+
+/// The list of a face that calls for these effects. What is not allowed is drawn in one colour, or as a wall.
+inline FaceList list_for(EffectSet needs, EffectSet allowed) {
+    const EffectSet effects = needs & allowed;
+    if (needs.has(Effect::Sky)) return effects.has(Effect::Sky) ? FaceList::Sky : FaceList::Flat;
+    if (needs.has(Effect::Liquid) && !effects.has(Effect::Liquid)) return FaceList::Flat;
+    if (effects.has(Effect::Translucency) || effects.has(Effect::Fence)) return FaceList::SeeThrough;
+    if (effects.has(Effect::Liquid)) return FaceList::Liquid;
+    return effects.has(Effect::Mirror) ? FaceList::Mirror : FaceList::Walls;
+}
 
 /// The pixels of a list's faces.
 std::int64_t pixels_of(const Claims& claims, FaceList list);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/effects/view_directions.h"
+#include "engine/geometry/view_directions.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/frame/workspace.h"

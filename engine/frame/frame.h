@@ -7,6 +7,7 @@
 #include "engine/geometry/projection.h"
 #include "engine/geometry/view_spec.h"
 #include "engine/level/level.h"
+#include "engine/mesh/placed_mesh.h"
 #include "engine/scene/effects.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/placed_models.h"
@@ -25,6 +26,7 @@ struct Scene {
     std::int64_t time_ms = 0;                         ///< 0 or more: what moves by itself is a function of it
     LightStyles light_styles = plain_light_styles();  ///< times what the level's patterns make of them
     std::span<const MovingLight> moving_lights = {};  ///< besides those of the level's lanterns
+    std::span<const PlacedMesh> meshes = {};          ///< models made of triangles
 };
 
 /// Draws one picture of any view: a pure function of its first four arguments. Every pixel of `out` (whose size is the

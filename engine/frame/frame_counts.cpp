@@ -17,6 +17,7 @@ void count_run(std::uint32_t pixel, std::uint32_t count, std::vector<std::uint8_
 
 std::vector<NamedCount> named_counts(const FrameCounts& counts) {
     const StageCounts& stages = counts.stages;
+    const HiddenSurfaceCounts& hidden = counts.hidden_surfaces;
     return {{"faces_visited", counts.faces_visited},
             {"faces_drawn", counts.faces_drawn},
             {"spans", counts.spans},
@@ -39,7 +40,12 @@ std::vector<NamedCount> named_counts(const FrameCounts& counts) {
             {"sky_directions", stages.sky_directions},
             {"sky_texels", stages.sky_texels},
             {"particles", stages.particles},
-            {"lit_texels", stages.lit_texels}};
+            {"lit_texels", stages.lit_texels},
+            {"faces_scanned", hidden.faces_scanned},
+            {"pixels_tested", hidden.pixels_tested},
+            {"pixels_written", hidden.pixels_written},
+            {"order_comparisons", hidden.order_comparisons},
+            {"ray_face_tests", hidden.ray_face_tests}};
 }
 
 std::int64_t pixels_of(std::span<const Span> spans) {

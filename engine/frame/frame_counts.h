@@ -12,6 +12,7 @@
 #include "engine/raster/kernels/kernels.h"
 #include "engine/raster/scan.h"
 #include "engine/screen/screen.h"
+#include "engine/visibility/pixel_owners.h"
 
 namespace oblong {
 
@@ -38,7 +39,8 @@ struct StageCounts {
 struct FrameCounts {
     std::int64_t faces_visited = 0, faces_drawn = 0, spans = 0, divisions = 0;
     StageCounts stages;
-    std::vector<std::uint8_t> writes;  ///< of each pixel, by faces, those of the sky too; at most 255
+    HiddenSurfaceCounts hidden_surfaces;  ///< of other methods than the span buffer
+    std::vector<std::uint8_t> writes;     ///< of each pixel, by faces, those of the sky too; at most 255
     std::array<std::int64_t, kEffectCount> effect_pixels{};  ///< of each Effect: of what needs it
     std::array<std::int64_t, kPassCount> pass_pixels{};      ///< of each Pass
 

@@ -4,6 +4,7 @@
 
 #include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
+#include "engine/frame/model_pass.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/frame/workspace.h"
 
@@ -134,6 +135,7 @@ void FrameThings::clear() {
     in_view.clear();
     owning.clear();
     shadows.clear();
+    meshes.clear();
 }
 
 void find_things(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work) {
@@ -145,10 +147,12 @@ void find_things(const FrameContext& frame, const FrameFog& fog, FrameWorkspace&
     if (work.counts) work.counts->stages.particles = in_view.particles_computed;
     if (frame.allows(Effect::Sprites))
         find_sprites(work.things, time_ms, frame.scene.level, sight, in_view, work.depth);
+    if (!frame.scene.meshes.empty() && frame.allows(Effect::Models)) find_meshes(frame, sight, work);
     if (frame.allows(Effect::Shadows)) find_seen_shadows(frame, work);
     if (!work.depth.is_wanted()) return;
     fill_depth(frame, work);
     keep_visible(frame, work);
+    if (!work.claims.things.meshes.empty()) keep_visible_meshes(work);
     if (fog.tables) colour_by_fog(fog, work);
 }
 

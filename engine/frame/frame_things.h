@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/effects/things_in_view.h"
+#include "engine/mesh/placed_mesh.h"
 
 namespace oblong {
 
@@ -18,17 +19,26 @@ struct OwningThing {
     const std::uint8_t* colours = nullptr;  ///< of the sprite: 256 of them
 };
 
+/// A mesh that may own pixels, within these.
+struct MeshInView {
+    const PlacedMesh* placed = nullptr;
+    ScreenRectangle pixels{};
+    LevelBox box;
+    InverseDepth nearest_depth = 0;  ///< of the box
+};
+
 /// What a frame shows beside its faces.
 struct FrameThings {
     ThingsInView in_view;
     std::vector<OwningThing> owning;
     std::vector<Shadow> shadows;
+    std::vector<MeshInView> meshes;
 
     void clear();
 };
 
-/// Finds the particles, sprites and shadows that own pixels of the frame whose faces are claimed: what is in view, and
-/// not wholly behind faces.
+/// Finds the particles, sprites, shadows and meshes that own pixels of the frame whose faces are claimed: what is in
+/// view, and not wholly behind faces.
 void find_things(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work);
 
 /// Draws one of them where no face is nearer.

@@ -11,7 +11,9 @@ namespace {
 
 void find_styles(const FrameContext& frame, FrameWorkspace& work) {
     work.light_styles = frame.scene.light_styles;
-    if (!work.claims.effects.has(Effect::Styles)) return;
+    const bool is_wanted =
+        work.claims.effects.has(Effect::Styles) || (!work.claims.things.meshes.empty() && frame.allows(Effect::Styles));
+    if (!is_wanted) return;
     const LightStyles patterns =
         light_styles_at(work.effects.light_patterns, frame.scene.time_ms, frame.settings.flashes);
     for (std::size_t style = 0; style < patterns.size(); ++style) {

@@ -17,6 +17,8 @@ std::optional<Pass> pass_of(Effect effect) {
             return Pass::Mirror;
         case Effect::Shadows:
             return Pass::Shadows;
+        case Effect::Models:
+            return Pass::Models;
         case Effect::Fog:
             return Pass::Fog;
         case Effect::Underwater:

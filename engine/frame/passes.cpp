@@ -7,6 +7,7 @@
 #include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/light_pass.h"
+#include "engine/frame/model_pass.h"
 #include "engine/frame/see_through_pass.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/frame/workspace.h"
@@ -73,6 +74,8 @@ void run(Pass pass, const FrameContext& frame, const FrameFog& fog, FrameWorkspa
             return draw_shadows(frame, work);
         case Pass::Fog:
             return draw_fog(work.claims.fog_runs, fog.tables->colours, frame.out);
+        case Pass::Models:
+            return draw_meshes(frame, fog, work);
         case Pass::SeeThrough:
             return draw_see_through(frame, fog, work);
         case Pass::Underwater:

@@ -15,6 +15,7 @@ FramePlan plan_frame(const Claims& claims) {
     add_if_called_for(Pass::Mirror, FaceList::Mirror);
     if (!claims.things.shadows.empty()) plan.passes.push_back(Pass::Shadows);
     if (!claims.fog_runs.empty()) plan.passes.push_back(Pass::Fog);
+    if (!claims.things.meshes.empty()) plan.passes.push_back(Pass::Models);
     if (!claims.list(FaceList::SeeThrough).empty() || !claims.things.owning.empty())
         plan.passes.push_back(Pass::SeeThrough);
     if (claims.is_under_liquid) plan.passes.push_back(Pass::Underwater);

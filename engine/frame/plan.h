@@ -11,10 +11,10 @@
 namespace oblong {
 
 /// A step of a frame that writes pixels, in the order in which they run.
-enum class Pass : std::uint8_t { Walls, Flat, Liquid, Sky, Mirror, Shadows, Fog, SeeThrough, Underwater };
-inline constexpr std::size_t kPassCount = 9;
+enum class Pass : std::uint8_t { Walls, Flat, Liquid, Sky, Mirror, Shadows, Fog, Models, SeeThrough, Underwater };
+inline constexpr std::size_t kPassCount = 10;
 inline constexpr std::array<std::string_view, kPassCount> kPassNames{
-    "walls", "flat", "liquid", "sky", "mirror", "shadows", "fog", "see_through", "underwater"};
+    "walls", "flat", "liquid", "sky", "mirror", "shadows", "fog", "models", "see_through", "underwater"};
 
 /// Whether a pass reads or covers pixels that others have drawn.
 constexpr bool draws_over_others(Pass pass) {

@@ -41,7 +41,13 @@ const BlendTable& blend_of(LiquidKind kind, const FrameContext& frame, FrameWork
 void draw_in_fog(const ClaimedFace& claimed, SurfaceDrawing drawing, const FrameContext& frame, const FrameFog& fog,
                  FrameWorkspace& work) {
     drawing.colours = &frame.scene.colormap.shades[Colormap::kOwnShade];
-    const std::span<const Span> spans = work.claims.spans_of(claimed);
+    std::vector<Span> before_meshes;
+    std::span<const Span> spans = work.claims.spans_of(claimed);
+    if (!work.claims.things.meshes.empty() && work.depth.touches(spans)) {
+        work.depth.append_seen(spans, gradients_of(claimed.visible, FaceSurface{}, frame, work).inverse_z,
+                               before_meshes);
+        spans = before_meshes;
+    }
     if (!fog.tables) return draw_surface(claimed, spans, drawing, frame, work);
     std::vector<FogRun> runs;
     append_runs(spans, gradients_of(claimed.visible, FaceSurface{}, frame, work).inverse_z, fog, runs);

@@ -14,10 +14,12 @@
 #include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
+#include "engine/frame/hidden_surfaces.h"
 #include "engine/frame/mirror_pass.h"
 #include "engine/frame/pass_times.h"
 #include "engine/frame/plan.h"
 #include "engine/geometry/screen_polygon.h"
+#include "engine/mesh/draw_mesh.h"
 #include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_surface.h"
@@ -60,6 +62,8 @@ class FrameWorkspace {
     std::vector<MovingLight> lights;                    ///< of the frame
     DepthBuffer depth;                                  ///< around the things in view
     ShadowScratch shadows;                              ///< untouched without shadows
+    std::unique_ptr<MeshScratch> meshes;                ///< null until a frame shows one
+    std::vector<MovingLight> mesh_lights;               ///< those that reach the current one
     std::unique_ptr<LevelFogTables> fog_tables;         ///< null until a frame shows fog
     std::array<std::unique_ptr<BlendTable>, 4> blends;  ///< by LiquidKind; null until a frame sees through one
     std::vector<FogRun> thing_runs;                     ///< scratch of the fog on a thing
@@ -68,6 +72,7 @@ class FrameWorkspace {
     std::vector<std::uint8_t> sky_layers;               ///< both layers of the sky as one
     UnderwaterScratch underwater;
     MirrorScratch mirror;
+    std::unique_ptr<HiddenSurfaceScratch> hidden_surfaces;  ///< null until a frame goes without the span buffer
 
     FramePlan plan;                       ///< of the frame drawn last
     std::unique_ptr<FrameCounts> counts;  ///< null: nothing is counted

@@ -16,11 +16,6 @@ struct TexturedCorner {
     Texel u, v;                              ///< from 0 to 65,536
 };
 
-/// A pixel of a mode.
-struct PixelPosition {
-    std::int32_t column = 0, row = 0;
-};
-
 /// The screen gradients of 1/z, u/z and v/z of a triangle. At the centre of `anchor` they are within half a step of
 /// their formats, and each column or row away from it adds half a step: so spans anchored in their middle are accurate
 /// anywhere in any mode. None for a triangle that is seen edge-on.

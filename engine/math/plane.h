@@ -39,4 +39,14 @@ std::optional<LineHit> intersect_line(const Vec3<World>& world_start, const Vec3
 std::optional<LineHit> intersect_segment(const Vec3<World>& world_start, const Vec3<World>& world_end,
                                          const Plane& plane);
 
+/// A distance along a ray, units: 40.24.
+using RayDistance = Fixed<std::int64_t, 24>;
+
+/// How far from its origin a ray meets a plane, within 2^-24 of the quotient; below 0 behind the origin. None for a ray
+/// parallel to the plane. `direction` has length 1. Saturates.
+std::optional<RayDistance> intersect_ray(const Vec3<World>& world_origin, const Vec3<Unit>& direction,
+                                         const Plane& plane);
+/// The point of a ray at a distance, rounded once; saturates.
+Vec3<World> point_on_ray(const Vec3<World>& world_origin, const Vec3<Unit>& direction, RayDistance distance);
+
 }  // namespace oblong

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -41,12 +42,35 @@ struct MeshFrame {
     Vec3<World> mins, maxs;  ///< the box of its vertices
 };
 
+/// Consecutive frames or skins that take turns; or a single one, which stays.
+struct MeshSequence {
+    std::uint32_t first = 0;
+    std::vector<std::int32_t> ends_ms;  ///< of each, from the start of a turn of all: rising, the last above 0; or none
+};
+
+/// The frame or skin that is shown at a time, which may be negative.
+std::uint32_t shown_at(const MeshSequence& sequence, std::int64_t time_ms);
+
 /// A model made of triangles, with the frames it moves in. Every frame has as many vertices as `texels`.
 struct Mesh {
     std::vector<MeshFrame> frames;
     std::vector<MeshTexel> texels;
     std::vector<MeshTriangle> triangles;
     std::vector<Skin> skins;
+    std::vector<MeshSequence> frame_sequences, skin_sequences;  ///< what its file counts as frames and skins
 };
+
+/// What readers of meshes accept.
+inline constexpr std::size_t kMostMeshTriangles = std::size_t{1} << 21, kMostMeshVertices = std::size_t{1} << 21,
+                             kMostFrameVertices = std::size_t{1} << 24;  ///< the last: of all frames together
+inline constexpr std::int32_t kMeshLimit = 1 << 15;                      ///< units: no coordinate reaches it
+
+/// A frame's normals from its positions: at each vertex the sum of its triangles' normals, each as long as the
+/// triangle is large, made 1 long. Where those cancel, the normal of one of them; up, where there is none. Corners are
+/// numbers of positions.
+void set_normals(std::vector<MeshVertex>& vertices, std::span<const std::array<std::uint32_t, 3>> corners);
+
+/// The least box around vertices; empty at the origin if there are none.
+void set_box(MeshFrame& frame);
 
 }  // namespace oblong

@@ -28,6 +28,8 @@ enum class Command {
     DialDown,          ///< down arrow
     DialCoarser,       ///< left arrow
     DialFiner,         ///< right arrow
+    PageUp,            ///< likewise while it is held; for the gallery
+    PageDown,
 };
 
 /// The arrow keys held now.

@@ -89,4 +89,28 @@ void DepthBuffer::fill(std::span<const Span> spans, const LinearQuantity<Inverse
     }
 }
 
+bool DepthBuffer::is_wanted_at(std::int32_t column, std::int32_t row) const {
+    return std::any_of(rectangles_.begin(), rectangles_.end(), [=](const ScreenRectangle& rectangle) {
+        return column >= rectangle.first_column && column < rectangle.end_column && row >= rectangle.first_row &&
+               row < rectangle.end_row;
+    });
+}
+
+void DepthBuffer::append_seen(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z,
+                              std::vector<Span>& seen) {
+    for (const Span& span : spans) {
+        if (!touches(span)) {
+            seen.push_back(span);
+            continue;
+        }
+        std::int32_t first = span.first;
+        for (std::int32_t x = span.first; x < span.end; ++x) {
+            if (!is_wanted_at(x, span.y) || row(span.y)[x] <= to_inverse_depth(inverse_z.at(x, span.y))) continue;
+            if (first < x) seen.push_back({span.y, first, x});
+            first = x + 1;
+        }
+        if (first < span.end) seen.push_back({span.y, first, span.end});
+    }
+}
+
 }  // namespace oblong

@@ -42,6 +42,8 @@ class DepthBuffer {
     bool touches(std::span<const Span> spans) const;
     /// Sets the depth of the wanted pixels of spans on a plane.
     void fill(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z);
+    /// Appends the parts of spans on a plane at whose pixels nothing nearer is known: all that is not wanted, too.
+    void append_seen(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z, std::vector<Span>& seen);
 
     InverseDepth* row(std::int32_t y) { return depths_.get() + std::int64_t{y} * width_px_; }
     std::span<const ScreenRectangle> rectangles() const { return rectangles_; }
@@ -53,6 +55,7 @@ class DepthBuffer {
     };
 
     bool touches(const Span& span) const { return span.first < at_row(span.y).end && span.end > at_row(span.y).first; }
+    bool is_wanted_at(std::int32_t column, std::int32_t row) const;
     const Hull& at_row(std::int32_t y) const { return hulls_[static_cast<std::size_t>(y)]; }
     void allocate();
 

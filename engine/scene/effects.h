@@ -20,13 +20,15 @@ enum class Effect : std::uint8_t {
     Particles,
     Sprites,
     Shadows,
+    Models,
     Mirror,
     Underwater
 };
-inline constexpr std::size_t kEffectCount = 14;
+inline constexpr std::size_t kEffectCount = 15;
 inline constexpr std::array<std::string_view, kEffectCount> kEffectNames{
-    "sky", "liquid",    "brush_models", "fence",   "translucency", "animated_textures", "light_styles", "moving_lights",
-    "fog", "particles", "sprites",      "shadows", "mirror",       "underwater"};
+    "sky",          "liquid",        "brush_models", "fence",     "translucency", "animated_textures",
+    "light_styles", "moving_lights", "fog",          "particles", "sprites",      "shadows",
+    "models",       "mirror",        "underwater"};
 
 /// A set of effects.
 struct EffectSet {

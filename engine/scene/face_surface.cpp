@@ -186,8 +186,8 @@ void FaceSurfaces::build(FaceIndex index, const FaceSurface& surface, TextureInd
     const int mip = surface.mip;
     const TextureView source{at(texture.mips, mip).data(), texture.width >> mip, texture.height >> mip,
                              floor_shift(face.texel_min_u, mip), floor_shift(face.texel_min_v, mip)};
-    build_lit_surface(source, light, fewer_shades_ ? *fewer_shades_ : *colormap_, light_quality_, mip,
-                      1 << surface.view.stride_log2, corner_shades_.data(), texels);
+    build_lit_surface(source, light, colormap(), light_quality_, mip, 1 << surface.view.stride_log2,
+                      corner_shades_.data(), texels);
     built_texels_ += std::int64_t{surface.view.width} * surface.view.height;
 }
 

@@ -42,6 +42,8 @@ class FaceSurfaces {
 
     /// Sets how light is computed from now on.
     void start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap);
+    /// What light is looked up in: the level's, or that with fewer shades.
+    const Colormap& colormap() const { return fewer_shades_ ? *fewer_shades_ : *colormap_; }
     /// The mip level of a lit or liquid face, or a part of it, whose nearest point in view has this depth.
     int mip_level(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x, std::int32_t bias) const;
     /// Sets the moving lights from now on; at first there are none.

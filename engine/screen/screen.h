@@ -28,6 +28,12 @@ struct ScreenVertex {
     constexpr bool operator==(const ScreenVertex&) const = default;
 };
 
+/// A pixel of a mode, or where one would be beside it.
+struct PixelPosition {
+    std::int32_t column = 0, row = 0;
+    constexpr bool operator==(const PixelPosition&) const = default;
+};
+
 /// Pixels: columns [first_column, end_column) of rows [first_row, end_row); within the screen, perhaps empty.
 struct ScreenRectangle {
     std::int32_t first_column, end_column, first_row, end_row;

@@ -11,15 +11,6 @@ namespace {
 
 constexpr std::int32_t kFull_8 = kFullLight * 256;
 
-/// The shade of a light value with 8 fraction bits, from 0 to twice kFullLight, itself with 16: what light_of_shade()
-/// says in reverse.
-std::int32_t shade_of(std::int32_t light_8) {
-    constexpr std::int32_t kOwn = Colormap::kOwnShade, kBrighter_16 = (kOwn << 16) / kFull_8,
-                           kDarker_16 = ((Colormap::kShades - 1 - kOwn) << 16) / kFull_8;
-    if (light_8 < kFull_8) return (kOwn << 16) + (kFull_8 - light_8) * kDarker_16;
-    return (2 * kFull_8 - light_8) * kBrighter_16;
-}
-
 /// At most the brightest light that a shade shows.
 std::int32_t brightened(std::int64_t light_8, std::int32_t brightness_100) {
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(light_8 * brightness_100 / 100, 0, 2 * kFull_8));
@@ -129,6 +120,13 @@ void build_surface(const TextureView& texture, const LightmapView& light, const 
 }
 
 }  // namespace
+
+std::int32_t shade_of(std::int32_t light_8) {
+    constexpr std::int32_t kOwn = Colormap::kOwnShade, kBrighter_16 = (kOwn << 16) / kFull_8,
+                           kDarker_16 = ((Colormap::kShades - 1 - kOwn) << 16) / kFull_8;
+    if (light_8 < kFull_8) return (kOwn << 16) + (kFull_8 - light_8) * kDarker_16;
+    return (2 * kFull_8 - light_8) * kBrighter_16;
+}
 
 void build_lit_surface(const TextureView& texture, const LightmapView& light, const Colormap& colormap,
                        const LightQuality& quality, int mip, std::int32_t stride, std::int32_t* corner_shades,

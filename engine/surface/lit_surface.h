@@ -38,6 +38,10 @@ struct TextureView {
 /// is twice as bright, and the brightest.
 inline constexpr std::int32_t kFullLight = 128;
 
+/// The shade of a light value with 8 fraction bits, from 0 to twice kFullLight, itself with 16: what light_of_shade()
+/// says in reverse.
+std::int32_t shade_of(std::int32_t light_8);
+
 /// The dials of light, and how bright it is.
 struct LightQuality {
     LightSampling sampling = LightSampling::Interpolated;

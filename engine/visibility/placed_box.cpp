@@ -56,4 +56,23 @@ bool may_be_seen(const PlacedBox& placed, const VisibleSet& visible, const ViewC
     return is_in_set && planes_crossed(view.frustum, placed.box, view.eye, kAllSides) != kOutside;
 }
 
+bool may_be_seen(const Level& level, const LevelBox& box, const VisibleSet& visible, const ViewContext& view) {
+    if (planes_crossed(view.frustum, box, view.eye, kAllSides) == kOutside) return false;
+    std::vector<NodeChild> pending{level.world().root};
+    while (!pending.empty()) {
+        const NodeChild at = pending.back();
+        pending.pop_back();
+        if (at.is_leaf()) {
+            if (visible.has_leaf(at.leaf())) return true;
+            continue;
+        }
+        if (!visible.has_node(at.node())) continue;
+        const Node& node = level.nodes[at.node()];
+        const Sides sides = sides_of(level.planes[node.plane], box);
+        if (sides.back) pending.push_back(node.children[1]);
+        if (sides.front) pending.push_back(node.children[0]);
+    }
+    return false;
+}
+
 }  // namespace oblong

@@ -1,16 +1,87 @@
-#include "tools/gallery/rows.h"
+// What holds for every row of the gallery. What a row shows is tested beside what it shows: Row::test.
 
-#include <gtest/gtest.h>
+#include "tools/gallery/rows.h"
 
 #include <set>
 
-namespace oblong {
+#include "tests/gallery/gallery_fixture.h"
+
+namespace oblong::test {
 namespace {
 
-TEST(GalleryRows, HaveDifferentIds) {
-    std::set<std::string_view> ids;
-    for (const Row& row : gallery_rows()) EXPECT_TRUE(ids.insert(row.id).second) << row.id;
+using GalleryRows = GalleryTest;
+
+/// The values that a row starts with, and those with one parameter at its least or most.
+std::vector<std::vector<std::int64_t>> ends_of_parameters(const Row& row) {
+    std::vector<std::vector<std::int64_t>> all{start_values(row)};
+    for (std::size_t i = 0; i < row.parameters.size(); ++i)
+        for (const std::int64_t end : {row.parameters[i].least, row.parameters[i].most}) {
+            all.push_back(start_values(row));
+            all.back()[i] = end;
+        }
+    return all;
+}
+
+TEST(GalleryTable, RowsHaveDifferentIdsAndNamesThatFit) {
+    std::set<std::string_view> ids, names;
+    for (const Row& row : gallery_rows()) {
+        EXPECT_TRUE(ids.insert(row.id).second) << row.id;
+        EXPECT_TRUE(names.insert(row.name).second) << row.name;
+        EXPECT_LE(text_width_px(row.name), 320 - 2 * kTextMargin_px) << row.name;
+        EXPECT_EQ(row.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-"), std::string_view::npos) << row.id;
+    }
+}
+
+TEST(GalleryTable, RowsNameTheirSeedAndFilesThatExist) {
+    for (const Row& row : gallery_rows()) {
+        ASSERT_FALSE(row.seeds.empty()) << row.id;
+        EXPECT_TRUE(row.seeds.front() >= '1' && row.seeds.front() <= '5') << row.id << ": " << row.seeds;
+        for (const std::string_view file : {row.source, row.test})
+            EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::path(OBLONG_SOURCE_DIR) / file))
+                << row.id << ": " << file;
+    }
+}
+
+TEST(GalleryTable, ParametersStartWithinTheirLimits) {
+    for (const Row& row : gallery_rows())
+        for (const Parameter& parameter : row.parameters) {
+            EXPECT_LT(parameter.least, parameter.most) << row.id << ": " << parameter.name;
+            EXPECT_GT(parameter.step, 0) << row.id << ": " << parameter.name;
+            EXPECT_TRUE(parameter.least <= parameter.start && parameter.start <= parameter.most)
+                << row.id << ": " << parameter.name;
+        }
+}
+
+TEST_F(GalleryRows, FiguresAreAsExpectedWhateverTheParameters) {
+    for (const Row& row : gallery_rows())
+        for (const auto& values : ends_of_parameters(row)) {
+            const Drawn drawn = draw(row, values);
+            EXPECT_FALSE(drawn.page.figures.empty()) << row.id;
+            EXPECT_TRUE(drawn.is_border_whole) << row.id;
+            for (const Figure& figure : drawn.page.figures)
+                EXPECT_TRUE(figure.agrees) << row.id << ": " << figure_text(figure);
+        }
+}
+
+TEST_F(GalleryRows, EveryParameterChangesSomething) {
+    for (const Row& row : gallery_rows())
+        for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+            std::vector<std::int64_t> least = start_values(row), most = least;
+            least[i] = row.parameters[i].least;
+            most[i] = row.parameters[i].most;
+            EXPECT_NE(draw(row, least).pixels, draw(row, most).pixels) << row.id << ": " << row.parameters[i].name;
+        }
+}
+
+TEST_F(GalleryRows, PicturesAreTheSameEachTimeAndStayInCanvasesOfOtherSizes) {
+    for (const Row& row : gallery_rows()) {
+        EXPECT_EQ(draw(row, start_values(row)).pixels, draw(row, start_values(row)).pixels) << row.id;
+        for (const ScreenMode& mode : {ScreenMode{160, 100, {4, 3}}, ScreenMode{480, 270, {16, 9}}}) {
+            const Drawn drawn = draw(row, start_values(row), mode);
+            EXPECT_TRUE(drawn.is_border_whole) << row.id << " in " << mode.width_px << "x" << mode.height_px;
+        }
+    }
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

@@ -1,1 +1,1 @@
-set(LINKS oblong_geometry)
+set(LINKS oblong_geometry oblong_raster)

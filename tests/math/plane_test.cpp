@@ -60,5 +60,31 @@ TEST(IntersectSegment, PointLiesInThePlane) {
     EXPECT_GT(met, 5'000);
 }
 
+/// The seed's quotient of dot products, in double.
+TEST(IntersectRay, IsTheDistanceInFrontOverTheApproach) {
+    std::mt19937 random(2);
+    for (int i = 0; i < 20'000; ++i) {
+        const auto any = [&random] { return World::from_raw(static_cast<std::int32_t>(random()) / 4); };
+        const Plane plane = plane_through({any(), any(), any()}, normalised(any_direction(random)));
+        const Vec3<World> origin{any(), any(), any()};
+        const Vec3<Unit> direction = normalised(any_direction(random));
+        const long double above = std::ldexp(static_cast<long double>(distance_to_plane(origin, plane).raw), -42);
+        const long double approach = -std::ldexp(static_cast<long double>(dot(direction, plane.normal).raw), -60);
+        const auto found = intersect_ray(origin, direction, plane);
+        ASSERT_EQ(found.has_value(), approach != 0);
+        if (!found || std::abs(above / approach) > 1e11L) continue;
+        ASSERT_LE(std::abs(static_cast<long double>(found->raw) - std::ldexp(above / approach, 24)), 1) << i;
+    }
+}
+
+TEST(IntersectRay, IsBelow0BehindTheOriginAndNoneForAParallelRay) {
+    const Vec3<Unit> up{{}, {}, Unit::from_int(1)}, along{Unit::from_int(1), {}, {}};
+    EXPECT_EQ(intersect_ray(at(1, 2, 7), -up, kFloorAt5), RayDistance::from_int(2));
+    EXPECT_EQ(intersect_ray(at(1, 2, 7), up, kFloorAt5), RayDistance::from_int(-2));
+    EXPECT_FALSE(intersect_ray(at(1, 2, 7), along, kFloorAt5));
+    EXPECT_EQ(point_on_ray(at(1, 2, 7), -up, RayDistance::from_int(2)), at(1, 2, 5));
+    EXPECT_EQ(point_on_ray(at(1, 2, 7), up, RayDistance::highest()).z, World::highest());
+}
+
 }  // namespace
 }  // namespace oblong

@@ -28,7 +28,7 @@ PARTS = {
     ("gradients",): "geometry/texture_gradients scene/face_surface surface/surface_cache raster/block_rule",
     ("blocks", "1/z", "pixels"): "raster/texture_blocks frame/texture_spans fixed/reciprocal raster/exact_spans "
                                  "raster/kernels/plain",
-    ("sky",): "effects/sky effects/view_directions fixed/root",
+    ("sky",): "effects/sky geometry/view_directions fixed/root",
     ("lit texels",): "surface/lit_surface",
 }
 LEFT_OUT = ("left out",)

@@ -1,1 +1,2 @@
-set(LINKS oblong_raster)
+find_package(rapidcheck REQUIRED)
+set(LINKS oblong_raster rapidcheck)

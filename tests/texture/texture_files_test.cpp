@@ -98,7 +98,7 @@ TEST_F(TrueColours, TakeTheNearestColourThatDoesNotGlow) {
 }
 
 TEST_F(TrueColours, GlowWhereThatIsAskedFor) {
-    const MipTexture texture = read_png_texture(write("ramp.png", ramp_), palette_, true);
+    const MipTexture texture = read_png_texture(write("ramp.png", ramp_), palette_, {.may_glow = true});
     for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(texture.mips[0][i], i);
 }
 
@@ -118,8 +118,52 @@ TEST_F(TrueColours, OfAPngWithAnotherPaletteAreWhatCounts) {
     std::vector<std::uint8_t> texels(256);
     for (std::size_t i = 0; i < 256; ++i) texels[i] = static_cast<std::uint8_t>(i);
     const auto file = write("reversed.png", encode_indexed_png(texels, 16, 16, reversed));
-    const MipTexture texture = read_png_texture(file, palette_, true);
+    const MipTexture texture = read_png_texture(file, palette_, {.may_glow = true});
     for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(texture.mips[0][i], 255 - i);
+}
+
+/// A palette of greys 16 apart, and a picture of 32x32 in one grey between two of them.
+struct BetweenGreys {
+    Palette palette;
+    PngImage image{32, 32, {}, std::vector<Rgba8>(32 * 32, {{104, 104, 104}, 255})};
+
+    BetweenGreys() {
+        for (std::size_t i = 0; i < 256; ++i) {
+            const auto grey = static_cast<std::uint8_t>(i % 16 * 16);
+            palette.colours[i] = {grey, grey, grey};
+        }
+    }
+    double mean(Dither dither) const {
+        int sum = 0;
+        for (const std::uint8_t index : indices_of(image, palette, kOrdinaryColours, dither)) {
+            EXPECT_LT(index, kFirstFullbright);
+            sum += palette.colours[index].red;
+        }
+        return sum / (32 * 32.0);
+    }
+};
+
+TEST(Quantise, DitheringKeepsTheMeanThatTheNearestColourMisses) {
+    const BetweenGreys scene;
+    EXPECT_EQ(scene.mean(Dither::None), 96);
+    EXPECT_NEAR(scene.mean(Dither::FloydSteinberg), 104, 2);
+}
+
+TEST(Quantise, DitheringLeavesColoursOfThePaletteAlone) {
+    BetweenGreys scene;
+    for (std::size_t i = 0; i < scene.image.colours.size(); ++i)
+        scene.image.colours[i].colour = scene.palette.colours[i % 16];
+    EXPECT_EQ(indices_of(scene.image, scene.palette, kOrdinaryColours, Dither::FloydSteinberg),
+              indices_of(scene.image, scene.palette, kOrdinaryColours, Dither::None));
+}
+
+TEST(Quantise, DitheringTakesAnyRangeOfColours) {
+    const BetweenGreys scene;
+    for (const ColourRange range : {ColourRange{0, 1}, ColourRange{5, 7}, ColourRange{0, 256}, ColourRange{224, 255}})
+        for (const std::uint8_t index : indices_of(scene.image, scene.palette, range, Dither::FloydSteinberg)) {
+            ASSERT_GE(index, range.begin);
+            ASSERT_LT(index, range.end);
+        }
 }
 
 TEST_F(TextureFiles, TwoIndicesOfOneColourStayApart) {
@@ -162,7 +206,7 @@ TEST_F(TextureFiles, TransparentPixelsAreHolesWhereTheNameSaysSo) {
     // The colour of a hole itself, solid here: it must not become one.
     const auto file = write("{grate.png", half_transparent(palette_.colours[255]));
     for (const bool may_glow : {false, true}) {
-        const MipTexture texture = read_png_texture(file, palette_, may_glow);
+        const MipTexture texture = read_png_texture(file, palette_, {.may_glow = may_glow});
         for (std::size_t level = 0; level < 4; ++level) {
             const std::size_t width = std::size_t{16} >> level;
             for (std::size_t at = 0; at < width * width; ++at)

@@ -2,7 +2,10 @@
 
 #include <cmath>
 #include <cstdio>
+#include <span>
 
+#include "tools/common/drawing.h"
+#include "tools/common/font.h"
 #include "tools/common/nearest_colour.h"
 
 namespace oblong {
@@ -12,6 +15,20 @@ namespace {
 std::string with_decimals(double value, int decimals) {
     char text[64];
     std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
+
+/// A line on a dark bar, cut where the canvas ends.
+void draw_bar(std::int32_t y, std::string_view line, TextColours colours, Framebuffer canvas) {
+    const auto most = static_cast<std::size_t>((canvas.width_px - 2 * kTextMargin_px) / kGlyphAdvance_px);
+    draw_text(canvas, kTextMargin_px, y, line.substr(0, most), colours);
+}
+
+std::string parameter_text(const Row& row, std::span<const std::int64_t> values, std::size_t chosen) {
+    const Parameter& parameter = row.parameters[chosen];
+    std::string text = "< " + parameter.name + ": " + value_text(parameter, values[chosen]) + " >";
+    if (row.parameters.size() > 1)
+        text += "  (" + std::to_string(chosen + 1) + " of " + std::to_string(row.parameters.size()) + ")";
     return text;
 }
 
@@ -33,6 +50,46 @@ Figure measured(std::string name, std::string found) {
 Parameter choice_parameter(std::string name, std::vector<std::string> choices, std::int64_t start) {
     const auto most = static_cast<std::int64_t>(choices.size()) - 1;
     return {std::move(name), 0, most, 1, start, std::move(choices)};
+}
+
+std::vector<std::int64_t> start_values(const Row& row) {
+    std::vector<std::int64_t> values;
+    for (const Parameter& parameter : row.parameters) values.push_back(parameter.start);
+    return values;
+}
+
+std::string value_text(const Parameter& parameter, std::int64_t value) {
+    return parameter.choices.empty() ? std::to_string(value) : parameter.choices[static_cast<std::size_t>(value)];
+}
+
+std::string figure_text(const Figure& figure) {
+    std::string text = figure.found;
+    if (!figure.agrees)
+        text = "WRONG: " + text + ", expected " + figure.expected;
+    else if (!figure.expected.empty() && figure.expected != figure.found)
+        text += " (expected " + figure.expected + ")";
+    return text + "  " + figure.name;
+}
+
+RowPage draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer canvas) {
+    const RowPage page = row.draw(input, canvas);
+    const TextColours colours = input.assets.text;
+    fill_area(canvas, {0, 0, canvas.width_px, kHeader_px}, colours.dark);
+    fill_area(canvas, {0, canvas.height_px - kFooter_px, canvas.width_px, kFooter_px}, colours.dark);
+    draw_bar(2, row.name, colours, canvas);
+    std::size_t lines_left = kFooter_px / kLineHeight_px;
+    std::int32_t y = canvas.height_px - kFooter_px + 2;
+    if (!row.parameters.empty()) {
+        draw_bar(y, parameter_text(row, input.values, chosen), colours, canvas);
+        y += kLineHeight_px;
+        --lines_left;
+    }
+    for (const Figure& figure : page.figures) {
+        if (lines_left-- == 0) break;
+        draw_bar(y, figure_text(figure), colours, canvas);
+        y += kLineHeight_px;
+    }
+    return page;
 }
 
 std::uint8_t GalleryAssets::colour(int red, int green, int blue) const {

@@ -69,8 +69,19 @@ struct Row {
     std::string_view test;    ///< the file that tests it: "tests/raster/lines_test.cpp"
     std::vector<Parameter> parameters;
     RowPage (*draw)(const RowInput& input, Framebuffer canvas);
+    bool moves = false;  ///< the picture changes with time
 };
 
+/// The values that a row's parameters start with.
+std::vector<std::int64_t> start_values(const Row& row);
+/// A value of a parameter as text: its choice's name, or the number.
+std::string value_text(const Parameter& parameter, std::int64_t value);
+
 inline constexpr std::int32_t kHeader_px = 12, kFooter_px = 34;
+
+/// Draws a row with its name above and its figures below; of its parameters, the one numbered `chosen` is named.
+RowPage draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer canvas);
+/// A figure in one line: "140  column of the far face's corner".
+std::string figure_text(const Figure& figure);
 
 }  // namespace oblong

@@ -1,11 +1,16 @@
 #include "tools/gallery/rows.h"
 
+#include <algorithm>
+
 namespace oblong {
 
 std::vector<Row> gallery_rows() {
     std::vector<Row> rows;
     for (const auto subject : {aspect_rows})
         for (Row& row : subject()) rows.push_back(std::move(row));
+    const auto first_seed = [](const Row& row) { return row.seeds.front(); };
+    std::stable_sort(rows.begin(), rows.end(),
+                     [&](const Row& a, const Row& b) { return first_seed(a) < first_seed(b); });
     return rows;
 }
 

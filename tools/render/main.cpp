@@ -20,7 +20,8 @@ using namespace oblong;
 struct Options {
     std::string level, cameras, palette, out, json;
     std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", preset = "bounded",
-                effects = "auto", texel_error, view = "first-person", seconds = "0", step_seconds = "0";
+                effects = "auto", hidden_surfaces = "span-buffer", texel_error, view = "first-person", seconds = "0",
+                step_seconds = "0";
     std::vector<std::string> dials;
     std::int64_t repeat = 1, threads = 1;
     bool prints_plan = false;
@@ -30,6 +31,19 @@ std::string effect_names() {
     std::string names;
     for (const std::string_view name : kEffectNames) names += (names.empty() ? "" : ",") + std::string(name);
     return names;
+}
+
+std::string hidden_surface_names() {
+    std::string names;
+    for (const std::string_view name : kHiddenSurfaceNames) names += (names.empty() ? "" : ", ") + std::string(name);
+    return names;
+}
+
+HiddenSurfaces parse_hidden_surfaces(const std::string& text) {
+    const auto known = std::find(kHiddenSurfaceNames.begin(), kHiddenSurfaceNames.end(), text);
+    if (known == kHiddenSurfaceNames.end())
+        throw UsageError("--hidden-surfaces: '" + text + "', expected one of " + hidden_surface_names());
+    return static_cast<HiddenSurfaces>(known - kHiddenSurfaceNames.begin());
 }
 
 void declare(Command& line, Options& options) {
@@ -49,6 +63,7 @@ void declare(Command& line, Options& options) {
     line.add("--dial", options.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
     line.add("--texel-error", options.texel_error, "largest texture error on screen, pixels (default 0.375)");
     line.add("--effects", options.effects, "auto, none, or names: " + effect_names());
+    line.add("--hidden-surfaces", options.hidden_surfaces, "by " + hidden_surface_names());
     line.add_flag("--plan", options.prints_plan,
                   "print the passes and effects of each frame, with their pixels and times");
     line.add("--threads", options.threads, "accepted; frames are drawn by one thread").limit(1, 256);
@@ -76,6 +91,7 @@ Settings make_settings(const Options& options, Preset preset) {
     settings.accuracy = parse_accuracy(preset, options.dials);
     settings.brightness_100 = parse_brightness(options.brightness);
     settings.allowed_effects = parse_effects(options.effects);
+    settings.hidden_surfaces = parse_hidden_surfaces(options.hidden_surfaces);
     if (options.texel_error.empty()) return settings;
     if (settings.accuracy.texturing != Texturing::Bounded)
         throw UsageError("--texel-error: is the bound of --accuracy bounded, expected no --accuracy " + options.preset);

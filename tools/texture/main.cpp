@@ -1,12 +1,23 @@
 #include "engine/platform/files.h"
+#include "tools/common/arguments.h"
 #include "tools/common/command_line.h"
 #include "tools/texture/ramp_sheet.h"
 #include "tools/texture/texture_files.h"
 
+namespace {
+
+oblong::Dither parse_dither(const std::string& text) {
+    if (text == "none") return oblong::Dither::None;
+    if (text == "floyd-steinberg") return oblong::Dither::FloydSteinberg;
+    throw oblong::UsageError("--dither: '" + text + "', expected none or floyd-steinberg");
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     using namespace oblong;
     std::vector<std::string> pictures, glowing;
-    std::string archive, output, palette_file;
+    std::string archive, output, palette_file, dither = "none";
     CommandLine line("oblong-texture", "Textures in and out of Quake's files, and how light changes their colours.");
     Command pack = line.add_command(
         "pack", "PNGs into a WAD2. A texture is named after its file; a leading '#' becomes '*' (liquids).");
@@ -16,6 +27,8 @@ int main(int argc, char** argv) {
     pack.add("input", pictures, "PNG files, sizes multiples of 16").require();
     pack.add("-o", output, "the WAD to write").require();
     pack.add("--glow", glowing, "texture NAME whose colours may glow (palette indices 224 to 255)");
+    pack.add("--dither", dither,
+             "none: each pixel the nearest colour; floyd-steinberg: its error goes to its neighbours");
     unpack.add("input", archive, "a WAD2 or BSP file").require();
     unpack.add("-o", output, "the folder to write to").require();
     ramps.add("-o", output, "the PNG to write").require();
@@ -23,7 +36,7 @@ int main(int argc, char** argv) {
         command->add("--palette", palette_file, "768 bytes: red, green, blue of 256 colours").require();
     return line.run(argc, argv, [&] {
         const Palette palette = read_parsed(palette_file, read_palette);
-        if (pack.is_given()) pack_textures(pictures, glowing, output, palette);
+        if (pack.is_given()) pack_textures(pictures, glowing, output, palette, parse_dither(dither));
         if (unpack.is_given()) unpack_textures(archive, output, palette);
         if (ramps.is_given()) write_file(output, make_ramp_sheet(palette));
     });

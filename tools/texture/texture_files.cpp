@@ -1,6 +1,5 @@
 #include "tools/texture/texture_files.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -10,7 +9,6 @@
 #include "engine/platform/files.h"
 #include "engine/screen/screen.h"
 #include "tools/common/arguments.h"
-#include "tools/common/nearest_colour.h"
 #include "tools/common/png.h"
 #include "tools/common/wad.h"
 #include "tools/texture/mipmaps.h"
@@ -19,29 +17,17 @@ namespace oblong {
 
 namespace {
 
-/// Two indices of a palette may have the same colour, and one of the two glow: only an index says which is meant.
-bool has_palette(const PngImage& image, const Palette& palette) {
-    return !image.indices.empty() &&
-           std::equal(image.colours.begin(), image.colours.end(), palette.colours.begin(),
-                      [](const Rgba8& ours, const Rgb8& theirs) { return ours.colour == theirs; });
-}
-
 std::vector<std::uint8_t> texels_of(const PngImage& image, const std::string& name, const Palette& palette,
-                                    bool may_glow) {
-    const bool keeps_indices = has_palette(image, palette);
-    const ColourRange range{0, !may_glow ? kFirstFullbright : has_holes(name) ? kHole : 256};
-    const auto count = pixel_count(image.width_px, image.height_px);
-    std::vector<std::uint8_t> texels;
-    for (std::size_t at = 0; at < count; ++at) {
-        const Rgba8 pixel = image.pixel(at);
-        const bool is_transparent = pixel.alpha < 128;
-        if (is_transparent && !has_holes(name))
+                                    PngColours colours) {
+    const ColourRange range{0, !colours.may_glow ? kFirstFullbright : has_holes(name) ? kHole : 256};
+    std::vector<std::uint8_t> texels = indices_of(image, palette, range, colours.dither);
+    for (std::size_t at = 0; at < texels.size(); ++at) {
+        if (image.pixel(at).alpha >= 128) continue;
+        if (!has_holes(name))
             throw InputError("image",
                              "has transparent pixels, expected none: only a texture whose name begins with "
                              "'{' has holes");
-        texels.push_back(is_transparent  ? kHole
-                         : keeps_indices ? image.indices[at]
-                                         : nearest_colour(palette, pixel.colour, range));
+        texels[at] = kHole;
     }
     return texels;
 }
@@ -68,18 +54,18 @@ std::vector<MipTexture> read_textures(std::span<const std::uint8_t> file) {
 
 }  // namespace
 
-MipTexture read_png_texture(const std::string& path, const Palette& palette, bool may_glow) {
+MipTexture read_png_texture(const std::string& path, const Palette& palette, PngColours colours) {
     return read_parsed(path, [&](std::span<const std::uint8_t> bytes) {
         const std::string name = texture_name_of_file(path);
         const PngImage image = decode_png(bytes);
         check_texture_size(image.width_px, image.height_px, "image");
-        return make_mip_texture(name, image.width_px, image.height_px, texels_of(image, name, palette, may_glow),
+        return make_mip_texture(name, image.width_px, image.height_px, texels_of(image, name, palette, colours),
                                 palette);
     });
 }
 
 void pack_textures(const std::vector<std::string>& png_paths, const std::vector<std::string>& glowing,
-                   const std::string& wad_path, const Palette& palette) {
+                   const std::string& wad_path, const Palette& palette, Dither dither) {
     const std::map<std::string, std::string> files = files_by_name(png_paths);
     std::set<std::string> glowing_files;
     for (const std::string& name : glowing) {
@@ -89,7 +75,7 @@ void pack_textures(const std::vector<std::string>& png_paths, const std::vector<
     }
     std::vector<MipTexture> textures;
     for (const std::string& path : png_paths)
-        textures.push_back(read_png_texture(path, palette, glowing_files.contains(path)));
+        textures.push_back(read_png_texture(path, palette, {glowing_files.contains(path), dither}));
     write_file(wad_path, write_wad(textures));
 }
 

@@ -30,11 +30,13 @@ constexpr std::array<CommandKey, 17> kCommandKeys{{
     {SDL_SCANCODE_MINUS, Command::Darker},
     {SDL_SCANCODE_EQUALS, Command::Brighter},
 }};
-constexpr std::array<CommandKey, 4> kRepeatingKeys{{
+constexpr std::array<CommandKey, 6> kRepeatingKeys{{
     {SDL_SCANCODE_UP, Command::DialUp},
     {SDL_SCANCODE_DOWN, Command::DialDown},
     {SDL_SCANCODE_LEFT, Command::DialCoarser},
     {SDL_SCANCODE_RIGHT, Command::DialFiner},
+    {SDL_SCANCODE_PAGEUP, Command::PageUp},
+    {SDL_SCANCODE_PAGEDOWN, Command::PageDown},
 }};
 
 void add_commands(std::span<const CommandKey> keys, SDL_Scancode code, Controls& controls) {

@@ -1,4 +1,4 @@
-#include "engine/effects/view_directions.h"
+#include "engine/geometry/view_directions.h"
 
 #include "engine/fixed/arithmetic.h"
 

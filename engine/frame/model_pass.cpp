@@ -1,0 +1,136 @@
+#include "engine/frame/model_pass.h"
+
+#include <algorithm>
+
+#include "engine/frame/fog_pass.h"
+#include "engine/frame/frame_context.h"
+#include "engine/frame/workspace.h"
+#include "engine/scene/light_below.h"
+#include "engine/visibility/box_rectangle.h"
+
+namespace oblong {
+
+namespace {
+
+/// From where a model is lit besides from all sides: from above, a little from one side (world axes).
+constexpr Vec3<WorldWide> kTowardLight{WorldWide::from_int(2), WorldWide::from_int(1), WorldWide::from_int(4)};
+
+ScreenRectangle intersection(const ScreenRectangle& a, const ScreenRectangle& b) {
+    return {std::max(a.first_column, b.first_column), std::min(a.end_column, b.end_column),
+            std::max(a.first_row, b.first_row), std::min(a.end_row, b.end_row)};
+}
+
+Vec3<World> middle_of(const LevelBox& box) {
+    const auto middle = [&box](std::size_t axis) { return World::from_raw((box.mins[axis] + box.maxs[axis]) * 2048); };
+    return {middle(0), middle(1), middle(2)};
+}
+
+/// 1/z of the corner of a box that is nearest along the view.
+InverseDepth nearest_depth_of(const LevelBox& box, const ViewContext& view) {
+    const auto nearest = [&box](std::size_t axis, Unit forward) {
+        return World::from_int(forward > Unit{} ? box.mins[axis] : box.maxs[axis]);
+    };
+    const Vec3<Unit>& forward = view.axes.forward;
+    const View z =
+        to_view({nearest(0, forward.x), nearest(1, forward.y), nearest(2, forward.z)}, view.eye, view.axes).z;
+    return to_inverse_depth(reciprocal<InverseZ>(std::max(z, View::from_int(1))));
+}
+
+/// The pixels that a box may take, of those that are drawn.
+ScreenRectangle pixels_of(const LevelBox& box, const ViewContext& view, const ScreenRectangle* part) {
+    const ScreenRectangle screen{0, view.projection.width_px, 0, view.projection.height_px};
+    const ScreenRectangle pixels = rectangle_of(box, view).value_or(screen);
+    return part ? intersection(pixels, *part) : pixels;
+}
+
+bool is_hidden(const MeshInView& mesh, DepthBuffer& depth) {
+    const ScreenRectangle& pixels = mesh.pixels;
+    for (std::int32_t y = pixels.first_row; y < pixels.end_row; ++y) {
+        const InverseDepth* const row = depth.row(y);
+        if (std::any_of(row + pixels.first_column, row + pixels.end_column,
+                        [&mesh](InverseDepth face) { return face <= mesh.nearest_depth; }))
+            return false;
+    }
+    return true;
+}
+
+/// Half of a box's diagonal, in whole units.
+WorldWide reach_of(const LevelBox& box) {
+    const Vec3<World> diagonal{World::from_raw((box.maxs[0] - box.mins[0]) * 2048),
+                               World::from_raw((box.maxs[1] - box.mins[1]) * 2048),
+                               World::from_raw((box.maxs[2] - box.mins[2]) * 2048)};
+    return length(diagonal);
+}
+
+/// The frame's lights that reach a mesh's box.
+void gather_mesh_lights(const MeshInView& mesh, FrameWorkspace& work) {
+    const Vec3<World> middle = middle_of(mesh.box);
+    const WorldWide reach = reach_of(mesh.box);
+    work.mesh_lights.clear();
+    for (const MovingLight& light : work.lights) {
+        const auto way = saturating_convert<World>(widening_difference(light.position, middle));
+        if (length(way) < convert<WorldWide>(light.radius) + reach) work.mesh_lights.push_back(light);
+    }
+}
+
+/// The light at a mesh's place: of the floor below it, a half from everywhere and a good half from above; and of what
+/// moves.
+MeshLight light_on(const MeshInView& mesh, const FrameContext& frame, const FrameWorkspace& work) {
+    const std::optional<std::int32_t> below_8 =
+        light_8_below(frame.scene.level, middle_of(mesh.box), work.light_styles);
+    const std::int32_t level = std::min(below_8.value_or(kFullLight * 256) / 256, MeshLight::kMostLight);
+    MeshLight light;
+    light.ambient = std::max(level * 5 / 8, mesh.placed->least_light);
+    light.directional = {normalised(kTowardLight), level * 5 / 8};
+    light.points = work.mesh_lights;
+    light.brightness_100 = frame.settings.brightness_100;
+    return light;
+}
+
+/// The colours of fog over a mesh, all of it as in its middle; null: none.
+const std::uint8_t* fog_over(const MeshInView& mesh, const FrameContext& frame, const FrameFog& fog,
+                             FrameWorkspace& work) {
+    if (!fog.tables) return nullptr;
+    const View z = to_view(middle_of(mesh.box), frame.view.eye, frame.view.axes).z;
+    const ScreenRectangle& pixels = mesh.pixels;
+    return fog_colours((pixels.first_column + pixels.end_column) / 2, (pixels.first_row + pixels.end_row) / 2,
+                       reciprocal<InverseZ>(std::max(z, View::from_int(1))), fog, work)
+        .data();
+}
+
+}  // namespace
+
+void find_meshes(const FrameContext& frame, const Sight& sight, FrameWorkspace& work) {
+    for (const PlacedMesh& placed : frame.scene.meshes) {
+        if (!placed.mesh || placed.mesh->frames.empty()) continue;
+        if (frame.mirror && is_behind(*frame.mirror, placed.position, frame.scene.level)) continue;
+        const LevelBox box = world_box(placed);
+        if (!may_be_seen(frame.scene.level, box, sight.visible, sight.view)) continue;
+        const ScreenRectangle pixels = pixels_of(box, sight.view, sight.part);
+        if (pixels.first_column >= pixels.end_column || pixels.first_row >= pixels.end_row) continue;
+        work.depth.want(pixels);
+        work.claims.things.meshes.push_back({&placed, pixels, box, nearest_depth_of(box, sight.view)});
+    }
+}
+
+void keep_visible_meshes(FrameWorkspace& work) {
+    std::vector<MeshInView>& meshes = work.claims.things.meshes;
+    std::erase_if(meshes, [&work](const MeshInView& mesh) { return is_hidden(mesh, work.depth); });
+    if (!meshes.empty()) work.claims.effects = work.claims.effects.with(Effect::Models);
+}
+
+void draw_meshes(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work) {
+    if (!work.meshes) work.meshes = std::make_unique<MeshScratch>(frame.out.height_px);
+    std::int64_t pixels = 0;
+    for (const MeshInView& mesh : work.claims.things.meshes) {
+        gather_mesh_lights(mesh, work);
+        const MeshDrawing drawing{frame.view, work.surfaces.colormap(), light_on(mesh, frame, work),
+                                  fog_over(mesh, frame, fog, work), frame.accuracy().texturing == Texturing::Affine};
+        pixels += draw_mesh(*mesh.placed, drawing, {work.depth, frame.out, mesh.pixels}, *work.meshes).pixels;
+    }
+    if (!work.counts) return;
+    work.counts->of(Effect::Models) += pixels;
+    work.counts->of(Pass::Models) += pixels;
+}
+
+}  // namespace oblong

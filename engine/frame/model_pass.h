@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/effects/things_in_view.h"
+
+namespace oblong {
+
+struct FrameContext;
+struct FrameFog;
+class FrameWorkspace;
+
+/// Finds the meshes that may be seen, and wants depth where they are. Those out of view, or in no leaf of the visible
+/// set, are not looked at further; nor are those behind a mirror, by their place, in its picture.
+void find_meshes(const FrameContext& frame, const Sight& sight, FrameWorkspace& work);
+
+/// Leaves out those whose whole rectangle is covered by what is nearer than their box. The faces' depth is known.
+void keep_visible_meshes(FrameWorkspace& work);
+
+/// Draws the meshes that are left, in the level's light and fog.
+void draw_meshes(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work);
+
+}  // namespace oblong

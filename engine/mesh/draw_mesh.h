@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/mesh/mesh_pixels.h"
+
+namespace oblong {
+
+/// What the stages of a mesh make, one after the other; kept from mesh to mesh, so that little is allocated.
+struct MeshScratch {
+    explicit MeshScratch(std::int32_t height_px) : rows(height_px) {}
+
+    std::vector<MeshVertex> object_vertices;  ///< between two frames
+    std::vector<std::uint32_t> facing;        ///< triangles
+    std::vector<WorldVertex> world_vertices;
+    std::vector<ViewVertex> view_vertices;
+    std::vector<CornerValues> values;  ///< of the vertices
+    ClipScratch clip;
+    std::vector<ScreenCorner> polygon;  ///< of one triangle
+    ScanlineExtents rows;
+    std::vector<Span> spans;
+};
+
+/// How meshes are drawn.
+struct MeshDrawing {
+    const ViewContext& view;
+    const Colormap& colormap;
+    MeshLight light;
+    const std::uint8_t* after = nullptr;  ///< MeshPaint::after
+    bool is_affine = false;               ///< textures without perspective within a triangle, as in Quake's models
+};
+
+/// What drawing a mesh took.
+struct MeshCounts {
+    std::int64_t facing = 0;     ///< triangles that face the eye
+    std::int64_t triangles = 0;  ///< scanned
+    std::int64_t pixels = 0;     ///< drawn, some of them more than once
+};
+
+/// The values of vertices that go over the screen: texels, and the light or what it is worked out from at each pixel.
+void find_corner_values(const PlacedMesh& placed, std::span<const WorldVertex> world_vertices, const MeshLight& light,
+                        std::vector<CornerValues>& values);
+
+/// Draws a mesh where nothing is nearer, and sets the depth of its pixels. Any mesh and place: what cannot be drawn (no
+/// frames, a scale without inverse, numbers of missing vertices) is left out.
+MeshCounts draw_mesh(const PlacedMesh& placed, const MeshDrawing& drawing, const MeshTarget& target,
+                     MeshScratch& scratch);
+
+}  // namespace oblong

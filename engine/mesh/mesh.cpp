@@ -1,0 +1,74 @@
+#include "engine/mesh/mesh.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "engine/base/table.h"
+#include "engine/fixed/arithmetic.h"
+
+namespace oblong {
+
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>;
+using NormalSum = std::array<std::int64_t, 3>;  ///< of products of two World raw numbers, without their last bits
+
+/// Outward, twice as long as the triangle is large: corners run clockwise.
+auto normal_of(const std::vector<MeshVertex>& vertices, const Corners& corners) {
+    const Vec3<World> a = at(vertices, corners[0]).position;
+    return cross(at(vertices, corners[2]).position - a, at(vertices, corners[1]).position - a);
+}
+
+std::int64_t largest_part(const NormalSum& normal) {
+    return std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
+}
+
+/// How many last bits of the normals are left out, so that the sum of all would fit 64 bits.
+int bits_too_many(const std::vector<MeshVertex>& vertices, std::span<const Corners> triangles) {
+    std::int64_t largest = 0;
+    for (const Corners& corners : triangles)
+        largest = std::max(largest, largest_part(raw_of(normal_of(vertices, corners))));
+    const int bits = log2_floor(static_cast<std::uint64_t>(largest) | 1) + log2_floor(triangles.size() | 1) + 2;
+    return std::max(bits - 62, 0);
+}
+
+}  // namespace
+
+std::uint32_t shown_at(const MeshSequence& sequence, std::int64_t time_ms) {
+    if (sequence.ends_ms.empty()) return sequence.first;
+    const std::int64_t length_ms = sequence.ends_ms.back();
+    const std::int64_t since_ms = (time_ms % length_ms + length_ms) % length_ms;
+    const auto shown = std::upper_bound(sequence.ends_ms.begin(), sequence.ends_ms.end(), since_ms);
+    return sequence.first + static_cast<std::uint32_t>(shown - sequence.ends_ms.begin());
+}
+
+void set_normals(std::vector<MeshVertex>& vertices, std::span<const Corners> triangles) {
+    const int dropped_bits = bits_too_many(vertices, triangles);
+    std::vector<NormalSum> sums(vertices.size());
+    for (const Corners& corners : triangles) {
+        const NormalSum normal = raw_of(normal_of(vertices, corners));
+        for (const std::uint32_t corner : corners)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                at(sums, corner)[axis] += floor_shift(normal[axis], dropped_bits);
+    }
+    for (const Corners& corners : triangles)
+        for (const std::uint32_t corner : corners)
+            if (at(sums, corner) == NormalSum{}) at(sums, corner) = raw_of(normal_of(vertices, corners));
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        if (sums[i] == NormalSum{}) sums[i] = {0, 0, 1};
+        const auto unit = normalised_raw(sums[i]);
+        vertices[i].normal = {unit[0], unit[1], unit[2]};
+    }
+}
+
+void set_box(MeshFrame& frame) {
+    if (frame.vertices.empty()) return;
+    frame.mins = frame.maxs = frame.vertices.front().position;
+    for (const MeshVertex& vertex : frame.vertices) {
+        const Vec3<World>& p = vertex.position;
+        frame.mins = {std::min(frame.mins.x, p.x), std::min(frame.mins.y, p.y), std::min(frame.mins.z, p.z)};
+        frame.maxs = {std::max(frame.maxs.x, p.x), std::max(frame.maxs.y, p.y), std::max(frame.maxs.z, p.z)};
+    }
+}
+
+}  // namespace oblong

@@ -1,0 +1,115 @@
+#include "engine/mesh/mesh_gradients.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "engine/fixed/arithmetic.h"
+#include "engine/raster/scan.h"
+
+namespace oblong {
+
+namespace {
+
+/// A barycentric coordinate's change per pixel: at most 16.
+using WeightStep = Fixed<std::int64_t, 48>;
+
+/// Barycentric coordinates of two corners, seen from the first one, and how they change.
+struct Barycentric {
+    std::array<const ScreenCorner*, 3> corners;
+    WeightStep b_per_column, b_per_row, c_per_column, c_per_row;
+
+    const ScreenVertex& anchor() const { return corners[0]->screen; }
+};
+
+struct Way {
+    std::int64_t x, y;  ///< 1/256 pixel
+
+    Way(const ScreenCorner& from, const ScreenCorner& to)
+        : x(widening_difference(to.screen.x, from.screen.x).raw),
+          y(widening_difference(to.screen.y, from.screen.y).raw) {}
+    std::int64_t size() const { return std::max(std::abs(x), std::abs(y)); }
+};
+
+/// part / whole per pixel, both of them in the units of a way, or a product of two.
+WeightStep step_of(std::int64_t part, std::int64_t whole) {
+    return WeightStep::from_raw(mul_div(part, WeightStep::from_int(256).raw, whole));
+}
+
+/// Along the longest side alone, from `from` to `to`.
+Barycentric along(const ScreenCorner* from, const ScreenCorner* to) {
+    const Way way(*from, *to);
+    Barycentric result{{from, to, from}, {}, {}, {}, {}};
+    if (std::abs(way.x) >= std::abs(way.y))
+        result.b_per_column = step_of(1, way.x);
+    else
+        result.b_per_row = step_of(1, way.y);
+    return result;
+}
+
+std::optional<Barycentric> make_barycentric(const std::array<const ScreenCorner*, 3>& corners) {
+    constexpr std::int64_t kThinnest_8 = 16;
+    const auto& [a, b, c] = corners;
+    const Way ab(*a, *b), ac(*a, *c), bc(*b, *c);
+    const std::int64_t area = ab.x * ac.y - ac.x * ab.y;
+    if (area <= 0) return std::nullopt;
+    const std::int64_t longest = std::max({ab.size(), ac.size(), bc.size()});
+    if (area < longest * kThinnest_8)
+        return longest == ab.size() ? along(a, b) : longest == ac.size() ? along(a, c) : along(b, c);
+    return Barycentric{corners, step_of(ac.y, area), step_of(-ac.x, area), step_of(-ab.y, area), step_of(ab.x, area)};
+}
+
+/// A quantity from its values at the corners. Its steps have at most 4 bits more than it; what is added up to far-away
+/// pixels may wrap (LinearQuantity).
+template <class Value>
+LinearQuantity<Value> quantity_of(const Barycentric& weights, Value a, Value b, Value c) {
+    LinearQuantity<Value> quantity;
+    quantity.per_column = product<Value>(b - a, weights.b_per_column) + product<Value>(c - a, weights.c_per_column);
+    quantity.per_row = product<Value>(b - a, weights.b_per_row) + product<Value>(c - a, weights.c_per_row);
+    const auto moved_back = [](Value from, Value step, Screen by) {
+        const std::int64_t from_centre_8 = 128 - by.raw;
+        const auto rest = Value::from_raw(mul_shift(step.raw, from_centre_8 & 255, 8));
+        return stepped(stepped(from, step, floor_shift(from_centre_8, 8)), rest, 1);
+    };
+    quantity.origin =
+        moved_back(moved_back(a, quantity.per_column, weights.anchor().x), quantity.per_row, weights.anchor().y);
+    return quantity;
+}
+
+/// The same of what `value_of` makes of a corner.
+auto quantity_of(const Barycentric& weights, auto value_of) {
+    const auto& [a, b, c] = weights.corners;
+    return quantity_of(weights, value_of(*a), value_of(*b), value_of(*c));
+}
+
+TextureGradients texture_gradients(const Barycentric& weights, bool is_affine) {
+    const auto over_z = [is_affine](Texel texel, const ScreenCorner& corner) {
+        return is_affine ? convert<TexelOverZ>(texel) : product<TexelOverZ>(texel, corner.inverse_z);
+    };
+    return {quantity_of(weights, [](const ScreenCorner& corner) { return corner.inverse_z; }),
+            quantity_of(weights, [&](const ScreenCorner& corner) { return over_z(corner.values.u, corner); }),
+            quantity_of(weights, [&](const ScreenCorner& corner) { return over_z(corner.values.v, corner); })};
+}
+
+}  // namespace
+
+std::optional<ScreenTriangle> make_screen_triangle(const std::array<const ScreenCorner*, 3>& corners,
+                                                   const GradientChoice& choice) {
+    const std::optional<Barycentric> weights = make_barycentric(corners);
+    if (!weights) return std::nullopt;
+    ScreenTriangle triangle{{corners[0]->screen, corners[1]->screen, corners[2]->screen}, {}};
+    MeshGradients& gradients = triangle.gradients;
+    gradients.texture = texture_gradients(*weights, choice.is_affine);
+    using Light = Fixed<std::int64_t, 32>;
+    gradients.light =
+        quantity_of(*weights, [](const ScreenCorner& corner) { return convert<Light>(corner.values.light); });
+    if (!choice.has_normal) return triangle;
+    const auto normal = [&](Unit Vec3<Unit>::*axis) {
+        return quantity_of(*weights, [axis](const ScreenCorner& corner) {
+            return convert<Fixed<std::int64_t, 30>>(corner.values.normal.*axis);
+        });
+    };
+    gradients.normal = {normal(&Vec3<Unit>::x), normal(&Vec3<Unit>::y), normal(&Vec3<Unit>::z)};
+    return triangle;
+}
+
+}  // namespace oblong

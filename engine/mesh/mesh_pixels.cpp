@@ -1,0 +1,153 @@
+#include "engine/mesh/mesh_pixels.h"
+
+#include <algorithm>
+
+#include "engine/base/table.h"
+#include "engine/fixed/arithmetic.h"
+#include "engine/fixed/root.h"
+
+namespace oblong {
+
+namespace {
+
+/// What the loop over a span does, decided once a triangle.
+struct MeshTraits {
+    bool is_phong, is_affine, has_after;
+};
+
+/// What changes from a pixel to the next.
+struct MeshPixel {
+    InverseZ inverse_z;
+    TexelOverZ u_over_z, v_over_z;
+    Fixed<std::int64_t, 32> light;
+    Vec3<Fixed<std::int64_t, 30>> normal;
+
+    template <bool IsPhong>
+    static MeshPixel at(const MeshGradients& gradients, std::int32_t column, std::int32_t row) {
+        MeshPixel pixel{gradients.texture.inverse_z.at(column, row),
+                        gradients.texture.u_over_z.at(column, row),
+                        gradients.texture.v_over_z.at(column, row),
+                        gradients.light.at(column, row),
+                        {}};
+        if constexpr (IsPhong)
+            pixel.normal = {gradients.normal.x.at(column, row), gradients.normal.y.at(column, row),
+                            gradients.normal.z.at(column, row)};
+        return pixel;
+    }
+
+    template <bool IsPhong>
+    void step(const MeshGradients& gradients) {
+        const auto next = [](auto& value, const auto& quantity) { value = stepped(value, quantity.per_column, 1); };
+        next(inverse_z, gradients.texture.inverse_z);
+        next(u_over_z, gradients.texture.u_over_z);
+        next(v_over_z, gradients.texture.v_over_z);
+        next(light, gradients.light);
+        if constexpr (IsPhong) {
+            next(normal.x, gradients.normal.x);
+            next(normal.y, gradients.normal.y);
+            next(normal.z, gradients.normal.z);
+        }
+    }
+};
+
+/// z with 28 fraction bits, by 1/z with 32: 1/z of a world's point is at least 2^-21.
+std::int64_t depth_28(InverseZ inverse_z) {
+    constexpr std::int64_t kLeast = std::int64_t{1} << 11;
+    return (std::int64_t{1} << 60) / std::max(floor_shift(inverse_z.raw, InverseZ::kFractionBits - 32), kLeast);
+}
+
+/// The texel's number along one axis. With kMostTexel texels, at most 2^13, u/z times z has at most 62 bits.
+std::int64_t texel_number(TexelOverZ over_z, std::int64_t z_28) {
+    return floor_shift(floor_shift(over_z.raw, TexelOverZ::kFractionBits - 21) * z_28, 49);
+}
+
+template <bool IsAffine>
+std::uint8_t texel_at(const MeshPixel& pixel, const Skin& skin) {
+    std::int64_t u = 0, v = 0;
+    if constexpr (IsAffine) {
+        u = floor_of(pixel.u_over_z);
+        v = floor_of(pixel.v_over_z);
+    } else {
+        const std::int64_t z_28 = depth_28(pixel.inverse_z);
+        u = texel_number(pixel.u_over_z, z_28);
+        v = texel_number(pixel.v_over_z, z_28);
+    }
+    u = std::clamp<std::int64_t>(u, 0, skin.width - 1);
+    v = std::clamp<std::int64_t>(v, 0, skin.height - 1);
+    return at(skin.texels, v * skin.width + u);
+}
+
+/// N . to, of length 1 at most, 8 fraction bits; `length` that of N: interpolated normals are shorter than 1.
+std::int64_t cosine_8(const Vec3<Fixed<std::int64_t, 14>>& normal, const ReciprocalRoot& over_length,
+                      const Vec3<Unit>& to) {
+    const std::int64_t along = floor_shift(dot(normal, to).raw, 30);  // 14 fraction bits
+    if (along <= 0) return 0;
+    // The length has 14 fraction bits too.
+    return std::min<std::int64_t>(floor_shift(along * over_length.mantissa, 22 + over_length.shift), 256);
+}
+
+/// The light at a pixel by its own normal.
+std::int32_t phong_shade_16(const MeshPixel& pixel, const MeshPaint& paint) {
+    const auto part = [](Fixed<std::int64_t, 30> value) { return convert<Fixed<std::int64_t, 14>>(value); };
+    const Vec3<Fixed<std::int64_t, 14>> normal{part(pixel.normal.x), part(pixel.normal.y), part(pixel.normal.z)};
+    const std::int64_t square = dot(normal, normal).raw;
+    auto light = static_cast<Light8>(floor_shift(pixel.light.raw, 24));
+    if (square > 0) {
+        const ReciprocalRoot over_length = reciprocal_root(static_cast<std::uint64_t>(square));
+        const DirectionalLight& source = paint.light.directional;
+        light += static_cast<Light8>(cosine_8(normal, over_length, source.toward) * source.strength);
+        light += at(*paint.highlight, cosine_8(normal, over_length, paint.halfway));
+    }
+    return shade_16_of(light, paint.light.brightness_100);
+}
+
+template <MeshTraits kTraits>
+std::int64_t draw_span(const Span& span, const MeshGradients& gradients, const MeshPaint& paint,
+                       const MeshTarget& target) {
+    InverseDepth* const depths = target.depth.row(span.y);
+    std::uint8_t* const pixels = target.out.row(span.y);
+    std::int64_t drawn = 0;
+    auto pixel = MeshPixel::at<kTraits.is_phong>(gradients, span.first, span.y);
+    for (std::int32_t x = span.first; x < span.end; ++x, pixel.template step<kTraits.is_phong>(gradients)) {
+        const InverseDepth depth = to_inverse_depth(pixel.inverse_z);
+        if (depths[x] > depth) continue;
+        depths[x] = depth;
+        std::int64_t shade = floor_of(pixel.light);
+        if constexpr (kTraits.is_phong) shade = phong_shade_16(pixel, paint) >> 16;
+        const std::uint8_t lit = at(paint.colormap.shades, shade)[texel_at<kTraits.is_affine>(pixel, paint.skin)];
+        pixels[x] = kTraits.has_after ? paint.after[lit] : lit;
+        ++drawn;
+    }
+    return drawn;
+}
+
+using DrawSpan = std::int64_t (*)(const Span&, const MeshGradients&, const MeshPaint&, const MeshTarget&);
+
+DrawSpan choose_loop(const MeshTraits& traits) {
+    constexpr std::array<DrawSpan, 8> kLoops{
+        draw_span<MeshTraits{false, false, false}>, draw_span<MeshTraits{false, false, true}>,
+        draw_span<MeshTraits{false, true, false}>,  draw_span<MeshTraits{false, true, true}>,
+        draw_span<MeshTraits{true, false, false}>,  draw_span<MeshTraits{true, false, true}>,
+        draw_span<MeshTraits{true, true, false}>,   draw_span<MeshTraits{true, true, true}>};
+    return at(kLoops, traits.is_phong * 4 + traits.is_affine * 2 + traits.has_after);
+}
+
+}  // namespace
+
+void append_spans(const ScanlineExtents& rows, const ScreenRectangle& part, std::vector<Span>& spans) {
+    for (std::int32_t y = std::max(rows.first, part.first_row); y < std::min(rows.end, part.end_row); ++y) {
+        const std::int32_t first = std::max(at(rows.left, y), part.first_column);
+        const std::int32_t end = std::min(at(rows.right, y), part.end_column);
+        if (first < end) spans.push_back({y, first, end});
+    }
+}
+
+std::int64_t draw_mesh_spans(std::span<const Span> spans, const MeshGradients& gradients, const MeshPaint& paint,
+                             const MeshTarget& target) {
+    const DrawSpan draw = choose_loop({paint.shading == Shading::Phong, paint.is_affine, paint.after != nullptr});
+    std::int64_t drawn = 0;
+    for (const Span& span : spans) drawn += draw(span, gradients, paint, target);
+    return drawn;
+}
+
+}  // namespace oblong

@@ -1,0 +1,199 @@
+#include "engine/mesh/mesh_stages.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "engine/base/table.h"
+#include "engine/fixed/arithmetic.h"
+#include "engine/geometry/project.h"
+#include "engine/math/wide_sum.h"
+
+namespace oblong {
+
+namespace {
+
+/// a + (b - a) blend / 256.
+template <class Value>
+Vec3<Value> blended(const Vec3<Value>& a, const Vec3<Value>& b, std::int32_t blend_256) {
+    return between(a, b, WorldWide::from_raw(blend_256), WorldWide::from_raw(256));
+}
+
+/// b - a, each component below 2^30 steps: so that the cross product of two fits 64 bits. Exact within 2^17 units.
+Vec3<WorldWide> bounded_difference(const Vec3<World>& a, const Vec3<World>& b) {
+    constexpr auto kMost = WorldWide::from_raw((1 << 30) - 1);
+    const Vec3<WorldWide> way = widening_difference(b, a);
+    return {std::clamp(way.x, -kMost, kMost), std::clamp(way.y, -kMost, kMost), std::clamp(way.z, -kMost, kMost)};
+}
+
+/// a x b, of bounded differences.
+Vec3<Fixed<std::int64_t, 24>> bounded_cross(const Vec3<WorldWide>& a, const Vec3<WorldWide>& b) {
+    return {bounded_product(a.y, b.z) - bounded_product(a.z, b.y),
+            bounded_product(a.z, b.x) - bounded_product(a.x, b.z),
+            bounded_product(a.x, b.y) - bounded_product(a.y, b.x)};
+}
+
+/// (C - A) x (B - A), toward the front.
+Vec3<Fixed<std::int64_t, 24>> object_normal(const MeshTriangle& triangle, std::span<const MeshVertex> vertices) {
+    const Vec3<World>& a = vertices[triangle.vertices[0]].position;
+    return bounded_cross(bounded_difference(a, vertices[triangle.vertices[2]].position),
+                         bounded_difference(a, vertices[triangle.vertices[1]].position));
+}
+
+bool is_above_zero(const Vec3<Fixed<std::int64_t, 24>>& normal, const Vec3<WorldWide>& way) {
+    WideSum sum;
+    sum.add_product(normal.x, way.x);
+    sum.add_product(normal.y, way.y);
+    sum.add_product(normal.z, way.z);
+    return sum.scaled(0).mantissa > 0;
+}
+
+Vec3<Entry> times(const Matrix4& matrix, const Vec3<World>& point) {
+    const std::array column{convert<Entry>(point.x), convert<Entry>(point.y), convert<Entry>(point.z),
+                            Entry::from_int(1)};
+    return {matrix.row_times(0, column), matrix.row_times(1, column), matrix.row_times(2, column)};
+}
+
+InverseZ inverse_z_at(View z) {
+    if (z <= View::from_raw(1 << 9)) return kGreatestMeshInverseZ;
+    return InverseZ::from_raw((std::int64_t{1} << (InverseZ::kFractionBits + View::kFractionBits)) / z.raw);
+}
+
+/// A share of a triangle's corner: 0 to 1.
+using Weight = Fixed<std::int64_t, 30>;
+
+/// Of the corners B and C; that of A is the rest.
+struct Weights {
+    Weight b, c;
+};
+
+/// How many low bits two vectors must lose before a 64-bit cross product holds them.
+int bits_too_many(const Vec3<View>& a, const Vec3<View>& b) {
+    std::int64_t most = 1;
+    for (const std::int64_t part : {a.x.raw, a.y.raw, a.z.raw, b.x.raw, b.y.raw, b.z.raw})
+        most = std::max(most, part < 0 ? -part : part);
+    return std::max(log2_floor(static_cast<std::uint64_t>(most)) - 28, 0);
+}
+
+/// Where a point of a triangle's plane lies between its corners: its areas with two of them, by the whole one, along
+/// the axis from which the triangle looks largest.
+Weights weights_at(const Vec3<View>& p, const Vec3<View>& a, const Vec3<View>& b, const Vec3<View>& c) {
+    const int shift = bits_too_many(b - a, c - a);
+    const auto scaled = [&](const Vec3<View>& v) {
+        return std::array{floor_shift(v.x.raw - a.x.raw, shift), floor_shift(v.y.raw - a.y.raw, shift),
+                          floor_shift(v.z.raw - a.z.raw, shift)};
+    };
+    const auto to_b = scaled(b), to_c = scaled(c), to_p = scaled(p);
+    const auto area = [](const auto& one, const auto& other, std::size_t axis) {
+        const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
+        return one[i] * other[j] - one[j] * other[i];
+    };
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+        if (std::abs(area(to_b, to_c, i)) > std::abs(area(to_b, to_c, axis))) axis = i;
+    const std::int64_t whole = area(to_b, to_c, axis);
+    if (whole == 0) return {};
+    const auto share = [whole](std::int64_t part, Weight most) {
+        const auto weight = Weight::from_raw(mul_div(part, Weight::from_int(1).raw, whole));
+        return std::clamp(weight, Weight{}, most);
+    };
+    const Weight of_b = share(area(to_p, to_c, axis), Weight::from_int(1));
+    return {of_b, share(area(to_b, to_p, axis), Weight::from_int(1) - of_b)};
+}
+
+/// a + (b - a) weight of b + (c - a) weight of c.
+template <class Value>
+Value mixed(Value a, Value b, Value c, const Weights& weights) {
+    constexpr auto kOne = Weight::from_int(1);
+    const auto part = [&](Value to, Weight weight) { return std::int64_t{between(a, to, weight, kOne).raw} - a.raw; };
+    return Value::from_raw(static_cast<typename Value::Raw>(a.raw + part(b, weights.b) + part(c, weights.c)));
+}
+
+CornerValues mixed(const std::array<CornerValues, 3>& values, const Weights& weights) {
+    const auto& [a, b, c] = values;
+    return {mixed(a.u, b.u, c.u, weights),
+            mixed(a.v, b.v, c.v, weights),
+            mixed(a.light, b.light, c.light, weights),
+            {mixed(a.normal.x, b.normal.x, c.normal.x, weights), mixed(a.normal.y, b.normal.y, c.normal.y, weights),
+             mixed(a.normal.z, b.normal.z, c.normal.z, weights)}};
+}
+
+}  // namespace
+
+std::span<const MeshVertex> pose_of(const PlacedMesh& placed, std::vector<MeshVertex>& scratch) {
+    const std::vector<MeshVertex>&from = frame_of(placed).vertices, &to = next_frame_of(placed).vertices;
+    if (placed.blend_256 <= 0 || &from == &to) return from;
+    if (placed.blend_256 >= 256) return to;
+    scratch.clear();
+    for (std::size_t i = 0; i < std::min(from.size(), to.size()); ++i)
+        scratch.push_back({blended(from[i].position, to[i].position, placed.blend_256),
+                           normalised(blended(from[i].normal, to[i].normal, placed.blend_256))});
+    return scratch;
+}
+
+Vec3<World> to_object(const Vec3<World>& world_eye, const MeshTransform& transform) {
+    return saturating_convert<World>(times(transform.to_object, world_eye));
+}
+
+void find_facing(std::span<const MeshTriangle> triangles, std::span<const MeshVertex> object_vertices,
+                 const Vec3<World>& object_eye, std::vector<std::uint32_t>& facing) {
+    facing.clear();
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+        const auto& [a, b, c] = triangles[i].vertices;
+        if (std::max({a, b, c}) >= object_vertices.size()) continue;
+        const Vec3<WorldWide> to_eye = widening_difference(object_eye, object_vertices[a].position);
+        if (is_above_zero(object_normal(triangles[i], object_vertices), to_eye)) facing.push_back(i);
+    }
+}
+
+Vec3<Unit> world_normal(const MeshTriangle& triangle, std::span<const MeshVertex> object_vertices,
+                        const MeshTransform& transform) {
+    const Vec3<Unit> normal = normalised(object_normal(triangle, object_vertices));
+    return normalised(transform.normals * convert<Entry>(normal));
+}
+
+void transform_to_world(std::span<const MeshVertex> object_vertices, const MeshTransform& transform,
+                        std::vector<WorldVertex>& world_vertices) {
+    world_vertices.clear();
+    for (const MeshVertex& vertex : object_vertices)
+        world_vertices.push_back({saturating_convert<World>(times(transform.to_world, vertex.position)),
+                                  normalised(transform.normals * convert<Entry>(vertex.normal))});
+}
+
+void transform_to_view(std::span<const WorldVertex> world_vertices, const ViewContext& view,
+                       std::vector<ViewVertex>& view_vertices) {
+    view_vertices.clear();
+    for (const WorldVertex& vertex : world_vertices) {
+        ViewVertex seen;
+        seen.position = to_view(vertex.position, view.eye, view.axes);
+        if (view.view_bits != View::kFractionBits) seen.position = rounded_to(seen.position, view.view_bits);
+        seen.outcode = outcode_of(view.frustum, seen.position);
+        if (seen.outcode == 0) {
+            seen.screen = to_screen_vertex(project(seen.position, view.projection), view.projection, view.grid);
+            seen.inverse_z = inverse_z_at(seen.position.z);
+        }
+        view_vertices.push_back(seen);
+    }
+}
+
+void clip_and_project(const std::array<const ViewVertex*, 3>& triangle, const std::array<CornerValues, 3>& values,
+                      const ViewContext& view, ClipScratch& scratch, std::vector<ScreenCorner>& polygon) {
+    const auto& [a, b, c] = triangle;
+    polygon.clear();
+    if ((a->outcode & b->outcode & c->outcode) != 0) return;
+    const unsigned outcodes = a->outcode | b->outcode | c->outcode;
+    if (outcodes == 0) {
+        for (std::size_t i = 0; i < 3; ++i) polygon.push_back({triangle[i]->screen, triangle[i]->inverse_z, values[i]});
+        return;
+    }
+    scratch.polygon.clear();
+    for (const ViewVertex* vertex : triangle) scratch.polygon.push_back({vertex->position, 0, vertex->outcode, 0});
+    clip_polygon(view.frustum, outcodes, scratch);
+    for (const ClipVertex& corner : scratch.polygon) {
+        const ScreenVertex inside =
+            to_screen_vertex(project(corner.position, view.projection), view.projection, view.grid);
+        polygon.push_back({to_screen_border(inside, corner.borders, view.projection), inverse_z_at(corner.position.z),
+                           mixed(values, weights_at(corner.position, a->position, b->position, c->position))});
+    }
+}
+
+}  // namespace oblong

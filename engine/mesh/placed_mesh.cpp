@@ -1,0 +1,97 @@
+#include "engine/mesh/placed_mesh.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/base/table.h"
+#include "engine/math/basis.h"
+
+namespace oblong {
+
+namespace {
+
+/// The largest coordinate of a box, before it is made a unit larger: a level's own boxes reach to 524,287.
+constexpr std::int64_t kMostUnits = 524'285;
+
+/// The mesh's x ahead, y left, z up, as columns.
+Matrix4 rotation_of(const PlacedMesh& placed) {
+    const Basis axes = view_basis(placed.yaw, placed.pitch, placed.roll);
+    const Vec3<Unit> left = -axes.right;
+    const auto row = [](Unit x, Unit y, Unit z) {
+        return std::array{convert<Entry>(x), convert<Entry>(y), convert<Entry>(z), Entry{}};
+    };
+    return {{row(axes.forward.x, left.x, axes.up.x), row(axes.forward.y, left.y, axes.up.y),
+             row(axes.forward.z, left.z, axes.up.z), Matrix4::identity().rows[3]}};
+}
+
+/// Object space to world.
+Matrix4 matrix_of(const PlacedMesh& placed) {
+    return translation(convert<Entry>(placed.position)) * (rotation_of(placed) * scaling(placed.scale));
+}
+
+Matrix3 upper_left(const Matrix4& matrix) {
+    Matrix3 part;
+    for (std::size_t i = 0; i < 3; ++i) part.rows[i] = {matrix.rows[i][0], matrix.rows[i][1], matrix.rows[i][2]};
+    return part;
+}
+
+const MeshFrame& frame_at(const Mesh& mesh, std::uint32_t number) {
+    return mesh.frames[std::min<std::size_t>(number, mesh.frames.size() - 1)];
+}
+
+/// The middle of an interval and half its length.
+struct Interval {
+    Entry middle, half;
+
+    Interval(World low, World high)
+        : middle(Entry::from_raw((std::int64_t{low.raw} + high.raw) * (1 << 19))),
+          half(Entry::from_raw(std::max(std::int64_t{high.raw} - low.raw, std::int64_t{0}) * (1 << 19))) {}
+};
+
+/// The floor in whole units within a box's limits.
+std::int32_t whole_units(std::int64_t entry_raw) {
+    return static_cast<std::int32_t>(std::clamp(floor_shift(entry_raw, Entry::kFractionBits), -kMostUnits, kMostUnits));
+}
+
+}  // namespace
+
+const MeshFrame& frame_of(const PlacedMesh& placed) {
+    return frame_at(*placed.mesh, placed.frame);
+}
+
+const MeshFrame& next_frame_of(const PlacedMesh& placed) {
+    return frame_at(*placed.mesh, placed.next_frame);
+}
+
+std::optional<MeshTransform> make_mesh_transform(const PlacedMesh& placed) {
+    const Vec3<Entry>& scale = placed.scale;
+    if (scale.x <= Entry{} || scale.y <= Entry{} || scale.z <= Entry{}) return std::nullopt;
+    const Matrix4 to_world = matrix_of(placed);
+    const std::optional<Matrix3> normals = normal_matrix(upper_left(to_world));
+    const std::optional<Matrix4> to_object = inverse(to_world);
+    if (!normals || !to_object) return std::nullopt;
+    return MeshTransform{to_world, *normals, *to_object};
+}
+
+LevelBox world_box(const PlacedMesh& placed) {
+    const Matrix4 to_world = matrix_of(placed);
+    const MeshFrame &from = frame_of(placed), &to = next_frame_of(placed);
+    const std::array sides{Interval(std::min(from.mins.x, to.mins.x), std::max(from.maxs.x, to.maxs.x)),
+                           Interval(std::min(from.mins.y, to.mins.y), std::max(from.maxs.y, to.maxs.y)),
+                           Interval(std::min(from.mins.z, to.mins.z), std::max(from.maxs.z, to.maxs.z))};
+    LevelBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto& row = to_world.rows[axis];
+        std::int64_t middle = row[3].raw, half = 0;
+        for (std::size_t side = 0; side < 3; ++side) {
+            middle = saturating_sum(middle, multiply(row[side], sides[side].middle).raw);
+            const std::int64_t reach = multiply(row[side], sides[side].half).raw;
+            half = saturating_sum(half, reach < 0 ? -std::max(reach, -Entry::highest().raw) : reach);
+        }
+        box.mins[axis] = whole_units(saturating_sum(middle, -half)) - 1;
+        box.maxs[axis] = whole_units(saturating_sum(middle, half)) + 2;
+    }
+    return box;
+}
+
+}  // namespace oblong

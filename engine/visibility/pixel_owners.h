@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/fixed/fixed.h"
+#include "engine/screen/gradients.h"
+#include "engine/screen/screen.h"
+#include "engine/visibility/front_to_back.h"
+
+namespace oblong {
+
+/// A face that was scanned without asking what hides it.
+struct ScannedFace {
+    VisibleFace visible{};
+    std::uint32_t first_span = 0, span_count = 0;      ///< in ScannedFaces::spans: all pixels that it covers
+    View nearest_z, farthest_z;                        ///< of the part in view
+    bool is_seen_through = false;                      ///< hides nothing, but may be hidden
+    LinearQuantity<InverseZ> inverse_z;                ///< of its plane
+    Vec3<Unit> normal;                                 ///< of its plane, toward its front
+    PlaneDistance eye_distance;                        ///< of the eye in front of it; 0 or less: it faces away
+    std::uint32_t first_corner = 0, corner_count = 0;  ///< in ScannedFaces::from_eye
+};
+
+/// The faces of a view, in the order of FrontToBackWalk: nearest first.
+struct ScannedFaces {
+    std::vector<ScannedFace> faces;
+    std::vector<Span> spans;
+    std::vector<Vec3<WorldWide>> from_eye;  ///< the faces' corners, relative to the eye
+
+    std::span<const Span> spans_of(const ScannedFace& face) const {
+        return std::span(spans).subspan(face.first_span, face.span_count);
+    }
+    std::span<const Vec3<WorldWide>> corners_of(const ScannedFace& face) const {
+        return std::span(from_eye).subspan(face.first_corner, face.corner_count);
+    }
+    void clear() {
+        faces.clear();
+        spans.clear();
+        from_eye.clear();
+    }
+};
+
+/// The work that finding out which face owns which pixel took.
+struct HiddenSurfaceCounts {
+    std::int64_t faces_scanned = 0;      ///< or, for rays, held against each of them
+    std::int64_t pixels_tested = 0;      ///< depths compared
+    std::int64_t pixels_written = 0;     ///< owners set, some of them again and again
+    std::int64_t order_comparisons = 0;  ///< of two faces, to sort them
+    std::int64_t ray_face_tests = 0;
+};
+
+/// Pixels [first, end) of a row that a face owns, or that it is seen through at.
+struct OwnedRun {
+    std::int32_t face;  ///< in ScannedFaces::faces
+    Span span;
+};
+
+/// Which face each pixel belongs to: what a method of hidden-surface removal finds, except the span buffer, which never
+/// needs to ask again.
+struct PixelOwners {
+    static constexpr std::int32_t kNone = -1;
+
+    std::int32_t width_px = 0, height_px = 0;
+    std::vector<std::int32_t> faces;  ///< of each pixel: in ScannedFaces::faces, or kNone
+    std::vector<OwnedRun> seen;       ///< pixels of faces that are seen through, where no nearer face owns them
+    HiddenSurfaceCounts counts;
+
+    /// No pixel has an owner.
+    void start(std::int32_t width, std::int32_t height);
+    std::int32_t* row(std::int32_t y) { return faces.data() + std::int64_t{y} * width_px; }
+    const std::int32_t* row(std::int32_t y) const { return faces.data() + std::int64_t{y} * width_px; }
+};
+
+/// Appends the run of a face that one more pixel belongs to, or makes the last run longer.
+void append_pixel(std::int32_t face, std::int32_t column, std::int32_t row, std::vector<OwnedRun>& runs);
+
+/// The runs of all pixels that have an owner, and of those seen through: by face, then by row, then by column.
+std::vector<OwnedRun> owned_runs(const PixelOwners& owners);
+
+}  // namespace oblong

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "engine/level/bsp_read.h"
+#include "tests/support/shared_levels.h"
+#include "tools/gallery/row.h"
+
+namespace oblong::test {
+
+/// The gallery's assets as they are built, and a canvas with a border around it that nothing may touch.
+class GalleryTest : public testing::Test {
+  protected:
+    static void SetUpTestSuite() {
+        const std::filesystem::path assets = std::filesystem::path(OBLONG_BUILD_DIR) / "assets";
+        if (!std::filesystem::exists(assets / "demo.bsp")) return;
+        level_ = std::make_unique<Level>(read_bsp(read_file_bytes(assets / "demo.bsp")));
+        colormap_ = std::make_unique<Colormap>(make_colormap(read_palette(read_file_bytes(assets / "palette.lmp"))));
+    }
+    static void TearDownTestSuite() {
+        level_.reset();
+        colormap_.reset();
+    }
+    void SetUp() override {
+        if (!level_) GTEST_SKIP() << "the demo level is not built";
+    }
+
+    static constexpr std::uint8_t kGuard = 0xa5;
+    static constexpr std::int32_t kBorder_px = 16;
+
+    struct Drawn {
+        RowPage page;
+        std::vector<std::uint8_t> pixels;  ///< with the border
+        bool is_border_whole = false;
+    };
+    /// Draws a row with its header and footer.
+    static Drawn draw(const Row& row, const std::vector<std::int64_t>& values, const ScreenMode& mode = {},
+                      std::int64_t time_ms = 0) {
+        const GalleryAssets assets{*level_, *colormap_, text_colours_of(colormap_->palette)};
+        const std::int32_t pitch = mode.width_px + 2 * kBorder_px;
+        Drawn drawn;
+        drawn.pixels.assign(pixel_count(pitch, mode.height_px + 2 * kBorder_px), kGuard);
+        const Framebuffer canvas{drawn.pixels.data() + kBorder_px * pitch + kBorder_px, mode.width_px, mode.height_px,
+                                 pitch};
+        drawn.page = draw_row(row, {assets, mode, {}, values, time_ms}, 0, canvas);
+        std::vector<std::uint8_t> border = drawn.pixels;
+        const Framebuffer inside{border.data() + kBorder_px * pitch + kBorder_px, mode.width_px, mode.height_px, pitch};
+        for (std::int32_t y = 0; y < mode.height_px; ++y) std::fill_n(inside.row(y), mode.width_px, kGuard);
+        drawn.is_border_whole =
+            std::all_of(border.begin(), border.end(), [](std::uint8_t pixel) { return pixel == kGuard; });
+        return drawn;
+    }
+
+  private:
+    static inline std::unique_ptr<Level> level_;
+    static inline std::unique_ptr<Colormap> colormap_;
+};
+
+}  // namespace oblong::test

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// MDL files as Quake's modelgen writes them, field by field.
+namespace oblong::test {
+
+using MdlFile = std::vector<std::uint8_t>;
+
+inline void put_i32(MdlFile& file, std::int64_t value) {
+    for (int shift = 0; shift < 32; shift += 8)
+        file.push_back(static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> shift));
+}
+inline void put_float(MdlFile& file, float value) {
+    put_i32(file, std::bit_cast<std::uint32_t>(value));
+}
+inline void set_i32(MdlFile& file, std::size_t offset, std::int64_t value) {
+    for (std::size_t i = 0; i < 4; ++i)
+        file[offset + i] = static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> (8 * i));
+}
+
+struct MdlPlace {
+    std::int32_t on_seam, s, t;
+};
+struct MdlTriangle {
+    std::int32_t is_front, a, b, c;
+};
+struct MdlStep {
+    std::uint8_t x, y, z;
+};
+/// With times, a group of that many frames.
+struct MdlFrames {
+    std::vector<std::vector<MdlStep>> frames;
+    std::vector<float> times = {};
+};
+struct MdlSkins {
+    std::vector<std::uint8_t> fills;  ///< the texel of all places of each skin
+    std::vector<float> times = {};
+};
+
+struct MdlModel {
+    std::vector<float> scale = {1, 1, 1}, origin = {0, 0, 0};
+    std::int32_t skin_width = 8, skin_height = 4;
+    std::vector<MdlSkins> skins;
+    std::vector<MdlPlace> places;
+    std::vector<MdlTriangle> triangles;
+    std::vector<MdlFrames> frames;
+};
+
+inline void put_frame(MdlFile& file, const std::vector<MdlStep>& steps) {
+    put_i32(file, 0);
+    put_i32(file, 0);
+    const std::string name = "stand1";
+    for (std::size_t i = 0; i < 16; ++i) file.push_back(i < name.size() ? static_cast<std::uint8_t>(name[i]) : 0);
+    for (const MdlStep& step : steps) file.insert(file.end(), {step.x, step.y, step.z, 0});
+}
+
+inline void put_skins(MdlFile& file, const MdlModel& model, const MdlSkins& skins) {
+    put_i32(file, skins.times.empty() ? 0 : 1);
+    if (!skins.times.empty()) put_i32(file, static_cast<std::int64_t>(skins.times.size()));
+    for (const float time : skins.times) put_float(file, time);
+    for (const std::uint8_t fill : skins.fills)
+        file.insert(file.end(), static_cast<std::size_t>(model.skin_width * model.skin_height), fill);
+}
+
+inline void put_frames(MdlFile& file, const MdlFrames& frames) {
+    put_i32(file, frames.times.empty() ? 0 : 1);
+    if (!frames.times.empty()) {
+        put_i32(file, static_cast<std::int64_t>(frames.times.size()));
+        put_i32(file, 0);
+        put_i32(file, 0);
+    }
+    for (const float time : frames.times) put_float(file, time);
+    for (const auto& steps : frames.frames) put_frame(file, steps);
+}
+
+/// Offsets of the header's counts.
+inline constexpr std::size_t kMdlVersion = 4, kMdlScale = 8, kMdlOrigin = 20, kMdlSkins = 48, kMdlSkinWidth = 52,
+                             kMdlSkinHeight = 56, kMdlVertices = 60, kMdlTriangles = 64, kMdlFrames = 68,
+                             kMdlHeaderSize = 84;
+
+inline MdlFile write_mdl(const MdlModel& model) {
+    MdlFile file = {'I', 'D', 'P', 'O'};
+    put_i32(file, 6);
+    for (const float part : model.scale) put_float(file, part);
+    for (const float part : model.origin) put_float(file, part);
+    for (int i = 0; i < 4; ++i) put_float(file, 0);
+    put_i32(file, static_cast<std::int64_t>(model.skins.size()));
+    put_i32(file, model.skin_width);
+    put_i32(file, model.skin_height);
+    put_i32(file, static_cast<std::int64_t>(model.places.size()));
+    put_i32(file, static_cast<std::int64_t>(model.triangles.size()));
+    put_i32(file, static_cast<std::int64_t>(model.frames.size()));
+    for (int i = 0; i < 3; ++i) put_i32(file, 0);
+    for (const MdlSkins& skins : model.skins) put_skins(file, model, skins);
+    for (const MdlPlace& place : model.places)
+        for (const std::int32_t part : {place.on_seam, place.s, place.t}) put_i32(file, part);
+    for (const MdlTriangle& triangle : model.triangles)
+        for (const std::int32_t part : {triangle.is_front, triangle.a, triangle.b, triangle.c}) put_i32(file, part);
+    for (const MdlFrames& frames : model.frames) put_frames(file, frames);
+    return file;
+}
+
+/// A tetrahedron with its right angles at the origin, legs of 100 units; a frame alone, then a group of two frames, in
+/// which it is half as large; a skin alone and a group of two. The last triangle is on the skin's back half.
+inline MdlModel tetrahedron_model() {
+    const std::vector<MdlStep> large = {{0, 0, 0}, {100, 0, 0}, {0, 100, 0}, {0, 0, 100}},
+                               small = {{0, 0, 0}, {50, 0, 0}, {0, 50, 0}, {0, 0, 50}};
+    MdlModel model;
+    model.skins = {{{7}}, {{8, 9}, {0.5F, 0.75F}}};
+    model.places = {{0, 0, 0}, {0x20, 2, 1}, {0, 3, 3}, {0, 1, 2}};
+    model.triangles = {{1, 0, 1, 2}, {1, 0, 2, 3}, {1, 0, 3, 1}, {0, 1, 3, 2}};
+    model.frames = {{{large}}, {{large, small}, {0.1F, 0.3F}}};
+    return model;
+}
+
+}  // namespace oblong::test

@@ -1,0 +1,285 @@
+#include "tools/common/obj.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "engine/platform/files.h"
+#include "tools/common/obj_check.h"
+
+namespace oblong {
+namespace {
+
+double number(World value) {
+    return value.raw / 4096.0;
+}
+double number(Unit value) {
+    return value.raw / double{1 << 30};
+}
+double number(Texel value) {
+    return static_cast<double>(value.raw) / 65536;
+}
+
+/// Index i is grey i.
+Palette greys() {
+    Palette palette;
+    for (std::size_t i = 0; i < 256; ++i) {
+        const auto grey = static_cast<std::uint8_t>(i);
+        palette.colours[i] = {grey, grey, grey};
+    }
+    return palette;
+}
+
+class ObjFiles : public ::testing::Test {
+  protected:
+    ObjFiles() {
+        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = std::filesystem::path(::testing::TempDir()) / (std::string("obj_") + test->name());
+        make_folder(folder_.string());
+    }
+    ~ObjFiles() override { std::filesystem::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    ObjModel read(const std::string& text, const ObjOptions& options = {.is_z_up = true}) const {
+        write_file(path("model.obj"), text);
+        return read_obj(path("model.obj"), greys(), options);
+    }
+    std::string error_of(const std::string& text, const ObjOptions& options = {.is_z_up = true}) const {
+        try {
+            read(text, options);
+            return "";
+        } catch (const FileError& error) {
+            const std::string message = error.what();
+            EXPECT_NE(message.find("expected"), std::string::npos) << message;
+            return message.substr(message.find("model.obj: ") + 11);
+        }
+    }
+
+  private:
+    std::filesystem::path folder_;
+};
+
+const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+/// Eight corners of a cube of side 2, six faces of four, counter-clockwise seen from outside.
+const std::string kCube =
+    "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+/// Of a triangle, outward by the project's winding: clockwise seen from the front.
+std::array<double, 3> normal_of(const Mesh& mesh, std::size_t triangle) {
+    double p[3][3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3<World>& at = mesh.frames[0].vertices[mesh.triangles[triangle].vertices[i]].position;
+        p[i][0] = number(at.x), p[i][1] = number(at.y), p[i][2] = number(at.z);
+    }
+    std::array<double, 3> normal{};
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        normal[static_cast<std::size_t>(i)] =
+            (p[2][j] - p[0][j]) * (p[1][k] - p[0][k]) - (p[2][k] - p[0][k]) * (p[1][j] - p[0][j]);
+    }
+    return normal;
+}
+
+double area_of(const Mesh& mesh) {
+    double area = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto normal = normal_of(mesh, i);
+        area += std::hypot(normal[0], normal[1], normal[2]) / 2;
+    }
+    return area;
+}
+
+TEST_F(ObjFiles, AFileThatCountsCounterClockwiseBecomesClockwise) {
+    const Mesh mesh = read(kSquare + "f 1 2 3 4\n").mesh;
+    ASSERT_EQ(mesh.triangles.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_GT(normal_of(mesh, i)[2], 0);
+    EXPECT_EQ(area_of(mesh), 1);
+    EXPECT_EQ(mesh.frames.size(), 1u);
+    EXPECT_EQ(mesh.frame_sequences.size(), 1u);
+}
+
+TEST_F(ObjFiles, AxesOfMostProgramsAreTurnedIntoTheWorlds) {
+    const Mesh mesh = read("v 1 2 3\nv 2 2 3\nv 1 3 3\nvn 0 0 1\nf 1//1 2//1 3//1\n", {}).mesh;
+    const MeshVertex& first = mesh.frames[0].vertices[0];
+    EXPECT_EQ(first.position, (Vec3<World>{World::from_int(3), World::from_int(1), World::from_int(2)}));
+    EXPECT_EQ(first.normal, (Vec3<Unit>{Unit::from_int(1), {}, {}}));
+    EXPECT_GT(normal_of(mesh, 0)[0], 0);
+}
+
+TEST_F(ObjFiles, ScaleIsAppliedBeforeRounding) {
+    const Mesh mesh = read("v 0.00012345 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", {.scale = 1000, .is_z_up = true}).mesh;
+    EXPECT_NEAR(number(mesh.frames[0].vertices[0].position.x), 0.12345, 1 / 8192.0);
+    EXPECT_EQ(number(mesh.frames[0].maxs.x), 1000);
+}
+
+TEST_F(ObjFiles, NegativeNumbersCountBackwards) {
+    const Mesh mesh = read(kSquare + "f -4 -3 -2\nv 9 9 9\nf -5 -4 -2\n").mesh;
+    EXPECT_EQ(mesh.frames[0].vertices.size(), 4u);
+    EXPECT_EQ(area_of(mesh), 1);
+}
+
+TEST_F(ObjFiles, ConcavePolygonsKeepTheirArea) {
+    // An arrow head; the line between its barbs is the shorter diagonal, and outside. Then a comb of three teeth.
+    EXPECT_NEAR(area_of(read("v 0 0 0\nv 0.1 -1 0\nv 0 9 0\nv -0.1 -1 0\nf 1 2 3 4\n").mesh), 0.9, 1e-2);
+    EXPECT_NEAR(
+        area_of(read("v 0 0 0\nv 5 0 0\nv 5 3 0\nv 4 3 0\nv 4 1 0\nv 3 1 0\nv 3 3 0\nv 2 3 0\nv 2 1 0\nv 1 1 0\n"
+                     "v 1 3 0\nv 0 3 0\nf 1 2 3 4 5 6 7 8 9 10 11 12\n")
+                    .mesh),
+        11, 1e-9);
+}
+
+TEST_F(ObjFiles, MissingNormalsAreSmoothUnlessGroupsSayElse) {
+    const auto distinct = [&](const std::string& text) { return read(text).mesh.frames[0].vertices.size(); };
+    const std::string corners = kCube.substr(0, kCube.find('f')), faces = kCube.substr(kCube.find('f'));
+    EXPECT_EQ(distinct(kCube), 8u);
+    EXPECT_EQ(distinct(corners + "s off\n" + faces), 24u);
+    EXPECT_EQ(distinct(corners + "s 1\n" + faces), 8u);
+    const Mesh smooth = read(kCube).mesh, flat = read(corners + "s 0\n" + faces).mesh;
+    for (const MeshVertex& vertex : smooth.frames[0].vertices) {
+        EXPECT_NEAR(number(vertex.normal.x), number(vertex.position.x) / std::sqrt(3), 0.25);
+        EXPECT_GT(number(vertex.normal.x) * number(vertex.position.x), 0);
+        EXPECT_GT(number(vertex.normal.z) * number(vertex.position.z), 0);
+    }
+    for (const MeshVertex& vertex : flat.frames[0].vertices)
+        EXPECT_NEAR(
+            std::abs(number(vertex.normal.x)) + std::abs(number(vertex.normal.y)) + std::abs(number(vertex.normal.z)),
+            1, 1e-9);
+}
+
+TEST_F(ObjFiles, NormalsOfTheFileAreMadeOneLong) {
+    const Mesh mesh = read(kSquare + "vn 0 3 4\nvn 0 0 0\nf 1//1 2//1 3//2\n").mesh;
+    EXPECT_NEAR(number(mesh.frames[0].vertices[0].normal.y), 0.6, 1e-9);
+    bool has_computed = false;
+    for (const MeshVertex& vertex : mesh.frames[0].vertices) has_computed |= number(vertex.normal.z) == 1;
+    EXPECT_TRUE(has_computed) << "a normal of no direction counts as missing";
+}
+
+TEST_F(ObjFiles, MaterialsBecomeSkins) {
+    std::vector<std::uint8_t> texels = {10, 20, 30, 40, 50, 60, 70, 80};
+    write_file(path("wood.png"), encode_indexed_png(texels, 4, 2, greys()));
+    write_file(path("m.mtl"),
+               std::string("newmtl wood\r\nmap_Kd wood.png\r\nnewmtl red\r\nKd 0.5 0.5 0.5\r\nnewmtl gone\r\n"
+                           "Kd 1 1 1\r\nmap_Kd none.png\r\nnewmtl unused\r\nmap_Kd unused.png\r\n"));
+    const ObjModel model =
+        read("mtllib m.mtl\r\n" + kSquare +
+             "vt 0.25 0\r\nvt 1 0\r\nvt 1 1\r\nusemtl wood\r\nf 1/1 2/2 3/3\r\nusemtl red\r\nf 1/1 2/2 3/3\r\n"
+             "usemtl gone\r\nf 1 2 3\r\n");
+    const Mesh& mesh = model.mesh;
+    ASSERT_EQ(mesh.skins.size(), 3u);
+    EXPECT_EQ(mesh.skins[0].texels, texels);
+    EXPECT_EQ(mesh.skins[1].texels, std::vector<std::uint8_t>{128});
+    EXPECT_EQ(mesh.skins[2].texels, std::vector<std::uint8_t>{223});  // the lightest that does not glow
+    EXPECT_EQ(mesh.triangles[1].skin, 1u);
+    const MeshTexel& first = mesh.texels[mesh.triangles[0].vertices[0]];
+    EXPECT_EQ(number(first.u), 1);
+    EXPECT_EQ(number(first.v), 2);  // v goes up in the file, down in a skin
+    ASSERT_EQ(model.warnings.size(), 1u);
+    EXPECT_NE(model.warnings[0].find("none.png"), std::string::npos) << model.warnings[0];
+}
+
+TEST_F(ObjFiles, WhatIsMissingIsAWarning) {
+    const ObjModel model = read("mtllib lost.mtl\nusemtl gold\n" + kSquare + "f 1 2 3\n");
+    ASSERT_FALSE(model.warnings.empty());
+    EXPECT_NE(model.warnings[0].find("lost.mtl"), std::string::npos) << model.warnings[0];
+    EXPECT_EQ(model.mesh.skins.size(), 1u);
+    EXPECT_EQ(model.mesh.texels[0].u, Texel::from_raw(1 << 15));
+}
+
+TEST_F(ObjFiles, FilesWithOtherLineEndsAndNotesAreRead) {
+    const Mesh mesh =
+        read("# a note\r\n\r\no thing\r\ng part one\r\nv +1.5e0 0 0\r\n v\t2. .5 -0\r\nv 0 1 0 1\r\nl 1 2\r\nf 1 2 3")
+            .mesh;
+    EXPECT_EQ(mesh.triangles.size(), 1u);
+    EXPECT_EQ(number(mesh.frames[0].maxs.x), 2);
+}
+
+TEST_F(ObjFiles, BrokenOnesAreRefusedWithTheLine) {
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"", "file: "},
+        {kSquare, "file: has no faces"},
+        {kSquare + "f 1 2\n", "line 5: a face of 2 corners"},
+        {kSquare + "f 1 2 5\n", "line 5: vertex 5"},
+        {kSquare + "f 1 2 -5\n", "line 5: vertex -5"},
+        {kSquare + "f 0 1 2\n", "line 5: vertex 0"},
+        {kSquare + "f 1/1 2/1 3/1\n", "line 5: texture coordinate 1"},
+        {kSquare + "f 1//1 2//1 3//1\n", "line 5: normal 1"},
+        {kSquare + "f 1 2 x\n", "line 5: corner 'x'"},
+        {kSquare + "f 1 2 3/\n", "line 5: corner '3/'"},
+        {kSquare + "f 1 2 3/1/1/1\n", "line 5: corner '3/1/1/1'"},
+        {kSquare + "f 1 2 99999999999\n", "line 5: corner '99999999999'"},
+        {"v 0 0\n", "line 1: vertex of 2 numbers"},
+        {"\r\nv 0 nan 0\r\n", "line 2: vertex 'nan'"},
+        {"v 0 inf 0\n", "line 1: vertex 'inf'"},
+        {"v 0 1e999 0\n", "line 1: vertex '1e999'"},
+        {"v 0 0 -32768\n", "line 1: vertex -32768"},
+        {"v 0 0 1,5\n", "line 1: vertex '1,5'"},
+        {"vt 2000\n", "line 1: texture coordinate 2000"},
+        {"vn 1 0\n", "line 1: normal of 2 numbers"},
+    };
+    for (const auto& [text, message] : cases) {
+        const std::string found = error_of(text);
+        EXPECT_TRUE(found.starts_with(message)) << text << " -> " << found;
+    }
+    std::string many = kSquare + "f";
+    for (int i = 0; i < 256; ++i) many += " 1";
+    EXPECT_TRUE(error_of(many).starts_with("line 5: a face of 256 corners"));
+}
+
+TEST_F(ObjFiles, ACoordinateIsTooLargeOnceItIsScaled) {
+    EXPECT_EQ(error_of(kSquare + "f 1 2 3\n", {.scale = 32767}), "");
+    EXPECT_TRUE(error_of(kSquare + "f 1 2 3\n", {.scale = 32768}).starts_with("line 2: "));
+}
+
+TEST_F(ObjFiles, DamagedOnesAreReadOrRefused) {
+    std::mt19937 random(1);
+    const std::string good =
+        kCube + "vt 0.5 0.5\nvn 0 0 1\nusemtl x\ns 1\nf 1/1/1 2/1/1 3/1/1\nt crease 1/2/3 1 2\nvw 0 0 1\n";
+    int read_count = 0;
+    for (int round = 0; round < 3000; ++round) {
+        std::string text = good;
+        for (unsigned i = 0; i <= random() % 3; ++i) text[random() % text.size()] = static_cast<char>(random());
+        if (random() % 8 == 0) text.resize(random() % text.size());
+        try {
+            const Mesh mesh = read(text).mesh;
+            ++read_count;
+            for (const MeshTriangle& triangle : mesh.triangles) {
+                ASSERT_LT(triangle.skin, mesh.skins.size());
+                for (const std::uint32_t vertex : triangle.vertices) ASSERT_LT(vertex, mesh.texels.size());
+            }
+            ASSERT_EQ(mesh.frames[0].vertices.size(), mesh.texels.size());
+        } catch (const FileError&) {
+        }
+    }
+    EXPECT_GT(read_count, 100);
+}
+
+TEST_F(ObjFiles, AMillionTrianglesAreRead) {
+    constexpr int kSide = 708;  // squares
+    std::string text;
+    for (int y = 0; y <= kSide; ++y)
+        for (int x = 0; x <= kSide; ++x)
+            text += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string((x * y) % 7) + "\n";
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            const int a = y * (kSide + 1) + x + 1, b = a + kSide + 1;
+            text += "f " + std::to_string(a) + " " + std::to_string(a + 1) + " " + std::to_string(b + 1) + " " +
+                    std::to_string(b) + "\n";
+        }
+    const Mesh mesh = read(text).mesh;
+    EXPECT_EQ(mesh.triangles.size(), std::size_t{2} * kSide * kSide);
+    EXPECT_EQ(mesh.texels.size(), std::size_t{kSide + 1} * (kSide + 1));
+}
+
+/// All faces at one corner, each with a texture place of its own, none of them smooth.
+TEST_F(ObjFiles, AHundredThousandFacesAtOneCornerAreRead) {
+    std::string text = kSquare + "s off\n";
+    for (int i = 1; i <= 100'000; ++i) text += "vt 0." + std::to_string(i) + "\nf 1/-1 2/-1 3/-1\n";
+    EXPECT_EQ(read(text).mesh.texels.size(), 300'000u);
+}
+
+}  // namespace
+}  // namespace oblong

@@ -1,0 +1,91 @@
+#include "tools/gallery/diagram.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/common/drawing.h"
+
+namespace oblong {
+
+Diagram::Diagram(const RowInput& input, Framebuffer canvas, PlanePoint centre, double units_high)
+    : canvas_(canvas), text_(input.assets.text), centre_(centre) {
+    const double rows = canvas.height_px - kHeader_px - kFooter_px;
+    const Ratio pixel = input.mode.pixel();
+    middle_px_ = {canvas.width_px / 2.0, kHeader_px + rows / 2};
+    px_per_unit_y_ = rows / units_high;
+    px_per_unit_x_ = px_per_unit_y_ * static_cast<double>(pixel.denominator) / static_cast<double>(pixel.numerator);
+}
+
+PlanePoint Diagram::on_canvas(PlanePoint at) const {
+    return {middle_px_.x + (at.x - centre_.x) * px_per_unit_x_, middle_px_.y - (at.y - centre_.y) * px_per_unit_y_};
+}
+
+double Diagram::units_wide() const {
+    return canvas_.width_px / px_per_unit_x_;
+}
+
+void Diagram::fill(std::uint8_t colour) {
+    fill_area(canvas_, {0, 0, canvas_.width_px, canvas_.height_px}, colour);
+}
+
+void Diagram::line(PlanePoint from, PlanePoint to, std::uint8_t colour) {
+    const PlanePoint a = on_canvas(from), b = on_canvas(to);
+    const int steps = std::clamp(static_cast<int>(std::max(std::abs(b.x - a.x), std::abs(b.y - a.y))), 1, 8192);
+    for (int i = 0; i <= steps; ++i)
+        set_pixel(canvas_, static_cast<std::int32_t>(std::floor(a.x + (b.x - a.x) * i / steps)),
+                  static_cast<std::int32_t>(std::floor(a.y + (b.y - a.y) * i / steps)), colour);
+}
+
+void Diagram::arrow(PlanePoint from, PlanePoint to, std::uint8_t colour) {
+    line(from, to, colour);
+    constexpr double kHead_px = 6;
+    const double x = from.x - to.x, y = from.y - to.y, length = std::hypot(x, y);
+    if (length == 0) return;
+    const double along = kHead_px / px_per_unit_y_ / length;
+    for (const double side : {-0.5, 0.5})
+        line(to, {to.x + (x - side * y) * along, to.y + (y + side * x) * along}, colour);
+}
+
+void Diagram::circle(PlanePoint centre, double radius, std::uint8_t colour) {
+    constexpr int kCorners = 96;
+    for (int i = 0; i < kCorners; ++i) {
+        const auto at = [&](int corner) {
+            const double angle = corner * 2 * 3.141592653589793 / kCorners;
+            return PlanePoint{centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)};
+        };
+        line(at(i), at(i + 1), colour);
+    }
+}
+
+void Diagram::disc(PlanePoint centre, double radius, std::uint8_t colour) {
+    const PlanePoint middle = on_canvas(centre);
+    const double across = radius * px_per_unit_x_, down = radius * px_per_unit_y_;
+    for (auto y = static_cast<std::int32_t>(middle.y - down); y <= middle.y + down; ++y)
+        for (auto x = static_cast<std::int32_t>(middle.x - across); x <= middle.x + across; ++x)
+            if (std::hypot((x + 0.5 - middle.x) / across, (y + 0.5 - middle.y) / down) <= 1)
+                set_pixel(canvas_, x, y, colour);
+}
+
+void Diagram::rectangle(PlanePoint lowest, PlanePoint highest, std::uint8_t colour) {
+    const PlanePoint a = on_canvas({lowest.x, highest.y}), b = on_canvas({highest.x, lowest.y});
+    const auto x = static_cast<std::int32_t>(std::lround(a.x)), y = static_cast<std::int32_t>(std::lround(a.y));
+    fill_area(canvas_,
+              {x, y, static_cast<std::int32_t>(std::lround(b.x)) - x, static_cast<std::int32_t>(std::lround(b.y)) - y},
+              colour);
+}
+
+void Diagram::outline(PlanePoint lowest, PlanePoint highest, std::uint8_t colour) {
+    line(lowest, {highest.x, lowest.y}, colour);
+    line({highest.x, lowest.y}, highest, colour);
+    line(highest, {lowest.x, highest.y}, colour);
+    line({lowest.x, highest.y}, lowest, colour);
+}
+
+void Diagram::text(PlanePoint at, std::string_view line, std::uint8_t colour, std::int32_t right_px,
+                   std::int32_t below_px) {
+    const PlanePoint place = on_canvas(at);
+    draw_text(canvas_, static_cast<std::int32_t>(place.x) + right_px, static_cast<std::int32_t>(place.y) + below_px,
+              line, {colour, text_.dark});
+}
+
+}  // namespace oblong

@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "engine/level/bsp_read.h"
+#include "engine/platform/files.h"
+#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
+#include "tools/common/png.h"
+#include "tools/gallery/page.h"
+#include "tools/gallery/rows.h"
+
+namespace {
+
+using namespace oblong;
+
+struct Options {
+    std::string out = "gallery", assets = OBLONG_ASSETS, mode = "320x200", display = "4:3", preset = "bounded";
+    std::vector<std::string> dials, ids;
+};
+
+void declare(Command& line, Options& options) {
+    line.add("--out", options.out, "folder for index.html and its pictures");
+    line.add("--row", options.ids, "only this row, by its id; may be given several times");
+    line.add("--assets", options.assets, "folder of demo.bsp and palette.lmp");
+    line.add("--mode", options.mode, "pixels of a picture, WIDTHxHEIGHT");
+    line.add("--display", options.display, "shape of the display, WIDTH:HEIGHT");
+    line.add("--accuracy", options.preset, "1991, 1994, 1996, bounded or exact");
+    line.add("--dial", options.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
+}
+
+std::vector<Row> chosen_rows(const std::vector<std::string>& ids) {
+    std::vector<Row> rows = gallery_rows();
+    if (ids.empty()) return rows;
+    std::string known;
+    for (const Row& row : rows) known += (known.empty() ? "" : ", ") + std::string(row.id);
+    for (const std::string& id : ids)
+        if (std::none_of(rows.begin(), rows.end(), [&](const Row& row) { return row.id == id; }))
+            throw UsageError("--row: '" + id + "', expected one of " + known);
+    std::erase_if(rows, [&](const Row& row) { return std::find(ids.begin(), ids.end(), row.id) == ids.end(); });
+    return rows;
+}
+
+/// The values for each picture of a row: those that it starts with, and all others of its first parameter if that is a
+/// choice of names.
+std::vector<std::vector<std::int64_t>> values_of_pictures(const Row& row) {
+    std::vector<std::vector<std::int64_t>> pictures{start_values(row)};
+    if (row.parameters.empty() || row.parameters[0].choices.empty()) return pictures;
+    for (std::int64_t choice = 0; choice <= row.parameters[0].most; ++choice) {
+        if (choice == row.parameters[0].start) continue;
+        pictures.push_back(start_values(row));
+        pictures.back()[0] = choice;
+    }
+    return pictures;
+}
+
+class PictureWriter {
+  public:
+    PictureWriter(const Options& options, const GalleryAssets& assets, const Settings& settings, const ScreenMode& mode)
+        : options_(options), assets_(assets), settings_(settings), mode_(mode) {}
+
+    PageRow draw(const Row& row) {
+        PageRow shown{row, {}, {}};
+        for (const auto& values : values_of_pictures(row)) {
+            const std::string number = shown.pictures.empty() ? "" : "-" + std::to_string(shown.pictures.size());
+            const std::string file = std::string(row.id) + number + ".png";
+            shown.pages.push_back(draw_row(row, {assets_, mode_, settings_, values}, 0, canvas()));
+            shown.pictures.push_back({file, values.empty() ? "" : value_text(row.parameters[0], values[0])});
+            write_file(options_.out + "/" + file,
+                       encode_indexed_png(pixels_, mode_.width_px, mode_.height_px, assets_.colormap.palette));
+        }
+        return shown;
+    }
+
+  private:
+    Framebuffer canvas() {
+        pixels_.assign(pixel_count(mode_.width_px, mode_.height_px), 0);
+        return {pixels_.data(), mode_.width_px, mode_.height_px, mode_.width_px};
+    }
+
+    const Options& options_;
+    const GalleryAssets& assets_;
+    const Settings& settings_;
+    ScreenMode mode_;
+    std::vector<std::uint8_t> pixels_;
+};
+
+/// Prints the figures that differ from what is expected; how many.
+std::size_t report_wrong(const PageRow& shown) {
+    std::size_t wrong = 0;
+    for (const RowPage& page : shown.pages)
+        for (const Figure& figure : page.figures) {
+            if (figure.agrees) continue;
+            ++wrong;
+            std::fprintf(stderr, "oblong-gallery: %s: %s\n", std::string(shown.row.id).c_str(),
+                         figure_text(figure).c_str());
+        }
+    return wrong;
+}
+
+void make_gallery(const Options& options) {
+    ScreenMode mode;
+    parse_mode_size(options.mode, mode);
+    mode.display = parse_display(options.display);
+    check_view(mode, Degrees::from_int(90));
+    Settings settings;
+    settings.accuracy = parse_accuracy(parse_preset(options.preset), options.dials);
+    const std::vector<Row> rows = chosen_rows(options.ids);
+
+    const Level level = read_parsed(options.assets + "/demo.bsp", read_bsp);
+    const Colormap colormap = make_colormap(read_parsed(options.assets + "/palette.lmp", read_palette));
+    const GalleryAssets assets{level, colormap, text_colours_of(colormap.palette)};
+    make_folder(options.out);
+    PictureWriter writer(options, assets, settings, mode);
+    std::vector<PageRow> shown;
+    std::size_t wrong = 0, pictures = 0;
+    for (const Row& row : rows) {
+        shown.push_back(writer.draw(row));
+        wrong += report_wrong(shown.back());
+        pictures += shown.back().pictures.size();
+    }
+    const std::string page = index_page(shown, mode);
+    write_file(options.out + "/index.html", page);
+    std::printf("%zu rows, %zu pictures: %s/index.html\n", rows.size(), pictures, options.out.c_str());
+    if (wrong > 0) throw std::runtime_error(std::to_string(wrong) + " figures are not as expected");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    CommandLine line("oblong-gallery", "Draws all that the seeds name, a picture each, with an index page.");
+    declare(line, options);
+    return line.run(argc, argv, [&] { make_gallery(options); });
+}
