@@ -88,7 +88,10 @@ void GameRenderer::draw(const GameView& view, const Settings& settings) {
     Scene scene{data_.level, data_.colormap, models, time_ms_at(view.state)};
     scene.light_styles = light_styles_of(view.state.after);
     if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
-    draw_frame(scene, view.camera, mode_, settings, work_, canvas());
+    if (view.other)
+        draw_frame(scene, *view.other, mode_, settings, work_, canvas());
+    else
+        draw_frame(scene, view.camera, mode_, settings, work_, canvas());
 }
 
 FrameCounts GameRenderer::draw_and_count(const GameView& view, const Settings& settings) {

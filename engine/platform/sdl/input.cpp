@@ -11,7 +11,7 @@ namespace {
 
 using CommandKey = std::pair<SDL_Scancode, Command>;
 
-constexpr std::array<CommandKey, 17> kCommandKeys{{
+constexpr std::array<CommandKey, 20> kCommandKeys{{
     {SDL_SCANCODE_F1, Command::ShowHelp},
     {SDL_SCANCODE_F2, Command::ProjectionAspect},
     {SDL_SCANCODE_F3, Command::DisplayAspect},
@@ -27,6 +27,9 @@ constexpr std::array<CommandKey, 17> kCommandKeys{{
     {SDL_SCANCODE_4, Command::FourAspects},
     {SDL_SCANCODE_L, Command::Torch},
     {SDL_SCANCODE_C, Command::CrtLook},
+    {SDL_SCANCODE_I, Command::Isometric},
+    {SDL_SCANCODE_LEFTBRACKET, Command::ZoomIn},
+    {SDL_SCANCODE_RIGHTBRACKET, Command::ZoomOut},
     {SDL_SCANCODE_MINUS, Command::Darker},
     {SDL_SCANCODE_EQUALS, Command::Brighter},
 }};
