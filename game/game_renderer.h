@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/frame/frame.h"
@@ -24,7 +25,8 @@ struct InterpolatedState {
 struct GameView {
     InterpolatedState state;
     Camera camera;
-    bool has_torch = false;  ///< a light at the eye
+    bool has_torch = false;              ///< a light at the eye
+    std::optional<ViewSpec> other = {};  ///< drawn instead of what the camera sees
 };
 
 /// The time since the level began.

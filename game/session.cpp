@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "game/screenshot.h"
+#include "game/shown_view.h"
 #include "tools/common/crosshair.h"
 
 namespace oblong {
@@ -106,7 +107,8 @@ void Session::advance(std::uint64_t now_us) {
 void Session::draw(std::uint64_t now_us) {
     const std::int32_t fraction = clock_.fraction_16();
     const InterpolatedState state{before_, after_, fraction};
-    const GameView view{state, camera_at(state, input_.look_offset(fraction), field_of_view_), view_options_.has_torch};
+    const Camera camera = camera_at(state, input_.look_offset(fraction), field_of_view_);
+    const GameView view{state, camera, view_options_.has_torch, other_view(view_options_, camera, data_.level)};
     const Settings settings = settings_of(view_options_);
     Settings shown_settings = settings;
     if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, now_us);

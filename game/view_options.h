@@ -21,6 +21,8 @@ struct ViewOptions {
     std::int32_t gamma_100 = 100;
     Flashes flashes = Flashes::Full;
     bool corrects_projection = true, has_torch = false, has_crt_look = false;
+    bool is_isometric = false;      ///< the level from outside, instead of from the player's eye
+    std::int32_t zoom_degrees = 0;  ///< the field of view of zoom against dolly; 0: off
     ShownAs shown_as = ShownAs::OnDisplay;
     Scaling scaling = Scaling::SharpBilinear;
     bool shows_help = false, shows_cost = false, shows_aspect_guide = false, shows_four_aspects = false;
