@@ -11,5 +11,9 @@ std::vector<Row> gallery_rows();
 
 // The rows of each subject, a file each in tools/gallery/rows/.
 std::vector<Row> aspect_rows();
+std::vector<Row> clipping_rows();
+std::vector<Row> culling_rows();
+std::vector<Row> inspection_rows();
+std::vector<Row> transform_rows();
 
 }  // namespace oblong
