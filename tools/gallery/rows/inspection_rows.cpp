@@ -80,7 +80,7 @@ RowPage draw_picking(const RowInput& input, Framebuffer canvas) {
     return {
         {number_figure("distance ahead, by a look at all faces in double", expected, number_of(picked->distance), 1e-3),
          number_figure("the point's distance from the face's plane", 0, off_plane, 1e-3, 6),
-         count_figure("face, of " + std::to_string(level.faces.size()), picked->face.number(), picked->face.number())},
+         measured("face, of " + std::to_string(level.faces.size()), std::to_string(picked->face.number()))},
         {"The ray goes down the tree: at each node a point's distance from a plane, and a line against it."}};
 }
 
@@ -114,11 +114,12 @@ RowPage draw_log(const RowInput& input, Framebuffer canvas) {
 
     recolour_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, darker_colours(assets.colormap.palette, 72));
     std::int32_t y = kHeader_px + 3;
-    for (const std::string& line : lines) {
-        if (y + kLineHeight_px > canvas.height_px - kFooter_px) break;
-        draw_text(canvas, kTextMargin_px, y, line, assets.text);
-        y += kLineHeight_px;
-    }
+    for (const std::string& line : lines)
+        for (const std::string_view part : lines_of(line, canvas.width_px - 2 * kTextMargin_px)) {
+            if (y + kLineHeight_px > canvas.height_px - kFooter_px) break;
+            draw_text(canvas, kTextMargin_px, y, part, assets.text);
+            y += kLineHeight_px;
+        }
     std::int64_t spans_px = pixels_of(logged.work.claims.left_free);
     for (const FaceList list : {FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Sky, FaceList::Mirror})
         spans_px += pixels_of(logged.work.claims, list);
@@ -146,8 +147,8 @@ RowPage draw_memory(const RowInput& input, Framebuffer canvas) {
         total += bytes;
         framebuffer = bytes;  // the last line's
         // A pixel for each 12 % more: from a kilobyte to ten megabytes the bars stay comparable.
-        const auto width = static_cast<std::int32_t>(std::max(0.0, std::log2(bytes / 512) * canvas.width_px / 40));
-        fill_area(canvas, {canvas.width_px * 5 / 9, y, width, kLineHeight_px - 3}, assets.colour(90, 130, 220));
+        const auto width = static_cast<std::int32_t>(std::max(0.0, std::log2(bytes / 512) * canvas.width_px / 48));
+        fill_area(canvas, {canvas.width_px * 21 / 32, y, width, kLineHeight_px - 3}, assets.colour(90, 130, 220));
         draw_text(canvas, kTextMargin_px, y, line.substr(0, digits) + decimal_text(bytes / 1024, "%.1f kB"),
                   assets.text);
         y += kLineHeight_px + 2;
