@@ -14,6 +14,7 @@ std::vector<Row> aspect_rows();
 std::vector<Row> clipping_rows();
 std::vector<Row> culling_rows();
 std::vector<Row> inspection_rows();
+std::vector<Row> stage_rows();
 std::vector<Row> transform_rows();
 
 }  // namespace oblong

@@ -244,9 +244,12 @@ RowPage draw_left_handed_cube(const RowInput& input, Framebuffer canvas) {
     for (const int number : seen)
         sketch.label(cube_corner(number), std::to_string(number), assets.colour(235, 235, 225));
     const CubeCheck check = check_cube(faces);
+    // Two for each side beyond whose plane the eye is; as listed, one of them may be gone, or face elsewhere.
+    const int facing = 2 * ((std::abs(number_of(eye.x)) > 1) + (std::abs(number_of(eye.y)) > 1) + 1);
     return {{count_figure("edges used once in each direction, of 18", is_listed ? 16 : 18, check.matched_edges),
              number_figure("signed volume", is_listed ? 22.0 / 3 : 8, check.volume, 1e-9),
-             count_figure("triangles that face the eye", is_listed ? drawn : 6, drawn)},
+             is_listed ? measured("triangles that face the eye", std::to_string(drawn))
+                       : count_figure("triangles that face the eye", facing, drawn)},
             {"Clockwise seen from outside: with z into the screen, (B - A) x (C - A) points outward.",
              "The listed eighth triangle {8, 5, 1} lies inside of the cube; {8, 2, 1} closes it."}};
 }
