@@ -239,7 +239,7 @@ TEST_F(FrameLogTest, PickedFaceIsDescribed) {
     down.pitch = kQuarterTurn;
     const auto picked = pick_ahead(level_, {}, down);
     EXPECT_EQ(describe_picked(level_, {}, picked),
-              "floor, 12.00 units ahead at 4.0 5.0 8.0\nface 0, plane 0: normal 0.000 0.000 1.000, world");
+              "floor, 12.00 units ahead at 4.0 5.0 8.0\nface 0, plane 0 (0.00 0.00 1.00), world");
     down.pitch = -kQuarterTurn;
     EXPECT_EQ(describe_picked(level_, {}, pick_ahead(level_, {}, down)), "Nothing ahead");
 }

@@ -35,14 +35,17 @@ std::string describe_picked(const Level& level, std::span<const PlacedModel> mod
     if (!picked) return "Nothing ahead";
     const Face& face = level.faces[picked->face];
     const LevelPlane& plane = level.planes[face.plane];
-    const double sign = face.is_back ? -1 : 1;
+    const auto toward_front = [&face](Unit part) {
+        const double value = number_of(part);
+        return face.is_back && value != 0 ? -value : value;
+    };
     char text[200];
     std::snprintf(text, sizeof text,
-                  "%.16s, %.2f units ahead at %.1f %.1f %.1f\nface %d, plane %d: normal %.3f %.3f %.3f, %s",
+                  "%.16s, %.2f units ahead at %.1f %.1f %.1f\nface %d, plane %d (%.2f %.2f %.2f), %s",
                   level.texture_of(face).name.c_str(), number_of(picked->distance), number_of(picked->world_point.x),
                   number_of(picked->world_point.y), number_of(picked->world_point.z), picked->face.number(),
-                  face.plane.number(), sign * number_of(plane.normal.x), sign * number_of(plane.normal.y),
-                  sign * number_of(plane.normal.z), picked->model.is_none() ? "world" : "");
+                  face.plane.number(), toward_front(plane.normal.x), toward_front(plane.normal.y),
+                  toward_front(plane.normal.z), picked->model.is_none() ? "world" : "");
     if (picked->model.is_none()) return text;
     return text + entity_text(level, at(models, picked->model.number()).model);
 }

@@ -11,8 +11,13 @@ std::vector<Row> gallery_rows();
 
 // The rows of each subject, a file each in tools/gallery/rows/.
 std::vector<Row> aspect_rows();
+std::vector<Row> clipping_rows();
+std::vector<Row> culling_rows();
 std::vector<Row> cyclic_overlap_rows();
 std::vector<Row> hidden_surface_rows();
+std::vector<Row> inspection_rows();
+std::vector<Row> stage_rows();
+std::vector<Row> transform_rows();
 std::vector<Row> view_rows();
 
 }  // namespace oblong
