@@ -16,8 +16,10 @@ std::vector<Row> culling_rows();
 std::vector<Row> cyclic_overlap_rows();
 std::vector<Row> hidden_surface_rows();
 std::vector<Row> inspection_rows();
+std::vector<Row> line_rows();
 std::vector<Row> stage_rows();
 std::vector<Row> transform_rows();
+std::vector<Row> triangle_rows();
 std::vector<Row> view_rows();
 
 }  // namespace oblong
