@@ -11,5 +11,6 @@ std::vector<Row> gallery_rows();
 
 // The rows of each subject, a file each in tools/gallery/rows/.
 std::vector<Row> aspect_rows();
+std::vector<Row> texture_rows();
 
 }  // namespace oblong
