@@ -99,10 +99,11 @@ RowPage draw_quantisation(const RowInput& input, Framebuffer canvas) {
         draw_text(canvas, x, top + left.height + 4, is_right ? "Floyd-Steinberg" : "nearest colour", input.assets.text);
     }
     const double nearest = errors[0], dithered = errors[1];
-    return {{{"mean error of 8x8 pixels, dithered", "below half of " + two_decimals(nearest), two_decimals(dithered),
+    return {{{"mean error, dithered", "below half of " + two_decimals(nearest), two_decimals(dithered),
               dithered < nearest / 2},
-             measured("mean error of 8x8 pixels, nearest colours", two_decimals(nearest))},
-            {"The error that a pixel makes goes to its neighbours, which make the opposite one: the mean of a few "
+             measured("mean error, nearest colours", two_decimals(nearest))},
+            {"How far the means of 8x8 pixels are off. The error that a pixel makes goes to its neighbours, which make "
+             "the opposite one: the mean of a few "
              "pixels is right where the palette lacks a colour. Textures and skins take either (oblong-texture pack "
              "--dither)."}};
 }
