@@ -7,9 +7,11 @@
 #include <sstream>
 
 #include "engine/platform/files.h"
+#include "tools/common/obj.h"
 #include "tools/common/png.h"
 #include "tools/demo_level/art/textures.h"
 #include "tools/demo_level/map/museum.h"
+#include "tools/demo_level/models/armillary.h"
 #include "tools/texture/texture_files.h"
 
 namespace oblong {

@@ -18,6 +18,7 @@ std::vector<Row> hidden_surface_rows();
 std::vector<Row> inspection_rows();
 std::vector<Row> line_rows();
 std::vector<Row> stage_rows();
+std::vector<Row> texture_rows();
 std::vector<Row> transform_rows();
 std::vector<Row> triangle_rows();
 std::vector<Row> view_rows();

@@ -45,7 +45,7 @@ struct Band {
 /// A ring about the y axis and then turned by `place`; each of its four sides is smooth in itself.
 template <class Place>
 void add_ring(ObjDraft& draft, const Band& band, Place place) {
-    constexpr int kSides = 28;
+    constexpr int kSides = 20;
     const double low = -band.height / 2, high = band.height / 2;
     const std::array<ProfilePoint, 5> outline{
         {{band.outer, low}, {band.outer, high}, {band.inner, high}, {band.inner, low}, {band.outer, low}}};
@@ -68,18 +68,18 @@ void add_foot(ObjDraft& draft) {
     };
     for (const auto& part : parts) {
         draft.begin_smooth_part();
-        draft.add_closed_grid(turned(part, 14));
+        draft.add_closed_grid(turned(part, 12));
     }
 }
 
 void add_globe(ObjDraft& draft) {
-    constexpr int kRows = 10;
+    constexpr int kRows = 8;
     std::vector<ProfilePoint> profile;
     for (int i = 0; i <= kRows; ++i) {
         const double latitude = kTurn * (i - kRows / 2) / (2 * kRows);
         profile.push_back({0.42 * std::cos(latitude), 0.42 * std::sin(latitude)});
     }
-    auto rows = turned(profile, 16);
+    auto rows = turned(profile, 14);
     for (auto& row : rows)
         for (ModelPoint& point : row) point = placed(point, kTilt);
     draft.begin_smooth_part();
