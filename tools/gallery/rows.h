@@ -11,5 +11,7 @@ std::vector<Row> gallery_rows();
 
 // The rows of each subject, a file each in tools/gallery/rows/.
 std::vector<Row> aspect_rows();
+std::vector<Row> mesh_rows();
+std::vector<Row> shading_rows();
 
 }  // namespace oblong
