@@ -55,7 +55,9 @@ struct MeshPicture {
 
 /// A mesh of one frame; normals point up, texels are those given.
 struct MeshBuilder {
-    Mesh mesh{{MeshFrame{}}, {}, {}, {}};
+    Mesh mesh;
+
+    MeshBuilder() { mesh.frames.emplace_back(); }
 
     std::uint32_t add(const Vec3<World>& position, double u = 0, double v = 0,
                       Vec3<Unit> normal = unit_vector(0, 0, 1)) {

@@ -17,6 +17,8 @@ std::vector<Row> cyclic_overlap_rows();
 std::vector<Row> hidden_surface_rows();
 std::vector<Row> inspection_rows();
 std::vector<Row> line_rows();
+std::vector<Row> mesh_rows();
+std::vector<Row> shading_rows();
 std::vector<Row> stage_rows();
 std::vector<Row> texture_rows();
 std::vector<Row> transform_rows();
