@@ -6,7 +6,7 @@ namespace oblong {
 
 std::vector<Row> gallery_rows() {
     std::vector<Row> rows;
-    for (const auto subject : {aspect_rows, hidden_surface_rows, cyclic_overlap_rows})
+    for (const auto subject : {aspect_rows, hidden_surface_rows, cyclic_overlap_rows, vector_rows})
         for (Row& row : subject()) rows.push_back(std::move(row));
     const auto first_seed = [](const Row& row) { return row.seeds.front(); };
     std::stable_sort(rows.begin(), rows.end(),

@@ -13,5 +13,6 @@ std::vector<Row> gallery_rows();
 std::vector<Row> aspect_rows();
 std::vector<Row> cyclic_overlap_rows();
 std::vector<Row> hidden_surface_rows();
+std::vector<Row> vector_rows();
 
 }  // namespace oblong
