@@ -23,6 +23,7 @@ std::vector<Row> stage_rows();
 std::vector<Row> texture_rows();
 std::vector<Row> transform_rows();
 std::vector<Row> triangle_rows();
+std::vector<Row> vector_rows();
 std::vector<Row> view_rows();
 
 }  // namespace oblong
