@@ -176,26 +176,22 @@ void draw_axes(const Place& origin, double length, const GalleryAssets& assets, 
 }
 
 constexpr Cube kCube{{-50, -50, -50}, 100};
-constexpr double kCubeWidth = 420;  ///< units across the screen
+constexpr double kCubeWidth = 340;  ///< units across the screen
 const Vec3<World> kLevelCentre{World::from_int(300), World::from_int(800), World::from_int(40)};
 
-Parameter scene_parameter() {
-    return choice_parameter("scene", {"a cube", "the level"});
-}
-
-/// The cube, or the demo level without what is higher than 40 units above the view's middle.
-void draw_scene(const RowInput& input, bool is_level, const ViewSpec& view, Framebuffer canvas) {
-    if (is_level) {
-        ViewSpec of_level = view;
-        of_level.eye = kLevelCentre;
-        of_level.window.half_width = View::from_int(1150);
-        cut_above(of_level, kLevelCentre.z + World::from_int(40));
-        return draw_demo_level(input, of_level, canvas);
-    }
-    WireScene scene(input, view, canvas);
+/// The cube in the middle of what header and footer leave.
+void draw_cube_scene(const RowInput& input, const ViewSpec& view, Framebuffer canvas) {
+    const Ratio pixel = input.mode.pixel();
+    const double unit_px = input.mode.width_px / kCubeWidth * static_cast<double>(pixel.numerator) /
+                           static_cast<double>(pixel.denominator);
+    const double down = (kFooter_px - kHeader_px) / 2.0 / unit_px;
+    ViewSpec moved = view;
+    moved.eye = in_world(
+        {-down * number_of(view.axes.up.x), -down * number_of(view.axes.up.y), -down * number_of(view.axes.up.z)});
+    WireScene scene(input, moved, canvas);
     scene.fill_background();
     draw_cube(kCube, input.assets, scene);
-    draw_axes(kCube.low, 150, input.assets, scene);
+    draw_axes(kCube.low, 145, input.assets, scene);
 }
 
 ViewContext context_of(const RowInput& input, const ViewSpec& view) {
@@ -221,7 +217,7 @@ std::vector<Figure> edge_figures(const RowInput& input, const ViewSpec& view, co
 RowPage draw_orthographic(const RowInput& input, Framebuffer canvas) {
     const auto side = static_cast<ViewSide>(input.values[0]);
     const ViewSpec view = orthographic_view({}, side_axes(side), View::from_int(static_cast<std::int64_t>(kCubeWidth)));
-    draw_scene(input, input.values[1] != 0, view, canvas);
+    draw_cube_scene(input, view, canvas);
     constexpr std::array<std::array<double, 3>, 3> kFactors{{{1, 0, 1}, {1, 1, 0}, {0, 1, 1}}};
     return {edge_figures(input, view, at(kFactors, static_cast<std::int32_t>(input.values[0]))),
             {"The direction of projection is at right angles to the view plane: a coordinate is thrown away, and the "
@@ -231,10 +227,10 @@ RowPage draw_orthographic(const RowInput& input, Framebuffer canvas) {
 
 RowPage draw_axonometric(const RowInput& input, Framebuffer canvas) {
     const auto kind = static_cast<Axonometry>(input.values[0]);
-    const Angle turn = degrees_to_angle(Degrees::from_int(90 * input.values[2]));
+    const Angle turn = degrees_to_angle(Degrees::from_int(90 * input.values[1]));
     const ViewSpec view =
         orthographic_view({}, axonometric_axes(kind, turn), View::from_int(static_cast<std::int64_t>(kCubeWidth)));
-    draw_scene(input, input.values[1] != 0, view, canvas);
+    draw_cube_scene(input, view, canvas);
     // An axis is shortened to the root of 1 less its squared part along the rays.
     const double equal = std::sqrt(2 / 3.0), root2 = std::sqrt(2);
     const std::array<std::array<double, 3>, 3> factors{
@@ -242,31 +238,26 @@ RowPage draw_axonometric(const RowInput& input, Framebuffer canvas) {
          {root2 / 3, 2 * root2 / 3, 2 * root2 / 3},
          {std::sqrt(8 / 17.0), std::sqrt(13 / 17.0), std::sqrt(13 / 17.0)}}};
     std::array<double, 3> here = at(factors, static_cast<std::int32_t>(input.values[0]));
-    if (input.values[2] % 2 == 1) std::swap(here[0], here[1]);
+    if (input.values[1] % 2 == 1) std::swap(here[0], here[1]);
     return {
         edge_figures(input, view, here),
         {"Orthographic, but along no axis: all three are seen. Isometric shortens them alike, dimetric two of them, "
-         "trimetric each by a factor of its own.",
-         "Seen from outside, a level's walls and ceilings face away on this side, and are culled: its rooms are "
-         "open."}};
+         "trimetric each by a factor of its own."}};
+}
+
+ViewSpec oblique_cube_view(double length, std::int64_t degrees) {
+    return oblique_view({}, side_axes(ViewSide::Front), View::from_int(static_cast<std::int64_t>(kCubeWidth)),
+                        Unit::from_raw(static_cast<std::int32_t>(std::ldexp(length, 30))),
+                        degrees_to_angle(Degrees::from_int(degrees)));
 }
 
 RowPage draw_oblique(const RowInput& input, Framebuffer canvas) {
     const double length = input.values[0] == 0 ? 1 : 0.5, degrees = static_cast<double>(input.values[1]);
-    const bool is_level = input.values[2] != 0;
-    // Of the level, from above: what is higher rises to the upper right.
-    const Basis axes = side_axes(is_level ? ViewSide::Top : ViewSide::Front);
-    const Angle angle = degrees_to_angle(Degrees::from_int(input.values[1])) + (is_level ? kHalfTurn : Angle{});
-    const Unit unit_length = Unit::from_raw(static_cast<std::int32_t>(std::ldexp(length, 30)));
-    const auto view_along = [&](const Basis& plane, Angle along) {
-        return oblique_view({}, plane, View::from_int(static_cast<std::int64_t>(kCubeWidth)), unit_length, along);
-    };
-    draw_scene(input, is_level, view_along(axes, angle), canvas);
-    const ViewSpec of_cube =
-        view_along(side_axes(ViewSide::Front), degrees_to_angle(Degrees::from_int(input.values[1])));
-    std::vector<Figure> figures = edge_figures(input, of_cube, {1, length, 1});
-    const ViewContext context = context_of(input, of_cube);
-    figures.push_back(number_figure("columns right per unit of depth: L cos a, of a unit's",
+    const ViewSpec view = oblique_cube_view(length, input.values[1]);
+    draw_cube_scene(input, view, canvas);
+    std::vector<Figure> figures = edge_figures(input, view, {1, length, 1});
+    const ViewContext context = context_of(input, view);
+    figures.push_back(number_figure("right per unit of depth, L cos a",
                                     length * std::cos(degrees * std::numbers::pi / 180),
                                     across(kCube.low, kY, context) / across(kCube.low, kX, context), 0.001));
     return {std::move(figures),
@@ -275,12 +266,43 @@ RowPage draw_oblique(const RowInput& input, Framebuffer canvas) {
              "It is a shear, as is an off-centre window: the view's axes lose it, and the rest is as always."}};
 }
 
+/// Views of the demo level from outside.
+ViewSpec level_view(std::int64_t choice) {
+    constexpr View kWidth = View::from_int(2300);
+    if (choice < 3) return orthographic_view(kLevelCentre, axonometric_axes(static_cast<Axonometry>(choice)), kWidth);
+    // From above, so that what is higher rises to the upper right.
+    return oblique_view(kLevelCentre, side_axes(ViewSide::Top), kWidth, Unit::from_raw(choice == 3 ? 1 << 30 : 1 << 29),
+                        Angle{0xa000});
+}
+
+RowPage draw_level_from_outside(const RowInput& input, Framebuffer canvas) {
+    const Level& level = input.assets.demo_level;
+    ViewSpec view = level_view(input.values[0]);
+    cut_above(view, World::from_int(static_cast<std::int32_t>(input.values[1])));
+    const std::vector<PlacedModel> models = models_at_rest(level);
+    FrameWorkspace work(level, input.mode);
+    work.counts = std::make_unique<FrameCounts>();
+    draw_frame({level, input.assets.colormap, models, input.time_ms}, view, input.mode, input.settings, work, canvas);
+    std::int64_t twice = 0, never = 0;
+    for (const std::uint8_t writes : work.counts->writes) {
+        twice += writes > 1;
+        never += writes == 0;
+    }
+    return {
+        {count_figure("pixels that faces draw twice", 0, twice),
+         measured("pixels that show nothing", std::to_string(never)),
+         measured("faces that own pixels", std::to_string(work.counts->faces_drawn))},
+        {"Seen from outside, a level's walls and ceilings on this side face away and are culled: its rooms are open. "
+         "A section takes off what is above a height.",
+         "Order and culling ask for sides of a direction instead of a point, in homogeneous coordinates: w = 0."}};
+}
+
 /// A camera whose picture of the cube has so many vanishing points.
 Camera camera_with_points(int points) {
     Camera camera;
-    camera.eye = in_world({points == 1 ? 40.0 : -150.0, points == 1 ? -190.0 : -150.0, points == 3 ? 190.0 : 60.0});
+    camera.eye = in_world({points == 1 ? 70.0 : -140.0, points == 1 ? -190.0 : -140.0, points == 3 ? 150.0 : 30.0});
     camera.yaw = degrees_to_angle(Degrees::from_int(points == 1 ? 90 : 45));
-    camera.pitch = degrees_to_angle(Degrees::from_int(points == 3 ? 40 : 0));
+    camera.pitch = degrees_to_angle(Degrees::from_int(points == 3 ? 38 : 0));
     camera.field_of_view = Degrees::from_int(100);
     return camera;
 }
@@ -312,14 +334,17 @@ RowPage draw_vanishing_points(const RowInput& input, Framebuffer canvas) {
         ++found;
         for (int corner = 0; corner < 8; ++corner)
             scene.line(shown(kCube.corner(corner), scene.view()), *point, colours[axis]);
-        // As the engine projects a place 2^17 units away, before the eye.
-        const double far = dot(axes[axis], scene.view().axes.forward) > Sine60{} ? 131072 : -131072;
-        const PixelPlace seen = shown({axis == 0 ? far : 0, axis == 1 ? far : 0, axis == 2 ? far : 0}, scene.view());
+        // As the engine projects a place 2^18 units from the eye, ahead of it.
+        Place far{std::ldexp(camera.eye.x.raw, -12), std::ldexp(camera.eye.y.raw, -12),
+                  std::ldexp(camera.eye.z.raw, -12)};
+        const double way = dot(axes[axis], scene.view().axes.forward) > Sine60{} ? 262144 : -262144;
+        (axis == 0 ? far.x : axis == 1 ? far.y : far.z) += way;
+        const PixelPlace seen = shown(far, scene.view());
         worst_px = std::max(worst_px, std::hypot(seen.x - point->x, seen.y - point->y));
     }
     draw_cube(kCube, input.assets, scene);
     return {{count_figure("axes that have a vanishing point", points, found),
-             number_figure("from there to a corner 131,072 units away, pixels", 0, worst_px, 0.5)},
+             number_figure("to what is 2^18 units along, pixels", 0, worst_px, 0.02)},
             {"Lines along an axis meet in the picture of its direction: centre + m (axis . right) / (axis . forward). "
              "An axis along the view plane has none: its lines stay parallel."}};
 }
@@ -401,7 +426,7 @@ RowPage draw_front_plane(const RowInput& input, Framebuffer canvas) {
     RowInput with_pixels = input;
     with_pixels.settings.correct_aspect = true;
     const double highest = draw_plan(with_pixels, view, canvas);
-    return {{{"highest place shown, units", "at most " + std::to_string(height), text_of("%.1f", highest),
+    return {{{"highest place shown", "at most " + std::to_string(height), text_of("%.1f", highest),
               highest <= height + 0.5},
              measured("front plane, units below the reference point", std::to_string(40 - height))},
             {"What is before the front plane is cut off in the world, before it is projected: from above that makes a "
@@ -440,10 +465,12 @@ RowPage draw_dolly_zoom(const RowInput& input, Framebuffer canvas) {
 }
 
 /// A small cross at a pixel.
-void draw_cross(const PixelPlace& at, std::uint8_t colour, Framebuffer canvas) {
+void draw_cross(const PixelPlace& at, std::uint8_t colour, std::uint8_t dark, Framebuffer canvas) {
     const auto x = static_cast<std::int32_t>(std::floor(at.x)), y = static_cast<std::int32_t>(std::floor(at.y));
-    fill_area(canvas, {x - 4, y, 9, 1}, colour);
-    fill_area(canvas, {x, y - 4, 1, 9}, colour);
+    fill_area(canvas, {x - 6, y - 1, 13, 3}, dark);
+    fill_area(canvas, {x - 1, y - 6, 3, 13}, dark);
+    fill_area(canvas, {x - 5, y, 11, 1}, colour);
+    fill_area(canvas, {x, y - 5, 1, 11}, colour);
 }
 
 RowPage draw_cameras(const RowInput& input, Framebuffer canvas) {
@@ -458,7 +485,7 @@ RowPage draw_cameras(const RowInput& input, Framebuffer canvas) {
     draw_demo_level(input, view, canvas);
     const ViewContext context = make_view_context(view, input.mode);
     const PixelPlace found = shown(target, context), above = shown({target.x, target.y, target.z + 20}, context);
-    draw_cross(found, input.assets.colour(240, 220, 90), canvas);
+    draw_cross(found, input.assets.colour(240, 220, 90), input.assets.colour(0, 0, 0), canvas);
     const double width = input.mode.width_px, height = input.mode.height_px;
     return {{number_figure(looks_at ? "the target's column" : "the column of what is straight ahead", width / 2,
                            found.x, width / 2000, 2),
@@ -561,24 +588,30 @@ std::vector<Row> view_rows() {
              "4 Princeton: Projection; 2 Lab",
              kViews,
              kTest,
-             {choice_parameter("view", {"front", "top", "side"}), scene_parameter()},
+             {choice_parameter("view", {"front", "top", "side"})},
              draw_orthographic},
             {"axonometric",
              "Isometric, dimetric, trimetric",
              "4 Princeton: Projection",
              kViews,
              kTest,
-             {choice_parameter("view", {"isometric", "dimetric", "trimetric"}),
-              scene_parameter(),
-              {"quarters turned", 0, 3, 1, 0}},
+             {choice_parameter("view", {"isometric", "dimetric", "trimetric"}), {"quarters turned", 0, 3, 1, 0}},
              draw_axonometric},
             {"oblique",
              "Oblique: cavalier and cabinet",
              "4 Princeton: Projection",
              kViews,
              kTest,
-             {choice_parameter("view", {"cavalier", "cabinet"}), {"angle", 0, 90, 15, 45}, scene_parameter()},
+             {choice_parameter("view", {"cavalier", "cabinet"}), {"angle", 0, 90, 15, 45}},
              draw_oblique},
+            {"level-from-outside",
+             "A level from outside",
+             "4 Princeton: Projection",
+             kViews,
+             kFrames,
+             {choice_parameter("view", {"isometric", "dimetric", "trimetric", "cavalier plan", "cabinet plan"}),
+              {"cut off above", 0, 640, 80, 80}},
+             draw_level_from_outside},
             {"vanishing-points",
              "Vanishing points: one, two, three",
              "4 Princeton: Projection",
