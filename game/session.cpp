@@ -3,6 +3,8 @@
 #include <filesystem>
 
 #include "game/screenshot.h"
+#include "game/shown_view.h"
+#include "tools/common/crosshair.h"
 
 namespace oblong {
 
@@ -27,6 +29,7 @@ Session::Session(const GameData& data, const GameLevel& level, const SessionSett
       before_(start_of(level)),
       after_(before_) {
     hud_.end_message = level.end_message;
+    keep_what_is_on();
 }
 
 void Session::run() {
@@ -67,6 +70,10 @@ void Session::keep_what_is_on() {
         four_aspects_.reset();
     else if (!four_aspects_)
         four_aspects_ = std::make_unique<FourAspects>(data_, level_);
+    if (view_options_.log.is_empty())
+        log_.reset();
+    else if (!log_ || log_->channels() != view_options_.log)
+        log_ = std::make_unique<FrameLog>(view_options_.log, standard_error_lines());
     if (view_options_.map == MapView::Off)
         map_.reset();
     else if (!map_)
@@ -100,7 +107,8 @@ void Session::advance(std::uint64_t now_us) {
 void Session::draw(std::uint64_t now_us) {
     const std::int32_t fraction = clock_.fraction_16();
     const InterpolatedState state{before_, after_, fraction};
-    const GameView view{state, camera_at(state, input_.look_offset(fraction), field_of_view_), view_options_.has_torch};
+    const Camera camera = camera_at(state, input_.look_offset(fraction), field_of_view_);
+    const GameView view{state, camera, view_options_.has_torch, other_view(view_options_, camera, data_.level)};
     const Settings settings = settings_of(view_options_);
     Settings shown_settings = settings;
     if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, now_us);
@@ -108,6 +116,7 @@ void Session::draw(std::uint64_t now_us) {
     renderer_.draw(view, shown_settings);
     const PaletteEffects effects = palette_.effects_at(view, settings.flashes);
     note_cost(view, shown_settings, effects, began_us);
+    if (log_) renderer_.note(view, shown_settings, now_us, *log_);
 
     if (wire_colour_) draw_wires(view, shown_settings);
     draw_over(view, settings, now_us);
@@ -142,11 +151,19 @@ void Session::draw_over(const GameView& view, const Settings& settings, std::uin
     }
     if (map_) map_->draw(view, view_options_.map, view_options_.line_method, mode, settings, canvas);
     if (lab_) text_bottom_ = lab_->draw(view_options_.lab, view, settings, now_us, platform_, canvas);
+    if (view_options_.inspects) inspect(view);
     if (!view_options_.shows_aspect_guide) return;
     draw_aspect_guide(mode, text_colours_, canvas);
     const std::string caption = aspect_caption(mode, settings.correct_aspect, view_options_.shown_as,
                                                view_options_.scaling, platform_.window_size());
     text_bottom_ = draw_lines_above(text_bottom_, caption, text_colours_, canvas);
+}
+
+void Session::inspect(const GameView& view) {
+    const std::vector<PlacedModel> models = placed_models(level_, view.state);
+    const std::string text = describe_picked(data_.level, models, pick_ahead(data_.level, models, view.camera));
+    draw_crosshair(renderer_.canvas(), text_colours_);
+    text_bottom_ = draw_lines_above(text_bottom_, text, text_colours_, renderer_.canvas());
 }
 
 void Session::note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,

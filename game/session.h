@@ -13,6 +13,7 @@
 #include "game/tick_clock.h"
 #include "game/tick_input_source.h"
 #include "game/view_options.h"
+#include "tools/common/frame_log.h"
 
 namespace oblong {
 
@@ -37,6 +38,7 @@ class Session {
     void play_frame();
     void advance(std::uint64_t now_us);
     void draw(std::uint64_t now_us);
+    void inspect(const GameView& view);
     void draw_over(const GameView& view, const Settings& settings, std::uint64_t now_us);
     void draw_wires(const GameView& view, const Settings& settings);
     void handle_commands(const Controls& controls, std::uint64_t now_us);
@@ -55,6 +57,7 @@ class Session {
     GameRenderer renderer_;
     std::unique_ptr<Lab> lab_;                   // only while something of it is on
     std::unique_ptr<FourAspects> four_aspects_;  // likewise
+    std::unique_ptr<FrameLog> log_;              // likewise
     std::unique_ptr<Automap> map_;               // likewise
     std::unique_ptr<LineColour> wire_colour_;    // of the edges of faces; likewise
     ShownPalette palette_;

@@ -11,16 +11,30 @@ namespace {
 
 using CommandKey = std::pair<SDL_Scancode, Command>;
 
-constexpr std::array<CommandKey, 19> kCommandKeys{{
-    {SDL_SCANCODE_F1, Command::ShowHelp},      {SDL_SCANCODE_F2, Command::ProjectionAspect},
-    {SDL_SCANCODE_F3, Command::DisplayAspect}, {SDL_SCANCODE_F4, Command::AccuracyTier},
-    {SDL_SCANCODE_F5, Command::ScalingMode},   {SDL_SCANCODE_F6, Command::FrameCost},
-    {SDL_SCANCODE_F7, Command::LabPanel},      {SDL_SCANCODE_F8, Command::ErrorMap},
-    {SDL_SCANCODE_F9, Command::SplitView},     {SDL_SCANCODE_F10, Command::FlipSettings},
-    {SDL_SCANCODE_F11, Command::AspectGuide},  {SDL_SCANCODE_F12, Command::Screenshot},
-    {SDL_SCANCODE_4, Command::FourAspects},    {SDL_SCANCODE_L, Command::Torch},
-    {SDL_SCANCODE_C, Command::CrtLook},        {SDL_SCANCODE_TAB, Command::Automap},
-    {SDL_SCANCODE_E, Command::Wireframe},      {SDL_SCANCODE_MINUS, Command::Darker},
+constexpr std::array<CommandKey, 24> kCommandKeys{{
+    {SDL_SCANCODE_F1, Command::ShowHelp},
+    {SDL_SCANCODE_F2, Command::ProjectionAspect},
+    {SDL_SCANCODE_F3, Command::DisplayAspect},
+    {SDL_SCANCODE_F4, Command::AccuracyTier},
+    {SDL_SCANCODE_F5, Command::ScalingMode},
+    {SDL_SCANCODE_F6, Command::FrameCost},
+    {SDL_SCANCODE_F7, Command::LabPanel},
+    {SDL_SCANCODE_F8, Command::ErrorMap},
+    {SDL_SCANCODE_F9, Command::SplitView},
+    {SDL_SCANCODE_F10, Command::FlipSettings},
+    {SDL_SCANCODE_F11, Command::AspectGuide},
+    {SDL_SCANCODE_F12, Command::Screenshot},
+    {SDL_SCANCODE_4, Command::FourAspects},
+    {SDL_SCANCODE_L, Command::Torch},
+    {SDL_SCANCODE_C, Command::CrtLook},
+    {SDL_SCANCODE_TAB, Command::Automap},
+    {SDL_SCANCODE_E, Command::Wireframe},
+    {SDL_SCANCODE_MINUS, Command::Darker},
+    {SDL_SCANCODE_O, Command::Log},
+    {SDL_SCANCODE_P, Command::Inspect},
+    {SDL_SCANCODE_I, Command::Isometric},
+    {SDL_SCANCODE_LEFTBRACKET, Command::ZoomIn},
+    {SDL_SCANCODE_RIGHTBRACKET, Command::ZoomOut},
     {SDL_SCANCODE_EQUALS, Command::Brighter},
 }};
 constexpr std::array<CommandKey, 6> kRepeatingKeys{{
