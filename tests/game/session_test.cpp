@@ -91,6 +91,22 @@ TEST_F(SessionOfTheDemo, CostTorchAndTubeLeaveNoTraceInTheGame) {
             << frame;
 }
 
+TEST_F(SessionOfTheDemo, MapAndEdgesLeaveNoTraceInTheGame) {
+    const std::vector<Picture> plain = play({});
+    const std::vector<std::uint8_t> plain_demo = demo_;
+    const std::vector<Picture> watched = play({{1, {Command::Automap, Command::Wireframe}},
+                                               {15, {Command::Automap, Command::Wireframe}},
+                                               {30, {Command::Automap, Command::Wireframe}}});
+    EXPECT_EQ(demo_, plain_demo);
+    ASSERT_EQ(watched.size(), plain.size());
+    for (std::size_t frame = 1; frame < 30; ++frame) EXPECT_NE(watched[frame], plain[frame]) << frame;
+    constexpr std::size_t kBelowMessage = 320 * 40;
+    for (std::size_t frame = 30; frame < plain.size(); ++frame)
+        EXPECT_TRUE(std::equal(plain[frame].begin() + kBelowMessage, plain[frame].end(),
+                               watched[frame].begin() + kBelowMessage))
+            << frame;
+}
+
 TEST_F(SessionOfTheDemo, ArrowsWalkUnlessTheLabIsOpen) {
     play({});
     const std::vector<std::uint8_t> walked = demo_;

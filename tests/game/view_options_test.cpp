@@ -35,6 +35,18 @@ TEST(ViewOptions, TorchAndTubeAreOffUntilTheirKeysArePressed) {
     }
 }
 
+TEST(ViewOptions, MapAndEdgesGoThroughTheirViewsAndOffAgain) {
+    ViewOptions options;
+    for (const MapView expected : {MapView::PlayerUp, MapView::NorthUp, MapView::Off}) {
+        EXPECT_FALSE(press(Command::Automap, options).empty());
+        EXPECT_EQ(options.map, expected);
+    }
+    for (const Wireframe expected : {Wireframe::Over, Wireframe::Alone, Wireframe::Off}) {
+        EXPECT_FALSE(press(Command::Wireframe, options).empty());
+        EXPECT_EQ(options.wireframe, expected);
+    }
+}
+
 TEST(ViewOptions, FlashesReachTheFrame) {
     ViewOptions options;
     EXPECT_EQ(settings_of(options).flashes, Flashes::Full);

@@ -1,0 +1,100 @@
+// The edges over a frame of the demo level, held against doubles.
+
+#include "engine/frame/wireframe.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "engine/geometry/views.h"
+#include "tests/frame/frame_fixture.h"
+
+namespace oblong::test {
+namespace {
+
+constexpr std::uint8_t kLine = 77;
+
+/// A camera in doubles: x right, y down, in pixels; z ahead, in units.
+struct Seen {
+    double x, y, z;
+};
+
+Seen seen_from(const Camera& camera, const Vec3<World>& point, const ScreenMode& mode) {
+    const double pi = std::acos(-1.0), yaw = camera.yaw.bam * pi / 32768, pitch = camera.pitch.bam * pi / 32768;
+    const auto number = [](World value) { return value.raw / 4096.0; };
+    const double dx = number(point.x) - number(camera.eye.x), dy = number(point.y) - number(camera.eye.y),
+                 dz = number(point.z) - number(camera.eye.z);
+    const double ahead = dx * std::cos(yaw) + dy * std::sin(yaw), right = dx * std::sin(yaw) - dy * std::cos(yaw);
+    const double z = ahead * std::cos(pitch) - dz * std::sin(pitch),
+                 up = ahead * std::sin(pitch) + dz * std::cos(pitch);
+    const double scale = mode.width_px / 2.0;  // 90 degrees, on 4:3
+    return {mode.width_px / 2.0 + scale * right / z,
+            mode.height_px / 2.0 - scale * up / z * 4 / 3 * mode.height_px / mode.width_px, z};
+}
+
+class WireframeOfTheDemo : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!std::filesystem::exists(std::filesystem::path(OBLONG_BUILD_DIR) / "assets" / "demo.bsp"))
+            GTEST_SKIP() << "the demo level is not built";
+    }
+};
+
+TEST_F(WireframeOfTheDemo, IsTheEdgesOfFacesThatOwnPixels) {
+    Stage stage = demo_stage();
+    stage.models.clear();
+    FrameWorkspace work(stage.level, stage.mode);
+    for (const int degrees : {0, 77, 180, 200, 301}) {
+        Camera camera;
+        camera.eye = {World::from_int(0), World::from_int(-368), World::from_int(70)};
+        camera.yaw = degrees_to_angle(Degrees::from_int(degrees));
+        camera.pitch = Angle::from_bam(degrees * 8);
+        work.record = std::make_unique<FrameRecord>();
+        stage.draw(camera, work);
+        const auto record = std::exchange(work.record, nullptr);
+        std::fill(stage.pixels.begin(), stage.pixels.end(), std::uint8_t{0});
+        draw_wireframe(stage.level, first_person_view(camera), stage.mode, stage.settings, work,
+                       {LineMethod::Bresenham, kLine},
+                       {stage.pixels.data(), stage.mode.width_px, stage.mode.height_px, stage.mode.width_px});
+
+        std::set<FaceIndex> faces;
+        for (const PixelRecord& pixel : record->pixels)
+            if (!pixel.face.is_none()) faces.insert(pixel.face);
+        const auto is_line = [&](std::int32_t x, std::int32_t y) {
+            return x >= 0 && y >= 0 && x < 320 && y < 200 &&
+                   stage.pixels.at(static_cast<std::size_t>(y * 320 + x)) != 0;
+        };
+        std::vector<bool> is_near_edge(stage.pixels.size());
+        std::int64_t missing = 0, samples = 0;
+        constexpr int kSteps = 3'000;
+        for (const FaceIndex face : faces)
+            for (const SurfEdge& step : stage.level.edges_of(stage.level.faces[face])) {
+                const Edge& edge = stage.level.edges[step.edge];
+                const auto &from = stage.level.vertices[edge.from], &to = stage.level.vertices[edge.to];
+                for (int i = 0; i <= kSteps; ++i) {
+                    const Seen seen =
+                        seen_from(camera, between(from, to, World::from_raw(i), World::from_raw(kSteps)), stage.mode);
+                    if (seen.z < 0.0625 || seen.x < 0 || seen.y < 0 || seen.x >= 320 || seen.y >= 200) continue;
+                    const int x = static_cast<int>(seen.x), y = static_cast<int>(seen.y);
+                    bool is_drawn = false;
+                    for (int row = y - 1; row <= y + 1; ++row)
+                        for (int column = x - 1; column <= x + 1; ++column) {
+                            is_drawn |= is_line(column, row);
+                            if (row >= 0 && column >= 0 && row < 200 && column < 320)
+                                is_near_edge.at(static_cast<std::size_t>(row * 320 + column)) = true;
+                        }
+                    missing += !is_drawn;
+                    ++samples;
+                }
+            }
+        EXPECT_GT(samples, 10'000) << degrees;
+        EXPECT_EQ(missing, 0) << degrees;
+        std::int64_t beside = 0;
+        for (std::size_t i = 0; i < stage.pixels.size(); ++i) beside += stage.pixels[i] != 0 && !is_near_edge[i];
+        EXPECT_EQ(beside, 0) << degrees;
+    }
+}
+
+}  // namespace
+}  // namespace oblong::test
