@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/raster/lines.h"
 #include "tools/common/drawing.h"
 
 namespace oblong {
@@ -29,11 +30,12 @@ void Diagram::fill(std::uint8_t colour) {
 }
 
 void Diagram::line(PlanePoint from, PlanePoint to, std::uint8_t colour) {
-    const PlanePoint a = on_canvas(from), b = on_canvas(to);
-    const int steps = std::clamp(static_cast<int>(std::max(std::abs(b.x - a.x), std::abs(b.y - a.y))), 1, 8192);
-    for (int i = 0; i <= steps; ++i)
-        set_pixel(canvas_, static_cast<std::int32_t>(std::floor(a.x + (b.x - a.x) * i / steps)),
-                  static_cast<std::int32_t>(std::floor(a.y + (b.y - a.y) * i / steps)), colour);
+    const auto pixel = [&](PlanePoint at) {
+        const PlanePoint place = on_canvas(at);
+        return PixelPosition{static_cast<std::int32_t>(std::floor(place.x)),
+                             static_cast<std::int32_t>(std::floor(place.y))};
+    };
+    draw_line(pixel(from), pixel(to), {LineMethod::Bresenham, colour}, canvas_);
 }
 
 void Diagram::arrow(PlanePoint from, PlanePoint to, std::uint8_t colour) {

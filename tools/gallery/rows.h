@@ -16,6 +16,7 @@ std::vector<Row> culling_rows();
 std::vector<Row> cyclic_overlap_rows();
 std::vector<Row> hidden_surface_rows();
 std::vector<Row> inspection_rows();
+std::vector<Row> line_clipping_rows();
 std::vector<Row> line_rows();
 std::vector<Row> mesh_rows();
 std::vector<Row> shading_rows();

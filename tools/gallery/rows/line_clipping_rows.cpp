@@ -1,0 +1,135 @@
+// Seed 2 (the lab): lines clipped in the view volume, before data is lost in projection.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/geometry/clip_line.h"
+#include "tools/gallery/diagram.h"
+#include "tools/gallery/numbers.h"
+#include "tools/gallery/rows.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr double kFront = 2, kBack = 13, kFieldOfView = 80;
+
+using Place = std::array<double, 3>;  // x right, y up, z ahead
+
+struct Segment {
+    Place from, to;
+};
+
+/// Lines here and there around the volume: fractions of the golden ratio's multiples, which are spread evenly.
+std::vector<Segment> some_lines(std::int64_t count) {
+    const auto spread = [](int number, double least, double most) {
+        const double whole = number * 0.6180339887498949;
+        return least + (whole - std::floor(whole)) * (most - least);
+    };
+    std::vector<Segment> lines;
+    for (int i = 0; i < count; ++i) {
+        const auto place = [&](int first) {
+            return Place{spread(first, -13, 13), spread(first * 5 + 2, -5, 5), spread(first * 3 + 1, -2, 16)};
+        };
+        lines.push_back({place(7 * i), place(7 * i + 3)});
+    }
+    return lines;
+}
+
+Place between(const Segment& line, double along) {
+    Place place;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        place[axis] = line.from[axis] + (line.to[axis] - line.from[axis]) * along;
+    return place;
+}
+
+double length_of(const Place& a, const Place& b) {
+    return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+}
+
+/// How much of a line is inside, by its middles of 20,000 parts.
+double length_inside(const Segment& line, double slope_x, double slope_y) {
+    constexpr int kParts = 20'000;
+    int inside = 0;
+    for (int i = 0; i < kParts; ++i) {
+        const Place p = between(line, (i + 0.5) / kParts);
+        inside +=
+            p[2] >= kFront && p[2] <= kBack && std::abs(p[0]) <= slope_x * p[2] && std::abs(p[1]) <= slope_y * p[2];
+    }
+    return length_of(line.from, line.to) * inside / kParts;
+}
+
+Vec3<View> view_of(const Place& place) {
+    const auto part = [](double value) { return View::from_raw(std::llround(std::ldexp(value, View::kFractionBits))); };
+    return {part(place[0]), part(place[1]), part(place[2])};
+}
+
+Place place_of(const Vec3<View>& position) {
+    return {number_of(position.x), number_of(position.y), number_of(position.z)};
+}
+
+void draw_volume(Diagram& diagram, double slope, std::uint8_t colour, std::uint8_t faint) {
+    for (const double side : {-slope, slope}) {
+        diagram.line({0, 0}, {side * kFront, kFront}, faint);
+        diagram.line({side * kFront, kFront}, {side * kBack, kBack}, colour);
+    }
+    diagram.line({-slope * kFront, kFront}, {slope * kFront, kFront}, colour);
+    diagram.line({-slope * kBack, kBack}, {slope * kBack, kBack}, colour);
+    diagram.text({0, 0}, "eye", faint);
+    diagram.text({slope * kFront, kFront}, "front", colour);
+    diagram.text({slope * kBack, kBack}, "back", colour);
+}
+
+RowPage draw_clipped_lines(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    const auto method = static_cast<LineClipping>(input.values[0]);
+    const LineClipping other =
+        method == LineClipping::LiangBarsky ? LineClipping::CohenSutherland : LineClipping::LiangBarsky;
+    const Projection projection = make_projection(input.mode, Degrees::from_int(static_cast<int>(kFieldOfView)));
+    const ViewVolume volume =
+        make_view_volume(make_frustum(view_basis({}, {}, {}), projection), View::from_int(2), View::from_int(13));
+    const double slope_x = input.mode.width_px / 2.0 / number_of(projection.x.multiplier),
+                 slope_y = input.mode.height_px / 2.0 / number_of(projection.y.multiplier);
+    Diagram diagram(input, canvas, {0, 6.5}, 17.5);
+    diagram.fill(assets.colour(18, 22, 34));
+    draw_volume(diagram, slope_x, assets.colour(90, 130, 220), assets.colour(80, 88, 110));
+
+    double inside = 0, expected = 0, apart = 0;
+    std::int64_t kept = 0;
+    const std::vector<Segment> lines = some_lines(input.values[1]);
+    for (const Segment& line : lines) {
+        diagram.line({line.from[0], line.from[2]}, {line.to[0], line.to[2]}, assets.colour(120, 60, 60));
+        expected += length_inside(line, slope_x, slope_y);
+        const ViewLine whole{view_of(line.from), view_of(line.to)};
+        const auto part = clip_line(volume, whole, method), by_other = clip_line(volume, whole, other);
+        if (!part) continue;
+        ++kept;
+        const Place from = place_of(part->from), to = place_of(part->to);
+        inside += length_of(from, to);
+        if (by_other)
+            apart = std::max({apart, length_of(from, place_of(by_other->from)), length_of(to, place_of(by_other->to))});
+        diagram.line({from[0], from[2]}, {to[0], to[2]}, assets.colour(250, 200, 110));
+    }
+    const auto count = static_cast<double>(lines.size());
+    return {{number_figure("length inside, units, by 20,000 points a line", expected, inside, 1e-3 * count),
+             measured("lines of which a part is kept", std::to_string(kept)),
+             number_figure("units between the ends by both methods", 0, apart, 1e-3, 5)},
+            {"Seen from above; they also end above and below the volume. Cohen and Sutherland cut at one plane after "
+             "the other "
+             "where outcodes say so; Liang and Barsky find where the line enters and leaves all six, and round once."}};
+}
+
+}  // namespace
+
+std::vector<Row> line_clipping_rows() {
+    return {{"lines-clipped",
+             "Lines clipped to six planes",
+             "2 Lab: Canonical View Volume; 3 Notes: Clipping",
+             "engine/geometry/clip_line.h",
+             "tests/geometry/clip_line_test.cpp",
+             {choice_parameter("method", {"Cohen-Sutherland", "Liang-Barsky"}, 1), {"lines", 1, 60, 1, 24}},
+             draw_clipped_lines}};
+}
+
+}  // namespace oblong
