@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "engine/geometry/canonical_volume.h"
 #include "engine/geometry/views.h"
@@ -31,23 +30,6 @@ PixelPosition pixel_at(const ScreenVertex& vertex, Framebuffer part) {
 }
 
 }  // namespace
-
-Vec3<World> world_point(double x, double y, double z) {
-    const auto part = [](double value) {
-        return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
-    };
-    return {part(x), part(y), part(z)};
-}
-
-Entry entry_of(double value) {
-    return Entry::from_raw(std::llround(std::ldexp(value, Entry::kFractionBits)));
-}
-
-std::string decimal_text(double value, const char* format) {
-    char text[48];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 Sketch::Sketch(const RowInput& input, Framebuffer canvas, const Area& area, const SketchEye& from)
     : part_(part_of(canvas, area)), text_(input.assets.text) {

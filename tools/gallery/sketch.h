@@ -8,21 +8,10 @@
 #include "engine/math/matrix.h"
 #include "tools/common/drawing.h"
 #include "tools/gallery/diagram.h"
+#include "tools/gallery/numbers.h"
 #include "tools/gallery/row.h"
 
 namespace oblong {
-
-/// A point of the world, from units.
-Vec3<World> world_point(double x, double y, double z);
-/// A number of a matrix.
-Entry entry_of(double value);
-/// The value of a fixed-point number.
-template <class Int, int Frac>
-double number_of(Fixed<Int, Frac> value) {
-    return static_cast<double>(value.raw) / static_cast<double>(std::uint64_t{1} << Frac);
-}
-/// A number as text: "%.3f" or another format.
-std::string decimal_text(double value, const char* format = "%.3f");
 
 /// Where a sketch is seen from.
 struct SketchEye {
