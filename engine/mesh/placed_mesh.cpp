@@ -4,7 +4,7 @@
 #include <array>
 
 #include "engine/base/table.h"
-#include "engine/math/basis.h"
+#include "engine/math/transform.h"
 
 namespace oblong {
 
@@ -13,26 +13,9 @@ namespace {
 /// The largest coordinate of a box, before it is made a unit larger: a level's own boxes reach to 524,287.
 constexpr std::int64_t kMostUnits = 524'285;
 
-/// The mesh's x ahead, y left, z up, as columns.
-Matrix4 rotation_of(const PlacedMesh& placed) {
-    const Basis axes = view_basis(placed.yaw, placed.pitch, placed.roll);
-    const Vec3<Unit> left = -axes.right;
-    const auto row = [](Unit x, Unit y, Unit z) {
-        return std::array{convert<Entry>(x), convert<Entry>(y), convert<Entry>(z), Entry{}};
-    };
-    return {{row(axes.forward.x, left.x, axes.up.x), row(axes.forward.y, left.y, axes.up.y),
-             row(axes.forward.z, left.z, axes.up.z), Matrix4::identity().rows[3]}};
-}
-
 /// Object space to world.
 Matrix4 matrix_of(const PlacedMesh& placed) {
-    return translation(convert<Entry>(placed.position)) * (rotation_of(placed) * scaling(placed.scale));
-}
-
-Matrix3 upper_left(const Matrix4& matrix) {
-    Matrix3 part;
-    for (std::size_t i = 0; i < 3; ++i) part.rows[i] = {matrix.rows[i][0], matrix.rows[i][1], matrix.rows[i][2]};
-    return part;
+    return model_matrix(placed.position, EulerAngles{placed.yaw, placed.pitch, placed.roll}, placed.scale);
 }
 
 const MeshFrame& frame_at(const Mesh& mesh, std::uint32_t number) {
@@ -67,7 +50,7 @@ std::optional<MeshTransform> make_mesh_transform(const PlacedMesh& placed) {
     const Vec3<Entry>& scale = placed.scale;
     if (scale.x <= Entry{} || scale.y <= Entry{} || scale.z <= Entry{}) return std::nullopt;
     const Matrix4 to_world = matrix_of(placed);
-    const std::optional<Matrix3> normals = normal_matrix(upper_left(to_world));
+    const std::optional<Matrix3> normals = normal_matrix(linear_part(to_world));
     const std::optional<Matrix4> to_object = inverse(to_world);
     if (!normals || !to_object) return std::nullopt;
     return MeshTransform{to_world, *normals, *to_object};

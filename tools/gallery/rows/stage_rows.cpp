@@ -54,8 +54,15 @@ struct ShownTriangle {
     std::vector<Span> spans;
 };
 
-/// The cube's place: so far ahead of the eye, and below it.
-constexpr double kAhead = 5.6, kBelow = -1.3;
+/// The cube's place: so far east of the eye, which is at the origin, and below it.
+constexpr double kAhead = 4.6, kBelow = -2.4;
+/// The eye looks east, and down by half as much: forward is (kLevel, 0, -kDown), up is (kDown, 0, kLevel).
+const double kLevel = 2 / std::sqrt(5.0), kDown = 1 / std::sqrt(5.0);
+
+/// A point of the world from how far right of the eye, above and ahead of it.
+Vec3<World> point_before_eye(double right, double up, double ahead) {
+    return world_point(ahead * kLevel + up * kDown, -right, up * kLevel - ahead * kDown);
+}
 
 /// All that the stages leave of the cube, by the engine's own functions in their order.
 struct StagedCube {
@@ -79,7 +86,7 @@ StagedCube::StagedCube(const RowInput& input, Framebuffer part) : scratch(part.h
     placed.yaw = degrees_to_angle(Degrees::from_int(input.values[1]));
     placed.colour = input.assets.colour(230, 160, 70);
     placed.shading = Shading::Flat;
-    view = make_view_context(look_at_view({}, world_point(1, 0, 0), Degrees::from_int(60)), mode_of(input, part));
+    view = make_view_context(look_at_view({}, world_point(2, 0, -1), Degrees::from_int(60)), mode_of(input, part));
     const MeshTransform transform = *make_mesh_transform(placed);
     const auto object = pose_of(placed, scratch.object_vertices);
     find_facing(mesh.triangles, object, to_object(view.eye, transform), scratch.facing);
@@ -167,16 +174,17 @@ void draw_from_outside(const StagedCube& cube, Stage stage, const RowInput& inpu
     const GalleryAssets& assets = input.assets;
     const bool is_object = stage == Stage::Object;
     const SketchEye from = is_object ? SketchEye{world_point(5, -6, 4), world_point(0, 0, 0), 40}
-                                     : SketchEye{world_point(-3, -10, 5), world_point(3.6, 0, -0.4), 46};
+                                     : SketchEye{world_point(-5, -9, 4), world_point(2.6, 0, -1.5), 46};
     Sketch sketch(input, canvas, area, from);
     const auto place = [&](std::uint32_t i) {
         return is_object ? cube.mesh.frames[0].vertices[i].position : cube.scratch.world_vertices[i].position;
     };
     const std::uint8_t grey = assets.colour(80, 88, 110);
     // In view space x is right, y up, z ahead.
-    const std::array axes = stage == Stage::View
-                                ? std::array{world_point(0, -2.2, 0), world_point(0, 0, 2.2), world_point(2.2, 0, 0)}
-                                : std::array{world_point(2.2, 0, 0), world_point(0, 2.2, 0), world_point(0, 0, 2.2)};
+    const std::array axes =
+        stage == Stage::View
+            ? std::array{point_before_eye(2.2, 0, 0), point_before_eye(0, 2.2, 0), point_before_eye(0, 0, 2.2)}
+            : std::array{world_point(2.2, 0, 0), world_point(0, 2.2, 0), world_point(0, 0, 2.2)};
     const std::array<std::uint8_t, 3> colours{assets.colour(200, 80, 70), assets.colour(90, 170, 80),
                                               assets.colour(90, 130, 220)};
     constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
@@ -188,8 +196,8 @@ void draw_from_outside(const StagedCube& cube, Stage stage, const RowInput& inpu
         const double across = 7 * std::tan(30 * std::numbers::pi / 180),
                      up = across * area.height / area.width * static_cast<double>(input.mode.pixel().denominator) /
                           static_cast<double>(input.mode.pixel().numerator);
-        const std::array far{world_point(7, across, up), world_point(7, -across, up), world_point(7, -across, -up),
-                             world_point(7, across, -up)};
+        const std::array far{point_before_eye(-across, up, 7), point_before_eye(across, up, 7),
+                             point_before_eye(across, -up, 7), point_before_eye(-across, -up, 7)};
         sketch.outline(far, grey);
         for (const Vec3<World>& corner : far) sketch.line(world_point(0, 0, 0), corner, grey);
         sketch.label(world_point(0, 0, 0), "eye", assets.colour(235, 235, 225));
@@ -241,7 +249,7 @@ void draw_from_eye(const StagedCube& cube, Stage stage, const RowInput& input, F
     }
 }
 
-/// A vertex by sines and cosines in double: world, and relative to the eye (right, up, ahead).
+/// A vertex in the world, by sines and cosines in double.
 std::array<double, 3> world_in_double(const RowInput& input, int vertex) {
     const double yaw = static_cast<double>(input.values[1]) * std::numbers::pi / 180;
     const double x = vertex & 1 ? 1 : -1, y = vertex & 2 ? 1 : -1, z = vertex & 4 ? 1 : -1;
@@ -279,15 +287,17 @@ RowPage draw_stages(const RowInput& input, Framebuffer canvas) {
     std::int64_t span_pixels = 0;
     for (const ShownTriangle& triangle : cube.triangles)
         for (const Span& span : triangle.spans) span_pixels += span.end - span.first;
-    return {
-        {count_figure("triangles that face the eye", facing_in_double(input), std::ssize(cube.triangles)),
-         number_figure("vertex 0 in the world: y", world[1], number_of(cube.scratch.world_vertices[0].position.y),
-                       1e-3),
-         number_figure("vertex 0 in view space: x = -y of the world", -world[1], number_of(vertex.position.x), 2e-3),
-         number_figure("vertex 0 in view space: z = x of the world", world[0], number_of(vertex.position.z), 2e-3),
-         measured("pixels of all spans", std::to_string(span_pixels))},
-        {"The functions that draw models, in their order: engine/mesh/mesh_stages.h.",
-         "Outcodes: L left, R right, B bottom, T top, Z behind. A convex shape covers no pixel twice."}};
+    return {{count_figure("triangles that face the eye", facing_in_double(input), std::ssize(cube.triangles)),
+             number_figure("vertex 0 in the world: y", world[1], number_of(cube.scratch.world_vertices[0].position.y),
+                           1e-3),
+             number_figure("vertex 0 in view space: x, to the right", -world[1], number_of(vertex.position.x), 2e-3),
+             number_figure("vertex 0 in view space: y, up", world[0] * kDown + world[2] * kLevel,
+                           number_of(vertex.position.y), 2e-3),
+             number_figure("vertex 0 in view space: z, ahead", world[0] * kLevel - world[2] * kDown,
+                           number_of(vertex.position.z), 2e-3),
+             measured("pixels of all spans", std::to_string(span_pixels))},
+            {"The functions that draw models, in their order: engine/mesh/mesh_stages.h.",
+             "Outcodes: L left, R right, B bottom, T top, Z behind. A convex shape covers no pixel twice."}};
 }
 
 }  // namespace
@@ -299,8 +309,8 @@ std::vector<Row> stage_rows() {
              "engine/mesh/mesh_stages.h",
              "tests/gallery/stages_test.cpp",
              {choice_parameter("stage", kStageNames, 2),
-              {"yaw, degrees", 0, 85, 5, 25},
-              {"to the left, quarters of a unit", -10, 10, 1, 9}},
+              {"yaw, degrees", 0, 85, 5, 60},
+              {"to the left, quarters of a unit", -10, 10, 1, 7}},
              draw_stages}};
 }
 
