@@ -32,11 +32,12 @@ PARTS = {
     ("lit texels",): "surface/lit_surface",
 }
 LEFT_OUT = ("left out",)
-# What other effects, and frames without the span buffer, need: the frames that are counted do not allow them. From the libraries of the build.
-OF_EFFECTS = re.compile("engine/(effects/|raster/(depth|kernels/effect_kernels)|scene/(light_styles|texture_animation|"
-                        "moving_lights|level_effects)|visibility/(placed_box|pixel_owners|z_buffer|painter|ray_casting)|"
-                        "level/floor|math/(soft_float|wide_sum)|frame/(fog|light|mirror|see_through)_pass|"
-                        "frame/(frame_things|hidden_surfaces|pass_times))")
+# What other effects, and frames without the span buffer, need: the frames that are counted do not allow them. From the
+# libraries of the build.
+OF_EFFECTS = re.compile("engine/(effects/|mesh/|raster/(depth|kernels/effect_kernels)|scene/(light_styles|texture_animation|"
+                        "moving_lights|level_effects|light_below)|level/floor|math/(soft_float|wide_sum)|"
+                        "visibility/(placed_box|pixel_owners|z_buffer|painter|ray_casting)|"
+                        "frame/(fog|light|mirror|model|see_through)_pass|frame/(frame_things|hidden_surfaces|pass_times))")
 BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|surface/(palette|colormap|oklab))")
 TOOLS = ["tools/common/arguments.cpp", "tools/render/camera_list.cpp", "tools/measure/operations.cpp",
          "tests/operations/counter/count_operations.cpp"]

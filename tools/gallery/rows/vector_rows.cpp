@@ -12,6 +12,7 @@
 #include "engine/math/rotation.h"
 #include "tools/common/drawing.h"
 #include "tools/gallery/diagram.h"
+#include "tools/gallery/numbers.h"
 #include "tools/gallery/rows.h"
 
 namespace oblong {
@@ -20,10 +21,6 @@ namespace {
 
 using Whole = Fixed<std::int32_t, 0>;
 
-template <class Int, int Frac>
-double number_of(Fixed<Int, Frac> value) {
-    return std::ldexp(static_cast<double>(value.raw), -Frac);
-}
 std::string decimal(double value, int decimals = 3) {
     char text[32];
     std::snprintf(text, sizeof text, "%.*f", decimals, value);
