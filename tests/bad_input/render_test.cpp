@@ -157,6 +157,8 @@ TEST_F(BadRender, WrongUsageExitsWith2) {
                                                          {"--repeat", "0"},
                                                          {"--repeat", "x"},
                                                          {"--effects", "smoke"},
+                                                         {"--hidden-surfaces", "edge-list"},
+                                                         {"--hidden-surfaces", "z-buffer", "--view", "isometric"},
                                                          {"--texel-error", "-1"},
                                                          {"--threads", "0"},
                                                          {"--texel-error", "a lot"},

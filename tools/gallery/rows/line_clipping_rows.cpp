@@ -32,7 +32,7 @@ std::vector<Segment> some_lines(std::int64_t count) {
         const auto place = [&](int first) {
             return Place{spread(first, -13, 13), spread(first * 5 + 2, -5, 5), spread(first * 3 + 1, -2, 16)};
         };
-        lines.push_back({place(7 * i), place(7 * i + 3)});
+        lines.push_back({place(i * i + 3 * i), place(2 * i * i + i + 5)});
     }
     return lines;
 }
