@@ -37,15 +37,6 @@ Skin plain_skin(std::uint8_t colour) {
     return {"plain", 1, 1, {colour}};
 }
 
-void set_box(MeshFrame& frame) {
-    frame.mins = frame.maxs = frame.vertices.front().position;
-    for (const MeshVertex& vertex : frame.vertices) {
-        const Vec3<World>& p = vertex.position;
-        frame.mins = {std::min(frame.mins.x, p.x), std::min(frame.mins.y, p.y), std::min(frame.mins.z, p.z)};
-        frame.maxs = {std::max(frame.maxs.x, p.x), std::max(frame.maxs.y, p.y), std::max(frame.maxs.z, p.z)};
-    }
-}
-
 Mesh ball_mesh(double radius, int rings, Skin skin) {
     Mesh mesh;
     const int around = 2 * rings;

@@ -16,9 +16,6 @@ Skin checkered_skin(std::int32_t size, std::uint8_t one, std::uint8_t other);
 /// One texel.
 Skin plain_skin(std::uint8_t colour);
 
-/// The smallest box around the frame's vertices, at least one.
-void set_box(MeshFrame& frame);
-
 /// A ball around the origin: `rings` from pole to pole, twice as many sectors around. The skin goes around once.
 Mesh ball_mesh(double radius, int rings, Skin skin);
 
