@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tools/gallery/numbers.h"
+
 namespace oblong {
 
 namespace {
@@ -22,14 +24,6 @@ Direction cross(const Direction& a, const Direction& b) {
 
 Direction operator-(const Direction& a, const Direction& b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-double number_of(World number) {
-    return number.raw / 4096.0;
-}
-
-double number_of(Entry number) {
-    return std::ldexp(static_cast<double>(number.raw), -32);
 }
 
 /// Pixels right of a place on the screen are `across`, rows below it `down`.

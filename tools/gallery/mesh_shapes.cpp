@@ -8,23 +8,9 @@
 
 #include "engine/base/table.h"
 #include "engine/screen/screen.h"
+#include "tools/gallery/numbers.h"
 
 namespace oblong {
-
-Vec3<World> world_point(double x, double y, double z) {
-    const auto coordinate = [](double value) {
-        return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
-    };
-    return {coordinate(x), coordinate(y), coordinate(z)};
-}
-
-Vec3<Unit> unit_vector(double x, double y, double z) {
-    const double length = std::sqrt(x * x + y * y + z * z);
-    const auto part = [length](double value) {
-        return Unit::from_raw(static_cast<std::int32_t>(std::lround(value / length * (1 << 30))));
-    };
-    return {part(x), part(y), part(z)};
-}
 
 Skin checkered_skin(std::int32_t size, std::uint8_t one, std::uint8_t other) {
     Skin skin{"checkered", size, size, std::vector<std::uint8_t>(pixel_count(size, size))};

@@ -6,11 +6,6 @@
 
 namespace oblong {
 
-/// A point of the world from units.
-Vec3<World> world_point(double x, double y, double z);
-/// The direction of (x, y, z), of length 1; not of the zero vector.
-Vec3<Unit> unit_vector(double x, double y, double z);
-
 /// Squares of 8 texels in two colours, `size` texels a side.
 Skin checkered_skin(std::int32_t size, std::uint8_t one, std::uint8_t other);
 /// One texel.

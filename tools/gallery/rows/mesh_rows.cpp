@@ -11,6 +11,7 @@
 #include "tools/common/drawing.h"
 #include "tools/gallery/level_scene.h"
 #include "tools/gallery/mesh_scene.h"
+#include "tools/gallery/numbers.h"
 #include "tools/gallery/rows.h"
 
 namespace oblong {

@@ -8,6 +8,7 @@
 #include "tools/common/drawing.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/mesh_scene.h"
+#include "tools/gallery/numbers.h"
 #include "tools/gallery/rows.h"
 
 namespace oblong {
