@@ -52,12 +52,17 @@ void set_flat_light(const MeshTriangle& triangle, const MeshContext& mesh, const
     for (CornerValues& corner : values) corner.light = shade;
 }
 
-std::int64_t draw_triangle(const ScreenTriangle& triangle, const MeshPaint& paint, const MeshContext& mesh,
-                           MeshScratch& scratch) {
-    scan_convex(triangle.corners, scratch.rows);
+/// Draws a triangle of the screen; not one that covers no pixel's centre, or is seen from its back.
+void draw_triangle(const std::array<const ScreenCorner*, 3>& corners, const MeshPaint& paint, const MeshContext& mesh,
+                   MeshScratch& scratch, MeshCounts& counts) {
+    scan_convex(std::array{corners[0]->screen, corners[1]->screen, corners[2]->screen}, scratch.rows);
     scratch.spans.clear();
     append_spans(scratch.rows, mesh.target.part, scratch.spans);
-    return draw_mesh_spans(scratch.spans, triangle.gradients, paint, mesh.target);
+    if (scratch.spans.empty()) return;
+    const auto triangle = make_screen_triangle(corners, {paint.shading == Shading::Phong, paint.is_affine});
+    if (!triangle) return;
+    ++counts.triangles;
+    counts.pixels += draw_mesh_spans(scratch.spans, triangle->gradients, paint, mesh.target);
 }
 
 /// Draws one triangle of the mesh: after clipping a fan of them.
@@ -75,13 +80,9 @@ void draw_polygon(const MeshTriangle& triangle, const MeshContext& mesh, MeshScr
     const MeshDrawing& drawing = mesh.drawing;
     const MeshPaint paint{skin_of(triangle, mesh), drawing.colormap, drawing.light,   shading,
                           drawing.is_affine,       mesh.halfway,     &mesh.highlight, drawing.after};
-    for (std::size_t i = 2; i < scratch.polygon.size(); ++i) {
-        const auto seen = make_screen_triangle({&scratch.polygon[0], &scratch.polygon[i - 1], &scratch.polygon[i]},
-                                               {shading == Shading::Phong, drawing.is_affine});
-        if (!seen) continue;
-        ++counts.triangles;
-        counts.pixels += draw_triangle(*seen, paint, mesh, scratch);
-    }
+    for (std::size_t i = 2; i < scratch.polygon.size(); ++i)
+        draw_triangle({&scratch.polygon[0], &scratch.polygon[i - 1], &scratch.polygon[i]}, paint, mesh, scratch,
+                      counts);
 }
 
 /// To the eye from the mesh's place, for highlights.

@@ -33,7 +33,7 @@ struct MeshDrawing {
 /// What drawing a mesh took.
 struct MeshCounts {
     std::int64_t facing = 0;     ///< triangles that face the eye
-    std::int64_t triangles = 0;  ///< scanned
+    std::int64_t triangles = 0;  ///< that cover pixels, after clipping
     std::int64_t pixels = 0;     ///< drawn, some of them more than once
 };
 

@@ -1,6 +1,7 @@
 // Mirrors: what is in them, and what they leave of the frame around them. Rays through one are in tests/map.
 
 #include "tests/effect_frames/effect_stage.h"
+#include "tools/gallery/mesh_shapes.h"
 
 namespace oblong::test {
 namespace {
@@ -35,6 +36,27 @@ TEST(Mirrors, ShowWhatIsBehindTheEye) {
     EXPECT_EQ(count_of(without, kLamp), 0);
     EXPECT_LE(changed_pixels(with, without), owned);
     EXPECT_EQ(count_of(without, kMirror), owned) << "a wall";
+}
+
+TEST(Mirrors, ShowMeshesBeforeThemAndNoneBehind) {
+    constexpr std::uint8_t kBall = 220;
+    const Mesh ball = ball_mesh(30, 8, plain_skin(kBall));
+    PlacedMesh placed;
+    placed.mesh = &ball;
+    placed.least_light = 256;
+    EffectStage stage(mirror_room(), toward_mirror());
+    const Picture bare = stage.draw();
+    placed.position = place(-200, 30, 90);
+    stage.meshes = {placed};
+    const Picture with = stage.draw();
+    EXPECT_FALSE(stage.has(Effect::Models)) << "none of the frame's own";
+    std::int64_t left = 0, right = 0;
+    for (std::size_t i = 0; i < with.size(); ++i)
+        if (with[i] == kBall) ++(i % kPictureWidth < kPictureWidth / 2 ? left : right);
+    EXPECT_GT(left, 50) << "on the side of +y, as a mirror shows it";
+    EXPECT_GT(left, right);
+    stage.meshes[0].position = place(300, 0, 90);
+    EXPECT_EQ(stage.draw(), bare);
 }
 
 TEST(Mirrors, BuildNoSurfaceAgainAndCountLightOnce) {

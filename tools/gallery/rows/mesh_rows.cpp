@@ -57,7 +57,7 @@ RowPage draw_cube(const RowInput& input, Framebuffer canvas) {
         {count_figure("triangles that face the eye, of 12", 2 * sides, counts.facing),
          count_figure("pixels drawn: each once", std::ssize(covered) - std::count(covered.begin(), covered.end(), 255),
                       counts.pixels),
-         measured("triangles scanned, after clipping to the view", std::to_string(counts.triangles))},
+         measured("triangles with pixels, after clipping to the view", std::to_string(counts.triangles))},
         {"Object space, facing (a dot product in object space), world, view, clipped, projected, scanned into spans, "
          "pixels: u/z, v/z and 1/z go evenly over the screen, and a division a pixel brings the texel back.",
          "Near the eye the cube is clipped to the four sides of the view. There is no near plane."}};
