@@ -39,6 +39,10 @@ ViewOptions view_options_of(const Options& options) {
     view_options.scaling = options.scaling;
     view_options.corrects_projection = options.corrects_projection;
     view_options.shown_as = options.shown_as;
+    view_options.log = options.log;
+    view_options.map = options.map;
+    view_options.wireframe = options.wireframe;
+    view_options.line_method = options.line_method;
     return view_options;
 }
 

@@ -9,6 +9,8 @@
 #include "engine/platform/present_rect.h"
 #include "engine/scene/light_styles.h"
 #include "engine/screen/screen.h"
+#include "game/line_overlays.h"
+#include "tools/common/log_channels.h"
 
 namespace oblong {
 
@@ -25,6 +27,10 @@ struct Options {
     Scaling scaling = Scaling::SharpBilinear;
     bool corrects_projection = true, has_crt_look = false;
     ShownAs shown_as = ShownAs::OnDisplay;
+    LogChannels log;
+    MapView map = MapView::Off;
+    Wireframe wireframe = Wireframe::Off;
+    LineMethod line_method = LineMethod::GuptaSproull;
     std::string record, replay, timedemo;
     std::int64_t headless_frames = 0;
     std::string out;

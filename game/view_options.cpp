@@ -3,10 +3,18 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/base/table.h"
 #include "game/aspect_guide.h"
 
 namespace oblong {
 namespace {
+
+constexpr std::array<const char*, kMapViewCount> kMapMessages{"Tab Map: off", "Tab Map: turns with you",
+                                                              "Tab Map: north is up"};
+constexpr std::array<const char*, kWireframeCount> kWireframeMessages{
+    "E Edges: off", "E Edges: of the faces that own pixels", "E Edges: by themselves"};
+// Fields of view, degrees, between which keys step.
+constexpr std::int32_t kNarrowestZoom = 10, kUnzoomed = 90, kWidestZoom = 120, kZoomStep = 10;
 
 constexpr int kPresetCount = static_cast<int>(kPresets.size());
 
@@ -25,6 +33,16 @@ std::int32_t next_brightness(std::int32_t brightness_100, bool is_brighter) {
     }
     const auto from = std::lower_bound(kValues.begin(), kValues.end(), brightness_100);
     return from == kValues.begin() ? kValues.front() : *(from - 1);
+}
+
+// Zoom against dolly starts at 90 degrees, where it is off, and ends at its limits.
+std::string zoom(bool is_narrower, ViewOptions& options) {
+    const std::int32_t degrees = options.zoom_degrees == 0 ? kUnzoomed : options.zoom_degrees;
+    const std::int32_t changed =
+        std::clamp(degrees + (is_narrower ? -kZoomStep : kZoomStep), kNarrowestZoom, kWidestZoom);
+    options.zoom_degrees = changed == kUnzoomed ? 0 : changed;
+    if (options.zoom_degrees == 0) return "[ ] Zoom against dolly: off";
+    return "[ ] Zoom against dolly: " + std::to_string(changed) + " degrees";
 }
 
 std::string describe_display(const ViewOptions& options, const ScreenMode& mode, WindowSize window) {
@@ -83,6 +101,24 @@ std::string apply(Command command, ViewOptions& options, const ScreenMode& mode,
         case Command::CrtLook:
             options.has_crt_look = !options.has_crt_look;
             return options.has_crt_look ? "C Tube: scanlines, mask, glow" : "C Tube: off";
+        case Command::Inspect:
+            options.inspects = !options.inspects;
+            return "";
+        case Command::Log:
+            options.log = next_channels(options.log);
+            return "O Log: " + names_of(options.log) + (options.log.is_empty() ? "" : ", on standard error");
+        case Command::Automap:
+            options.map = next_of(options.map, kMapViewCount);
+            return at(kMapMessages, options.map);
+        case Command::Wireframe:
+            options.wireframe = next_of(options.wireframe, kWireframeCount);
+            return at(kWireframeMessages, options.wireframe);
+        case Command::Isometric:
+            options.is_isometric = !options.is_isometric;
+            return options.is_isometric ? "I Isometric: you are in the middle" : "I Isometric: off";
+        case Command::ZoomIn:
+        case Command::ZoomOut:
+            return zoom(command == Command::ZoomIn, options);
         case Command::AspectGuide:
             options.shows_aspect_guide = !options.shows_aspect_guide;
             return "";

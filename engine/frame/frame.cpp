@@ -12,13 +12,15 @@ namespace oblong {
 
 namespace {
 
-/// What has a meaning in this view. Depth among things, fog, and the water before the eye are measured from an eye: a
-/// parallel view has none, and is drawn without them; mirrors in it are walls.
-EffectSet allowed_in(const ViewSpec& view, EffectSet allowed) {
-    if (!view.is_parallel) return allowed;
-    for (const Effect effect : {Effect::Particles, Effect::Sprites, Effect::Fog, Effect::Underwater, Effect::Mirror})
-        allowed = allowed.without(effect);
-    return allowed;
+/// What has a meaning in this view. Depth among things and for hidden surfaces is 1/z, fog and the water before the eye
+/// are measured from the eye: a parallel view has neither, and is drawn without them; mirrors in it are walls.
+Settings settings_in(const ViewSpec& view, Settings settings) {
+    if (!view.is_parallel) return settings;
+    for (const Effect effect :
+         {Effect::Particles, Effect::Sprites, Effect::Models, Effect::Fog, Effect::Underwater, Effect::Mirror})
+        settings.allowed_effects = settings.allowed_effects.without(effect);
+    settings.hidden_surfaces = HiddenSurfaces::SpanBuffer;
+    return settings;
 }
 
 std::vector<WalkLimit> limits_of(const ViewSpec& view) {
@@ -76,8 +78,7 @@ void count_frame(std::int64_t texels_before, FrameWorkspace& work) {
 
 void draw_frame(const Scene& scene, const ViewSpec& view, const ScreenMode& mode, const Settings& settings,
                 FrameWorkspace& work, Framebuffer out) {
-    Settings in_view = settings;
-    in_view.allowed_effects = allowed_in(view, settings.allowed_effects);
+    const Settings in_view = settings_in(view, settings);
     const FrameContext frame = begin_frame(scene, view, mode, in_view, work, out);
     const std::int64_t texels_before = work.surfaces.built_texels();
     work.plan = draw_view(frame, work);

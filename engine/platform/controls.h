@@ -22,6 +22,13 @@ enum class Command {
     FourAspects,       ///< 4
     Torch,             ///< L
     CrtLook,           ///< C
+    Inspect,           ///< P
+    Log,               ///< O
+    Automap,           ///< Tab
+    Wireframe,         ///< E
+    Isometric,         ///< I
+    ZoomIn,            ///< [: a narrower field of view from farther away
+    ZoomOut,           ///< ]
     Darker,            ///< -
     Brighter,          ///< =
     DialUp,            ///< up arrow, again and again while it is held; for the lab, as are the other three

@@ -148,6 +148,8 @@ TEST_F(BadRender, WrongUsageExitsWith2) {
                                                          {"--fov", "0"},
                                                          {"--fov", "180"},
                                                          {"--fov", "nan"},
+                                                         {"--log", "clips"},
+                                                         {"--log", "clip,"},
                                                          {"--brightness", "0"},
                                                          {"--fov", "-90"},
                                                          {"--mode", "8x8", "--fov", "179"},

@@ -14,6 +14,13 @@ Camera camera_at(std::int32_t x, std::int32_t y, std::int32_t z, int yaw, int pi
             Degrees::from_int(field_of_view)};
 }
 
+void draw_demo_level(const RowInput& input, const ViewSpec& view, Framebuffer canvas) {
+    const Level& level = input.assets.demo_level;
+    const std::vector<PlacedModel> models = models_at_rest(level);
+    FrameWorkspace work(level, input.mode);
+    draw_frame({level, input.assets.colormap, models, input.time_ms}, view, input.mode, input.settings, work, canvas);
+}
+
 void draw_demo_level(const RowInput& input, const Camera& camera, const ScreenMode& mode, Framebuffer canvas) {
     const Level& level = input.assets.demo_level;
     const std::vector<PlacedModel> models = models_at_rest(level);

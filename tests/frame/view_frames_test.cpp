@@ -1,0 +1,309 @@
+// Frames of parallel, off-centre and cut views of levels. The reference is a ray through the middle of a pixel, in
+// doubles and from closed forms, against every face of the world.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
+
+#include "engine/geometry/views.h"
+#include "tests/frame/holes.h"
+
+namespace oblong::test {
+
+namespace {
+
+using Point = std::array<double, 3>;
+
+Point point_of(const Vec3<World>& p) {
+    return {p.x.raw / 4096.0, p.y.raw / 4096.0, p.z.raw / 4096.0};
+}
+Point sum(const Point& a, const Point& b, double times = 1) {
+    return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
+}
+Point cross(const Point& a, const Point& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double dot(const Point& a, const Point& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <class Component>
+Point direction(const Vec3<Component>& v) {
+    return {std::ldexp(v.x.raw, -Component::kFractionBits), std::ldexp(v.y.raw, -Component::kFractionBits),
+            std::ldexp(v.z.raw, -Component::kFractionBits)};
+}
+
+/// A face of the world, in doubles; normal . p = distance.
+struct TrueFace {
+    FaceIndex index;
+    Point normal;
+    double distance;
+    std::vector<Point> corners;
+};
+
+std::vector<TrueFace> true_faces(const Level& level, const FaceTable& table) {
+    std::vector<TrueFace> faces;
+    for (const FaceIndex index : level.world().faces) {
+        const Face& face = level.faces[index];
+        const LevelPlane& plane = level.planes[face.plane];
+        TrueFace& made = faces.emplace_back();
+        made.index = index;
+        made.normal = direction(face.is_back ? -plane.normal : plane.normal);
+        made.distance = std::ldexp(face.is_back ? -plane.distance.raw : plane.distance.raw, -42);
+        for (const VertexIndex corner : table.corners_of(index))
+            made.corners.push_back(point_of(level.vertices[corner]));
+    }
+    return faces;
+}
+
+struct Ray {
+    Point from, along;
+    double start;  ///< what is nearer is not shown
+};
+
+/// What a view should be: the axes of its plane, the way of the ray through its middle, and half its width: in units,
+/// or at a depth of one.
+struct TrueView {
+    bool is_parallel = true;
+    Point eye, right, up, middle;
+    double half_width = 1;
+
+    Ray through(double x_px, double y_px) const {
+        const double x = (x_px - 160) / 160 * half_width, y = (100 - y_px) / 100 * 0.75 * half_width;
+        const Point across = sum({x * right[0], x * right[1], x * right[2]}, up, y);
+        if (is_parallel) return {sum(eye, across), middle, -std::numeric_limits<double>::infinity()};
+        return {eye, sum(middle, across), 0};
+    }
+};
+
+bool is_kept(const ViewSpec& view, const Point& p) {
+    for (const ViewCut& cut : view.cuts)
+        if (dot(direction(cut.normal), p) < std::ldexp(cut.distance.raw, -42)) return false;
+    return true;
+}
+
+bool contains(const TrueFace& face, const Point& p) {
+    for (std::size_t i = 0; i < face.corners.size(); ++i) {
+        const Point &a = face.corners[i], &b = face.corners[(i + 1) % face.corners.size()];
+        if (dot(cross(sum(b, a, -1), sum(p, a, -1)), face.normal) > 0) return false;  // clockwise
+    }
+    return true;
+}
+
+struct Hit {
+    const TrueFace* face = nullptr;
+    Point at{};
+};
+
+Hit first_hit(const std::vector<TrueFace>& faces, const Ray& ray, const ViewSpec& view) {
+    Hit hit;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const TrueFace& face : faces) {
+        const double facing = dot(face.normal, ray.along);
+        if (facing >= 0) continue;
+        const double way = (face.distance - dot(face.normal, ray.from)) / facing;
+        if (way <= ray.start || way >= nearest) continue;
+        const Point at = sum(ray.from, ray.along, way);
+        if (!is_kept(view, at) || !contains(face, at)) continue;
+        nearest = way;
+        hit = {&face, at};
+    }
+    return hit;
+}
+
+struct Tally {
+    int faces = 0, voids = 0, doubtful = 0, texels = 0;
+    double texel_error = 0;
+};
+
+/// The face that all rays within 1/64 pixel of a pixel's middle meet; none where they do not agree.
+std::optional<Hit> surely_hit(const std::vector<TrueFace>& faces, const TrueView& truth, const ViewSpec& view,
+                              int column, int row) {
+    const Hit middle = first_hit(faces, truth.through(column + 0.5, row + 0.5), view);
+    for (const double dx : {-1 / 64.0, 1 / 64.0})
+        for (const double dy : {-1 / 64.0, 1 / 64.0})
+            if (first_hit(faces, truth.through(column + 0.5 + dx, row + 0.5 + dy), view).face != middle.face)
+                return std::nullopt;
+    return middle;
+}
+
+double texel(const Vec3<TexelAxis>& axis, Texel offset, const Point& p) {
+    return dot(direction(axis), p) + std::ldexp(offset.raw, -16);
+}
+
+class ViewFrames {
+  public:
+    explicit ViewFrames(Stage& stage)
+        : stage_(stage), work_(stage.level, stage.mode), faces_(true_faces(stage.level, work_.faces)) {
+        stage.models.clear();
+        stage.settings.allowed_effects = EffectSet{}.with(Effect::Sky).with(Effect::Liquid);
+    }
+
+    void check(const ViewSpec& view, const TrueView& truth, int pixels, std::mt19937& random, Tally& tally) {
+        ASSERT_FALSE(problem_of(view, stage_.mode)) << *problem_of(view, stage_.mode);
+        draw(view);
+        for (int i = 0; i < pixels; ++i) {
+            const int column = static_cast<int>(random() % 320), row = static_cast<int>(random() % 200);
+            const std::optional<Hit> hit = surely_hit(faces_, truth, view, column, row);
+            if (hit)
+                compare(*hit, work_.record->pixels[static_cast<std::size_t>(row * 320 + column)], column, row, tally);
+            else
+                ++tally.doubtful;
+        }
+    }
+
+  private:
+    void draw(const ViewSpec& view) {
+        work_.counts = std::make_unique<FrameCounts>();
+        work_.record = std::make_unique<FrameRecord>();
+        std::fill(stage_.pixels.begin(), stage_.pixels.end(), std::uint8_t{77});
+        draw_frame(stage_.scene(), view, stage_.mode, stage_.settings, work_, {stage_.pixels.data(), 320, 200, 320});
+        for (std::size_t i = 0; i < stage_.pixels.size(); ++i) {
+            ASSERT_LE(work_.counts->writes[i], 1);
+            if (view.is_parallel || !view.cuts.empty()) {
+                ASSERT_TRUE(work_.counts->writes[i] == 1 || stage_.pixels[i] == 0);
+            }
+        }
+    }
+
+    void compare(const Hit& hit, const PixelRecord& pixel, int column, int row, Tally& tally) {
+        if (!hit.face) {
+            ++tally.voids;
+            EXPECT_TRUE(pixel.face.is_none()) << column << ", " << row;
+            return;
+        }
+        ++tally.faces;
+        ASSERT_EQ(pixel.face, hit.face->index) << column << ", " << row;
+        if (pixel.mip < 0) return;
+        const TexInfo& info = stage_.level.texinfos[stage_.level.faces[pixel.face].texinfo];
+        ++tally.texels;
+        const double u = std::abs(std::ldexp(pixel.u.raw, -16) - texel(info.s, info.s_offset, hit.at));
+        const double v = std::abs(std::ldexp(pixel.v.raw, -16) - texel(info.t, info.t_offset, hit.at));
+        tally.texel_error = std::max({tally.texel_error, u, v});
+    }
+
+    Stage& stage_;
+    FrameWorkspace work_;
+    std::vector<TrueFace> faces_;
+};
+
+struct ParallelCase {
+    Basis axes;
+    Point right, up, ahead;
+    double shear_x = 0, shear_y = 0;  ///< the ray's way right and up for each unit ahead
+};
+
+const double kHalf = std::sqrt(0.5), kThird = std::sqrt(1 / 3.0), kSixth = std::sqrt(1 / 6.0);
+
+std::vector<ParallelCase> parallel_cases() {
+    return {{side_axes(ViewSide::Front), {1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+            {side_axes(ViewSide::Top), {1, 0, 0}, {0, 1, 0}, {0, 0, -1}},
+            {side_axes(ViewSide::Side), {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}},
+            {axonometric_axes(Axonometry::Isometric),
+             {kHalf, -kHalf, 0},
+             {kSixth, kSixth, 2 * kSixth},
+             {kThird, kThird, -kThird}},
+            {side_axes(ViewSide::Front), {1, 0, 0}, {0, 0, 1}, {0, 1, 0}, -kHalf, -kHalf},
+            {side_axes(ViewSide::Top), {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, -0.25, 0.4}};
+}
+
+/// A parallel view of a case, its middle at a place, cut or not.
+void check_parallel(ViewFrames& frames, const ParallelCase& which, const Vec3<World>& centre, int width, bool is_cut,
+                    std::mt19937& random, Tally& tally) {
+    ViewSpec view = orthographic_view(centre, which.axes, View::from_int(width));
+    view.shear_x = Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(which.shear_x, 30))));
+    view.shear_y = Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(which.shear_y, 30))));
+    if (is_cut) cut_front(view, centre, World::from_raw(-37));
+    const Point middle = sum(sum(which.ahead, which.right, which.shear_x), which.up, which.shear_y);
+    frames.check(view, {true, point_of(centre), which.right, which.up, middle, width / 2.0}, 40, random, tally);
+}
+
+Vec3<World> random_place(const Level& level, std::mt19937& random) {
+    const LevelBox& box = level.world().box;
+    const auto within = [&](std::size_t axis) {
+        const auto size = static_cast<unsigned>(box.maxs[axis] - box.mins[axis]);
+        return World::from_raw(box.mins[axis] * 4096 + static_cast<std::int32_t>(random() % (size * 4096)));
+    };
+    while (true) {
+        const Vec3<World> place{within(0), within(1), within(2)};
+        if (is_open(level, place)) return place;
+    }
+}
+
+void check_parallel_views(Stage& stage, int places) {
+    ViewFrames frames(stage);
+    std::mt19937 random(9);
+    Tally tally;
+    for (int i = 0; i < places; ++i)
+        for (const ParallelCase& which : parallel_cases()) {
+            const int width = 24 << random() % 8;
+            check_parallel(frames, which, random_place(stage.level, random), width, i % 2 == 1, random, tally);
+            if (testing::Test::HasFatalFailure()) return;
+        }
+    EXPECT_GT(tally.faces, 10 * tally.doubtful);
+    EXPECT_GT(tally.texels, 300);
+    EXPECT_GT(tally.voids, 100);
+    EXPECT_LT(tally.texel_error, 0.03);
+}
+
+Tally check_windows(Stage& stage, int places, bool is_cut) {
+    ViewFrames frames(stage);
+    std::mt19937 random(10);
+    Tally tally;
+    const auto within = [&](double reach) { return std::uniform_real_distribution<double>(-reach, reach)(random); };
+    for (int i = 0; i < places && !testing::Test::HasFatalFailure(); ++i) {
+        Camera camera;
+        camera.eye = random_place(stage.level, random);
+        camera.yaw = Angle::from_bam(random());
+        camera.pitch = Angle::from_bam(static_cast<int>(random() % 20000) - 10000);
+        ViewSpec view = first_person_view(camera);
+        view.shear_x = Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(within(0.7), 30))));
+        view.shear_y = Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(within(0.7), 30))));
+        if (is_cut) cut_front(view, camera.eye, World::from_int(32 << random() % 4));
+        if (is_cut) cut_back(view, camera.eye, World::from_int(512));
+        const Point right = direction(view.axes.right), up = direction(view.axes.up);
+        const Point middle = sum(sum(direction(view.axes.forward), right, std::ldexp(view.shear_x.raw, -30)), up,
+                                 std::ldexp(view.shear_y.raw, -30));
+        frames.check(view, {false, point_of(camera.eye), right, up, middle, 1}, 40, random, tally);
+    }
+    return tally;
+}
+
+class ViewFramesOfLevels : public testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST(ViewFramesOfTheDemo, ParallelOnesShowWhatRaysMeet) {
+    Stage stage = demo_stage();
+    check_parallel_views(stage, 6);
+}
+
+TEST_P(ViewFramesOfLevels, ParallelOnesShowWhatRaysMeet) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    Stage stage = real_stage(GetParam());
+    check_parallel_views(stage, 12);
+}
+
+TEST_P(ViewFramesOfLevels, OffCentreOnesShowWhatRaysMeet) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    Stage stage = real_stage(GetParam());
+    const Tally tally = check_windows(stage, 60, false);
+    EXPECT_GT(tally.faces, 1000);
+    EXPECT_EQ(tally.voids, 0);
+}
+
+TEST_P(ViewFramesOfLevels, CutOnesShowWhatIsBetweenTheirPlanes) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    Stage stage = real_stage(GetParam());
+    const Tally tally = check_windows(stage, 60, true);
+    EXPECT_GT(tally.faces, 500);
+    EXPECT_GT(tally.voids, 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, ViewFramesOfLevels, testing::ValuesIn(kRealLevels),
+                         [](const auto& name) { return name.param; });
+
+}  // namespace oblong::test
