@@ -39,7 +39,8 @@ std::vector<liq_color> opaque_pixels(const PngImage& image) {
 /// The colours of a range are all that the library may use: fixed ones, and no more of them.
 LiqResult with_fixed_colours(liq_image* image, const Palette& palette, ColourRange range) {
     const LiqAttributes attributes(liq_attr_create());
-    expect(attributes && liq_set_max_colors(attributes.get(), std::max(range.end - range.begin, 2)) == LIQ_OK, "its set-up");
+    expect(attributes && liq_set_max_colors(attributes.get(), std::max(range.end - range.begin, 2)) == LIQ_OK,
+           "its set-up");
     for (int index = range.begin; index < range.end; ++index)
         expect(liq_image_add_fixed_color(image, opaque(at(palette.colours, index))) == LIQ_OK, "a colour");
     liq_result* result = nullptr;
