@@ -3,9 +3,9 @@
 #include <string>
 
 #include "engine/effects/palette_effects.h"
-#include "tools/common/drawing.h"
 #include "game/game_renderer.h"
 #include "game/recent_times.h"
+#include "tools/common/drawing.h"
 #include "tools/common/text.h"
 
 namespace oblong {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/frame/wireframe.h"
+#include "engine/geometry/views.h"
 #include "engine/screen/screen.h"
 #include "game/step.h"
 
@@ -22,6 +24,10 @@ World between(World before, World after, std::int32_t fraction_16) {
 Vec3<World> between(const Vec3<World>& before, const Vec3<World>& after, std::int32_t fraction_16) {
     return {between(before.x, after.x, fraction_16), between(before.y, after.y, fraction_16),
             between(before.z, after.z, fraction_16)};
+}
+
+ViewSpec spec_of(const GameView& view, const Settings& settings) {
+    return view.other ? *view.other : first_person_view(view.camera, settings.accuracy.sine);
 }
 
 Position eye_of(const Player& player) {
@@ -82,16 +88,33 @@ GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const S
     pixels_.resize(pixel_count(mode.width_px, mode.height_px));
 }
 
-void GameRenderer::draw(const GameView& view, const Settings& settings) {
+template <class Use>
+void GameRenderer::use_scene(const GameView& view, Use use) {
     const std::vector<PlacedModel> models = placed_models(level_, view.state);
     const MovingLight torch{view.camera.eye, kTorchRadius};
     Scene scene{data_.level, data_.colormap, models, time_ms_at(view.state)};
     scene.light_styles = light_styles_of(view.state.after);
     if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
-    if (view.other)
-        draw_frame(scene, *view.other, mode_, settings, work_, canvas());
-    else
-        draw_frame(scene, view.camera, mode_, settings, work_, canvas());
+    place_models(data_.models, scene.time_ms, meshes_);
+    scene.meshes = meshes_;
+    use(scene);
+}
+
+void GameRenderer::draw(const GameView& view, const Settings& settings) {
+    use_scene(view, [&](const Scene& scene) {
+        draw_frame(scene, spec_of(view, settings), mode_, settings, work_, canvas());
+    });
+}
+
+void GameRenderer::note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log) {
+    use_scene(view, [&](const Scene& scene) {
+        const ViewSpec spec = spec_of(view, settings);
+        log.note_each_second({scene, spec, mode_, settings, work_}, now_us);
+    });
+}
+
+void GameRenderer::draw_edges(const GameView& view, const Settings& settings, const LineStyle& style) {
+    draw_wireframe(data_.level, spec_of(view, settings), mode_, settings, work_, style, canvas());
 }
 
 FrameCounts GameRenderer::draw_and_count(const GameView& view, const Settings& settings) {

@@ -7,8 +7,10 @@
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/geometry/projection.h"
+#include "engine/raster/lines.h"
 #include "game/load.h"
 #include "game/tick_input_source.h"
+#include "tools/common/frame_log.h"
 
 namespace oblong {
 
@@ -49,8 +51,12 @@ class GameRenderer {
     /// What draw() counts or records: on the same canvas, but slower.
     FrameCounts draw_and_count(const GameView& view, const Settings& settings);
     FrameRecord draw_and_record(const GameView& view, const Settings& settings);
+    /// Draws the edges of the faces that own pixels over the picture, which is of this view and these settings.
+    void draw_edges(const GameView& view, const Settings& settings, const LineStyle& style);
     /// What draw() takes in its passes; the clock's time counts in it.
     PassTimes draw_and_time(const GameView& view, const Settings& settings, FrameClock clock);
+    /// Writes what the log's channels say of the picture drawn last, of this view, at most once a second.
+    void note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log);
     /// The plan of the picture drawn last.
     const FramePlan& plan() const { return work_.plan; }
     Framebuffer canvas();
@@ -59,11 +65,15 @@ class GameRenderer {
     std::size_t torn_edges() const { return work_.faces.torn_edges; }
 
   private:
+    template <class Use>
+    void use_scene(const GameView& view, Use use);
+
     const GameData& data_;
     const GameLevel& level_;
     ScreenMode mode_;
     FrameWorkspace work_;
     std::vector<std::uint8_t> pixels_;
+    std::vector<PlacedMesh> meshes_;
 };
 
 }  // namespace oblong

@@ -13,7 +13,7 @@ constexpr std::uint64_t kMessageStays_us = 2'500'000, kLetterStays_us = 50'000;
 constexpr std::int32_t kPanelSide_px = 10;
 
 // At most 51 columns: with its margins a panel of 318 pixels.
-constexpr std::array<std::string_view, 16> kHelp{
+constexpr std::array<std::string_view, 18> kHelp{
     "W A S D, arrows  walk, turn    Space  jump, swim up",
     "Mouse    look (click first)    Shift  walk slowly",
     "Page Up, Page Down  look up, down",
@@ -28,6 +28,8 @@ constexpr std::array<std::string_view, 16> kHelp{
     "F5   scaling               L    torch",
     "- =  brightness            C    look of a tube",
     "I    isometric             [ ]  zoom against dolly",
+    "Tab  map                   E    edges of faces",
+    "P    what is ahead         O    log channels",
     "F12  screenshots           F1   this help",
     "Alt+Enter whole screen    Esc free the mouse, leave",
 };

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "engine/surface/palette.h"
-#include "tools/common/drawing.h"
 #include "game/lab_measures.h"
 #include "game/lab_options.h"
+#include "tools/common/drawing.h"
 #include "tools/common/text.h"
 
 namespace oblong {

@@ -20,7 +20,8 @@ std::string find_palette(const fs::path& level_folder, const fs::path& assets) {
 
 }  // namespace
 
-GameData load_game(const std::string& level_file, const std::string& palette_file, const std::string& assets_folder) {
+GameData load_game(const std::string& level_file, const std::string& palette_file, const std::string& assets_folder,
+                   const std::string& models_folder) {
     GameData data;
     data.level_file = level_file.empty() ? (fs::path(assets_folder) / "demo.bsp").string() : level_file;
     data.level = read_parsed(data.level_file, read_bsp);
@@ -31,6 +32,8 @@ GameData load_game(const std::string& level_file, const std::string& palette_fil
         palette_file.empty() ? find_palette(fs::path(data.level_file).parent_path(), assets_folder) : palette_file;
     data.palette = read_parsed(palette, read_palette);
     data.colormap = make_colormap(data.palette);
+    data.models = read_level_models(data.level, data.palette, {data.level_file, models_folder});
+    print_warnings("oblong", data.level_file, data.models.warnings);
     return data;
 }
 

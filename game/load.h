@@ -6,6 +6,7 @@
 #include "engine/scene/level_effects.h"
 #include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
+#include "tools/common/level_models.h"
 
 namespace oblong {
 
@@ -16,11 +17,13 @@ struct GameData {
     LevelEffects effects;  ///< of the level
     Palette palette;
     Colormap colormap;
+    LevelModels models;  ///< of the level
 };
 
 /// Reads the level and its palette; empty names: the demo level of `assets_folder`, and the palette.lmp in the level's
-/// folder, in gfx/ there, or in `assets_folder`. Prints on standard error what of the level is not obeyed. Throws
-/// FileError.
-GameData load_game(const std::string& level_file, const std::string& palette_file, const std::string& assets_folder);
+/// folder, in gfx/ there, or in `assets_folder`. Models are looked for in `models_folder` too, if it is not empty.
+/// Prints on standard error what of the level is not obeyed. Throws FileError.
+GameData load_game(const std::string& level_file, const std::string& palette_file, const std::string& assets_folder,
+                   const std::string& models_folder = "");
 
 }  // namespace oblong

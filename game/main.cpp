@@ -39,6 +39,10 @@ ViewOptions view_options_of(const Options& options) {
     view_options.scaling = options.scaling;
     view_options.corrects_projection = options.corrects_projection;
     view_options.shown_as = options.shown_as;
+    view_options.log = options.log;
+    view_options.map = options.map;
+    view_options.wireframe = options.wireframe;
+    view_options.line_method = options.line_method;
     return view_options;
 }
 
@@ -120,7 +124,7 @@ void play(const Options& options, const GameData& data, const GameLevel& level) 
 }
 
 void run_game(const Options& options, const std::string& assets) {
-    const GameData data = load_game(options.level, options.palette, assets);
+    const GameData data = load_game(options.level, options.palette, assets, options.models);
     if (options.shows_gallery) return show_gallery(options, data);
     const GameLevel level = naming_file(data.level_file, [&] { return make_game_level(data.level); });
     if (!options.timedemo.empty())

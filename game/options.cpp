@@ -21,6 +21,20 @@ bool corrects_projection_of(const std::string& name) {
     throw UsageError("--aspect-projection: '" + name + "', expected display or square");
 }
 
+// The value of an option that is one of some names, from 0.
+template <class Enum, std::size_t Count>
+Enum named_value(const std::string& option, const std::string& name, const std::array<std::string_view, Count>& names) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) return static_cast<Enum>(found - names.begin());
+    std::string expected;
+    for (std::size_t i = 0; i < Count; ++i)
+        expected += (i == 0 ? "" : i + 1 == Count ? " or " : ", ") + std::string(names[i]);
+    throw UsageError(option + ": '" + name + "', expected " + expected);
+}
+constexpr std::array<std::string_view, kMapViewCount> kMapNames{"off", "player", "north"};
+constexpr std::array<std::string_view, kWireframeCount> kWireframeNames{"off", "over", "alone"};
+constexpr std::array<std::string_view, kLineMethodCount> kLineNames{"naive", "dda", "bresenham", "gupta-sproull"};
+
 ShownAs shown_as_of(const std::string& name) {
     constexpr std::array<std::string_view, kShownAsCount> names{"display", "square", "fill"};
     for (int i = 0; i < kShownAsCount; ++i)
@@ -47,13 +61,14 @@ Flashes flashes_of(const std::string& name) {
 struct OptionTexts {
     std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", gamma = "1",
                 flashes = "full", window, accuracy = "bounded", scaling = "sharp", aspect_projection = "display",
-                aspect_display = "display";
+                aspect_display = "display", map = "off", wireframe = "off", lines = "gupta-sproull", log;
     std::vector<std::string> dials;
 };
 
 void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("level", options.level, "Quake BSP file to play; without one, the demo level");
     line.add("--palette", options.palette, "768 bytes of red, green, blue; default: the level's, else the demo's");
+    line.add("--models", options.models, "folder of Quake's models: shows a level's items (README)");
     line.add("--mode", texts.mode, "WxH, size of the picture in pixels");
     line.add("--display", texts.display, "W:H, shape of the display that the picture is for");
     line.add("--fov", texts.field_of_view, "degrees seen across the whole width");
@@ -67,6 +82,11 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("--aspect-projection", texts.aspect_projection, "display or square: which pixels F2 starts with");
     line.add("--aspect-display", texts.aspect_display, "display, square or fill: which shape F3 starts with");
     line.add_flag("--gallery", options.shows_gallery, "all that the engine can do, one thing after the other; no game");
+    line.add("--log", texts.log,
+             "once a second, lines of these kinds on standard error: " + names_of(LogChannels::all()));
+    line.add("--map", texts.map, "off, player or north: the map that Tab shows, and what is up on it");
+    line.add("--wireframe", texts.wireframe, "off, over or alone: the edges that E shows");
+    line.add("--lines", texts.lines, "naive, dda, bresenham or gupta-sproull: how lines of both are drawn");
     line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");
     auto record = line.add("--record", options.record, "write the game played to this demo file");
     auto replay = line.add("--replay", options.replay, "play this demo file instead of the keys");
@@ -94,6 +114,10 @@ void interpret(const OptionTexts& texts, Options& options) {
     options.scaling = scaling_of(texts.scaling);
     options.corrects_projection = corrects_projection_of(texts.aspect_projection);
     options.shown_as = shown_as_of(texts.aspect_display);
+    if (!texts.log.empty()) options.log = parse_log_channels(texts.log);
+    options.map = named_value<MapView>("--map", texts.map, kMapNames);
+    options.wireframe = named_value<Wireframe>("--wireframe", texts.wireframe, kWireframeNames);
+    options.line_method = named_value<LineMethod>("--lines", texts.lines, kLineNames);
     if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())
         throw UsageError("--gallery: there is no game to record or to replay, expected it without the other");
 }

@@ -9,12 +9,14 @@
 #include "engine/platform/present_rect.h"
 #include "engine/scene/light_styles.h"
 #include "engine/screen/screen.h"
+#include "game/line_overlays.h"
+#include "tools/common/log_channels.h"
 
 namespace oblong {
 
 /// The command line's options; empty strings and 0 where they are not given.
 struct Options {
-    std::string level, palette;
+    std::string level, palette, models;
     ScreenMode mode;
     WindowSize window;
     Degrees field_of_view = Degrees::from_int(90);
@@ -25,6 +27,10 @@ struct Options {
     Scaling scaling = Scaling::SharpBilinear;
     bool corrects_projection = true, has_crt_look = false;
     ShownAs shown_as = ShownAs::OnDisplay;
+    LogChannels log;
+    MapView map = MapView::Off;
+    Wireframe wireframe = Wireframe::Off;
+    LineMethod line_method = LineMethod::GuptaSproull;
     std::string record, replay, timedemo;
     std::int64_t headless_frames = 0;
     std::string out;

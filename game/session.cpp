@@ -4,8 +4,15 @@
 
 #include "game/screenshot.h"
 #include "game/shown_view.h"
+#include "tools/common/crosshair.h"
 
 namespace oblong {
+
+namespace {
+
+constexpr Rgb8 kWireColour{255, 232, 96};
+
+}  // namespace
 
 Session::Session(const GameData& data, const GameLevel& level, const SessionSettings& settings, TickInputSource& input,
                  Platform& platform)
@@ -22,12 +29,14 @@ Session::Session(const GameData& data, const GameLevel& level, const SessionSett
       before_(start_of(level)),
       after_(before_) {
     hud_.end_message = level.end_message;
+    keep_what_is_on();
 }
 
 void Session::run() {
     platform_.set_title(("Oblong - " + std::filesystem::path(data_.level_file).stem().string()).c_str());
     last_us_ = platform_.now_us();
     show_message(hud_, "F1 Help", last_us_);
+    keep_what_is_on();
     while (platform_.is_open()) play_frame();
 }
 
@@ -61,6 +70,18 @@ void Session::keep_what_is_on() {
         four_aspects_.reset();
     else if (!four_aspects_)
         four_aspects_ = std::make_unique<FourAspects>(data_, level_);
+    if (view_options_.log.is_empty())
+        log_.reset();
+    else if (!log_ || log_->channels() != view_options_.log)
+        log_ = std::make_unique<FrameLog>(view_options_.log, standard_error_lines());
+    if (view_options_.map == MapView::Off)
+        map_.reset();
+    else if (!map_)
+        map_ = std::make_unique<Automap>(data_, level_);
+    if (view_options_.wireframe == Wireframe::Off)
+        wire_colour_.reset();
+    else if (!wire_colour_)
+        wire_colour_ = std::make_unique<LineColour>(data_.palette, kWireColour);
     if (!view_options_.shows_cost) {
         cost_.reset();
         hud_.cost = {};
@@ -95,7 +116,9 @@ void Session::draw(std::uint64_t now_us) {
     renderer_.draw(view, shown_settings);
     const PaletteEffects effects = palette_.effects_at(view, settings.flashes);
     note_cost(view, shown_settings, effects, began_us);
+    if (log_) renderer_.note(view, shown_settings, now_us, *log_);
 
+    if (wire_colour_) draw_wires(view, shown_settings);
     draw_over(view, settings, now_us);
     const Palette palette =
         effects.is_plain() ? data_.palette : apply_palette_effects(data_.palette, effects, time_ms_at(state));
@@ -109,6 +132,14 @@ void Session::draw(std::uint64_t now_us) {
     platform_.present(canvas, palette, shown_rect());
 }
 
+// Over the picture that was drawn last.
+void Session::draw_wires(const GameView& view, const Settings& settings) {
+    const Framebuffer canvas = renderer_.canvas();
+    if (view_options_.wireframe == Wireframe::Alone)
+        fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, text_colours_.dark);
+    renderer_.draw_edges(view, settings, wire_colour_->style(view_options_.line_method));
+}
+
 void Session::draw_over(const GameView& view, const Settings& settings, std::uint64_t now_us) {
     const Framebuffer canvas = renderer_.canvas();
     const ScreenMode& mode = renderer_.mode();
@@ -118,12 +149,21 @@ void Session::draw_over(const GameView& view, const Settings& settings, std::uin
         text_bottom_ = 0;  // their captions leave no room
         return;
     }
+    if (map_) map_->draw(view, view_options_.map, view_options_.line_method, mode, settings, canvas);
     if (lab_) text_bottom_ = lab_->draw(view_options_.lab, view, settings, now_us, platform_, canvas);
+    if (view_options_.inspects) inspect(view);
     if (!view_options_.shows_aspect_guide) return;
     draw_aspect_guide(mode, text_colours_, canvas);
     const std::string caption = aspect_caption(mode, settings.correct_aspect, view_options_.shown_as,
                                                view_options_.scaling, platform_.window_size());
     text_bottom_ = draw_lines_above(text_bottom_, caption, text_colours_, canvas);
+}
+
+void Session::inspect(const GameView& view) {
+    const std::vector<PlacedModel> models = placed_models(level_, view.state);
+    const std::string text = describe_picked(data_.level, models, pick_ahead(data_.level, models, view.camera));
+    draw_crosshair(renderer_.canvas(), text_colours_);
+    text_bottom_ = draw_lines_above(text_bottom_, text, text_colours_, renderer_.canvas());
 }
 
 void Session::note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,

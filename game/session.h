@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "engine/platform/platform.h"
+#include "game/automap.h"
 #include "game/four_aspects.h"
 #include "game/game_renderer.h"
 #include "game/hud.h"
@@ -12,6 +13,7 @@
 #include "game/tick_clock.h"
 #include "game/tick_input_source.h"
 #include "game/view_options.h"
+#include "tools/common/frame_log.h"
 
 namespace oblong {
 
@@ -36,7 +38,9 @@ class Session {
     void play_frame();
     void advance(std::uint64_t now_us);
     void draw(std::uint64_t now_us);
+    void inspect(const GameView& view);
     void draw_over(const GameView& view, const Settings& settings, std::uint64_t now_us);
+    void draw_wires(const GameView& view, const Settings& settings);
     void handle_commands(const Controls& controls, std::uint64_t now_us);
     void keep_what_is_on();
     PresentRect shown_rect() const;
@@ -53,6 +57,9 @@ class Session {
     GameRenderer renderer_;
     std::unique_ptr<Lab> lab_;                   // only while something of it is on
     std::unique_ptr<FourAspects> four_aspects_;  // likewise
+    std::unique_ptr<FrameLog> log_;              // likewise
+    std::unique_ptr<Automap> map_;               // likewise
+    std::unique_ptr<LineColour> wire_colour_;    // of the edges of faces; likewise
     ShownPalette palette_;
     TextColours text_colours_;
     Hud hud_;

@@ -3,11 +3,16 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/base/table.h"
 #include "game/aspect_guide.h"
 
 namespace oblong {
 namespace {
 
+constexpr std::array<const char*, kMapViewCount> kMapMessages{"Tab Map: off", "Tab Map: turns with you",
+                                                              "Tab Map: north is up"};
+constexpr std::array<const char*, kWireframeCount> kWireframeMessages{
+    "E Edges: off", "E Edges: of the faces that own pixels", "E Edges: by themselves"};
 // Fields of view, degrees, between which keys step.
 constexpr std::int32_t kNarrowestZoom = 10, kUnzoomed = 90, kWidestZoom = 120, kZoomStep = 10;
 
@@ -96,6 +101,18 @@ std::string apply(Command command, ViewOptions& options, const ScreenMode& mode,
         case Command::CrtLook:
             options.has_crt_look = !options.has_crt_look;
             return options.has_crt_look ? "C Tube: scanlines, mask, glow" : "C Tube: off";
+        case Command::Inspect:
+            options.inspects = !options.inspects;
+            return "";
+        case Command::Log:
+            options.log = next_channels(options.log);
+            return "O Log: " + names_of(options.log) + (options.log.is_empty() ? "" : ", on standard error");
+        case Command::Automap:
+            options.map = next_of(options.map, kMapViewCount);
+            return at(kMapMessages, options.map);
+        case Command::Wireframe:
+            options.wireframe = next_of(options.wireframe, kWireframeCount);
+            return at(kWireframeMessages, options.wireframe);
         case Command::Isometric:
             options.is_isometric = !options.is_isometric;
             return options.is_isometric ? "I Isometric: you are in the middle" : "I Isometric: off";

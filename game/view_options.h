@@ -8,6 +8,8 @@
 #include "engine/platform/present_rect.h"
 #include "engine/screen/screen.h"
 #include "game/lab_options.h"
+#include "game/line_overlays.h"
+#include "tools/common/log_channels.h"
 
 namespace oblong {
 
@@ -24,6 +26,11 @@ struct ViewOptions {
     ShownAs shown_as = ShownAs::OnDisplay;
     Scaling scaling = Scaling::SharpBilinear;
     bool shows_help = false, shows_cost = false, shows_aspect_guide = false, shows_four_aspects = false;
+    bool inspects = false;  ///< says what is in the middle of the picture
+    LogChannels log;        ///< written on standard error while any is on
+    MapView map = MapView::Off;
+    Wireframe wireframe = Wireframe::Off;
+    LineMethod line_method = LineMethod::GuptaSproull;  ///< of both
     LabOptions lab;
 };
 

@@ -84,6 +84,11 @@ std::span<const Vec3<World>> projected_corners(const VisibleFace& visible, const
     return work.mirror.corners;
 }
 
+bool is_by_span_buffer(const FrameContext& frame) {
+    const HiddenSurfaces method = frame.settings.hidden_surfaces;
+    return method == HiddenSurfaces::SpanBuffer || (frame.view.is_parallel() && !serves_parallel_views(method));
+}
+
 /// Counts a scanned face, if the frame is counted, and keeps it for claim_owned() while the first walk lasts, if
 /// `keeps_faces`. Whether it was kept.
 bool keep_or_count(const VisibleFace& visible, bool is_second_walk, bool& keeps_faces, const FrameContext& frame,
@@ -121,7 +126,7 @@ void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
     BrushModels* const models = frame.allows(Effect::BrushModels) ? &work.brush_models : nullptr;
     FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk,
                          frame.limits);
-    bool keeps_faces = frame.settings.hidden_surfaces != HiddenSurfaces::SpanBuffer;
+    bool keeps_faces = !is_by_span_buffer(frame);
     const bool is_watched = keeps_faces || work.counts;  // one test a face instead of two
     if (keeps_faces) start_scanned_faces(work);
     while (const std::optional<VisibleFace> visible = walk.next()) {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "engine/geometry/view_directions.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/frame/workspace.h"
+#include "engine/geometry/view_directions.h"
 
 namespace oblong {
 

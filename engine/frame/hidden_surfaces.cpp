@@ -52,7 +52,7 @@ void find_owners(const FrameContext& frame, HiddenSurfaceScratch& scratch) {
             paint_by(SortDepth::Mean, scratch);
             break;
         case HiddenSurfaces::RayCasting:
-            find_owners_by_rays(scratch.scanned, make_view_directions(frame.view.axes, frame.view.projection),
+            find_owners_by_rays(scratch.scanned, make_view_directions(frame.view.rays, frame.view.projection),
                                 scratch.targets, scratch.owners);
             break;
     }
@@ -86,25 +86,14 @@ void start_scanned_faces(FrameWorkspace& work) {
 
 void add_scanned_face(const VisibleFace& visible, std::span<const Vec3<World>> corners, const FrameContext& frame,
                       FrameWorkspace& work) {
-    ScannedFaces& all = work.hidden_surfaces->scanned;
+    const EffectSet needs = work.faces.faces[visible.face].effects;
     ScannedFace scanned;
     scanned.visible = visible;
-    scanned.first_span = static_cast<std::uint32_t>(all.spans.size());
-    for (std::int32_t y = work.rows.first; y < work.rows.end; ++y) {
-        const std::int32_t first = std::max(at(work.rows.left, y), 0);
-        const std::int32_t end = std::min(at(work.rows.right, y), frame.out.width_px);
-        if (first < end) all.spans.push_back({y, first, end});
-    }
-    scanned.span_count = static_cast<std::uint32_t>(all.spans.size()) - scanned.first_span;
     scanned.nearest_z = work.polygon.nearest_z;
     scanned.farthest_z = work.polygon.farthest_z;
-    const EffectSet needs = work.faces.faces[visible.face].effects;
     scanned.is_seen_through = list_for(needs, frame.settings.allowed_effects) == FaceList::SeeThrough;
-    scanned.first_corner = static_cast<std::uint32_t>(all.from_eye.size());
-    scanned.corner_count = static_cast<std::uint32_t>(corners.size());
-    for (const Vec3<World>& corner : corners) all.from_eye.push_back(widening_difference(corner, frame.view.eye));
     set_plane(frame, work, scanned);
-    all.faces.push_back(scanned);
+    add_face(scanned, work.rows, frame.out.width_px, corners, frame.view.eye, work.hidden_surfaces->scanned);
 }
 
 void claim_owned(const FrameContext& frame, FrameWorkspace& work) {

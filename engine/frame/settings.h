@@ -10,7 +10,8 @@
 
 namespace oblong {
 
-/// How a frame finds out which face owns which pixel. All but the span buffer are there to be compared with it.
+/// How a frame finds out which face owns which pixel. All but the span buffer are there to be compared with it. What
+/// measures depth from an eye has no meaning in a parallel view, which is drawn with the span buffer instead.
 enum class HiddenSurfaces : std::uint8_t {
     SpanBuffer,     ///< visibility/span_buffer.h: the engine's
     ZBuffer,        ///< visibility/z_buffer.h
@@ -21,6 +22,11 @@ enum class HiddenSurfaces : std::uint8_t {
 };
 inline constexpr std::array<std::string_view, 6> kHiddenSurfaceNames{"span-buffer",    "z-buffer",     "painter",
                                                                      "painter-sorted", "painter-mean", "ray-casting"};
+
+/// Whether a method works in parallel views too.
+constexpr bool serves_parallel_views(HiddenSurfaces method) {
+    return method == HiddenSurfaces::SpanBuffer || method == HiddenSurfaces::Painter;
+}
 
 /// What the player or the developer sets; together with level, camera and time it determines a frame.
 struct Settings {

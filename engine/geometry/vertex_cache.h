@@ -27,6 +27,9 @@ class VertexCache {
 
     void start_frame() { ++frame_; }
 
+    /// The memory that it takes.
+    std::size_t bytes() const { return vertices_.size() * sizeof(CachedVertex); }
+
     struct Counts {
         std::int64_t transformed = 0, projected = 0;
     };

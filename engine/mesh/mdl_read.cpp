@@ -15,6 +15,7 @@ constexpr std::int32_t kMostSkins = 1024, kLargestSkinSide = 4096, kMostMdlFrame
 constexpr std::int32_t kLongestTurn_s = 3600;
 constexpr int kMdlBits = 32;  ///< of fractions of coordinates before they are rounded
 constexpr std::size_t kMdlNameSize = 16;
+constexpr std::uint32_t kTurningFlag = 8;
 
 /// Little-endian numbers, one after the other. Reading past the end is an InputError.
 class MdlBytes {
@@ -81,6 +82,7 @@ class MdlBytes {
 struct MdlHeader {
     std::array<std::int64_t, 3> scale{}, origin{};  ///< of kMdlBits
     std::int32_t skins = 0, skin_width = 0, skin_height = 0, vertices = 0, triangles = 0, frames = 0;
+    bool turns = false;
 };
 
 struct SkinPlace {
@@ -101,7 +103,9 @@ MdlHeader read_mdl_header(MdlBytes& in) {
     header.vertices = in.read_number("vertices", 1, static_cast<std::int32_t>(kMostMeshVertices));
     header.triangles = in.read_number("triangles", 1, static_cast<std::int32_t>(kMostMeshTriangles));
     header.frames = in.read_number("frames", 1, kMostMdlFrames);
-    in.read_bytes(3 * 4);  // whether models of a kind move together, flags of the game, a size for level of detail
+    in.read_bytes(4);  // whether models of a kind move together
+    header.turns = (in.read_u32() & kTurningFlag) != 0;
+    in.read_bytes(4);  // a size for level of detail
     return header;
 }
 
@@ -112,6 +116,7 @@ class MdlReader {
         : in_(bytes), scale_(scale), header_(read_mdl_header(in_)) {}
 
     Mesh read() {
+        mesh_.turns = header_.turns;
         read_skins();
         read_skin_places();
         read_triangles();

@@ -58,6 +58,7 @@ struct Mesh {
     std::vector<MeshTriangle> triangles;
     std::vector<Skin> skins;
     std::vector<MeshSequence> frame_sequences, skin_sequences;  ///< what its file counts as frames and skins
+    bool turns = false;  ///< its file asks that it be shown turning (Quake's EF_ROTATE)
 };
 
 /// What readers of meshes accept.

@@ -22,6 +22,10 @@ enum class Command {
     FourAspects,       ///< 4
     Torch,             ///< L
     CrtLook,           ///< C
+    Inspect,           ///< P
+    Log,               ///< O
+    Automap,           ///< Tab
+    Wireframe,         ///< E
     Isometric,         ///< I
     ZoomIn,            ///< [: a narrower field of view from farther away
     ZoomOut,           ///< ]

@@ -189,6 +189,7 @@ void FaceSurfaces::build(FaceIndex index, const FaceSurface& surface, TextureInd
     build_lit_surface(source, light, colormap(), light_quality_, mip, 1 << surface.view.stride_log2,
                       corner_shades_.data(), texels);
     built_texels_ += std::int64_t{surface.view.width} * surface.view.height;
+    ++built_surfaces_;
 }
 
 FaceSurface FaceSurfaces::tiled(const Face& face, int mip, const MipTexture& texture) const {

@@ -59,7 +59,9 @@ class FaceSurfaces {
     FaceSurface get(FaceIndex face, int mip, const SurfaceState& state);
     /// Forgets all lit surfaces: the next frame builds them again.
     void clear() { cache_.clear(); }
-    std::int64_t built_texels() const { return built_texels_; }  ///< of all lit surfaces ever built
+    std::int64_t built_texels() const { return built_texels_; }      ///< of all lit surfaces ever built
+    std::int64_t built_surfaces() const { return built_surfaces_; }  ///< how many those were
+    const SurfaceCache& cache() const { return cache_; }
 
     BlockKernel kernel = best_block_kernel();
 
@@ -81,7 +83,7 @@ class FaceSurfaces {
     std::optional<Colormap> fewer_shades_;      ///< instead of it
     std::vector<std::int32_t> corner_shades_;   ///< scratch
     std::vector<std::int32_t> moving_light_8_;  ///< scratch, made when a moving light first touches a face
-    std::int64_t built_texels_ = 0;
+    std::int64_t built_texels_ = 0, built_surfaces_ = 0;
 };
 
 /// The screen gradients of a face's surface (make_texture_gradients), with the face moved by `offset`.

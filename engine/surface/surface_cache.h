@@ -31,6 +31,13 @@ class SurfaceCache {
     /// be overwritten: use them before the next call.
     Found get(std::size_t slot, std::size_t bytes, const SurfaceKey& key);
 
+    std::size_t used_bytes() const { return used_bytes_; }  ///< of arena_bytes()
+    std::size_t arena_bytes() const { return arena_bytes_; }
+    /// What it takes, used or not.
+    std::size_t bytes() const { return arena_bytes_ + slots_.size() * sizeof(Slot); }
+    /// How often all surfaces were forgotten, because the arena was full or by clear().
+    std::uint32_t times_emptied() const { return generation_ - 1; }
+
     /// Forgets all surfaces.
     void clear() {
         used_bytes_ = 0;

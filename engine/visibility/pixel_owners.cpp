@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 void PixelOwners::start(std::int32_t width, std::int32_t height) {
@@ -10,6 +12,20 @@ void PixelOwners::start(std::int32_t width, std::int32_t height) {
     faces.assign(pixel_count(width, height), kNone);
     seen.clear();
     counts = {};
+}
+
+void add_face(ScannedFace face, const ScanlineExtents& rows, std::int32_t width_px,
+              std::span<const Vec3<World>> corners, const Vec3<World>& eye, ScannedFaces& scanned) {
+    face.first_span = static_cast<std::uint32_t>(scanned.spans.size());
+    for (std::int32_t y = rows.first; y < rows.end; ++y) {
+        const std::int32_t first = std::max(at(rows.left, y), 0), end = std::min(at(rows.right, y), width_px);
+        if (first < end) scanned.spans.push_back({y, first, end});
+    }
+    face.span_count = static_cast<std::uint32_t>(scanned.spans.size()) - face.first_span;
+    face.first_corner = static_cast<std::uint32_t>(scanned.from_eye.size());
+    face.corner_count = static_cast<std::uint32_t>(corners.size());
+    for (const Vec3<World>& corner : corners) scanned.from_eye.push_back(widening_difference(corner, eye));
+    scanned.faces.push_back(face);
 }
 
 void append_pixel(std::int32_t face, std::int32_t column, std::int32_t row, std::vector<OwnedRun>& runs) {

@@ -73,6 +73,10 @@ struct PixelOwners {
     const std::int32_t* row(std::int32_t y) const { return faces.data() + std::int64_t{y} * width_px; }
 };
 
+/// Adds a face whose spans are those of scanned rows, within a screen of this width. `corners` are its own.
+void add_face(ScannedFace face, const ScanlineExtents& rows, std::int32_t width_px,
+              std::span<const Vec3<World>> corners, const Vec3<World>& eye, ScannedFaces& scanned);
+
 /// Appends the run of a face that one more pixel belongs to, or makes the last run longer.
 void append_pixel(std::int32_t face, std::int32_t column, std::int32_t row, std::vector<OwnedRun>& runs);
 

@@ -45,9 +45,9 @@ bool is_inside(const Vec3<Unit>& ray, std::span<const Vec3<Unit>> edges) {
 std::optional<RayHit> hit(const RayTarget& target, const Vec3<Unit>& ray, const std::optional<RayHit>& nearest,
                           const RayTargets& targets) {
     const RayHit meeting{target.eye_distance, -dot(target.normal, ray)};
-    if (meeting.approach <= Sine60{} || (nearest && !meeting.is_before(*nearest))) return std::nullopt;
+    if (meeting.approach <= Sine60{}) return std::nullopt;
     if (!is_inside(ray, std::span(targets.edges).subspan(target.first_edge, target.edge_count))) return std::nullopt;
-    return meeting;
+    return nearest && !meeting.is_before(*nearest) ? std::nullopt : std::optional(meeting);
 }
 
 void cast(const Vec3<Unit>& ray, std::int32_t column, std::int32_t row, const RayTargets& targets,

@@ -30,6 +30,8 @@ class SpanBuffer {
     void find_free(const ScanlineExtents& rows, std::vector<Span>& free) const;
     /// Claims every pixel: appends those that were free to `owned`.
     void claim_rest(std::vector<Span>& owned);
+    /// The memory that it takes.
+    std::size_t bytes() const { return rows_.size() * sizeof(Row) + intervals_.size() * sizeof(Interval); }
     /// Whether no pixel is free.
     bool is_full() const { return free_px_ == 0; }
     /// False only if no pixel of a rectangle is free.

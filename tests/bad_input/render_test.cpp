@@ -34,6 +34,25 @@ TEST_F(BadRender, WhatIsNoLevel) {
     EXPECT_TRUE(names_fault(render(text), kProgram, text, "expected"));
 }
 
+/// Models that the demo level shows, from a folder that comes before its own.
+TEST_F(BadRender, Models) {
+    std::filesystem::create_directory(folder_.path("models"));
+    const std::string model = "models/armillary.obj";
+    const std::pair<std::string, std::string> cases[] = {{"", "file: has no faces, expected"},
+                                                         {"v 0 0 nan\n", "line 1: vertex 'nan', expected a number"},
+                                                         {"v 0 0 0\nf 1 2 3\n", "line 2: vertex 3, expected 1 to 1"},
+                                                         {"\x89PNG\r\n", "file: has no faces, expected"}};
+    for (const auto& [text, where] : cases) {
+        const std::string file = folder_.write(model, text);
+        EXPECT_TRUE(names_fault(render(kLevel, {"--models", folder_.path("")}), kProgram, file, where)) << text;
+    }
+    folder_.write(model, std::string("mtllib none.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+    const Outcome warned = render(kLevel, {"--models", folder_.path("")});
+    EXPECT_EQ(warned.exit_code, 0);
+    EXPECT_NE(warned.error.find("warning: "), std::string::npos);
+    EXPECT_NE(warned.error.find("none.mtl"), std::string::npos) << warned.error;
+}
+
 TEST_F(BadRender, PictureNamedLevel) {
     ASSERT_EQ(render(kLevel, {"--out", folder_.path("")}).exit_code, 0);
     const std::string picture = folder_.path("picture.bsp");
@@ -129,6 +148,8 @@ TEST_F(BadRender, WrongUsageExitsWith2) {
                                                          {"--fov", "0"},
                                                          {"--fov", "180"},
                                                          {"--fov", "nan"},
+                                                         {"--log", "clips"},
+                                                         {"--log", "clip,"},
                                                          {"--brightness", "0"},
                                                          {"--fov", "-90"},
                                                          {"--mode", "8x8", "--fov", "179"},

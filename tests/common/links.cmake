@@ -1,2 +1,2 @@
 find_package(ZLIB REQUIRED)
-set(LINKS oblong_tool_cli oblong_tool_formats ZLIB::ZLIB)
+set(LINKS oblong_tool_cli oblong_tool_formats oblong_tool_log ZLIB::ZLIB)

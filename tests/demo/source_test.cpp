@@ -7,9 +7,11 @@
 #include <sstream>
 
 #include "engine/platform/files.h"
+#include "tools/common/obj.h"
 #include "tools/common/png.h"
 #include "tools/demo_level/art/textures.h"
 #include "tools/demo_level/map/museum.h"
+#include "tools/demo_level/models/armillary.h"
 #include "tools/texture/texture_files.h"
 
 namespace oblong {
@@ -97,6 +99,29 @@ TEST(DemoTextures, TheCommittedPicturesAreWhatThePaintersPaint) {
     }
     const auto files = std::distance(std::filesystem::directory_iterator(kTextures), {});
     EXPECT_EQ(static_cast<std::ptrdiff_t>(count), files);
+}
+
+TEST(DemoModels, TheCommittedFilesAreWhatIsMade) {
+    const std::filesystem::path models = kTextures.parent_path() / "models";
+    const std::string how = ": run oblong-demo-level models -o assets/models";
+    EXPECT_EQ(read_text((models / "armillary.obj").string()), model_source::armillary_obj()) << how;
+    EXPECT_EQ(read_text((models / "armillary.mtl").string()), model_source::armillary_mtl()) << how;
+    std::size_t count = 2;
+    for (const auto& [name, canvas] : model_source::paint_armillary()) {
+        const PngImage decoded = decode_png(read_file((models / (name + ".png")).string()));
+        EXPECT_EQ(decoded.indices, canvas.to_indices()) << name << how;
+        ++count;
+    }
+    EXPECT_EQ(static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(models), {})), count);
+}
+
+TEST(DemoModels, TheArmillarySphereIsReadWithoutAWarning) {
+    const ObjModel model =
+        read_obj((kTextures.parent_path() / "models" / "armillary.obj").string(), art::design_palette());
+    EXPECT_TRUE(model.warnings.empty());
+    EXPECT_EQ(model.mesh.skins.size(), 3u);
+    EXPECT_EQ(model.mesh.frames[0].mins.z, World{}) << "it stands on its foot";
+    EXPECT_NEAR(model.mesh.frames[0].maxs.z.raw / 4096.0, 3.05, 0.01);
 }
 
 art::Canvas painted(const std::string& name) {

@@ -76,10 +76,12 @@ Camera camera_at(const Vec3<World>& eye, double yaw, double pitch) {
     return camera;
 }
 
-EffectStage::EffectStage(Level its_level, const Camera& its_camera, Colormap colours)
+EffectStage::EffectStage(Level its_level, const Camera& its_camera, Colormap colours,
+                         std::vector<PlacedMesh> its_meshes)
     : level(std::move(its_level)),
       colormap(std::move(colours)),
       models(models_at_rest(level)),
+      meshes(std::move(its_meshes)),
       camera(its_camera),
       work(level, {}) {
     work.counts = std::make_unique<FrameCounts>();
@@ -91,6 +93,7 @@ Picture EffectStage::draw_in(FrameWorkspace& in, std::int64_t time_ms) const {
     Scene scene{level, colormap, models};
     scene.time_ms = time_ms;
     scene.moving_lights = moving_lights;
+    scene.meshes = meshes;
     draw_frame(scene, camera, {}, settings, in, {picture.data(), kPictureWidth, kPictureHeight, kPictureWidth});
     return picture;
 }

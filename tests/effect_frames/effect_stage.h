@@ -47,7 +47,8 @@ inline constexpr int kPictureWidth = 320, kPictureHeight = 200, kPicturePixels =
 /// A level, and what draws it at 320x200.
 class EffectStage {
   public:
-    EffectStage(Level its_level, const Camera& its_camera, Colormap colours = effect_colours());
+    EffectStage(Level its_level, const Camera& its_camera, Colormap colours = effect_colours(),
+                std::vector<PlacedMesh> its_meshes = {});
     EffectStage(const MapText& text, const Camera& its_camera, Colormap colours = effect_colours())
         : EffectStage(compile_effects(text), its_camera, std::move(colours)) {}
     EffectStage(const EffectStage&) = delete;  // the workspace refers to the level
@@ -69,6 +70,7 @@ class EffectStage {
     Colormap colormap;
     std::vector<PlacedModel> models;
     std::vector<MovingLight> moving_lights;
+    std::vector<PlacedMesh> meshes;
     Settings settings;
     Camera camera;
     FrameWorkspace work;

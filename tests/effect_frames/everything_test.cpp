@@ -4,6 +4,7 @@
 #include "engine/level/bsp_read.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/support/shared_levels.h"
+#include "tools/gallery/mesh_shapes.h"
 
 namespace oblong::test {
 namespace {
@@ -13,6 +14,19 @@ std::string text_of(const std::filesystem::path& path) {
     return {bytes.begin(), bytes.end()};
 }
 
+/// A level's entities do not name meshes here: they are placed.
+const Mesh& ball() {
+    static const Mesh mesh = ball_mesh(24, 8, checkered_skin(64, 16, 80));
+    return mesh;
+}
+
+std::vector<PlacedMesh> ball_at(const Vec3<World>& position) {
+    PlacedMesh placed;
+    placed.mesh = &ball();
+    placed.position = position;
+    return {placed};
+}
+
 EffectStage everything(const Camera& camera) {
     const std::filesystem::path assets = std::filesystem::path(OBLONG_BUILD_DIR) / "assets";
     const std::string source =
@@ -20,7 +34,7 @@ EffectStage everything(const Camera& camera) {
     const std::vector<map::Wad> wads{map::Wad(text_of(assets / "demo.wad"))};
     const std::string bytes = map::to_bytes(map::compile_map(map::parse_map(source), wads, {true}));
     return {read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}), camera,
-            make_colormap(read_palette(read_file_bytes(assets / "palette.lmp")))};
+            make_colormap(read_palette(read_file_bytes(assets / "palette.lmp"))), ball_at(place(60, 40, 60))};
 }
 
 Camera in_tank() {

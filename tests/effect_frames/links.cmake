@@ -1,4 +1,4 @@
-set(LINKS oblong_frame oblong_tool_map oblong_tool_cameras)
+set(LINKS oblong_gallery oblong_tool_map oblong_tool_cameras)
 # Levels are compiled as in the tests of the map compiler.
 list(APPEND SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/map/map_source.cpp)
 # Looks at every pixel of thousands of pictures.

@@ -83,6 +83,7 @@ TEST_F(Program, ADemoThatCannotBeKeptIsNotPlayed) {
 
 TEST_F(Program, EndsWith2ForWrongUsageAnd1ForBadFiles) {
     for (const char* wrong : {"--fov 0",
+                              "--log clips",
                               "--fov x",
                               "--mode 320",
                               "--mode 0x0",

@@ -1,1 +1,2 @@
-set(LINKS oblong_geometry oblong_raster)
+find_package(rapidcheck REQUIRED)
+set(LINKS oblong_geometry oblong_raster rapidcheck)

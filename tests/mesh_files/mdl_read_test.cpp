@@ -241,6 +241,7 @@ TEST(RealModels, HaveTheCountsOfTheirHeaders) {
         EXPECT_EQ(mesh.texels.size(), field(kMdlVertices)) << name;  // none is on the seam
         EXPECT_EQ(mesh.frames.size(), field(kMdlFrames)) << name;
         EXPECT_EQ(mesh.skins[0].width, 256) << name;
+        EXPECT_EQ(mesh.turns, name == "armor");
         expect_sound(mesh);
         EXPECT_GT(volume_6(mesh, mesh.frames[0]), 0) << name << ": triangles run clockwise";
     }

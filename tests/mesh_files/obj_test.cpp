@@ -181,6 +181,28 @@ TEST_F(ObjFiles, MaterialsBecomeSkins) {
     EXPECT_NE(model.warnings[0].find("none.png"), std::string::npos) << model.warnings[0];
 }
 
+TEST_F(ObjFiles, APictureIsRepeatedAsOftenAsFacesAsk) {
+    write_file(path("tile.png"), encode_indexed_png(std::vector<std::uint8_t>{1, 2, 3, 4}, 2, 2, greys()));
+    write_file(path("m.mtl"), std::string("newmtl tile\nmap_Kd tile.png\n"));
+    const std::string head = "mtllib m.mtl\nusemtl tile\n" + kSquare;
+    const ObjModel model = read(head + "vt -1 0\nvt 2 0\nvt 2 1\nf 1/1 2/2 3/3\n");
+    const Mesh& mesh = model.mesh;
+    EXPECT_EQ(mesh.skins[0].texels, (std::vector<std::uint8_t>{1, 2, 1, 2, 1, 2, 3, 4, 3, 4, 3, 4}));
+    EXPECT_EQ(number(mesh.texels[mesh.triangles[0].vertices[0]].u), 0);
+    EXPECT_EQ(number(mesh.texels[mesh.triangles[0].vertices[1]].u), 6);
+    EXPECT_TRUE(model.warnings.empty());
+
+    const ObjModel cut = read(head + "vt -1000 3.5\nvt 1000 3.75\nvt 2 3.999\nf 1/1 2/2 3/3\n");
+    EXPECT_EQ(cut.mesh.skins[0].width, 4000);
+    EXPECT_EQ(cut.mesh.skins[0].height, 2);
+    EXPECT_TRUE(cut.warnings.empty());
+    EXPECT_EQ(read(head + "vt -1023 0\nvt 1023.5 0\nvt 2 1\nf 1/1 2/2 3/3\n").mesh.skins[0].width, 4094);
+    write_file(path("tile.png"), encode_indexed_png(std::vector<std::uint8_t>(12, 1), 6, 2, greys()));
+    const ObjModel wide = read(head + "vt -1023 0\nvt 1023.5 0\nvt 2 1\nf 1/1 2/2 3/3\n");
+    EXPECT_EQ(wide.mesh.skins[0].width, 4092);
+    EXPECT_EQ(wide.warnings.size(), 1u);
+}
+
 TEST_F(ObjFiles, WhatIsMissingIsAWarning) {
     const ObjModel model = read("mtllib lost.mtl\nusemtl gold\n" + kSquare + "f 1 2 3\n");
     ASSERT_FALSE(model.warnings.empty());

@@ -33,9 +33,9 @@ PARTS = {
 }
 LEFT_OUT = ("left out",)
 # What other effects need: the frames that are counted do not allow them. From the libraries of the build.
-OF_EFFECTS = re.compile("engine/(effects/|raster/(depth|kernels/effect_kernels)|scene/(light_styles|texture_animation|"
-                        "moving_lights|level_effects)|visibility/placed_box|level/floor|math/(soft_float|wide_sum)|"
-                        "frame/(fog|light|mirror|see_through)_pass|frame/(frame_things|pass_times))")
+OF_EFFECTS = re.compile("engine/(effects/|mesh/|raster/(depth|kernels/effect_kernels)|scene/(light_styles|texture_animation|"
+                        "moving_lights|level_effects|light_below)|visibility/placed_box|level/floor|math/(soft_float|wide_sum)|"
+                        "frame/(fog|light|mirror|model|see_through)_pass|frame/(frame_things|pass_times))")
 BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|surface/(palette|colormap|oklab))")
 TOOLS = ["tools/common/arguments.cpp", "tools/render/camera_list.cpp", "tools/measure/operations.cpp",
          "tests/operations/counter/count_operations.cpp"]

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "engine/base/table.h"
+#include "engine/geometry/triangulate.h"
 #include "engine/platform/files.h"
 #include "tools/common/obj_check.h"
 #include "tools/common/obj_materials.h"
@@ -15,6 +16,7 @@ namespace oblong {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
+constexpr Texel kHalfTexel = Texel::from_raw(1 << (Texel::kFractionBits - 1));
 
 Vec3<World> world_position(const std::vector<double>& numbers, std::size_t vertex, const ObjOptions& options) {
     const auto coordinate = [&](std::size_t axis) {
@@ -98,7 +100,9 @@ class ObjMeshBuilder {
     void add_face(std::span<const tinyobj::index_t> corners, std::uint32_t skin, std::int64_t smoothing) {
         const std::size_t first = numbers_.size();
         for (const tinyobj::index_t& corner : corners) add_corner(corner, skin, smoothing);
-        for (std::size_t i = first + 2; i < numbers_.size(); ++i) add_triangle(first, i, i - 1, skin);
+        if (corners.size() == 3) add_triangle(first, {0, 1, 2}, skin);
+        if (corners.size() > 3)
+            for (const CornerTriple& triple : triangulated(corners)) add_triangle(first, triple, skin);
         numbers_.resize(first);
         smooth_numbers_.resize(first);
         if (mesh_.triangles.size() > kMostMeshTriangles || vertices_.records().size() > kMostMeshVertices)
@@ -106,15 +110,15 @@ class ObjMeshBuilder {
                                           std::to_string(kMostMeshVertices) + " vertices, expected a smaller model");
     }
 
-    Mesh finish(std::vector<Skin> skins) {
+    Mesh finish(std::vector<Skin> skins, std::vector<std::string>& warnings) {
         mesh_.skins = std::move(skins);
+        set_texels(warnings);
         const std::vector<MeshVertex> smooth = smooth_vertices();
         MeshFrame frame;
         for (const ObjVertex& vertex : vertices_.records()) {
             const Vec3<Unit> normal =
                 vertex.normal < 0 ? at(smooth, vertex.smooth).normal : at(normals_, vertex.normal);
             frame.vertices.push_back({at(positions_, vertex.position), normal});
-            mesh_.texels.push_back(texel_of(vertex));
         }
         set_box(frame);
         mesh_.frames.push_back(std::move(frame));
@@ -124,6 +128,12 @@ class ObjMeshBuilder {
     }
 
   private:
+    std::vector<CornerTriple> triangulated(std::span<const tinyobj::index_t> corners) const {
+        std::vector<Vec3<World>> polygon;
+        for (const tinyobj::index_t& corner : corners) polygon.push_back(at(positions_, corner.vertex_index));
+        return triangulate_by_diagonals(polygon);
+    }
+
     void add_corner(const tinyobj::index_t& corner, std::uint32_t skin, std::int64_t smoothing) {
         const std::uint32_t smooth = smooth_vertices_.number_of({corner.vertex_index, smoothing});
         const bool has_normal = corner.normal_index >= 0 && at(normals_, corner.normal_index) != Vec3<Unit>{};
@@ -132,8 +142,9 @@ class ObjMeshBuilder {
         smooth_numbers_.push_back(smooth);
     }
 
-    /// Of corners as they stand in numbers_, clockwise.
-    void add_triangle(std::size_t a, std::size_t b, std::size_t c, std::uint32_t skin) {
+    /// Of corners that stand in numbers_ from `first` on: counter-clockwise in the file, clockwise in the mesh.
+    void add_triangle(std::size_t first, const CornerTriple& corners, std::uint32_t skin) {
+        const std::size_t a = first + corners[0], b = first + corners[2], c = first + corners[1];
         mesh_.triangles.push_back({{numbers_[a], numbers_[b], numbers_[c]}, skin});
         smooth_triangles_.push_back({smooth_numbers_[a], smooth_numbers_[b], smooth_numbers_[c]});
     }
@@ -146,14 +157,25 @@ class ObjMeshBuilder {
         return smooth;
     }
 
-    /// The file's v goes up the picture.
-    MeshTexel texel_of(const ObjVertex& vertex) const {
-        const Skin& skin = at(mesh_.skins, vertex.skin);
-        const bool has_place = vertex.texcoord >= 0 && skin.texels.size() > 1;
-        const auto texel = [](double value) { return Texel::from_raw(std::llround(value * Texel::from_int(1).raw)); };
-        if (!has_place) return {texel(0.5), texel(0.5)};
-        return {texel(at(file_.texcoords, vertex.texcoord * 2) * skin.width),
-                texel((1 - at(file_.texcoords, vertex.texcoord * 2 + 1)) * skin.height)};
+    bool has_place(const ObjVertex& vertex) const {
+        return vertex.texcoord >= 0 && at(mesh_.skins, vertex.skin).texels.size() > 1;
+    }
+    /// In repetitions of the skin; the file's v goes up it.
+    SkinPlace place_of(const ObjVertex& vertex) const {
+        return {at(file_.texcoords, vertex.texcoord * 2), 1 - at(file_.texcoords, vertex.texcoord * 2 + 1)};
+    }
+
+    /// Sets texels from places on skins, which are repeated as often as that takes.
+    void set_texels(std::vector<std::string>& warnings) {
+        std::vector<PlaceRange> ranges(mesh_.skins.size());
+        for (const ObjVertex& vertex : vertices_.records())
+            if (has_place(vertex)) at(ranges, vertex.skin).include(place_of(vertex));
+        std::vector<SkinScale> scales;
+        for (std::size_t i = 0; i < ranges.size(); ++i)
+            scales.push_back(repeat_skin(mesh_.skins[i], ranges[i], warnings));
+        for (const ObjVertex& vertex : vertices_.records())
+            mesh_.texels.push_back(has_place(vertex) ? at(scales, vertex.skin).texel_at(place_of(vertex))
+                                                     : MeshTexel{kHalfTexel, kHalfTexel});
     }
 
     const tinyobj::attrib_t& file_;
@@ -237,7 +259,7 @@ ObjModel parse_obj(const std::string& text, const std::filesystem::path& folder,
             corners = corners.subspan(count);
         }
     }
-    model.mesh = builder.finish(std::move(skins.skins));
+    model.mesh = builder.finish(std::move(skins.skins), model.warnings);
     return model;
 }
 

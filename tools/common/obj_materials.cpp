@@ -1,12 +1,17 @@
 #include "tools/common/obj_materials.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
+#include "engine/base/table.h"
 #include "engine/platform/files.h"
 
 namespace oblong {
 namespace {
+
+constexpr std::int32_t kLargestSkinSide = 4096;
+constexpr double kRounding = 1.0 / 1024;  ///< of coordinates in files, repetitions
 
 Skin skin_of_colour(const std::string& name, Rgb8 colour, const Palette& palette) {
     return {name, 1, 1, {nearest_colour(palette, colour, kOrdinaryColours)}};
@@ -26,7 +31,51 @@ std::string with_slashes(std::string path) {
     return path;
 }
 
+/// How often a skin is repeated along a side of `size` texels, from the whole number below `least` on.
+std::int32_t repetitions(double least, double greatest, std::int32_t size, bool& is_cut) {
+    const double wanted = std::max(std::ceil(greatest - kRounding) - std::floor(least + kRounding), 1.0);
+    const std::int32_t most = std::max(kLargestSkinSide / size, 1);
+    is_cut |= wanted > most;
+    return static_cast<std::int32_t>(std::min<double>(wanted, most));
+}
+
+std::int32_t whole_repetitions(double least) {
+    return static_cast<std::int32_t>(std::floor(least + kRounding));
+}
+
+Skin repeated(const Skin& skin, std::int32_t across, std::int32_t down) {
+    Skin larger{skin.name, skin.width * across, skin.height * down, {}};
+    for (std::int32_t y = 0; y < larger.height; ++y)
+        for (std::int32_t x = 0; x < larger.width; ++x)
+            larger.texels.push_back(at(skin.texels, y % skin.height * skin.width + x % skin.width));
+    return larger;
+}
+
 }  // namespace
+
+void PlaceRange::include(const SkinPlace& place) {
+    least = {std::min(least.u, place.u), std::min(least.v, place.v)};
+    greatest = {std::max(greatest.u, place.u), std::max(greatest.v, place.v)};
+}
+
+MeshTexel SkinScale::texel_at(const SkinPlace& place) const {
+    const auto texel = [](double value) { return Texel::from_raw(std::llround(value * Texel::from_int(1).raw)); };
+    return {texel((place.u - first_u) * width), texel((place.v - first_v) * height)};
+}
+
+SkinScale repeat_skin(Skin& skin, const PlaceRange& range, std::vector<std::string>& warnings) {
+    if (range.least.u > range.greatest.u) return {};
+    const SkinScale scale{whole_repetitions(range.least.u), whole_repetitions(range.least.v),
+                          static_cast<double>(skin.width), static_cast<double>(skin.height)};
+    bool is_cut = false;
+    const std::int32_t across = repetitions(range.least.u, range.greatest.u, skin.width, is_cut),
+                       down = repetitions(range.least.v, range.greatest.v, skin.height, is_cut);
+    if (across > 1 || down > 1) skin = repeated(skin, across, down);
+    if (is_cut)
+        warnings.push_back("material '" + skin.name + "' is repeated over more than " +
+                           std::to_string(kLargestSkinSide) + " texels: beyond, its border is shown");
+    return scale;
+}
 
 bool ObjMaterialReader::operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
                                    std::map<std::string, int>* numbers, std::string* warning, std::string* error) {

@@ -6,6 +6,7 @@
 #include "tools/common/png.h"
 #include "tools/demo_level/art/textures.h"
 #include "tools/demo_level/map/museum.h"
+#include "tools/demo_level/models/armillary.h"
 
 namespace oblong {
 namespace {
@@ -24,13 +25,20 @@ void write_demo_map(const std::string& path) {
     write_file(path, text.str());
 }
 
-void write_demo_textures(const std::string& folder) {
+void write_pictures(const std::vector<art::NamedCanvas>& pictures, const std::string& folder) {
     make_folder(folder);
     const Palette palette = art::design_palette();
-    for (const auto& [name, canvas] : art::paint_all_textures()) {
+    for (const auto& [name, canvas] : pictures) {
         const std::string path = (std::filesystem::path(folder) / (name + ".png")).string();
         write_file(path, encode_indexed_png(canvas.to_indices(), canvas.width(), canvas.height(), palette));
     }
+}
+
+void write_demo_models(const std::string& folder) {
+    write_pictures(model_source::paint_armillary(), folder);
+    const std::filesystem::path path(folder);
+    write_file((path / "armillary.obj").string(), model_source::armillary_obj());
+    write_file((path / "armillary.mtl").string(), model_source::armillary_mtl());
 }
 
 }  // namespace
@@ -41,11 +49,13 @@ int main(int argc, char** argv) {
     std::string output;
     CommandLine line("oblong-demo-level", "Makes what the demo level is built from.");
     Command textures = line.add_command("textures", "the pictures on its walls, as indexed PNGs into a folder");
+    Command models = line.add_command("models", "what stands in it: OBJ files with their skins, into a folder");
     Command map = line.add_command("map", "the level's source, for oblong-map");
     Command palette = line.add_command("palette", "its 256 colours, 768 bytes");
-    for (Command* command : {&textures, &map, &palette}) command->add("-o", output, "what to write").require();
+    for (Command* command : {&textures, &models, &map, &palette}) command->add("-o", output, "what to write").require();
     return line.run(argc, argv, [&] {
-        if (textures.is_given()) write_demo_textures(output);
+        if (textures.is_given()) write_pictures(art::paint_all_textures(), output);
+        if (models.is_given()) write_demo_models(output);
         if (map.is_given()) write_demo_map(output);
         if (palette.is_given()) write_demo_palette(output);
     });

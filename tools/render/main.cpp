@@ -8,6 +8,8 @@
 #include "engine/scene/placed_models.h"
 #include "tools/common/arguments.h"
 #include "tools/common/command_line.h"
+#include "tools/common/frame_log.h"
+#include "tools/common/level_models.h"
 #include "tools/common/png.h"
 #include "tools/render/camera_list.h"
 #include "tools/render/report.h"
@@ -18,10 +20,10 @@ namespace {
 using namespace oblong;
 
 struct Options {
-    std::string level, cameras, palette, out, json;
+    std::string level, cameras, palette, models, out, json;
     std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", preset = "bounded",
-                effects = "auto", hidden_surfaces = "span-buffer", texel_error, view = "first-person", seconds = "0",
-                step_seconds = "0";
+                effects = "auto", hidden_surfaces = "span-buffer", log, texel_error, view = "first-person",
+                seconds = "0", step_seconds = "0";
     std::vector<std::string> dials;
     std::int64_t repeat = 1, threads = 1;
     bool prints_plan = false;
@@ -50,6 +52,7 @@ void declare(Command& line, Options& options) {
     line.add("LEVEL", options.level, "a Quake level: BSP 29, BSP2 or 2PSB").require();
     line.add("--cameras", options.cameras, "CSV: x,y,z,yaw,pitch[,roll]").require();
     line.add("--palette", options.palette, "768 bytes of red, green, blue (default: the demo level's)");
+    line.add("--models", options.models, "folder of Quake's models (README): shows items; misc_model needs none");
     line.add("--out", options.out, "folder for one indexed PNG a camera: 00000.png on");
     line.add("--json", options.json, "file for times, checksums and counts; - for standard output")
         .accept_standard_output();
@@ -66,6 +69,7 @@ void declare(Command& line, Options& options) {
     line.add("--hidden-surfaces", options.hidden_surfaces, "by " + hidden_surface_names());
     line.add_flag("--plan", options.prints_plan,
                   "print the passes and effects of each frame, with their pixels and times");
+    line.add("--log", options.log, "write lines of these kinds on standard error: " + names_of(LogChannels::all()));
     line.add("--threads", options.threads, "accepted; frames are drawn by one thread").limit(1, 256);
     line.add("--time", options.seconds, "the scene's time, seconds");
     line.add("--time-step", options.step_seconds, "seconds from each timed rendering of a frame to the next, up to 60");
@@ -146,6 +150,14 @@ std::vector<ViewSpec> views_of(std::span<const Camera> cameras, const std::strin
     return views;
 }
 
+void check_hidden_surfaces(const Settings& settings, std::span<const ViewSpec> views) {
+    const auto is_parallel = [](const ViewSpec& view) { return view.is_parallel; };
+    if (serves_parallel_views(settings.hidden_surfaces) || std::none_of(views.begin(), views.end(), is_parallel))
+        return;
+    throw UsageError("--hidden-surfaces: " + std::string(at(kHiddenSurfaceNames, settings.hidden_surfaces)) +
+                     " of a parallel view, expected span-buffer or painter");
+}
+
 /// The palette that shows a view's picture.
 Palette shown_palette(const Palette& palette, const RenderJob& job, const LevelEffects& level_effects,
                       const ViewSpec& view) {
@@ -163,6 +175,7 @@ void render(const Options& options) {
     check_view(mode, field_of_view);
     const Preset preset = parse_preset(options.preset);
     const Settings settings = make_settings(options, preset);
+    const LogChannels channels = options.log.empty() ? LogChannels{} : parse_log_channels(options.log);
     const std::int64_t time_ms = parse_time_ms("--time", options.seconds),
                        step_ms = parse_time_step_ms(options.step_seconds);
 
@@ -175,16 +188,21 @@ void render(const Options& options) {
     const std::vector<Camera> cameras =
         read_parsed(options.cameras, [&](const auto& bytes) { return parse_cameras(bytes, field_of_view); });
     const std::vector<ViewSpec> views = views_of(cameras, options.view, mode, settings.accuracy.sine);
+    check_hidden_surfaces(settings, views);
     const std::vector<PlacedModel> models = models_at_rest(level);
+    const LevelModels level_models = read_level_models(level, palette, {options.level, options.models});
 
     if (!options.out.empty()) make_folder(options.out);
-    const RenderJob job{{level, colormap, models, time_ms}, mode,   settings, views,
-                        static_cast<int>(options.repeat),   step_ms};
+    const RenderJob job{{level, colormap, models, time_ms}, mode,    settings,     views,
+                        static_cast<int>(options.repeat),   step_ms, &level_models};
     FrameWorkspace work(level, mode);
     print_warnings("oblong-render", options.level, work.effects.warnings);
     print_warnings("oblong-render", options.level, work.things.warnings);
+    print_warnings("oblong-render", options.level, level_models.warnings);
     warn_of_torn_edges("oblong-render", options.level, work.faces.torn_edges);
+    FrameLog log(channels, standard_error_lines());
     const auto frames = render_views(job, work, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
+        if (!channels.is_empty()) log.note({job.scene, views[index], mode, settings, work});
         if (options.out.empty()) return;
         const Palette shown = shown_palette(palette, job, work.effects, views[index]);
         const auto png = encode_indexed_png(pixels, mode.width_px, mode.height_px, shown);

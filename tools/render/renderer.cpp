@@ -35,6 +35,10 @@ class ViewRenderer {
     void draw(const ViewSpec& view, std::int64_t later_ms = 0) {
         Scene scene = job_.scene;
         scene.time_ms += later_ms;
+        if (job_.level_models) {
+            place_models(*job_.level_models, scene.time_ms, meshes_);
+            scene.meshes = meshes_;
+        }
         draw_frame(scene, view, job_.mode, job_.settings, work_,
                    {pixels_.data(), job_.mode.width_px, job_.mode.height_px, job_.mode.width_px});
     }
@@ -72,6 +76,7 @@ class ViewRenderer {
     const RenderJob& job_;
     FrameWorkspace& work_;
     std::vector<std::uint8_t> pixels_;
+    std::vector<PlacedMesh> meshes_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
+#include "tools/common/level_models.h"
 
 namespace oblong {
 
@@ -32,6 +33,7 @@ struct RenderJob {
     std::span<const ViewSpec> views;
     int repeat = 1;                 ///< timed renderings of each frame
     std::int64_t time_step_ms = 0;  ///< from each of those to the next: what moves is then lit and drawn anew
+    const LevelModels* level_models = nullptr;  ///< drawn instead of the scene's; outlive the job
 };
 
 /// Renders every view and calls on_picture(index, pixels) with each picture. Counts are taken in a rendering of their

@@ -11,7 +11,7 @@ namespace {
 
 using CommandKey = std::pair<SDL_Scancode, Command>;
 
-constexpr std::array<CommandKey, 20> kCommandKeys{{
+constexpr std::array<CommandKey, 24> kCommandKeys{{
     {SDL_SCANCODE_F1, Command::ShowHelp},
     {SDL_SCANCODE_F2, Command::ProjectionAspect},
     {SDL_SCANCODE_F3, Command::DisplayAspect},
@@ -27,10 +27,14 @@ constexpr std::array<CommandKey, 20> kCommandKeys{{
     {SDL_SCANCODE_4, Command::FourAspects},
     {SDL_SCANCODE_L, Command::Torch},
     {SDL_SCANCODE_C, Command::CrtLook},
+    {SDL_SCANCODE_TAB, Command::Automap},
+    {SDL_SCANCODE_E, Command::Wireframe},
+    {SDL_SCANCODE_MINUS, Command::Darker},
+    {SDL_SCANCODE_O, Command::Log},
+    {SDL_SCANCODE_P, Command::Inspect},
     {SDL_SCANCODE_I, Command::Isometric},
     {SDL_SCANCODE_LEFTBRACKET, Command::ZoomIn},
     {SDL_SCANCODE_RIGHTBRACKET, Command::ZoomOut},
-    {SDL_SCANCODE_MINUS, Command::Darker},
     {SDL_SCANCODE_EQUALS, Command::Brighter},
 }};
 constexpr std::array<CommandKey, 6> kRepeatingKeys{{

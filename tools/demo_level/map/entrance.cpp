@@ -12,6 +12,14 @@ void furnish(Draft& draft) {
             add_wall_lamp(draft, {x + (x < 0 ? 26 : -26), y, 112}, x < 0 ? Side::East : Side::West, 330);
         }
     }
+    draft.add_detail_box({{66, -174, 0}, {94, -146, 6}}, "brass_trim");
+    draft.add_detail_box({{69, -171, 6}, {91, -149, 20}}, "marble_ivory");
+    draft.add_point("misc_model", {80, -160, 20},
+                    {{"model", "models/armillary.obj"},
+                     {"scale", "18"},
+                     {"period", "24"},
+                     {"shading", "phong"},
+                     {"highlight", "100"}});
     add_panel(draft, {Side::South, {{-84, -40, 176}, {84, -32, 218}}, "title", 128, 32});
     add_sign(draft, {Side::South, {0, -32, 145}, 1.125, "sign_museum", 160, 48});
     add_panel(draft, {Side::East, {{-160, -208, 72}, {-154, -112, 168}}, "picture_moon"});

@@ -9,16 +9,12 @@
 #include "tools/common/drawing.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/level_scene.h"
+#include "tools/gallery/numbers.h"
 #include "tools/gallery/rows.h"
 
 namespace oblong {
 
 namespace {
-
-template <class Int, int Frac>
-double number_of(Fixed<Int, Frac> value) {
-    return std::ldexp(static_cast<double>(value.raw), -Frac);
-}
 
 /// A mode and display, with the seed's a = w / (r h) as corrected.
 struct NamedMode {

@@ -16,6 +16,7 @@
 #include "engine/raster/scan.h"
 #include "tools/common/drawing.h"
 #include "tools/gallery/level_scene.h"
+#include "tools/gallery/numbers.h"
 #include "tools/gallery/rows.h"
 
 namespace oblong {
@@ -31,10 +32,6 @@ Vec3<World> in_world(const Place& place) {
         return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
     };
     return {part(place.x), part(place.y), part(place.z)};
-}
-
-double number_of(Unit value) {
-    return std::ldexp(value.raw, -Unit::kFractionBits);
 }
 
 struct PixelPlace {

@@ -73,7 +73,8 @@ const Names kKeys{
     "wad",        "worldtype",  "gravity",   "volume",    "cnt",         "sky",         "fog",        "alpha",
     "mapversion", "_light",     "_minlight", "_sunlight", "_sun_mangle", "_sky",        "_wad",       "_tb_",
     "wateralpha", "slimealpha", "lavaalpha", "telealpha", "_wateralpha", "_slimealpha", "_lavaalpha", "_telealpha",
-    "size",       "colour",     "period",    "texture",   "scale",       "shadow",      "radius",     "pattern"};
+    "size",       "colour",     "period",    "texture",   "scale",       "shadow",      "radius",     "pattern",
+    "frame",      "frames",     "skin",      "up",        "dither",      "shading",     "highlight",  "least_light"};
 
 struct Count {
     std::string_view key, wanted;

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/frame/frame.h"
+#include "engine/raster/lines.h"
+
+namespace oblong {
+
+/// Draws the edges of all faces that own pixels of the frame which `work` drew last: of this level, view and mode. Each
+/// is clipped in viewspace, so that it may end behind the eye.
+void draw_wireframe(const Level& level, const ViewSpec& view, const ScreenMode& mode, const Settings& settings,
+                    const FrameWorkspace& work, const LineStyle& style, Framebuffer out);
+
+}  // namespace oblong

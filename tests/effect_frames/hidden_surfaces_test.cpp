@@ -1,0 +1,256 @@
+// The methods of hidden-surface removal, held against each other on the same scenes: small random worlds, a door,
+// glass.
+
+#include "engine/frame/hidden_surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "engine/level/bsp_read.h"
+#include "engine/level/side.h"
+#include "tests/effect_frames/effect_stage.h"
+#include "tests/support/shared_levels.h"
+#include "tools/render/camera_list.h"
+
+namespace oblong::test {
+namespace {
+
+map::Point point_of(const Vec3<World>& p) {
+    return {p.x.raw / 4096., p.y.raw / 4096., p.z.raw / 4096.};
+}
+
+/// A camera in doubles, independent of the engine's.
+struct TrueView {
+    map::Point eye, right, up, forward;
+    double multiplier_x = 160, multiplier_y = 400 / 3.;  // 90 degrees across at 320x200 on 4:3
+
+    explicit TrueView(const Camera& camera) {
+        const auto radians = [](Angle angle) { return angle.bam * 2 * std::numbers::pi / 65536; };
+        const double yaw = radians(camera.yaw), pitch = radians(camera.pitch);
+        eye = point_of(camera.eye);
+        forward = {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), -std::sin(pitch)};
+        right = {std::sin(yaw), -std::cos(yaw), 0};
+        up = map::cross(right, forward);
+    }
+
+    map::Point ray(double x, double y) const {
+        return forward + map::scaled(right, (x - 160) / multiplier_x) + map::scaled(up, (100 - y) / multiplier_y);
+    }
+};
+
+/// A face of a stage in doubles.
+struct TrueFace {
+    map::Point normal;
+    double distance = 0;
+    std::vector<map::Point> corners;
+
+    TrueFace(const EffectStage& stage, const PixelRecord& record) {
+        const Face& face = stage.level.faces[record.face];
+        const map::Point offset =
+            record.model.is_none() ? map::Point{} : point_of(stage.models[record.model.position()].offset);
+        for (const SurfEdge step : stage.level.edges_of(face))
+            corners.push_back(point_of(stage.level.vertices[stage.level.start_of(step)]) + offset);
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            normal = normal + map::cross(corners[i] - corners[0], corners[(i + 1) % corners.size()] - corners[0]);
+        distance = map::dot(normal, corners[0]);
+    }
+    double depth(const TrueView& view, double x, double y) const {
+        return (distance - map::dot(normal, view.eye)) / map::dot(normal, view.ray(x, y));
+    }
+    /// How far a point of the screen is from the line of the nearest edge, pixels.
+    double pixels_to_edge(const TrueView& view, double x, double y) const {
+        double nearest = 1e9;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const map::Point line = map::cross(corners[i] - view.eye, corners[(i + 1) % corners.size()] - view.eye);
+            const double a = map::dot(line, view.right) / view.multiplier_x,
+                         b = map::dot(line, view.up) / view.multiplier_y;
+            nearest = std::min(nearest, std::abs(map::dot(line, view.ray(x, y))) / std::hypot(a, b));
+        }
+        return nearest;
+    }
+};
+
+/// A corner on the screen is rounded by up to 1/512 pixel and computed within 1/2,048; clipped ones are rounded before.
+constexpr double kSnap_px = 1. / 256;
+
+/// Whether two faces are equally deep within kSnap_px of a point of the screen.
+bool may_be_equally_deep(const TrueFace& a, const TrueFace& b, const TrueView& view, double x, double y) {
+    double least = 1e9, most = -1e9;
+    for (const double dx : {-kSnap_px, kSnap_px})
+        for (const double dy : {-kSnap_px, kSnap_px}) {
+            const double difference = 1 / a.depth(view, x + dx, y + dy) - 1 / b.depth(view, x + dx, y + dy);
+            least = std::min(least, difference);
+            most = std::max(most, difference);
+        }
+    return least <= 1e-12 && most >= -1e-12;
+}
+
+std::string random_brushes(std::mt19937& random, int count) {
+    std::string brushes;
+    for (int i = 0; i < count; ++i) {
+        TurnedBox box;
+        box.centre = {random_between(random, -200, 200), random_between(random, -200, 200),
+                      random_between(random, 40, 216)};
+        for (double& half : box.half) half = random_between(random, 4, 60);
+        box.frame = random_frame(random);
+        brushes += i % 3 == 0 ? prism({static_cast<int>(box.centre.x), static_cast<int>(box.centre.y), 0}, 20 + i,
+                                      60 + 8 * i, 5 + i % 4)
+                              : box.text();
+    }
+    return brushes;
+}
+
+/// A room with things in it at random; a part of them is a brush model.
+MapText random_world(std::mt19937& random) {
+    MapText text;
+    text.brushes = room({-256, -256, 0}, {256, 256, 256}) + random_brushes(random, 9);
+    text.entities = entity_at("info_player_start", {0, 0, 240}) + entity("func_wall", {}, random_brushes(random, 2)) +
+                    entity("func_wall", {}, box({-40, 100, 0}, {40, 116, 96}, "other"));
+    return text;
+}
+
+Camera random_camera(const Level& level, std::mt19937& random) {
+    while (true) {
+        const Vec3<World> eye = place(random_between(random, -240, 240), random_between(random, -240, 240),
+                                      random_between(random, 16, 240));
+        if (level.leaves[find_leaf(level, level.world(), eye)].contents == contents::kEmpty)
+            return camera_at(eye, random_between(random, 0, 360), random_between(random, -40, 40));
+    }
+}
+
+/// A picture and which face each of its pixels shows.
+struct Drawn {
+    Picture picture;
+    std::vector<PixelRecord> records;
+};
+Drawn draw_by(HiddenSurfaces method, EffectStage& stage) {
+    stage.settings.hidden_surfaces = method;
+    Drawn drawn{stage.draw(), {}};
+    drawn.records = stage.work.record->pixels;
+    return drawn;
+}
+bool is_same(const PixelRecord& a, const PixelRecord& b) {
+    return a.face == b.face && a.model == b.model;
+}
+
+/// A pixel at which a method shows another face than the span buffer.
+struct Difference {
+    TrueFace expected, found;
+    TrueView view;
+    double x, y;
+
+    bool is_tie() const { return may_be_equally_deep(expected, found, view, x, y); }
+    double pixels_to_edge() const {
+        return std::min(expected.pixels_to_edge(view, x, y), found.pixels_to_edge(view, x, y));
+    }
+};
+
+std::vector<Difference> differences_of(HiddenSurfaces method, const Camera& camera, EffectStage& stage) {
+    stage.camera = camera;
+    const Drawn expected = draw_by(HiddenSurfaces::SpanBuffer, stage), found = draw_by(method, stage);
+    std::vector<Difference> differences;
+    for (int pixel = 0; pixel < kPicturePixels; ++pixel) {
+        const PixelRecord &a = at(expected.records, pixel), &b = at(found.records, pixel);
+        if (is_same(a, b)) continue;
+        differences.push_back({TrueFace(stage, a), TrueFace(stage, b), TrueView(camera), pixel % kPictureWidth + 0.5,
+                               pixel / kPictureWidth + 0.5});
+    }
+    return differences;
+}
+
+void expect_same_picture(HiddenSurfaces method, const Camera& camera, EffectStage& stage) {
+    stage.camera = camera;
+    const Picture expected = draw_by(HiddenSurfaces::SpanBuffer, stage).picture;
+    EXPECT_EQ(changed_pixels(expected, draw_by(method, stage).picture), 0);
+}
+
+/// At most `most` pixels differ, each where two faces are equally deep.
+void expect_ties_alone(const Camera& camera, std::size_t most, EffectStage& stage) {
+    const std::vector<Difference> differences = differences_of(HiddenSurfaces::ZBuffer, camera, stage);
+    EXPECT_LE(differences.size(), most);
+    for (const Difference& each : differences) EXPECT_TRUE(each.is_tie()) << each.x << " " << each.y;
+}
+
+/// At most `most` pixels differ, each within the rounding of an edge.
+void expect_edges_alone(const Camera& camera, std::size_t most, EffectStage& stage) {
+    const std::vector<Difference> differences = differences_of(HiddenSurfaces::RayCasting, camera, stage);
+    EXPECT_LE(differences.size(), most);
+    for (const Difference& each : differences)
+        EXPECT_TRUE(each.pixels_to_edge() < kSnap_px || each.is_tie())
+            << each.x << " " << each.y << ": " << each.pixels_to_edge();
+}
+
+class RandomWorlds : public testing::TestWithParam<unsigned> {
+  protected:
+    RandomWorlds() : random(GetParam()), stage(random_world(random), {}) {}
+
+    void for_each_camera(auto check) {
+        for (int i = 0; i < 4; ++i) check(random_camera(stage.level, random));
+    }
+
+    std::mt19937 random;
+    EffectStage stage;
+};
+
+TEST_P(RandomWorlds, ThePainterByTheTreeDrawsTheSamePictureAsTheSpanBuffer) {
+    for_each_camera([&](const Camera& camera) { expect_same_picture(HiddenSurfaces::Painter, camera, stage); });
+}
+
+TEST_P(RandomWorlds, TheZBufferDiffersOnlyWhereTwoFacesAreEquallyDeep) {
+    for_each_camera([&](const Camera& camera) { expect_ties_alone(camera, 4, stage); });
+}
+
+TEST_P(RandomWorlds, RaysDifferOnlyWithinTheRoundingOfAnEdge) {
+    for_each_camera([&](const Camera& camera) { expect_edges_alone(camera, 30, stage); });
+}
+
+INSTANTIATE_TEST_SUITE_P(Worlds, RandomWorlds, testing::Range(1u, 6u));
+
+/// The demo level: sky, liquids, doors, mirrors, and faces that are seen through.
+class DemoFrames : public testing::Test {
+  protected:
+    DemoFrames() : stage(read_bsp(read_file_bytes(assets / "demo.bsp")), {}) {}
+
+    std::vector<Camera> cameras(std::size_t every) const {
+        const auto list = read_file_bytes(std::filesystem::path(OBLONG_SOURCE_DIR) / "assets" / "demo_cameras.csv");
+        const std::vector<Camera> all = parse_cameras(list, Degrees::from_int(90));
+        std::vector<Camera> chosen;
+        for (std::size_t i = 0; i < all.size(); i += every) chosen.push_back(all[i]);
+        return chosen;
+    }
+
+    const std::filesystem::path assets = std::filesystem::path(OBLONG_BUILD_DIR) / "assets";
+    EffectStage stage;
+};
+
+TEST_F(DemoFrames, ThePainterByTheTreeDrawsTheSamePictureAsTheSpanBuffer) {
+    for (const Camera& camera : cameras(1)) expect_same_picture(HiddenSurfaces::Painter, camera, stage);
+}
+
+TEST_F(DemoFrames, TheZBufferDiffersOnlyWhereTwoFacesAreEquallyDeep) {
+    for (const Camera& camera : cameras(1)) expect_ties_alone(camera, 4, stage);
+}
+
+TEST_F(DemoFrames, RaysDifferOnlyWithinTheRoundingOfAnEdge) {
+    for (const Camera& camera : cameras(13)) expect_edges_alone(camera, 30, stage);
+}
+
+TEST_F(DemoFrames, ThePainterSortedByOneDepthAFaceIsWrong) {
+    stage.camera = cameras(1)[18];  // down the hall over lava
+    const Picture right = draw_by(HiddenSurfaces::SpanBuffer, stage).picture;
+    EXPECT_GT(changed_pixels(right, draw_by(HiddenSurfaces::PainterSorted, stage).picture), 1000);
+    EXPECT_GT(changed_pixels(right, draw_by(HiddenSurfaces::PainterMean, stage).picture), 1000);
+    EXPECT_GT(stage.work.counts->hidden_surfaces.order_comparisons, 0);
+}
+
+TEST_F(DemoFrames, AFrameWithTheSpanBufferKeepsNothingForTheOthers) {
+    stage.camera = cameras(1)[0];
+    stage.draw();
+    EXPECT_EQ(stage.work.hidden_surfaces, nullptr);
+    EXPECT_EQ(stage.work.counts->hidden_surfaces.faces_scanned, 0);
+}
+
+}  // namespace
+}  // namespace oblong::test

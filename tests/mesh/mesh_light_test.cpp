@@ -1,0 +1,150 @@
+// Light on meshes against dot products in doubles.
+#include "engine/mesh/mesh_light.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/mesh/mesh_picture.h"
+#include "tests/support/point.h"
+
+namespace oblong::test {
+namespace {
+
+Point unit_point(const Vec3<Unit>& v) {
+    return {std::ldexp(v.x.raw, -30), std::ldexp(v.y.raw, -30), std::ldexp(v.z.raw, -30)};
+}
+
+Vec3<Unit> random_direction(std::mt19937& random) {
+    std::normal_distribution<double> part;
+    return unit_vector(part(random), part(random), part(random));
+}
+
+TEST(MeshLight, OfADirectionIsTheDotProduct) {
+    std::mt19937 random(1);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3<Unit> normal = random_direction(random), toward = random_direction(random);
+        const double expected = 200 * std::max(0.0, dot(unit_point(normal), unit_point(toward)));
+        EXPECT_NEAR(diffuse_light(normal, DirectionalLight{toward, 200}) / 256.0, expected, 1 / 256.0);
+    }
+    EXPECT_EQ(diffuse_light(unit_vector(0, 0, 1), DirectionalLight{unit_vector(0, 0, 1), 128}), 128 * 256);
+    EXPECT_EQ(diffuse_light(unit_vector(0, 0, 1), DirectionalLight{unit_vector(0, 0, -1), 128}), 0);
+}
+
+TEST(MeshLight, OfAPlaceIsTheDotProductTimesWhatIsLeftOfItsRadius) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> anywhere(-200, 200);
+    int lit = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Point p{anywhere(random), anywhere(random), anywhere(random)};
+        const Vec3<Unit> normal = random_direction(random);
+        const MovingLight light{to_world({10, 20, 30}), World::from_int(300), 128};
+        const Point q = to_point(to_world(p)), way{10 - q.x, 20 - q.y, 30 - q.z};
+        const double distance = std::sqrt(dot(way, way));
+        const double cosine = dot(unit_point(normal), {way.x / distance, way.y / distance, way.z / distance});
+        const double expected = distance >= 300 ? 0 : std::max(0.0, (300 - distance) / 2 * cosine);
+        EXPECT_NEAR(diffuse_light(to_world(p), normal, light) / 256.0, expected, 0.01);
+        lit += expected > 0;
+    }
+    EXPECT_GT(lit, 500);
+}
+
+TEST(MeshLight, AddsUpAndBecomesAShade) {
+    const MovingLight point{world_point(0, 0, 100), World::from_int(150), 256};
+    MeshLight light{40, {unit_vector(0, 0, 1), 30}, {&point, 1}, 100};
+    EXPECT_EQ(light_at({}, unit_vector(0, 0, 1), light), (40 + 30 + 50) * 256);
+    EXPECT_EQ(shade_16_of(kFullLight * 256, 100), 32 << 16);
+    EXPECT_EQ(shade_16_of(0, 100), 63 << 16);
+    EXPECT_EQ(shade_16_of(kFullLight * 256 * 10, 100), 0);
+    EXPECT_EQ(shade_16_of(kFullLight * 128, 200), 32 << 16);
+}
+
+TEST(MeshLight, AHighlightIsAPowerOfTheCosine) {
+    const HighlightTable table = make_highlight_table(100);
+    for (int cosine = 0; cosine <= 256; ++cosine)
+        EXPECT_NEAR(table[static_cast<std::size_t>(cosine)] / 256.0, 100 * std::pow(cosine / 256.0, kShininess), 0.01);
+}
+
+/// A shade in exact arithmetic, by Colormap's definition.
+double shade_of_light(double light) {
+    return light < 128 ? 32 + (128 - light) * 31 / 128 : std::max(32 - (light - 128) * 32 / 128, 0.0);
+}
+
+/// A square across the view, seen head-on, whose corners have these normals.
+PlacedMesh square(MeshBuilder& builder, const std::array<Vec3<Unit>, 4>& normals, Shading shading) {
+    builder.add(world_point(100, 40, 40), 0, 0, normals[0]);
+    builder.add(world_point(100, -40, 40), 0, 0, normals[1]);
+    builder.add(world_point(100, -40, -40), 0, 0, normals[2]);
+    builder.add(world_point(100, 40, -40), 0, 0, normals[3]);
+    builder.triangle(0, 1, 2);
+    builder.triangle(0, 2, 3);
+    PlacedMesh placed = placed_at(builder.done());
+    placed.shading = shading;
+    return placed;
+}
+
+/// Where a pixel's centre is on the square: 0 to 1 across from y = 40, and down from z = 40.
+Point place_on_square(std::int32_t x, std::int32_t y) {
+    return {0, ((x + 0.5) - 96) / 128, ((y + 0.5) - (100 - 160 / 3.0)) / (320 / 3.0)};
+}
+
+const DirectionalLight kFromEye{unit_vector(-1, 0, 0), 100};
+
+TEST(Shading, FlatIsTheLightOfTheTrianglesOwnNormal) {
+    MeshBuilder builder;
+    const Vec3<Unit> wrong = unit_vector(0, 0, 1);
+    const PlacedMesh placed = square(builder, {wrong, wrong, wrong, wrong}, Shading::Flat);
+    MeshPicture picture(view_from({}));
+    picture.draw(placed, numbered_shades(), {20, kFromEye, {}, 100});
+    EXPECT_EQ(picture.at(160, 100), std::lround(shade_of_light(120)));
+    EXPECT_EQ(picture.at(100, 60), std::lround(shade_of_light(120)));
+}
+
+TEST(Shading, GouraudsShadeGoesEvenlyOverTheScreen) {
+    MeshBuilder builder;
+    const std::array normals{unit_vector(-1, 0, 0), unit_vector(-1, -1, 0), unit_vector(-1, 0, -3),
+                             unit_vector(-1, 2, 0)};
+    const PlacedMesh placed = square(builder, normals, Shading::Gouraud);
+    MeshPicture picture(view_from({}));
+    picture.draw(placed, numbered_shades(), {20, kFromEye, {}, 100});
+    std::array<double, 4> shades;
+    for (std::size_t i = 0; i < 4; ++i) shades[i] = shade_of_light(20 + 100 * -unit_point(normals[i]).x);
+    for (std::int32_t y = 50; y < 150; ++y)
+        for (std::int32_t x = 98; x < 222; ++x) {
+            const Point at = place_on_square(x, y);
+            if (std::abs(at.y - at.z) < 0.01) continue;
+            const double shade = at.y > at.z
+                                     ? shades[0] + at.y * (shades[1] - shades[0]) + at.z * (shades[2] - shades[1])
+                                     : shades[0] + at.y * (shades[2] - shades[3]) + at.z * (shades[3] - shades[0]);
+            ASSERT_NEAR(picture.at(x, y), shade, 0.51) << x << ", " << y;
+        }
+}
+
+TEST(Shading, PhongsNormalGoesEvenlyAndItsHighlightWithIt) {
+    MeshBuilder builder;
+    const std::array normals{unit_vector(-1, 1, 1), unit_vector(-1, -1, 1), unit_vector(-1, -1, -1),
+                             unit_vector(-1, 1, -1)};
+    PlacedMesh placed = square(builder, normals, Shading::Phong);
+    placed.highlight = 60;
+    MeshPicture picture(view_from({}));
+    picture.draw(placed, numbered_shades(), {20, kFromEye, {}, 100});
+    // The directions to the light and to the eye (from the mesh's origin) differ: the mesh is placed at the eye, and
+    // that has no direction, so that H is L.
+    double brightest = 99;
+    for (std::int32_t y = 50; y < 150; ++y)
+        for (std::int32_t x = 98; x < 222; ++x) {
+            const Point at = place_on_square(x, y);
+            const double third = 1 / std::sqrt(3.0);
+            const Point normal{-third, third - 2 * third * at.y, third - 2 * third * at.z};
+            const double cosine = -normal.x / std::sqrt(dot(normal, normal));
+            const double light = 20 + 100 * cosine + 60 * std::pow(cosine, kShininess);
+            // The cosine has steps of 1/256.
+            ASSERT_NEAR(picture.at(x, y), shade_of_light(light), 1.6) << x << ", " << y;
+            brightest = std::min<double>(brightest, picture.at(x, y));
+        }
+    EXPECT_NEAR(brightest, shade_of_light(180), 1.1);
+}
+
+}  // namespace
+}  // namespace oblong::test

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/mesh/draw_mesh.h"
+#include "tests/effects/view.h"
+#include "tools/gallery/mesh_shapes.h"
+
+namespace oblong::test {
+
+/// Every shade shows the colours themselves.
+inline Colormap unshaded() {
+    Colormap colormap;
+    for (auto& shade : colormap.shades)
+        for (std::size_t colour = 0; colour < 256; ++colour) shade[colour] = static_cast<std::uint8_t>(colour);
+    return colormap;
+}
+
+/// A pixel shows the number of its shade.
+inline Colormap numbered_shades() {
+    Colormap colormap;
+    for (std::size_t shade = 0; shade < Colormap::kShades; ++shade)
+        colormap.shades[shade].fill(static_cast<std::uint8_t>(shade));
+    return colormap;
+}
+
+/// A picture with the depth of its pixels, at first infinitely far and of colour 255.
+struct MeshPicture {
+    explicit MeshPicture(const ViewContext& its_view)
+        : view(its_view),
+          width(view.projection.width_px),
+          height(view.projection.height_px),
+          depth(width, height),
+          pixels(pixel_count(width, height), 255),
+          scratch(height) {
+        depth.want({0, width, 0, height});
+        depth.clear();
+    }
+
+    MeshCounts draw(const PlacedMesh& placed, const Colormap& colormap, const MeshLight& light = {},
+                    bool is_affine = false) {
+        return draw_mesh(placed, {view, colormap, light, nullptr, is_affine},
+                         {depth, {pixels.data(), width, height, width}, {0, width, 0, height}}, scratch);
+    }
+    std::uint8_t at(std::int32_t x, std::int32_t y) const { return pixels[static_cast<std::size_t>(y * width + x)]; }
+    std::int64_t painted() const { return std::ssize(pixels) - std::count(pixels.begin(), pixels.end(), 255); }
+
+    ViewContext view;
+    std::int32_t width, height;
+    DepthBuffer depth;
+    std::vector<std::uint8_t> pixels;
+    MeshScratch scratch;
+};
+
+/// A mesh of one frame; normals point up, texels are those given.
+struct MeshBuilder {
+    Mesh mesh;
+
+    MeshBuilder() { mesh.frames.emplace_back(); }
+
+    std::uint32_t add(const Vec3<World>& position, double u = 0, double v = 0,
+                      Vec3<Unit> normal = unit_vector(0, 0, 1)) {
+        mesh.frames[0].vertices.push_back({position, normal});
+        const auto texel = [](double value) { return Texel::from_raw(std::llround(value * 65536)); };
+        mesh.texels.push_back({texel(u), texel(v)});
+        return static_cast<std::uint32_t>(mesh.texels.size()) - 1;
+    }
+    void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t skin = 0) {
+        mesh.triangles.push_back({{a, b, c}, skin});
+    }
+    const Mesh& done() {
+        set_box(mesh.frames[0]);
+        return mesh;
+    }
+};
+
+inline PlacedMesh placed_at(const Mesh& mesh, const Vec3<World>& position = {}) {
+    PlacedMesh placed;
+    placed.mesh = &mesh;
+    placed.position = position;
+    return placed;
+}
+
+}  // namespace oblong::test

@@ -1,0 +1,189 @@
+// The pixels of meshes: coverage against the scan of the whole, texels and depth against rays in doubles.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "engine/geometry/project.h"
+#include "tests/mesh/mesh_picture.h"
+#include "tests/support/point.h"
+
+namespace oblong::test {
+namespace {
+
+/// Triangles that share edges, all on the plane x = 100: a grid of crooked cells, so little that they stay convex. Each
+/// is there from both sides.
+Mesh crooked_grid(std::mt19937& random, int cells, double reach) {
+    std::uniform_real_distribution<double> off(-0.2, 0.2);
+    MeshBuilder builder;
+    const double cell = 2 * reach / cells;
+    for (int row = 0; row <= cells; ++row)
+        for (int column = 0; column <= cells; ++column) {
+            const bool is_inner = row % cells != 0 && column % cells != 0;
+            const double y = -reach + cell * (column + (is_inner ? off(random) : 0)),
+                         z = -reach + cell * (row + (is_inner ? off(random) : 0));
+            builder.add(world_point(100, y, z));
+        }
+    for (int row = 0; row < cells; ++row)
+        for (int column = 0; column < cells; ++column) {
+            const auto at = [&](int r, int c) {
+                return static_cast<std::uint32_t>((row + r) * (cells + 1) + column + c);
+            };
+            // Seen from the eye, y grows to the left and z up.
+            builder.triangle(at(0, 0), at(1, 1), at(0, 1));
+            builder.triangle(at(0, 0), at(1, 0), at(1, 1));
+            builder.triangle(at(0, 0), at(0, 1), at(1, 1));
+            builder.triangle(at(0, 0), at(1, 1), at(1, 0));
+        }
+    return builder.done();
+}
+
+TEST(MeshPixels, TrianglesThatShareEdgesShareNoPixelAndLeaveNoGap) {
+    std::mt19937 random(1);
+    for (const double reach : {3.0, 20.0, 55.5}) {
+        MeshBuilder builder;
+        builder.mesh = crooked_grid(random, 12, reach);
+        PlacedMesh placed = placed_at(builder.mesh);
+        placed.colour = 7;
+        MeshPicture picture(view_from({}));
+        const MeshCounts counts = picture.draw(placed, unshaded());
+        // All are at one depth, and a pixel that two drew would be counted twice.
+        const auto corner = [](double y, double z) {
+            const auto screen = [](double px) {
+                return Screen::from_raw(static_cast<std::int32_t>(std::lround(px * 256)));
+            };
+            return ScreenVertex{screen(160 - y / 100 * 160), screen(100 - z / 100 * 160 / 1.2)};
+        };
+        const std::array square{corner(reach, reach), corner(-reach, reach), corner(-reach, -reach),
+                                corner(reach, -reach)};
+        ScanlineExtents rows(200);
+        scan_convex(square, rows);
+        std::int64_t expected = 0;
+        for (std::int32_t y = rows.first; y < rows.end; ++y)
+            for (std::int32_t x = rows.left[static_cast<std::size_t>(y)]; x < rows.right[static_cast<std::size_t>(y)];
+                 ++x) {
+                ASSERT_EQ(picture.at(x, y), 7) << x << ", " << y;
+                ++expected;
+            }
+        EXPECT_EQ(picture.painted(), expected);
+        EXPECT_EQ(counts.pixels, expected);
+    }
+}
+
+struct Hit {
+    double u, v, distance;  ///< along the view
+    bool is_inside, is_near_edge;
+};
+
+/// A ray through a place on the screen and a triangle, by Cramer's rule.
+Hit hit(const std::array<Point, 3>& corners, const std::array<std::array<double, 2>, 3>& texels, double column,
+        double row) {
+    const Point ray{1, -(column - 160) / 160, -(row - 100) / (160 / 1.2)};
+    const Point &a = corners[0], &b = corners[1], &c = corners[2];
+    const auto cross = [](Point p, Point q) {
+        return Point{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+    };
+    const double whole = dot(a, cross(b, c));
+    const double wa = dot(ray, cross(b, c)) / whole, wb = dot(ray, cross(c, a)) / whole,
+                 wc = dot(ray, cross(a, b)) / whole;
+    const double sum = wa + wb + wc;
+    const double least = std::min({wa, wb, wc}) / sum;
+    return {(wa * texels[0][0] + wb * texels[1][0] + wc * texels[2][0]) / sum,
+            (wa * texels[0][1] + wb * texels[1][1] + wc * texels[2][1]) / sum, 1 / sum, sum > 0 && least >= 0,
+            std::abs(least) < 1e-3};
+}
+
+/// A skin whose texels are the low bits of their column, or of their row.
+Skin numbered_skin(bool by_column) {
+    Skin skin{"numbered", 256, 256, std::vector<std::uint8_t>(65536)};
+    for (std::size_t i = 0; i < 65536; ++i)
+        skin.texels[i] = static_cast<std::uint8_t>((by_column ? i % 256 : i / 256) % 250);
+    return skin;
+}
+
+TEST(MeshPixels, ShowTheTexelAndDepthOfTheirRay) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> ahead(40, 300), side(-120, 120), texel(1, 249);
+    std::int64_t compared = 0;
+    for (int i = 0; i < 60; ++i) {
+        MeshBuilder builder;
+        std::array<Point, 3> corners;
+        std::array<std::array<double, 2>, 3> texels;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const Vec3<World> p = world_point(ahead(random), side(random), side(random));
+            texels[corner] = {texel(random), texel(random)};
+            builder.add(p, texels[corner][0], texels[corner][1]);
+            corners[corner] = to_point(p);
+        }
+        builder.triangle(0, 1, 2, 0);
+        builder.triangle(0, 2, 1, 0);
+        builder.mesh.skins = {numbered_skin(true), numbered_skin(false)};
+        for (const bool by_column : {true, false}) {
+            PlacedMesh placed = placed_at(builder.done());
+            placed.skin = by_column ? 0 : 1;
+            MeshPicture picture(view_from({}));
+            picture.draw(placed, unshaded());
+            for (std::int32_t y = 0; y < 200; ++y)
+                for (std::int32_t x = 0; x < 320; ++x) {
+                    const Hit middle = hit(corners, texels, x + 0.5, y + 0.5);
+                    if (middle.is_near_edge) continue;
+                    ASSERT_EQ(picture.at(x, y) != 255, middle.is_inside) << i << ": " << x << ", " << y;
+                    if (!middle.is_inside) continue;
+                    // Corners are rounded to 1/256 pixel: a texel may be that of a place so far away.
+                    double least = 1e9, most = -1e9, nearest = 1e9, farthest = 0;
+                    for (const double dx : {-0.004, 0.0, 0.004})
+                        for (const double dy : {-0.004, 0.0, 0.004}) {
+                            const Hit here = hit(corners, texels, x + 0.5 + dx, y + 0.5 + dy);
+                            const double value = by_column ? here.u : here.v;
+                            least = std::min(least, value), most = std::max(most, value);
+                            nearest = std::min(nearest, here.distance), farthest = std::max(farthest, here.distance);
+                        }
+                    ASSERT_GE(picture.at(x, y), std::floor(least - 0.01)) << i << ": " << x << ", " << y;
+                    ASSERT_LE(picture.at(x, y), std::floor(most + 0.01)) << i << ": " << x << ", " << y;
+                    const double depth = std::ldexp(1.0, 32) / picture.depth.row(y)[x];
+                    ASSERT_GE(depth, nearest * 0.99999);
+                    ASSERT_LE(depth, farthest * 1.00001);
+                    ++compared;
+                }
+        }
+    }
+    EXPECT_GT(compared, 100'000);
+}
+
+/// Within a triangle u and v go evenly over the screen.
+TEST(MeshPixels, AffineTexelsGoEvenlyOverTheScreen) {
+    MeshBuilder builder;
+    // Projected to columns 80 and 240; twice as far on the right.
+    builder.add(world_point(100, 50, 40), 0, 0);
+    builder.add(world_point(200, -100, 80), 160, 0);
+    builder.add(world_point(100, 50, -40), 0, 160);
+    builder.triangle(0, 1, 2);
+    builder.mesh.skins = {numbered_skin(true)};
+    MeshPicture affine(view_from({})), perspective(view_from({}));
+    affine.draw(placed_at(builder.done()), unshaded(), {}, true);
+    perspective.draw(placed_at(builder.mesh), unshaded());
+    for (std::int32_t x = 80; x < 160; ++x) EXPECT_EQ(affine.at(x, 60), x - 80) << x;
+    // u = 160 s / (2 - s) of the way s over the screen.
+    for (std::int32_t x = 82; x < 160; ++x) {
+        const double s = (x + 0.5 - 80) / 160;
+        EXPECT_NEAR(perspective.at(x, 60), std::floor(160 * s / (2 - s)), 1) << x;
+    }
+}
+
+TEST(MeshPixels, NearerPixelsStay) {
+    const Mesh ball = ball_mesh(20, 12, plain_skin(3)), other = ball_mesh(20, 12, plain_skin(4));
+    const PlacedMesh near_one = placed_at(ball, world_point(100, 10, 0)),
+                     far_one = placed_at(other, world_point(110, -10, 0));
+    MeshPicture one(view_from({})), two(view_from({}));
+    one.draw(near_one, unshaded());
+    one.draw(far_one, unshaded());
+    two.draw(far_one, unshaded());
+    two.draw(near_one, unshaded());
+    EXPECT_EQ(one.pixels, two.pixels);
+    EXPECT_GT(std::count(one.pixels.begin(), one.pixels.end(), 3), 1000);
+    EXPECT_GT(std::count(one.pixels.begin(), one.pixels.end(), 4), 500);
+}
+
+}  // namespace
+}  // namespace oblong::test

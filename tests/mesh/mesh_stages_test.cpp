@@ -1,0 +1,213 @@
+// Each stage of a mesh's way to the screen against the same in doubles.
+#include "engine/mesh/mesh_stages.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "engine/fixed/trig.h"
+#include "tests/mesh/mesh_picture.h"
+#include "tests/support/point.h"
+
+namespace oblong::test {
+namespace {
+
+constexpr double kTurn = 2 * 3.14159265358979323846;
+
+/// The columns of a rotation by Quake's angles, turns: ahead, left, up.
+struct Axes {
+    Point ahead, left, up;
+};
+
+Axes axes_of(double yaw, double pitch, double roll) {
+    const double sy = std::sin(yaw), cy = std::cos(yaw), sp = std::sin(pitch), cp = std::cos(pitch),
+                 sr = std::sin(roll), cr = std::cos(roll);
+    // Quake's AngleVectors: forward, right, up.
+    return {{cp * cy, cp * sy, -sp},
+            {sr * sp * cy - cr * sy, sr * sp * sy + cr * cy, sr * cp},
+            {cr * sp * cy + sr * sy, cr * sp * sy - sr * cy, cr * cp}};
+}
+
+Point unit_point(const Vec3<Unit>& v) {
+    return {std::ldexp(v.x.raw, -30), std::ldexp(v.y.raw, -30), std::ldexp(v.z.raw, -30)};
+}
+
+PlacedMesh random_place(const Mesh& mesh, std::mt19937& random) {
+    std::uniform_real_distribution<double> anywhere(-2000, 2000), size(0.2, 3);
+    PlacedMesh placed = placed_at(mesh, world_point(anywhere(random), anywhere(random), anywhere(random)));
+    placed.yaw = Angle::from_bam(random());
+    placed.pitch = Angle::from_bam(random());
+    placed.roll = Angle::from_bam(random());
+    const auto entry = [&] { return Entry::from_raw(std::llround(std::ldexp(size(random), 32))); };
+    placed.scale = {entry(), entry(), entry()};
+    return placed;
+}
+
+double number_of(Entry entry) {
+    return std::ldexp(static_cast<double>(entry.raw), -32);
+}
+
+double turns(Angle angle) {
+    return angle.bam / 65536.0 * kTurn;
+}
+
+TEST(MeshStages, PointsAndNormalsGoToTheWorld) {
+    std::mt19937 random(1);
+    const Mesh mesh = ball_mesh(30, 6, plain_skin(1));
+    for (int i = 0; i < 50; ++i) {
+        const PlacedMesh placed = random_place(mesh, random);
+        const auto transform = make_mesh_transform(placed);
+        ASSERT_TRUE(transform);
+        std::vector<WorldVertex> world;
+        transform_to_world(mesh.frames[0].vertices, *transform, world);
+        const Axes axes = axes_of(turns(placed.yaw), turns(placed.pitch), turns(placed.roll));
+        const double sx = number_of(placed.scale.x), sy = number_of(placed.scale.y), sz = number_of(placed.scale.z);
+        const Point origin = to_point(placed.position);
+        for (std::size_t v = 0; v < world.size(); ++v) {
+            const Point p = to_point(mesh.frames[0].vertices[v].position);
+            const Point n = unit_point(mesh.frames[0].vertices[v].normal);
+            const auto turned = [&](double x, double y, double z) {
+                return Point{axes.ahead.x * x + axes.left.x * y + axes.up.x * z,
+                             axes.ahead.y * x + axes.left.y * y + axes.up.y * z,
+                             axes.ahead.z * x + axes.left.z * y + axes.up.z * z};
+            };
+            const Point point = turned(p.x * sx, p.y * sy, p.z * sz), found = to_point(world[v].position);
+            ASSERT_NEAR(found.x, origin.x + point.x, 1.3e-4);
+            ASSERT_NEAR(found.y, origin.y + point.y, 1.3e-4);
+            ASSERT_NEAR(found.z, origin.z + point.z, 1.3e-4);
+            // The inverse transpose of R S is R S^-1.
+            Point normal = turned(n.x / sx, n.y / sy, n.z / sz);
+            const double length = std::sqrt(dot(normal, normal));
+            const Point is = unit_point(world[v].normal);
+            ASSERT_NEAR(is.x, normal.x / length, 1e-7);
+            ASSERT_NEAR(is.y, normal.y / length, 1e-7);
+            ASSERT_NEAR(is.z, normal.z / length, 1e-7);
+        }
+    }
+}
+
+/// Seed 4's errata A7: a squeezed ball's normals stay at right angles to its surface by the inverse transpose alone.
+TEST(MeshStages, NormalsStayAtRightAnglesWhenAMeshIsSqueezed) {
+    MeshBuilder builder;
+    const Vec3<Unit> normal = unit_vector(1, 0, 1);  // of the plane x + z = 0, in which (1, 0, -1) and (0, 1, 0) lie
+    builder.add(world_point(0, 0, 0), 0, 0, normal);
+    builder.add(world_point(10, 0, -10), 0, 0, normal);
+    const Mesh& mesh = builder.done();
+    PlacedMesh placed = placed_at(mesh);
+    placed.scale.x = Entry::from_int(4);
+    const auto transform = make_mesh_transform(placed);
+    ASSERT_TRUE(transform);
+    std::vector<WorldVertex> world;
+    transform_to_world(mesh.frames[0].vertices, *transform, world);
+    const Point along = to_point(world[1].position), right = unit_point(world[0].normal);
+    EXPECT_NEAR(along.x, 40, 1e-3);
+    EXPECT_NEAR(dot(along, right), 0, 1e-3);
+    EXPECT_NEAR(right.x, 1 / std::sqrt(17.0), 1e-8);
+    // By the matrix of the points it would be (4, 0, 1): 150 off from 0.
+    EXPECT_GT(dot(along, {4, 0, 1}), 100);
+}
+
+TEST(MeshStages, FacingIsTheSignOfTheExactProduct) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<double> anywhere(-100, 100);
+    const auto point = [&] { return world_point(anywhere(random), anywhere(random), anywhere(random)); };
+    int facing_count = 0;
+    for (int i = 0; i < 2000; ++i) {
+        MeshBuilder builder;
+        builder.add(point()), builder.add(point()), builder.add(point());
+        builder.triangle(0, 1, 2);
+        const Vec3<World> eye = point();
+        std::vector<std::uint32_t> facing;
+        find_facing(builder.mesh.triangles, builder.mesh.frames[0].vertices, eye, facing);
+        const auto& vertices = builder.mesh.frames[0].vertices;
+        const Point a = to_point(vertices[0].position), b = to_point(vertices[1].position),
+                    c = to_point(vertices[2].position), e = to_point(eye);
+        const Point ab{b.x - a.x, b.y - a.y, b.z - a.z}, ac{c.x - a.x, c.y - a.y, c.z - a.z};
+        // Clockwise seen from the front in right-handed axes: ac x ab points to the front. Exact in double: 87 bits at
+        // most, so that only its sign near 0 may be wrong.
+        const Point normal{ac.y * ab.z - ac.z * ab.y, ac.z * ab.x - ac.x * ab.z, ac.x * ab.y - ac.y * ab.x};
+        const double side = dot(normal, {e.x - a.x, e.y - a.y, e.z - a.z});
+        if (std::abs(side) < 1e-6) continue;
+        ASSERT_EQ(!facing.empty(), side > 0);
+        facing_count += side > 0;
+    }
+    EXPECT_GT(facing_count, 800);
+    EXPECT_LT(facing_count, 1200);
+}
+
+TEST(MeshStages, APoseIsBetweenTwoFrames) {
+    Mesh mesh = ball_mesh(10, 4, plain_skin(1));
+    mesh.frames.push_back(ball_mesh(30, 4, plain_skin(1)).frames[0]);
+    PlacedMesh placed = placed_at(mesh);
+    placed.next_frame = 1;
+    std::vector<MeshVertex> scratch;
+    for (const std::int32_t blend : {-5, 0, 64, 128, 256, 1000}) {
+        placed.blend_256 = blend;
+        const double radius = 10 + 20 * std::clamp(blend, 0, 256) / 256.0;
+        for (const MeshVertex& vertex : pose_of(placed, scratch)) {
+            const Point p = to_point(vertex.position), n = unit_point(vertex.normal);
+            ASSERT_NEAR(std::sqrt(dot(p, p)), radius, 1e-3);
+            ASSERT_NEAR(dot(p, n), radius, 1e-3);
+        }
+    }
+    placed.frame = 99, placed.blend_256 = 0;
+    EXPECT_NEAR(to_point(pose_of(placed, scratch)[0].position).z, 30, 1e-3);
+}
+
+/// Values at corners that clipping made are those of the plane's points there.
+TEST(MeshStages, ClippedCornersHaveTheValuesOfTheirPlace) {
+    const ViewContext view = view_from({});
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> ahead(-50, 300), side(-300, 300);
+    ClipScratch scratch;
+    std::vector<ScreenCorner> polygon;
+    int clipped = 0;
+    for (int i = 0; i < 3000; ++i) {
+        // u = 1000 + 2 y + z, v = 2000 - x + z: linear in space, so also on any plane.
+        std::vector<WorldVertex> world;
+        std::array<CornerValues, 3> values;
+        for (CornerValues& value : values) {
+            const Vec3<World> p = world_point(ahead(random), side(random), side(random));
+            world.push_back({p, {}});
+            const auto texel = [](World number) { return convert<Texel>(number); };
+            value.u = Texel::from_int(1000) + texel(p.y) + texel(p.y) + texel(p.z);
+            value.v = Texel::from_int(2000) - texel(p.x) + texel(p.z);
+        }
+        std::vector<ViewVertex> seen;
+        transform_to_view(world, view, seen);
+        clip_and_project({&seen[0], &seen[1], &seen[2]}, values, view, scratch, polygon);
+        ASSERT_LE(polygon.size(), 7u);
+        if ((seen[0].outcode | seen[1].outcode | seen[2].outcode) == 0) continue;
+        for (const ScreenCorner& corner : polygon) {
+            const double z = std::ldexp(1.0, 44) / static_cast<double>(corner.inverse_z.raw);
+            if (z < 1) continue;
+            const double px = std::ldexp(corner.screen.x.raw, -8) - 160, py = 100 - std::ldexp(corner.screen.y.raw, -8);
+            const double x = z, y = -px / 160 * z, up = py / (160 / 1.2) * z;
+            ASSERT_NEAR(std::ldexp(static_cast<double>(corner.values.u.raw), -16), 1000 + 2 * y + up, 0.02 + z / 8000);
+            ASSERT_NEAR(std::ldexp(static_cast<double>(corner.values.v.raw), -16), 2000 - x + up, 0.02 + z / 8000);
+            ++clipped;
+        }
+    }
+    EXPECT_GT(clipped, 1000);
+}
+
+TEST(MeshStages, ABoxHoldsAllVertices) {
+    std::mt19937 random(4);
+    const Mesh mesh = cube_mesh(20, plain_skin(1));
+    for (int i = 0; i < 100; ++i) {
+        const PlacedMesh placed = random_place(mesh, random);
+        const LevelBox box = world_box(placed);
+        std::vector<WorldVertex> world;
+        transform_to_world(mesh.frames[0].vertices, *make_mesh_transform(placed), world);
+        for (const WorldVertex& vertex : world)
+            for (const auto& [axis, part] : {std::pair{0u, vertex.position.x}, std::pair{1u, vertex.position.y},
+                                             std::pair{2u, vertex.position.z}}) {
+                ASSERT_GE(part, World::from_int(box.mins[axis]));
+                ASSERT_LE(part, World::from_int(box.maxs[axis]));
+            }
+    }
+}
+
+}  // namespace
+}  // namespace oblong::test

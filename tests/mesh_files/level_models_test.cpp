@@ -1,0 +1,234 @@
+#include "tools/common/level_models.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "engine/level/bsp_read.h"
+#include "engine/level/entities.h"
+#include "engine/level/floor.h"
+#include "engine/platform/files.h"
+#include "tests/mesh_files/mdl_writer.h"
+#include "tests/support/shared_levels.h"
+#include "tests/support/tiny_bsp.h"
+#include "tools/common/model_classes.h"
+
+namespace oblong {
+namespace {
+
+using namespace test;
+
+Vec3<World> place(int x, int y, int z) {
+    return {World::from_int(x), World::from_int(y), World::from_int(z)};
+}
+
+/// A folder with maps/level.bsp beside progs/ and models/; the level's floor is at z = 8.
+class ModelFolder : public ::testing::Test {
+  protected:
+    ModelFolder() {
+        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = std::filesystem::path(::testing::TempDir()) / (std::string("models_") + test->name());
+        for (const char* below : {"maps", "progs", "models", "elsewhere"}) make_folder((folder_ / below).string());
+    }
+    ~ModelFolder() override { std::filesystem::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    void write_model(const std::string& name, std::int32_t flags = 0) const {
+        MdlFile file = write_mdl(tetrahedron_model());
+        set_i32(file, kMdlFrames + 8, flags);
+        write_file(path(name), file);
+    }
+    LevelModels read(const std::string& entities, const std::string& named = "") const {
+        Level level = read_bsp(join_lumps(29, make_tiny_lumps()));
+        level.entities = parse_entities("{ \"classname\" \"worldspawn\" }" + entities, "test");
+        return read_level_models(level, {}, {path("maps/level.bsp"), named});
+    }
+    static PlacedMesh at(const LevelModels& models, std::int64_t time_ms, std::size_t number = 0) {
+        std::vector<PlacedMesh> placed;
+        place_models(models, time_ms, placed);
+        EXPECT_EQ(placed.size(), models.models.size());
+        return placed.at(number);
+    }
+
+  private:
+    std::filesystem::path folder_;
+};
+
+std::string misc_model(const std::string& keys) {
+    return "{ \"classname\" \"misc_model\" \"origin\" \"5 6 70\" " + keys + " }";
+}
+
+TEST_F(ModelFolder, AMiscModelShowsAFileAtItsPlace) {
+    write_model("models/thing.mdl");
+    const LevelModels models =
+        read(misc_model("\"model\" \"models/thing.mdl\" \"angle\" \"90\" \"skin\" \"1\" \"scale\" \"0.5\""));
+    ASSERT_EQ(models.models.size(), 1u);
+    EXPECT_TRUE(models.warnings.empty());
+    const PlacedMesh placed = at(models, 0);
+    EXPECT_EQ(placed.position, place(5, 6, 70));
+    EXPECT_EQ(placed.yaw, kQuarterTurn);
+    EXPECT_EQ(placed.skin, 1u);
+    EXPECT_EQ(placed.mesh->frames[0].maxs, place(50, 50, 50));
+    EXPECT_EQ(at(models, 600).skin, 2u) << "skins of a group take turns: 0.5 s, 0.25 s";
+    EXPECT_EQ(at(models, 750).skin, 1u);
+    EXPECT_EQ(at(models, 123456).yaw, kQuarterTurn);
+}
+
+TEST_F(ModelFolder, AnglesAreThoseOfACamera) {
+    write_model("models/thing.mdl");
+    const PlacedMesh placed =
+        at(read(misc_model("\"model\" \"thing.mdl\" \"angles\" \"90 180 -90\" \"shading\" \"phong\" "
+                           "\"highlight\" \"200\"")),
+           0);
+    EXPECT_EQ(placed.pitch, kQuarterTurn);
+    EXPECT_EQ(placed.yaw, kHalfTurn);
+    EXPECT_EQ(placed.roll, -kQuarterTurn);
+    EXPECT_EQ(placed.shading, Shading::Phong);
+    EXPECT_EQ(placed.highlight, 200);
+}
+
+TEST_F(ModelFolder, FramesGoByTimeAlone) {
+    write_model("models/thing.mdl");
+    const LevelModels still = read(misc_model("\"model\" \"thing.mdl\"")),
+                      group = read(misc_model("\"model\" \"thing.mdl\" \"frame\" \"1\"")),
+                      separate = read(misc_model("\"model\" \"thing.mdl\" \"frames\" \"2\""));
+    for (const std::int64_t turn_ms : {0, 300 * 1000}) {
+        EXPECT_EQ(at(still, turn_ms + 250).frame, 0u);
+        EXPECT_EQ(at(group, turn_ms + 99).frame, 1u);
+        EXPECT_EQ(at(group, turn_ms + 100).frame, 2u);
+        EXPECT_EQ(at(separate, turn_ms + 99).frame, 0u);
+        EXPECT_EQ(at(separate, turn_ms + 100).frame, 2u) << "the second, which is a group 100 ms after its start";
+    }
+}
+
+TEST_F(ModelFolder, OneFileIsReadOnce) {
+    write_model("models/thing.mdl");
+    const std::string one = misc_model("\"model\" \"thing.mdl\""),
+                      large = misc_model("\"model\" \"thing.mdl\" \"scale\" \"2\"");
+    const LevelModels models = read(one + one + large + one);
+    EXPECT_EQ(models.models.size(), 4u);
+    EXPECT_EQ(models.meshes.size(), 2u);
+    EXPECT_EQ(at(models, 0, 3).mesh, at(models, 0, 0).mesh);
+}
+
+TEST_F(ModelFolder, WhatTurnsTurnsByTime) {
+    write_model("models/thing.mdl", 8);
+    write_model("models/other.mdl", 0x10);
+    const LevelModels models = read(misc_model("\"model\" \"thing.mdl\"") + misc_model("\"model\" \"other.mdl\"") +
+                                    misc_model("\"model\" \"other.mdl\" \"period\" \"8\""));
+    EXPECT_EQ(at(models, 900, 0).yaw, kQuarterTurn) << "100 degrees a second";
+    EXPECT_EQ(at(models, 3600 * 1000, 0).yaw, Angle{});
+    EXPECT_EQ(at(models, 900, 1).yaw, Angle{});
+    EXPECT_EQ(at(models, 4000, 2).yaw, kHalfTurn);
+}
+
+TEST_F(ModelFolder, ItemsOfQuakeStandOnTheFloor) {
+    write_model("progs/armor.mdl", 8);
+    write_model("progs/b_g_key.mdl");
+    write_model("progs/flame.mdl");
+    const LevelModels models = read(R"({ "classname" "item_armor2" "origin" "5 6 70" }
+                                       { "classname" "light_torch_small_walltorch" "origin" "5 6 70" }
+                                       { "classname" "monster_ogre" "origin" "5 6 70" })",
+                                    path("progs"));
+    ASSERT_EQ(models.models.size(), 2u);
+    EXPECT_EQ(at(models, 0, 0).position, place(5, 6, 8));
+    EXPECT_EQ(at(models, 0, 0).skin, 1u);
+    EXPECT_EQ(at(models, 0, 1).position, place(5, 6, 70));
+}
+
+TEST_F(ModelFolder, KeysAreThoseOfTheWorldsKind) {
+    const auto file = [](const std::string& text, std::int32_t world_type) {
+        const ModelClass* its_class = model_class_of(parse_entities(text, "test").at(0), world_type);
+        return its_class ? std::string(its_class->file) : "";
+    };
+    EXPECT_EQ(file(R"({ "classname" "item_key2" })", 0), "progs/w_g_key.mdl");
+    EXPECT_EQ(file(R"({ "classname" "item_key2" })", 2), "progs/b_g_key.mdl");
+    EXPECT_EQ(file(R"({ "classname" "item_cells" "spawnflags" "1" })", 0), "maps/b_batt1.bsp");
+    EXPECT_EQ(file(R"({ "classname" "item_cells" })", 0), "maps/b_batt0.bsp");
+    EXPECT_EQ(file(R"({ "classname" "item_sigil" "spawnflags" "4" })", 0), "progs/end3.mdl");
+    EXPECT_EQ(file(R"({ "classname" "monster_knight" })", 0), "");
+}
+
+TEST_F(ModelFolder, AMissingFileIsOneWarning) {
+    const std::string armor = R"({ "classname" "item_armor1" "origin" "5 6 70" })",
+                      cells = R"({ "classname" "item_cells" "origin" "1 2 3" })",
+                      shells = R"({ "classname" "item_shells" "origin" "1 2 3" })";
+    EXPECT_TRUE(read(armor + cells).warnings.empty()) << "nobody said where Quake's models are";
+    const LevelModels models = read(armor + armor + cells + cells + shells, path("elsewhere"));
+    EXPECT_TRUE(models.models.empty());
+    ASSERT_EQ(models.warnings.size(), 2u);
+    EXPECT_NE(models.warnings[0].find("entity 1 (item_armor1): at 5 6 70: there is no file progs/armor.mdl"),
+              std::string::npos)
+        << models.warnings[0];
+    EXPECT_NE(models.warnings[1].find("maps/b_batt0.bsp is made of brushes"), std::string::npos) << models.warnings[1];
+    const LevelModels own = read(misc_model("\"model\" \"models/none.obj\""));
+    ASSERT_EQ(own.warnings.size(), 1u);
+    EXPECT_NE(own.warnings[0].find("there is no file models/none.obj for the model at 5 6 70"), std::string::npos);
+}
+
+TEST_F(ModelFolder, TheNamedFolderComesFirst) {
+    write_model("progs/armor.mdl", 8);
+    const std::string armor = R"({ "classname" "item_armor1" "origin" "5 6 70" })";
+    EXPECT_TRUE(read(armor, path("elsewhere")).meshes.at(0)->turns) << "else beside the level";
+    write_model("elsewhere/armor.mdl");
+    EXPECT_FALSE(read(armor, path("elsewhere")).meshes.at(0)->turns);
+}
+
+TEST_F(ModelFolder, BadValuesAreReplacedAndReported) {
+    write_model("models/thing.mdl");
+    for (const std::string key :
+         {"\"frame\" \"2\"", "\"skin\" \"-1\"", "\"scale\" \"0\"", "\"scale\" \"x\"", "\"up\" \"x\"",
+          "\"shading\" \"toon\"", "\"angles\" \"1 2\"", "\"frames\" \"3\"", "\"highlight\" \"256\""}) {
+        const LevelModels models = read(misc_model("\"model\" \"thing.mdl\" " + key));
+        EXPECT_EQ(models.warnings.size(), 1u) << key;
+        EXPECT_EQ(models.models.size(), 1u) << key;
+    }
+    for (const std::string model : {"", "../maps/level.bsp", "/etc/passwd"}) {
+        const LevelModels models = read(misc_model("\"model\" \"" + model + "\""));
+        EXPECT_EQ(models.warnings.size(), 1u) << model;
+        EXPECT_TRUE(models.models.empty()) << model;
+    }
+    EXPECT_EQ(read("{ \"classname\" \"misc_model\" \"model\" \"thing.mdl\" }").warnings.size(), 1u) << "no place";
+}
+
+TEST_F(ModelFolder, ABrokenFileIsAnErrorThatNamesIt) {
+    write_file(path("models/bad.mdl"), std::string("IDPO"));
+    write_file(path("models/bad.obj"), std::string("v 1 2 x\n"));
+    for (const std::string name : {"bad.mdl", "bad.obj"}) try {
+            read(misc_model("\"model\" \"" + name + "\""));
+            ADD_FAILURE() << name;
+        } catch (const FileError& error) {
+            EXPECT_NE(std::string(error.what()).find("models/" + name + ": "), std::string::npos) << error.what();
+        }
+}
+
+TEST_F(ModelFolder, AnObjFileIsScaledWhereItIsRead) {
+    write_file(path("models/lens.obj"), std::string("v 0 0 0\nv 0.001 0 0\nv 0 0.002 0\nf 1 2 3\n"));
+    const LevelModels y_up = read(misc_model("\"model\" \"lens.obj\" \"scale\" \"1000\"")),
+                      z_up = read(misc_model("\"model\" \"lens.obj\" \"scale\" \"1000\" \"up\" \"z\""));
+    EXPECT_EQ(at(y_up, 0).mesh->frames[0].maxs, place(0, 1, 2));
+    EXPECT_EQ(at(z_up, 0).mesh->frames[0].maxs, place(1, 2, 0));
+}
+
+/// Armour and batteries of the real levels, by their entities.
+TEST(RealLevelModels, ShowTheModelsThatThereAre) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    const std::string folder = (find_shared_folder() / "levels").string();
+    const std::array<std::size_t, 3> expected{
+        5, 0, 1};  // armour, and cells without the flag of large ones, of dm4, e1m7 and end
+    for (std::size_t i = 0; i < kRealLevels.size(); ++i) {
+        const Level level = read_bsp(read_shared_file(std::string(kRealLevels[i]) + ".bsp"));
+        const LevelModels models =
+            read_level_models(level, {}, {folder + "/" + kRealLevels[i] + ".bsp", folder + "/models"});
+        EXPECT_EQ(models.models.size(), expected[i]) << kRealLevels[i];
+        EXPECT_LE(models.meshes.size(), 2u);
+        for (const LevelModel& model : models.models) {
+            const Vec3<World>& at = model.placed.position;
+            EXPECT_TRUE(find_floor(level, at + Vec3<World>{{}, {}, World::from_int(1)}, World::from_int(2)).has_value())
+                << kRealLevels[i];
+        }
+    }
+}
+
+}  // namespace
+}  // namespace oblong

@@ -1,0 +1,163 @@
+#include "engine/visibility/ray_casting.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+#include "engine/geometry/projection.h"
+#include "engine/math/plane.h"
+#include "tests/support/point.h"
+
+namespace oblong::test {
+namespace {
+
+constexpr ScreenMode kMode{64, 40, {4, 3}};
+
+/// Polygons before an eye at the origin that looks along +x, with y to the left and z up.
+class Scene {
+  public:
+    void add(std::span<const Point> corners, bool is_seen_through = false) {
+        std::vector<Vec3<World>> world;
+        for (const Point& corner : corners) world.push_back(to_world(corner));
+        ScannedFace face;
+        face.is_seen_through = is_seen_through;
+        face.normal = normalised(cross(world[2] - world[0], world[1] - world[0]));
+        face.eye_distance = distance_to_plane({}, plane_through(world[0], face.normal));
+        add_face(face, ScanlineExtents(kMode.height_px), kMode.width_px, world, {}, scanned_);
+    }
+
+    PixelOwners cast() const {
+        PixelOwners owners;
+        owners.start(kMode.width_px, kMode.height_px);
+        RayTargets targets;
+        const Projection projection = make_projection(kMode, Degrees::from_int(90));
+        find_owners_by_rays(scanned_, make_view_directions(view_basis({}, {}, {}), projection), targets, owners);
+        return owners;
+    }
+
+  private:
+    ScannedFaces scanned_;
+};
+
+/// The true ray through the centre of a pixel.
+Point ray_of(int column, int row) {
+    return {1, -(column + 0.5 - 32) / 32, (20 - row - 0.5) / (32 * (4 / 3.) * 40 / 64)};
+}
+
+double random_between(std::mt19937& random, double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+}
+
+std::array<Point, 4> square(double x, double half, double left = 0) {
+    return {{{x, left + half, half}, {x, left - half, half}, {x, left - half, -half}, {x, left + half, -half}}};
+}
+
+Point minus(Point a, Point b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+Point cross(Point a, Point b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+TEST(RayCasting, HitsASquareExactlyWhereTheRayPassesInside) {
+    Scene scene;
+    scene.add(square(100, 40.3));
+    const PixelOwners owners = scene.cast();
+    for (int row = 0; row < kMode.height_px; ++row)
+        for (int column = 0; column < kMode.width_px; ++column) {
+            const Point ray = ray_of(column, row);
+            const bool is_inside = std::abs(ray.y) < 0.403 && std::abs(ray.z) < 0.403;
+            EXPECT_EQ(owners.row(row)[column], is_inside ? 0 : PixelOwners::kNone) << column << " " << row;
+        }
+    EXPECT_EQ(owners.counts.ray_face_tests, 64 * 40);
+}
+
+TEST(RayCasting, TakesTheNearestWhateverTheOrder) {
+    for (const bool near_first : {false, true}) {
+        Scene scene;
+        scene.add(square(near_first ? 50 : 100, 30));
+        scene.add(square(near_first ? 100 : 50, 30));
+        EXPECT_EQ(scene.cast().row(20)[32], near_first ? 0 : 1);
+    }
+}
+
+TEST(RayCasting, PassesFacesThatFaceAwayAndThoseBehindTheEye) {
+    Scene scene;
+    auto turned = square(50, 30);
+    std::reverse(turned.begin(), turned.end());
+    scene.add(turned);
+    auto behind = square(-50, 30);
+    scene.add(behind);
+    std::reverse(behind.begin(), behind.end());
+    scene.add(behind);
+    for (const std::int32_t owner : scene.cast().faces) EXPECT_EQ(owner, PixelOwners::kNone);
+}
+
+TEST(RayCasting, SeesThroughFacesBeforeTheNearest) {
+    Scene scene;
+    scene.add(square(100, 90));
+    scene.add(square(50, 10), true);
+    scene.add(square(150, 10), true);
+    const PixelOwners owners = scene.cast();
+    EXPECT_EQ(owners.row(20)[32], 0);
+    ASSERT_FALSE(owners.seen.empty());
+    for (const OwnedRun& run : owners.seen) EXPECT_EQ(run.face, 1);
+}
+
+TEST(RayCasting, LeavesNoPixelBetweenTrianglesThatShareAnEdge) {
+    std::mt19937 random(4);
+    const auto between = [&](double low, double high) { return random_between(random, low, high); };
+    for (int i = 0; i < 200; ++i) {
+        // A square that fills the view, cut into four at a point of it.
+        const auto corners = square(10, 40);
+        const Point middle{10, between(-9, 9), between(-9, 9)};
+        Scene scene;
+        for (std::size_t k = 0; k < 4; ++k) scene.add(std::array{corners[k], corners[(k + 1) % 4], middle});
+        for (const std::int32_t owner : scene.cast().faces) ASSERT_NE(owner, PixelOwners::kNone) << i;
+    }
+}
+
+TEST(RayCasting, AgreesWithDoublesOnRandomTriangles) {
+    std::mt19937 random(9);
+    const auto between = [&](double low, double high) { return random_between(random, low, high); };
+    int checked = 0;
+    for (int i = 0; i < 60; ++i) {
+        std::vector<std::array<Point, 3>> triangles;
+        Scene scene;
+        for (int k = 0; k < 6; ++k) {
+            std::array<Point, 3> corners;
+            for (Point& corner : corners) corner = {between(20, 200), between(-120, 120), between(-80, 80)};
+            const Point normal = cross(minus(corners[2], corners[0]), minus(corners[1], corners[0]));
+            if (dot(normal, corners[0]) > 0) std::swap(corners[1], corners[2]);
+            for (Point& corner : corners) corner = to_point(to_world(corner));
+            triangles.push_back(corners);
+            scene.add(corners);
+        }
+        const PixelOwners owners = scene.cast();
+        for (int pixel = 0; pixel < 64 * 40; ++pixel) {
+            const Point ray = ray_of(pixel % 64, pixel / 64);
+            double nearest = 1e9;
+            int owner = PixelOwners::kNone;
+            bool is_doubtful = false;
+            for (std::size_t k = 0; k < triangles.size(); ++k) {
+                const auto& [a, b, c] = triangles[k];
+                const double inside = std::min({dot(cross(a, b), ray), dot(cross(b, c), ray), dot(cross(c, a), ray)});
+                is_doubtful |= std::abs(inside) < 1e-3;
+                const Point normal = cross(minus(c, a), minus(b, a));
+                const double along = dot(normal, a) / dot(normal, ray);
+                is_doubtful |= inside > 0 && std::abs(along - nearest) < 1e-3;
+                if (inside <= 0 || along >= nearest) continue;
+                nearest = along;
+                owner = static_cast<int>(k);
+            }
+            if (is_doubtful) continue;
+            ++checked;
+            ASSERT_EQ(owners.faces[static_cast<std::size_t>(pixel)], owner) << i << " " << pixel;
+        }
+    }
+    EXPECT_GT(checked, 60 * 64 * 40 * 9 / 10);
+}
+
+}  // namespace
+}  // namespace oblong::test

@@ -1,0 +1,127 @@
+#include "tools/gallery/mesh_scene.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "tools/gallery/numbers.h"
+
+namespace oblong {
+
+namespace {
+
+ViewContext make_scene_view(const RowInput& input, int field_of_view) {
+    ViewContext view;
+    view.axes = view_basis({}, {}, {});
+    view.projection = make_projection(input.mode, Degrees::from_int(field_of_view), input.settings.correct_aspect);
+    view.frustum = make_frustum(view.axes, view.projection);
+    view.grid = SubpixelGrid::of_bits(input.settings.accuracy.subpixel_bits);
+    return view;
+}
+
+Direction cross(const Direction& a, const Direction& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+Direction operator-(const Direction& a, const Direction& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+/// Pixels right of a place on the screen are `across`, rows below it `down`.
+double area(double across_a, double down_a, double across_b, double down_b) {
+    return across_a * down_b - across_b * down_a;
+}
+
+}  // namespace
+
+MeshScene::MeshScene(const RowInput& input, Framebuffer canvas, int field_of_view)
+    : colormap_(input.assets.colormap),
+      view_(make_scene_view(input, field_of_view)),
+      depth_(canvas.width_px, canvas.height_px),
+      canvas_(canvas),
+      scratch_(canvas.height_px) {
+    depth_.want({0, canvas.width_px, 0, canvas.height_px});
+    depth_.clear();
+}
+
+MeshCounts MeshScene::draw(const PlacedMesh& placed, const MeshLight& light, const Colormap* colormap) {
+    const MeshDrawing drawing{view_, colormap ? *colormap : colormap_, light, nullptr, false};
+    return draw_mesh(placed, drawing, {depth_, canvas_, {0, canvas_.width_px, 0, canvas_.height_px}}, scratch_);
+}
+
+std::uint8_t lit_colour(const GalleryAssets& assets, int red, int green, int blue) {
+    const auto distance = [&](int colour) {
+        const Rgb8 rgb = assets.colormap.palette.colours[static_cast<std::size_t>(colour)];
+        return (rgb.red - red) * (rgb.red - red) + (rgb.green - green) * (rgb.green - green) +
+               (rgb.blue - blue) * (rgb.blue - blue);
+    };
+    int nearest = 0;
+    for (int colour = 1; colour < 224; ++colour)
+        if (distance(colour) < distance(nearest)) nearest = colour;
+    return static_cast<std::uint8_t>(nearest);
+}
+
+Colormap shade_numbers() {
+    Colormap colormap;
+    for (std::size_t shade = 0; shade < Colormap::kShades; ++shade)
+        colormap.shades[shade].fill(static_cast<std::uint8_t>(shade));
+    return colormap;
+}
+
+Direction direction_of(const Vec3<Unit>& vector) {
+    return {std::ldexp(vector.x.raw, -30), std::ldexp(vector.y.raw, -30), std::ldexp(vector.z.raw, -30)};
+}
+
+double dot(const Direction& a, const Direction& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+Direction normalised(const Direction& direction) {
+    const double length = std::sqrt(dot(direction, direction));
+    return {direction.x / length, direction.y / length, direction.z / length};
+}
+
+double exact_shade(double light) {
+    return light < 128 ? 32 + (128 - light) * 31 / 128 : std::max(32 - (light - 128) * 32 / 128, 0.0);
+}
+
+std::optional<ExactHit> exact_hit(const PlacedMesh& placed, const RowInput& input, int field_of_view, double column,
+                                  double row) {
+    const double across = input.mode.width_px / 2.0 / std::tan(field_of_view * std::numbers::pi / 360);
+    const Ratio pixel = input.mode.pixel();
+    const double shape = input.settings.correct_aspect
+                             ? static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator)
+                             : 1;
+    const auto corner = [&](std::uint32_t number) {
+        const MeshVertex& vertex = placed.mesh->frames[0].vertices[number];
+        const double sx = number_of(placed.scale.x), sy = number_of(placed.scale.y), sz = number_of(placed.scale.z);
+        const Direction n = direction_of(vertex.normal);
+        ExactCorner exact;
+        exact.position = {number_of(vertex.position.x) * sx + number_of(placed.position.x),
+                          number_of(vertex.position.y) * sy + number_of(placed.position.y),
+                          number_of(vertex.position.z) * sz + number_of(placed.position.z)};
+        exact.normal = normalised(Direction{n.x / sx, n.y / sy, n.z / sz});
+        exact.depth = exact.position.x;
+        exact.column = input.mode.width_px / 2.0 - across * exact.position.y / exact.depth;
+        exact.row = input.mode.height_px / 2.0 - across * shape * exact.position.z / exact.depth;
+        return exact;
+    };
+    std::optional<ExactHit> nearest;
+    double nearest_depth = 1e30;
+    for (const MeshTriangle& triangle : placed.mesh->triangles) {
+        const std::array corners{corner(triangle.vertices[0]), corner(triangle.vertices[1]),
+                                 corner(triangle.vertices[2])};
+        const auto& [a, b, c] = corners;
+        const double whole = area(b.column - a.column, b.row - a.row, c.column - a.column, c.row - a.row);
+        if (whole <= 0) continue;  // seen from its back
+        const double of_b = area(column - a.column, row - a.row, c.column - a.column, c.row - a.row) / whole,
+                     of_c = area(b.column - a.column, b.row - a.row, column - a.column, row - a.row) / whole;
+        if (of_b < 0 || of_c < 0 || of_b + of_c > 1 || a.depth > nearest_depth) continue;
+        nearest_depth = a.depth;
+        nearest = ExactHit{corners,
+                           {1 - of_b - of_c, of_b, of_c},
+                           normalised(cross(c.position - a.position, b.position - a.position))};
+    }
+    return nearest;
+}
+
+}  // namespace oblong

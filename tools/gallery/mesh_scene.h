@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/mesh/draw_mesh.h"
+#include "tools/gallery/mesh_shapes.h"
+#include "tools/gallery/row.h"
+
+namespace oblong {
+
+/// A canvas in which meshes are drawn by the engine's stages, seen from the origin of the world along its x axis (y
+/// left, z up), in the middle between the gallery's header and footer.
+class MeshScene {
+  public:
+    MeshScene(const RowInput& input, Framebuffer canvas, int field_of_view = 60);
+
+    /// With another colormap than the gallery's, or into another canvas of the mode's size, if asked.
+    MeshCounts draw(const PlacedMesh& placed, const MeshLight& light, const Colormap* colormap = nullptr);
+    const ViewContext& view() const { return view_; }
+
+  private:
+    const Colormap& colormap_;
+    ViewContext view_;
+    DepthBuffer depth_;
+    Framebuffer canvas_;
+    MeshScratch scratch_;
+};
+
+/// The palette's colour nearest to this one among those that light changes.
+std::uint8_t lit_colour(const GalleryAssets& assets, int red, int green, int blue);
+
+/// A colormap by which a pixel shows the number of its shade.
+Colormap shade_numbers();
+
+/// A direction in units of length 1 as doubles.
+struct Direction {
+    double x = 0, y = 0, z = 0;
+};
+Direction direction_of(const Vec3<Unit>& vector);
+double dot(const Direction& a, const Direction& b);
+Direction normalised(const Direction& direction);
+
+/// The shade of a lightmap value of any size, by Colormap's definition.
+double exact_shade(double light);
+
+/// What a corner of a mesh has, in doubles, and its place on the screen.
+struct ExactCorner {
+    double column = 0, row = 0, depth = 0;
+    Direction position, normal;
+};
+/// The triangle that shows at a place of the screen, its corners' shares of that place on the screen, and its own
+/// normal.
+struct ExactHit {
+    std::array<ExactCorner, 3> corners;
+    std::array<double, 3> shares;
+    Direction normal;
+};
+/// By all triangles of the mesh, in doubles; the mesh is placed and scaled, but not turned.
+std::optional<ExactHit> exact_hit(const PlacedMesh& placed, const RowInput& input, int field_of_view, double column,
+                                  double row);
+
+}  // namespace oblong

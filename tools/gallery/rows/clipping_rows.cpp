@@ -1,0 +1,254 @@
+// Seeds 2 and 3: six planes, the canonical view volume, polygons into triangles.
+
+#include <array>
+#include <cmath>
+
+#include "engine/geometry/canonical_volume.h"
+#include "engine/geometry/triangulate.h"
+#include "engine/geometry/views.h"
+#include "tools/gallery/rows.h"
+#include "tools/gallery/sketch.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr std::array<const char*, kVolumeSideCount> kVolumeSides{"left", "right", "bottom", "top", "near", "far"};
+
+std::string sides_text(unsigned outcode) {
+    std::string text;
+    for (std::size_t i = 0; i < kVolumeSides.size(); ++i)
+        if (outcode >> i & 1) text += std::string(text.empty() ? "" : " ") + kVolumeSides[i];
+    return text.empty() ? "inside" : text;
+}
+
+/// A view that is shown from outside: an eye at the origin that looks along +x.
+struct ShownView {
+    static constexpr double kNear = 4, kFar = 14;
+    ViewContext view;
+    Matrix4 to_volume, from_volume;
+};
+
+ShownView make_shown_view() {
+    ShownView shown;
+    shown.view = make_view_context(look_at_view({}, world_point(1, 0, 0), Degrees::from_int(60)), {});
+    shown.to_volume = volume_matrix(shown.view.projection, entry_of(ShownView::kNear), entry_of(ShownView::kFar)) *
+                      view_matrix(shown.view.axes, shown.view.eye);
+    shown.from_volume = *inverse(shown.to_volume);
+    return shown;
+}
+
+Vec3<World> world_of(const ShownView& shown, const Vec4& corner) {
+    const Vec3<Entry> p = *point_of(shown.from_volume * corner);
+    return saturating_convert<World>(p);
+}
+
+/// A corner of the volume: x and y -1 or 1, z 0 or 1.
+Vec3<World> volume_corner(const ShownView& shown, int x, int y, int z) {
+    return world_of(shown, {entry_of(x), entry_of(y), entry_of(z)});
+}
+
+std::array<Vec3<World>, 4> volume_end(const ShownView& shown, int z) {
+    return {volume_corner(shown, -1, -1, z), volume_corner(shown, -1, 1, z), volume_corner(shown, 1, 1, z),
+            volume_corner(shown, 1, -1, z)};
+}
+
+/// Corners of a triangle clipped in double precision: its points that no side is outside of, on a fine grid, give the
+/// share of its area that is left.
+double share_inside(const std::array<Vec3<World>, 3>& triangle) {
+    const double across = std::tan(30 * 3.141592653589793 / 180), up = across * 3 / 4;
+    constexpr int kSteps = 400;
+    int inside = 0, all = 0;
+    for (int i = 0; i < kSteps; ++i)
+        for (int j = 0; i + j < kSteps; ++j) {
+            const double b = (i + 1.0 / 3) / kSteps, c = (j + 1.0 / 3) / kSteps, a = 1 - b - c;
+            const auto mixed = [&](auto part) {
+                return a * number_of(part(triangle[0])) + b * number_of(part(triangle[1])) +
+                       c * number_of(part(triangle[2]));
+            };
+            const double x = mixed([](const auto&p) { return p.x; }), y = mixed([](const auto&p) { return p.y; }),
+                         z = mixed([](const auto&p) { return p.z; });
+            ++all;
+            inside +=
+                x >= ShownView::kNear && x <= ShownView::kFar && std::abs(y) <= across * x && std::abs(z) <= up * x;
+        }
+    return static_cast<double>(inside) / all;
+}
+
+double area_of(std::span<const Vec3<World>> corners) {
+    std::array<double, 3> sum{};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec3<World>&p = corners[i], &q = corners[(i + 1) % corners.size()];
+        sum[0] += number_of(p.y) * number_of(q.z) - number_of(p.z) * number_of(q.y);
+        sum[1] += number_of(p.z) * number_of(q.x) - number_of(p.x) * number_of(q.z);
+        sum[2] += number_of(p.x) * number_of(q.y) - number_of(p.y) * number_of(q.x);
+    }
+    return std::hypot(sum[0], sum[1], sum[2]) / 2;
+}
+
+RowPage draw_view_volume(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+    const ShownView shown = make_shown_view();
+    const auto move = static_cast<double>(input.values[0]);
+    const std::array triangle{world_point(2 + move, 5, -2), world_point(9 + move, -8, 1), world_point(10 + move, 4, 7)};
+    std::vector<Vec4> corners;
+    for (const Vec3<World>& p : triangle)
+        corners.push_back(shown.to_volume * Vec4{convert<Entry>(p.x), convert<Entry>(p.y), convert<Entry>(p.z)});
+    const std::vector<Vec4> clipped = clip_to_volume(corners);
+    std::vector<Vec3<World>> inside;
+    for (const Vec4& corner : clipped) inside.push_back(world_of(shown, corner));
+
+    Sketch sketch(input, canvas, scene_area(canvas, 216), {world_point(2, -28, 16), world_point(8, 0, -1), 42});
+    const std::uint8_t blue = assets.colour(90, 130, 220), grey = assets.colour(80, 88, 110);
+    const auto near = volume_end(shown, 0), far = volume_end(shown, 1);
+    sketch.outline(triangle, assets.colour(220, 90, 80));
+    sketch.polygon(inside, assets.colour(200, 150, 60));
+    sketch.outline(inside, assets.colour(250, 225, 150));
+    sketch.outline(near, blue);
+    sketch.outline(far, blue);
+    for (std::size_t i = 0; i < 4; ++i) {
+        sketch.line(world_point(0, 0, 0), near[i], grey);
+        sketch.line(near[i], far[i], blue);
+    }
+    sketch.label(world_point(0, 0, 0), "eye", grey);
+    sketch.label(far[1], "far", blue);
+    sketch.label(near[1], "near", blue);
+    std::vector<std::string> lines{"corners"};
+    for (const Vec4& corner : corners) lines.push_back(sides_text(volume_outcode(corner)));
+    lines.push_back("");
+    lines.push_back(std::to_string(clipped.size()) + " after six");
+    draw_column(canvas, canvas.width_px * 220 / 320, kHeader_px + 8, lines, assets.text);
+
+    const double whole = area_of(triangle);
+    return {{number_figure("area inside, by a grid of 80,000 points", share_inside(triangle) * whole, area_of(inside),
+                           whole * 0.004),
+             number_figure("width of the far side: 2 z tan(30 degrees)", 2 * 14 * std::tan(0.5235987755982988),
+                           number_of(far[0].y - far[3].y), 2e-3),
+             number_figure("its height: 3/4 of that", 1.5 * 14 * std::tan(0.5235987755982988),
+                           number_of(far[1].z - far[0].z), 2e-3)},
+            {"Each corner's w and x, y, z are compared: -w <= x <= w, -w <= y <= w, 0 <= z <= w.",
+             "By one side after the other (Sutherland and Hodgman), in homogeneous coordinates, before any division."}};
+}
+
+/// Seed 3's pentagon against one plane, with both lists.
+RowPage draw_two_lists(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    const double height = -1 + static_cast<double>(input.values[0]) / 4;
+    const auto corner = [&](double x, double y) {
+        // The plane is the volume's bottom side, y = -1.
+        return Vec4{entry_of(x), entry_of(y - height - 1), entry_of(0.5), entry_of(1)};
+    };
+    const std::vector pentagon{corner(-0.5, -2), corner(-2, 0), corner(0, 2), corner(2, 0), corner(0.5, -2)};
+    const SplitPolygon split = split_polygon(pentagon, VolumeSide::Bottom);
+    const auto flat = [&](const Vec4& v) { return PlanePoint{number_of(v.x), number_of(v.y) + height + 1}; };
+    const auto area = [&](const std::vector<Vec4>& polygon) {
+        double sum = 0;
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const PlanePoint a = flat(polygon[i]), b = flat(polygon[(i + 1) % polygon.size()]);
+            sum += (b.x * a.y - a.x * b.y) / 2;
+        }
+        return sum;
+    };
+    Diagram diagram(input, canvas, {0, 0}, 4.8);
+    diagram.fill(assets.colour(18, 22, 34));
+    const std::uint8_t blue = assets.colour(90, 130, 220);
+    diagram.line({-5, height}, {5, height}, blue);
+    diagram.arrow({-3, height}, {-3, height + 0.7}, blue);
+    const auto outline = [&](const std::vector<Vec4>& polygon, std::uint8_t colour) {
+        for (std::size_t i = 0; i < polygon.size(); ++i)
+            diagram.line(flat(polygon[i]), flat(polygon[(i + 1) % polygon.size()]), colour);
+    };
+    outline(split.outside, assets.colour(220, 90, 80));
+    outline(split.inside, assets.colour(240, 190, 90));
+    for (std::size_t i = 0; i < pentagon.size(); ++i) {
+        const PlanePoint place = flat(pentagon[i]);
+        diagram.text(place, "Q" + std::to_string(i + 1), assets.colour(235, 235, 225), place.x < 0 ? -16 : 4);
+    }
+    std::vector<PlanePoint> crossings;
+    for (const Vec4& v : split.inside)
+        if (distance_inside(v, VolumeSide::Bottom) == Entry{}) crossings.push_back(flat(v));
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+        diagram.disc(crossings[i], 0.07, assets.colour(110, 200, 110));
+        diagram.text(crossings[i], "I" + std::to_string(i + 1), assets.colour(110, 200, 110), 4, 3);
+    }
+    return {{number_figure("area inside + area outside = the pentagon's", area(pentagon),
+                           area(split.inside) + area(split.outside), 1e-8, 6),
+             number_figure("area of the pentagon", 9, area(pentagon), 1e-8),
+             count_figure("crossings in each list", 2, std::ssize(crossings))},
+            {"Outside: Q1, I1, I2, Q5. The seed lists {Q1, I2, I2, Q5}, whose area does not add up."}};
+}
+
+RowPage draw_triangulations(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    const auto method = input.values[0];
+    const bool is_concave = input.values[1] == 1;
+    std::vector<Vec3<World>> corners;
+    for (int i = 0; i < 8; ++i) {
+        const double angle = -i * 3.141592653589793 / 4 + 0.3, size = is_concave && i % 2 == 1 ? 0.7 : 2;
+        corners.push_back(world_point(size * std::cos(angle) * 1.3, size * std::sin(angle), 0));
+    }
+    const std::size_t count = corners.size();
+    const auto triangles = method == 0   ? triangulate_as_fan(count)
+                           : method == 1 ? triangulate_around_middle(count)
+                                         : triangulate_by_diagonals(corners);
+    const double whole = area_of(corners);
+    corners.push_back(middle_of(corners));
+
+    Diagram diagram(input, canvas, {0, 0}, 4.4);
+    diagram.fill(assets.colour(18, 22, 34));
+    const auto flat = [&](std::size_t i) { return PlanePoint{number_of(corners[i].x), number_of(corners[i].y)}; };
+    double sum = 0, turned_over = 0;
+    for (const CornerTriple& triangle : triangles) {
+        const PlanePoint a = flat(triangle[0]), b = flat(triangle[1]), c = flat(triangle[2]);
+        const double area = ((c.x - a.x) * (b.y - a.y) - (b.x - a.x) * (c.y - a.y)) / 2;
+        sum += std::abs(area);
+        turned_over += area < 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            diagram.line(flat(triangle[i]), flat(triangle[(i + 1) % 3]),
+                         area < 0 ? assets.colour(220, 60, 50) : assets.colour(90, 130, 220));
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        diagram.line(flat(i), flat((i + 1) % count), assets.colour(240, 190, 90));
+        diagram.text(flat(i), std::to_string(i), assets.colour(235, 235, 225), flat(i).x < 0 ? -9 : 4);
+    }
+    const bool tiles = !is_concave || method != 0;
+    return {{count_figure("triangles", method == 1 ? 8 : 6, std::ssize(triangles)),
+             tiles ? number_figure("sum of their areas = the polygon's", whole, sum, 2e-3)
+                   : measured("sum of their areas, which overlap",
+                              decimal_text(sum) + ", the polygon's " + decimal_text(whole)),
+             measured("triangles turned over", decimal_text(turned_over, "%.0f"))},
+            {"A fan and a middle point are for convex polygons; diagonals, ear by ear, for concave ones too.",
+             "A concave polygon's fan lies partly outside, and partly twice."}};
+}
+
+constexpr std::string_view kVolumeTest = "tests/geometry/canonical_volume_test.cpp";
+
+}  // namespace
+
+std::vector<Row> clipping_rows() {
+    return {{"view-volume",
+             "Six planes, the view volume",
+             "3 Notes: Clipping; 2 Lab: canonical view volume",
+             "engine/geometry/canonical_volume.h",
+             kVolumeTest,
+             {{"triangle moved by, units", -4, 8, 1, 1}},
+             draw_view_volume},
+            {"two-lists",
+             "A polygon cut by a plane",
+             "3 Notes: clip a polygon against a plane",
+             "engine/geometry/canonical_volume.cpp",
+             kVolumeTest,
+             {{"plane, quarters of a unit", -3, 3, 1, 0}},
+             draw_two_lists},
+            {"triangulate",
+             "Polygons into triangles",
+             "3 Notes: Converting Polygons into triangles",
+             "engine/geometry/triangulate.h",
+             "tests/geometry/triangulate_test.cpp",
+             {choice_parameter("by", {"a fan from one corner", "a point in the middle", "diagonals"}, 2),
+              choice_parameter("polygon", {"convex", "concave"}, 1)},
+             draw_triangulations}};
+}
+
+}  // namespace oblong

@@ -1,0 +1,178 @@
+// Seed 5 (Abrash): back faces by a dot product, why normals alone mislead, lines against planes.
+
+#include <array>
+#include <cmath>
+
+#include "engine/geometry/facing.h"
+#include "engine/geometry/project.h"
+#include "engine/geometry/views.h"
+#include "engine/math/plane.h"
+#include "engine/raster/scan.h"
+#include "tools/gallery/rows.h"
+#include "tools/gallery/sketch.h"
+
+namespace oblong {
+
+namespace {
+
+/// Quadrilaterals on a sphere, their corners clockwise seen from outside.
+struct BallFace {
+    std::array<Vec3<World>, 4> corners;
+    Vec3<Unit> normal;
+};
+
+std::vector<BallFace> make_ball(double x, double y, double z, double radius) {
+    constexpr int kAcross = 16, kUp = 8;
+    const auto at = [&](int column, int row) {
+        const double a = column * 2 * 3.141592653589793 / kAcross, b = (row - kUp / 2) * 3.141592653589793 / kUp;
+        return world_point(x + radius * std::cos(a) * std::cos(b), y + radius * std::sin(a) * std::cos(b),
+                           z + radius * std::sin(b));
+    };
+    std::vector<BallFace> faces;
+    for (int row = 0; row < kUp; ++row)
+        for (int column = 0; column < kAcross; ++column) {
+            const std::array corners{at(column, row), at(column, row + 1), at(column + 1, row + 1),
+                                     at(column + 1, row)};
+            // Of the diagonals: at the poles two corners are one.
+            faces.push_back({corners, normalised(cross(corners[3] - corners[1], corners[2] - corners[0]))});
+        }
+    return faces;
+}
+
+/// What decides whether a face is drawn.
+enum class CullRule { ObjectDot, ViewNormal, ScreenArea };
+
+/// Twice the area on the screen; the faces are all in front of the eye.
+ScreenArea screen_area(const BallFace& face, const ViewContext& view) {
+    std::array<ScreenVertex, 4> screen;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const ScreenPosition p = project(to_view(face.corners[i], view), view.projection);
+        screen[i] = {Screen::from_raw(static_cast<std::int32_t>(p.x.raw)),
+                     Screen::from_raw(static_cast<std::int32_t>(p.y.raw))};
+    }
+    return doubled_area(screen);
+}
+
+bool is_drawn(const BallFace& face, CullRule rule, const ViewContext& view) {
+    if (rule == CullRule::ObjectDot) return !faces_away(face.corners[1], face.normal, view.eye);
+    if (rule == CullRule::ViewNormal) return !normal_points_away(face.normal, view.axes.forward);
+    return screen_area(face, view) > ScreenArea{};
+}
+
+/// Whether a face faces the eye, in double precision.
+bool faces_eye_in_double(const BallFace& face, const Vec3<World>& eye) {
+    const auto vector = [](const Vec3<World>& a, const Vec3<World>& b) {
+        return std::array{number_of(b.x - a.x), number_of(b.y - a.y), number_of(b.z - a.z)};
+    };
+    const auto a = vector(face.corners[1], face.corners[3]), b = vector(face.corners[0], face.corners[2]),
+               way = vector(eye, face.corners[1]);
+    return (a[1] * b[2] - a[2] * b[1]) * way[0] + (a[2] * b[0] - a[0] * b[2]) * way[1] +
+               (a[0] * b[1] - a[1] * b[0]) * way[2] <
+           0;
+}
+
+RowPage draw_culling(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+    const auto rule = static_cast<CullRule>(input.values[0]);
+    const SketchEye from{world_point(0, 0, 0), world_point(100, 0, 0), static_cast<int>(input.values[1])};
+    Sketch sketch(input, canvas, scene_area(canvas), from);
+    const std::uint8_t right = assets.colour(90, 110, 150), edge = assets.colour(30, 34, 50);
+    const std::uint8_t kept = assets.colour(220, 60, 50), missing = assets.colour(240, 200, 60);
+    int faces = 0, wrong_by_dot = 0, wrong_by_normal = 0, wrong_on_screen = 0;
+    for (int column = -2; column <= 2; ++column)
+        for (int row = -1; row <= 1; ++row)
+            for (const BallFace& face : make_ball(60, column * 26.0, row * 26.0, 11)) {
+                const bool faces_eye = faces_eye_in_double(face, from.eye);
+                ++faces;
+                wrong_by_dot += is_drawn(face, CullRule::ObjectDot, sketch.view()) != faces_eye;
+                wrong_by_normal += is_drawn(face, CullRule::ViewNormal, sketch.view()) != faces_eye;
+                wrong_on_screen += is_drawn(face, CullRule::ScreenArea, sketch.view()) != faces_eye;
+                const bool draws = is_drawn(face, rule, sketch.view());
+                if (faces_eye) {
+                    sketch.polygon(face.corners, draws ? right : missing);
+                    sketch.outline(face.corners, edge);
+                } else if (draws) {
+                    sketch.outline(face.corners, kept);
+                }
+            }
+    // Errata A9: (10, 0, 10), (11, 0, 12), (10, 1, 10) in viewspace has the normal (-2, 0, 1) and faces the eye.
+    const Vec3<World> a = world_point(10, 0, 10), b = world_point(11, 0, 12), c = world_point(10, 1, 10);
+    const auto normal = cross(b - a, c - a);
+    return {{count_figure("wrong by normal . (vertex - eye), in object space", 0, wrong_by_dot),
+             measured("wrong by the normal's z in viewspace",
+                      std::to_string(wrong_by_normal) + " of " + std::to_string(faces)),
+             count_figure("wrong by the sign of the area on the screen", 0, wrong_on_screen),
+             number_figure(
+                 "normal . vertex of the seed's triangle, below 0: faces the eye", -10,
+                 number_of(dot(convert<WorldWide>(a), Vec3<Unit>{Unit::from_int(1), {}, {}})) * number_of(normal.x) +
+                     number_of(a.z) * number_of(normal.z),
+                 1e-9),
+             number_figure("its normal's z, above 0: points away", 1, number_of(normal.z), 1e-9)},
+            {"Red outlines: back faces that are drawn. Yellow: faces that are missing.",
+             "In perspective each face is seen along a ray of its own; the normal's z asks for one ray only."}};
+}
+
+/// From the side: the plane z = 5, a point above it, a line through it.
+RowPage draw_line_and_plane(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    const Plane plane = plane_through(world_point(0, 0, 5), {{}, {}, Unit::from_int(1)});
+    const auto slide = static_cast<double>(input.values[0]);
+    const Vec3<World> start = world_point(0, 0, 7), end = world_point(4, 2, 7 - slide);
+    const auto line = intersect_line(start, end, plane);
+    const auto segment = intersect_segment(start, end, plane);
+
+    Diagram diagram(input, canvas, {3.5, 5.6}, 10);
+    diagram.fill(assets.colour(18, 22, 34));
+    const std::uint8_t blue = assets.colour(90, 130, 220), bright = assets.colour(240, 190, 90);
+    diagram.line({-6, 5}, {12, 5}, blue);
+    diagram.arrow({-3, 5}, {-3, 6.5}, blue);
+    diagram.text({-3, 6.5}, "normal", blue);
+    diagram.text({7.6, 5}, "plane z = 5", blue, 0, 4);
+    diagram.line({0, 7}, {4, 7 - slide}, bright);
+    diagram.text({0, 7}, "start (0, 0, 7)", bright, 3, -10);
+    diagram.text({4, 7 - slide}, "end", bright, 4, -3);
+    if (line) {
+        const double x = number_of(line->world_point.x);
+        diagram.disc({x, 5}, 0.12, segment ? assets.colour(110, 200, 110) : assets.colour(220, 60, 50));
+        diagram.text({x, 5}, segment ? "meets" : "beyond the end", assets.colour(110, 200, 110), 4, 4);
+    }
+    diagram.line({-1, 10}, {-1, 5}, assets.colour(110, 118, 140));
+    diagram.disc({-1, 10}, 0.1, assets.colour(235, 235, 225));
+    diagram.text({-1, 10}, "(1, 2, 10): distance 5", assets.colour(235, 235, 225), 4, -2);
+
+    const auto general = intersect_line(world_point(0, 0, 7), world_point(4, 2, 3), plane);
+    const auto in_plane = intersect_line(world_point(1, 2, 5), world_point(9, 9, 9), plane);
+    const auto parallel = intersect_line(world_point(0, 0, 7), world_point(4, 0, 7), plane);
+    return {{number_figure("distance of (1, 2, 10), (P - Op) . Np", 5,
+                           number_of(distance_to_plane(world_point(1, 2, 10), plane)), 0),
+             number_figure("z where (0, 0, 7) to (4, 2, 3) meets it", 5, number_of(general->world_point.z), 0),
+             number_figure("x there", 2, number_of(general->world_point.x), 0),
+             number_figure("z of a start in the plane", 5, number_of(in_plane->world_point.z), 0),
+             count_figure("places where a parallel line meets it", 0, parallel.has_value()),
+             count_figure("the line drawn meets it before its end", slide >= 2, segment.has_value())},
+            {"The seed's listing returns y for z, and divides by 0 for a parallel line: here it meets nothing."}};
+}
+
+}  // namespace
+
+std::vector<Row> culling_rows() {
+    return {{"culling",
+             "Back faces by a dot product",
+             "5 Abrash: Using the Sign of the Dot Product; 3 Notes: Backface culling",
+             "engine/geometry/facing.h",
+             "tests/geometry/facing_test.cpp",
+             {choice_parameter(
+                  "drawn by", {"dot product in object space", "normal's z in viewspace", "sign of the screen area"}, 1),
+              {"field of view, degrees", 30, 110, 10, 90}},
+             draw_culling},
+            {"line-and-plane",
+             "Points and lines against a plane",
+             "5 Abrash: Using the Dot Product for Projection",
+             "engine/math/plane.h",
+             "tests/math/plane_test.cpp",
+             {{"the end's way down", 0, 4, 1, 3}},
+             draw_line_and_plane}};
+}
+
+}  // namespace oblong

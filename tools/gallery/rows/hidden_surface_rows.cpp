@@ -1,0 +1,345 @@
+// Hidden surfaces: the same views by each method (seeds 3 and 4), what each of them works with, and where one fails.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "engine/accuracy/presets.h"
+#include "engine/fixed/arithmetic.h"
+#include "engine/frame/frame.h"
+#include "engine/frame/workspace.h"
+#include "engine/level/side.h"
+#include "engine/visibility/painter.h"
+#include "tools/common/drawing.h"
+#include "tools/gallery/level_scene.h"
+#include "tools/gallery/rows.h"
+
+namespace oblong {
+
+namespace {
+
+/// A view down the demo level's hall over lava, where large faces lie behind one another.
+Camera camera_in_hall() {
+    return camera_at(-780, 2320, 100, 0, 6);
+}
+
+/// A frame of the demo level by one method, with what it was worked out with.
+class MethodFrame {
+  public:
+    MethodFrame(const RowInput& input, HiddenSurfaces method, const ScreenMode& mode)
+        : pixels(pixel_count(mode.width_px, mode.height_px)), work(input.assets.demo_level, mode) {
+        const std::vector<PlacedModel> models = models_at_rest(input.assets.demo_level);
+        Settings settings = input.settings;
+        settings.hidden_surfaces = method;
+        work.counts = std::make_unique<FrameCounts>();
+        draw_frame({input.assets.demo_level, input.assets.colormap, models, input.time_ms}, camera_in_hall(), mode,
+                   settings, work, {pixels.data(), mode.width_px, mode.height_px, mode.width_px});
+    }
+
+    const HiddenSurfaceCounts& counts() const { return work.counts->hidden_surfaces; }
+    const PixelOwners& owners() const { return work.hidden_surfaces->owners; }
+    const ScannedFaces& scanned() const { return work.hidden_surfaces->scanned; }
+
+    std::vector<std::uint8_t> pixels;
+    FrameWorkspace work;
+};
+
+Parameter method_parameter(HiddenSurfaces start) {
+    return choice_parameter("method", {kHiddenSurfaceNames.begin(), kHiddenSurfaceNames.end()},
+                            static_cast<std::int64_t>(start));
+}
+
+std::string decimal(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f", value);
+    return text;
+}
+std::string per_pixel(std::int64_t count, std::size_t pixels) {
+    return decimal(static_cast<double>(count) / static_cast<double>(pixels));
+}
+
+/// Copies a picture; pixels that differ from `right` become `warning` if it is set. How many differ.
+std::int64_t show_differences(std::span<const std::uint8_t> shown, std::span<const std::uint8_t> right,
+                              std::optional<std::uint8_t> warning, Framebuffer canvas) {
+    std::int64_t differences = 0;
+    for (std::int32_t y = 0; y < canvas.height_px; ++y)
+        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
+            const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
+            const bool differs = shown[pixel] != right[pixel];
+            differences += differs;
+            canvas.row(y)[x] = differs && warning && (x + y) % 2 == 0 ? *warning : shown[pixel];
+        }
+    return differences;
+}
+
+/// Whether a method is right for every scene with these settings: 1/z and corners that are rounded coarsely let the
+/// z-buffer's depths, and the rays' exact outlines, differ from what the span buffer shows.
+bool is_exact(HiddenSurfaces method, const Accuracy& accuracy) {
+    if (method == HiddenSurfaces::SpanBuffer || method == HiddenSurfaces::Painter) return true;
+    const Accuracy finest = accuracy_of(Preset::Exact);
+    return method == HiddenSurfaces::ZBuffer && accuracy.subpixel_bits == finest.subpixel_bits &&
+           accuracy.inverse_z_bits == finest.inverse_z_bits;
+}
+
+RowPage draw_methods(const RowInput& input, Framebuffer canvas) {
+    const auto method = static_cast<HiddenSurfaces>(input.values[0]);
+    const MethodFrame frame(input, method, input.mode), right(input, HiddenSurfaces::SpanBuffer, input.mode);
+    const auto warning = input.values[1] == 1 ? std::optional(input.assets.colour(90, 255, 90)) : std::nullopt;
+    const std::int64_t wrong = show_differences(frame.pixels, right.pixels, warning, canvas);
+    const HiddenSurfaceCounts& counts = frame.counts();
+    const std::string name = "pixels unlike the span buffer's";
+    const std::size_t pixels = frame.pixels.size();
+    RowPage page;
+    page.figures.push_back(is_exact(method, input.settings.accuracy) ? count_figure(name, 0, wrong)
+                                                                     : measured(name, std::to_string(wrong)));
+    if (method == HiddenSurfaces::SpanBuffer) {
+        page.figures.push_back(
+            measured("rows of faces looked up", std::to_string(frame.work.counts->stages.claimed_rows)));
+        page.figures.push_back(measured("faces scanned", std::to_string(frame.work.counts->faces_visited)));
+    } else if (method == HiddenSurfaces::RayCasting) {
+        page.figures.push_back(measured("rays held against faces", std::to_string(counts.ray_face_tests)));
+        page.figures.push_back(measured("faces for each ray", std::to_string(counts.faces_scanned)));
+    } else {
+        page.figures.push_back(measured("writes for each pixel", per_pixel(counts.pixels_written, pixels)));
+        page.figures.push_back(measured("depths compared for each pixel", per_pixel(counts.pixels_tested, pixels)));
+        page.figures.push_back(measured("faces compared to sort them", std::to_string(counts.order_comparisons)));
+    }
+    page.notes = {"The same view by each method; pixels that differ from the engine's are green.",
+                  "Sorted by one depth a face, the painter is wrong wherever a large face reaches behind a small one: "
+                  "here the lava is painted over. Times: oblong-render --hidden-surfaces METHOD."};
+    return page;
+}
+
+/// Colours of a count of 0, 1, 2 ... and more.
+std::vector<std::uint8_t> heat_colours(const GalleryAssets& assets) {
+    return {assets.colour(10, 12, 20),   assets.colour(24, 44, 96),   assets.colour(30, 90, 140),
+            assets.colour(40, 140, 110), assets.colour(120, 170, 60), assets.colour(220, 190, 60),
+            assets.colour(240, 130, 40), assets.colour(230, 60, 40),  assets.colour(250, 240, 230)};
+}
+
+void draw_legend(std::span<const std::uint8_t> colours, const GalleryAssets& assets, Framebuffer canvas) {
+    constexpr std::int32_t kWidth_px = 14, kHeight_px = 10;
+    const std::int32_t top = canvas.height_px - kFooter_px - kHeight_px - 3;
+    for (std::size_t i = 1; i < colours.size(); ++i) {
+        const std::int32_t left = kTextMargin_px + static_cast<std::int32_t>(i - 1) * (kWidth_px + 1);
+        fill_area(canvas, {left, top, kWidth_px, kHeight_px}, colours[i]);
+        const std::string label = std::to_string(i) + (i + 1 == colours.size() ? "+" : "");
+        draw_text(canvas, left + 2, top + 1, label, assets.text);
+    }
+}
+
+RowPage draw_overdraw(const RowInput& input, Framebuffer canvas) {
+    const bool is_painter = input.values[0] == 0;
+    const MethodFrame frame(input, is_painter ? HiddenSurfaces::Painter : HiddenSurfaces::SpanBuffer, input.mode);
+    std::vector<std::int64_t> writes(frame.work.counts->writes.begin(), frame.work.counts->writes.end());
+    if (is_painter) {
+        std::fill(writes.begin(), writes.end(), 0);
+        for (const Span& span : frame.scanned().spans)
+            for (std::int32_t x = span.first; x < span.end; ++x)
+                ++writes[static_cast<std::size_t>(span.y * canvas.width_px + x)];
+    }
+    const std::vector<std::uint8_t> colours = heat_colours(input.assets);
+    for (std::int32_t y = 0; y < canvas.height_px; ++y)
+        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
+            const std::int64_t count = writes[static_cast<std::size_t>(y * canvas.width_px + x)];
+            canvas.row(y)[x] = at(colours, std::min<std::int64_t>(count, std::ssize(colours) - 1));
+        }
+    draw_legend(colours, input.assets, canvas);
+    const std::int64_t sum = std::accumulate(writes.begin(), writes.end(), std::int64_t{0});
+    const std::int64_t expected =
+        is_painter ? frame.counts().pixels_written : std::int64_t{canvas.width_px} * canvas.height_px;
+    return {{count_figure(is_painter ? "pixels that the painter wrote" : "pixels written, each once", expected, sum),
+             measured("writes for each pixel", per_pixel(sum, writes.size())),
+             measured("most at one pixel", std::to_string(*std::max_element(writes.begin(), writes.end())))},
+            {"How often each pixel is written. The painter writes all pixels of all faces in sight of the eye's leaf; "
+             "of the span buffer each pixel is written once."}};
+}
+
+/// Steps of 1/z to greys: equal steps of log z, near is bright.
+std::uint8_t depth_colour(InverseZ inverse_z, std::span<const std::uint8_t> greys) {
+    const double z =
+        std::ldexp(1.0, InverseZ::kFractionBits) / static_cast<double>(std::max<std::int64_t>(inverse_z.raw, 1));
+    const double share = std::clamp((std::log2(1200.0) - std::log2(std::max(z, 1.0))) / 4.5, 0.0, 1.0);
+    return greys[static_cast<std::size_t>(share * static_cast<double>(greys.size() - 1))];
+}
+
+std::vector<std::uint8_t> depth_greys(const GalleryAssets& assets) {
+    std::vector<std::uint8_t> greys;
+    for (int i = 0; i < 48; ++i) greys.push_back(assets.colour(12 + i * 4, 16 + i * 4, 28 + i * 7 / 2));
+    return greys;
+}
+
+/// A place of the picture whose depth is checked: on a wall.
+struct Pixel {
+    std::int32_t column, row;
+};
+
+/// z of what a pixel of a view shows, from the tree alone: where the line of sight leaves the open.
+double depth_by_tree(const Level& level, const Camera& camera, const ScreenMode& mode, Pixel pixel) {
+    const Basis axes = view_basis(camera.yaw, camera.pitch, camera.roll);
+    const ViewDirections directions = make_view_directions(axes, make_projection(mode, camera.field_of_view));
+    const auto is_open = [&](double z) {
+        const auto moved = [&](World from, const LinearQuantity<DirectionPart>& direction) {
+            const double step = std::ldexp(static_cast<double>(direction.at(pixel.column, pixel.row).raw), -30);
+            return World::from_raw(from.raw + static_cast<std::int32_t>(std::lround(step * z * 4096)));
+        };
+        const Vec3<World> place{moved(camera.eye.x, directions.x), moved(camera.eye.y, directions.y),
+                                moved(camera.eye.z, directions.z)};
+        return level.leaves[find_leaf(level, level.world(), place)].contents != contents::kSolid;
+    };
+    double open = 0, solid = 1;
+    for (; is_open(solid); ++solid) open = solid;
+    while (solid - open > 1e-3) (is_open((open + solid) / 2) ? open : solid) = (open + solid) / 2;
+    return open;
+}
+
+RowPage draw_depth(const RowInput& input, Framebuffer canvas) {
+    RowInput rounded = input;
+    rounded.settings.accuracy.inverse_z_bits = static_cast<std::int32_t>(input.values[0]);
+    const MethodFrame frame(rounded, HiddenSurfaces::ZBuffer, input.mode),
+        right(input, HiddenSurfaces::Painter, input.mode);
+    const std::vector<std::uint8_t> greys = depth_greys(input.assets);
+    const std::uint8_t warning = input.assets.colour(90, 255, 90);
+    std::int64_t wrong = 0;
+    for (std::int32_t y = 0; y < canvas.height_px; ++y)
+        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
+            const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
+            const bool differs = frame.owners().faces[pixel] != right.owners().faces[pixel];
+            wrong += differs;
+            canvas.row(y)[x] = differs ? warning : depth_colour(frame.work.hidden_surfaces->depths[pixel], greys);
+        }
+    const Pixel checked{canvas.width_px / 8, canvas.height_px / 4};
+    const InverseZ inverse_z =
+        frame.work.hidden_surfaces->depths[static_cast<std::size_t>(checked.row * canvas.width_px + checked.column)];
+    const double z = std::ldexp(1.0, InverseZ::kFractionBits) / static_cast<double>(inverse_z.raw);
+    const double by_tree = depth_by_tree(input.assets.demo_level, camera_in_hall(), input.mode, checked);
+    RowPage page;
+    const std::string name = "pixels that go to another face than by the tree";
+    const bool is_whole = input.values[0] == InverseZ::kFractionBits;
+    page.figures = {is_whole && is_exact(HiddenSurfaces::ZBuffer, rounded.settings.accuracy)
+                        ? count_figure(name, 0, wrong)
+                        : measured(name, std::to_string(wrong)),
+                    is_whole ? number_figure("z on the left wall, units", by_tree, z, 0.01, 2)
+                             : measured("z on the left wall, units", decimal(z)),
+                    measured("pixels written and then hidden",
+                             std::to_string(frame.counts().pixels_written - std::ssize(frame.pixels)))};
+    page.notes = {
+        "The depths that the z-buffer ends with, bright is near. 1/z is kept, which is linear on the screen: it costs "
+        "an addition a pixel. With few bits of it faces that are nearly as deep fight for pixels: green."};
+    return page;
+}
+
+/// From near to far.
+std::vector<std::uint8_t> order_colours(const GalleryAssets& assets) {
+    std::vector<std::uint8_t> colours;
+    constexpr int kSteps = 40;
+    for (int i = 0; i < kSteps; ++i) {
+        const double share = static_cast<double>(i) / (kSteps - 1), turn = share * 4.2;
+        const auto part = [&](double phase) {
+            return static_cast<int>(70 + 150 * (0.5 + 0.5 * std::cos(turn - phase)) * (1 - share * 0.5));
+        };
+        colours.push_back(assets.colour(part(0), part(1.6), part(3.6)));
+    }
+    return colours;
+}
+
+bool owns_pixel(const PixelOwners& owners, std::int32_t face) {
+    return std::find(owners.faces.begin(), owners.faces.end(), face) != owners.faces.end();
+}
+
+RowPage draw_tree_order(const RowInput& input, Framebuffer canvas) {
+    const MethodFrame frame(input, HiddenSurfaces::Painter, input.mode),
+        depths(input, HiddenSurfaces::ZBuffer, input.mode);
+    const ScannedFaces& scanned = frame.scanned();
+    const std::vector<std::uint8_t> colours = order_colours(input.assets);
+    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(14, 16, 24));
+    std::vector<std::int32_t> order = back_to_front_by_tree(scanned);
+    std::erase_if(order, [&](std::int32_t face) { return !owns_pixel(frame.owners(), face); });
+    const auto painted = static_cast<std::size_t>(input.values[0]) * order.size() / 16;
+    for (std::size_t place = 0; place < painted; ++place) {
+        const std::uint8_t colour = colours[(order.size() - 1 - place) * colours.size() / order.size()];
+        for (const Span& span : scanned.spans_of(at(scanned.faces, order[place]))) {
+            std::fill(canvas.row(span.y) + span.first, canvas.row(span.y) + span.end, colour);
+            set_pixel(canvas, span.first, span.y, input.assets.colour(14, 16, 24));
+        }
+    }
+    std::int64_t wrong = 0;
+    for (std::size_t pixel = 0; pixel < frame.owners().faces.size(); ++pixel)
+        wrong += frame.owners().faces[pixel] != depths.owners().faces[pixel];
+    const std::string name = "pixels whose last face is not the nearest";
+    return {{is_exact(HiddenSurfaces::ZBuffer, input.settings.accuracy) ? count_figure(name, 0, wrong)
+                                                                        : measured(name, std::to_string(wrong)),
+             measured("faces painted", std::to_string(painted)), measured("of", std::to_string(order.size()))},
+            {"The faces in view in the order of the BSP tree, back to front. At each node the "
+             "side away from the eye is painted first, then the faces on its plane, then the near side: nothing is "
+             "sorted."}};
+}
+
+RowPage draw_rays(const RowInput& input, Framebuffer canvas) {
+    const auto step = static_cast<std::int32_t>(input.values[0]);
+    const ScreenMode mode{std::max(input.mode.width_px / step, 16), std::max(input.mode.height_px / step, 10),
+                          input.mode.display};
+    const MethodFrame frame(input, HiddenSurfaces::RayCasting, mode), right(input, HiddenSurfaces::SpanBuffer, mode);
+    std::int64_t differences = 0;
+    for (std::size_t pixel = 0; pixel < frame.pixels.size(); ++pixel)
+        differences += frame.pixels[pixel] != right.pixels[pixel];
+    for (std::int32_t y = 0; y < canvas.height_px; ++y)
+        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
+            const std::int32_t column = x * mode.width_px / canvas.width_px,
+                               row = y * mode.height_px / canvas.height_px;
+            canvas.row(y)[x] = frame.pixels[static_cast<std::size_t>(row * mode.width_px + column)];
+        }
+    const std::int64_t rays = std::int64_t{mode.width_px} * mode.height_px;
+    return {
+        {count_figure("rays x faces", rays * std::ssize(frame.work.hidden_surfaces->targets.opaque),
+                      frame.counts().ray_face_tests),
+         measured("rays", std::to_string(rays)),
+         measured("pixels unlike the span buffer's", std::to_string(differences))},
+        {"A ray from the eye through the middle of each pixel, held against every face in sight of the eye's leaf; the "
+         "first that it hits is seen. The rays know nothing of each other: what the other methods save is coherence."}};
+}
+
+}  // namespace
+
+std::vector<Row> hidden_surface_rows() {
+    return {{"hidden-surfaces",
+             "Hidden surfaces, by each method",
+             "3 Notes: Z-buffering; 4 Princeton: Hidden surfaces",
+             "engine/frame/hidden_surfaces.cpp",
+             "tests/effect_frames/hidden_surfaces_test.cpp",
+             {method_parameter(HiddenSurfaces::PainterSorted),
+              choice_parameter("differences", {"not marked", "marked"}, 1)},
+             draw_methods},
+            {"overdraw",
+             "Overdraw",
+             "3 Notes: Painter's algorithm",
+             "engine/visibility/painter.cpp",
+             "tests/visibility/painter_test.cpp",
+             {choice_parameter("method", {"painter", "span buffer"})},
+             draw_overdraw},
+            {"z-buffer",
+             "Z-buffer",
+             "3 Notes: Z-buffering",
+             "engine/visibility/z_buffer.cpp",
+             "tests/visibility/z_buffer_test.cpp",
+             {{"fraction bits of 1/z", 12, 44, 1, 44}},
+             draw_depth},
+            {"tree-order",
+             "The tree's order, back to front",
+             "5 Abrash: BSP trees",
+             "engine/visibility/front_to_back.cpp",
+             "tests/visibility/front_to_back_test.cpp",
+             {{"sixteenths of the faces painted", 1, 16, 1, 16}},
+             draw_tree_order},
+            {"ray-casting",
+             "Ray casting",
+             "4 Princeton: Ray Casting Revisited",
+             "engine/visibility/ray_casting.cpp",
+             "tests/visibility/ray_casting_test.cpp",
+             {{"a ray every ... pixels", 2, 20, 1, 2}},
+             draw_rays}};
+}
+
+}  // namespace oblong

@@ -1,0 +1,194 @@
+// What can be asked of a frame: what is under the crosshair (seed 5's lines and planes), the log by kinds and the
+// memory (seed 2).
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/frame/workspace.h"
+#include "engine/geometry/views.h"
+#include "engine/level/side.h"
+#include "tools/common/crosshair.h"
+#include "tools/common/font.h"
+#include "tools/common/frame_log.h"
+#include "tools/gallery/level_scene.h"
+#include "tools/gallery/rows.h"
+#include "tools/gallery/sketch.h"
+
+namespace oblong {
+
+namespace {
+
+using Point = std::array<double, 3>;
+
+Point point_of(const Vec3<World>& p) {
+    return {number_of(p.x), number_of(p.y), number_of(p.z)};
+}
+
+/// How far along a ray it goes through a face, in double precision; below 0 where it does not.
+double distance_in_double(const Level& level, const Face& face, const Point& eye, const Point& direction) {
+    const LevelPlane& plane = level.planes[face.plane];
+    const double sign = face.is_back ? -1 : 1;
+    const Point n{sign * number_of(plane.normal.x), sign * number_of(plane.normal.y), sign * number_of(plane.normal.z)};
+    const auto along = [](const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+    const double above = along(eye, n) - sign * number_of(plane.distance), approach = -along(direction, n);
+    if (above <= 0 || approach <= 0) return -1;
+    const double t = above / approach;
+    for (const SurfEdge step : level.edges_of(face)) {
+        const Edge& edge = level.edges[step.edge];
+        const Point a = point_of(level.vertices[step.is_reversed ? edge.to : edge.from]);
+        const Point b = point_of(level.vertices[step.is_reversed ? edge.from : edge.to]);
+        const Point way{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+        const Point inward{way[1] * n[2] - way[2] * n[1], way[2] * n[0] - way[0] * n[2], way[0] * n[1] - way[1] * n[0]};
+        const Point from_a{eye[0] + t * direction[0] - a[0], eye[1] + t * direction[1] - a[1],
+                           eye[2] + t * direction[2] - a[2]};
+        if (along(from_a, inward) < 0) return -1;
+    }
+    return t;
+}
+
+/// The nearest of all faces along a camera's middle ray.
+double nearest_in_double(const Level& level, std::span<const PlacedModel> models, const Camera& camera) {
+    const Vec3<Unit> forward = view_basis(camera.yaw, camera.pitch, camera.roll).forward;
+    const Point direction{number_of(forward.x), number_of(forward.y), number_of(forward.z)};
+    double nearest = 1e9;
+    const auto look = [&](IndexRange<Face> faces, const Point& eye) {
+        for (const FaceIndex face : faces) {
+            const double t = distance_in_double(level, level.faces[face], eye, direction);
+            if (t >= 0) nearest = std::min(nearest, t);
+        }
+    };
+    look(level.world().faces, point_of(camera.eye));
+    for (const PlacedModel& placed : models)
+        look(level.models[placed.model].faces, point_of(camera.eye - placed.offset));
+    return nearest;
+}
+
+RowPage draw_picking(const RowInput& input, Framebuffer canvas) {
+    const Level& level = input.assets.demo_level;
+    const Camera camera = camera_at(0, -368, 70, static_cast<int>(input.values[0]), static_cast<int>(input.values[1]));
+    draw_demo_level(input, camera, input.mode, canvas);
+    const std::vector<PlacedModel> models = models_at_rest(level);
+    const auto picked = pick_ahead(level, models, camera);
+    draw_crosshair(canvas, input.assets.text);
+    draw_lines_above(canvas.height_px - kFooter_px - 2, describe_picked(level, models, picked), input.assets.text,
+                     canvas);
+    if (!picked) return {{count_figure("faces ahead", 0, 0)}, {}};
+    const Face& face = level.faces[picked->face];
+    const double off_plane = number_of(plane_distance(level.planes[face.plane], picked->world_point));
+    const double expected = nearest_in_double(level, models, camera);
+    return {
+        {number_figure("distance ahead, by a look at all faces in double", expected, number_of(picked->distance), 1e-3),
+         number_figure("the point's distance from the face's plane", 0, off_plane, 1e-3, 6),
+         measured("face, of " + std::to_string(level.faces.size()), std::to_string(picked->face.number()))},
+        {"The ray goes down the tree: at each node a point's distance from a plane, and a line against it."}};
+}
+
+/// A frame of the demo level that was drawn for its log.
+struct LoggedScene {
+    LoggedScene(const RowInput& row, const Camera& camera)
+        : models(models_at_rest(row.assets.demo_level)),
+          scene{row.assets.demo_level, row.assets.colormap, models, row.time_ms},
+          view(first_person_view(camera, row.settings.accuracy.sine)),
+          work(row.assets.demo_level, row.mode),
+          input(row) {}
+
+    void draw(Framebuffer canvas) { draw_frame(scene, view, input.mode, input.settings, work, canvas); }
+    LoggedFrame frame() const { return {scene, view, input.mode, input.settings, work}; }
+
+    std::vector<PlacedModel> models;
+    Scene scene;
+    ViewSpec view;
+    FrameWorkspace work;
+    const RowInput& input;
+};
+
+RowPage draw_log(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    LoggedScene logged(input, camera_at(0, -368, 70, 90, -4));
+    logged.draw(canvas);
+    const auto channel = static_cast<LogChannel>(input.values[0]);
+    std::vector<std::string> lines;
+    FrameLog log(LogChannels::only(channel), [&lines](const std::string& line) { lines.push_back(line); });
+    log.note(logged.frame());
+
+    recolour_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, darker_colours(assets.colormap.palette, 72));
+    std::int32_t y = kHeader_px + 3;
+    for (const std::string& line : lines)
+        for (const std::string_view part : lines_of(line, canvas.width_px - 2 * kTextMargin_px)) {
+            if (y + kLineHeight_px > canvas.height_px - kFooter_px) break;
+            draw_text(canvas, kTextMargin_px, y, part, assets.text);
+            y += kLineHeight_px;
+        }
+    std::int64_t spans_px = pixels_of(logged.work.claims.left_free);
+    for (const FaceList list : {FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Sky, FaceList::Mirror})
+        spans_px += pixels_of(logged.work.claims, list);
+    std::vector<std::string> when_off;
+    FrameLog({}, [&when_off](const std::string& line) { when_off.push_back(line); }).note(logged.frame());
+    return {{count_figure("pixels of all spans: each one once",
+                          std::int64_t{input.mode.width_px} * input.mode.height_px, spans_px),
+             measured("lines of this kind", std::to_string(lines.size())),
+             count_figure("lines with no channel on", 0, std::ssize(when_off))},
+            {"--log KIND,KIND in oblong and oblong-render; O in the game. Lines are worked out after the frame, from "
+             "what it left behind: off, the frame spends nothing on them."}};
+}
+
+RowPage draw_memory(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    LoggedScene logged(input, camera_at(0, -368, 70, static_cast<int>(input.values[0]), -4));
+    logged.draw(canvas);
+    const LogLines lines = memory_lines(logged.frame());
+    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+    std::int32_t y = kHeader_px + 5;
+    double total = 0, framebuffer = 0;
+    for (const std::string& line : lines) {
+        const std::size_t digits = line.find_first_of("0123456789");
+        const double bytes = std::stod(line.substr(digits));
+        total += bytes;
+        framebuffer = bytes;  // the last line's
+        // A pixel for each 12 % more: from a kilobyte to ten megabytes the bars stay comparable.
+        const auto width = static_cast<std::int32_t>(std::max(0.0, std::log2(bytes / 512) * canvas.width_px / 48));
+        fill_area(canvas, {canvas.width_px * 21 / 32, y, width, kLineHeight_px - 3}, assets.colour(90, 130, 220));
+        draw_text(canvas, kTextMargin_px, y, line.substr(0, digits) + decimal_text(bytes / 1024, "%.1f kB"),
+                  assets.text);
+        y += kLineHeight_px + 2;
+    }
+    double texels = 0;
+    for (const MipTexture& texture : assets.demo_level.textures)
+        texels += texture.width * texture.height * (1 + 1 / 4.0 + 1 / 16.0 + 1 / 64.0);
+    const double found = std::stod(lines[4].substr(lines[4].find_first_of("0123456789")));
+    return {{number_figure("bytes of the framebuffer", input.mode.width_px * input.mode.height_px, framebuffer, 0, 0),
+             number_figure("bytes of textures: four mip levels each", texels, found, 0, 0),
+             measured("bytes in all", decimal_text(total, "%.0f"))},
+            {"Bars are logarithmic. Misused memory is found by tools/build asan: address and undefined-behaviour "
+             "sanitizers, with which all tests run."}};
+}
+
+}  // namespace
+
+std::vector<Row> inspection_rows() {
+    std::vector<std::string> channels(kLogChannelNames.begin(), kLogChannelNames.end());
+    return {{"picking",
+             "What is under the crosshair",
+             "5 Abrash: Using the Dot Product for Projection",
+             "engine/scene/pick.h",
+             "tests/scene/pick_test.cpp",
+             {{"yaw, degrees", 0, 350, 10, 90}, {"pitch, degrees", -30, 30, 5, 0}},
+             draw_picking},
+            {"log",
+             "Log channels by kind",
+             "2 Lab: debugging output",
+             "tools/common/frame_log.h",
+             "tests/common/frame_log_test.cpp",
+             {choice_parameter("kind", channels, 3)},
+             draw_log},
+            {"memory",
+             "Memory, by room of the engine",
+             "2 Lab: memory checking",
+             "tools/common/frame_log.cpp",
+             "tests/common/frame_log_test.cpp",
+             {{"yaw, degrees", 0, 270, 90, 90}},
+             draw_memory}};
+}
+
+}  // namespace oblong

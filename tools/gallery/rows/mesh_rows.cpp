@@ -1,0 +1,122 @@
+// Seeds 3 and 5: a model on its way through the pipeline, and among the surfaces of a level.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "engine/fixed/trig.h"
+#include "engine/frame/frame.h"
+#include "engine/frame/workspace.h"
+#include "tools/common/drawing.h"
+#include "tools/gallery/level_scene.h"
+#include "tools/gallery/mesh_scene.h"
+#include "tools/gallery/numbers.h"
+#include "tools/gallery/rows.h"
+
+namespace oblong {
+
+namespace {
+
+MeshLight light_from_above() {
+    return {50, {unit_vector(-1, -1, 2), 90}, {}, 100};
+}
+
+constexpr double kHalfCube = 30;
+constexpr int kPitchDegrees = 25;
+
+/// How many of a turned cube's six sides the eye is in front of: `distance` before its middle.
+std::int64_t sides_in_front(double distance, double yaw, double pitch) {
+    // The x of its axes: ahead, left, up.
+    const std::array towards{std::cos(pitch) * std::cos(yaw), -std::sin(yaw), std::sin(pitch) * std::cos(yaw)};
+    return std::count_if(towards.begin(), towards.end(),
+                         [distance](double x) { return distance * std::abs(x) > kHalfCube; });
+}
+
+RowPage draw_cube(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
+    const Mesh cube =
+        cube_mesh(kHalfCube, checkered_skin(64, lit_colour(assets, 190, 150, 90), lit_colour(assets, 120, 60, 40)));
+    PlacedMesh placed;
+    placed.mesh = &cube;
+    placed.shading = Shading::Flat;
+    placed.position = world_point(static_cast<double>(input.values[1]), 0, 0);
+    placed.yaw = degrees_to_angle(Degrees::from_int(input.values[0]));
+    placed.pitch = degrees_to_angle(Degrees::from_int(-kPitchDegrees));
+    std::vector<std::uint8_t> covered(pixel_count(canvas.width_px, canvas.height_px), 255);
+    MeshScene scene(input, canvas),
+        counted(input, {covered.data(), canvas.width_px, canvas.height_px, canvas.width_px});
+    scene.draw(placed, light_from_above());
+    const Colormap numbers = shade_numbers();
+    const MeshCounts counts = counted.draw(placed, light_from_above(), &numbers);
+    const double degree = std::numbers::pi / 180;
+    const std::int64_t sides = sides_in_front(static_cast<double>(input.values[1]),
+                                              static_cast<double>(input.values[0]) * degree, -kPitchDegrees * degree);
+    return {
+        {count_figure("triangles that face the eye, of 12", 2 * sides, counts.facing),
+         count_figure("pixels drawn: each once", std::ssize(covered) - std::count(covered.begin(), covered.end(), 255),
+                      counts.pixels),
+         measured("triangles scanned, after clipping to the view", std::to_string(counts.triangles))},
+        {"Object space, facing (a dot product in object space), world, view, clipped, projected, scanned into spans, "
+         "pixels: u/z, v/z and 1/z go evenly over the screen, and a division a pixel brings the texel back.",
+         "Near the eye the cube is clipped to the four sides of the view. There is no near plane."}};
+}
+
+RowPage draw_in_level(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    const Level& level = assets.demo_level;
+    const Mesh ball =
+        ball_mesh(30, 16, checkered_skin(64, lit_colour(assets, 200, 190, 170), lit_colour(assets, 60, 80, 130)));
+    PlacedMesh placed;
+    placed.mesh = &ball;
+    placed.shading = static_cast<Shading>(input.values[1]);
+    placed.highlight = 60;
+    placed.position = world_point(static_cast<double>(input.values[0]), 420, 60);
+    placed.yaw = Angle::from_bam(input.time_ms * 8);
+    const std::vector<PlacedModel> models = models_at_rest(level);
+    FrameWorkspace work(level, input.mode);
+    work.counts = std::make_unique<FrameCounts>();
+    Scene scene{level, assets.colormap, models, input.time_ms};
+    const Camera camera = camera_at(0, 120, 70, 90, 0, 70);
+    std::vector<std::uint8_t> without(pixel_count(canvas.width_px, canvas.height_px));
+    draw_frame(scene, camera, input.mode, input.settings, work,
+               {without.data(), canvas.width_px, canvas.height_px, canvas.width_px});
+    const auto wanted = [&work] {
+        std::int64_t pixels = 0;
+        for (const ScreenRectangle& part : work.depth.rectangles())
+            pixels += std::int64_t{part.end_column - part.first_column} * (part.end_row - part.first_row);
+        return pixels;
+    };
+    const std::int64_t before = wanted();
+    scene.meshes = {&placed, 1};
+    draw_frame(scene, camera, input.mode, input.settings, work, canvas);
+    return {
+        {count_figure("pixels with depth in a frame without it", 0, before),
+         measured("pixels with depth: the rectangle around it", std::to_string(wanted())),
+         measured("pixels that it owns", std::to_string(work.counts->of(Effect::Models)))},
+        {"The level's faces need no depth: front to back, each pixel goes to the first. Where a model may be, 1/z of "
+         "the faces that own the pixels is written down, and each pixel of the model compared with it.",
+         "It is lit as the floor below it is."}};
+}
+
+}  // namespace
+
+std::vector<Row> mesh_rows() {
+    return {{"mesh-pipeline",
+             "A textured cube through the pipeline",
+             "3 Notes: Rendering pipeline; 5 Abrash: back-face culling",
+             "engine/mesh/draw_mesh.cpp",
+             "tests/mesh/mesh_pixels_test.cpp",
+             {{"turn, degrees", 0, 355, 5, 30}, {"distance", 32, 400, 8, 160}},
+             draw_cube},
+            {"mesh-in-level",
+             "A model among a level's surfaces",
+             "3 Notes: z-buffer; 5 Abrash: BSP renderer",
+             "engine/frame/model_pass.cpp",
+             "tests/effect_frames/models_test.cpp",
+             {{"x", -200, 200, 10, -70}, choice_parameter("shading", {"flat", "Gouraud", "Phong"}, 1)},
+             draw_in_level}};
+}
+
+}  // namespace oblong

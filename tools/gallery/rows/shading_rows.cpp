@@ -1,0 +1,261 @@
+// Seeds 3 and 5: shading, and light as dot products. Seed 4: what scaling does to normals.
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "tools/common/drawing.h"
+#include "tools/gallery/diagram.h"
+#include "tools/gallery/mesh_scene.h"
+#include "tools/gallery/numbers.h"
+#include "tools/gallery/rows.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr int kFieldOfView = 50;
+constexpr double kDistance = 200;
+constexpr std::array kShadings{Shading::Flat, Shading::Gouraud, Shading::Phong};
+constexpr std::array kShadingNames{"flat", "Gouraud", "Phong"};
+
+std::string decimal(double value, const char* format = "%.2f") {
+    char text[32];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+/// Toward a light that goes around what it shines on, seen from the eye's side: 0 is right, 90 above.
+Direction toward_light(std::int64_t degrees) {
+    const double angle = static_cast<double>(degrees) * std::numbers::pi / 180;
+    return normalised(Direction{-0.8, -std::cos(angle), std::sin(angle)});
+}
+
+Vec3<Unit> unit_of(const Direction& direction) {
+    return unit_vector(direction.x, direction.y, direction.z);
+}
+
+/// A place on the canvas's own view: right of and above its middle, units at the distance of the meshes.
+struct Mark {
+    std::int32_t column = 0, row = 0;
+};
+
+Mark mark_at(const MeshScene& scene, const Vec3<World>& position) {
+    const ViewContext& view = scene.view();
+    const ScreenPosition place = project(to_view(position, view.eye, view.axes), view.projection);
+    return {static_cast<std::int32_t>(floor_of(place.x)), static_cast<std::int32_t>(floor_of(place.y))};
+}
+
+void draw_mark(Framebuffer canvas, Mark mark, std::uint8_t colour) {
+    for (const int step : {-3, -2, 2, 3}) {
+        set_pixel(canvas, mark.column + step, mark.row, colour);
+        set_pixel(canvas, mark.column, mark.row + step, colour);
+    }
+}
+
+/// Where the balls of the row stand, and what part of one is marked.
+constexpr double kBallRadius = 27, kBallStep = 60, kBallHeight = 8;
+
+PlacedMesh shaded_ball(const Mesh& mesh, std::size_t kind) {
+    PlacedMesh placed;
+    placed.mesh = &mesh;
+    placed.position = world_point(kDistance, kBallStep * (1 - static_cast<double>(kind)), kBallHeight);
+    placed.shading = kShadings[kind];
+    placed.highlight = 90;
+    return placed;
+}
+
+/// The light of Phong's reflection: ambient, diffuse and a highlight about the direction halfway to the eye.
+double reflected(const Direction& normal, const Direction& toward, const Direction& eye, double highlight) {
+    const Direction half = normalised(Direction{toward.x + eye.x, toward.y + eye.y, toward.z + eye.z});
+    return 24 + 110 * std::max(dot(normal, toward), 0.0) +
+           highlight * std::pow(std::max(dot(normal, half), 0.0), kShininess);
+}
+
+/// The shade that the mark should have, from the corners of the triangle that is there.
+double expected_shade(std::size_t kind, const PlacedMesh& placed, const ExactHit& hit, const Direction& toward) {
+    const Direction place{placed.position.x.raw / 4096.0, placed.position.y.raw / 4096.0,
+                          placed.position.z.raw / 4096.0};
+    const Direction eye = normalised(Direction{-place.x, -place.y, -place.z});
+    if (kShadings[kind] == Shading::Flat) return exact_shade(reflected(hit.normal, toward, eye, 0));
+    double shade = 0;
+    Direction normal;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Direction& corner = hit.corners[i].normal;
+        shade += hit.shares[i] * exact_shade(reflected(corner, toward, eye, 0));
+        normal.x += hit.shares[i] * corner.x;
+        normal.y += hit.shares[i] * corner.y;
+        normal.z += hit.shares[i] * corner.z;
+    }
+    if (kShadings[kind] == Shading::Gouraud) return shade;
+    return exact_shade(reflected(normalised(normal), toward, eye, placed.highlight));
+}
+
+RowPage draw_shadings(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
+    const Mesh ball =
+        ball_mesh(kBallRadius, static_cast<int>(input.values[0]), plain_skin(lit_colour(assets, 150, 90, 40)));
+    const Direction toward = toward_light(input.values[1]);
+    const MeshLight light{24, {unit_of(toward), 110}, {}, 100};
+    MeshScene scene(input, canvas, kFieldOfView);
+    std::vector<std::uint8_t> numbers(pixel_count(canvas.width_px, canvas.height_px));
+    MeshScene numbered(input, {numbers.data(), canvas.width_px, canvas.height_px, canvas.width_px}, kFieldOfView);
+    const Colormap by_number = shade_numbers();
+    RowPage page;
+    for (std::size_t kind = 0; kind < kShadings.size(); ++kind) {
+        const PlacedMesh placed = shaded_ball(ball, kind);
+        scene.draw(placed, light);
+        numbered.draw(placed, light, &by_number);
+        const Mark mark = mark_at(scene, placed.position + world_point(-25, -3, 7));
+        const auto hit = exact_hit(placed, input, kFieldOfView, mark.column + 0.5, mark.row + 0.5);
+        const double found = numbers[static_cast<std::size_t>(mark.row * canvas.width_px + mark.column)];
+        page.figures.push_back(number_figure(std::string("shade at the mark, ") + kShadingNames[kind],
+                                             hit ? expected_shade(kind, placed, *hit, toward) : -1, found, 1.6, 1));
+        draw_mark(canvas, mark, assets.colour(255, 255, 255));
+        const Mark label = mark_at(scene, placed.position + world_point(0, 0, -kBallRadius - 6));
+        draw_text(canvas, label.column - text_width_px(kShadingNames[kind]) / 2, label.row, kShadingNames[kind],
+                  assets.text);
+    }
+    page.notes = {
+        "The same ball, light and normals. Flat: one dot product a triangle. Gouraud: one a vertex, and shades that go "
+        "evenly over the screen. Phong: normals that go evenly, made of length 1 again at each pixel, and a highlight.",
+        "Light becomes one of the colormap's 64 shades: 32 is the colour itself, 0 twice as bright, 63 black."};
+    return page;
+}
+
+enum class Kind : std::uint8_t { Ambient, Directional, Point };
+constexpr double kLitRadius = 46;
+
+/// The light that a place of the ball should get.
+double expected_light(Kind kind, const Direction& normal, const Direction& position, const Direction& lamp) {
+    if (kind == Kind::Ambient) return 90;
+    const Direction way =
+        kind == Kind::Point ? Direction{lamp.x - position.x, lamp.y - position.y, lamp.z - position.z} : lamp;
+    const double distance = kind == Kind::Point ? std::sqrt(dot(way, way)) : 0;
+    return std::max(dot(normal, normalised(way)), 0.0) *
+           (kind == Kind::Point ? std::max(150 - distance, 0.0) * 1.5 : 120);
+}
+
+RowPage draw_lights(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
+    const auto kind = static_cast<Kind>(input.values[0]);
+    const Direction toward = toward_light(input.values[1]);
+    const Mesh ball = ball_mesh(kLitRadius, 24, plain_skin(lit_colour(assets, 130, 130, 140)));
+    PlacedMesh placed;
+    placed.mesh = &ball;
+    placed.shading = Shading::Gouraud;
+    placed.position = world_point(kDistance, 0, 8);
+    const Direction lamp =
+        kind == Kind::Point ? Direction{kDistance + toward.x * 90, toward.y * 90, 8 + toward.z * 90} : toward;
+    const MovingLight point{world_point(lamp.x, lamp.y, lamp.z), World::from_int(150), 384};
+    MeshLight light{kind == Kind::Ambient ? 90 : 0, {unit_of(toward), kind == Kind::Directional ? 120 : 0}, {}, 100};
+    if (kind == Kind::Point) light.points = {&point, 1};
+    MeshScene scene(input, canvas, kFieldOfView);
+    scene.draw(placed, light);
+
+    RowPage page;
+    constexpr std::array kPlaces{Direction{-0.5, -0.5, 0.7}, Direction{-0.8, 0.6, 0.2}, Direction{-0.6, -0.2, -0.78}};
+    for (std::size_t i = 0; i < kPlaces.size(); ++i) {
+        const Direction normal = normalised(kPlaces[i]);
+        const Direction position{kDistance + normal.x * kLitRadius, normal.y * kLitRadius, 8 + normal.z * kLitRadius};
+        const Vec3<World> on_ball = world_point(position.x, position.y, position.z);
+        const double found = light_at(on_ball, unit_of(normal), light) / 256.0;
+        const double expected = expected_light(kind, normal, position, lamp);
+        const std::string name(1, static_cast<char>('A' + i));
+        page.figures.push_back(number_figure("light at " + name, expected, found, 0.05, 2));
+        const Mark mark = mark_at(scene, on_ball);
+        draw_mark(canvas, mark, assets.colour(255, 255, 255));
+        const bool is_left = normal.y > 0;
+        const std::string label = name + " " + decimal(found, "%.1f");
+        draw_text(canvas, is_left ? mark.column - 8 - text_width_px(label) : mark.column + 6, mark.row - 4, label,
+                  assets.text);
+    }
+    if (kind == Kind::Point) {
+        const Mark mark = mark_at(scene, point.position);
+        fill_area(canvas, {mark.column - 2, mark.row - 2, 5, 5}, assets.colour(255, 240, 150));
+        draw_text(canvas, mark.column + 6, mark.row - 4, "lamp", assets.text);
+    }
+    page.notes = {
+        "Ambient light is the same everywhere. Of a directional light a surface gets strength max(0, N . L); of "
+        "a point's (radius - distance) brightness max(0, N . L), L being the way to it.",
+        "Light 128 shows the ball's own colour."};
+    return page;
+}
+
+/// Seed 4 says that normals stay normals; its erratum A7 works out that they do not.
+RowPage draw_normals(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    const double scale = static_cast<double>(input.values[0]) / 4;
+    Diagram diagram(input, canvas, {0, 0}, 4.4);
+    diagram.fill(assets.colour(20, 24, 36));
+    const std::uint8_t outline = assets.colour(150, 160, 180), wrong = assets.colour(220, 70, 60),
+                       right = assets.colour(90, 210, 110);
+    Matrix3 matrix = Matrix3::identity();
+    matrix.rows[0][0] = Entry::from_raw(input.values[0] * (std::int64_t{1} << 30));
+    const std::optional<Matrix3> normals = normal_matrix(matrix);
+    if (!normals) return {};
+    const auto number = [](Entry entry) { return std::ldexp(static_cast<double>(entry.raw), -32); };
+    PlanePoint last{scale, 0};
+    for (int step = 1; step <= 96; ++step) {
+        const double angle = step * std::numbers::pi / 48;
+        const PlanePoint place{scale * std::cos(angle), std::sin(angle)};
+        diagram.line(last, place, outline);
+        last = place;
+    }
+    for (int step = 0; step < 12; ++step) {
+        const double angle = (step + 0.5) * std::numbers::pi / 6, length = 0.6;
+        const auto entry = [](double value) { return Entry::from_raw(std::llround(std::ldexp(value, 32))); };
+        const Vec3<Entry> normal{entry(std::cos(angle)), entry(std::sin(angle)), Entry{}};
+        const Vec3<Entry> as_point = matrix * normal, as_normal = *normals * normal;
+        const PlanePoint from{scale * std::cos(angle), std::sin(angle)};
+        for (const auto& [vector, colour] : {std::pair{as_point, wrong}, std::pair{as_normal, right}}) {
+            const double size = length / std::hypot(number(vector.x), number(vector.y));
+            diagram.arrow(from, {from.x + number(vector.x) * size, from.y + number(vector.y) * size}, colour);
+        }
+    }
+    diagram.text({-0.9, 0.3}, "N = M n", wrong);
+    diagram.text({-0.9, -0.1}, "N = M^-T n", right);
+    const auto whole = [](int x, int y) { return Vec3<Entry>{Entry::from_int(x), Entry::from_int(y), Entry{}}; };
+    const auto product = [&](const Vec3<Entry>& a, const Vec3<Entry>& b) {
+        return number(a.x) * number(b.x) + number(a.y) * number(b.y) + number(a.z) * number(b.z);
+    };
+    const Vec3<Entry> tangent = matrix * whole(1, -1);
+    return {
+        {number_figure("M n . M t of n (1, 1, 0), t (1, -1, 0)", scale * scale - 1,
+                       product(matrix * whole(1, 1), tangent), 1e-9, 4),
+         number_figure("M^-T n . M t", 0, product(*normals * whole(1, 1), tangent), 1e-6, 4)},
+        {"M scales x. A normal that is transformed as a point leans over; by the inverse transpose it stays at right "
+         "angles to the surface. With 2 the two products are the erratum's 3 and 0."}};
+}
+
+}  // namespace
+
+std::vector<Row> shading_rows() {
+    return {
+        {"shading",
+         "Flat, Gouraud and Phong shading",
+         "3 Notes: Shading; 5 Abrash: lighting",
+         "engine/mesh/mesh_pixels.cpp",
+         "tests/mesh/mesh_light_test.cpp",
+         {{"rings of the ball", 4, 24, 1, 7}, {"light from, degrees", 0, 345, 15, 60}},
+         draw_shadings},
+        {"lights",
+         "Ambient, directional and point light",
+         "5 Abrash: lighting; 4 Princeton: Lighting",
+         "engine/mesh/mesh_light.cpp",
+         "tests/mesh/mesh_light_test.cpp",
+         {choice_parameter("light", {"ambient", "directional", "point"}, 1), {"light from, degrees", 0, 345, 15, 60}},
+         draw_lights},
+        {"normals",
+         "Normals by the inverse transpose",
+         "4 Princeton: Transformations",
+         "engine/math/matrix.cpp",
+         "tests/mesh/mesh_stages_test.cpp",
+         {{"scale of x, quarters", 1, 12, 1, 8}},
+         draw_normals}};
+}
+
+}  // namespace oblong

@@ -1,0 +1,368 @@
+// Seed 3 (course notes): triangles by three methods, the top-left rule, barycentric coordinates.
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <thread>
+
+#include "engine/raster/triangles.h"
+#include "tools/gallery/pixel_grid.h"
+#include "tools/gallery/rows.h"
+
+namespace oblong {
+
+namespace {
+
+Screen screen_of(double pixels) {
+    return Screen::from_raw(static_cast<std::int32_t>(std::lround(pixels * 256)));
+}
+ScreenVertex vertex_at(PlanePoint at) {
+    return {screen_of(at.x), screen_of(at.y)};
+}
+
+struct ColouredTriangle {
+    ScreenTriangle corners;
+    std::uint8_t colour;
+};
+
+/// Draws triangles back to front in the rows of a band.
+void draw_band(const std::vector<ColouredTriangle>& triangles, TriangleMethod method, const ScreenRectangle& band,
+               Framebuffer canvas) {
+    TriangleScanner scanner(method, band);
+    std::vector<Span> spans;
+    for (const ColouredTriangle& triangle : triangles) {
+        spans.clear();
+        scanner.scan(triangle.corners, spans);
+        fill_spans(spans, triangle.colour, canvas);
+    }
+}
+
+/// Band `index` of a canvas cut in `count`.
+ScreenRectangle band_of(Framebuffer canvas, int index, int count) {
+    return {0, canvas.width_px, canvas.height_px * index / count, canvas.height_px * (index + 1) / count};
+}
+
+void draw_by_threads(const std::vector<ColouredTriangle>& triangles, TriangleMethod method, int threads,
+                     Framebuffer canvas) {
+    std::vector<std::thread> running;
+    for (int i = 0; i < threads; ++i)
+        running.emplace_back([&, i] { draw_band(triangles, method, band_of(canvas, i, threads), canvas); });
+    for (std::thread& thread : running) thread.join();
+}
+
+/// Large ones behind, small ones in front, some beyond the canvas, in either order of corners.
+std::vector<ColouredTriangle> random_triangles(std::int64_t seed, const RowInput& input, Framebuffer canvas) {
+    constexpr int kCount = 60;
+    std::mt19937 random(static_cast<std::uint32_t>(seed));
+    const auto part = [&] { return static_cast<double>(random() % 65536) / 65536; };
+    std::vector<ColouredTriangle> triangles;
+    for (int i = 0; i < kCount; ++i) {
+        const double size = canvas.width_px * (0.9 - 0.75 * i / kCount);
+        const PlanePoint middle{part() * canvas.width_px, part() * canvas.height_px};
+        ColouredTriangle triangle{};
+        for (ScreenVertex& corner : triangle.corners)
+            corner = vertex_at({middle.x + (part() - 0.5) * size, middle.y + (part() - 0.5) * size});
+        const int light = 70 + 120 * i / kCount;
+        const std::array<std::array<int, 3>, 4> hues{{{20, 0, -30}, {-30, 0, 30}, {-20, 20, 0}, {40, -20, -30}}};
+        const auto& hue = hues[random() % hues.size()];
+        triangle.colour = input.assets.colour(light + hue[0], light + hue[1], light + hue[2]);
+        triangles.push_back(triangle);
+    }
+    return triangles;
+}
+
+std::int64_t differing_pixels(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+    std::int64_t count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i];
+    return count;
+}
+
+RowPage draw_methods(const RowInput& input, Framebuffer canvas) {
+    constexpr std::array<int, 3> kThreads{1, 2, 4};
+    const std::uint8_t ground = input.assets.colour(20, 24, 36);
+    const auto triangles = random_triangles(input.values[2], input, canvas);
+    const auto picture = [&](int method, int threads) {
+        std::vector<std::uint8_t> pixels(pixel_count(canvas.width_px, canvas.height_px), ground);
+        draw_by_threads(triangles, static_cast<TriangleMethod>(method), threads,
+                        {pixels.data(), canvas.width_px, canvas.height_px, canvas.width_px});
+        return pixels;
+    };
+    const int shown_threads = at(kThreads, input.values[1]);
+    const auto shown = picture(static_cast<int>(input.values[0]), shown_threads);
+    for (std::int32_t y = 0; y < canvas.height_px; ++y)
+        std::copy_n(shown.data() + std::int64_t{y} * canvas.width_px, canvas.width_px, canvas.row(y));
+    for (int i = 1; i < shown_threads; ++i)
+        fill_area(canvas, {0, band_of(canvas, i, shown_threads).first_row, canvas.width_px, 1},
+                  input.assets.colour(240, 240, 240));
+
+    RowPage page;
+    for (int method = 1; method < kTriangleMethodCount; ++method)
+        page.figures.push_back(count_figure(
+            std::string(name_of(static_cast<TriangleMethod>(method))) + ": pixels unlike those of flat parts", 0,
+            differing_pixels(picture(method, 1), picture(0, 1))));
+    for (int method = 0; method < kTriangleMethodCount; ++method)
+        page.figures.push_back(count_figure(
+            std::string(name_of(static_cast<TriangleMethod>(method))) + " by 2 and 4 threads: pixels unlike by 1", 0,
+            differing_pixels(picture(method, 2), picture(method, 1)) +
+                differing_pixels(picture(method, 4), picture(method, 1))));
+    page.notes = {
+        "60 triangles, in either order of corners, some beyond the borders. Each thread draws all of them in a band "
+        "of rows (white lines between bands).",
+        "Edge functions test eight pixels at a time with SSE2."};
+    return page;
+}
+
+/// Two triangles with a common side on a grid whose pixel centres the corners hit, as the rule decides.
+RowPage draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
+    constexpr std::int32_t kColumns = 16, kRows = 9;
+    const GalleryAssets& assets = input.assets;
+    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(16, 18, 28));
+    const std::uint8_t ground = assets.colour(36, 42, 58);
+    PixelGrid grid(input, canvas, {0, kHeader_px, canvas.width_px, canvas.height_px - kHeader_px - kFooter_px},
+                   kColumns, kRows, ground);
+    const double x = static_cast<double>(input.values[0]) / 2, y = static_cast<double>(input.values[1]) / 2;
+    const std::array<PlanePoint, 4> corners{{{1.5, 1.5}, {x, 1.5}, {13.5, y}, {3.5, 7.5}}};
+    const ScreenTriangle first{vertex_at(corners[0]), vertex_at(corners[1]), vertex_at(corners[3])},
+        second{vertex_at(corners[1]), vertex_at(corners[2]), vertex_at(corners[3])};
+
+    TriangleScanner scanner(TriangleMethod::EdgeFunctions, {0, kColumns, 0, kRows});
+    const auto cover = [&](const ScreenTriangle& triangle, std::uint8_t colour) {
+        std::vector<Span> spans;
+        scanner.scan(triangle, spans);
+        std::vector<std::uint8_t> covered(pixel_count(kColumns, kRows), 0);
+        fill_spans(spans, 1, {covered.data(), kColumns, kRows, kColumns});
+        fill_spans(spans, colour, grid.picture());
+        return covered;
+    };
+    const auto by_first = cover(first, assets.colour(200, 120, 48)),
+               by_second = cover(second, assets.colour(56, 120, 184));
+    std::int64_t twice = 0, neither = 0, on_common_side = 0;
+    for (std::int32_t row = 0; row < kRows; ++row)
+        for (std::int32_t column = 0; column < kColumns; ++column) {
+            const auto pixel = static_cast<std::size_t>(row * kColumns + column);
+            const double across = corners[3].x - corners[1].x, down = corners[3].y - corners[1].y;
+            const double beside = across * (row + 0.5 - corners[1].y) - down * (column + 0.5 - corners[1].x);
+            const bool is_on_side = beside == 0 && row + 0.5 > corners[1].y && row + 0.5 < corners[3].y;
+            twice += by_first[pixel] != 0 && by_second[pixel] != 0;
+            on_common_side += is_on_side;
+            neither += is_on_side && by_first[pixel] == 0 && by_second[pixel] == 0;
+        }
+    grid.show(assets.colour(16, 18, 28));
+    const std::uint8_t line = assets.colour(240, 236, 220);
+    for (const auto& [from, to] : {std::pair{0, 1}, {1, 2}, {2, 3}, {3, 0}, {1, 3}})
+        grid.line(at(corners, from), at(corners, to), line);
+    for (std::int32_t row = 0; row < kRows; ++row)
+        for (std::int32_t column = 0; column < kColumns; ++column)
+            grid.dot({column + 0.5, row + 0.5}, assets.colour(12, 12, 20));
+    return {{count_figure("pixels that both triangles own", 0, twice),
+             count_figure("centres on the common side that neither owns", 0, neither),
+             measured("centres on the common side", std::to_string(on_common_side))},
+            {"A centre (dot) on a side belongs to the triangle that has the side on its left or, level, on top: to the "
+             "right, blue one here. The level side on top is covered, the sides on the right are not.",
+             "A triangle may have two left sides."}};
+}
+
+struct NamedPlace {
+    const char* name;
+    PlanePoint at;
+    std::array<double, 3> weights;  ///< as the seed's formula gives them with signs
+};
+constexpr std::array<NamedPlace, 4> kPlaces{{{"(1, 1)", {1, 1}, {0.5, 0.25, 0.25}},
+                                             {"(5, 5), outside", {5, 5}, {-1.5, 1.25, 1.25}},
+                                             {"(2, 2), on a side", {2, 2}, {0, 0.5, 0.5}},
+                                             {"(0, 4), a corner", {0, 4}, {0, 0, 1}}}};
+
+double share_of(ScreenArea part, ScreenArea whole) {
+    return static_cast<double>(part.raw) / static_cast<double>(whole.raw);
+}
+
+constexpr std::array<std::array<int, 4>, 4> kBayer{{{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
+
+/// Red, green and blue at the corners, each by a linear quantity; the nearest colours of the palette, dithered.
+void fill_with_gradient(const ScreenTriangle& triangle, const RowInput& input, Framebuffer canvas) {
+    constexpr auto kMost = CornerQuantity::from_int(255);
+    const std::array<LinearQuantity<CornerQuantity>, 3> channels{
+        quantity_over(triangle, {kMost, {}, {}}), quantity_over(triangle, {CornerQuantity{}, kMost, {}}),
+        quantity_over(triangle, {CornerQuantity{}, {}, kMost})};
+    TriangleScanner scanner(TriangleMethod::EdgeFunctions, {0, canvas.width_px, 0, canvas.height_px});
+    std::vector<Span> spans;
+    scanner.scan(triangle, spans);
+    for (const Span& span : spans)
+        for (std::int32_t x = span.first; x < span.end; ++x) {
+            const int dither = kBayer[static_cast<std::size_t>(span.y & 3)][static_cast<std::size_t>(x & 3)] * 4 - 30;
+            const auto channel = [&](int i) {
+                return std::clamp(static_cast<int>(floor_of(at(channels, i).at(x, span.y))) + dither, 0, 255);
+            };
+            canvas.row(span.y)[x] = input.assets.colour(channel(0), channel(1), channel(2));
+        }
+}
+
+RowPage draw_barycentric(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    const NamedPlace& place = at(kPlaces, input.values[0]);
+    Diagram diagram(input, canvas, {2.5, 2.5}, 6.4);
+    diagram.fill(assets.colour(16, 18, 28));
+    const std::array<PlanePoint, 3> corners{{{0, 0}, {4, 0}, {0, 4}}};
+    ScreenTriangle on_canvas, in_plane;
+    for (int i = 0; i < 3; ++i) {
+        at(on_canvas, i) = vertex_at(diagram.on_canvas(at(corners, i)));
+        at(in_plane, i) = vertex_at(at(corners, i));
+    }
+    fill_with_gradient(on_canvas, input, canvas);
+    const std::uint8_t white = assets.colour(250, 250, 250), grey = assets.colour(150, 160, 180);
+    for (int i = 0; i < 3; ++i) {
+        diagram.line(at(corners, i), at(corners, (i + 1) % 3), grey);
+        diagram.line(at(corners, i), place.at, white);
+    }
+    diagram.text(corners[0], "A (0, 0)", grey, -54);
+    diagram.text(corners[1], "B (4, 0)", grey);
+    diagram.text(corners[2], "C (0, 4)", grey, -54);
+    diagram.disc(place.at, 0.08, white);
+
+    const BarycentricWeights w = barycentric_weights(in_plane, vertex_at(place.at));
+    const std::array<double, 3> found{share_of(w.a, w.whole), share_of(w.b, w.whole), share_of(w.c, w.whole)};
+    RowPage page;
+    const std::array<const char*, 3> names{"alpha = PBC / ABC", "beta = PCA / ABC", "gamma = PAB / ABC"};
+    for (int i = 0; i < 3; ++i) {
+        page.figures.push_back(number_figure(at(names, i), at(place.weights, i), at(found, i), 1e-12, 2));
+        diagram.text({4.9, 2.6 - 0.5 * i},
+                     std::string(at(names, i)).substr(0, std::string_view(at(names, i)).find(' ')) + " = " +
+                         page.figures.back().found,
+                     white);
+    }
+    page.figures.push_back(number_figure("their sum", 1, found[0] + found[1] + found[2], 1e-12, 2));
+    page.notes = {
+        "P = alpha A + beta B + gamma C. With signs the weights say where P is: below 0 beyond a side. The seed's "
+        "lengths of cross products lose the sign, and add up to 4 at (5, 5).",
+        "Red, green and blue are 255 at A, B and C and step evenly between."};
+    return page;
+}
+
+/// A floor tile as two triangles: near side at depth 1, far side at depth `far`.
+struct Tile {
+    std::array<PlanePoint, 4> corners;  ///< on the canvas: near left, near right, far right, far left
+    double far_depth;
+};
+constexpr std::array<PlanePoint, 4> kTexels{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
+CornerQuantity quantity(double value) {
+    return CornerQuantity::from_raw(std::llround(std::ldexp(value, 32)));
+}
+
+/// Both coordinates at a pixel: interpolated themselves, or over z and divided by 1/z.
+class TileTexture {
+  public:
+    TileTexture(const Tile& tile, const std::array<int, 3>& corners, bool is_perspective) {
+        std::array<CornerQuantity, 3> u, v, inverse_z;
+        for (int i = 0; i < 3; ++i) {
+            const int corner = at(corners, i);
+            at(triangle, i) = vertex_at(at(tile.corners, corner));
+            const double over = is_perspective && corner >= 2 ? 1 / tile.far_depth : 1;
+            at(u, i) = quantity(at(kTexels, corner).x * over);
+            at(v, i) = quantity(at(kTexels, corner).y * over);
+            at(inverse_z, i) = quantity(over);
+        }
+        u_ = quantity_over(triangle, u);
+        v_ = quantity_over(triangle, v);
+        inverse_z_ = quantity_over(triangle, inverse_z);
+    }
+    PlanePoint at_pixel(std::int32_t x, std::int32_t y) const {
+        const auto over_z = [&](const auto& linear) { return static_cast<double>(linear.at(x, y).raw); };
+        return {over_z(u_) / over_z(inverse_z_), over_z(v_) / over_z(inverse_z_)};
+    }
+
+    ScreenTriangle triangle;
+
+  private:
+    LinearQuantity<CornerQuantity> u_, v_, inverse_z_;
+};
+
+constexpr std::array<std::array<int, 3>, 2> kHalves{{{0, 3, 2}, {0, 2, 1}}};
+
+void draw_tile(const Tile& tile, bool is_perspective, const RowInput& input, Framebuffer canvas) {
+    const std::array<std::uint8_t, 2> colours{input.assets.colour(196, 176, 136), input.assets.colour(72, 56, 48)};
+    for (const auto& half : kHalves) {
+        const TileTexture texture(tile, half, is_perspective);
+        TriangleScanner scanner(TriangleMethod::EdgeFunctions, {0, canvas.width_px, 0, canvas.height_px});
+        std::vector<Span> spans;
+        scanner.scan(texture.triangle, spans);
+        for (const Span& span : spans)
+            for (std::int32_t x = span.first; x < span.end; ++x) {
+                const PlanePoint texel = texture.at_pixel(x, span.y);
+                const int square =
+                    static_cast<int>(std::floor(texel.x * 8)) + static_cast<int>(std::floor(texel.y * 8));
+                canvas.row(span.y)[x] = at(colours, square & 1);
+            }
+    }
+}
+
+/// The texel half way up the left side of the screen, between depth 1 and `far`: v is 0 to 1 there.
+double middle_of_side(double far_depth, bool is_perspective) {
+    const Tile tile{{{{0.5, 64.5}, {40.5, 64.5}, {30.5, 0.5}, {0.5, 0.5}}}, far_depth};
+    return TileTexture(tile, kHalves[0], is_perspective).at_pixel(0, 32).y;
+}
+
+RowPage draw_perspective(const RowInput& input, Framebuffer canvas) {
+    const auto far_depth = static_cast<double>(input.values[0]);
+    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(16, 18, 28));
+    const double half = canvas.width_px / 2.0, near_y = canvas.height_px - kFooter_px - 4, horizon = kHeader_px + 6,
+                 far_y = horizon + (near_y - horizon) / far_depth;
+    for (const bool is_perspective : {false, true}) {
+        const double middle = half * (is_perspective ? 1.5 : 0.5), across = half * 0.47;
+        const Tile tile{{{{middle - across, near_y},
+                          {middle + across, near_y},
+                          {middle + across / far_depth, far_y},
+                          {middle - across / far_depth, far_y}}},
+                        far_depth};
+        draw_tile(tile, is_perspective, input, canvas);
+        draw_text(canvas, static_cast<std::int32_t>(middle - half / 2) + kTextMargin_px, kHeader_px + 2,
+                  is_perspective ? "u/z, v/z, 1/z" : "u, v", input.assets.text);
+    }
+    return {{number_figure("u half way along an edge, by u/z and 1/z", 1 / (1 + far_depth),
+                           middle_of_side(far_depth, true), 1e-6),
+             number_figure("u half way along an edge, by u itself", 0.5, middle_of_side(far_depth, false), 1e-6)},
+            {"The near side of the tile is at depth 1, the far one at the depth that the arrow keys set. On the screen "
+             "u/z and 1/z step evenly, u does not: weighing it by barycentric coordinates bends the tile along its "
+             "diagonal, where the two triangles meet."}};
+}
+
+}  // namespace
+
+std::vector<Row> triangle_rows() {
+    std::vector<std::string> methods, places;
+    for (int i = 0; i < kTriangleMethodCount; ++i) methods.push_back(name_of(static_cast<TriangleMethod>(i)));
+    for (const NamedPlace& place : kPlaces) places.push_back(place.name);
+    constexpr const char* kTest = "tests/raster/triangles_test.cpp";
+    return {{"triangles",
+             "Triangles by three methods, and threads",
+             "3 Notes: Triangles, Parallel acceleration",
+             "engine/raster/triangles.cpp",
+             kTest,
+             {choice_parameter("method", methods, 2),
+              choice_parameter("threads", {"1", "2", "4"}, 2),
+              {"seed", 1, 99, 1, 7}},
+             draw_methods},
+            {"top-left-rule",
+             "Top-left rule",
+             "3 Notes: Parallel acceleration",
+             "engine/raster/triangles.h",
+             kTest,
+             {{"top corner, half columns", 13, 27, 1, 23}, {"right corner, half rows", 4, 16, 1, 11}},
+             draw_top_left_rule},
+            {"barycentric",
+             "Barycentric coordinates",
+             "3 Notes: Texture",
+             "engine/raster/triangles.h",
+             kTest,
+             {choice_parameter("P", places)},
+             draw_barycentric},
+            {"perspective-correct",
+             "Textures by u/z, not by u",
+             "3 Notes: Texture",
+             "engine/raster/triangles.h",
+             kTest,
+             {{"far depth", 2, 9, 1, 3}},
+             draw_perspective}};
+}
+
+}  // namespace oblong
