@@ -1,6 +1,7 @@
 #include "engine/geometry/view_spec.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace oblong {
 
@@ -33,9 +34,11 @@ std::optional<std::string> problem_of_window(const ViewSpec& spec, const ScreenM
     return std::nullopt;
 }
 
-/// The window's scale is in the depth that all points get, so that multipliers are those of 90 degrees.
-Projection parallel_projection(const ScreenMode& mode, bool corrects_aspect) {
-    return make_projection(mode, ViewWindow{View::from_int(1), View::from_int(1)}, corrects_aspect);
+/// The depth that all points of a parallel view get: a power of two, so that 1/z is exact in any format, and no less
+/// than half the width, as in views of at most 90 degrees.
+View depth_of(View half_width) {
+    const auto steps = static_cast<std::uint64_t>(half_width.raw);
+    return View::from_raw(static_cast<std::int64_t>(std::bit_ceil(steps)));
 }
 
 }  // namespace
@@ -47,9 +50,11 @@ std::optional<std::string> problem_of(const ViewSpec& spec, const ScreenMode& mo
         return "a view whose middle is more than 45 degrees from straight ahead, expected less";
     if ((spec.shear_x != Unit{} || spec.shear_y != Unit{}) && is_far(spec.eye))
         return "a sheared view from beyond 262,144 units, expected an eye nearer to the world's origin";
-    if (!spec.is_parallel && !is_drawable(make_projection(mode, spec.window)))
-        return "a window so wide, or so near to the eye, that a unit at depth 1 is less than half a pixel, expected "
-               "more";
+    // Of a parallel view the depth may be greater, but not less (depth_of).
+    const ViewWindow window = spec.is_parallel ? ViewWindow{View::from_int(1), View::from_int(1)} : spec.window;
+    if (!is_drawable(make_projection(mode, window)))
+        return "a view so wide that a unit at depth 1 is less than half a pixel, expected a narrower one or a larger "
+               "mode";
     return std::nullopt;
 }
 
@@ -61,13 +66,13 @@ ViewContext make_view_context(const ViewSpec& spec, const ScreenMode& mode, cons
     view.axes = {sheared(axes.right, -spec.shear_x, axes.forward), sheared(axes.up, -spec.shear_y, axes.forward),
                  axes.forward};
     view.rays = {axes.right, axes.up, sheared(sheared(axes.forward, spec.shear_x, axes.right), spec.shear_y, axes.up)};
-    view.projection = spec.is_parallel ? parallel_projection(mode, precision.corrects_aspect)
-                                       : make_projection(mode, spec.window, precision.corrects_aspect);
+    ViewWindow window = spec.window;
     if (spec.is_parallel) {
+        window.distance = view.parallel_depth = depth_of(shown_half_width(window, mode));
         view.axes.forward = {};
-        view.parallel_depth = shown_half_width(spec.window, mode);
         view.viewpoint = {toward_viewer(view.rays.forward), 0};
     }
+    view.projection = make_projection(mode, window, precision.corrects_aspect);
     view.frustum = make_frustum(view.axes, view.projection, view.parallel_depth);
     view.grid = SubpixelGrid::of_bits(precision.subpixel_bits);
     view.view_bits = precision.view_bits;

@@ -107,6 +107,22 @@ TEST_F(SessionOfTheDemo, MapAndEdgesLeaveNoTraceInTheGame) {
             << frame;
 }
 
+TEST_F(SessionOfTheDemo, OtherViewsLeaveNoTraceInTheGame) {
+    const std::vector<Picture> plain = play({});
+    const std::vector<std::uint8_t> plain_demo = demo_;
+    const std::vector<Picture> watched = play({{1, {Command::Isometric}},
+                                               {10, {Command::Isometric, Command::ZoomIn, Command::ZoomIn}},
+                                               {20, {Command::ZoomOut, Command::ZoomOut}}});
+    EXPECT_EQ(demo_, plain_demo);
+    ASSERT_EQ(watched.size(), plain.size());
+    for (std::size_t frame = 1; frame < 20; ++frame) EXPECT_NE(watched[frame], plain[frame]) << frame;
+    constexpr std::size_t kBelowMessage = 320 * 40;
+    for (std::size_t frame = 20; frame < plain.size(); ++frame)
+        EXPECT_TRUE(std::equal(plain[frame].begin() + kBelowMessage, plain[frame].end(),
+                               watched[frame].begin() + kBelowMessage))
+            << frame;
+}
+
 TEST_F(SessionOfTheDemo, ArrowsWalkUnlessTheLabIsOpen) {
     play({});
     const std::vector<std::uint8_t> walked = demo_;

@@ -164,7 +164,9 @@ ViewOfCamera through_window(ViewKeys& keys) {
     window.v_max = v_max;
     window.front = keys.take_units("front");
     window.back = keys.take_units("back");
-    window.is_parallel = keys.take("parallel", "0") != "0";
+    const std::string parallel = keys.take("parallel", "0");
+    if (parallel != "0" && parallel != "1") throw UsageError("--view: parallel='" + parallel + "', expected 0 or 1");
+    window.is_parallel = parallel == "1";
     return [window, cop](const Camera& camera) {
         WindowView placed = window;
         placed.reference_point = camera.eye;

@@ -296,8 +296,9 @@ RowPage draw_level_from_outside(const RowInput& input, Framebuffer canvas) {
 
 /// A camera whose picture of the cube has so many vanishing points.
 Camera camera_with_points(int points) {
+    constexpr std::array<Place, 3> kEyes{{{110, -310, 100}, {-160, -160, 15}, {-140, -140, 150}}};
     Camera camera;
-    camera.eye = in_world({points == 1 ? 70.0 : -140.0, points == 1 ? -190.0 : -140.0, points == 3 ? 150.0 : 30.0});
+    camera.eye = in_world(at(kEyes, points - 1));
     camera.yaw = degrees_to_angle(Degrees::from_int(points == 1 ? 90 : 45));
     camera.pitch = degrees_to_angle(Degrees::from_int(points == 3 ? 38 : 0));
     camera.field_of_view = Degrees::from_int(100);
@@ -315,7 +316,7 @@ std::optional<PixelPlace> vanishing_point(const Vec3<Unit>& axis, const ViewCont
 }
 
 RowPage draw_vanishing_points(const RowInput& input, Framebuffer canvas) {
-    const auto points = static_cast<int>(input.values[0]);
+    const auto points = static_cast<int>(input.values[0]) + 1;
     const Camera camera = camera_with_points(points);
     WireScene scene(input, first_person_view(camera), canvas);
     scene.fill_background();
@@ -341,7 +342,7 @@ RowPage draw_vanishing_points(const RowInput& input, Framebuffer canvas) {
     }
     draw_cube(kCube, input.assets, scene);
     return {{count_figure("axes that have a vanishing point", points, found),
-             number_figure("to what is 2^18 units along, pixels", 0, worst_px, 0.02)},
+             number_figure("pixels to what is 2^18 units along", 0, worst_px, 0.02)},
             {"Lines along an axis meet in the picture of its direction: centre + m (axis . right) / (axis . forward). "
              "An axis along the view plane has none: its lines stay parallel."}};
 }
@@ -436,7 +437,9 @@ constexpr double kSphereDistance = 300;
 /// Before the demo level's sphere: the field of view changes, and the eye moves against it or not.
 RowPage draw_dolly_zoom(const RowInput& input, Framebuffer canvas) {
     const bool moves = input.values[1] == 0;
-    const Degrees field_of_view = Degrees::from_int(input.values[0]);
+    constexpr std::array<int, 4> kDegrees{20, 40, 60, 90};
+    const int degrees = at(kDegrees, static_cast<std::int32_t>(input.values[0]));
+    const Degrees field_of_view = Degrees::from_int(degrees);
     const Camera before = camera_at(-112, 352 - 300, 128, 90, 0, 60);
     Camera camera = before;
     camera.field_of_view = field_of_view;
@@ -445,8 +448,8 @@ RowPage draw_dolly_zoom(const RowInput& input, Framebuffer canvas) {
     if (moves) cut_front(view, before.eye, World::from_int(8));
     draw_demo_level(input, view, canvas);
 
-    const auto tangent = [](double degrees) { return std::tan(degrees * std::numbers::pi / 360); };
-    const double wide = tangent(static_cast<double>(input.values[0]));
+    const auto tangent = [](double angle) { return std::tan(angle * std::numbers::pi / 360); };
+    const double wide = tangent(degrees);
     const double distance = moves ? kSphereDistance * tangent(60) / wide : kSphereDistance;
     const ViewContext context = make_view_context(view, input.mode);
     const auto size_at = [&](double y) { return across({-162, y, 128}, {-62, y, 128}, context); };
@@ -564,7 +567,8 @@ std::vector<Row> view_rows() {
              "2 Lab: 3-D Perspective Viewing Pipeline",
              kViews,
              kTest,
-             {{"field of view", 20, 110, 10, 40}, choice_parameter("the eye", {"moves against it", "stays"})},
+             {choice_parameter("field of view", {"20 degrees", "40 degrees", "60 degrees", "90 degrees"}, 1),
+              choice_parameter("the eye", {"moves against it", "stays"})},
              draw_dolly_zoom},
             {"cameras",
              "Look-at and first-person cameras",
@@ -614,7 +618,7 @@ std::vector<Row> view_rows() {
              "4 Princeton: Projection",
              "engine/geometry/project.h",
              kTest,
-             {{"points", 1, 3, 1, 2}},
+             {choice_parameter("vanishing points", {"one", "two", "three"}, 1)},
              draw_vanishing_points}};
 }
 

@@ -1,0 +1,88 @@
+#include "game/shown_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "engine/level/bsp_read.h"
+#include "tests/support/shared_levels.h"
+
+namespace oblong {
+namespace {
+
+Level demo_level() {
+    return read_bsp(test::read_file_bytes(std::filesystem::path(OBLONG_BUILD_DIR) / "assets" / "demo.bsp"));
+}
+
+/// Before the sphere of the second room, 300 units from its middle.
+Camera camera_before_sphere() {
+    Camera camera;
+    camera.eye = {World::from_int(-112), World::from_int(52), World::from_int(128)};
+    camera.yaw = kQuarterTurn;
+    return camera;
+}
+
+/// The columns between two places left and right of the camera's way north.
+double size_at(const ViewSpec& spec, int y) {
+    const ViewContext view = make_view_context(spec, {});
+    const auto column = [&](int x) {
+        const Vec3<World> place{World::from_int(x), World::from_int(y), World::from_int(128)};
+        return std::ldexp(project(to_view(place, view), view.projection).x.raw, -8);
+    };
+    return column(-92) - column(-132);
+}
+
+TEST(ShownView, IsTheCamerasUntilAKeyIsPressed) {
+    EXPECT_FALSE(other_view({}, camera_before_sphere(), demo_level()));
+}
+
+TEST(ShownView, IsIsometricAroundThePlayerWithoutWhatIsAbove) {
+    ViewOptions options;
+    options.is_isometric = true;
+    options.zoom_degrees = 30;
+    const auto view = other_view(options, camera_before_sphere(), demo_level());
+    ASSERT_TRUE(view);
+    EXPECT_TRUE(view->is_parallel);
+    EXPECT_EQ(view->eye, camera_before_sphere().eye);
+    ASSERT_EQ(view->cuts.size(), 1u);
+    EXPECT_EQ(view->cuts[0].normal.z, Unit::from_int(-1));
+    EXPECT_EQ(view->cuts[0].distance, PlaneDistance::from_int(-168));
+}
+
+// The sphere's front is about 212 units ahead: what is there keeps its size, and what is behind it grows as the field
+// of view shrinks.
+TEST(ShownView, KeepsTheSizeOfWhatIsInTheMiddleWhileItZooms) {
+    const Level level = demo_level();
+    const Camera camera = camera_before_sphere();
+    double far_before = 0;
+    for (const std::int32_t degrees : {120, 60, 30, 10}) {
+        ViewOptions options;
+        options.zoom_degrees = degrees;
+        const auto view = other_view(options, camera, level);
+        ASSERT_TRUE(view);
+        EXPECT_EQ(view->cuts.empty(), degrees > 90);
+        double least = 1e9;
+        for (int y = 100; y < 352; ++y)
+            least = std::min(least, std::abs(size_at(*view, y) - size_at(first_person_view(camera), y)));
+        EXPECT_LT(least, 0.3) << degrees;
+        const double far = size_at(*view, 900);
+        EXPECT_GT(far, far_before);
+        far_before = far;
+    }
+}
+
+TEST(ShownView, ZoomsBetweenItsLimitsAndIsOffAt90Degrees) {
+    ViewOptions options;
+    const auto press = [&](Command command) { return apply(command, options, ScreenMode{}, {1600, 1200}); };
+    EXPECT_EQ(press(Command::ZoomIn), "[ ] Zoom against dolly: 80 degrees");
+    EXPECT_EQ(press(Command::ZoomOut), "[ ] Zoom against dolly: off");
+    EXPECT_EQ(options.zoom_degrees, 0);
+    for (int i = 0; i < 20; ++i) press(Command::ZoomOut);
+    EXPECT_EQ(options.zoom_degrees, 120);
+    for (int i = 0; i < 20; ++i) press(Command::ZoomIn);
+    EXPECT_EQ(options.zoom_degrees, 10);
+}
+
+}  // namespace
+}  // namespace oblong
