@@ -26,7 +26,7 @@ int turn_of(const FlatCorner& a, const FlatCorner& b, const FlatCorner& c) {
 }
 
 /// Twice the signed area.
-SoftFloat area_of(std::span<const FlatCorner> corners) {
+SoftFloat flat_area_of(std::span<const FlatCorner> corners) {
     WideSum sum;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const FlatCorner &from = corners[i], &to = corners[(i + 1) % corners.size()];
@@ -56,7 +56,7 @@ std::vector<FlatCorner> flattened(std::span<const Vec3<World>> corners) {
     SoftFloat best_area;
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<FlatCorner> flat = seen_along(axis, corners);
-        const SoftFloat area = area_of(flat);
+        const SoftFloat area = flat_area_of(flat);
         if (!best.empty() && !is_smaller(best_area, area)) continue;
         best = std::move(flat);
         best_area = area;

@@ -6,8 +6,8 @@ namespace oblong {
 
 namespace {
 
-constexpr Unit kOne = Unit::from_int(1);
-constexpr Vec3<Unit> kAxisX{kOne, {}, {}}, kAxisY{{}, kOne, {}}, kAxisZ{{}, {}, kOne};
+constexpr Unit kWholeUnit = Unit::from_int(1);
+constexpr Vec3<Unit> kAxisX{kWholeUnit, {}, {}}, kAxisY{{}, kWholeUnit, {}}, kAxisZ{{}, {}, kWholeUnit};
 
 std::array<Entry, 3> entries_of(const Vec3<Unit>& v) {
     return {convert<Entry>(v.x), convert<Entry>(v.y), convert<Entry>(v.z)};

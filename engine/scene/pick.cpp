@@ -105,7 +105,7 @@ class RayWalk {
     std::vector<RayStep> steps_;
 };
 
-Vec3<World> in_model(const Vec3<World>& eye, const Vec3<World>& offset) {
+Vec3<World> eye_in_model(const Vec3<World>& eye, const Vec3<World>& offset) {
     return saturating_convert<World>(widening_difference(eye, offset));
 }
 
@@ -119,7 +119,7 @@ std::optional<PickedFace> pick_face(const Level& level, std::span<const PlacedMo
     for (std::int32_t i = 0; i < std::ssize(models); ++i) {
         const PlacedModel& placed = models[static_cast<std::size_t>(i)];
         std::optional<PickedFace> found =
-            RayWalk(level, in_model(eye, placed.offset), direction)
+            RayWalk(level, eye_in_model(eye, placed.offset), direction)
                 .first_face(level.models[placed.model].root, nearest ? nearest->distance : kFarthest);
         if (!found || (nearest && found->distance >= nearest->distance)) continue;
         nearest = found;

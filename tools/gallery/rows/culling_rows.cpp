@@ -1,4 +1,4 @@
-// Seed 5 (Abrash): back faces by a dot product, why normals alone mislead, lines against planes.
+// Seed 5 (Abrash): back faces by a dot product, and why normals alone mislead.
 
 #include <array>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include "engine/geometry/facing.h"
 #include "engine/geometry/project.h"
 #include "engine/geometry/views.h"
-#include "engine/math/plane.h"
 #include "engine/raster/scan.h"
 #include "tools/gallery/rows.h"
 #include "tools/gallery/sketch.h"
@@ -113,47 +112,6 @@ RowPage draw_culling(const RowInput& input, Framebuffer canvas) {
              "In perspective each face is seen along a ray of its own; the normal's z asks for one ray only."}};
 }
 
-/// From the side: the plane z = 5, a point above it, a line through it.
-RowPage draw_line_and_plane(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    const Plane plane = plane_through(world_point(0, 0, 5), {{}, {}, Unit::from_int(1)});
-    const auto slide = static_cast<double>(input.values[0]);
-    const Vec3<World> start = world_point(0, 0, 7), end = world_point(4, 2, 7 - slide);
-    const auto line = intersect_line(start, end, plane);
-    const auto segment = intersect_segment(start, end, plane);
-
-    Diagram diagram(input, canvas, {3.5, 5.6}, 10);
-    diagram.fill(assets.colour(18, 22, 34));
-    const std::uint8_t blue = assets.colour(90, 130, 220), bright = assets.colour(240, 190, 90);
-    diagram.line({-6, 5}, {12, 5}, blue);
-    diagram.arrow({-3, 5}, {-3, 6.5}, blue);
-    diagram.text({-3, 6.5}, "normal", blue);
-    diagram.text({7.6, 5}, "plane z = 5", blue, 0, 4);
-    diagram.line({0, 7}, {4, 7 - slide}, bright);
-    diagram.text({0, 7}, "start (0, 0, 7)", bright, 3, -10);
-    diagram.text({4, 7 - slide}, "end", bright, 4, -3);
-    if (line) {
-        const double x = number_of(line->world_point.x);
-        diagram.disc({x, 5}, 0.12, segment ? assets.colour(110, 200, 110) : assets.colour(220, 60, 50));
-        diagram.text({x, 5}, segment ? "meets" : "beyond the end", assets.colour(110, 200, 110), 4, 4);
-    }
-    diagram.line({-1, 10}, {-1, 5}, assets.colour(110, 118, 140));
-    diagram.disc({-1, 10}, 0.1, assets.colour(235, 235, 225));
-    diagram.text({-1, 10}, "(1, 2, 10): distance 5", assets.colour(235, 235, 225), 4, -2);
-
-    const auto general = intersect_line(world_point(0, 0, 7), world_point(4, 2, 3), plane);
-    const auto in_plane = intersect_line(world_point(1, 2, 5), world_point(9, 9, 9), plane);
-    const auto parallel = intersect_line(world_point(0, 0, 7), world_point(4, 0, 7), plane);
-    return {{number_figure("distance of (1, 2, 10), (P - Op) . Np", 5,
-                           number_of(distance_to_plane(world_point(1, 2, 10), plane)), 0),
-             number_figure("z where (0, 0, 7) to (4, 2, 3) meets it", 5, number_of(general->world_point.z), 0),
-             number_figure("x there", 2, number_of(general->world_point.x), 0),
-             number_figure("z of a start in the plane", 5, number_of(in_plane->world_point.z), 0),
-             count_figure("places where a parallel line meets it", 0, parallel.has_value()),
-             count_figure("the line drawn meets it before its end", slide >= 2, segment.has_value())},
-            {"The seed's listing returns y for z, and divides by 0 for a parallel line: here it meets nothing."}};
-}
-
 }  // namespace
 
 std::vector<Row> culling_rows() {
@@ -165,14 +123,7 @@ std::vector<Row> culling_rows() {
              {choice_parameter(
                   "drawn by", {"dot product in object space", "normal's z in viewspace", "sign of the screen area"}, 1),
               {"field of view, degrees", 30, 110, 10, 90}},
-             draw_culling},
-            {"line-and-plane",
-             "Points and lines against a plane",
-             "5 Abrash: Using the Dot Product for Projection",
-             "engine/math/plane.h",
-             "tests/math/plane_test.cpp",
-             {{"the end's way down", 0, 4, 1, 3}},
-             draw_line_and_plane}};
+             draw_culling}};
 }
 
 }  // namespace oblong
