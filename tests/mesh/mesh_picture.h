@@ -6,6 +6,7 @@
 #include "engine/mesh/draw_mesh.h"
 #include "tests/effects/view.h"
 #include "tools/gallery/mesh_shapes.h"
+#include "tools/gallery/numbers.h"
 
 namespace oblong::test {
 
