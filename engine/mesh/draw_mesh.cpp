@@ -59,7 +59,7 @@ void draw_triangle(const std::array<const ScreenCorner*, 3>& corners, const Mesh
     scratch.spans.clear();
     append_spans(scratch.rows, mesh.target.part, scratch.spans);
     if (scratch.spans.empty()) return;
-    const auto triangle = make_screen_triangle(corners, {paint.shading == Shading::Phong, paint.is_affine});
+    const auto triangle = make_shaded_triangle(corners, {paint.shading == Shading::Phong, paint.is_affine});
     if (!triangle) return;
     ++counts.triangles;
     counts.pixels += draw_mesh_spans(scratch.spans, triangle->gradients, paint, mesh.target);

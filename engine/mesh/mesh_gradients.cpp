@@ -92,11 +92,11 @@ TextureGradients texture_gradients(const Barycentric& weights, bool is_affine) {
 
 }  // namespace
 
-std::optional<ScreenTriangle> make_screen_triangle(const std::array<const ScreenCorner*, 3>& corners,
+std::optional<ShadedTriangle> make_shaded_triangle(const std::array<const ScreenCorner*, 3>& corners,
                                                    const GradientChoice& choice) {
     const std::optional<Barycentric> weights = make_barycentric(corners);
     if (!weights) return std::nullopt;
-    ScreenTriangle triangle{{corners[0]->screen, corners[1]->screen, corners[2]->screen}, {}};
+    ShadedTriangle triangle{{corners[0]->screen, corners[1]->screen, corners[2]->screen}, {}};
     MeshGradients& gradients = triangle.gradients;
     gradients.texture = texture_gradients(*weights, choice.is_affine);
     using Light = Fixed<std::int64_t, 32>;

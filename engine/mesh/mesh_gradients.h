@@ -22,7 +22,7 @@ struct GradientChoice {
 };
 
 /// A triangle on the screen, and what changes over it.
-struct ScreenTriangle {
+struct ShadedTriangle {
     std::array<ScreenVertex, 3> corners;
     MeshGradients gradients;
 };
@@ -32,7 +32,7 @@ struct ScreenTriangle {
 /// linear in x and y, and each quantity is A's + b (B's - A's) + c (C's - A's). So what a pixel gets whose centre is
 /// inside lies between what the corners have, however thin or steep the triangle is. One that is thinner than 1/16
 /// pixel changes along its longest side alone. None for a triangle without area, or seen from its back.
-std::optional<ScreenTriangle> make_screen_triangle(const std::array<const ScreenCorner*, 3>& corners,
+std::optional<ShadedTriangle> make_shaded_triangle(const std::array<const ScreenCorner*, 3>& corners,
                                                    const GradientChoice& choice);
 
 }  // namespace oblong
