@@ -15,13 +15,13 @@ constexpr View kNearestSprite = View::from_int(4);
 constexpr std::uint8_t kTransparent = 255;
 
 /// From one border of the sprite to the other, along one axis of the screen.
-struct Extent {
+struct SpriteExtent {
     ScreenWide first, end;
 
     ScreenWide size() const { return end - first; }
 };
 
-PixelRange pixels_of(const Extent& extent, std::int32_t size_px) {
+PixelRange pixels_of(const SpriteExtent& extent, std::int32_t size_px) {
     const auto first_centre = [size_px](ScreenWide position) {
         const ScreenWide within = std::clamp(position, ScreenWide{}, ScreenWide::from_int(size_px));
         return static_cast<std::int32_t>(floor_of(within + ScreenWide::from_raw(127)));
@@ -34,7 +34,7 @@ PixelRange pixels_of(const Extent& extent, std::int32_t size_px) {
 struct Steps {
     std::int64_t at_first, step;
 
-    Steps(const Extent& extent, std::int32_t pixel, std::int64_t whole) {
+    Steps(const SpriteExtent& extent, std::int32_t pixel, std::int64_t whole) {
         const std::int64_t to_centre_8 = (ScreenWide::from_int(pixel) + ScreenWide::from_raw(128) - extent.first).raw;
         at_first = mul_div(whole, to_centre_8, extent.size().raw, Rounding::Floor);
         step = mul_div(whole, 256, extent.size().raw, Rounding::Floor);
@@ -42,8 +42,8 @@ struct Steps {
 };
 
 /// The mip level whose texels are nearest to a pixel in size, and not smaller than half of one.
-int mip_level(const MipTexture& texture, const Extent& across, const Extent& down) {
-    const auto texels_a_pixel_16 = [](std::int32_t texels, const Extent& extent) {
+int mip_level(const MipTexture& texture, const SpriteExtent& across, const SpriteExtent& down) {
+    const auto texels_a_pixel_16 = [](std::int32_t texels, const SpriteExtent& extent) {
         return mul_div(std::int64_t{texels} << 16, 256, extent.size().raw);
     };
     const std::int64_t densest_16 =
@@ -95,9 +95,9 @@ std::optional<ScreenSprite> project_sprite(const Sprite& sprite, const MipTextur
     const ProjectionAxis &x = view.projection.x, &y = view.projection.y;
     const ScreenWide middle = x.centre + project_axis(x, line.middle.x, line.middle.z);
     const ScreenWide half = project_axis(x, half_of(texture.width, sprite.scale), line.middle.z);
-    const Extent across{middle - half, middle + half};
-    const Extent down{y.centre + project_axis(y, -line.top_y, line.top_z),
-                      y.centre + project_axis(y, -line.bottom_y, line.bottom_z)};
+    const SpriteExtent across{middle - half, middle + half};
+    const SpriteExtent down{y.centre + project_axis(y, -line.top_y, line.top_z),
+                            y.centre + project_axis(y, -line.bottom_y, line.bottom_z)};
     const PixelRange columns = pixels_of(across, view.projection.width_px);
     const PixelRange rows = pixels_of(down, view.projection.height_px);
     if (columns.first >= columns.end || rows.first >= rows.end) return std::nullopt;

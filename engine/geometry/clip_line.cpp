@@ -11,7 +11,7 @@ namespace oblong {
 
 namespace {
 
-constexpr ClipDistance kOnPlane{};
+constexpr ClipDistance kOnVolumePlane{};
 
 /// Half a distance, so that differences fit; outside stays outside.
 ClipDistance half_distance(const ClipPlane& plane, const Vec3<View>& p) {
@@ -29,8 +29,8 @@ std::optional<ViewLine> clip_by_outcodes(const ViewVolume& volume, ViewLine line
         const int plane = std::countr_zero(at(outside, end));
         Vec3<View>&cut = *at(ends, end), &other = *at(ends, 1 - end);
         const ClipPlane& side = at(volume.planes, plane);
-        const ClipDistance inside = std::max(half_distance(side, other), kOnPlane);
-        cut = cross_plane(other, inside, cut, std::min(half_distance(side, cut), kOnPlane - ClipDistance::ulp()));
+        const ClipDistance inside = std::max(half_distance(side, other), kOnVolumePlane);
+        cut = cross_plane(other, inside, cut, std::min(half_distance(side, cut), kOnVolumePlane - ClipDistance::ulp()));
         at(undecided, end) &= ~(1u << plane);
         at(outside, end) = outcode_of(volume, cut) & at(undecided, end);
     }
@@ -57,9 +57,9 @@ std::optional<ViewLine> clip_by_parts(const ViewVolume& volume, const ViewLine& 
     LinePart enters{{}, kWhole}, leaves{kWhole, kWhole};
     for (const ClipPlane& plane : volume.planes) {
         const ClipDistance d0 = half_distance(plane, line.from), d1 = half_distance(plane, line.to);
-        if (d0 < kOnPlane && d1 < kOnPlane) return {};
-        if (d0 < kOnPlane) enters = std::max(enters, LinePart{-d0, d1 - d0});
-        if (d1 < kOnPlane) leaves = std::min(leaves, LinePart{d0, d0 - d1});
+        if (d0 < kOnVolumePlane && d1 < kOnVolumePlane) return {};
+        if (d0 < kOnVolumePlane) enters = std::max(enters, LinePart{-d0, d1 - d0});
+        if (d1 < kOnVolumePlane) leaves = std::min(leaves, LinePart{d0, d0 - d1});
     }
     if (leaves < enters) return {};
     return ViewLine{place_along(line, enters), place_along(line, leaves)};
@@ -80,7 +80,7 @@ ViewVolume make_view_volume(const Frustum& frustum, View front, View back) {
 unsigned outcode_of(const ViewVolume& volume, const Vec3<View>& p) {
     unsigned outcode = 0;
     for (unsigned plane = 0; plane < volume.planes.size(); ++plane)
-        outcode |= static_cast<unsigned>(volume.planes[plane].distance(p) < kOnPlane) << plane;
+        outcode |= static_cast<unsigned>(volume.planes[plane].distance(p) < kOnVolumePlane) << plane;
     return outcode;
 }
 

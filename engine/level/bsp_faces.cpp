@@ -6,8 +6,7 @@ namespace {
 
 constexpr std::int32_t kAxisLimit = 1 << 8;     ///< texels a unit: what TexelAxis holds
 constexpr std::int32_t kOffsetLimit = 1 << 30;  ///< texels: with the axes' part (below 2^29) still within 32 bits
-constexpr std::uint8_t kNoStyle = 255;
-constexpr std::int64_t kTexInfoSize = 40;  ///< bytes
+constexpr std::int64_t kTexInfoSize = 40;       ///< bytes
 
 TexelAxis read_axis_part(LumpReader& in) {
     return TexelAxis::from_raw(

@@ -82,13 +82,16 @@ struct TexInfo {
     bool operator==(const TexInfo&) const = default;
 };
 
+/// In place of a light style: there is none, nor any after it.
+inline constexpr std::uint8_t kNoStyle = 255;
+
 /// A convex polygon on a plane. Its vertices run clockwise seen from the side that it faces.
 struct Face {
     PlaneIndex plane;
     bool is_back = false;  ///< faces the plane's back
     IndexRange<SurfEdge> edges;
     TexInfoIndex texinfo;
-    std::array<std::uint8_t, 4> styles{};  ///< light styles, 255: none
+    std::array<std::uint8_t, 4> styles{};  ///< light styles, perhaps kNoStyle
     std::int32_t light_offset =
         -1;  ///< into Level::lighting; -1: no lightmap (special faces; others are then full dark)
     std::int32_t texel_min_u = 0, texel_min_v = 0;  ///< multiples of 16; rounded outward, as the light compilers do

@@ -13,7 +13,7 @@ namespace {
 constexpr World kLowest = World::from_int(-524'287);
 
 /// A part of the vertical line that is still to be followed down the tree, and the node on whose plane it begins.
-struct LinePart {
+struct PendingPart {
     NodeChild at;
     World high, low;
     std::optional<NodeIndex> entered;
@@ -58,9 +58,9 @@ std::optional<std::int32_t> light_8_at(const Level& level, NodeIndex node, const
 std::optional<std::int32_t> light_8_below(const Level& level, const Vec3<World>& from, const LightStyles& styles) {
     if (level.lighting.empty()) return std::nullopt;
     const auto at_height = [&from](World z) { return Vec3<World>{from.x, from.y, z}; };
-    std::vector<LinePart> parts{{level.world().root, from.z, kLowest, {}}};
+    std::vector<PendingPart> parts{{level.world().root, from.z, kLowest, {}}};
     while (!parts.empty()) {
-        LinePart part = parts.back();
+        PendingPart part = parts.back();
         parts.pop_back();
         if (part.entered)
             if (const auto light_8 = light_8_at(level, *part.entered, at_height(part.high), styles)) return light_8;

@@ -13,7 +13,6 @@ namespace {
 constexpr std::size_t kStepsOfChange = 4;
 /// Reduced styles are averaged over a second: a strobe keeps its mean, a slow pulse goes on.
 constexpr std::size_t kAveragedSteps = 10;
-constexpr std::uint8_t kNoStyle = 255;
 
 /// The sums of `steps` values from each one on. Values repeat.
 std::vector<std::int32_t> sums_ahead(const std::vector<std::uint16_t>& values, std::size_t steps) {

@@ -24,7 +24,7 @@ Sides sides_of(const LevelPlane& plane, const LevelBox& box) {
     };
     const PlaneDistance reach =
         half(0, plane.normal.x) + half(1, plane.normal.y) + half(2, plane.normal.z) + PlaneDistance::from_int(1);
-    const PlaneDistance distance = plane_distance(plane, {middle(0), middle(1), middle(2)});
+    const PlaneDistance distance = plane_distance(plane, Vec3<World>{middle(0), middle(1), middle(2)});
     return {distance > -reach, distance < reach};
 }
 

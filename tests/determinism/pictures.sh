@@ -77,9 +77,13 @@ list_checksums() {
     rm -f "$output.run"
 }
 
+# All effects but models: their files are read by libraries that the driver is built without.
+effects=sky,liquid,brush_models,fence,translucency,animated_textures,light_styles,moving_lights,fog,particles,sprites,shadows,mirror,underwater
+without_models() { rendered_counts "$@" --effects "$effects"; }
+
 # list_reference: those of the build that was made before.
 list_reference() {
-    list_checksums "$work/reference.txt" rendered_counts "$build/bin/oblong-render"
+    list_checksums "$work/reference.txt" without_models "$build/bin/oblong-render"
     pictures=$(wc -l <"$work/reference.txt")
     [ "$pictures" -ge 100 ] || fail "only $pictures pictures to compare"
 }

@@ -1,13 +1,16 @@
 // Draws the cameras of a list as oblong-render does, and prints the checksum of each picture, a line each. Without any
 // library but the compiler's own, so that it is built for other processors by their compiler alone, and soon.
 //   draw_checksums PALETTE LEVEL.bsp CAMERAS.csv [--accuracy PRESET] [--mode WxH] [--display W:H] [--fov DEGREES]
-//                  [--time SECONDS]
+//                  [--time SECONDS] [--mdl FILE]
+// With --mdl, three of that model stand before each camera, one in each kind of shading.
 #include <cstdio>
 #include <map>
 
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
+#include "engine/math/rotation.h"
+#include "engine/mesh/mdl_read.h"
 #include "engine/platform/files.h"
 #include "engine/scene/placed_models.h"
 #include "tools/common/arguments.h"
@@ -30,8 +33,8 @@ std::uint32_t crc32(std::span<const std::uint8_t> bytes) {
 using Options = std::map<std::string, std::string>;
 
 Options parse_options(std::span<char* const> arguments) {
-    Options options{{"--accuracy", "bounded"}, {"--mode", "320x200"}, {"--display", "4:3"},
-                    {"--fov", "90"},           {"--time", "0"},       {"--dial", ""}};
+    Options options{{"--accuracy", "bounded"}, {"--mode", "320x200"}, {"--display", "4:3"}, {"--fov", "90"},
+                    {"--time", "0"},           {"--dial", ""},        {"--mdl", ""}};
     if (arguments.size() % 2 != 0) throw UsageError("expected an option and its value");
     for (std::size_t i = 0; i < arguments.size(); i += 2) {
         const auto option = options.find(arguments[i]);
@@ -39,6 +42,31 @@ Options parse_options(std::span<char* const> arguments) {
         option->second = arguments[i + 1];
     }
     return options;
+}
+
+/// Three of a mesh, 80 units before a camera.
+std::vector<PlacedMesh> meshes_before(const Camera& camera, const Mesh& mesh) {
+    const Basis axes = view_basis(camera.yaw, camera.pitch, camera.roll);
+    const auto steps = [](Unit component, int units) {
+        return convert<WorldWide>(bounded_product(component, WorldWide::from_int(units)));
+    };
+    std::vector<PlacedMesh> placed;
+    for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
+        PlacedMesh one;
+        one.mesh = &mesh;
+        one.shading = shading;
+        one.highlight = 120;
+        one.yaw = camera.yaw;
+        const int right = (static_cast<int>(shading) - 1) * 40;
+        const auto moved = [&](World from, Unit ahead, Unit across) {
+            return saturating_convert<World>(convert<WorldWide>(from) + steps(ahead, 80) + steps(across, right));
+        };
+        one.position = {moved(camera.eye.x, axes.forward.x, axes.right.x),
+                        moved(camera.eye.y, axes.forward.y, axes.right.y),
+                        moved(camera.eye.z, axes.forward.z, axes.right.z)};
+        placed.push_back(one);
+    }
+    return placed;
 }
 
 void draw(const std::string& palette_path, const std::string& level_path, const std::string& cameras_path,
@@ -58,12 +86,19 @@ void draw(const std::string& palette_path, const std::string& level_path, const 
     const std::vector<Camera> cameras =
         read_parsed(cameras_path, [&](const auto& bytes) { return parse_cameras(bytes, field_of_view); });
 
-    const Scene scene{level, colormap, models, time_ms};
+    std::optional<Mesh> mesh;
+    if (const std::string& file = options.at("--mdl"); !file.empty())
+        mesh = read_parsed(file, [](const auto& bytes) { return read_mdl(bytes); });
+
+    Scene scene{level, colormap, models, time_ms};
     FrameWorkspace work(level, mode);
     std::vector<std::uint8_t> pixels(static_cast<std::size_t>(mode.width_px) *
                                      static_cast<std::size_t>(mode.height_px));
     const Framebuffer out{pixels.data(), mode.width_px, mode.height_px, mode.width_px};
     for (const Camera& camera : cameras) {
+        std::vector<PlacedMesh> meshes;
+        if (mesh) meshes = meshes_before(camera, *mesh);
+        scene.meshes = meshes;
         work.counts = std::make_unique<FrameCounts>();
         draw_frame(scene, camera, mode, settings, work, out);
         const std::unique_ptr<FrameCounts> counts = std::move(work.counts);
