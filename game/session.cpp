@@ -151,7 +151,7 @@ void Session::draw_over(const GameView& view, const Settings& settings, std::uin
     }
     if (map_) map_->draw(view, view_options_.map, view_options_.line_method, mode, settings, canvas);
     if (lab_) text_bottom_ = lab_->draw(view_options_.lab, view, settings, now_us, platform_, canvas);
-    if (view_options_.inspects) inspect(view);
+    if (view_options_.inspects && !view.other) inspect(view);
     if (!view_options_.shows_aspect_guide) return;
     draw_aspect_guide(mode, text_colours_, canvas);
     const std::string caption = aspect_caption(mode, settings.correct_aspect, view_options_.shown_as,
