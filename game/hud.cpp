@@ -13,24 +13,21 @@ constexpr std::uint64_t kMessageStays_us = 2'500'000, kLetterStays_us = 50'000;
 constexpr std::int32_t kPanelSide_px = 10;
 
 // At most 51 columns: with its margins a panel of 318 pixels.
-constexpr std::array<std::string_view, 18> kHelp{
+constexpr std::array<std::string_view, 15> kHelp{
     "W A S D, arrows  walk, turn    Space  jump, swim up",
-    "Mouse    look (click first)    Shift  walk slowly",
-    "Page Up, Page Down  look up, down",
+    "Mouse (click), Page Up, Down  look    Shift  slowly",
     "",
     "Aspect                     Accuracy",
     "F2   of the projection     F4   next preset",
     "F3   of the display        F6   cost of a frame",
     "F11  circle and square     F7   lab: dials, costs",
     "4    F2 and F3, all four   F8   map of the error",
-    "                           F9   split with exact",
-    "Picture                    F10  flip two settings",
-    "F5   scaling               L    torch",
-    "- =  brightness            C    look of a tube",
+    "Picture                    F9   split with exact",
+    "F5   scaling               F10  flip two settings",
     "I    isometric             [ ]  zoom against dolly",
-    "Tab  map                   E    edges of faces",
-    "P    what is ahead         O    log channels",
-    "F12  screenshots           F1   this help",
+    "Tab  map   E  edges        P    what is ahead",
+    "- =  brightness   L torch  C    look of a tube",
+    "F12  screenshots   O log   F1   this help",
     "Alt+Enter whole screen    Esc free the mouse, leave",
 };
 
