@@ -5,8 +5,8 @@
 #include <bit>
 #include <cstring>
 
-#include "engine/geometry/view_directions.h"
 #include "engine/fixed/root.h"
+#include "engine/geometry/view_directions.h"
 #include "engine/raster/kernels/kernels.h"
 
 namespace oblong {

@@ -55,8 +55,7 @@ std::int64_t faulty_pixels(const map::BspFile& bsp, const std::vector<Camera>& c
     std::int64_t faulty = 0;
     FrameWorkspace work(level, {});
     EXPECT_EQ(work.faces.torn_edges, 0u);
-    for (const FrameReport& frame :
-         render_views({{level, colormap, models}, {}, {}, views}, work, [](auto, auto) {}))
+    for (const FrameReport& frame : render_views({{level, colormap, models}, {}, {}, views}, work, [](auto, auto) {}))
         faulty += frame.pixels_never + frame.pixels_twice;
     return faulty;
 }

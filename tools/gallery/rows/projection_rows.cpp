@@ -1,0 +1,246 @@
+// Seeds 2 and 4: parallel projections, and the vanishing points of the perspective one.
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "engine/fixed/trig.h"
+#include "engine/frame/frame.h"
+#include "engine/frame/workspace.h"
+#include "engine/geometry/views.h"
+#include "tools/gallery/cube_scene.h"
+#include "tools/gallery/numbers.h"
+#include "tools/gallery/rows.h"
+
+namespace oblong {
+
+namespace {
+
+/// How long a line is on the display, in columns.
+double length_on_display(const Place& from, const Place& to, const ViewContext& view, const ScreenMode& mode) {
+    const PixelPlace a = shown(from, view), b = shown(to, view);
+    const Ratio pixel = mode.pixel();
+    const double shape = static_cast<double>(pixel.denominator) / static_cast<double>(pixel.numerator);
+    return std::hypot(b.x - a.x, (b.y - a.y) * shape);
+}
+
+constexpr Cube kCube{{-50, -50, -50}, 100};
+constexpr double kCubeWidth = 340;  ///< units across the screen
+
+/// The cube in the middle of what header and footer leave.
+void draw_cube_scene(const RowInput& input, const ViewSpec& view, Framebuffer canvas) {
+    const Ratio pixel = input.mode.pixel();
+    const double unit_px = input.mode.width_px / kCubeWidth * static_cast<double>(pixel.numerator) /
+                           static_cast<double>(pixel.denominator);
+    const double down = (kFooter_px - kHeader_px) / 2.0 / unit_px;
+    ViewSpec moved = view;
+    moved.eye = in_world(
+        {-down * number_of(view.axes.up.x), -down * number_of(view.axes.up.y), -down * number_of(view.axes.up.z)});
+    WireScene scene(input, moved, canvas);
+    scene.fill_background();
+    draw_cube(kCube, input.assets, scene);
+    draw_axes(kCube.low, 145, input.assets, scene);
+}
+
+ViewContext context_of(const RowInput& input, const ViewSpec& view) {
+    return make_view_context(view, input.mode);
+}
+
+const Place kX{50, -50, -50}, kY{-50, 50, -50}, kZ{-50, -50, 50};
+
+/// How long the cube's edges along x, y and z are in the picture, against factors of their true length.
+std::vector<Figure> edge_figures(const RowInput& input, const ViewSpec& view, const std::array<double, 3>& factors) {
+    const ViewContext context = context_of(input, view);
+    const double true_length = 100 * input.mode.width_px / kCubeWidth;
+    const std::array<const Place*, 3> ends{&kX, &kY, &kZ};
+    constexpr std::array<const char*, 3> kNames{"edge along x / its true length", "along y", "along z"};
+    std::vector<Figure> figures;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        figures.push_back(number_figure(kNames[axis], factors[axis],
+                                        length_on_display(kCube.low, *ends[axis], context, input.mode) / true_length,
+                                        0.001));
+    return figures;
+}
+
+RowPage draw_orthographic(const RowInput& input, Framebuffer canvas) {
+    const auto side = static_cast<ViewSide>(input.values[0]);
+    const ViewSpec view = orthographic_view({}, side_axes(side), View::from_int(static_cast<std::int64_t>(kCubeWidth)));
+    draw_cube_scene(input, view, canvas);
+    constexpr std::array<std::array<double, 3>, 3> kFactors{{{1, 0, 1}, {1, 1, 0}, {0, 1, 1}}};
+    return {edge_figures(input, view, at(kFactors, static_cast<std::int32_t>(input.values[0]))),
+            {"The direction of projection is at right angles to the view plane: a coordinate is thrown away, and the "
+             "others keep their lengths.",
+             "1/z is the same everywhere, so that a texture needs one division a row."}};
+}
+
+RowPage draw_axonometric(const RowInput& input, Framebuffer canvas) {
+    const auto kind = static_cast<Axonometry>(input.values[0]);
+    const Angle turn = degrees_to_angle(Degrees::from_int(90 * input.values[1]));
+    const ViewSpec view =
+        orthographic_view({}, axonometric_axes(kind, turn), View::from_int(static_cast<std::int64_t>(kCubeWidth)));
+    draw_cube_scene(input, view, canvas);
+    // An axis is shortened to the root of 1 less its squared part along the rays.
+    const double equal = std::sqrt(2 / 3.0), root2 = std::sqrt(2);
+    const std::array<std::array<double, 3>, 3> factors{
+        {{equal, equal, equal},
+         {root2 / 3, 2 * root2 / 3, 2 * root2 / 3},
+         {std::sqrt(8 / 17.0), std::sqrt(13 / 17.0), std::sqrt(13 / 17.0)}}};
+    std::array<double, 3> here = at(factors, static_cast<std::int32_t>(input.values[0]));
+    if (input.values[1] % 2 == 1) std::swap(here[0], here[1]);
+    return {
+        edge_figures(input, view, here),
+        {"Orthographic, but along no axis: all three are seen. Isometric shortens them alike, dimetric two of them, "
+         "trimetric each by a factor of its own."}};
+}
+
+ViewSpec oblique_cube_view(double length, std::int64_t degrees) {
+    return oblique_view({}, side_axes(ViewSide::Front), View::from_int(static_cast<std::int64_t>(kCubeWidth)),
+                        Unit::from_raw(static_cast<std::int32_t>(std::ldexp(length, 30))),
+                        degrees_to_angle(Degrees::from_int(degrees)));
+}
+
+RowPage draw_oblique(const RowInput& input, Framebuffer canvas) {
+    const double length = input.values[0] == 0 ? 1 : 0.5, degrees = static_cast<double>(input.values[1]);
+    const ViewSpec view = oblique_cube_view(length, input.values[1]);
+    draw_cube_scene(input, view, canvas);
+    std::vector<Figure> figures = edge_figures(input, view, {1, length, 1});
+    const ViewContext context = context_of(input, view);
+    figures.push_back(number_figure("right per unit of depth, L cos a",
+                                    length * std::cos(degrees * std::numbers::pi / 180),
+                                    across(kCube.low, kY, context) / across(kCube.low, kX, context), 0.001));
+    return {std::move(figures),
+            {"The direction of projection is not at right angles to the view plane. The front keeps its shape; what is "
+             "farther is shifted by L of its depth: 1 in a cavalier projection, 1/2 in a cabinet one.",
+             "It is a shear, as is an off-centre window: the view's axes lose it, and the rest is as always."}};
+}
+
+/// Views of the demo level from outside.
+ViewSpec level_view(std::int64_t choice) {
+    constexpr View kWidth = View::from_int(2300);
+    if (choice < 3)
+        return orthographic_view(middle_of_demo_level(), axonometric_axes(static_cast<Axonometry>(choice)), kWidth);
+    // From above, so that what is higher rises to the upper right.
+    return oblique_view(middle_of_demo_level(), side_axes(ViewSide::Top), kWidth,
+                        Unit::from_raw(choice == 3 ? 1 << 30 : 1 << 29), Angle{0xa000});
+}
+
+RowPage draw_level_from_outside(const RowInput& input, Framebuffer canvas) {
+    const Level& level = input.assets.demo_level;
+    ViewSpec view = level_view(input.values[0]);
+    cut_above(view, World::from_int(static_cast<std::int32_t>(input.values[1])));
+    const std::vector<PlacedModel> models = models_at_rest(level);
+    FrameWorkspace work(level, input.mode);
+    work.counts = std::make_unique<FrameCounts>();
+    draw_frame({level, input.assets.colormap, models, input.time_ms}, view, input.mode, input.settings, work, canvas);
+    std::int64_t twice = 0, never = 0;
+    for (const std::uint8_t writes : work.counts->writes) {
+        twice += writes > 1;
+        never += writes == 0;
+    }
+    return {
+        {count_figure("pixels that faces draw twice", 0, twice),
+         measured("pixels that show nothing", std::to_string(never)),
+         measured("faces that own pixels", std::to_string(work.counts->faces_drawn))},
+        {"Seen from outside, a level's walls and ceilings on this side face away and are culled: its rooms are open. "
+         "A section takes off what is above a height.",
+         "Order and culling ask for sides of a direction instead of a point, in homogeneous coordinates: w = 0."}};
+}
+
+/// A camera whose picture of the cube has so many vanishing points.
+Camera camera_with_points(int points) {
+    constexpr std::array<Place, 3> kEyes{{{110, -310, 100}, {-160, -160, 15}, {-140, -140, 150}}};
+    Camera camera;
+    camera.eye = in_world(at(kEyes, points - 1));
+    camera.yaw = degrees_to_angle(Degrees::from_int(points == 1 ? 90 : 45));
+    camera.pitch = degrees_to_angle(Degrees::from_int(points == 3 ? 38 : 0));
+    camera.field_of_view = Degrees::from_int(100);
+    return camera;
+}
+
+/// Where lines along an axis meet: the picture of a direction, x m / z; none for lines along the view plane.
+std::optional<PixelPlace> vanishing_point(const Vec3<Unit>& axis, const ViewContext& view) {
+    const auto part = [&](const Vec3<Unit>& of_view) { return std::ldexp(dot(axis, of_view).raw, -60); };
+    const double z = part(view.axes.forward);
+    if (std::abs(z) < 1e-6) return std::nullopt;
+    const auto pixels = [](Multiplier multiplier) { return std::ldexp(static_cast<double>(multiplier.raw), -32); };
+    return PixelPlace{view.projection.width_px / 2.0 + pixels(view.projection.x.multiplier) * part(view.axes.right) / z,
+                      view.projection.height_px / 2.0 - pixels(view.projection.y.multiplier) * part(view.axes.up) / z};
+}
+
+RowPage draw_vanishing_points(const RowInput& input, Framebuffer canvas) {
+    const auto points = static_cast<int>(input.values[0]) + 1;
+    const Camera camera = camera_with_points(points);
+    WireScene scene(input, first_person_view(camera), canvas);
+    scene.fill_background();
+    constexpr Unit kOne = Unit::from_int(1);
+    const std::array<Vec3<Unit>, 3> axes{{{kOne, {}, {}}, {{}, kOne, {}}, {{}, {}, kOne}}};
+    const std::array<std::uint8_t, 3> colours{input.assets.colour(150, 60, 56), input.assets.colour(66, 120, 60),
+                                              input.assets.colour(60, 90, 150)};
+    int found = 0;
+    double worst_px = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::optional<PixelPlace> point = vanishing_point(axes[axis], scene.view());
+        if (!point) continue;
+        ++found;
+        for (int corner = 0; corner < 8; ++corner)
+            scene.line(shown(kCube.corner(corner), scene.view()), *point, colours[axis]);
+        // As the engine projects a place 2^18 units from the eye, ahead of it.
+        Place far{std::ldexp(camera.eye.x.raw, -12), std::ldexp(camera.eye.y.raw, -12),
+                  std::ldexp(camera.eye.z.raw, -12)};
+        const double way = dot(axes[axis], scene.view().axes.forward) > Sine60{} ? 262144 : -262144;
+        (axis == 0 ? far.x : axis == 1 ? far.y : far.z) += way;
+        const PixelPlace seen = shown(far, scene.view());
+        worst_px = std::max(worst_px, std::hypot(seen.x - point->x, seen.y - point->y));
+    }
+    draw_cube(kCube, input.assets, scene);
+    return {{count_figure("axes that have a vanishing point", points, found),
+             number_figure("pixels to what is 2^18 units along", 0, worst_px, 0.02)},
+            {"Lines along an axis meet in the picture of its direction: centre + m (axis . right) / (axis . forward). "
+             "An axis along the view plane has none: its lines stay parallel."}};
+}
+
+}  // namespace
+
+std::vector<Row> projection_rows() {
+    constexpr std::string_view kViews = "engine/geometry/views.h", kTest = "tests/geometry/views_test.cpp",
+                               kFrames = "tests/frame/view_frames_test.cpp";
+    return {{"orthographic",
+             "Orthographic: front, top and side",
+             "4 Princeton: Projection; 2 Lab",
+             kViews,
+             kTest,
+             {choice_parameter("view", {"front", "top", "side"})},
+             draw_orthographic},
+            {"axonometric",
+             "Isometric, dimetric, trimetric",
+             "4 Princeton: Projection",
+             kViews,
+             kTest,
+             {choice_parameter("view", {"isometric", "dimetric", "trimetric"}), {"quarters turned", 0, 3, 1, 0}},
+             draw_axonometric},
+            {"oblique",
+             "Oblique: cavalier and cabinet",
+             "4 Princeton: Projection",
+             kViews,
+             kTest,
+             {choice_parameter("view", {"cavalier", "cabinet"}), {"angle", 0, 90, 15, 45}},
+             draw_oblique},
+            {"level-from-outside",
+             "A level from outside",
+             "4 Princeton: Projection",
+             kViews,
+             kFrames,
+             {choice_parameter("view", {"isometric", "dimetric", "trimetric", "cavalier plan", "cabinet plan"}),
+              {"cut off above", 0, 640, 80, 80}},
+             draw_level_from_outside},
+            {"vanishing-points",
+             "Vanishing points: one, two, three",
+             "4 Princeton: Projection",
+             "engine/geometry/project.h",
+             kTest,
+             {choice_parameter("vanishing points", {"one", "two", "three"}, 1)},
+             draw_vanishing_points}};
+}
+
+}  // namespace oblong
