@@ -32,10 +32,12 @@ PARTS = {
     ("lit texels",): "surface/lit_surface",
 }
 LEFT_OUT = ("left out",)
-# What other effects, and frames without the span buffer, need: the frames that are counted do not allow them. From the
+# What other effects, frames without the span buffer, and lines over frames need: the frames that are counted do not allow them. From the
 # libraries of the build.
-OF_EFFECTS = re.compile("engine/(effects/|mesh/|raster/(depth|kernels/effect_kernels)|scene/(light_styles|texture_animation|"
+OF_EFFECTS = re.compile("engine/(effects/|mesh/|raster/(depth|lines|triangles|kernels/(effect_kernels|edge_functions))|"
+                        "scene/(light_styles|texture_animation|pick|"
                         "moving_lights|level_effects|light_below)|level/floor|math/(soft_float|wide_sum)|"
+                        "geometry/(canonical_volume|clip_line|facing|triangulate)|math/transform|"
                         "visibility/(placed_box|pixel_owners|z_buffer|painter|ray_casting)|"
                         "frame/(fog|light|mirror|model|see_through)_pass|frame/(frame_things|hidden_surfaces|pass_times|wireframe))")
 BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|surface/(palette|colormap|oklab))")
