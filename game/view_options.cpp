@@ -45,6 +45,12 @@ std::string zoom(bool is_narrower, ViewOptions& options) {
     return "[ ] Zoom against dolly: " + std::to_string(changed) + " degrees";
 }
 
+// Switches an option on or off; the message that tells the user.
+std::string toggle(bool& is_on, const char* on = "", const char* off = "") {
+    is_on = !is_on;
+    return is_on ? on : off;
+}
+
 std::string describe_display(const ViewOptions& options, const ScreenMode& mode, WindowSize window) {
     const std::string size = describe(layout(window, mode, options.shown_as, options.scaling), mode);
     switch (options.shown_as) {
@@ -71,11 +77,9 @@ Settings settings_of(const ViewOptions& options) {
 std::string apply(Command command, ViewOptions& options, const ScreenMode& mode, WindowSize window) {
     switch (command) {
         case Command::ShowHelp:
-            options.shows_help = !options.shows_help;
-            return "";
+            return toggle(options.shows_help);
         case Command::FrameCost:
-            options.shows_cost = !options.shows_cost;
-            return "";
+            return toggle(options.shows_cost);
         case Command::ProjectionAspect:
             options.corrects_projection = !options.corrects_projection;
             return options.corrects_projection ? "F2 Projection: for " + display_name(mode)
@@ -96,14 +100,11 @@ std::string apply(Command command, ViewOptions& options, const ScreenMode& mode,
             options.brightness_100 = next_brightness(options.brightness_100, command == Command::Brighter);
             return "Brightness " + std::to_string(options.brightness_100) + " %";
         case Command::Torch:
-            options.has_torch = !options.has_torch;
-            return options.has_torch ? "L Torch" : "L Torch: off";
+            return toggle(options.has_torch, "L Torch", "L Torch: off");
         case Command::CrtLook:
-            options.has_crt_look = !options.has_crt_look;
-            return options.has_crt_look ? "C Tube: scanlines, mask, glow" : "C Tube: off";
+            return toggle(options.has_crt_look, "C Tube: scanlines, mask, glow", "C Tube: off");
         case Command::Inspect:
-            options.inspects = !options.inspects;
-            return "";
+            return toggle(options.inspects);
         case Command::Log:
             options.log = next_channels(options.log);
             return "O Log: " + names_of(options.log) + (options.log.is_empty() ? "" : ", on standard error");
@@ -114,17 +115,14 @@ std::string apply(Command command, ViewOptions& options, const ScreenMode& mode,
             options.wireframe = next_of(options.wireframe, kWireframeCount);
             return at(kWireframeMessages, options.wireframe);
         case Command::Isometric:
-            options.is_isometric = !options.is_isometric;
-            return options.is_isometric ? "I Isometric: you are in the middle" : "I Isometric: off";
+            return toggle(options.is_isometric, "I Isometric: you are in the middle", "I Isometric: off");
         case Command::ZoomIn:
         case Command::ZoomOut:
             return zoom(command == Command::ZoomIn, options);
         case Command::AspectGuide:
-            options.shows_aspect_guide = !options.shows_aspect_guide;
-            return "";
+            return toggle(options.shows_aspect_guide);
         case Command::FourAspects:
-            options.shows_four_aspects = !options.shows_four_aspects;
-            return "";
+            return toggle(options.shows_four_aspects);
         default:
             return apply_to_lab(command, options.lab, options.accuracy);
     }

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "engine/geometry/project.h"
@@ -39,12 +38,6 @@ Parameter mode_parameter() {
 
 const NamedMode& mode_of(const RowInput& input, std::size_t parameter) {
     return at(kModes, input.values[parameter]);
-}
-
-std::string decimal(double value, const char* format = "%.3f") {
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
 }
 
 /// The display's outline, and in it a disc of so few pixels that their shape is seen.
@@ -143,8 +136,8 @@ RowPage draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
     const double shape = static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator);
     const double right_shape = square.settings.correct_aspect ? 1 : shape;
     return {{number_figure("width to height of a square as shown", right_shape, columns / rows * shape, 0.005),
-             measured("multiplier of x, pixels", decimal(number_of(projection.x.multiplier))),
-             measured("multiplier of y, pixels", decimal(number_of(projection.y.multiplier)))},
+             measured("multiplier of x, pixels", decimal_text(number_of(projection.x.multiplier))),
+             measured("multiplier of y, pixels", decimal_text(number_of(projection.y.multiplier)))},
             {"Aspect and field of view are in the two multipliers, computed once for a mode. A point costs a "
              "multiplication and a "
              "division for each axis, in both pictures: they are drawn by the same code with other numbers."}};

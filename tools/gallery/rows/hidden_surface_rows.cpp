@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "engine/accuracy/presets.h"
@@ -14,6 +13,7 @@
 #include "engine/visibility/painter.h"
 #include "tools/common/drawing.h"
 #include "tools/gallery/level_scene.h"
+#include "tools/gallery/numbers.h"
 #include "tools/gallery/rows.h"
 
 namespace oblong {
@@ -51,13 +51,8 @@ Parameter method_parameter(HiddenSurfaces start) {
                             static_cast<std::int64_t>(start));
 }
 
-std::string decimal(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2f", value);
-    return text;
-}
 std::string per_pixel(std::int64_t count, std::size_t pixels) {
-    return decimal(static_cast<double>(count) / static_cast<double>(pixels));
+    return decimal_text(static_cast<double>(count) / static_cast<double>(pixels), "%.2f");
 }
 
 /// Copies a picture; pixels that differ from `right` become `warning` if it is set. How many differ.
@@ -222,7 +217,7 @@ RowPage draw_depth(const RowInput& input, Framebuffer canvas) {
                         ? count_figure(name, 0, wrong)
                         : measured(name, std::to_string(wrong)),
                     is_whole ? number_figure("z on the left wall, units", by_tree, z, 0.01, 2)
-                             : measured("z on the left wall, units", decimal(z)),
+                             : measured("z on the left wall, units", decimal_text(z, "%.2f")),
                     measured("pixels written and then hidden",
                              std::to_string(frame.counts().pixels_written - std::ssize(frame.pixels)))};
     page.notes = {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "tools/common/drawing.h"
@@ -19,12 +18,6 @@ constexpr int kFieldOfView = 50;
 constexpr double kDistance = 200;
 constexpr std::array kShadings{Shading::Flat, Shading::Gouraud, Shading::Phong};
 constexpr std::array kShadingNames{"flat", "Gouraud", "Phong"};
-
-std::string decimal(double value, const char* format = "%.2f") {
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
 
 /// Toward a light that goes around what it shines on, seen from the eye's side: 0 is right, 90 above.
 Direction toward_light(std::int64_t degrees) {
@@ -169,7 +162,7 @@ RowPage draw_lights(const RowInput& input, Framebuffer canvas) {
         const Mark mark = mark_at(scene, on_ball);
         draw_mark(canvas, mark, assets.colour(255, 255, 255));
         const bool is_left = normal.y > 0;
-        const std::string label = name + " " + decimal(found, "%.1f");
+        const std::string label = name + " " + decimal_text(found, "%.1f");
         draw_text(canvas, is_left ? mark.column - 8 - text_width_px(label) : mark.column + 6, mark.row - 4, label,
                   assets.text);
     }

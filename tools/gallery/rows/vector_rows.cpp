@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <optional>
 
@@ -20,12 +19,6 @@ namespace oblong {
 namespace {
 
 using Whole = Fixed<std::int32_t, 0>;
-
-std::string decimal(double value, int decimals = 3) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
-}
 
 Vec3<Whole> whole(std::int32_t x, std::int32_t y, std::int32_t z) {
     return {Whole::from_int(x), Whole::from_int(y), Whole::from_int(z)};
@@ -89,7 +82,7 @@ RowPage draw_dot_product(const RowInput& input, Framebuffer canvas) {
     diagram.text({1, 0}, "U", colours.second, 4, -9);
     diagram.text(times(point_of(v), 1.08), "V", colours.first, -2, -3);
     diagram.text({-1.95, 1.0}, std::to_string(degrees) + " degrees", colours.text);
-    diagram.text({-1.95, 0.84}, "U . V = " + decimal(product), colours.result);
+    diagram.text({-1.95, 0.84}, "U . V = " + decimal_text(product), colours.result);
 
     const auto a = whole(1, 2, 3), b = whole(4, -5, 6);
     const std::int64_t by_cosines = (dot(a, a).raw + dot(b, b).raw - dot(a - b, a - b).raw) / 2;
@@ -186,7 +179,7 @@ RowPage draw_lighting(const RowInput& input, Framebuffer canvas) {
                   colours.first);
     diagram.text(sum(foot, point_of(normal)), "N", colours.second, -9, 2);
     diagram.text(sum(foot, times(point_of(to_light), 1.2)), "D", colours.first, -2, -3);
-    diagram.text({-1.65, -0.75}, "I = N . -D = " + decimal(share), colours.result);
+    diagram.text({-1.65, -0.75}, "I = N . -D = " + decimal_text(share), colours.result);
     return {
         {number_figure("share of the light: cos, 0 or more", std::max(std::cos(radians(degrees)), 0.0), share, 1e-4),
          number_figure("of a light of 200", 200 * std::max(std::cos(radians(degrees)), 0.0), 200 * share, 0.02, 2),
@@ -232,8 +225,8 @@ RowPage draw_cross_product(const RowInput& input, Framebuffer canvas) {
              count_figure("at right angles to U and V: both dot products", 0, dot(third, u).raw + dot(third, v).raw),
              count_figure("U, V, U x V made of length 1 are axes", degrees == 90, is_orthonormal(axes)),
              {"(1 2 3) x (4 5 6)", "-3 6 -3",
-              decimal(number_of(listed.x), 0) + " " + decimal(number_of(listed.y), 0) + " " +
-                  decimal(number_of(listed.z), 0),
+              decimal_text(number_of(listed.x), "%.0f") + " " + decimal_text(number_of(listed.y), "%.0f") + " " +
+                  decimal_text(number_of(listed.z), "%.0f"),
               is_listed},
              count_figure("parallel vectors give a normal", 0,
                           normalised(cross(whole(1, 2, 3), whole(-2, -4, -6))) != Vec3<Unit>{})},
@@ -265,8 +258,8 @@ RowPage draw_rotation(const RowInput& input, Framebuffer canvas) {
     diagram.text(p, "P", colours.first, 4, -4);
     diagram.text(times(right, 1.06), "x'", colours.second);
     diagram.text(times(up, 1.06), "y'", colours.second);
-    diagram.text({-1.9, 1.0}, "P . x' = " + decimal(number_of(turned.x)), colours.result);
-    diagram.text({-1.9, 0.84}, "P . y' = " + decimal(number_of(turned.y)), colours.result);
+    diagram.text({-1.9, 1.0}, "P . x' = " + decimal_text(number_of(turned.x)), colours.result);
+    diagram.text({-1.9, 0.84}, "P . y' = " + decimal_text(number_of(turned.y)), colours.result);
     const double cos = std::cos(radians(degrees)), sin = std::sin(radians(degrees));
     const Vec3<Entry> by_matrix = rotation_matrix(axes) * convert<Entry>(point);
     return {{number_figure("x' by cos and sin", 0.375 * cos + 0.75 * sin, number_of(turned.x), 1e-4),
@@ -296,7 +289,7 @@ RowPage draw_line_and_plane(const RowInput& input, Framebuffer canvas) {
     diagram.line(on_diagram(point), {-3, 5}, colours.second);
     diagram.disc(on_diagram(point), 0.15, colours.second);
     diagram.text(on_diagram(point), "P", colours.second, 5, -4);
-    diagram.text({-3, 7.5}, decimal(number_of(distance_to_plane(point, plane)), 0), colours.second, 4, -4);
+    diagram.text({-3, 7.5}, decimal_text(number_of(distance_to_plane(point, plane)), "%.0f"), colours.second, 4, -4);
     diagram.line(on_diagram(start), on_diagram(end), colours.first);
     diagram.disc(on_diagram(start), 0.15, colours.first);
     diagram.disc(on_diagram(end), 0.15, colours.first);
@@ -314,10 +307,10 @@ RowPage draw_line_and_plane(const RowInput& input, Framebuffer canvas) {
         page.figures.push_back(
             number_figure("t along the line: D1 / (D1 - D2)", t, line ? number_of(line->along) : 0, 1e-9));
     if (line)
-        page.figures.push_back({"where the line meets it", decimal(4 * t) + " " + decimal(2 * t) + " 5.000",
-                                decimal(number_of(line->world_point.x)) + " " +
-                                    decimal(number_of(line->world_point.y)) + " " +
-                                    decimal(number_of(line->world_point.z)),
+        page.figures.push_back({"where the line meets it", decimal_text(4 * t) + " " + decimal_text(2 * t) + " 5.000",
+                                decimal_text(number_of(line->world_point.x)) + " " +
+                                    decimal_text(number_of(line->world_point.y)) + " " +
+                                    decimal_text(number_of(line->world_point.z)),
                                 std::abs(number_of(line->world_point.x) - 4 * t) <= 0.5 / 4096 &&
                                     line->world_point.z == World::from_int(5)});
     page.notes = {
