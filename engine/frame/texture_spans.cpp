@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "engine/fixed/arithmetic.h"
-#include "engine/frame/workspace.h"
+#include "engine/frame/frame_counts.h"
+#include "engine/frame/frame_record.h"
 #include "engine/raster/exact_spans.h"
 
 namespace oblong {
@@ -13,14 +14,15 @@ namespace {
 /// Blocks shorter than 2^3 pixels take longer than a division at each of their pixels.
 constexpr std::size_t kLeastBlockLog2 = 3;
 
-void draw_waiting_blocks(const TexturedFace& face, Framebuffer out, FrameWorkspace& work) {
+void draw_waiting_blocks(const TexturedFace& face, const SpanDrawing& drawing) {
+    BlockList& blocks = drawing.scratch.blocks;
     if (face.effect_kernel)
-        face.effect_kernel(work.blocks.waiting(), face.texels, out.pixels);
+        face.effect_kernel(blocks.waiting(), face.texels, drawing.out.pixels);
     else
-        face.surface.kernel(work.blocks.waiting(), face.surface.view, out.pixels);
-    if (work.counts) count_writes(work.blocks.waiting(), *work.counts);
-    if (work.record) record_blocks(record_of(face.claimed.visible), work.blocks.waiting(), face.surface, *work.record);
-    work.blocks.clear();
+        face.surface.kernel(blocks.waiting(), face.surface.view, drawing.out.pixels);
+    if (drawing.counts) count_writes(blocks.waiting(), *drawing.counts);
+    if (drawing.record) record_blocks(record_of(face.claimed.visible), blocks.waiting(), face.surface, *drawing.record);
+    blocks.clear();
 }
 
 /// How the spans of one face are cut into blocks.
@@ -30,31 +32,32 @@ struct BlockLimits {
 };
 
 /// Cuts spans into blocks, then draws them.
-void draw_blocks(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
-                 BlockCutter cut_blocks, const BlockLimits& limits, Framebuffer out, FrameWorkspace& work) {
+void draw_blocks(const TexturedFace& face, std::span<const Span> spans, BlockCutter cut_blocks,
+                 const BlockLimits& limits, const SpanDrawing& drawing) {
+    BlockList& blocks = drawing.scratch.blocks;
     for (const Span& span : spans) {
-        if (!work.blocks.has_room_for(span.end - span.first)) draw_waiting_blocks(face, out, work);
-        const std::int32_t divisions =
-            cut_blocks(span, out.pitch, face.gradients, texturing.rule, limits.thresholds, limits.texels, work.blocks);
-        if (work.counts) work.counts->divisions += divisions;
+        if (!blocks.has_room_for(span.end - span.first)) draw_waiting_blocks(face, drawing);
+        const std::int32_t divisions = cut_blocks(span, drawing.out.pitch, face.gradients, drawing.texturing.rule,
+                                                  limits.thresholds, limits.texels, blocks);
+        if (drawing.counts) drawing.counts->divisions += divisions;
     }
-    draw_waiting_blocks(face, out, work);
+    draw_waiting_blocks(face, drawing);
 }
 
 /// A frame that counts or records draws blocks, to the same bytes: they say what each pixel shows.
-void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
-                          Framebuffer out, FrameWorkspace& work) {
+void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
     const FaceSurface& surface = face.surface;
+    FrameCounts* const counts = drawing.counts;
     TexelLimits limits = surface.limits;
     limits.least = {};  // without steps nothing drifts
-    if (surface.is_wrapped_by_masks && !face.effect_kernel && !work.counts && !work.record)
-        return draw_exact_spans(spans, face.gradients, limits, surface.view, out);
-    const std::int64_t divisions_before = work.counts ? work.counts->divisions : 0;
-    draw_blocks(face, spans, texturing, texturing.cut_pixels, {{}, limits}, out, work);
-    if (!work.counts || !surface.is_wrapped_by_masks) return;
+    if (surface.is_wrapped_by_masks && !face.effect_kernel && !counts && !drawing.record)
+        return draw_exact_spans(spans, face.gradients, limits, surface.view, drawing.out);
+    const std::int64_t divisions_before = counts ? counts->divisions : 0;
+    draw_blocks(face, spans, drawing.texturing.cut_pixels, {{}, limits}, drawing);
+    if (!counts || !surface.is_wrapped_by_masks) return;
     const std::int64_t pixels = pixels_of(spans);
-    work.counts->stages.divided_pixels += pixels;
-    work.counts->divisions = divisions_before + pixels;
+    counts->stages.divided_pixels += pixels;
+    counts->divisions = divisions_before + pixels;
 }
 
 /// The longest block of a face that rounding allows (longest_block_log2).
@@ -91,17 +94,18 @@ void split_at(InverseZ least, const Span& span, const LinearQuantity<InverseZ>& 
 }
 
 /// Blocks where they are long enough to be worth it.
-void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
-                  Framebuffer out, FrameWorkspace& work) {
+void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
+    const SpanTexturing& texturing = drawing.texturing;
     const BlockLimits limits = bounded_limits(face, face.claimed.nearest_z, texturing.rule);
     const InverseZ least = limits.thresholds.least_inverse_z[kLeastBlockLog2];
     if (!texturing.divides_exactly || is_above(least, face.claimed.farthest_z))
-        return draw_blocks(face, spans, texturing, texturing.cut_blocks, limits, out, work);
-    work.long_blocks.clear();
-    work.short_blocks.clear();
-    for (const Span& span : spans) split_at(least, span, face.gradients.inverse_z, work.long_blocks, work.short_blocks);
-    draw_blocks(face, work.long_blocks, texturing, texturing.cut_blocks, limits, out, work);
-    divide_at_each_pixel(face, work.short_blocks, texturing, out, work);
+        return draw_blocks(face, spans, texturing.cut_blocks, limits, drawing);
+    std::vector<Span>&long_blocks = drawing.scratch.long_blocks, &short_blocks = drawing.scratch.short_blocks;
+    long_blocks.clear();
+    short_blocks.clear();
+    for (const Span& span : spans) split_at(least, span, face.gradients.inverse_z, long_blocks, short_blocks);
+    draw_blocks(face, long_blocks, texturing.cut_blocks, limits, drawing);
+    divide_at_each_pixel(face, short_blocks, drawing);
 }
 
 }  // namespace
@@ -113,12 +117,12 @@ SpanTexturing make_span_texturing(const Accuracy& accuracy) {
             accuracy.reciprocal == ReciprocalMethod::Exact};
 }
 
-void draw_texture_spans(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
-                        Framebuffer out, FrameWorkspace& work) {
-    if (texturing.texturing == Texturing::Bounded) return draw_bounded(face, spans, texturing, out, work);
+void draw_texture_spans(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
+    const SpanTexturing& texturing = drawing.texturing;
+    if (texturing.texturing == Texturing::Bounded) return draw_bounded(face, spans, drawing);
     if (texturing.texturing == Texturing::Exact && texturing.divides_exactly)
-        return divide_at_each_pixel(face, spans, texturing, out, work);
-    draw_blocks(face, spans, texturing, texturing.cut_blocks, {{}, face.surface.limits}, out, work);
+        return divide_at_each_pixel(face, spans, drawing);
+    draw_blocks(face, spans, texturing.cut_blocks, {{}, face.surface.limits}, drawing);
 }
 
 }  // namespace oblong
