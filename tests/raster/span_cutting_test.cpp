@@ -32,7 +32,7 @@ TextureGradients random_plane(std::mt19937& random) {
         return std::uniform_real_distribution<double>(least, greatest)(random);
     };
     const double w = std::exp2(part(-14, 1)), texels = std::exp2(part(0, 17));
-    const auto slope = [&](double of) { return of * part(-1, 1) * std::exp2(part(-12, 0)) / kWidth; };
+    const auto slope = [&](double of) { return of * part(-1, 1) * std::exp2(part(-8, 2)) / kWidth; };
     TextureGradients plane;
     plane.inverse_z = {nearest<InverseZ>(w), nearest<InverseZ>(slope(w)), nearest<InverseZ>(slope(w))};
     const double u = w * texels * part(-1, 1), v = w * texels * part(-1, 1);
