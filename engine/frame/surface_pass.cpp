@@ -43,29 +43,33 @@ FaceSurface surface_of(const VisibleFace& visible, int mip, const FrameContext& 
 }
 
 /// Sets the kernel of a drawing that is not plain, and what it needs.
-void add_effect(const SurfaceDrawing& drawing, int mip, const FrameContext& frame, FrameWorkspace& work,
-                TexturedFace& face) {
+void add_effect(const SurfaceDrawing& drawing, const FrameContext& frame, FrameWorkspace& work,
+                PreparedSurface& prepared) {
     TexelTraits traits = drawing.traits;
-    traits.is_wrapped_by_masks = face.surface.is_wrapped_by_masks;
+    traits.is_wrapped_by_masks = prepared.surface.is_wrapped_by_masks;
     if (traits.warps && work.warp_time_ms != frame.scene.time_ms) {
         work.warp = make_warp_tables(frame.scene.time_ms);
         work.warp_time_ms = frame.scene.time_ms;
     }
-    face.effect_kernel = effect_kernel(traits);
-    face.texels = {face.surface.view, &at(work.warp, mip), drawing.colours, drawing.blend};
+    prepared.effect_kernel = effect_kernel(traits);
+    prepared.texels = {prepared.surface.view, &at(work.warp, prepared.surface.mip), drawing.colours, drawing.blend};
+}
+
+/// Gets a face's surface of one mip level, and the kernel that draws it.
+PreparedSurface prepare(const VisibleFace& visible, int mip, const SurfaceDrawing& drawing, const FrameContext& frame,
+                        FrameWorkspace& work) {
+    PreparedSurface prepared{surface_of(visible, mip, frame, work), nullptr, {}};
+    if (!drawing.is_plain) add_effect(drawing, frame, work, prepared);
+    return prepared;
 }
 
 /// Draws spans of a face with its texture of one mip level.
 void draw_textured(const ClaimedFace& claimed, int mip, std::span<const Span> spans, const SurfaceDrawing& drawing,
                    const FrameContext& frame, FrameWorkspace& work) {
-    const FaceIndex index = claimed.visible.face;
-    const FaceSurface surface = surface_of(claimed.visible, mip, frame, work);
-    const TextureGradients gradients = gradients_of(claimed.visible, surface, frame, work);
+    const PreparedSurface prepared = prepare(claimed.visible, mip, drawing, frame, work);
     if (work.counts) ++work.counts->stages.surfaces;
-    const WidthAtOne width = frame.inverse_projection.least_pixel_width;
-    TexturedFace face{claimed, surface, gradients, work.faces.faces[index].least_density, width, nullptr, {}};
-    if (!drawing.is_plain) add_effect(drawing, mip, frame, work, face);
-    draw_texture_spans(face, spans, frame.texturing, frame.out, work);
+    draw_prepared(claimed, prepared, spans, frame, work,
+                  {frame.texturing, frame.out, work.span_scratch, work.counts.get(), work.record.get()});
 }
 
 /// The mip level of a face for pixels no nearer than this.
@@ -100,6 +104,14 @@ TextureGradients gradients_of(const VisibleFace& visible, const FaceSurface& sur
     if (accuracy.inverse_z_bits == InverseZ::kFractionBits && accuracy.over_z_bits == TexelOverZ::kFractionBits)
         return gradients;
     return rounded_to(gradients, accuracy.inverse_z_bits, accuracy.over_z_bits);
+}
+
+void draw_prepared(const ClaimedFace& claimed, const PreparedSurface& prepared, std::span<const Span> spans,
+                   const FrameContext& frame, const FrameWorkspace& work, const SpanDrawing& drawing) {
+    const TextureGradients gradients = gradients_of(claimed.visible, prepared.surface, frame, work);
+    draw_texture_spans({claimed, prepared.surface, gradients, work.faces.faces[claimed.visible.face].least_density,
+                        frame.inverse_projection.least_pixel_width, prepared.effect_kernel, prepared.texels},
+                       spans, drawing);
 }
 
 void draw_surface(const ClaimedFace& claimed, std::span<const Span> spans, const SurfaceDrawing& drawing,

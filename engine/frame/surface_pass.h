@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/frame/claims.h"
+#include "engine/frame/texture_spans.h"
 #include "engine/geometry/texture_gradients.h"
 #include "engine/raster/kernels/effect_kernels.h"
 #include "engine/scene/face_surface.h"
@@ -14,6 +15,17 @@ struct SurfaceDrawing {
     const ColourRow* colours = nullptr;
     const BlendTable* blend = nullptr;
 };
+
+/// A face's surface of one mip level, and the kernel that draws it if that is not the surface's own (TexturedFace).
+struct PreparedSurface {
+    FaceSurface surface;
+    EffectKernel effect_kernel = nullptr;
+    EffectTexels texels;
+};
+
+/// Draws spans of a face with a surface. Changes nothing but the pixels, the scratch and the counts of `drawing`.
+void draw_prepared(const ClaimedFace& claimed, const PreparedSurface& prepared, std::span<const Span> spans,
+                   const FrameContext& frame, const FrameWorkspace& work, const SpanDrawing& drawing);
 
 /// Draws spans of a face with its surface: texture, light, mip levels.
 void draw_surface(const ClaimedFace& claimed, std::span<const Span> spans, const SurfaceDrawing& drawing,

@@ -1,9 +1,12 @@
 #include "engine/frame/texture_spans.h"
 
 #include <algorithm>
+#include <bit>
 
+#include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
-#include "engine/frame/workspace.h"
+#include "engine/frame/frame_counts.h"
+#include "engine/frame/frame_record.h"
 #include "engine/raster/exact_spans.h"
 
 namespace oblong {
@@ -11,50 +14,46 @@ namespace oblong {
 namespace {
 
 /// Blocks shorter than 2^3 pixels take longer than a division at each of their pixels.
-constexpr std::size_t kLeastBlockLog2 = 3;
+constexpr int kLeastBlockLog2 = 3;
 
-void draw_waiting_blocks(const TexturedFace& face, Framebuffer out, FrameWorkspace& work) {
+void draw_waiting_blocks(const TexturedFace& face, const SpanDrawing& drawing) {
+    BlockList& blocks = drawing.scratch.blocks;
     if (face.effect_kernel)
-        face.effect_kernel(work.blocks.waiting(), face.texels, out.pixels);
+        face.effect_kernel(blocks.waiting(), face.texels, drawing.out.pixels);
     else
-        face.surface.kernel(work.blocks.waiting(), face.surface.view, out.pixels);
-    if (work.counts) count_writes(work.blocks.waiting(), *work.counts);
-    if (work.record) record_blocks(record_of(face.claimed.visible), work.blocks.waiting(), face.surface, *work.record);
-    work.blocks.clear();
+        face.surface.kernel(blocks.waiting(), face.surface.view, drawing.out.pixels);
+    if (drawing.counts) count_writes(blocks.waiting(), *drawing.counts);
+    if (drawing.record) record_blocks(record_of(face.claimed.visible), blocks.waiting(), face.surface, *drawing.record);
+    blocks.clear();
 }
 
-/// How the spans of one face are cut into blocks.
-struct BlockLimits {
-    BlockThresholds thresholds;
-    TexelLimits texels;
-};
-
-/// Cuts spans into blocks, then draws them.
-void draw_blocks(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
-                 BlockCutter cut_blocks, const BlockLimits& limits, Framebuffer out, FrameWorkspace& work) {
-    for (const Span& span : spans) {
-        if (!work.blocks.has_room_for(span.end - span.first)) draw_waiting_blocks(face, out, work);
-        const std::int32_t divisions =
-            cut_blocks(span, out.pitch, face.gradients, texturing.rule, limits.thresholds, limits.texels, work.blocks);
-        if (work.counts) work.counts->divisions += divisions;
+/// Cuts spans into blocks, then draws them, as many at a time as there is room for.
+void draw_blocks(const TexturedFace& face, std::span<const Span> spans, BlockCutter cut_blocks,
+                 const BlockCutting& cutting, const SpanDrawing& drawing) {
+    BlockList& blocks = drawing.scratch.blocks;
+    while (!spans.empty()) {
+        const std::span<const Span> left = cut_blocks(spans, drawing.out.pitch, cutting, blocks);
+        if (drawing.counts)
+            drawing.counts->divisions += divisions_of(spans.first(spans.size() - left.size()), face.gradients, blocks);
+        draw_waiting_blocks(face, drawing);
+        spans = left;
     }
-    draw_waiting_blocks(face, out, work);
 }
 
 /// A frame that counts or records draws blocks, to the same bytes: they say what each pixel shows.
-void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
-                          Framebuffer out, FrameWorkspace& work) {
+void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
     const FaceSurface& surface = face.surface;
-    TexelLimits limits = surface.limits;
-    limits.least = {};  // without steps nothing drifts
-    if (surface.is_wrapped_by_masks && !face.effect_kernel && !work.counts && !work.record)
-        return draw_exact_spans(spans, face.gradients, limits, surface.view, out);
-    const std::int64_t divisions_before = work.counts ? work.counts->divisions : 0;
-    draw_blocks(face, spans, texturing, texturing.cut_pixels, {{}, limits}, out, work);
-    if (!work.counts || !surface.is_wrapped_by_masks) return;
+    FrameCounts* const counts = drawing.counts;
+    BlockCutting cutting{face.gradients, surface.limits, {}};
+    cutting.limits.least = {};  // without steps nothing drifts
+    if (surface.is_wrapped_by_masks && !face.effect_kernel && !counts && !drawing.record)
+        return draw_exact_spans(spans, face.gradients, cutting.limits, surface.view, drawing.out);
+    const std::int64_t divisions_before = counts ? counts->divisions : 0;
+    draw_blocks(face, spans, drawing.texturing.cut_pixels, cutting, drawing);
+    if (!counts || !surface.is_wrapped_by_masks) return;
     const std::int64_t pixels = pixels_of(spans);
-    work.counts->stages.divided_pixels += pixels;
-    work.counts->divisions = divisions_before + pixels;
+    counts->stages.divided_pixels += pixels;
+    counts->divisions = divisions_before + pixels;
 }
 
 /// The longest block of a face that rounding allows (longest_block_log2).
@@ -64,11 +63,21 @@ int longest_block_of(const TexturedFace& face, View nearest_z, const BlockRule& 
     return longest_block_log2(rule, floor_shift(texels, face.surface.mip));
 }
 
-BlockLimits bounded_limits(const TexturedFace& face, View nearest_z, const BlockRule& rule) {
-    const int longest = longest_block_of(face, nearest_z, rule);
-    BlockLimits limits{make_block_thresholds(rule, face.gradients.inverse_z.per_column, longest), face.surface.limits};
-    limits.texels.least = std::min(limits.texels.least, Texel::from_raw(std::int64_t{1} << longest));
-    return limits;
+/// The size of a block that no span in the rectangle is longer than, and at least the least that is worth it.
+int longest_needed(const ScreenRectangle& rectangle) {
+    const auto width = static_cast<unsigned>(rectangle.end_column - rectangle.first_column);
+    return std::max(static_cast<int>(std::bit_width(width - 1)), kLeastBlockLog2);
+}
+
+BlockCutting bounded_cutting(const TexturedFace& face, std::span<const Span> spans, const BlockRule& rule) {
+    const ScreenRectangle rectangle = rectangle_around(spans);
+    const int longest = longest_block_of(face, face.claimed.nearest_z, rule);
+    BlockCutting cutting{
+        face.gradients, face.surface.limits,
+        make_block_thresholds(rule, face.gradients.inverse_z.per_column, std::min(longest, longest_needed(rectangle)))};
+    cutting.limits.least = std::min(cutting.limits.least, Texel::from_raw(std::int64_t{1} << longest));
+    cutting.fits_range = fits_range(face.gradients, {spans[0].first, spans[0].y}, rectangle);
+    return cutting;
 }
 
 /// Whether 1/z falls below `least` nowhere on the face.
@@ -91,17 +100,18 @@ void split_at(InverseZ least, const Span& span, const LinearQuantity<InverseZ>& 
 }
 
 /// Blocks where they are long enough to be worth it.
-void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
-                  Framebuffer out, FrameWorkspace& work) {
-    const BlockLimits limits = bounded_limits(face, face.claimed.nearest_z, texturing.rule);
-    const InverseZ least = limits.thresholds.least_inverse_z[kLeastBlockLog2];
+void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
+    const SpanTexturing& texturing = drawing.texturing;
+    const BlockCutting cutting = bounded_cutting(face, spans, texturing.rule);
+    const InverseZ least = at(cutting.thresholds.least_inverse_z, kLeastBlockLog2);
     if (!texturing.divides_exactly || is_above(least, face.claimed.farthest_z))
-        return draw_blocks(face, spans, texturing, texturing.cut_blocks, limits, out, work);
-    work.long_blocks.clear();
-    work.short_blocks.clear();
-    for (const Span& span : spans) split_at(least, span, face.gradients.inverse_z, work.long_blocks, work.short_blocks);
-    draw_blocks(face, work.long_blocks, texturing, texturing.cut_blocks, limits, out, work);
-    divide_at_each_pixel(face, work.short_blocks, texturing, out, work);
+        return draw_blocks(face, spans, texturing.cut_blocks, cutting, drawing);
+    std::vector<Span>&long_blocks = drawing.scratch.long_blocks, &short_blocks = drawing.scratch.short_blocks;
+    long_blocks.clear();
+    short_blocks.clear();
+    for (const Span& span : spans) split_at(least, span, face.gradients.inverse_z, long_blocks, short_blocks);
+    draw_blocks(face, long_blocks, texturing.cut_blocks, cutting, drawing);
+    divide_at_each_pixel(face, short_blocks, drawing);
 }
 
 }  // namespace
@@ -113,12 +123,17 @@ SpanTexturing make_span_texturing(const Accuracy& accuracy) {
             accuracy.reciprocal == ReciprocalMethod::Exact};
 }
 
-void draw_texture_spans(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
-                        Framebuffer out, FrameWorkspace& work) {
-    if (texturing.texturing == Texturing::Bounded) return draw_bounded(face, spans, texturing, out, work);
+void draw_texture_spans(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
+    const SpanTexturing& texturing = drawing.texturing;
+    if (texturing.texturing == Texturing::Bounded) return draw_bounded(face, spans, drawing);
     if (texturing.texturing == Texturing::Exact && texturing.divides_exactly)
-        return divide_at_each_pixel(face, spans, texturing, out, work);
-    draw_blocks(face, spans, texturing, texturing.cut_blocks, {{}, face.surface.limits}, out, work);
+        return divide_at_each_pixel(face, spans, drawing);
+    const BlockCutting cutting{face.gradients,
+                               face.surface.limits,
+                               {},
+                               texturing.rule.texel_bound_256,
+                               fits_range(face.gradients, {spans[0].first, spans[0].y}, rectangle_around(spans))};
+    draw_blocks(face, spans, texturing.cut_blocks, cutting, drawing);
 }
 
 }  // namespace oblong

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/frame/claims.h"
@@ -12,7 +13,8 @@
 
 namespace oblong {
 
-class FrameWorkspace;
+struct FrameCounts;
+struct FrameRecord;
 
 /// How spans are textured, by the accuracy settings; computed once a frame.
 struct SpanTexturing {
@@ -35,9 +37,26 @@ struct TexturedFace {
     EffectTexels texels;           ///< what that kernel draws
 };
 
+/// Scratch of whoever textures spans; two that do so at once have one each.
+struct SpanScratch {
+    /// For spans of up to `longest_px` pixels.
+    explicit SpanScratch(std::int32_t longest_px) : blocks(longest_px) {}
+
+    std::vector<Span> long_blocks, short_blocks;  ///< those that bounded texturing draws as blocks, and pixel by pixel
+    BlockList blocks;
+};
+
+/// How and where spans are textured.
+struct SpanDrawing {
+    const SpanTexturing& texturing;
+    Framebuffer out;
+    SpanScratch& scratch;
+    FrameCounts* counts = nullptr;  ///< null: nothing is counted
+    FrameRecord* record = nullptr;  ///< null: nothing is recorded
+};
+
 /// Draws spans of a face: as blocks, or with a division at each pixel where the
 /// settings ask for that, or where bounded blocks would be so short that it is cheaper.
-void draw_texture_spans(const TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing,
-                        Framebuffer out, FrameWorkspace& work);
+void draw_texture_spans(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing);
 
 }  // namespace oblong

@@ -31,7 +31,7 @@ FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode)
       visible(level),
       span_buffer(mode.width_px, mode.height_px),
       rows(mode.height_px),
-      blocks(mode.width_px),
+      span_scratch(mode.width_px),
       surfaces(level, faces, mode.width_px),
       brush_models(level),
       effects(read_level_effects(level)),

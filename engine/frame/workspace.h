@@ -18,10 +18,10 @@
 #include "engine/frame/mirror_pass.h"
 #include "engine/frame/pass_times.h"
 #include "engine/frame/plan.h"
+#include "engine/frame/texture_spans.h"
 #include "engine/geometry/screen_polygon.h"
 #include "engine/mesh/draw_mesh.h"
 #include "engine/raster/scan.h"
-#include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/face_table.h"
 #include "engine/scene/level_effects.h"
@@ -48,11 +48,10 @@ class FrameWorkspace {
     std::vector<VertexIndex> own_corners;  ///< of the current face, without those at T-junctions
     ScreenPolygon polygon;
     ScanlineExtents rows;
-    Claims claims;                                ///< of the frame's faces
-    std::array<std::vector<Span>, 4> of_mip;      ///< the current face's spans that each mip level draws
-    std::vector<Span> long_blocks, short_blocks;  ///< those that bounded texturing draws as blocks, and pixel by pixel
-    std::vector<Span> pass_spans;                 ///< all of the current pass, where it draws them together
-    BlockList blocks;
+    Claims claims;                            ///< of the frame's faces
+    std::array<std::vector<Span>, 4> of_mip;  ///< the current face's spans that each mip level draws
+    std::vector<Span> pass_spans;             ///< all of the current pass, where it draws them together
+    SpanScratch span_scratch;
     FaceSurfaces surfaces;
     BrushModels brush_models;
 

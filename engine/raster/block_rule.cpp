@@ -28,15 +28,17 @@ BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_
     BlockThresholds thresholds;
     const bool falls = inverse_z_step < InverseZ{};
     const std::uint64_t capped = std::min(detail::magnitude(inverse_z_step.raw), std::uint64_t{1} << 50);
-    for (std::size_t k = 0; k < kBlockSizes; ++k) {
-        const auto bits = std::bit_width(capped) + std::bit_width(rule.factor_8[k]);
-        std::uint64_t least = bits > 61 ? std::uint64_t{1} << 61 : ((capped * rule.factor_8[k]) >> 8) + 1;
+    thresholds.least_inverse_z.fill(InverseZ::highest());
+    thresholds.least_inverse_z[0] = InverseZ::lowest();
+    for (int k = 1; k <= longest_log2; ++k) {
+        const std::uint64_t factor = at(rule.factor_8, k);
+        const auto bits = std::bit_width(capped) + std::bit_width(factor);
+        std::uint64_t least = bits > 61 ? std::uint64_t{1} << 61 : ((capped * factor) >> 8) + 1;
         if (falls) least += capped << k;
         note_range<"block thresholds">(InverseZ::from_raw(static_cast<std::int64_t>(least)));
-        thresholds.least_inverse_z[k] =
+        at(thresholds.least_inverse_z, k) =
             InverseZ::from_raw(static_cast<std::int64_t>(std::min(least, std::uint64_t{1} << 61)));
     }
-    for (int k = longest_log2 + 1; k < kBlockSizes; ++k) at(thresholds.least_inverse_z, k) = InverseZ::highest();
     return thresholds;
 }
 

@@ -35,7 +35,8 @@ BlockRule make_block_rule(const Accuracy& accuracy);
 /// 0 the error is below E where b (n - x)(x - E) <= E w0 for all x; the left side is largest at x = (n + E)/2, so b (n
 /// - E)^2 <= 4 E w0 does. For b < 0 the same from the other end.
 struct BlockThresholds {
-    std::array<InverseZ, kBlockSizes> least_inverse_z{};
+    /// Any 1/z reaches the first, none the last.
+    std::array<InverseZ, kBlockSizes + 1> least_inverse_z{};
 };
 
 /// The thresholds of a surface whose 1/z changes by this from column to column, for blocks of up to 2^longest_log2

@@ -12,8 +12,8 @@ namespace oblong {
 
 namespace {
 
-/// The size of the surface cache: a 320x200 frame needs about 1 MiB, the largest modes some 8.
-constexpr std::size_t kSurfaceArenaBytes = std::size_t{12} << 20;
+/// What the surface cache grows by: a 320x200 frame needs about 1 MiB, the largest modes some 8.
+constexpr std::size_t kSurfacePieceBytes = std::size_t{12} << 20;
 
 std::int32_t floor_to_multiple(std::int32_t value, std::int32_t size) {
     const std::int32_t rest = value % size;
@@ -96,14 +96,6 @@ std::size_t most_light_samples(const Level& level, const FaceTable& table) {
     return most;
 }
 
-/// No smaller than the largest surface.
-std::size_t arena_bytes(const Level& level, const FaceTable& table) {
-    std::size_t bytes = kSurfaceArenaBytes;
-    for (const FaceIndex face : level.faces.indices())
-        if (table.faces[face].material == Material::Lit) bytes = std::max(bytes, surface_bytes(level.faces[face], 0));
-    return bytes;
-}
-
 /// Texture coordinates of the eye, from the world's origin.
 Texel eye_texel(const Vec3<TexelAxis>& axis, Texel offset, const Vec3<World>& eye) {
     const auto along = dot(axis, eye);
@@ -119,11 +111,12 @@ FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, std::int3
     : level_(level),
       faces_(faces),
       longest_px_(longest_px),
-      cache_(level.faces.size() * 4, arena_bytes(level, faces)),
+      cache_(level.faces.size() * 4, kSurfacePieceBytes),
       moving_lights_(level, faces),
       corner_shades_(most_light_samples(level, faces)) {}
 
 void FaceSurfaces::start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap) {
+    cache_.start_frame();
     const LightQuality quality{accuracy.light, accuracy.shades, accuracy.dithers_light, brightness_100};
     if (colormap_ == &colormap && light_quality_ == quality) return;
     cache_.clear();

@@ -40,7 +40,7 @@ class FaceSurfaces {
     /// Level and table must outlive it. `longest_px`: of any span.
     FaceSurfaces(const Level& level, const FaceTable& faces, std::int32_t longest_px);
 
-    /// Sets how light is computed from now on.
+    /// Sets how light is computed from now on. Texels got before may be overwritten from here on.
     void start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap);
     /// What light is looked up in: the level's, or that with fewer shades.
     const Colormap& colormap() const { return fewer_shades_ ? *fewer_shades_ : *colormap_; }
@@ -55,7 +55,7 @@ class FaceSurfaces {
     bool is_touched(FaceIndex face, const Vec3<World>& offset) {
         return faces_.faces[face].material == Material::Lit && moving_lights_.touch(face, offset).lights != 0;
     }
-    /// The surface of a lit or liquid face. Its texels are valid until the next call.
+    /// The surface of a lit or liquid face. Its texels stay where they are, unchanged, until the next start_frame().
     FaceSurface get(FaceIndex face, int mip, const SurfaceState& state);
     /// Forgets all lit surfaces: the next frame builds them again.
     void clear() { cache_.clear(); }

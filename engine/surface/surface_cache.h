@@ -14,47 +14,68 @@ struct SurfaceKey {
     bool operator==(const SurfaceKey&) const = default;
 };
 
-/// Lit surfaces, kept while they are valid. One slot for each face and mip level; the texels lie in one arena that is
-/// filled from the start and emptied when it is full. Caching never changes a picture: a rebuilt surface is the same.
+/// Lit surfaces, kept while they are valid and there is room. One slot for each face and mip level; the texels lie in
+/// an arena that is used as a ring, as Quake's: a rover goes round, and a new surface takes the place of what it meets,
+/// the oldest. It passes by what this frame or the last one asked for, so texels got in a frame stay where they are,
+/// unchanged, until the next start_frame(). A frame that needs more than the arena makes it grow, for good. Caching
+/// never changes a picture: a rebuilt surface is the same.
 class SurfaceCache {
   public:
-    /// At most 2^32 - 1 bytes.
-    SurfaceCache(std::size_t slot_count, std::size_t arena_bytes)
-        : slots_(slot_count), arena_(new std::uint8_t[arena_bytes]), arena_bytes_(arena_bytes) {}
+    /// The arena grows by pieces of this size (or of a larger surface's); both numbers below 2^32.
+    SurfaceCache(std::size_t slot_count, std::size_t piece_bytes);
 
     struct Found {
         std::uint8_t* texels;
         bool is_valid;  ///< false: the caller must write them
     };
 
-    /// The texels of a slot, `bytes` of them (at most the arena's size), made of what `key` says. Texels got before may
-    /// be overwritten: use them before the next call.
+    /// From here on, texels got before may be overwritten.
+    void start_frame() { ++frame_; }
+    /// The texels of a slot, `bytes` of them (at least one, for a slot always as many), made of what `key` says.
     Found get(std::size_t slot, std::size_t bytes, const SurfaceKey& key);
+    /// Forgets all surfaces, those of this frame too.
+    void clear();
 
     std::size_t used_bytes() const { return used_bytes_; }  ///< of arena_bytes()
     std::size_t arena_bytes() const { return arena_bytes_; }
     /// What it takes, used or not.
-    std::size_t bytes() const { return arena_bytes_ + slots_.size() * sizeof(Slot); }
-    /// How often all surfaces were forgotten, because the arena was full or by clear().
-    std::uint32_t times_emptied() const { return generation_ - 1; }
-
-    /// Forgets all surfaces.
-    void clear() {
-        used_bytes_ = 0;
-        ++generation_;
-    }
+    std::size_t bytes() const;
+    /// How many surfaces have made room for others.
+    std::int64_t evicted_surfaces() const { return evicted_surfaces_; }
 
   private:
-    struct Slot {
+    using BlockIndex = std::uint32_t;
+    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+    /// Consecutive bytes of the arena, a surface's or nobody's. Each piece ends with a block without bytes, which never
+    /// makes room: blocks of two pieces are never joined.
+    struct Block {
         SurfaceKey key;
-        std::uint32_t offset = 0;
-        std::uint32_t generation = 0;
+        std::uint8_t* texels = nullptr;
+        std::uint32_t bytes = 0;
+        std::uint32_t slot = kNone;  ///< whose surface it is; none: nobody's
+        std::uint32_t frame = 0;     ///< that asked for it last
+        BlockIndex next = 0;         ///< the one behind it in memory; the last one's: the first of the next piece
     };
 
-    std::vector<Slot> slots_;
-    std::unique_ptr<std::uint8_t[]> arena_;  ///< not cleared: surfaces are written before they are read
-    std::size_t arena_bytes_, used_bytes_ = 0;
-    std::uint32_t generation_ = 1;
+    BlockIndex allocate(std::uint32_t bytes);
+    BlockIndex find_room(std::uint32_t bytes, std::uint32_t frames_kept) const;
+    void gather(BlockIndex first, std::uint32_t bytes);
+    void evict(Block& block);
+    void forget(Block& block);
+    void grow(std::uint32_t bytes);
+    Block free_block(std::uint8_t* texels, std::uint32_t bytes, BlockIndex next) const;
+    BlockIndex add_block(const Block& block);
+
+    std::vector<BlockIndex> block_of_slot_;
+    std::vector<Block> blocks_;
+    std::vector<BlockIndex> spare_;                        ///< entries of blocks_ that are no blocks now
+    std::vector<std::unique_ptr<std::uint8_t[]>> pieces_;  ///< not cleared: surfaces are written before they are read
+    BlockIndex rover_ = 0, last_ = kNone;                  ///< the last block of the last piece
+    std::uint32_t frame_;
+    std::uint32_t piece_bytes_;
+    std::size_t arena_bytes_ = 0, used_bytes_ = 0;
+    std::int64_t evicted_surfaces_ = 0;
 };
 
 }  // namespace oblong

@@ -206,8 +206,7 @@ TEST_F(FrameLogTest, CacheSaysWhatWasBuiltSinceTheLastLine) {
     work_.surfaces.clear();
     draw();
     EXPECT_EQ(cache_lines(frame(), totals).at(1), "1 surfaces built since the last line, of " +
-                                                      std::to_string(static_cast<int>(texels)) +
-                                                      " texels; emptied 1 times");
+                                                      std::to_string(static_cast<int>(texels)) + " texels; 0 evicted");
 }
 
 TEST_F(FrameLogTest, WritesTheChosenChannelsAloneAndNothingWhenOff) {

@@ -9,8 +9,6 @@
 #include <random>
 #include <vector>
 
-#include "engine/surface/surface_cache.h"
-
 namespace oblong::test {
 
 namespace {
@@ -181,29 +179,6 @@ TEST(LitSurface, WithoutExtentIsOneColourAndWritesAllOfIt) {
                           out.data());
         const int shade = static_cast<int>(shade_of(patch.samples[0]));
         EXPECT_EQ(std::count(out.begin(), out.end(), static_cast<std::uint8_t>(shade)), stride * height);
-    }
-}
-
-TEST(SurfaceCache, KeepsWhileValidAndForgetsWhenFull) {
-    SurfaceCache cache(4, 100);
-    EXPECT_FALSE(cache.get(0, 40, {1}).is_valid);
-    EXPECT_TRUE(cache.get(0, 40, {1}).is_valid);
-    EXPECT_FALSE(cache.get(0, 40, {2}).is_valid) << "the light has changed";
-    EXPECT_TRUE(cache.get(0, 40, {2}).is_valid);
-    EXPECT_FALSE(cache.get(1, 60, {1}).is_valid);
-    EXPECT_FALSE(cache.get(2, 1, {1}).is_valid) << "full: all is forgotten";
-    EXPECT_FALSE(cache.get(0, 40, {2}).is_valid);
-    EXPECT_TRUE(cache.get(2, 1, {1}).is_valid);
-}
-
-TEST(SurfaceCache, EachPartOfTheKeyCounts) {
-    SurfaceCache cache(1, 100);
-    const SurfaceKey key{1, 2, 3};
-    cache.get(0, 10, key);
-    for (const SurfaceKey& other : {SurfaceKey{9, 2, 3}, SurfaceKey{1, 9, 3}, SurfaceKey{1, 2, 9}}) {
-        EXPECT_TRUE(cache.get(0, 10, key).is_valid);
-        EXPECT_FALSE(cache.get(0, 10, other).is_valid);
-        EXPECT_FALSE(cache.get(0, 10, key).is_valid) << "only the last one is kept";
     }
 }
 

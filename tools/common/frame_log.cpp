@@ -82,13 +82,13 @@ LogLines memory_lines(const LoggedFrame& frame) {
 
 LogLines cache_lines(const LoggedFrame& frame, CacheTotals& before) {
     const FaceSurfaces& surfaces = frame.work.surfaces;
-    const CacheTotals now{surfaces.built_surfaces(), surfaces.built_texels(), surfaces.cache().times_emptied()};
+    const CacheTotals now{surfaces.built_surfaces(), surfaces.built_texels(), surfaces.cache().evicted_surfaces()};
     const std::size_t asked = frame.work.claims.list(FaceList::Walls).size();
     LogLines lines{
         counted(asked, "lit faces in this frame"),
         std::to_string(now.surfaces - before.surfaces) + " surfaces built since the last line, of " +
-            std::to_string(now.texels - before.texels) + " texels; emptied " +
-            std::to_string(now.emptied - before.emptied) + " times",
+            std::to_string(now.texels - before.texels) + " texels; " + std::to_string(now.evicted - before.evicted) +
+            " evicted",
         counted(surfaces.cache().used_bytes(), "bytes used of") + " " + std::to_string(surfaces.cache().arena_bytes())};
     before = now;
     return lines;

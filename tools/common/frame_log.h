@@ -38,9 +38,9 @@ LogLines span_lines(const LoggedFrame& frame);
 
 /// The totals of a surface cache at some frame.
 struct CacheTotals {
-    std::int64_t surfaces = 0, texels = 0, emptied = 0;
+    std::int64_t surfaces = 0, texels = 0, evicted = 0;
 };
-/// How many lit surfaces were built and how often the cache was emptied since `before`, and how full it is.
+/// How many lit surfaces were built and how many made room for others since `before`, and how full it is.
 LogLines cache_lines(const LoggedFrame& frame, CacheTotals& before);
 
 /// The view that a frame is drawn with.

@@ -1,0 +1,108 @@
+#include <array>
+#include <vector>
+
+#include "engine/raster/kernels/effect_kernels.h"
+#include "tools/bench/benchmarks.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr ScreenMode kMode;
+
+/// A texture of 64x64, and a picture cut into blocks of it, all of one length.
+struct KernelInput {
+    static constexpr int kSizeLog2 = 6;
+
+    std::vector<std::uint8_t> texels;
+    SurfaceView surface;
+    std::vector<TexelBlock> blocks;
+    std::vector<std::uint8_t> pixels;
+
+    explicit KernelInput(std::int32_t block_px) : pixels(pixel_count(kMode.width_px, kMode.height_px)) {
+        constexpr std::uint32_t kSize = 1 << kSizeLog2;
+        for (std::uint32_t i = 0; i < kSize * kSize; ++i) texels.push_back(static_cast<std::uint8_t>(i * 37 % 255));
+        surface = {texels.data(), kSize, kSize, kSizeLog2, kSize - 1, kSize - 1};
+        for (std::uint32_t at = 0; at < pixels.size(); at += static_cast<std::uint32_t>(block_px))
+            blocks.push_back({at, block_px, at * 977 % (kSize << 16) + (kSize << 16),
+                              at * 613 % (kSize << 16) + (kSize << 16), 48'000, -9'000});
+    }
+};
+
+void time_block_kernel(benchmark::State& state, BlockKernel kernel) {
+    KernelInput input(static_cast<std::int32_t>(state.range(0)));
+    for (auto _ : state) {
+        kernel(input.blocks, input.surface, input.pixels.data());
+        benchmark::ClobberMemory();
+    }
+    show_time_per("pixel", std::ssize(input.pixels), state);
+}
+
+struct NamedBlockKernel {
+    const char* name;
+    BlockKernel kernel;
+    bool runs_here;
+};
+
+struct NamedTraits {
+    const char* name;
+    TexelTraits traits;
+};
+
+constexpr std::array kEffectTraits{NamedTraits{"warps", {.warps = true}}, NamedTraits{"holes", {.has_holes = true}},
+                                   NamedTraits{"blends", {.blends = true}},
+                                   NamedTraits{"warps_blends", {.warps = true, .blends = true}}};
+
+/// Colours that become others, so that no table is optimised for.
+BlendTable make_blend_table() {
+    BlendTable table;
+    for (std::size_t front = 0; front < 256; ++front)
+        for (std::size_t behind = 0; behind < 256; ++behind)
+            table.rows[front][behind] = static_cast<std::uint8_t>((front + behind) / 2);
+    return table;
+}
+
+ColourRow make_identity() {
+    ColourRow row;
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] = static_cast<std::uint8_t>(i);
+    return row;
+}
+
+void time_effect_kernel(benchmark::State& state, const TexelTraits& traits) {
+    KernelInput input(static_cast<std::int32_t>(state.range(0)));
+    const WarpTable warp;
+    const ColourRow shades = make_identity();
+    const BlendTable blend = make_blend_table();
+    const EffectTexels texels{input.surface, &warp, &shades, &blend};
+    const EffectKernel kernel = effect_kernel(traits);
+    for (auto _ : state) {
+        kernel(input.blocks, texels, input.pixels.data());
+        benchmark::ClobberMemory();
+    }
+    show_time_per("pixel", std::ssize(input.pixels), state);
+}
+
+}  // namespace
+
+void register_kernel_benchmarks() {
+    for (const NamedBlockKernel& known :
+         {NamedBlockKernel{"plain", draw_blocks_plain, true}, NamedBlockKernel{"packed", draw_blocks_packed, true},
+          NamedBlockKernel{"bmi2", draw_blocks_bmi2, has_bmi2()},
+          NamedBlockKernel{"any_size", draw_blocks_any_size, true}}) {
+        if (!known.runs_here) continue;
+        benchmark::RegisterBenchmark((std::string("kernel/") + known.name).c_str(), time_block_kernel, known.kernel)
+            ->ArgName("block_px")
+            ->Arg(8)
+            ->Arg(16)
+            ->Arg(32)
+            ->Arg(64);
+    }
+    for (const NamedTraits& named : kEffectTraits)
+        benchmark::RegisterBenchmark((std::string("effect_kernel/") + named.name).c_str(), time_effect_kernel,
+                                     named.traits)
+            ->ArgName("block_px")
+            ->Arg(16)
+            ->Arg(64);
+}
+
+}  // namespace oblong

@@ -1,0 +1,61 @@
+#include <string_view>
+#include <vector>
+
+#include "tools/bench/benchmarks.h"
+#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
+
+namespace {
+
+using namespace oblong;
+
+struct Options {
+    std::string level, cameras, palette, mode = "320x200";
+};
+
+void declare(Command& line, Options& options) {
+    CommandOption level = line.add("--level", options.level, "whose frames are timed (default: a sphere in a room)");
+    CommandOption cameras = line.add("--cameras", options.cameras, "its cameras, CSV: x,y,z,yaw,pitch[,roll]");
+    level.need(cameras);
+    cameras.need(level);
+    line.add("--palette", options.palette, "768 bytes of red, green, blue (default: the demo level's)");
+    line.add("--mode", options.mode, "pixels of the frames, WIDTHxHEIGHT");
+}
+
+void run_benchmarks(const Options& options) {
+    ScreenMode mode;
+    parse_mode_size(options.mode, mode);
+    const std::string palette = options.palette.empty() ? OBLONG_DEMO_PALETTE : options.palette;
+    const BenchLevel level =
+        options.level.empty() ? make_bench_level(palette) : read_bench_level(options.level, options.cameras, palette);
+    register_kernel_benchmarks();
+    register_surface_benchmarks();
+    register_stage_benchmarks(level, mode);
+    register_frame_benchmarks(level, mode);
+    benchmark::AddCustomContext("level", level.name);
+    benchmark::AddCustomContext("mode", options.mode);
+    benchmark::RunSpecifiedBenchmarks();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // Google Benchmark's own options begin with its name; the others are this program's.
+    std::vector<char*> ours{argv[0]}, theirs{argv[0]};
+    for (int i = 1; i < argc; ++i)
+        (std::string_view(argv[i]).starts_with("--benchmark_") ? theirs : ours).push_back(argv[i]);
+    auto count = static_cast<int>(theirs.size());
+    benchmark::Initialize(&count, theirs.data());
+
+    Options options;
+    CommandLine line(
+        "oblong-bench",
+        "Times kernels, stages and frames with Google Benchmark, whose options (--benchmark_filter=...) it takes.");
+    declare(line, options);
+    const auto run = [&] { run_benchmarks(options); };
+    if (count > 1) {
+        const auto refuse = [&] { throw UsageError(std::string(theirs[1]) + ": no option of Google Benchmark"); };
+        return run_program("oblong-bench", refuse);
+    }
+    return line.run(static_cast<int>(ours.size()), ours.data(), run);
+}

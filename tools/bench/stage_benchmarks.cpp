@@ -1,0 +1,142 @@
+#include <memory>
+
+#include "engine/accuracy/presets.h"
+#include "engine/frame/texture_spans.h"
+#include "engine/raster/exact_spans.h"
+#include "tools/bench/benchmarks.h"
+#include "tools/bench/stage_inputs.h"
+
+namespace oblong {
+
+namespace {
+
+/// The frames of some cameras of a level, taken apart; one iteration of a benchmark does one stage of them all.
+struct StageFrames {
+    const BenchLevel& level;
+    ScreenMode mode;
+    FrameWorkspace work;
+    std::vector<StageInputs> frames;
+    std::vector<std::uint8_t> pixels;
+
+    StageFrames(const BenchLevel& of_level, const ScreenMode& of_mode)
+        : level(of_level),
+          mode(of_mode),
+          work(of_level.level, of_mode),
+          pixels(pixel_count(of_mode.width_px, of_mode.height_px)) {
+        constexpr std::size_t kMostCameras = 12;
+        const std::size_t step = (level.cameras.size() + kMostCameras - 1) / kMostCameras;
+        for (std::size_t i = 0; i < level.cameras.size(); i += step)
+            frames.push_back(collect_stage_inputs(level, level.cameras[i], mode, work));
+    }
+
+    Framebuffer out() { return {pixels.data(), mode.width_px, mode.height_px, mode.width_px}; }
+    /// The sum of size_of(frame) over all frames.
+    template <class Size>
+    std::int64_t sum(Size size_of) const {
+        std::int64_t total = 0;
+        for (const StageInputs& frame : frames) total += static_cast<std::int64_t>(size_of(frame));
+        return total;
+    }
+};
+
+using SharedFrames = std::shared_ptr<StageFrames>;
+
+/// The tree without a pixel claimed: all that the eye's leaf may see and that is in view.
+void time_walk(benchmark::State& state, const SharedFrames& stages) {
+    FrameWorkspace& work = stages->work;
+    std::int64_t faces = 0;
+    for (auto _ : state) {
+        faces = 0;
+        for (const StageInputs& frame : stages->frames) {
+            work.visible.see_from(stages->level.level, frame.leaf);
+            work.span_buffer.reset();
+            FrontToBackWalk walk(stages->level.level, frame.view, work.visible, nullptr, work.span_buffer, work.walk);
+            while (walk.next() && !walk.takes_all_faces()) ++faces;
+        }
+    }
+    show_time_per("face", faces, state);
+}
+
+void time_polygons(benchmark::State& state, const SharedFrames& stages) {
+    FrameWorkspace& work = stages->work;
+    for (auto _ : state)
+        for (const StageInputs& frame : stages->frames) {
+            work.vertices.start_frame();
+            for (const FaceIndex face : frame.visited)
+                benchmark::DoNotOptimize(
+                    project_face(work.faces.corners_of(face), frame.view, work.vertices, work.polygon));
+        }
+    show_time_per("face", stages->sum([](const StageInputs& frame) { return frame.visited.size(); }), state);
+}
+
+void time_scan(benchmark::State& state, const SharedFrames& stages) {
+    for (auto _ : state)
+        for (const StageInputs& frame : stages->frames)
+            for (const ScreenPolygon& polygon : frame.in_view) scan_convex(polygon.screen, stages->work.rows);
+    show_time_per("face", stages->sum([](const StageInputs& frame) { return frame.in_view.size(); }), state);
+}
+
+void time_coverage(benchmark::State& state, const SharedFrames& stages) {
+    SpanBuffer& buffer = stages->work.span_buffer;
+    std::vector<Span> owned;
+    std::int64_t spans = 0;
+    for (auto _ : state) {
+        spans = 0;
+        for (const StageInputs& frame : stages->frames) {
+            buffer.reset();
+            owned.clear();
+            for (const ScanlineExtents& rows : frame.rows) buffer.claim(rows, owned);
+            spans += std::ssize(owned);
+        }
+    }
+    show_time_per("face", stages->sum([](const StageInputs& frame) { return frame.rows.size(); }), state);
+    show_time_per("span", spans, state);
+}
+
+/// Draws nothing: what is left is the time of cutting spans into blocks.
+void drop_blocks(std::span<const TexelBlock> blocks, const EffectTexels&, std::uint8_t*) {
+    benchmark::DoNotOptimize(blocks.data());
+}
+
+void time_spans(benchmark::State& state, const SharedFrames& stages, Preset preset, EffectKernel kernel) {
+    const SpanTexturing texturing = make_span_texturing(accuracy_of(preset));
+    SpanScratch scratch(stages->mode.width_px);
+    for (auto _ : state)
+        for (const StageInputs& frame : stages->frames)
+            for (const TexturedInput& wall : frame.walls)
+                draw_texture_spans({wall.claimed,
+                                    wall.surface,
+                                    wall.gradients,
+                                    wall.least_density,
+                                    frame.least_pixel_width,
+                                    kernel,
+                                    {}},
+                                   wall.spans, {texturing, stages->out(), scratch});
+    show_time_per("pixel", stages->sum([](const StageInputs& frame) { return frame.pixels; }), state);
+}
+
+void time_exact_spans(benchmark::State& state, const SharedFrames& stages) {
+    for (auto _ : state)
+        for (const StageInputs& frame : stages->frames)
+            for (const TexturedInput& wall : frame.walls)
+                draw_exact_spans(wall.spans, wall.gradients, wall.surface.limits, wall.surface.view, stages->out());
+    show_time_per("pixel", stages->sum([](const StageInputs& frame) { return frame.pixels; }), state);
+}
+
+}  // namespace
+
+void register_stage_benchmarks(const BenchLevel& level, const ScreenMode& mode) {
+    const auto stages = std::make_shared<StageFrames>(level, mode);
+    benchmark::RegisterBenchmark("stage/walk", time_walk, stages);
+    benchmark::RegisterBenchmark("stage/transform_clip_project", time_polygons, stages);
+    benchmark::RegisterBenchmark("stage/edge_scan", time_scan, stages);
+    benchmark::RegisterBenchmark("stage/coverage", time_coverage, stages);
+    for (const Preset preset : {Preset::Year1996, Preset::Bounded}) {
+        const std::string name(name_of(preset));
+        benchmark::RegisterBenchmark(("stage/span_cutting/" + name).c_str(), time_spans, stages, preset, drop_blocks);
+        benchmark::RegisterBenchmark(("stage/spans/" + name).c_str(), time_spans, stages, preset, nullptr);
+    }
+    benchmark::RegisterBenchmark("stage/spans/exact", time_exact_spans, stages);
+}
+
+}  // namespace oblong

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/geometry/texture_gradients.h"
+#include "engine/geometry/view_context.h"
+#include "tools/bench/bench_level.h"
+
+namespace oblong {
+
+/// A face of a frame that owns pixels, as texturing takes it.
+struct TexturedInput {
+    ClaimedFace claimed;
+    std::vector<Span> spans;
+    FaceSurface surface;
+    TextureGradients gradients;
+    TexelDensity least_density;
+};
+
+/// What each stage of one frame works on. Of the faces, those of the world alone: doors and lifts are left out.
+struct StageInputs {
+    ViewContext view;
+    LeafIndex leaf;                      ///< of the eye
+    std::vector<FaceIndex> visited;      ///< what the walk returned
+    std::vector<ScreenPolygon> in_view;  ///< those of them that are in view
+    std::vector<ScanlineExtents> rows;   ///< of those
+    std::vector<TexturedInput> walls;    ///< those that own pixels and are drawn from a surface
+    WidthAtOne least_pixel_width;
+    std::int64_t pixels = 0;  ///< of the walls
+};
+
+/// The frame of a camera, taken apart. The walls' texels are in `work`.
+StageInputs collect_stage_inputs(const BenchLevel& level, const Camera& camera, const ScreenMode& mode,
+                                 FrameWorkspace& work);
+
+}  // namespace oblong
