@@ -24,21 +24,30 @@ BlockRule make_block_rule(const Accuracy& accuracy) {
     return rule;
 }
 
+namespace {
+
+/// factor times step, rounded up; never below it, but no more than 2^61.
+std::uint64_t threshold(std::uint64_t factor_8, std::uint64_t step, bool may_overflow) {
+    const auto bits = std::bit_width(step) + std::bit_width(factor_8);
+    return may_overflow && bits > 61 ? std::uint64_t{1} << 61 : ((step * factor_8) >> 8) + 1;
+}
+
+}  // namespace
+
 BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_step, int longest_log2) {
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 61;
     BlockThresholds thresholds;
     const bool falls = inverse_z_step < InverseZ{};
     const std::uint64_t capped = std::min(detail::magnitude(inverse_z_step.raw), std::uint64_t{1} << 50);
-    thresholds.least_inverse_z.fill(InverseZ::highest());
+    const bool may_overflow = std::bit_width(capped) + std::bit_width(rule.factor_8.back()) > 61;
     thresholds.least_inverse_z[0] = InverseZ::lowest();
     for (int k = 1; k <= longest_log2; ++k) {
-        const std::uint64_t factor = at(rule.factor_8, k);
-        const auto bits = std::bit_width(capped) + std::bit_width(factor);
-        std::uint64_t least = bits > 61 ? std::uint64_t{1} << 61 : ((capped * factor) >> 8) + 1;
-        if (falls) least += capped << k;
+        const std::uint64_t least =
+            threshold(at(rule.factor_8, k), capped, may_overflow) + (falls ? capped << k : std::uint64_t{0});
         note_range<"block thresholds">(InverseZ::from_raw(static_cast<std::int64_t>(least)));
-        at(thresholds.least_inverse_z, k) =
-            InverseZ::from_raw(static_cast<std::int64_t>(std::min(least, std::uint64_t{1} << 61)));
+        at(thresholds.least_inverse_z, k) = InverseZ::from_raw(static_cast<std::int64_t>(std::min(least, kMost)));
     }
+    for (int k = longest_log2 + 1; k <= kBlockSizes; ++k) at(thresholds.least_inverse_z, k) = InverseZ::highest();
     return thresholds;
 }
 
