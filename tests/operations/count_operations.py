@@ -20,7 +20,7 @@ SETTINGS = ["perspective=bounded", "perspective=affine", "perspective=every16", 
 
 # The stages of the model that files do the work of. All other files do what the model leaves out.
 PARTS = {
-    ("nodes",): "visibility/front_to_back visibility/box_rectangle",
+    ("nodes",): "visibility/front_to_back visibility/box_culler visibility/box_rectangle",
     ("vertices", "projection"): "geometry/screen_polygon geometry/project",
     ("clipping",): "geometry/clip",
     ("edges", "edge rows"): "raster/scan",
