@@ -179,9 +179,6 @@ void render(const Options& options) {
     const std::int64_t time_ms = parse_time_ms("--time", options.seconds),
                        step_ms = parse_time_step_ms(options.step_seconds);
 
-    const auto start = std::chrono::steady_clock::now();
-    const Level level = read_parsed(options.level, read_bsp);
-    const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
     const std::string palette_path = options.palette.empty() ? OBLONG_DEMO_PALETTE : options.palette;
     const Palette palette = read_parsed(palette_path, read_palette);
     const Colormap colormap = make_colormap(palette);
@@ -189,13 +186,17 @@ void render(const Options& options) {
         read_parsed(options.cameras, [&](const auto& bytes) { return parse_cameras(bytes, field_of_view); });
     const std::vector<ViewSpec> views = views_of(cameras, options.view, mode, settings.accuracy.sine);
     check_hidden_surfaces(settings, views);
+
+    const auto start = std::chrono::steady_clock::now();
+    const Level level = read_parsed(options.level, read_bsp);
     const std::vector<PlacedModel> models = models_at_rest(level);
     const LevelModels level_models = read_level_models(level, palette, {options.level, options.models});
+    FrameWorkspace work(level, mode);
+    const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
 
     if (!options.out.empty()) make_folder(options.out);
     const RenderJob job{{level, colormap, models, time_ms}, mode,    settings,     views,
                         static_cast<int>(options.repeat),   step_ms, &level_models};
-    FrameWorkspace work(level, mode);
     print_warnings("oblong-render", options.level, work.effects.warnings);
     print_warnings("oblong-render", options.level, work.things.warnings);
     print_warnings("oblong-render", options.level, level_models.warnings);
