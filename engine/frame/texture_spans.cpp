@@ -1,7 +1,6 @@
 #include "engine/frame/texture_spans.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
@@ -63,20 +62,12 @@ int longest_block_of(const TexturedFace& face, View nearest_z, const BlockRule& 
     return longest_block_log2(rule, floor_shift(texels, face.surface.mip));
 }
 
-/// The size of a block that no span in the rectangle is longer than, and at least the least that is worth it.
-int longest_needed(const ScreenRectangle& rectangle) {
-    const auto width = static_cast<unsigned>(rectangle.end_column - rectangle.first_column);
-    return std::max(static_cast<int>(std::bit_width(width - 1)), kLeastBlockLog2);
-}
-
 BlockCutting bounded_cutting(const TexturedFace& face, std::span<const Span> spans, const BlockRule& rule) {
-    const ScreenRectangle rectangle = rectangle_around(spans);
     const int longest = longest_block_of(face, face.claimed.nearest_z, rule);
-    BlockCutting cutting{
-        face.gradients, face.surface.limits,
-        make_block_thresholds(rule, face.gradients.inverse_z.per_column, std::min(longest, longest_needed(rectangle)))};
+    BlockCutting cutting{face.gradients, face.surface.limits,
+                         make_block_thresholds(rule, face.gradients.inverse_z.per_column, longest)};
     cutting.limits.least = std::min(cutting.limits.least, Texel::from_raw(std::int64_t{1} << longest));
-    cutting.fits_range = fits_range(face.gradients, {spans[0].first, spans[0].y}, rectangle);
+    cutting.fits_range = fits_range(face.gradients, {spans[0].first, spans[0].y}, rectangle_around(spans));
     return cutting;
 }
 
