@@ -67,7 +67,7 @@ BlockCutting bounded_cutting(const TexturedFace& face, std::span<const Span> spa
     BlockCutting cutting{face.gradients, face.surface.limits,
                          make_block_thresholds(rule, face.gradients.inverse_z.per_column, longest)};
     cutting.limits.least = std::min(cutting.limits.least, Texel::from_raw(std::int64_t{1} << longest));
-    cutting.fits_range = fits_range(face.gradients, {spans[0].first, spans[0].y}, rectangle_around(spans));
+    cutting.fits_range = fits_range(face.gradients, rectangle_around(spans));
     return cutting;
 }
 
@@ -123,7 +123,7 @@ void draw_texture_spans(const TexturedFace& face, std::span<const Span> spans, c
                                face.surface.limits,
                                {},
                                texturing.rule.texel_bound_256,
-                               fits_range(face.gradients, {spans[0].first, spans[0].y}, rectangle_around(spans))};
+                               fits_range(face.gradients, rectangle_around(spans))};
     draw_blocks(face, spans, texturing.cut_blocks, cutting, drawing);
 }
 
