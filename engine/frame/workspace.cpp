@@ -42,7 +42,7 @@ FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode)
     add_effects(level, effects, faces);
     walk.face_marks.resize(level.faces.size());
     walk.steps.reserve(level.nodes.size());
-    claims.spans.reserve(static_cast<std::size_t>(mode.height_px) * 16);
+    claims.spans.room_for(static_cast<std::size_t>(mode.height_px) * 16);
     polygon.corners.reserve(faces.most_corners);
     polygon.screen.reserve(faces.most_corners + kClipPlaneCount);
     polygon.clip.polygon.reserve(faces.most_corners + kClipPlaneCount);
