@@ -30,9 +30,8 @@ constexpr std::uint64_t negative_logarithm_22(std::uint32_t base_30) {
     const int shift = std::countl_zero(base_30);
     std::uint64_t mantissa_31 = std::uint64_t{base_30} << shift, fraction = 0;
     for (int bit = 0; bit < kLogarithmBits; ++bit) {
-        mantissa_31 = mantissa_31 * mantissa_31 >> 31;
-        const std::uint64_t overflow = mantissa_31 >> 32;
-        mantissa_31 >>= overflow;
+        const std::uint64_t square_62 = mantissa_31 * mantissa_31, overflow = square_62 >> 63;
+        mantissa_31 = square_62 >> (31 + overflow);
         fraction = fraction << 1 | overflow;
     }
     return (static_cast<std::uint64_t>(shift - 1) << kLogarithmBits) - fraction;
@@ -42,9 +41,11 @@ constexpr std::uint32_t power_of_half_30(std::uint64_t exponent_22) {
     const std::uint64_t whole = exponent_22 >> kLogarithmBits;
     if (whole > 30) return 0;
     std::uint64_t power_31 = std::uint64_t{1} << 31;
-    for (std::size_t bit = 0; bit < kRootsOfHalf_32.size(); ++bit) {
-        const bool is_factor = exponent_22 >> (kLogarithmBits - 1 - bit) & 1;
-        power_31 = power_31 * (is_factor ? kRootsOfHalf_32[bit] : std::uint64_t{1} << 32) >> 32;
+    auto bits = static_cast<std::uint32_t>(exponent_22 << (32 - kLogarithmBits));  // of the fraction
+    while (bits != 0) {
+        const int first = std::countl_zero(bits);
+        power_31 = power_31 * kRootsOfHalf_32[static_cast<std::size_t>(first)] >> 32;
+        bits ^= std::uint32_t{1} << 31 >> first;
     }
     return static_cast<std::uint32_t>(power_31 >> whole >> 1);
 }

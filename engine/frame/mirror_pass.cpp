@@ -89,16 +89,6 @@ std::vector<Span> flipped_spans(std::span<const ClaimedFace> faces, const Claims
     return flipped;
 }
 
-/// `spans` are sorted by row, and not empty.
-ScreenRectangle rectangle_around(std::span<const Span> spans) {
-    ScreenRectangle around{spans.front().first, spans.front().end, spans.front().y, spans.back().y + 1};
-    for (const Span& span : spans) {
-        around.first_column = std::min(around.first_column, span.first);
-        around.end_column = std::max(around.end_column, span.end);
-    }
-    return around;
-}
-
 void copy_flipped(std::span<const Span> flipped, const Framebuffer& from, Framebuffer to) {
     for (const Span& span : flipped)
         std::reverse_copy(from.row(span.y) + span.first, from.row(span.y) + span.end,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
@@ -12,7 +13,7 @@ namespace oblong {
 namespace {
 
 /// Blocks shorter than 2^3 pixels take longer than a division at each of their pixels.
-constexpr std::size_t kLeastBlockLog2 = 3;
+constexpr int kLeastBlockLog2 = 3;
 
 void draw_waiting_blocks(const TexturedFace& face, const SpanDrawing& drawing) {
     BlockList& blocks = drawing.scratch.blocks;
@@ -25,35 +26,29 @@ void draw_waiting_blocks(const TexturedFace& face, const SpanDrawing& drawing) {
     blocks.clear();
 }
 
-/// How the spans of one face are cut into blocks.
-struct BlockLimits {
-    BlockThresholds thresholds;
-    TexelLimits texels;
-};
-
-/// Cuts spans into blocks, then draws them.
+/// Cuts spans into blocks, then draws them, as many at a time as there is room for.
 void draw_blocks(const TexturedFace& face, std::span<const Span> spans, BlockCutter cut_blocks,
-                 const BlockLimits& limits, const SpanDrawing& drawing) {
+                 const BlockCutting& cutting, const SpanDrawing& drawing) {
     BlockList& blocks = drawing.scratch.blocks;
-    for (const Span& span : spans) {
-        if (!blocks.has_room_for(span.end - span.first)) draw_waiting_blocks(face, drawing);
-        const std::int32_t divisions = cut_blocks(span, drawing.out.pitch, face.gradients, drawing.texturing.rule,
-                                                  limits.thresholds, limits.texels, blocks);
-        if (drawing.counts) drawing.counts->divisions += divisions;
+    while (!spans.empty()) {
+        const std::span<const Span> left = cut_blocks(spans, drawing.out.pitch, cutting, blocks);
+        if (drawing.counts)
+            drawing.counts->divisions += divisions_of(spans.first(spans.size() - left.size()), face.gradients, blocks);
+        draw_waiting_blocks(face, drawing);
+        spans = left;
     }
-    draw_waiting_blocks(face, drawing);
 }
 
 /// A frame that counts or records draws blocks, to the same bytes: they say what each pixel shows.
 void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
     const FaceSurface& surface = face.surface;
     FrameCounts* const counts = drawing.counts;
-    TexelLimits limits = surface.limits;
-    limits.least = {};  // without steps nothing drifts
+    BlockCutting cutting{face.gradients, surface.limits, {}};
+    cutting.limits.least = {};  // without steps nothing drifts
     if (surface.is_wrapped_by_masks && !face.effect_kernel && !counts && !drawing.record)
-        return draw_exact_spans(spans, face.gradients, limits, surface.view, drawing.out);
+        return draw_exact_spans(spans, face.gradients, cutting.limits, surface.view, drawing.out);
     const std::int64_t divisions_before = counts ? counts->divisions : 0;
-    draw_blocks(face, spans, drawing.texturing.cut_pixels, {{}, limits}, drawing);
+    draw_blocks(face, spans, drawing.texturing.cut_pixels, cutting, drawing);
     if (!counts || !surface.is_wrapped_by_masks) return;
     const std::int64_t pixels = pixels_of(spans);
     counts->stages.divided_pixels += pixels;
@@ -67,11 +62,13 @@ int longest_block_of(const TexturedFace& face, View nearest_z, const BlockRule& 
     return longest_block_log2(rule, floor_shift(texels, face.surface.mip));
 }
 
-BlockLimits bounded_limits(const TexturedFace& face, View nearest_z, const BlockRule& rule) {
-    const int longest = longest_block_of(face, nearest_z, rule);
-    BlockLimits limits{make_block_thresholds(rule, face.gradients.inverse_z.per_column, longest), face.surface.limits};
-    limits.texels.least = std::min(limits.texels.least, Texel::from_raw(std::int64_t{1} << longest));
-    return limits;
+BlockCutting bounded_cutting(const TexturedFace& face, std::span<const Span> spans, const BlockRule& rule) {
+    const int longest = longest_block_of(face, face.claimed.nearest_z, rule);
+    BlockCutting cutting{face.gradients, face.surface.limits,
+                         make_block_thresholds(rule, face.gradients.inverse_z.per_column, longest)};
+    cutting.limits.least = std::min(cutting.limits.least, Texel::from_raw(std::int64_t{1} << longest));
+    cutting.fits_range = fits_range(face.gradients, {spans[0].first, spans[0].y}, rectangle_around(spans));
+    return cutting;
 }
 
 /// Whether 1/z falls below `least` nowhere on the face.
@@ -96,15 +93,15 @@ void split_at(InverseZ least, const Span& span, const LinearQuantity<InverseZ>& 
 /// Blocks where they are long enough to be worth it.
 void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
     const SpanTexturing& texturing = drawing.texturing;
-    const BlockLimits limits = bounded_limits(face, face.claimed.nearest_z, texturing.rule);
-    const InverseZ least = limits.thresholds.least_inverse_z[kLeastBlockLog2];
+    const BlockCutting cutting = bounded_cutting(face, spans, texturing.rule);
+    const InverseZ least = at(cutting.thresholds.least_inverse_z, kLeastBlockLog2);
     if (!texturing.divides_exactly || is_above(least, face.claimed.farthest_z))
-        return draw_blocks(face, spans, texturing.cut_blocks, limits, drawing);
+        return draw_blocks(face, spans, texturing.cut_blocks, cutting, drawing);
     std::vector<Span>&long_blocks = drawing.scratch.long_blocks, &short_blocks = drawing.scratch.short_blocks;
     long_blocks.clear();
     short_blocks.clear();
     for (const Span& span : spans) split_at(least, span, face.gradients.inverse_z, long_blocks, short_blocks);
-    draw_blocks(face, long_blocks, texturing.cut_blocks, limits, drawing);
+    draw_blocks(face, long_blocks, texturing.cut_blocks, cutting, drawing);
     divide_at_each_pixel(face, short_blocks, drawing);
 }
 
@@ -122,7 +119,12 @@ void draw_texture_spans(const TexturedFace& face, std::span<const Span> spans, c
     if (texturing.texturing == Texturing::Bounded) return draw_bounded(face, spans, drawing);
     if (texturing.texturing == Texturing::Exact && texturing.divides_exactly)
         return divide_at_each_pixel(face, spans, drawing);
-    draw_blocks(face, spans, texturing.cut_blocks, {{}, face.surface.limits}, drawing);
+    const BlockCutting cutting{face.gradients,
+                               face.surface.limits,
+                               {},
+                               texturing.rule.texel_bound_256,
+                               fits_range(face.gradients, {spans[0].first, spans[0].y}, rectangle_around(spans))};
+    draw_blocks(face, spans, texturing.cut_blocks, cutting, drawing);
 }
 
 }  // namespace oblong

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/range_probe.h"
+#include "engine/fixed/share.h"
 
 namespace oblong {
 
@@ -16,8 +17,8 @@ bool is_outside(const ClipVertex& vertex, const ClipPlane& plane, std::uint8_t b
 }
 
 /// A rounded position may be a step across the plane from its decided side; it then counts as on the plane.
-void append_crossing(const ClipVertex& inside, const ClipVertex& outside, const ClipPlane& plane, std::uint8_t border,
-                     std::vector<ClipVertex>& out) {
+ClipVertex crossing_of(const ClipVertex& inside, const ClipVertex& outside, const ClipPlane& plane,
+                       std::uint8_t border) {
     const ClipDistance distance = plane.distance(inside.position);
     const ClipDistance beyond = std::min(plane.distance(outside.position), kOn);
     ClipVertex crossing;
@@ -28,7 +29,7 @@ void append_crossing(const ClipVertex& inside, const ClipVertex& outside, const 
     crossing.outcode = inside.outcode & outside.outcode;
     crossing.undecided =
         static_cast<std::uint8_t>(inside.undecided | outside.undecided | (inside.outcode ^ outside.outcode));
-    out.push_back(crossing);
+    return crossing;
 }
 
 }  // namespace
@@ -37,7 +38,9 @@ Vec3<View> cross_plane(const Vec3<View>& inside, ClipDistance distance_inside, c
                        ClipDistance distance_outside) {
     const ClipDistance whole = distance_inside - distance_outside;
     note_range<"clip distance, whole edge">(whole);
-    return between(inside, outside, distance_inside, whole);
+    const Share share(distance_inside, whole);
+    const auto along = [&share](View from, View to) { return from + View::from_raw(share.of((to - from).raw)); };
+    return {along(inside.x, outside.x), along(inside.y, outside.y), along(inside.z, outside.z)};
 }
 
 void clip_to_plane(const ClipPlane& plane, std::uint8_t border, const std::vector<ClipVertex>& in,
@@ -47,8 +50,9 @@ void clip_to_plane(const ClipPlane& plane, std::uint8_t border, const std::vecto
     bool was_outside = is_outside(*previous, plane, border);
     for (const ClipVertex& vertex : in) {
         const bool is_out = is_outside(vertex, plane, border);
-        if (is_out && !was_outside) append_crossing(*previous, vertex, plane, border, out);
-        if (!is_out && was_outside) append_crossing(vertex, *previous, plane, border, out);
+        if (is_out != was_outside)
+            out.push_back(is_out ? crossing_of(*previous, vertex, plane, border)
+                                 : crossing_of(vertex, *previous, plane, border));
         if (!is_out) out.push_back(vertex);
         previous = &vertex;
         was_outside = is_out;

@@ -22,7 +22,7 @@ SideSlope make_slope(Multiplier multiplier, std::int32_t distance_1) {
 /// A side plane in world space: its normal is a linear combination of two of the camera's axes.
 CullPlane make_cull_plane(const Vec3<Unit>& across_axis, ClipNormal across, const Vec3<Unit>& forward, ClipNormal along,
                           View parallel_depth) {
-    using Component = Fixed<std::int64_t, 20>;
+    using Component = CullPlane::Component;
     const auto mix = [&](Unit a, Unit f) {
         const auto mixed =
             bounded_product(convert<Component>(a), across) + bounded_product(convert<Component>(f), along);

@@ -39,7 +39,8 @@ using CullDistance = Fixed<std::int64_t, 32>;
 /// outside, and at least `inside` for those that are surely inside. Conservative by one unit, and so by the error of
 /// the normal: up to 2^-21 in each component. In a perspective view the plane goes through the eye.
 struct CullPlane {
-    std::array<Fixed<std::int64_t, 20>, 3> normal{};
+    using Component = Fixed<std::int64_t, 20>;
+    Vec3<Component> normal;
     CullDistance outside, inside;
 };
 

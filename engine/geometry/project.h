@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/range_probe.h"
 #include "engine/geometry/frustum.h"
 #include "engine/geometry/projection.h"
 #include "engine/math/vec.h"
@@ -37,9 +38,23 @@ struct SubpixelGrid {
 
 /// A clipped point as a screen vertex: snapped to the grid and kept within [0, width] x [0, height], from which
 /// rounding alone could carry it (hard case C7).
-ScreenVertex to_screen_vertex(const ScreenPosition& position, const Projection& projection, const SubpixelGrid& grid);
+inline ScreenVertex to_screen_vertex(const ScreenPosition& position, const Projection& projection,
+                                     const SubpixelGrid& grid) {
+    const auto within = [&grid](ScreenWide along, std::int32_t size_px) {
+        note_range<"screen position before clamping">(along);
+        return convert<Screen>(std::clamp(grid.snap(along), ScreenWide{}, ScreenWide::from_int(size_px)));
+    };
+    return {within(position.x, projection.width_px), within(position.y, projection.height_px)};
+}
 
 /// The same for a corner that clipping put on `borders` of the view: it lies exactly on those of the screen.
-ScreenVertex to_screen_border(ScreenVertex vertex, std::uint8_t borders, const Projection& projection);
+inline ScreenVertex to_screen_border(ScreenVertex vertex, std::uint8_t borders, const Projection& projection) {
+    if (borders == 0) return vertex;
+    if (borders & kOutLeft) vertex.x = Screen{};
+    if (borders & kOutRight) vertex.x = Screen::from_int(projection.width_px);
+    if (borders & kOutBottom) vertex.y = Screen::from_int(projection.height_px);
+    if (borders & kOutTop) vertex.y = Screen{};
+    return vertex;
+}
 
 }  // namespace oblong

@@ -6,34 +6,44 @@ namespace oblong {
 
 namespace {
 
+ScreenVertex seen_at(const ClipVertex& corner, const ViewContext& view) {
+    const ScreenVertex inside = to_screen_vertex(project(corner.position, view.projection), view.projection, view.grid);
+    return to_screen_border(inside, corner.borders, view.projection);
+}
+
+/// Fills polygon.screen and the polygon's depths: `depth_of` and `place_of` tell those of a corner.
+template <class Corner, class Depth, class Place>
+void fill_screen(std::span<Corner> corners, Depth depth_of, Place place_of, ScreenPolygon& polygon) {
+    View nearest = View::highest(), farthest;
+    const std::span<ScreenVertex> screen = polygon.projected.take(corners.size());
+    ScreenVertex* out = screen.data();
+    for (Corner& corner : corners) {
+        const View z = depth_of(corner);
+        nearest = std::min(nearest, z);
+        farthest = std::max(farthest, z);
+        *out++ = place_of(corner);
+    }
+    polygon.screen = screen;
+    polygon.nearest_z = nearest;
+    polygon.farthest_z = farthest;
+}
+
 /// Clips polygon.clip.polygon to the sides in `outcodes` and projects what is left.
 bool clip_and_project(unsigned outcodes, const ViewContext& view, ScreenPolygon& polygon) {
     if (outcodes != 0) clip_polygon(view.frustum, outcodes, polygon.clip);
     if (polygon.clip.polygon.size() < 3) return false;
     polygon.is_clipped = true;
-    polygon.nearest_z = View::highest();
-    polygon.farthest_z = View{};
-    polygon.screen.clear();
-    for (const ClipVertex& vertex : polygon.clip.polygon) {
-        polygon.nearest_z = std::min(polygon.nearest_z, vertex.position.z);
-        polygon.farthest_z = std::max(polygon.farthest_z, vertex.position.z);
-        const ScreenVertex inside =
-            to_screen_vertex(project(vertex.position, view.projection), view.projection, view.grid);
-        polygon.screen.push_back(to_screen_border(inside, vertex.borders, view.projection));
-    }
+    fill_screen(
+        std::span(polygon.clip.polygon), [](const ClipVertex& corner) { return corner.position.z; },
+        [&view](const ClipVertex& corner) { return seen_at(corner, view); }, polygon);
     return true;
 }
 
-void use_cached_projections(const ViewContext& view, ScreenPolygon& polygon) {
+void use_cached_projections(std::span<CachedVertex*> corners, const ViewContext& view, ScreenPolygon& polygon) {
     polygon.is_clipped = false;
-    polygon.nearest_z = View::highest();
-    polygon.farthest_z = View{};
-    polygon.screen.clear();
-    for (CachedVertex* corner : polygon.corners) {
-        polygon.nearest_z = std::min(polygon.nearest_z, corner->view.z);
-        polygon.farthest_z = std::max(polygon.farthest_z, corner->view.z);
-        polygon.screen.push_back(VertexCache::project_once(*corner, view));
-    }
+    fill_screen(
+        corners, [](const CachedVertex* corner) { return corner->view.z; },
+        [&view](CachedVertex* corner) { return VertexCache::project_once(*corner, view); }, polygon);
 }
 
 /// Which sides of the view corners are outside of: any of them, all of them.
@@ -48,13 +58,13 @@ struct OutcodeUnion {
 
 template <bool AdjustsPositions>
 OutcodeUnion gather_corners(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
-                            std::vector<CachedVertex*>& corners) {
+                            std::span<CachedVertex*> corners) {
     OutcodeUnion outcodes;
-    corners.clear();
+    CachedVertex** out = corners.data();
     for (const VertexIndex index : corner_indices) {
         CachedVertex& vertex = vertices.get<AdjustsPositions>(index, view);
         outcodes.add(vertex.outcode);
-        corners.push_back(&vertex);
+        *out++ = &vertex;
     }
     return outcodes;
 }
@@ -63,17 +73,17 @@ OutcodeUnion gather_corners(std::span<const VertexIndex> corner_indices, const V
 
 bool project_face(std::span<const VertexIndex> corner_indices, const ViewContext& view, VertexCache& vertices,
                   ScreenPolygon& polygon) {
+    const std::span<CachedVertex*> corners = polygon.cached.take(corner_indices.size());
     const OutcodeUnion outcodes = view.adjusts_positions
-                                      ? gather_corners<true>(corner_indices, view, vertices, polygon.corners)
-                                      : gather_corners<false>(corner_indices, view, vertices, polygon.corners);
+                                      ? gather_corners<true>(corner_indices, view, vertices, corners)
+                                      : gather_corners<false>(corner_indices, view, vertices, corners);
     if (outcodes.all != 0) return false;
     if (outcodes.any == 0) {
-        use_cached_projections(view, polygon);
+        use_cached_projections(corners, view, polygon);
         return true;
     }
     polygon.clip.polygon.clear();
-    for (const CachedVertex* corner : polygon.corners)
-        polygon.clip.polygon.push_back({corner->view, 0, corner->outcode, 0});
+    for (const CachedVertex* corner : corners) polygon.clip.polygon.push_back({corner->view, 0, corner->outcode, 0});
     return clip_and_project(outcodes.any, view, polygon);
 }
 
@@ -81,10 +91,10 @@ bool project_polygon(std::span<const Vec3<World>> corners, const ViewContext& vi
     OutcodeUnion outcodes;
     polygon.clip.polygon.clear();
     for (const Vec3<World>& corner : corners) {
-        const Vec3<View> vertex = to_view(corner, view);
-        const std::uint8_t outcode = outcode_of(view.frustum, vertex);
+        const Vec3<View> position = to_view(corner, view);
+        const std::uint8_t outcode = outcode_of(view.frustum, position);
         outcodes.add(outcode);
-        polygon.clip.polygon.push_back({vertex, 0, outcode, 0});
+        polygon.clip.polygon.push_back({position, 0, outcode, 0});
     }
     return outcodes.all == 0 && clip_and_project(outcodes.any, view, polygon);
 }

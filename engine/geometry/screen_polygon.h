@@ -2,8 +2,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "engine/base/scratch.h"
 #include "engine/geometry/clip.h"
 #include "engine/geometry/vertex_cache.h"
 
@@ -11,11 +11,13 @@ namespace oblong {
 
 /// A polygon while it is transformed, clipped and projected, with the scratch for it.
 struct ScreenPolygon {
-    std::vector<CachedVertex*> corners;
-    ClipScratch clip;
-    std::vector<ScreenVertex> screen;
+    std::span<const ScreenVertex> screen;
     View nearest_z, farthest_z;  ///< of the part in view
     bool is_clipped = false;     ///< its corners are its own, not those of the vertex cache
+
+    ClipScratch clip;
+    Scratch<CachedVertex*> cached;
+    Scratch<ScreenVertex> projected;  ///< where `screen` is
 };
 
 /// The polygon of a face of the level, from its vertices' indices, clockwise seen from its front: transform, clip,

@@ -7,11 +7,6 @@ namespace oblong {
 
 namespace {
 
-std::uint32_t little_endian_u32(std::span<const std::uint8_t> bytes) {
-    return std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 |
-           std::uint32_t{bytes[3]} << 24;
-}
-
 BspFormat find_format(std::uint32_t version) {
     for (const BspFormat& format : kBspFormats)
         if (format.version == version) return format;
@@ -52,19 +47,15 @@ std::span<const std::uint8_t> BspFile::lump_bytes(Lump lump) const {
     return bytes.subspan(static_cast<std::size_t>(where.offset), static_cast<std::size_t>(where.size));
 }
 
-std::int32_t BspFile::count(Lump lump) const {
-    return range(lump).size / at(format.record_sizes, lump);
-}
-
 BspFile open_bsp(std::span<const std::uint8_t> bytes) {
     if (bytes.size() < kBspHeaderSize)
         throw InputError("header, offset 0", std::to_string(bytes.size()) + " bytes, expected a header of 124");
 
-    BspFile file{bytes, find_format(little_endian_u32(bytes)), {}};
+    BspFile file{bytes, find_format(little_endian_u32(bytes.data())), {}};
     for (std::size_t i = 0; i < kLumpCount; ++i) {
         const std::span<const std::uint8_t> entry = bytes.subspan(4 + i * 8, 8);
-        file.lumps[i].offset = static_cast<std::int32_t>(little_endian_u32(entry));
-        file.lumps[i].size = static_cast<std::int32_t>(little_endian_u32(entry.subspan(4)));
+        file.lumps[i].offset = static_cast<std::int32_t>(little_endian_u32(entry.data()));
+        file.lumps[i].size = static_cast<std::int32_t>(little_endian_u32(entry.data() + 4));
         check_lump(static_cast<Lump>(i), file.lumps[i], file.format.record_sizes[i],
                    static_cast<std::int64_t>(bytes.size()));
     }
@@ -78,38 +69,14 @@ void LumpReader::seek(std::int64_t lump_offset) {
     position_ = field_ = lump_offset;
 }
 
-std::span<const std::uint8_t> LumpReader::read_bytes(std::int64_t size_wanted) {
-    field_ = position_;
-    if (size_wanted < 0 || size_wanted > size() - position_)
-        fail(std::to_string(size_wanted) + " bytes needed, " + std::to_string(size() - position_) +
-             " left in the lump");
-    position_ += size_wanted;
-    return bytes_.subspan(static_cast<std::size_t>(field_), static_cast<std::size_t>(size_wanted));
-}
-
-std::uint32_t LumpReader::read_u16() {
-    const auto two = read_bytes(2);
-    return static_cast<std::uint32_t>(two[0] | two[1] << 8);
-}
-
-std::int32_t LumpReader::read_i16() {
-    const auto value = static_cast<std::int32_t>(read_u16());
-    return value < 0x8000 ? value : value - 0x10000;
-}
-
-std::uint32_t LumpReader::read_u32() {
-    return little_endian_u32(read_bytes(4));
+void LumpReader::fail_to_take(std::int64_t size_wanted) const {
+    fail(std::to_string(size_wanted) + " bytes needed, " + std::to_string(size() - position_) + " left in the lump");
 }
 
 std::int32_t LumpReader::read_child(std::int32_t record_count) {
     if (format_.has_wide_indices) return read_i32();
     const auto value = static_cast<std::int32_t>(read_u16());
     return value < record_count ? value : value - 0x10000;
-}
-
-std::int32_t LumpReader::check_index(std::int32_t index, std::int32_t count, const char* what) const {
-    if (index < 0 || index >= count) fail(describe_bad_index(what, index, count));
-    return index;
 }
 
 void LumpReader::check_extent(std::int64_t first, std::int64_t size_wanted, std::int64_t count,

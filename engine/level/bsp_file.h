@@ -10,6 +10,11 @@
 
 namespace oblong {
 
+constexpr std::uint32_t little_endian_u32(const std::uint8_t* four) {
+    return std::uint32_t{four[0]} | std::uint32_t{four[1]} << 8 | std::uint32_t{four[2]} << 16 |
+           std::uint32_t{four[3]} << 24;
+}
+
 /// Throws an InputError for an error in a lump; `file_offset` is the byte of the file where the wrong field starts.
 [[noreturn]] void fail_in_lump(Lump lump, std::int64_t file_offset, const std::string& what_is_wrong);
 
@@ -29,7 +34,7 @@ struct BspFile {
     LumpRange range(Lump lump) const { return at(lumps, lump); }
     std::span<const std::uint8_t> lump_bytes(Lump lump) const;
     /// How many records the lump holds (bytes, where it is not made of records).
-    std::int32_t count(Lump lump) const;
+    std::int32_t count(Lump lump) const { return range(lump).size / at(format.record_sizes, lump); }
 };
 
 /// Checks the version and that every lump lies after the header, inside the file, and holds whole records.
@@ -45,13 +50,19 @@ class LumpReader {
     std::int64_t size() const { return static_cast<std::int64_t>(bytes_.size()); }
     /// Continues reading at this byte of the lump, which may be its end.
     void seek(std::int64_t lump_offset);
-    std::span<const std::uint8_t> read_bytes(std::int64_t size);
+    std::span<const std::uint8_t> read_bytes(std::int64_t size) { return {take(size), static_cast<std::size_t>(size)}; }
     void skip(std::int64_t size) { read_bytes(size); }
 
-    std::uint8_t read_u8() { return read_bytes(1)[0]; }
-    std::uint32_t read_u16();
-    std::int32_t read_i16();
-    std::uint32_t read_u32();
+    std::uint8_t read_u8() { return take(1)[0]; }
+    std::uint32_t read_u16() {
+        const std::uint8_t* const two = take(2);
+        return std::uint32_t{two[0]} | std::uint32_t{two[1]} << 8;
+    }
+    std::int32_t read_i16() {
+        const auto value = static_cast<std::int32_t>(read_u16());
+        return value < 0x8000 ? value : value - 0x10000;
+    }
+    std::uint32_t read_u32() { return little_endian_u32(take(4)); }
     std::int32_t read_i32() { return static_cast<std::int32_t>(read_u32()); }
     FloatBits read_float() { return FloatBits{read_u32()}; }
 
@@ -61,7 +72,10 @@ class LumpReader {
     std::int32_t read_child(std::int32_t record_count);
 
     /// Throws unless 0 <= index < count; `what` is what the index counts.
-    std::int32_t check_index(std::int32_t index, std::int32_t count, const char* what) const;
+    std::int32_t check_index(std::int32_t index, std::int32_t count, const char* what) const {
+        if (index < 0 || index >= count) fail(describe_bad_index(what, index, count));
+        return index;
+    }
     /// Throws unless [first, first + size) lies in [0, count).
     void check_extent(std::int64_t first, std::int64_t size, std::int64_t count, const char* what) const;
     template <class Record>
@@ -79,6 +93,14 @@ class LumpReader {
     [[noreturn]] void fail(const std::string& what_is_wrong) const;
 
   private:
+    const std::uint8_t* take(std::int64_t size_wanted) {
+        field_ = position_;
+        if (size_wanted < 0 || size_wanted > size() - position_) fail_to_take(size_wanted);
+        position_ += size_wanted;
+        return bytes_.data() + field_;
+    }
+    [[noreturn]] void fail_to_take(std::int64_t size_wanted) const;
+
     std::span<const std::uint8_t> bytes_;
     std::int64_t file_offset_ = 0, position_ = 0, field_ = 0;
     Lump lump_;

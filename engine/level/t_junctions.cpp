@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
+#include "engine/base/table.h"
 #include "engine/fixed/wide.h"
 
 namespace oblong {
@@ -13,7 +15,8 @@ namespace {
 constexpr std::int64_t kTolerance_12 = 8;
 /// Longer edges, 262,144 units along an axis, have no vertices inside: squares of their length would not fit.
 constexpr std::int64_t kLongest_12 = std::int64_t{1} << 30;
-/// Vertices tested in all, so that no hostile level takes too long; edges beyond that stay as they are.
+/// Vertices and rows of cells tested in all, so that no hostile level takes too long; edges beyond that stay as they
+/// are.
 constexpr std::int64_t kMostLooks = std::int64_t{1} << 28;
 
 using Point = std::array<std::int64_t, 3>;  ///< units, 12 fraction bits
@@ -26,52 +29,86 @@ std::int64_t dot(const Point& a, const Point& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Vertices in the order of one coordinate.
-struct SortedAxis {
-    std::vector<std::int64_t> values;
-    std::vector<VertexIndex> vertices;
-};
-
-/// The vertices that faces use, ready to be looked up by place.
-class VertexFinder {
+/// The vertices that faces use, in the cells of a grid: cubes. An edge of a real level passes near eight of them.
+class VertexGrid {
   public:
-    explicit VertexFinder(const Level& level) {
-        UsedVertices is_used(level.vertices.size());
-        for (const SurfEdge edge : level.surf_edges)
-            is_used[level.edges[edge.edge].from] = is_used[level.edges[edge.edge].to] = true;
-        for (std::size_t axis = 0; axis < 3; ++axis) sort_by(level, is_used, axis);
+    explicit VertexGrid(const Level& level) : level_(level) {
+        find_used();
+        choose_cells();
+        sort_into_cells();
     }
 
-    /// Calls look(vertex) for those within a box, and perhaps others; goes by the axis that leaves the fewest.
+    /// Calls look(vertex) for those within a box, and others near it. Returns how much it looked at.
     template <class Look>
-    void look_within(const Point& low, const Point& high, Look look) const {
-        std::size_t best_first = 0, best_end = 0, best_axis = 3;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto& values = axes_[axis].values;
-            const auto first = std::lower_bound(values.begin(), values.end(), low[axis]) - values.begin();
-            const auto end = std::upper_bound(values.begin(), values.end(), high[axis]) - values.begin();
-            if (best_axis < 3 && static_cast<std::size_t>(end - first) >= best_end - best_first) continue;
-            best_axis = axis;
-            best_first = static_cast<std::size_t>(first);
-            best_end = static_cast<std::size_t>(end);
-        }
-        for (std::size_t i = best_first; i < best_end; ++i) look(axes_[best_axis].vertices[i]);
+    std::int64_t look_within(const Point& low, const Point& high, Look look) const {
+        const Cell first = cell_of(low), last = cell_of(high);
+        std::int64_t looks = 0;
+        for (std::size_t z = first[2]; z <= last[2]; ++z)
+            for (std::size_t y = first[1]; y <= last[1]; ++y) {
+                const std::uint32_t begin = starts_[position_of({first[0], y, z})],
+                                    end = starts_[position_of({last[0], y, z}) + 1];
+                for (std::uint32_t i = begin; i < end; ++i) look(vertices_[i]);
+                looks += 1 + (end - begin);
+            }
+        return looks;
     }
 
   private:
-    using UsedVertices = Table<std::uint8_t, Vertex>;
+    using Cell = std::array<std::size_t, 3>;
+    static constexpr std::size_t kMostCells = 16;  ///< a vertex
 
-    void sort_by(const Level& level, const UsedVertices& is_used, std::size_t axis) {
-        SortedAxis& sorted = axes_[axis];
-        for (const VertexIndex vertex : level.vertices.indices())
-            if (is_used[vertex]) sorted.vertices.push_back(vertex);
-        std::stable_sort(sorted.vertices.begin(), sorted.vertices.end(), [&](VertexIndex a, VertexIndex b) {
-            return point_of(level, a)[axis] < point_of(level, b)[axis];
-        });
-        for (const VertexIndex vertex : sorted.vertices) sorted.values.push_back(point_of(level, vertex)[axis]);
+    void find_used() {
+        Table<std::uint8_t, Vertex> is_used(level_.vertices.size());
+        for (const SurfEdge edge : level_.surf_edges)
+            is_used[level_.edges[edge.edge].from] = is_used[level_.edges[edge.edge].to] = true;
+        for (const VertexIndex vertex : level_.vertices.indices())
+            if (is_used[vertex]) vertices_.push_back(vertex);
     }
 
-    std::array<SortedAxis, 3> axes_;
+    void choose_cells() {
+        if (vertices_.empty()) return;
+        Point high = low_ = point_of(level_, vertices_.front());
+        for (const VertexIndex vertex : vertices_) {
+            const Point p = point_of(level_, vertex);
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                low_[axis] = std::min(low_[axis], p[axis]);
+                high[axis] = std::max(high[axis], p[axis]);
+            }
+        }
+        do {  // from cells of 16 units on
+            ++shift_;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                counts_[axis] = static_cast<std::size_t>((high[axis] - low_[axis]) >> shift_) + 1;
+        } while (cell_count() > kMostCells * vertices_.size());
+    }
+
+    void sort_into_cells() {
+        starts_.resize(static_cast<std::size_t>(cell_count()) + 1);
+        for (const VertexIndex vertex : vertices_) ++starts_[position_of(vertex)];
+        std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());  // the ends, until each cell is filled
+        std::vector<VertexIndex> sorted(vertices_.size());
+        for (const VertexIndex vertex : vertices_) at(sorted, --starts_[position_of(vertex)]) = vertex;
+        vertices_ = std::move(sorted);
+    }
+
+    /// The cell of a point, or the nearest one to it.
+    Cell cell_of(const Point& p) const {
+        Cell cell{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            cell[axis] = std::min(static_cast<std::size_t>(std::max<std::int64_t>(p[axis] - low_[axis], 0) >> shift_),
+                                  counts_[axis] - 1);
+        return cell;
+    }
+    std::uint64_t cell_count() const { return std::uint64_t{counts_[0]} * counts_[1] * counts_[2]; }
+    std::size_t position_of(const Cell& cell) const { return (cell[2] * counts_[1] + cell[1]) * counts_[0] + cell[0]; }
+    std::size_t position_of(VertexIndex vertex) const { return position_of(cell_of(point_of(level_, vertex))); }
+
+    const Level& level_;
+    Point low_{};
+    int shift_ = 15;  ///< a cell's size is 2^shift_
+    Cell counts_{1, 1, 1};
+    std::vector<std::uint32_t> starts_;  ///< of each cell's vertices, and the end of the last one's
+    std::vector<VertexIndex> vertices_;  ///< by cell
 };
 
 /// One edge, and which vertices lie inside it.
@@ -95,11 +132,8 @@ class EdgeLine {
 
     /// How far along the edge, as part of length_squared_; -1 if the vertex isn't inside it.
     std::int64_t part_of(const Point& p) const {
-        Point offset{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (p[axis] < low_[axis] || p[axis] > high_[axis]) return -1;
-            offset[axis] = p[axis] - from_[axis];
-        }
+        if (!is_in_box(p)) return -1;
+        const Point offset{p[0] - from_[0], p[1] - from_[1], p[2] - from_[2]};
         const std::int64_t part = dot(offset, along_);
         if (part <= 0 || part >= length_squared_ || dot(offset, offset) <= kTolerance_12 * kTolerance_12) return -1;
         Point to_end{};
@@ -112,6 +146,11 @@ class EdgeLine {
     }
 
   private:
+    bool is_in_box(const Point& p) const {
+        return p[0] >= low_[0] && p[0] <= high_[0] && p[1] >= low_[1] && p[1] <= high_[1] && p[2] >= low_[2] &&
+               p[2] <= high_[2];
+    }
+
     Point from_, along_{}, low_{}, high_{};
     std::int64_t length_squared_ = 0;
 };
@@ -119,7 +158,7 @@ class EdgeLine {
 }  // namespace
 
 TJunctions::TJunctions(const Level& level) : found_(level.edges.size()) {
-    const VertexFinder finder(level);
+    const VertexGrid grid(level);
     std::vector<std::pair<std::int64_t, VertexIndex>> inside;
     std::int64_t looks = 0;
     for (const EdgeIndex index : level.edges.indices()) {
@@ -128,8 +167,7 @@ TJunctions::TJunctions(const Level& level) : found_(level.edges.size()) {
         const EdgeLine line(point_of(level, edge.from), point_of(level, edge.to));
         if (line.is_too_long()) continue;
         inside.clear();
-        finder.look_within(line.low(), line.high(), [&](VertexIndex vertex) {
-            ++looks;
+        looks += grid.look_within(line.low(), line.high(), [&](VertexIndex vertex) {
             const std::int64_t part = line.part_of(point_of(level, vertex));
             if (part >= 0) inside.emplace_back(part, vertex);
         });

@@ -19,6 +19,7 @@ struct BlockRule {
     /// Bounded: a block of n = 2^k pixels keeps its error under E pixels, 15/16 of the bound, where 1/z >= |its step| *
     /// (n - E)^2 / 4 E: this factor, rounded up, with 8 fraction bits.
     std::array<std::uint64_t, kBlockSizes> factor_8{};
+    std::array<std::uint64_t, kBlockSizes> step_end{};  ///< from this step on the product might overflow
 };
 
 /// The rule for these settings.
@@ -35,7 +36,8 @@ BlockRule make_block_rule(const Accuracy& accuracy);
 /// 0 the error is below E where b (n - x)(x - E) <= E w0 for all x; the left side is largest at x = (n + E)/2, so b (n
 /// - E)^2 <= 4 E w0 does. For b < 0 the same from the other end.
 struct BlockThresholds {
-    std::array<InverseZ, kBlockSizes> least_inverse_z{};
+    /// Any 1/z reaches the first, none the last.
+    std::array<InverseZ, kBlockSizes + 1> least_inverse_z{};
 };
 
 /// The thresholds of a surface whose 1/z changes by this from column to column, for blocks of up to 2^longest_log2

@@ -1,139 +1,62 @@
 #include "engine/raster/texture_blocks.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdlib>
-#include <limits>
 #include <tuple>
 
-#include "engine/base/range_probe.h"
 #include "engine/base/table.h"
 #include "engine/fixed/fixed.h"
+#include "engine/raster/block_steps.h"
+#include "engine/raster/perspective.h"
+
+#if defined(__x86_64__)
+#define OBLONG_TARGET_BMI2 [[gnu::target("bmi2,lzcnt")]]
+#else
+#define OBLONG_TARGET_BMI2
+#endif
 
 namespace oblong {
 
 namespace {
 
-/// 1/z, u/z, v/z at one pixel.
-struct Perspective {
-    InverseZ inverse_z;
-    TexelOverZ u_over_z, v_over_z;
-
-    Perspective(const TextureGradients& gradients, std::int32_t column, std::int32_t row)
-        : inverse_z(gradients.inverse_z.at(column, row)),
-          u_over_z(gradients.u_over_z.at(column, row)),
-          v_over_z(gradients.v_over_z.at(column, row)) {
-        note_range<"1/z at a block's end">(inverse_z);
-        note_range<"u/z, v/z at a block's end">(u_over_z);
-        note_range<"u/z, v/z at a block's end">(v_over_z);
-    }
-};
-
-/// std::clamp by value: the compiler then keeps all of it in registers.
-template <class Number>
-constexpr Number clamp_value(Number value, Number least, Number greatest) {
-    value = value < least ? least : value;
-    return value > greatest ? greatest : value;
-}
-
-/// 2^92 / normalised, for a number from 2^59 to 2^60. Exact: one 64-bit division, relative error below 2^-26.
-template <ReciprocalMethod Method>
-std::int64_t reciprocal_of(std::uint64_t normalised) {
-    if constexpr (Method == ReciprocalMethod::Exact)
-        return static_cast<std::int64_t>((std::uint64_t{1} << 60) / (normalised >> 32));
-    else
-        return std::int64_t{mantissa_reciprocal(static_cast<std::uint32_t>(normalised >> 28), Method)} * 4;
-}
-
-/// z as a reciprocal of 33 bits and a scale.
-template <ReciprocalMethod Method>
-struct Depth {
-    std::int64_t mantissa;       ///< 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]
-    TexelOverZ greatest_over_z;  ///< u/z beyond which u would be more than 65,535 texels
-    int shift;                   ///< what brings 1/z to 60 bits
-
-    explicit Depth(InverseZ inverse_z) {
-        const std::int64_t positive = clamp_value(inverse_z, kLeastInverseZ, kGreatestInverseZ).raw;
-        shift = std::countl_zero(static_cast<std::uint64_t>(positive)) - 4;
-        mantissa = reciprocal_of<Method>(static_cast<std::uint64_t>(positive) << shift);
-        greatest_over_z = TexelOverZ::from_raw(positive * 4 - 4);
-    }
-
-    /// (u/z) * z, clamped to 0 to 65,535 texels, so that nothing overflows.
-    Texel times(TexelOverZ over_z) const {
-        using Scaled = Fixed<std::int64_t, 60>;
-        const std::int64_t shifted = clamp_value(over_z, {}, greatest_over_z).raw << shift;
-        const std::int64_t product = floor_shift(shifted, 32) * mantissa;
-        note_range<"u/z, normalised">(Scaled::from_raw(shifted));
-        note_range<"u/z x reciprocal">(Scaled::from_raw(product));
-        return Texel::from_raw(floor_shift(product, 30));
-    }
-};
-
-template <ReciprocalMethod Method>
-TexelPosition texel_of(const Perspective& at, const Depth<Method>& depth, const TexelLimits& limits) {
-    const auto within = [&limits](Texel texel, Texel greatest) {
-        return static_cast<std::uint32_t>(clamp_value(texel, limits.least, greatest).raw);
-    };
-    return {within(depth.times(at.u_over_z), limits.greatest_u), within(depth.times(at.v_over_z), limits.greatest_v)};
-}
-
-std::int32_t step_by_shift(std::uint32_t from, std::uint32_t to, int log2) {
-    return static_cast<std::int32_t>(floor_shift(std::int64_t{to} - from, log2));
-}
-
-std::int32_t step_by_division(std::uint32_t from, std::uint32_t to, std::int32_t steps) {
-    const std::int64_t whole = std::int64_t{to} - from;
-    return static_cast<std::int32_t>(whole / steps - (whole % steps < 0));
-}
-
-/// The step between neighbours, clamped to 32,767 texels, the most that its format holds.
-std::int32_t step_to_neighbour(std::uint32_t from, std::uint32_t to) {
-    constexpr std::int64_t kSteepest = std::numeric_limits<std::int32_t>::max();
-    return static_cast<std::int32_t>(clamp_value(std::int64_t{to} - from, -kSteepest, kSteepest));
-}
-
-/// Cuts one span into blocks, left to right. Each block ends where the next begins, so a division serves twice. Its
-/// functions are force-inlined, so that its members stay in registers.
-template <ReciprocalMethod Method>
+/// Cuts spans of one surface into blocks, left to right. Each block ends where the next begins, so a division serves
+/// twice. Its functions are force-inlined, so that its members stay in registers.
+template <ReciprocalMethod Method, PerspectiveRange Range>
 class SpanCutter {
   public:
-    SpanCutter(const Span& span, std::int32_t pitch, const TextureGradients& gradients, const TexelLimits& limits,
-               TexelBlock* out)
-        : gradients_(gradients),
-          limits_(limits),
-          out_(out),
-          left_(span.end - span.first),
-          pixel_(static_cast<std::uint32_t>(span.y * pitch + span.first)),
-          here_(gradients, span.first, span.y),
-          depth_(here_.inverse_z),
-          texel_(texel_of(here_, depth_, limits)) {}
+    [[gnu::always_inline]] SpanCutter(const BlockCutting& cutting, TexelBlock* out)
+        : gradients_(cutting.gradients), limits_(cutting.limits), out_(out) {}
+
+    [[gnu::always_inline]] void start(const Span& span, std::int32_t pitch) {
+        left_ = span.end - span.first;
+        pixel_ = static_cast<std::uint32_t>(span.y * pitch + span.first);
+        here_ = Perspective(gradients_, span.first, span.y);
+        depth_ = Depth<Method, Range>(here_.inverse_z);
+        texel_ = texel_of(here_, depth_, limits_);
+    }
 
     std::int32_t left() const { return left_; }
     InverseZ inverse_z() const { return here_.inverse_z; }
-    std::int32_t divisions() const { return divisions_; }
-    const TexelBlock* end() const { return out_; }
+    TexelBlock* end() const { return out_; }
+    std::int64_t tries() const { return tries_; }
 
     /// A block of 2^log2 pixels, all of them in the span.
     [[gnu::always_inline]] void cut_power(int log2) {
         const TexelPosition from = texel_;
         advance(std::int32_t{1} << log2);
-        append(from, 1 << log2, step_by_shift(from.u_16, texel_.u_16, log2),
-               step_by_shift(from.v_16, texel_.v_16, log2));
+        append(1 << log2, from, steps_by_shift(from, texel_, log2));
     }
 
     /// The last block, of the remaining pixels (1 or more). It ends at the span's last pixel: beyond may lie the end of
     /// the surface, or the horizon of its plane.
     [[gnu::always_inline]] void cut_rest() {
         const std::int32_t steps = left_ - 1;
-        if (steps == 0) return append(texel_, 1, 0, 0);
+        if (steps == 0) return append(1, texel_, {});
         const TexelPosition from = texel_;
         advance(steps);
-        if (steps == 1)
-            return append(from, 2, step_to_neighbour(from.u_16, texel_.u_16),
-                          step_to_neighbour(from.v_16, texel_.v_16));
-        append(from, steps + 1, step_by_division(from.u_16, texel_.u_16, steps),
-               step_by_division(from.v_16, texel_.v_16, steps));
+        append(steps + 1, from, steps_by_division(from, texel_, steps));
     }
 
     /// A block of 2^log2 pixels, or the last one, if it keeps u and v within `bound_256` of the truth; else nothing. A
@@ -143,6 +66,7 @@ class SpanCutter {
         const auto start = std::tuple(here_, depth_, texel_);
         const TexelPosition from = texel_;
         advance(steps);
+        ++tries_;
         const bool is_within = steps < 2 || is_straight(std::get<Perspective>(start).inverse_z, from, steps, bound_256);
         std::tie(here_, depth_, texel_) = start;
         if (is_within && steps == size) cut_power(log2);
@@ -172,16 +96,12 @@ class SpanCutter {
         here_.inverse_z = stepped(before, gradients_.inverse_z.per_column, count);
         here_.u_over_z = stepped(here_.u_over_z, gradients_.u_over_z.per_column, count);
         here_.v_over_z = stepped(here_.v_over_z, gradients_.v_over_z.per_column, count);
-        if (here_.inverse_z != before) {
-            depth_ = Depth<Method>(here_.inverse_z);
-            ++divisions_;
-        }
+        if (here_.inverse_z != before) depth_ = Depth<Method, Range>(here_.inverse_z);
         texel_ = texel_of(here_, depth_, limits_);
     }
 
-    [[gnu::always_inline]] void append(TexelPosition from, std::int32_t count, std::int32_t u_step_16,
-                                       std::int32_t v_step_16) {
-        *out_++ = {pixel_, count, from.u_16, from.v_16, u_step_16, v_step_16};
+    [[gnu::always_inline]] void append(std::int32_t count, TexelPosition from, TexelStep step) {
+        *out_++ = {pixel_, count, from.u_16, from.v_16, step.u_16, step.v_16};
         pixel_ += static_cast<std::uint32_t>(count);
         left_ -= count;
     }
@@ -189,12 +109,12 @@ class SpanCutter {
     const TextureGradients gradients_;
     const TexelLimits limits_;
     TexelBlock* out_;
-    std::int32_t left_;
-    std::uint32_t pixel_;
+    std::int32_t left_ = 0;
+    std::uint32_t pixel_ = 0;
     Perspective here_;
-    Depth<Method> depth_;
+    Depth<Method, Range> depth_;
     TexelPosition texel_;
-    std::int32_t divisions_ = 1;
+    std::int64_t tries_ = 0;  ///< of try_block()
 };
 
 template <class Cutter>
@@ -203,15 +123,15 @@ template <class Cutter>
     cutter.cut_rest();
 }
 
+/// Blocks as long as the bound allows where they begin. The search for that begins at the last block's size.
 template <class Cutter>
-[[gnu::always_inline]] inline void cut_bounded(Cutter& cutter, const BlockThresholds& thresholds) {
-    int log2 = kBlockSizes - 1;
+[[gnu::always_inline]] inline void cut_bounded(Cutter& cutter, const BlockThresholds& thresholds, std::int64_t& log2) {
     const auto& least = thresholds.least_inverse_z;
     while (true) {
-        while (log2 > 0 && cutter.inverse_z() < at(least, log2)) --log2;
+        while (cutter.inverse_z() >= at(least, log2 + 1)) ++log2;
+        while (cutter.inverse_z() < at(least, log2)) --log2;
         if (cutter.left() <= 1 << log2) return cutter.cut_rest();
-        cutter.cut_power(log2);
-        while (log2 + 1 < kBlockSizes && cutter.inverse_z() >= least[static_cast<std::size_t>(log2) + 1]) ++log2;
+        cutter.cut_power(static_cast<int>(log2));
     }
 }
 
@@ -226,20 +146,53 @@ template <class Cutter>
     if (cutter.left() == 1) cutter.cut_rest();
 }
 
-template <Texturing Way, ReciprocalMethod Method>
-std::int32_t append_blocks(const Span& span, std::int32_t pitch, const TextureGradients& gradients,
-                           const BlockRule& rule, const BlockThresholds& thresholds, const TexelLimits& limits,
-                           BlockList& blocks) {
-    SpanCutter<Method> cutter(span, pitch, gradients, limits, blocks.end());
+template <Texturing Way, class Cutter>
+[[gnu::always_inline]] inline void cut_span(Cutter& cutter, const BlockCutting& cutting, std::int64_t& log2) {
     if constexpr (Way == Texturing::Affine) cutter.cut_rest();
     if constexpr (Way == Texturing::Every32) cut_every(cutter, 5);
     if constexpr (Way == Texturing::Every16) cut_every(cutter, 4);
     if constexpr (Way == Texturing::Every8) cut_every(cutter, 3);
-    if constexpr (Way == Texturing::Bounded) cut_bounded(cutter, thresholds);
-    if constexpr (Way == Texturing::BoundedTexels) cut_bounded_texels(cutter, rule.texel_bound_256);
+    if constexpr (Way == Texturing::Bounded) cut_bounded(cutter, cutting.thresholds, log2);
+    if constexpr (Way == Texturing::BoundedTexels) cut_bounded_texels(cutter, cutting.texel_bound_256);
     if constexpr (Way == Texturing::Exact) cut_every(cutter, 0);
+}
+
+/// Returns the spans that are left.
+template <Texturing Way, ReciprocalMethod Method, PerspectiveRange Range>
+[[gnu::always_inline]] inline std::span<const Span> cut_spans(std::span<const Span> spans, std::int32_t pitch,
+                                                              const BlockCutting& cutting, BlockList& blocks) {
+    SpanCutter<Method, Range> cutter(cutting, blocks.end());
+    const TexelBlock* const full = blocks.full();
+    std::int64_t log2 = 0;
+    const Span* span = spans.data();
+    const Span* const end = span + spans.size();
+    for (; span != end && cutter.end() <= full; ++span) {
+        cutter.start(*span, pitch);
+        cut_span<Way>(cutter, cutting, log2);
+    }
     blocks.set_end(cutter.end());
-    return cutter.divisions();
+    if constexpr (Way == Texturing::BoundedTexels) blocks.add_tries(cutter.tries());
+    return {span, end};
+}
+
+template <Texturing Way, ReciprocalMethod Method>
+[[gnu::always_inline]] inline std::span<const Span> cut_in_range(std::span<const Span> spans, std::int32_t pitch,
+                                                                 const BlockCutting& cutting, BlockList& blocks) {
+    return cutting.fits_range ? cut_spans<Way, Method, PerspectiveRange::Fits>(spans, pitch, cutting, blocks)
+                              : cut_spans<Way, Method, PerspectiveRange::MayOverflow>(spans, pitch, cutting, blocks);
+}
+
+template <Texturing Way, ReciprocalMethod Method>
+std::span<const Span> append_blocks(std::span<const Span> spans, std::int32_t pitch, const BlockCutting& cutting,
+                                    BlockList& blocks) {
+    return cut_in_range<Way, Method>(spans, pitch, cutting, blocks);
+}
+
+/// The same code for processors with BMI2, whose shifts take their count from any register. The defaults alone: other
+/// settings are not worth the room.
+OBLONG_TARGET_BMI2 std::span<const Span> append_bounded_bmi2(std::span<const Span> spans, std::int32_t pitch,
+                                                             const BlockCutting& cutting, BlockList& blocks) {
+    return cut_in_range<Texturing::Bounded, ReciprocalMethod::Exact>(spans, pitch, cutting, blocks);
 }
 
 template <ReciprocalMethod Method>
@@ -263,6 +216,41 @@ BlockCutter cutter_by(Texturing texturing) {
     return append_blocks<Texturing::Exact, Method>;
 }
 
+/// A linear quantity over a rectangle: its value at the first pixel, and what the columns and the rows add to that.
+struct Slopes {
+    std::int64_t first, columns, rows;
+
+    template <class Value>
+    Slopes(const LinearQuantity<Value>& quantity, const ScreenRectangle& over)
+        : first(quantity.at(over.first_column, over.first_row).raw),
+          columns(quantity.per_column.raw * (over.end_column - over.first_column - 1)),
+          rows(quantity.per_row.raw * (over.end_row - over.first_row - 1)) {}
+
+    std::int64_t least() const { return first + std::min<std::int64_t>(columns, 0) + std::min<std::int64_t>(rows, 0); }
+    std::int64_t greatest() const {
+        return first + std::max<std::int64_t>(columns, 0) + std::max<std::int64_t>(rows, 0);
+    }
+    /// Whether |this| is below 7 times `other` everywhere.
+    bool is_below_7_times(const Slopes& other) const {
+        return 7 * other.first - first + std::min<std::int64_t>(7 * other.columns - columns, 0) +
+                       std::min<std::int64_t>(7 * other.rows - rows, 0) >
+                   0 &&
+               7 * other.first + first + std::min<std::int64_t>(7 * other.columns + columns, 0) +
+                       std::min<std::int64_t>(7 * other.rows + rows, 0) >
+                   0;
+    }
+};
+
+/// Whether nothing below overflows: over 4,096 columns and rows steps add up to less than 2^57.
+template <class Value>
+bool is_gentle(const LinearQuantity<Value>& quantity, PixelPosition pixel) {
+    constexpr auto kSteepest = Value::from_raw(std::int64_t{1} << 44),
+                   kLargest = Value::from_raw(std::int64_t{1} << 59);
+    const Value there = quantity.at(pixel.column, pixel.row);
+    return absolute(quantity.per_column) < kSteepest && absolute(quantity.per_row) < kSteepest && there < kLargest &&
+           there > -kLargest;
+}
+
 }  // namespace
 
 TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int32_t longest_px) {
@@ -270,13 +258,32 @@ TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int3
     return {Texel::from_raw(longest_px), Texel::from_int(width) - Texel::ulp(), Texel::from_int(height) - Texel::ulp()};
 }
 
+bool fits_range(const TextureGradients& gradients, PixelPosition inside, const ScreenRectangle& rectangle) {
+    if (!is_gentle(gradients.inverse_z, inside) || !is_gentle(gradients.u_over_z, inside) ||
+        !is_gentle(gradients.v_over_z, inside))
+        return false;
+    const Slopes inverse_z(gradients.inverse_z, rectangle);
+    return inverse_z.least() >= kLeastInverseZ.raw && inverse_z.greatest() < kGreatestInverseZ.raw &&
+           Slopes(gradients.u_over_z, rectangle).is_below_7_times(inverse_z) &&
+           Slopes(gradients.v_over_z, rectangle).is_below_7_times(inverse_z);
+}
+
 TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& limits, std::int32_t column,
                        std::int32_t row) {
     const Perspective at(gradients, column, row);
-    return texel_of(at, Depth<ReciprocalMethod::Exact>(at.inverse_z), limits);
+    return texel_of(at, Depth<ReciprocalMethod::Exact, PerspectiveRange::MayOverflow>(at.inverse_z), limits);
 }
 
-BlockCutter block_cutter(const Accuracy& accuracy) {
+std::int64_t divisions_of(std::span<const Span> spans, const TextureGradients& gradients, const BlockList& blocks) {
+    if (gradients.inverse_z.per_column == InverseZ{}) return std::ssize(spans);
+    std::int64_t divisions = std::ssize(spans) + blocks.tries();
+    const TexelBlock* block = blocks.waiting().data();
+    for (const Span& span : spans)
+        for (std::int32_t left = span.end - span.first; left > 0; left -= block++->count) divisions += left > 1;
+    return divisions;
+}
+
+BlockCutter block_cutter(const Accuracy& accuracy, bool has_bmi2) {
     switch (accuracy.reciprocal) {
         case ReciprocalMethod::Table256:
             return cutter_by<ReciprocalMethod::Table256>(accuracy.texturing);
@@ -289,6 +296,7 @@ BlockCutter block_cutter(const Accuracy& accuracy) {
         case ReciprocalMethod::Exact:
             break;
     }
+    if (accuracy.texturing == Texturing::Bounded && has_bmi2) return append_bounded_bmi2;
     return cutter_by<ReciprocalMethod::Exact>(accuracy.texturing);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/raster/block_rule.h"
+#include "engine/raster/block_steps.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/screen/gradients.h"
 #include "engine/screen/screen.h"
@@ -14,11 +15,6 @@ namespace oblong {
 /// 1/z is clamped to these: the largest is that of z = 2^-15 unit, the smallest that of a point beyond any world.
 inline constexpr auto kGreatestInverseZ = InverseZ::from_raw(std::int64_t{1} << 59);
 inline constexpr auto kLeastInverseZ = InverseZ::from_raw(std::int64_t{1} << 24);
-
-/// A texture coordinate pair, texels, 16.16.
-struct TexelPosition {
-    std::uint32_t u_16, v_16;
-};
 
 /// The range of a surface's texture coordinates for samples: inset from its edges by the most that rounding adds up to
 /// in one block.
@@ -36,10 +32,13 @@ class BlockList {
     /// For spans of up to `longest_px` pixels.
     explicit BlockList(std::int32_t longest_px) : blocks_(static_cast<std::size_t>(longest_px) + kBatch) {}
 
-    /// Whether a span of `count` pixels fits in the worst case.
-    bool has_room_for(std::int32_t count) const { return used_ + static_cast<std::size_t>(count) <= blocks_.size(); }
+    /// Blocks of a span that begin beyond this one might not fit.
+    const TexelBlock* full() const { return blocks_.data() + kBatch; }
     std::span<const TexelBlock> waiting() const { return std::span(blocks_).first(used_); }
-    void clear() { used_ = 0; }
+    void clear() { used_ = 0, tries_ = 0; }
+    /// Blocks that were tried and perhaps cut shorter (BoundedTexels).
+    std::int64_t tries() const { return tries_; }
+    void add_tries(std::int64_t count) { tries_ += count; }
 
     TexelBlock* end() { return blocks_.data() + used_; }
     void set_end(const TexelBlock* end) { used_ = static_cast<std::size_t>(end - blocks_.data()); }
@@ -49,16 +48,34 @@ class BlockList {
 
     std::vector<TexelBlock> blocks_;
     std::size_t used_ = 0;
+    std::int64_t tries_ = 0;
 };
 
-/// Appends the blocks of one span, for which there must be room. `pitch` is the framebuffer's. Returns how many
-/// divisions that took.
-using BlockCutter = std::int32_t (*)(const Span& span, std::int32_t pitch, const TextureGradients& gradients,
-                                     const BlockRule& rule, const BlockThresholds& thresholds,
-                                     const TexelLimits& limits, BlockList& blocks);
+/// How the spans of one surface are cut into blocks.
+struct BlockCutting {
+    TextureGradients gradients;
+    TexelLimits limits;
+    BlockThresholds thresholds;        ///< for Bounded
+    std::int32_t texel_bound_256 = 0;  ///< for BoundedTexels: BlockRule's
+    bool fits_range = false;           ///< fits_range() of these spans: then nothing is clamped before it is multiplied
+};
 
-/// The cutter for these settings, chosen once a frame.
-BlockCutter block_cutter(const Accuracy& accuracy);
+/// Whether 1/z is within its clamps, and u and v within 114,000 texels, at every pixel of a rectangle; only then do the
+/// cutters give the same without clamps. All three are linear: their extremes are in the corners. Values at the pixel
+/// `inside` fit their formats; false where those in the corners might not.
+bool fits_range(const TextureGradients& gradients, PixelPosition inside, const ScreenRectangle& rectangle);
+
+/// Appends the blocks of spans, left to right, as long as there is room for one in the worst case. Returns the spans
+/// that are left. `pitch` is the framebuffer's.
+using BlockCutter = std::span<const Span> (*)(std::span<const Span> spans, std::int32_t pitch,
+                                              const BlockCutting& cutting, BlockList& blocks);
+
+/// The cutter for these settings, chosen once a frame. `has_bmi2`: of the processor.
+BlockCutter block_cutter(const Accuracy& accuracy, bool has_bmi2 = oblong::has_bmi2());
+
+/// How many divisions cutting these spans into these blocks took: one where a span begins, and one where each block
+/// ends, or was tried to; but none for a last block of one pixel, or where 1/z is constant along rows.
+std::int64_t divisions_of(std::span<const Span> spans, const TextureGradients& gradients, const BlockList& blocks);
 
 /// The exact texel at the centre of a pixel.
 TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& limits, std::int32_t column,

@@ -34,6 +34,15 @@ EffectSet effects_of(const TexInfo& texinfo, const std::string& texture) {
     return {};
 }
 
+/// Texels per unit along the denser axis of each of a level's texture mappings.
+Table<TexelDensity, TexInfo> densities_of(const Table<TexInfo>& texinfos) {
+    Table<TexelDensity, TexInfo> densities;
+    densities.reserve(texinfos.size());
+    for (const TexInfo& texinfo : texinfos)
+        densities.push_back(convert<TexelDensity>(std::max(length(texinfo.s), length(texinfo.t)), Rounding::Floor));
+    return densities;
+}
+
 /// The texture's axes map the face to a plane of texels. Of such a map the smallest stretch is its change of area by
 /// its greatest stretch, which is at most the root of the sum of both axes' squares.
 TexelDensity least_density(const LevelPlane& plane, const TexInfo& texinfo) {
@@ -47,13 +56,13 @@ TexelDensity least_density(const LevelPlane& plane, const TexInfo& texinfo) {
     return bounded_quotient<TexelDensity>(area, greatest);
 }
 
-void add_face(const Level& level, const Face& face, const TJunctions& junctions, FaceTable& table) {
+void add_face(const Level& level, const Face& face, const TJunctions& junctions, TexelDensity density,
+              FaceTable& table) {
     const TexInfo& texinfo = level.texinfos[face.texinfo];
     const std::size_t first = table.corners.size();
     append_corners(level, face, junctions, table.corners);
     const std::size_t count = table.corners.size() - first;
-    table.faces.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count),
-                           convert<TexelDensity>(std::max(length(texinfo.s), length(texinfo.t)), Rounding::Floor),
+    table.faces.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), density,
                            least_density(level.planes[face.plane], texinfo), texinfo.material,
                            effects_of(texinfo, level.texture_of(face).name)});
     table.most_corners = std::max(table.most_corners, count);
@@ -65,37 +74,49 @@ void for_each_edge(const Level& level, const FaceTable& table, Visit visit) {
         const std::span<const VertexIndex> corners = table.corners_of(face);
         VertexIndex from = corners.back();
         for (const VertexIndex to : corners) {
-            visit(level.vertices[from], level.vertices[to]);
+            visit(from, to);
             from = to;
         }
     }
 }
 
-std::uint64_t hash_of(const Vec3<World>& from, const Vec3<World>& to) {
-    std::uint64_t hash = 0;
-    for (const World part : {from.x, from.y, from.z, to.x, to.y, to.z}) {
-        hash = (hash ^ static_cast<std::uint32_t>(part.raw)) * 0x9e3779b97f4a7c15;
-        hash ^= hash >> 29;
+std::uint64_t mixed(std::uint64_t hash) {
+    hash *= 0x9e3779b97f4a7c15;
+    return hash ^ hash >> 29;
+}
+
+/// A number of each vertex; equal ones where places are.
+Table<std::uint64_t, Vertex> hashes_of_places(const Level& level) {
+    Table<std::uint64_t, Vertex> hashes;
+    hashes.reserve(level.vertices.size());
+    for (const Vec3<World>& p : level.vertices) {
+        std::uint64_t hash = 0;
+        for (const World part : {p.x, p.y, p.z}) hash = mixed(hash ^ static_cast<std::uint32_t>(part.raw));
+        hashes.push_back(hash);
     }
-    return hash;
+    return hashes;
 }
 
 /// Whether each edge is used as often in one direction as in the other: then the hashes of both cancel. By chance they
 /// do so in one of 2^64 other levels.
 bool is_closed(const Level& level, const FaceTable& table) {
+    const Table<std::uint64_t, Vertex> hashes = hashes_of_places(level);
+    const auto hash_of = [&](VertexIndex from, VertexIndex to) { return mixed(mixed(3 * hashes[from] + hashes[to])); };
     std::uint64_t sum = 0;
-    for_each_edge(level, table, [&](const Vec3<World>& from, const Vec3<World>& to) {
-        sum += hash_of(from, to) - hash_of(to, from);
-    });
+    for_each_edge(level, table,
+                  [&](VertexIndex from, VertexIndex to) { sum += hash_of(from, to) - hash_of(to, from); });
     return sum == 0;
 }
 
 /// Counts the edges that are used more often in one direction than in the other.
 std::size_t count_torn_edges(const Level& level, const FaceTable& table) {
     if (is_closed(level, table)) return 0;
-    const auto place = [](const Vec3<World>& p) { return std::array{p.x, p.y, p.z}; };
+    const auto place = [&](VertexIndex vertex) {
+        const Vec3<World>& p = level.vertices[vertex];
+        return std::array{p.x, p.y, p.z};
+    };
     std::map<std::pair<std::array<World, 3>, std::array<World, 3>>, std::int32_t> balance;
-    for_each_edge(level, table, [&](const Vec3<World>& from, const Vec3<World>& to) {
+    for_each_edge(level, table, [&](VertexIndex from, VertexIndex to) {
         if (place(from) < place(to))
             ++balance[{place(from), place(to)}];
         else
@@ -110,7 +131,10 @@ std::size_t count_torn_edges(const Level& level, const FaceTable& table) {
 FaceTable make_face_table(const Level& level) {
     FaceTable table;
     const TJunctions junctions(level);
-    for (const Face& face : level.faces) add_face(level, face, junctions, table);
+    const Table<TexelDensity, TexInfo> densities = densities_of(level.texinfos);
+    table.faces.reserve(level.faces.size());
+    table.corners.reserve(level.surf_edges.size());
+    for (const Face& face : level.faces) add_face(level, face, junctions, densities[face.texinfo], table);
     table.torn_edges = count_torn_edges(level, table);
     return table;
 }

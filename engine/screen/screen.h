@@ -62,6 +62,16 @@ constexpr std::size_t pixel_count(std::int32_t width_px, std::int32_t height_px)
     return static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
 }
 
+/// The rectangle around spans, one at least, sorted by row.
+inline ScreenRectangle rectangle_around(std::span<const Span> spans) {
+    ScreenRectangle around{spans.front().first, spans.front().end, spans.front().y, spans.back().y + 1};
+    for (const Span& span : spans) {
+        around.first_column = std::min(around.first_column, span.first);
+        around.end_column = std::max(around.end_column, span.end);
+    }
+    return around;
+}
+
 /// Paints spans in one colour.
 inline void fill_spans(std::span<const Span> spans, std::uint8_t colour, Framebuffer out) {
     for (const Span& span : spans) std::fill(out.row(span.y) + span.first, out.row(span.y) + span.end, colour);

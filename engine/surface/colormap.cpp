@@ -1,7 +1,6 @@
 #include "engine/surface/colormap.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "engine/base/table.h"
@@ -16,7 +15,6 @@ constexpr std::int32_t kHueWeight = 8;
 
 struct Candidate {
     Oklab seen;
-    std::int32_t luminance;
     Rgb8 colour;
     std::uint8_t index;
 };
@@ -32,10 +30,11 @@ std::vector<Candidate> sort_by_luminance(const Palette& palette, std::size_t cou
     std::vector<Candidate> sorted;
     for (std::size_t i = 0; i < count; ++i) {
         const Rgb8 colour = palette.colours[i];
-        sorted.push_back({oklab_of(lit(colour, {1, 1})), luminance_1000(colour), colour, static_cast<std::uint8_t>(i)});
+        sorted.push_back({oklab_of(lit(colour, {1, 1})), colour, static_cast<std::uint8_t>(i)});
     }
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.luminance < b.luminance; });
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Candidate& a, const Candidate& b) {
+        return luminance_1000(a.colour) < luminance_1000(b.colour);
+    });
     return sorted;
 }
 
@@ -45,30 +44,70 @@ std::int32_t difference(const Oklab& a, const Oklab& b) {
     return lightness * lightness + kHueWeight * (green_red * green_red + blue_yellow * blue_yellow);
 }
 
-/// The position in `sorted`, from `first` to `last`, of the colour nearest to `target`.
-std::size_t find_nearest(const std::vector<Candidate>& sorted, std::size_t first, std::size_t last,
-                         const Oklab& target) {
-    std::size_t nearest = first;
-    std::int32_t least = std::numeric_limits<std::int32_t>::max();
-    for (std::size_t i = first; i <= last; ++i) {
-        const std::int32_t found = difference(sorted[i].seen, target);
-        if (found < least) least = found, nearest = i;
+/// Finds which of some colours is nearest to any.
+class NearestColour {
+  public:
+    explicit NearestColour(const std::vector<Candidate>& sorted) : sorted_(sorted) {
+        for (const Candidate& candidate : sorted) by_lightness_.push_back({candidate.seen, by_lightness_.size()});
+        std::stable_sort(by_lightness_.begin(), by_lightness_.end(),
+                         [](const Entry& a, const Entry& b) { return a.seen.lightness_14 < b.seen.lightness_14; });
     }
-    return nearest;
-}
+
+    /// The position of the nearest one from `first` to `last`; of equals, the first. Outward from the target's own
+    /// lightness, until that alone differs more than the nearest colour does: the sooner, the nearer `guess` is.
+    std::size_t find(std::size_t first, std::size_t last, const Oklab& target, std::size_t guess) const {
+        Best best{first, last, target, guess, difference(sorted_[guess].seen, target)};
+        const auto middle = std::partition_point(by_lightness_.begin(), by_lightness_.end(), [&](const Entry& e) {
+            return e.seen.lightness_14 < target.lightness_14;
+        });
+        for (auto entry = middle; entry != by_lightness_.end() && best.may_be_beaten_by(*entry); ++entry)
+            best.try_entry(*entry);
+        for (auto entry = middle; entry != by_lightness_.begin() && best.may_be_beaten_by(*(entry - 1)); --entry)
+            best.try_entry(*(entry - 1));
+        return best.position;
+    }
+
+  private:
+    struct Entry {
+        Oklab seen;
+        std::size_t position;
+    };
+    struct Best {
+        std::size_t first, last;
+        const Oklab& target;
+        std::size_t position;
+        std::int32_t least;
+
+        bool may_be_beaten_by(const Entry& entry) const {
+            const std::int32_t lightness = entry.seen.lightness_14 - target.lightness_14;
+            return lightness * lightness <= least;
+        }
+        void try_entry(const Entry& entry) {
+            if (entry.position < first || entry.position > last) return;
+            const std::int32_t found = difference(entry.seen, target);
+            if (found > least || (found == least && entry.position > position)) return;
+            least = found;
+            position = entry.position;
+        }
+    };
+
+    const std::vector<Candidate>& sorted_;
+    std::vector<Entry> by_lightness_;
+};
 
 /// From the colour itself outwards each shade may only take colours as dark as the shade before, or as bright, so that
 /// luminance never rises with the shade.
-void shade_colour(const std::vector<Candidate>& sorted, std::size_t position, Colormap& map) {
+void shade_colour(const std::vector<Candidate>& sorted, const NearestColour& nearest, std::size_t position,
+                  Colormap& map) {
     const Candidate& own = sorted[position];
     at(map.shades, Colormap::kOwnShade)[own.index] = own.index;
     std::size_t last = position, first = position;
     for (int shade = Colormap::kOwnShade + 1; shade < Colormap::kShades; ++shade) {
-        last = find_nearest(sorted, 0, last, oklab_of(lit(own.colour, light_of_shade(shade))));
+        last = nearest.find(0, last, oklab_of(lit(own.colour, light_of_shade(shade))), last);
         at(map.shades, shade)[own.index] = sorted[last].index;
     }
     for (int shade = Colormap::kOwnShade - 1; shade >= 0; --shade) {
-        first = find_nearest(sorted, first, sorted.size() - 1, oklab_of(lit(own.colour, light_of_shade(shade))));
+        first = nearest.find(first, sorted.size() - 1, oklab_of(lit(own.colour, light_of_shade(shade))), first);
         at(map.shades, shade)[own.index] = sorted[first].index;
     }
 }
@@ -80,7 +119,8 @@ Colormap make_colormap(const Palette& palette, int fullbright_count) {
     const std::vector<Candidate> sorted = sort_by_luminance(palette, ordinary);
     Colormap map;
     map.palette = palette;
-    for (std::size_t position = 0; position < ordinary; ++position) shade_colour(sorted, position, map);
+    const NearestColour nearest(sorted);
+    for (std::size_t position = 0; position < ordinary; ++position) shade_colour(sorted, nearest, position, map);
     for (auto& shade : map.shades)
         for (std::size_t i = ordinary; i < 256; ++i) shade[i] = static_cast<std::uint8_t>(i);
     return map;

@@ -34,29 +34,6 @@ bool is_beyond(const WalkLimit& limit, const LevelBox& box) {
 
 }  // namespace
 
-std::uint8_t planes_crossed(const Frustum& frustum, const LevelBox& box, const Vec3<World>& eye, std::uint8_t planes) {
-    if (planes == 0) return 0;
-    const std::array at{convert<WorldWide>(eye.x), convert<WorldWide>(eye.y), convert<WorldWide>(eye.z)};
-    for (unsigned side = 0; side < 4; ++side) {
-        if (!(planes >> side & 1)) continue;
-        const CullPlane& plane = frustum.cull_planes[side];
-        CullDistance farthest, nearest;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const CullDistance low =
-                bounded_product(plane.normal[axis], WorldWide::from_int(box.mins[axis]) - at[axis]);
-            const CullDistance high =
-                bounded_product(plane.normal[axis], WorldWide::from_int(box.maxs[axis]) - at[axis]);
-            farthest += low > high ? low : high;
-            nearest += low > high ? high : low;
-        }
-        note_range<"box's cull distance">(farthest);
-        note_range<"box's cull distance">(nearest);
-        if (farthest < plane.outside) return kOutside;
-        if (nearest >= plane.inside) planes = static_cast<std::uint8_t>(planes & ~(1u << side));
-    }
-    return planes;
-}
-
 FrontToBackWalk::FrontToBackWalk(const Level& level, const ViewContext& view, const VisibleSet& visible,
                                  BrushModels* models, const SpanBuffer& span_buffer, WalkScratch& scratch,
                                  std::span<const WalkLimit> limits)
@@ -66,7 +43,8 @@ FrontToBackWalk::FrontToBackWalk(const Level& level, const ViewContext& view, co
       models_(models),
       span_buffer_(span_buffer),
       scratch_(scratch),
-      limits_(limits) {
+      limits_(limits),
+      culler_(view.frustum, view.eye) {
     ++scratch_.mark;
     start();
 }
@@ -82,10 +60,13 @@ std::optional<VisibleFace> FrontToBackWalk::next() {
             fragments_ = fragments_.subspan(1);
             return VisibleFace{fragment->face, fragment};
         }
-        while (faces_.count > 0) {
-            const FaceIndex face = faces_.take_first();
-            if (is_wanted(face)) return VisibleFace{face, nullptr};
+        for (IndexRange<Face> rest = faces_; rest.count > 0;) {
+            const FaceIndex face = rest.take_first();
+            if (!is_wanted(face)) continue;
+            faces_ = rest;
+            return VisibleFace{face, nullptr};
         }
+        faces_.count = 0;
         if (span_buffer_.is_full()) return std::nullopt;
         if (!scratch_.steps.empty()) {
             take_step();
@@ -105,46 +86,58 @@ bool FrontToBackWalk::is_wanted(FaceIndex face) const {
 void FrontToBackWalk::take_step() {
     const WalkStep step = scratch_.steps.back();
     scratch_.steps.pop_back();
-    if (step.at.is_leaf()) return enter_leaf(step.at.leaf(), step.planes_to_test);
-    if (!step.draws_faces) return enter_node(step.at.node(), step.planes_to_test);
+    if (!step.draws_faces) return descend(step.at, step.planes_to_test);
     faces_ = level_.nodes[step.at.node()].faces;
     draws_front_ = step.draws_front;
 }
 
-void FrontToBackWalk::enter_leaf(LeafIndex index, std::uint8_t planes) {
-    if (takes_all_faces_ || !visible_.has_leaf(index)) return;
-    const Leaf& leaf = level_.leaves[index];
-    if (planes_crossed(view_.frustum, leaf.box, view_.eye, planes) == kOutside) return;
-    for (const FaceIndex face : level_.faces_at(leaf)) scratch_.face_marks[face] = scratch_.mark;
-    if (models_ && models_->has_any_in(index)) fragments_ = models_->front_to_back_in(index, level_, view_.viewpoint);
+bool FrontToBackWalk::may_show(NodeChild at) const {
+    if (takes_all_faces_) return !at.is_leaf();
+    return at.is_leaf() ? visible_.has_leaf(at.leaf()) : visible_.has_node(at.node());
 }
 
-void FrontToBackWalk::enter_node(NodeIndex index, std::uint8_t planes_to_test) {
-    if (!takes_all_faces_ && !visible_.has_node(index)) return;
-    ++nodes_entered_;
-    const Node& node = level_.nodes[index];
-    const std::uint8_t planes = planes_crossed(view_.frustum, node.box, view_.eye, planes_to_test);
-    if (planes == kOutside || (!limits_.empty() && is_beyond_limits(node.box)) || is_hidden(node.box)) return;
+void FrontToBackWalk::descend(NodeChild at, std::uint8_t planes) {
+    while (may_show(at)) {
+        if (at.is_leaf()) return enter_leaf(at.leaf(), planes);
+        ++nodes_entered_;
+        const Node& node = level_.nodes[at.node()];
+        planes = culler_.planes_crossed(node.box, planes);
+        if (planes == kOutside || (!limits_.empty() && is_beyond_limits(node.box)) || is_hidden(node)) return;
+        const PlaneDistance distance = plane_distance(level_.planes[node.plane], view_.viewpoint);
+        const bool in_front = distance > PlaneDistance{};
+        push_far_side(at.node(), node, distance, planes);
+        at = node.children[!in_front];
+    }
+}
 
-    const PlaneDistance distance = plane_distance(level_.planes[node.plane], view_.viewpoint);
+void FrontToBackWalk::push_far_side(NodeIndex index, const Node& node, PlaneDistance distance, std::uint8_t planes) {
     const bool in_front = distance > PlaneDistance{}, has_faces = node.faces.count > 0;
     const bool is_thin = absolute(distance) < kBothSidesDistance;
-    // Last in, first out: near side, faces toward the eye, far side; and those that face away but rounding may show,
-    // whose leaves are on the far side.
+    const NodeChild far_side = node.children[in_front];
+    // Last in, first out: faces toward the eye, far side; and those that face away but rounding may show, whose leaves
+    // are on the far side.
     if (has_faces && is_thin && !takes_all_faces_)
         scratch_.steps.push_back({NodeChild(index), true, !in_front, planes});
-    scratch_.steps.push_back({node.children[in_front], false, false, planes});
+    if (may_show(far_side)) scratch_.steps.push_back({far_side, false, false, planes});
     if (has_faces && takes_all_faces_) scratch_.steps.push_back({NodeChild(index), true, !in_front, planes});
     if (has_faces) scratch_.steps.push_back({NodeChild(index), true, in_front, planes});
-    scratch_.steps.push_back({node.children[!in_front], false, false, planes});
+}
+
+void FrontToBackWalk::enter_leaf(LeafIndex index, std::uint8_t planes) {
+    const Leaf& leaf = level_.leaves[index];
+    if (culler_.planes_crossed(leaf.box, planes) == kOutside) return;
+    for (const FaceIndex face : level_.faces_at(leaf)) scratch_.face_marks[face] = scratch_.mark;
+    if (models_ && models_->has_any_in(index)) fragments_ = models_->front_to_back_in(index, level_, view_.viewpoint);
 }
 
 bool FrontToBackWalk::is_beyond_limits(const LevelBox& box) const {
     return std::any_of(limits_.begin(), limits_.end(), [&](const WalkLimit& limit) { return is_beyond(limit, box); });
 }
 
-bool FrontToBackWalk::is_hidden(const LevelBox& box) const {
-    const std::optional<ScreenRectangle> rectangle = rectangle_of(box, view_);
+bool FrontToBackWalk::is_hidden(const Node& node) const {
+    const auto is_leaf = [](NodeChild child) { return child.is_leaf(); };
+    if (!takes_all_faces_ && std::any_of(node.children.begin(), node.children.end(), is_leaf)) return false;
+    const std::optional<ScreenRectangle> rectangle = rectangle_of(node.box, view_);
     return rectangle && !span_buffer_.may_be_free(*rectangle);
 }
 

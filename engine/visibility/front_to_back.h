@@ -7,6 +7,7 @@
 
 #include "engine/geometry/view_context.h"
 #include "engine/level/level.h"
+#include "engine/visibility/box_culler.h"
 #include "engine/visibility/brush_models.h"
 #include "engine/visibility/span_buffer.h"
 #include "engine/visibility/visible_set.h"
@@ -27,10 +28,6 @@ struct WalkScratch {
     Table<std::uint32_t, Face> face_marks;  ///< the frame in which a visited leaf last named it
     std::uint32_t mark = 0;
 };
-
-/// Which of `planes` (a bit each: left, right, bottom, top) a box still crosses; kOutside if it lies outside of one.
-std::uint8_t planes_crossed(const Frustum& frustum, const LevelBox& box, const Vec3<World>& eye, std::uint8_t planes);
-inline constexpr std::uint8_t kAllSides = 15, kOutside = 0xff;
 
 /// A face that a walk has come to.
 struct VisibleFace {
@@ -80,9 +77,15 @@ class FrontToBackWalk {
     void start();
     void take_step();
     void enter_leaf(LeafIndex leaf, std::uint8_t planes);
-    void enter_node(NodeIndex node, std::uint8_t planes_to_test);
+    /// Goes down the near sides to a leaf, as far as something may be in view, and leaves what is behind each plane for
+    /// later steps.
+    void descend(NodeChild at, std::uint8_t planes_to_test);
+    void push_far_side(NodeIndex index, const Node& node, PlaneDistance distance, std::uint8_t planes);
+    bool may_show(NodeChild at) const;
     bool is_beyond_limits(const LevelBox& box) const;
-    bool is_hidden(const LevelBox& box) const;
+    /// Whether no pixel is free where a node's faces are. Is asked in the first walk of nodes between other nodes only:
+    /// near the leaves there are few faces, and the test costs more than they do.
+    bool is_hidden(const Node& node) const;
     bool is_wanted(FaceIndex face) const;
 
     const Level& level_;
@@ -92,6 +95,7 @@ class FrontToBackWalk {
     const SpanBuffer& span_buffer_;
     WalkScratch& scratch_;
     std::span<const WalkLimit> limits_;
+    BoxCuller culler_;
     bool takes_all_faces_ = false;                  ///< the second walk
     std::span<const Fragment* const> fragments_{};  ///< of the current leaf, still to be returned
     IndexRange<Face> faces_;                        ///< of the current node, still to be returned

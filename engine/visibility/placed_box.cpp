@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/level/side.h"
-#include "engine/visibility/front_to_back.h"
+#include "engine/visibility/box_culler.h"
 
 namespace oblong {
 
@@ -53,11 +53,11 @@ bool may_be_seen(const PlacedBox& placed, const VisibleSet& visible, const ViewC
     const bool is_in_set =
         placed.has_many_leaves || std::any_of(placed.leaves.begin(), placed.leaves.end(),
                                               [&visible](LeafIndex leaf) { return visible.has_leaf(leaf); });
-    return is_in_set && planes_crossed(view.frustum, placed.box, view.eye, kAllSides) != kOutside;
+    return is_in_set && BoxCuller(view.frustum, view.eye).planes_crossed(placed.box, kAllSides) != kOutside;
 }
 
 bool may_be_seen(const Level& level, const LevelBox& box, const VisibleSet& visible, const ViewContext& view) {
-    if (planes_crossed(view.frustum, box, view.eye, kAllSides) == kOutside) return false;
+    if (BoxCuller(view.frustum, view.eye).planes_crossed(box, kAllSides) == kOutside) return false;
     std::vector<NodeChild> pending{level.world().root};
     while (!pending.empty()) {
         const NodeChild at = pending.back();

@@ -107,7 +107,7 @@ std::vector<TexelBlock> blocks_of(const TextureGradients& gradients, const Span&
     const BlockRule rule = make_block_rule(accuracy);
     const auto thresholds = make_block_thresholds(rule, gradients.inverse_z.per_column);
     BlockList blocks(span.end - span.first);
-    block_cutter(accuracy)(span, 320, gradients, rule, thresholds, limits, blocks);
+    block_cutter(accuracy)({&span, 1}, 320, {gradients, limits, thresholds, rule.texel_bound_256}, blocks);
     return {blocks.waiting().begin(), blocks.waiting().end()};
 }
 

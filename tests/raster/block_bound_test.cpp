@@ -52,7 +52,8 @@ RowError error_of(const TextureGradients& row, const Accuracy& accuracy, const T
     const BlockRule rule = make_block_rule(accuracy);
     const BlockThresholds thresholds = make_block_thresholds(rule, row.inverse_z.per_column);
     BlockList blocks(kWidth);
-    block_cutter(accuracy)({0, 0, kWidth}, kWidth, row, rule, thresholds, limits, blocks);
+    constexpr Span kRow{0, 0, kWidth};
+    block_cutter(accuracy)({&kRow, 1}, kWidth, {row, limits, thresholds, rule.texel_bound_256}, blocks);
     RowError error;
     for (const TexelBlock& block : blocks.waiting()) {
         ++error.blocks;
@@ -114,10 +115,10 @@ TEST(BlockBound, FacedSquarelyIsOneDivision) {
     Accuracy accuracy;
     const BlockRule rule = make_block_rule(accuracy);
     BlockList blocks(kWidth);
-    const std::int32_t divisions =
-        block_cutter(accuracy)({0, 0, kWidth}, kWidth, floor_row, rule, make_block_thresholds(rule, {}),
-                               make_texel_limits(65535, 65535, 0), blocks);
-    EXPECT_EQ(divisions, 1);
+    constexpr Span kRow{0, 0, kWidth};
+    const BlockCutting cutting{floor_row, kNoLimits, make_block_thresholds(rule, {})};
+    block_cutter(accuracy)({&kRow, 1}, kWidth, cutting, blocks);
+    EXPECT_EQ(divisions_of({&kRow, 1}, cutting.gradients, blocks), 1);
     EXPECT_EQ(blocks.waiting().size(), 1u);
 }
 

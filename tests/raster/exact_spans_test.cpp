@@ -29,7 +29,7 @@ std::vector<std::uint8_t> by_blocks(const Span& span, const TextureGradients& gr
     Accuracy accuracy;
     accuracy.texturing = Texturing::Exact;
     BlockList blocks(kWidth);
-    block_cutter(accuracy)(span, kWidth, gradients, make_block_rule(accuracy), {}, limits, blocks);
+    block_cutter(accuracy)({&span, 1}, kWidth, {gradients, limits, {}}, blocks);
     std::vector<std::uint8_t> pixels(kWidth * kHeight);
     draw_blocks_plain(blocks.waiting(), surface, pixels.data());
     return pixels;

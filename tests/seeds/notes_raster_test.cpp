@@ -52,7 +52,7 @@ double middle_of_edge(Texturing texturing) {
     const auto thresholds = make_block_thresholds(rule, gradients.inverse_z.per_column);
     constexpr Span kEdge{96, 64, 193};
     BlockList blocks(kEdge.end - kEdge.first);
-    block_cutter(accuracy)(kEdge, 256, gradients, rule, thresholds, make_texel_limits(64, 64, 512), blocks);
+    block_cutter(accuracy)({&kEdge, 1}, 256, {gradients, make_texel_limits(64, 64, 512), thresholds}, blocks);
     std::int32_t column = kEdge.first;
     for (const TexelBlock& block : blocks.waiting()) {
         if (128 < column + block.count)

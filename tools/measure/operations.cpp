@@ -60,7 +60,7 @@ constexpr EventCost kRotation{1800, 900, 0, 0, 4800, 2400};
 constexpr EventCost kOutcode{1500, 400, 0, 0, 0, 100};
 /// geometry/screen_polygon.cpp: a face's corner looked up, its outcode joined to the others', its depth compared.
 constexpr EventCost kCorner{2285};
-/// geometry/projection.h, project_axis(), twice; geometry/project.cpp: rounding, snapping, keeping on the screen.
+/// geometry/projection.h, project_axis(), twice; geometry/project.h: rounding, snapping, keeping on the screen.
 constexpr EventCost kProjection{3520, 200, 200, 0, 2400, 800};
 /// geometry/clip.cpp: distances of both ends of an edge to a plane, the place between them.
 constexpr EventCost kClippedCorner{6370, 470, 145, 0, 6400, 3200};

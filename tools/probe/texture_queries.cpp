@@ -73,8 +73,8 @@ void append_part(const TexspanQuery& query, const Projection& projection, const 
     const BlockRule rule = make_block_rule(accuracy);
     const BlockThresholds thresholds = make_block_thresholds(rule, gradients.inverse_z.per_column);
     BlockList blocks(part.end - part.first);
-    block_cutter(accuracy)(part, query.view.mode.width_px, gradients, rule, thresholds,
-                           make_texel_limits(65535, 65535, 0), blocks);
+    block_cutter(accuracy)({&part, 1}, query.view.mode.width_px,
+                           {gradients, make_texel_limits(65535, 65535, 0), thresholds, rule.texel_bound_256}, blocks);
     for (const TexelBlock& block : blocks.waiting()) append_texels(block, query, text);
 }
 

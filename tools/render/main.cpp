@@ -4,6 +4,7 @@
 #include "engine/effects/palette_effects.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
+#include "engine/raster/kernels/kernels.h"
 #include "engine/scene/level_effects.h"
 #include "engine/scene/placed_models.h"
 #include "tools/common/arguments.h"
@@ -23,7 +24,7 @@ struct Options {
     std::string level, cameras, palette, models, out, json;
     std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", preset = "bounded",
                 effects = "auto", hidden_surfaces = "span-buffer", log, texel_error, view = "first-person",
-                seconds = "0", step_seconds = "0";
+                seconds = "0", step_seconds = "0", kernel;
     std::vector<std::string> dials;
     std::int64_t repeat = 1, threads = 1;
     bool prints_plan = false;
@@ -39,6 +40,20 @@ std::string hidden_surface_names() {
     std::string names;
     for (const std::string_view name : kHiddenSurfaceNames) names += (names.empty() ? "" : ", ") + std::string(name);
     return names;
+}
+
+/// Those that this processor runs.
+std::string kernel_names() {
+    std::string names;
+    for (const NamedKernel& kernel : block_kernels()) names += (names.empty() ? "" : ", ") + std::string(kernel.name);
+    return names;
+}
+
+BlockKernel parse_kernel(const std::string& text) {
+    if (text.empty()) return best_block_kernel();
+    for (const NamedKernel& kernel : block_kernels())
+        if (text == kernel.name) return kernel.draw;
+    throw UsageError("--kernel: '" + text + "', expected one of " + kernel_names());
 }
 
 HiddenSurfaces parse_hidden_surfaces(const std::string& text) {
@@ -70,6 +85,7 @@ void declare(Command& line, Options& options) {
     line.add_flag("--plan", options.prints_plan,
                   "print the passes and effects of each frame, with their pixels and times");
     line.add("--log", options.log, "write lines of these kinds on standard error: " + names_of(LogChannels::all()));
+    line.add("--kernel", options.kernel, "that draws blocks: " + kernel_names() + " (default: the first)");
     line.add("--threads", options.threads, "accepted; frames are drawn by one thread").limit(1, 256);
     line.add("--time", options.seconds, "the scene's time, seconds");
     line.add("--time-step", options.step_seconds, "seconds from each timed rendering of a frame to the next, up to 60");
@@ -175,13 +191,11 @@ void render(const Options& options) {
     check_view(mode, field_of_view);
     const Preset preset = parse_preset(options.preset);
     const Settings settings = make_settings(options, preset);
+    const BlockKernel kernel = parse_kernel(options.kernel);
     const LogChannels channels = options.log.empty() ? LogChannels{} : parse_log_channels(options.log);
     const std::int64_t time_ms = parse_time_ms("--time", options.seconds),
                        step_ms = parse_time_step_ms(options.step_seconds);
 
-    const auto start = std::chrono::steady_clock::now();
-    const Level level = read_parsed(options.level, read_bsp);
-    const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
     const std::string palette_path = options.palette.empty() ? OBLONG_DEMO_PALETTE : options.palette;
     const Palette palette = read_parsed(palette_path, read_palette);
     const Colormap colormap = make_colormap(palette);
@@ -189,13 +203,18 @@ void render(const Options& options) {
         read_parsed(options.cameras, [&](const auto& bytes) { return parse_cameras(bytes, field_of_view); });
     const std::vector<ViewSpec> views = views_of(cameras, options.view, mode, settings.accuracy.sine);
     check_hidden_surfaces(settings, views);
+
+    const auto start = std::chrono::steady_clock::now();
+    const Level level = read_parsed(options.level, read_bsp);
     const std::vector<PlacedModel> models = models_at_rest(level);
     const LevelModels level_models = read_level_models(level, palette, {options.level, options.models});
+    FrameWorkspace work(level, mode);
+    work.surfaces.kernel = kernel;
+    const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
 
     if (!options.out.empty()) make_folder(options.out);
     const RenderJob job{{level, colormap, models, time_ms}, mode,    settings,     views,
                         static_cast<int>(options.repeat),   step_ms, &level_models};
-    FrameWorkspace work(level, mode);
     print_warnings("oblong-render", options.level, work.effects.warnings);
     print_warnings("oblong-render", options.level, work.things.warnings);
     print_warnings("oblong-render", options.level, level_models.warnings);

@@ -15,7 +15,7 @@ struct ReportHead {
     ScreenMode mode;
     Degrees field_of_view;
     Settings settings;
-    double load_milliseconds = 0;
+    double load_milliseconds = 0;  ///< of the level, up to its first frame
 };
 
 TimeSummary summarize_times(const std::vector<FrameReport>& frames);

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "engine/base/range_probe.h"
+#include "engine/fixed/fixed.h"
+#include "engine/fixed/reciprocal.h"
+#include "engine/raster/texture_blocks.h"
+
+namespace oblong {
+
+/// 1/z, u/z, v/z at one pixel.
+struct Perspective {
+    InverseZ inverse_z;
+    TexelOverZ u_over_z, v_over_z;
+
+    Perspective() = default;
+    Perspective(const TextureGradients& gradients, std::int32_t column, std::int32_t row)
+        : inverse_z(gradients.inverse_z.at(column, row)),
+          u_over_z(gradients.u_over_z.at(column, row)),
+          v_over_z(gradients.v_over_z.at(column, row)) {
+        note_range<"1/z at a block's end">(inverse_z);
+        note_range<"u/z, v/z at a block's end">(u_over_z);
+        note_range<"u/z, v/z at a block's end">(v_over_z);
+    }
+};
+
+/// std::clamp by value: the compiler then keeps all of it in registers.
+template <class Number>
+constexpr Number clamp_value(Number value, Number least, Number greatest) {
+    value = value < least ? least : value;
+    return value > greatest ? greatest : value;
+}
+
+/// 2^92 / normalised, for a number from 2^59 to 2^60. Exact: one 64-bit division, relative error below 2^-26.
+template <ReciprocalMethod Method>
+[[gnu::always_inline]] inline std::int64_t reciprocal_of(std::uint64_t normalised) {
+    if constexpr (Method == ReciprocalMethod::Exact)
+        return static_cast<std::int64_t>((std::uint64_t{1} << 60) / (normalised >> 32));
+    else
+        return std::int64_t{mantissa_reciprocal(static_cast<std::uint32_t>(normalised >> 28), Method)} * 4;
+}
+
+/// Whether 1/z, u/z and v/z may be so large or small that they have to be clamped before they are multiplied.
+enum class PerspectiveRange { MayOverflow, Fits };
+
+/// z as a reciprocal of 33 bits and a scale. Where the range is known to fit (fits_range), both kinds give the same.
+template <ReciprocalMethod Method, PerspectiveRange Range>
+struct Depth {
+    static constexpr bool kClamps = Range == PerspectiveRange::MayOverflow;
+
+    std::int64_t mantissa = 0;   ///< 2^60 / (the leading 28 bits of 1/z), in (2^32, 2^33]
+    TexelOverZ greatest_over_z;  ///< u/z beyond which u would be more than 65,535 texels
+    int shift = 0;               ///< what brings 1/z to 60 bits
+
+    Depth() = default;
+    [[gnu::always_inline]] explicit Depth(InverseZ inverse_z) {
+        const std::int64_t positive =
+            kClamps ? clamp_value(inverse_z, kLeastInverseZ, kGreatestInverseZ).raw : inverse_z.raw;
+        shift = std::countl_zero(static_cast<std::uint64_t>(positive)) - 4;
+        mantissa = reciprocal_of<Method>(static_cast<std::uint64_t>(positive) << shift);
+        if constexpr (kClamps) greatest_over_z = TexelOverZ::from_raw(positive * 4 - 4);
+    }
+
+    /// (u/z) * z; clamped to 0 to 65,535 texels where it may overflow.
+    [[gnu::always_inline]] Texel times(TexelOverZ over_z) const {
+        using Scaled = Fixed<std::int64_t, 60>;
+        if constexpr (kClamps) over_z = clamp_value(over_z, {}, greatest_over_z);
+        const std::int64_t shifted = over_z.raw * (std::int64_t{1} << shift);
+        const std::int64_t product = floor_shift(shifted, 32) * mantissa;
+        note_range<"u/z, normalised">(Scaled::from_raw(shifted));
+        note_range<"u/z x reciprocal">(Scaled::from_raw(product));
+        return Texel::from_raw(floor_shift(product, 30));
+    }
+};
+
+template <ReciprocalMethod Method, PerspectiveRange Range>
+[[gnu::always_inline]] inline TexelPosition texel_of(const Perspective& at, const Depth<Method, Range>& depth,
+                                                     const TexelLimits& limits) {
+    const auto within = [&limits](Texel texel, Texel greatest) {
+        return static_cast<std::uint32_t>(clamp_value(texel, limits.least, greatest).raw);
+    };
+    return {within(depth.times(at.u_over_z), limits.greatest_u), within(depth.times(at.v_over_z), limits.greatest_v)};
+}
+
+}  // namespace oblong

@@ -1,0 +1,112 @@
+"""The measuring scripts on the demo level: their tables account for all that was counted, and they say what is missing.
+
+usage: scripts_test.py ROOT BUILD OBLONG_RENDER stage-costs|compare-peer
+Exit code 77: skipped.
+"""
+import importlib.machinery
+import importlib.util
+import json
+import os
+import shutil
+import stat
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+ROOT, BUILD, RENDER = sys.argv[1:4]
+
+
+def check(condition, message):
+    if not condition:
+        sys.exit("scripts_test: " + message)
+
+
+def script(name):
+    return os.path.join(ROOT, "tools", name)
+
+
+def load(name):
+    """A script as a module, for its functions alone."""
+    loader = importlib.machinery.SourceFileLoader(name.replace("-", "_"), script(name))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    loader.exec_module(module)
+    return module
+
+
+def demo(folder, cameras=3):
+    """BUILD, and the demo level with a few cameras."""
+    with open(os.path.join(ROOT, "assets/demo_cameras.csv")) as file:
+        lines = file.read().splitlines()[:cameras + 1]
+    path = os.path.join(folder, "cameras.csv")
+    with open(path, "w") as file:
+        file.write("\n".join(lines) + "\n")
+    return [BUILD, os.path.join(BUILD, "assets/demo.bsp"), path]
+
+
+def run(name, *arguments, **environment):
+    return subprocess.run([script(name), *arguments], capture_output=True, text=True,
+                          env={**{k: v for k, v in os.environ.items() if k != "OBLONG_PEER"}, **environment})
+
+
+def check_stage_costs(folder):
+    if not shutil.which("valgrind"):
+        print("no valgrind")
+        sys.exit(77)
+    path = os.path.join(folder, "costs.json")
+    ran = run("stage-costs", "--render", RENDER, "--json", path, *demo(folder))
+    check(ran.returncode == 0, "stage-costs: " + ran.stderr)
+    with open(path) as file:
+        costs = json.load(file)["levels"]["demo"]
+    check(abs(sum(costs["stages"].values()) - costs["all"]) < 1e-6 * costs["all"], "the stages do not add up")
+    for stage in ("walk and boxes", "transform, clip, project", "edge scan", "coverage", "block set-up", "block fill"):
+        check(costs["stages"][stage] > 0.1, "%s costs %g instructions a pixel" % (stage, costs["stages"][stage]))
+    check(costs["stages"]["other"] < 0.2 * costs["all"], "a fifth of the instructions is of no stage")
+
+    module, place = load("stage-costs"), type("Place", (), {"name": "here"})
+    costs = module.Costs(place, {"f": 900, "g": 95, "h": 5}, {"f": {"raster/scan.cpp"}, "g": {"effects/sky.cpp"}}, 10)
+    check(costs.stages["edge scan"] == 90 and costs.stages["sky"] == 9.5 and costs.stages["other"] == 0.5, "stages of files")
+    try:
+        module.Costs(place, {"f": 98, "stray": 2}, {"f": {"raster/scan.cpp"}}, 1)
+        check(False, "2 % of the instructions in no stage, and nothing is said")
+    except SystemExit as end:
+        check("stray" in str(end.code), "what is said of a function without a stage: %s" % end.code)
+
+
+def make_peer(folder, microseconds):
+    """A program that takes so long for every frame."""
+    path = os.path.join(folder, "peer")
+    with open(path, "w") as file:
+        file.write('#!/bin/sh\nwhile [ "$1" != -json ]; do cameras=${cameras:-$2}; shift; done\n'
+                   'tail -n +2 "$cameras" | sed "s/.*/%d/" > "$2"\n' % microseconds)
+    os.chmod(path, os.stat(path).st_mode | stat.S_IXUSR)
+    return path
+
+
+def check_compare_peer(folder):
+    for environment, expected in (({}, "OBLONG_PEER is not set"), ({"OBLONG_PEER": "/no/such"}, "no program there")):
+        ran = run("compare-peer", **environment)
+        check(ran.returncode == 1 and expected in ran.stderr, "without a peer: %d %s" % (ran.returncode, ran.stderr))
+    path = os.path.join(folder, "compared.json")
+    ran = run("compare-peer", "--render", RENDER, "--rounds", "2", "--mode", "64x40", "--setting", "bounded", "--setting", "1996",
+              "--json", path, *demo(folder), OBLONG_PEER=make_peer(folder, 1000000))
+    check(ran.returncode == 0, "compare-peer: " + ran.stderr)
+    with open(path) as file:
+        mode = json.load(file)["modes"]["64x40"]
+    for setting in ("bounded", "1996"):
+        row = mode["levels"]["all"][setting]
+        check(row["frames"] == 3 and row["slower"] == 0, "frames: %s" % row)
+        check(abs(row["ratio_median"] * row["median_us"] - 1000000) < 1, "a ratio is not peer / Oblong: %s" % row)
+        parts = list(row["ratio_quantiles"].values())
+        check(parts == sorted(parts) and parts[0] > 1, "quantiles of the ratio: %s" % parts)
+    slower = load("compare-peer").compare([10, 20, 30], [20, 20, 10])
+    check(slower["slower"] == 1 and slower["ratio_mean"] == 60 / 50, "a slower frame: %s" % slower)
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        {"stage-costs": check_stage_costs, "compare-peer": check_compare_peer}[sys.argv[4]](folder)
+
+
+if __name__ == "__main__":
+    main()
