@@ -176,6 +176,7 @@ class LinePieces {
     }
     /// On lines, but where they are so near the border of a texel that a pixel's own may be the next.
     void draw() {
+        if (count_ == 0) return;
         kernel_(std::span(blocks_).first(count_), surface_, out_);
         for (std::size_t i = 0; i < count_; ++i)
             for (std::uint64_t near = pixels_near_borders(blocks_[i], errors_16_[i]); near != 0; near &= near - 1) {
@@ -199,17 +200,19 @@ constexpr std::int32_t kShortestPiece = 4, kLongestPiece = 32;
 
 /// How a face's pieces have been so far.
 struct PieceLengths {
-    std::int32_t next = 16;      ///< pixels: twice as long after a piece whose error was small
-    std::int32_t divided = 0;    ///< pixels that are divided one by one before the next piece is tried ...
-    std::int32_t patience = 32;  ///< ... where not even the shortest one is almost a line: twice as many each time
+    std::int32_t next = kShortestPiece;  ///< pixels: twice as long after a piece whose error was small
+    std::int32_t divided = 0;            ///< pixels that are divided one by one before the next piece is tried ...
+    std::int32_t patience = 256;  ///< ... where not even the shortest one is almost a line: twice as many each time
 };
 
 /// The same bytes as by a division at each pixel, with two for each piece whose texels lie almost on a line. `out` is
 /// the octave's first pixel.
-void draw_octave(const Octave& octave, const OctaveRow& row, LinePieces& pieces, PieceLengths& lengths,
-                 std::uint8_t* out) {
+void draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel kernel, const SurfaceView& surface,
+                 PieceLengths& lengths, std::uint8_t* out) {
     constexpr std::int64_t kMost_16 = 2048;  // beyond, too many pixels would be near a border
     const std::int32_t end = octave.end - octave.first;
+    if (!kernel) return row.draw_divided(0, end, out);
+    LinePieces pieces(row, kernel, surface, out);
     for (std::int32_t pixel = 0; pixel < end;) {
         const std::int32_t left = end - 1 - pixel, count = left < 2 * lengths.next ? left : lengths.next;
         if (lengths.divided > 0 || count < kShortestPiece) {
@@ -224,7 +227,7 @@ void draw_octave(const Octave& octave, const OctaveRow& row, LinePieces& pieces,
         if (error_16 <= kMost_16) {
             pieces.add(piece, pixel, error_16);
             pixel += count;
-            lengths.patience = 32;
+            lengths.patience = PieceLengths{}.patience;
             if (error_16 < kMost_16 / 8) lengths.next = std::min(lengths.next * 2, kLongestPiece);
         } else if (count / 2 >= kShortestPiece) {
             lengths.next = count / 2;
@@ -269,8 +272,7 @@ void draw_exact_spans(std::span<const Span> spans, const TextureGradients& gradi
                 octave_from(column, span.end, gradients.inverse_z.at(column, span.y), gradients.inverse_z.per_column);
             if (needs_no_clamp(octave, span.y, gradients, limits)) {
                 const OctaveRow divided(octave, span.y, gradients, surface);
-                LinePieces pieces(divided, kernel, surface, row + octave.first);
-                draw_octave(octave, divided, pieces, lengths, row + octave.first);
+                draw_octave(octave, divided, kernel, surface, lengths, row + octave.first);
             } else {
                 draw_clamped(octave, span.y, gradients, limits, surface, row);
             }

@@ -36,11 +36,17 @@ std::vector<std::uint8_t> by_blocks(const Span& span, const TextureGradients& gr
     return pixels;
 }
 
+/// With pieces that are drawn as lines, and without them.
 std::vector<std::uint8_t> at_each_pixel(const Span& span, const TextureGradients& gradients, const TexelLimits& limits,
                                         const SurfaceView& surface) {
-    std::vector<std::uint8_t> pixels(kWidth * kHeight);
-    draw_exact_spans(std::span(&span, 1), gradients, limits, surface, best_block_kernel(),
-                     {pixels.data(), kWidth, kHeight, kWidth});
+    std::vector<std::uint8_t> pixels(kWidth * kHeight), divided = pixels;
+    const auto draw = [&](BlockKernel kernel, std::vector<std::uint8_t>& out) {
+        draw_exact_spans(std::span(&span, 1), gradients, limits, surface, kernel,
+                         {out.data(), kWidth, kHeight, kWidth});
+    };
+    draw(best_block_kernel(), pixels);
+    draw(nullptr, divided);
+    EXPECT_EQ(pixels, divided);
     return pixels;
 }
 
