@@ -12,14 +12,14 @@ void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs
     work.visible.see_from(level.level, inputs.leaf);
     work.vertices.start_frame();
     work.span_buffer.reset();
-    std::vector<Span> owned;
+    SpanList owned;
     FrontToBackWalk walk(level.level, inputs.view, work.visible, nullptr, work.span_buffer, work.walk);
     while (const std::optional<VisibleFace> visible = walk.next()) {
         inputs.visited.push_back(visible->face);
         if (!project_face(work.faces.corners_of(visible->face), inputs.view, work.vertices, work.polygon)) continue;
         scan_convex(work.polygon.screen, work.rows);
         work.span_buffer.claim(work.rows, owned);
-        inputs.in_view.push_back(work.polygon);
+        inputs.polygons.emplace_back(work.polygon.screen.begin(), work.polygon.screen.end());
         inputs.rows.push_back(work.rows);
     }
 }
