@@ -72,7 +72,7 @@ void time_polygons(benchmark::State& state, const SharedFrames& stages) {
 void time_scan(benchmark::State& state, const SharedFrames& stages) {
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames)
-            for (const ScreenPolygon& polygon : frame.in_view) scan_convex(polygon.screen, stages->work.rows);
+            for (const std::vector<ScreenVertex>& polygon : frame.in_view) scan_convex(polygon, stages->work.rows);
     show_time_per("face", stages->sum([](const StageInputs& frame) { return frame.in_view.size(); }), state);
 }
 
