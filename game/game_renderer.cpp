@@ -83,8 +83,8 @@ Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees fiel
     return camera;
 }
 
-GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode)
-    : data_(data), level_(level), mode_(mode), work_(data.level, mode) {
+GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode, Workers* workers)
+    : data_(data), level_(level), mode_(mode), work_(data.level, mode, workers) {
     pixels_.resize(pixel_count(mode.width_px, mode.height_px));
 }
 

@@ -44,8 +44,8 @@ Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees fiel
 /// Draws a game into a framebuffer of its own.
 class GameRenderer {
   public:
-    /// `data` and `level` outlive the renderer.
-    GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode);
+    /// `data`, `level` and `workers`, who share in what draw() does if there are any, outlive the renderer.
+    GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode, Workers* workers = nullptr);
 
     void draw(const GameView& view, const Settings& settings);
     /// What draw() counts or records: on the same canvas, but slower.

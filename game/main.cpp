@@ -7,6 +7,7 @@
 #include "engine/platform/files.h"
 #include "engine/platform/headless/headless.h"
 #include "engine/platform/sdl/window.h"
+#include "engine/platform/worker_threads.h"
 #include "engine/screen/screen.h"
 #include "game/gallery.h"
 #include "game/options.h"
@@ -92,9 +93,9 @@ void show_gallery(const Options& options, const GameData& data) {
     Gallery(data, {options.mode, options.field_of_view, view_options_of(options)}, *platform).run();
 }
 
-void time_demo(const Options& options, const GameData& data, const GameLevel& level) {
+void time_demo(const Options& options, const GameData& data, const GameLevel& level, Workers& workers) {
     const Demo demo = read_parsed(options.timedemo, decode_demo);
-    GameRenderer renderer(data, level, options.mode);
+    GameRenderer renderer(data, level, options.mode, &workers);
     warn_of_torn_edges("oblong", data.level_file, renderer.torn_edges());
     const Settings settings = settings_of(view_options_of(options));
     const auto result = naming_file(
@@ -110,7 +111,7 @@ void check_writable(const std::string& file) {
         throw FileError(file, "write", folder.string() + " is no folder, expected a folder for the file");
 }
 
-void play(const Options& options, const GameData& data, const GameLevel& level) {
+void play(const Options& options, const GameData& data, const GameLevel& level, Workers& workers) {
     std::optional<Demo> demo;
     if (!options.replay.empty()) demo = read_parsed(options.replay, decode_demo);
     const bool records = !options.record.empty();
@@ -118,7 +119,9 @@ void play(const Options& options, const GameData& data, const GameLevel& level) 
     naming_file(options.replay, [&] {
         TickInputSource input(start_of(level), demo, records);
         const auto platform = open_platform(options);
-        Session(data, level, {options.mode, options.field_of_view, view_options_of(options)}, input, *platform).run();
+        Session(data, level, {options.mode, options.field_of_view, view_options_of(options), &workers}, input,
+                *platform)
+            .run();
         if (records) write_file(options.record, encode_demo(input.recorded()));
     });
 }
@@ -127,10 +130,11 @@ void run_game(const Options& options, const std::string& assets) {
     const GameData data = load_game(options.level, options.palette, assets, options.models);
     if (options.shows_gallery) return show_gallery(options, data);
     const GameLevel level = naming_file(data.level_file, [&] { return make_game_level(data.level); });
+    WorkerThreads workers(static_cast<int>(options.threads));
     if (!options.timedemo.empty())
-        time_demo(options, data, level);
+        time_demo(options, data, level, workers);
     else
-        play(options, data, level);
+        play(options, data, level, workers);
 }
 
 }  // namespace

@@ -87,6 +87,8 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("--map", texts.map, "off, player or north: the map that Tab shows, and what is up on it");
     line.add("--wireframe", texts.wireframe, "off, over or alone: the edges that E shows");
     line.add("--lines", texts.lines, "naive, dda, bresenham or gupta-sproull: how lines of both are drawn");
+    line.add("--threads", options.threads, "that draw; default: 1. A second one pays from about 640x480 on")
+        .limit(1, 256);
     line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");
     auto record = line.add("--record", options.record, "write the game played to this demo file");
     auto replay = line.add("--replay", options.replay, "play this demo file instead of the keys");

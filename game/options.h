@@ -32,7 +32,7 @@ struct Options {
     Wireframe wireframe = Wireframe::Off;
     LineMethod line_method = LineMethod::GuptaSproull;
     std::string record, replay, timedemo;
-    std::int64_t headless_frames = 0;
+    std::int64_t headless_frames = 0, threads = 1;
     std::string out;
     bool shows_gallery = false;
 };

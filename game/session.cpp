@@ -23,7 +23,7 @@ Session::Session(const GameData& data, const GameLevel& level, const SessionSett
       view_options_(settings.view_options),
       field_of_view_(settings.field_of_view),
       screenshot_folder_(settings.screenshot_folder),
-      renderer_(data, level, settings.mode),
+      renderer_(data, level, settings.mode, settings.workers),
       palette_(data, settings.view_options.gamma_100),
       text_colours_(text_colours_of(data.palette)),
       before_(start_of(level)),

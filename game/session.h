@@ -22,6 +22,7 @@ struct SessionSettings {
     ScreenMode mode;
     Degrees field_of_view;
     ViewOptions view_options;
+    Workers* workers = nullptr;  ///< who share in drawing the game's pictures; null: one thread draws
     std::string screenshot_folder = ".";
 };
 

@@ -179,7 +179,7 @@ void compose_layers(const SkyTexture& sky, std::int32_t clouds_further, std::uin
     }
 }
 
-SurfaceView tile_of(const std::vector<std::uint8_t>& texels, std::int32_t size) {
+SurfaceView tile_of(std::span<const std::uint8_t> texels, std::int32_t size) {
     const auto mask = static_cast<std::uint32_t>(size - 1);
     return {texels.data(), size, size, std::countr_zero(static_cast<std::uint32_t>(size)), mask, mask};
 }
@@ -202,27 +202,32 @@ void draw_both_layers(std::span<const TexelBlock> blocks, const SkyTexture& sky,
 }
 
 /// Composing a texel takes a ninth of the time that looking up both layers adds to a pixel.
-bool is_worth_composing(std::span<const Span> spans, std::int32_t size) {
-    std::int64_t pixels = 0;
-    for (const Span& span : spans) pixels += span.end - span.first;
+bool is_worth_composing(std::int64_t pixels, std::int32_t size) {
     return size <= 1024 && std::int64_t{size} * size <= 8 * pixels;
 }
 
 }  // namespace
 
-void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& axes, const Projection& projection,
-              std::int64_t time_ms, std::vector<std::uint8_t>& layers, Framebuffer out) {
-    const SkyScroll scroll = scroll_at(time_ms, sky.size);
+SkyNow compose_sky(const SkyTexture& texture, std::int64_t time_ms, std::int64_t pixels,
+                   std::vector<std::uint8_t>& scratch) {
+    if (!is_worth_composing(pixels, texture.size)) return {texture, time_ms, {}};
+    scratch.resize(static_cast<std::size_t>(texture.size) * static_cast<std::size_t>(texture.size));
+    compose_layers(texture, scroll_at(time_ms, texture.size).clouds_further, scratch.data());
+    return {texture, time_ms, scratch};
+}
+
+void draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basis& axes, const Projection& projection,
+              Framebuffer out) {
+    const std::int32_t size = sky.texture.size;
+    const SkyScroll scroll = scroll_at(sky.time_ms, size);
     // Three times round are more than the dome's radius: no coordinate is below 0.
-    const Dome dome(sky.size, scroll.background_16 + std::int64_t{3 * 65536} * sky.size);
+    const Dome dome(size, scroll.background_16 + std::int64_t{3 * 65536} * size);
     const DomeView view{dome, make_view_directions(axes, projection), cell_log2(axes, projection)};
-    if (!is_worth_composing(spans, sky.size))
+    if (sky.tile.empty())
         return draw_cells(spans, view, out.pitch, [&](std::span<const TexelBlock> blocks) {
-            draw_both_layers(blocks, sky, scroll.clouds_further, out.pixels);
+            draw_both_layers(blocks, sky.texture, scroll.clouds_further, out.pixels);
         });
-    layers.resize(static_cast<std::size_t>(sky.size) * static_cast<std::size_t>(sky.size));
-    compose_layers(sky, scroll.clouds_further, layers.data());
-    const SurfaceView tile = tile_of(layers, sky.size);
+    const SurfaceView tile = tile_of(sky.tile, size);
     const BlockKernel kernel = best_block_kernel();
     draw_cells(spans, view, out.pitch, [&](std::span<const TexelBlock> blocks) { kernel(blocks, tile, out.pixels); });
 }
@@ -230,8 +235,12 @@ void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& a
 SkyWork work_of_sky(std::span<const Span> spans, std::int32_t size, const Basis& axes, const Projection& projection) {
     const int log2 = cell_log2(axes, projection);
     SkyWork work;
-    for (const Span& span : spans) work.directions += ((span.end - 1) >> log2) - (span.first >> log2) + 2;
-    if (is_worth_composing(spans, size)) work.composed_texels = std::int64_t{size} * size;
+    std::int64_t pixels = 0;
+    for (const Span& span : spans) {
+        work.directions += ((span.end - 1) >> log2) - (span.first >> log2) + 2;
+        pixels += span.end - span.first;
+    }
+    if (is_worth_composing(pixels, size)) work.composed_texels = std::int64_t{size} * size;
     return work;
 }
 

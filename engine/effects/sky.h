@@ -22,12 +22,23 @@ struct SkyTexture {
 /// that is 8 and 16 texels a second of a sky of 128.
 inline constexpr std::int64_t kSkyPeriod_ms = 16'000;
 
+/// A sky at one time.
+struct SkyNow {
+    SkyTexture texture;
+    std::int64_t time_ms;                ///< 0 or more
+    std::span<const std::uint8_t> tile;  ///< both layers as one; empty: they are looked up at each pixel
+};
+
+/// Lays both layers of a sky that covers so many pixels over each other, if it has not many more texels than that:
+/// into `scratch`, which lasts as long as what is returned.
+SkyNow compose_sky(const SkyTexture& texture, std::int64_t time_ms, std::int64_t pixels,
+                   std::vector<std::uint8_t>& scratch);
+
 /// Draws a dome: a texel depends on the direction of view alone, with heights tripled as Quake does, for a flat dome.
 /// Directions are computed every 8 columns and interpolated between. Both layers move along both axes; the background
-/// moves evenly, the clouds by one more texel whenever it has moved by a whole one. `time_ms` is 0 or more. `layers` is
-/// scratch, and is not touched by a sky that has many more texels than pixels.
-void draw_sky(std::span<const Span> spans, const SkyTexture& sky, const Basis& axes, const Projection& projection,
-              std::int64_t time_ms, std::vector<std::uint8_t>& layers, Framebuffer out);
+/// moves evenly, the clouds by one more texel whenever it has moved by a whole one.
+void draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basis& axes, const Projection& projection,
+              Framebuffer out);
 
 /// How much draw_sky() has to do for these spans.
 struct SkyWork {

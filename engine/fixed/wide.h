@@ -139,9 +139,9 @@ __extension__ using Int128 = __int128;
 __extension__ using Uint128 = unsigned __int128;
 
 constexpr std::int64_t saturated(Int128 value) {
-    if (value > std::numeric_limits<std::int64_t>::max()) return std::numeric_limits<std::int64_t>::max();
-    if (value < std::numeric_limits<std::int64_t>::min()) return std::numeric_limits<std::int64_t>::min();
-    return static_cast<std::int64_t>(value);
+    const auto kept = static_cast<std::int64_t>(value);
+    if (kept == value) return kept;
+    return value < 0 ? std::numeric_limits<std::int64_t>::min() : std::numeric_limits<std::int64_t>::max();
 }
 
 /// n / d rounded, d above 0.

@@ -1,6 +1,8 @@
 #include "engine/frame/claims.h"
 
 #include "engine/frame/frame_context.h"
+#include "engine/frame/shared_drawing.h"
+#include "engine/frame/surface_pass.h"
 #include "engine/frame/workspace.h"
 #include "engine/raster/scan.h"
 #include "engine/visibility/model_cutter.h"
@@ -89,10 +91,15 @@ bool is_by_span_buffer(const FrameContext& frame) {
     return method == HiddenSurfaces::SpanBuffer || (frame.view.is_parallel() && !serves_parallel_views(method));
 }
 
-/// Counts a scanned face, if the frame is counted, and keeps it for claim_owned() while the first walk lasts, if
-/// `keeps_faces`. Whether it was kept.
-bool keep_or_count(const VisibleFace& visible, bool is_second_walk, bool& keeps_faces, const FrameContext& frame,
-                   FrameWorkspace& work) {
+bool shares_walls_at_once(const FrameContext& frame) {
+    return frame.shared && frame.shared->takes_walls_at_once;
+}
+
+/// Hands over the walls claimed before a scanned face, if threads share in drawing them; counts it, if the frame is
+/// counted; and keeps it for claim_owned() while the first walk lasts, if `keeps_faces`. Whether it was kept.
+bool note_scanned_face(const VisibleFace& visible, bool is_second_walk, bool& keeps_faces, const FrameContext& frame,
+                       FrameWorkspace& work) {
+    if (shares_walls_at_once(frame)) share_surfaces(FaceList::Walls, {}, frame, work);
     if (work.counts) count_polygon(work.polygon, work.rows, work.counts->stages);
     if (!keeps_faces) return false;
     keeps_faces = !is_second_walk;
@@ -127,13 +134,14 @@ void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
     FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk,
                          frame.limits);
     bool keeps_faces = !is_by_span_buffer(frame);
-    const bool is_watched = keeps_faces || work.counts;  // one test a face instead of two
+    const bool is_watched =
+        keeps_faces || work.counts || shares_walls_at_once(frame);  // one test a face instead of three
     if (keeps_faces) start_scanned_faces(work);
     while (const std::optional<VisibleFace> visible = walk.next()) {
         const Stopwatch of_models(visible->fragment ? work.times.get() : nullptr, Effect::BrushModels);
         if (!project(*visible, frame, work)) continue;
         scan_convex(work.polygon.screen, work.rows, frame.accuracy().edges);
-        if (is_watched && keep_or_count(*visible, walk.takes_all_faces(), keeps_faces, frame, work)) continue;
+        if (is_watched && note_scanned_face(*visible, walk.takes_all_faces(), keeps_faces, frame, work)) continue;
         claim_face(*visible, walk.takes_all_faces(), frame, work);
     }
     if (keeps_faces) claim_owned(frame, work);

@@ -37,6 +37,11 @@ PlacedEye place_viewer(const Level& level, const ViewSpec& view) {
     return {eye.position, view.cuts.empty() ? eye.leaf : kSolidOutside};
 }
 
+/// Who draws a frame, if it is more than one thread. What is counted, recorded or timed is drawn by one: in an order.
+SharedDrawing* shared_drawing_of(const FrameWorkspace& work) {
+    return work.counts || work.record || work.times ? nullptr : work.shared.get();
+}
+
 /// Finds what may be seen, and starts everything that lasts for a frame.
 FrameContext begin_frame(const Scene& scene, ViewSpec spec, const ScreenMode& mode, const Settings& settings,
                          FrameWorkspace& work, Framebuffer out) {
@@ -66,7 +71,8 @@ FrameContext begin_frame(const Scene& scene, ViewSpec spec, const ScreenMode& mo
             out,
             scene.level.leaves[eye.leaf].contents,
             nullptr,
-            limits_of(spec)};
+            limits_of(spec),
+            shared_drawing_of(work)};
 }
 
 /// Adds what is known at the end of a frame only.
@@ -81,6 +87,7 @@ void draw_frame(const Scene& scene, const ViewSpec& view, const ScreenMode& mode
     const Settings in_view = settings_in(view, settings);
     const FrameContext frame = begin_frame(scene, view, mode, in_view, work, out);
     const std::int64_t texels_before = work.surfaces.built_texels();
+    if (frame.shared) frame.shared->begin(frame, work);
     work.plan = draw_view(frame, work);
     if (work.counts) count_frame(texels_before, work);
 }

@@ -9,6 +9,8 @@
 
 namespace oblong {
 
+class SharedDrawing;
+
 /// Everything that is constant while a frame is drawn.
 struct FrameContext {
     const Scene& scene;
@@ -20,6 +22,7 @@ struct FrameContext {
     std::int32_t eye_contents = contents::kEmpty;  ///< of the leaf that the eye is in
     const MirrorView* mirror = nullptr;            ///< the frame is what this mirror shows
     std::vector<WalkLimit> limits;                 ///< parts of the level beyond them are left out
+    SharedDrawing* shared = nullptr;               ///< draws it by several threads; null: one
 
     const Accuracy& accuracy() const { return settings.accuracy; }
     bool allows(Effect effect) const { return settings.allowed_effects.has(effect); }

@@ -9,11 +9,9 @@ namespace oblong {
 
 namespace {
 
-void find_styles(const FrameContext& frame, FrameWorkspace& work) {
+void find_styles(bool are_wanted, const FrameContext& frame, FrameWorkspace& work) {
     work.light_styles = frame.scene.light_styles;
-    const bool is_wanted =
-        work.claims.effects.has(Effect::Styles) || (!work.claims.things.meshes.empty() && frame.allows(Effect::Styles));
-    if (!is_wanted) return;
+    if (!are_wanted) return;
     const LightStyles patterns =
         light_styles_at(work.effects.light_patterns, frame.scene.time_ms, frame.settings.flashes);
     for (std::size_t style = 0; style < patterns.size(); ++style) {
@@ -49,8 +47,18 @@ bool find_touched(FrameWorkspace& work) {
 
 }  // namespace
 
+bool find_light_beforehand(const FrameContext& frame, FrameWorkspace& work) {
+    const bool may_have_lights = !frame.scene.moving_lights.empty() || !work.things.lanterns.empty();
+    if (may_have_lights && frame.allows(Effect::Lights)) return false;
+    find_styles(frame.allows(Effect::Styles), frame, work);
+    work.surfaces.set_moving_lights({}, frame.view.eye);
+    return true;
+}
+
 void find_light(const FrameContext& frame, FrameWorkspace& work) {
-    find_styles(frame, work);
+    find_styles(
+        work.claims.effects.has(Effect::Styles) || (!work.claims.things.meshes.empty() && frame.allows(Effect::Styles)),
+        frame, work);
     if (!frame.allows(Effect::Lights))
         work.lights.clear();
     else

@@ -9,6 +9,7 @@
 #include "engine/frame/light_pass.h"
 #include "engine/frame/model_pass.h"
 #include "engine/frame/see_through_pass.h"
+#include "engine/frame/shared_drawing.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/frame/workspace.h"
 
@@ -39,15 +40,17 @@ void draw_sky_faces(const FrameContext& frame, FrameWorkspace& work) {
     const bool is_layered = texture.width == 2 * texture.height && (texture.height & (texture.height - 1)) == 0;
     if (!is_layered) return fill_spans(work.pass_spans, texture.mips[0][0], frame.out);
     if (work.counts) {
-        const SkyWork sky =
+        const SkyWork sky_work =
             work_of_sky(work.pass_spans, texture.height, frame.view.ray_directions(), frame.view.projection);
         StageCounts& stages = work.counts->stages;
-        stages.sky_directions = sky.directions;
-        stages.sky_blocks = sky.directions - std::ssize(work.pass_spans);
-        stages.sky_texels = sky.composed_texels;
+        stages.sky_directions = sky_work.directions;
+        stages.sky_blocks = sky_work.directions - std::ssize(work.pass_spans);
+        stages.sky_texels = sky_work.composed_texels;
     }
-    draw_sky(work.pass_spans, {texture.mips[0].data(), texture.height, texture.width}, frame.view.ray_directions(),
-             frame.view.projection, frame.scene.time_ms, work.sky_layers, frame.out);
+    const SkyNow sky = compose_sky({texture.mips[0].data(), texture.height, texture.width}, frame.scene.time_ms,
+                                   pixels_of(work.pass_spans), work.sky_layers);
+    if (frame.shared) return frame.shared->add_sky(sky, work.pass_spans);
+    draw_sky(work.pass_spans, sky, frame.view.ray_directions(), frame.view.projection, frame.out);
 }
 
 SurfaceDrawing liquid_drawing() {
@@ -55,6 +58,10 @@ SurfaceDrawing liquid_drawing() {
     drawing.is_plain = false;
     drawing.traits.warps = true;
     return drawing;
+}
+
+void end_sharing(const FrameContext& frame) {
+    if (frame.shared) frame.shared->end();
 }
 
 void run(Pass pass, const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work) {
@@ -69,6 +76,7 @@ void run(Pass pass, const FrameContext& frame, const FrameFog& fog, FrameWorkspa
         case Pass::Sky:
             return draw_sky_faces(frame, work);
         case Pass::Mirror:
+            end_sharing(frame);  // what a mirror shows is drawn by one thread
             return draw_mirrors(frame, work);
         case Pass::Shadows:
             return draw_shadows(frame, work);
@@ -127,6 +135,7 @@ void note_spans(const ClaimedFace& claimed, std::span<const Span> spans, Framebu
 }
 
 FramePlan draw_view(const FrameContext& frame, FrameWorkspace& work) {
+    if (frame.shared) frame.shared->takes_walls_at_once = find_light_beforehand(frame, work);
     claim_faces(frame, work);
     const FrameFog fog = make_frame_fog(frame, work);
     find_things(frame, fog, work);
@@ -137,6 +146,7 @@ FramePlan draw_view(const FrameContext& frame, FrameWorkspace& work) {
     if (work.counts) count_passes(work.claims, frame.out, *work.counts);
     const auto first_over_others = std::find_if(plan.passes.begin(), plan.passes.end(), draws_over_others);
     for (auto pass = plan.passes.begin(); pass != first_over_others; ++pass) run(*pass, frame, fog, work);
+    end_sharing(frame);
     fill_free_pixels(work, frame.out);
     for (auto pass = first_over_others; pass != plan.passes.end(); ++pass) run(*pass, frame, fog, work);
     return plan;

@@ -5,6 +5,7 @@
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/frame_context.h"
+#include "engine/frame/shared_drawing.h"
 #include "engine/frame/texture_spans.h"
 #include "engine/frame/workspace.h"
 #include "engine/scene/face_surface.h"
@@ -42,34 +43,27 @@ FaceSurface surface_of(const VisibleFace& visible, int mip, const FrameContext& 
     return work.surfaces.get(visible.face, mip, {work.light_styles, texture_now(visible, frame, work), offset});
 }
 
-/// Sets the kernel of a drawing that is not plain, and what it needs.
-void add_effect(const SurfaceDrawing& drawing, const FrameContext& frame, FrameWorkspace& work,
-                PreparedSurface& prepared) {
+/// The kernel of a drawing that is not plain, and what it needs.
+SurfaceEffect effect_of(const SurfaceDrawing& drawing, const FaceSurface& surface, const FrameContext& frame,
+                        FrameWorkspace& work) {
     TexelTraits traits = drawing.traits;
-    traits.is_wrapped_by_masks = prepared.surface.is_wrapped_by_masks;
+    traits.is_wrapped_by_masks = surface.is_wrapped_by_masks;
     if (traits.warps && work.warp_time_ms != frame.scene.time_ms) {
         work.warp = make_warp_tables(frame.scene.time_ms);
         work.warp_time_ms = frame.scene.time_ms;
     }
-    prepared.effect_kernel = effect_kernel(traits);
-    prepared.texels = {prepared.surface.view, &at(work.warp, prepared.surface.mip), drawing.colours, drawing.blend};
-}
-
-/// Gets a face's surface of one mip level, and the kernel that draws it.
-PreparedSurface prepare(const VisibleFace& visible, int mip, const SurfaceDrawing& drawing, const FrameContext& frame,
-                        FrameWorkspace& work) {
-    PreparedSurface prepared{surface_of(visible, mip, frame, work), nullptr, {}};
-    if (!drawing.is_plain) add_effect(drawing, frame, work, prepared);
-    return prepared;
+    return {effect_kernel(traits), {surface.view, &at(work.warp, surface.mip), drawing.colours, drawing.blend}};
 }
 
 /// Draws spans of a face with its texture of one mip level.
 void draw_textured(const ClaimedFace& claimed, int mip, std::span<const Span> spans, const SurfaceDrawing& drawing,
                    const FrameContext& frame, FrameWorkspace& work) {
-    const PreparedSurface prepared = prepare(claimed.visible, mip, drawing, frame, work);
+    const FaceSurface surface = surface_of(claimed.visible, mip, frame, work);
+    const SurfaceEffect effect = drawing.is_plain ? SurfaceEffect{} : effect_of(drawing, surface, frame, work);
+    if (is_shared(frame)) return frame.shared->add(claimed, surface, effect, spans);
     if (work.counts) ++work.counts->stages.surfaces;
-    draw_prepared(claimed, prepared, spans, frame, work,
-                  {frame.texturing, frame.out, work.span_scratch, work.counts.get(), work.record.get()});
+    draw_with_surface(claimed, surface, effect, spans, frame, work,
+                      {frame.texturing, frame.out, work.span_scratch, work.counts.get(), work.record.get()});
 }
 
 /// The mip level of a face for pixels no nearer than this.
@@ -106,11 +100,12 @@ TextureGradients gradients_of(const VisibleFace& visible, const FaceSurface& sur
     return rounded_to(gradients, accuracy.inverse_z_bits, accuracy.over_z_bits);
 }
 
-void draw_prepared(const ClaimedFace& claimed, const PreparedSurface& prepared, std::span<const Span> spans,
-                   const FrameContext& frame, const FrameWorkspace& work, const SpanDrawing& drawing) {
-    const TextureGradients gradients = gradients_of(claimed.visible, prepared.surface, frame, work);
-    draw_texture_spans({claimed, prepared.surface, gradients, work.faces.faces[claimed.visible.face].least_density,
-                        frame.inverse_projection.least_pixel_width, prepared.effect_kernel, prepared.texels},
+void draw_with_surface(const ClaimedFace& claimed, const FaceSurface& surface, const SurfaceEffect& effect,
+                       std::span<const Span> spans, const FrameContext& frame, const FrameWorkspace& work,
+                       const SpanDrawing& drawing) {
+    const TextureGradients gradients = gradients_of(claimed.visible, surface, frame, work);
+    draw_texture_spans({claimed, surface, effect, gradients, work.faces.faces[claimed.visible.face].least_density,
+                        frame.inverse_projection.least_pixel_width},
                        spans, drawing);
 }
 
@@ -124,10 +119,17 @@ void draw_surface(const ClaimedFace& claimed, std::span<const Span> spans, const
 }
 
 void draw_surfaces(FaceList list, const SurfaceDrawing& drawing, const FrameContext& frame, FrameWorkspace& work) {
+    if (is_shared(frame)) return share_surfaces(list, drawing, frame, work);
     for (const ClaimedFace& claimed : work.claims.list(list)) {
         const Stopwatch of_models(claimed.visible.fragment ? work.times.get() : nullptr, Effect::BrushModels);
         draw_surface(claimed, work.claims.spans_of(claimed), drawing, frame, work);
     }
+}
+
+void share_surfaces(FaceList list, const SurfaceDrawing& drawing, const FrameContext& frame, FrameWorkspace& work) {
+    const std::vector<ClaimedFace>& faces = work.claims.list(list);
+    for (std::size_t& shared = frame.shared->face_count(list); shared < faces.size(); ++shared)
+        draw_surface(faces[shared], work.claims.spans_of(faces[shared]), drawing, frame, work);
 }
 
 }  // namespace oblong

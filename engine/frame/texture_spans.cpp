@@ -1,7 +1,6 @@
 #include "engine/frame/texture_spans.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
@@ -18,8 +17,8 @@ constexpr int kLeastBlockLog2 = 3;
 
 void draw_waiting_blocks(const TexturedFace& face, const SpanDrawing& drawing) {
     BlockList& blocks = drawing.scratch.blocks;
-    if (face.effect_kernel)
-        face.effect_kernel(blocks.waiting(), face.texels, drawing.out.pixels);
+    if (face.effect.kernel)
+        face.effect.kernel(blocks.waiting(), face.effect.texels, drawing.out.pixels);
     else
         face.surface.kernel(blocks.waiting(), face.surface.view, drawing.out.pixels);
     if (drawing.counts) count_writes(blocks.waiting(), *drawing.counts);
@@ -46,7 +45,7 @@ void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans,
     FrameCounts* const counts = drawing.counts;
     BlockCutting cutting{face.gradients, surface.limits, {}};
     cutting.limits.least = {};  // without steps nothing drifts
-    if (surface.is_wrapped_by_masks && !face.effect_kernel && !counts && !drawing.record)
+    if (surface.is_wrapped_by_masks && !face.effect.kernel && !counts && !drawing.record)
         return draw_exact_spans(spans, face.gradients, cutting.limits, surface.view, drawing.out);
     const std::int64_t divisions_before = counts ? counts->divisions : 0;
     draw_blocks(face, spans, drawing.texturing.cut_pixels, cutting, drawing);
@@ -63,20 +62,12 @@ int longest_block_of(const TexturedFace& face, View nearest_z, const BlockRule& 
     return longest_block_log2(rule, floor_shift(texels, face.surface.mip));
 }
 
-/// The size of a block that no span in the rectangle is longer than, and at least the least that is worth it.
-int longest_needed(const ScreenRectangle& rectangle) {
-    const auto width = static_cast<unsigned>(rectangle.end_column - rectangle.first_column);
-    return std::max(static_cast<int>(std::bit_width(width - 1)), kLeastBlockLog2);
-}
-
 BlockCutting bounded_cutting(const TexturedFace& face, std::span<const Span> spans, const BlockRule& rule) {
-    const ScreenRectangle rectangle = rectangle_around(spans);
     const int longest = longest_block_of(face, face.claimed.nearest_z, rule);
-    BlockCutting cutting{
-        face.gradients, face.surface.limits,
-        make_block_thresholds(rule, face.gradients.inverse_z.per_column, std::min(longest, longest_needed(rectangle)))};
+    BlockCutting cutting{face.gradients, face.surface.limits,
+                         make_block_thresholds(rule, face.gradients.inverse_z.per_column, longest)};
     cutting.limits.least = std::min(cutting.limits.least, Texel::from_raw(std::int64_t{1} << longest));
-    cutting.fits_range = fits_range(face.gradients, {spans[0].first, spans[0].y}, rectangle);
+    cutting.fits_range = fits_range(face.gradients, rectangle_around(spans));
     return cutting;
 }
 
@@ -132,7 +123,7 @@ void draw_texture_spans(const TexturedFace& face, std::span<const Span> spans, c
                                face.surface.limits,
                                {},
                                texturing.rule.texel_bound_256,
-                               fits_range(face.gradients, {spans[0].first, spans[0].y}, rectangle_around(spans))};
+                               fits_range(face.gradients, rectangle_around(spans))};
     draw_blocks(face, spans, texturing.cut_blocks, cutting, drawing);
 }
 

@@ -26,15 +26,20 @@ struct SpanTexturing {
 };
 SpanTexturing make_span_texturing(const Accuracy& accuracy);
 
+/// What draws a surface instead of its own kernel, and what that needs. Empty: plain texels.
+struct SurfaceEffect {
+    EffectKernel kernel = nullptr;
+    EffectTexels texels;
+};
+
 /// A face on the screen with one mip level of its texture.
 struct TexturedFace {
     const ClaimedFace& claimed;
     const FaceSurface& surface;
+    const SurfaceEffect& effect;
     const TextureGradients& gradients;
     TexelDensity least_density;    ///< PreparedFace::least_density
     WidthAtOne least_pixel_width;  ///< InverseProjection::least_pixel_width
-    EffectKernel effect_kernel;    ///< null: plain texels
-    EffectTexels texels;           ///< what that kernel draws
 };
 
 /// Scratch of whoever textures spans; two that do so at once have one each.

@@ -25,7 +25,7 @@ void add_effects(const Level& level, const LevelEffects& effects, FaceTable& tab
 
 }  // namespace
 
-FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode)
+FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode, Workers* workers)
     : faces(make_face_table(level)),
       vertices(level.vertices),
       visible(level),
@@ -40,6 +40,7 @@ FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode)
       shadows(mode.height_px),
       mirror{{}, {}, {}, DepthBuffer(mode.width_px, mode.height_px), nullptr} {
     add_effects(level, effects, faces);
+    if (workers && workers->count() > 1) shared = std::make_unique<SharedDrawing>(*workers, mode.width_px);
     walk.face_marks.resize(level.faces.size());
     walk.steps.reserve(level.nodes.size());
     claims.spans.reserve(static_cast<std::size_t>(mode.height_px) * 16);

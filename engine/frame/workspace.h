@@ -18,6 +18,7 @@
 #include "engine/frame/mirror_pass.h"
 #include "engine/frame/pass_times.h"
 #include "engine/frame/plan.h"
+#include "engine/frame/shared_drawing.h"
 #include "engine/frame/texture_spans.h"
 #include "engine/geometry/screen_polygon.h"
 #include "engine/mesh/draw_mesh.h"
@@ -37,7 +38,8 @@ namespace oblong {
 /// a fresh workspace draws the same bytes. The level must outlive it.
 class FrameWorkspace {
   public:
-    FrameWorkspace(const Level& level, const ScreenMode& mode);
+    /// `workers` outlive it, and share in the drawing of its frames; null: one thread draws.
+    FrameWorkspace(const Level& level, const ScreenMode& mode, Workers* workers = nullptr);
     FrameWorkspace(const FrameWorkspace&) = delete;  // its parts refer to each other
 
     FaceTable faces;
@@ -73,10 +75,11 @@ class FrameWorkspace {
     MirrorScratch mirror;
     std::unique_ptr<HiddenSurfaceScratch> hidden_surfaces;  ///< null until a frame goes without the span buffer
 
-    FramePlan plan;                       ///< of the frame drawn last
-    std::unique_ptr<FrameCounts> counts;  ///< null: nothing is counted
-    std::unique_ptr<FrameRecord> record;  ///< null: nothing is recorded
-    std::unique_ptr<PassTimes> times;     ///< null: nothing is timed
+    FramePlan plan;                         ///< of the frame drawn last
+    std::unique_ptr<SharedDrawing> shared;  ///< null: one thread draws
+    std::unique_ptr<FrameCounts> counts;    ///< null: nothing is counted
+    std::unique_ptr<FrameRecord> record;    ///< null: nothing is recorded
+    std::unique_ptr<PassTimes> times;       ///< null: nothing is timed
 };
 
 }  // namespace oblong

@@ -20,25 +20,25 @@ BlockRule make_block_rule(const Accuracy& accuracy) {
         const std::int64_t reach_4096 = std::max((std::int64_t{4096} << k) - error_4096, std::int64_t{0});
         const std::int64_t per_pixel = 4 * 16 * error_4096;
         rule.factor_8[k] = static_cast<std::uint64_t>((reach_4096 * reach_4096 + per_pixel - 1) / per_pixel);
+        rule.step_end[k] = std::uint64_t{1} << (61 - std::bit_width(rule.factor_8[k]));
     }
     return rule;
 }
 
 BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_step, int longest_log2) {
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 61;
     BlockThresholds thresholds;
-    const bool falls = inverse_z_step < InverseZ{};
-    const std::uint64_t capped = std::min(detail::magnitude(inverse_z_step.raw), std::uint64_t{1} << 50);
-    thresholds.least_inverse_z.fill(InverseZ::highest());
-    thresholds.least_inverse_z[0] = InverseZ::lowest();
-    for (int k = 1; k <= longest_log2; ++k) {
-        const std::uint64_t factor = at(rule.factor_8, k);
-        const auto bits = std::bit_width(capped) + std::bit_width(factor);
-        std::uint64_t least = bits > 61 ? std::uint64_t{1} << 61 : ((capped * factor) >> 8) + 1;
-        if (falls) least += capped << k;
+    const std::uint64_t step = std::min(detail::magnitude(inverse_z_step.raw), std::uint64_t{1} << 50);
+    const std::uint64_t fall = inverse_z_step < InverseZ{} ? step : 0;
+    for (int k = 1; k < kBlockSizes; ++k) {
+        const std::uint64_t product = ((step * at(rule.factor_8, k)) >> 8) + 1;
+        const std::uint64_t least = (step < at(rule.step_end, k) ? product : kMost) + (fall << k);
         note_range<"block thresholds">(InverseZ::from_raw(static_cast<std::int64_t>(least)));
-        at(thresholds.least_inverse_z, k) =
-            InverseZ::from_raw(static_cast<std::int64_t>(std::min(least, std::uint64_t{1} << 61)));
+        const auto reached = InverseZ::from_raw(static_cast<std::int64_t>(std::min(least, kMost)));
+        at(thresholds.least_inverse_z, k) = k <= longest_log2 ? reached : InverseZ::highest();
     }
+    thresholds.least_inverse_z.front() = InverseZ::lowest();
+    thresholds.least_inverse_z.back() = InverseZ::highest();
     return thresholds;
 }
 

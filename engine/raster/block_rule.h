@@ -19,6 +19,7 @@ struct BlockRule {
     /// Bounded: a block of n = 2^k pixels keeps its error under E pixels, 15/16 of the bound, where 1/z >= |its step| *
     /// (n - E)^2 / 4 E: this factor, rounded up, with 8 fraction bits.
     std::array<std::uint64_t, kBlockSizes> factor_8{};
+    std::array<std::uint64_t, kBlockSizes> step_end{};  ///< from this step on the product might overflow
 };
 
 /// The rule for these settings.

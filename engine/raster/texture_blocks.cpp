@@ -216,39 +216,36 @@ BlockCutter cutter_by(Texturing texturing) {
     return append_blocks<Texturing::Exact, Method>;
 }
 
-/// A linear quantity over a rectangle: its value at the first pixel, and what the columns and the rows add to that.
+/// A linear quantity over a rectangle: its value at the first pixel, and what columns and rows add to that up to the
+/// last one.
 struct Slopes {
     std::int64_t first, columns, rows;
 
-    template <class Value>
-    Slopes(const LinearQuantity<Value>& quantity, const ScreenRectangle& over)
-        : first(quantity.at(over.first_column, over.first_row).raw),
-          columns(quantity.per_column.raw * (over.end_column - over.first_column - 1)),
-          rows(quantity.per_row.raw * (over.end_row - over.first_row - 1)) {}
-
     std::int64_t least() const { return first + std::min<std::int64_t>(columns, 0) + std::min<std::int64_t>(rows, 0); }
-    std::int64_t greatest() const {
-        return first + std::max<std::int64_t>(columns, 0) + std::max<std::int64_t>(rows, 0);
-    }
-    /// Whether |this| is below 7 times `other` everywhere.
-    bool is_below_7_times(const Slopes& other) const {
-        return 7 * other.first - first + std::min<std::int64_t>(7 * other.columns - columns, 0) +
-                       std::min<std::int64_t>(7 * other.rows - rows, 0) >
-                   0 &&
-               7 * other.first + first + std::min<std::int64_t>(7 * other.columns + columns, 0) +
-                       std::min<std::int64_t>(7 * other.rows + rows, 0) >
-                   0;
-    }
+    std::int64_t greatest() const { return -Slopes{-first, -columns, -rows}.least(); }
 };
 
-/// Whether nothing below overflows: over 4,096 columns and rows steps add up to less than 2^57.
 template <class Value>
-bool is_gentle(const LinearQuantity<Value>& quantity, PixelPosition pixel) {
-    constexpr auto kSteepest = Value::from_raw(std::int64_t{1} << 44),
-                   kLargest = Value::from_raw(std::int64_t{1} << 59);
-    const Value there = quantity.at(pixel.column, pixel.row);
-    return absolute(quantity.per_column) < kSteepest && absolute(quantity.per_row) < kSteepest && there < kLargest &&
-           there > -kLargest;
+Slopes slopes_over(const ScreenRectangle& rectangle, const LinearQuantity<Value>& quantity) {
+    return {quantity.at(rectangle.first_column, rectangle.first_row).raw,
+            stepped(Value{}, quantity.per_column, rectangle.end_column - rectangle.first_column - 1).raw,
+            stepped(Value{}, quantity.per_row, rectangle.end_row - rectangle.first_row - 1).raw};
+}
+
+/// Whether |over_z| is below 7 times 1/z everywhere, both in steps of their formats.
+bool is_below_7_times(const Slopes& over_z, const Slopes& z) {
+    return Slopes{7 * z.first - over_z.first, 7 * z.columns - over_z.columns, 7 * z.rows - over_z.rows}.least() > 0 &&
+           Slopes{7 * z.first + over_z.first, 7 * z.columns + over_z.columns, 7 * z.rows + over_z.rows}.least() > 0;
+}
+
+/// Whether nothing of a quantity overflows below: over 4,096 columns and rows its steps add up to less than 2^57. A
+/// first value that is small is no wrapped one, as values inside the polygon, less than 2^57 away, fit their format.
+template <class Value>
+bool is_gentle(const LinearQuantity<Value>& quantity, const Slopes& slopes) {
+    constexpr auto kSteepest = Value::from_raw(std::int64_t{1} << 44);
+    constexpr std::int64_t kLargest = std::int64_t{1} << 59;
+    return absolute(quantity.per_column) < kSteepest && absolute(quantity.per_row) < kSteepest &&
+           slopes.first < kLargest && slopes.first > -kLargest;
 }
 
 }  // namespace
@@ -258,14 +255,12 @@ TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int3
     return {Texel::from_raw(longest_px), Texel::from_int(width) - Texel::ulp(), Texel::from_int(height) - Texel::ulp()};
 }
 
-bool fits_range(const TextureGradients& gradients, PixelPosition inside, const ScreenRectangle& rectangle) {
-    if (!is_gentle(gradients.inverse_z, inside) || !is_gentle(gradients.u_over_z, inside) ||
-        !is_gentle(gradients.v_over_z, inside))
-        return false;
-    const Slopes inverse_z(gradients.inverse_z, rectangle);
-    return inverse_z.least() >= kLeastInverseZ.raw && inverse_z.greatest() < kGreatestInverseZ.raw &&
-           Slopes(gradients.u_over_z, rectangle).is_below_7_times(inverse_z) &&
-           Slopes(gradients.v_over_z, rectangle).is_below_7_times(inverse_z);
+bool fits_range(const TextureGradients& gradients, const ScreenRectangle& rectangle) {
+    const Slopes z = slopes_over(rectangle, gradients.inverse_z);
+    const Slopes u = slopes_over(rectangle, gradients.u_over_z), v = slopes_over(rectangle, gradients.v_over_z);
+    return is_gentle(gradients.inverse_z, z) && is_gentle(gradients.u_over_z, u) && is_gentle(gradients.v_over_z, v) &&
+           z.least() >= kLeastInverseZ.raw && z.greatest() < kGreatestInverseZ.raw && is_below_7_times(u, z) &&
+           is_below_7_times(v, z);
 }
 
 TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& limits, std::int32_t column,

@@ -60,10 +60,10 @@ struct BlockCutting {
     bool fits_range = false;           ///< fits_range() of these spans: then nothing is clamped before it is multiplied
 };
 
-/// Whether 1/z is within its clamps, and u and v within 114,000 texels, at every pixel of a rectangle; only then do the
-/// cutters give the same without clamps. All three are linear: their extremes are in the corners. Values at the pixel
-/// `inside` fit their formats; false where those in the corners might not.
-bool fits_range(const TextureGradients& gradients, PixelPosition inside, const ScreenRectangle& rectangle);
+/// Whether 1/z is within its clamps, and u and v within 114,000 texels, at every pixel of a rectangle around the spans
+/// of a polygon; only then do the cutters give the same without clamps. All three are linear: their extremes are in the
+/// corners.
+bool fits_range(const TextureGradients& gradients, const ScreenRectangle& rectangle);
 
 /// Appends the blocks of spans, left to right, as long as there is room for one in the worst case. Returns the spans
 /// that are left. `pitch` is the framebuffer's.

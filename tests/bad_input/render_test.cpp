@@ -160,6 +160,7 @@ TEST_F(BadRender, WrongUsageExitsWith2) {
                                                          {"--hidden-surfaces", "edge-list"},
                                                          {"--hidden-surfaces", "z-buffer", "--view", "isometric"},
                                                          {"--texel-error", "-1"},
+                                                         {"--kernel", "fastest"},
                                                          {"--threads", "0"},
                                                          {"--texel-error", "a lot"},
                                                          {"--time", "noon"},

@@ -56,6 +56,7 @@ class EffectStage {
     /// In `work`, which keeps what the frames before left there.
     Picture draw(std::int64_t time_ms = 0) { return draw_in(work, time_ms); }
     Picture draw_afresh(std::int64_t time_ms = 0) const;
+    Picture draw_in(FrameWorkspace& in, std::int64_t time_ms) const;
     Picture draw_without(Effect effect, std::int64_t time_ms = 0);
     /// Of the frame drawn last, in `work`.
     bool has(Effect effect) const { return work.plan.effects.has(effect); }
@@ -74,9 +75,6 @@ class EffectStage {
     Settings settings;
     Camera camera;
     FrameWorkspace work;
-
-  private:
-    Picture draw_in(FrameWorkspace& in, std::int64_t time_ms) const;
 };
 
 /// How many pixels differ.

@@ -2,6 +2,7 @@
 // drawn before, and each effect can be left out.
 
 #include "engine/level/bsp_read.h"
+#include "engine/platform/worker_threads.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/support/shared_levels.h"
 #include "tools/gallery/mesh_shapes.h"
@@ -64,6 +65,21 @@ TEST(Everything, IsTheSameInAUsedWorkspace) {
         time_ms = i % 3 == 2 ? time_ms / 2 : time_ms * 3 + 137;
     }
     EXPECT_GT(time_ms, std::int64_t{1} << 20);
+}
+
+TEST(Everything, IsTheSameByAnyNumberOfThreads) {
+    EffectStage stage = everything(in_tank());
+    const MovingLight torch{place(-250, 0, 120), World::from_int(200)};
+    for (const int threads : {2, 3, 8}) {
+        WorkerThreads workers(threads);
+        FrameWorkspace shared(stage.level, {}, &workers);
+        for (int i = 0; i < 20; ++i) {
+            stage.camera = i % 2 ? in_tank() : camera_at(place(300, -200, 90), 135, 10);
+            stage.moving_lights.assign(i % 5 / 2, torch);
+            stage.settings.allowed_effects = i % 7 ? EffectSet::all() : EffectSet{};
+            ASSERT_EQ(stage.draw_in(shared, i * 137), stage.draw_afresh(i * 137)) << "frame " << i;
+        }
+    }
 }
 
 TEST(Everything, LaterThan32BitsOfMillisecondsIsTheSameInAUsedWorkspace) {

@@ -33,6 +33,12 @@ std::vector<std::uint8_t> numbered_clouds(Axis axis) {
     return texels;
 }
 
+std::int64_t pixels_of(std::span<const Span> spans) {
+    std::int64_t pixels = 0;
+    for (const Span& span : spans) pixels += span.end - span.first;
+    return pixels;
+}
+
 /// 320x200 pixels of nothing but sky, at 90 degrees.
 class SkyPicture {
   public:
@@ -44,7 +50,8 @@ class SkyPicture {
         draw(spans, {texels.data(), kSize, 2 * kSize}, time_ms);
     }
     void draw(std::span<const Span> spans, const SkyTexture& sky, std::int64_t time_ms) {
-        draw_sky(spans, sky, axes_, projection_, time_ms, layers_, {pixels_.data(), 320, 200, 320});
+        draw_sky(spans, compose_sky(sky, time_ms, pixels_of(spans), layers_), axes_, projection_,
+                 {pixels_.data(), 320, 200, 320});
     }
     const std::vector<std::uint8_t>& pixels() const { return pixels_; }
     std::size_t scratch_bytes() const { return layers_.size(); }
@@ -235,8 +242,8 @@ TEST(Sky, HoldsEveryTextureSizeModeAndFieldOfView) {
             std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width * height)), layers;
             const std::vector<Span> spans{{0, 0, width}, {height / 2, 1, width - 1}, {height - 1, width - 1, width}};
             const Projection projection = make_projection({width, height}, Degrees::from_int(degrees));
-            draw_sky(spans, {texels.data(), size, 2 * size}, random_axes(random), projection, random(), layers,
-                     {pixels.data(), width, height, width});
+            const SkyNow sky = compose_sky({texels.data(), size, 2 * size}, random(), pixels_of(spans), layers);
+            draw_sky(spans, sky, random_axes(random), projection, {pixels.data(), width, height, width});
             EXPECT_EQ(std::count(pixels.begin(), pixels.end(), 9), 2 * width - 1) << size << ", " << width;
         }
     }
@@ -247,8 +254,9 @@ TEST(Sky, PixelsOutsideOfItsSpansStay) {
     const std::vector<std::uint8_t> texels(2 * kSize * kSize, 5);
     const std::vector<Span> spans{{3, 11, 12}, {3, 20, 37}, {199, 319, 320}};
     std::vector<std::uint8_t> layers;
-    draw_sky(spans, {texels.data(), kSize, 2 * kSize}, view_basis({}, Angle::from_bam(60000), {}),
-             make_projection(ScreenMode{}, Degrees::from_int(90)), 0, layers, {pixels.data(), 320, 200, 320});
+    draw_sky(spans, compose_sky({texels.data(), kSize, 2 * kSize}, 0, pixels_of(spans), layers),
+             view_basis({}, Angle::from_bam(60000), {}), make_projection(ScreenMode{}, Degrees::from_int(90)),
+             {pixels.data(), 320, 200, 320});
     EXPECT_EQ(std::count_if(pixels.begin(), pixels.end(), [](std::uint8_t p) { return p == 5; }), 1 + 17 + 1);
     EXPECT_EQ(std::count(pixels.begin(), pixels.end(), 77), 320 * 200 - (1 + 17 + 1));
     for (const std::size_t drawn : {3 * 320 + 11, 3 * 320 + 20, 3 * 320 + 36, 199 * 320 + 319})

@@ -34,7 +34,7 @@ PARTS = {
 LEFT_OUT = ("left out",)
 # What other effects, frames without the span buffer, and lines over frames need: the frames that are counted do not allow them. From the
 # libraries of the build.
-OF_EFFECTS = re.compile("engine/(effects/|mesh/|raster/(depth|lines|triangles|kernels/(effect_kernels|edge_functions))|"
+OF_EFFECTS = re.compile("engine/(effects/|mesh/|raster/(depth|lines|triangles|kernels/(?!plain))|"
                         "scene/(light_styles|texture_animation|pick|"
                         "moving_lights|level_effects|light_below)|level/floor|math/(soft_float|wide_sum)|"
                         "geometry/(canonical_volume|clip_line|facing|triangulate)|math/transform|"
@@ -103,7 +103,7 @@ class CountingBuild:
         self.pool = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
         os.makedirs(self.work, exist_ok=True)
         parts = {part: [f"engine/{name}.cpp" for name in names.split()] for part, names in PARTS.items()}
-        counted = sum(parts.values(), ["engine/raster/kernels/bmi2.cpp"])  # in place of which there is the plain kernel
+        counted = sum(parts.values(), ["engine/raster/kernels/choice.cpp"])  # in place of which there is the plain kernel
         rest = [file for file in sorted(glob.glob("engine/**/*.cpp", root_dir=source, recursive=True))
                 if file not in counted and "/sdl/" not in file]
         loading = [file for file in rest if BEFORE_FRAMES.match(file)]

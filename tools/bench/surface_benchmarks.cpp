@@ -32,7 +32,8 @@ void time_sky(benchmark::State& state) {
     const ViewContext view = make_view_context(first_person_view(camera), kMode);
     const Framebuffer out{pixels.data(), kMode.width_px, kMode.height_px, kMode.width_px};
     for (auto _ : state) {
-        draw_sky(spans, {texels.data(), kSize, 2 * kSize}, view.ray_directions(), view.projection, 0, layers, out);
+        const SkyNow sky = compose_sky({texels.data(), kSize, 2 * kSize}, 0, std::ssize(pixels), layers);
+        draw_sky(spans, sky, view.ray_directions(), view.projection, out);
         benchmark::ClobberMemory();
     }
     show_time_per("pixel", std::ssize(pixels), state);

@@ -4,6 +4,8 @@
 #include "engine/effects/palette_effects.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
+#include "engine/platform/worker_threads.h"
+#include "engine/raster/kernels/kernels.h"
 #include "engine/scene/level_effects.h"
 #include "engine/scene/placed_models.h"
 #include "tools/common/arguments.h"
@@ -23,7 +25,7 @@ struct Options {
     std::string level, cameras, palette, models, out, json;
     std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", preset = "bounded",
                 effects = "auto", hidden_surfaces = "span-buffer", log, texel_error, view = "first-person",
-                seconds = "0", step_seconds = "0";
+                seconds = "0", step_seconds = "0", kernel;
     std::vector<std::string> dials;
     std::int64_t repeat = 1, threads = 1;
     bool prints_plan = false;
@@ -39,6 +41,20 @@ std::string hidden_surface_names() {
     std::string names;
     for (const std::string_view name : kHiddenSurfaceNames) names += (names.empty() ? "" : ", ") + std::string(name);
     return names;
+}
+
+/// Those that this processor runs.
+std::string kernel_names() {
+    std::string names;
+    for (const NamedKernel& kernel : block_kernels()) names += (names.empty() ? "" : ", ") + std::string(kernel.name);
+    return names;
+}
+
+BlockKernel parse_kernel(const std::string& text) {
+    if (text.empty()) return best_block_kernel();
+    for (const NamedKernel& kernel : block_kernels())
+        if (text == kernel.name) return kernel.draw;
+    throw UsageError("--kernel: '" + text + "', expected one of " + kernel_names());
 }
 
 HiddenSurfaces parse_hidden_surfaces(const std::string& text) {
@@ -70,7 +86,9 @@ void declare(Command& line, Options& options) {
     line.add_flag("--plan", options.prints_plan,
                   "print the passes and effects of each frame, with their pixels and times");
     line.add("--log", options.log, "write lines of these kinds on standard error: " + names_of(LogChannels::all()));
-    line.add("--threads", options.threads, "accepted; frames are drawn by one thread").limit(1, 256);
+    line.add("--kernel", options.kernel, "that draws blocks: " + kernel_names() + " (default: the first)");
+    line.add("--threads", options.threads, "that draw; default: 1. A second one pays from about 640x480 on")
+        .limit(1, 256);
     line.add("--time", options.seconds, "the scene's time, seconds");
     line.add("--time-step", options.step_seconds, "seconds from each timed rendering of a frame to the next, up to 60");
 }
@@ -175,6 +193,7 @@ void render(const Options& options) {
     check_view(mode, field_of_view);
     const Preset preset = parse_preset(options.preset);
     const Settings settings = make_settings(options, preset);
+    const BlockKernel kernel = parse_kernel(options.kernel);
     const LogChannels channels = options.log.empty() ? LogChannels{} : parse_log_channels(options.log);
     const std::int64_t time_ms = parse_time_ms("--time", options.seconds),
                        step_ms = parse_time_step_ms(options.step_seconds);
@@ -191,7 +210,9 @@ void render(const Options& options) {
     const Level level = read_parsed(options.level, read_bsp);
     const std::vector<PlacedModel> models = models_at_rest(level);
     const LevelModels level_models = read_level_models(level, palette, {options.level, options.models});
-    FrameWorkspace work(level, mode);
+    WorkerThreads workers(static_cast<int>(options.threads));
+    FrameWorkspace work(level, mode, &workers);
+    work.surfaces.kernel = kernel;
     const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
 
     if (!options.out.empty()) make_folder(options.out);
@@ -209,7 +230,7 @@ void render(const Options& options) {
         const auto png = encode_indexed_png(pixels, mode.width_px, mode.height_px, shown);
         write_file(picture_path(options.out, index), png);
     });
-    report({options.level, preset, mode, field_of_view, settings, load.count()}, frames, options);
+    report({options.level, preset, mode, field_of_view, settings, workers.count(), load.count()}, frames, options);
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ std::string report_json(const ReportHead& head, const std::vector<FrameReport>& 
                 {"texel_error", texel_error_json(head.settings.accuracy)},
                 {"allowed_effects", allowed_effects_json(head.settings.allowed_effects)},
                 {"hidden_surfaces", at(kHiddenSurfaceNames, head.settings.hidden_surfaces)},
-                {"threads", 1},
+                {"threads", head.threads},
                 {"load_milliseconds", rounded(head.load_milliseconds)},
                 {"microseconds", {{"median", rounded(times.median)}, {"p99", rounded(times.p99)}}},
                 {"frames", Json::array()}};

@@ -74,7 +74,9 @@ constexpr auto kKernels = all_kernels(std::make_index_sequence<16>());
 
 }  // namespace
 
-EffectKernel effect_kernel(TexelTraits traits) {
+EffectKernel effect_kernel(TexelTraits traits, bool has_avx2) {
+    const bool warps_alone = traits.warps && traits.is_wrapped_by_masks && !traits.has_holes && !traits.blends;
+    if (warps_alone && has_avx2) return draw_warped_blocks_avx2;
     return kKernels[index_of(traits)];
 }
 

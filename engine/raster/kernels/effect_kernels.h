@@ -44,7 +44,12 @@ struct TexelTraits {
 
 using EffectKernel = void (*)(std::span<const TexelBlock> blocks, const EffectTexels& texels, std::uint8_t* pixels);
 
-/// The kernel of a surface with these traits. What a surface does not need, its kernel does not ask about.
-EffectKernel effect_kernel(TexelTraits traits);
+/// The kernel of a surface with these traits, the fastest that the processor runs. What a surface does not need, its
+/// kernel does not ask about.
+EffectKernel effect_kernel(TexelTraits traits, bool has_avx2 = oblong::has_avx2());
+
+/// Of a surface that warps and does nothing else: sixteen pixels at a time. Only where has_avx2(). Rows of the surface
+/// must be whole.
+void draw_warped_blocks_avx2(std::span<const TexelBlock> blocks, const EffectTexels& texels, std::uint8_t* pixels);
 
 }  // namespace oblong

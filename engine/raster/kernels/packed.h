@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "engine/raster/kernels/kernels.h"
 
@@ -10,23 +9,57 @@ namespace oblong {
 /// The loop that the packed kernels share. v lies in the upper and u in the lower half of one word; since neither
 /// leaves [0, 65,535] texels on the way, no carry crosses. `fetch` turns the word into a texel.
 template <class Fetch>
-[[gnu::always_inline]] inline void draw_packed_blocks(std::span<const TexelBlock> blocks, std::uint8_t* pixels,
-                                                      Fetch fetch) {
-    for (const TexelBlock& block : blocks) {
-        std::uint64_t vu = std::uint64_t{block.v_16} << 32 | block.u_16;
-        const std::uint64_t step = (static_cast<std::uint64_t>(std::int64_t{block.v_step_16}) << 32) +
-                                   static_cast<std::uint64_t>(std::int64_t{block.u_step_16});
-        std::uint8_t* out = pixels + block.pixel;
-        std::uint8_t* const end = out + block.count;
-        for (; end - out >= 4; out += 4) {
-            out[0] = fetch(vu);
-            out[1] = fetch(vu + step);
-            out[2] = fetch(vu + 2 * step);
-            out[3] = fetch(vu + 3 * step);
-            vu += 4 * step;
-        }
-        for (; out != end; ++out, vu += step) *out = fetch(vu);
+[[gnu::always_inline]] inline void draw_packed_block(const TexelBlock& block, std::uint8_t* pixels, Fetch fetch) {
+    std::uint64_t vu = std::uint64_t{block.v_16} << 32 | block.u_16;
+    const std::uint64_t step = (static_cast<std::uint64_t>(std::int64_t{block.v_step_16}) << 32) +
+                               static_cast<std::uint64_t>(std::int64_t{block.u_step_16});
+    std::uint8_t* out = pixels + block.pixel;
+    std::uint8_t* const end = out + block.count;
+    for (; end - out >= 4; out += 4) {
+        out[0] = fetch(vu);
+        out[1] = fetch(vu + step);
+        out[2] = fetch(vu + 2 * step);
+        out[3] = fetch(vu + 3 * step);
+        vu += 4 * step;
     }
+    for (; out != end; ++out, vu += step) *out = fetch(vu);
 }
+
+/// The texel's offset is put together by shifts and masks.
+struct PackedFetch {
+    std::uint64_t u_mask, row_mask;
+    int row_shift;
+    const std::uint8_t* texels;
+
+    explicit PackedFetch(const SurfaceView& surface)
+        : u_mask(surface.u_mask),
+          row_mask(std::uint64_t{surface.v_mask} << surface.stride_log2),
+          row_shift(48 - surface.stride_log2),
+          texels(surface.texels) {}
+
+    std::uint8_t operator()(std::uint64_t vu) const {
+        return texels[((vu >> row_shift) & row_mask) | ((vu >> 16) & u_mask)];
+    }
+};
+
+#if defined(__x86_64__)
+
+/// The texel's offset is taken from the word by one instruction, without asking the compiler for BMI2 anywhere else.
+struct Bmi2Fetch {
+    std::uint64_t offset_mask;
+    const std::uint8_t* texels;
+
+    explicit Bmi2Fetch(const SurfaceView& surface)
+        : offset_mask(std::uint64_t{surface.v_mask} << 48 | std::uint64_t{surface.u_mask} << 16),
+          texels(surface.texels) {}
+
+    [[gnu::always_inline]] std::uint8_t operator()(std::uint64_t vu) const {
+        std::uint64_t offset;
+        asm("pext %2, %1, %0" : "=r"(offset) : "r"(vu), "r"(offset_mask));
+        return texels[offset];
+    }
+};
+
+#endif
 
 }  // namespace oblong

@@ -21,7 +21,7 @@ extern "C" void __gcov_dump();
 
 namespace oblong {
 
-/// In place of engine/raster/kernels/bmi2.cpp: the kernel that is counted.
+/// In place of engine/raster/kernels/choice.cpp: the kernel that is counted.
 BlockKernel best_block_kernel() {
     return draw_blocks_plain;
 }

@@ -1,0 +1,87 @@
+#include "engine/frame/shared_drawing.h"
+
+#include "engine/frame/surface_pass.h"
+#include "engine/frame/workspace.h"
+
+namespace oblong {
+
+namespace {
+
+/// What waits to be drawn at most.
+constexpr std::size_t kMostItems = 512, kMostSpans = 8192;
+/// An item is worth handing over, and in the end nobody waits for long: some 5 microseconds of drawing.
+constexpr std::int32_t kItemPixels = 8192;
+
+}  // namespace
+
+SharedDrawing::SharedDrawing(Workers& workers, std::int32_t longest_px)
+    : workers_(workers),
+      items_(kMostItems),
+      spans_(kMostSpans),
+      scratches_(static_cast<std::size_t>(workers.count()), SpanScratch(longest_px)) {}
+
+void SharedDrawing::begin(const FrameContext& frame, const FrameWorkspace& work) {
+    frame_ = &frame;
+    work_ = &work;
+    face_counts_ = {};
+    item_count_ = span_count_ = 0;
+    first_item_ = 0;
+    workers_.begin(*this);
+}
+
+/// Room for an item and a span of it.
+void SharedDrawing::make_room() {
+    if (item_count_ < kMostItems && span_count_ < kMostSpans) return;
+    workers_.finish_items();
+    first_item_ += static_cast<std::uint32_t>(item_count_);
+    item_count_ = span_count_ = 0;
+}
+
+/// Copies as many of these spans as are one item.
+std::span<const Span> SharedDrawing::copy_of_first(std::span<const Span> spans) {
+    const std::size_t first = span_count_;
+    std::int32_t pixels = 0;
+    for (const Span& span : spans) {
+        spans_[span_count_++] = span;
+        pixels += span.end - span.first;
+        if (pixels >= kItemPixels || span_count_ == kMostSpans) break;
+    }
+    return std::span(spans_).subspan(first, span_count_ - first);
+}
+
+void SharedDrawing::add_items(Item item, std::span<const Span> spans) {
+    while (!spans.empty()) {
+        make_room();
+        item.spans = copy_of_first(spans);
+        items_[item_count_++] = item;
+        workers_.add_item();
+        spans = spans.subspan(item.spans.size());
+    }
+}
+
+void SharedDrawing::add(const ClaimedFace& claimed, const FaceSurface& surface, const SurfaceEffect& effect,
+                        std::span<const Span> spans) {
+    add_items({false, claimed, surface, effect, {}}, spans);
+}
+
+void SharedDrawing::add_sky(const SkyNow& sky, std::span<const Span> spans) {
+    sky_ = sky;
+    add_items({true, {}, {}, {}, {}}, spans);
+}
+
+void SharedDrawing::end() {
+    if (!is_on()) return;
+    workers_.finish_items();
+    workers_.end();
+    frame_ = nullptr;
+}
+
+void SharedDrawing::do_item(std::uint32_t number, int worker) {
+    const FrameContext& frame = *frame_;
+    const Item& item = items_[number - first_item_];
+    if (item.is_sky) return draw_sky(item.spans, sky_, frame.view.ray_directions(), frame.view.projection, frame.out);
+    draw_with_surface(item.claimed, item.surface, item.effect, item.spans, frame, *work_,
+                      {frame.texturing, frame.out, scratches_[static_cast<std::size_t>(worker)]});
+}
+
+}  // namespace oblong

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/base/table.h"
+#include "engine/base/workers.h"
+#include "engine/effects/sky.h"
+#include "engine/frame/frame_context.h"
+#include "engine/frame/texture_spans.h"
+
+namespace oblong {
+
+/// Spans that several threads draw together. One of them walks through the level; the spans that a face owns are handed
+/// over as it comes to them, and the others draw them meanwhile. Then it shares in the drawing until all is drawn. No
+/// two spans have a pixel in common: whoever draws them, and when, the picture is the same.
+class SharedDrawing final : public SharedWork {
+  public:
+    /// `workers` outlive it. For spans of up to `longest_px` pixels.
+    SharedDrawing(Workers& workers, std::int32_t longest_px);
+
+    int threads() const { return workers_.count(); }
+    /// Begins to draw a frame. The arguments outlive end().
+    void begin(const FrameContext& frame, const FrameWorkspace& work);
+    /// Hands over spans of a face with its surface.
+    void add(const ClaimedFace& claimed, const FaceSurface& surface, const SurfaceEffect& effect,
+             std::span<const Span> spans);
+    /// Hands over spans of the frame's sky, which lasts until end().
+    void add_sky(const SkyNow& sky, std::span<const Span> spans);
+    /// Shares in the drawing until all is drawn that was handed over, and ends it. May be called again.
+    void end();
+
+    bool is_on() const { return frame_ != nullptr; }  ///< from begin() to end()
+    /// How many faces of a list were handed over.
+    std::size_t& face_count(FaceList list) { return at(face_counts_, list); }
+    /// Whether walls are handed over while the walk goes on: their light is known. Else it is found out first.
+    bool takes_walls_at_once = false;
+
+    void do_item(std::uint32_t item, int worker) override;
+
+  private:
+    /// Spans of one face, or of the sky.
+    struct Item {
+        bool is_sky = false;
+        ClaimedFace claimed;
+        FaceSurface surface;
+        SurfaceEffect effect;
+        std::span<const Span> spans;  ///< in spans_
+    };
+
+    std::span<const Span> copy_of_first(std::span<const Span> spans);
+    void make_room();
+    void add_items(Item item, std::span<const Span> spans);
+
+    Workers& workers_;
+    const FrameContext* frame_ = nullptr;
+    const FrameWorkspace* work_ = nullptr;
+    std::vector<Item> items_;  ///< as many as may wait: others read some while one more is written
+    std::vector<Span> spans_;  ///< likewise
+    SkyNow sky_{};
+    std::array<std::size_t, kFaceListCount> face_counts_{};
+    std::size_t item_count_ = 0, span_count_ = 0;
+    std::uint32_t first_item_ = 0;        ///< the number of items_[0]
+    std::vector<SpanScratch> scratches_;  ///< of each worker
+};
+
+/// Whether threads share in the drawing of this frame, now.
+inline bool is_shared(const FrameContext& frame) {
+    return frame.shared && frame.shared->is_on();
+}
+
+}  // namespace oblong
