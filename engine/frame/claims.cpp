@@ -60,6 +60,16 @@ bool project(const VisibleFace& visible, const FrameContext& frame, FrameWorkspa
     return is_in_view && (frame.limits.empty() || keep_within_limits(visible, frame, work));
 }
 
+/// Scans the projected face, but for rows at its top and its bottom that have nothing free. False if none are left.
+bool scan(const FrameContext& frame, FrameWorkspace& work) {
+    const std::span<const ScreenVertex> corners = work.polygon.screen;
+    const PolygonShape shape = shape_of(corners, frame.out.height_px, frame.accuracy().edges);
+    const PixelRange rows = work.span_buffer.rows_with_free(shape.bounds);
+    if (rows.first >= rows.end) return false;
+    scan_convex(corners, shape, rows, work.rows);
+    return true;
+}
+
 /// Lets a face claim the pixels of the scanned rows that are free. The second walk comes again to faces that are seen
 /// through: they have their pixels.
 void claim_face(const VisibleFace& visible, bool is_second_walk, const FrameContext& frame, FrameWorkspace& work) {
@@ -139,8 +149,7 @@ void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
     if (keeps_faces) start_scanned_faces(work);
     while (const std::optional<VisibleFace> visible = walk.next()) {
         const Stopwatch of_models(visible->fragment ? work.times.get() : nullptr, Effect::BrushModels);
-        if (!project(*visible, frame, work)) continue;
-        scan_convex(work.polygon.screen, work.rows, frame.accuracy().edges);
+        if (!project(*visible, frame, work) || !scan(frame, work)) continue;
         if (is_watched && note_scanned_face(*visible, walk.takes_all_faces(), keeps_faces, frame, work)) continue;
         claim_face(*visible, walk.takes_all_faces(), frame, work);
     }

@@ -11,6 +11,7 @@
 #include "engine/scene/effects.h"
 #include "engine/screen/screen.h"
 #include "engine/visibility/front_to_back.h"
+#include "engine/visibility/span_list.h"
 
 namespace oblong {
 
@@ -31,10 +32,10 @@ struct ClaimedFace {
 /// What the faces, and the things among them, own of a frame: each has a place in the list of the pass that draws it,
 /// front to back.
 struct Claims {
-    std::vector<Span> spans;
+    SpanList spans;
     std::array<std::vector<ClaimedFace>, kFaceListCount> lists;
     EffectSet effects;             ///< that these faces need and the settings allow
-    std::vector<Span> left_free;   ///< pixels that no face owns
+    SpanList left_free;            ///< pixels that no face owns
     std::vector<FogRun> fog_runs;  ///< pixels in fog
     FrameThings things;            ///< what is among the faces
     bool is_under_liquid = false;  ///< the eye is in a liquid

@@ -56,9 +56,9 @@ bool find_light_beforehand(const FrameContext& frame, FrameWorkspace& work) {
 }
 
 void find_light(const FrameContext& frame, FrameWorkspace& work) {
-    find_styles(
-        work.claims.effects.has(Effect::Styles) || (!work.claims.things.meshes.empty() && frame.allows(Effect::Styles)),
-        frame, work);
+    const Claims& claims = work.claims;
+    find_styles(claims.effects.has(Effect::Styles) || (!claims.things.meshes.empty() && frame.allows(Effect::Styles)),
+                frame, work);
     if (!frame.allows(Effect::Lights))
         work.lights.clear();
     else

@@ -21,7 +21,6 @@ class SharedDrawing final : public SharedWork {
     /// `workers` outlive it. For spans of up to `longest_px` pixels.
     SharedDrawing(Workers& workers, std::int32_t longest_px);
 
-    int threads() const { return workers_.count(); }
     /// Begins to draw a frame. The arguments outlive end().
     void begin(const FrameContext& frame, const FrameWorkspace& work);
     /// Hands over spans of a face with its surface.

@@ -43,7 +43,7 @@ FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode, Worke
     if (workers && workers->count() > 1) shared = std::make_unique<SharedDrawing>(*workers, mode.width_px);
     walk.face_marks.resize(level.faces.size());
     walk.steps.reserve(level.nodes.size());
-    claims.spans.reserve(static_cast<std::size_t>(mode.height_px) * 16);
+    claims.spans.room_for(static_cast<std::size_t>(mode.height_px) * 16);
     polygon.cached.take(faces.most_corners);
     polygon.projected.take(faces.most_corners + kClipPlaneCount);
     polygon.clip.polygon.reserve(faces.most_corners + kClipPlaneCount);

@@ -38,15 +38,15 @@ class WorkerThreads final : public Workers {
     /// wrong: they are compared by their differences.
     static constexpr std::uint32_t kFirstNumber = 0xffff'ff00;
 
-    /// Apart from each other in memory, as different threads write them.
-    static constexpr std::size_t kApart_bytes = 64;
+    /// A line of the processors' caches: what different threads write does not share one.
+    static constexpr std::size_t kLine_bytes = 64;
 
-    SharedWork* work_ = nullptr;                         ///< read by who has taken an item of it
-    std::uint32_t first_item_ = kFirstNumber;            ///< of the work; read likewise
-    std::atomic<std::uint32_t> added_{kFirstNumber};     ///< up to here items may be taken
-    std::atomic<std::uint32_t> taken_{kFirstNumber};     ///< up to here they are
-    std::atomic<std::uint32_t> finished_{kFirstNumber};  ///< as many are finished, in whatever order
-    std::atomic<State> state_{State::Resting};
+    SharedWork* work_ = nullptr;                                              ///< read by who has taken an item of it
+    std::uint32_t first_item_ = kFirstNumber;                                 ///< of the work; read likewise
+    alignas(kLine_bytes) std::atomic<std::uint32_t> added_{kFirstNumber};     ///< up to here items may be taken
+    alignas(kLine_bytes) std::atomic<std::uint32_t> taken_{kFirstNumber};     ///< up to here they are
+    alignas(kLine_bytes) std::atomic<std::uint32_t> finished_{kFirstNumber};  ///< so many are
+    alignas(kLine_bytes) std::atomic<State> state_{State::Resting};
     std::mutex mutex_;  ///< of changes of state_
     std::condition_variable changed_;
     std::vector<std::thread> threads_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
@@ -34,107 +36,108 @@ class AccumulatingWalker {
     Column slope_, column_;
 };
 
-struct RowRange {
-    std::int32_t first, end;
-};
+/// An edge as it is walked: down, on one side of its polygon.
+struct SideEdge {
+    ScreenVertex top, bottom;
+    bool is_right;
 
-RowRange rows_between(Screen top, Screen bottom, std::int32_t height) {
-    return {std::max(first_centre_from(top), 0), std::min(first_centre_from(bottom), height)};
-}
-
-template <class Walker>
-void walk_edge(ScreenVertex top, ScreenVertex bottom, std::vector<std::int32_t>& columns) {
-    const RowRange range = rows_between(top.y, bottom.y, static_cast<std::int32_t>(columns.size()));
-    if (range.first >= range.end) return;
-    Walker walker(top, bottom, range.first);
-    std::int32_t* out = columns.data();
-    for (std::int32_t row = range.first; row < range.end; ++row, walker.next_row()) out[row] = walker.column();
-}
-
-/// Like walk_edge, but several edges of one side may cross a row: the outermost counts.
-template <class Walker>
-void widen_by_edge(ScreenVertex top, ScreenVertex bottom, std::vector<std::int32_t>& columns, bool is_left) {
-    const RowRange range = rows_between(top.y, bottom.y, static_cast<std::int32_t>(columns.size()));
-    if (range.first >= range.end) return;
-    Walker walker(top, bottom, range.first);
-    for (std::int32_t row = range.first; row < range.end; ++row, walker.next_row()) {
-        std::int32_t& column = at(columns, row);
-        column = is_left ? std::min(column, walker.column()) : std::max(column, walker.column());
+    SideEdge(ScreenVertex from, ScreenVertex to) : top(from), bottom(to), is_right(from.y < to.y) {
+        if (!is_right) std::swap(top, bottom);
     }
-}
+    PixelRange rows(PixelRange within) const {
+        return {std::max(first_centre_from(top.y), within.first), std::min(first_centre_from(bottom.y), within.end)};
+    }
+};
 
 ScreenVertex within_limits(ScreenVertex v) {
     return {std::clamp(v.x, -kLargestScreen, kLargestScreen), std::clamp(v.y, -kLargestScreen, kLargestScreen)};
 }
 
-/// A polygon's bounds and shape, found before it is scanned.
-struct Profile {
-    std::int32_t first_row, end_row;
-    bool is_monotone;  ///< goes down once and up once, as convex polygons do
-};
+/// Whether ScreenWalker takes it.
+bool is_on_screen(ScreenVertex v) {
+    constexpr auto kLargest = Screen::from_int(kLargestMode_px);
+    return v.x >= Screen{} && v.y >= Screen{} && v.x <= kLargest && v.y <= kLargest;
+}
 
-Profile survey(std::span<const ScreenVertex> vertices, std::int32_t height) {
-    Screen top = Screen::highest(), bottom = Screen::lowest();
-    int turns = 0, direction = 0, first_direction = 0;
-    ScreenVertex from = vertices.back();
-    for (const ScreenVertex& to : vertices) {
-        top = std::min(top, to.y);
-        bottom = std::max(bottom, to.y);
-        const int now = (to.y > from.y) - (to.y < from.y);
-        from = to;
-        if (now == 0) continue;
-        if (first_direction == 0) first_direction = now;
-        turns += direction != 0 && now != direction;
-        direction = now;
+/// Calls `keep(column of the row, the column so far)` for each row of each edge.
+template <class Walker, class Keep>
+void walk_edges(std::span<const ScreenVertex> vertices, ScanlineExtents& rows, const Keep& keep) {
+    const auto admitted = [](ScreenVertex v) { return std::is_same_v<Walker, ScreenWalker> ? v : within_limits(v); };
+    std::int32_t* const left = rows.left.data();
+    std::int32_t* const right = rows.right.data();
+    const PixelRange all{rows.first, rows.end};
+    ScreenVertex from = admitted(vertices.back());
+    for (const ScreenVertex& vertex : vertices) {
+        const SideEdge edge(from, admitted(vertex));
+        from = admitted(vertex);
+        const PixelRange range = edge.rows(all);
+        if (range.first >= range.end) continue;
+        std::int32_t* const columns = edge.is_right ? right : left;
+        Walker walker(edge.top, edge.bottom, range.first);
+        for (std::int32_t row = range.first; row < range.end; ++row, walker.next_row())
+            columns[row] = keep(edge, columns[row], walker.column());
     }
-    turns += direction != first_direction;
-    top = std::min(top, kLargestScreen);
-    bottom = std::min(bottom, kLargestScreen);
-    return {std::max(first_centre_from(top), 0), std::min(first_centre_from(bottom), height), turns <= 2};
 }
 
 /// Snapping and clipping can bend a chain of nearly collinear vertices back by a step. Such a polygon is widened to its
 /// outermost edges: its neighbours, which share them, may be overlapped by a sliver, but no gap can open.
 template <class Walker>
 void scan_bent(std::span<const ScreenVertex> vertices, ScanlineExtents& rows) {
-    for (std::int32_t row = rows.first; row < rows.end; ++row) {
-        at(rows.left, row) = std::numeric_limits<std::int32_t>::max();
-        at(rows.right, row) = std::numeric_limits<std::int32_t>::min();
-    }
-    ScreenVertex from = within_limits(vertices.back());
-    for (const ScreenVertex& vertex : vertices) {
-        const ScreenVertex to = within_limits(vertex);
-        if (from.y < to.y) widen_by_edge<Walker>(from, to, rows.right, false);
-        if (to.y < from.y) widen_by_edge<Walker>(to, from, rows.left, true);
-        from = to;
-    }
+    std::fill(rows.left.begin() + rows.first, rows.left.begin() + rows.end, std::numeric_limits<std::int32_t>::max());
+    std::fill(rows.right.begin() + rows.first, rows.right.begin() + rows.end, std::numeric_limits<std::int32_t>::min());
+    walk_edges<Walker>(vertices, rows, [](const SideEdge& edge, std::int32_t so_far, std::int32_t column) {
+        return edge.is_right ? std::max(so_far, column) : std::min(so_far, column);
+    });
 }
 
 template <class Walker>
-void scan_edges(std::span<const ScreenVertex> vertices, ScanlineExtents& rows) {
-    ScreenVertex from = within_limits(vertices.back());
-    for (const ScreenVertex& vertex : vertices) {
-        const ScreenVertex to = within_limits(vertex);
-        if (from.y < to.y) walk_edge<Walker>(from, to, rows.right);
-        if (to.y < from.y) walk_edge<Walker>(to, from, rows.left);
-        from = to;
-    }
+void scan_edges(std::span<const ScreenVertex> vertices, const PolygonShape& shape, ScanlineExtents& rows) {
+    if (!shape.is_monotone) return scan_bent<Walker>(vertices, rows);
+    walk_edges<Walker>(vertices, rows, [](const SideEdge&, std::int32_t, std::int32_t column) { return column; });
 }
 
 }  // namespace
 
+PolygonShape shape_of(std::span<const ScreenVertex> vertices, std::int32_t height_px, EdgeStepping stepping) {
+    if (vertices.size() < 3) return {};
+    ScreenVertex least = vertices.back(), greatest = least, from = least;
+    ScreenWide way_down;  // around the polygon
+    for (const ScreenVertex& to : vertices) {
+        least = {std::min(least.x, to.x), std::min(least.y, to.y)};
+        greatest = {std::max(greatest.x, to.x), std::max(greatest.y, to.y)};
+        way_down += std::max(widening_difference(to.y, from.y), ScreenWide{});
+        from = to;
+    }
+    const bool is_monotone = way_down == widening_difference(greatest.y, least.y);
+    EdgeWalk walk = EdgeWalk::OnScreen;
+    if (!is_on_screen(least) || !is_on_screen(greatest)) {
+        least = within_limits(least);
+        greatest = within_limits(greatest);
+        walk = EdgeWalk::Exact;
+    }
+    ScreenRectangle bounds{first_centre_from(least.x), first_centre_from(greatest.x),
+                           std::max(first_centre_from(least.y), 0), std::min(first_centre_from(greatest.y), height_px)};
+    if (stepping == EdgeStepping::Accumulated) {
+        walk = EdgeWalk::Accumulating;
+        --bounds.first_column;
+        ++bounds.end_column;
+    }
+    return {bounds, is_monotone, walk};
+}
+
+void scan_convex(std::span<const ScreenVertex> vertices, const PolygonShape& shape, PixelRange within,
+                 ScanlineExtents& rows) {
+    rows.first = within.first;
+    rows.end = within.end;
+    if (within.first >= within.end) return;
+    if (shape.walk == EdgeWalk::OnScreen) return scan_edges<ScreenWalker>(vertices, shape, rows);
+    if (shape.walk == EdgeWalk::Exact) return scan_edges<ExactWalker>(vertices, shape, rows);
+    scan_edges<AccumulatingWalker>(vertices, shape, rows);
+}
+
 void scan_convex(std::span<const ScreenVertex> vertices, ScanlineExtents& rows, EdgeStepping stepping) {
-    rows.first = rows.end = 0;
-    if (vertices.size() < 3) return;
-    const Profile profile = survey(vertices, static_cast<std::int32_t>(rows.left.size()));
-    rows.first = profile.first_row;
-    rows.end = profile.end_row;
-    if (rows.first >= rows.end) return;
-    const bool is_exact = stepping == EdgeStepping::Exact;
-    if (!profile.is_monotone)
-        is_exact ? scan_bent<ExactWalker>(vertices, rows) : scan_bent<AccumulatingWalker>(vertices, rows);
-    else
-        is_exact ? scan_edges<ExactWalker>(vertices, rows) : scan_edges<AccumulatingWalker>(vertices, rows);
+    const PolygonShape shape = shape_of(vertices, static_cast<std::int32_t>(rows.left.size()), stepping);
+    scan_convex(vertices, shape, {shape.bounds.first_row, shape.bounds.end_row}, rows);
 }
 
 ScreenArea doubled_area(std::span<const ScreenVertex> vertices) {

@@ -27,7 +27,8 @@ struct LightmapView {
     bool is_fullbright = false;  ///< the level has no light: unlit colours; else, without a style: darkest
 };
 
-/// One mip level of a texture and where a face's surface begins in it.
+/// One mip level of a texture and where a face's surface begins in it: numbers of texels that are multiples of 16 at
+/// mip level 0, and so of a cell between light samples at each.
 struct TextureView {
     const std::uint8_t* texels = nullptr;
     std::int32_t width = 0, height = 0;  ///< of this mip level

@@ -1,14 +1,37 @@
 #include "engine/visibility/span_buffer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/table.h"
 
 namespace oblong {
 
+namespace {
+
+/// A column of a screen, as lists store it.
+std::int16_t column(std::int32_t x) {
+    return static_cast<std::int16_t>(x);
+}
+
+/// Moves what follows up a place. Lists are short: swaps in a loop take less than a call that moves memory.
+template <class Interval>
+void insert(Interval added, Interval* place, Interval* list_end) {
+    for (; place != list_end; ++place) std::swap(*place, added);
+    *place = added;
+}
+
+template <class Interval>
+void erase(Interval* place, Interval* list_end) {
+    for (Interval moved{}; list_end != place;) std::swap(*--list_end, moved);
+}
+
+}  // namespace
+
 SpanBuffer::SpanBuffer(std::int32_t width_px, std::int32_t height_px)
     : width_px_(width_px),
       height_px_(height_px),
+      full_{column(width_px), 0},
       row_capacity_(static_cast<std::size_t>(width_px) / 2 + 2),
       rows_(static_cast<std::size_t>(height_px)),
       intervals_(row_capacity_ * static_cast<std::size_t>(height_px)) {
@@ -16,86 +39,155 @@ SpanBuffer::SpanBuffer(std::int32_t width_px, std::int32_t height_px)
 }
 
 void SpanBuffer::reset() {
-    for (std::int32_t y = 0; y < height_px_; ++y) {
-        at(rows_, y) = {0, width_px_, 1};
-        list_of(y)[0] = {0, static_cast<std::int16_t>(width_px_)};
-    }
-    free_px_ = std::int64_t{width_px_} * height_px_;
+    std::fill(rows_.begin(), rows_.end(), Row{{0, column(width_px_)}, 0});
+    free_spans_ = rows_.size();
 }
 
 void SpanBuffer::reset_to(std::span<const Span> free) {
-    for (Row& row : rows_) row = {width_px_, 0, 0};
-    free_px_ = 0;
+    std::fill(rows_.begin(), rows_.end(), Row{});
+    free_spans_ = 0;
     for (const Span& span : free) {
         Row& row = at(rows_, span.y);
-        Interval* const list = list_of(span.y);
-        const auto first = static_cast<std::int16_t>(span.first), end = static_cast<std::int16_t>(span.end);
-        if (row.count > 0 && list[row.count - 1].end == first)
-            list[row.count - 1].end = end;
-        else
-            list[row.count++] = {first, end};
-        row.hull_first = list[0].first;
-        row.hull_end = end;
-        free_px_ += span.end - span.first;
+        Interval* const list_end = list_of(span.y) + row.listed;
+        if (row.listed > 0 && list_end[-1].end == span.first) {
+            list_end[-1].end = column(span.end);
+        } else {
+            *list_end = {column(span.first), column(span.end)};
+            ++row.listed;
+            ++free_spans_;
+        }
     }
+    for (std::int32_t y = 0; y < height_px_; ++y) settle(at(rows_, y), list_of(y));
 }
 
-void SpanBuffer::claim(std::int32_t y, std::int32_t first, std::int32_t end, std::vector<Span>& owned) {
+PixelRange SpanBuffer::rows_with_free(const ScreenRectangle& rectangle) const {
+    if (rectangle.first_row >= rectangle.end_row) return {0, 0};
+    const Row* const rows = rows_.data();
+    const Row* first = rows + rectangle.first_row;
+    const Row* end = rows + rectangle.end_row;
+    while (first < end && !first->may_be_free(rectangle)) ++first;
+    while (first < end && !end[-1].may_be_free(rectangle)) --end;
+    return {static_cast<std::int32_t>(first - rows), static_cast<std::int32_t>(end - rows)};
+}
+
+void SpanBuffer::claim(const ScanlineExtents& rows, SpanList& owned) {
+    Span* to = owned.room_for(free_spans_);
+    const std::int32_t* const left = rows.left.data();
+    const std::int32_t* const right = rows.right.data();
+    for (std::int32_t y = rows.first, end = rows.end; y < end; ++y) to = claim_row(y, left[y], right[y], to);
+    owned.set_end(to);
+}
+
+void SpanBuffer::claim(std::int32_t y, std::int32_t first, std::int32_t end, SpanList& owned) {
+    owned.set_end(claim_row(y, first, end, owned.room_for(row_capacity_)));
+}
+
+void SpanBuffer::claim_rest(SpanList& owned) {
+    if (is_full()) return;
+    for (std::int32_t y = 0; y < height_px_; ++y) claim(y, 0, width_px_, owned);
+}
+
+/// Writes the free parts of row y's pixels [first, end) to `owned`, takes them, and returns the end of what it wrote.
+[[gnu::always_inline]] inline Span* SpanBuffer::claim_row(std::int32_t y, std::int32_t first, std::int32_t end,
+                                                          Span* owned) {
     Row& row = at(rows_, y);
-    first = std::max(first, row.hull_first);
-    end = std::min(end, row.hull_end);
-    if (first >= end) return;
-    claim_from(row, list_of(y), {y, first, end}, owned);
+    first = std::max<std::int32_t>(first, row.hull.first);
+    end = std::min<std::int32_t>(end, row.hull.end);
+    if (first >= end) return owned;
+    if (row.listed > 0) return claim_listed(y, first, end, owned);
+    *owned = {y, first, end};
+    const bool keeps_left = first > row.hull.first, keeps_right = end < row.hull.end;
+    if (keeps_left && keeps_right) {
+        Interval* const list = list_of(y);
+        list[0] = {row.hull.first, column(first)};
+        list[1] = {column(end), row.hull.end};
+        row.listed = 2;
+        ++free_spans_;
+    } else if (keeps_left) {
+        row.hull.end = column(first);
+    } else if (keeps_right) {
+        row.hull.first = column(end);
+    } else {
+        row.hull = full_;
+        --free_spans_;
+    }
+    return owned + 1;
 }
 
-void SpanBuffer::claim(const ScanlineExtents& rows, std::vector<Span>& owned) {
-    for (std::int32_t y = rows.first; y < rows.end; ++y) claim(y, at(rows.left, y), at(rows.right, y), owned);
+/// The same in a row with a list, within its hull.
+[[gnu::always_inline]] inline Span* SpanBuffer::claim_listed(std::int32_t y, std::int32_t first, std::int32_t end,
+                                                             Span* owned) {
+    Row& row = at(rows_, y);
+    Interval* const list = list_of(y);
+    Interval* free = list;
+    while (free->end <= first) ++free;  // stops, as the hull does not end before `end`
+    if (free->end < end) return claim_several(y, first, end, free, owned);
+    first = std::max<std::int32_t>(first, free->first);
+    if (first >= end) return owned;
+    *owned = {y, first, end};
+    const bool keeps_left = first > free->first, keeps_right = end < free->end;
+    if (keeps_left && keeps_right) {
+        insert(Interval{column(end), free->end}, free + 1, list + row.listed);
+        free->end = column(first);
+        ++row.listed;
+        ++free_spans_;
+        return owned + 1;
+    }
+    if (keeps_left) {
+        free->end = column(first);
+    } else if (keeps_right) {
+        free->first = column(end);
+    } else {
+        erase(free, list + row.listed);
+        --row.listed;
+        --free_spans_;
+    }
+    row.hull = {list[0].first, list[row.listed - 1].end};
+    if (row.listed == 1) row.listed = 0;
+    return owned + 1;
 }
 
-void SpanBuffer::find_free(const ScanlineExtents& rows, std::vector<Span>& free) const {
+/// The same of columns that reach beyond the first free span that they touch.
+Span* SpanBuffer::claim_several(std::int32_t y, std::int32_t first, std::int32_t end, Interval* free, Span* owned) {
+    Row& row = at(rows_, y);
+    Interval* const list_end = list_of(y) + row.listed;
+    if (free->first < first) {
+        *owned++ = {y, first, free->end};
+        free->end = column(first);
+        ++free;
+    }
+    Interval* const taken = free;
+    for (; free != list_end && free->end <= end; ++free) *owned++ = {y, free->first, free->end};
+    if (free != list_end && free->first < end) {
+        *owned++ = {y, free->first, end};
+        free->first = column(end);
+    }
+    std::copy(free, list_end, taken);
+    row.listed -= static_cast<std::int32_t>(free - taken);
+    free_spans_ -= static_cast<std::size_t>(free - taken);
+    settle(row, list_of(y));
+    return owned;
+}
+
+/// Sets a row's hull after its list, which is dropped if the hull says it all.
+inline void SpanBuffer::settle(Row& row, const Interval* list) const {
+    row.hull = row.listed > 0 ? Interval{list[0].first, list[row.listed - 1].end} : full_;
+    if (row.listed == 1) row.listed = 0;
+}
+
+void SpanBuffer::find_free(const ScanlineExtents& rows, SpanList& free) const {
+    Span* to = free.room_for(free_spans_);
     for (std::int32_t y = rows.first; y < rows.end; ++y) {
-        const std::span intervals(list_of(y), static_cast<std::size_t>(at(rows_, y).count));
+        const Row& row = at(rows_, y);
+        const std::span intervals =
+            row.listed > 0 ? std::span(list_of(y), static_cast<std::size_t>(row.listed)) : std::span(&row.hull, 1);
         for (const Interval& interval : intervals) {
             const std::int32_t first = std::max<std::int32_t>(interval.first, at(rows.left, y));
             const std::int32_t end = std::min<std::int32_t>(interval.end, at(rows.right, y));
-            if (first < end) free.push_back({y, first, end});
+            if (first < end) *to++ = {y, first, end};
         }
     }
-}
-
-void SpanBuffer::claim_from(Row& row, Interval* list, const Span& span, std::vector<Span>& owned) {
-    Interval* const list_end = list + row.count;
-    Interval* read = list;
-    while (read != list_end && read->end <= span.first) ++read;
-    if (read == list_end || read->first >= span.end) return;
-
-    Interval* write = read;
-    if (read->first < span.first && read->end > span.end) {  // falls in two
-        std::copy_backward(read, list_end, list_end + 1);
-        ++row.count;
-        write[0].end = static_cast<std::int16_t>(span.first);
-        write[1].first = static_cast<std::int16_t>(span.end);
-        owned.push_back(span);
-        free_px_ -= span.end - span.first;
-        return;
-    }
-    for (; read != list_end && read->first < span.end; ++read) {
-        const Interval free = *read;
-        const Span piece{span.y, std::max<std::int32_t>(free.first, span.first),
-                         std::min<std::int32_t>(free.end, span.end)};
-        owned.push_back(piece);
-        free_px_ -= piece.end - piece.first;
-        if (free.first < piece.first) *write++ = {free.first, static_cast<std::int16_t>(piece.first)};
-        if (free.end > piece.end) *write++ = {static_cast<std::int16_t>(piece.end), free.end};
-    }
-    write = std::copy(read, list_end, write);
-    row.count = static_cast<std::int32_t>(write - list);
-    row.hull_first = row.count ? list[0].first : width_px_;
-    row.hull_end = row.count ? write[-1].end : 0;
-}
-
-void SpanBuffer::claim_rest(std::vector<Span>& owned) {
-    for (std::int32_t y = 0; y < height_px_; ++y) claim(y, 0, width_px_, owned);
+    free.set_end(to);
 }
 
 }  // namespace oblong

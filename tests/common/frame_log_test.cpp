@@ -188,6 +188,10 @@ TEST_F(FrameLogTest, MemoryAndLevelCountWhatIsThere) {
     const double span_buffer = numbers_after(line_with(memory, "span buffer"), "span buffer ").at(0);
     EXPECT_GE(span_buffer, 40 * (12 + 32 * 4));
     EXPECT_LE(span_buffer, 40 * (12 + 36 * 4));
+    double sum = 0;
+    for (const std::string& line : memory)
+        if (line != memory.back()) sum += numbers_after(line, ": ").at(0);
+    EXPECT_EQ(numbers_after(memory.back(), "all rooms: ").at(0), sum);
     const LogLines level = level_lines(frame());
     for (const char* line : {"1 planes", "4 vertices", "1 faces", "1 nodes", "2 leaves", "1 textures", "1 entities",
                              "8 bytes of light", "1 bytes of visible sets"})

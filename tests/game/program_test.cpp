@@ -63,6 +63,15 @@ TEST_F(Program, AspectOptionsSetTheStart) {
     EXPECT_EQ(picture("shown"), picture("usual"));
 }
 
+TEST_F(Program, ThreadsShowTheSamePictures) {
+    ASSERT_EQ(run("--headless 30 --out one --mode 640x480"), 0) << said("err.txt");
+    ASSERT_EQ(run("--headless 30 --out three --mode 640x480 --threads 3"), 0) << said("err.txt");
+    for (const char* name : {"00000.png", "00015.png", "00029.png"})
+        EXPECT_EQ(test::read_file_bytes(folder_ / "one" / name), test::read_file_bytes(folder_ / "three" / name))
+            << name;
+    EXPECT_EQ(run("--headless 1 --out none --threads 0"), 2);
+}
+
 TEST_F(Program, AReplayShowsWhatWasRecorded) {
     ASSERT_EQ(run("--headless 60 --out live --record walk.demo"), 0) << said("err.txt");
     ASSERT_EQ(run("--headless 60 --out again --replay walk.demo"), 0) << said("err.txt");

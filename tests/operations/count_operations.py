@@ -39,7 +39,7 @@ OF_EFFECTS = re.compile("engine/(effects/|mesh/|raster/(depth|lines|triangles|ke
                         "moving_lights|level_effects|light_below)|level/floor|math/(soft_float|wide_sum)|"
                         "geometry/(canonical_volume|clip_line|facing|triangulate)|math/transform|"
                         "visibility/(placed_box|pixel_owners|z_buffer|painter|ray_casting)|"
-                        "frame/(fog|light|mirror|model|see_through)_pass|frame/(frame_things|hidden_surfaces|pass_times|wireframe))")
+                        "frame/(fog|light|mirror|model|see_through)_pass|frame/(frame_things|hidden_surfaces|pass_times|shared_drawing|wireframe))")
 BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|surface/(palette|colormap|oklab))")
 TOOLS = ["tools/common/arguments.cpp", "tools/render/camera_list.cpp", "tools/measure/operations.cpp",
          "tests/operations/counter/count_operations.cpp"]

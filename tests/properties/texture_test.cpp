@@ -30,9 +30,10 @@ Colormap any_colormap() {
 
 RC_GTEST_PROP(PropertyTexture, LitSurfacesRepeatByWholeTextures, ()) {
     const int mip = *rc::gen::inRange(0, 4);
-    // Sizes of mip level 0 are any multiples of 16.
+    // Sizes and places at mip level 0 are any multiples of 16.
     const auto any_size = [mip] { return *rc::gen::inRange(1, 6) * (16 >> mip); };
-    TextureView texture{nullptr, any_size(), any_size(), *rc::gen::inRange(-500, 500), *rc::gen::inRange(-500, 500)};
+    const auto any_place = [mip] { return *rc::gen::inRange(-40, 40) * (16 >> mip); };
+    TextureView texture{nullptr, any_size(), any_size(), any_place(), any_place()};
     const std::vector<std::uint8_t> texels = any_bytes(texture.width * texture.height);
     texture.texels = texels.data();
     LightmapView light;

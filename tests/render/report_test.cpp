@@ -28,6 +28,16 @@ class Report : public testing::Test {
     TemporaryFolder folder_;
 };
 
+TEST_F(Report, ThreadsChangeNothingButTheTime) {
+    const Json one = report({}), three = report({"--threads", "3"});
+    EXPECT_EQ(one.at("threads"), 1);
+    EXPECT_EQ(three.at("threads"), 3);
+    for (std::size_t i = 0; i < one.at("frames").size(); ++i) {
+        EXPECT_EQ(three.at("frames")[i].at("crc32"), one.at("frames")[i].at("crc32"));
+        EXPECT_EQ(three.at("frames")[i].at("counts"), one.at("frames")[i].at("counts"));
+    }
+}
+
 TEST_F(Report, SaysWhatWasAskedFor) {
     const Json json = report({"--display", "16:9", "--fov", "72.5", "--texel-error", "0.5", "--effects", "sky,liquid"});
     EXPECT_EQ(json.at("mode"), "320x200");

@@ -9,6 +9,8 @@
 #include <random>
 #include <vector>
 
+#include "engine/base/table.h"
+
 namespace oblong::test {
 
 namespace {
@@ -179,6 +181,72 @@ TEST(LitSurface, WithoutExtentIsOneColourAndWritesAllOfIt) {
                           out.data());
         const int shade = static_cast<int>(shade_of(patch.samples[0]));
         EXPECT_EQ(std::count(out.begin(), out.end(), static_cast<std::uint8_t>(shade)), stride * height);
+    }
+}
+
+/// One texel by the formula, in integers.
+std::uint8_t plain_texel(const TextureView& texture, const LightmapView& light, const Colormap& map,
+                         const LightQuality& quality, int mip, std::int32_t x, std::int32_t y) {
+    const std::int32_t cell = 16 >> mip, column = x / cell, row = y / cell;
+    const bool is_nearest = quality.sampling == LightSampling::Nearest;
+    const auto sample_16 = [&](std::int32_t c, std::int32_t r) {
+        const std::int32_t index = r * light.columns + c;
+        std::int64_t light_8 = light.added_8 ? light.added_8[index] : 0;
+        for (std::int32_t style = 0; style < light.style_count; ++style)
+            light_8 += light.samples[style * light.columns * light.rows + index] * at(light.style_scale_256, style);
+        light_8 = std::clamp<std::int64_t>(light_8 * quality.brightness_100 / 100, 0, 2 * kFullLight * 256);
+        return std::int64_t{oblong::shade_of(static_cast<std::int32_t>(light_8))};
+    };
+    const auto between = [&](std::int64_t a, std::int64_t b, std::int32_t step) {  // a and b times the cell's size
+        if (is_nearest) return (2 * step < cell ? a : b) * cell;
+        return a * cell + (b - a) * step;
+    };
+    const std::int64_t left = between(sample_16(column, row), sample_16(column, row + 1), y % cell),
+                       right = between(sample_16(column + 1, row), sample_16(column + 1, row + 1), y % cell);
+    std::int64_t shade_24 = between(left, right, x % cell) * (1 << 2 * mip);
+    if (quality.dithers) {
+        constexpr int kBayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+        shade_24 += kBayer[y % 4][x % cell % 4] * (64 / quality.shades << 20);
+        shade_24 = std::min<std::int64_t>(shade_24, (64 << 24) - 1);
+    }
+    const auto wrapped = [](std::int32_t place, std::int32_t size) { return ((place % size) + size) % size; };
+    const std::int32_t u = wrapped(texture.min_u + x, texture.width), v = wrapped(texture.min_v + y, texture.height);
+    return at(map.shades, shade_24 >> 24)[texture.texels[v * texture.width + u]];
+}
+
+TEST(LitSurface, EachTexelIsWhatTheFormulaSays) {
+    std::mt19937 random(31);
+    Colormap map;
+    for (auto& shade : map.shades)
+        for (std::uint8_t& colour : shade) colour = static_cast<std::uint8_t>(random());
+    const auto below = [&](std::uint32_t end) { return static_cast<std::int32_t>(random() % end); };
+    for (int round = 0; round < 600; ++round) {
+        const int mip = below(4), cell = 16 >> mip;
+        Patch patch(random, 2 + below(5), 2 + below(5));
+        const TextureView texture{patch.texels.data(), (1 + below(64 / cell)) * cell, (1 + below(64 / cell)) * cell,
+                                  (below(90) - 45) * cell, (below(90) - 45) * cell};
+        const LightQuality quality{below(2) ? LightSampling::Nearest : LightSampling::Interpolated, 16 << below(3),
+                                   below(2) == 0, below(4) == 0 ? 25 + below(700) : 100};
+        LightmapView light;
+        light.columns = patch.columns;
+        light.rows = patch.rows;
+        light.style_count = below(5);
+        const auto samples = static_cast<std::size_t>(light.columns * light.rows);
+        std::vector<std::uint8_t> styles(samples * 4);
+        for (std::uint8_t& sample : styles) sample = static_cast<std::uint8_t>(random());
+        for (std::uint16_t& scale : light.style_scale_256) scale = static_cast<std::uint16_t>(below(600));
+        std::vector<std::int32_t> added(samples);
+        for (std::int32_t& sum : added) sum = below(40'000);
+        light.samples = styles.data();
+        if (below(3) == 0) light.added_8 = added.data();
+        const std::int32_t width = lit_size(light.columns, mip), height = lit_size(light.rows, mip), stride = width + 3;
+        std::vector<std::uint8_t> out(static_cast<std::size_t>(stride * height), 77);
+        build_lit_surface(texture, light, map, quality, mip, stride, patch.scratch.data(), out.data());
+        for (std::int32_t y = 0; y < height; ++y)
+            for (std::int32_t x = 0; x < stride; ++x)
+                ASSERT_EQ(at(out, y * stride + x),
+                          x < width ? plain_texel(texture, light, map, quality, mip, x, y) : 77)
+                    << x << "," << y << " of round " << round;
     }
 }
 

@@ -30,7 +30,7 @@ class Walker {
         return places;
     }
     bool hands_out_nothing_when_full(const ViewContext& view) {
-        std::vector<Span> owned;
+        SpanList owned;
         SpanBuffer full(320, 200);
         full.claim_rest(owned);
         FrontToBackWalk walk(level, view, visible_, nullptr, full, scratch_);

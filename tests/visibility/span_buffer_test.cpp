@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace oblong::test {
@@ -10,35 +11,77 @@ namespace {
 
 constexpr std::int32_t kWidth = 97, kHeight = 5;
 
-/// The obvious way: a flag a pixel.
-class FlagCoverage {
-  public:
-    std::vector<bool> claim(std::int32_t y, std::int32_t first, std::int32_t end) {
-        std::vector<bool> owned(kWidth);
-        for (std::int32_t x = std::max(first, 0); x < std::min(end, kWidth); ++x) {
-            const auto pixel = static_cast<std::size_t>(y * kWidth + x);
-            owned[static_cast<std::size_t>(x)] = !taken_[pixel];
-            taken_[pixel] = true;
-        }
-        return owned;
-    }
-    bool is_full() const { return std::find(taken_.begin(), taken_.end(), false) == taken_.end(); }
-
-  private:
-    std::vector<bool> taken_ = std::vector<bool>(kWidth * kHeight);
+/// A span that compares.
+struct PixelRun {
+    std::int32_t y, first, end;
+    bool operator==(const PixelRun&) const = default;
 };
 
-std::vector<bool> flags_of(const std::vector<Span>& spans, std::int32_t y) {
-    std::vector<bool> flags(kWidth);
-    for (const Span& span : spans) {
-        EXPECT_EQ(span.y, y);
-        EXPECT_LT(span.first, span.end);
-        for (std::int32_t x = span.first; x < span.end; ++x) {
-            EXPECT_FALSE(flags[static_cast<std::size_t>(x)]) << "a pixel twice in one claim";
-            flags[static_cast<std::size_t>(x)] = true;
+/// The obvious way: a flag a pixel, whether it is free.
+class FreePixels {
+  public:
+    bool& at(std::int32_t y, std::int32_t x) { return free_[static_cast<std::size_t>(y * kWidth + x)].is_free; }
+    /// The free pixels of row y's [first, end) as runs, added to `runs`; taken if `takes_them`.
+    void find(std::int32_t y, std::int32_t first, std::int32_t end, bool takes_them, std::vector<PixelRun>& runs) {
+        for (std::int32_t x = std::max(first, 0); x < std::min(end, kWidth); ++x) {
+            if (!at(y, x)) continue;
+            const bool continues = !runs.empty() && runs.back().y == y && runs.back().end == x;
+            if (continues)
+                ++runs.back().end;
+            else
+                runs.push_back({y, x, x + 1});
+            if (takes_them) at(y, x) = false;
         }
     }
-    return flags;
+    bool is_full() const {
+        return std::none_of(free_.begin(), free_.end(), [](const Pixel& pixel) { return pixel.is_free; });
+    }
+
+  private:
+    struct Pixel {
+        bool is_free = true;
+    };
+    std::vector<Pixel> free_ = std::vector<Pixel>(kWidth * kHeight);
+};
+
+std::vector<PixelRun> runs_of(const SpanList& list) {
+    std::vector<PixelRun> runs;
+    for (const Span& span : list) runs.push_back({span.y, span.first, span.end});
+    return runs;
+}
+
+std::int32_t up_to(std::mt19937& random, std::int32_t most) {
+    return static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(most + 1));
+}
+
+/// Columns of a few rows; some of them empty, or off the screen.
+ScanlineExtents random_rows(std::mt19937& random, std::int32_t longest) {
+    ScanlineExtents rows(kHeight);
+    rows.first = up_to(random, kHeight - 1);
+    rows.end = rows.first + up_to(random, kHeight - rows.first);
+    for (auto y = static_cast<std::size_t>(rows.first); y < static_cast<std::size_t>(rows.end); ++y) {
+        rows.left[y] = up_to(random, kWidth + 40) - 20;
+        rows.right[y] = rows.left[y] + up_to(random, longest) - 1;
+    }
+    return rows;
+}
+
+std::vector<PixelRun> expected_runs(const ScanlineExtents& rows, bool takes_them, FreePixels& reference) {
+    std::vector<PixelRun> runs;
+    for (std::int32_t y = rows.first; y < rows.end; ++y)
+        reference.find(y, at(rows.left, y), at(rows.right, y), takes_them, runs);
+    return runs;
+}
+
+/// The rows from the first to the last that have a free pixel in one of the rectangle's columns.
+PixelRange rows_with_free(const ScreenRectangle& rectangle, FreePixels& reference) {
+    PixelRange rows{kHeight, 0};
+    for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y) {
+        std::vector<PixelRun> free;
+        reference.find(y, rectangle.first_column, rectangle.end_column, false, free);
+        if (!free.empty()) rows = {std::min(rows.first, y), y + 1};
+    }
+    return rows;
 }
 
 }  // namespace
@@ -47,32 +90,121 @@ TEST(SpanBuffer, GivesWhatWasFreeAndOnlyOnce) {
     std::mt19937 random(5);
     for (int trial = 0; trial < 2000; ++trial) {
         SpanBuffer span_buffer(kWidth, kHeight);
-        FlagCoverage reference;
+        FreePixels reference;
         const std::int32_t longest = 1 << random() % 8;
         for (int claim = 0; claim < 60; ++claim) {
-            const auto y = static_cast<std::int32_t>(random() % kHeight);
-            const auto first = static_cast<std::int32_t>(random() % (kWidth + 40)) - 20;
-            const auto end = first + static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(longest + 1));
-            std::vector<Span> owned;
+            const std::int32_t y = up_to(random, kHeight - 1), first = up_to(random, kWidth + 39) - 20;
+            const std::int32_t end = first + up_to(random, longest);
+            SpanList owned;
             span_buffer.claim(y, first, end, owned);
-            ASSERT_EQ(flags_of(owned, y), reference.claim(y, first, end));
+            std::vector<PixelRun> expected;
+            reference.find(y, first, end, true, expected);
+            ASSERT_EQ(runs_of(owned), expected);
             ASSERT_EQ(span_buffer.is_full(), reference.is_full());
         }
     }
 }
 
+TEST(SpanBuffer, GivesAFaceWhatIsFreeOfItsRows) {
+    std::mt19937 random(6);
+    for (int trial = 0; trial < 3000; ++trial) {
+        SpanBuffer span_buffer(kWidth, kHeight);
+        FreePixels reference;
+        SpanList owned;
+        std::vector<PixelRun> expected;
+        const std::int32_t longest = 1 << random() % 8;
+        for (int claim = 0; claim < 60; ++claim) {
+            const ScanlineExtents rows = random_rows(random, longest);
+            const bool takes_them = random() % 4 != 0;
+            if (takes_them)
+                span_buffer.claim(rows, owned);
+            else
+                span_buffer.find_free(rows, owned);
+            const std::vector<PixelRun> added = expected_runs(rows, takes_them, reference);
+            expected.insert(expected.end(), added.begin(), added.end());
+            ASSERT_EQ(owned.size(), expected.size());
+            ASSERT_EQ(span_buffer.is_full(), reference.is_full());
+        }
+        ASSERT_EQ(runs_of(owned), expected);
+    }
+}
+
+TEST(SpanBuffer, ContinuesFromAnyFreePixels) {
+    std::mt19937 random(7);
+    for (int trial = 0; trial < 2000; ++trial) {
+        SpanBuffer span_buffer(kWidth, kHeight);
+        FreePixels reference;
+        std::vector<Span> free;
+        const std::int32_t most_between = up_to(random, 20);
+        for (std::int32_t y = 0; y < kHeight; ++y)
+            for (std::int32_t x = 0; x < kWidth; ++x) {
+                reference.at(y, x) = up_to(random, most_between) == 0;
+                if (reference.at(y, x)) free.push_back({y, x, x + 1});  // not joined to its neighbours
+            }
+        span_buffer.reset_to(free);
+        ASSERT_EQ(span_buffer.is_full(), reference.is_full());
+        for (int claim = 0; claim < 20; ++claim) {
+            const ScanlineExtents rows = random_rows(random, 64);
+            SpanList owned;
+            span_buffer.claim(rows, owned);
+            ASSERT_EQ(runs_of(owned), expected_runs(rows, true, reference));
+        }
+        SpanList rest;
+        span_buffer.claim_rest(rest);
+        std::vector<PixelRun> expected;
+        for (std::int32_t y = 0; y < kHeight; ++y) reference.find(y, 0, kWidth, true, expected);
+        ASSERT_EQ(runs_of(rest), expected);
+    }
+}
+
+TEST(SpanBuffer, ARectangleWithAFreePixelIsNeverTakenForFull) {
+    std::mt19937 random(8);
+    int full = 0, exact = 0, trials = 0;
+    for (int trial = 0; trial < 1000; ++trial) {
+        SpanBuffer span_buffer(kWidth, kHeight);
+        FreePixels reference;
+        for (int claim = 0; claim < 20; ++claim) {
+            const ScanlineExtents taken = random_rows(random, 97);
+            SpanList owned;
+            span_buffer.claim(taken, owned);
+            expected_runs(taken, true, reference);
+            const std::int32_t column = up_to(random, kWidth + 10) - 10, row = up_to(random, kHeight);
+            const ScreenRectangle rectangle{column, column + up_to(random, 40), row,
+                                            row + up_to(random, kHeight - row)};
+            const PixelRange found = span_buffer.rows_with_free(rectangle),
+                             needed = rows_with_free(rectangle, reference);
+            ASSERT_EQ(found.first < found.end, span_buffer.may_be_free(rectangle));
+            if (needed.first < needed.end) {
+                ASSERT_LE(found.first, needed.first);
+                ASSERT_GE(found.end, needed.end);
+                ASSERT_GE(found.first, rectangle.first_row);
+                ASSERT_LE(found.end, rectangle.end_row);
+            }
+            exact += needed.first == found.first && needed.end == found.end;
+            full += found.first >= found.end;
+            ++trials;
+        }
+    }
+    EXPECT_GT(full, trials / 4);
+    EXPECT_GT(exact, trials / 4);
+}
+
 TEST(SpanBuffer, EverySecondPixelFreeIsTheMostIntervals) {
     SpanBuffer span_buffer(kWidth, kHeight);
-    std::vector<Span> owned;
-    for (std::int32_t x = 1; x < kWidth; x += 2) span_buffer.claim(2, x, x + 1, owned);
-    owned.clear();
-    span_buffer.claim(2, 0, kWidth, owned);
-    EXPECT_EQ(owned.size(), 49u);
+    SpanList owned;
+    for (std::int32_t y = 0; y < kHeight; ++y)
+        for (std::int32_t x = 1; x < kWidth; x += 2) span_buffer.claim(y, x, x + 1, owned);
+    SpanList row, rest;
+    span_buffer.claim(2, 0, kWidth, row);
+    EXPECT_EQ(row.size(), 49u);
+    span_buffer.claim_rest(rest);
+    EXPECT_EQ(rest.size(), 49u * (kHeight - 1));
+    EXPECT_TRUE(span_buffer.is_full());
 }
 
 TEST(SpanBuffer, TheRestIsAllThatIsLeft) {
     SpanBuffer span_buffer(kWidth, kHeight);
-    std::vector<Span> owned, rest;
+    SpanList owned, rest;
     span_buffer.claim(0, 10, 20, owned);
     span_buffer.claim_rest(rest);
     std::int64_t pixels = 0;

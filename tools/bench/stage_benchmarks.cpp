@@ -78,7 +78,7 @@ void time_scan(benchmark::State& state, const SharedFrames& stages) {
 
 void time_coverage(benchmark::State& state, const SharedFrames& stages) {
     SpanBuffer& buffer = stages->work.span_buffer;
-    std::vector<Span> owned;
+    SpanList owned;
     std::int64_t spans = 0;
     for (auto _ : state) {
         spans = 0;

@@ -12,7 +12,7 @@ void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs
     work.visible.see_from(level.level, inputs.leaf);
     work.vertices.start_frame();
     work.span_buffer.reset();
-    std::vector<Span> owned;
+    SpanList owned;
     FrontToBackWalk walk(level.level, inputs.view, work.visible, nullptr, work.span_buffer, work.walk);
     while (const std::optional<VisibleFace> visible = walk.next()) {
         inputs.visited.push_back(visible->face);

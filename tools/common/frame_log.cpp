@@ -38,8 +38,32 @@ std::size_t claim_bytes(const Claims& claims) {
     return bytes;
 }
 
-std::string memory_line(const char* room, const char* what, std::size_t bytes) {
-    return std::string(room) + ": " + what + " " + counted(bytes, "bytes");
+/// What a part of a room takes.
+struct MemoryUse {
+    const char *room, *part;
+    std::size_t bytes;
+};
+
+std::vector<MemoryUse> memory_of(const LoggedFrame& frame) {
+    const Level& level = frame.scene.level;
+    const FrameWorkspace& work = frame.work;
+    const SurfaceCache& cache = work.surfaces.cache();
+    return {{"level", "geometry", geometry_bytes(level)},
+            {"level", "tree", tree_bytes(level)},
+            {"level", "light", level.lighting.size()},
+            {"level", "visible sets", level.visibility.size()},
+            {"level", "textures", texture_bytes(level)},
+            {"scene", "face table", bytes_of(work.faces.faces) + bytes_of(work.faces.corners)},
+            {"geometry", "vertex cache", work.vertices.bytes()},
+            {"visibility", "span buffer", work.span_buffer.bytes()},
+            {"visibility", "walk", bytes_of(work.walk.face_marks) + bytes_of(work.walk.steps)},
+            {"surface", "colormap", sizeof frame.scene.colormap},
+            {"surface", "lit surfaces", cache.used_bytes()},
+            {"surface", "table of lit surfaces", cache.bytes() - cache.arena_bytes()},
+            {"effects", "sky", bytes_of(work.sky_layers)},
+            {"frame", "claims", claim_bytes(work.claims)},
+            {"frame", "workspace", sizeof work},
+            {"screen", "framebuffer", pixel_count(frame.mode.width_px, frame.mode.height_px)}};
 }
 
 }  // namespace
@@ -65,19 +89,14 @@ LogLines level_lines(const LoggedFrame& frame) {
 }
 
 LogLines memory_lines(const LoggedFrame& frame) {
-    const Level& level = frame.scene.level;
-    const FrameWorkspace& work = frame.work;
-    return {memory_line("level", "geometry", geometry_bytes(level)),
-            memory_line("level", "tree", tree_bytes(level)),
-            memory_line("level", "light", level.lighting.size()),
-            memory_line("level", "visible sets", level.visibility.size()),
-            memory_line("level", "textures", texture_bytes(level)),
-            memory_line("scene", "face table", bytes_of(work.faces.faces) + bytes_of(work.faces.corners)),
-            memory_line("geometry", "vertex cache", work.vertices.bytes()),
-            memory_line("visibility", "span buffer", work.span_buffer.bytes()),
-            memory_line("surface", "cache", work.surfaces.cache().bytes()),
-            memory_line("frame", "claims", claim_bytes(work.claims)),
-            memory_line("screen", "framebuffer", pixel_count(frame.mode.width_px, frame.mode.height_px))};
+    LogLines lines;
+    std::size_t all = 0;
+    for (const MemoryUse& use : memory_of(frame)) {
+        lines.push_back(std::string(use.room) + ": " + use.part + " " + counted(use.bytes, "bytes"));
+        all += use.bytes;
+    }
+    lines.push_back("all rooms: " + counted(all, "bytes"));
+    return lines;
 }
 
 LogLines cache_lines(const LoggedFrame& frame, CacheTotals& before) {

@@ -26,7 +26,7 @@ using LogLines = std::vector<std::string>;
 
 /// What the level holds, and what its reader and its effects warn of.
 LogLines level_lines(const LoggedFrame& frame);
-/// Bytes by room of the engine.
+/// Bytes by room of the engine, and of all: what a frame has touched, not the rest of the arena of lit surfaces.
 LogLines memory_lines(const LoggedFrame& frame);
 /// Where the eye was placed, the view matrix row by row, the multipliers of the projection, the planes of the frustum.
 LogLines matrix_lines(const LoggedFrame& frame);

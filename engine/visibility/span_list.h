@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "engine/screen/screen.h"
+
+namespace oblong {
+
+/// Spans in the order in which they were added. Whoever adds many makes room for the most there may be, and writes them
+/// there without a question each.
+class SpanList {
+  public:
+    const Span* begin() const { return spans_.data(); }
+    const Span* end() const { return spans_.data() + used_; }
+    const Span* data() const { return spans_.data(); }
+    std::size_t size() const { return used_; }
+    bool empty() const { return used_ == 0; }
+    void clear() { used_ = 0; }
+
+    /// The end, behind which `count` more spans may be written; what was written stays if set_end() says so.
+    Span* room_for(std::size_t count) {
+        if (capacity_ - used_ < count) grow(count);
+        return spans_.data() + used_;
+    }
+    void set_end(const Span* end) { used_ = static_cast<std::size_t>(end - spans_.data()); }
+
+    void push_back(const Span& span) {
+        *room_for(1) = span;
+        ++used_;
+    }
+
+  private:
+    void grow(std::size_t count) {
+        capacity_ = std::max(used_ + count, 2 * capacity_);
+        spans_.resize(capacity_);
+    }
+
+    std::vector<Span> spans_;  ///< the first `used_`, and room for more
+    std::size_t used_ = 0, capacity_ = 0;
+};
+
+}  // namespace oblong
