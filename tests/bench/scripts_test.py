@@ -1,6 +1,6 @@
 """The measuring scripts on the demo level: their tables account for all that was counted, and they say what is missing.
 
-usage: scripts_test.py ROOT BUILD OBLONG_RENDER stage-costs|compare-peer
+usage: scripts_test.py ROOT BUILD OBLONG_RENDER stage-costs|compare-peer|scale-chart
 Exit code 77: skipped.
 """
 import importlib.machinery
@@ -34,7 +34,7 @@ def load(name):
     return module
 
 
-def demo(folder, cameras=3):
+def demo(folder, cameras=2):
     """BUILD, and the demo level with a few cameras."""
     with open(os.path.join(ROOT, "assets/demo_cameras.csv")) as file:
         lines = file.read().splitlines()[:cameras + 1]
@@ -95,7 +95,7 @@ def check_compare_peer(folder):
         mode = json.load(file)["modes"]["64x40"]
     for setting in ("bounded", "1996"):
         row = mode["levels"]["all"][setting]
-        check(row["frames"] == 3 and row["slower"] == 0, "frames: %s" % row)
+        check(row["frames"] == 2 and row["slower"] == 0, "frames: %s" % row)
         check(abs(row["ratio_median"] * row["median_us"] - 1000000) < 1, "a ratio is not peer / Oblong: %s" % row)
         parts = list(row["ratio_quantiles"].values())
         check(parts == sorted(parts) and parts[0] > 1, "quantiles of the ratio: %s" % parts)
@@ -103,9 +103,24 @@ def check_compare_peer(folder):
     check(slower["slower"] == 1 and slower["ratio_mean"] == 60 / 50, "a slower frame: %s" % slower)
 
 
+def check_scale_chart(folder):
+    ran = run("scale-chart", "--quick", "--render", RENDER, "--out", folder, *demo(folder))
+    check(ran.returncode == 0, "scale-chart: " + ran.stderr)
+    with open(os.path.join(folder, "scale.json")) as file:
+        found = json.load(file)
+    check([row["pixels"] for row in found["modes"]] == [320 * 200, 3840 * 2400], "modes: %s" % found["modes"])
+    first, last = found["faces"]
+    check(last["faces"] == last["copies"] * first["faces"] and last["copies"] == 2, "faces: %s" % found["faces"])
+    for kind in ("meshes", "brush_models"):
+        check([row["models"] for row in found[kind]] == [1, 1000], "%s: %s" % (kind, found[kind]))
+    with open(os.path.join(folder, "scale.svg")) as file:
+        check(file.read().count("<circle") == 2 * 4, "a point is not on the chart")
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        {"stage-costs": check_stage_costs, "compare-peer": check_compare_peer}[sys.argv[4]](folder)
+        {"stage-costs": check_stage_costs, "compare-peer": check_compare_peer,
+         "scale-chart": check_scale_chart}[sys.argv[4]](folder)
 
 
 if __name__ == "__main__":

@@ -38,12 +38,6 @@ void time_block_kernel(benchmark::State& state, BlockKernel kernel) {
     show_time_per("pixel", std::ssize(input.pixels), state);
 }
 
-struct NamedBlockKernel {
-    const char* name;
-    BlockKernel kernel;
-    bool runs_here;
-};
-
 struct NamedTraits {
     const char* name;
     TexelTraits traits;
@@ -85,18 +79,15 @@ void time_effect_kernel(benchmark::State& state, const TexelTraits& traits) {
 }  // namespace
 
 void register_kernel_benchmarks() {
-    for (const NamedBlockKernel& known :
-         {NamedBlockKernel{"plain", draw_blocks_plain, true}, NamedBlockKernel{"packed", draw_blocks_packed, true},
-          NamedBlockKernel{"bmi2", draw_blocks_bmi2, has_bmi2()},
-          NamedBlockKernel{"any_size", draw_blocks_any_size, true}}) {
-        if (!known.runs_here) continue;
-        benchmark::RegisterBenchmark((std::string("kernel/") + known.name).c_str(), time_block_kernel, known.kernel)
+    std::vector<NamedKernel> kernels(block_kernels().begin(), block_kernels().end());
+    kernels.push_back({"any_size", draw_blocks_any_size});
+    for (const NamedKernel& known : kernels)
+        benchmark::RegisterBenchmark((std::string("kernel/") + known.name).c_str(), time_block_kernel, known.draw)
             ->ArgName("block_px")
             ->Arg(8)
             ->Arg(16)
             ->Arg(32)
             ->Arg(64);
-    }
     for (const NamedTraits& named : kEffectTraits)
         benchmark::RegisterBenchmark((std::string("effect_kernel/") + named.name).c_str(), time_effect_kernel,
                                      named.traits)

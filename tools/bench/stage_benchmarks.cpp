@@ -72,8 +72,8 @@ void time_polygons(benchmark::State& state, const SharedFrames& stages) {
 void time_scan(benchmark::State& state, const SharedFrames& stages) {
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames)
-            for (const ScreenPolygon& polygon : frame.in_view) scan_convex(polygon.screen, stages->work.rows);
-    show_time_per("face", stages->sum([](const StageInputs& frame) { return frame.in_view.size(); }), state);
+            for (const auto& polygon : frame.polygons) scan_convex(polygon, stages->work.rows);
+    show_time_per("face", stages->sum([](const StageInputs& frame) { return frame.polygons.size(); }), state);
 }
 
 void time_coverage(benchmark::State& state, const SharedFrames& stages) {
@@ -100,18 +100,14 @@ void drop_blocks(std::span<const TexelBlock> blocks, const EffectTexels&, std::u
 
 void time_spans(benchmark::State& state, const SharedFrames& stages, Preset preset, EffectKernel kernel) {
     const SpanTexturing texturing = make_span_texturing(accuracy_of(preset));
+    const SurfaceEffect effect{kernel, {}};
     SpanScratch scratch(stages->mode.width_px);
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames)
             for (const TexturedInput& wall : frame.walls)
-                draw_texture_spans({wall.claimed,
-                                    wall.surface,
-                                    wall.gradients,
-                                    wall.least_density,
-                                    frame.least_pixel_width,
-                                    kernel,
-                                    {}},
-                                   wall.spans, {texturing, stages->out(), scratch});
+                draw_texture_spans(
+                    {wall.claimed, wall.surface, effect, wall.gradients, wall.least_density, frame.least_pixel_width},
+                    wall.spans, {texturing, stages->out(), scratch});
     show_time_per("pixel", stages->sum([](const StageInputs& frame) { return frame.pixels; }), state);
 }
 
@@ -119,7 +115,8 @@ void time_exact_spans(benchmark::State& state, const SharedFrames& stages) {
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames)
             for (const TexturedInput& wall : frame.walls)
-                draw_exact_spans(wall.spans, wall.gradients, wall.surface.limits, wall.surface.view, stages->out());
+                draw_exact_spans(wall.spans, wall.gradients, wall.surface.limits, wall.surface.view,
+                                 wall.surface.kernel, stages->out());
     show_time_per("pixel", stages->sum([](const StageInputs& frame) { return frame.pixels; }), state);
 }
 

@@ -19,7 +19,7 @@ void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs
         if (!project_face(work.faces.corners_of(visible->face), inputs.view, work.vertices, work.polygon)) continue;
         scan_convex(work.polygon.screen, work.rows);
         work.span_buffer.claim(work.rows, owned);
-        inputs.in_view.push_back(work.polygon);
+        inputs.polygons.emplace_back(work.polygon.screen.begin(), work.polygon.screen.end());
         inputs.rows.push_back(work.rows);
     }
 }

@@ -20,11 +20,11 @@ struct TexturedInput {
 /// What each stage of one frame works on. Of the faces, those of the world alone: doors and lifts are left out.
 struct StageInputs {
     ViewContext view;
-    LeafIndex leaf;                      ///< of the eye
-    std::vector<FaceIndex> visited;      ///< what the walk returned
-    std::vector<ScreenPolygon> in_view;  ///< those of them that are in view
-    std::vector<ScanlineExtents> rows;   ///< of those
-    std::vector<TexturedInput> walls;    ///< those that own pixels and are drawn from a surface
+    LeafIndex leaf;                                   ///< of the eye
+    std::vector<FaceIndex> visited;                   ///< what the walk returned
+    std::vector<std::vector<ScreenVertex>> polygons;  ///< of those that are in view
+    std::vector<ScanlineExtents> rows;                ///< of those
+    std::vector<TexturedInput> walls;                 ///< those that own pixels and are drawn from a surface
     WidthAtOne least_pixel_width;
     std::int64_t pixels = 0;  ///< of the walls
 };
