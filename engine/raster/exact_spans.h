@@ -10,6 +10,6 @@ namespace oblong {
 /// Draws spans of a surface that its masks wrap with a division at each pixel: the same bytes as by Texturing::Exact's
 /// blocks of one pixel, without the blocks.
 void draw_exact_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
-                      const SurfaceView& surface, Framebuffer out);
+                      const SurfaceView& surface, BlockKernel kernel, Framebuffer out);
 
 }  // namespace oblong
