@@ -123,6 +123,7 @@ void draw_meshes(const FrameContext& frame, const FrameFog& fog, FrameWorkspace&
     if (!work.meshes) work.meshes = std::make_unique<MeshScratch>(frame.out.height_px);
     std::int64_t pixels = 0;
     for (const MeshInView& mesh : work.claims.things.meshes) {
+        if (is_hidden(mesh, work.depth)) continue;  // behind the meshes before it
         gather_mesh_lights(mesh, work);
         const MeshDrawing drawing{frame.view, work.surfaces.colormap(), light_on(mesh, frame, work),
                                   fog_over(mesh, frame, fog, work), frame.accuracy().texturing == Texturing::Affine};

@@ -46,7 +46,9 @@ void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans,
     BlockCutting cutting{face.gradients, surface.limits, {}};
     cutting.limits.least = {};  // without steps nothing drifts
     if (surface.is_wrapped_by_masks && !face.effect.kernel && !counts && !drawing.record)
-        return draw_exact_spans(spans, face.gradients, cutting.limits, surface.view, drawing.out);
+        return draw_exact_spans(spans, face.gradients, cutting.limits, surface.view,
+                                drawing.texturing.texturing == Texturing::Exact ? surface.kernel : nullptr,
+                                drawing.out);
     const std::int64_t divisions_before = counts ? counts->divisions : 0;
     draw_blocks(face, spans, drawing.texturing.cut_pixels, cutting, drawing);
     if (!counts || !surface.is_wrapped_by_masks) return;

@@ -44,10 +44,8 @@ FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode, Worke
     walk.face_marks.resize(level.faces.size());
     walk.steps.reserve(level.nodes.size());
     claims.spans.room_for(static_cast<std::size_t>(mode.height_px) * 16);
-    polygon.cached.take(faces.most_corners);
+    polygon.clipper.reserve(faces.most_corners + kClipPlaneCount);
     polygon.projected.take(faces.most_corners + kClipPlaneCount);
-    polygon.clip.polygon.reserve(faces.most_corners + kClipPlaneCount);
-    polygon.clip.other.reserve(faces.most_corners + kClipPlaneCount);
 }
 
 }  // namespace oblong

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <deque>
+#include <span>
 #include <vector>
 
+#include "engine/base/scratch.h"
 #include "engine/geometry/frustum.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 
@@ -17,11 +22,8 @@ struct ClipVertex {
     std::uint8_t borders = 0;
     std::uint8_t outcode = 0;       ///< the sides that it is outside of, among those decided
     std::uint8_t undecided = 0xff;  ///< the sides still to be tested by its position
-};
-
-/// Two buffers for clipping plane by plane; kept from frame to frame, so that nothing is allocated.
-struct ClipScratch {
-    std::vector<ClipVertex> polygon, other;
+    bool is_projected = false;
+    ScreenVertex screen{};  ///< where is_projected
 };
 
 /// Where the edge from `inside` to `outside` crosses a plane, given both distances to it. Always computed from the
@@ -29,13 +31,45 @@ struct ClipScratch {
 Vec3<View> cross_plane(const Vec3<View>& inside, ClipDistance distance_inside, const Vec3<View>& outside,
                        ClipDistance distance_outside);
 
-/// Clips the convex polygon `scratch.polygon` to the planes in `outcodes` (the union of its vertices' outcodes). The
-/// result is in `scratch.polygon`, with at most one vertex more for each plane; perhaps empty. Sutherland and
-/// Hodgman, "Reentrant polygon clipping", CACM 17 (1974).
+/// Clips a convex polygon plane by plane. It is a list of corners that are kept elsewhere and not copied: faces share
+/// them. Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17 (1974).
+class PolygonClipper {
+  public:
+    /// Room for the corners of a new polygon, in order.
+    std::span<ClipVertex*> start(std::size_t corner_count) {
+        made_.clear();
+        return corners_ = buffers_[current_].take(corner_count);
+    }
+    /// Has room for polygons of so many corners, and what clipping adds.
+    void reserve(std::size_t corner_count) {
+        for (auto& buffer : buffers_) buffer.take(2 * (corner_count + kClipPlaneCount));
+    }
+    /// Clips to one plane; corners put on it get `border`, which is also the plane's bit in outcodes. A corner on the
+    /// plane is inside (hard case C1).
+    void clip_to_plane(const ClipPlane& plane, std::uint8_t border);
+    /// Clips to the planes in `outcodes` (the union of its corners' outcodes). Perhaps nothing is left; else there is
+    /// at most one corner more for each plane.
+    void clip(const Frustum& frustum, unsigned outcodes);
+    /// What is left. Valid until the next polygon is started.
+    std::span<ClipVertex* const> corners() const { return corners_; }
+
+  private:
+    std::array<Scratch<ClipVertex*>, 2> buffers_;
+    std::size_t current_ = 0;  ///< the buffer that the corners are in
+    std::span<ClipVertex*> corners_;
+    std::deque<ClipVertex> made_;  ///< by clipping: these stay where they are
+};
+
+/// A polygon with its own corners, and what clips it.
+struct ClipScratch {
+    std::vector<ClipVertex> polygon, other;
+    PolygonClipper clipper{};
+};
+
+/// PolygonClipper::clip() for `scratch.polygon`.
 void clip_polygon(const Frustum& frustum, unsigned outcodes, ClipScratch& scratch);
 
-/// Clips `in` to one plane, into `out`; corners put on it get `border`, which is also the plane's bit in outcodes. A
-/// corner on the plane is inside (hard case C1).
+/// PolygonClipper::clip_to_plane() from `in` to `out`.
 void clip_to_plane(const ClipPlane& plane, std::uint8_t border, const std::vector<ClipVertex>& in,
                    std::vector<ClipVertex>& out);
 

@@ -13,10 +13,10 @@ namespace oblong {
 struct ScreenPolygon {
     std::span<const ScreenVertex> screen;
     View nearest_z, farthest_z;  ///< of the part in view
-    bool is_clipped = false;     ///< its corners are its own, not those of the vertex cache
+    bool is_clipped = false;     ///< not all of its corners are those of the vertex cache
 
-    ClipScratch clip;
-    Scratch<CachedVertex*> cached;
+    PolygonClipper clipper;
+    Scratch<ClipVertex> own;          ///< corners of polygons that are not of the vertex cache
     Scratch<ScreenVertex> projected;  ///< where `screen` is
 };
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "engine/base/table.h"
+#include "engine/geometry/clip.h"
 #include "engine/geometry/view_context.h"
 
 namespace oblong {
@@ -10,12 +11,8 @@ namespace oblong {
 using VertexIndex = Index<struct Vertex>;  ///< of the level's vertices
 
 /// A vertex of the level as one frame sees it.
-struct CachedVertex {
-    Vec3<View> view;
-    ScreenVertex screen;      ///< where is_projected
+struct CachedVertex : ClipVertex {
     std::uint32_t frame = 0;  ///< the frame that this was computed in
-    std::uint8_t outcode = 0;
-    bool is_projected = false;
 };
 
 /// The level's vertices in viewspace and on the screen, each computed once a frame, when a face first needs it.
@@ -48,21 +45,13 @@ class VertexCache {
     CachedVertex& get(VertexIndex index, const ViewContext& view) {
         CachedVertex& vertex = vertices_[index];
         if (vertex.frame == frame_) return vertex;
-        vertex.view = to_view(world_[index], view.eye, view.axes);
-        if constexpr (AdjustsPositions) vertex.view = adjusted(vertex.view, view);
-        vertex.outcode = outcode_of(view.frustum, vertex.view);
-        vertex.frame = frame_;
+        vertex.position = to_view(world_[index], view.eye, view.axes);
+        if constexpr (AdjustsPositions) vertex.position = adjusted(vertex.position, view);
+        vertex.outcode = outcode_of(view.frustum, vertex.position);
+        vertex.undecided = 0;
         vertex.is_projected = false;
+        vertex.frame = frame_;
         return vertex;
-    }
-
-    /// The vertex on the screen; it must be inside the view (outcode 0).
-    static ScreenVertex project_once(CachedVertex& vertex, const ViewContext& view) {
-        if (!vertex.is_projected) {
-            vertex.screen = to_screen_vertex(project(vertex.view, view.projection), view.projection, view.grid);
-            vertex.is_projected = true;
-        }
-        return vertex.screen;
     }
 
   private:

@@ -52,37 +52,106 @@ void set_flat_light(const MeshTriangle& triangle, const MeshContext& mesh, const
     for (CornerValues& corner : values) corner.light = shade;
 }
 
-/// Draws a triangle of the screen; not one that covers no pixel's centre, or is seen from its back.
-void draw_triangle(const std::array<const ScreenCorner*, 3>& corners, const MeshPaint& paint, const MeshContext& mesh,
-                   MeshScratch& scratch, MeshCounts& counts) {
-    scan_convex(std::array{corners[0]->screen, corners[1]->screen, corners[2]->screen}, scratch.rows);
-    scratch.spans.clear();
-    append_spans(scratch.rows, mesh.target.part, scratch.spans);
-    if (scratch.spans.empty()) return;
-    const auto triangle = make_shaded_triangle(corners, {paint.shading == Shading::Phong, paint.is_affine});
-    if (!triangle) return;
-    ++counts.triangles;
-    counts.pixels += draw_mesh_spans(scratch.spans, triangle->gradients, paint, mesh.target);
+/// A vertex as the view sees it.
+const ViewVertex& seen_vertex(std::uint32_t number, const MeshContext& mesh, MeshScratch& scratch) {
+    ViewVertex& seen = at(scratch.view_vertices, number);
+    VertexStage& stage = at(scratch.stages, number);
+    if (stage != VertexStage::Unknown) return seen;
+    Vec3<World>& position = at(scratch.world_vertices, number).position;
+    position = world_position(mesh.object_vertices[number].position, mesh.transform);
+    seen = view_vertex(position, mesh.drawing.view);
+    stage = VertexStage::Seen;
+    return seen;
 }
 
-/// Draws one triangle of the mesh: after clipping a fan of them.
-void draw_polygon(const MeshTriangle& triangle, const MeshContext& mesh, MeshScratch& scratch, MeshCounts& counts) {
-    std::array<const ViewVertex*, 3> corners{};
-    std::array<CornerValues, 3> values;
-    for (std::size_t i = 0; i < 3; ++i) {
-        corners[i] = &at(scratch.view_vertices, triangle.vertices[i]);
-        values[i] = at(scratch.values, triangle.vertices[i]);
-    }
-    const Shading shading = mesh.placed.shading;
-    if (shading == Shading::Flat) set_flat_light(triangle, mesh, scratch, values);
-    clip_and_project(corners, values, mesh.drawing.view, scratch.clip, scratch.polygon);
+/// Its values. The view has seen it.
+const CornerValues& values_at(std::uint32_t number, const MeshContext& mesh, MeshScratch& scratch) {
+    CornerValues& values = at(scratch.values, number);
+    VertexStage& stage = at(scratch.stages, number);
+    if (stage == VertexStage::Complete) return values;
+    WorldVertex& vertex = at(scratch.world_vertices, number);
+    vertex.normal = world_normal(mesh.object_vertices[number].normal, mesh.transform);
+    values = corner_values(mesh.placed, number, vertex, mesh.drawing.light);
+    stage = VertexStage::Complete;
+    return values;
+}
 
+/// Those of a triangle's vertices.
+std::array<CornerValues, 3> values_of(const MeshTriangle& triangle, const MeshContext& mesh, MeshScratch& scratch) {
+    std::array<CornerValues, 3> values;
+    for (std::size_t i = 0; i < 3; ++i) values[i] = values_at(triangle.vertices[i], mesh, scratch);
+    if (mesh.placed.shading == Shading::Flat) set_flat_light(triangle, mesh, scratch, values);
+    return values;
+}
+
+/// What of a triangle of the screen is to be drawn: its spans are in the scratch.
+struct TriangleInView {
+    Barycentric weights;
+    LinearQuantity<InverseZ> inverse_z;
+};
+
+/// None if it covers no pixel's centre, is seen from its back, or lies behind what is there. Reads the corners' places
+/// alone, not their values.
+std::optional<TriangleInView> find_triangle(const std::array<const ScreenCorner*, 3>& corners, const MeshTarget& target,
+                                            MeshScratch& scratch, MeshCounts& counts) {
+    const std::array places{corners[0]->screen, corners[1]->screen, corners[2]->screen};
+    find_triangle_spans(places, target.part, scratch.rows, scratch.spans);
+    if (scratch.spans.empty()) return std::nullopt;
+    const std::optional<Barycentric> weights = make_barycentric(corners);
+    if (!weights) return std::nullopt;
+    ++counts.triangles;
+    const LinearQuantity<InverseZ> inverse_z = inverse_z_over(*weights);
+    if (is_covered(scratch.spans, inverse_z, target.depth)) return std::nullopt;
+    return TriangleInView{*weights, inverse_z};
+}
+
+MeshPaint paint_of(const MeshTriangle& triangle, const MeshContext& mesh) {
     const MeshDrawing& drawing = mesh.drawing;
-    const MeshPaint paint{skin_of(triangle, mesh), drawing.colormap, drawing.light,   shading,
-                          drawing.is_affine,       mesh.halfway,     &mesh.highlight, drawing.after};
-    for (std::size_t i = 2; i < scratch.polygon.size(); ++i)
-        draw_triangle({&scratch.polygon[0], &scratch.polygon[i - 1], &scratch.polygon[i]}, paint, mesh, scratch,
-                      counts);
+    return {skin_of(triangle, mesh), drawing.colormap, drawing.light,   mesh.placed.shading,
+            drawing.is_affine,       mesh.halfway,     &mesh.highlight, drawing.after};
+}
+
+/// Draws a triangle that was found.
+void draw_triangle(const TriangleInView& triangle, const MeshPaint& paint, const MeshTarget& target,
+                   MeshScratch& scratch, MeshCounts& counts) {
+    const GradientChoice choice{paint.shading == Shading::Phong, paint.is_affine};
+    const MeshGradients gradients = make_mesh_gradients(triangle.weights, triangle.inverse_z, choice);
+    counts.pixels += draw_mesh_spans(scratch.spans, gradients, paint, target);
+}
+
+/// Draws a triangle of the mesh that is inside of the view. Its vertices' normals, light and texels are worked out when
+/// the first triangle shows that has them: most of a small mesh's do not.
+void draw_whole(const MeshTriangle& triangle, const std::array<const ViewVertex*, 3>& vertices, const MeshContext& mesh,
+                MeshScratch& scratch, MeshCounts& counts) {
+    std::array<ScreenCorner, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = {vertices[i]->screen, vertices[i]->inverse_z, {}};
+    const auto found = find_triangle({&corners[0], &corners[1], &corners[2]}, mesh.target, scratch, counts);
+    if (!found) return;
+    const std::array<CornerValues, 3> values = values_of(triangle, mesh, scratch);
+    for (std::size_t i = 0; i < 3; ++i) corners[i].values = values[i];
+    draw_triangle(*found, paint_of(triangle, mesh), mesh.target, scratch, counts);
+}
+
+/// Draws what of a triangle clipping leaves, a fan.
+void draw_clipped(const MeshTriangle& triangle, const std::array<const ViewVertex*, 3>& vertices,
+                  const MeshContext& mesh, MeshScratch& scratch, MeshCounts& counts) {
+    clip_and_project(vertices, values_of(triangle, mesh, scratch), mesh.drawing.view, scratch.clip, scratch.polygon);
+    const MeshPaint paint = paint_of(triangle, mesh);
+    for (std::size_t i = 2; i < scratch.polygon.size(); ++i) {
+        const auto found = find_triangle({&scratch.polygon[0], &scratch.polygon[i - 1], &scratch.polygon[i]},
+                                         mesh.target, scratch, counts);
+        if (found) draw_triangle(*found, paint, mesh.target, scratch, counts);
+    }
+}
+
+/// Draws one triangle of the mesh.
+void draw_polygon(const MeshTriangle& triangle, const MeshContext& mesh, MeshScratch& scratch, MeshCounts& counts) {
+    std::array<const ViewVertex*, 3> vertices{};
+    for (std::size_t i = 0; i < 3; ++i) vertices[i] = &seen_vertex(triangle.vertices[i], mesh, scratch);
+    const auto& [a, b, c] = vertices;
+    if ((a->outcode & b->outcode & c->outcode) != 0) return;
+    const bool is_inside = (a->outcode | b->outcode | c->outcode) == 0;
+    (is_inside ? draw_whole : draw_clipped)(triangle, vertices, mesh, scratch, counts);
 }
 
 /// To the eye from the mesh's place, for highlights.
@@ -92,19 +161,30 @@ Vec3<Unit> toward_eye(const PlacedMesh& placed, const ViewContext& view) {
 
 }  // namespace
 
+CornerValues corner_values(const PlacedMesh& placed, std::size_t number, const WorldVertex& vertex,
+                           const MeshLight& light) {
+    const std::vector<MeshTexel>& texels = placed.mesh->texels;
+    const MeshTexel texel = number < texels.size() ? texels[number] : MeshTexel{};
+    const auto& [position, normal] = vertex;
+    CornerValues corner{within_skins(texel.u), within_skins(texel.v), {}, normal};
+    if (placed.shading == Shading::Phong)
+        corner.light = Fixed<std::int64_t, 16>::from_raw(std::int64_t{even_light(position, normal, light)} * 256);
+    if (placed.shading == Shading::Gouraud) corner.light = rounded_shade(light_at(position, normal, light), light);
+    return corner;
+}
+
 void find_corner_values(const PlacedMesh& placed, std::span<const WorldVertex> world_vertices, const MeshLight& light,
                         std::vector<CornerValues>& values) {
-    const std::vector<MeshTexel>& texels = placed.mesh->texels;
     values.clear();
-    for (std::size_t i = 0; i < world_vertices.size(); ++i) {
-        const MeshTexel texel = i < texels.size() ? texels[i] : MeshTexel{};
-        const auto& [position, normal] = world_vertices[i];
-        CornerValues corner{within_skins(texel.u), within_skins(texel.v), {}, normal};
-        if (placed.shading == Shading::Phong)
-            corner.light = Fixed<std::int64_t, 16>::from_raw(std::int64_t{even_light(position, normal, light)} * 256);
-        if (placed.shading == Shading::Gouraud) corner.light = rounded_shade(light_at(position, normal, light), light);
-        values.push_back(corner);
-    }
+    for (std::size_t i = 0; i < world_vertices.size(); ++i)
+        values.push_back(corner_values(placed, i, world_vertices[i], light));
+}
+
+void MeshScratch::begin(std::size_t vertex_count) {
+    world_vertices.resize(vertex_count);
+    view_vertices.resize(vertex_count);
+    values.resize(vertex_count);
+    stages.assign(vertex_count, VertexStage::Unknown);
 }
 
 MeshCounts draw_mesh(const PlacedMesh& placed, const MeshDrawing& drawing, const MeshTarget& target,
@@ -118,13 +198,11 @@ MeshCounts draw_mesh(const PlacedMesh& placed, const MeshDrawing& drawing, const
                            target,
                            pose_of(placed, scratch.object_vertices),
                            *transform,
-                           make_highlight_table(placed.highlight),
+                           placed.shading == Shading::Phong ? make_highlight_table(placed.highlight) : HighlightTable{},
                            halfway(drawing.light.directional.toward, toward_eye(placed, drawing.view)),
                            {"", 1, 1, {placed.colour}}};
     find_facing(placed.mesh->triangles, mesh.object_vertices, to_object(drawing.view.eye, *transform), scratch.facing);
-    transform_to_world(mesh.object_vertices, *transform, scratch.world_vertices);
-    transform_to_view(scratch.world_vertices, drawing.view, scratch.view_vertices);
-    find_corner_values(placed, scratch.world_vertices, drawing.light, scratch.values);
+    scratch.begin(mesh.object_vertices.size());
     for (const std::uint32_t triangle : scratch.facing)
         draw_polygon(at(placed.mesh->triangles, triangle), mesh, scratch, counts);
     counts.facing = std::ssize(scratch.facing);

@@ -6,15 +6,22 @@
 
 namespace oblong {
 
+/// How far a vertex came on its way to the screen.
+enum class VertexStage : std::uint8_t { Unknown, Seen, Complete };
+
 /// What the stages of a mesh make, one after the other; kept from mesh to mesh, so that little is allocated.
 struct MeshScratch {
     explicit MeshScratch(std::int32_t height_px) : rows(height_px) {}
+
+    /// Before a mesh of so many vertices, none of them worked out.
+    void begin(std::size_t vertex_count);
 
     std::vector<MeshVertex> object_vertices;  ///< between two frames
     std::vector<std::uint32_t> facing;        ///< triangles
     std::vector<WorldVertex> world_vertices;
     std::vector<ViewVertex> view_vertices;
     std::vector<CornerValues> values;  ///< of the vertices
+    std::vector<VertexStage> stages;   ///< of the vertices: what of the three above is known
     ClipScratch clip;
     std::vector<ScreenCorner> polygon;  ///< of one triangle
     ScanlineExtents rows;
@@ -37,7 +44,10 @@ struct MeshCounts {
     std::int64_t pixels = 0;     ///< drawn, some of them more than once
 };
 
-/// The values of vertices that go over the screen: texels, and the light or what it is worked out from at each pixel.
+/// The values of a vertex that go over the screen: texels, and the light or what it is worked out from at each pixel.
+CornerValues corner_values(const PlacedMesh& placed, std::size_t number, const WorldVertex& vertex,
+                           const MeshLight& light);
+/// The same of all vertices.
 void find_corner_values(const PlacedMesh& placed, std::span<const WorldVertex> world_vertices, const MeshLight& light,
                         std::vector<CornerValues>& values);
 

@@ -10,17 +10,6 @@ namespace oblong {
 
 namespace {
 
-/// A barycentric coordinate's change per pixel: at most 16.
-using WeightStep = Fixed<std::int64_t, 48>;
-
-/// Barycentric coordinates of two corners, seen from the first one, and how they change.
-struct Barycentric {
-    std::array<const ScreenCorner*, 3> corners;
-    WeightStep b_per_column, b_per_row, c_per_column, c_per_row;
-
-    const ScreenVertex& anchor() const { return corners[0]->screen; }
-};
-
 struct Way {
     std::int64_t x, y;  ///< 1/256 pixel
 
@@ -30,9 +19,21 @@ struct Way {
     std::int64_t size() const { return std::max(std::abs(x), std::abs(y)); }
 };
 
-/// part / whole per pixel, both of them in the units of a way, or a product of two.
+/// part / whole per pixel, both of them in the units of a way, or a product of two. Two divisions of 64 bits, 28 bits
+/// of the quotient each, where the numbers are as small as on a screen of 500,000 pixels.
 WeightStep step_of(std::int64_t part, std::int64_t whole) {
-    return WeightStep::from_raw(mul_div(part, WeightStep::from_int(256).raw, whole));
+    constexpr int kBits = 28;
+    static_assert(WeightStep::from_int(256).raw == std::int64_t{1} << (2 * kBits));
+    const std::uint64_t size = detail::magnitude(part), divisor = detail::magnitude(whole);
+    if (size > divisor || divisor == 0 || divisor >> 35 != 0)
+        return WeightStep::from_raw(mul_div(part, WeightStep::from_int(256).raw, whole));
+    const std::uint64_t high = (size << kBits) / divisor, rest = (size << kBits) % divisor;
+    const std::uint64_t low = (rest << kBits) / divisor, last = (rest << kBits) % divisor;
+    const bool is_negative = (part < 0) != (whole < 0);
+    const auto quotient = static_cast<std::int64_t>((high << kBits) + low);
+    // To the nearest, a tie up.
+    if (is_negative) return WeightStep::from_raw(-(quotient + (2 * last > divisor ? 1 : 0)));
+    return WeightStep::from_raw(quotient + (2 * last >= divisor ? 1 : 0));
 }
 
 /// Along the longest side alone, from `from` to `to`.
@@ -46,18 +47,6 @@ Barycentric along(const ScreenCorner* from, const ScreenCorner* to) {
     return result;
 }
 
-std::optional<Barycentric> make_barycentric(const std::array<const ScreenCorner*, 3>& corners) {
-    constexpr std::int64_t kThinnest_8 = 16;
-    const auto& [a, b, c] = corners;
-    const Way ab(*a, *b), ac(*a, *c), bc(*b, *c);
-    const std::int64_t area = ab.x * ac.y - ac.x * ab.y;
-    if (area <= 0) return std::nullopt;
-    const std::int64_t longest = std::max({ab.size(), ac.size(), bc.size()});
-    if (area < longest * kThinnest_8)
-        return longest == ab.size() ? along(a, b) : longest == ac.size() ? along(a, c) : along(b, c);
-    return Barycentric{corners, step_of(ac.y, area), step_of(-ac.x, area), step_of(-ab.y, area), step_of(ab.x, area)};
-}
-
 /// A quantity from its values at the corners. Its steps have at most 4 bits more than it; what is added up to far-away
 /// pixels may wrap (LinearQuantity).
 template <class Value>
@@ -67,7 +56,9 @@ LinearQuantity<Value> quantity_of(const Barycentric& weights, Value a, Value b, 
     quantity.per_row = product<Value>(b - a, weights.b_per_row) + product<Value>(c - a, weights.c_per_row);
     const auto moved_back = [](Value from, Value step, Screen by) {
         const std::int64_t from_centre_8 = 128 - by.raw;
-        const auto rest = Value::from_raw(mul_shift(step.raw, from_centre_8 & 255, 8));
+        // step (from_centre_8 mod 256) / 256, without a product of more than 64 bits.
+        const std::int64_t part_8 = from_centre_8 & 255, low_8 = step.raw & 255;
+        const auto rest = Value::from_raw(floor_shift(step.raw, 8) * part_8 + ((low_8 * part_8 + 128) >> 8));
         return stepped(stepped(from, step, floor_shift(from_centre_8, 8)), rest, 1);
     };
     quantity.origin =
@@ -81,35 +72,44 @@ auto quantity_of(const Barycentric& weights, auto value_of) {
     return quantity_of(weights, value_of(*a), value_of(*b), value_of(*c));
 }
 
-TextureGradients texture_gradients(const Barycentric& weights, bool is_affine) {
-    const auto over_z = [is_affine](Texel texel, const ScreenCorner& corner) {
-        return is_affine ? convert<TexelOverZ>(texel) : product<TexelOverZ>(texel, corner.inverse_z);
-    };
-    return {quantity_of(weights, [](const ScreenCorner& corner) { return corner.inverse_z; }),
-            quantity_of(weights, [&](const ScreenCorner& corner) { return over_z(corner.values.u, corner); }),
-            quantity_of(weights, [&](const ScreenCorner& corner) { return over_z(corner.values.v, corner); })};
-}
-
 }  // namespace
 
-std::optional<ShadedTriangle> make_shaded_triangle(const std::array<const ScreenCorner*, 3>& corners,
-                                                   const GradientChoice& choice) {
-    const std::optional<Barycentric> weights = make_barycentric(corners);
-    if (!weights) return std::nullopt;
-    ShadedTriangle triangle{{corners[0]->screen, corners[1]->screen, corners[2]->screen}, {}};
-    MeshGradients& gradients = triangle.gradients;
-    gradients.texture = texture_gradients(*weights, choice.is_affine);
+std::optional<Barycentric> make_barycentric(const std::array<const ScreenCorner*, 3>& corners) {
+    constexpr std::int64_t kThinnest_8 = 16;
+    const auto& [a, b, c] = corners;
+    const Way ab(*a, *b), ac(*a, *c), bc(*b, *c);
+    const std::int64_t area = ab.x * ac.y - ac.x * ab.y;
+    if (area <= 0) return std::nullopt;
+    const std::int64_t longest = std::max({ab.size(), ac.size(), bc.size()});
+    if (area < longest * kThinnest_8)
+        return longest == ab.size() ? along(a, b) : longest == ac.size() ? along(a, c) : along(b, c);
+    return Barycentric{corners, step_of(ac.y, area), step_of(-ac.x, area), step_of(-ab.y, area), step_of(ab.x, area)};
+}
+
+LinearQuantity<InverseZ> inverse_z_over(const Barycentric& weights) {
+    return quantity_of(weights, [](const ScreenCorner& corner) { return corner.inverse_z; });
+}
+
+MeshGradients make_mesh_gradients(const Barycentric& weights, const LinearQuantity<InverseZ>& inverse_z,
+                                  const GradientChoice& choice) {
+    const auto over_z = [&](Texel texel, const ScreenCorner& corner) {
+        return choice.is_affine ? convert<TexelOverZ>(texel) : product<TexelOverZ>(texel, corner.inverse_z);
+    };
     using Light = Fixed<std::int64_t, 32>;
+    MeshGradients gradients;
+    gradients.texture = {
+        inverse_z, quantity_of(weights, [&](const ScreenCorner& corner) { return over_z(corner.values.u, corner); }),
+        quantity_of(weights, [&](const ScreenCorner& corner) { return over_z(corner.values.v, corner); })};
     gradients.light =
-        quantity_of(*weights, [](const ScreenCorner& corner) { return convert<Light>(corner.values.light); });
-    if (!choice.has_normal) return triangle;
+        quantity_of(weights, [](const ScreenCorner& corner) { return convert<Light>(corner.values.light); });
+    if (!choice.has_normal) return gradients;
     const auto normal = [&](Unit Vec3<Unit>::*axis) {
-        return quantity_of(*weights, [axis](const ScreenCorner& corner) {
+        return quantity_of(weights, [axis](const ScreenCorner& corner) {
             return convert<Fixed<std::int64_t, 30>>(corner.values.normal.*axis);
         });
     };
     gradients.normal = {normal(&Vec3<Unit>::x), normal(&Vec3<Unit>::y), normal(&Vec3<Unit>::z)};
-    return triangle;
+    return gradients;
 }
 
 }  // namespace oblong

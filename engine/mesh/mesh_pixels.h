@@ -28,8 +28,16 @@ struct MeshTarget {
     ScreenRectangle part;  ///< depth is wanted in all of it
 };
 
-/// The spans of a triangle's pixels within a part of the screen, from its scanned rows.
+/// Appends what of scanned rows lies within a part of the screen.
 void append_spans(const ScanlineExtents& rows, const ScreenRectangle& part, std::vector<Span>& spans);
+
+/// The spans of the pixels within a part of the screen that a triangle covers, as scan_convex() finds them. None if it
+/// is seen from its back.
+void find_triangle_spans(const std::array<ScreenVertex, 3>& corners, const ScreenRectangle& part, ScanlineExtents& rows,
+                         std::vector<Span>& spans);
+
+/// Whether something is nearer at each of those pixels.
+bool is_covered(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z, DepthBuffer& depth);
 
 /// Draws those pixels of spans of a triangle at which nothing is nearer, and sets their depth. Returns how many.
 std::int64_t draw_mesh_spans(std::span<const Span> spans, const MeshGradients& gradients, const MeshPaint& paint,

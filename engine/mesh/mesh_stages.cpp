@@ -18,33 +18,60 @@ Vec3<Value> blended(const Vec3<Value>& a, const Vec3<Value>& b, std::int32_t ble
     return between(a, b, WorldWide::from_raw(blend_256), WorldWide::from_raw(256));
 }
 
+/// A number with the highest bit of the largest component's magnitude.
+template <class T>
+constexpr std::uint64_t size_bits(const Vec3<T>& v) {
+    return detail::magnitude(v.x.raw) | detail::magnitude(v.y.raw) | detail::magnitude(v.z.raw);
+}
+
 /// b - a, each component below 2^30 steps: so that the cross product of two fits 64 bits. Exact within 2^17 units.
-Vec3<WorldWide> bounded_difference(const Vec3<World>& a, const Vec3<World>& b) {
+constexpr Vec3<WorldWide> bounded_difference(const Vec3<World>& a, const Vec3<World>& b) {
     constexpr auto kMost = WorldWide::from_raw((1 << 30) - 1);
     const Vec3<WorldWide> way = widening_difference(b, a);
+    if (size_bits(way) >> 30 == 0) return way;
     return {std::clamp(way.x, -kMost, kMost), std::clamp(way.y, -kMost, kMost), std::clamp(way.z, -kMost, kMost)};
 }
 
 /// a x b, of bounded differences.
-Vec3<Fixed<std::int64_t, 24>> bounded_cross(const Vec3<WorldWide>& a, const Vec3<WorldWide>& b) {
+constexpr Vec3<Fixed<std::int64_t, 24>> bounded_cross(const Vec3<WorldWide>& a, const Vec3<WorldWide>& b) {
     return {bounded_product(a.y, b.z) - bounded_product(a.z, b.y),
             bounded_product(a.z, b.x) - bounded_product(a.x, b.z),
             bounded_product(a.x, b.y) - bounded_product(a.y, b.x)};
 }
 
 /// (C - A) x (B - A), toward the front.
-Vec3<Fixed<std::int64_t, 24>> object_normal(const MeshTriangle& triangle, std::span<const MeshVertex> vertices) {
+constexpr Vec3<Fixed<std::int64_t, 24>> object_normal(const MeshTriangle& triangle,
+                                                      std::span<const MeshVertex> vertices) {
     const Vec3<World>& a = vertices[triangle.vertices[0]].position;
     return bounded_cross(bounded_difference(a, vertices[triangle.vertices[2]].position),
                          bounded_difference(a, vertices[triangle.vertices[1]].position));
 }
 
+/// Whether normal . way is above 0, exactly: in 64 bits where those hold it, as they do for all but huge meshes.
 bool is_above_zero(const Vec3<Fixed<std::int64_t, 24>>& normal, const Vec3<WorldWide>& way) {
+    // Three products below 2^(n + w), n and w the bits of both: their sum fits if that is at most 2^61.
+    if (log2_floor(size_bits(normal) | 1) + log2_floor(size_bits(way) | 1) + 2 <= 61) return dot(normal, way).raw > 0;
     WideSum sum;
     sum.add_product(normal.x, way.x);
     sum.add_product(normal.y, way.y);
     sum.add_product(normal.z, way.z);
     return sum.scaled(0).mantissa > 0;
+}
+
+/// Whether products of the point with entries below 2^5, and their sums, fit 64 bits: it is within 2^13 units.
+constexpr bool is_small(const Vec3<World>& point) {
+    return size_bits(point) >> (World::kFractionBits + 13) == 0;
+}
+
+/// times() of small entries and a small point: the same bits, without products of more than 64 bits.
+constexpr Vec3<Entry> times_small(const Matrix4& matrix, const Vec3<World>& point) {
+    const auto row_times = [&](const std::array<Entry, 4>& row) {
+        const auto part = [](Entry entry, World of) {
+            return rounded_shift(entry.raw * of.raw, World::kFractionBits, Rounding::NearestHalfUp);
+        };
+        return Entry::from_raw(part(row[0], point.x) + part(row[1], point.y) + part(row[2], point.z) + row[3].raw);
+    };
+    return {row_times(matrix.rows[0]), row_times(matrix.rows[1]), row_times(matrix.rows[2])};
 }
 
 Vec3<Entry> times(const Matrix4& matrix, const Vec3<World>& point) {
@@ -147,32 +174,53 @@ void find_facing(std::span<const MeshTriangle> triangles, std::span<const MeshVe
 
 Vec3<Unit> world_normal(const MeshTriangle& triangle, std::span<const MeshVertex> object_vertices,
                         const MeshTransform& transform) {
-    const Vec3<Unit> normal = normalised(object_normal(triangle, object_vertices));
-    return normalised(transform.normals * convert<Entry>(normal));
+    return world_normal(normalised(object_normal(triangle, object_vertices)), transform);
+}
+
+Vec3<World> world_position(const Vec3<World>& object_position, const MeshTransform& transform) {
+    const Matrix4& matrix = transform.to_world;
+    if (!transform.has_small_entries || !is_small(object_position))
+        return saturating_convert<World>(times(matrix, object_position));
+    const Vec3<Entry> sum = times_small(matrix, object_position);
+    const auto rounded = [](Entry part) {
+        constexpr int kDropped = Entry::kFractionBits - World::kFractionBits;
+        return saturated_to<World>(rounded_shift(part.raw, kDropped, Rounding::NearestHalfUp));
+    };
+    return {rounded(sum.x), rounded(sum.y), rounded(sum.z)};
+}
+
+Vec3<Unit> world_normal(const Vec3<Unit>& object_normal, const MeshTransform& transform) {
+    if (!transform.turn) return normalised(transform.normals * convert<Entry>(object_normal));
+    const auto rounded = [&](const Vec3<Unit>& row) {
+        return saturated_to<Unit>(
+            rounded_shift(dot(row, object_normal).raw, Unit::kFractionBits, Rounding::NearestHalfUp));
+    };
+    const auto& [x, y, z] = *transform.turn;
+    return {rounded(x), rounded(y), rounded(z)};
 }
 
 void transform_to_world(std::span<const MeshVertex> object_vertices, const MeshTransform& transform,
                         std::vector<WorldVertex>& world_vertices) {
     world_vertices.clear();
     for (const MeshVertex& vertex : object_vertices)
-        world_vertices.push_back({saturating_convert<World>(times(transform.to_world, vertex.position)),
-                                  normalised(transform.normals * convert<Entry>(vertex.normal))});
+        world_vertices.push_back({world_position(vertex.position, transform), world_normal(vertex.normal, transform)});
+}
+
+ViewVertex view_vertex(const Vec3<World>& world_position, const ViewContext& view) {
+    ViewVertex seen;
+    seen.position = to_view(world_position, view.eye, view.axes);
+    if (view.view_bits != View::kFractionBits) seen.position = rounded_to(seen.position, view.view_bits);
+    seen.outcode = outcode_of(view.frustum, seen.position);
+    if (seen.outcode != 0) return seen;
+    seen.screen = to_screen_vertex(project(seen.position, view.projection), view.projection, view.grid);
+    seen.inverse_z = inverse_z_at(seen.position.z);
+    return seen;
 }
 
 void transform_to_view(std::span<const WorldVertex> world_vertices, const ViewContext& view,
                        std::vector<ViewVertex>& view_vertices) {
     view_vertices.clear();
-    for (const WorldVertex& vertex : world_vertices) {
-        ViewVertex seen;
-        seen.position = to_view(vertex.position, view.eye, view.axes);
-        if (view.view_bits != View::kFractionBits) seen.position = rounded_to(seen.position, view.view_bits);
-        seen.outcode = outcode_of(view.frustum, seen.position);
-        if (seen.outcode == 0) {
-            seen.screen = to_screen_vertex(project(seen.position, view.projection), view.projection, view.grid);
-            seen.inverse_z = inverse_z_at(seen.position.z);
-        }
-        view_vertices.push_back(seen);
-    }
+    for (const WorldVertex& vertex : world_vertices) view_vertices.push_back(view_vertex(vertex.position, view));
 }
 
 void clip_and_project(const std::array<const ViewVertex*, 3>& triangle, const std::array<CornerValues, 3>& values,

@@ -61,7 +61,12 @@ void find_facing(std::span<const MeshTriangle> triangles, std::span<const MeshVe
 /// The eye in object space; saturates.
 Vec3<World> to_object(const Vec3<World>& world_eye, const MeshTransform& transform);
 
-/// Object space to world: points by the matrix, normals by the inverse transpose, and brought back to length 1.
+/// A point of object space in the world: by the matrix; saturates.
+Vec3<World> world_position(const Vec3<World>& object_position, const MeshTransform& transform);
+/// A normal of object space in the world, of length 1: by the inverse transpose, and brought back to that length. Where
+/// the mesh is scaled alike along its axes the rotation alone does, within 3 steps (2^-30).
+Vec3<Unit> world_normal(const Vec3<Unit>& object_normal, const MeshTransform& transform);
+/// Object space to world: both, of all vertices.
 void transform_to_world(std::span<const MeshVertex> object_vertices, const MeshTransform& transform,
                         std::vector<WorldVertex>& world_vertices);
 
@@ -69,8 +74,10 @@ void transform_to_world(std::span<const MeshVertex> object_vertices, const MeshT
 Vec3<Unit> world_normal(const MeshTriangle& triangle, std::span<const MeshVertex> object_vertices,
                         const MeshTransform& transform);
 
-/// World to view: positions, and the sides of the view that they are outside of; where none, also the place on the
+/// World to view: the position, and the sides of the view that it is outside of; where none, also the place on the
 /// screen.
+ViewVertex view_vertex(const Vec3<World>& world_position, const ViewContext& view);
+/// The same of all vertices.
 void transform_to_view(std::span<const WorldVertex> world_vertices, const ViewContext& view,
                        std::vector<ViewVertex>& view_vertices);
 

@@ -18,6 +18,25 @@ Matrix4 matrix_of(const PlacedMesh& placed) {
     return model_matrix(placed.position, EulerAngles{placed.yaw, placed.pitch, placed.roll}, placed.scale);
 }
 
+bool has_small_entries(const Matrix4& matrix) {
+    std::uint64_t entries = 0;
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column) entries |= detail::magnitude(matrix.rows[row][column].raw);
+    return entries >> (Entry::kFractionBits + 5) == 0;
+}
+
+/// The rotation that normals make where a mesh is scaled alike along its axes: they keep their length.
+std::optional<std::array<Vec3<Unit>, 3>> rotation_of_normals(const PlacedMesh& placed) {
+    const Vec3<Entry>& scale = placed.scale;
+    if (scale.x != scale.y || scale.x != scale.z) return std::nullopt;
+    const Matrix3 rotation = rotation_matrix(EulerAngles{placed.yaw, placed.pitch, placed.roll});
+    const auto row = [&](std::size_t i) {
+        const auto& [x, y, z] = rotation.rows[i];
+        return convert<Unit>(Vec3<Entry>{x, y, z});
+    };
+    return std::array{row(0), row(1), row(2)};
+}
+
 const MeshFrame& frame_at(const Mesh& mesh, std::uint32_t number) {
     return mesh.frames[std::min<std::size_t>(number, mesh.frames.size() - 1)];
 }
@@ -53,7 +72,7 @@ std::optional<MeshTransform> make_mesh_transform(const PlacedMesh& placed) {
     const std::optional<Matrix3> normals = normal_matrix(linear_part(to_world));
     const std::optional<Matrix4> to_object = inverse(to_world);
     if (!normals || !to_object) return std::nullopt;
-    return MeshTransform{to_world, *normals, *to_object};
+    return MeshTransform{to_world, *normals, *to_object, has_small_entries(to_world), rotation_of_normals(placed)};
 }
 
 LevelBox world_box(const PlacedMesh& placed) {

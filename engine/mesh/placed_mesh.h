@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -36,6 +37,8 @@ struct MeshTransform {
     Matrix4 to_world;
     Matrix3 normals;  ///< the inverse transpose of its upper left part
     Matrix4 to_object;
+    bool has_small_entries = false;                 ///< those of to_world, but for its last column, are below 2^5
+    std::optional<std::array<Vec3<Unit>, 3>> turn;  ///< rows; where all axes are scaled alike it does for `normals`
 };
 
 /// Scale, then rotation, then translation. None where it has no inverse, or turns the mesh inside out.

@@ -34,7 +34,6 @@ class ExactWalker {
         const ScreenArea whole = bounded_product(ScreenWide::from_int(1), dy);
         const ScreenArea numerator =
             bounded_product(across, dy) + bounded_product(down, dx) + whole - ScreenArea::ulp();
-        note_range<"edge numerator">(numerator);
         const FlooredQuotient start(numerator, whole);
         const FlooredQuotient slope(dx, dy);
         whole_ = whole.raw;
@@ -49,7 +48,6 @@ class ExactWalker {
     void next_row() {
         column_ += step_;
         rest_ += step_rest_;
-        note_range<"edge rest">(ScreenArea::from_raw(rest_));
         const std::int64_t carry = rest_ >= whole_;
         column_ += carry;
         rest_ -= whole_ & -carry;
@@ -60,9 +58,9 @@ class ExactWalker {
 };
 
 /// The same columns for edges on a screen (coordinates from 0 to kLargestMode_px), by one division and one addition a
-/// row: a slope and a position of 42 fraction bits, both rounded down. Why that does: an edge that is dy high, in 1/256
+/// row: a slope and a position of 41 fraction bits, both rounded down. Why that does: an edge that is dy high, in 1/256
 /// pixel, passes the centres of rows at whole multiples of 1 / (256 dy) pixel, which is 2^-28 or more. The slope is
-/// less than 2^-42 too small, so after 4,096 rows the position is less than 2^-29 too far left: what is right of a
+/// less than 2^-41 too small, so after 4,096 rows the position is less than 2^-28 too far left: what is right of a
 /// column's centre stays right of it.
 class ScreenWalker {
   public:
@@ -71,7 +69,7 @@ class ScreenWalker {
         const ScreenWide dx = widening_difference(bottom.x, top.x), dy = widening_difference(bottom.y, top.y);
         const ScreenWide across = widening_difference(top.x, kHalf),
                          down = widening_difference(Screen::from_int(row), top.y - kHalf);
-        const auto dividend = convert<Fixed<std::int64_t, 50>>(dx);
+        const auto dividend = convert<Fixed<std::int64_t, 49>>(dx);
         slope_ = Column::from_raw(FlooredQuotient(dividend, dy).quotient);
         const auto way = bounded_product(slope_, down);  // within dx, as the row is one of the edge's
         note_range<"edge slope's dividend">(dividend);
@@ -83,7 +81,7 @@ class ScreenWalker {
     void next_row() { column_ += slope_; }
 
   private:
-    using Column = Fixed<std::int64_t, 42>;
+    using Column = Fixed<std::int64_t, 41>;
     Column slope_, column_;
 };
 

@@ -8,8 +8,9 @@
 namespace oblong {
 
 /// Draws spans of a surface that its masks wrap with a division at each pixel: the same bytes as by Texturing::Exact's
-/// blocks of one pixel, without the blocks.
+/// blocks of one pixel, without the blocks. `kernel` draws pieces whose texels lie almost on a line, without a division
+/// for most of their pixels; null where such pieces are too short to be worth looking for.
 void draw_exact_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
-                      const SurfaceView& surface, Framebuffer out);
+                      const SurfaceView& surface, BlockKernel kernel, Framebuffer out);
 
 }  // namespace oblong

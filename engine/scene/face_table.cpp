@@ -80,7 +80,7 @@ void for_each_edge(const Level& level, const FaceTable& table, Visit visit) {
     }
 }
 
-std::uint64_t mixed(std::uint64_t hash) {
+std::uint64_t scrambled(std::uint64_t hash) {
     hash *= 0x9e3779b97f4a7c15;
     return hash ^ hash >> 29;
 }
@@ -91,7 +91,7 @@ Table<std::uint64_t, Vertex> hashes_of_places(const Level& level) {
     hashes.reserve(level.vertices.size());
     for (const Vec3<World>& p : level.vertices) {
         std::uint64_t hash = 0;
-        for (const World part : {p.x, p.y, p.z}) hash = mixed(hash ^ static_cast<std::uint32_t>(part.raw));
+        for (const World part : {p.x, p.y, p.z}) hash = scrambled(hash ^ static_cast<std::uint32_t>(part.raw));
         hashes.push_back(hash);
     }
     return hashes;
@@ -101,7 +101,9 @@ Table<std::uint64_t, Vertex> hashes_of_places(const Level& level) {
 /// do so in one of 2^64 other levels.
 bool is_closed(const Level& level, const FaceTable& table) {
     const Table<std::uint64_t, Vertex> hashes = hashes_of_places(level);
-    const auto hash_of = [&](VertexIndex from, VertexIndex to) { return mixed(mixed(3 * hashes[from] + hashes[to])); };
+    const auto hash_of = [&](VertexIndex from, VertexIndex to) {
+        return scrambled(scrambled(3 * hashes[from] + hashes[to]));
+    };
     std::uint64_t sum = 0;
     for_each_edge(level, table,
                   [&](VertexIndex from, VertexIndex to) { sum += hash_of(from, to) - hash_of(to, from); });

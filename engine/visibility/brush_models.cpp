@@ -1,6 +1,7 @@
 #include "engine/visibility/brush_models.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "engine/visibility/viewpoint.h"
@@ -19,26 +20,36 @@ void rank_faces(const Level& level, const SubModel& model, const Viewpoint& loca
     for (const FaceIndex face : model.faces) ranks[face] = -1;
     std::int32_t rank = 0;
     steps.clear();
-    const auto push_child = [&steps](NodeChild child) {
-        if (!child.is_leaf()) steps.push_back({child.node()});
+    const auto descend = [&](NodeChild at) {
+        while (!at.is_leaf()) {
+            const Node& node = level.nodes[at.node()];
+            const PlaneDistance distance = plane_distance(level.planes[node.plane], local);
+            const bool in_front = distance > PlaneDistance{};
+            steps.push_back({at.node(), in_front, absolute(distance) >= kEdgeOn});
+            at = node.children[!in_front];
+        }
     };
-    push_child(model.root);
+    descend(model.root);
     while (!steps.empty()) {
         const ModelStep step = steps.back();
         steps.pop_back();
         const Node& node = level.nodes[step.node];
-        const PlaneDistance distance = plane_distance(level.planes[node.plane], local);
-        const bool in_front = distance > PlaneDistance{};
-        if (step.is_entered) {
-            if (absolute(distance) < kEdgeOn) continue;
+        if (step.shows_faces)
             for (const FaceIndex face : node.faces)
-                if (level.faces[face].is_back != in_front) ranks[face] = rank++;
-            continue;
-        }
-        push_child(node.children[in_front]);
-        steps.push_back({step.node, true});
-        push_child(node.children[!in_front]);
+                if (level.faces[face].is_back != step.in_front) ranks[face] = rank++;
+        descend(node.children[step.in_front]);
     }
+}
+
+/// The box of a model at its place, rounded outward.
+LevelBox box_of(const SubModel& model, const Vec3<World>& offset) {
+    LevelBox box = model.box;
+    const std::array offsets{offset.x, offset.y, offset.z};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        box.mins[axis] += floor_of(offsets[axis]);
+        box.maxs[axis] += floor_of(offsets[axis]) + 1;
+    }
+    return box;
 }
 
 /// Squared from an eye, or along the rays of a parallel view; grows with the distance of a model's middle.
@@ -115,13 +126,12 @@ const FragmentTree& BrushModels::tree_of(LeafModels& leaf, const Level& level) {
     return trees_[leaf.tree];
 }
 
-void BrushModels::order_model(PlacedIndex placed, const Level& level, const Viewpoint& viewpoint) {
-    Order& order = orders_[placed];
-    if (order.frame == frame_) return;
+void BrushModels::order_model(PlacedIndex placed, const ModelView& view) {
     const PlacedModel& at = placed_[placed];
-    const SubModel& model = level.models[at.model];
-    order = {frame_, distance_order(model, at, viewpoint)};
-    rank_faces(level, model, viewpoint.relative_to(at.offset), steps_, face_ranks_);
+    const SubModel& model = view.level.models[at.model];
+    const bool is_outside = view.culler.planes_crossed(box_of(model, at.offset), kAllSides) == kOutside;
+    orders_[placed] = {frame_, distance_order(model, at, view.viewpoint), is_outside};
+    if (!is_outside) rank_faces(view.level, model, view.viewpoint.relative_to(at.offset), steps_, face_ranks_);
 }
 
 bool BrushModels::is_before(const Fragment& a, const Fragment& b) const {
@@ -133,9 +143,10 @@ bool BrushModels::is_before(const Fragment& a, const Fragment& b) const {
     return face_ranks_[a.face] < face_ranks_[b.face];
 }
 
-void BrushModels::find_facing(const Fragment& fragment, const Level& level, const Viewpoint& viewpoint) {
-    order_model(fragment.placed, level, viewpoint);
-    if (face_ranks_[fragment.face] >= 0) found_.push_back(&fragment);
+void BrushModels::find_facing(const Fragment& fragment, const ModelView& view) {
+    const Order& order = orders_[fragment.placed];
+    if (order.frame != frame_) order_model(fragment.placed, view);
+    if (!order.is_outside && face_ranks_[fragment.face] >= 0) found_.push_back(&fragment);
 }
 
 void BrushModels::sort_found(std::size_t first) {
@@ -143,31 +154,31 @@ void BrushModels::sort_found(std::size_t first) {
               [this](const Fragment* a, const Fragment* b) { return is_before(*a, *b); });
 }
 
-void BrushModels::walk_tree(const FragmentTree& tree, Index<FragmentTree::Node> index, const Level& level,
-                            const Viewpoint& viewpoint) {
+void BrushModels::walk_tree(const FragmentTree& tree, Index<FragmentTree::Node> index, const ModelView& view) {
     if (index.is_none()) return;
     const FragmentTree::Node& node = tree.nodes[index];
     const Fragment& on_plane = tree.fragments[node.on_plane.front()];
-    const LevelPlane& plane = level.planes[level.faces[on_plane.face].plane];
-    const bool in_front = plane_distance(plane, viewpoint.relative_to(offset_of(on_plane))) > PlaneDistance{};
-    walk_tree(tree, in_front ? node.front : node.back, level, viewpoint);
+    const LevelPlane& plane = view.level.planes[view.level.faces[on_plane.face].plane];
+    const bool in_front = plane_distance(plane, view.viewpoint.relative_to(offset_of(on_plane))) > PlaneDistance{};
+    walk_tree(tree, in_front ? node.front : node.back, view);
     const std::size_t first = found_.size();
-    for (const Index<Fragment> fragment : node.on_plane) find_facing(tree.fragments[fragment], level, viewpoint);
-    sort_found(first);
-    walk_tree(tree, in_front ? node.back : node.front, level, viewpoint);
+    for (const Index<Fragment> fragment : node.on_plane) find_facing(tree.fragments[fragment], view);
+    if (found_.size() > first + 1) sort_found(first);
+    walk_tree(tree, in_front ? node.back : node.front, view);
 }
 
 std::span<const Fragment* const> BrushModels::front_to_back_in(LeafIndex leaf, const Level& level,
-                                                               const Viewpoint& viewpoint) {
+                                                               const Viewpoint& viewpoint, const BoxCuller& culler) {
+    const ModelView view{level, viewpoint, culler};
     found_.clear();
     LeafModels& in_leaf = leaves_[leaf];
     if (in_leaf.has_several) {
         const FragmentTree& tree = tree_of(in_leaf, level);
-        walk_tree(tree, tree.root, level, viewpoint);
+        walk_tree(tree, tree.root, view);
         if (!tree.root.is_none()) return found_;
     }
     for (Index<Link> link = in_leaf.first_link; !link.is_none(); link = links_[link].next)
-        find_facing(*links_[link].fragment, level, viewpoint);
+        find_facing(*links_[link].fragment, view);
     sort_found(0);
     return found_;
 }

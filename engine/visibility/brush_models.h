@@ -7,14 +7,16 @@
 #include "engine/geometry/view_context.h"
 #include "engine/level/level.h"
 #include "engine/scene/face_table.h"
+#include "engine/visibility/box_culler.h"
 #include "engine/visibility/fragment_tree.h"
 
 namespace oblong {
 
-/// A pending step of a walk down a model's tree: enter the node, or rank the faces on its plane.
+/// What is left to do at a node of a model's tree when its near side is done.
 struct ModelStep {
     NodeIndex node;
-    bool is_entered = false;
+    bool in_front;     ///< which side the viewpoint is on
+    bool shows_faces;  ///< those on its plane are not edge-on
 };
 
 /// The brush models of a scene (doors, lifts), split by the world's tree so that each part is drawn with its leaf in
@@ -29,8 +31,10 @@ class BrushModels {
     void start_frame(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
 
     bool has_any_in(LeafIndex leaf) const { return !leaves_[leaf].first_link.is_none(); }
-    /// The parts in a leaf that face the viewpoint, nearest first. Valid until the next call.
-    std::span<const Fragment* const> front_to_back_in(LeafIndex leaf, const Level& level, const Viewpoint& viewpoint);
+    /// The parts in a leaf that face the viewpoint, nearest first, of models that the culler does not find outside of
+    /// the view. Valid until the next call; culler and viewpoint are the same in all calls of a frame.
+    std::span<const Fragment* const> front_to_back_in(LeafIndex leaf, const Level& level, const Viewpoint& viewpoint,
+                                                      const BoxCuller& culler);
     std::span<const Vec3<World>> corners_of(const Fragment& fragment) const {
         const auto& corners = fragment.tree.is_none() ? cuts_[fragment.placed].corners : trees_[fragment.tree].corners;
         return std::span(corners).subspan(fragment.first_corner, fragment.corner_count);
@@ -45,6 +49,12 @@ class BrushModels {
         const Fragment* fragment;
         Index<Link> next;  ///< of the same leaf
     };
+    /// From where, and what of it is in view.
+    struct ModelView {
+        const Level& level;
+        const Viewpoint& viewpoint;
+        const BoxCuller& culler;
+    };
     /// What a leaf holds of models.
     struct LeafModels {
         Index<Link> first_link = Index<Link>::none();
@@ -55,17 +65,17 @@ class BrushModels {
     struct Order {
         std::uint32_t frame = 0;
         std::int64_t distance = 0;  ///< squared, or along the rays of a parallel view: of use for comparing only
+        bool is_outside = false;    ///< of the view: its faces have no order
     };
 
     void place(const Level& level, std::span<const PlacedModel> models, const FaceTable& table);
     void link_leaves();
     void add_to_leaf(const Fragment& fragment);
     const FragmentTree& tree_of(LeafModels& leaf, const Level& level);
-    void order_model(PlacedIndex placed, const Level& level, const Viewpoint& viewpoint);
-    void find_facing(const Fragment& fragment, const Level& level, const Viewpoint& viewpoint);
+    void order_model(PlacedIndex placed, const ModelView& view);
+    void find_facing(const Fragment& fragment, const ModelView& view);
     void sort_found(std::size_t first);
-    void walk_tree(const FragmentTree& tree, Index<FragmentTree::Node> node, const Level& level,
-                   const Viewpoint& viewpoint);
+    void walk_tree(const FragmentTree& tree, Index<FragmentTree::Node> node, const ModelView& view);
     /// Which of two parts without a plane between them comes first: that of the nearer model, and within a model as its
     /// own tree orders them.
     bool is_before(const Fragment& a, const Fragment& b) const;

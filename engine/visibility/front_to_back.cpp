@@ -50,11 +50,12 @@ FrontToBackWalk::FrontToBackWalk(const Level& level, const ViewContext& view, co
 }
 
 void FrontToBackWalk::start() {
-    scratch_.steps.assign(1, {level_.world().root, false, false, kAllSides});
+    scratch_.steps.clear();
+    descend(level_.world().root, kAllSides);
 }
 
 std::optional<VisibleFace> FrontToBackWalk::next() {
-    while (true) {
+    while (!span_buffer_.is_full()) {
         if (!fragments_.empty()) {
             const Fragment* const fragment = fragments_.front();
             fragments_ = fragments_.subspan(1);
@@ -67,15 +68,15 @@ std::optional<VisibleFace> FrontToBackWalk::next() {
             return VisibleFace{face, nullptr};
         }
         faces_.count = 0;
-        if (span_buffer_.is_full()) return std::nullopt;
         if (!scratch_.steps.empty()) {
             take_step();
         } else {
-            if (takes_all_faces_ || view_.shows_void) return std::nullopt;
+            if (takes_all_faces_ || view_.shows_void) break;
             takes_all_faces_ = true;
             start();
         }
     }
+    return std::nullopt;
 }
 
 bool FrontToBackWalk::is_wanted(FaceIndex face) const {
@@ -84,16 +85,28 @@ bool FrontToBackWalk::is_wanted(FaceIndex face) const {
 }
 
 void FrontToBackWalk::take_step() {
-    const WalkStep step = scratch_.steps.back();
-    scratch_.steps.pop_back();
-    if (!step.draws_faces) return descend(step.at, step.planes_to_test);
-    faces_ = level_.nodes[step.at.node()].faces;
-    draws_front_ = step.draws_front;
+    using Next = WalkStep::Next;
+    WalkStep& top = scratch_.steps.back();
+    const WalkStep step = top;
+    const Node& node = level_.nodes[step.node];
+    switch (step.next) {
+        case Next::NearFaces:
+            top.next = Next::FarSide;
+            if (takes_all_faces_) scratch_.steps.push_back({step.node, Next::FarFaces, step.in_front, false, 0});
+            return take_faces(node, step.in_front);
+        case Next::FarSide:
+            top.next = Next::FarFaces;
+            if (!step.has_far_faces) scratch_.steps.pop_back();
+            return descend(node.children[step.in_front], step.planes);
+        case Next::FarFaces:
+            scratch_.steps.pop_back();
+            return take_faces(node, !step.in_front);
+    }
 }
 
-bool FrontToBackWalk::may_show(NodeChild at) const {
-    if (takes_all_faces_) return !at.is_leaf();
-    return at.is_leaf() ? visible_.has_leaf(at.leaf()) : visible_.has_node(at.node());
+void FrontToBackWalk::take_faces(const Node& node, bool draws_front) {
+    faces_ = node.faces;
+    draws_front_ = draws_front;
 }
 
 void FrontToBackWalk::descend(NodeChild at, std::uint8_t planes) {
@@ -104,30 +117,21 @@ void FrontToBackWalk::descend(NodeChild at, std::uint8_t planes) {
         planes = culler_.planes_crossed(node.box, planes);
         if (planes == kOutside || (!limits_.empty() && is_beyond_limits(node.box)) || is_hidden(node)) return;
         const PlaneDistance distance = plane_distance(level_.planes[node.plane], view_.viewpoint);
-        const bool in_front = distance > PlaneDistance{};
-        push_far_side(at.node(), node, distance, planes);
+        const bool in_front = distance > PlaneDistance{}, has_faces = node.faces.count > 0;
+        // Faces that face away but rounding may show: their leaves are on the far side.
+        const bool has_far_faces = has_faces && absolute(distance) < kBothSidesDistance && !takes_all_faces_;
+        scratch_.steps.push_back({at.node(), has_faces ? WalkStep::Next::NearFaces : WalkStep::Next::FarSide, in_front,
+                                  has_far_faces, planes});
         at = node.children[!in_front];
     }
-}
-
-void FrontToBackWalk::push_far_side(NodeIndex index, const Node& node, PlaneDistance distance, std::uint8_t planes) {
-    const bool in_front = distance > PlaneDistance{}, has_faces = node.faces.count > 0;
-    const bool is_thin = absolute(distance) < kBothSidesDistance;
-    const NodeChild far_side = node.children[in_front];
-    // Last in, first out: faces toward the eye, far side; and those that face away but rounding may show, whose leaves
-    // are on the far side.
-    if (has_faces && is_thin && !takes_all_faces_)
-        scratch_.steps.push_back({NodeChild(index), true, !in_front, planes});
-    if (may_show(far_side)) scratch_.steps.push_back({far_side, false, false, planes});
-    if (has_faces && takes_all_faces_) scratch_.steps.push_back({NodeChild(index), true, !in_front, planes});
-    if (has_faces) scratch_.steps.push_back({NodeChild(index), true, in_front, planes});
 }
 
 void FrontToBackWalk::enter_leaf(LeafIndex index, std::uint8_t planes) {
     const Leaf& leaf = level_.leaves[index];
     if (culler_.planes_crossed(leaf.box, planes) == kOutside) return;
     for (const FaceIndex face : level_.faces_at(leaf)) scratch_.face_marks[face] = scratch_.mark;
-    if (models_ && models_->has_any_in(index)) fragments_ = models_->front_to_back_in(index, level_, view_.viewpoint);
+    if (models_ && models_->has_any_in(index))
+        fragments_ = models_->front_to_back_in(index, level_, view_.viewpoint, culler_);
 }
 
 bool FrontToBackWalk::is_beyond_limits(const LevelBox& box) const {
@@ -135,8 +139,7 @@ bool FrontToBackWalk::is_beyond_limits(const LevelBox& box) const {
 }
 
 bool FrontToBackWalk::is_hidden(const Node& node) const {
-    const auto is_leaf = [](NodeChild child) { return child.is_leaf(); };
-    if (!takes_all_faces_ && std::any_of(node.children.begin(), node.children.end(), is_leaf)) return false;
+    if (!takes_all_faces_ && (node.children[0].is_leaf() || node.children[1].is_leaf())) return false;
     const std::optional<ScreenRectangle> rectangle = rectangle_of(node.box, view_);
     return rectangle && !span_buffer_.may_be_free(*rectangle);
 }

@@ -14,12 +14,15 @@
 
 namespace oblong {
 
-/// A pending step of a walk through the tree.
+/// What is left to do at a node when its near side is done, one thing after the other.
 struct WalkStep {
-    NodeChild at;
-    bool draws_faces;  ///< false: enter the node or leaf; true: its near side is done, take the faces on its plane
-    bool draws_front;  ///< which of them: those that face the plane's front, or those that face its back
-    std::uint8_t planes_to_test;  ///< sides of the view that the node's parent still crossed
+    enum class Next : std::uint8_t { NearFaces, FarSide, FarFaces };
+
+    NodeIndex node;
+    Next next;            ///< the faces on its plane that face the eye, the far side, the faces that face away
+    bool in_front;        ///< which side the eye is on
+    bool has_far_faces;   ///< those that face away are to come, too
+    std::uint8_t planes;  ///< sides of the view that the node crosses
 };
 
 /// Scratch of a walk, kept from frame to frame.
@@ -76,12 +79,16 @@ class FrontToBackWalk {
   private:
     void start();
     void take_step();
-    void enter_leaf(LeafIndex leaf, std::uint8_t planes);
-    /// Goes down the near sides to a leaf, as far as something may be in view, and leaves what is behind each plane for
+    void take_faces(const Node& node, bool draws_front);
+    /// Goes down the near sides to a leaf, as far as something may be in view, and leaves the rest of each node for
     /// later steps.
     void descend(NodeChild at, std::uint8_t planes_to_test);
-    void push_far_side(NodeIndex index, const Node& node, PlaneDistance distance, std::uint8_t planes);
-    bool may_show(NodeChild at) const;
+    void enter_leaf(LeafIndex leaf, std::uint8_t planes);
+    /// Whether anything there is to be returned.
+    bool may_show(NodeChild at) const {
+        if (takes_all_faces_) return !at.is_leaf();
+        return at.is_leaf() ? visible_.has_leaf(at.leaf()) : visible_.has_node(at.node());
+    }
     bool is_beyond_limits(const LevelBox& box) const;
     /// Whether no pixel is free where a node's faces are. Is asked in the first walk of nodes between other nodes only:
     /// near the leaves there are few faces, and the test costs more than they do.

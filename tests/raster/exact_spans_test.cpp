@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -35,10 +36,17 @@ std::vector<std::uint8_t> by_blocks(const Span& span, const TextureGradients& gr
     return pixels;
 }
 
+/// With pieces that are drawn as lines, and without them.
 std::vector<std::uint8_t> at_each_pixel(const Span& span, const TextureGradients& gradients, const TexelLimits& limits,
                                         const SurfaceView& surface) {
-    std::vector<std::uint8_t> pixels(kWidth * kHeight);
-    draw_exact_spans(std::span(&span, 1), gradients, limits, surface, {pixels.data(), kWidth, kHeight, kWidth});
+    std::vector<std::uint8_t> pixels(kWidth * kHeight), divided = pixels;
+    const auto draw = [&](BlockKernel kernel, std::vector<std::uint8_t>& out) {
+        draw_exact_spans(std::span(&span, 1), gradients, limits, surface, kernel,
+                         {out.data(), kWidth, kHeight, kWidth});
+    };
+    draw(best_block_kernel(), pixels);
+    draw(nullptr, divided);
+    EXPECT_EQ(pixels, divided);
     return pixels;
 }
 
@@ -69,6 +77,31 @@ TEST(ExactSpans, DrawTheBytesOfBlocksOfOnePixel) {
         const Span span{static_cast<std::int32_t>(random() % kHeight), first,
                         first + 1 + static_cast<std::int32_t>(random() % static_cast<unsigned>(kWidth - first))};
         const TexelLimits limits = make_texel_limits(kSize, kSize, kWidth);
+        ASSERT_EQ(at_each_pixel(span, gradients, limits, surface.view),
+                  by_blocks(span, gradients, limits, surface.view))
+            << trial;
+    }
+}
+
+/// Depths so alike that pieces are lines, on tiles of up to 65,535 texels: where rounding moves texels most.
+TEST(ExactSpans, DrawTheBytesOfBlocksWhereTexelsLieAlmostOnALine) {
+    const TestSurface surface;
+    std::mt19937 random(13);
+    const auto part = [&random](double least, double greatest) {
+        return std::uniform_real_distribution<double>(least, greatest)(random);
+    };
+    for (int trial = 0; trial < 3000; ++trial) {
+        const double w0 = std::exp2(part(-14, 4)), w1 = w0 * (1 + part(-1, 1) * std::exp2(part(-12, -1)));
+        const double u0 = part(0, 65500), v0 = part(0, 65500), most = std::exp2(part(-4, 9));
+        const auto end = [&](double from) { return std::clamp(from + part(-most, most), 0.0, 65500.0); };
+        TextureGradients gradients;
+        gradients.inverse_z = along<InverseZ>(w0, w1);
+        gradients.u_over_z = along<TexelOverZ>(u0 * w0, end(u0) * w1);
+        gradients.v_over_z = along<TexelOverZ>(v0 * w0, end(v0) * w1);
+        const auto first = static_cast<std::int32_t>(random() % 300);
+        const Span span{0, first,
+                        first + 1 + static_cast<std::int32_t>(random() % static_cast<unsigned>(kWidth - first))};
+        const TexelLimits limits = make_texel_limits(65535, 65535, kWidth);
         ASSERT_EQ(at_each_pixel(span, gradients, limits, surface.view),
                   by_blocks(span, gradients, limits, surface.view))
             << trial;

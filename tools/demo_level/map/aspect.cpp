@@ -10,9 +10,9 @@ constexpr double kWindowX = 112, kWindowZ = 144, kWindowHalf = 88;
 /// The sphere rests on a pedestal before a plain dark wall, lit from the left and above.
 void add_sphere(Draft& draft) {
     const Point centre{-112, 352, 128};
-    draft.add_detail(extrude({2, circle(8, centre.x, centre.y, 44, 22.5)}, 0, 16, "marble_green"));
-    draft.add_detail(extrude({2, circle(8, centre.x, centre.y, 32, 22.5)}, 16, 64, "brass_panel"));
-    draft.add_detail(extrude({2, circle(8, centre.x, centre.y, 40, 22.5)}, 64, 73, "marble_green"));
+    draft.add_detail_prism({2, circle(8, centre.x, centre.y, 44, 22.5)}, 0, 16, "marble_green");
+    draft.add_detail_prism({2, circle(8, centre.x, centre.y, 32, 22.5)}, 16, 64, "brass_panel");
+    draft.add_detail_prism({2, circle(8, centre.x, centre.y, 40, 22.5)}, 64, 73 + kHairsbreadth, "marble_green");
     draft.add_detail(make_sphere(centre, 1, "plaster_ivory", "plaster_red"));
     draft.add_light({centre.x, centre.y + 84, 70}, 330);  // hidden behind the pedestal: a halo on the wall
     draft.add_light({centre.x - 80, centre.y - 120, 220}, 570);

@@ -48,7 +48,7 @@ void build_axonometry_room(Draft& draft) {
                        {{192, "grid_paper"}, {224, "sand_frieze"}},
                        {west, north}});
     add_corner_pile(draft);
-    draft.add_detail(extrude({2, circle(8, 1468, 284, 44, 22.5)}, 0, 40, "marble_green"));
+    draft.add_detail_prism({2, circle(8, 1468, 284, 44, 22.5)}, 0, 40, "marble_green");
     add_wire_cube(draft, {1436, 252, 56}, 64, 6);
     add_cube(draft, {1452, 268, 72}, 32);
     draft.add_box({{1464, 280, 40}, {1472, 288, 72}}, "brass_trim");

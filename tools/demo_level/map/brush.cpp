@@ -75,6 +75,12 @@ Brush make_box(const Box& box, const Skin& skin) {
     return extrude({2, corners}, box.low.z, box.high.z, skin);
 }
 
+Box within(const Box& box) {
+    constexpr double kGap = kHairsbreadth;
+    return {{box.low.x + kGap, box.low.y + kGap, box.low.z + kGap},
+            {box.high.x - kGap, box.high.y - kGap, box.high.z - kGap}};
+}
+
 void fit_textures(Brush& brush, const Box& box, double scale) {
     for (BrushFace& face : brush.faces) {
         const int axis = main_axis(outward_normal(face));

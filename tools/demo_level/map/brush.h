@@ -55,6 +55,13 @@ Brush make_solid(const std::vector<std::vector<Point>>& polygons, Point inside, 
 
 Brush make_box(const Box& box, const Skin& skin);
 
+/// The gap that details leave to what they stand on or hang on. Nobody sees it, and the face behind it stays whole,
+/// where it would be cut into a dozen around their foot.
+inline constexpr double kHairsbreadth = 1.0 / 16;
+
+/// The box without a hair's breadth on every side.
+Box within(const Box& box);
+
 /// Lays the textures of a box's faces so that each begins at the face's upper left corner, at `scale` units a texel.
 void fit_textures(Brush& brush, const Box& box, double scale);
 

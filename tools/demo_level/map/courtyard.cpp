@@ -23,14 +23,8 @@ void add_bank(Draft& draft, double y_low, double y_high) {
 
 /// A cypress in a tub of stone.
 void add_tree(Draft& draft, double x, double y) {
-    draft.add_detail(extrude({2, circle(8, x, y, 22, 22.5)}, 0, 20, "marble_ivory"));
-    std::vector<std::vector<Point>> sides;
-    const auto ring = circle(6, x, y, 28, 0);
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const auto &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        for (const double tip : {16.0, 190.0}) sides.push_back({{a[0], a[1], 40}, {b[0], b[1], 40}, {x, y, tip}});
-    }
-    draft.add_detail(make_solid(sides, {x, y, 44}, "hedge"));
+    draft.add_detail_prism({2, circle(6, x, y, 22, 30)}, 0, 20, "marble_ivory");
+    draft.add_detail(make_cone({x, y, 20}, 28, 170, "hedge"));
 }
 
 /// Lamps, trees and hedges along the walls and in the corners.
@@ -61,7 +55,7 @@ void add_plants(Draft& draft) {
         add_tree(draft, tree.x, tree.y);
     for (const double x : {-96.0, 608.0}) {
         for (const double y : {1180.0, 1340.0})
-            draft.add_box({{x, y - 8, 0}, {x < 0 ? 256.0 : 990.0, y + 8, 28}}, "hedge");
+            draft.add_detail_box({{x, y - 8, 0}, {x < 0 ? 256.0 : 990.0, y + 8, 28}}, "hedge");
     }
 }
 
@@ -91,8 +85,8 @@ void build_courtyard(Draft& draft) {
     add_bank(draft, 1328, 2000);
     add_ground(draft, 1008, 1200, 1168, 1328, "stone_floor");
     for (const double x : {400.0, 624.0}) {
-        draft.add_detail(extrude({2, circle(8, x, 1080, 22, 22.5)}, 0, 24, "marble_green"));
-        draft.add_detail(make_sphere({x, 1080, 50}, 0.5, "marble_ivory", "marble_ivory"));
+        draft.add_detail_prism({2, circle(8, x, 1080, 22, 22.5)}, 0, 22, "marble_green");
+        draft.add_detail(make_sphere({x, 1080, 50}, 0.5, "marble_ivory", "marble_ivory", 2));
     }
     for (const double y : {736.0, 960.0, 1440.0}) {
         for (const double x : {416.0, 608.0}) add_lamp_post(draft, {x, y, 0}, 290);
@@ -113,10 +107,10 @@ void build_canal(Draft& draft) {
     }
     for (double x = -160; x < 900; x += 192) draft.add_light({x, 1264, -56}, 290);
     // The bridge: a step, an abutment, the deck, and the same again.
-    draft.add_box({{432, 1152, 0}, {592, 1176, 16}}, "stone_floor");
-    draft.add_box({{432, 1352, 0}, {592, 1376, 16}}, "stone_floor");
-    for (const double y : {1176.0, 1328.0}) draft.add_box({{432, y, 0}, {592, y + 24, 16}}, "stone_wall");
-    draft.add_box({{432, 1176, 16}, {592, 1352, 32}}, {"sand_frieze", "stone_floor"});
+    draft.add_detail_box({{432, 1152, 0}, {592, 1176, 16}}, "stone_floor");
+    draft.add_detail_box({{432, 1352, 0}, {592, 1376, 16}}, "stone_floor");
+    for (const double y : {1176.0, 1328.0}) draft.add_detail_box({{432, y, 0}, {592, y + 24, 16}}, "stone_wall");
+    draft.add_detail_box({{432, 1176, 16}, {592, 1352, 32}}, {"sand_frieze", "stone_floor"});
     for (const double x : {434.0, 590.0}) {
         add_balustrade(draft, {x, 1178, 32}, {x, 1350, 32}, "marble_ivory");
         for (const double y : {1164.0, 1364.0}) add_lamp_post(draft, {x, y, 16}, 290);
@@ -124,7 +118,7 @@ void build_canal(Draft& draft) {
 }
 
 void build_balcony(Draft& draft) {
-    draft.add_box({{1008, 760, 144}, {1152, 1040, 160}}, {"sand_frieze", "stone_floor"});
+    draft.add_detail_box({{1008, 760, 144}, {1152, 1040, 160}}, {"sand_frieze", "stone_floor"});
     for (const double y : {776.0, 900.0, 1024.0}) add_column(draft, {1024, y, 0}, 144, 12, "marble_ivory");
     add_stairs(draft, {1072, 1152, 1280, 0, 24, 10, false}, {"sand_wall", "stone_floor"});
     add_balustrade(draft, {1012, 764, 160}, {1012, 1036, 160}, "marble_ivory");
@@ -143,8 +137,9 @@ void build_balcony(Draft& draft) {
 }
 
 void build_colonnade(Draft& draft) {
-    for (double y = 600; y < 1960; y += 80) add_column(draft, {-132, y, 0}, 160, 14, "marble_ivory");
-    draft.add_box({{-256, 544, 160}, {-112, 1984, 176}}, {"sand_frieze", "sand_frieze", "copper_roof", "wood_planks"});
+    for (double y = 600; y < 1960; y += 104) add_column(draft, {-132, y, 0}, 160, 14, "marble_ivory");
+    draft.add_detail_box({{-256, 544, 160}, {-112, 1984, 176}},
+                         {"sand_frieze", "sand_frieze", "copper_roof", "wood_planks"});
     draft.add_box({{-256, 1200, -16}, {-112, 1328, 0}}, {"sand_frieze", "stone_floor"});
     for (double y = 690; y < 1960; y += 330) add_wall_lamp(draft, {-248, y, 104}, Side::East, 370);
 }

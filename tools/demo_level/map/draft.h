@@ -24,7 +24,12 @@ class Draft {
     void add_box(const Box& box, const Skin& skin) { add(make_box(box, skin)); }
     /// For what hides little (columns, lamps, trees): the compiler need not work out what is seen past it.
     void add_detail(Brush brush) { entities_[1].brushes.push_back(std::move(brush)); }
-    void add_detail_box(const Box& box, const Skin& skin) { add_detail(make_box(box, skin)); }
+    /// A hair's breadth less on every side than said.
+    void add_detail_box(const Box& box, const Skin& skin) { add_detail(make_box(within(box), skin)); }
+    /// A hair's breadth less at both of its ends.
+    void add_detail_prism(const Outline& outline, double low, double high, const Skin& skin) {
+        add_detail(extrude(outline, low + kHairsbreadth, high - kHairsbreadth, skin));
+    }
     /// A point entity; `more` are pairs after classname and origin.
     void add_point(const std::string& classname, const Point& origin,
                    std::vector<std::pair<std::string, std::string>> more = {});

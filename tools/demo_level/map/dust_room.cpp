@@ -37,8 +37,8 @@ void build_dust_room(Draft& draft) {
     draft.add_box({{272, -16, -16}, {528, 304, 0}}, "stone_floor");
     add_ceiling(draft, inside, {{middle.x - 48, middle.y - 48, 240}, {middle.x + 48, middle.y + 48, 256}});
     add_light_shaft(draft, middle, 240, 336);
-    draft.add_detail(extrude({2, circle(8, middle.x, middle.y, 44, 22.5)}, 0, 8, "stone_floor"));
-    draft.add_detail(extrude({2, circle(8, middle.x, middle.y, 28, 22.5)}, 8, 40, "marble_ivory"));
+    draft.add_detail_prism({2, circle(8, middle.x, middle.y, 44, 22.5)}, 0, 8, "stone_floor");
+    draft.add_detail_prism({2, circle(8, middle.x, middle.y, 28, 22.5)}, 8, 40, "marble_ivory");
     draft.add_detail(make_crystal({middle.x, middle.y, 68}, 16, 28, 45, "cube_gold"));
     draft.add_point("misc_dust", middle, {{"size", "80 80 220"}, {"count", "160"}, {"colour", "47"}, {"period", "20"}});
     for (const double y : {40.0, 248.0}) {

@@ -5,7 +5,7 @@ namespace oblong::map_source {
 namespace {
 
 void furnish(Draft& draft) {
-    draft.add_box({{-40, -416, 0}, {40, 0, 1}}, "carpet");
+    draft.add_detail_box({{-40, -416, 0}, {40, 0, 1}}, "carpet");
     for (const double y : {-352.0, -224.0, -96.0}) {
         for (const double x : {-104.0, 104.0}) {
             add_column(draft, {x, y, 0}, 224, 16, "marble_ivory");

@@ -1,5 +1,6 @@
 #include "tools/demo_level/map/fittings.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace oblong::map_source {
@@ -59,7 +60,7 @@ Box sign_box(const Sign& sign) {
 }
 
 void add_lamp_body(Draft& draft, const Point& centre) {
-    const Box box = box_around(centre, 8);
+    const Box box = within(box_around(centre, 8));
     Brush brush = make_box(box, "lamp");
     fit_textures(brush, box, 0.5);
     draft.add_detail(std::move(brush));
@@ -74,11 +75,11 @@ void add_column(Draft& draft, const Point& foot, double height, double radius, c
     };
     draft.add_detail_box(square(foot.z, foot.z + slab), skin);
     draft.add_detail_box(square(foot.z + height - slab, foot.z + height), skin);
-    draft.add_detail(extrude({2, circle(12, foot.x, foot.y, radius, 15)}, foot.z + slab, foot.z + height - slab, skin));
+    draft.add_detail_prism({2, circle(8, foot.x, foot.y, radius, 22.5)}, foot.z + slab, foot.z + height - slab, skin);
 }
 
 void add_panel(Draft& draft, const Panel& panel) {
-    Brush brush = make_box(panel.box, "brass_trim");
+    Brush brush = make_box(within(panel.box), "brass_trim");
     for (BrushFace& face : brush.faces) {
         if (looks_to(outward_normal(face), panel.facing)) face.placement = panel_placement(panel);
     }
@@ -115,11 +116,12 @@ void add_hanging_sign(Draft& draft, const Sign& sign, double ceiling_z) {
 
 void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightness, int style) {
     add_lamp_body(draft, centre);
-    draft.add_detail_box({{centre.x - 4, centre.y - 4, centre.z - 16}, {centre.x + 4, centre.y + 4, centre.z - 8}},
-                         "brass_trim");
-    draft.add_detail_box({{centre.x - 10, centre.y - 10, centre.z + 8}, {centre.x + 10, centre.y + 10, centre.z + 12}},
-                         "brass_trim");
     const Point out = towards(facing);
+    const Point cap{centre.x + out.x, centre.y + out.y, 0};
+    const double x_half = out.x == 0 ? 10 : 9, y_half = out.y == 0 ? 10 : 9;
+    draft.add_detail_box(
+        {{cap.x - x_half, cap.y - y_half, centre.z + 8}, {cap.x + x_half, cap.y + y_half, centre.z + 12}},
+        "brass_trim");
     draft.add_light({centre.x + out.x * 24, centre.y + out.y * 24, centre.z}, brightness, style);
 }
 
@@ -144,6 +146,17 @@ Brush make_crystal(const Point& middle, double radius, double height, double tur
     return make_solid(triangles, middle, skin);
 }
 
+Brush make_cone(const Point& foot, double radius, double height, const Skin& skin) {
+    const auto ring = circle(6, foot.x, foot.y, radius, 30);
+    std::vector<std::vector<Point>> polygons(1);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const auto &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        polygons.front().push_back({a[0], a[1], foot.z});
+        polygons.push_back({{a[0], a[1], foot.z}, {b[0], b[1], foot.z}, {foot.x, foot.y, foot.z + height}});
+    }
+    return make_solid(polygons, {foot.x, foot.y, foot.z + height / 4}, skin);
+}
+
 void add_lamp_post(Draft& draft, const Point& foot, int brightness) {
     constexpr double kLampHeight = 76;
     const auto square = [&](double half, double z_low, double z_high) {
@@ -161,7 +174,7 @@ void add_lamp_post(Draft& draft, const Point& foot, int brightness) {
 }
 
 void add_balustrade(Draft& draft, const Point& from, const Point& to, const Skin& skin) {
-    constexpr double kSpacing = 24, kHalf = 2;
+    constexpr double kSpacing = 43, kHalf = 2.5;
     draft.add_detail_box({{from.x - kHalf, from.y - kHalf, from.z + 26}, {to.x + kHalf, to.y + kHalf, from.z + 32}},
                          skin);
     const double length = (to.x - from.x) + (to.y - from.y);
@@ -180,7 +193,7 @@ void add_arch(Draft& draft, int axis, const Box& doorway, const Skin& skin) {
     const auto arc = circle(16, (low + high) / 2, spring, radius, 0);
     for (std::size_t i = 0; i < 8; ++i) {
         const std::array<double, 2> corner{i < 4 ? high : low, doorway.high.z};
-        draft.add(extrude({axis, {corner, arc[i], arc[i + 1]}}, begin, end, skin));
+        draft.add_detail(extrude({axis, {corner, arc[i], arc[i + 1]}}, begin, end, skin));
     }
 }
 
@@ -202,11 +215,12 @@ void add_door_frame(Draft& draft, Side facing, const Opening& opening, double wa
 void add_stairs(Draft& draft, const Stairs& stairs, const Skin& skin) {
     constexpr double kRise = 16;
     const double direction = stairs.climbs_north ? 1 : -1;
+    const double end = stairs.y_start + direction * stairs.count * stairs.run;
+    // One slab on the other, each shorter by a step.
     for (int step = 0; step < stairs.count; ++step) {
-        const double begin = stairs.y_start + direction * step * stairs.run, end = begin + direction * stairs.run;
-        draft.add_box({{stairs.x_low, begin < end ? begin : end, stairs.z_foot},
-                       {stairs.x_high, begin < end ? end : begin, stairs.z_foot + (step + 1) * kRise}},
-                      skin);
+        const double begin = stairs.y_start + direction * step * stairs.run, foot = stairs.z_foot + step * kRise;
+        draft.add_detail_box(
+            {{stairs.x_low, std::min(begin, end), foot}, {stairs.x_high, std::max(begin, end), foot + kRise}}, skin);
     }
 }
 

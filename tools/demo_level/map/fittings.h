@@ -4,7 +4,7 @@
 
 namespace oblong::map_source {
 
-/// A column of twelve sides with a square base and capital; `radius` at least 6.
+/// A column of eight sides with a square base and capital; `radius` at least 6.
 void add_column(Draft& draft, const Point& foot, double height, double radius, const Skin& skin);
 
 /// A flat board on a wall that faces `facing`, its front `box` high and wide and showing the whole of a texture.
@@ -38,6 +38,9 @@ void add_hanging_lamp(Draft& draft, const Point& centre, double ceiling_z, int b
 
 /// Two pyramids of four sides base to base: eight faces, none along an axis.
 Brush make_crystal(const Point& middle, double radius, double height, double turn_degrees, const Skin& skin);
+
+/// A pyramid of six sides, as a tree is clipped: `foot` is the middle of its base.
+Brush make_cone(const Point& foot, double radius, double height, const Skin& skin);
 
 /// A post that stands free, a lamp on it.
 void add_lamp_post(Draft& draft, const Point& foot, int brightness);

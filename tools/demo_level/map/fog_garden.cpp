@@ -16,30 +16,23 @@ void add_way_down(Draft& draft) {
     add_stairs(draft, {kPathX - kHalf, kPathX + kHalf, kLanding + kSteps * kRun, kLawn, kRun, kSteps, false}, stone);
     for (const double x : {kPathX - kHalf + 4, kPathX + kHalf - 4}) {
         add_balustrade(draft, {x, kGarden.low.y + 4, 0}, {x, kLanding - 4, 0}, "marble_ivory");
-        draft.add_box({{x - 6, kLanding - 12, 0}, {x + 6, kLanding, 40}}, "marble_ivory");
+        draft.add_detail_box({{x - 6, kLanding - 12, 0}, {x + 6, kLanding, 40}}, "marble_ivory");
     }
 }
 
 void add_garden_tree(Draft& draft, double x, double y) {
-    draft.add_detail(extrude({2, circle(6, x, y, 8, 0)}, kLawn, kLawn + 24, "wood_panel"));
-    std::vector<std::vector<Point>> sides;
-    const auto ring = circle(6, x, y, 34, 30);
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const auto &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        for (const double tip : {24.0, 210.0})
-            sides.push_back({{a[0], a[1], kLawn + 44}, {b[0], b[1], kLawn + 44}, {x, y, kLawn + tip}});
-    }
-    draft.add_detail(make_solid(sides, {x, y, kLawn + 60}, "hedge"));
+    draft.add_detail_box({{x - 8, y - 8, kLawn}, {x + 8, y + 8, kLawn + 24}}, "wood_panel");
+    draft.add_detail(make_cone({x, y, kLawn + 24}, 34, 186, "hedge"));
 }
 
 void add_lawns(Draft& draft) {
-    draft.add_box({{kPathX - 40, 2176, kLawn}, {kPathX + 40, 2500, kLawn + 1}}, "stone_floor");
+    draft.add_detail_box({{kPathX - 40, 2176, kLawn}, {kPathX + 40, 2500, kLawn + 1}}, "stone_floor");
     for (const double y : {1930.0, 2050.0, 2190.0, 2340.0}) {
         for (const double x : {kPathX - 140, kPathX + 140})
             add_garden_tree(draft, x + (y > 2000 && y < 2200 ? 20 : 0), y);
     }
     for (const double x : {kGarden.low.x, kGarden.high.x - 24})
-        draft.add_box({{x, kGarden.low.y, kLawn}, {x + 24, kGarden.high.y, kLawn + 40}}, "hedge");
+        draft.add_detail_box({{x, kGarden.low.y, kLawn}, {x + 24, kGarden.high.y, kLawn + 40}}, "hedge");
     for (const double x : {kPathX - 120, kPathX + 120}) add_lamp_post(draft, {x, 1990, kLawn}, 280);
     for (const double y : {2210.0, 2400.0}) {
         for (const double x : {kPathX - 60, kPathX + 60}) add_lamp_post(draft, {x, y, kLawn}, 280);

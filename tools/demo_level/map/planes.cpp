@@ -7,7 +7,7 @@ namespace {
 void add_crystal_on_stem(Draft& draft, const Point& middle, double radius, double height, double turn_degrees,
                          const char* texture) {
     draft.add_detail(make_crystal(middle, radius, height, turn_degrees, texture));
-    draft.add_detail(extrude({2, circle(8, middle.x, middle.y, 20, 22.5)}, 0, middle.z - height + 10, "marble_green"));
+    draft.add_detail_prism({2, circle(8, middle.x, middle.y, 20, 22.5)}, 0, middle.z - height + 10, "marble_green");
 }
 
 /// Walls that lean in and out, and a folded ceiling.

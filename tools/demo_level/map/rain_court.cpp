@@ -34,10 +34,10 @@ void add_basin(Draft& draft) {
 
 void add_columns_around(Draft& draft) {
     const Box open = within_walk(kWalk - 16, 0, kRoofLow);
-    const double step = (open.high.x - open.low.x) / 3;
-    for (int i = 0; i <= 3; ++i) {
-        for (int j = 0; j <= 3; ++j) {
-            if (i % 3 != 0 && j % 3 != 0) continue;
+    const double step = (open.high.x - open.low.x) / 2;
+    for (int i = 0; i <= 2; ++i) {
+        for (int j = 0; j <= 2; ++j) {
+            if (i == 1 && j == 1) continue;
             add_column(draft, {std::round(open.low.x + i * step), std::round(open.low.y + j * step), 0}, kRoofLow, 10,
                        "marble_ivory");
         }

@@ -35,8 +35,9 @@ void build_room(Draft& draft, const Room& room);
 void build_walls(Draft& draft, const Room& room);
 
 /// A sphere of 24 by 12 facets around `centre`, 112 * `scale` units across (a power of two), its facets of two textures
-/// in turn.
-Brush make_sphere(const Point& centre, double scale, const std::string& even_texture, const std::string& odd_texture);
+/// in turn; or of one facet for `coarseness` by `coarseness` of them (1, 2 or 3).
+Brush make_sphere(const Point& centre, double scale, const std::string& even_texture, const std::string& odd_texture,
+                  std::size_t coarseness = 1);
 
 /// A wall panel of 32 units' depth along y from `y_low`, square, 2 * `half` wide, with a round hole of 24 corners
 /// and `radius` in its middle at (x, z).

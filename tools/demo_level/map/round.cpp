@@ -47,10 +47,10 @@ Point ring_point(const Place& place, const Ring& ring, const std::array<double, 
 }
 
 /// Three points of a facet: both corners of its wider edge and one of the other (a pole's edge is a point).
-std::vector<Point> facet(const Place& place, std::size_t band, const std::array<double, 2>& corner,
+std::vector<Point> facet(const Place& place, const Ring& upper, const Ring& lower, const std::array<double, 2>& corner,
                          const std::array<double, 2>& next_corner) {
-    const bool is_upper = kRings[band].radius_64 < kRings[band + 1].radius_64;
-    const Ring &wide = kRings[is_upper ? band + 1 : band], &narrow = kRings[is_upper ? band : band + 1];
+    const bool is_upper = upper.radius_64 < lower.radius_64;
+    const Ring &wide = is_upper ? lower : upper, &narrow = is_upper ? upper : lower;
     return {ring_point(place, wide, corner), ring_point(place, wide, next_corner), ring_point(place, narrow, corner)};
 }
 
@@ -63,13 +63,15 @@ std::array<double, 2> on_square(const std::array<double, 2>& corner, double x, d
 
 }  // namespace
 
-Brush make_sphere(const Point& centre, double scale, const std::string& even_texture, const std::string& odd_texture) {
+Brush make_sphere(const Point& centre, double scale, const std::string& even_texture, const std::string& odd_texture,
+                  std::size_t coarseness) {
     const auto polygon = equator();
     Brush sphere;
-    for (std::size_t band = 0; band + 1 < kRings.size(); ++band) {
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const auto points = facet({centre, scale}, band, polygon[i], polygon[(i + 1) % polygon.size()]);
-            const std::string& texture = (band + i) % 2 == 0 ? even_texture : odd_texture;
+    for (std::size_t ring = 0; ring + 1 < kRings.size(); ring += coarseness) {
+        for (std::size_t i = 0; i < polygon.size(); i += coarseness) {
+            const auto points = facet({centre, scale}, kRings[ring], kRings[ring + coarseness], polygon[i],
+                                      polygon[(i + coarseness) % polygon.size()]);
+            const std::string& texture = (ring + i) / coarseness % 2 == 0 ? even_texture : odd_texture;
             sphere.faces.push_back(make_solid({points}, centre, texture).faces.front());
         }
     }
@@ -82,7 +84,7 @@ void add_round_window(Draft& draft, double x, double z, double y_low, double hal
     for (std::size_t i = 0; i < hole.size(); ++i) {
         const auto &corner = hole[i], &next = hole[(i + 1) % hole.size()];
         const Outline sector{1, {corner, on_square(corner, x, z, half), on_square(next, x, z, half), next}};
-        draft.add(extrude(sector, y_low, y_low + kDepth, skin));
+        draft.add_detail(extrude(sector, y_low, y_low + kDepth, skin));
     }
 }
 

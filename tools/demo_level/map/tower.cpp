@@ -14,15 +14,29 @@ std::vector<std::array<double, 2>> octagon(double apothem) {
     return circle(8, kX, kY, apothem / 0.92387953, 22.5);
 }
 
-/// The walls between two octagons, but for the sides left out: 0 is north-east, then counter-clockwise.
-void add_ring(Draft& draft, double inner, double outer, double z_low, double z_high, const Skin& skin,
-              const std::set<std::size_t>& left_out = {}) {
+/// What is between two octagons, side by side: 0 is north-east, then counter-clockwise.
+std::array<Outline, 8> ring_sides(double inner, double outer) {
     const auto near = octagon(inner), far = octagon(outer);
+    std::array<Outline, 8> sides;
     for (std::size_t i = 0; i < 8; ++i) {
         const std::size_t next = (i + 1) % 8;
-        if (left_out.contains(i)) continue;
-        draft.add(extrude({2, {near[i], near[next], far[next], far[i]}}, z_low, z_high, skin));
+        sides[i] = {2, {near[i], near[next], far[next], far[i]}};
     }
+    return sides;
+}
+
+/// The tower's walls, but for the sides left out.
+void add_walls(Draft& draft, double z_high, const Skin& skin, const std::set<std::size_t>& left_out) {
+    const auto sides = ring_sides(kInner, kOuter);
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        if (!left_out.contains(i)) draft.add(extrude(sides[i], 0, z_high, skin));
+    }
+}
+
+/// A band around the walls, 16 units high.
+void add_band(Draft& draft, double width, double z_low) {
+    for (const Outline& side : ring_sides(kOuter + 1, kOuter + width))
+        draft.add_detail_prism(side, z_low, z_low + 16, "sand_frieze");
 }
 
 /// A doorway in the side of the tower whose corners in the octagons are `east` and `west`, above the tower's floor.
@@ -60,7 +74,7 @@ void add_roof(Draft& draft, double z_low, double z_tip) {
         const auto &a = base[i], &b = base[(i + 1) % 8];
         faces.push_back({{a[0], a[1], z_low}, {b[0], b[1], z_low}, tip});
     }
-    draft.add(make_solid(faces, {kX, kY, z_low + 8}, "copper_roof"));
+    draft.add_detail(make_solid(faces, {kX, kY, z_low + 8}, "copper_roof"));
 }
 
 void add_windows(Draft& draft) {
@@ -79,7 +93,7 @@ void add_windows(Draft& draft) {
 /// The end of the visit: a light on a dais under painted stars.
 void add_end(Draft& draft) {
     draft.add(extrude({2, octagon(64)}, kFloor, kFloor + 8, "marble_green"));
-    draft.add_detail(extrude({2, octagon(28)}, kFloor + 8, kFloor + 36, "brass_panel"));
+    draft.add_detail_prism({2, octagon(28)}, kFloor + 8, kFloor + 36, "brass_panel");
     draft.add_detail(make_crystal({kX, kY, kFloor + 64}, 14, 22, 45, "lamp_blue"));
     draft.add_light({kX, kY + 40, kFloor + 72}, 360);
     draft.add_light({kX, kY - 40, kFloor + 72}, 360);
@@ -98,7 +112,7 @@ void build_tower(Draft& draft) {
     constexpr double kGateHalf = 32;
     const Skin stone{"stone_dark"};
     draft.add(extrude({2, octagon(kInner)}, 0, kFloor, {"stone_dark", "diamond"}));
-    add_ring(draft, kInner, kOuter, 0, kTop, stone, {kNorthSide, kSouthSide});
+    add_walls(draft, kTop, stone, {kNorthSide, kSouthSide});
     add_wall_with_door(draft, {1, 2, 40, 160}, kTop, stone);
     add_wall_with_door(draft, {6, 5, kGateHalf, kGateTop}, kTop, stone);
     add_portcullis(draft, kGateHalf, kGateTop);
@@ -106,9 +120,9 @@ void build_tower(Draft& draft) {
     add_door_frame(draft, Side::South, {Side::South, kX - kGateHalf, kX + kGateHalf, kFloor, kGateTop}, south);
     add_stairs(draft, {kX - 64, kX + 64, south - 72, 0, 24, 3, true}, {"sand_frieze", "stone_floor"});
     draft.add(extrude({2, octagon(kInner)}, 400, 416, "plaster_night"));
-    for (const double z : {208.0, 320.0}) add_ring(draft, kOuter, kOuter + 8, z, z + 16, "sand_frieze");
-    add_ring(draft, kOuter - 8, kOuter + 16, kTop - 16, kTop, "sand_frieze");
-    draft.add(extrude({2, octagon(kOuter)}, kTop, kTop + 8, "stone_dark"));
+    for (const double z : {208.0, 320.0}) add_band(draft, 8, z);
+    add_band(draft, 16, kTop - 16);
+    draft.add_detail(extrude({2, octagon(kOuter)}, kTop, kTop + 8, "stone_dark"));
     add_roof(draft, kTop + 8, 672);
     add_windows(draft);
     add_end(draft);

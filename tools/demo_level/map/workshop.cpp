@@ -14,7 +14,7 @@ void add_dynamo(Draft& draft) {
     draft.add(bars);
     draft.add_detail_box({{1252, 40, 0}, {1312, 120, 64}}, "brass_panel");
     draft.add_detail_box({{1264, 56, 64}, {1312, 104, 96}}, "copper_roof");
-    draft.add_detail(extrude({0, circle(12, 208, 56, 40, 15)}, 1264, 1296, "brass_panel"));
+    draft.add_detail_prism({0, circle(12, 208, 56, 40, 15)}, 1264, 1296, "brass_panel");
     draft.add_detail_box({{1248, 200, 48}, {1312, 216, 64}}, "brass_trim");
     add_panel(draft, {Side::West, {{1248, 56, 8}, {1252, 104, 56}}, "brass_dial"});
     add_sign(draft, {Side::West, {1312, 144, 120}, 0.75, "+0volt", 64, 64});
@@ -28,7 +28,7 @@ void add_dynamo(Draft& draft) {
 
 /// A lamp that hangs by one of its wires: it sparks.
 void add_broken_lamp(Draft& draft, const Point& centre, double ceiling) {
-    const Box body{{centre.x - 8, centre.y - 8, centre.z - 8}, {centre.x + 8, centre.y + 8, centre.z + 8}};
+    const Box body = within({{centre.x - 8, centre.y - 8, centre.z - 8}, {centre.x + 8, centre.y + 8, centre.z + 8}});
     Brush glass = make_box(body, "lamp_dead");
     fit_textures(glass, body, 0.5);
     draft.add_detail(std::move(glass));
@@ -46,7 +46,7 @@ void add_benches(Draft& draft) {
             draft.add_detail_box({{x, y + 4, 0}, {x + 12, y + 36, 36}}, "wood_panel");
     }
     draft.add_detail_box({{1020, 8, 44}, {1052, 32, 68}}, "brass_panel");
-    draft.add_detail(extrude({2, circle(8, 1120, 268, 14, 22.5)}, 44, 76, "copper_roof"));
+    draft.add_detail_prism({2, circle(8, 1120, 268, 14, 22.5)}, 44, 76, "copper_roof");
 }
 
 }  // namespace

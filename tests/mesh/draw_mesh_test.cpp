@@ -1,0 +1,220 @@
+// What draw_mesh() leaves out and works out in another way changes no pixel: held against the stages one after the
+// other, for all vertices, and each short cut against its plain form.
+#include "engine/mesh/draw_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "engine/fixed/wide.h"
+#include "engine/math/transform.h"
+#include "tests/mesh/mesh_picture.h"
+
+namespace oblong::test {
+namespace {
+
+/// Draws a mesh by its stages, each of them whole. Not Shading::Flat.
+void draw_by_stages(const PlacedMesh& placed, const Colormap& colormap, const MeshLight& light, MeshPicture& picture) {
+    const Mesh& mesh = *placed.mesh;
+    const MeshTransform transform = *make_mesh_transform(placed);
+    MeshScratch& scratch = picture.scratch;
+    const auto object = pose_of(placed, scratch.object_vertices);
+    find_facing(mesh.triangles, object, to_object(picture.view.eye, transform), scratch.facing);
+    transform_to_world(object, transform, scratch.world_vertices);
+    transform_to_view(scratch.world_vertices, picture.view, scratch.view_vertices);
+    find_corner_values(placed, scratch.world_vertices, light, scratch.values);
+    const HighlightTable highlight = make_highlight_table(placed.highlight);
+    const Vec3<Unit> toward_eye = normalised(widening_difference(picture.view.eye, placed.position));
+    const MeshPaint paint{mesh.skins[0],  colormap, light,
+                          placed.shading, false,    halfway(light.directional.toward, toward_eye),
+                          &highlight,     nullptr};
+    const ScreenRectangle all{0, picture.width, 0, picture.height};
+    for (const std::uint32_t number : scratch.facing) {
+        std::array<const ViewVertex*, 3> vertices{};
+        std::array<CornerValues, 3> values;
+        for (std::size_t i = 0; i < 3; ++i) {
+            vertices[i] = &scratch.view_vertices[mesh.triangles[number].vertices[i]];
+            values[i] = scratch.values[mesh.triangles[number].vertices[i]];
+        }
+        clip_and_project(vertices, values, picture.view, scratch.clip, scratch.polygon);
+        for (std::size_t i = 2; i < scratch.polygon.size(); ++i) {
+            const std::array<const ScreenCorner*, 3> fan{&scratch.polygon[0], &scratch.polygon[i - 1],
+                                                         &scratch.polygon[i]};
+            const auto weights = make_barycentric(fan);
+            if (!weights) continue;
+            scan_convex(std::array{fan[0]->screen, fan[1]->screen, fan[2]->screen}, scratch.rows);
+            scratch.spans.clear();
+            append_spans(scratch.rows, all, scratch.spans);
+            const MeshGradients gradients =
+                make_mesh_gradients(*weights, inverse_z_over(*weights), {placed.shading == Shading::Phong, false});
+            draw_mesh_spans(
+                scratch.spans, gradients, paint,
+                {picture.depth, {picture.pixels.data(), picture.width, picture.height, picture.width}, all});
+        }
+    }
+}
+
+double number_of(Unit part) {
+    return std::ldexp(part.raw, -30);
+}
+
+Skin checked_skin() {
+    Skin skin{"", 16, 16, {}};
+    for (int i = 0; i < 256; ++i) skin.texels.push_back(static_cast<std::uint8_t>(i));
+    return skin;
+}
+
+TEST(DrawMesh, LeavesOutNothingThatShows) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> far(-1, 1);
+    const Mesh ball = ball_mesh(30, 12, checked_skin());
+    MeshLight light;
+    light.directional = {unit_vector(0, 0, 1), 100};
+    int painted = 0;
+    for (int i = 0; i < 60; ++i) {
+        const ViewContext view = view_from({});
+        MeshPicture lazy(view), plain(view);
+        // Several that hide parts of each other; from some pixels wide to clipped by the view on all sides.
+        for (int ball_count = 0; ball_count < 3; ++ball_count) {
+            const double ahead = std::exp2(4 + (i % 12) * 0.6 + far(random));
+            PlacedMesh placed = placed_at(ball, world_point(ahead, far(random) * ahead, far(random) * ahead * 0.6));
+            placed.yaw = Angle::from_bam(random());
+            placed.roll = Angle::from_bam(random());
+            placed.shading = i % 2 == 0 ? Shading::Gouraud : Shading::Phong;
+            placed.highlight = 100;
+            if (i % 3 == 0) placed.scale.z = Entry::from_raw(Entry::from_int(1).raw / 2);
+            lazy.draw(placed, numbered_shades(), light);
+            draw_by_stages(placed, numbered_shades(), light, plain);
+        }
+        ASSERT_EQ(lazy.pixels, plain.pixels) << "picture " << i;
+        for (std::int32_t y = 0; y < lazy.height; ++y)
+            ASSERT_TRUE(std::equal(lazy.depth.row(y), lazy.depth.row(y) + lazy.width, plain.depth.row(y))) << y;
+        painted += lazy.painted() > 0;
+    }
+    EXPECT_GT(painted, 40);
+}
+
+TEST(DrawMesh, SpansOfSmallTrianglesAreThoseOfTheScan) {
+    std::mt19937 random(8);
+    const ScreenRectangle part{2, 9, 1, 8};
+    ScanlineExtents rows(12);
+    std::vector<Span> found, scanned;
+    int with_pixels = 0;
+    for (int i = 0; i < 200'000; ++i) {
+        // Within 2 to 10 pixels; on a coarse grid now and then, so that edges meet centres.
+        const int reach = 512 << (i % 3), grid = i % 2 == 0 ? 1 : 64;
+        const auto place = [&] {
+            return Screen::from_raw(static_cast<std::int32_t>(random() % static_cast<unsigned>(reach)) / grid * grid);
+        };
+        std::array<ScreenVertex, 3> corners;
+        for (ScreenVertex& corner : corners) corner = {place(), place()};
+        find_triangle_spans(corners, part, rows, found);
+        scanned.clear();
+        if (doubled_area(corners) > ScreenArea{}) {
+            scan_convex(corners, rows);
+            append_spans(rows, part, scanned);
+        }
+        ASSERT_EQ(found.size(), scanned.size()) << i;
+        for (std::size_t row = 0; row < found.size(); ++row) {
+            ASSERT_EQ(found[row].y, scanned[row].y);
+            ASSERT_EQ(found[row].first, scanned[row].first);
+            ASSERT_EQ(found[row].end, scanned[row].end);
+        }
+        with_pixels += !found.empty();
+    }
+    EXPECT_GT(with_pixels, 30'000);
+}
+
+TEST(DrawMesh, PointsOfSmallAndOfHugeMeshesAreRoundedAlike) {
+    std::mt19937 random(9);
+    Mesh mesh;
+    for (int i = 0; i < 20'000; ++i) {
+        PlacedMesh placed = placed_at(mesh, world_point(static_cast<double>(random() % 4000), i, -100));
+        placed.yaw = Angle::from_bam(random());
+        placed.pitch = Angle::from_bam(random());
+        // Scales to either side of 2^5, points of all sizes.
+        const auto scale = [&] { return Entry::from_raw(1 + (static_cast<std::int64_t>(random()) << (i % 7))); };
+        placed.scale = {scale(), scale(), scale()};
+        const auto transform = make_mesh_transform(placed);
+        if (!transform) continue;
+        const auto part = [&] { return World::from_raw(static_cast<std::int32_t>(random()) >> (random() % 31)); };
+        const Vec3<World> point{part(), part(), part()};
+        ASSERT_EQ(world_position(point, *transform), transformed_point(transform->to_world, point)) << i;
+    }
+}
+
+/// A direction turned by roll, pitch and yaw, in doubles.
+std::array<double, 3> turned(const PlacedMesh& placed, const Vec3<Unit>& v) {
+    const auto angle = [](Angle of) { return of.bam * (3.14159265358979323846 / 32768); };
+    double x = number_of(v.x), y = number_of(v.y), z = number_of(v.z);
+    const auto turn = [](double& from, double& to, double by) {
+        const double cosine = std::cos(by), sine = std::sin(by), old = from;
+        from = cosine * old - sine * to;
+        to = sine * old + cosine * to;
+    };
+    turn(y, z, angle(placed.roll));
+    turn(z, x, angle(placed.pitch));
+    turn(x, y, angle(placed.yaw));
+    return {x, y, z};
+}
+
+TEST(DrawMesh, NormalsOfMeshesThatAreScaledAlikeAreWithinThreeStepsOfTheRotation) {
+    std::mt19937 random(10);
+    Mesh mesh;
+    double most = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        PlacedMesh placed = placed_at(mesh);
+        placed.yaw = Angle::from_bam(random());
+        placed.pitch = Angle::from_bam(random());
+        placed.roll = Angle::from_bam(random());
+        const auto scale = Entry::from_raw((std::int64_t{1} << 32) + (static_cast<std::int64_t>(random()) << (i % 6)));
+        const bool is_alike = i % 4 != 0;
+        placed.scale = {scale, scale, is_alike ? scale : scale + scale};
+        const auto transform = make_mesh_transform(placed);
+        ASSERT_TRUE(transform);
+        ASSERT_EQ(transform->turn.has_value(), is_alike);
+        const auto part = [&] { return static_cast<std::int64_t>(random()) - (std::int64_t{1} << 31); };
+        const auto unit = normalised_raw(std::array{part(), part(), part()});
+        const Vec3<Unit> normal{unit[0], unit[1], unit[2]};
+        const Vec3<Unit> found = world_normal(normal, *transform);
+        if (!is_alike) {
+            ASSERT_EQ(found, transformed_normal(transform->normals, normal));
+            continue;
+        }
+        const std::array<double, 3> exact = turned(placed, normal);
+        most = std::max({most, std::abs(number_of(found.x) - exact[0]), std::abs(number_of(found.y) - exact[1]),
+                         std::abs(number_of(found.z) - exact[2])});
+    }
+    EXPECT_LE(std::ldexp(most, 30), 3);
+}
+
+TEST(DrawMesh, WeightsAreTheNearestQuotients) {
+    std::mt19937 random(11);
+    int counted = 0;
+    for (int i = 0; i < 50'000; ++i) {
+        const unsigned reach = 64u << (i % 16);  // up to 8,192 pixels: beyond what two short divisions hold
+        std::array<ScreenCorner, 3> corners{};
+        for (ScreenCorner& corner : corners)
+            corner.screen = {Screen::from_raw(static_cast<std::int32_t>(random() % reach)),
+                             Screen::from_raw(static_cast<std::int32_t>(random() % reach))};
+        const auto weights = make_barycentric({&corners[0], &corners[1], &corners[2]});
+        if (!weights || weights->corners[2] != &corners[2]) continue;  // thin ones go along a side
+        const auto way = [&](std::size_t to) {
+            return std::array<std::int64_t, 2>{corners[to].screen.x.raw - corners[0].screen.x.raw,
+                                               corners[to].screen.y.raw - corners[0].screen.y.raw};
+        };
+        const auto ab = way(1), ac = way(2);
+        const std::int64_t area = ab[0] * ac[1] - ac[0] * ab[1];
+        const auto quotient = [&](std::int64_t size) { return mul_div(size, std::int64_t{1} << 56, area); };
+        ASSERT_EQ(weights->b_per_column.raw, quotient(ac[1]));
+        ASSERT_EQ(weights->b_per_row.raw, quotient(-ac[0]));
+        ASSERT_EQ(weights->c_per_column.raw, quotient(-ab[1]));
+        ASSERT_EQ(weights->c_per_row.raw, quotient(ab[0]));
+        ++counted;
+    }
+    EXPECT_GT(counted, 15'000);
+}
+
+}  // namespace
+}  // namespace oblong::test
