@@ -39,6 +39,14 @@ void draw_blocks(const TexturedFace& face, std::span<const Span> spans, BlockCut
     }
 }
 
+/// What draws pixels that lie on lines, if it is worth looking for those: among pixels for which bounded blocks would
+/// be too short it is only where they are many, near to a wall.
+BlockKernel line_kernel(std::span<const Span> spans, const TexturedFace& face, const SpanDrawing& drawing) {
+    constexpr std::int64_t kMany = 8192;
+    const bool is_worth_it = drawing.texturing.texturing == Texturing::Exact || pixels_of(spans) >= kMany;
+    return is_worth_it ? face.surface.kernel : nullptr;
+}
+
 /// A frame that counts or records draws blocks, to the same bytes: they say what each pixel shows.
 void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
     const FaceSurface& surface = face.surface;
@@ -46,8 +54,7 @@ void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans,
     BlockCutting cutting{face.gradients, surface.limits, {}};
     cutting.limits.least = {};  // without steps nothing drifts
     if (surface.is_wrapped_by_masks && !face.effect.kernel && !counts && !drawing.record)
-        return draw_exact_spans(spans, face.gradients, cutting.limits, surface.view,
-                                drawing.texturing.texturing == Texturing::Exact ? surface.kernel : nullptr,
+        return draw_exact_spans(spans, face.gradients, cutting.limits, surface.view, line_kernel(spans, face, drawing),
                                 drawing.out);
     const std::int64_t divisions_before = counts ? counts->divisions : 0;
     draw_blocks(face, spans, drawing.texturing.cut_pixels, cutting, drawing);

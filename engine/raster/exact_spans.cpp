@@ -7,6 +7,7 @@
 
 #include "engine/raster/block_steps.h"
 #include "engine/raster/kernels/near_borders.h"
+#include "engine/raster/octave_row.h"
 
 namespace oblong {
 
@@ -28,28 +29,6 @@ struct RowPosition {
           v_over_z(gradients.v_over_z.at(column, row)) {}
 };
 
-/// value * 2^bits modulo 2^64: steps need not fit, as long as the values that they lead to do.
-std::int64_t shifted_up(std::int64_t value, int bits) {
-    return static_cast<std::int64_t>(static_cast<std::uint64_t>(value) << bits);
-}
-
-/// Pixels of one row over which 1/z has the same number of bits.
-struct Octave {
-    std::int32_t first, end;
-    int shift;  ///< that brings 1/z to 60 bits, as Depth does at each pixel; below 0: 1/z would have to be clamped
-};
-
-/// From `first` on, up to `end` at most.
-Octave octave_from(std::int32_t first, std::int32_t end, InverseZ inverse_z, InverseZ step) {
-    if (inverse_z < kLeastInverseZ || inverse_z >= kGreatestInverseZ) return {first, first + 1, -1};
-    const int shift = std::countl_zero(static_cast<std::uint64_t>(inverse_z.raw)) - 4;
-    if (step == InverseZ{}) return {first, end, shift};
-    const std::int64_t least = std::int64_t{1} << (59 - shift);
-    const std::int64_t room = step > InverseZ{} ? 2 * least - 1 - inverse_z.raw : inverse_z.raw - least;
-    return {first, static_cast<std::int32_t>(std::min<std::int64_t>(end, first + room / absolute(step).raw + 1)),
-            shift};
-}
-
 /// Whether u or v at a pixel is so far within its limits that rounding can't reach them. The limits are linear in 1/z:
 /// what holds at both ends of a run holds between.
 bool is_well_within(TexelOverZ over_z, InverseZ inverse_z, int shift, Texel least, Texel greatest) {
@@ -65,71 +44,6 @@ bool is_well_within(const RowPosition& at, int shift, const TexelLimits& limits)
     return is_well_within(at.u_over_z, at.inverse_z, shift, limits.least, limits.greatest_u) &&
            is_well_within(at.v_over_z, at.inverse_z, shift, limits.least, limits.greatest_v);
 }
-
-/// The texel of a pixel by a division, by Depth's arithmetic where nothing is clamped.
-struct DividedTexel {
-    std::int64_t inverse_z_28, depth;  ///< the upper half of 1/z, and 2^60 / it
-    std::int64_t u_46, v_46;
-};
-
-/// 1/z, u/z and v/z over an octave, brought to 60 bits; modulo 2^64, as long as the values at its pixels fit.
-class OctaveRow {
-  public:
-    OctaveRow(const Octave& octave, std::int32_t row, const TextureGradients& gradients, const SurfaceView& surface)
-        : inverse_z_(gradients.inverse_z, octave, row),
-          u_over_z_(gradients.u_over_z, octave, row),
-          v_over_z_(gradients.v_over_z, octave, row),
-          texels_(surface.texels),
-          u_mask_(surface.u_mask),
-          row_mask_(std::uint64_t{surface.v_mask} << surface.stride_log2),
-          stride_log2_(surface.stride_log2) {}
-
-    /// `pixel` counts from the octave's first.
-    DividedTexel at(std::int32_t pixel) const {
-        const std::int64_t inverse_z_28 = inverse_z_.upper_half(pixel);
-        const std::int64_t depth = depth_of(inverse_z_28);
-        return {inverse_z_28, depth, u_over_z_.upper_half(pixel) * depth, v_over_z_.upper_half(pixel) * depth};
-    }
-    std::uint8_t colour_at(const DividedTexel& texel) const {
-        const auto u_46 = static_cast<std::uint64_t>(texel.u_46), v_46 = static_cast<std::uint64_t>(texel.v_46);
-        return texels_[((v_46 >> (46 - stride_log2_)) & row_mask_) | ((u_46 >> 46) & u_mask_)];
-    }
-
-    /// A division a pixel and nothing else.
-    void draw_divided(std::int32_t first, std::int32_t end, std::uint8_t* out) const {
-        std::uint64_t inverse_z = inverse_z_.at(first), u_over_z = u_over_z_.at(first), v_over_z = v_over_z_.at(first);
-        const auto upper_half = [](std::uint64_t value) { return static_cast<std::int64_t>(value) >> 32; };
-        const OctaveRow row = *this;  // a copy that no pixel written can change: it stays in registers
-        for (std::uint8_t* pixel = out + first; pixel != out + end; ++pixel) {
-            const std::int64_t depth = depth_of(upper_half(inverse_z));
-            *pixel = row.colour_at({0, depth, upper_half(u_over_z) * depth, upper_half(v_over_z) * depth});
-            inverse_z += row.inverse_z_.step;
-            u_over_z += row.u_over_z_.step;
-            v_over_z += row.v_over_z_.step;
-        }
-    }
-
-  private:
-    static std::int64_t depth_of(std::int64_t inverse_z_28) {
-        return static_cast<std::int64_t>((std::uint64_t{1} << 60) / static_cast<std::uint64_t>(inverse_z_28));
-    }
-
-    struct Scaled {
-        std::uint64_t first, step;
-
-        template <class Value>
-        Scaled(const LinearQuantity<Value>& quantity, const Octave& octave, std::int32_t row)
-            : first(static_cast<std::uint64_t>(quantity.at(octave.first, row).raw) << octave.shift),
-              step(static_cast<std::uint64_t>(quantity.per_column.raw) << octave.shift) {}
-        std::uint64_t at(std::int32_t pixel) const { return first + step * static_cast<std::uint64_t>(pixel); }
-        std::int64_t upper_half(std::int32_t pixel) const { return static_cast<std::int64_t>(at(pixel)) >> 32; }
-    };
-
-    Scaled inverse_z_, u_over_z_, v_over_z_;
-    const std::uint8_t* texels_;
-    std::uint64_t u_mask_, row_mask_;
-    int stride_log2_;
-};
 
 /// Texels, 16.16.
 TexelPosition position_of(const DividedTexel& texel) {
@@ -202,7 +116,7 @@ constexpr std::int32_t kShortestPiece = 4, kLongestPiece = 32;
 struct PieceLengths {
     std::int32_t next = kShortestPiece;  ///< pixels: twice as long after a piece whose error was small
     std::int32_t divided = 0;            ///< pixels that are divided one by one before the next piece is tried ...
-    std::int32_t patience = 256;  ///< ... where not even the shortest one is almost a line: twice as many each time
+    std::int32_t patience = 32;  ///< ... where not even the shortest one is almost a line: twice as many each time
 };
 
 /// The same bytes as by a division at each pixel, with two for each piece whose texels lie almost on a line. `out` is
@@ -211,7 +125,7 @@ void draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel kernel,
                  PieceLengths& lengths, std::uint8_t* out) {
     constexpr std::int64_t kMost_16 = 2048;  // beyond, too many pixels would be near a border
     const std::int32_t end = octave.end - octave.first;
-    if (!kernel) return row.draw_divided(0, end, out);
+    if (!kernel || row.is_constant()) return row.draw_divided(0, end, out);
     LinePieces pieces(row, kernel, surface, out);
     for (std::int32_t pixel = 0; pixel < end;) {
         const std::int32_t left = end - 1 - pixel, count = left < 2 * lengths.next ? left : lengths.next;
@@ -232,7 +146,7 @@ void draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel kernel,
         } else if (count / 2 >= kShortestPiece) {
             lengths.next = count / 2;
         } else {
-            lengths = {kShortestPiece, lengths.patience, std::min(lengths.patience * 2, 65536)};
+            lengths = {kShortestPiece, lengths.patience, std::min(lengths.patience * 2, 128)};
         }
     }
     pieces.draw();
@@ -260,25 +174,40 @@ bool needs_no_clamp(const Octave& octave, std::int32_t row, const TextureGradien
            is_well_within(RowPosition(gradients, octave.end - 1, row), octave.shift, limits);
 }
 
-}  // namespace
-
-void draw_exact_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
-                      const SurfaceView& surface, BlockKernel kernel, Framebuffer out) {
-    PieceLengths lengths;
+/// Draws an octave of a row that needs no clamp.
+template <class DrawOctave>
+void draw_octaves(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
+                  const SurfaceView& surface, Framebuffer out, DrawOctave draw) {
     for (const Span& span : spans) {
         std::uint8_t* const row = out.row(span.y);
         for (std::int32_t column = span.first; column < span.end;) {
             const Octave octave =
                 octave_from(column, span.end, gradients.inverse_z.at(column, span.y), gradients.inverse_z.per_column);
-            if (needs_no_clamp(octave, span.y, gradients, limits)) {
-                const OctaveRow divided(octave, span.y, gradients, surface);
-                draw_octave(octave, divided, kernel, surface, lengths, row + octave.first);
-            } else {
+            if (needs_no_clamp(octave, span.y, gradients, limits))
+                draw(octave, OctaveRow(octave, span.y, gradients, surface), row + octave.first);
+            else
                 draw_clamped(octave, span.y, gradients, limits, surface, row);
-            }
             column = octave.end;
         }
     }
+}
+
+}  // namespace
+
+void draw_exact_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
+                      const SurfaceView& surface, BlockKernel kernel, Framebuffer out) {
+    if (spans.size() > 1 && gradients.inverse_z.per_row == InverseZ{}) {
+        const ColumnDepths depths(gradients, rectangle_around(spans));
+        return draw_octaves(spans, gradients, limits, surface, out,
+                            [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
+                                row.draw_at_depths(depths.from(octave.first), octave.end - octave.first, pixels);
+                            });
+    }
+    PieceLengths lengths;
+    draw_octaves(spans, gradients, limits, surface, out,
+                 [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
+                     draw_octave(octave, row, kernel, surface, lengths, pixels);
+                 });
 }
 
 }  // namespace oblong

@@ -25,24 +25,23 @@ struct TestSurface {
     }
 };
 
-std::vector<std::uint8_t> by_blocks(const Span& span, const TextureGradients& gradients, const TexelLimits& limits,
-                                    const SurfaceView& surface) {
+std::vector<std::uint8_t> by_blocks(std::span<const Span> spans, const TextureGradients& gradients,
+                                    const TexelLimits& limits, const SurfaceView& surface) {
     Accuracy accuracy;
     accuracy.texturing = Texturing::Exact;
     BlockList blocks(kWidth);
-    block_cutter(accuracy)({&span, 1}, kWidth, {gradients, limits, {}}, blocks);
+    block_cutter(accuracy)(spans, kWidth, {gradients, limits, {}}, blocks);
     std::vector<std::uint8_t> pixels(kWidth * kHeight);
     draw_blocks_plain(blocks.waiting(), surface, pixels.data());
     return pixels;
 }
 
 /// With pieces that are drawn as lines, and without them.
-std::vector<std::uint8_t> at_each_pixel(const Span& span, const TextureGradients& gradients, const TexelLimits& limits,
-                                        const SurfaceView& surface) {
+std::vector<std::uint8_t> at_each_pixel(std::span<const Span> spans, const TextureGradients& gradients,
+                                        const TexelLimits& limits, const SurfaceView& surface) {
     std::vector<std::uint8_t> pixels(kWidth * kHeight), divided = pixels;
     const auto draw = [&](BlockKernel kernel, std::vector<std::uint8_t>& out) {
-        draw_exact_spans(std::span(&span, 1), gradients, limits, surface, kernel,
-                         {out.data(), kWidth, kHeight, kWidth});
+        draw_exact_spans(spans, gradients, limits, surface, kernel, {out.data(), kWidth, kHeight, kWidth});
     };
     draw(best_block_kernel(), pixels);
     draw(nullptr, divided);
@@ -77,8 +76,37 @@ TEST(ExactSpans, DrawTheBytesOfBlocksOfOnePixel) {
         const Span span{static_cast<std::int32_t>(random() % kHeight), first,
                         first + 1 + static_cast<std::int32_t>(random() % static_cast<unsigned>(kWidth - first))};
         const TexelLimits limits = make_texel_limits(kSize, kSize, kWidth);
-        ASSERT_EQ(at_each_pixel(span, gradients, limits, surface.view),
-                  by_blocks(span, gradients, limits, surface.view))
+        ASSERT_EQ(at_each_pixel({&span, 1}, gradients, limits, surface.view),
+                  by_blocks({&span, 1}, gradients, limits, surface.view))
+            << trial;
+    }
+}
+
+/// Walls and floors of level views: one division a column or a row serves all pixels of it.
+TEST(ExactSpans, DrawTheBytesOfBlocksWhereZIsConstantAlongColumnsOrRows) {
+    const TestSurface surface;
+    std::mt19937 random(17);
+    const auto part = [&random](double least, double greatest) {
+        return std::uniform_real_distribution<double>(least, greatest)(random);
+    };
+    for (int trial = 0; trial < 2000; ++trial) {
+        // 1/z is clamped at some columns of some walls, and changes its number of bits at others.
+        const double w0 = std::exp2(part(-14, 4)), w1 = trial % 9 == 0 ? -w0 : std::exp2(part(-14, 4));
+        TextureGradients gradients;
+        gradients.inverse_z = along<InverseZ>(w0, w1);
+        gradients.inverse_z.per_row = {};
+        if (trial % 3 == 0) gradients.inverse_z = {gradients.inverse_z.origin, {}, gradients.inverse_z.per_column};
+        gradients.u_over_z = along<TexelOverZ>(part(-20, 280) * w0, part(-20, 280) * std::abs(w1));
+        gradients.v_over_z = along<TexelOverZ>(part(0, 256) * w0, part(0, 256) * std::abs(w1));
+        std::vector<Span> spans;
+        for (std::int32_t row = 0; row < kHeight; ++row) {
+            const auto first = static_cast<std::int32_t>(random() % 300);
+            spans.push_back(
+                {row, first, first + 1 + static_cast<std::int32_t>(random() % static_cast<unsigned>(kWidth - first))});
+        }
+        const TexelLimits limits = make_texel_limits(kSize, kSize, kWidth);
+        ASSERT_EQ(at_each_pixel(spans, gradients, limits, surface.view),
+                  by_blocks(spans, gradients, limits, surface.view))
             << trial;
     }
 }
@@ -102,8 +130,8 @@ TEST(ExactSpans, DrawTheBytesOfBlocksWhereTexelsLieAlmostOnALine) {
         const Span span{0, first,
                         first + 1 + static_cast<std::int32_t>(random() % static_cast<unsigned>(kWidth - first))};
         const TexelLimits limits = make_texel_limits(65535, 65535, kWidth);
-        ASSERT_EQ(at_each_pixel(span, gradients, limits, surface.view),
-                  by_blocks(span, gradients, limits, surface.view))
+        ASSERT_EQ(at_each_pixel({&span, 1}, gradients, limits, surface.view),
+                  by_blocks({&span, 1}, gradients, limits, surface.view))
             << trial;
     }
 }
@@ -118,8 +146,8 @@ TEST(ExactSpans, DrawTheBytesOfBlocksWhereZIsBeyondItsRange) {
         gradients.inverse_z = along<InverseZ>(first, last);
         gradients.u_over_z = along<TexelOverZ>(1, 2);
         gradients.v_over_z = along<TexelOverZ>(2, 1);
-        EXPECT_EQ(at_each_pixel(span, gradients, limits, surface.view),
-                  by_blocks(span, gradients, limits, surface.view))
+        EXPECT_EQ(at_each_pixel({&span, 1}, gradients, limits, surface.view),
+                  by_blocks({&span, 1}, gradients, limits, surface.view))
             << first << " to " << last;
     }
 }
@@ -140,8 +168,8 @@ TEST(ExactSpans, DrawTheBytesOfBlocksForAnyGradients) {
         gradients.u_over_z = {TexelOverZ::from_raw(trial % 3 ? part : any()), TexelOverZ::from_raw(any()), {}};
         gradients.v_over_z = {TexelOverZ::from_raw(trial % 3 ? part : any()), TexelOverZ::from_raw(any()), {}};
         const Span span{0, 0, 1 + static_cast<std::int32_t>(random() % 20)};
-        ASSERT_EQ(at_each_pixel(span, gradients, limits, surface.view),
-                  by_blocks(span, gradients, limits, surface.view))
+        ASSERT_EQ(at_each_pixel({&span, 1}, gradients, limits, surface.view),
+                  by_blocks({&span, 1}, gradients, limits, surface.view))
             << trial;
     }
 }

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+
+#include "engine/base/table.h"
+#include "engine/raster/texture_blocks.h"
+
+namespace oblong {
+
+/// value * 2^bits modulo 2^64: steps need not fit, as long as the values that they lead to do.
+inline std::int64_t shifted_up(std::int64_t value, int bits) {
+    return static_cast<std::int64_t>(static_cast<std::uint64_t>(value) << bits);
+}
+
+/// Pixels of one row over which 1/z has the same number of bits.
+struct Octave {
+    std::int32_t first, end;
+    int shift;  ///< that brings 1/z to 60 bits, as Depth does at each pixel; below 0: 1/z would have to be clamped
+};
+
+/// From `first` on, up to `end` at most.
+inline Octave octave_from(std::int32_t first, std::int32_t end, InverseZ inverse_z, InverseZ step) {
+    if (inverse_z < kLeastInverseZ || inverse_z >= kGreatestInverseZ) return {first, first + 1, -1};
+    const int shift = std::countl_zero(static_cast<std::uint64_t>(inverse_z.raw)) - 4;
+    if (step == InverseZ{}) return {first, end, shift};
+    const std::int64_t least = std::int64_t{1} << (59 - shift);
+    const std::int64_t room = step > InverseZ{} ? 2 * least - 1 - inverse_z.raw : inverse_z.raw - least;
+    return {first, static_cast<std::int32_t>(std::min<std::int64_t>(end, first + room / absolute(step).raw + 1)),
+            shift};
+}
+
+/// The texel of a pixel by a division, by Depth's arithmetic where nothing is clamped.
+struct DividedTexel {
+    std::int64_t inverse_z_28, depth;  ///< the upper half of 1/z, and 2^60 / it
+    std::int64_t u_46, v_46;
+};
+
+/// 1/z, u/z and v/z over an octave, brought to 60 bits; modulo 2^64, as long as the values at its pixels fit.
+class OctaveRow {
+  public:
+    OctaveRow(const Octave& octave, std::int32_t row, const TextureGradients& gradients, const SurfaceView& surface)
+        : inverse_z_(gradients.inverse_z, octave, row),
+          u_over_z_(gradients.u_over_z, octave, row),
+          v_over_z_(gradients.v_over_z, octave, row),
+          texels_(surface.texels),
+          u_mask_(surface.u_mask),
+          row_mask_(std::uint64_t{surface.v_mask} << surface.stride_log2),
+          stride_log2_(surface.stride_log2) {}
+
+    /// `pixel` counts from the octave's first.
+    DividedTexel at(std::int32_t pixel) const {
+        const std::int64_t inverse_z_28 = inverse_z_.upper_half(pixel);
+        const std::int64_t depth = depth_of(inverse_z_28);
+        return {inverse_z_28, depth, u_over_z_.upper_half(pixel) * depth, v_over_z_.upper_half(pixel) * depth};
+    }
+    std::uint8_t colour_at(const DividedTexel& texel) const {
+        const auto u_46 = static_cast<std::uint64_t>(texel.u_46), v_46 = static_cast<std::uint64_t>(texel.v_46);
+        return texels_[((v_46 >> (46 - stride_log2_)) & row_mask_) | ((u_46 >> 46) & u_mask_)];
+    }
+
+    /// Pixels whose depths are known.
+    void draw_at_depths(const std::int64_t* depths, std::int32_t count, std::uint8_t* out) const {
+        draw_pixels(0, count, out, [depths]() mutable { return *depths++; });
+    }
+
+    /// A division a pixel, and nothing else; where 1/z is constant one for all.
+    void draw_divided(std::int32_t first, std::int32_t end, std::uint8_t* out) const {
+        if (is_constant()) {
+            const std::int64_t depth = depth_of(inverse_z_.upper_half(first));
+            return draw_pixels(first, end, out, [depth] { return depth; });
+        }
+        draw_pixels(first, end, out, [inverse_z = inverse_z_.at(first), step = inverse_z_.step]() mutable {
+            const std::int64_t depth = depth_of(upper_half(inverse_z));
+            inverse_z += step;
+            return depth;
+        });
+    }
+
+    /// Whether 1/z is the same in all columns, as that of a floor is in a level view.
+    bool is_constant() const { return inverse_z_.step == 0; }
+
+    /// 2^60 / the upper half of 1/z.
+    static std::int64_t depth_of(std::int64_t inverse_z_28) {
+        return static_cast<std::int64_t>((std::uint64_t{1} << 60) / static_cast<std::uint64_t>(inverse_z_28));
+    }
+
+  private:
+    static std::int64_t upper_half(std::uint64_t value) { return static_cast<std::int64_t>(value) >> 32; }
+
+    template <class NextDepth>
+    void draw_pixels(std::int32_t first, std::int32_t end, std::uint8_t* out, NextDepth next_depth) const {
+        std::uint64_t u_over_z = u_over_z_.at(first), v_over_z = v_over_z_.at(first);
+        const OctaveRow row = *this;  // a copy that no pixel written can change: it stays in registers
+        for (std::uint8_t* pixel = out + first; pixel != out + end; ++pixel) {
+            const std::int64_t depth = next_depth();
+            *pixel = row.colour_at({0, depth, upper_half(u_over_z) * depth, upper_half(v_over_z) * depth});
+            u_over_z += row.u_over_z_.step;
+            v_over_z += row.v_over_z_.step;
+        }
+    }
+
+    struct Scaled {
+        std::uint64_t first, step;
+
+        template <class Value>
+        Scaled(const LinearQuantity<Value>& quantity, const Octave& octave, std::int32_t row)
+            : first(static_cast<std::uint64_t>(quantity.at(octave.first, row).raw) << octave.shift),
+              step(static_cast<std::uint64_t>(quantity.per_column.raw) << octave.shift) {}
+        std::uint64_t at(std::int32_t pixel) const { return first + step * static_cast<std::uint64_t>(pixel); }
+        std::int64_t upper_half(std::int32_t pixel) const { return static_cast<std::int64_t>(at(pixel)) >> 32; }
+    };
+
+    Scaled inverse_z_, u_over_z_, v_over_z_;
+    const std::uint8_t* texels_;
+    std::uint64_t u_mask_, row_mask_;
+    int stride_log2_;
+};
+
+/// What 1/z is divided into, by column: of a surface whose 1/z is the same in all rows, as a wall's is in a level view.
+/// One division a column then serves all rows.
+class ColumnDepths {
+  public:
+    ColumnDepths(const TextureGradients& gradients, const ScreenRectangle& columns) : first_(columns.first_column) {
+        for (std::int32_t column = first_; column < columns.end_column; ++column) {
+            const InverseZ inverse_z = gradients.inverse_z.at(column, columns.first_row);
+            const Octave octave = octave_from(column, column + 1, inverse_z, {});
+            if (octave.shift >= 0)
+                oblong::at(depths_, column - first_) =
+                    OctaveRow::depth_of(shifted_up(inverse_z.raw, octave.shift) >> 32);
+        }
+    }
+    /// Those from a column on; meaningless where 1/z is clamped.
+    const std::int64_t* from(std::int32_t column) const { return depths_.data() + (column - first_); }
+
+  private:
+    std::int32_t first_;
+    std::array<std::int64_t, kLargestMode_px> depths_;  ///< not set beyond the columns
+};
+
+}  // namespace oblong
