@@ -10,6 +10,7 @@
 #include "engine/fixed/fixed.h"
 #include "engine/raster/block_steps.h"
 #include "engine/raster/perspective.h"
+#include "engine/raster/row_repeater.h"
 
 #if defined(__x86_64__)
 #define OBLONG_TARGET_BMI2 [[gnu::target("bmi2,lzcnt")]]
@@ -40,6 +41,7 @@ class SpanCutter {
     std::int32_t left() const { return left_; }
     InverseZ inverse_z() const { return here_.inverse_z; }
     TexelBlock* end() const { return out_; }
+    void set_end(TexelBlock* end) { out_ = end; }
     std::int64_t tries() const { return tries_; }
 
     /// A block of 2^log2 pixels, all of them in the span.
@@ -175,11 +177,38 @@ template <Texturing Way, ReciprocalMethod Method, PerspectiveRange Range>
     return {span, end};
 }
 
+/// The same for RowRepeater's surfaces.
+template <ReciprocalMethod Method>
+[[gnu::always_inline]] inline std::span<const Span> cut_repeating_rows(std::span<const Span> spans, std::int32_t pitch,
+                                                                       const BlockCutting& cutting, BlockList& blocks) {
+    SpanCutter<Method, PerspectiveRange::Fits> cutter(cutting, blocks.end());
+    RowRepeater<Method> repeater(cutting.gradients, cutting.limits);
+    const TexelBlock* const full = blocks.full();
+    std::int64_t log2 = 0;
+    const Span* span = spans.data();
+    const Span* const end = span + spans.size();
+    for (; span != end && cutter.end() <= full; ++span) {
+        if (repeater.can_repeat(*span)) {
+            cutter.set_end(repeater.repeat(*span, pitch, cutter.end()));
+            continue;
+        }
+        const TexelBlock* const first = cutter.end();
+        cutter.start(*span, pitch);
+        cut_bounded(cutter, cutting.thresholds, log2);
+        repeater.remember(*span, {first, cutter.end()});
+    }
+    blocks.set_end(cutter.end());
+    return {span, end};
+}
+
 template <Texturing Way, ReciprocalMethod Method>
 [[gnu::always_inline]] inline std::span<const Span> cut_in_range(std::span<const Span> spans, std::int32_t pitch,
                                                                  const BlockCutting& cutting, BlockList& blocks) {
-    return cutting.fits_range ? cut_spans<Way, Method, PerspectiveRange::Fits>(spans, pitch, cutting, blocks)
-                              : cut_spans<Way, Method, PerspectiveRange::MayOverflow>(spans, pitch, cutting, blocks);
+    if (!cutting.fits_range)
+        return cut_spans<Way, Method, PerspectiveRange::MayOverflow>(spans, pitch, cutting, blocks);
+    if (Way == Texturing::Bounded && RowRepeater<Method>::serves(cutting.gradients))
+        return cut_repeating_rows<Method>(spans, pitch, cutting, blocks);
+    return cut_spans<Way, Method, PerspectiveRange::Fits>(spans, pitch, cutting, blocks);
 }
 
 template <Texturing Way, ReciprocalMethod Method>
