@@ -84,7 +84,7 @@ constexpr std::array kDials{
                                    "engine/geometry/project.h", false, kSubpixelBits, 0, 8),
     dial<&Accuracy::edges>(
         "edges", "edges",
-        "How an edge steps from row to row: by a 16.16 slope that is added up, or by an exact error term.", "",
+        "How an edge steps from row to row: by a 16.16 slope that is added up, or exactly.", "",
         "engine/raster/scan.cpp", true, kEdges),
     dial<&Accuracy::mip>(
         "mip", "mip level",
