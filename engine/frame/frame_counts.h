@@ -21,7 +21,7 @@ struct StageCounts {
     std::int64_t nodes = 0;            ///< of the tree, entered
     std::int64_t vertices = 0;         ///< transformed
     std::int64_t projected = 0;        ///< vertices put on the screen
-    std::int64_t clipped_corners = 0;  ///< left after clipping, all projected again
+    std::int64_t clipped_corners = 0;  ///< left after clipping
     std::int64_t edges = 0;            ///< scanned
     std::int64_t edge_rows = 0;        ///< steps down those edges
     std::int64_t claimed_rows = 0;     ///< rows of faces looked up in the span buffer

@@ -20,8 +20,9 @@ SETTINGS = ["perspective=bounded", "perspective=affine", "perspective=every16", 
 
 # The stages of the model that files do the work of. All other files do what the model leaves out.
 PARTS = {
-    ("nodes",): "visibility/front_to_back visibility/box_culler visibility/box_rectangle",
-    ("vertices", "projection"): "geometry/screen_polygon geometry/project",
+    ("nodes",): "visibility/front_to_back visibility/box_culler visibility/box_rectangle "
+                "visibility/visible_set level/pvs",
+    ("vertices", "projection"): "geometry/screen_polygon",
     ("clipping",): "geometry/clip",
     ("edges", "edge rows"): "raster/scan",
     ("spans",): "visibility/span_buffer frame/frame frame/claims frame/surface_pass frame/passes frame/plan",
