@@ -10,6 +10,7 @@
 #include "engine/fixed/fixed.h"
 #include "engine/raster/block_steps.h"
 #include "engine/raster/perspective.h"
+#include "engine/raster/row_repeater.h"
 
 #if defined(__x86_64__)
 #define OBLONG_TARGET_BMI2 [[gnu::target("bmi2,lzcnt")]]
@@ -40,6 +41,7 @@ class SpanCutter {
     std::int32_t left() const { return left_; }
     InverseZ inverse_z() const { return here_.inverse_z; }
     TexelBlock* end() const { return out_; }
+    void set_end(TexelBlock* end) { out_ = end; }
     std::int64_t tries() const { return tries_; }
 
     /// A block of 2^log2 pixels, all of them in the span.
@@ -175,11 +177,38 @@ template <Texturing Way, ReciprocalMethod Method, PerspectiveRange Range>
     return {span, end};
 }
 
+/// The same for RowRepeater's surfaces.
+template <ReciprocalMethod Method>
+[[gnu::always_inline]] inline std::span<const Span> cut_repeating_rows(std::span<const Span> spans, std::int32_t pitch,
+                                                                       const BlockCutting& cutting, BlockList& blocks) {
+    SpanCutter<Method, PerspectiveRange::Fits> cutter(cutting, blocks.end());
+    RowRepeater<Method> repeater(cutting.gradients, cutting.limits);
+    const TexelBlock* const full = blocks.full();
+    std::int64_t log2 = 0;
+    const Span* span = spans.data();
+    const Span* const end = span + spans.size();
+    for (; span != end && cutter.end() <= full; ++span) {
+        if (repeater.can_repeat(*span)) {
+            cutter.set_end(repeater.repeat(*span, pitch, cutter.end()));
+            continue;
+        }
+        const TexelBlock* const first = cutter.end();
+        cutter.start(*span, pitch);
+        cut_bounded(cutter, cutting.thresholds, log2);
+        repeater.remember(*span, {first, cutter.end()});
+    }
+    blocks.set_end(cutter.end());
+    return {span, end};
+}
+
 template <Texturing Way, ReciprocalMethod Method>
 [[gnu::always_inline]] inline std::span<const Span> cut_in_range(std::span<const Span> spans, std::int32_t pitch,
                                                                  const BlockCutting& cutting, BlockList& blocks) {
-    return cutting.fits_range ? cut_spans<Way, Method, PerspectiveRange::Fits>(spans, pitch, cutting, blocks)
-                              : cut_spans<Way, Method, PerspectiveRange::MayOverflow>(spans, pitch, cutting, blocks);
+    if (!cutting.fits_range)
+        return cut_spans<Way, Method, PerspectiveRange::MayOverflow>(spans, pitch, cutting, blocks);
+    if (Way == Texturing::Bounded && RowRepeater<Method>::serves(cutting.gradients))
+        return cut_repeating_rows<Method>(spans, pitch, cutting, blocks);
+    return cut_spans<Way, Method, PerspectiveRange::Fits>(spans, pitch, cutting, blocks);
 }
 
 template <Texturing Way, ReciprocalMethod Method>
@@ -216,51 +245,11 @@ BlockCutter cutter_by(Texturing texturing) {
     return append_blocks<Texturing::Exact, Method>;
 }
 
-/// A linear quantity over a rectangle: its value at the first pixel, and what columns and rows add to that up to the
-/// last one.
-struct Slopes {
-    std::int64_t first, columns, rows;
-
-    std::int64_t least() const { return first + std::min<std::int64_t>(columns, 0) + std::min<std::int64_t>(rows, 0); }
-    std::int64_t greatest() const { return -Slopes{-first, -columns, -rows}.least(); }
-};
-
-template <class Value>
-Slopes slopes_over(const ScreenRectangle& rectangle, const LinearQuantity<Value>& quantity) {
-    return {quantity.at(rectangle.first_column, rectangle.first_row).raw,
-            stepped(Value{}, quantity.per_column, rectangle.end_column - rectangle.first_column - 1).raw,
-            stepped(Value{}, quantity.per_row, rectangle.end_row - rectangle.first_row - 1).raw};
-}
-
-/// Whether |over_z| is below 7 times 1/z everywhere, both in steps of their formats.
-bool is_below_7_times(const Slopes& over_z, const Slopes& z) {
-    return Slopes{7 * z.first - over_z.first, 7 * z.columns - over_z.columns, 7 * z.rows - over_z.rows}.least() > 0 &&
-           Slopes{7 * z.first + over_z.first, 7 * z.columns + over_z.columns, 7 * z.rows + over_z.rows}.least() > 0;
-}
-
-/// Whether nothing of a quantity overflows below: over 4,096 columns and rows its steps add up to less than 2^57. A
-/// first value that is small is no wrapped one, as values inside the polygon, less than 2^57 away, fit their format.
-template <class Value>
-bool is_gentle(const LinearQuantity<Value>& quantity, const Slopes& slopes) {
-    constexpr auto kSteepest = Value::from_raw(std::int64_t{1} << 44);
-    constexpr std::int64_t kLargest = std::int64_t{1} << 59;
-    return absolute(quantity.per_column) < kSteepest && absolute(quantity.per_row) < kSteepest &&
-           slopes.first < kLargest && slopes.first > -kLargest;
-}
-
 }  // namespace
 
 TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int32_t longest_px) {
     // Flooring a step loses less than a unit of 2^-16 a pixel: from this inset no sample drifts below 0.
     return {Texel::from_raw(longest_px), Texel::from_int(width) - Texel::ulp(), Texel::from_int(height) - Texel::ulp()};
-}
-
-bool fits_range(const TextureGradients& gradients, const ScreenRectangle& rectangle) {
-    const Slopes z = slopes_over(rectangle, gradients.inverse_z);
-    const Slopes u = slopes_over(rectangle, gradients.u_over_z), v = slopes_over(rectangle, gradients.v_over_z);
-    return is_gentle(gradients.inverse_z, z) && is_gentle(gradients.u_over_z, u) && is_gentle(gradients.v_over_z, v) &&
-           z.least() >= kLeastInverseZ.raw && z.greatest() < kGreatestInverseZ.raw && is_below_7_times(u, z) &&
-           is_below_7_times(v, z);
 }
 
 TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& limits, std::int32_t column,

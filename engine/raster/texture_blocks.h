@@ -7,14 +7,11 @@
 #include "engine/raster/block_rule.h"
 #include "engine/raster/block_steps.h"
 #include "engine/raster/kernels/kernels.h"
+#include "engine/raster/perspective_range.h"
 #include "engine/screen/gradients.h"
 #include "engine/screen/screen.h"
 
 namespace oblong {
-
-/// 1/z is clamped to these: the largest is that of z = 2^-15 unit, the smallest that of a point beyond any world.
-inline constexpr auto kGreatestInverseZ = InverseZ::from_raw(std::int64_t{1} << 59);
-inline constexpr auto kLeastInverseZ = InverseZ::from_raw(std::int64_t{1} << 24);
 
 /// The range of a surface's texture coordinates for samples: inset from its edges by the most that rounding adds up to
 /// in one block.
@@ -59,11 +56,6 @@ struct BlockCutting {
     std::int32_t texel_bound_256 = 0;  ///< for BoundedTexels: BlockRule's
     bool fits_range = false;           ///< fits_range() of these spans: then nothing is clamped before it is multiplied
 };
-
-/// Whether 1/z is within its clamps, and u and v within 114,000 texels, at every pixel of a rectangle around the spans
-/// of a polygon; only then do the cutters give the same without clamps. All three are linear: their extremes are in the
-/// corners.
-bool fits_range(const TextureGradients& gradients, const ScreenRectangle& rectangle);
 
 /// Appends the blocks of spans, left to right, as long as there is room for one in the worst case. Returns the spans
 /// that are left. `pitch` is the framebuffer's.

@@ -1,0 +1,52 @@
+#include "engine/raster/perspective_range.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace oblong {
+
+namespace {
+
+/// A linear quantity over a rectangle: its value at the first pixel, and what columns and rows add to that up to the
+/// last one.
+struct Slopes {
+    std::int64_t first, columns, rows;
+
+    std::int64_t least() const { return first + std::min<std::int64_t>(columns, 0) + std::min<std::int64_t>(rows, 0); }
+    std::int64_t greatest() const { return -Slopes{-first, -columns, -rows}.least(); }
+};
+
+template <class Value>
+Slopes slopes_over(const ScreenRectangle& rectangle, const LinearQuantity<Value>& quantity) {
+    return {quantity.at(rectangle.first_column, rectangle.first_row).raw,
+            stepped(Value{}, quantity.per_column, rectangle.end_column - rectangle.first_column - 1).raw,
+            stepped(Value{}, quantity.per_row, rectangle.end_row - rectangle.first_row - 1).raw};
+}
+
+/// Whether |over_z| is below 7 times 1/z everywhere, both in steps of their formats.
+bool is_below_7_times(const Slopes& over_z, const Slopes& z) {
+    return Slopes{7 * z.first - over_z.first, 7 * z.columns - over_z.columns, 7 * z.rows - over_z.rows}.least() > 0 &&
+           Slopes{7 * z.first + over_z.first, 7 * z.columns + over_z.columns, 7 * z.rows + over_z.rows}.least() > 0;
+}
+
+/// Whether nothing of a quantity overflows below: over 4,096 columns and rows its steps add up to less than 2^57. A
+/// first value that is small is no wrapped one, as values inside the polygon, less than 2^57 away, fit their format.
+template <class Value>
+bool is_gentle(const LinearQuantity<Value>& quantity, const Slopes& slopes) {
+    constexpr std::int64_t kSteepest = std::int64_t{1} << 44, kLargest = std::int64_t{1} << 59;
+    const auto is_within = [](std::int64_t value, std::int64_t most) { return value < most && value > -most; };
+    return is_within(quantity.per_column.raw, kSteepest) && is_within(quantity.per_row.raw, kSteepest) &&
+           is_within(slopes.first, kLargest);
+}
+
+}  // namespace
+
+bool fits_range(const TextureGradients& gradients, const ScreenRectangle& rectangle) {
+    const Slopes z = slopes_over(rectangle, gradients.inverse_z);
+    const Slopes u = slopes_over(rectangle, gradients.u_over_z), v = slopes_over(rectangle, gradients.v_over_z);
+    return is_gentle(gradients.inverse_z, z) && is_gentle(gradients.u_over_z, u) && is_gentle(gradients.v_over_z, v) &&
+           z.least() >= kLeastInverseZ.raw && z.greatest() < kGreatestInverseZ.raw && is_below_7_times(u, z) &&
+           is_below_7_times(v, z);
+}
+
+}  // namespace oblong
