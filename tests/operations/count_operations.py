@@ -27,8 +27,8 @@ PARTS = {
     ("edges", "edge rows"): "raster/scan",
     ("spans",): "visibility/span_buffer frame/frame frame/claims frame/surface_pass frame/passes frame/plan",
     ("gradients",): "geometry/texture_gradients scene/face_surface surface/surface_cache raster/block_rule",
-    ("blocks", "1/z", "pixels"): "raster/texture_blocks frame/texture_spans fixed/reciprocal raster/exact_spans "
-                                 "raster/kernels/plain raster/kernels/near_borders",
+    ("blocks", "1/z", "pixels"): "raster/texture_blocks raster/perspective_range frame/texture_spans fixed/reciprocal "
+                                 "raster/exact_spans raster/kernels/plain raster/kernels/near_borders",
     ("sky",): "effects/sky geometry/view_directions fixed/root",
     ("lit texels",): "surface/lit_surface",
 }

@@ -94,17 +94,21 @@ constexpr EventCost kInverseZAdvance{500}, kOverZAdvance{1740, 187, 0, 0, 0, 240
 /// is not counted as a last one.
 constexpr EventCost kLastBlock{850, 710, 0, 142, 1136, 0};
 /// cut_bounded(): comparisons with thresholds, a block; products by its length, a block that does not end its span.
-/// Where blocks have one length, those are the same for a span, if it has room for one.
-constexpr EventCost kThresholdTest{538, 0, 0, 200, 1600, 0}, kLengthProducts{0, 365}, kOneLengthProducts{0, 139};
+/// Rows that repeat the blocks of another do without most. Where blocks have one length, those are the same for a span,
+/// if it has room for one.
+constexpr EventCost kThresholdTest{538, 0, 0, 200, 1600, 0}, kLengthProducts{0, 30}, kOneLengthProducts{0, 139};
 /// cut_bounded_texels(): the tries, is_straight().
 constexpr EventCost kStraightTest{5600, 959};
 /// Depth, reciprocal_of(): clamping, normalising, and the method.
 constexpr EventCost kDivision{300, 0, 100}, kTable{1460, 0, 0, 100, 400, 0}, kTableNewton{1760, 200, 0, 100, 400, 0},
     kTableTwoNewton{2560, 400, 0, 100, 400, 0};
-/// raster/exact_spans.cpp, draw_octave(): three steps and shifts, a division, two products; the texel, the pixel.
-constexpr EventCost kExactOverZ{300, 200}, kExactInverseZ{300, 0, 100}, kExactTexel{800, 0, 0, 100, 100, 100};
-/// The same, a span or the part of one that bounded texturing divides: where octaves end, whether one needs clamping.
-constexpr EventCost kDividedPart{9200, 1840, 87};
+/// raster/exact_spans.cpp, octave_row.h, a pixel of the parts of spans that bounded texturing divides: three steps and
+/// shifts, two products; a division but in rows whose 1/z is that of others. The texel, the pixel.
+constexpr EventCost kExactOverZ{300, 200}, kExactInverseZ{300, 0, 38}, kExactTexel{900, 0, 0, 100, 100, 100};
+/// The same where all spans are divided: most pixels are drawn on a line between two that are.
+constexpr EventCost kLineInverseZ{574, 29, 23};
+/// The same, a span or such a part of one: where octaves end, whether one needs clamping.
+constexpr EventCost kDividedPart{10690, 2355, 109};
 /// The fewest pixels that such parts have in the mean.
 constexpr std::int64_t kDividedPart_px = 3;
 /// raster/kernels/plain.cpp: two steps, two shifts, two masks, three addresses, the loop; the texel; the pixel.
@@ -115,7 +119,7 @@ constexpr EventCost kFlatPixel{100, 0, 0, 0, 0, 100};
 /// effects/sky.cpp: one of the directions (products, a root without a division) and the block to it; eight texels of
 /// both layers put into one; a pixel of both layers that are not; the sky of a frame.
 constexpr EventCost kSkyDirection{4940, 1673}, kSkyTexels_8{1550, 109, 0, 0, 1600, 800},
-    kSkyPixel{1845, 200, 0, 200, 200, 100}, kSkyFrame{0, 0, 1063};
+    kSkyPixel{1845, 200, 0, 200, 200, 100}, kSkyFrame{0, 0, 1100};
 /// surface/lit_surface.cpp, build_cell_row(): texel and colormap looked up; a step of the shade; a threshold. And, of
 /// the 16 texels of a cell's row or fewer: the shades at its ends.
 constexpr EventCost kLitTexel{600, 20, 2, 200, 200, 100}, kNearestTexel{251, 9, 2, 200, 200, 100},
@@ -194,7 +198,7 @@ StageOperations divisions_of(const FrameCounts& counts, const Accuracy& accuracy
         stage_of("1/z", counts.divisions - divided, reciprocal_cost(accuracy.reciprocal), widths.inverse_z);
     stage.events += divided;
     add(divided, kExactOverZ, widths.over_z, stage);
-    add(divided, kExactInverseZ, widths.inverse_z, stage);
+    add(divided, divides_spans(accuracy) ? kLineInverseZ : kExactInverseZ, widths.inverse_z, stage);
     const std::int64_t parts =
         divides_spans(accuracy) ? counts.spans : std::min(counts.spans, divided / kDividedPart_px);
     add(parts, kDividedPart, widths.inverse_z, stage);
