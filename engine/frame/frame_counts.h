@@ -21,16 +21,16 @@ struct StageCounts {
     std::int64_t nodes = 0;            ///< of the tree, entered
     std::int64_t vertices = 0;         ///< transformed
     std::int64_t projected = 0;        ///< vertices put on the screen
-    std::int64_t clipped_corners = 0;  ///< left after clipping, all projected again
+    std::int64_t clipped_corners = 0;  ///< left after clipping
     std::int64_t edges = 0;            ///< scanned
     std::int64_t edge_rows = 0;        ///< steps down those edges
     std::int64_t claimed_rows = 0;     ///< rows of faces looked up in the span buffer
     std::int64_t surfaces = 0;         ///< for which gradients were made
     std::int64_t blocks = 0;           ///< all of them, those of one pixel for each of divided_pixels too
-    std::int64_t last_blocks = 0;      ///< those of any length, with a division for each step
+    std::int64_t last_blocks = 0;      ///< those whose length is no power of two
     std::int64_t textured_pixels = 0, flat_pixels = 0, sky_pixels = 0;
     std::int64_t sky_blocks = 0, sky_directions = 0, sky_texels = 0;  ///< SkyWork
-    std::int64_t divided_pixels = 0;  ///< textured ones with a division each (raster/exact_spans.h)
+    std::int64_t divided_pixels = 0;  ///< textured ones of raster/exact_spans.h, in `divisions` as one each
     std::int64_t particles = 0;       ///< computed, in view or not
     std::int64_t lit_texels = 0;      ///< built because the cache did not have them
 };

@@ -173,7 +173,7 @@ template <Texturing Way, ReciprocalMethod Method, PerspectiveRange Range>
         cut_span<Way>(cutter, cutting, log2);
     }
     blocks.set_end(cutter.end());
-    if constexpr (Way == Texturing::BoundedTexels) blocks.add_tries(cutter.tries());
+    if constexpr (Way == Texturing::BoundedTexels) blocks.add_divisions(cutter.tries());
     return {span, end};
 }
 
@@ -198,6 +198,7 @@ template <ReciprocalMethod Method>
         repeater.remember(*span, {first, cutter.end()});
     }
     blocks.set_end(cutter.end());
+    blocks.add_divisions(-repeater.divisions_saved());
     return {span, end};
 }
 
@@ -260,7 +261,7 @@ TexelPosition texel_at(const TextureGradients& gradients, const TexelLimits& lim
 
 std::int64_t divisions_of(std::span<const Span> spans, const TextureGradients& gradients, const BlockList& blocks) {
     if (gradients.inverse_z.per_column == InverseZ{}) return std::ssize(spans);
-    std::int64_t divisions = std::ssize(spans) + blocks.tries();
+    std::int64_t divisions = std::ssize(spans) + blocks.more_divisions();
     const TexelBlock* block = blocks.waiting().data();
     for (const Span& span : spans)
         for (std::int32_t left = span.end - span.first; left > 0; left -= block++->count) divisions += left > 1;

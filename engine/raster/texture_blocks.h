@@ -32,10 +32,11 @@ class BlockList {
     /// Blocks of a span that begin beyond this one might not fit.
     const TexelBlock* full() const { return blocks_.data() + kBatch; }
     std::span<const TexelBlock> waiting() const { return std::span(blocks_).first(used_); }
-    void clear() { used_ = 0, tries_ = 0; }
-    /// Blocks that were tried and perhaps cut shorter (BoundedTexels).
-    std::int64_t tries() const { return tries_; }
-    void add_tries(std::int64_t count) { tries_ += count; }
+    void clear() { used_ = 0, more_divisions_ = 0; }
+    /// Divisions beyond those that divisions_of() finds by itself: for blocks that were tried and perhaps cut shorter
+    /// (BoundedTexels). Below 0: the ones that rows did without (RowRepeater).
+    std::int64_t more_divisions() const { return more_divisions_; }
+    void add_divisions(std::int64_t count) { more_divisions_ += count; }
 
     TexelBlock* end() { return blocks_.data() + used_; }
     void set_end(const TexelBlock* end) { used_ = static_cast<std::size_t>(end - blocks_.data()); }
@@ -45,7 +46,7 @@ class BlockList {
 
     std::vector<TexelBlock> blocks_;
     std::size_t used_ = 0;
-    std::int64_t tries_ = 0;
+    std::int64_t more_divisions_ = 0;
 };
 
 /// How the spans of one surface are cut into blocks.
@@ -66,7 +67,8 @@ using BlockCutter = std::span<const Span> (*)(std::span<const Span> spans, std::
 BlockCutter block_cutter(const Accuracy& accuracy, bool has_bmi2 = oblong::has_bmi2());
 
 /// How many divisions cutting these spans into these blocks took: one where a span begins, and one where each block
-/// ends, or was tried to; but none for a last block of one pixel, or where 1/z is constant along rows.
+/// ends, or was tried to; but none for a last block of one pixel, where 1/z is constant along rows, or where it is that
+/// of a row before.
 std::int64_t divisions_of(std::span<const Span> spans, const TextureGradients& gradients, const BlockList& blocks);
 
 /// The exact texel at the centre of a pixel.

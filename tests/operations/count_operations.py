@@ -20,14 +20,15 @@ SETTINGS = ["perspective=bounded", "perspective=affine", "perspective=every16", 
 
 # The stages of the model that files do the work of. All other files do what the model leaves out.
 PARTS = {
-    ("nodes",): "visibility/front_to_back visibility/box_culler visibility/box_rectangle",
-    ("vertices", "projection"): "geometry/screen_polygon geometry/project",
+    ("nodes",): "visibility/front_to_back visibility/box_culler visibility/box_rectangle "
+                "visibility/visible_set level/pvs",
+    ("vertices", "projection"): "geometry/screen_polygon",
     ("clipping",): "geometry/clip",
     ("edges", "edge rows"): "raster/scan",
     ("spans",): "visibility/span_buffer frame/frame frame/claims frame/surface_pass frame/passes frame/plan",
     ("gradients",): "geometry/texture_gradients scene/face_surface surface/surface_cache raster/block_rule",
-    ("blocks", "1/z", "pixels"): "raster/texture_blocks frame/texture_spans fixed/reciprocal raster/exact_spans "
-                                 "raster/kernels/plain raster/kernels/near_borders",
+    ("blocks", "1/z", "pixels"): "raster/texture_blocks raster/perspective_range frame/texture_spans fixed/reciprocal "
+                                 "raster/exact_spans raster/kernels/plain raster/kernels/near_borders",
     ("sky",): "effects/sky geometry/view_directions fixed/root",
     ("lit texels",): "surface/lit_surface",
 }

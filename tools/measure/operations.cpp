@@ -51,52 +51,64 @@ StageOperations stage_of(std::string_view name, std::int64_t events, const Event
 // Additions, multiplications and divisions are those that tests/operations counts in the code, means over the cameras
 // of the demo level where an event's work varies. Look-ups and bytes are read from the code, and are its data alone.
 
-/// visibility/front_to_back.cpp, box_rectangle.cpp: the distance to the node's plane, its box against the sides of the
-/// view that its parent's crosses, its rectangle on the screen and the rows there; the leaves and faces below it.
-constexpr EventCost kNode{28580, 3298, 346, 0, 6000, 4800};
+/// visibility/front_to_back.cpp, box_culler.cpp, box_rectangle.cpp: the distance to the node's plane, its box against
+/// the sides of the view that its parent's crosses, above the leaves its rectangle on the screen and the rows there;
+/// the leaves and faces below it. And half of the additions, since each camera is in another leaf: visible_set.cpp,
+/// which leaves can be seen from the eye's.
+constexpr EventCost kNode{28160, 1742, 68, 0, 10000, 8600};
 /// math/basis.h, to_view(): three differences, nine products, three roundings.
 constexpr EventCost kRotation{1800, 900, 0, 0, 4800, 2400};
 /// geometry/frustum.h, outcode_of(): four products, five comparisons and what joins them.
-constexpr EventCost kOutcode{1500, 400, 0, 0, 0, 100};
-/// geometry/screen_polygon.cpp: a face's corner looked up, its outcode joined to the others', its depth compared.
-constexpr EventCost kCorner{2285};
+constexpr EventCost kOutcode{1800, 400, 0, 0, 0, 100};
+/// geometry/screen_polygon.cpp: a face's corner looked up, its outcode joined to the others', its depth compared. An
+/// edge that is scanned pays for another one too, of the faces that turn out to be covered.
+constexpr EventCost kCorner{4069};
 /// geometry/projection.h, project_axis(), twice; geometry/project.h: rounding, snapping, keeping on the screen.
-constexpr EventCost kProjection{3520, 200, 200, 0, 2400, 800};
+constexpr EventCost kProjection{3300, 200, 200, 0, 2400, 800};
+/// The corners of a clipped face that have to be projected, of a hundred: those that clipping made. Others are
+/// projected already.
+constexpr std::int64_t kNewCorners_100 = 68;
 /// geometry/clip.cpp: distances of both ends of an edge to a plane, the place between them.
-constexpr EventCost kClippedCorner{6370, 470, 145, 0, 6400, 3200};
-/// raster/scan.cpp: the survey of a polygon, and the constructors of both walkers, for the edges that reach a row (less
-/// than half of them).
-constexpr EventCost kExactEdge{3651, 91, 91, 0, 1600, 0}, kAccumulatedEdge{3611, 46, 46, 0, 1600, 0};
+constexpr EventCost kClippedCorner{7779, 1112, 71, 0, 6400, 3200};
+/// raster/scan.cpp: the survey of a polygon, of those too that turn out to be covered; the constructors of both
+/// walkers, for the edges that reach a row (two thirds of them).
+constexpr EventCost kExactEdge{4690, 67, 67, 0, 1600, 0}, kAccumulatedEdge{6082, 67, 67, 0, 1600, 0};
 /// raster/scan.cpp, next_row() and the column written.
-constexpr EventCost kExactEdgeRow{1100, 0, 0, 0, 0, 400}, kAccumulatedEdgeRow{700, 0, 0, 0, 0, 400};
-/// visibility/span_buffer.cpp, claim(): a row's hull; claim_from(): what of it is left; a span and what frame.cpp does
-/// with it.
-constexpr EventCost kClaimedRow{1425, 76, 0, 0, 2000, 800}, kSpan{3299, 8, 0, 0, 400, 1200};
+constexpr EventCost kExactEdgeRow{600, 0, 0, 0, 0, 400}, kAccumulatedEdgeRow{700, 0, 0, 0, 0, 400};
+/// visibility/span_buffer.cpp, claim_row(): a row's hull; claim_listed(), claim_several(): what of it is left; a span
+/// and what frame/ does with it.
+constexpr EventCost kClaimedRow{1000, 0, 0, 0, 1600, 400}, kSpan{2925, 117, 0, 0, 400, 1200};
 /// geometry/texture_gradients.cpp: three vectors rotated, the plane's distance, nine slopes, three anchors;
 /// scene/face_surface.cpp: the mip level, the size of the lit surface, its place in the cache.
-constexpr EventCost kGradients{30240, 6383, 102, 0, 16000, 7200};
+constexpr EventCost kGradients{32580, 6471, 108, 0, 16000, 7200};
 /// raster/block_rule.cpp, make_block_thresholds(): ten of them, once a surface.
-constexpr EventCost kThresholds{16607, 1105, 4, 0, 8000, 8000};
-/// raster/texture_blocks.cpp, a span: 1/z, u/z and v/z at its first and its last pixel, u and v there.
-constexpr EventCost kSpanInverseZ{800, 240}, kSpanOverZ{1600, 827};
-/// frame/texture_spans.cpp, a span: whether there is room for its blocks, and the call.
-constexpr EventCost kSpanCall{735};
-/// raster/texture_blocks.cpp, advance(), a block: 1/z on; u/z and v/z on, and times z; its clamps and steps. Where
-/// blocks have one length, steps are multiplied by shifts.
-constexpr EventCost kInverseZAdvance{600}, kOverZAdvance{2200, 200, 0, 0, 0, 2400};
-/// cut_rest(): steps by division, for a block of 2^k pixels too, which is not counted as a last one.
-constexpr EventCost kLastBlock{0, 0, 250};
+constexpr EventCost kThresholds{9932, 1000, 0, 0, 8000, 8000};
+/// frame/texture_spans.cpp, a surface: the rectangle around its spans, whether all in it fits; and, before its blocks
+/// are as long as the bound allows, whether all of it is near enough for those.
+constexpr EventCost kSurfaceBlocks{16900, 1800}, kSurfaceBound{3570, 810};
+/// raster/texture_blocks.cpp, a span (nineteen of twenty are textured): 1/z, u/z and v/z at its first pixel, u and v.
+constexpr EventCost kSpanInverseZ{500, 190}, kSpanOverZ{1580, 662};
+/// raster/texture_blocks.cpp, advance(), a block: 1/z on; u/z and v/z on, and times z; its clamps and steps.
+constexpr EventCost kInverseZAdvance{500}, kOverZAdvance{1740, 187, 0, 0, 0, 2400};
+/// cut_rest(): three products by its length, and steps by a table of reciprocals, for a block of 2^k pixels too, which
+/// is not counted as a last one.
+constexpr EventCost kLastBlock{850, 710, 0, 142, 1136, 0};
 /// cut_bounded(): comparisons with thresholds, a block; products by its length, a block that does not end its span.
-constexpr EventCost kThresholdTest{1160, 0, 0, 200, 1600, 0}, kLengthProducts{0, 300};
+/// Rows that repeat the blocks of another do without most. Where blocks have one length, those are the same for a span,
+/// if it has room for one.
+constexpr EventCost kThresholdTest{538, 0, 0, 200, 1600, 0}, kLengthProducts{0, 30}, kOneLengthProducts{0, 139};
 /// cut_bounded_texels(): the tries, is_straight().
-constexpr EventCost kStraightTest{5130, 909};
+constexpr EventCost kStraightTest{5600, 959};
 /// Depth, reciprocal_of(): clamping, normalising, and the method.
-constexpr EventCost kDivision{900, 0, 100}, kTable{1900, 0, 0, 100, 400, 0}, kTableNewton{2200, 200, 0, 100, 400, 0},
-    kTableTwoNewton{3000, 400, 0, 100, 400, 0};
-/// raster/exact_spans.cpp, draw_octave(): three steps and shifts, a division, two products; the texel, the pixel.
-constexpr EventCost kExactOverZ{300, 200}, kExactInverseZ{300, 0, 100}, kExactTexel{800, 0, 0, 100, 100, 100};
-/// The same, a span or the part of one that bounded texturing divides: where octaves end, whether one needs clamping.
-constexpr EventCost kDividedPart{9200, 1840, 87};
+constexpr EventCost kDivision{300, 0, 100}, kTable{1460, 0, 0, 100, 400, 0}, kTableNewton{1760, 200, 0, 100, 400, 0},
+    kTableTwoNewton{2560, 400, 0, 100, 400, 0};
+/// raster/exact_spans.cpp, octave_row.h, a pixel of the parts of spans that bounded texturing divides: three steps and
+/// shifts, two products; a division but in rows whose 1/z is that of others. The texel, the pixel.
+constexpr EventCost kExactOverZ{300, 200}, kExactInverseZ{300, 0, 38}, kExactTexel{900, 0, 0, 100, 100, 100};
+/// The same where all spans are divided: most pixels are drawn on a line between two that are.
+constexpr EventCost kLineInverseZ{574, 29, 23};
+/// The same, a span or such a part of one: where octaves end, whether one needs clamping.
+constexpr EventCost kDividedPart{10690, 2355, 109};
 /// The fewest pixels that such parts have in the mean.
 constexpr std::int64_t kDividedPart_px = 3;
 /// raster/kernels/plain.cpp: two steps, two shifts, two masks, three addresses, the loop; the texel; the pixel.
@@ -107,11 +119,11 @@ constexpr EventCost kFlatPixel{100, 0, 0, 0, 0, 100};
 /// effects/sky.cpp: one of the directions (products, a root without a division) and the block to it; eight texels of
 /// both layers put into one; a pixel of both layers that are not; the sky of a frame.
 constexpr EventCost kSkyDirection{4940, 1673}, kSkyTexels_8{1550, 109, 0, 0, 1600, 800},
-    kSkyPixel{1845, 200, 0, 200, 200, 100}, kSkyFrame{0, 0, 900};
+    kSkyPixel{1845, 200, 0, 200, 200, 100}, kSkyFrame{0, 0, 1100};
 /// surface/lit_surface.cpp, build_cell_row(): texel and colormap looked up; a step of the shade; a threshold. And, of
 /// the 16 texels of a cell's row or fewer: the shades at its ends.
-constexpr EventCost kLitTexel{1360, 35, 7, 200, 200, 100}, kNearestTexel{1409, 16, 7, 200, 200, 100},
-    kDither{404, 100, 0, 100, 100, 0};
+constexpr EventCost kLitTexel{600, 20, 2, 200, 200, 100}, kNearestTexel{251, 9, 2, 200, 200, 100},
+    kDither{207, 6, 0, 100, 100, 0};
 
 StageOperations vertices_of(const StageCounts& stages, const Widths& widths) {
     // A position has 20.12 bits: products with axes of up to 32 bits are of 32.
@@ -155,6 +167,10 @@ bool divides_spans(const Accuracy& accuracy) {
     return accuracy.texturing == Texturing::Exact && accuracy.reciprocal == ReciprocalMethod::Exact;
 }
 
+bool has_one_length(Texturing texturing) {
+    return texturing == Texturing::Every8 || texturing == Texturing::Every16 || texturing == Texturing::Every32;
+}
+
 StageOperations blocks_of(const FrameCounts& counts, const Accuracy& accuracy, const Widths& widths) {
     const StageCounts& stages = counts.stages;
     const std::int64_t blocks = stages.blocks - stages.divided_pixels;
@@ -162,7 +178,9 @@ StageOperations blocks_of(const FrameCounts& counts, const Accuracy& accuracy, c
     add(blocks, kInverseZAdvance, widths.inverse_z, stage);
     add(blocks, kOverZAdvance, widths.over_z, stage);
     add(stages.last_blocks, kLastBlock, Width::Bits32, stage);
+    if (has_one_length(accuracy.texturing)) add(counts.spans, kOneLengthProducts, widths.over_z, stage);
     if (accuracy.texturing == Texturing::Bounded) {
+        add(stages.surfaces, kSurfaceBound, widths.inverse_z, stage);
         add(blocks, kThresholdTest, widths.inverse_z, stage);
         add(std::max(blocks - counts.spans, std::int64_t{0}), kLengthProducts, widths.over_z, stage);
     }
@@ -170,7 +188,7 @@ StageOperations blocks_of(const FrameCounts& counts, const Accuracy& accuracy, c
     if (divides_spans(accuracy)) return stage;
     add(counts.spans, kSpanInverseZ, widths.inverse_z, stage);
     add(counts.spans, kSpanOverZ, widths.over_z, stage);
-    add(counts.spans, kSpanCall, Width::Bits32, stage);
+    add(stages.surfaces, kSurfaceBlocks, widths.over_z, stage);
     return stage;
 }
 
@@ -180,7 +198,7 @@ StageOperations divisions_of(const FrameCounts& counts, const Accuracy& accuracy
         stage_of("1/z", counts.divisions - divided, reciprocal_cost(accuracy.reciprocal), widths.inverse_z);
     stage.events += divided;
     add(divided, kExactOverZ, widths.over_z, stage);
-    add(divided, kExactInverseZ, widths.inverse_z, stage);
+    add(divided, divides_spans(accuracy) ? kLineInverseZ : kExactInverseZ, widths.inverse_z, stage);
     const std::int64_t parts =
         divides_spans(accuracy) ? counts.spans : std::min(counts.spans, divided / kDividedPart_px);
     add(parts, kDividedPart, widths.inverse_z, stage);
@@ -263,7 +281,7 @@ std::array<StageOperations, kStageCount> operations_by_stage(const FrameCounts& 
     const StageCounts& stages = counts.stages;
     const Widths widths(accuracy);
     StageOperations projected = stage_of("projection", stages.projected, kProjection, widths.view);
-    add(stages.clipped_corners, kProjection, widths.view, projected);
+    add(stages.clipped_corners * kNewCorners_100 / 100, kProjection, widths.view, projected);
     return {stage_of("nodes", stages.nodes, kNode, Width::Bits64),
             vertices_of(stages, widths),
             projected,

@@ -133,6 +133,20 @@ RowPage draw_log(const RowInput& input, Framebuffer canvas) {
              "what it left behind: off, the frame spends nothing on them."}};
 }
 
+std::size_t first_digit_of(const std::string& line) {
+    return line.find_first_of("0123456789");
+}
+
+double bytes_in(const std::string& memory_line) {
+    return std::stod(memory_line.substr(first_digit_of(memory_line)));
+}
+
+/// The bytes of the line that begins with this text; there is one.
+double bytes_of(std::string_view what, const LogLines& memory) {
+    return bytes_in(
+        *std::find_if(memory.begin(), memory.end(), [what](const auto& line) { return line.starts_with(what); }));
+}
+
 RowPage draw_memory(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     LoggedScene logged(input, camera_at(0, -368, 70, static_cast<int>(input.values[0]), -4));
@@ -140,26 +154,24 @@ RowPage draw_memory(const RowInput& input, Framebuffer canvas) {
     const LogLines lines = memory_lines(logged.frame());
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
     std::int32_t y = kHeader_px + 5;
-    double total = 0, framebuffer = 0;
+    double sum = 0;
     for (const std::string& line : lines) {
-        const std::size_t digits = line.find_first_of("0123456789");
-        const double bytes = std::stod(line.substr(digits));
-        total += bytes;
-        framebuffer = bytes;  // the last line's
+        const double bytes = bytes_in(line);
+        if (line != lines.back()) sum += bytes;  // the last is all rooms
         // A pixel for each 12 % more: from a kilobyte to ten megabytes the bars stay comparable.
         const auto width = static_cast<std::int32_t>(std::max(0.0, std::log2(bytes / 512) * canvas.width_px / 48));
-        fill_area(canvas, {canvas.width_px * 21 / 32, y, width, kLineHeight_px - 3}, assets.colour(90, 130, 220));
-        draw_text(canvas, kTextMargin_px, y, line.substr(0, digits) + decimal_text(bytes / 1024, "%.1f kB"),
-                  assets.text);
-        y += kLineHeight_px + 2;
+        fill_area(canvas, {canvas.width_px * 21 / 32, y, width, kGlyphHeight_px - 2}, assets.colour(90, 130, 220));
+        draw_text(canvas, kTextMargin_px, y,
+                  line.substr(0, first_digit_of(line)) + decimal_text(bytes / 1024, "%.1f kB"), assets.text);
+        y += kGlyphHeight_px;
     }
     double texels = 0;
     for (const MipTexture& texture : assets.demo_level.textures)
         texels += texture.width * texture.height * (1 + 1 / 4.0 + 1 / 16.0 + 1 / 64.0);
-    const double found = std::stod(lines[4].substr(lines[4].find_first_of("0123456789")));
-    return {{number_figure("bytes of the framebuffer", input.mode.width_px * input.mode.height_px, framebuffer, 0, 0),
-             number_figure("bytes of textures: four mip levels each", texels, found, 0, 0),
-             measured("bytes in all", decimal_text(total, "%.0f"))},
+    return {{number_figure("bytes of the framebuffer", input.mode.width_px * input.mode.height_px,
+                           bytes_of("screen: framebuffer", lines), 0, 0),
+             number_figure("bytes of textures: four mip levels each", texels, bytes_of("level: textures", lines), 0, 0),
+             number_figure("bytes in all", sum, bytes_in(lines.back()), 0, 0)},
             {"Bars are logarithmic. Misused memory is found by tools/build asan: address and undefined-behaviour "
              "sanitizers, with which all tests run."}};
 }
