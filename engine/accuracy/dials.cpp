@@ -82,10 +82,9 @@ constexpr std::array kDials{
     dial<&Accuracy::subpixel_bits>("subpixel-bits", "sub-pixel bits",
                                    "Fraction bits of screen vertices; 0: whole pixels.", "fraction bits",
                                    "engine/geometry/project.h", false, kSubpixelBits, 0, 8),
-    dial<&Accuracy::edges>(
-        "edges", "edges",
-        "How an edge steps from row to row: by a 16.16 slope that is added up, or exactly.", "",
-        "engine/raster/scan.cpp", true, kEdges),
+    dial<&Accuracy::edges>("edges", "edges",
+                           "How an edge steps from row to row: by a 16.16 slope that is added up, or exactly.", "",
+                           "engine/raster/scan.cpp", true, kEdges),
     dial<&Accuracy::mip>(
         "mip", "mip level",
         "Where a mip level is chosen: nowhere, for a face by its nearest corner, for a span by its nearest pixel.", "",
