@@ -52,7 +52,9 @@ SurfaceEffect effect_of(const SurfaceDrawing& drawing, const FaceSurface& surfac
         work.warp = make_warp_tables(frame.scene.time_ms);
         work.warp_time_ms = frame.scene.time_ms;
     }
-    return {effect_kernel(traits), {surface.view, &at(work.warp, surface.mip), drawing.colours, drawing.blend}};
+    return {effect_kernel(traits),
+            {surface.view, &at(work.warp, surface.mip), drawing.colours, drawing.blend},
+            traits.warps && !traits.has_holes && !traits.blends};
 }
 
 /// Draws spans of a face with its texture of one mip level.

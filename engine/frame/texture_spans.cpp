@@ -53,9 +53,13 @@ void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans,
     FrameCounts* const counts = drawing.counts;
     BlockCutting cutting{face.gradients, surface.limits, {}};
     cutting.limits.least = {};  // without steps nothing drifts
-    if (surface.is_wrapped_by_masks && !face.effect.kernel && !counts && !drawing.record)
-        return draw_exact_spans(spans, face.gradients, cutting.limits, surface.view, line_kernel(spans, face, drawing),
-                                drawing.out);
+    if (surface.is_wrapped_by_masks && !counts && !drawing.record) {
+        if (face.effect.warps_alone)
+            return draw_exact_warped_spans(spans, face.gradients, cutting.limits, face.effect.texels, drawing.out);
+        if (!face.effect.kernel)
+            return draw_exact_spans(spans, face.gradients, cutting.limits, surface.view,
+                                    line_kernel(spans, face, drawing), drawing.out);
+    }
     const std::int64_t divisions_before = counts ? counts->divisions : 0;
     draw_blocks(face, spans, drawing.texturing.cut_pixels, cutting, drawing);
     if (!counts || !surface.is_wrapped_by_masks) return;

@@ -30,6 +30,7 @@ SpanTexturing make_span_texturing(const Accuracy& accuracy);
 struct SurfaceEffect {
     EffectKernel kernel = nullptr;
     EffectTexels texels;
+    bool warps_alone = false;  ///< it does nothing else
 };
 
 /// A face on the screen with one mip level of its texture.

@@ -152,12 +152,11 @@ void draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel kernel,
     pieces.draw();
 }
 
+template <class ColourAt>
 void draw_clamped(const Octave& octave, std::int32_t row, const TextureGradients& gradients, const TexelLimits& limits,
-                  const SurfaceView& surface, std::uint8_t* out) {
-    for (std::int32_t column = octave.first; column < octave.end; ++column) {
-        const TexelPosition texel = texel_at(gradients, limits, column, row);
-        out[column] = texel_from(surface, texel.u_16 >> 16, texel.v_16 >> 16);
-    }
+                  std::uint8_t* out, ColourAt colour_at) {
+    for (std::int32_t column = octave.first; column < octave.end; ++column)
+        out[column] = colour_at(texel_at(gradients, limits, column, row));
 }
 
 /// Over a row of 4,096 pixels such steps do not wrap: values between two ends are between them.
@@ -174,10 +173,10 @@ bool needs_no_clamp(const Octave& octave, std::int32_t row, const TextureGradien
            is_well_within(RowPosition(gradients, octave.end - 1, row), octave.shift, limits);
 }
 
-/// Draws an octave of a row that needs no clamp.
-template <class DrawOctave>
+/// Calls draw(octave, row, pixels) where nothing has to be clamped. colour_at(position) is a pixel's of the others.
+template <class DrawOctave, class ColourAt>
 void draw_octaves(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
-                  const SurfaceView& surface, Framebuffer out, DrawOctave draw) {
+                  const SurfaceView& surface, Framebuffer out, DrawOctave draw, ColourAt colour_at) {
     for (const Span& span : spans) {
         std::uint8_t* const row = out.row(span.y);
         for (std::int32_t column = span.first; column < span.end;) {
@@ -186,7 +185,7 @@ void draw_octaves(std::span<const Span> spans, const TextureGradients& gradients
             if (needs_no_clamp(octave, span.y, gradients, limits))
                 draw(octave, OctaveRow(octave, span.y, gradients, surface), row + octave.first);
             else
-                draw_clamped(octave, span.y, gradients, limits, surface, row);
+                draw_clamped(octave, span.y, gradients, limits, row, colour_at);
             column = octave.end;
         }
     }
@@ -196,18 +195,32 @@ void draw_octaves(std::span<const Span> spans, const TextureGradients& gradients
 
 void draw_exact_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
                       const SurfaceView& surface, BlockKernel kernel, Framebuffer out) {
+    const auto colour_at = [&](TexelPosition texel) { return texel_from(surface, texel.u_16 >> 16, texel.v_16 >> 16); };
     if (spans.size() > 1 && gradients.inverse_z.per_row == InverseZ{}) {
         const ColumnDepths depths(gradients, rectangle_around(spans));
-        return draw_octaves(spans, gradients, limits, surface, out,
-                            [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
-                                row.draw_at_depths(depths.from(octave.first), octave.end - octave.first, pixels);
-                            });
+        const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
+            row.draw_at_depths(depths.from(octave.first), octave.end - octave.first, pixels);
+        };
+        return draw_octaves(spans, gradients, limits, surface, out, draw, colour_at);
     }
     PieceLengths lengths;
-    draw_octaves(spans, gradients, limits, surface, out,
-                 [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
-                     draw_octave(octave, row, kernel, surface, lengths, pixels);
-                 });
+    const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
+        draw_octave(octave, row, kernel, surface, lengths, pixels);
+    };
+    draw_octaves(spans, gradients, limits, surface, out, draw, colour_at);
+}
+
+void draw_exact_warped_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
+                             const EffectTexels& texels, Framebuffer out) {
+    const auto colour_at = [surface = texels.surface, &warp = *texels.warp](TexelPosition texel) {
+        const std::uint32_t u_16 = texel.u_16 + shift_at(warp, texel.v_16);
+        return texel_from(surface, u_16 >> 16, (texel.v_16 + shift_at(warp, texel.u_16)) >> 16);
+    };
+    const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
+        row.draw_divided(0, octave.end - octave.first, pixels,
+                         [&](const OctaveRow&, const DividedTexel& texel) { return colour_at(position_of(texel)); });
+    };
+    draw_octaves(spans, gradients, limits, texels.surface, out, draw, colour_at);
 }
 
 }  // namespace oblong

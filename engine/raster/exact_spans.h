@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "engine/raster/kernels/effect_kernels.h"
 #include "engine/raster/texture_blocks.h"
 
 namespace oblong {
@@ -12,5 +13,9 @@ namespace oblong {
 /// for most of their pixels; null where such pieces are too short to be worth looking for.
 void draw_exact_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
                       const SurfaceView& surface, BlockKernel kernel, Framebuffer out);
+
+/// The same of a surface that warps and does nothing else.
+void draw_exact_warped_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
+                             const EffectTexels& texels, Framebuffer out);
 
 }  // namespace oblong

@@ -63,20 +63,27 @@ class OctaveRow {
 
     /// Pixels whose depths are known.
     void draw_at_depths(const std::int64_t* depths, std::int32_t count, std::uint8_t* out) const {
-        draw_pixels(0, count, out, [depths]() mutable { return *depths++; });
+        draw_pixels(
+            0, count, out, [depths]() mutable { return *depths++; }, kPlain);
     }
 
-    /// A division a pixel, and nothing else; where 1/z is constant one for all.
-    void draw_divided(std::int32_t first, std::int32_t end, std::uint8_t* out) const {
+    /// A division a pixel, and nothing else; where 1/z is constant one for all. colour(row, texel) is a pixel's.
+    template <class Colour>
+    void draw_divided(std::int32_t first, std::int32_t end, std::uint8_t* out, Colour colour) const {
         if (is_constant()) {
             const std::int64_t depth = depth_of(inverse_z_.upper_half(first));
-            return draw_pixels(first, end, out, [depth] { return depth; });
+            return draw_pixels(
+                first, end, out, [depth] { return depth; }, colour);
         }
-        draw_pixels(first, end, out, [inverse_z = inverse_z_.at(first), step = inverse_z_.step]() mutable {
+        const auto next_depth = [inverse_z = inverse_z_.at(first), step = inverse_z_.step]() mutable {
             const std::int64_t depth = depth_of(upper_half(inverse_z));
             inverse_z += step;
             return depth;
-        });
+        };
+        draw_pixels(first, end, out, next_depth, colour);
+    }
+    void draw_divided(std::int32_t first, std::int32_t end, std::uint8_t* out) const {
+        draw_divided(first, end, out, kPlain);
     }
 
     /// Whether 1/z is the same in all columns, as that of a floor is in a level view.
@@ -88,15 +95,18 @@ class OctaveRow {
     }
 
   private:
+    static constexpr auto kPlain = [](const OctaveRow& row, const DividedTexel& texel) { return row.colour_at(texel); };
+
     static std::int64_t upper_half(std::uint64_t value) { return static_cast<std::int64_t>(value) >> 32; }
 
-    template <class NextDepth>
-    void draw_pixels(std::int32_t first, std::int32_t end, std::uint8_t* out, NextDepth next_depth) const {
+    template <class NextDepth, class Colour>
+    void draw_pixels(std::int32_t first, std::int32_t end, std::uint8_t* out, NextDepth next_depth,
+                     Colour colour) const {
         std::uint64_t u_over_z = u_over_z_.at(first), v_over_z = v_over_z_.at(first);
         const OctaveRow row = *this;  // a copy that no pixel written can change: it stays in registers
         for (std::uint8_t* pixel = out + first; pixel != out + end; ++pixel) {
             const std::int64_t depth = next_depth();
-            *pixel = row.colour_at({0, depth, upper_half(u_over_z) * depth, upper_half(v_over_z) * depth});
+            *pixel = colour(row, {0, depth, upper_half(u_over_z) * depth, upper_half(v_over_z) * depth});
             u_over_z += row.u_over_z_.step;
             v_over_z += row.v_over_z_.step;
         }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -108,6 +109,35 @@ TEST(ExactSpans, DrawTheBytesOfBlocksWhereZIsConstantAlongColumnsOrRows) {
         ASSERT_EQ(at_each_pixel(spans, gradients, limits, surface.view),
                   by_blocks(spans, gradients, limits, surface.view))
             << trial;
+    }
+}
+
+/// Liquids: the bytes of blocks of one pixel, drawn by the plain kernel of what warps.
+TEST(ExactSpans, DrawTheBytesOfWarpedBlocksOfOnePixel) {
+    const TestSurface surface;
+    std::mt19937 random(19);
+    const auto part = [&random](double least, double greatest) {
+        return std::uniform_real_distribution<double>(least, greatest)(random);
+    };
+    WarpTable warp;
+    for (std::uint32_t& shift_16 : warp.shift_16) shift_16 = static_cast<std::uint32_t>(random() % (16 * 65536 + 1));
+    const EffectTexels texels{surface.view, &warp, nullptr, nullptr};
+    const TexelLimits limits = make_texel_limits(65535, 65535, kWidth);
+    Accuracy accuracy;
+    accuracy.texturing = Texturing::Exact;
+    for (int trial = 0; trial < 1000; ++trial) {
+        const double w0 = std::exp2(part(-14, 4)), w1 = trial % 3 == 0 ? w0 : std::exp2(part(-14, 4));
+        TextureGradients gradients;
+        gradients.inverse_z = along<InverseZ>(w0, w1);
+        gradients.u_over_z = along<TexelOverZ>(part(-9, 65540) * w0, part(-9, 65540) * w1);
+        gradients.v_over_z = along<TexelOverZ>(part(0, 600) * w0, part(0, 600) * w1);
+        const std::array<Span, 2> spans{{{0, static_cast<std::int32_t>(random() % 300), kWidth}, {3, 0, kWidth}}};
+        BlockList blocks(kWidth);
+        block_cutter(accuracy)(spans, kWidth, {gradients, limits, {}}, blocks);
+        std::vector<std::uint8_t> expected(kWidth * kHeight), drawn = expected;
+        effect_kernel({true, false, false, true}, false)(blocks.waiting(), texels, expected.data());
+        draw_exact_warped_spans(spans, gradients, limits, texels, {drawn.data(), kWidth, kHeight, kWidth});
+        ASSERT_EQ(drawn, expected) << trial;
     }
 }
 

@@ -16,10 +16,6 @@ constexpr TexelTraits traits_of(std::size_t index) {
     return {(index & 1) != 0, (index & 2) != 0, (index & 4) != 0, (index & 8) != 0};
 }
 
-std::uint32_t shift_at(const WarpTable& warp, std::uint32_t texel_16) {
-    return warp.shift_16[(texel_16 >> 16) % WarpTable::kEntries];
-}
-
 /// The texel at u and v, moved by the warp and wrapped. Without masks sums must not overflow: they have 64 bits.
 template <TexelTraits Traits>
 [[gnu::always_inline]] inline std::uint8_t texel_at(const EffectTexels& texels, std::uint32_t u_16,

@@ -15,6 +15,11 @@ struct WarpTable {
     std::array<std::uint32_t, kEntries> shift_16{};
 };
 
+/// How far texels of the column or row of this one are moved.
+inline std::uint32_t shift_at(const WarpTable& warp, std::uint32_t texel_16) {
+    return warp.shift_16[(texel_16 >> 16) % WarpTable::kEntries];
+}
+
 /// Colour in front x colour behind -> the colour seen.
 struct BlendTable {
     std::array<std::array<std::uint8_t, 256>, 256> rows{};
