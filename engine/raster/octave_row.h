@@ -95,7 +95,7 @@ class OctaveRow {
     }
 
   private:
-    static constexpr auto kPlain = [](const OctaveRow& row, const DividedTexel& texel) { return row.colour_at(texel); };
+    static constexpr auto kPlain = [](const auto& row, const DividedTexel& texel) { return row.colour_at(texel); };
 
     static std::int64_t upper_half(std::uint64_t value) { return static_cast<std::int64_t>(value) >> 32; }
 
