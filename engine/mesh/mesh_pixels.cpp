@@ -5,6 +5,7 @@
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/root.h"
+#include "engine/raster/edge_function.h"
 
 namespace oblong {
 
@@ -124,43 +125,17 @@ std::int64_t draw_span(const Span& span, const MeshGradients& gradients, const M
 /// Triangles of no more centres across and down than this are scanned centre by centre.
 constexpr std::int32_t kFewCentres = 4;
 
-/// The rows and columns with centres between those of the corners.
-ScreenRectangle centres_between(const std::array<ScreenVertex, 3>& corners) {
-    const auto& [a, b, c] = corners;
-    return {first_centre_from(std::min({a.x, b.x, c.x})), first_centre_from(std::max({a.x, b.x, c.x})),
-            first_centre_from(std::min({a.y, b.y, c.y})), first_centre_from(std::max({a.y, b.y, c.y}))};
-}
-
-ScreenRectangle common_part(const ScreenRectangle& a, const ScreenRectangle& b) {
-    return {std::max(a.first_column, b.first_column), std::min(a.end_column, b.end_column),
-            std::max(a.first_row, b.first_row), std::min(a.end_row, b.end_row)};
-}
-
-/// A side of a triangle that runs clockwise: what its edge function is at (0, 0) and adds per column and row. It is
-/// below 0 outside, and on the side too where that is neither a left nor a top one.
-struct SideFunction {
-    std::int64_t at_origin, per_column, per_row;
-
-    SideFunction(const ScreenVertex& from, const ScreenVertex& to) {
-        const std::int64_t x = std::int64_t{to.x.raw} - from.x.raw, y = std::int64_t{to.y.raw} - from.y.raw;
-        const bool is_left = y < 0, is_top = y == 0 && x > 0;
-        at_origin = x * (128 - from.y.raw) - y * (128 - from.x.raw) - (is_left || is_top ? 0 : 1);
-        per_column = -y * 256;
-        per_row = x * 256;
-    }
-    std::int64_t at(std::int32_t column, std::int32_t row) const {
-        return at_origin + per_column * column + per_row * row;
-    }
-};
-
 /// Appends the spans of a clockwise triangle by asking at each centre in `box`.
 void append_few(const std::array<ScreenVertex, 3>& corners, const ScreenRectangle& box, std::vector<Span>& spans) {
     const auto& [a, b, c] = corners;
-    const std::array sides{SideFunction(a, b), SideFunction(b, c), SideFunction(c, a)};
+    const std::array edges{edge_over_pixels(a, b, box), edge_over_pixels(b, c, box), edge_over_pixels(c, a, box)};
     for (std::int32_t y = box.first_row; y < box.end_row; ++y) {
+        const auto at = [&](std::size_t edge, std::int32_t x) {
+            return edges[edge].at(x - box.first_column, y - box.first_row).raw;
+        };
         Span span{y, box.end_column, box.end_column};
         for (std::int32_t x = box.end_column - 1; x >= box.first_column; --x) {
-            if ((sides[0].at(x, y) | sides[1].at(x, y) | sides[2].at(x, y)) >= 0)
+            if ((at(0, x) | at(1, x) | at(2, x)) >= 0)
                 span.first = x;
             else if (span.first == span.end)
                 span.first = span.end = x;
@@ -194,7 +169,7 @@ void find_triangle_spans(const std::array<ScreenVertex, 3>& corners, const Scree
                          std::vector<Span>& spans) {
     spans.clear();
     if (doubled_area(corners) <= ScreenArea{}) return;
-    const ScreenRectangle box = common_part(centres_between(corners), part);
+    const ScreenRectangle box = box_around(corners, part);
     const std::int32_t width = box.end_column - box.first_column, height = box.end_row - box.first_row;
     if (width <= 0 || height <= 0) return;
     if (width <= kFewCentres && height <= kFewCentres) return append_few(corners, box, spans);

@@ -4,6 +4,7 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
+#include "engine/raster/edge_function.h"
 #include "engine/raster/edge_walker.h"
 
 namespace oblong {
@@ -53,24 +54,6 @@ void scan_flat_parts(ScreenTriangle triangle, const ScreenRectangle& part, Scanl
     rows.end = all.end;
 }
 
-/// Of the edge from `from` to `to` in a clockwise triangle, at a place (y down):
-///     (to.x - from.x)(y - from.y) - (to.y - from.y)(x - from.x),
-/// twice the area of the triangle that the place makes with it: above 0 to its right, where the inside is.
-ScreenArea edge_function(ScreenVertex from, ScreenVertex to, ScreenVertex place) {
-    return widening_product(to.x - from.x, place.y - from.y) - widening_product(to.y - from.y, place.x - from.x);
-}
-
-/// An edge function at pixel centres, floored to 1/256 pixel's area: a step of a pixel is a whole number of those, so
-/// that its sign is exact. Places on the edge itself are outside, by 2^-16 of area, if it is neither left nor top.
-LinearQuantity<ScreenWide> edge_over_pixels(ScreenVertex from, ScreenVertex to, const ScreenRectangle& box) {
-    const Screen dx = to.x - from.x, dy = to.y - from.y;
-    const bool is_left = dy < Screen{}, is_top = dy == Screen{} && dx > Screen{};
-    const ScreenVertex centre{Screen::from_int(box.first_column) + kHalfPixel,
-                              Screen::from_int(box.first_row) + kHalfPixel};
-    const ScreenArea first = edge_function(from, to, centre) - (is_left || is_top ? ScreenArea{} : ScreenArea::ulp());
-    return {convert<ScreenWide>(first, Rounding::Floor), -convert<ScreenWide>(dy), convert<ScreenWide>(dx)};
-}
-
 using EdgesOverPixels = std::array<LinearQuantity<ScreenWide>, 3>;
 
 /// Whether edge functions fit 32 bits everywhere in a box of this size: linear, they do if they do in its corners.
@@ -79,15 +62,6 @@ bool fit_32_bits(const EdgesOverPixels& edges, std::int32_t width, std::int32_t 
     return std::all_of(edges.begin(), edges.end(), [&](const auto& edge) {
         return fits(edge.origin) && fits(edge.at(width, 0)) && fits(edge.at(0, height)) && fits(edge.at(width, height));
     });
-}
-
-/// The pixels of a part that may be covered.
-ScreenRectangle box_around(const ScreenTriangle& triangle, const ScreenRectangle& part) {
-    const auto [left, right] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
-    const auto [top, bottom] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
-    const PixelRange rows = rows_of(top, bottom, part);
-    return {std::max(first_centre_from(left), part.first_column), std::min(first_centre_from(right), part.end_column),
-            rows.first, rows.end};
 }
 
 void scan_edge_functions(const ScreenTriangle& triangle, const ScreenRectangle& part, EdgeRowKernel kernel,

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "engine/raster/scan.h"
+#include "engine/screen/gradients.h"
+#include "engine/screen/screen.h"
+
+namespace oblong {
+
+/// Of the edge from `from` to `to` in a clockwise triangle, at a place (y down):
+///     (to.x - from.x)(y - from.y) - (to.y - from.y)(x - from.x),
+/// twice the area of the triangle that the place makes with it: above 0 to its right, where the inside is.
+inline ScreenArea edge_function(ScreenVertex from, ScreenVertex to, ScreenVertex place) {
+    return widening_product(to.x - from.x, place.y - from.y) - widening_product(to.y - from.y, place.x - from.x);
+}
+
+/// An edge function at the centres of pixels, counted from the first one of `box`; floored to 1/256 pixel's area: a
+/// step of a pixel is a whole number of those, so that its sign is exact. Places on the edge itself are outside, by
+/// 2^-16 of area, if it is neither left nor top.
+inline LinearQuantity<ScreenWide> edge_over_pixels(ScreenVertex from, ScreenVertex to, const ScreenRectangle& box) {
+    const Screen dx = to.x - from.x, dy = to.y - from.y;
+    const bool is_left = dy < Screen{}, is_top = dy == Screen{} && dx > Screen{};
+    constexpr auto kHalfPixel = Screen::from_raw(128);
+    const ScreenVertex centre{Screen::from_int(box.first_column) + kHalfPixel,
+                              Screen::from_int(box.first_row) + kHalfPixel};
+    const ScreenArea first = edge_function(from, to, centre) - (is_left || is_top ? ScreenArea{} : ScreenArea::ulp());
+    return {convert<ScreenWide>(first, Rounding::Floor), -convert<ScreenWide>(dy), convert<ScreenWide>(dx)};
+}
+
+/// The pixels of a part of the screen whose centres lie within the bounds of a triangle; perhaps none.
+inline ScreenRectangle box_around(const std::array<ScreenVertex, 3>& triangle, const ScreenRectangle& part) {
+    const auto [left, right] = std::minmax({triangle[0].x, triangle[1].x, triangle[2].x});
+    const auto [top, bottom] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
+    return {std::max(first_centre_from(left), part.first_column), std::min(first_centre_from(right), part.end_column),
+            std::max(first_centre_from(top), part.first_row), std::min(first_centre_from(bottom), part.end_row)};
+}
+
+}  // namespace oblong
