@@ -1,5 +1,7 @@
 #include "game/state.h"
 
+#include "game/state_fields.h"
+
 namespace oblong {
 namespace {
 
@@ -12,39 +14,25 @@ struct Hash {
         for (int byte = 0; byte < 8; ++byte)
             value = (value ^ ((static_cast<std::uint64_t>(number) >> (8 * byte)) & 0xff)) * kFnvPrime;
     }
-    void add(World number) { add(std::int64_t{number.raw}); }
-    void add(const Vec3<World>& v) {
-        for (const std::int64_t number : raw_of(v)) add(number);
+    template <class Field>
+    void operator()(const Field& field) {
+        add(static_cast<std::int64_t>(field));
+    }
+    void operator()(World number) { add(number.raw); }
+    void operator()(Angle angle) { add(angle.bam); }
+    void operator()(const MoverState& mover) { visit_fields(mover, *this); }
+    template <class Element>
+    void operator()(const std::vector<Element>& list) {
+        add(static_cast<std::int64_t>(list.size()));
+        for (const Element& element : list) (*this)(element);
     }
 };
 
-void add_player(Hash& hash, const Player& player) {
-    hash.add(player.position);
-    hash.add(player.velocity);
-    hash.add(player.yaw.bam);
-    hash.add(player.pitch);
-    hash.add(player.eye_lag);
-    hash.add(player.ground);
-    hash.add(static_cast<std::int64_t>(player.depth));
-    hash.add(std::int64_t{player.holds_jump});
-}
-
 }  // namespace
 
-// Active movers follow from the movers' states.
 std::uint64_t hash_of(const GameState& state) {
     Hash hash;
-    hash.add(state.tick);
-    add_player(hash, state.player);
-    for (const MoverState& mover : state.movers) {
-        hash.add(static_cast<std::int64_t>(mover.phase));
-        hash.add(mover.travelled);
-        hash.add(mover.wait_ticks);
-    }
-    for (const std::int64_t tick : state.teleporter_ends) hash.add(tick);
-    if (state.dark_styles != 0) hash.add(static_cast<std::int64_t>(state.dark_styles));
-    for (const std::uint32_t trigger : state.touched_switches) hash.add(trigger);
-    hash.add(std::int64_t{state.has_ended});
+    visit_fields(state, hash);
     return hash.value;
 }
 

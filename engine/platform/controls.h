@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace oblong {
@@ -37,6 +38,20 @@ enum class Command {
     DialFiner,         ///< right arrow
     PageUp,            ///< likewise while it is held; for the gallery
     PageDown,
+    Menu,       ///< Esc, a gamepad's Start: opens the menu; in it, one page back
+    QuickSave,  ///< Insert
+    QuickLoad,  ///< Home
+    Respawn,    ///< R: back to the place where the player came in last
+    Restart,    ///< Backspace: the level again, from its start
+};
+
+/// What the player does in a menu. Each is reported when it is pressed, and again and again while it is held.
+enum class MenuAction { Up, Down, Left, Right, Accept, Back };
+
+/// The free mouse, in pixels of the window.
+struct Pointer {
+    std::int32_t x_px = 0, y_px = 0;
+    bool has_moved = false, is_pressed = false;  ///< since the last poll
 };
 
 /// The arrow keys held now.
@@ -53,6 +68,9 @@ struct Controls {
     bool holds_button = false;              ///< any button of the captured mouse
     std::int32_t mouse_x = 0, mouse_y = 0;  ///< counts of the device, right and down positive
     std::vector<Command> commands;
+    std::vector<MenuAction> menu;
+    std::optional<Pointer> pointer;               ///< nothing while the mouse is captured, or where there is none
+    bool has_focus = true, is_minimised = false;  ///< the window
 };
 
 /// Makes the arrow keys walk and turn.

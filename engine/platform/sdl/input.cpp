@@ -54,9 +54,6 @@ void add_commands(std::span<const CommandKey> keys, SDL_Scancode code, Controls&
 bool is_mouse_captured() {
     return SDL_GetRelativeMouseMode() == SDL_TRUE;
 }
-void capture_mouse(bool captured) {
-    SDL_SetRelativeMouseMode(captured ? SDL_TRUE : SDL_FALSE);
-}
 
 // Scancodes, not letters: WASD are four places on the keyboard, in every country.
 void read_held_keys(Controls& controls) {
@@ -81,6 +78,10 @@ Controls SdlInput::poll() {
     read_held_keys(controls);
     controls.holds_button = is_mouse_captured() && SDL_GetMouseState(nullptr, nullptr) != 0;
     return controls;
+}
+
+void SdlInput::capture_mouse(bool is_captured) {
+    SDL_SetRelativeMouseMode(is_captured ? SDL_TRUE : SDL_FALSE);
 }
 
 bool SdlInput::take_textures_lost() {

@@ -16,6 +16,7 @@ class SdlInput {
 
     /// Handles all pending events: motion and presses since the last poll, and the keys held now.
     Controls poll();
+    void capture_mouse(bool is_captured);
     bool is_closed() const { return is_closed_; }
     /// True once after the renderer lost its textures.
     bool take_textures_lost();

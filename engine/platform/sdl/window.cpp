@@ -111,6 +111,7 @@ class SdlPlatform final : public Platform {
     std::uint64_t now_us() override;
     WindowSize window_size() const override;
     void set_title(const char* title) override { SDL_SetWindowTitle(window_.get(), title); }
+    void capture_mouse(bool is_captured) override { input_.capture_mouse(is_captured); }
     void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
 
   private:
