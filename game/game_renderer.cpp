@@ -6,7 +6,7 @@
 #include "engine/frame/wireframe.h"
 #include "engine/geometry/views.h"
 #include "engine/screen/screen.h"
-#include "game/step.h"
+#include "game/simulation/step.h"
 
 namespace oblong {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "game/tick_input.h"
+#include "game/simulation/tick_input.h"
 
 namespace oblong {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/base/input_error.h"
-#include "game/step.h"
+#include "game/simulation/step.h"
 
 namespace oblong {
 namespace {

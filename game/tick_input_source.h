@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "engine/platform/controls.h"
-#include "game/demo.h"
-#include "game/game_level.h"
+#include "game/simulation/demo.h"
+#include "game/simulation/game_level.h"
 
 namespace oblong {
 

@@ -4,9 +4,9 @@
 #include <string>
 
 #include "engine/frame/settings.h"
-#include "game/demo.h"
 #include "game/game_renderer.h"
 #include "game/load.h"
+#include "game/simulation/demo.h"
 
 namespace oblong {
 

@@ -10,7 +10,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
 #include "engine/platform/files.h"
-#include "game/game_level.h"
+#include "game/simulation/game_level.h"
 
 namespace oblong {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
-#include "game/step.h"
+#include "game/simulation/step.h"
 
 namespace oblong {
 namespace {

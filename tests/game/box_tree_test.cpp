@@ -1,4 +1,4 @@
-#include "game/box_tree.h"
+#include "game/simulation/box_tree.h"
 
 #include <gtest/gtest.h>
 

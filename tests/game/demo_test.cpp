@@ -1,4 +1,4 @@
-#include "game/demo.h"
+#include "game/simulation/demo.h"
 
 #include <gtest/gtest.h>
 

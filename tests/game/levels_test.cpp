@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "engine/level/bsp_read.h"
-#include "game/collision.h"
-#include "game/step.h"
+#include "game/simulation/collision.h"
+#include "game/simulation/step.h"
 #include "tests/support/shared_levels.h"
 
 namespace oblong {

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "engine/base/input_error.h"
-#include "game/collision.h"
-#include "game/step.h"
+#include "game/simulation/collision.h"
+#include "game/simulation/step.h"
 #include "tests/game/toy_game.h"
 
 namespace oblong {

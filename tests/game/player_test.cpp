@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/slide_move.h"
+#include "game/simulation/slide_move.h"
 #include "tests/game/toy_game.h"
 
 namespace oblong {

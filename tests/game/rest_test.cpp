@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "game/step.h"
+#include "game/simulation/step.h"
 #include "tests/game/toy_game.h"
 
 namespace oblong {

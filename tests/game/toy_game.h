@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "game/step.h"
+#include "game/simulation/step.h"
 #include "tests/game/toy_level.h"
 
 namespace oblong::test {

@@ -4,7 +4,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
 #include "engine/scene/placed_models.h"
-#include "game/step.h"
+#include "game/simulation/step.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
 #include "tools/map/source/geometry.h"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "game/game_level.h"
+#include "game/simulation/game_level.h"
 
 namespace oblong {
 

@@ -1,4 +1,4 @@
-#include "game/entity_specs.h"
+#include "game/simulation/entity_specs.h"
 
 #include <charconv>
 #include <numeric>
@@ -7,7 +7,7 @@
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
 #include "engine/scene/light_styles.h"
-#include "game/tick_input.h"
+#include "game/simulation/tick_input.h"
 
 namespace oblong {
 namespace {

@@ -1,10 +1,10 @@
-#include "game/game_level.h"
+#include "game/simulation/game_level.h"
 
 #include <unordered_map>
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
-#include "game/entity_specs.h"
+#include "game/simulation/entity_specs.h"
 
 namespace oblong {
 namespace {

@@ -1,6 +1,6 @@
-#include "game/state.h"
+#include "game/simulation/state.h"
 
-#include "game/state_fields.h"
+#include "game/simulation/state_fields.h"
 
 namespace oblong {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-#include "game/state.h"
+#include "game/simulation/state.h"
 
 namespace oblong {
 

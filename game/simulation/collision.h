@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "game/game_level.h"
-#include "game/state.h"
+#include "game/simulation/game_level.h"
+#include "game/simulation/state.h"
 
 namespace oblong {
 

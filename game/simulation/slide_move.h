@@ -1,8 +1,8 @@
 #pragma once
 
-#include "game/collision.h"
-#include "game/game_level.h"
-#include "game/state.h"
+#include "game/simulation/collision.h"
+#include "game/simulation/game_level.h"
+#include "game/simulation/state.h"
 
 namespace oblong {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "engine/fixed/trig.h"
-#include "game/collision.h"
-#include "game/slide_move.h"
-#include "game/step.h"
+#include "game/simulation/collision.h"
+#include "game/simulation/slide_move.h"
+#include "game/simulation/step.h"
 
 namespace oblong {
 namespace {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <span>
 
-#include "game/game_level.h"
-#include "game/state.h"
-#include "game/tick_input.h"
+#include "game/simulation/game_level.h"
+#include "game/simulation/state.h"
+#include "game/simulation/tick_input.h"
 
 namespace oblong {
 

@@ -7,9 +7,9 @@
 
 #include "engine/base/table.h"
 #include "engine/level/level.h"
-#include "game/box_tree.h"
-#include "game/geometry.h"
-#include "game/state.h"
+#include "game/simulation/box_tree.h"
+#include "game/simulation/geometry.h"
+#include "game/simulation/state.h"
 
 namespace oblong {
 

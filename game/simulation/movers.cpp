@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "game/collision.h"
-#include "game/step.h"
+#include "game/simulation/collision.h"
+#include "game/simulation/step.h"
 
 namespace oblong {
 namespace {

@@ -1,4 +1,4 @@
-#include "game/step.h"
+#include "game/simulation/step.h"
 
 #include <algorithm>
 #include <set>

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "game/geometry.h"
+#include "game/simulation/geometry.h"
 
 namespace oblong {
 

@@ -1,4 +1,4 @@
-#include "game/collision.h"
+#include "game/simulation/collision.h"
 
 #include "engine/level/trace.h"
 

@@ -1,4 +1,4 @@
-#include "game/box_tree.h"
+#include "game/simulation/box_tree.h"
 
 #include <array>
 #include <utility>

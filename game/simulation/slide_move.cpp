@@ -1,10 +1,10 @@
-#include "game/slide_move.h"
+#include "game/simulation/slide_move.h"
 
 #include <array>
 #include <cstddef>
 #include <span>
 
-#include "game/tick_input.h"
+#include "game/simulation/tick_input.h"
 
 namespace oblong {
 namespace {

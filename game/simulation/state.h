@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/fixed/angle.h"
-#include "game/geometry.h"
+#include "game/simulation/geometry.h"
 
 namespace oblong {
 
