@@ -9,6 +9,15 @@
 
 namespace oblong {
 
+/// How a window shows its pictures: what a player may choose.
+struct WindowSettings {
+    bool is_full_screen = false;
+    bool waits_for_display = true;       ///< vsync: as many frames as the display shows, and no torn ones where it can
+    std::int32_t frames_per_second = 0;  ///< at most; 0: no limit but the display's
+
+    bool operator==(const WindowSettings&) const = default;
+};
+
 /// Input, clock and output of the game: a window (platform/sdl) or memory (platform/headless).
 class Platform {
   public:
@@ -21,6 +30,11 @@ class Platform {
     virtual void set_title(const char* title) = 0;
     /// Whether the mouse turns the view and can't leave the window, or points at a menu.
     virtual void capture_mouse(bool /*is_captured*/) {}
+    /// From the next picture on. Can be called for every frame: what is as it was costs nothing.
+    virtual void change_window(const WindowSettings&) {}
+    /// Waits for input that poll() would report, or for `timeout_ms`, without using the processor: for a game that is
+    /// paused or minimised. Without a window there is nothing to wait for: it returns at once.
+    virtual void wait_for_input(std::int32_t /*timeout_ms*/) {}
 
     /// Shows the picture, in `shown` of the window, black around it. Waits for the display where it can.
     virtual void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) = 0;
