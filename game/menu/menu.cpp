@@ -28,12 +28,22 @@ void Menu::close_all() {
 MenuEvent Menu::handle(const Controls& controls, CanvasSize canvas, std::int32_t text_scale, const PresentRect& shown) {
     MenuEvent event = MenuEvent::None;
     const auto note = [&](MenuEvent next) { event = next == MenuEvent::None ? event : next; };
+    if (is_open() && page().press) return take_press(controls);
     if (controls.pointer) note(point(*controls.pointer, canvas, text_scale, shown));
     for (const MenuAction action : controls.menu)
         if (is_open()) note(act(action, canvas, text_scale));
     for (const Command command : controls.commands)
         if (is_open() && command == Command::Menu) note(go_back(page()));
     return event;
+}
+
+MenuEvent Menu::take_press(const Controls& controls) {
+    const MenuPage waiting = page();
+    if (std::find(controls.commands.begin(), controls.commands.end(), Command::Menu) != controls.commands.end())
+        return go_back(waiting);
+    if (!controls.pressed || is_reserved(*controls.pressed)) return MenuEvent::None;
+    waiting.press(*controls.pressed);
+    return MenuEvent::Accepted;
 }
 
 MenuEvent Menu::act(MenuAction action, CanvasSize canvas, std::int32_t text_scale) {

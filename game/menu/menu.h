@@ -36,6 +36,7 @@ class Menu {
         std::size_t chosen = 0, first = 0;
     };
 
+    MenuEvent take_press(const Controls& controls);
     MenuEvent act(MenuAction action, CanvasSize canvas, std::int32_t text_scale);
     MenuEvent move(const MenuPage& page, int steps, CanvasSize canvas, std::int32_t text_scale);
     MenuEvent change(const MenuPage& page, int steps);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/platform/input.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {
@@ -29,12 +30,13 @@ struct MenuRow {
 /// What a menu shows: a title, a text, rows below it.
 struct MenuPage {
     std::string title;
-    std::string text;              ///< may be empty, and longer than the page
-    std::vector<MenuRow> rows;     ///< without any, the page is a text to read
-    std::size_t first_chosen = 0;  ///< the row that is chosen when the page opens
-    std::string help;              ///< at the foot where the chosen row has none
-    bool is_title = false;         ///< the game's name, in large letters, is its title
-    std::function<void()> back;    ///< instead of closing the page
+    std::string text;                       ///< may be empty, and longer than the page
+    std::vector<MenuRow> rows;              ///< without any, the page is a text to read
+    std::size_t first_chosen = 0;           ///< the row that is chosen when the page opens
+    std::string help;                       ///< at the foot where the chosen row has none
+    bool is_title = false;                  ///< the game's name, in large letters, is its title
+    std::function<void()> back;             ///< instead of closing the page
+    std::function<void(Input)> press = {};  ///< the page waits for any input, and nothing but it or Esc is taken
 };
 
 /// Makes a page as things stand: it is made anew after everything that the player does in it.
