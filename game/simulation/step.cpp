@@ -9,7 +9,6 @@ namespace oblong {
 namespace {
 
 constexpr World kExitSpeed = World::from_int(300);
-constexpr World kFarthest = World::from_int(40'000);
 
 void teleport(GameState& state, const Place& exit) {
     Player& player = state.player;
