@@ -32,7 +32,7 @@ bool is_index_or_none(std::int32_t index, std::size_t count) {
 }
 
 bool is_consistent(const GameLevel& level, const Player& player) {
-    return is_within(player.position, kFarthest) && is_within(player.velocity, kFastest) &&
+    return is_within(player.position, kFarthestPlayer) && is_within(player.velocity, kFastest) &&
            is_within(player.pitch, -Player::kSteepestPitch, Player::kSteepestPitch) &&
            is_within(player.eye_lag, -World::from_int(kStepHeight), World::from_int(kStepHeight)) &&
            is_index_or_none(player.ground, level.bsp->models.size()) && player.depth <= Depth::Eyes;
@@ -60,7 +60,7 @@ bool is_consistent(const GameLevel& level, const GameState& state) {
            are_consistent(level, state.movers) && are_ascending(state.active_movers, level.movers.size()) &&
            state.teleporter_ends.size() == level.targeted_teleporters &&
            are_ascending(state.touched_switches, level.triggers.size()) && are_consistent(level, state.items) &&
-           is_within(state.respawn.position, kFarthest) &&
+           is_within(state.respawn.position, kFarthestPlayer) &&
            is_index_or_none(state.shown_message, level.messages.size()) &&
            is_within(state.message_tick, std::int64_t{0}, state.tick) &&
            is_index_or_none(state.exit, level.triggers.size());
