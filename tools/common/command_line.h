@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// CLI11 takes long to compile, so that only one file includes it.
+// CLI11 takes long to compile, so that only this file's and config_line's sources include it.
 namespace CLI {
 class App;
 class Option;
