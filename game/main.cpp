@@ -71,15 +71,16 @@ std::unique_ptr<Platform> open_platform(const Options& options) {
 
 void time_demo(const Options& options, const LoadedLevel& loaded, Workers& workers) {
     const Demo demo = read_parsed(options.timedemo, decode_demo);
-    GameRenderer renderer(loaded.data, loaded.level, options.mode, &workers);
+    GameRenderer renderer(loaded.data, loaded.level, options.preferences.mode, &workers);
     warn_of_torn_edges("oblong", loaded.data.level_file, renderer.torn_edges());
-    const Settings settings = settings_of(view_options_of(options));
-    const auto result = naming_file(
-        options.timedemo, [&] { return run_timedemo(loaded.level, demo, renderer, settings, options.field_of_view); });
+    const Settings settings = settings_of(options.preferences);
+    const auto result = naming_file(options.timedemo, [&] {
+        return run_timedemo(loaded.level, demo, renderer, settings, options.preferences.field_of_view);
+    });
     std::cout << describe(result) << '\n';
 }
 
-void run_game(const Options& options, const std::string& assets) {
+void run_game(const Options& options, PreferencesStore& store, const std::string& assets) {
     WorkerThreads workers(static_cast<int>(options.threads));
     if (!options.timedemo.empty()) {
         time_demo(options, LoadedLevel({options.level, options.palette, assets, options.models}), workers);
@@ -87,13 +88,14 @@ void run_game(const Options& options, const std::string& assets) {
     }
     ProgramFiles files = load_program_files(options, assets);
     const auto platform = open_platform(options);
-    Program(options, std::move(files), *platform, &workers).run();
+    Program(options, std::move(files), store, *platform, &workers).run();
 }
 
 }  // namespace
 }  // namespace oblong
 
 int main(int argc, char** argv) {
-    return oblong::run_with_options(
-        argc, argv, [&](const oblong::Options& options) { oblong::run_game(options, oblong::assets_folder(argv[0])); });
+    return oblong::run_with_options(argc, argv, [&](const oblong::Options& options, oblong::PreferencesStore& store) {
+        oblong::run_game(options, store, oblong::assets_folder(argv[0]));
+    });
 }

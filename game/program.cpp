@@ -1,5 +1,6 @@
 #include "game/program.h"
 
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -23,15 +24,7 @@ void check_writable(const std::string& file) {
 
 ViewOptions view_options_of(const Options& options) {
     ViewOptions view_options;
-    view_options.preset = options.preset;
-    view_options.brightness_100 = options.brightness_100;
-    view_options.gamma_100 = options.gamma_100;
-    view_options.flashes = options.flashes;
-    view_options.accuracy = options.accuracy;
-    view_options.has_crt_look = options.has_crt_look;
-    view_options.scaling = options.scaling;
-    view_options.corrects_projection = options.corrects_projection;
-    view_options.shown_as = options.shown_as;
+    view_options.preferences = options.preferences;
     view_options.log = options.log;
     view_options.map = options.map;
     view_options.wireframe = options.wireframe;
@@ -51,11 +44,13 @@ ProgramFiles load_program_files(const Options& options, const std::string& asset
     });
 }
 
-Program::Program(const Options& options, ProgramFiles files, Platform& platform, Workers* workers)
+Program::Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform,
+                 Workers* workers)
     : options_(options),
       view_options_(view_options_of(options)),
+      store_(store),
       platform_(platform),
-      settings_{options.mode, options.field_of_view, workers} {
+      settings_{workers} {
     if (options_.shows_gallery)
         gallery_ = std::make_unique<Gallery>(std::move(files.loaded), settings_, view_options_, platform_);
     else
@@ -67,13 +62,21 @@ void Program::run() {
     naming_file(options_.replay, [&] {
         while (platform_.is_open()) show_frame();
     });
+    report(store_.save(view_options_.preferences));
     if (!options_.record.empty()) write_file(options_.record, encode_demo(session_->input().recorded()));
+}
+
+// The game goes on without a file of options.
+void Program::report(const std::string& fault) {
+    if (!fault.empty()) std::fprintf(stderr, "oblong: %s\n", fault.c_str());
 }
 
 void Program::show_frame() {
     const Controls controls = platform_.poll();
     GameScreen& screen = gallery_ ? static_cast<GameScreen&>(*gallery_) : *session_;
     screen.advance(controls, platform_.now_us());
+    platform_.change_window(window_settings_of(view_options_.preferences));
+    report(store_.save_when_settled(view_options_.preferences, platform_.now_us()));
     const ShownPicture picture = screen.draw();
     platform_.present(picture.canvas, picture.palette, picture.rect);
 }

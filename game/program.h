@@ -25,8 +25,8 @@ ProgramFiles load_program_files(const Options& options, const std::string& asset
 /// The game from its start until it is left: the one loop of input, the screen that is up, and the window.
 class Program {
   public:
-    /// `platform` and `workers`, which may be null, outlive the program.
-    Program(const Options& options, ProgramFiles files, Platform& platform, Workers* workers);
+    /// `store`, which keeps what the player changes, `platform` and `workers`, which may be null, outlive the program.
+    Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform, Workers* workers);
 
     /// Until the platform closes or the player leaves. Then writes the demo that was recorded, if any. Throws
     /// FileError.
@@ -34,9 +34,11 @@ class Program {
 
   private:
     void show_frame();
+    static void report(const std::string& fault);
 
     const Options options_;
     ViewOptions view_options_;
+    PreferencesStore& store_;
     Platform& platform_;
     SessionSettings settings_;
     std::unique_ptr<Session> session_;

@@ -6,10 +6,10 @@
 #include "game/automap.h"
 #include "game/four_aspects.h"
 #include "game/game_renderer.h"
+#include "game/game_screen.h"
 #include "game/hud.h"
 #include "game/lab.h"
 #include "game/loaded_level.h"
-#include "game/game_screen.h"
 #include "game/shown_palette.h"
 #include "game/tick_clock.h"
 #include "game/tick_input_source.h"
@@ -18,10 +18,8 @@
 
 namespace oblong {
 
-/// The settings that a session begins with.
+/// What a session is given and never changes.
 struct SessionSettings {
-    ScreenMode mode;
-    Degrees field_of_view;
     Workers* workers = nullptr;  ///< who share in drawing the game's pictures; null: one thread draws
     std::string screenshot_folder = ".";
 };
@@ -49,7 +47,7 @@ class Session final : public GameScreen {
     void draw_wires(const GameView& view, const Settings& settings);
     void handle_commands(const Controls& controls);
     void keep_what_is_on();
-    PresentRect shown_rect() const;
+    void follow_mode();
     void note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,
                    std::uint64_t began_us);
 
@@ -59,9 +57,8 @@ class Session final : public GameScreen {
     TickInputSource input_;
     Platform& platform_;
     ViewOptions& view_options_;
-    Degrees field_of_view_;
-    std::string screenshot_folder_;
-    GameRenderer renderer_;
+    SessionSettings settings_;
+    std::unique_ptr<GameRenderer> renderer_;     // of the mode that is chosen now
     std::unique_ptr<Lab> lab_;                   // only while something of it is on
     std::unique_ptr<FourAspects> four_aspects_;  // likewise
     std::unique_ptr<FrameLog> log_;              // likewise

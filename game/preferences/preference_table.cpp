@@ -167,10 +167,10 @@ std::span<const Preference> all_preferences() {
     return rows;
 }
 
-const Preference* preference_named(const std::string& name) {
-    const std::span<const Preference> rows = all_preferences();
-    const auto found = std::find_if(rows.begin(), rows.end(), [&](const Preference& row) { return row.name == name; });
-    return found == rows.end() ? nullptr : &*found;
+std::vector<const KeptValue*> all_kept_values() {
+    std::vector<const KeptValue*> values;
+    for (const Preference& preference : all_preferences()) values.push_back(&preference);
+    return values;
 }
 
 }  // namespace oblong

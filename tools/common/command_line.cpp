@@ -67,6 +67,13 @@ void Command::add_flag(const std::string& names, bool& value, const std::string&
     app_->add_flag(names, value, help);
 }
 
+void Command::add_switch(const std::string& name, std::string& value, const std::string& help) {
+    const auto set = [&value](const std::string& given) { value = given == "true" ? "on" : given; };
+    app_->add_flag_function(
+            "--" + name, [](std::int64_t) {}, help)
+        ->each(set);
+}
+
 Command Command::add_command(const std::string& name, const std::string& help) {
     app_->require_subcommand(1);
     return Command(app_->add_subcommand(name, help));

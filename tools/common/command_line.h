@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// CLI11 takes long to compile, so that only one file includes it.
+// CLI11 takes long to compile, so that only this file's and config_line's sources include it.
 namespace CLI {
 class App;
 class Option;
@@ -41,6 +41,8 @@ class Command {
     template <class Value>
     CommandOption add(const std::string& names, Value& value, const std::string& help);
     void add_flag(const std::string& names, bool& value, const std::string& help);
+    /// --NAME, --NAME=on and --NAME=off; `value` becomes "on" or "off" where it is given.
+    void add_switch(const std::string& name, std::string& value, const std::string& help);
 
     /// A subcommand; one of them must be given.
     Command add_command(const std::string& name, const std::string& help);
