@@ -95,6 +95,7 @@ Gallery::Gallery(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
     : loaded_(std::move(loaded)),
       data_(loaded_->data),
       assets_{data_.level, data_.colormap, text_colours_of(data_.palette)},
+      menu_look_(data_.palette),
       rows_(gallery_rows()),
       screenshot_folder_(settings.screenshot_folder),
       platform_(platform),

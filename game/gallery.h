@@ -39,6 +39,7 @@ class Gallery final : public GameScreen {
     void advance(const Controls& controls, std::uint64_t now_us) override;
     void pause(std::uint64_t now_us) override { now_us_ = now_us; }
     ShownPicture draw() override;
+    const MenuLook& menu_look() const override { return menu_look_; }
 
   private:
     void draw_picture();
@@ -47,6 +48,7 @@ class Gallery final : public GameScreen {
     std::shared_ptr<const LoadedLevel> loaded_;
     const GameData& data_;  // of loaded_
     const GalleryAssets assets_;
+    const MenuLook menu_look_;
     const std::vector<Row> rows_;
     std::string screenshot_folder_;
     Platform& platform_;

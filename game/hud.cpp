@@ -10,7 +10,6 @@ namespace oblong {
 namespace {
 
 constexpr std::uint64_t kMessageStays_us = 2'500'000, kLetterStays_us = 50'000;
-constexpr std::int32_t kPanelSide_px = 10;
 
 // At most 51 columns: with its margins a panel of 318 pixels.
 constexpr std::array<std::string_view, 15> kHelp{
@@ -31,13 +30,6 @@ constexpr std::array<std::string_view, 15> kHelp{
     "Alt+Enter whole screen    Esc free the mouse, leave",
 };
 
-void draw_end(std::string_view message, TextColours colours, Framebuffer canvas) {
-    std::vector<std::string_view> lines =
-        lines_of(message.empty() ? "You have reached the end." : message, canvas.width_px - 2 * kPanelSide_px);
-    lines.insert(lines.end(), {"", "Thank you for playing.", "Esc frees the mouse, then leaves."});
-    draw_panel(canvas, lines, colours);
-}
-
 }  // namespace
 
 void show_message(Hud& hud, std::string message, std::uint64_t now_us) {
@@ -47,7 +39,6 @@ void show_message(Hud& hud, std::string message, std::uint64_t now_us) {
 
 void draw_hud(const Hud& hud, std::uint64_t now_us, std::int32_t bottom, TextColours colours, Framebuffer canvas) {
     draw_cost(hud.cost, bottom, colours, canvas);
-    if (hud.shows_end) draw_end(hud.end_message, colours, canvas);
     if (hud.shows_help) draw_panel(canvas, kHelp, colours);
     if (!hud.message.empty() && now_us < hud.message_ends_us) draw_lines(kTextMargin_px, hud.message, colours, canvas);
 }

@@ -14,8 +14,6 @@ struct Hud {
     std::uint64_t message_ends_us = 0;
     CostText cost;  ///< at the bottom
     bool shows_help = false;
-    bool shows_end = false;
-    std::string end_message;  ///< instead of the usual one
 };
 
 /// Shows a message from now on, for as long as it takes to read.

@@ -66,6 +66,7 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("level", options.level, "Quake BSP file to play; without one, the demo level");
     line.add("--palette", options.palette, "768 bytes of red, green, blue; default: the level's, else the demo's");
     line.add("--models", options.models, "folder of Quake's models: shows a level's items (README)");
+    line.add_flag("--title", options.shows_title, "begin with the title, as without a level or another thing to do");
     line.add_flag("--gallery", options.shows_gallery, "all that the engine can do, one thing after the other; no game");
     line.add("--log", texts.log,
              "once a second, lines of these kinds on standard error: " + names_of(LogChannels::all()));
@@ -98,6 +99,10 @@ void interpret(const OptionTexts& texts, Options& options) {
     options.map = named_value<MapView>("--automap", texts.map, kMapNames);
     options.wireframe = named_value<Wireframe>("--wireframe", texts.wireframe, kWireframeNames);
     options.line_method = named_value<LineMethod>("--lines", texts.lines, kLineNames);
+    const bool has_run = !(options.record + options.replay + options.timedemo).empty();
+    if (options.shows_title && (has_run || options.shows_gallery))
+        throw UsageError("--title: there is no game yet to record or to replay, expected it without the other");
+    options.shows_title |= options.level.empty() && !has_run && !options.shows_gallery && options.headless_frames == 0;
     if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())
         throw UsageError("--gallery: there is no game to record or to replay, expected it without the other");
 }

@@ -26,10 +26,10 @@ Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
       settings_(settings),
       palette_(data_),
       text_colours_(text_colours_of(data_.palette)),
+      menu_look_(data_.palette),
       before_(start_of(level_)),
       after_(before_),
       last_us_(platform.now_us()) {
-    hud_.end_message = level_.end_message;
     platform_.set_title(("Oblong - " + std::filesystem::path(data_.level_file).stem().string()).c_str());
     show_message(hud_, "F1 Help", played_us_);
     keep_what_is_on();
@@ -49,7 +49,6 @@ void Session::advance(const Controls& controls, std::uint64_t now_us) {
 
 void Session::pause(std::uint64_t now_us) {
     last_us_ = now_us;
-    keep_what_is_on();
 }
 
 void Session::handle_commands(const Controls& controls) {
@@ -58,7 +57,6 @@ void Session::handle_commands(const Controls& controls) {
         const std::string message = apply(command, view_options_, platform_.window_size());
         if (!message.empty()) show_message(hud_, message, played_us_);
     }
-    if (!controls.commands.empty()) keep_what_is_on();
 }
 
 // Makes what a command switched on, and frees what it switched off.
@@ -107,12 +105,21 @@ void Session::play_due_ticks(std::uint64_t elapsed_us) {
     }
 }
 
-ShownPicture Session::draw() {
-    const Preferences& preferences = view_options_.preferences;
+GameView Session::shown_view() const {
     const std::int32_t fraction = clock_.fraction_16();
     const InterpolatedState state{before_, after_, fraction};
-    const Camera camera = camera_at(state, input_.look_offset(fraction), preferences.field_of_view);
-    const GameView view{state, camera, view_options_.has_torch, other_view(view_options_, camera, data_.level)};
+    const Camera camera = camera_at(state, input_.look_offset(fraction), view_options_.preferences.field_of_view);
+    return {state, camera, view_options_.has_torch, other_view(view_options_, camera, data_.level)};
+}
+
+Palette Session::palette_of(const GameView& view, const PaletteEffects& effects) const {
+    return effects.is_plain() ? data_.palette : apply_palette_effects(data_.palette, effects, time_ms_at(view.state));
+}
+
+ShownPicture Session::draw() {
+    keep_what_is_on();
+    const Preferences& preferences = view_options_.preferences;
+    const GameView view = shown_view();
     const Settings settings = settings_of(preferences);
     Settings shown_settings = settings;
     if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, last_us_);
@@ -124,17 +131,30 @@ ShownPicture Session::draw() {
 
     if (wire_colour_) draw_wires(view, shown_settings);
     draw_over(view, settings);
-    const Palette palette =
-        effects.is_plain() ? data_.palette : apply_palette_effects(data_.palette, effects, time_ms_at(state));
+    const Palette palette = palette_of(view, effects);
     const Framebuffer canvas = renderer_->canvas();
-    if (wants_screenshot_)
-        show_message(hud_, save_screenshots(settings_.screenshot_folder, canvas, palette, renderer_->mode()),
-                     played_us_);
+    if (wants_screenshot_) show(save_screenshots(settings_.screenshot_folder, canvas, palette, renderer_->mode()));
     wants_screenshot_ = false;
     hud_.shows_help = view_options_.shows_help;
-    hud_.shows_end = after_.has_ended;
-    draw_hud(hud_, played_us_, text_bottom_, text_colours_, canvas);
+    if (settings_.shows_text) draw_hud(hud_, played_us_, text_bottom_, text_colours_, canvas);
     return {canvas, palette, shown_rect(preferences, platform_.window_size())};
+}
+
+Thumbnail Session::thumbnail() {
+    follow_mode();
+    const GameView view = shown_view();
+    renderer_->draw(view, settings_of(view_options_.preferences));
+    const PaletteEffects effects =
+        palette_.effects_at(view, view_options_.preferences.flashes, view_options_.preferences.gamma_100);
+    return make_thumbnail(renderer_->canvas(), palette_of(view, effects));
+}
+
+void Session::restore(const GameState& state) {
+    before_ = after_ = state;
+}
+
+void Session::show(std::string message) {
+    show_message(hud_, std::move(message), played_us_);
 }
 
 // Over the picture that was drawn last.

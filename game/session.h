@@ -10,6 +10,7 @@
 #include "game/hud.h"
 #include "game/lab.h"
 #include "game/loaded_level.h"
+#include "game/saves/thumbnail.h"
 #include "game/shown_palette.h"
 #include "game/tick_clock.h"
 #include "game/tick_input_source.h"
@@ -22,6 +23,7 @@ namespace oblong {
 struct SessionSettings {
     Workers* workers = nullptr;  ///< who share in drawing the game's pictures; null: one thread draws
     std::string screenshot_folder = ".";
+    bool shows_text = true;  ///< messages and whatever else is written over the picture
 };
 
 /// One game in one level: ticks, what keys switch on, and the picture.
@@ -35,12 +37,23 @@ class Session final : public GameScreen {
     void advance(const Controls& controls, std::uint64_t now_us) override;
     void pause(std::uint64_t now_us) override;
     ShownPicture draw() override;
+    const MenuLook& menu_look() const override { return menu_look_; }
+
+    /// Goes on from another state of the level.
+    void restore(const GameState& state);
+    /// Shows the player a message.
+    void show(std::string message);
+    /// The game's picture as it is now, without text.
+    Thumbnail thumbnail();
 
     const LoadedLevel& loaded() const { return *loaded_; }
+    const std::shared_ptr<const LoadedLevel>& shared_level() const { return loaded_; }
     const GameState& state() const { return after_; }
     const TickInputSource& input() const { return input_; }
 
   private:
+    GameView shown_view() const;
+    Palette palette_of(const GameView& view, const PaletteEffects& effects) const;
     void play_due_ticks(std::uint64_t elapsed_us);
     void inspect(const GameView& view);
     void draw_over(const GameView& view, const Settings& settings);
@@ -66,6 +79,7 @@ class Session final : public GameScreen {
     std::unique_ptr<LineColour> wire_colour_;    // of the edges of faces; likewise
     ShownPalette palette_;
     TextColours text_colours_;
+    const MenuLook menu_look_;
     Hud hud_;
     TickClock clock_;
     GameState before_, after_;

@@ -48,6 +48,10 @@ void MenuPages::open_end() {
     menu_.open([this, figures = host_.end_figures()] { return end_page(figures); });
 }
 
+void MenuPages::open_restart() {
+    do_or_ask("Begin this level again?", [this] { host_.restart(); });
+}
+
 void MenuPages::open_message(std::string title, std::string text) {
     menu_.open([this, title = std::move(title), text = std::move(text)] {
         MenuPage page{title, text, {}, 0, "", false, nullptr};
@@ -80,8 +84,7 @@ MenuPage MenuPages::game_page() {
     if (host_.can_save()) page.rows.push_back(row("Save", [this] { open_save(); }));
     page.rows.push_back(row("Load", [this] { open_load(); }));
     page.rows.push_back(row("Options", [this] { open_options(); }));
-    page.rows.push_back(
-        row("Restart level", [this] { do_or_ask("Begin this level again?", [this] { host_.restart(); }); }));
+    page.rows.push_back(row("Restart level", [this] { open_restart(); }));
     page.rows.push_back(row("Levels", [this] { open_levels(); }));
     page.rows.push_back(row(
         "Gallery", [this] { host_.show_gallery(); }, "the walk waits"));

@@ -15,6 +15,7 @@ class MenuPages {
     void open_game();     ///< over a walk
     void open_gallery();  ///< over a gallery with nothing behind it
     void open_end();      ///< after a walk
+    void open_restart();  ///< asks, if there is something to lose
     /// A text with nothing to choose but to go on.
     void open_message(std::string title, std::string text);
 

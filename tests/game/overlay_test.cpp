@@ -95,7 +95,7 @@ void draw_everything(const ScreenMode& mode, const GuardedCanvas& guarded) {
     options.flips = options.splits = true;
     Hud hud;
     hud.cost = long_cost();
-    hud.shows_help = hud.shows_end = true;
+    hud.shows_help = true;
     show_message(hud, std::string(200, 'm'), 0);
     draw_aspect_guide(mode, kColours, canvas);
     for (const std::int32_t split : {0, 1, 32'768, 65'535, 65'536}) {
