@@ -4,24 +4,13 @@
 #include <array>
 #include <utility>
 
+#include "game/help_panel.h"
 #include "game/screenshot.h"
 #include "tools/gallery/rows.h"
 
 namespace oblong {
 
 namespace {
-
-constexpr std::array<std::string_view, 9> kGalleryHelp{
-    "Page Down, Page Up  next row, row before",
-    "Up, Down            choose a parameter",
-    "Left, Right         change it",
-    "F6                  all figures and notes",
-    "F2, F3              aspect",
-    "F4                  accuracy",
-    "F5, C               scaling, tube",
-    "F12                 screenshots",
-    "F1                  this help",
-};
 
 /// What is changed by the same keys as in the game.
 constexpr std::array<Command, 8> kKeysOfTheGame{
@@ -103,7 +92,10 @@ Gallery::Gallery(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
       state_(start_of_gallery(rows_)),
       start_us_(platform.now_us()),
       now_us_(start_us_) {
-    show_message(hud_, "Page Down: next row    F1 Help", start_us_);
+    const Bindings& bindings = view_options_.preferences.bindings;
+    messages_.show(key_name_of(Command::PageDown, bindings, platform_) + ": next row    " +
+                       key_name_of(Command::ShowHelp, bindings, platform_) + ": keys",
+                   MessageKind::Answer);
 }
 
 void Gallery::advance(const Controls& controls, std::uint64_t now_us) {
@@ -111,7 +103,7 @@ void Gallery::advance(const Controls& controls, std::uint64_t now_us) {
     for (const Command command : controls.commands) {
         wants_screenshot_ |= command == Command::Screenshot;
         const std::string message = apply(command, rows_, platform_.window_size(), view_options_, state_);
-        if (!message.empty()) show_message(hud_, message, now_us);
+        if (!message.empty()) messages_.show(message, MessageKind::Answer);
     }
     if (!controls.commands.empty() || rows_[state_.row].moves) is_drawn_ = false;
 }
@@ -122,7 +114,7 @@ ShownPicture Gallery::draw() {
     shown_ = picture_;
     const Framebuffer canvas{shown_.data(), mode.width_px, mode.height_px, mode.width_px};
     if (wants_screenshot_)
-        show_message(hud_, save_screenshots(screenshot_folder_, canvas, data_.palette, mode), now_us_);
+        messages_.show(save_screenshots(screenshot_folder_, canvas, data_.palette, mode), MessageKind::Answer);
     wants_screenshot_ = false;
     draw_over();
     return {canvas, data_.palette, shown_rect(view_options_.preferences, platform_.window_size())};
@@ -148,8 +140,11 @@ void Gallery::draw_over() {
         const std::string text = list_of_figures(rows_[state_.row], page_);
         draw_panel(canvas, lines_of(text, mode.width_px - 4 * kTextMargin_px), assets_.text);
     }
-    if (view_options_.shows_help) draw_panel(canvas, kGalleryHelp, assets_.text);
-    if (now_us_ < hud_.message_ends_us) draw_lines(kHeader_px + kTextMargin_px, hud_.message, assets_.text, canvas);
+    HudText text;
+    if (view_options_.shows_help) text.help = gallery_help(drawn_with_.bindings, platform_);
+    const TextColours colours{assets_.text.bright, assets_.text.dark, drawn_with_.text_scale};
+    const Framebuffer below_header = part_of(canvas, {0, kHeader_px, canvas.width_px, canvas.height_px - kHeader_px});
+    draw_hud(text, messages_, now_us_, below_header.height_px, colours, menu_look_.veil, below_header);
 }
 
 }  // namespace oblong

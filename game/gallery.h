@@ -55,7 +55,7 @@ class Gallery final : public GameScreen {
     ViewOptions& view_options_;
     GalleryState state_;
     RowPage page_;
-    Hud hud_;
+    Messages messages_;
     Preferences drawn_with_;  ///< those of picture_
     std::vector<std::uint8_t> picture_, shown_;
     std::uint64_t start_us_, now_us_;

@@ -67,7 +67,6 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
     : options_(options),
       assets_folder_(files.assets_folder),
       view_options_(view_options_of(options)),
-      bindings_(default_bindings()),
       store_(store),
       platform_(platform),
       settings_{workers},
@@ -171,7 +170,7 @@ void Program::open_what_is_due() {
 
 void Program::follow_preferences() {
     platform_.change_window(window_settings_of(view_options_.preferences));
-    platform_.use_bindings(bindings_);
+    platform_.use_bindings(view_options_.preferences.bindings);
     report(store_.save_when_settled(view_options_.preferences, platform_.now_us()));
 }
 

@@ -68,7 +68,6 @@ class Program final : private MenuHost {
 
     // What the menu's pages ask and do.
     Preferences& preferences() override { return view_options_.preferences; }
-    Bindings& bindings() override { return bindings_; }
     std::string local_name_of(Input input) const override { return platform_.local_name_of(input); }
     std::vector<LevelEntry> levels() const override;
     std::vector<SaveEntry> saves() const override;
@@ -92,7 +91,6 @@ class Program final : private MenuHost {
     const std::string assets_folder_;
     ViewOptions view_options_;
     ViewOptions title_options_;  // of the title's background: nothing is drawn over it
-    Bindings bindings_;
     PreferencesStore& store_;
     Platform& platform_;
     SessionSettings settings_;

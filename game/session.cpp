@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "game/help_panel.h"
 #include "game/screenshot.h"
 #include "game/shown_view.h"
 #include "tools/common/crosshair.h"
@@ -31,7 +32,7 @@ Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
       after_(before_),
       last_us_(platform.now_us()) {
     platform_.set_title(("Oblong - " + std::filesystem::path(data_.level_file).stem().string()).c_str());
-    show_message(hud_, "F1 Help", played_us_);
+    show(key_name_of(Command::ShowHelp, view_options_.preferences.bindings, platform_) + ": keys");
     keep_what_is_on();
 }
 
@@ -55,7 +56,7 @@ void Session::handle_commands(const Controls& controls) {
     for (const Command command : controls.commands) {
         wants_screenshot_ |= command == Command::Screenshot;
         const std::string message = apply(command, view_options_, platform_.window_size());
-        if (!message.empty()) show_message(hud_, message, played_us_);
+        if (!message.empty()) show(message);
     }
 }
 
@@ -84,7 +85,7 @@ void Session::keep_what_is_on() {
         wire_colour_ = std::make_unique<LineColour>(data_.palette, kWireColour);
     if (!view_options_.shows_cost) {
         cost_.reset();
-        hud_.cost = {};
+        cost_text_ = {};
     } else if (!cost_)
         cost_ = std::make_unique<FrameCost>(data_.palette, platform_.now_us());
 }
@@ -102,6 +103,7 @@ void Session::play_due_ticks(std::uint64_t elapsed_us) {
         before_ = after_;
         input_.play_tick(level_, after_);
         palette_.note_tick(before_, after_);
+        show_level_message();
     }
 }
 
@@ -135,8 +137,7 @@ ShownPicture Session::draw() {
     const Framebuffer canvas = renderer_->canvas();
     if (wants_screenshot_) show(save_screenshots(settings_.screenshot_folder, canvas, palette, renderer_->mode()));
     wants_screenshot_ = false;
-    hud_.shows_help = view_options_.shows_help;
-    if (settings_.shows_text) draw_hud(hud_, played_us_, text_bottom_, text_colours_, canvas);
+    if (settings_.shows_text) draw_text();
     return {canvas, palette, shown_rect(preferences, platform_.window_size())};
 }
 
@@ -154,7 +155,22 @@ void Session::restore(const GameState& state) {
 }
 
 void Session::show(std::string message) {
-    show_message(hud_, std::move(message), played_us_);
+    messages_.show(std::move(message), MessageKind::Answer);
+}
+
+void Session::show_level_message() {
+    if (after_.shown_message < 0 || after_.message_tick != after_.tick) return;
+    const std::string& text = at(level_.messages, after_.shown_message);
+    messages_.show(with_key_names(text, view_options_.preferences.bindings, platform_), MessageKind::Level);
+}
+
+void Session::draw_text() {
+    const Preferences& preferences = view_options_.preferences;
+    text_.help.clear();
+    if (view_options_.shows_help) text_.help = game_help(preferences.bindings, platform_);
+    text_.cost = cost_ ? &cost_text_ : nullptr;
+    const TextColours colours{text_colours_.bright, text_colours_.dark, preferences.text_scale};
+    draw_hud(text_, messages_, played_us_, text_bottom_, colours, menu_look_.veil, renderer_->canvas());
 }
 
 // Over the picture that was drawn last.
@@ -171,6 +187,7 @@ void Session::draw_over(const GameView& view, const Settings& settings) {
     const ScreenMode& mode = preferences.mode;
     const PresentRect rect = shown_rect(preferences, platform_.window_size());
     text_bottom_ = canvas.height_px - kTextMargin_px;
+    text_.notes.clear();
     if (four_aspects_) {
         four_aspects_->draw(view, settings, mode, shown_pixel(rect, mode), text_colours_, canvas);
         text_bottom_ = 0;  // their captions leave no room
@@ -181,22 +198,20 @@ void Session::draw_over(const GameView& view, const Settings& settings) {
     if (view_options_.inspects && !view.other) inspect(view);
     if (!view_options_.shows_aspect_guide) return;
     draw_aspect_guide(mode, text_colours_, canvas);
-    const std::string caption = aspect_caption(mode, settings.correct_aspect, preferences.shown_as, preferences.scaling,
-                                               platform_.window_size());
-    text_bottom_ = draw_lines_above(text_bottom_, caption, text_colours_, canvas);
+    text_.notes.push_back(aspect_caption(mode, settings.correct_aspect, preferences.shown_as, preferences.scaling,
+                                         platform_.window_size()));
 }
 
 void Session::inspect(const GameView& view) {
     const std::vector<PlacedModel> models = placed_models(level_, view.state);
-    const std::string text = describe_picked(data_.level, models, pick_ahead(data_.level, models, view.camera));
     draw_crosshair(renderer_->canvas(), text_colours_);
-    text_bottom_ = draw_lines_above(text_bottom_, text, text_colours_, renderer_->canvas());
+    text_.notes.push_back(describe_picked(data_.level, models, pick_ahead(data_.level, models, view.camera)));
 }
 
 void Session::note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,
                         std::uint64_t began_us) {
     if (!cost_ || !cost_->note(began_us, platform_.now_us())) return;
-    hud_.cost = cost_->measure(view, settings, data_.palette, effects, *renderer_);
+    cost_text_ = cost_->measure(view, settings, data_.palette, effects, *renderer_);
 }
 
 }  // namespace oblong

@@ -41,7 +41,7 @@ class Session final : public GameScreen {
 
     /// Goes on from another state of the level.
     void restore(const GameState& state);
-    /// Shows the player a message.
+    /// Shows the player a message that answers what they did.
     void show(std::string message);
     /// The game's picture as it is now, without text.
     Thumbnail thumbnail();
@@ -56,7 +56,9 @@ class Session final : public GameScreen {
     Palette palette_of(const GameView& view, const PaletteEffects& effects) const;
     void play_due_ticks(std::uint64_t elapsed_us);
     void inspect(const GameView& view);
+    void show_level_message();
     void draw_over(const GameView& view, const Settings& settings);
+    void draw_text();
     void draw_wires(const GameView& view, const Settings& settings);
     void handle_commands(const Controls& controls);
     void keep_what_is_on();
@@ -80,13 +82,15 @@ class Session final : public GameScreen {
     ShownPalette palette_;
     TextColours text_colours_;
     const MenuLook menu_look_;
-    Hud hud_;
+    Messages messages_;
+    HudText text_;
     TickClock clock_;
     GameState before_, after_;
     std::uint64_t last_us_;            // the platform's time up to which the game was played
     std::uint64_t played_us_ = 0;      // since the session began, without pauses
     std::unique_ptr<FrameCost> cost_;  // only while it is shown
-    std::int32_t text_bottom_ = 0;     // the row above which the text at the bottom ends
+    CostText cost_text_;
+    std::int32_t text_bottom_ = 0;  // the row above which the text at the bottom ends
     bool wants_screenshot_ = false;
 };
 

@@ -46,7 +46,7 @@ class KeyPages {
         MenuPage page{"Keys", "", {}, 0, "Enter changes what is chosen", false, nullptr};
         for (const ActionNames& names : all_actions()) {
             const Action action = names.action;
-            const bool is_doubled = has_conflict(host_->bindings(), action);
+            const bool is_doubled = has_conflict(host_->preferences().bindings, action);
             page.rows.push_back({std::string(names.label), (is_doubled ? "! " : "") + inputs_text(*host_, action),
                                  is_doubled ? "! A key here does something else, too" : "",
                                  [*this, action] { menu_->open([*this, action] { return action_page(action); }); },
@@ -71,7 +71,7 @@ class KeyPages {
         page.rows.push_back({"No", "", "", [*this] { menu_->close(); }, nullptr});
         page.rows.push_back({"Yes", "", "",
                              [*this, hands] {
-                                 host_->bindings() = default_bindings(hands);
+                                 host_->preferences().bindings = default_bindings(hands);
                                  menu_->close();
                              },
                              nullptr});
@@ -80,11 +80,11 @@ class KeyPages {
 
     MenuPage action_page(Action action) const {
         MenuPage page{label_of(action), "", {}, 0, "", false, nullptr};
-        for (const Input input : host_->bindings().inputs_of(action)) {
-            const std::string others = others_of(host_->bindings(), action, input);
-            page.rows.push_back({host_->local_name_of(input), "remove",
-                                 others.empty() ? "" : "Does this, too: " + others,
-                                 [*this, action, input] { host_->bindings().unbind(action, input); }, nullptr});
+        for (const Input input : host_->preferences().bindings.inputs_of(action)) {
+            const std::string others = others_of(host_->preferences().bindings, action, input);
+            page.rows.push_back(
+                {host_->local_name_of(input), "remove", others.empty() ? "" : "Does this, too: " + others,
+                 [*this, action, input] { host_->preferences().bindings.unbind(action, input); }, nullptr});
         }
         page.rows.push_back({"Add a key or button", "", "",
                              [*this, action] { menu_->open([*this, action] { return press_page(action); }); },
@@ -105,14 +105,14 @@ class KeyPages {
         page.press = [*this, action](Input input) {
             menu_->close();
             const std::string others = others_if_bound(action, input);
-            if (others.empty()) return host_->bindings().bind(action, input);
+            if (others.empty()) return host_->preferences().bindings.bind(action, input);
             menu_->open([*this, action, input, others] { return conflict_page(action, input, others); });
         };
         return page;
     }
 
     std::string others_if_bound(Action action, Input input) const {
-        Bindings tried = host_->bindings();
+        Bindings tried = host_->preferences().bindings;
         tried.bind(action, input);
         return others_of(tried, action, input);
     }
@@ -124,14 +124,14 @@ class KeyPages {
                              [*this, action, input] {
                                  for (const ActionNames& names : all_actions())
                                      if (is_other(action, names.action, input))
-                                         host_->bindings().unbind(names.action, input);
-                                 host_->bindings().bind(action, input);
+                                         host_->preferences().bindings.unbind(names.action, input);
+                                 host_->preferences().bindings.bind(action, input);
                                  menu_->close();
                              },
                              nullptr});
         page.rows.push_back({"Let it do both", "", "",
                              [*this, action, input] {
-                                 host_->bindings().bind(action, input);
+                                 host_->preferences().bindings.bind(action, input);
                                  menu_->close();
                              },
                              nullptr});
@@ -159,7 +159,7 @@ void open_key_pages(Menu& menu, MenuHost& host) {
 
 std::string inputs_text(MenuHost& host, Action action) {
     std::string text;
-    for (const Input input : host.bindings().inputs_of(action))
+    for (const Input input : host.preferences().bindings.inputs_of(action))
         text += (text.empty() ? "" : ", ") + host.local_name_of(input);
     return text.empty() ? "none" : text;
 }

@@ -40,7 +40,6 @@ class MenuHost {
     virtual ~MenuHost() = default;
 
     virtual Preferences& preferences() = 0;
-    virtual Bindings& bindings() = 0;
     virtual std::string local_name_of(Input input) const = 0;
 
     virtual std::vector<LevelEntry> levels() const = 0;

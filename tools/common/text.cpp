@@ -26,13 +26,6 @@ void draw_plain(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_
     }
 }
 
-// At scale 1, without its margin.
-Area panel_size(std::span<const std::string_view> lines) {
-    std::int32_t width = 0;
-    for (const std::string_view line : lines) width = std::max(width, text_width_px(line));
-    return {0, 0, width, static_cast<std::int32_t>(lines.size()) * kLineHeight_px};
-}
-
 }  // namespace
 
 TextColours text_colours_of(const Palette& palette) {
@@ -84,18 +77,14 @@ std::int32_t draw_lines_above(std::int32_t bottom, std::string_view text, TextCo
 }
 
 void draw_panel(Framebuffer canvas, std::span<const std::string_view> lines, TextColours colours) {
-    const Area text = panel_size(lines);
-    const auto is_too_large = [&](std::int32_t scale) {
-        return text.width * scale > canvas.width_px || text.height * scale > canvas.height_px;
-    };
-    std::int32_t scale = colours.scale;
-    while (scale > 1 && is_too_large(scale)) --scale;
-    const std::int32_t width = text.width * scale, height = text.height * scale, margin = kPanelMargin_px * scale;
+    const std::int32_t scale = colours.scale, margin = kPanelMargin_px * scale, line_height = kLineHeight_px * scale;
+    std::int32_t width = 0;
+    for (const std::string_view line : lines) width = std::max(width, text_width_px(line) * scale);
+    const auto height = static_cast<std::int32_t>(lines.size()) * line_height;
     const std::int32_t x = (canvas.width_px - width) / 2, y = (canvas.height_px - height) / 2;
     fill_area(canvas, {x - margin, y - margin, width + 2 * margin, height + 2 * margin}, colours.dark);
     for (std::size_t i = 0; i < lines.size(); ++i)
-        draw_plain(canvas, x, y + static_cast<std::int32_t>(i) * kLineHeight_px * scale, lines[i], colours.bright,
-                   scale);
+        draw_plain(canvas, x, y + static_cast<std::int32_t>(i) * line_height, lines[i], colours.bright, scale);
 }
 
 }  // namespace oblong
