@@ -159,7 +159,8 @@ void Session::show(std::string message) {
 }
 
 void Session::show_level_message() {
-    if (after_.shown_message < 0 || after_.message_tick != after_.tick) return;
+    const bool is_new = after_.shown_message != before_.shown_message || after_.message_tick != before_.message_tick;
+    if (after_.shown_message < 0 || !is_new) return;
     const std::string& text = at(level_.messages, after_.shown_message);
     messages_.show(with_key_names(text, view_options_.preferences.bindings, platform_), MessageKind::Level);
 }
