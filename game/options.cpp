@@ -28,10 +28,13 @@ constexpr std::array<std::string_view, kMapViewCount> kMapNames{"off", "player",
 constexpr std::array<std::string_view, kWireframeCount> kWireframeNames{"off", "over", "alone"};
 constexpr std::array<std::string_view, kLineMethodCount> kLineNames{"naive", "dda", "bresenham", "gupta-sproull"};
 
+bool is_dial(const Preference& preference) {
+    return preference.name.starts_with("dial-");
+}
+
 // The options that are parsed after the command line is read.
 struct OptionTexts {
     std::map<std::string, std::string> preferences;  // by their names; empty where they are not given
-    std::map<std::string, bool> switches;            // likewise
     std::vector<std::string> dials;
     std::string window, map = "off", wireframe = "off", lines = "gupta-sproull", log, config;
     bool is_portable = false;
@@ -39,6 +42,7 @@ struct OptionTexts {
 
 void declare_preferences(Command& line, OptionTexts& texts) {
     for (const Preference& preference : all_preferences()) {
+        if (is_dial(preference)) continue;  // --dial is for all of them
         const std::string help =
             preference.help + "; " + preference.values + "; usually " + preference.text(Preferences{});
         if (preference.is_switch)
