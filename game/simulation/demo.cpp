@@ -60,7 +60,8 @@ DemoTick read_tick(Reader& reader) {
     tick.input.yaw = reader.next<std::int16_t>();
     tick.input.pitch = reader.next<std::int16_t>();
     tick.input.buttons = reader.next<std::uint8_t>();
-    expect((tick.input.buttons & ~kJumpButton) == 0, reader.at - 1, "unknown buttons, expected 0 or 1");
+    expect((tick.input.buttons & ~(kJumpButton | kRespawnButton)) == 0, reader.at - 1,
+           "unknown buttons, expected 0 to 3");
     tick.state_hash = reader.next<std::uint64_t>();
     return tick;
 }

@@ -5,6 +5,7 @@
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "game/simulation/entity_specs.h"
+#include "game/simulation/items.h"
 
 namespace oblong {
 namespace {
@@ -28,6 +29,7 @@ class LevelBuilder {
         add_models();
         add_triggers();
         add_lights();
+        add_items();
         resolve_targets();
         make_trees();
         add_start();
@@ -86,13 +88,18 @@ class LevelBuilder {
             trigger.box = box_of(level_.model(*model).box);
             trigger.switches_once = name == "trigger_once";
             if (name == "trigger_changelevel")
-                trigger.ends_level = true;
+                end_level(entity, trigger);
             else if (name == "trigger_teleport" ? !make_teleporter(entity, trigger)
                                                 : name != "trigger_once" && name != "trigger_multiple")
                 continue;
             level_.triggers.push_back(trigger);
             trigger_entities_.push_back(&entity);
         }
+    }
+
+    static void end_level(const Entity& entity, Trigger& trigger) {
+        trigger.ends_level = true;
+        trigger.next_map = entity.value("map");
     }
 
     // As in Quake, one with a name works only for a moment after it was activated. False for one without an exit.
@@ -117,6 +124,27 @@ class LevelBuilder {
         }
     }
 
+    void add_items() {
+        for (std::size_t i = 0; i < level_.bsp->entities.size(); ++i) {
+            const Entity& entity = level_.bsp->entities[i];
+            std::optional<Item> item = item_of(entity);
+            if (!item) continue;
+            item->entity = i;
+            item->fires.message = message_of(entity, default_message(item->item_class));
+            level_.items.push_back(*item);
+        }
+    }
+
+    // An entity's "message", or another where it has none; equal ones are kept once.
+    MessageIndex message_of(const Entity& entity, std::string_view otherwise = {}) {
+        std::string text = entity.value("message");
+        if (text.empty()) text = otherwise;
+        if (text.empty()) return kNoMessage;
+        const auto [found, is_new] = message_numbers_.emplace(text, static_cast<MessageIndex>(level_.messages.size()));
+        if (is_new) level_.messages.push_back(std::move(text));
+        return found->second;
+    }
+
     void resolve_targets() {
         std::vector<bool> is_activated(level_.targets.size());
         const auto resolve = [&](const Entity& entity) {
@@ -128,6 +156,7 @@ class LevelBuilder {
         for (std::size_t i = 0; i < level_.triggers.size(); ++i)
             if (!level_.triggers[i].ends_level && !level_.triggers[i].teleports_to)
                 level_.triggers[i].target = resolve(*trigger_entities_[i]);
+        for (Item& item : level_.items) item.fires.target = resolve(level_.bsp->entities[item.entity]);
         for (std::size_t i = 0; i < is_activated.size(); ++i)
             if (is_activated[i]) leave_to_activators(level_.targets[i]);
     }
@@ -139,7 +168,7 @@ class LevelBuilder {
     }
 
     void make_trees() {
-        std::vector<BoxTree::Entry> touch_boxes, trigger_boxes, obstacles;
+        std::vector<BoxTree::Entry> touch_boxes, trigger_boxes, item_boxes, obstacles;
         const auto add = [](const Box& box, std::vector<BoxTree::Entry>& entries, std::size_t number) {
             entries.push_back({box, static_cast<std::uint32_t>(number)});
         };
@@ -152,6 +181,8 @@ class LevelBuilder {
             add(at_start.united(at_start.moved(mover.travel)), obstacles, obstacles.size());
         }
         for (std::size_t i = 0; i < level_.triggers.size(); ++i) add(level_.triggers[i].box, trigger_boxes, i);
+        for (std::size_t i = 0; i < level_.items.size(); ++i) add(level_.items[i].box, item_boxes, i);
+        level_.item_boxes = BoxTree(std::move(item_boxes));
         level_.touch_boxes = BoxTree(std::move(touch_boxes));
         level_.trigger_boxes = BoxTree(std::move(trigger_boxes));
         level_.obstacles = BoxTree(std::move(obstacles));
@@ -169,6 +200,7 @@ class LevelBuilder {
     std::vector<const Entity*> mover_entities_, trigger_entities_;  // in the order of the movers and the triggers
     std::unordered_map<std::string, const Entity*> by_name_;        // the first of each targetname
     std::unordered_map<std::string, TargetIndex> target_of_;        // by targetname
+    std::unordered_map<std::string, MessageIndex> message_numbers_;
 };
 
 }  // namespace
@@ -184,7 +216,14 @@ GameState start_of(const GameLevel& level) {
     state.movers.resize(level.movers.size());
     state.teleporter_ends.resize(level.targeted_teleporters);
     state.dark_styles = level.dark_styles;
+    state.items.resize(level.items.size());
+    state.respawn = {level.player_start, level.player_yaw};
     return state;
+}
+
+std::string_view next_map(const GameLevel& level, const GameState& state) {
+    if (state.exit < 0) return {};
+    return at(level.triggers, state.exit).next_map;
 }
 
 Box obstacle_box(const GameLevel& level, ModelIndex model, const Vec3<World>& offset) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/base/table.h"
@@ -16,6 +17,30 @@ namespace oblong {
 /// An index into GameLevel::targets, or kNoTarget.
 using TargetIndex = std::int32_t;
 inline constexpr TargetIndex kNoTarget = -1;
+
+/// An index into GameLevel::messages, or kNoMessage.
+using MessageIndex = std::int32_t;
+inline constexpr MessageIndex kNoMessage = -1;
+
+/// What an entity does to others when it is activated.
+struct Firing {
+    TargetIndex target = kNoTarget;     ///< what it activates
+    MessageIndex message = kNoMessage;  ///< what it shows the player
+};
+
+enum class ItemClass : std::uint8_t { Lens, SilverKey, GoldKey };
+
+/// Bits of GameState::keys.
+inline constexpr std::uint8_t kSilverKey = 1, kGoldKey = 2;
+
+/// A thing that the player takes by touching it.
+struct Item {
+    ItemClass item_class = ItemClass::Lens;
+    Position position;
+    Box box;                 ///< that the player touches
+    std::size_t entity = 0;  ///< into Level::entities
+    Firing fires;            ///< when it is taken
+};
 
 /// A brush model that travels between two ends: a door, a lift or a button.
 struct Mover {
@@ -36,13 +61,10 @@ struct Mover {
 struct Trigger {
     Box box;
     bool ends_level = false;
+    std::string next_map;            ///< where a trigger_changelevel leads, as "e1m2"; may be empty
     bool switches_once = false;      ///< lights of its target: once, not each time that the player enters
     TargetIndex target = kNoTarget;  ///< what it activates
-    struct Exit {
-        Position position;
-        Angle yaw;
-    };
-    std::optional<Exit> teleports_to;
+    std::optional<Place> teleports_to;
     std::optional<std::uint32_t> activation;  ///< into GameState::teleporter_ends: works only after it was activated
 };
 
@@ -62,12 +84,15 @@ struct GameLevel {
     std::vector<Mover> movers;
     std::vector<Trigger> triggers;
     std::vector<Target> targets;
+    std::vector<Item> items;
+    std::vector<std::string> messages;
     std::uint32_t targeted_teleporters = 0;       ///< how many GameState::teleporter_ends has
     std::uint64_t dark_styles = 0;                ///< GameState::dark_styles at the start
     std::vector<ModelIndex> static_models;        ///< brush models that are drawn and never move
     std::vector<ModelIndex> solid_static_models;  ///< those of them that stop the player
     BoxTree touch_boxes;                          ///< of movers, by their indices
     BoxTree trigger_boxes;                        ///< by the indices of triggers
+    BoxTree item_boxes;                           ///< by the indices of items
     BoxTree obstacles;  ///< all places that solid static models, then movers, may take; numbered in this order
     Position player_start;
     Angle player_yaw;
@@ -78,13 +103,16 @@ struct GameLevel {
 };
 
 /// Reads entities: info_player_start, func_door, func_plat, func_button, trigger_once, trigger_multiple,
-/// trigger_teleport, trigger_changelevel, and lights with a targetname and a style from 32 on; any other func_ stands
-/// still. Keys that are no numbers count as absent.
-/// Throws InputError for more than kMostMovers movers: doors that overlap are compared in pairs.
+/// trigger_teleport, trigger_changelevel, item_lens, item_key1, item_key2, and lights with a targetname and a style
+/// from 32 on; any other func_ stands still. Keys that are no numbers count as absent. Throws InputError for more than
+/// kMostMovers movers: doors that overlap are compared in pairs.
 GameLevel make_game_level(const Level& bsp);
 
 /// The state in which a level begins.
 GameState start_of(const GameLevel& level);
+
+/// The map that follows the level as it was left, as "e1m2"; empty where its end names none or it has not ended.
+std::string_view next_map(const GameLevel& level, const GameState& state);
 
 /// The box of a model at an offset, grown by some room for the rounding of files: compilers write boxes up to a unit
 /// too small.

@@ -36,6 +36,16 @@ struct MoverState {
     bool operator==(const MoverState&) const = default;
 };
 
+/// What became of an item of the level.
+enum class ItemState : std::uint8_t { There, Taken, Removed };
+
+/// A place where the player comes in, and the direction that they look in there.
+struct Place {
+    Position position;
+    Angle yaw;
+    bool operator==(const Place&) const = default;
+};
+
 /// Everything that changes from tick to tick, and nothing else: what a demo must reproduce.
 struct GameState {
     std::int64_t tick = 0;
@@ -45,7 +55,13 @@ struct GameState {
     std::vector<std::int64_t> teleporter_ends;    ///< the tick from which each targeted teleporter works no more
     std::uint64_t dark_styles = 0;                ///< a bit for each light style that is switched off
     std::vector<std::uint32_t> touched_switches;  ///< triggers, ascending, that switch no lights while they are here
+    std::vector<ItemState> items;                 ///< in the order of GameLevel::items
+    std::uint8_t keys = 0;                        ///< kSilverKey, kGoldKey: those the player has
+    Place respawn;                                ///< where the player came in last: see kRespawnButton
+    std::int32_t shown_message = -1;              ///< the last one: into GameLevel::messages; -1: none yet
+    std::int64_t message_tick = 0;                ///< the tick that showed it
     bool has_ended = false;
+    std::int32_t exit = -1;  ///< the trigger that ended the level: into GameLevel::triggers
 
     bool operator==(const GameState&) const = default;
 };

@@ -18,8 +18,9 @@ void visit_fields(State& state, Visit& visit) {
     visit_all(player.position.x, player.position.y, player.position.z);
     visit_all(player.velocity.x, player.velocity.y, player.velocity.z);
     visit_all(player.yaw, player.pitch, player.eye_lag, player.ground, player.depth, player.holds_jump);
-    visit_all(state.movers, state.active_movers, state.teleporter_ends, state.dark_styles, state.touched_switches,
-              state.has_ended);
+    visit_all(state.movers, state.active_movers, state.teleporter_ends, state.dark_styles, state.touched_switches);
+    visit_all(state.items, state.keys, state.respawn.position.x, state.respawn.position.y, state.respawn.position.z,
+              state.respawn.yaw, state.shown_message, state.message_tick, state.has_ended, state.exit);
 }
 
 /// The same of a mover: MoverState or const MoverState.

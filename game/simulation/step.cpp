@@ -11,12 +11,20 @@ namespace {
 constexpr World kExitSpeed = World::from_int(300);
 constexpr World kFarthest = World::from_int(40'000);
 
-void teleport(Player& player, const Trigger::Exit& exit) {
+void teleport(GameState& state, const Place& exit) {
+    Player& player = state.player;
+    state.respawn = exit;
     player.position = exit.position;
     player.yaw = exit.yaw;
     player.pitch = 0;
     player.velocity = times(kExitSpeed, {cosine(exit.yaw), sine(exit.yaw), Unit{}});
     player.ground = Player::kNoGround;
+}
+
+void end_level(GameState& state, std::uint32_t trigger) {
+    if (state.has_ended) return;
+    state.has_ended = true;
+    state.exit = static_cast<std::int32_t>(trigger);
 }
 
 bool teleports(const Trigger& trigger, const GameState& state) {
@@ -45,10 +53,10 @@ std::vector<std::uint32_t> enter_triggers(const GameLevel& level, GameState& sta
             const Trigger& trigger = level.triggers[i];
             if (!is_later(i) || !trigger.box.overlaps(player_box(state.player.position))) continue;
             entered.push_back(i);
-            state.has_ended |= trigger.ends_level;
+            if (trigger.ends_level) end_level(state, i);
             is_moved = teleports(trigger, state);
             if (!is_moved) continue;
-            teleport(state.player, *trigger.teleports_to);
+            teleport(state, *trigger.teleports_to);
             break;
         }
     }
@@ -82,22 +90,43 @@ void touch_triggers(const GameLevel& level, GameState& state) {
     enter_switches(level, state, entered);
 }
 
-// A player who falls out of a level that leaks starts again.
-void restart_outside(const GameLevel& level, Player& player) {
+void respawn(GameState& state) {
+    const Player before = state.player;
+    state.player = {};
+    state.player.position = state.respawn.position;
+    state.player.yaw = state.respawn.yaw;
+    state.player.holds_jump = before.holds_jump;
+}
+
+// A player who falls out of a level that leaks comes in again.
+void respawn_outside(GameState& state) {
+    const Player& player = state.player;
     const auto is_outside = [](World w) { return w > kFarthest || w < -kFarthest; };
     if (!is_outside(player.position.x) && !is_outside(player.position.y) && !is_outside(player.position.z)) return;
-    player = start_of(level).player;
+    respawn(state);
 }
 
 }  // namespace
 
+void fire(const GameLevel& level, GameState& state, const Firing& firing) {
+    if (firing.message != kNoMessage) {
+        state.shown_message = firing.message;
+        state.message_tick = state.tick;
+    }
+    if (firing.target == kNoTarget) return;
+    activate_targets(level, state, {firing.target});
+    switch_lights(level.target(firing.target), state);
+}
+
 void step(const GameLevel& level, GameState& state, const TickInput& input) {
     ++state.tick;
     if (state.has_ended) return;
+    if ((input.buttons & kRespawnButton) != 0) respawn(state);
     step_movers(level, state);
     step_player(level, state, input);
-    restart_outside(level, state.player);
+    respawn_outside(state);
     touch_movers(level, state);
+    touch_items(level, state);
     touch_triggers(level, state);
 }
 

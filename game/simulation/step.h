@@ -27,6 +27,12 @@ void step_player(const GameLevel& level, GameState& state, const TickInput& inpu
 /// Activates the movers whose touch box the player is in.
 void touch_movers(const GameLevel& level, GameState& state);
 
+/// Takes the items that the player touches.
+void touch_items(const GameLevel& level, GameState& state);
+
+/// Activates what an entity fires, and shows its message.
+void fire(const GameLevel& level, GameState& state, const Firing& firing);
+
 /// Activates movers and what they target: one at rest leaves, one on its way back turns round, one at its other end
 /// restarts its wait. Lights that they target are switched by those that leave their start.
 void activate(const GameLevel& level, GameState& state, std::span<const std::uint32_t> movers);

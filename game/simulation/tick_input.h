@@ -13,11 +13,12 @@ struct TickInput {
     std::int8_t right = 0;     ///< likewise, to the right positive
     std::int16_t yaw = 0;      ///< turn in this tick, 65,536 to the circle, to the left positive
     std::int16_t pitch = 0;    ///< likewise, down positive
-    std::uint8_t buttons = 0;  ///< kJumpButton; other bits are 0
+    std::uint8_t buttons = 0;  ///< kJumpButton, kRespawnButton; other bits are 0
 
     bool operator==(const TickInput&) const = default;
 };
 
 inline constexpr std::uint8_t kJumpButton = 1;
+inline constexpr std::uint8_t kRespawnButton = 2;  ///< back to GameState::respawn
 
 }  // namespace oblong

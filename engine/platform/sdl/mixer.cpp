@@ -1,0 +1,127 @@
+#include "engine/platform/sdl/mixer.h"
+
+#include <SDL.h>
+#include <SDL_mixer.h>
+
+#include <array>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "engine/base/input_error.h"
+#include "engine/platform/sdl/voice_filter.h"
+
+namespace oblong {
+namespace {
+
+constexpr int kRate_hz = 44'100, kBuffer_samples = 1024, kVoices = 32, kFade_ms = 60;
+
+struct FreeMixer {
+    void operator()(Mix_Chunk* chunk) const { Mix_FreeChunk(chunk); }
+    void operator()(Mix_Music* music) const { Mix_FreeMusic(music); }
+};
+template <class T>
+using OwnedSound = std::unique_ptr<T, FreeMixer>;
+
+[[noreturn]] void fail() {
+    throw std::runtime_error(std::string("no sound: ") + Mix_GetError());
+}
+
+// Bytes are read where they are: what reads them later must not outlive them.
+SDL_RWops* reader_of(std::span<const std::uint8_t> bytes) {
+    if (bytes.empty() || bytes.size() > std::size_t{std::numeric_limits<int>::max()})
+        throw InputError("offset 0", "has " + std::to_string(bytes.size()) + " bytes, expected a sound");
+    return SDL_RWFromConstMem(bytes.data(), static_cast<int>(bytes.size()));
+}
+
+void apply_filter(int, void* stream, int length_bytes, void* filter) {
+    const std::size_t count = static_cast<std::size_t>(length_bytes) / sizeof(std::int16_t);
+    static_cast<VoiceFilter*>(filter)->apply({static_cast<std::int16_t*>(stream), count});
+}
+
+// Everything is converted to one format: the filters know no other.
+struct Device {
+    Device() {
+        if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) fail();
+        if (Mix_OpenAudioDevice(kRate_hz, AUDIO_S16SYS, VoiceFilter::kSides, kBuffer_samples, nullptr, 0) == 0) return;
+        SDL_QuitSubSystem(SDL_INIT_AUDIO);
+        fail();
+    }
+    ~Device() {
+        Mix_CloseAudio();
+        SDL_QuitSubSystem(SDL_INIT_AUDIO);
+    }
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+};
+
+class Mixer final : public SoundOutput {
+  public:
+    Mixer() { Mix_AllocateChannels(kVoices); }
+    ~Mixer() override {
+        Mix_HaltChannel(-1);
+        Mix_HaltMusic();
+    }
+
+    SoundNumber add_sound(std::span<const std::uint8_t> wave_file) override;
+    VoiceNumber start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) override;
+    bool is_playing(VoiceNumber voice) const override { return voice >= 0 && Mix_Playing(voice) != 0; }
+    void adjust(VoiceNumber voice, const VoiceLevels& levels) override;
+    void stop(VoiceNumber voice) override;
+    void hold_voices(bool are_held) override { are_held ? Mix_Pause(-1) : Mix_Resume(-1); }
+    void play_music(std::span<const std::uint8_t> module_file, std::int32_t volume_256) override;
+    void set_music_volume(std::int32_t volume_256) override { Mix_VolumeMusic(volume_256 * MIX_MAX_VOLUME / 256); }
+    void stop_music() override { music_.reset(); }
+
+  private:
+    Device device_;  // first: it outlives the rest
+    std::array<VoiceFilter, kVoices> filters_;
+    std::vector<OwnedSound<Mix_Chunk>> sounds_;
+    std::vector<std::uint8_t> music_bytes_;
+    OwnedSound<Mix_Music> music_;
+};
+
+SoundOutput::SoundNumber Mixer::add_sound(std::span<const std::uint8_t> wave_file) {
+    OwnedSound<Mix_Chunk> chunk(Mix_LoadWAV_RW(reader_of(wave_file), 1));
+    if (!chunk) throw InputError("offset 0", std::string(Mix_GetError()) + ", expected a WAV file");
+    sounds_.push_back(std::move(chunk));
+    return static_cast<SoundNumber>(sounds_.size()) - 1;
+}
+
+SoundOutput::VoiceNumber Mixer::start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) {
+    for (int voice = 0; voice < kVoices; ++voice) {
+        if (Mix_Playing(voice) != 0) continue;
+        VoiceFilter& filter = filters_[static_cast<std::size_t>(voice)];
+        filter.begin(levels, is_loop);
+        // A voice that has ended has lost its filter: SDL_mixer removes it.
+        Mix_RegisterEffect(voice, apply_filter, nullptr, &filter);
+        return Mix_PlayChannel(voice, sounds_.at(static_cast<std::size_t>(sound)).get(), is_loop ? -1 : 0);
+    }
+    return kNoVoice;
+}
+
+void Mixer::adjust(VoiceNumber voice, const VoiceLevels& levels) {
+    if (is_playing(voice)) filters_[static_cast<std::size_t>(voice)].set(levels);
+}
+
+void Mixer::stop(VoiceNumber voice) {
+    if (is_playing(voice)) Mix_FadeOutChannel(voice, kFade_ms);
+}
+
+void Mixer::play_music(std::span<const std::uint8_t> module_file, std::int32_t volume_256) {
+    music_.reset();
+    music_bytes_.assign(module_file.begin(), module_file.end());
+    music_.reset(Mix_LoadMUSType_RW(reader_of(music_bytes_), MUS_MOD, 1));
+    if (!music_) throw InputError("offset 0", std::string(Mix_GetError()) + ", expected a tracker module");
+    set_music_volume(volume_256);
+    Mix_PlayMusic(music_.get(), -1);
+}
+
+}  // namespace
+
+std::unique_ptr<SoundOutput> open_mixer() {
+    return std::make_unique<Mixer>();
+}
+
+}  // namespace oblong
