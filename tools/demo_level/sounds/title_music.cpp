@@ -93,7 +93,7 @@ ModuleSample pad() {
         add(loop, cycles_in(kLoop, cycles), 0, percent);
     Samples all(loop.end() - std::ptrdiff_t{kRise}, loop.end());
     for (std::size_t i = 0; i < kRise; ++i)
-        all[i] = static_cast<std::int32_t>(std::int64_t{all[i]} * static_cast<std::int64_t>(i) / kRise);
+        all[i] = static_cast<std::int32_t>(std::int64_t{all[i]} * static_cast<std::int64_t>(i) / std::int64_t{kRise});
     all.insert(all.end(), loop.begin(), loop.end());
     return {"pad", eight_bits(all, true), 64, kRise, kLoop};
 }
