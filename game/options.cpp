@@ -9,6 +9,7 @@
 
 #include "game/preferences/preference_table.h"
 #include "tools/common/arguments.h"
+#include "tools/common/assets_folder.h"
 #include "tools/common/command_line.h"
 
 namespace oblong {
@@ -79,6 +80,8 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("--threads", options.threads, "that draw; default: 1. A second one pays from about 640x480 on")
         .limit(1, 256);
     line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");
+    line.add_flag("--error-box", options.shows_error_box,
+                  "show an error in a window too; the desktop's menu asks for it");
     declare_runs(line, options);
     line.add("--config", texts.config, "file of options, instead of the one in the player's folder");
     line.add_flag("--portable", texts.is_portable, "keep options and saved games beside the program (README)");
@@ -87,9 +90,10 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
 
 // What the command line says of preferences, over what is kept.
 void change_by_command_line(const OptionTexts& texts, Preferences& preferences) {
-    for (const Preference& preference : all_preferences())
-        if (const std::string& text = texts.preferences.at(preference.name); !text.empty())
-            preference.parse(preferences, text);
+    for (const Preference& preference : all_preferences()) {
+        const auto text = texts.preferences.find(preference.name);
+        if (text != texts.preferences.end() && !text->second.empty()) preference.parse(preferences, text->second);
+    }
     for (const std::string& dial : texts.dials) parse_dial(dial, preferences.accuracy);
     check_view(preferences.mode, preferences.field_of_view);
 }
@@ -102,6 +106,8 @@ void interpret(const OptionTexts& texts, Options& options) {
     options.map = named_value<MapView>("--automap", texts.map, kMapNames);
     options.wireframe = named_value<Wireframe>("--wireframe", texts.wireframe, kWireframeNames);
     options.line_method = named_value<LineMethod>("--lines", texts.lines, kLineNames);
+    if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))
+        throw UsageError("--error-box: nobody is there to close it, expected it without --headless or --timedemo");
     if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())
         throw UsageError("--gallery: there is no game to record or to replay, expected it without the other");
 }
@@ -110,7 +116,7 @@ void interpret(const OptionTexts& texts, Options& options) {
 PlayerFolders folders_of(const OptionTexts& texts, const Options& options, const char* program) {
     PlayerFolders folders;
     const bool is_played = options.headless_frames == 0 && (options.timedemo + options.replay + options.record).empty();
-    if (is_played) folders = texts.is_portable ? portable_folders(program) : desktop_folders();
+    if (is_played) folders = texts.is_portable ? portable_folders(program_folder(program)) : desktop_folders();
     if (!texts.config.empty()) folders.config_file = texts.config;
     return folders;
 }

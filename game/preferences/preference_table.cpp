@@ -60,9 +60,9 @@ void add_picture(Rows& rows) {
                              &Preferences::fills_screen));
     rows.push_back(on_or_off({"vsync", "Wait for display", "each picture is shown whole, where the system can", kPage},
                              &Preferences::waits_for_display));
-    rows.push_back(whole_number({"frame-cap", "Frames at most", "pictures a second; 0: as many as the machine can", kPage},
-                                &Preferences::frame_cap_hz, 0, 1000, {0, 30, 35, 60, 70, 75, 90, 120, 144, 165, 240},
-                                " a second"));
+    rows.push_back(whole_number(
+        {"frame-cap", "Frames at most", "pictures a second; 0: as many as the machine can", kPage},
+        &Preferences::frame_cap_hz, 0, 1000, {0, 30, 35, 60, 70, 75, 90, 120, 144, 165, 240}, " a second"));
 }
 
 // "preset" while a dial stands where its preset sets it: another preset turns it too.
