@@ -9,6 +9,7 @@
 
 #include "game/preferences/preference_table.h"
 #include "tools/common/arguments.h"
+#include "tools/common/assets_folder.h"
 #include "tools/common/command_line.h"
 
 namespace oblong {
@@ -28,10 +29,13 @@ constexpr std::array<std::string_view, kMapViewCount> kMapNames{"off", "player",
 constexpr std::array<std::string_view, kWireframeCount> kWireframeNames{"off", "over", "alone"};
 constexpr std::array<std::string_view, kLineMethodCount> kLineNames{"naive", "dda", "bresenham", "gupta-sproull"};
 
+bool is_dial(const Preference& preference) {
+    return preference.name.starts_with("dial-");
+}
+
 // The options that are parsed after the command line is read.
 struct OptionTexts {
     std::map<std::string, std::string> preferences;  // by their names; empty where they are not given
-    std::map<std::string, bool> switches;            // likewise
     std::vector<std::string> dials;
     std::string window, map = "off", wireframe = "off", lines = "gupta-sproull", log, config;
     bool is_portable = false;
@@ -39,6 +43,7 @@ struct OptionTexts {
 
 void declare_preferences(Command& line, OptionTexts& texts) {
     for (const Preference& preference : all_preferences()) {
+        if (is_dial(preference)) continue;  // --dial is for all of them
         const std::string help =
             preference.help + "; " + preference.values + "; usually " + preference.text(Preferences{});
         if (preference.is_switch)
@@ -76,6 +81,8 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("--threads", options.threads, "that draw; default: 1. A second one pays from about 640x480 on")
         .limit(1, 256);
     line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");
+    line.add_flag("--error-box", options.shows_error_box,
+                  "show an error in a window too; the desktop's menu asks for it");
     declare_runs(line, options);
     line.add("--config", texts.config, "file of options, instead of the one in the player's folder");
     line.add_flag("--portable", texts.is_portable, "keep options and saved games beside the program (README)");
@@ -84,9 +91,10 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
 
 // What the command line says of preferences, over what is kept.
 void change_by_command_line(const OptionTexts& texts, Preferences& preferences) {
-    for (const Preference& preference : all_preferences())
-        if (const std::string& text = texts.preferences.at(preference.name); !text.empty())
-            preference.parse(preferences, text);
+    for (const Preference& preference : all_preferences()) {
+        const auto text = texts.preferences.find(preference.name);
+        if (text != texts.preferences.end() && !text->second.empty()) preference.parse(preferences, text->second);
+    }
     for (const std::string& dial : texts.dials) parse_dial(dial, preferences.accuracy);
     check_view(preferences.mode, preferences.field_of_view);
 }
@@ -103,6 +111,8 @@ void interpret(const OptionTexts& texts, Options& options) {
     if (options.shows_title && (has_run || options.shows_gallery))
         throw UsageError("--title: there is no game yet to record or to replay, expected it without the other");
     options.shows_title |= options.level.empty() && !has_run && !options.shows_gallery && options.headless_frames == 0;
+    if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))
+        throw UsageError("--error-box: nobody is there to close it, expected it without --headless or --timedemo");
     if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())
         throw UsageError("--gallery: there is no game to record or to replay, expected it without the other");
 }
@@ -111,7 +121,7 @@ void interpret(const OptionTexts& texts, Options& options) {
 PlayerFolders folders_of(const OptionTexts& texts, const Options& options, const char* program) {
     PlayerFolders folders;
     const bool is_played = options.headless_frames == 0 && (options.timedemo + options.replay + options.record).empty();
-    if (is_played) folders = texts.is_portable ? portable_folders(program) : desktop_folders();
+    if (is_played) folders = texts.is_portable ? portable_folders(program_folder(program)) : desktop_folders();
     if (!texts.config.empty()) folders.config_file = texts.config;
     return folders;
 }

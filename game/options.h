@@ -25,9 +25,9 @@ struct Options {
     std::string record, replay, timedemo;
     std::int64_t headless_frames = 0, threads = 1;
     std::string out;
-    bool shows_gallery = false;
-    bool shows_title = false;  ///< also where nothing else is asked for
     PlayerFolders folders;     ///< of the player's files: empty names where they are neither read nor written
+    bool shows_title = false;  ///< also where nothing else is asked for
+    bool shows_gallery = false, shows_error_box = false;
 };
 
 /// Runs `body` with the options and the file that keeps preferences; the program's exit code: 0 also after --help and

@@ -6,15 +6,11 @@
 #include "game/help_panel.h"
 #include "game/screenshot.h"
 #include "game/shown_view.h"
+#include "game/sign_colours.h"
+#include "game/view_sway.h"
 #include "tools/common/crosshair.h"
 
 namespace oblong {
-
-namespace {
-
-constexpr Rgb8 kWireColour{255, 232, 96};
-
-}  // namespace
 
 Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSettings& settings, ViewOptions& view_options,
                  TickInputSource input, Platform& platform)
@@ -63,10 +59,11 @@ void Session::handle_commands(const Controls& controls) {
 // Makes what a command switched on, and frees what it switched off.
 void Session::keep_what_is_on() {
     follow_mode();
+    follow_colours();
     if (!needs_lab(view_options_.lab))
         lab_.reset();
     else if (!lab_)
-        lab_ = std::make_unique<Lab>(data_, level_, renderer_->mode());
+        lab_ = std::make_unique<Lab>(data_, level_, renderer_->mode(), drawn_colours_);
     if (!view_options_.shows_four_aspects)
         four_aspects_.reset();
     else if (!four_aspects_)
@@ -78,11 +75,11 @@ void Session::keep_what_is_on() {
     if (view_options_.map == MapView::Off)
         map_.reset();
     else if (!map_)
-        map_ = std::make_unique<Automap>(data_, level_);
+        map_ = std::make_unique<Automap>(data_, level_, drawn_colours_);
     if (view_options_.wireframe == Wireframe::Off)
         wire_colour_.reset();
     else if (!wire_colour_)
-        wire_colour_ = std::make_unique<LineColour>(data_.palette, kWireColour);
+        wire_colour_ = std::make_unique<LineColour>(data_.palette, sign_colours_of(drawn_colours_).edges);
     if (!view_options_.shows_cost) {
         cost_.reset();
         cost_text_ = {};
@@ -98,8 +95,17 @@ void Session::follow_mode() {
     renderer_ = std::make_unique<GameRenderer>(data_, level_, mode, settings_.workers);
 }
 
+// What draws signs is made for a scheme.
+void Session::follow_colours() {
+    if (drawn_colours_ == view_options_.preferences.colours) return;
+    drawn_colours_ = view_options_.preferences.colours;
+    lab_.reset();
+    map_.reset();
+    wire_colour_.reset();
+}
+
 void Session::play_due_ticks(std::uint64_t elapsed_us) {
-    for (int due = clock_.advance(elapsed_us); due > 0; --due) {
+    for (int due = clock_.advance(elapsed_us, view_options_.preferences.game_speed_100); due > 0; --due) {
         before_ = after_;
         input_.play_tick(level_, after_);
         palette_.note_tick(before_, after_);
@@ -110,7 +116,9 @@ void Session::play_due_ticks(std::uint64_t elapsed_us) {
 GameView Session::shown_view() const {
     const std::int32_t fraction = clock_.fraction_16();
     const InterpolatedState state{before_, after_, fraction};
-    const Camera camera = camera_at(state, input_.look_offset(fraction), view_options_.preferences.field_of_view);
+    const Preferences& preferences = view_options_.preferences;
+    Camera camera = camera_at(state, input_.look_offset(fraction), preferences.field_of_view);
+    if (preferences.view_bob_100 != 0 || preferences.view_roll_100 != 0) sway(state, preferences, camera);
     return {state, camera, view_options_.has_torch, other_view(view_options_, camera, data_.level)};
 }
 

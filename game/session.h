@@ -63,6 +63,7 @@ class Session final : public GameScreen {
     void handle_commands(const Controls& controls);
     void keep_what_is_on();
     void follow_mode();
+    void follow_colours();
     void note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,
                    std::uint64_t began_us);
 
@@ -73,12 +74,13 @@ class Session final : public GameScreen {
     Platform& platform_;
     ViewOptions& view_options_;
     SessionSettings settings_;
-    std::unique_ptr<GameRenderer> renderer_;     // of the mode that is chosen now
-    std::unique_ptr<Lab> lab_;                   // only while something of it is on
-    std::unique_ptr<FourAspects> four_aspects_;  // likewise
-    std::unique_ptr<FrameLog> log_;              // likewise
-    std::unique_ptr<Automap> map_;               // likewise
-    std::unique_ptr<LineColour> wire_colour_;    // of the edges of faces; likewise
+    std::unique_ptr<GameRenderer> renderer_;               // of the mode that is chosen now
+    ColourScheme drawn_colours_ = ColourScheme::Standard;  // of what is below
+    std::unique_ptr<Lab> lab_;                             // only while something of it is on
+    std::unique_ptr<FourAspects> four_aspects_;            // likewise
+    std::unique_ptr<FrameLog> log_;                        // likewise
+    std::unique_ptr<Automap> map_;                         // likewise
+    std::unique_ptr<LineColour> wire_colour_;              // of the edges of faces; likewise
     ShownPalette palette_;
     TextColours text_colours_;
     const MenuLook menu_look_;

@@ -31,8 +31,8 @@ PlayerFolders desktop_folders() {
     return folders;
 }
 
-PlayerFolders portable_folders(const std::string& program) {
-    const fs::path folder = fs::path(program).parent_path() / "oblong-data";
+PlayerFolders portable_folders(const std::string& program_folder) {
+    const fs::path folder = fs::path(program_folder) / "oblong-data";
     return {(folder / "oblong.cfg").string(), folder.string()};
 }
 

@@ -14,7 +14,7 @@ struct PlayerFolders {
 /// them, or where they are no absolute paths, in ~/.config and ~/.local/share.
 PlayerFolders desktop_folders();
 
-/// Both in the folder oblong-data beside a program: nothing is left on a machine.
-PlayerFolders portable_folders(const std::string& program);
+/// Both in the folder oblong-data below the program's: nothing is left on a machine.
+PlayerFolders portable_folders(const std::string& program_folder);
 
 }  // namespace oblong

@@ -11,7 +11,7 @@ constexpr ScreenMode kMode{};
 constexpr WindowSize kWindow{1600, 1200};
 
 std::string press(Command command, ViewOptions& options) {
-    return apply(command, options, kMode, kWindow);
+    return apply(command, options, kWindow);
 }
 
 const Dial& chosen(const ViewOptions& options) {

@@ -68,10 +68,7 @@ void Command::add_flag(const std::string& names, bool& value, const std::string&
 }
 
 void Command::add_switch(const std::string& name, std::string& value, const std::string& help) {
-    const auto set = [&value](const std::string& given) { value = given == "true" ? "on" : given; };
-    app_->add_flag_function(
-            "--" + name, [](std::int64_t) {}, help)
-        ->each(set);
+    app_->add_flag("--" + name + ",!--no-" + name, value, help);
 }
 
 Command Command::add_command(const std::string& name, const std::string& help) {

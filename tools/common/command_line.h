@@ -41,7 +41,7 @@ class Command {
     template <class Value>
     CommandOption add(const std::string& names, Value& value, const std::string& help);
     void add_flag(const std::string& names, bool& value, const std::string& help);
-    /// --NAME, --NAME=on and --NAME=off; `value` becomes "on" or "off" where it is given.
+    /// --NAME and --no-NAME: `value` becomes "true" or "false" where it is given; what follows --NAME= as it stands.
     void add_switch(const std::string& name, std::string& value, const std::string& help);
 
     /// A subcommand; one of them must be given.
