@@ -125,8 +125,8 @@ TEST(Route, NamesTheLineThatIsWrong) {
     EXPECT_NE(error_of("x,y\n1,2\n").find("line 1"), std::string::npos);
     EXPECT_NE(error_of(header).find("no waypoint"), std::string::npos);
     EXPECT_NE(error_of(header + "1,2,,,,,,\n1,,,,,,,\n").find("line 3"), std::string::npos);
-    for (const char* line : {"1,2", "1,2,,,,,,,", "1,b,,,,,,", "1,2.5,,,,,,", "1,2,,101,,,,", "1,2,,,-1,,,", "1,2,,,,,81,",
-                             "1,2,,,,,,2", "1,99999,,,,,,"})
+    for (const char* line : {"1,2", "1,2,,,,,,,", "1,b,,,,,,", "1,2.5,,,,,,", "1,2,,101,,,,", "1,2,,,-1,,,",
+                             "1,2,,,,,81,", "1,2,,,,,,2", "1,99999,,,,,,"})
         EXPECT_NE(error_of(header + line + "\n").find("line 2"), std::string::npos) << line;
 }
 

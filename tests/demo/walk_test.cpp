@@ -75,8 +75,8 @@ class DemoWalk : public testing::Test {
 
 const std::vector<Waypoint> kEntranceToGallery{{0, -16}, {0, 200}, {200, 416}, {400, 416}};
 const std::vector<Waypoint> kCourtyardToTower{{512, 1420},  {-60, 1600},  {-200, 1600}, {-290, 1590}, {-500, 1584},
-                                           {-720, 1584}, {-792, 1620}, {-792, 2128}, {-792, 2320}, {-80, 2320},
-                                           {512, 2320},  {512, 2200},  {512, 1900}};
+                                              {-720, 1584}, {-792, 1620}, {-792, 2128}, {-792, 2320}, {-80, 2320},
+                                              {512, 2320},  {512, 2200},  {512, 1900}};
 
 TEST_F(DemoWalk, ThroughTheGalleryTheCourtyardAndOverTheBridgeToTheTower) {
     walk(kEntranceToGallery);
