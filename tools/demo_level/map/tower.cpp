@@ -135,8 +135,8 @@ void add_lift(Draft& draft) {
     fit_textures(brush, plate, 76.0 / 64);
     draft.add_entity({{{"classname", "func_plat"}, {"height", "416"}, {"speed", "90"}, {"sounds", "1"}}, {brush}});
     constexpr std::array<const char*, kLensCount> kOfExhibits{
-        "plaster_red", "checker",     "plaster_night", "stone_floor", "brick",     "grid_paper",
-        "cube_blue",   "brass_panel", "basin_tiles",   "hedge",       "sand_wall", "ruler"};
+        "carpet",    "checker",     "plaster_night", "stone_floor", "brick",     "grid_paper",
+        "cube_blue", "brass_panel", "basin_tiles",   "hedge",       "sand_wall", "ruler"};
     double z = kGateTop + 16;
     for (const char* texture : kOfExhibits) {
         for (const Outline& side : ring_sides(kInner - 3, kInner - 1)) draft.add_detail_prism(side, z, z + 11, texture);
