@@ -41,7 +41,7 @@ struct OptionTexts {
     bool is_portable = false;
 };
 
-void declare_preferences(Command& line, OptionTexts& texts) {
+void declare_preferences(CommandArguments& line, OptionTexts& texts) {
     for (const Preference& preference : all_preferences()) {
         if (is_dial(preference)) continue;  // --dial is for all of them
         const std::string help =
@@ -54,10 +54,11 @@ void declare_preferences(Command& line, OptionTexts& texts) {
     line.add("--dial", texts.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
 }
 
-void declare_runs(Command& line, Options& options) {
+void declare_runs(CommandArguments& line, Options& options) {
     auto record = line.add("--record", options.record, "write the game played to this demo file");
     auto replay = line.add("--replay", options.replay, "play this demo file instead of the keys");
     auto timedemo = line.add("--timedemo", options.timedemo, "replay this demo file as fast as it goes; no window");
+    auto route = line.add("--route", options.route, "walk the waypoints of this CSV file into --record; no window");
     auto headless = line.add("--headless", options.headless_frames,
                              "no window: draw so many ticks of a short walk, or of --replay");
     auto out = line.add("--out", options.out, "folder for the pictures of --headless");
@@ -65,9 +66,10 @@ void declare_runs(Command& line, Options& options) {
     out.need(headless);
     timedemo.exclude(record).exclude(replay).exclude(headless);
     record.exclude(replay);
+    route.need(record).exclude(headless);
 }
 
-void declare(Command& line, Options& options, OptionTexts& texts) {
+void declare(CommandArguments& line, Options& options, OptionTexts& texts) {
     line.add("level", options.level, "Quake BSP file to play; without one, the demo level");
     line.add("--palette", options.palette, "768 bytes of red, green, blue; default: the level's, else the demo's");
     line.add("--models", options.models, "folder of Quake's models: shows a level's items (README)");

@@ -30,9 +30,9 @@ class CommandOption {
 };
 
 /// What may follow a command: options, positional arguments, and subcommands.
-class Command {
+class CommandArguments {
   public:
-    explicit Command(CLI::App* app) : app_(app) {}
+    explicit CommandArguments(CLI::App* app) : app_(app) {}
 
     /// `names` such as "-o,--out"; a name without a dash is a positional argument. The variable's value is the default,
     /// and --help shows it unless it is empty or 0. For std::string, a vector of them (one or more may be given),
@@ -45,7 +45,7 @@ class Command {
     void add_switch(const std::string& name, std::string& value, const std::string& help);
 
     /// A subcommand; one of them must be given.
-    Command add_command(const std::string& name, const std::string& help);
+    CommandArguments add_command(const std::string& name, const std::string& help);
     bool is_given() const;
 
   private:
@@ -53,7 +53,7 @@ class Command {
 };
 
 /// The command line of a program; it has --help and --version.
-class CommandLine : public Command {
+class CommandLine : public CommandArguments {
   public:
     CommandLine(const std::string& program, const std::string& description);
 

@@ -6,7 +6,7 @@
 #include "tools/common/png.h"
 #include "tools/demo_level/art/textures.h"
 #include "tools/demo_level/map/museum.h"
-#include "tools/demo_level/models/armillary.h"
+#include "tools/demo_level/models/models.h"
 #include "tools/demo_level/sounds/sounds.h"
 
 namespace oblong {
@@ -36,10 +36,9 @@ void write_pictures(const std::vector<art::NamedCanvas>& pictures, const std::st
 }
 
 void write_demo_models(const std::string& folder) {
-    write_pictures(model_source::paint_armillary(), folder);
-    const std::filesystem::path path(folder);
-    write_file((path / "armillary.obj").string(), model_source::armillary_obj());
-    write_file((path / "armillary.mtl").string(), model_source::armillary_mtl());
+    write_pictures(model_source::paint_all_skins(), folder);
+    for (const auto& [name, text] : model_source::all_model_files())
+        write_file((std::filesystem::path(folder) / name).string(), text);
 }
 
 void write_sounds(const std::string& folder) {
@@ -55,13 +54,15 @@ int main(int argc, char** argv) {
     using namespace oblong;
     std::string output;
     CommandLine line("oblong-demo-level", "Makes what the demo level is built from.");
-    Command textures = line.add_command("textures", "the pictures on its walls, as indexed PNGs into a folder");
-    Command models = line.add_command("models", "what stands in it: OBJ files with their skins, into a folder");
-    Command sounds = line.add_command("sounds", "what is heard in the game, as WAV files into a folder");
-    Command music = line.add_command("music", "the title's music, a tracker module");
-    Command map = line.add_command("map", "the level's source, for oblong-map");
-    Command palette = line.add_command("palette", "its 256 colours, 768 bytes");
-    for (Command* command : {&textures, &models, &sounds, &music, &map, &palette})
+    CommandArguments textures =
+        line.add_command("textures", "the pictures on its walls, as indexed PNGs into a folder");
+    CommandArguments models =
+        line.add_command("models", "what stands in it: OBJ files with their skins, into a folder");
+    CommandArguments sounds = line.add_command("sounds", "what is heard in the game, as WAV files into a folder");
+    CommandArguments music = line.add_command("music", "the title's music, a tracker module");
+    CommandArguments map = line.add_command("map", "the level's source, for oblong-map");
+    CommandArguments palette = line.add_command("palette", "its 256 colours, 768 bytes");
+    for (CommandArguments* command : {&textures, &models, &sounds, &music, &map, &palette})
         command->add("-o", output, "what to write").require();
     return line.run(argc, argv, [&] {
         if (textures.is_given()) write_pictures(art::paint_all_textures(), output);
