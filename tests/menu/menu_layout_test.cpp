@@ -22,8 +22,8 @@ MenuPage random_page(std::mt19937& random) {
     MenuPage page{
         random_text(random, 12), random() % 3 == 0 ? random_text(random, 300) : "", {}, 0, "", false, nullptr};
     page.is_title = random() % 4 == 0;
-    const unsigned rows = random() % 30;
-    for (unsigned i = 0; i < rows; ++i) {
+    const auto rows = random() % 30;
+    for (std::size_t i = 0; i < rows; ++i) {
         MenuRow row{random_text(random, 40), random_text(random, 30), random_text(random, 120), [] {}, nullptr};
         if (random() % 6 == 0) row.picture = MenuPicture{8, 5, std::vector<Rgb8>(40)};
         page.rows.push_back(row);

@@ -74,7 +74,7 @@ TEST(Messages, NoneIsLost) {
         for (int ms = 0; ms < 200'000; ms += 100) {
             if (ms < 20'000 && random() % 40 == 0) {
                 std::string text;
-                for (unsigned i = random() % 12 + 1; i > 0; --i) {
+                for (auto i = random() % 12 + 1; i > 0; --i) {
                     words.push_back("w" + std::to_string(words.size()));
                     text += (text.empty() ? "" : " ") + words.back();
                 }
