@@ -109,6 +109,16 @@ void InputMapper::move_axis(Input half, std::int32_t value) {
     if (value < kReleased) release(half);
 }
 
+void InputMapper::click(Input button) {
+    if (button.code > 2) return press(button);
+    since_.pressed = button;
+    if (button.code == 2) since_.menu.push_back(MenuAction::Back);
+}
+
+void InputMapper::release_mouse() {
+    std::erase_if(held_, [](Input input) { return input.device == Device::MouseButton; });
+}
+
 void InputMapper::release_all() {
     held_.clear();
     tapped_.clear();

@@ -23,7 +23,11 @@ class InputMapper {
     void release(Input input);
     /// A half of an axis, 0 to kFullAxis. Past half of its way it is pressed too.
     void move_axis(Input half, std::int32_t value);
+    /// A press by a mouse that points at a menu: its first two buttons do nothing here but that the second one goes
+    /// back.
+    void click(Input button);
     void release_all();
+    void release_mouse();
     void release_pad();
     void move_mouse(std::int32_t x, std::int32_t y);
 

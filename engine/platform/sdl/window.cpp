@@ -112,6 +112,8 @@ class SdlPlatform final : public Platform {
     WindowSize window_size() const override;
     void set_title(const char* title) override { SDL_SetWindowTitle(window_.get(), title); }
     void capture_mouse(bool is_captured) override { input_.capture_mouse(is_captured); }
+    void use_bindings(const Bindings& bindings) override { input_.use_bindings(bindings); }
+    std::string local_name_of(Input input) const override { return input_.local_name_of(input); }
     void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
 
   private:
