@@ -9,7 +9,6 @@ namespace oblong {
 namespace {
 
 constexpr World kExitSpeed = World::from_int(300);
-constexpr World kFarthest = World::from_int(40'000);
 
 void teleport(GameState& state, const Place& exit) {
     Player& player = state.player;
@@ -101,7 +100,7 @@ void respawn(GameState& state) {
 // A player who falls out of a level that leaks comes in again.
 void respawn_outside(GameState& state) {
     const Player& player = state.player;
-    const auto is_outside = [](World w) { return w > kFarthest || w < -kFarthest; };
+    const auto is_outside = [](World w) { return w > kFarthestPlayer || w < -kFarthestPlayer; };
     if (!is_outside(player.position.x) && !is_outside(player.position.y) && !is_outside(player.position.z)) return;
     respawn(state);
 }
