@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -115,15 +116,15 @@ void InputMapper::click(Input button) {
     if (button.code == 2) since_.menu.push_back(MenuAction::Back);
 }
 
-void InputMapper::release_mouse() {
-    std::erase_if(held_, [](Input input) { return input.device == Device::MouseButton; });
+void InputMapper::release_pressed() {
+    held_.clear();
+    tapped_.clear();
+    pad_input_.reset();
 }
 
 void InputMapper::release_all() {
-    held_.clear();
-    tapped_.clear();
+    release_pressed();
     axes_.fill(0);
-    pad_input_.reset();
 }
 
 void InputMapper::release_pad() {
@@ -149,6 +150,10 @@ Controls InputMapper::take(std::uint64_t now_ms) {
     controls.holds_button = holds(mouse_button(1));
     tapped_.clear();
     return controls;
+}
+
+std::int32_t InputMapper::longest_wait_ms() const {
+    return pad_input_ ? static_cast<std::int32_t>(kNextRepeat_ms) : std::numeric_limits<std::int32_t>::max();
 }
 
 bool InputMapper::holds(Input input) const {

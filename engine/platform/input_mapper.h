@@ -27,13 +27,16 @@ class InputMapper {
     /// back.
     void click(Input button);
     void release_all();
-    void release_mouse();
+    void release_pressed();  ///< but sticks stay where they are
     void release_pad();
     void move_mouse(std::int32_t x, std::int32_t y);
 
     /// What happened since the last call, and what is held. `now_ms` is of any clock: inputs of a pad are repeated by
     /// it.
     Controls take(std::uint64_t now_ms);
+
+    /// How long the next take() may be put off without a repetition being late.
+    std::int32_t longest_wait_ms() const;
 
     bool holds(Input input) const;
 

@@ -70,7 +70,7 @@ void SdlInput::capture_mouse(bool is_captured) {
     SDL_SetRelativeMouseMode(is_captured ? SDL_TRUE : SDL_FALSE);
     SDL_FlushEvent(SDL_MOUSEMOTION);
     SDL_GetRelativeMouseState(nullptr, nullptr);
-    mapper_.release_mouse();
+    mapper_.release_pressed();
     pointer_.reset();
 }
 

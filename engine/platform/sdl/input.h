@@ -28,7 +28,10 @@ class SdlInput {
     void use_bindings(const Bindings& bindings) { mapper_.use(bindings); }
     /// What the input is called on the user's keyboard and the pad used last.
     std::string local_name_of(Input input) const;
+    /// Lets go of keys and buttons, too: what was pressed in a menu does nothing in the game.
     void capture_mouse(bool is_captured);
+    /// How long a poll may be put off: less than for ever while an input of a pad is repeated.
+    std::int32_t longest_wait_ms() const { return mapper_.longest_wait_ms(); }
     bool is_closed() const { return is_closed_; }
     /// True once after the renderer lost its textures.
     bool take_textures_lost();
