@@ -22,7 +22,7 @@ struct Options {
     MapView map = MapView::Off;
     Wireframe wireframe = Wireframe::Off;
     LineMethod line_method = LineMethod::GuptaSproull;
-    std::string record, replay, timedemo;
+    std::string record, replay, timedemo, route;
     std::int64_t headless_frames = 0, threads = 1;
     std::string out;
     PlayerFolders folders;  ///< of the player's files: empty names where they are neither read nor written

@@ -90,7 +90,7 @@ std::vector<std::uint8_t> encode_save(const SavedGame& game) {
 
 SavedGame decode_save(std::span<const std::uint8_t> bytes) {
     LittleEndianReader reader = checked(bytes);
-    expect_at(reader.offset(), reader.next<std::uint64_t>() == state_layout(),
+    expect_at(kHeaderBytes, reader.next<std::uint64_t>() == state_layout(),
               "saved by another version of the game, expected a state of this one's fields");
     SavedGame game;
     game.level = read_level(reader);
