@@ -75,6 +75,7 @@ void Program::show_frame() {
     const Controls controls = platform_.poll();
     GameScreen& screen = gallery_ ? static_cast<GameScreen&>(*gallery_) : *session_;
     screen.advance(controls, platform_.now_us());
+    platform_.use_bindings(view_options_.preferences.bindings);
     platform_.change_window(window_settings_of(view_options_.preferences));
     report(store_.save_when_settled(view_options_.preferences, platform_.now_us()));
     const ShownPicture picture = screen.draw();

@@ -43,7 +43,7 @@ struct Preference : KeptValue {
 /// All of them: those of a page follow each other, in the order in which the page shows them. Reading them in this
 /// order gives what was written: a preset comes before its dials.
 std::span<const Preference> all_preferences();
-/// All that is kept in the file, in its order: all preferences.
-std::vector<const KeptValue*> all_kept_values();
+/// All that is kept in the file, in its order: all preferences, and for each action "bind-NAME", what it is bound to.
+std::span<const KeptValue* const> all_kept_values();
 
 }  // namespace oblong
