@@ -41,6 +41,7 @@ void Session::advance(const Controls& controls, std::uint64_t now_us) {
     Controls held = controls;
     if (!view_options_.lab.shows_panel) walk_by_panel_keys(held);
     drag_split(shown_rect(view_options_.preferences, platform_.window_size()), view_options_.lab, held);
+    input_.use(view_options_.preferences);
     input_.gather(held);
     play_due_ticks(elapsed_us);
 }

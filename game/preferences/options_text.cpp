@@ -33,12 +33,12 @@ std::string text_of_lines(const std::vector<std::string>& lines) {
     return text;
 }
 
-bool is_known(const std::string& name, const std::vector<const KeptValue*>& values) {
+bool is_known(const std::string& name, const std::span<const KeptValue* const> values) {
     return std::any_of(values.begin(), values.end(), [&](const KeptValue* value) { return value->name == name; });
 }
 
 std::vector<ReadLine> read_lines(const std::string& text, std::vector<LineFault>& faults) {
-    const std::vector<const KeptValue*> values = all_kept_values();
+    const std::span<const KeptValue* const> values = all_kept_values();
     std::vector<ReadLine> read;
     std::size_t number = 0;
     for (const std::string& line : lines_of_text(text)) {
@@ -102,7 +102,8 @@ void check_is_text(const std::string& text) {
 }
 
 std::vector<std::string> commented(const KeptValue& value, const Preferences& preferences) {
-    return {"", "# " + value.help + ".", "# " + value.values + "; usually " + value.text(Preferences{}),
+    return {"", "# " + value.label + ": " + value.help + ".",
+            "# " + value.values + "; usually " + value.text(Preferences{}),
             value.name + " = " + value.text(preferences)};
 }
 

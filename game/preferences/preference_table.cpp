@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/accuracy/dials.h"
+#include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "game/preferences/preference_kinds.h"
 #include "game/preferences/view_preferences.h"
@@ -154,6 +155,28 @@ void add_sound(Rows& rows) {
                                 tenths, " %"));
 }
 
+// For each action, the keys and buttons that do it.
+std::vector<KeptValue> binding_values() {
+    std::vector<KeptValue> values;
+    for (const ActionNames& action : all_actions()) {
+        KeptValue value;
+        value.name = "bind-" + std::string(action.name);
+        value.label = action.label;
+        value.help = "the keys and buttons that do it, named after their places on a US keyboard";
+        value.values = "names with spaces between them, or none";
+        value.text = [&action](const Preferences& of) { return inputs_to_text(of.bindings, action.action); };
+        value.parse = [&action, name = value.name](Preferences& of, const std::string& text) {
+            try {
+                set_inputs(of.bindings, action.action, text);
+            } catch (const InputError& error) {
+                throw UsageError("--" + name + ": " + error.what());
+            }
+        };
+        values.push_back(value);
+    }
+    return values;
+}
+
 Rows make_rows() {
     Rows rows;
     add_picture(rows);
@@ -177,9 +200,14 @@ std::span<const Preference> all_preferences() {
     return rows;
 }
 
-std::vector<const KeptValue*> all_kept_values() {
-    std::vector<const KeptValue*> values;
-    for (const Preference& preference : all_preferences()) values.push_back(&preference);
+std::span<const KeptValue* const> all_kept_values() {
+    static const std::vector<KeptValue> bindings = binding_values();
+    static const std::vector<const KeptValue*> values = [] {
+        std::vector<const KeptValue*> all;
+        for (const Preference& preference : all_preferences()) all.push_back(&preference);
+        for (const KeptValue& binding : bindings) all.push_back(&binding);
+        return all;
+    }();
     return values;
 }
 

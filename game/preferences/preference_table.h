@@ -19,6 +19,7 @@ const char* name_of(PreferencePage page);
 /// One value of the options file: what it is called and how it is written and read.
 struct KeptValue {
     std::string name;    ///< in the file, and after "--" on the command line: "mouse-sensitivity"
+    std::string label;   ///< at most 20 characters: "Mouse sensitivity"
     std::string help;    ///< one line
     std::string values;  ///< which there are: "10 to 1000", "off or on"
 
@@ -30,7 +31,6 @@ struct KeptValue {
 
 /// One that a menu shows and changes too.
 struct Preference : KeptValue {
-    std::string label;  ///< at most 20 characters: "Mouse sensitivity"
     PreferencePage page = PreferencePage::Picture;
     bool is_switch = false;  ///< its values are "on" and "off"
 
@@ -43,7 +43,7 @@ struct Preference : KeptValue {
 /// All of them: those of a page follow each other, in the order in which the page shows them. Reading them in this
 /// order gives what was written: a preset comes before its dials.
 std::span<const Preference> all_preferences();
-/// All that is kept in the file, in its order: all preferences.
-std::vector<const KeptValue*> all_kept_values();
+/// All that is kept in the file, in its order: all preferences, and for each action "bind-NAME", what it is bound to.
+std::span<const KeptValue* const> all_kept_values();
 
 }  // namespace oblong

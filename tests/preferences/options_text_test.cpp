@@ -40,7 +40,7 @@ TEST(OptionsText, HasHelpAndValuesAboveEachName) {
         const auto at = std::find(lines.begin(), lines.end(), row.name + " = " + row.text(Preferences{}));
         ASSERT_NE(at, lines.end()) << row.name;
         ASSERT_GE(at - lines.begin(), 3);
-        EXPECT_EQ(*(at - 2), "# " + row.help + ".");
+        EXPECT_EQ(*(at - 2), "# " + row.label + ": " + row.help + ".");
         EXPECT_EQ((at - 1)->rfind("# " + row.values, 0), 0u);
     }
 }

@@ -21,7 +21,7 @@ bool is_control(char letter) {
 CLI::ConfigINI line_reader() {
     constexpr char kNever = '\x01';  // no line with control characters comes so far
     CLI::ConfigINI reader;
-    reader.arrayBounds(kNever, kNever)->arrayDelimiter(kNever)->parentSeparator(kNever);
+    reader.comment('#')->arrayBounds(kNever, kNever)->arrayDelimiter(kNever)->parentSeparator(kNever);
     return reader;
 }
 
