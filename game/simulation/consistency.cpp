@@ -1,0 +1,141 @@
+#include "game/simulation/consistency.h"
+
+#include <algorithm>
+
+#include "game/simulation/activations.h"
+#include "game/simulation/slide_move.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int64_t kLastTick = std::int64_t{1} << 40;  // a thousand years
+constexpr World kFarthest = World::from_int(50'000);       // beyond it players come in again
+constexpr World kFastest = World::from_int(16'000);
+constexpr std::int32_t kLongestWait_ticks = 2'000'000;  // above the largest number of a key
+
+// Collects the first thing that is wrong.
+class Check {
+  public:
+    void expect(bool is_right, std::string what) {
+        if (!is_right && wrong_.empty()) wrong_ = std::move(what);
+    }
+    void expect_length(const char* name, std::size_t length, std::size_t expected) {
+        expect(length == expected,
+               std::string(name) + ": " + std::to_string(length) + ", expected " + std::to_string(expected));
+    }
+    bool is_fine() const { return wrong_.empty(); }
+    std::string result() && { return std::move(wrong_); }
+
+  private:
+    std::string wrong_;
+};
+
+bool is_within(World value, World most) {
+    return value <= most && value >= -most;
+}
+
+bool is_within(const Vec3<World>& v, World most) {
+    return is_within(v.x, most) && is_within(v.y, most) && is_within(v.z, most);
+}
+
+bool is_tick(std::int64_t tick) {
+    return tick >= 0 && tick <= kLastTick;
+}
+
+// Enumerations and bool from outside may hold any number.
+template <class Enumeration>
+bool is_one_of(Enumeration value, Enumeration last) {
+    return static_cast<std::uint8_t>(value) <= static_cast<std::uint8_t>(last);
+}
+
+void check_player(const GameLevel& level, const Player& player, Check& check) {
+    check.expect(is_within(player.position, kFarthest), "player: a position outside the world");
+    check.expect(is_within(player.velocity, kFastest), "player: a velocity above any that the game makes");
+    check.expect(player.pitch >= -Player::kSteepestPitch && player.pitch <= Player::kSteepestPitch,
+                 "player: pitch " + std::to_string(player.pitch) + ", expected -16000 to 16000");
+    check.expect(is_within(player.eye_lag, World::from_int(kStepHeight)), "player: an eye more than a step too low");
+    check.expect(player.ground >= Player::kNoGround && player.ground < level.bsp->models.count(),
+                 "player: stands on model " + std::to_string(player.ground) + ", which the level has not");
+    check.expect(is_one_of(player.depth, Depth::Eyes), "player: an unknown depth");
+}
+
+bool is_possible(const Mover& mover, const MoverState& state) {
+    return is_one_of(state.phase, MoverState::Phase::Removed) && state.leg < mover.legs.size() &&
+           state.travelled >= World{} && state.travelled <= mover.legs[state.leg].length &&
+           state.wait_ticks >= kForever && state.wait_ticks <= kLongestWait_ticks && is_tick(state.next_touch);
+}
+
+void check_movers(const GameLevel& level, const GameState& state, Check& check) {
+    for (std::size_t i = 0; i < level.movers.size(); ++i)
+        check.expect(is_possible(level.movers[i], state.movers[i]),
+                     "movers: number " + std::to_string(i) + " is where it can't be");
+    std::vector<std::uint32_t> active;
+    for (std::size_t i = 0; i < level.movers.size(); ++i)
+        if (!is_at_rest(state.movers[i])) active.push_back(static_cast<std::uint32_t>(i));
+    check.expect(active == state.active_movers, "active movers: others than those that are on their way");
+}
+
+void check_others(const GameLevel& level, const GameState& state, Check& check) {
+    for (const WallState wall : state.walls)
+        check.expect(is_one_of(wall, WallState::Removed), "walls: one in an unknown state");
+    for (const ItemState item : state.items)
+        check.expect(is_one_of(item, ItemState::Removed), "items: one in an unknown state");
+    for (const TriggerState& trigger : state.triggers) {
+        const bool is_right =
+            (is_tick(trigger.ready_tick) || trigger.ready_tick == TriggerState::kNever) && is_tick(trigger.open_until);
+        check.expect(is_right, "triggers: one that is ready at no tick");
+    }
+    check.expect(
+        state.shown_message >= kNoMessage && state.shown_message < static_cast<std::int64_t>(level.messages.size()),
+        "message " + std::to_string(state.shown_message) + ", which the level has not");
+    check.expect(state.exit >= -1 && state.exit < static_cast<std::int64_t>(level.triggers.size()),
+                 "exit " + std::to_string(state.exit) + ", which the level has not");
+    check.expect(state.found_secrets >= 0 && state.found_secrets <= level.secrets,
+                 std::to_string(state.found_secrets) + " secrets found, expected no more than there are");
+    check.expect((state.keys & ~(kSilverKey | kGoldKey)) == 0, "unknown keys");
+    check.expect(is_within(state.respawn.position, kFarthest), "a place to come in outside the world");
+}
+
+bool is_there(const GameLevel& level, const EntityRef& entity) {
+    switch (entity.kind) {
+        case EntityRef::Kind::Mover:
+            return entity.index < level.movers.size();
+        case EntityRef::Kind::Trigger:
+            return entity.index < level.triggers.size();
+        case EntityRef::Kind::Item:
+            return entity.index < level.items.size();
+        case EntityRef::Kind::Wall:
+            return false;  // walls fire nothing
+    }
+    return false;
+}
+
+void check_delayed(const GameLevel& level, const GameState& state, Check& check) {
+    check.expect(state.delayed.size() <= static_cast<std::size_t>(Activations::kMost), "delayed: too many");
+    std::int64_t earliest = state.tick;
+    for (const DelayedFiring& delayed : state.delayed) {
+        check.expect(is_there(level, delayed.by), "delayed: by something that the level has not");
+        check.expect(delayed.tick > state.tick && delayed.tick >= earliest && is_tick(delayed.tick),
+                     "delayed: not the earliest first");
+        earliest = delayed.tick;
+    }
+}
+
+}  // namespace
+
+std::string find_inconsistency(const GameLevel& level, const GameState& state) {
+    Check check;
+    check.expect(is_tick(state.tick) && is_tick(state.message_tick), "a tick before the start, or after all time");
+    check.expect_length("movers", state.movers.size(), level.movers.size());
+    check.expect_length("walls", state.walls.size(), level.walls.size());
+    check.expect_length("triggers", state.triggers.size(), level.triggers.size());
+    check.expect_length("items", state.items.size(), level.items.size());
+    if (!check.is_fine()) return std::move(check).result();
+    check_player(level, state.player, check);
+    check_movers(level, state, check);
+    check_others(level, state, check);
+    check_delayed(level, state, check);
+    return std::move(check).result();
+}
+
+}  // namespace oblong
