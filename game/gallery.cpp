@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "game/screenshot.h"
 #include "tools/gallery/rows.h"
@@ -52,15 +53,14 @@ std::string list_of_figures(const Row& row, const RowPage& page) {
 
 }  // namespace
 
-GalleryState start_of_gallery(const std::vector<Row>& rows, const ViewOptions& view_options) {
+GalleryState start_of_gallery(const std::vector<Row>& rows) {
     GalleryState state;
-    state.view_options = view_options;
     for (const Row& row : rows) state.values.push_back(start_values(row));
     return state;
 }
 
 std::string apply(Command command, const std::vector<Row>& rows, const ScreenMode& mode, WindowSize window,
-                  GalleryState& state) {
+                  ViewOptions& view_options, GalleryState& state) {
     const Row& row = rows[state.row];
     const std::size_t count = rows.size(), parameters = std::max<std::size_t>(row.parameters.size(), 1);
     switch (command) {
@@ -87,65 +87,67 @@ std::string apply(Command command, const std::vector<Row>& rows, const ScreenMod
             break;
     }
     const bool is_of_game = std::find(kKeysOfTheGame.begin(), kKeysOfTheGame.end(), command) != kKeysOfTheGame.end();
-    return is_of_game ? apply(command, state.view_options, mode, window) : "";
+    return is_of_game ? apply(command, view_options, mode, window) : "";
 }
 
-Gallery::Gallery(const GameData& data, const SessionSettings& settings, Platform& platform)
-    : data_(data),
-      assets_{data.level, data.colormap, text_colours_of(data.palette)},
+Gallery::Gallery(std::shared_ptr<const LoadedLevel> loaded, const SessionSettings& settings, ViewOptions& view_options,
+                 Platform& platform)
+    : loaded_(std::move(loaded)),
+      data_(loaded_->data),
+      assets_{data_.level, data_.colormap, text_colours_of(data_.palette)},
       rows_(gallery_rows()),
       mode_(settings.mode),
       screenshot_folder_(settings.screenshot_folder),
       platform_(platform),
-      state_(start_of_gallery(rows_, settings.view_options)),
-      picture_(pixel_count(mode_.width_px, mode_.height_px)) {}
-
-void Gallery::run() {
-    start_us_ = platform_.now_us();
+      view_options_(view_options),
+      state_(start_of_gallery(rows_)),
+      picture_(pixel_count(mode_.width_px, mode_.height_px)),
+      start_us_(platform.now_us()),
+      now_us_(start_us_) {
     show_message(hud_, "Page Down: next row    F1 Help", start_us_);
-    while (platform_.is_open()) show_frame();
 }
 
-void Gallery::show_frame() {
-    const Controls controls = platform_.poll();
-    const std::uint64_t now_us = platform_.now_us();
-    bool wants_screenshot = false;
+void Gallery::advance(const Controls& controls, std::uint64_t now_us) {
+    now_us_ = now_us;
     for (const Command command : controls.commands) {
-        wants_screenshot |= command == Command::Screenshot;
-        const std::string message = apply(command, rows_, mode_, platform_.window_size(), state_);
+        wants_screenshot_ |= command == Command::Screenshot;
+        const std::string message = apply(command, rows_, mode_, platform_.window_size(), view_options_, state_);
         if (!message.empty()) show_message(hud_, message, now_us);
     }
     if (!controls.commands.empty() || rows_[state_.row].moves) is_drawn_ = false;
+}
+
+ShownPicture Gallery::draw() {
     if (!is_drawn_) draw_picture();
     shown_ = picture_;
     const Framebuffer canvas{shown_.data(), mode_.width_px, mode_.height_px, mode_.width_px};
-    if (wants_screenshot)
-        show_message(hud_, save_screenshots(screenshot_folder_, canvas, data_.palette, mode_), now_us);
-    draw_over(now_us);
-    const ViewOptions& options = state_.view_options;
-    PresentRect rect = layout(platform_.window_size(), mode_, options.shown_as, options.scaling);
-    rect.has_crt_look = options.has_crt_look;
-    platform_.present(canvas, data_.palette, rect);
+    if (wants_screenshot_)
+        show_message(hud_, save_screenshots(screenshot_folder_, canvas, data_.palette, mode_), now_us_);
+    wants_screenshot_ = false;
+    draw_over();
+    PresentRect rect = layout(platform_.window_size(), mode_, view_options_.shown_as, view_options_.scaling);
+    rect.has_crt_look = view_options_.has_crt_look;
+    return {canvas, data_.palette, rect};
 }
 
 void Gallery::draw_picture() {
     const Row& row = rows_[state_.row];
-    const auto time_ms = static_cast<std::int64_t>((platform_.now_us() - start_us_) / 1000);
-    const RowInput input{assets_, mode_, settings_of(state_.view_options), state_.values[state_.row], time_ms};
+    const auto time_ms = static_cast<std::int64_t>((now_us_ - start_us_) / 1000);
+    const RowInput input{assets_, mode_, settings_of(view_options_), state_.values[state_.row], time_ms};
     page_ = draw_row(row, input, state_.chosen, {picture_.data(), mode_.width_px, mode_.height_px, mode_.width_px});
     const std::string number = std::to_string(state_.row + 1) + " of " + std::to_string(rows_.size());
     platform_.set_title(("Oblong - the gallery, " + number + ": " + std::string(row.name)).c_str());
     is_drawn_ = true;
 }
 
-void Gallery::draw_over(std::uint64_t now_us) {
+void Gallery::draw_over() {
     const Framebuffer canvas{shown_.data(), mode_.width_px, mode_.height_px, mode_.width_px};
     if (state_.lists_figures) {
         const std::string text = list_of_figures(rows_[state_.row], page_);
         draw_panel(canvas, lines_of(text, mode_.width_px - 4 * kTextMargin_px), assets_.text);
     }
-    if (state_.view_options.shows_help) draw_panel(canvas, kGalleryHelp, assets_.text);
-    if (now_us < hud_.message_ends_us) draw_lines(kHeader_px + kTextMargin_px, hud_.message, assets_.text, canvas);
+    if (view_options_.shows_help) draw_panel(canvas, kGalleryHelp, assets_.text);
+    if (now_us_ < hud_.message_ends_us) draw_lines(kHeader_px + kTextMargin_px, hud_.message, assets_.text, canvas);
 }
 
 }  // namespace oblong

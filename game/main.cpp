@@ -2,16 +2,15 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <optional>
+#include <utility>
 
 #include "engine/platform/files.h"
 #include "engine/platform/headless/headless.h"
 #include "engine/platform/sdl/window.h"
 #include "engine/platform/worker_threads.h"
 #include "engine/screen/screen.h"
-#include "game/gallery.h"
 #include "game/options.h"
-#include "game/session.h"
+#include "game/program.h"
 #include "game/timedemo.h"
 #include "tools/common/arguments.h"
 #include "tools/common/png.h"
@@ -27,24 +26,6 @@ std::string assets_folder(const char* called_as) {
     fs::path program = fs::read_symlink("/proc/self/exe", error);
     if (error) program = fs::absolute(called_as);
     return (program.parent_path().parent_path() / "assets").string();
-}
-
-ViewOptions view_options_of(const Options& options) {
-    ViewOptions view_options;
-    view_options.preset = options.preset;
-    view_options.brightness_100 = options.brightness_100;
-    view_options.gamma_100 = options.gamma_100;
-    view_options.flashes = options.flashes;
-    view_options.accuracy = options.accuracy;
-    view_options.has_crt_look = options.has_crt_look;
-    view_options.scaling = options.scaling;
-    view_options.corrects_projection = options.corrects_projection;
-    view_options.shown_as = options.shown_as;
-    view_options.log = options.log;
-    view_options.map = options.map;
-    view_options.wireframe = options.wireframe;
-    view_options.line_method = options.line_method;
-    return view_options;
 }
 
 // Writes 00000.png, 00001.png and so on into a folder.
@@ -88,53 +69,25 @@ std::unique_ptr<Platform> open_platform(const Options& options) {
     return std::make_unique<HeadlessPlatform>(options.headless_frames, kTicksPerSecond, script, png_sink(options.out));
 }
 
-void show_gallery(const Options& options, const GameData& data) {
-    const auto platform = open_platform(options);
-    Gallery(data, {options.mode, options.field_of_view, view_options_of(options)}, *platform).run();
-}
-
-void time_demo(const Options& options, const GameData& data, const GameLevel& level, Workers& workers) {
+void time_demo(const Options& options, const LoadedLevel& loaded, Workers& workers) {
     const Demo demo = read_parsed(options.timedemo, decode_demo);
-    GameRenderer renderer(data, level, options.mode, &workers);
-    warn_of_torn_edges("oblong", data.level_file, renderer.torn_edges());
+    GameRenderer renderer(loaded.data, loaded.level, options.mode, &workers);
+    warn_of_torn_edges("oblong", loaded.data.level_file, renderer.torn_edges());
     const Settings settings = settings_of(view_options_of(options));
     const auto result = naming_file(
-        options.timedemo, [&] { return run_timedemo(level, demo, renderer, settings, options.field_of_view); });
+        options.timedemo, [&] { return run_timedemo(loaded.level, demo, renderer, settings, options.field_of_view); });
     std::cout << describe(result) << '\n';
 }
 
-// Before the game is played, not after it.
-void check_writable(const std::string& file) {
-    const fs::path folder = fs::path(file).parent_path();
-    if (fs::is_directory(file)) throw FileError(file, "write", "is a folder, expected a file");
-    if (!folder.empty() && !fs::is_directory(folder))
-        throw FileError(file, "write", folder.string() + " is no folder, expected a folder for the file");
-}
-
-void play(const Options& options, const GameData& data, const GameLevel& level, Workers& workers) {
-    std::optional<Demo> demo;
-    if (!options.replay.empty()) demo = read_parsed(options.replay, decode_demo);
-    const bool records = !options.record.empty();
-    if (records) check_writable(options.record);
-    naming_file(options.replay, [&] {
-        TickInputSource input(start_of(level), demo, records);
-        const auto platform = open_platform(options);
-        Session(data, level, {options.mode, options.field_of_view, view_options_of(options), &workers}, input,
-                *platform)
-            .run();
-        if (records) write_file(options.record, encode_demo(input.recorded()));
-    });
-}
-
 void run_game(const Options& options, const std::string& assets) {
-    const GameData data = load_game(options.level, options.palette, assets, options.models);
-    if (options.shows_gallery) return show_gallery(options, data);
-    const GameLevel level = naming_file(data.level_file, [&] { return make_game_level(data.level); });
     WorkerThreads workers(static_cast<int>(options.threads));
-    if (!options.timedemo.empty())
-        time_demo(options, data, level, workers);
-    else
-        play(options, data, level, workers);
+    if (!options.timedemo.empty()) {
+        time_demo(options, LoadedLevel({options.level, options.palette, assets, options.models}), workers);
+        return;
+    }
+    ProgramFiles files = load_program_files(options, assets);
+    const auto platform = open_platform(options);
+    Program(options, std::move(files), *platform, &workers).run();
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "game/session.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "game/screenshot.h"
 #include "game/shown_view.h"
@@ -14,48 +15,50 @@ constexpr Rgb8 kWireColour{255, 232, 96};
 
 }  // namespace
 
-Session::Session(const GameData& data, const GameLevel& level, const SessionSettings& settings, TickInputSource& input,
-                 Platform& platform)
-    : data_(data),
-      level_(level),
-      input_(input),
+Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSettings& settings, ViewOptions& view_options,
+                 TickInputSource input, Platform& platform)
+    : loaded_(std::move(loaded)),
+      data_(loaded_->data),
+      level_(loaded_->level),
+      input_(std::move(input)),
       platform_(platform),
-      view_options_(settings.view_options),
+      view_options_(view_options),
       field_of_view_(settings.field_of_view),
       screenshot_folder_(settings.screenshot_folder),
-      renderer_(data, level, settings.mode, settings.workers),
-      palette_(data, settings.view_options.gamma_100),
-      text_colours_(text_colours_of(data.palette)),
-      before_(start_of(level)),
-      after_(before_) {
-    hud_.end_message = level.end_message;
-    keep_what_is_on();
-}
-
-void Session::run() {
+      renderer_(data_, level_, settings.mode, settings.workers),
+      palette_(data_, view_options.gamma_100),
+      text_colours_(text_colours_of(data_.palette)),
+      before_(start_of(level_)),
+      after_(before_),
+      last_us_(platform.now_us()) {
+    hud_.end_message = level_.end_message;
     platform_.set_title(("Oblong - " + std::filesystem::path(data_.level_file).stem().string()).c_str());
-    last_us_ = platform_.now_us();
-    show_message(hud_, "F1 Help", last_us_);
+    show_message(hud_, "F1 Help", played_us_);
     keep_what_is_on();
-    while (platform_.is_open()) play_frame();
 }
 
-void Session::play_frame() {
-    Controls controls = platform_.poll();
-    const std::uint64_t now_us = platform_.now_us();
-    handle_commands(controls, now_us);
-    if (!view_options_.lab.shows_panel) walk_by_arrows(controls);
-    drag_split(shown_rect(), view_options_.lab, controls);
-    input_.gather(controls);
-    advance(now_us);
-    draw(now_us);
+void Session::advance(const Controls& controls, std::uint64_t now_us) {
+    const std::uint64_t elapsed_us = now_us - last_us_;
+    last_us_ = now_us;
+    played_us_ += elapsed_us;
+    handle_commands(controls);
+    Controls held = controls;
+    if (!view_options_.lab.shows_panel) walk_by_arrows(held);
+    drag_split(shown_rect(), view_options_.lab, held);
+    input_.gather(held);
+    play_due_ticks(elapsed_us);
 }
 
-void Session::handle_commands(const Controls& controls, std::uint64_t now_us) {
+void Session::pause(std::uint64_t now_us) {
+    last_us_ = now_us;
+    keep_what_is_on();
+}
+
+void Session::handle_commands(const Controls& controls) {
     for (const Command command : controls.commands) {
         wants_screenshot_ |= command == Command::Screenshot;
         const std::string message = apply(command, view_options_, renderer_.mode(), platform_.window_size());
-        if (!message.empty()) show_message(hud_, message, now_us);
+        if (!message.empty()) show_message(hud_, message, played_us_);
     }
     if (!controls.commands.empty()) keep_what_is_on();
 }
@@ -95,41 +98,40 @@ PresentRect Session::shown_rect() const {
     return rect;
 }
 
-void Session::advance(std::uint64_t now_us) {
-    for (int due = clock_.advance(now_us - last_us_); due > 0; --due) {
+void Session::play_due_ticks(std::uint64_t elapsed_us) {
+    for (int due = clock_.advance(elapsed_us); due > 0; --due) {
         before_ = after_;
         input_.play_tick(level_, after_);
         palette_.note_tick(before_, after_);
     }
-    last_us_ = now_us;
 }
 
-void Session::draw(std::uint64_t now_us) {
+ShownPicture Session::draw() {
     const std::int32_t fraction = clock_.fraction_16();
     const InterpolatedState state{before_, after_, fraction};
     const Camera camera = camera_at(state, input_.look_offset(fraction), field_of_view_);
     const GameView view{state, camera, view_options_.has_torch, other_view(view_options_, camera, data_.level)};
     const Settings settings = settings_of(view_options_);
     Settings shown_settings = settings;
-    if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, now_us);
+    if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, last_us_);
     const std::uint64_t began_us = platform_.now_us();
     renderer_.draw(view, shown_settings);
     const PaletteEffects effects = palette_.effects_at(view, settings.flashes);
     note_cost(view, shown_settings, effects, began_us);
-    if (log_) renderer_.note(view, shown_settings, now_us, *log_);
+    if (log_) renderer_.note(view, shown_settings, last_us_, *log_);
 
     if (wire_colour_) draw_wires(view, shown_settings);
-    draw_over(view, settings, now_us);
+    draw_over(view, settings);
     const Palette palette =
         effects.is_plain() ? data_.palette : apply_palette_effects(data_.palette, effects, time_ms_at(state));
     const Framebuffer canvas = renderer_.canvas();
     if (wants_screenshot_)
-        show_message(hud_, save_screenshots(screenshot_folder_, canvas, palette, renderer_.mode()), now_us);
+        show_message(hud_, save_screenshots(screenshot_folder_, canvas, palette, renderer_.mode()), played_us_);
     wants_screenshot_ = false;
     hud_.shows_help = view_options_.shows_help;
     hud_.shows_end = after_.has_ended;
-    draw_hud(hud_, now_us, text_bottom_, text_colours_, canvas);
-    platform_.present(canvas, palette, shown_rect());
+    draw_hud(hud_, played_us_, text_bottom_, text_colours_, canvas);
+    return {canvas, palette, shown_rect()};
 }
 
 // Over the picture that was drawn last.
@@ -140,7 +142,7 @@ void Session::draw_wires(const GameView& view, const Settings& settings) {
     renderer_.draw_edges(view, settings, wire_colour_->style(view_options_.line_method));
 }
 
-void Session::draw_over(const GameView& view, const Settings& settings, std::uint64_t now_us) {
+void Session::draw_over(const GameView& view, const Settings& settings) {
     const Framebuffer canvas = renderer_.canvas();
     const ScreenMode& mode = renderer_.mode();
     text_bottom_ = canvas.height_px - kTextMargin_px;
@@ -150,7 +152,7 @@ void Session::draw_over(const GameView& view, const Settings& settings, std::uin
         return;
     }
     if (map_) map_->draw(view, view_options_.map, view_options_.line_method, mode, settings, canvas);
-    if (lab_) text_bottom_ = lab_->draw(view_options_.lab, view, settings, now_us, platform_, canvas);
+    if (lab_) text_bottom_ = lab_->draw(view_options_.lab, view, settings, last_us_, platform_, canvas);
     if (view_options_.inspects && !view.other) inspect(view);
     if (!view_options_.shows_aspect_guide) return;
     draw_aspect_guide(mode, text_colours_, canvas);

@@ -8,7 +8,8 @@
 #include "game/game_renderer.h"
 #include "game/hud.h"
 #include "game/lab.h"
-#include "game/load.h"
+#include "game/loaded_level.h"
+#include "game/game_screen.h"
 #include "game/shown_palette.h"
 #include "game/tick_clock.h"
 #include "game/tick_input_source.h"
@@ -21,38 +22,43 @@ namespace oblong {
 struct SessionSettings {
     ScreenMode mode;
     Degrees field_of_view;
-    ViewOptions view_options;
     Workers* workers = nullptr;  ///< who share in drawing the game's pictures; null: one thread draws
     std::string screenshot_folder = ".";
 };
 
-/// A game from its start until the platform closes: the loop of input, ticks and frames.
-class Session {
+/// One game in one level: ticks, what keys switch on, and the picture.
+class Session final : public GameScreen {
   public:
-    /// All arguments must outlive the session.
-    Session(const GameData& data, const GameLevel& level, const SessionSettings& settings, TickInputSource& input,
-            Platform& platform);
+    /// The game starts at the level's start. `view_options`, which keys change, `platform` and the workers outlive the
+    /// session.
+    Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSettings& settings, ViewOptions& view_options,
+            TickInputSource input, Platform& platform);
 
-    void run();
+    void advance(const Controls& controls, std::uint64_t now_us) override;
+    void pause(std::uint64_t now_us) override;
+    ShownPicture draw() override;
+
+    const LoadedLevel& loaded() const { return *loaded_; }
+    const GameState& state() const { return after_; }
+    const TickInputSource& input() const { return input_; }
 
   private:
-    void play_frame();
-    void advance(std::uint64_t now_us);
-    void draw(std::uint64_t now_us);
+    void play_due_ticks(std::uint64_t elapsed_us);
     void inspect(const GameView& view);
-    void draw_over(const GameView& view, const Settings& settings, std::uint64_t now_us);
+    void draw_over(const GameView& view, const Settings& settings);
     void draw_wires(const GameView& view, const Settings& settings);
-    void handle_commands(const Controls& controls, std::uint64_t now_us);
+    void handle_commands(const Controls& controls);
     void keep_what_is_on();
     PresentRect shown_rect() const;
     void note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,
                    std::uint64_t began_us);
 
-    const GameData& data_;
-    const GameLevel& level_;
-    TickInputSource& input_;
+    std::shared_ptr<const LoadedLevel> loaded_;
+    const GameData& data_;    // of loaded_
+    const GameLevel& level_;  // likewise
+    TickInputSource input_;
     Platform& platform_;
-    ViewOptions view_options_;
+    ViewOptions& view_options_;
     Degrees field_of_view_;
     std::string screenshot_folder_;
     GameRenderer renderer_;
@@ -66,7 +72,8 @@ class Session {
     Hud hud_;
     TickClock clock_;
     GameState before_, after_;
-    std::uint64_t last_us_ = 0;
+    std::uint64_t last_us_;            // the platform's time up to which the game was played
+    std::uint64_t played_us_ = 0;      // since the session began, without pauses
     std::unique_ptr<FrameCost> cost_;  // only while it is shown
     std::int32_t text_bottom_ = 0;     // the row above which the text at the bottom ends
     bool wants_screenshot_ = false;

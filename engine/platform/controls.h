@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "engine/platform/input.h"
+
 namespace oblong {
 
 /// A command key, reported once for each press.
@@ -69,6 +71,7 @@ struct Controls {
     std::int32_t mouse_x = 0, mouse_y = 0;  ///< counts of the device, right and down positive
     std::vector<Command> commands;
     std::vector<MenuAction> menu;
+    std::optional<Input> pressed;                 ///< the last of all inputs that were pressed, bound or not
     std::optional<Pointer> pointer;               ///< nothing while the mouse is captured, or where there is none
     bool has_focus = true, is_minimised = false;  ///< the window
 };

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
+#include "engine/platform/bindings.h"
 #include "engine/platform/controls.h"
 #include "engine/platform/present_rect.h"
 #include "engine/screen/screen.h"
@@ -30,6 +32,10 @@ class Platform {
     virtual void set_title(const char* title) = 0;
     /// Whether the mouse turns the view and can't leave the window, or points at a menu.
     virtual void capture_mouse(bool /*is_captured*/) {}
+    /// Which inputs do what, from the next poll on. Before the first call: default_bindings().
+    virtual void use_bindings(const Bindings&) {}
+    /// What an input is called on the player's own keyboard and gamepad, in printable ASCII; without any: name_of().
+    virtual std::string local_name_of(Input input) const { return name_of(input); }
     /// From the next picture on. Can be called for every frame: what is as it was costs nothing.
     virtual void change_window(const WindowSettings&) {}
     /// Waits for input that poll() would report, or for `timeout_ms`, without using the processor: for a game that is

@@ -17,6 +17,7 @@ struct ScreenMode {
 
     /// Width to height of one pixel as shown: 5:6 for 320x200 on 4:3 (Muratori: 1/a).
     constexpr Ratio pixel() const { return display * Ratio{height_px, width_px}; }
+    constexpr bool operator==(const ScreenMode&) const = default;
 };
 
 /// The largest width and height that the engine's formats have head-room for (engine/fixed/README.md).

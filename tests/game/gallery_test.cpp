@@ -12,7 +12,7 @@ RowPage draw_nothing(const RowInput&, Framebuffer) {
 class GalleryKeys : public testing::Test {
   protected:
     void press(std::initializer_list<Command> commands) {
-        for (const Command command : commands) apply(command, rows_, {}, {1600, 1200}, state_);
+        for (const Command command : commands) apply(command, rows_, {}, {1600, 1200}, view_options_, state_);
     }
     std::int64_t value(std::size_t parameter) const { return state_.values[state_.row][parameter]; }
 
@@ -25,7 +25,8 @@ class GalleryKeys : public testing::Test {
                                   draw_nothing},
                                  {"b", "B", "2", "", "", {}, draw_nothing},
                                  {"c", "C", "3", "", "", {{"angle", 0, 90, 15, 45}}, draw_nothing}};
-    GalleryState state_ = start_of_gallery(rows_, {});
+    ViewOptions view_options_;
+    GalleryState state_ = start_of_gallery(rows_);
 };
 
 TEST_F(GalleryKeys, PagesGoRoundInBothDirections) {
@@ -55,14 +56,14 @@ TEST_F(GalleryKeys, RowsKeepTheirValuesAndTheFirstParameterIsChosenAgain) {
 }
 
 TEST_F(GalleryKeys, AspectAndAccuracyAreChangedAsInTheGame) {
-    EXPECT_NE(apply(Command::ProjectionAspect, rows_, {}, {1600, 1200}, state_), "");
-    EXPECT_FALSE(state_.view_options.corrects_projection);
+    EXPECT_NE(apply(Command::ProjectionAspect, rows_, {}, {1600, 1200}, view_options_, state_), "");
+    EXPECT_FALSE(view_options_.corrects_projection);
     press({Command::AccuracyTier});
-    EXPECT_NE(state_.view_options.preset, Preset::Bounded);
-    const ViewOptions before = state_.view_options;
+    EXPECT_NE(view_options_.preset, Preset::Bounded);
+    const ViewOptions before = view_options_;
     press({Command::LabPanel, Command::FourAspects, Command::Torch});
-    EXPECT_EQ(state_.view_options.shows_four_aspects, before.shows_four_aspects) << "keys of the game alone do nothing";
-    EXPECT_EQ(state_.view_options.has_torch, before.has_torch);
+    EXPECT_EQ(view_options_.shows_four_aspects, before.shows_four_aspects) << "keys of the game alone do nothing";
+    EXPECT_EQ(view_options_.has_torch, before.has_torch);
 }
 
 }  // namespace

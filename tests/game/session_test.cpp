@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 
 #include "engine/platform/headless/headless.h"
 
@@ -20,8 +21,7 @@ class SessionOfTheDemo : public testing::Test {
     void SetUp() override {
         const std::string assets = std::string(OBLONG_BUILD_DIR) + "/assets";
         if (!std::filesystem::exists(assets + "/demo.bsp")) GTEST_SKIP() << "the demo level is not built";
-        data_ = load_game("", "", assets);
-        level_ = make_game_level(data_.level);
+        loaded_ = std::make_shared<const LoadedLevel>(LevelFiles{"", "", assets, ""});
     }
 
     // Walks ahead in a turn with keys pressed at some frames; the demo that it recorded is in demo_.
@@ -42,14 +42,20 @@ class SessionOfTheDemo : public testing::Test {
                 pictures.emplace_back(picture.pixels,
                                       picture.pixels + pixel_count(picture.width_px, picture.height_px));
             });
-        TickInputSource input(start_of(level_), std::nullopt, true);
-        Session(data_, level_, {ScreenMode{}, Degrees::from_int(90), {}}, input, platform).run();
-        demo_ = encode_demo(input.recorded());
+        ViewOptions view_options;
+        Session session(loaded_, {ScreenMode{}, Degrees::from_int(90)}, view_options,
+                        TickInputSource(start_of(loaded_->level), std::nullopt, true), platform);
+        while (platform.is_open()) {
+            const Controls controls = platform.poll();
+            session.advance(controls, platform.now_us());
+            const ShownPicture picture = session.draw();
+            platform.present(picture.canvas, picture.palette, picture.rect);
+        }
+        demo_ = encode_demo(session.input().recorded());
         return pictures;
     }
 
-    GameData data_;
-    GameLevel level_;
+    std::shared_ptr<const LoadedLevel> loaded_;
     std::vector<std::uint8_t> demo_;
 };
 

@@ -103,13 +103,6 @@ std::string names_of_dials() {
     return names;
 }
 
-std::string values_of(const Dial& dial) {
-    std::string text;
-    for (const DialSetting& setting : dial.settings) text += (text.empty() ? "" : ", ") + std::string(setting.name);
-    if (dial.least == dial.greatest) return text;
-    return text + ", or any from " + value_text(dial, dial.least) + " to " + value_text(dial, dial.greatest);
-}
-
 std::optional<std::int32_t> dial_value(const Dial& dial, const std::string& text) {
     for (const DialSetting& setting : dial.settings)
         if (setting.name == text) return setting.value;
@@ -120,6 +113,13 @@ std::optional<std::int32_t> dial_value(const Dial& dial, const std::string& text
 }
 
 }  // namespace
+
+std::string values_of(const Dial& dial) {
+    std::string text;
+    for (const DialSetting& setting : dial.settings) text += (text.empty() ? "" : ", ") + std::string(setting.name);
+    if (dial.least == dial.greatest) return text;
+    return text + ", or any from " + value_text(dial, dial.least) + " to " + value_text(dial, dial.greatest);
+}
 
 void parse_dial(const std::string& text, Accuracy& accuracy) {
     const std::size_t equals = text.find('=');

@@ -12,6 +12,8 @@
 
 namespace oblong {
 
+struct Dial;
+
 /// An invalid argument: programs print the message and exit with 2.
 class UsageError : public std::runtime_error {
   public:
@@ -32,6 +34,8 @@ std::int32_t parse_brightness(const std::string& text);
 void check_view(const ScreenMode& mode, Degrees field_of_view);
 /// "1991", "1994", "1996", "bounded", "exact".
 Preset parse_preset(const std::string& text);
+/// The values of a dial: "off, on", "16, 32, 64, or any from 12 to 44".
+std::string values_of(const Dial& dial);
 /// Sets a dial by "NAME=VALUE" (engine/accuracy/dials.h).
 void parse_dial(const std::string& text, Accuracy& accuracy);
 /// A preset with dials turned: those of --accuracy and all --dial.

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace oblong {
+
+/// What an input is part of.
+enum class Device : std::uint8_t {
+    Key,          ///< code: its place on the keyboard, a USB HID usage: 4 is A of a US keyboard
+    MouseButton,  ///< code: 1 left, 2 right, 3 middle, 4 and on: others
+    MouseWheel,   ///< code: a WheelTurn
+    PadButton,    ///< code: a PadButton
+    PadAxis       ///< code: a half of an axis, see pad_axis()
+};
+
+enum class WheelTurn : std::uint16_t { Up, Down, Left, Right };
+
+/// The buttons of a gamepad, as SDL numbers them: A is the lowest of the four, wherever its letter stands.
+enum class PadButton : std::uint16_t {
+    A,
+    B,
+    X,
+    Y,
+    Back,
+    Guide,
+    Start,
+    LeftStick,  ///< pressed down
+    RightStick,
+    LeftShoulder,
+    RightShoulder,
+    Up,
+    Down,
+    Left,
+    Right,
+    Misc,
+    Paddle1,
+    Paddle2,
+    Paddle3,
+    Paddle4,
+    Touchpad
+};
+
+enum class PadAxis : std::uint16_t { LeftX, LeftY, RightX, RightY, LeftTrigger, RightTrigger };
+
+/// One thing that can be pressed: a key, a button, a turn of the wheel, or a stick or trigger in one direction.
+struct Input {
+    Device device = Device::Key;
+    std::uint16_t code = 0;
+
+    auto operator<=>(const Input&) const = default;
+};
+
+/// The largest value of a half of an axis, as of SDL.
+inline constexpr std::int32_t kFullAxis = 32'767;
+
+/// Half of an axis: towards right or down where it `is_positive`, as of SDL. Triggers have positive halves only.
+constexpr Input pad_axis(PadAxis axis, bool is_positive) {
+    return {Device::PadAxis, static_cast<std::uint16_t>(2 * static_cast<int>(axis) + int{is_positive})};
+}
+constexpr Input pad_button(PadButton button) {
+    return {Device::PadButton, static_cast<std::uint16_t>(button)};
+}
+constexpr Input mouse_button(std::uint16_t number) {
+    return {Device::MouseButton, number};
+}
+
+/// Whether the input opens the menu, whatever is bound, so that there is always a way to it: Escape, a gamepad's Start.
+bool is_reserved(Input input);
+
+/// "W", "Left Shift", "Keypad 5", "Key 135", "Mouse 1", "Wheel Up", "Pad A", "Pad Left Stick Up". Keys are named after
+/// a US keyboard, so that a name means the same place on every keyboard.
+std::string name_of(Input input);
+
+/// The input of such a name, with any letters' case and with a hyphen for any space ("left-shift"). Throws InputError
+/// where there is none.
+Input input_named(std::string_view name);
+
+}  // namespace oblong

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/platform/controls.h"
+#include "engine/platform/present_rect.h"
+#include "engine/screen/screen.h"
+#include "engine/surface/palette.h"
+
+namespace oblong {
+
+/// A picture and how the window shows it.
+struct ShownPicture {
+    Framebuffer canvas;
+    Palette palette;
+    PresentRect rect;
+};
+
+/// What fills the window, behind the menu or alone: a game or the gallery.
+class GameScreen {
+  public:
+    GameScreen() = default;
+    GameScreen(const GameScreen&) = delete;
+    GameScreen& operator=(const GameScreen&) = delete;
+    virtual ~GameScreen() = default;
+
+    /// Takes the player's input and moves on to `now_us`, a platform's time.
+    virtual void advance(const Controls& controls, std::uint64_t now_us) = 0;
+    /// The same without either: nothing moves until advance() is called again.
+    virtual void pause(std::uint64_t now_us) = 0;
+    /// Draws what is up now. The canvas is valid, and may be drawn over, until the next call.
+    virtual ShownPicture draw() = 0;
+};
+
+}  // namespace oblong

@@ -1,0 +1,11 @@
+#include "game/loaded_level.h"
+
+#include "engine/platform/files.h"
+
+namespace oblong {
+
+LoadedLevel::LoadedLevel(const LevelFiles& files)
+    : data(load_game(files.level, files.palette, files.assets, files.models)),
+      level(naming_file(data.level_file, [&] { return make_game_level(data.level); })) {}
+
+}  // namespace oblong

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "game/load.h"
+#include "game/simulation/game_level.h"
+
+namespace oblong {
+
+/// Where the files of a level are looked for: the arguments of load_game().
+struct LevelFiles {
+    std::string level, palette, assets, models;
+};
+
+/// A level, loaded to be played: its files and the part of the game that never changes.
+struct LoadedLevel {
+    /// Throws FileError.
+    explicit LoadedLevel(const LevelFiles& files);
+    LoadedLevel(const LoadedLevel&) = delete;  // `level` points into `data`
+    LoadedLevel& operator=(const LoadedLevel&) = delete;
+
+    const GameData data;
+    const GameLevel level;
+};
+
+}  // namespace oblong

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/accuracy/presets.h"
+#include "engine/geometry/projection.h"
+#include "engine/platform/present_rect.h"
+#include "engine/scene/light_styles.h"
+#include "engine/screen/screen.h"
+
+namespace oblong {
+
+/// The colours of what says something by its colour: text, lines of the map, the map of the error, keys.
+enum class ColourScheme : std::uint8_t {
+    Standard,
+    RedGreen,   ///< for who confuses red and green: blue, orange and white, told apart by brightness too
+    BlueYellow  ///< for who confuses blue and yellow: red, cyan and white
+};
+inline constexpr int kColourSchemeCount = 3;
+
+/// All that a player sets and that is kept in a file. Changes how the game is shown and steered, never what happens in
+/// it.
+struct Preferences {
+    ScreenMode mode;  ///< of the picture, and the display that it is for
+    Degrees field_of_view = Degrees::from_int(90);
+    bool corrects_projection = true;  ///< F2: the projection knows the display's shape
+    ShownAs shown_as = ShownAs::OnDisplay;
+    Scaling scaling = Scaling::SharpBilinear;
+    bool has_crt_look = false;
+    std::int32_t brightness_100 = 100;  ///< of the light on surfaces, 25 to 800
+    std::int32_t gamma_100 = 100;       ///< of the display, 50 to 200
+    bool fills_screen = false;          ///< the whole screen instead of a window
+    bool waits_for_display = true;      ///< vsync, where the system offers it
+    std::int32_t frame_cap_hz = 144;    ///< at most so many frames a second, 10 to 1,000; 0: no limit
+
+    Preset preset = Preset::Bounded;  ///< the last one chosen
+    Accuracy accuracy;                ///< its dials, perhaps turned since
+
+    Flashes flashes = Flashes::Full;
+    std::int32_t view_bob_100 = 0;      ///< how far the view goes up and down in walking; 0 to 200, 100: as in Quake
+    std::int32_t view_roll_100 = 0;     ///< how far it leans in walking sideways; likewise
+    std::int32_t game_speed_100 = 100;  ///< of the game's clock against that on the wall, 25 to 1,600
+    std::int32_t text_scale = 1;        ///< 1 or 2 pixels of the picture for a pixel of a letter
+    ColourScheme colours = ColourScheme::Standard;
+    bool shows_captions = false;  ///< a line of text for each sound
+
+    std::int32_t mouse_sensitivity_100 = 100;    ///< 10 to 1,000
+    std::int32_t gamepad_sensitivity_100 = 100;  ///< of the stick that turns, 10 to 400
+    std::int32_t gamepad_dead_zone_100 = 15;     ///< of a stick's way, 0 to 90
+    bool inverts_look = false;                   ///< mouse or stick forward looks down
+    bool always_runs = true;                     ///< false: walks slowly unless the key for it is held
+
+    std::int32_t volume_100 = 100;        ///< of all, 0 to 100; 0: no sound device is opened
+    std::int32_t sounds_volume_100 = 80;  ///< of what happens in the level and in menus, 0 to 100
+    std::int32_t music_volume_100 = 60;   ///< 0 to 100
+
+    bool operator==(const Preferences&) const = default;
+};
+
+}  // namespace oblong
