@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "engine/base/fnv.h"
 #include "engine/effects/things.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
@@ -24,7 +25,10 @@ GameData load_game(const std::string& level_file, const std::string& palette_fil
                    const std::string& models_folder) {
     GameData data;
     data.level_file = level_file.empty() ? (fs::path(assets_folder) / "demo.bsp").string() : level_file;
-    data.level = read_parsed(data.level_file, read_bsp);
+    data.level = read_parsed(data.level_file, [&](std::span<const std::uint8_t> bytes) {
+        data.level_hash = fnv1a_of(bytes);
+        return read_bsp(bytes);
+    });
     data.effects = read_level_effects(data.level);
     print_warnings("oblong", data.level_file, data.effects.warnings);
     print_warnings("oblong", data.level_file, read_things(data.level).warnings);

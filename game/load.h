@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "engine/level/level.h"
@@ -13,6 +14,7 @@ namespace oblong {
 /// The files that a game needs, loaded.
 struct GameData {
     std::string level_file;
+    std::uint64_t level_hash = 0;  ///< FNV-1a of the level file's bytes
     Level level;
     LevelEffects effects;  ///< of the level
     Palette palette;

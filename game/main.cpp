@@ -6,6 +6,7 @@
 
 #include "engine/platform/files.h"
 #include "engine/platform/headless/headless.h"
+#include "engine/platform/sdl/message_box.h"
 #include "engine/platform/sdl/window.h"
 #include "engine/platform/worker_threads.h"
 #include "engine/screen/screen.h"
@@ -13,20 +14,13 @@
 #include "game/program.h"
 #include "game/timedemo.h"
 #include "tools/common/arguments.h"
+#include "tools/common/assets_folder.h"
 #include "tools/common/png.h"
 
 namespace oblong {
 namespace {
 
 namespace fs = std::filesystem;
-
-// build/assets is beside build/bin, wherever the build folder was moved to.
-std::string assets_folder(const char* called_as) {
-    std::error_code error;
-    fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (error) program = fs::absolute(called_as);
-    return (program.parent_path().parent_path() / "assets").string();
-}
 
 // Writes 00000.png, 00001.png and so on into a folder.
 HeadlessPlatform::FrameSink png_sink(const std::string& folder) {
@@ -90,10 +84,25 @@ void run_game(const Options& options, const std::string& assets) {
     Program(options, std::move(files), *platform, &workers).run();
 }
 
+// Runs the game as the command line says; the exit code. Whoever started it from a menu reads no standard error: with
+// --error-box an error is shown in a window too, after it was printed.
+int run(int argument_count, const char* const* arguments) {
+    std::string error_text;
+    const int code = run_with_options(argument_count, arguments, [&](const Options& options) {
+        try {
+            run_game(options, assets_folder(arguments[0]));
+        } catch (const std::exception& error) {
+            if (options.shows_error_box) error_text = "oblong: " + message_of(error);
+            throw;
+        }
+    });
+    if (!error_text.empty()) show_error_box("Oblong", error_text);
+    return code;
+}
+
 }  // namespace
 }  // namespace oblong
 
 int main(int argc, char** argv) {
-    return oblong::run_with_options(
-        argc, argv, [&](const oblong::Options& options) { oblong::run_game(options, oblong::assets_folder(argv[0])); });
+    return oblong::run(argc, argv);
 }

@@ -90,6 +90,8 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add("--threads", options.threads, "that draw; default: 1. A second one pays from about 640x480 on")
         .limit(1, 256);
     line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");
+    line.add_flag("--error-box", options.shows_error_box,
+                  "show an error in a window too; the desktop's menu asks for it");
     auto record = line.add("--record", options.record, "write the game played to this demo file");
     auto replay = line.add("--replay", options.replay, "play this demo file instead of the keys");
     auto timedemo = line.add("--timedemo", options.timedemo, "replay this demo file as fast as it goes; no window");
@@ -120,6 +122,8 @@ void interpret(const OptionTexts& texts, Options& options) {
     options.map = named_value<MapView>("--map", texts.map, kMapNames);
     options.wireframe = named_value<Wireframe>("--wireframe", texts.wireframe, kWireframeNames);
     options.line_method = named_value<LineMethod>("--lines", texts.lines, kLineNames);
+    if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))
+        throw UsageError("--error-box: nobody is there to close it, expected it without --headless or --timedemo");
     if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())
         throw UsageError("--gallery: there is no game to record or to replay, expected it without the other");
 }

@@ -34,7 +34,7 @@ struct Options {
     std::string record, replay, timedemo;
     std::int64_t headless_frames = 0, threads = 1;
     std::string out;
-    bool shows_gallery = false;
+    bool shows_gallery = false, shows_error_box = false;
 };
 
 /// Runs `body` with the command line's options; the program's exit code: 0 also after --help and --version, 1 for

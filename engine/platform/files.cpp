@@ -65,6 +65,19 @@ void write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
                     failure + ", expected a place for a file of " + std::to_string(bytes.size()) + " bytes");
 }
 
+void replace_file(const std::string& path, const std::string& former_path, std::span<const std::uint8_t> bytes) {
+    const std::string written = path + ".new";
+    write_file(written, bytes);
+    const auto rename = [&](const std::string& from, const std::string& to) {
+        if (std::rename(from.c_str(), to.c_str()) == 0) return;
+        const std::string failure = reason();
+        std::remove(written.c_str());
+        throw FileError(to, "write", failure + ", expected to put " + from + " in its place");
+    };
+    rename(path, former_path);
+    rename(written, path);
+}
+
 void write_file(const std::string& path, const std::string& text) {
     write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }

@@ -30,6 +30,10 @@ std::string read_text(const std::string& path);
 void write_file(const std::string& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::string& path, const std::string& text);
 
+/// The same for a file that is there, which is kept under another name, in the place of what was there before. Whenever
+/// the program ends: `path` or, where it is missing, `former_path` is a whole file.
+void replace_file(const std::string& path, const std::string& former_path, std::span<const std::uint8_t> bytes);
+
 /// Flushes standard output. Throws FileError if any output, now or before, could not be written.
 void flush_standard_output();
 

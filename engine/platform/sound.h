@@ -18,7 +18,7 @@ struct VoiceLevels {
 class SoundOutput {
   public:
     using SoundNumber = std::int32_t;  ///< of those added, from 0
-    using VoiceNumber = std::int32_t;  ///< of what is being played, 0 and up
+    using VoiceNumber = std::int64_t;  ///< of what is being played, 0 and up; no two voices have the same
     static constexpr VoiceNumber kNoVoice = -1;
 
     virtual ~SoundOutput() = default;

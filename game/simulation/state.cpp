@@ -1,18 +1,17 @@
 #include "game/simulation/state.h"
 
+#include "engine/base/fnv.h"
 #include "game/simulation/state_fields.h"
 
 namespace oblong {
 namespace {
 
-constexpr std::uint64_t kFnvStart = 14'695'981'039'346'656'037u, kFnvPrime = 1'099'511'628'211u;
-
 struct Hash {
-    std::uint64_t value = kFnvStart;
+    Fnv1a fnv;
 
     void add(std::int64_t number) {
         for (int byte = 0; byte < 8; ++byte)
-            value = (value ^ ((static_cast<std::uint64_t>(number) >> (8 * byte)) & 0xff)) * kFnvPrime;
+            fnv.add(static_cast<std::uint8_t>(static_cast<std::uint64_t>(number) >> (8 * byte)));
     }
     template <class Field>
     void operator()(const Field& field) {
@@ -35,7 +34,7 @@ struct Hash {
 std::uint64_t hash_of(const GameState& state) {
     Hash hash;
     visit_fields(state, hash);
-    return hash.value;
+    return hash.fnv.value();
 }
 
 }  // namespace oblong

@@ -3,8 +3,6 @@
 namespace oblong {
 namespace {
 
-constexpr World kFarthest = World::from_int(40'000);
-
 void respawn(GameState& state) {
     const bool holds_jump = state.player.holds_jump;
     state.player = {};
@@ -16,7 +14,7 @@ void respawn(GameState& state) {
 // A player who falls out of a level that leaks comes in again.
 void respawn_outside(GameState& state) {
     const Position& at = state.player.position;
-    const auto is_outside = [](World w) { return w > kFarthest || w < -kFarthest; };
+    const auto is_outside = [](World w) { return w > kFarthestPlayer || w < -kFarthestPlayer; };
     if (is_outside(at.x) || is_outside(at.y) || is_outside(at.z)) respawn(state);
 }
 

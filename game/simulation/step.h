@@ -12,6 +12,9 @@ namespace oblong {
 /// The eye above Player::position.
 inline constexpr std::int32_t kEyeHeight = 22;
 
+/// A player who is farther out along an axis, outside any level, comes in again.
+inline constexpr World kFarthestPlayer = World::from_int(40'000);
+
 /// Moves the game by one tick of 1/35 s. Reads nothing but its arguments: the same inputs give the same states on
 /// every machine, at every frame rate of the display.
 void step(const GameLevel& level, GameState& state, const TickInput& input);

@@ -1,46 +1,17 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "tests/support/bsp_writer.h"
 #include "tests/support/shared_levels.h"
+#include "tests/support/temporary_folder.h"
 
 namespace oblong::test {
-
-/// A folder of its own for one test, gone with it.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "oblong-XXXXXX").string();
-        path_ = mkdtemp(name.data());
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    std::string path(const std::string& name) const { return (path_ / name).string(); }
-
-    /// Writes a file and returns its path.
-    std::string write(const std::string& name, const Bytes& bytes) const {
-        std::ofstream out(path(name), std::ios::binary);
-        out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-        return path(name);
-    }
-    std::string write(const std::string& name, const std::string& text) const {
-        return write(name, Bytes(text.begin(), text.end()));
-    }
-
-  private:
-    std::filesystem::path path_;
-};
 
 struct Outcome {
     int exit_code = -1;  ///< -1 if a signal ended it

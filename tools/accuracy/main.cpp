@@ -11,6 +11,7 @@
 #include "tools/accuracy/report_html.h"
 #include "tools/accuracy/report_json.h"
 #include "tools/common/arguments.h"
+#include "tools/common/assets_folder.h"
 #include "tools/common/command_line.h"
 #include "tools/render/camera_list.h"
 
@@ -60,23 +61,24 @@ struct Colours {
 };
 
 /// The hard scenes, the demo level, and last the level named, which is read first: it may be at fault.
-std::deque<MeasuredLevel> read_levels(const Options& options, const Palette& demo_palette) {
+std::deque<MeasuredLevel> read_levels(const Options& options, const std::string& assets, const Palette& demo_palette) {
     std::deque<MeasuredLevel> levels;
     const std::size_t most = options.is_quick ? 4 : 1000;
     if (!options.level.empty()) levels.push_back(read_level(options.level, options.level, options.cameras, most));
-    levels.push_front(read_level(OBLONG_DEMO_LEVEL, "demo level", OBLONG_DEMO_CAMERAS, most));
+    levels.push_front(read_level(assets + "/demo.bsp", "demo level", assets + "/demo_cameras.csv", most));
     std::vector<MeasuredLevel> scenes = make_hard_scenes(demo_palette, options.is_quick ? 2 : 1000);
     std::move(scenes.rbegin(), scenes.rend(), std::front_inserter(levels));
     return levels;
 }
 
-void report_to_files(const Options& options) {
+void report_to_files(const Options& options, const std::string& assets) {
     if (!options.level.empty() && options.cameras.empty())
         throw UsageError("LEVEL needs --cameras, expected a file of cameras in the level");
     const auto start = std::chrono::steady_clock::now();
     make_folder(options.out);  // before the work that takes long
-    const Colours demo(OBLONG_DEMO_PALETTE), named(options.palette.empty() ? OBLONG_DEMO_PALETTE : options.palette);
-    const std::deque<MeasuredLevel> levels = read_levels(options, demo.palette);
+    const std::string demo_palette = assets + "/palette.lmp";
+    const Colours demo(demo_palette), named(options.palette.empty() ? demo_palette : options.palette);
+    const std::deque<MeasuredLevel> levels = read_levels(options, assets, demo.palette);
     std::vector<MeasuredPlace> places;
     for (const MeasuredLevel& level : levels) {
         const Colours& colours = &level == &levels.back() && !options.level.empty() ? named : demo;
@@ -98,5 +100,5 @@ int main(int argc, char** argv) {
     Options options;
     CommandLine line("oblong-accuracy", "Measures what each approximation costs, and writes it as a report.");
     declare(line, options);
-    return line.run(argc, argv, [&] { report_to_files(options); });
+    return line.run(argc, argv, [&] { report_to_files(options, assets_folder(argv[0])); });
 }

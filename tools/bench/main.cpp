@@ -3,6 +3,7 @@
 
 #include "tools/bench/benchmarks.h"
 #include "tools/common/arguments.h"
+#include "tools/common/assets_folder.h"
 #include "tools/common/command_line.h"
 
 namespace {
@@ -25,9 +26,8 @@ void declare(Command& line, Options& options) {
 void run_benchmarks(const Options& options) {
     ScreenMode mode;
     parse_mode_size(options.mode, mode);
-    const std::string palette = options.palette.empty() ? OBLONG_DEMO_PALETTE : options.palette;
-    const BenchLevel level =
-        options.level.empty() ? make_bench_level(palette) : read_bench_level(options.level, options.cameras, palette);
+    const BenchLevel level = options.level.empty() ? make_bench_level(options.palette)
+                                                   : read_bench_level(options.level, options.cameras, options.palette);
     register_kernel_benchmarks();
     register_surface_benchmarks();
     register_stage_benchmarks(level, mode);
@@ -52,7 +52,10 @@ int main(int argc, char** argv) {
         "oblong-bench",
         "Times kernels, stages and frames with Google Benchmark, whose options (--benchmark_filter=...) it takes.");
     declare(line, options);
-    const auto run = [&] { run_benchmarks(options); };
+    const auto run = [&] {
+        if (options.palette.empty()) options.palette = assets_folder(argv[0]) + "/palette.lmp";
+        run_benchmarks(options);
+    };
     if (count > 1) {
         const auto refuse = [&] { throw UsageError(std::string(theirs[1]) + ": no option of Google Benchmark"); };
         return run_program("oblong-bench", refuse);

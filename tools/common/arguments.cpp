@@ -138,23 +138,20 @@ Accuracy parse_accuracy(Preset preset, const std::vector<std::string>& dials) {
     return accuracy;
 }
 
+std::string message_of(const std::exception& error) {
+    if (const auto* input = dynamic_cast<const InputError*>(&error)) return input->where + ": " + input->what();
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return "out of memory";
+    return error.what();
+}
+
 int run_program(const std::string& name, const std::function<void()>& body) {
     try {
         body();
         flush_standard_output();
         return 0;
-    } catch (const UsageError& error) {
-        std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
-        return 2;
-    } catch (const InputError& error) {
-        std::fprintf(stderr, "%s: %s: %s\n", name.c_str(), error.where.c_str(), error.what());
-        return 1;
-    } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "%s: out of memory\n", name.c_str());
-        return 1;
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
-        return 1;
+        std::fprintf(stderr, "%s: %s\n", name.c_str(), message_of(error).c_str());
+        return dynamic_cast<const UsageError*>(&error) != nullptr ? 2 : 1;
     }
 }
 

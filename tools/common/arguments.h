@@ -44,6 +44,9 @@ Accuracy parse_accuracy(Preset preset, const std::vector<std::string>& dials);
 /// 2^24. Throws UsageError that begins with `option` for anything else, "nan" and "1e3" included.
 std::int64_t parse_number(const std::string& option, const std::string& text, int fraction_bits);
 
+/// What a program says of an error on standard error, after its name.
+std::string message_of(const std::exception& error);
+
 /// Runs a program's body, checks that its standard output was written, and turns exceptions into messages and exit
 /// codes: 0 success; 1 a failure, `PROGRAM: FILE: WHERE: what is wrong` on standard error; 2 wrong usage.
 int run_program(const std::string& name, const std::function<void()>& body);

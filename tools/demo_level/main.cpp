@@ -7,6 +7,7 @@
 #include "tools/demo_level/art/textures.h"
 #include "tools/demo_level/map/museum.h"
 #include "tools/demo_level/models/armillary.h"
+#include "tools/demo_level/sounds/sounds.h"
 
 namespace oblong {
 namespace {
@@ -41,6 +42,12 @@ void write_demo_models(const std::string& folder) {
     write_file((path / "armillary.mtl").string(), model_source::armillary_mtl());
 }
 
+void write_sounds(const std::string& folder) {
+    make_folder(folder);
+    for (const auto& [name, samples] : sound_source::make_all_sounds())
+        write_file((std::filesystem::path(folder) / (name + ".wav")).string(), sound_source::encode_wave(samples));
+}
+
 }  // namespace
 }  // namespace oblong
 
@@ -50,12 +57,17 @@ int main(int argc, char** argv) {
     CommandLine line("oblong-demo-level", "Makes what the demo level is built from.");
     Command textures = line.add_command("textures", "the pictures on its walls, as indexed PNGs into a folder");
     Command models = line.add_command("models", "what stands in it: OBJ files with their skins, into a folder");
+    Command sounds = line.add_command("sounds", "what is heard in the game, as WAV files into a folder");
+    Command music = line.add_command("music", "the title's music, a tracker module");
     Command map = line.add_command("map", "the level's source, for oblong-map");
     Command palette = line.add_command("palette", "its 256 colours, 768 bytes");
-    for (Command* command : {&textures, &models, &map, &palette}) command->add("-o", output, "what to write").require();
+    for (Command* command : {&textures, &models, &sounds, &music, &map, &palette})
+        command->add("-o", output, "what to write").require();
     return line.run(argc, argv, [&] {
         if (textures.is_given()) write_pictures(art::paint_all_textures(), output);
         if (models.is_given()) write_demo_models(output);
+        if (sounds.is_given()) write_sounds(output);
+        if (music.is_given()) write_file(output, sound_source::make_title_music());
         if (map.is_given()) write_demo_map(output);
         if (palette.is_given()) write_demo_palette(output);
     });

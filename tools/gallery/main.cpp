@@ -4,6 +4,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
 #include "tools/common/arguments.h"
+#include "tools/common/assets_folder.h"
 #include "tools/common/command_line.h"
 #include "tools/common/png.h"
 #include "tools/gallery/page.h"
@@ -14,14 +15,14 @@ namespace {
 using namespace oblong;
 
 struct Options {
-    std::string out = "gallery", assets = OBLONG_ASSETS, mode = "320x200", display = "4:3", preset = "bounded";
+    std::string out = "gallery", assets, mode = "320x200", display = "4:3", preset = "bounded";
     std::vector<std::string> dials, ids;
 };
 
 void declare(Command& line, Options& options) {
     line.add("--out", options.out, "folder for index.html and its pictures");
     line.add("--row", options.ids, "only this row, by its id; may be given several times");
-    line.add("--assets", options.assets, "folder of demo.bsp and palette.lmp");
+    line.add("--assets", options.assets, "folder of demo.bsp and palette.lmp (default: the project's)");
     line.add("--mode", options.mode, "pixels of a picture, WIDTHxHEIGHT");
     line.add("--display", options.display, "shape of the display, WIDTH:HEIGHT");
     line.add("--accuracy", options.preset, "1991, 1994, 1996, bounded or exact");
@@ -130,5 +131,8 @@ int main(int argc, char** argv) {
     Options options;
     CommandLine line("oblong-gallery", "Draws all that the seeds name, a picture each, with an index page.");
     declare(line, options);
-    return line.run(argc, argv, [&] { make_gallery(options); });
+    return line.run(argc, argv, [&] {
+        if (options.assets.empty()) options.assets = assets_folder(argv[0]);
+        make_gallery(options);
+    });
 }

@@ -9,6 +9,7 @@
 #include "engine/scene/level_effects.h"
 #include "engine/scene/placed_models.h"
 #include "tools/common/arguments.h"
+#include "tools/common/assets_folder.h"
 #include "tools/common/command_line.h"
 #include "tools/common/frame_log.h"
 #include "tools/common/level_models.h"
@@ -198,8 +199,7 @@ void render(const Options& options) {
     const std::int64_t time_ms = parse_time_ms("--time", options.seconds),
                        step_ms = parse_time_step_ms(options.step_seconds);
 
-    const std::string palette_path = options.palette.empty() ? OBLONG_DEMO_PALETTE : options.palette;
-    const Palette palette = read_parsed(palette_path, read_palette);
+    const Palette palette = read_parsed(options.palette, read_palette);
     const Colormap colormap = make_colormap(palette);
     const std::vector<Camera> cameras =
         read_parsed(options.cameras, [&](const auto& bytes) { return parse_cameras(bytes, field_of_view); });
@@ -239,5 +239,8 @@ int main(int argc, char** argv) {
     Options options;
     CommandLine line("oblong-render", "Renders the frames of a list of cameras, without a window.");
     declare(line, options);
-    return line.run(argc, argv, [&] { render(options); });
+    return line.run(argc, argv, [&] {
+        if (options.palette.empty()) options.palette = assets_folder(argv[0]) + "/palette.lmp";
+        render(options);
+    });
 }

@@ -66,7 +66,7 @@ class Mixer final : public SoundOutput {
 
     SoundNumber add_sound(std::span<const std::uint8_t> wave_file) override;
     VoiceNumber start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) override;
-    bool is_playing(VoiceNumber voice) const override { return voice >= 0 && Mix_Playing(voice) != 0; }
+    bool is_playing(VoiceNumber voice) const override { return channel_of(voice) >= 0; }
     void adjust(VoiceNumber voice, const VoiceLevels& levels) override;
     void stop(VoiceNumber voice) override;
     void hold_voices(bool are_held) override { are_held ? Mix_Pause(-1) : Mix_Resume(-1); }
@@ -75,8 +75,12 @@ class Mixer final : public SoundOutput {
     void stop_music() override { music_.reset(); }
 
   private:
+    int channel_of(VoiceNumber voice) const;
+
     Device device_;  // first: it outlives the rest
     std::array<VoiceFilter, kVoices> filters_;
+    std::array<VoiceNumber, kVoices> last_voices_{};  // by channel: the last one that was started there
+    VoiceNumber next_voice_ = 0;
     std::vector<OwnedSound<Mix_Chunk>> sounds_;
     std::vector<std::uint8_t> music_bytes_;
     OwnedSound<Mix_Music> music_;
@@ -89,24 +93,34 @@ SoundOutput::SoundNumber Mixer::add_sound(std::span<const std::uint8_t> wave_fil
     return static_cast<SoundNumber>(sounds_.size()) - 1;
 }
 
+// The channel in which a voice is playing; -1: it has ended.
+int Mixer::channel_of(VoiceNumber voice) const {
+    for (int channel = 0; channel < kVoices; ++channel)
+        if (last_voices_[static_cast<std::size_t>(channel)] == voice && Mix_Playing(channel) != 0) return channel;
+    return -1;
+}
+
 SoundOutput::VoiceNumber Mixer::start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) {
-    for (int voice = 0; voice < kVoices; ++voice) {
-        if (Mix_Playing(voice) != 0) continue;
-        VoiceFilter& filter = filters_[static_cast<std::size_t>(voice)];
-        filter.begin(levels, is_loop);
+    for (int channel = 0; channel < kVoices; ++channel) {
+        if (Mix_Playing(channel) != 0) continue;
+        const auto i = static_cast<std::size_t>(channel);
+        filters_[i].begin(levels, is_loop);
         // A voice that has ended has lost its filter: SDL_mixer removes it.
-        Mix_RegisterEffect(voice, apply_filter, nullptr, &filter);
-        return Mix_PlayChannel(voice, sounds_.at(static_cast<std::size_t>(sound)).get(), is_loop ? -1 : 0);
+        Mix_RegisterEffect(channel, apply_filter, nullptr, &filters_[i]);
+        Mix_PlayChannel(channel, sounds_.at(static_cast<std::size_t>(sound)).get(), is_loop ? -1 : 0);
+        return last_voices_[i] = next_voice_++;
     }
     return kNoVoice;
 }
 
 void Mixer::adjust(VoiceNumber voice, const VoiceLevels& levels) {
-    if (is_playing(voice)) filters_[static_cast<std::size_t>(voice)].set(levels);
+    const int channel = channel_of(voice);
+    if (channel >= 0) filters_[static_cast<std::size_t>(channel)].set(levels);
 }
 
 void Mixer::stop(VoiceNumber voice) {
-    if (is_playing(voice)) Mix_FadeOutChannel(voice, kFade_ms);
+    const int channel = channel_of(voice);
+    if (channel >= 0) Mix_FadeOutChannel(channel, kFade_ms);
 }
 
 void Mixer::play_music(std::span<const std::uint8_t> module_file, std::int32_t volume_256) {

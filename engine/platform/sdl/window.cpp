@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <thread>
 
+#include "engine/platform/frame_pacing.h"
 #include "engine/platform/sdl/crt_look.h"
 #include "engine/platform/sdl/input.h"
 #include "engine/platform/sdl/owned.h"
@@ -75,11 +78,15 @@ Owned<SDL_Renderer> make_renderer(SDL_Window* window) {
     fail("no renderer");
 }
 
-// The least time between frames, for displays that presenting does not wait for.
-std::uint32_t shortest_frame_ms(SDL_Renderer* renderer) {
-    SDL_RendererInfo info{};
-    SDL_GetRendererInfo(renderer, &info);
-    return (info.flags & SDL_RENDERER_PRESENTVSYNC) != 0 ? 2 : 7;
+// At most how many frames a second a window is shown, whose display is to be waited for. Where presenting does not wait
+// although it was asked to, this does: for an eighth more than the display shows, so that one of 59.94 Hz, which is
+// called 59, is not held up.
+std::int32_t display_limit(SDL_Window* window) {
+    constexpr int kUnknownRate = 128;
+    SDL_DisplayMode mode{};
+    SDL_GetCurrentDisplayMode(std::max(SDL_GetWindowDisplayIndex(window), 0), &mode);
+    const int rate = mode.refresh_rate > 0 ? mode.refresh_rate : kUnknownRate;
+    return rate + rate / 8;
 }
 
 void write_colours(Framebuffer picture, const Palette& palette, SDL_Texture* texture) {
@@ -101,10 +108,7 @@ void write_colours(Framebuffer picture, const Palette& palette, SDL_Texture* tex
 class SdlPlatform final : public Platform {
   public:
     SdlPlatform(const char* title, WindowSize size)
-        : window_(make_window(title, size)),
-          renderer_(make_renderer(window_.get())),
-          shortest_frame_ms_(shortest_frame_ms(renderer_.get())),
-          input_(window_.get()) {}
+        : window_(make_window(title, size)), renderer_(make_renderer(window_.get())), input_(window_.get()) {}
 
     bool is_open() const override { return !input_.is_closed(); }
     Controls poll() override { return input_.poll(); }
@@ -112,21 +116,25 @@ class SdlPlatform final : public Platform {
     WindowSize window_size() const override;
     void set_title(const char* title) override { SDL_SetWindowTitle(window_.get(), title); }
     void capture_mouse(bool is_captured) override { input_.capture_mouse(is_captured); }
+    void change_window(const WindowSettings& settings) override;
+    void wait_for_input(std::int32_t timeout_ms) override { SDL_WaitEventTimeout(nullptr, timeout_ms); }
     void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
 
   private:
+    bool is_minimised() const;
+    void draw_picture(Framebuffer picture, const Palette& palette, const PresentRect& shown);
     SDL_Texture* fitted(Owned<SDL_Texture>& texture, int access, WindowSize size, SDL_ScaleMode scale_mode);
     SDL_Texture* upscaled(SDL_Texture* picture, WindowSize size);
     void draw_crt_look(const PresentRect& shown);
-    void wait_for_turn();
+    void wait_until_due();
 
     Video video_;  // first: it outlives the rest
     Owned<SDL_Window> window_;
     Owned<SDL_Renderer> renderer_;
     Owned<SDL_Texture> picture_, upscaled_;
     std::unique_ptr<CrtLook> crt_look_;  // only while it is on
-    std::uint32_t shortest_frame_ms_;
-    std::uint64_t last_frame_ms_ = 0;
+    WindowSettings settings_;
+    FramePacing pacing_;
     SdlInput input_;
 };
 
@@ -160,7 +168,27 @@ SDL_Texture* SdlPlatform::upscaled(SDL_Texture* picture, WindowSize size) {
     return target;
 }
 
+void SdlPlatform::change_window(const WindowSettings& settings) {
+    if (settings.is_full_screen != settings_.is_full_screen)
+        SDL_SetWindowFullscreen(window_.get(), settings.is_full_screen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+    if (settings.waits_for_display != settings_.waits_for_display)
+        SDL_RenderSetVSync(renderer_.get(), settings.waits_for_display ? 1 : 0);
+    settings_ = settings;
+}
+
+bool SdlPlatform::is_minimised() const {
+    return (SDL_GetWindowFlags(window_.get()) & (SDL_WINDOW_MINIMIZED | SDL_WINDOW_HIDDEN)) != 0;
+}
+
 void SdlPlatform::present(Framebuffer picture, const Palette& palette, const PresentRect& shown) {
+    constexpr std::int32_t kUnseenFrame_ms = 200;  // less than what TickClock counts of a pause
+    if (is_minimised()) return wait_for_input(kUnseenFrame_ms);
+    draw_picture(picture, palette, shown);
+    wait_until_due();
+    SDL_RenderPresent(renderer_.get());
+}
+
+void SdlPlatform::draw_picture(Framebuffer picture, const Palette& palette, const PresentRect& shown) {
     if (input_.take_textures_lost()) {
         picture_.reset();
         upscaled_.reset();
@@ -178,8 +206,6 @@ void SdlPlatform::present(Framebuffer picture, const Palette& palette, const Pre
     const SDL_Rect target{shown.x_px, shown.y_px, shown.width_px, shown.height_px};
     if (target.w > 0) SDL_RenderCopy(renderer_.get(), source, nullptr, &target);
     draw_crt_look(shown);
-    wait_for_turn();
-    SDL_RenderPresent(renderer_.get());
 }
 
 void SdlPlatform::draw_crt_look(const PresentRect& shown) {
@@ -188,10 +214,13 @@ void SdlPlatform::draw_crt_look(const PresentRect& shown) {
     crt_look_->draw_over(picture_.get(), shown);
 }
 
-void SdlPlatform::wait_for_turn() {
-    const std::uint64_t since_ms = SDL_GetTicks64() - last_frame_ms_;
-    if (since_ms < shortest_frame_ms_) SDL_Delay(shortest_frame_ms_ - static_cast<std::uint32_t>(since_ms));
-    last_frame_ms_ = SDL_GetTicks64();
+void SdlPlatform::wait_until_due() {
+    std::int32_t most = settings_.frames_per_second;
+    if (settings_.waits_for_display) {
+        const std::int32_t limit = display_limit(window_.get());
+        most = most == 0 ? limit : std::min(most, limit);
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(pacing_.next_wait_us(now_us(), most)));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "game/simulation/consistency.h"
+#include "game/simulation/state_check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,17 +1,17 @@
-#include "game/simulation/consistency.h"
+#include "game/simulation/state_check.h"
 
 #include <algorithm>
 
 #include "game/simulation/activations.h"
 #include "game/simulation/slide_move.h"
+#include "game/simulation/step.h"
 
 namespace oblong {
 namespace {
 
 constexpr std::int64_t kLastTick = std::int64_t{1} << 40;  // a thousand years
-constexpr World kFarthest = World::from_int(50'000);       // beyond it players come in again
-constexpr World kFastest = World::from_int(16'000);
-constexpr std::int32_t kLongestWait_ticks = 2'000'000;  // above the largest number of a key
+constexpr World kFastest = World::from_int(4096);          // along an axis; the player's own bound is half of that
+constexpr std::int32_t kLongestWait_ticks = 2'000'000;     // above the largest number of a key
 
 // Collects the first thing that is wrong.
 class Check {
@@ -49,7 +49,7 @@ bool is_one_of(Enumeration value, Enumeration last) {
 }
 
 void check_player(const GameLevel& level, const Player& player, Check& check) {
-    check.expect(is_within(player.position, kFarthest), "player: a position outside the world");
+    check.expect(is_within(player.position, kFarthestPlayer), "player: a position outside the world");
     check.expect(is_within(player.velocity, kFastest), "player: a velocity above any that the game makes");
     check.expect(player.pitch >= -Player::kSteepestPitch && player.pitch <= Player::kSteepestPitch,
                  "player: pitch " + std::to_string(player.pitch) + ", expected -16000 to 16000");
@@ -59,15 +59,27 @@ void check_player(const GameLevel& level, const Player& player, Check& check) {
     check.expect(is_one_of(player.depth, Depth::Eyes), "player: an unknown depth");
 }
 
+bool is_soon(std::int64_t tick, const GameState& state) {
+    return tick >= 0 && tick <= state.tick + kLongestWait_ticks;
+}
+
 bool is_possible(const Mover& mover, const MoverState& state) {
     return is_one_of(state.phase, MoverState::Phase::Removed) && state.leg < mover.legs.size() &&
            state.travelled >= World{} && state.travelled <= mover.legs[state.leg].length &&
-           state.wait_ticks >= kForever && state.wait_ticks <= kLongestWait_ticks && is_tick(state.next_touch);
+           state.wait_ticks >= kForever && state.wait_ticks <= kLongestWait_ticks;
+}
+
+// Counters fire, and are gone, at 0.
+bool is_possible(const Trigger& trigger, const TriggerState& trigger_state, const GameState& state) {
+    const bool is_gone = trigger_state.ready_tick == TriggerState::kNever;
+    const bool counts = trigger.kind == TriggerKind::Counter && !is_gone;
+    return (is_gone || is_soon(trigger_state.ready_tick, state)) && is_soon(trigger_state.open_until, state) &&
+           trigger_state.left >= (counts ? 1 : 0) && trigger_state.left <= trigger.count;
 }
 
 void check_movers(const GameLevel& level, const GameState& state, Check& check) {
     for (std::size_t i = 0; i < level.movers.size(); ++i)
-        check.expect(is_possible(level.movers[i], state.movers[i]),
+        check.expect(is_possible(level.movers[i], state.movers[i]) && is_soon(state.movers[i].next_touch, state),
                      "movers: number " + std::to_string(i) + " is where it can't be");
     std::vector<std::uint32_t> active;
     for (std::size_t i = 0; i < level.movers.size(); ++i)
@@ -75,25 +87,29 @@ void check_movers(const GameLevel& level, const GameState& state, Check& check) 
     check.expect(active == state.active_movers, "active movers: others than those that are on their way");
 }
 
+void check_triggers(const GameLevel& level, const GameState& state, Check& check) {
+    std::int32_t secrets_gone = 0;
+    for (std::size_t i = 0; i < level.triggers.size(); ++i) {
+        check.expect(is_possible(level.triggers[i], state.triggers[i], state),
+                     "triggers: number " + std::to_string(i) + " has a state that it can't have");
+        secrets_gone += level.triggers[i].is_secret && state.triggers[i].ready_tick == TriggerState::kNever;
+    }
+    check.expect(state.found_secrets >= 0 && state.found_secrets <= secrets_gone,
+                 std::to_string(state.found_secrets) + " secrets found, expected no more than are gone");
+}
+
 void check_others(const GameLevel& level, const GameState& state, Check& check) {
     for (const WallState wall : state.walls)
         check.expect(is_one_of(wall, WallState::Removed), "walls: one in an unknown state");
     for (const ItemState item : state.items)
         check.expect(is_one_of(item, ItemState::Removed), "items: one in an unknown state");
-    for (const TriggerState& trigger : state.triggers) {
-        const bool is_right =
-            (is_tick(trigger.ready_tick) || trigger.ready_tick == TriggerState::kNever) && is_tick(trigger.open_until);
-        check.expect(is_right, "triggers: one that is ready at no tick");
-    }
     check.expect(
         state.shown_message >= kNoMessage && state.shown_message < static_cast<std::int64_t>(level.messages.size()),
         "message " + std::to_string(state.shown_message) + ", which the level has not");
     check.expect(state.exit >= -1 && state.exit < static_cast<std::int64_t>(level.triggers.size()),
                  "exit " + std::to_string(state.exit) + ", which the level has not");
-    check.expect(state.found_secrets >= 0 && state.found_secrets <= level.secrets,
-                 std::to_string(state.found_secrets) + " secrets found, expected no more than there are");
     check.expect((state.keys & ~(kSilverKey | kGoldKey)) == 0, "unknown keys");
-    check.expect(is_within(state.respawn.position, kFarthest), "a place to come in outside the world");
+    check.expect(is_within(state.respawn.position, kFarthestPlayer), "a place to come in outside the world");
 }
 
 bool is_there(const GameLevel& level, const EntityRef& entity) {
@@ -125,7 +141,8 @@ void check_delayed(const GameLevel& level, const GameState& state, Check& check)
 
 std::string find_inconsistency(const GameLevel& level, const GameState& state) {
     Check check;
-    check.expect(is_tick(state.tick) && is_tick(state.message_tick), "a tick before the start, or after all time");
+    check.expect(is_tick(state.tick), "tick " + std::to_string(state.tick));
+    check.expect(is_tick(state.message_tick) && state.message_tick <= state.tick, "a message of a tick to come");
     check.expect_length("movers", state.movers.size(), level.movers.size());
     check.expect_length("walls", state.walls.size(), level.walls.size());
     check.expect_length("triggers", state.triggers.size(), level.triggers.size());
@@ -133,6 +150,7 @@ std::string find_inconsistency(const GameLevel& level, const GameState& state) {
     if (!check.is_fine()) return std::move(check).result();
     check_player(level, state.player, check);
     check_movers(level, state, check);
+    check_triggers(level, state, check);
     check_others(level, state, check);
     check_delayed(level, state, check);
     return std::move(check).result();

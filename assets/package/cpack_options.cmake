@@ -1,0 +1,7 @@
+# What cpack reads before it makes a package: the same files make the same bytes, and a package without its
+# dependencies is none.
+set(ENV{SOURCE_DATE_EPOCH} ${CPACK_OBLONG_DATE_SECONDS})
+find_program(SHLIBDEPS dpkg-shlibdeps)
+if(NOT SHLIBDEPS)
+    message(FATAL_ERROR "dpkg-shlibdeps: not there, expected it to find the package's dependencies (Debian: dpkg-dev)")
+endif()

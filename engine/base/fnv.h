@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace oblong {
+
+/// FNV-1a of 64 bits (Fowler, Noll and Vo) of bytes that come one after the other: the same on every machine. Bytes
+/// that differ in one place have different hashes; it is no defence against forgery.
+class Fnv1a {
+  public:
+    constexpr void add(std::uint8_t byte) { value_ = (value_ ^ byte) * 1'099'511'628'211u; }
+    constexpr void add(std::span<const std::uint8_t> bytes) {
+        for (const std::uint8_t byte : bytes) add(byte);
+    }
+    constexpr std::uint64_t value() const { return value_; }
+
+  private:
+    std::uint64_t value_ = 14'695'981'039'346'656'037u;
+};
+
+constexpr std::uint64_t fnv1a_of(std::span<const std::uint8_t> bytes) {
+    Fnv1a hash;
+    hash.add(bytes);
+    return hash.value();
+}
+
+}  // namespace oblong

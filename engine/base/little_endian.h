@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/base/input_error.h"
+
+namespace oblong {
+
+/// Appends an integer, lowest byte first, whatever the machine's own byte order.
+template <class Int>
+void append_little_endian(std::vector<std::uint8_t>& bytes, Int number) {
+    for (std::size_t byte = 0; byte < sizeof(Int); ++byte)
+        bytes.push_back(static_cast<std::uint8_t>(static_cast<std::uint64_t>(number) >> (8 * byte)));
+}
+
+/// Throws InputError at an offset of a file unless what is there is right.
+inline void expect_at(std::size_t offset, bool is_right, const std::string& what_is_wrong) {
+    if (!is_right) throw InputError("offset " + std::to_string(offset), what_is_wrong);
+}
+
+/// Reads such integers one after the other. What is not there is an InputError at its offset.
+class LittleEndianReader {
+  public:
+    explicit LittleEndianReader(std::span<const std::uint8_t> bytes, std::size_t start = 0)
+        : bytes_(bytes), at_(start) {}
+
+    std::size_t offset() const { return at_; }
+    std::size_t rest() const { return bytes_.size() - at_; }
+
+    std::span<const std::uint8_t> take(std::size_t count) {
+        if (count > rest())
+            expect_at(at_, false, std::to_string(rest()) + " bytes are left, expected " + std::to_string(count));
+        at_ += count;
+        return bytes_.subspan(at_ - count, count);
+    }
+    template <class Int>
+    Int next() {
+        std::uint64_t number = 0;
+        int shift = 0;
+        for (const std::uint8_t byte : take(sizeof(Int))) {
+            number |= std::uint64_t{byte} << shift;
+            shift += 8;
+        }
+        return static_cast<Int>(number);
+    }
+
+  private:
+    std::span<const std::uint8_t> bytes_;
+    std::size_t at_;
+};
+
+}  // namespace oblong

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/base/little_endian.h"
+#include "game/simulation/state.h"
+
+namespace oblong {
+
+/// The fields of a state as bytes, in the order of visit_fields() (game/simulation/state_fields.h): each number in its
+/// own width, each list after its length (u32).
+void append_state(std::vector<std::uint8_t>& bytes, const GameState& state);
+
+/// Reads such fields. Throws InputError where they end early or a list or a bool can't be right; whether a level has
+/// such a state is_consistent() says.
+GameState read_state(LittleEndianReader& reader);
+
+/// A hash of the kinds of all fields: states of another build that has others are told by it.
+std::uint64_t state_layout();
+
+}  // namespace oblong

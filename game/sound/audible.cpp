@@ -1,0 +1,196 @@
+#include "game/sound/audible.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/fixed/root.h"
+#include "engine/fixed/trig.h"
+#include "engine/level/trace.h"
+#include "game/simulation/collision.h"
+#include "game/simulation/step.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int64_t kOne_16 = 1 << 16;
+constexpr std::int64_t kMostPan_16 = kOne_16 * 7 / 8;  // the far ear is never quite without sound
+constexpr World kNear = World::from_int(96);           // nearer than this, sounds come from both sides more and more
+constexpr World kInReach = World::from_int(32);        // nothing is between the listener and what is as near as this
+constexpr std::int32_t kSurfaceRise = 32;              // liquids are heard over the edge of their basin
+constexpr std::int32_t kBlockedGain_256 = 140;
+constexpr std::int32_t kFaintest_256 = 3;  // both sides together: quieter sounds get no voice
+
+Position nearest_point(const Box& box, const Position& to) {
+    return {std::clamp(to.x, box.mins.x, box.maxs.x), std::clamp(to.y, box.mins.y, box.maxs.y),
+            std::clamp(to.z, box.mins.z, box.maxs.z)};
+}
+
+std::int64_t root_of_16(std::int64_t value_16) {
+    return integer_root(static_cast<std::uint64_t>(value_16) * kOne_16);
+}
+
+// The part of the way that leads along a horizontal direction, -1 to 1; less where it is near.
+std::int64_t part_along_16(const Vec3<World>& way, World distance, Angle direction) {
+    const World along = component_along(way, {cosine(direction), sine(direction), Unit{}});
+    const std::int64_t part = std::int64_t{along.raw} * kOne_16 / std::max(distance, kNear).raw;
+    return std::clamp(part, -kOne_16, kOne_16);
+}
+
+Direction direction_to(const SoundSource& source, const Listener& listener) {
+    if (row_of(source.sound).range == 0) return Direction::Here;
+    const Vec3<World> way = nearest_point(source.box, listener.ear) - listener.ear;
+    if (length_of(way) < kNear) return Direction::Here;
+    const std::int64_t ahead = component_along(way, {cosine(listener.yaw), sine(listener.yaw), Unit{}}).raw;
+    const Angle to_right = listener.yaw - kQuarterTurn;
+    const std::int64_t right = component_along(way, {cosine(to_right), sine(to_right), Unit{}}).raw;
+    if (std::abs(right) > std::abs(ahead)) return right > 0 ? Direction::Right : Direction::Left;
+    return ahead >= 0 ? Direction::Ahead : Direction::Behind;
+}
+
+bool is_liquid(Sound sound) {
+    return sound == Sound::Water || sound == Sound::Slime || sound == Sound::Lava;
+}
+
+// The end of the line that tells whether a source is behind something: a little before it.
+Position traced_point(const SoundSource& source, const Listener& listener) {
+    Position point = nearest_point(source.box, listener.ear);
+    if (is_liquid(source.sound) && point.z < listener.ear.z)
+        point.z = std::min(point.z + World::from_int(kSurfaceRise), listener.ear.z);
+    const Vec3<World> way = point - listener.ear;
+    const World distance = length_of(way);
+    if (distance <= kInReach) return listener.ear;
+    return listener.ear + scaled(way, distance - World::from_int(4), distance);
+}
+
+std::int32_t loudness(const VoiceLevels& levels) {
+    return levels.left_256 + levels.right_256;
+}
+
+struct Heard {
+    const SoundSource* source;
+    VoiceLevels levels;
+};
+
+bool is_louder(const Heard& a, const Heard& b) {
+    return loudness(a.levels) > loudness(b.levels);
+}
+
+VoiceLevels times_256(VoiceLevels levels, std::int32_t gain_256) {
+    levels.left_256 = levels.left_256 * gain_256 / 256;
+    levels.right_256 = levels.right_256 * gain_256 / 256;
+    return levels;
+}
+
+class Hearing {
+  public:
+    Hearing(const GameLevel& level, const GameState& state, const Listener& listener)
+        : level_(level), state_(state), listener_(listener) {}
+
+    void add(const Heard& heard) {
+        const SoundSource& source = *heard.source;
+        AudibleSound sound{source.sound, source.variant, source.serial, heard.levels, direction_to(source, listener_)};
+        if (is_blocked(source)) {
+            sound.levels = times_256(heard.levels, kBlockedGain_256);
+            sound.levels.is_muffled = true;
+        }
+        sound.levels.is_muffled |= listener_.is_under_water && source.sound != Sound::UnderWater;
+        audible_.sounds.push_back(sound);
+    }
+
+    // The sources of one loop: the loudest decides how it sounds, the others only make it louder on their sides.
+    void add_loop(std::span<Heard> sources) {
+        std::stable_sort(sources.begin(), sources.end(), is_louder);
+        const std::size_t count = std::min(sources.size(), kMostSourcesOfALoop), first = audible_.sounds.size();
+        for (std::size_t i = 0; i < count; ++i) add(sources[i]);
+        const auto all = std::span(audible_.sounds).subspan(first);
+        AudibleSound loop = *std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
+            return loudness(a.levels) < loudness(b.levels);
+        });
+        for (const AudibleSound& one : all) {
+            loop.levels.left_256 = std::max(loop.levels.left_256, one.levels.left_256);
+            loop.levels.right_256 = std::max(loop.levels.right_256, one.levels.right_256);
+        }
+        audible_.sounds.resize(first);
+        audible_.sounds.push_back(loop);
+    }
+
+    Audible result() && {
+        std::stable_sort(audible_.sounds.begin(), audible_.sounds.end(),
+                         [](const auto& a, const auto& b) { return loudness(a.levels) > loudness(b.levels); });
+        if (audible_.sounds.size() > kMostAudible) audible_.sounds.resize(kMostAudible);
+        return std::move(audible_);
+    }
+
+  private:
+    bool is_blocked(const SoundSource& source) {
+        if (row_of(source.sound).range == 0) return false;
+        const Position end = traced_point(source, listener_);
+        if (end == listener_.ear) return false;
+        ++audible_.traces;
+        return !is_clear(level_, state_, listener_.ear, end, source.model);
+    }
+
+    const GameLevel& level_;
+    const GameState& state_;
+    const Listener& listener_;
+    Audible audible_;
+};
+
+bool stops_line(const Level& bsp, ModelIndex model, const Position& from, const Position& to) {
+    const TraceResult result = trace_hull(bsp, bsp.models[model], Hull::Point, from, to);
+    return result.is_hit || result.is_all_solid;
+}
+
+}  // namespace
+
+Listener listener_of(const Player& player) {
+    return {player.position + world_vector(0, 0, kEyeHeight), player.yaw, player.depth == Depth::Eyes};
+}
+
+VoiceLevels levels_at(const SoundSource& source, const Listener& listener) {
+    const SoundRow& row = row_of(source.sound);
+    if (row.range == 0) return {row.gain_256, row.gain_256, false};
+    const Vec3<World> way = nearest_point(source.box, listener.ear) - listener.ear;
+    const World distance = length_of(way), range = World::from_int(row.range);
+    if (distance >= range) return {};
+    const std::int64_t nearness_16 = kOne_16 - std::int64_t{distance.raw} * kOne_16 / range.raw;
+    const std::int64_t gain_16 = nearness_16 * nearness_16 / kOne_16 * row.gain_256 / 256;
+    const std::int64_t pan_16 = part_along_16(way, distance, listener.yaw - kQuarterTurn) * kMostPan_16 / kOne_16;
+    const auto level = [&](std::int64_t share_16) {
+        return static_cast<std::int32_t>(gain_16 * root_of_16(share_16) / kOne_16 * 256 / kOne_16);
+    };
+    return {level((kOne_16 - pan_16) / 2), level((kOne_16 + pan_16) / 2), false};
+}
+
+bool is_clear(const GameLevel& level, const GameState& state, const Position& from, const Position& to,
+              ModelIndex except) {
+    if (stops_line(*level.bsp, kWorldModel, from, to)) return false;
+    const Box line = Box{from, from}.united({to, to});
+    for (const std::uint32_t i : level.obstacles.overlapping(line)) {
+        const std::optional<Obstacle> obstacle = obstacle_of(level, state, i);
+        if (!obstacle || obstacle->model == except) continue;
+        const auto& [model, offset] = *obstacle;
+        if (!obstacle_box(level, model, offset).overlaps(line)) continue;
+        if (stops_line(*level.bsp, model, from - offset, to - offset)) return false;
+    }
+    return true;
+}
+
+Audible audible_sounds(const GameLevel& level, const GameState& state, const Listener& listener,
+                       std::span<const SoundSource> sources) {
+    std::array<std::vector<Heard>, kSoundCount> loops;
+    Hearing hearing(level, state, listener);
+    for (const SoundSource& source : sources) {
+        const Heard heard{&source, levels_at(source, listener)};
+        if (loudness(heard.levels) < kFaintest_256) continue;
+        if (row_of(source.sound).is_loop())
+            loops[static_cast<std::size_t>(source.sound)].push_back(heard);
+        else
+            hearing.add(heard);
+    }
+    for (std::vector<Heard>& loop : loops)
+        if (!loop.empty()) hearing.add_loop(loop);
+    return std::move(hearing).result();
+}
+
+}  // namespace oblong

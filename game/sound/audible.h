@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/platform/sound.h"
+#include "game/simulation/game_level.h"
+#include "game/sound/sound_source.h"
+
+namespace oblong {
+
+/// Who hears.
+struct Listener {
+    Position ear;
+    Angle yaw;  ///< where they look
+    bool is_under_water = false;
+};
+Listener listener_of(const Player& player);
+
+/// From where a sound comes, as seen by the listener.
+enum class Direction : std::uint8_t { Here, Ahead, Left, Right, Behind };
+
+/// A sound that is heard now.
+struct AudibleSound {
+    Sound sound = Sound::Wind;
+    std::int32_t variant = 0;
+    std::uint32_t serial = 0;  ///< of its source; 0: a loop, of which there is one for each sound
+    VoiceLevels levels;
+    Direction direction = Direction::Here;
+};
+
+/// What is heard, and how much work it was to find out.
+struct Audible {
+    std::vector<AudibleSound> sounds;  ///< at most kMostAudible, the loudest ones
+    std::int32_t traces = 0;           ///< lines through the level: at most one a source, none for those out of range
+};
+inline constexpr std::size_t kMostAudible = 24, kMostSourcesOfALoop = 3;
+
+/// How loud a source sounds on each side: (1 - distance / range)^2 of its gain, turned to the sides with constant
+/// power. Nothing is muffled yet. Zero from its range on.
+VoiceLevels levels_at(const SoundSource& source, const Listener& listener);
+
+/// Whether a straight line joins two points, through neither the world nor brush models where they are now but
+/// `except`.
+bool is_clear(const GameLevel& level, const GameState& state, const Position& from, const Position& to,
+              ModelIndex except);
+
+/// What a listener hears of some sources. Loops of one sound become one: each ear hears the loudest of them. What no
+/// straight line reaches is softer and muffled; under water, all is muffled.
+Audible audible_sounds(const GameLevel& level, const GameState& state, const Listener& listener,
+                       std::span<const SoundSource> sources);
+
+}  // namespace oblong

@@ -1,0 +1,72 @@
+#include "game/sound/captions.h"
+
+#include <algorithm>
+
+#include "game/simulation/tick_input.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int64_t kShown_ticks = 3 * kTicksPerSecond;
+constexpr std::int64_t kSilence_ticks = 15 * kTicksPerSecond;  // after it, what goes on and on is named again
+constexpr std::int32_t kFaintest_256 = 24;                     // both sides together: quieter loops are not named
+
+}  // namespace
+
+std::string caption_of(Sound sound, Direction direction) {
+    const std::string text = row_of(sound).caption;
+    if (text.empty()) return text;
+    switch (direction) {
+        case Direction::Left:
+            return text + ", to the left";
+        case Direction::Right:
+            return text + ", to the right";
+        case Direction::Behind:
+            return text + ", behind you";
+        case Direction::Ahead:
+            return text + ", ahead";
+        case Direction::Here:
+            break;
+    }
+    return text;
+}
+
+// What goes on and on: only after it was not heard for a while. What begins: in its first tick.
+bool Captions::is_due(const AudibleSound& sound) {
+    const SoundRow& row = row_of(sound.sound);
+    const bool is_new = sound.serial > last_serial_;
+    if (!row.is_loop() && !is_new) return false;
+    if (row.caption_rule == CaptionRule::Always) return true;
+    if (row.is_loop() && sound.levels.left_256 + sound.levels.right_256 < kFaintest_256) return false;
+    std::int64_t& until = heard_until_[static_cast<std::size_t>(sound.sound)];
+    const bool was_silent = until == 0 || tick_ > until + kSilence_ticks;
+    until = tick_;
+    return was_silent;
+}
+
+void Captions::show(const AudibleSound& sound) {
+    const std::string text = caption_of(sound.sound, sound.direction);
+    if (text.empty()) return;
+    std::erase_if(lines_, [&](const Line& line) { return line.sound == sound.sound; });
+    lines_.push_back({text, sound.sound, tick_ + kShown_ticks});
+    if (lines_.size() > kMostLines) lines_.erase(lines_.begin());
+}
+
+void Captions::note_tick(std::span<const AudibleSound> sounds) {
+    ++tick_;
+    std::erase_if(lines_, [&](const Line& line) { return line.ends_tick <= tick_; });
+    std::uint32_t serial = last_serial_;
+    for (const AudibleSound& sound : sounds) {
+        if (is_due(sound)) show(sound);
+        serial = std::max(serial, sound.serial);
+    }
+    last_serial_ = serial;
+}
+
+std::vector<std::string> Captions::lines() const {
+    std::vector<std::string> texts;
+    for (const Line& line : lines_) texts.push_back(line.text);
+    return texts;
+}
+
+}  // namespace oblong

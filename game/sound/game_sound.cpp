@@ -1,0 +1,132 @@
+#include "game/sound/game_sound.h"
+
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <utility>
+
+#include "engine/platform/files.h"
+
+namespace oblong {
+namespace {
+
+std::int32_t product_256(std::int32_t one_100, std::int32_t other_100) {
+    return one_100 * other_100 * 256 / 10'000;
+}
+
+std::string in_folder(const std::string& folder, const char* name) {
+    return (std::filesystem::path(folder) / name).string();
+}
+
+}  // namespace
+
+GameSound::GameSound(OpenSound open, std::string assets_folder)
+    : open_(std::move(open)), assets_folder_(std::move(assets_folder)) {}
+
+GameSound::~GameSound() = default;
+
+std::int32_t GameSound::sounds_256() const {
+    return product_256(settings_.volume_100, settings_.sounds_100);
+}
+
+std::int32_t GameSound::music_256() const {
+    return product_256(settings_.volume_100, settings_.music_100) / (is_held_ ? 2 : 1);
+}
+
+void GameSound::set(const SoundSettings& settings) {
+    if (settings == settings_) return;
+    settings_ = settings;
+    const bool needs_device = settings.volume_100 > 0 && settings.sounds_100 + settings.music_100 > 0;
+    if (!needs_device) {
+        player_.reset();
+        output_.reset();
+        plays_music_ = false;
+    } else if (!output_ && open_) {
+        open_device();
+    }
+    keep_what_is_on();
+}
+
+void GameSound::open_device() {
+    try {
+        output_ = open_();
+        player_ = std::make_unique<SoundPlayer>(*output_, in_folder(assets_folder_, "sounds"));
+    } catch (const std::exception& error) {
+        std::cerr << "oblong: " << error.what() << '\n';
+        player_.reset();
+        output_.reset();
+        open_ = nullptr;
+    }
+}
+
+// Makes what is heard or written, and frees the rest.
+void GameSound::keep_what_is_on() {
+    if (!settings_.shows_captions)
+        captions_.reset();
+    else if (!captions_)
+        captions_ = std::make_unique<Captions>();
+    if (level_ == nullptr || !(has_sounds() || captions_))
+        scene_.reset();
+    else if (!scene_)
+        scene_ = std::make_unique<SoundScene>(*level_);
+    if (player_ && !scene_) player_->stop_all();
+    if (output_ && wants_music_) start_music();
+}
+
+void GameSound::enter(const GameLevel* level) {
+    if (player_) player_->stop_all();
+    scene_.reset();
+    captions_.reset();
+    level_ = level;
+    keep_what_is_on();
+}
+
+void GameSound::note_tick(const GameState& before, const GameState& after) {
+    if (!scene_) return;
+    scene_->note_tick(before, after);
+    const std::span<const AudibleSound> sounds = scene_->audible().sounds;
+    if (has_sounds()) player_->play(sounds, sounds_256());
+    if (captions_) captions_->note_tick(sounds);
+}
+
+void GameSound::hold(bool is_held) {
+    if (is_held == is_held_) return;
+    is_held_ = is_held;
+    if (!output_) return;
+    output_->hold_voices(is_held);
+    output_->set_music_volume(music_256());
+}
+
+void GameSound::play(Sound sound) {
+    if (has_sounds()) player_->play_once(sound, sounds_256());
+}
+
+void GameSound::play_music() {
+    wants_music_ = true;
+    if (output_) start_music();
+}
+
+void GameSound::stop_music() {
+    wants_music_ = plays_music_ = false;
+    if (output_) output_->stop_music();
+}
+
+// Begins it, or gives it the volume that it has now.
+void GameSound::start_music() {
+    if (std::exchange(plays_music_, true)) return output_->set_music_volume(music_256());
+    const std::string file = in_folder(assets_folder_, "music/title.mod");
+    try {
+        read_parsed(file, [&](std::span<const std::uint8_t> bytes) {
+            output_->play_music(bytes, music_256());
+            return true;
+        });
+    } catch (const FileError& error) {
+        std::cerr << "oblong: " << error.what() << '\n';
+    }
+}
+
+std::vector<std::string> GameSound::captions() const {
+    return captions_ ? captions_->lines() : std::vector<std::string>();
+}
+
+}  // namespace oblong

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/platform/sound.h"
+#include "game/sound/captions.h"
+#include "game/sound/sound_player.h"
+#include "game/sound/sound_scene.h"
+
+namespace oblong {
+
+/// What the player sets of sound.
+struct SoundSettings {
+    std::int32_t volume_100 = 0;  ///< of all, 0 to 100; 0: no device is opened
+    std::int32_t sounds_100 = 100, music_100 = 100;
+    bool shows_captions = false;
+
+    bool operator==(const SoundSettings&) const = default;
+};
+
+/// The game's sound: opens a device when there is something to hear, and works out what is heard only where it is heard
+/// or written as captions.
+class GameSound {
+  public:
+    /// `open` may be empty: all is silent. `assets_folder` has the folders sounds and music.
+    GameSound(OpenSound open, std::string assets_folder);
+    ~GameSound();
+
+    /// Where the device cannot be opened or a file is missing: says so once, on standard error, and stays silent.
+    void set(const SoundSettings& settings);
+
+    /// The level that is heard from now on, in silence at first; it outlives this or is left before. Null: none.
+    void enter(const GameLevel* level);
+    void note_tick(const GameState& before, const GameState& after);
+    /// A pause or a menu over the game: sounds stay where they are, music is softer.
+    void hold(bool is_held);
+
+    /// A sound of a menu: MenuMove, MenuAccept, MenuBack.
+    void play(Sound sound);
+    /// The title's music.
+    void play_music();
+    void stop_music();
+
+    /// What is heard, in words; empty unless captions are shown.
+    std::vector<std::string> captions() const;
+
+  private:
+    bool has_sounds() const { return player_ != nullptr && settings_.sounds_100 > 0; }
+    void open_device();
+    void keep_what_is_on();
+    void start_music();
+    std::int32_t sounds_256() const;
+    std::int32_t music_256() const;
+
+    OpenSound open_;  // empty once it has failed
+    std::string assets_folder_;
+    SoundSettings settings_;
+    std::unique_ptr<SoundOutput> output_;  // only while a volume is above 0
+    std::unique_ptr<SoundPlayer> player_;  // likewise; does not outlive the output
+    const GameLevel* level_ = nullptr;
+    std::unique_ptr<SoundScene> scene_;   // only while it is heard or written
+    std::unique_ptr<Captions> captions_;  // only while they are shown
+    bool is_held_ = false, wants_music_ = false, plays_music_ = false;
+};
+
+}  // namespace oblong

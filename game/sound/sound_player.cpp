@@ -1,0 +1,65 @@
+#include "game/sound/sound_player.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/platform/files.h"
+
+namespace oblong {
+namespace {
+
+VoiceLevels at_volume(VoiceLevels levels, std::int32_t volume_256) {
+    levels.left_256 = levels.left_256 * volume_256 / 256;
+    levels.right_256 = levels.right_256 * volume_256 / 256;
+    return levels;
+}
+
+}  // namespace
+
+SoundPlayer::SoundPlayer(SoundOutput& output, const std::string& folder) : output_(output) {
+    for (std::size_t i = 0; i < kSoundCount; ++i) {
+        const Sound sound = static_cast<Sound>(i);
+        for (std::int32_t variant = 0; variant < row_of(sound).variants; ++variant) {
+            const std::string path = (std::filesystem::path(folder) / file_of(sound, variant)).string();
+            const auto number =
+                read_parsed(path, [&](std::span<const std::uint8_t> bytes) { return output.add_sound(bytes); });
+            if (variant == 0) first_numbers_.push_back(number);
+        }
+    }
+}
+
+SoundOutput::SoundNumber SoundPlayer::number_of(Sound sound, std::int32_t variant) const {
+    return first_numbers_[static_cast<std::size_t>(sound)] + variant;
+}
+
+void SoundPlayer::play(std::span<const AudibleSound> sounds, std::int32_t volume_256) {
+    std::map<Key, Voice> heard;
+    for (const AudibleSound& sound : sounds) {
+        const VoiceLevels levels = at_volume(sound.levels, volume_256);
+        if (levels.left_256 + levels.right_256 == 0) continue;
+        const Key key{sound.sound, sound.serial};
+        const auto voice = voices_.find(key);
+        if (voice == voices_.end()) {
+            const auto number = number_of(sound.sound, sound.variant);
+            heard[key] = {output_.start(number, row_of(sound.sound).is_loop(), levels), levels};
+            continue;
+        }
+        if (voice->second.levels != levels) output_.adjust(voice->second.number, levels);
+        heard[key] = {voice->second.number, levels};
+        voices_.erase(voice);
+    }
+    stop_all();
+    voices_ = std::move(heard);
+}
+
+void SoundPlayer::play_once(Sound sound, std::int32_t volume_256) {
+    const std::int32_t level = row_of(sound).gain_256 * volume_256 / 256;
+    if (level > 0) output_.start(number_of(sound, 0), false, {level, level, false});
+}
+
+void SoundPlayer::stop_all() {
+    for (const auto& [key, voice] : voices_) output_.stop(voice.number);
+    voices_.clear();
+}
+
+}  // namespace oblong

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/platform/sound.h"
+#include "game/sound/audible.h"
+
+namespace oblong {
+
+/// Plays what is heard: starts, changes and stops voices by the differences from tick to tick.
+class SoundPlayer {
+  public:
+    /// The output outlives it. Reads the files of all sounds from a folder. Throws FileError.
+    SoundPlayer(SoundOutput& output, const std::string& folder);
+
+    /// Makes the voices those of `sounds`, `volume_256` from 0 to 256. One-shots begin once.
+    void play(std::span<const AudibleSound> sounds, std::int32_t volume_256);
+    /// Plays a sound of a menu.
+    void play_once(Sound sound, std::int32_t volume_256);
+    void stop_all();
+
+  private:
+    struct Key {
+        Sound sound;
+        std::uint32_t serial;
+        auto operator<=>(const Key&) const = default;
+    };
+    struct Voice {
+        SoundOutput::VoiceNumber number;
+        VoiceLevels levels;
+    };
+    SoundOutput::SoundNumber number_of(Sound sound, std::int32_t variant) const;
+
+    SoundOutput& output_;
+    std::vector<SoundOutput::SoundNumber> first_numbers_;  // by sound, of the first variant
+    std::map<Key, Voice> voices_;
+};
+
+}  // namespace oblong

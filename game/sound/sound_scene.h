@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "game/sound/ambience.h"
+#include "game/sound/audible.h"
+#include "game/sound/sound_starts.h"
+
+namespace oblong {
+
+/// What is heard in a level from tick to tick.
+class SoundScene {
+  public:
+    /// The level outlives it.
+    explicit SoundScene(const GameLevel& level);
+
+    /// Works out what is heard after a tick, by a player as in `after`.
+    void note_tick(const GameState& before, const GameState& after);
+    const Audible& audible() const { return audible_; }
+
+  private:
+    void keep_heard();
+
+    struct OneShot {
+        SoundSource source;
+        std::int32_t ticks_left;
+    };
+    const GameLevel& level_;
+    Ambience ambience_;
+    SoundStarts starts_;
+    std::vector<OneShot> one_shots_;  // that have begun, were heard in each tick so far, and have not ended
+    Audible audible_;
+};
+
+}  // namespace oblong

@@ -1,0 +1,130 @@
+#include "game/sound/sound_starts.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "game/game_renderer.h"
+
+namespace oblong {
+namespace {
+
+constexpr World kStride = World::from_int(104), kStroke = World::from_int(170);
+constexpr World kHardLanding = World::from_int(-330);  // units a second
+const Vec3<World> kTouching = world_vector(24, 24, 24);
+
+bool stands(const Player& player) {
+    return player.ground != Player::kNoGround;
+}
+bool swims(const Player& player) {
+    return player.depth >= Depth::Waist;
+}
+
+Vec3<World> offset_in(const GameLevel& level, const GameState& state, std::uint32_t mover) {
+    return offset_of(level.movers[mover], state.movers[mover]);
+}
+
+// All that may move in a tick.
+std::vector<std::uint32_t> active_in_either(const GameState& before, const GameState& after) {
+    std::vector<std::uint32_t> active;
+    std::set_union(before.active_movers.begin(), before.active_movers.end(), after.active_movers.begin(),
+                   after.active_movers.end(), std::back_inserter(active));
+    return active;
+}
+
+}  // namespace
+
+SoundStarts::SoundStarts(const GameLevel& level) : level_(level) {
+    mover_sounds_.reserve(level.movers.size());
+    for (const Mover& mover : level.movers) mover_sounds_.push_back(mover_sounds(*level.bsp, mover.model));
+}
+
+void SoundStarts::note_tick(const GameState& before, const GameState& after, std::vector<SoundSource>& sources) {
+    note_player(before, after, sources);
+    note_movers(before, after, sources);
+    note_items(before, after, sources);
+}
+
+void SoundStarts::add(Sound sound, std::vector<SoundSource>& sources) {
+    SoundSource source;
+    source.sound = sound;
+    source.serial = ++last_serial_;
+    source.variant = static_cast<std::int32_t>(last_serial_ % static_cast<std::uint32_t>(row_of(sound).variants));
+    sources.push_back(source);
+}
+
+// Where the mover is, or all around those that touch each other and begin together, as the leaves of a door do. Loops
+// have no serial.
+void SoundStarts::add_at(Sound sound, std::uint32_t mover, const GameState& after, std::vector<SoundSource>& sources) {
+    const ModelIndex model = level_.movers[mover].model;
+    const Box box = box_of(level_.model(model).box).moved(offset_in(level_, after, mover));
+    const auto same = std::find_if(sources.begin(), sources.end(), [&](const SoundSource& other) {
+        return other.sound == sound && other.box.grown(kTouching).overlaps(box);
+    });
+    if (same != sources.end()) {
+        same->box = same->box.united(box);
+        return;
+    }
+    add(sound, sources);
+    sources.back().model = model;
+    sources.back().box = box;
+    if (row_of(sound).is_loop()) sources.back().serial = 0;
+}
+
+void SoundStarts::note_player(const GameState& before, const GameState& after, std::vector<SoundSource>& sources) {
+    if (was_teleported(before.player, after.player)) {
+        since_step_ = {};
+        return add(Sound::Teleport, sources);
+    }
+    if (!swims(before.player) && swims(after.player)) add(Sound::WaterIn, sources);
+    if (swims(before.player) && !swims(after.player)) add(Sound::WaterOut, sources);
+    const bool lands = !stands(before.player) && stands(after.player) && !swims(after.player);
+    if (lands && before.player.velocity.z < kHardLanding) add(Sound::Land, sources);
+    note_way(before, after, sources);
+}
+
+void SoundStarts::note_way(const GameState& before, const GameState& after, std::vector<SoundSource>& sources) {
+    const Player &from = before.player, &to = after.player;
+    Vec3<World> way = to.position - from.position;
+    if (!swims(to)) {
+        if (!stands(from) && stands(to)) since_step_ = kStride;  // a foot comes down
+        if (!stands(to)) return;
+        way.z = {};
+    }
+    // What stands on a lift or a train is moved, but does not walk.
+    if (to.velocity == Velocity{}) return;
+    since_step_ += length_of(way);
+    if (since_step_ < (swims(to) ? kStroke : kStride)) return;
+    since_step_ = {};
+    add(swims(to) ? Sound::Swim : step_sound(level_, after), sources);
+}
+
+void SoundStarts::note_movers(const GameState& before, const GameState& after, std::vector<SoundSource>& sources) {
+    if (before.active_movers.empty() && after.active_movers.empty() && were_moving_.empty()) return;
+    std::vector<std::uint32_t> moving;
+    for (const std::uint32_t i : active_in_either(before, after))
+        if (offset_in(level_, before, i) != offset_in(level_, after, i)) moving.push_back(i);
+    for (const std::uint32_t i : moving) {
+        const bool starts = !std::binary_search(were_moving_.begin(), were_moving_.end(), i);
+        const bool is_button = level_.movers[i].kind == MoverKind::Button;
+        if (starts) add_at(is_button ? Sound::Button : mover_sounds_[i].start, i, after, sources);
+        if (!is_button) add_at(mover_sounds_[i].move, i, after, sources);
+    }
+    for (const std::uint32_t i : were_moving_)
+        if (!std::binary_search(moving.begin(), moving.end(), i) && level_.movers[i].kind != MoverKind::Button)
+            add_at(mover_sounds_[i].stop, i, after, sources);
+    were_moving_ = std::move(moving);
+}
+
+void SoundStarts::note_items(const GameState& before, const GameState& after, std::vector<SoundSource>& sources) {
+    bool has_taken = false;
+    for (std::size_t i = 0; i < after.items.size(); ++i) {
+        if (before.items[i] != ItemState::There || after.items[i] != ItemState::Taken) continue;
+        add(level_.items[i].item_class == ItemClass::Lens ? Sound::Lens : Sound::Key, sources);
+        has_taken = true;
+    }
+    const bool has_ended = !before.has_ended && after.has_ended;
+    if (has_ended) add(Sound::LevelEnd, sources);
+    if (before.message_tick != after.message_tick && !has_taken && !has_ended) add(Sound::Message, sources);
+}
+
+}  // namespace oblong

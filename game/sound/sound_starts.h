@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "game/simulation/game_level.h"
+#include "game/sound/sound_source.h"
+#include "game/sound/surfaces.h"
+
+namespace oblong {
+
+/// What begins to sound in a tick, worked out from the state before it and the state after it.
+class SoundStarts {
+  public:
+    /// The level outlives it.
+    explicit SoundStarts(const GameLevel& level);
+
+    /// Appends what begins in a tick, and what moves in it as loops.
+    void note_tick(const GameState& before, const GameState& after, std::vector<SoundSource>& sources);
+
+  private:
+    void note_player(const GameState& before, const GameState& after, std::vector<SoundSource>& sources);
+    void note_way(const GameState& before, const GameState& after, std::vector<SoundSource>& sources);
+    void note_movers(const GameState& before, const GameState& after, std::vector<SoundSource>& sources);
+    void note_items(const GameState& before, const GameState& after, std::vector<SoundSource>& sources);
+    void add(Sound sound, std::vector<SoundSource>& sources);
+    void add_at(Sound sound, std::uint32_t mover, const GameState& after, std::vector<SoundSource>& sources);
+
+    const GameLevel& level_;
+    std::vector<MoverSounds> mover_sounds_;   // in the order of the level's movers
+    std::vector<std::uint32_t> were_moving_;  // movers, ascending, in the last tick
+    World since_step_;                        // the way walked or swum since the last step or stroke
+    std::uint32_t last_serial_ = 0;
+};
+
+}  // namespace oblong

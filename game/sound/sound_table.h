@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace oblong {
+
+/// What can be heard in the game.
+enum class Sound : std::uint8_t {
+    StepStone,
+    StepWood,
+    StepMetal,
+    StepEarth,
+    StepCarpet,
+    StepWater,
+    Land,
+    Swim,
+    WaterIn,
+    WaterOut,
+    DoorStart,
+    DoorMove,
+    DoorStop,
+    SlabStart,
+    SlabMove,
+    SlabStop,
+    GateStart,
+    GateMove,
+    GateStop,
+    LiftStart,
+    LiftMove,
+    LiftStop,
+    TrainStart,
+    TrainMove,
+    TrainStop,
+    Button,
+    Teleport,
+    Lens,
+    Key,
+    Message,
+    Secret,
+    LevelEnd,
+    MenuMove,
+    MenuAccept,
+    MenuBack,
+    Wind,
+    Rain,
+    Water,
+    Slime,
+    Lava,
+    Fire,
+    Hum,
+    Sparks,
+    Bubbles,
+    Teleporter,
+    UnderWater
+};
+inline constexpr std::size_t kSoundCount = static_cast<std::size_t>(Sound::UnderWater) + 1;
+
+/// When a sound's caption is shown.
+enum class CaptionRule : std::uint8_t {
+    Always,    ///< each time that it begins
+    Sometimes  ///< for what goes on and on, or comes again and again: only after it was not heard for a while
+};
+
+/// What is known of a sound.
+struct SoundRow {
+    const char* file;       ///< of the folder of sounds, without a variant's number and ".wav"
+    std::int32_t variants;  ///< files, numbered from 1 if there are several; played by turns
+    const char* caption;    ///< what is heard, in words; "" for what menus say already
+    std::int32_t range;     ///< it cannot be heard from here on, in world units; 0: it is heard where the listener is
+    std::int32_t gain_256;  ///< how loud it is at its place, up to 256
+    std::int32_t length_ticks;  ///< of the longest variant, rounded up; 0: it is a loop
+    CaptionRule caption_rule = CaptionRule::Always;
+
+    bool is_loop() const { return length_ticks == 0; }
+};
+
+const SoundRow& row_of(Sound sound);
+
+/// "step_stone2.wav"; `variant` from 0.
+std::string file_of(Sound sound, std::int32_t variant);
+
+}  // namespace oblong

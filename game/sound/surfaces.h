@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string_view>
+
+#include "engine/level/level.h"
+#include "game/simulation/game_level.h"
+#include "game/sound/sound_table.h"
+
+namespace oblong {
+
+/// The sound of a step on a texture, by words in its name; stone where no word is known.
+Sound step_sound_of_texture(std::string_view name);
+
+/// The sound of a step where the player stands: on water where the feet are in a liquid, else by the face below.
+Sound step_sound(const GameLevel& level, const GameState& state);
+
+/// What a brush model that moves sounds like.
+struct MoverSounds {
+    Sound start, move, stop;
+};
+
+/// By the class of the mover's entity, and the texture of its first face.
+MoverSounds mover_sounds(const Level& bsp, ModelIndex model);
+
+}  // namespace oblong

@@ -1,0 +1,3 @@
+# Installs what is built into a folder of its own and looks at that.
+add_test(NAME package.WhatIsInstalledRuns
+         COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/check_installed.py ${CMAKE_BINARY_DIR} ${PROJECT_VERSION})

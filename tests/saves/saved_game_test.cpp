@@ -1,0 +1,238 @@
+#include "game/saves/saved_game.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <string>
+
+#include "engine/base/input_error.h"
+#include "game/saves/state_bytes.h"
+#include "game/simulation/state_check.h"
+#include "tests/saves/saved_walk.h"
+
+namespace oblong::test {
+namespace {
+
+// "WHERE: what is wrong" of what refuses; empty if nothing does.
+template <class Work>
+std::string refusal(Work work) {
+    try {
+        work();
+    } catch (const InputError& error) {
+        return error.where + ": " + error.what();
+    }
+    return {};
+}
+std::string refusal_of(const Bytes& bytes) {
+    return refusal([&] { decode_save(bytes); });
+}
+
+TEST(SavedGame, TheWalkHasSomethingInEveryList) {
+    const SavedWalk walk;
+    const GameState& state = walk.game.state;
+    EXPECT_EQ(state.movers.size(), 2u);
+    EXPECT_FALSE(state.active_movers.empty());
+    const auto was_open = [](const TriggerState& trigger) { return trigger.open_until > 0; };
+    EXPECT_EQ(std::count_if(state.triggers.begin(), state.triggers.end(), was_open), 1);
+    EXPECT_EQ(state.items, (std::vector{ItemState::Taken, ItemState::Taken}));
+    EXPECT_EQ(state.keys, kSilverKey);
+    EXPECT_NE(state.shown_message, -1);
+    EXPECT_NE(state.player.position, walk.game.level.player_start);
+}
+
+TEST(SavedGame, WhatIsReadIsWhatWasSaved) {
+    for (const int ticks : {0, 1, 20, 150, 500}) {
+        const SavedWalk walk(ticks);
+        const SavedGame saved = walk.saved();
+        const SavedGame loaded = decode_save(encode_save(saved));
+        EXPECT_EQ(loaded, saved) << ticks;
+        EXPECT_EQ(hash_of(loaded.state), hash_of(walk.game.state)) << ticks;
+        EXPECT_EQ(refusal([&] { check_level(loaded, kToyLevelHash, walk.game.level); }), "") << ticks;
+    }
+}
+
+TEST(SavedGame, LoadedItGoesOnAsIfItHadNotBeenSaved) {
+    SavedWalk walk(0);
+    GameState loaded;
+    for (int tick = 0; tick < 600; ++tick) {
+        if (tick % 50 == 0) loaded = decode_save(encode_save(walk.saved())).state;
+        step(walk.game.level, walk.game.state, walk_input(tick));
+        step(walk.game.level, loaded, walk_input(tick));
+        ASSERT_EQ(hash_of(loaded), hash_of(walk.game.state)) << tick;
+    }
+}
+
+TEST(SavedGame, TheFileIsAsItsDescriptionSays) {
+    const SavedGame saved = SavedWalk().saved();
+    const Bytes bytes = encode_save(saved);
+    const auto number = [&](std::size_t offset, std::size_t size) {
+        std::uint64_t value = 0;
+        for (std::size_t i = size; i > 0; --i) value = value << 8 | bytes.at(offset + i - 1);
+        return value;
+    };
+    EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 8), "OBLGSAVE");
+    EXPECT_EQ(number(8, 4), 1u);
+    EXPECT_EQ(number(12, 4), bytes.size());
+    const std::size_t name_length = saved.level.name.size(), name_at = 16 + 8 + 2, hash_at = name_at + name_length;
+    EXPECT_EQ(number(name_at - 2, 2), name_length);
+    EXPECT_EQ(std::string(bytes.begin() + name_at, bytes.begin() + static_cast<std::ptrdiff_t>(hash_at)),
+              "/levels/toy.bsp");
+    EXPECT_EQ(number(hash_at, 8), kToyLevelHash);
+    const std::size_t picture_at = hash_at + 16, state_hash_at = picture_at + 768 + 80 * 50;
+    EXPECT_EQ(number(picture_at + 3 * 9, 3), 9u | 27u << 8 | 45u << 16);
+    EXPECT_EQ(number(picture_at + 768 + 5, 1), 35u);
+    EXPECT_EQ(number(state_hash_at, 8), hash_of(saved.state));
+    EXPECT_EQ(number(state_hash_at + 8, 8), 150u) << "the tick";
+    EXPECT_EQ(number(state_hash_at + 16, 4), static_cast<std::uint32_t>(saved.state.player.position.x.raw));
+    EXPECT_EQ(number(bytes.size() - 8, 8), checksum_of(std::span(bytes).first(bytes.size() - 8)));
+}
+
+TEST(SavedGame, OfAnotherLevelOrVersionIsRefused) {
+    const SavedWalk walk;
+    const SavedGame saved = walk.saved();
+    EXPECT_EQ(refusal([&] { check_level(saved, kToyLevelHash + 1, walk.game.level); }),
+              "level: saved in another level or another version of it, expected this one");
+    ToyGame other(ToyLevel().add_model(floor_and({})));
+    EXPECT_EQ(refusal([&] { check_level(saved, kToyLevelHash, other.level); }),
+              "state: not one of this level, expected one saved by this version of the game");
+
+    Bytes later = encode_save(saved);
+    later[8] = 2;
+    forge(later);
+    EXPECT_EQ(refusal_of(later), "offset 8: saved by another version of the game (2), expected 1");
+    Bytes other_fields = encode_save(saved);
+    other_fields[16] ^= 1;
+    forge(other_fields);
+    EXPECT_EQ(refusal_of(other_fields),
+              "offset 16: saved by another version of the game, expected a state of this one's fields");
+}
+
+TEST(SavedGame, NoPartOfAFileIsOne) {
+    const Bytes whole = encode_save(SavedWalk().saved());
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        const Bytes part(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+        ASSERT_NE(refusal_of(part), "") << size;
+        Bytes forged = part;
+        if (size >= 24) forge(forged);
+        ASSERT_NE(refusal_of(forged), "") << size;
+    }
+    const Bytes half(whole.begin(), whole.begin() + 1000);
+    EXPECT_EQ(refusal_of(half),
+              "offset 12: the file has 1000 bytes, expected the " + std::to_string(whole.size()) + " that were saved");
+    EXPECT_EQ(refusal_of({}), "offset 0: the file has 0 bytes, expected a saved game");
+    EXPECT_EQ(refusal_of(Bytes(100)), "offset 0: no saved game: expected 'OBLGSAVE'");
+}
+
+TEST(SavedGame, AnyOtherValueOfAnyByteOfTheHeaderAndABitOfAnyOtherIsRefused) {
+    Bytes bytes = encode_save(SavedWalk().saved());
+    constexpr std::size_t kHeader = 64;
+    for (std::size_t at = 0; at < bytes.size(); ++at)
+        for (int flip = 1; flip < 256; flip += at < kHeader ? 1 : 256) {
+            bytes[at] ^= static_cast<std::uint8_t>(flip);
+            ASSERT_NE(refusal_of(bytes), "") << "byte " << at << " with " << flip;
+            bytes[at] ^= static_cast<std::uint8_t>(flip);
+        }
+    EXPECT_EQ(refusal_of(bytes), "");
+}
+
+TEST(SavedGame, TenThousandDamagedFilesAreRefused) {
+    const Bytes whole = encode_save(SavedWalk().saved());
+    std::mt19937 random(11);
+    for (int i = 0; i < 10'000; ++i) {
+        const Bytes bytes = damaged(whole, random);
+        if (bytes != whole) {
+            ASSERT_NE(refusal_of(bytes), "") << i;
+        }
+    }
+}
+
+// Behind the checksum every length, list and number is checked, too: what is read is what the bytes say, and a state
+// has the hash that was saved with it.
+TEST(SavedGame, TenThousandForgedFilesAreRefusedOrReadAsTheyAre) {
+    const SavedGame saved = SavedWalk().saved();
+    const Bytes whole = encode_save(saved);
+    std::mt19937 random(12);
+    int read = 0;
+    for (int i = 0; i < 10'000; ++i) {
+        Bytes bytes = damaged(whole, random);
+        if (bytes.size() < 24) continue;
+        forge(bytes);
+        if (refusal_of(bytes) != "") continue;
+        ++read;
+        ASSERT_EQ(encode_save(decode_save(bytes)), bytes) << i;
+        ASSERT_EQ(decode_save(bytes).state, saved.state) << i;
+    }
+    EXPECT_GT(read, 1000) << "damaged pictures";
+    EXPECT_LT(read, 9000);
+}
+
+TEST(SavedGame, AStateThatTheLevelCannotHaveIsRefused) {
+    const SavedWalk walk;
+    const std::vector<std::function<void(GameState&)>> alterations{
+        [](GameState& s) { s.tick = -1; },
+        [](GameState& s) { s.player.position.x = World::lowest(); },
+        [](GameState& s) { s.player.position.z = World::from_int(40'001); },
+        [](GameState& s) { s.player.velocity.y = World::highest(); },
+        [](GameState& s) { s.player.pitch = 1 << 30; },
+        [](GameState& s) { s.player.eye_lag = World::from_int(1000); },
+        [](GameState& s) { s.player.ground = 99; },
+        [](GameState& s) { s.player.depth = static_cast<Depth>(4); },
+        [](GameState& s) { s.movers.pop_back(); },
+        [](GameState& s) { s.movers.emplace_back(); },
+        [](GameState& s) { s.movers[0].phase = static_cast<MoverState::Phase>(5); },
+        [](GameState& s) { s.movers[0].travelled = World::from_int(-1); },
+        [](GameState& s) { s.movers[1].travelled = World::from_int(30'000); },
+        [](GameState& s) { s.movers[1].wait_ticks = 1 << 30; },
+        [](GameState& s) { s.active_movers = {2}; },
+        [](GameState& s) {
+            s.active_movers = {0, 0};
+        },
+        [](GameState& s) {
+            s.active_movers = {1, 0};
+        },
+        [](GameState& s) { s.triggers.clear(); },
+        [](GameState& s) { s.walls.emplace_back(); },
+        [](GameState& s) {
+            s.delayed = {{s.tick + 1, {EntityRef::Kind::Trigger, 1'000'000}}};
+        },
+        [](GameState& s) { s.items.emplace_back(); },
+        [](GameState& s) { s.items[1] = static_cast<ItemState>(3); },
+        [](GameState& s) { s.respawn.position.y = World::highest(); },
+        [](GameState& s) { s.shown_message = 1000; },
+        [](GameState& s) { s.message_tick = s.tick + 1; },
+        [](GameState& s) { s.exit = 99; },
+    };
+    for (std::size_t i = 0; i < alterations.size(); ++i) {
+        SavedGame saved = walk.saved();
+        alterations[i](saved.state);
+        const SavedGame loaded = decode_save(encode_save(saved));
+        EXPECT_EQ(loaded, saved) << i;
+        EXPECT_NE(refusal([&] { check_level(loaded, kToyLevelHash, walk.game.level); }), "") << i;
+    }
+}
+
+// Whatever a state that passes holds, the game goes on from it.
+TEST(SavedGame, StatesWithOtherNumbersAreRefusedOrPlayed) {
+    const SavedWalk walk;
+    SavedGame saved = walk.saved();
+    std::mt19937 random(13);
+    int played = 0;
+    const Bytes whole = encode_save(saved);
+    const std::size_t first = 16 + 8 + 2 + saved.level.name.size() + 16 + 768 + 4000;
+    for (int i = 0; i < 3000; ++i) {
+        Bytes bytes = whole;
+        for (std::size_t flips = 1 + random() % 3; flips > 0; --flips)
+            bytes[first + 8 + random() % (bytes.size() - first - 16)] ^= static_cast<std::uint8_t>(1 << random() % 8);
+        LittleEndianReader reader{std::span(bytes).first(bytes.size() - 8), first + 8};
+        GameState state;
+        if (refusal([&] { state = read_state(reader); }) != "" || !is_consistent(walk.game.level, state)) continue;
+        ++played;
+        for (int tick = 0; tick < 20; ++tick) step(walk.game.level, state, walk_input(tick));
+        ASSERT_TRUE(is_consistent(walk.game.level, state)) << i;
+    }
+    EXPECT_GT(played, 500);
+}
+
+}  // namespace
+}  // namespace oblong::test

@@ -1,0 +1,87 @@
+#include "game/saves/thumbnail.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace oblong::test {
+namespace {
+
+// Index i is grey i.
+Palette greys() {
+    Palette palette;
+    for (std::size_t i = 0; i < 256; ++i) {
+        const auto grey = static_cast<std::uint8_t>(i);
+        palette.colours[i] = {grey, grey, grey};
+    }
+    return palette;
+}
+
+struct Canvas {
+    Canvas(std::int32_t width_px, std::int32_t height_px, std::uint8_t colour = 0)
+        : pixels(pixel_count(width_px, height_px), colour), picture{pixels.data(), width_px, height_px, width_px} {}
+    std::vector<std::uint8_t> pixels;
+    Framebuffer picture;
+};
+
+std::uint8_t pixel(const Thumbnail& thumbnail, std::size_t x, std::size_t y) {
+    return thumbnail.pixels[y * 80 + x];
+}
+
+TEST(Thumbnail, HasTheMeanOfWhatEachPixelCovers) {
+    Canvas canvas(320, 200);
+    for (std::int32_t y = 0; y < 200; ++y)
+        for (std::int32_t x = 0; x < 320; ++x)
+            canvas.picture.row(y)[x] = static_cast<std::uint8_t>(x / 4 + 2 * (y / 4) + (x % 2 == 0 ? 20 : 0));
+    const Thumbnail thumbnail = make_thumbnail(canvas.picture, greys());
+    for (std::size_t y = 0; y < 50; ++y)
+        for (std::size_t x = 0; x < 80; ++x) ASSERT_EQ(pixel(thumbnail, x, y), x + 2 * y + 10);
+}
+
+TEST(Thumbnail, IsOfTheWholePictureInAnyMode) {
+    for (const auto& [width, height] : {std::pair{8, 8}, {320, 200}, {333, 217}, {79, 51}, {640, 480}}) {
+        Canvas canvas(width, height, 7);
+        canvas.picture.row(height - 1)[width - 1] = 255;
+        canvas.picture.row(0)[0] = 254;
+        const Thumbnail thumbnail = make_thumbnail(canvas.picture, greys());
+        EXPECT_GT(pixel(thumbnail, 0, 0), 7) << width;
+        EXPECT_GT(pixel(thumbnail, 79, 49), 7) << width;
+        EXPECT_EQ(pixel(thumbnail, 40, 25), 7) << width;
+    }
+}
+
+TEST(Thumbnail, IsDrawnInTheColoursOfThePicture) {
+    Thumbnail thumbnail;
+    thumbnail.palette = greys();
+    for (std::size_t i = 0; i < thumbnail.pixels.size(); ++i) thumbnail.pixels[i] = static_cast<std::uint8_t>(i);
+    Palette reversed;
+    for (std::size_t i = 0; i < 256; ++i) reversed.colours[i] = greys().colours[255 - i];
+    Canvas same(100, 60), other(100, 60);
+    draw_thumbnail(thumbnail, {10, 5}, greys(), same.picture);
+    draw_thumbnail(thumbnail, {10, 5}, reversed, other.picture);
+    for (std::int32_t y = 0; y < 50; ++y)
+        for (std::int32_t x = 0; x < 80; ++x) {
+            const auto index = static_cast<std::uint8_t>(y * 80 + x);
+            ASSERT_EQ(same.picture.row(y + 5)[x + 10], index);
+            ASSERT_EQ(other.picture.row(y + 5)[x + 10], 255 - index);
+        }
+    EXPECT_EQ(same.picture.row(5)[9], 0);
+    EXPECT_EQ(same.picture.row(4)[10], 0);
+}
+
+TEST(Thumbnail, BesideThePictureItIsCut) {
+    Thumbnail thumbnail;
+    thumbnail.palette = greys();
+    thumbnail.pixels.fill(9);
+    for (const PixelPosition at : {PixelPosition{-70, -40}, {90, 55}, {-200, 0}, {0, 300}}) {
+        Canvas canvas(100, 60);
+        draw_thumbnail(thumbnail, at, greys(), canvas.picture);
+        const auto drawn = std::count(canvas.pixels.begin(), canvas.pixels.end(), 9);
+        EXPECT_EQ(drawn, at.column == -70 ? 10 * 10 : at.column == 90 ? 10 * 5 : 0);
+    }
+}
+
+}  // namespace
+}  // namespace oblong::test
