@@ -6,6 +6,7 @@
 #include "engine/frame/wireframe.h"
 #include "engine/geometry/views.h"
 #include "engine/screen/screen.h"
+#include "game/simulation/items.h"
 #include "game/simulation/step.h"
 
 namespace oblong {
@@ -45,6 +46,14 @@ LightStyles light_styles_of(const GameState& state) {
     for (std::size_t style = 0; style < styles.size(); ++style)
         if ((state.dark_styles >> style & 1) != 0) styles[style] = 0;
     return styles;
+}
+
+// Those of the items that are no longer in their places: they show no models.
+std::vector<std::size_t> taken_entities(const GameLevel& level, const GameState& state) {
+    std::vector<std::size_t> entities;
+    for (std::size_t i = 0; i < level.items.size(); ++i)
+        if (!is_there(state, i)) entities.push_back(level.items[i].entity);
+    return entities;
 }
 
 }  // namespace
@@ -100,7 +109,7 @@ void GameRenderer::use_scene(const GameView& view, Use use) {
     Scene scene{data_.level, data_.colormap, models, time_ms_at(view.state)};
     scene.light_styles = light_styles_of(view.state.after);
     if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
-    place_models(data_.models, scene.time_ms, meshes_);
+    place_models(data_.models, scene.time_ms, taken_entities(level_, view.state.after), meshes_);
     scene.meshes = meshes_;
     use(scene);
 }

@@ -76,7 +76,7 @@ void time_demo(const Options& options, const LoadedLevel& loaded, Workers& worke
 void run_game(const Options& options, const std::string& assets) {
     WorkerThreads workers(static_cast<int>(options.threads));
     if (!options.timedemo.empty()) {
-        time_demo(options, LoadedLevel({options.level, options.palette, assets, options.models}), workers);
+        time_demo(options, LoadedLevel(level_files_of(options, assets)), workers);
         return;
     }
     ProgramFiles files = load_program_files(options, assets);

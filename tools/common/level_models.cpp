@@ -49,7 +49,7 @@ bool stays_below(const fs::path& path) {
 
 class ModelFinder {
   public:
-    explicit ModelFinder(const ModelFolders& folders) {
+    explicit ModelFinder(const ModelFolders& folders) : game_(folders.game) {
         const fs::path level_folder = fs::path(folders.level_file).parent_path();
         if (!folders.named.empty()) folders_.emplace_back(folders.named);
         folders_.push_back(level_folder);
@@ -61,17 +61,20 @@ class ModelFinder {
         for (const fs::path& folder : folders_)
             for (const fs::path& below : {path, path.filename(), "progs" / path.filename(), "models" / path.filename()})
                 if (fs::is_regular_file(folder / below, ignored)) return (folder / below).lexically_normal().string();
-        return std::nullopt;
+        if (game_ == nullptr || path.extension() != ".mdl") return std::nullopt;
+        const std::optional<std::string> in_game = game_->find(path.generic_string());
+        return in_game ? in_game : game_->find(("progs" / path.filename()).generic_string());
     }
 
   private:
+    const GameFiles* game_;
     std::vector<fs::path> folders_;
 };
 
 class LevelModelReader {
   public:
     LevelModelReader(const Level& level, const Palette& palette, const ModelFolders& folders)
-        : level_(level), palette_(palette), finder_(folders), shows_classes_(!folders.named.empty()) {}
+        : level_(level), palette_(palette), finder_(folders), shows_classes_(folders.has_quakes_models()) {}
 
     LevelModels read() {
         for (const Entity& entity : level_.entities)
@@ -93,8 +96,10 @@ class LevelModelReader {
                 values.warn("the level has more than " + std::to_string(kMostLevelModels) + " models: it is left out");
             return;
         }
+        const std::size_t before = models_.models.size();
         if (is_model) read_model(values);
         if (!is_model) read_item(*its_class, entity, index, values);
+        if (models_.models.size() > before) models_.models.back().entity = index;
     }
 
     void read_model(const EntityValues& values) {
@@ -205,7 +210,7 @@ class LevelModelReader {
 
     Mesh read_mesh(const ModelFile& file, const EntityValues& values) const {
         if (lower_case(fs::path(file.path).extension().string()) != ".obj")
-            return read_parsed(file.path, [&](const auto& bytes) { return read_mdl(bytes, file.scale); });
+            return read_parsed_game_file(file.path, [&](const auto& bytes) { return read_mdl(bytes, file.scale); });
         const double scale = static_cast<double>(file.scale.raw) / World::from_int(1).raw;
         ObjModel model = read_obj(file.path, palette_, {scale, file.is_z_up, file.dither});
         for (const std::string& warning : model.warnings) values.warn(file.path + ": " + warning);
@@ -234,9 +239,11 @@ LevelModels read_level_models(const Level& level, const Palette& palette, const 
     return LevelModelReader(level, palette, folders).read();
 }
 
-void place_models(const LevelModels& models, std::int64_t time_ms, std::vector<PlacedMesh>& placed) {
+void place_models(const LevelModels& models, std::int64_t time_ms, std::span<const std::size_t> hidden,
+                  std::vector<PlacedMesh>& placed) {
     placed.clear();
     for (const LevelModel& model : models.models) {
+        if (std::find(hidden.begin(), hidden.end(), model.entity) != hidden.end()) continue;
         const Mesh& mesh = *model.placed.mesh;
         PlacedMesh& now = placed.emplace_back(model.placed);
         now.frame = now.next_frame = frame_at(model, mesh, time_ms);

@@ -2,17 +2,20 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/level/level.h"
 #include "engine/mesh/placed_mesh.h"
 #include "engine/surface/palette.h"
+#include "tools/common/game_files.h"
 
 namespace oblong {
 
 /// A model of a level, and what of it changes with time.
 struct LevelModel {
+    std::size_t entity = 0;                     ///< that shows it: into Level::entities
     PlacedMesh placed;                          ///< at time 0
     std::uint32_t first_frame = 0, frames = 1;  ///< of its mesh's frame sequences: several are a tenth of a second each
     std::uint32_t skin = 0;                     ///< of its mesh's skin sequences
@@ -27,10 +30,14 @@ struct LevelModels {
 };
 
 /// Where files of models are looked for: in `named`, in the level's folder, in the one above it; in each by the file's
-/// path, and by its name alone there, in `progs` and in `models`.
+/// path, and by its name alone there, in `progs` and in `models`; in `game` by the file's path, and in `progs`.
 struct ModelFolders {
     std::string level_file;
-    std::string named;  ///< empty: nowhere, and Quake's own classes show nothing
+    std::string named;                ///< empty: nowhere
+    const GameFiles* game = nullptr;  ///< with pak files, or null; looked at last
+
+    /// Quake's own classes show nothing where neither is given.
+    bool has_quakes_models() const { return !named.empty() || game != nullptr; }
 };
 
 inline constexpr std::size_t kMostLevelModels = 4096;
@@ -39,7 +46,8 @@ inline constexpr std::size_t kMostLevelModels = 4096;
 /// classes want. Throws FileError for a file that is broken.
 LevelModels read_level_models(const Level& level, const Palette& palette, const ModelFolders& folders);
 
-/// The models as they are at a time; `placed` is filled anew.
-void place_models(const LevelModels& models, std::int64_t time_ms, std::vector<PlacedMesh>& placed);
+/// The models as they are at a time, but for those of the entities `hidden`; `placed` is filled anew.
+void place_models(const LevelModels& models, std::int64_t time_ms, std::span<const std::size_t> hidden,
+                  std::vector<PlacedMesh>& placed);
 
 }  // namespace oblong
