@@ -48,12 +48,15 @@ LightStyles light_styles_of(const GameState& state) {
     return styles;
 }
 
-// Those of the items that are no longer in their places: they show no models.
-std::vector<std::size_t> taken_entities(const GameLevel& level, const GameState& state) {
-    std::vector<std::size_t> entities;
-    for (std::size_t i = 0; i < level.items.size(); ++i)
-        if (!is_there(state, i)) entities.push_back(level.items[i].entity);
-    return entities;
+// The model that shows each item; none where its file is not there.
+std::vector<std::optional<std::size_t>> models_of_items(const GameLevel& level, const LevelModels& models) {
+    std::vector<std::optional<std::size_t>> found;
+    for (const Item& item : level.items) {
+        const auto model = std::ranges::find(models.models, item.entity, &LevelModel::entity);
+        found.emplace_back();
+        if (model != models.models.end()) found.back() = static_cast<std::size_t>(model - models.models.begin());
+    }
+    return found;
 }
 
 }  // namespace
@@ -100,6 +103,14 @@ Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees fiel
 GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode, Workers* workers)
     : data_(data), level_(level), mode_(mode), work_(data.level, mode, workers) {
     pixels_.resize(pixel_count(mode.width_px, mode.height_px));
+    item_models_ = models_of_items(level, data.models);
+    if (!item_models_.empty()) is_gone_.resize(data.models.models.size());
+}
+
+// What is taken is no longer part of the scene, so that nothing is spent on it.
+void GameRenderer::note_taken_items(const GameState& state) {
+    for (std::size_t i = 0; i < item_models_.size(); ++i)
+        if (item_models_[i]) is_gone_[*item_models_[i]] = is_there(state, i) ? 0 : 1;
 }
 
 template <class Use>
@@ -109,7 +120,8 @@ void GameRenderer::use_scene(const GameView& view, Use use) {
     Scene scene{data_.level, data_.colormap, models, time_ms_at(view.state)};
     scene.light_styles = light_styles_of(view.state.after);
     if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
-    place_models(data_.models, scene.time_ms, taken_entities(level_, view.state.after), meshes_);
+    note_taken_items(view.state.after);
+    place_models(data_.models, scene.time_ms, is_gone_, meshes_);
     scene.meshes = meshes_;
     use(scene);
 }
