@@ -48,6 +48,11 @@ std::string_view next_map(const GameLevel& level, const GameState& state) {
     return at(level.triggers, state.exit).next_map;
 }
 
+std::string_view end_message(const GameLevel& level, const GameState& state) {
+    const MessageIndex message = state.exit < 0 ? kNoMessage : at(level.triggers, state.exit).fires.message;
+    return message == kNoMessage ? std::string_view{} : at(level.messages, message);
+}
+
 Box obstacle_box(const GameLevel& level, ModelIndex model, const Vec3<World>& offset) {
     return box_of(level.model(model).box).grown(world_vector(2, 2, 2)).moved(offset);
 }

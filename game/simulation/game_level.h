@@ -145,7 +145,6 @@ struct GameLevel {
     BoxTree obstacles;  ///< all places that solid walls, then movers, may take; numbered in this order
     Position player_start;
     Angle player_yaw;
-    std::string end_message;  ///< what the level says at its end; may be empty
 
     const Target& target(TargetIndex index) const { return at(targets, index); }
     const SubModel& model(ModelIndex index) const { return bsp->models[index]; }
@@ -172,6 +171,9 @@ GameState start_of(const GameLevel& level);
 
 /// The map that follows the level as it was left, as "e1m2"; empty where its end names none or it has not ended.
 std::string_view next_map(const GameLevel& level, const GameState& state);
+
+/// What the level says as it was left; may be empty.
+std::string_view end_message(const GameLevel& level, const GameState& state);
 
 /// The box of a model at an offset, grown by some room for the rounding of files: compilers write boxes up to a unit
 /// too small.

@@ -90,7 +90,6 @@ void LevelBuilder::add_trigger(const Entity& entity) {
     auto trigger = trigger_of(entity, *level_.bsp);
     if (!trigger || (trigger->kind == TriggerKind::Teleport && !find_exit(entity, *trigger))) return;
     level_.secrets += trigger->is_secret;
-    if (trigger->kind == TriggerKind::Exit && level_.end_message.empty()) level_.end_message = entity.value("message");
     level_.triggers.push_back(std::move(*trigger));
     trigger_entities_.push_back(&entity);
     name(entity, Kind::Trigger, level_.triggers.size());
@@ -127,9 +126,9 @@ void LevelBuilder::add_light(const Entity& entity) {
 
 void LevelBuilder::add_what_monsters_leave() {
     for (const Entity* entity : present_) {
-        if (!is_left_as_trigger(*entity) || item_of(*entity) || firing_of(*entity).is_empty()) continue;
+        if (!is_left_as_trigger(*entity) || item_of(*entity)) continue;
         auto trigger = trigger_left_of(*entity, level_.triggers);
-        if (!trigger) continue;
+        if (!trigger || (trigger->kind != TriggerKind::Exit && firing_of(*entity).is_empty())) continue;
         level_.triggers.push_back(std::move(*trigger));
         trigger_entities_.push_back(entity);
     }

@@ -42,6 +42,7 @@ std::optional<Trigger> trigger_left_of(const Entity& entity, const std::vector<T
     if (!origin) return {};
     const bool is_monster = name.starts_with("monster_");
     Trigger trigger;
+    if (name == "monster_oldone") trigger.kind = TriggerKind::Exit;
     trigger.wait_ticks = kForever;
     trigger.box = size_of(name).moved(is_monster ? meeting_place(*origin, triggers) : *origin);
     if (is_monster) trigger.box = trigger.box->grown(kReach);

@@ -41,7 +41,7 @@ void count_down(const GameLevel& level, GameState& state, std::uint32_t i, Activ
     if (left == 0) fire_unless_waiting(trigger, state, i, activations);
 }
 
-// Chthon's: it hurts only while both electrodes are at the same end of their way, and kills with the last stroke.
+// Chthon's: it hurts only while both electrodes are in place, and kills with the last stroke.
 void strike(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
     const Trigger& trigger = level.triggers[i];
     if (trigger.electrodes.size() < 2 || state.triggers[i].left == 0) return;
