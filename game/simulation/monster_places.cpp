@@ -10,6 +10,7 @@ namespace {
 
 const Vec3<World> kReach = world_vector(32, 32, 32);  // from a monster
 constexpr std::size_t kElectrodes = 2;
+constexpr World kLargestCell = World::from_int(256);  // of a teleporter that holds one monster
 
 // Around the origin, as large as Quake's.
 Box size_of(std::string_view name) {
@@ -19,10 +20,14 @@ Box size_of(std::string_view name) {
     return {world_vector(-32, -32, -24), world_vector(32, 32, 64)};
 }
 
+bool is_cell(const Box& teleporter) {
+    return teleporter.size().x <= kLargestCell && teleporter.size().y <= kLargestCell;
+}
+
 // Where a monster is met: at the exit of the teleporter that it waits in, if it does.
 Position meeting_place(const Position& origin, const std::vector<Trigger>& triggers) {
     for (const Trigger& trigger : triggers)
-        if (trigger.kind == TriggerKind::Teleport && trigger.needs_activation &&
+        if (trigger.kind == TriggerKind::Teleport && trigger.needs_activation && is_cell(*trigger.box) &&
             trigger.box->overlaps(player_box(origin)))
             return trigger.place.position;
     return origin;

@@ -95,7 +95,7 @@ TEST(E1m7, ChthonsLightningOpensTheWayToTheEnd) {
     EXPECT_EQ(game.phase(8), Phase::AtStart) << "coming to Chthon's place is not enough";
     const auto strike = [&] {
         game.stand_at(824, 64, 148);
-        game.play(70);
+        game.play(30);  // no longer than the button's wait
         game.stand_at(-448, 64, 32);
         game.play(70);
     };

@@ -52,7 +52,7 @@ TEST(Pak, EachCutAndEachLieOfTheHeaderIsNamed) {
     };
     for (std::size_t size = 0; size < kPak.size(); ++size)
         EXPECT_NE(fault_of(Bytes(kPak.begin(), kPak.begin() + static_cast<std::ptrdiff_t>(size))), "") << size;
-    EXPECT_EQ(altered(0, 0x4b434150), "offset 0: no pak file: expected 'PACK' and 8 more bytes");
+    EXPECT_EQ(altered(0, 0x4b434151), "offset 0: no pak file: expected 'PACK' and 8 more bytes");
     EXPECT_EQ(altered(4, 21),
               "offset 4: a directory of 128 bytes at 21, expected it behind the header in a file of 148");
     EXPECT_EQ(altered(4, 0), "offset 4: a directory of 128 bytes at 0, expected it behind the header in a file of 148");
