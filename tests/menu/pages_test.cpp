@@ -16,7 +16,7 @@ class FakeHost final : public MenuHost {
     Preferences& preferences() override { return kept; }
     std::string local_name_of(Input input) const override { return name_of(input); }
     std::vector<LevelEntry> levels() const override {
-        return {{"demo", "The museum"}, {"e1m1", "the Slipgate Complex"}};
+        return {{"demo", "", "The museum"}, {"e1m1", "maps/e1m1.bsp", "the Slipgate Complex"}};
     }
     std::vector<SaveEntry> saves() const override {
         SaveEntry empty{"Slot 1", "empty", "", true, false, std::nullopt};
@@ -34,6 +34,7 @@ class FakeHost final : public MenuHost {
     void continue_walk() override { done.push_back("continue"); }
     void restart() override { done.push_back("restart"); }
     void play_level(const std::string& name) override { done.push_back("level " + name); }
+    void play_next() override { done.push_back("next"); }
     void save(std::size_t entry) override { done.push_back("save " + std::to_string(entry)); }
     void load(std::size_t entry) override { done.push_back("load " + std::to_string(entry)); }
     void show_title() override { done.push_back("title"); }
@@ -187,7 +188,7 @@ TEST_F(Pages, TheEndLeadsOn) {
     EXPECT_NE(menu_.page().text.find("12:34"), std::string::npos);
     EXPECT_NE(menu_.page().text.find("12 of 12"), std::string::npos);
     choose("On to e1m2");
-    EXPECT_EQ(host_.done.back(), "level e1m2");
+    EXPECT_EQ(host_.done.back(), "next");
     pages_.open_end();
     choose("Again");
     EXPECT_EQ(host_.done.back(), "restart");
