@@ -70,7 +70,10 @@ void declare_runs(CommandArguments& line, Options& options) {
 }
 
 void declare(CommandArguments& line, Options& options, OptionTexts& texts) {
-    line.add("level", options.level, "Quake BSP file to play; without one, the demo level");
+    auto level = line.add("level", options.level, "Quake BSP file to play; without one, the title");
+    line.add("--map", options.map, "level to play by its name, as e1m1: beside, in maps/ or in a pak file (README)")
+        .exclude(level);
+    line.add("--game", options.game, "folder with maps/ and pak0.pak; default: the current one, and id1 in it");
     line.add("--palette", options.palette, "768 bytes of red, green, blue; default: the level's, else the demo's");
     line.add("--models", options.models, "folder of Quake's models: shows a level's items (README)");
     line.add_flag("--title", options.shows_title, "begin with the title, as without a level or another thing to do");
@@ -106,13 +109,14 @@ void interpret(const OptionTexts& texts, Options& options) {
     change_by_command_line(texts, checked);
     if (!texts.window.empty()) options.window = parse_window_size(texts.window);
     if (!texts.log.empty()) options.log = parse_log_channels(texts.log);
-    options.map = named_value<MapView>("--automap", texts.map, kMapNames);
+    options.automap = named_value<MapView>("--automap", texts.map, kMapNames);
     options.wireframe = named_value<Wireframe>("--wireframe", texts.wireframe, kWireframeNames);
     options.line_method = named_value<LineMethod>("--lines", texts.lines, kLineNames);
     const bool has_run = !(options.record + options.replay + options.timedemo).empty();
     if (options.shows_title && (has_run || options.shows_gallery))
         throw UsageError("--title: there is no game yet to record or to replay, expected it without the other");
-    options.shows_title |= options.level.empty() && !has_run && !options.shows_gallery && options.headless_frames == 0;
+    options.shows_title |=
+        (options.level + options.map).empty() && !has_run && !options.shows_gallery && options.headless_frames == 0;
     if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))
         throw UsageError("--error-box: nobody is there to close it, expected it without --headless or --timedemo");
     if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())

@@ -16,10 +16,11 @@ namespace oblong {
 /// 0 where they are not given.
 struct Options {
     std::string level, palette, models;
+    std::string map, game;    ///< a level by its name, and the folder of a game like Quake's
     Preferences preferences;  ///< as they are kept, changed by the command line
     WindowSize window;
     LogChannels log;
-    MapView map = MapView::Off;
+    MapView automap = MapView::Off;
     Wireframe wireframe = Wireframe::Off;
     LineMethod line_method = LineMethod::GuptaSproull;
     std::string record, replay, timedemo, route;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/platform/files.h"
+#include "game/level_search.h"
 #include "game/screenshot.h"
 
 namespace oblong {
@@ -28,7 +29,7 @@ ViewOptions view_options_of(const Options& options) {
     ViewOptions view_options;
     view_options.preferences = options.preferences;
     view_options.log = options.log;
-    view_options.map = options.map;
+    view_options.map = options.automap;
     view_options.wireframe = options.wireframe;
     view_options.line_method = options.line_method;
     return view_options;
@@ -50,9 +51,14 @@ void report(const std::string& fault) {
 
 }  // namespace
 
+LevelFiles level_files_of(const Options& options, const std::string& assets_folder) {
+    LevelFiles files{options.level, options.palette, assets_folder, options.models, game_folders_of(options.game)};
+    if (!options.map.empty()) files.level = find_named_level(options.map, {"", files.game_folders});
+    return files;
+}
+
 ProgramFiles load_program_files(const Options& options, const std::string& assets_folder) {
-    auto loaded =
-        std::make_shared<const LoadedLevel>(LevelFiles{options.level, options.palette, assets_folder, options.models});
+    auto loaded = std::make_shared<const LoadedLevel>(level_files_of(options, assets_folder));
     std::optional<Demo> demo;
     if (!options.replay.empty()) demo = read_parsed(options.replay, decode_demo);
     if (!options.record.empty()) check_writable(options.record);
@@ -66,6 +72,7 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
                  Workers* workers)
     : options_(options),
       assets_folder_(files.assets_folder),
+      level_files_{"", options.palette, files.assets_folder, options.models, game_folders_of(options.game)},
       view_options_(view_options_of(options)),
       store_(store),
       platform_(platform),

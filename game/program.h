@@ -5,12 +5,16 @@
 #include <string>
 
 #include "game/gallery.h"
+#include "game/level_search.h"
 #include "game/menu/menu_pages.h"
 #include "game/options.h"
 #include "game/saves/save_slots.h"
 #include "game/session.h"
 
 namespace oblong {
+
+/// The files of the level that the options name. Throws FileError where --map names none.
+LevelFiles level_files_of(const Options& options, const std::string& assets_folder);
 
 /// What a program reads before it opens a window.
 struct ProgramFiles {
@@ -56,6 +60,7 @@ class Program final : private MenuHost {
     void play_title();
     std::shared_ptr<const LoadedLevel> loaded_as(const std::string& level);
     void keep_recorded();
+    LevelPlaces places() const;
     /// Does something with files; where it fails, says why on a page of the menu.
     void try_with_files(const std::string& what, const std::function<void()>& work);
 
@@ -80,7 +85,8 @@ class Program final : private MenuHost {
     void walk() override;
     void continue_walk() override { load_from(SaveSlot::Automatic); }
     void restart() override;
-    void play_level(const std::string& name) override;
+    void play_level(const std::string& file) override;
+    void play_next() override;
     void save(std::size_t entry) override { save_to(static_cast<SaveSlot>(entry)); }
     void load(std::size_t entry) override { load_from(static_cast<SaveSlot>(entry)); }
     void show_title() override;
@@ -89,6 +95,7 @@ class Program final : private MenuHost {
 
     const Options options_;
     const std::string assets_folder_;
+    const LevelFiles level_files_;  // of all levels, but for its `level`
     ViewOptions view_options_;
     ViewOptions title_options_;  // of the title's background: nothing is drawn over it
     PreferencesStore& store_;

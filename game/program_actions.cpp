@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/platform/files.h"
+#include "game/level_search.h"
 #include "game/program.h"
 #include "game/saves/saved_game.h"
 #include "game/simulation/items.h"
@@ -46,8 +47,15 @@ SaveEntry entry_of(const SlotContent& content) {
 
 }  // namespace
 
+LevelPlaces Program::places() const {
+    return {session_->loaded().data.level_file, level_files_.game_folders};
+}
+
 std::vector<LevelEntry> Program::levels() const {
-    return {{"demo", "The museum"}};
+    std::vector<LevelEntry> entries;
+    for (const ListedLevel& level : list_levels(places()).levels)
+        entries.push_back({level.name, level.file, level.file.empty() ? "the museum" : ""});
+    return entries;
 }
 
 std::vector<SaveEntry> Program::saves() const {
@@ -60,7 +68,9 @@ std::vector<SaveEntry> Program::saves() const {
 EndFigures Program::end_figures() const {
     const GameLevel& level = session_->loaded().level;
     const GameState& state = session_->state();
-    EndFigures figures{level.end_message, time_text(state.tick), "", std::string(next_map(level, state))};
+    EndFigures figures{std::string(end_message(level, state)), time_text(state.tick), "", ""};
+    const std::string next(next_map(level, state));
+    if (!next.empty() && find_level(next, places())) figures.next_level = next;
     const ItemCount lenses = count_items(level, state, ItemClass::Lens);
     if (lenses.all > 0) figures.lenses = std::to_string(lenses.taken) + " of " + std::to_string(lenses.all);
     return figures;
@@ -85,15 +95,22 @@ void Program::try_with_files(const std::string& what, const std::function<void()
 }
 
 std::shared_ptr<const LoadedLevel> Program::loaded_as(const std::string& level) {
-    return std::make_shared<const LoadedLevel>(LevelFiles{level, options_.palette, assets_folder_, options_.models});
+    LevelFiles files = level_files_;
+    files.level = level;
+    return std::make_shared<const LoadedLevel>(files);
 }
 
 void Program::walk() {
     try_with_files("Walk", [&] { start_walk(loaded_as("")); });
 }
 
-void Program::play_level(const std::string& name) {
-    try_with_files("Levels", [&] { start_walk(loaded_as(name == "demo" ? "" : name)); });
+void Program::play_level(const std::string& file) {
+    try_with_files("Levels", [&] { start_walk(loaded_as(file)); });
+}
+
+void Program::play_next() {
+    const std::string next(next_map(session_->loaded().level, session_->state()));
+    try_with_files("Levels", [&] { start_walk(loaded_as(find_named_level(next, places()))); });
 }
 
 void Program::restart() {

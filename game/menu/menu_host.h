@@ -22,7 +22,8 @@ struct SaveEntry {
 
 /// A level that can be walked.
 struct LevelEntry {
-    std::string name;   ///< what play_level() takes
+    std::string name;   ///< "e1m1"
+    std::string file;   ///< what play_level() takes
     std::string title;  ///< what its maker calls it; may be empty
 };
 
@@ -31,7 +32,7 @@ struct EndFigures {
     std::string message;     ///< what the level says; may be empty
     std::string time;        ///< "3:12"
     std::string lenses;      ///< "5 of 12"; empty where the level has none
-    std::string next_level;  ///< what play_level() takes; empty where there is none
+    std::string next_level;  ///< "e1m2"; empty where there is none
 };
 
 /// What the menu's pages know of the program, and have it do.
@@ -57,7 +58,8 @@ class MenuHost {
     virtual void walk() = 0;  ///< the demo level, from its start
     virtual void continue_walk() = 0;
     virtual void restart() = 0;
-    virtual void play_level(const std::string& name) = 0;
+    virtual void play_level(const std::string& file) = 0;
+    virtual void play_next() = 0;              ///< EndFigures::next_level
     virtual void save(std::size_t entry) = 0;  ///< of saves()
     virtual void load(std::size_t entry) = 0;
     virtual void show_title() = 0;

@@ -100,8 +100,7 @@ MenuPage MenuPages::game_page() {
 MenuPage MenuPages::end_page(const EndFigures& figures) {
     MenuPage page{"The end", text_of_end(figures), {}, 0, "", false, closing([this] { host_.show_title(); })};
     if (!figures.next_level.empty())
-        page.rows.push_back(
-            row("On to " + figures.next_level, closing([this, next = figures.next_level] { host_.play_level(next); })));
+        page.rows.push_back(row("On to " + figures.next_level, closing([this] { host_.play_next(); })));
     page.rows.push_back(row("Again", closing([this] { host_.restart(); })));
     page.rows.push_back(row("Another level", [this] { open_levels(); }));
     page.rows.push_back(row("Title", closing([this] { host_.show_title(); })));
@@ -143,8 +142,8 @@ void MenuPages::open_levels() {
     menu_.open([this, levels = host_.levels()] {
         MenuPage page{"Levels", "", {}, 0, "", false, nullptr};
         for (const LevelEntry& level : levels) {
-            MenuRow entry = row(level.name, [this, name = level.name] {
-                do_or_ask("Leave this walk and go to " + name + "?", [this, name] { host_.play_level(name); });
+            MenuRow entry = row(level.name, [this, name = level.name, file = level.file] {
+                do_or_ask("Leave this walk and go to " + name + "?", [this, file] { host_.play_level(file); });
             });
             entry.value = level.title;
             page.rows.push_back(std::move(entry));

@@ -160,9 +160,10 @@ class DamagedText {
 TEST(OptionsText, DamageLosesNoLineThatIsStillRight) {
     const Preferences written = test::all_changed();
     const std::string text = write_preferences(written);
+    constexpr int kTrials = 2000;
     std::mt19937 random(11);
     std::size_t kept = 0;
-    for (int trial = 0; trial < 2000; ++trial) {
+    for (int trial = 0; trial < kTrials; ++trial) {
         const DamagedText damaged(text, random);
         const ReadPreferences read = read_preferences(damaged.text);
         const bool is_view_damaged =
@@ -179,7 +180,7 @@ TEST(OptionsText, DamageLosesNoLineThatIsStillRight) {
         const std::string mended = with(damaged.text, "volume", Preferences{});
         ASSERT_EQ(read_preferences(mended).preferences.volume_100, 100) << "trial " << trial;
     }
-    EXPECT_GT(kept, 2000 * all_preferences().size() * 9 / 10);
+    EXPECT_GT(kept, kTrials * all_preferences().size() * 9 / 10);
 }
 
 TEST(OptionsText, RefusesWhatIsNoText) {

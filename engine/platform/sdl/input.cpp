@@ -121,7 +121,6 @@ void SdlInput::take_key(const SDL_KeyboardEvent& key) {
         return;
     }
     if (has_alt && code == SDL_SCANCODE_TAB) return;  // to another window
-    if (code == SDL_SCANCODE_ESCAPE) leave();
     mapper_.press(key_of(code));
 }
 
@@ -171,13 +170,6 @@ void SdlInput::take_window_event(std::uint8_t event) {
     if (event != SDL_WINDOWEVENT_FOCUS_LOST) return;
     mapper_.release_all();
     capture_mouse(false);
-}
-
-void SdlInput::leave() {
-    if (is_mouse_captured())
-        capture_mouse(false);
-    else
-        is_closed_ = true;
 }
 
 }  // namespace oblong

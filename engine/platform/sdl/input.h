@@ -44,7 +44,6 @@ class SdlInput {
     void take_motion(const SDL_MouseMotionEvent& motion);
     void take_window_event(std::uint8_t event);
     void point_at(std::int32_t x, std::int32_t y);
-    void leave();
 
     SDL_Window* window_;
     InputMapper mapper_;
