@@ -66,7 +66,7 @@ TEST_F(RecordedWalk, ShowsEveryMessageOfTheLevelButThoseOfWaysThatItDoesNotTake)
 
 TEST_F(RecordedWalk, TurnsAtAPacePleasantToWatch) {
     constexpr int kFastest = 65'536 * 100 / 360 / static_cast<int>(kTicksPerSecond);  // 100 degrees a second
-    constexpr int kLargestJerk = 65'536 * 8 / 360 / static_cast<int>(kTicksPerSecond);
+    constexpr int kLargestJerk = 65'536 * 11 / 360 / static_cast<int>(kTicksPerSecond);
     int before = 0;
     for (const DemoTick& tick : demo_.ticks) {
         EXPECT_LE(std::abs(tick.input.yaw), kFastest);
