@@ -6,6 +6,7 @@
 #include "engine/frame/wireframe.h"
 #include "engine/geometry/views.h"
 #include "engine/screen/screen.h"
+#include "game/simulation/items.h"
 #include "game/simulation/step.h"
 
 namespace oblong {
@@ -47,6 +48,17 @@ LightStyles light_styles_of(const GameState& state) {
     return styles;
 }
 
+// The model that shows each item; none where its file is not there.
+std::vector<std::optional<std::size_t>> models_of_items(const GameLevel& level, const LevelModels& models) {
+    std::vector<std::optional<std::size_t>> found;
+    for (const Item& item : level.items) {
+        const auto model = std::ranges::find(models.models, item.entity, &LevelModel::entity);
+        found.emplace_back();
+        if (model != models.models.end()) found.back() = static_cast<std::size_t>(model - models.models.begin());
+    }
+    return found;
+}
+
 }  // namespace
 
 std::int64_t time_ms_at(const InterpolatedState& state) {
@@ -86,6 +98,14 @@ Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees fiel
 GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode, Workers* workers)
     : data_(data), level_(level), mode_(mode), work_(data.level, mode, workers) {
     pixels_.resize(pixel_count(mode.width_px, mode.height_px));
+    item_models_ = models_of_items(level, data.models);
+    if (!item_models_.empty()) is_gone_.resize(data.models.models.size());
+}
+
+// What is taken is no longer part of the scene, so that nothing is spent on it.
+void GameRenderer::note_taken_items(const GameState& state) {
+    for (std::size_t i = 0; i < item_models_.size(); ++i)
+        if (item_models_[i]) is_gone_[*item_models_[i]] = is_there(state, i) ? 0 : 1;
 }
 
 template <class Use>
@@ -95,7 +115,8 @@ void GameRenderer::use_scene(const GameView& view, Use use) {
     Scene scene{data_.level, data_.colormap, models, time_ms_at(view.state)};
     scene.light_styles = light_styles_of(view.state.after);
     if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
-    place_models(data_.models, scene.time_ms, meshes_);
+    note_taken_items(view.state.after);
+    place_models(data_.models, scene.time_ms, is_gone_, meshes_);
     scene.meshes = meshes_;
     use(scene);
 }

@@ -65,6 +65,7 @@ class GameRenderer {
     std::size_t torn_edges() const { return work_.faces.torn_edges; }
 
   private:
+    void note_taken_items(const GameState& state);
     template <class Use>
     void use_scene(const GameView& view, Use use);
 
@@ -74,6 +75,8 @@ class GameRenderer {
     FrameWorkspace work_;
     std::vector<std::uint8_t> pixels_;
     std::vector<PlacedMesh> meshes_;
+    std::vector<std::optional<std::size_t>> item_models_;  ///< of GameLevel::items, into GameData::models
+    std::vector<std::uint8_t> is_gone_;                    ///< a model of an item that was taken; empty without items
 };
 
 }  // namespace oblong

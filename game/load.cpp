@@ -36,7 +36,7 @@ GameData load_game(const std::string& level_file, const std::string& palette_fil
         palette_file.empty() ? find_palette(fs::path(data.level_file).parent_path(), assets_folder) : palette_file;
     data.palette = read_parsed(palette, read_palette);
     data.colormap = make_colormap(data.palette);
-    data.models = read_level_models(data.level, data.palette, {data.level_file, models_folder});
+    data.models = read_level_models(data.level, data.palette, {data.level_file, models_folder, assets_folder});
     print_warnings("oblong", data.level_file, data.models.warnings);
     return data;
 }

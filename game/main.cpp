@@ -12,6 +12,7 @@
 #include "engine/screen/screen.h"
 #include "game/options.h"
 #include "game/program.h"
+#include "game/route.h"
 #include "game/timedemo.h"
 #include "tools/common/arguments.h"
 #include "tools/common/assets_folder.h"
@@ -73,7 +74,16 @@ void time_demo(const Options& options, const LoadedLevel& loaded, Workers& worke
     std::cout << describe(result) << '\n';
 }
 
+// Records who walks a route, as fast as it goes.
+void record_route(const Options& options, const std::string& assets) {
+    const LoadedLevel loaded({options.level, options.palette, assets, options.models});
+    const std::vector<Waypoint> route = read_parsed(options.route, parse_route);
+    const Demo demo = naming_file(options.route, [&] { return walk_route(loaded.level, route); });
+    write_file(options.record, encode_demo(demo));
+}
+
 void run_game(const Options& options, const std::string& assets) {
+    if (!options.route.empty()) return record_route(options, assets);
     WorkerThreads workers(static_cast<int>(options.threads));
     if (!options.timedemo.empty()) {
         time_demo(options, LoadedLevel({options.level, options.palette, assets, options.models}), workers);

@@ -95,6 +95,7 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     auto record = line.add("--record", options.record, "write the game played to this demo file");
     auto replay = line.add("--replay", options.replay, "play this demo file instead of the keys");
     auto timedemo = line.add("--timedemo", options.timedemo, "replay this demo file as fast as it goes; no window");
+    auto route = line.add("--route", options.route, "walk the waypoints of this CSV file into --record; no window");
     auto headless = line.add("--headless", options.headless_frames,
                              "no window: draw so many ticks of a short walk, or of --replay");
     auto out = line.add("--out", options.out, "folder for the pictures of --headless");
@@ -102,6 +103,7 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     out.need(headless);
     timedemo.exclude(record).exclude(replay).exclude(headless);
     record.exclude(replay);
+    route.need(record).exclude(headless);
 }
 
 void interpret(const OptionTexts& texts, Options& options) {

@@ -31,7 +31,7 @@ struct Options {
     MapView map = MapView::Off;
     Wireframe wireframe = Wireframe::Off;
     LineMethod line_method = LineMethod::GuptaSproull;
-    std::string record, replay, timedemo;
+    std::string record, replay, timedemo, route;
     std::int64_t headless_frames = 0, threads = 1;
     std::string out;
     bool shows_gallery = false, shows_error_box = false;

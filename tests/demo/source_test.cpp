@@ -11,7 +11,7 @@
 #include "tools/common/png.h"
 #include "tools/demo_level/art/textures.h"
 #include "tools/demo_level/map/museum.h"
-#include "tools/demo_level/models/armillary.h"
+#include "tools/demo_level/models/models.h"
 #include "tools/texture/texture_files.h"
 
 namespace oblong {
@@ -104,15 +104,26 @@ TEST(DemoTextures, TheCommittedPicturesAreWhatThePaintersPaint) {
 TEST(DemoModels, TheCommittedFilesAreWhatIsMade) {
     const std::filesystem::path models = kTextures.parent_path() / "models";
     const std::string how = ": run oblong-demo-level models -o assets/models";
-    EXPECT_EQ(read_text((models / "armillary.obj").string()), model_source::armillary_obj()) << how;
-    EXPECT_EQ(read_text((models / "armillary.mtl").string()), model_source::armillary_mtl()) << how;
-    std::size_t count = 2;
-    for (const auto& [name, canvas] : model_source::paint_armillary()) {
+    std::size_t count = 0;
+    for (const auto& [name, text] : model_source::all_model_files()) {
+        EXPECT_EQ(read_text((models / name).string()), text) << name << how;
+        ++count;
+    }
+    for (const auto& [name, canvas] : model_source::paint_all_skins()) {
         const PngImage decoded = decode_png(read_file((models / (name + ".png")).string()));
         EXPECT_EQ(decoded.indices, canvas.to_indices()) << name << how;
         ++count;
     }
     EXPECT_EQ(static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(models), {})), count);
+}
+
+TEST(DemoModels, EachIsReadWithoutAWarning) {
+    for (const auto& [name, text] : model_source::all_model_files()) {
+        if (!name.ends_with(".obj")) continue;
+        const ObjModel model = read_obj((kTextures.parent_path() / "models" / name).string(), art::design_palette());
+        EXPECT_TRUE(model.warnings.empty()) << name;
+        EXPECT_FALSE(model.mesh.triangles.empty()) << name;
+    }
 }
 
 TEST(DemoModels, TheArmillarySphereIsReadWithoutAWarning) {

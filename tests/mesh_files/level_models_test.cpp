@@ -45,7 +45,7 @@ class ModelFolder : public ::testing::Test {
     }
     static PlacedMesh at(const LevelModels& models, std::int64_t time_ms, std::size_t number = 0) {
         std::vector<PlacedMesh> placed;
-        place_models(models, time_ms, placed);
+        place_models(models, time_ms, {}, placed);
         EXPECT_EQ(placed.size(), models.models.size());
         return placed.at(number);
     }

@@ -1,6 +1,7 @@
 #include "tools/common/level_models.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -22,7 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int32_t kItemTurn_ms = 3600;             ///< Quake's items turn by 100 degrees a second
+constexpr std::int32_t kItemTurn_ms = 3600;  ///< Quake's items turn by 100 degrees a second
+constexpr World kLensScale = World::from_int(9), kKeyScale = World::from_int(12);  ///< units a unit of the OBJ
+constexpr std::int32_t kLeastLight = 110;               ///< of what there is to find: a lightmap value
 constexpr std::int32_t kSeparateFrame_ms = 100;         ///< Quake's game code goes to the next frame ten times a second
 constexpr World kFarthestFloor = World::from_int(256);  ///< below an item
 constexpr World kLift = World::from_int(6);             ///< by which an item is lifted before it drops
@@ -47,6 +50,22 @@ bool stays_below(const fs::path& path) {
     return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
 }
 
+/// What there is to take, as Oblong itself shows it: lenses, and keys where Quake's models of them are not.
+struct OwnItem {
+    std::string_view name, file;
+    World scale;
+    std::int32_t over_floor;
+};
+constexpr std::array kOwnItems{OwnItem{"item_lens", "lens.obj", kLensScale, ModelClass::kStays},
+                               OwnItem{"item_key1", "key_silver.obj", kKeyScale, 28},
+                               OwnItem{"item_key2", "key_gold.obj", kKeyScale, 28}};
+
+const OwnItem* own_item_of(std::string_view name) {
+    const auto found =
+        std::find_if(kOwnItems.begin(), kOwnItems.end(), [&](const OwnItem& each) { return each.name == name; });
+    return found == kOwnItems.end() ? nullptr : &*found;
+}
+
 class ModelFinder {
   public:
     explicit ModelFinder(const ModelFolders& folders) {
@@ -54,6 +73,7 @@ class ModelFinder {
         if (!folders.named.empty()) folders_.emplace_back(folders.named);
         folders_.push_back(level_folder);
         folders_.push_back(level_folder / "..");
+        if (!folders.own.empty()) folders_.emplace_back(folders.own);
     }
 
     std::optional<std::string> find(const fs::path& path) const {
@@ -87,14 +107,18 @@ class LevelModelReader {
         const bool is_model = entity.value("classname") == "misc_model";
         const ModelClass* its_class =
             shows_classes_ ? model_class_of(entity, static_cast<std::int32_t>(world_type_)) : nullptr;
-        if (!is_model && !its_class) return;
+        const OwnItem* own = its_class ? nullptr : own_item_of(entity.value("classname"));
+        if (!is_model && !its_class && !own) return;
         if (models_.models.size() >= kMostLevelModels) {
             if (is_model)
                 values.warn("the level has more than " + std::to_string(kMostLevelModels) + " models: it is left out");
             return;
         }
+        const std::size_t before = models_.models.size();
         if (is_model) read_model(values);
-        if (!is_model) read_item(*its_class, entity, index, values);
+        if (own) read_own_item(*own, values);
+        if (its_class) read_item(*its_class, entity, index, values);
+        if (models_.models.size() > before) models_.models.back().entity = index;
     }
 
     void read_model(const EntityValues& values) {
@@ -163,14 +187,32 @@ class LevelModelReader {
         const std::optional<Vec3<World>> origin = parse_world_vector(entity.value("origin"));
         if (!origin) return;
         const std::optional<std::string> file = finder_.find(fs::path(its_class.file).replace_extension(".mdl"));
-        if (!file) return report_missing(its_class, entity, index);
+        if (!file) {
+            if (const OwnItem* own = own_item_of(its_class.name)) return read_own_item(*own, values);
+            return report_missing(its_class, entity, index);
+        }
         const Mesh& mesh = mesh_of({*file}, values);
         LevelModel model;
         model.placed.mesh = &mesh;
-        model.placed.position = resting_place(*origin, its_class);
+        model.placed.position = resting_place(*origin, its_class.over_floor);
         model.first_frame = std::min(its_class.frame, static_cast<std::uint32_t>(mesh.frame_sequences.size() - 1));
         model.skin = std::min(its_class.skin, static_cast<std::uint32_t>(mesh.skin_sequences.size() - 1));
         if (mesh.turns) model.turn_ms = kItemTurn_ms;
+        models_.models.push_back(model);
+    }
+
+    /// Nothing is shown where its file is not there, as for Quake's classes without a folder of models.
+    void read_own_item(const OwnItem& item, const EntityValues& values) {
+        const std::optional<Vec3<World>> origin = values.origin();
+        const std::optional<std::string> file = finder_.find(fs::path("models") / item.file);
+        if (!origin || !file) return;
+        LevelModel model;
+        model.placed.mesh = &mesh_of({*file, item.scale}, values);
+        model.placed.position = resting_place(*origin, item.over_floor);
+        model.placed.shading = Shading::Phong;
+        model.placed.highlight = 120;
+        model.placed.least_light = kLeastLight;
+        model.turn_ms = kItemTurn_ms;
         models_.models.push_back(model);
     }
 
@@ -186,13 +228,13 @@ class LevelModelReader {
         EntityValues(entity, index, models_.warnings).warn("at " + entity.value("origin") + ": " + what);
     }
 
-    Vec3<World> resting_place(const Vec3<World>& origin, const ModelClass& its_class) const {
-        if (its_class.over_floor == ModelClass::kStays) return origin;
+    Vec3<World> resting_place(const Vec3<World>& origin, std::int32_t over_floor) const {
+        if (over_floor == ModelClass::kStays) return origin;
         const Vec3<World> start{origin.x, origin.y, saturated_to<World>(std::int64_t{origin.z.raw} + kLift.raw)};
         const std::optional<Floor> floor = find_floor(level_, start, kFarthestFloor);
         if (!floor) return origin;
         Vec3<World> place = floor->position;
-        place.z += World::from_int(its_class.over_floor);
+        place.z += World::from_int(over_floor);
         return place;
     }
 
@@ -234,9 +276,12 @@ LevelModels read_level_models(const Level& level, const Palette& palette, const 
     return LevelModelReader(level, palette, folders).read();
 }
 
-void place_models(const LevelModels& models, std::int64_t time_ms, std::vector<PlacedMesh>& placed) {
+void place_models(const LevelModels& models, std::int64_t time_ms, std::span<const std::uint8_t> is_gone,
+                  std::vector<PlacedMesh>& placed) {
     placed.clear();
-    for (const LevelModel& model : models.models) {
+    for (std::size_t i = 0; i < models.models.size(); ++i) {
+        if (!is_gone.empty() && is_gone[i] != 0) continue;
+        const LevelModel& model = models.models[i];
         const Mesh& mesh = *model.placed.mesh;
         PlacedMesh& now = placed.emplace_back(model.placed);
         now.frame = now.next_frame = frame_at(model, mesh, time_ms);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,11 @@ struct LevelModel {
     std::uint32_t first_frame = 0, frames = 1;  ///< of its mesh's frame sequences: several are a tenth of a second each
     std::uint32_t skin = 0;                     ///< of its mesh's skin sequences
     std::int32_t turn_ms = 0;                   ///< for a whole turn, counter-clockwise; 0: it stands
+    std::size_t entity = 0;                     ///< that it shows, into Level::entities
 };
 
-/// The models that a level's entities show: misc_model, and Quake's own classes (model_classes.h).
+/// The models that a level's entities show: misc_model, what there is to take (item_lens, keys), and Quake's own
+/// classes (model_classes.h).
 struct LevelModels {
     std::vector<std::unique_ptr<const Mesh>> meshes;  ///< one for each file and each way to read it
     std::vector<LevelModel> models;
@@ -30,7 +33,8 @@ struct LevelModels {
 /// path, and by its name alone there, in `progs` and in `models`.
 struct ModelFolders {
     std::string level_file;
-    std::string named;  ///< empty: nowhere, and Quake's own classes show nothing
+    std::string named;     ///< empty: nowhere, and Quake's own classes show nothing
+    std::string own = {};  ///< of Oblong's lens and keys, after all others; empty: nowhere
 };
 
 inline constexpr std::size_t kMostLevelModels = 4096;
@@ -39,7 +43,9 @@ inline constexpr std::size_t kMostLevelModels = 4096;
 /// classes want. Throws FileError for a file that is broken.
 LevelModels read_level_models(const Level& level, const Palette& palette, const ModelFolders& folders);
 
-/// The models as they are at a time; `placed` is filled anew.
-void place_models(const LevelModels& models, std::int64_t time_ms, std::vector<PlacedMesh>& placed);
+/// The models as they are at a time, but for those for which `is_gone` is not 0 (empty: none is gone; otherwise one for
+/// each model); `placed` is filled anew.
+void place_models(const LevelModels& models, std::int64_t time_ms, std::span<const std::uint8_t> is_gone,
+                  std::vector<PlacedMesh>& placed);
 
 }  // namespace oblong

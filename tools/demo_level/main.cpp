@@ -6,7 +6,7 @@
 #include "tools/common/png.h"
 #include "tools/demo_level/art/textures.h"
 #include "tools/demo_level/map/museum.h"
-#include "tools/demo_level/models/armillary.h"
+#include "tools/demo_level/models/models.h"
 #include "tools/demo_level/sounds/sounds.h"
 
 namespace oblong {
@@ -36,10 +36,9 @@ void write_pictures(const std::vector<art::NamedCanvas>& pictures, const std::st
 }
 
 void write_demo_models(const std::string& folder) {
-    write_pictures(model_source::paint_armillary(), folder);
-    const std::filesystem::path path(folder);
-    write_file((path / "armillary.obj").string(), model_source::armillary_obj());
-    write_file((path / "armillary.mtl").string(), model_source::armillary_mtl());
+    write_pictures(model_source::paint_all_skins(), folder);
+    for (const auto& [name, text] : model_source::all_model_files())
+        write_file((std::filesystem::path(folder) / name).string(), text);
 }
 
 void write_sounds(const std::string& folder) {

@@ -36,7 +36,7 @@ class ViewRenderer {
         Scene scene = job_.scene;
         scene.time_ms += later_ms;
         if (job_.level_models) {
-            place_models(*job_.level_models, scene.time_ms, meshes_);
+            place_models(*job_.level_models, scene.time_ms, {}, meshes_);
             scene.meshes = meshes_;
         }
         draw_frame(scene, view, job_.mode, job_.settings, work_,

@@ -1,3 +1,4 @@
+#include "tools/demo_level/map/exhibits.h"
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
 
@@ -52,6 +53,9 @@ void build_accuracy_room(Draft& draft) {
     add_sign(draft, {Side::West, {kEast, 2320, 216}, 2.25, "sign_distance", 112, 32});
     draft.add_light({-784, 2440, 200}, 200);
     for (const double x : {-784.0, -160.0}) add_hanging_lamp(draft, {x, 2320, 200}, 272, 370);
+    add_lens(draft, {-472, 2320, kFloor}, "ACCURACY");
+    add_caption(draft, {{-840, 2150, kFloor}, {-744, 2190, kFloor + 72}}, "ACCURACY - F4: in 1991 these stripes bend.",
+                "The lava does no harm; steps lead out.");
 }
 
 }  // namespace oblong::map_source

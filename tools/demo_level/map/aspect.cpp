@@ -1,3 +1,4 @@
+#include "tools/demo_level/map/exhibits.h"
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
 #include "tools/demo_level/map/room.h"
@@ -40,6 +41,9 @@ void build_aspect_room(Draft& draft) {
     }
     for (const double x : {4.0, 224.0}) add_wall_lamp(draft, {x, 504, 150}, Side::South, 360);
     add_hanging_lamp(draft, {112, 256, 200}, 288, 400);
+    add_lens(draft, {-112, 262, 0}, "ASPECT");
+    add_caption(draft, {{-48, 8, 0}, {48, 40, 72}}, "ASPECT - a sphere is round on your screen.",
+                "F2, F3 spoil it; F11 measures it.");
 }
 
 }  // namespace oblong::map_source

@@ -1,3 +1,4 @@
+#include "tools/demo_level/map/exhibits.h"
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
 #include "tools/demo_level/map/room.h"
@@ -96,6 +97,8 @@ void build_courtyard(Draft& draft) {
     for (const double y : {1540.0, 1692.0}) add_wall_lamp(draft, {1144, y, 96}, Side::West, 360);
     add_plants(draft);
     add_moonlight(draft);
+    add_caption(draft, {{688, 560, 0}, {784, 600, 72}}, "THE COURTYARD - twelve lenses open the tower.",
+                "Tab shows a map.");
 }
 
 void build_canal(Draft& draft) {
@@ -128,6 +131,9 @@ void build_balcony(Draft& draft) {
     add_wall_lamp(draft, {1144, 980, 232}, Side::West, 290);
     add_lamp_post(draft, {1032, 1180, 0}, 290);
     add_wall_lamp(draft, {1144, 828, 72}, Side::West, 330);
+    add_lens(draft, {1046, 940, 160}, "FIELD OF VIEW");
+    add_caption(draft, {{1112, 840, 160}, {1148, 936, 232}}, "FIELD OF VIEW - [ and ] make it wide or narrow;",
+                "what is in the middle keeps its size.");
     build_room(draft, {{{1184, 688, 0}, {1312, 792, 128}},
                        "stone_floor",
                        "wood_planks",

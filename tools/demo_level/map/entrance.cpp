@@ -1,3 +1,4 @@
+#include "tools/demo_level/map/exhibits.h"
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
 
@@ -38,6 +39,8 @@ void build_entrance(Draft& draft) {
     add_arch(draft, 1, {{-48, -32, 0}, {48, 0, 112}}, "sand_wall");
     furnish(draft);
     draft.add_light({0, -96, 180}, 350);
+    add_caption(draft, {{-60, -416, 0}, {60, -330, 72}},
+                "Find the twelve lenses, one in each exhibit:", "then the tower opens. F1 shows the keys.");
     draft.add_point("info_player_start", {0, -368, 32}, {{"angle", "90"}});
 }
 

@@ -1,3 +1,4 @@
+#include "tools/demo_level/map/exhibits.h"
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
 
@@ -78,6 +79,9 @@ void build_fog_garden(Draft& draft) {
     add_lawns(draft);
     add_teleporter(draft);
     add_light_of_sky(draft);
+    add_lens(draft, {kPathX + 66, 2310, kLawn}, "FOG");
+    add_caption(draft, {{1344, 1864, 0}, {1440, 1884, 72}}, "FOG - it lies where the ground is low.",
+                "The arch at the end leads back.");
     for (const double x : {1320.0, 1464.0}) add_wall_lamp(draft, {x, kGarden.low.y + 8, 80}, Side::North, 320);
 }
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "tools/demo_level/map/exhibits.h"
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
 
@@ -50,6 +51,9 @@ void build_forced_perspective(Draft& draft) {
                        {{Side::East, 1536, 1632, 0, 112}, {Side::West, 1536, 1632, 48, 160}}});
     add_converging_planes(draft);
     add_shrinking_columns(draft);
+    add_lens(draft, {-672, kMiddle, 45}, "FORCED PERSPECTIVE");
+    add_caption(draft, {{-320, 1540, 0}, {-292, 1630, 72}},
+                "FORCED PERSPECTIVE - the room shrinks:", "it looks three times as long as it is.");
 }
 
 }  // namespace oblong::map_source

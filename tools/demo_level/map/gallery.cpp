@@ -1,3 +1,4 @@
+#include "tools/demo_level/map/exhibits.h"
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
 
@@ -56,6 +57,9 @@ void build_gallery(Draft& draft) {
     add_sliding_door(draft);
     add_door_frame(draft, Side::North, light_hall, kSouth);
     add_sign(draft, {Side::North, {736, kSouth, 144}, 1, "sign_light", 128, 48});
+    add_lens(draft, {1232, kMiddle, 0}, "the VANISHING POINT");
+    add_caption(draft, {{300, 368, 0}, {330, 464, 72}}, "VANISHING POINT - all lines meet in one.",
+                "F4: how textures bend; F9 compares.");
 }
 
 }  // namespace oblong::map_source

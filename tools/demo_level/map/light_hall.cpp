@@ -1,3 +1,4 @@
+#include "tools/demo_level/map/exhibits.h"
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
 
@@ -52,6 +53,9 @@ void build_light_hall(Draft& draft) {
         add_wall_lamp(draft, {y < 144 ? 876.0 : 832.0, y, 96}, facing, 330, kOtherCandle);
     }
     for (const double x : {640.0, 832.0}) draft.add_light({x, 120, 150}, 330);
+    add_lens(draft, {736, 40, 0}, "LIGHT AND SHADOW");
+    add_caption(draft, {{688, 240, 0}, {784, 280, 72}}, "LIGHT - a mirror, and a lantern that moves.",
+                "L carries a torch; F6 shows what it costs.");
 }
 
 }  // namespace oblong::map_source

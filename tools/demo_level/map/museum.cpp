@@ -1,5 +1,7 @@
 #include "tools/demo_level/map/museum.h"
 
+#include "tools/demo_level/map/exhibits.h"
+
 namespace oblong::map_source {
 
 Draft make_museum() {
@@ -31,6 +33,7 @@ Draft make_museum() {
     build_forced_perspective(draft);
     build_passages(draft);
     build_accuracy_room(draft);
+    add_lens_counter(draft);
     return draft;
 }
 

@@ -1,3 +1,4 @@
+#include "tools/demo_level/map/exhibits.h"
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
 
@@ -36,6 +37,8 @@ void build_pale_corridor(Draft& draft) {
         for (const double y : {2268.0, 2372.0}) add_column(draft, {x, y, 48}, 144, 8, "marble_ivory");
     }
     for (const double x : {48.0, 240.0, 432.0}) draft.add_light({x, 2320, 150}, 320);
+    add_caption(draft, {{-40, 2272, 48}, {-8, 2368, 120}}, "DISTANCE - far columns are drawn from small",
+                "copies of their texture. The tower is ahead.");
 }
 
 /// From the corridor over the courtyard's wall into the tower.

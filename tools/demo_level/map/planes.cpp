@@ -1,3 +1,4 @@
+#include "tools/demo_level/map/exhibits.h"
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
 
@@ -34,6 +35,10 @@ void build_plane_room(Draft& draft) {
     for (const Opening& door : {arcade, lift}) add_door_frame(draft, Side::East, door, 1344);
     add_sign(draft, {Side::East, {1344, 888, 140}, 1.125, "sign_fov", 176, 32});
     draft.add_light({1560, 760, 150}, 510);
+    add_lens(draft, {1548, 932, 0}, "ANY PLANE");
+    add_caption(draft, {{1440, 664, 0}, {1536, 696, 72}}, "ANY PLANE - walls and crystals along no axis.",
+                "E shows the edges of all that is drawn.");
+    add_caption(draft, {{1352, 840, 0}, {1376, 936, 72}}, "The lift: stand on it, and it goes up.");
     draft.add_light({1420, 820, 120}, 330);
     add_wall_lamp(draft, {1352, 980, 120}, Side::East, 330);
     draft.add_light({1690, 900, 60}, 310);

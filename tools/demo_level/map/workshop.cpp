@@ -1,3 +1,4 @@
+#include "tools/demo_level/map/exhibits.h"
 #include "tools/demo_level/map/fittings.h"
 #include "tools/demo_level/map/museum.h"
 
@@ -66,6 +67,9 @@ void build_workshop(Draft& draft) {
     add_wall_lamp(draft, {984, 8, 104}, Side::North, 280);
     draft.add_light({1090, 240, 110}, 270);
     draft.add_light({1030, 100, 130}, 290);
+    add_lens(draft, {1180, 144, 0}, "SPARKS");
+    add_caption(draft, {{968, 96, 0}, {1000, 192, 72}}, "SPARKS - the neon sign is palette alone.",
+                "F6 lists each effect and its pixels.");
     draft.add_light({1260, 144, 60}, 200);
 }
 

@@ -27,13 +27,15 @@ void ObjDraft::begin_smooth_part() {
 void ObjDraft::add_closed_grid(const std::vector<std::vector<ModelPoint>>& rows) {
     const std::size_t sides = rows.front().size();
     const auto share = [](std::size_t part, std::size_t whole) {
-        return decimal(static_cast<double>(part) / static_cast<double>(whole));
+        return static_cast<double>(part) / static_cast<double>(whole);
     };
+    const double columns = end_column_ - first_column_;
     for (std::size_t row = 0; row < rows.size(); ++row) {
         for (const ModelPoint& p : rows[row])
             text_ += "v " + decimal(p.x) + " " + decimal(p.y) + " " + decimal(p.z) + "\n";
         for (std::size_t side = 0; side <= sides; ++side)
-            text_ += "vt " + share(side, sides) + " " + share(row, rows.size() - 1) + "\n";
+            text_ += "vt " + decimal(first_column_ + columns * share(side, sides)) + " " +
+                     decimal(share(row, rows.size() - 1)) + "\n";
     }
     const auto corner = [&](std::size_t row, std::size_t side) {
         return " " + std::to_string(points_ + row * sides + side % sides) + "/" +

@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "engine/base/input_error.h"
+#include "engine/level/bsp_read.h"
+#include "engine/platform/files.h"
+#include "game/route.h"
+#include "game/simulation/items.h"
+#include "game/simulation/step.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::size_t kLenses = 12;
+
+/// The walk that the build records, and the states that it leads to.
+class RecordedWalk : public testing::Test {
+  protected:
+    template <class Visit>
+    void replay(Visit visit) const {
+        GameState state = start_of(game_level_);
+        for (const DemoTick& tick : demo_.ticks) {
+            step(game_level_, state, tick.input);
+            ASSERT_EQ(hash_of(state), tick.state_hash) << "tick " << state.tick;
+            visit(state);
+        }
+    }
+
+    const Level level_ = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    const GameLevel game_level_ = make_game_level(level_);
+    const Demo demo_ = decode_demo(read_file(OBLONG_BUILD_DIR "/assets/walk.demo"));
+};
+
+TEST_F(RecordedWalk, IsTheWalkOfTheRouteOnThisLevel) {
+    const auto route = parse_route(read_file(OBLONG_SOURCE_DIR "/assets/walk.csv"));
+    EXPECT_EQ(walk_route(game_level_, route), demo_);
+}
+
+TEST_F(RecordedWalk, FindsAllLensesAndEndsTheLevelInTwoToFourMinutes) {
+    GameState last;
+    replay([&](const GameState& state) { last = state; });
+    const ItemCount lenses = count_items(game_level_, last, ItemClass::Lens);
+    EXPECT_EQ(lenses.all, static_cast<std::int32_t>(kLenses));
+    EXPECT_EQ(lenses.taken, lenses.all);
+    EXPECT_TRUE(last.has_ended);
+    EXPECT_GE(last.tick, 120 * kTicksPerSecond);
+    EXPECT_LE(last.tick, 240 * kTicksPerSecond);
+}
+
+TEST_F(RecordedWalk, ShowsEveryMessageOfTheLevelButThoseOfWaysThatItDoesNotTake) {
+    std::set<std::string> shown;
+    replay([&](const GameState& state) {
+        if (state.shown_message >= 0) shown.insert(game_level_.messages[static_cast<std::size_t>(state.shown_message)]);
+    });
+    std::size_t lenses = 0;
+    for (const Entity& entity : level_.entities) {
+        const std::string message = entity.value("message");
+        if (entity.value("classname") == "item_lens") lenses += shown.contains(message);
+    }
+    EXPECT_EQ(lenses, kLenses);
+    EXPECT_TRUE(shown.contains("All twelve lenses: the tower is open"));
+    EXPECT_GE(shown.size(), 2 * kLenses + 3) << "a caption on entering each room";
+}
+
+TEST_F(RecordedWalk, TurnsAtAPacePleasantToWatch) {
+    constexpr int kFastest = 65'536 * 100 / 360 / static_cast<int>(kTicksPerSecond);  // 100 degrees a second
+    constexpr int kLargestJerk = 65'536 * 8 / 360 / static_cast<int>(kTicksPerSecond);
+    int before = 0;
+    for (const DemoTick& tick : demo_.ticks) {
+        EXPECT_LE(std::abs(tick.input.yaw), kFastest);
+        EXPECT_LE(std::abs(tick.input.yaw - before), kLargestJerk);
+        before = tick.input.yaw;
+    }
+}
+
+/// Lines of 320 pixels have room for 53 letters of 6.
+TEST(DemoCaptions, AreOfOneOrTwoLinesThatFitThePicture) {
+    const Level level = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    std::size_t count = 0;
+    for (const Entity& entity : level.entities) {
+        std::string message = entity.value("message");
+        if (message.empty()) continue;
+        ++count;
+        std::size_t lines = 1;
+        for (std::size_t end = message.find("\\n"); end != std::string::npos; end = message.find("\\n"), ++lines) {
+            EXPECT_LE(end, 50u) << message;
+            message.erase(0, end + 2);
+        }
+        EXPECT_LE(message.size(), 50u) << message;
+        EXPECT_LE(lines, 2u) << message;
+    }
+    EXPECT_GT(count, 2 * kLenses);
+}
+
+std::vector<Waypoint> route_of(const std::string& text) {
+    return parse_route({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+TEST(Route, IsReadFromACsvFile) {
+    const auto route = route_of("x,y,z,speed,wait,yaw,pitch,jump\n-10,20,,,,,,\n1,2,3,100,20,90,-45,1\n");
+    ASSERT_EQ(route.size(), 2u);
+    EXPECT_EQ(route[0].x, -10);
+    EXPECT_EQ(route[0].speed_100, 50);
+    EXPECT_FALSE(route[0].least_feet || route[0].yaw || route[0].jumps);
+    EXPECT_EQ(route[1].least_feet, 3);
+    EXPECT_EQ(route[1].wait_ticks, 70) << "two seconds";
+    EXPECT_EQ(route[1].yaw, kQuarterTurn);
+    EXPECT_EQ(route[1].pitch, -8192);
+    EXPECT_TRUE(route[1].jumps);
+    EXPECT_EQ(route[1].line, 3u);
+}
+
+TEST(Route, NamesTheLineThatIsWrong) {
+    const std::string header = "x,y,z,speed,wait,yaw,pitch,jump\n";
+    const auto error_of = [](const std::string& text) -> std::string {
+        try {
+            route_of(text);
+        } catch (const InputError& error) {
+            return error.where + ": " + error.what();
+        }
+        return "";
+    };
+    EXPECT_NE(error_of("x,y\n1,2\n").find("line 1"), std::string::npos);
+    EXPECT_NE(error_of(header).find("no waypoint"), std::string::npos);
+    EXPECT_NE(error_of(header + "1,2,,,,,,\n1,,,,,,,\n").find("line 3"), std::string::npos);
+    for (const char* line : {"1,2", "1,2,,,,,,,", "1,b,,,,,,", "1,2.5,,,,,,", "1,2,,101,,,,", "1,2,,,-1,,,",
+                             "1,2,,,,,81,", "1,2,,,,,,2", "1,99999,,,,,,"})
+        EXPECT_NE(error_of(header + line + "\n").find("line 2"), std::string::npos) << line;
+}
+
+TEST(Route, SaysWhereTheVisitorIsStuck) {
+    const Level level = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    const auto route = route_of("x,y,z,speed,wait,yaw,pitch,jump\n0,-300,,,,,,\n140,-160,,,,,,\n400,-160,,,,,,\n");
+    try {
+        walk_route(make_game_level(level), route);
+        FAIL() << "walked through a wall";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("stuck at 143 -16"), std::string::npos) << error.what();
+    }
+}
+
+}  // namespace
+}  // namespace oblong

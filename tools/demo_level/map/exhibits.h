@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "tools/demo_level/map/draft.h"
+
+namespace oblong::map_source {
+
+/// The exhibits that have a lens to be found.
+inline constexpr int kLensCount = 12;
+
+/// Names of what the level's entities activate.
+inline constexpr const char* kLensCounter = "lenses";
+inline constexpr const char* kTowerGate = "tower_gate";
+
+/// The lens of an exhibit, above `floor`, which is in reach of everybody who walks.
+void add_lens(Draft& draft, const Point& floor, const std::string& exhibit);
+
+/// What the game says, once, to who enters a box: one or two lines of up to 50 characters.
+void add_caption(Draft& draft, const Box& box, const std::string& first, const std::string& second = "");
+
+/// What counts the lenses and opens the tower's gates.
+void add_lens_counter(Draft& draft);
+
+}  // namespace oblong::map_source
