@@ -6,10 +6,10 @@
 
 #include "engine/platform/files.h"
 #include "engine/platform/headless/headless.h"
-#include "engine/platform/sdl/message_box.h"
 #include "engine/platform/sdl/window.h"
 #include "engine/platform/worker_threads.h"
 #include "engine/screen/screen.h"
+#include "game/error_window.h"
 #include "game/options.h"
 #include "game/program.h"
 #include "game/route.h"
@@ -106,7 +106,7 @@ int run(int argument_count, const char* const* arguments) {
             throw;
         }
     });
-    if (!error_text.empty()) show_error_box("Oblong", error_text);
+    if (!error_text.empty()) show_error_window(error_text);
     return code;
 }
 

@@ -6,18 +6,40 @@
 
 #include "engine/base/input_error.h"
 #include "game/simulation/step.h"
+#include "game/stick_response.h"
 
 namespace oblong {
 namespace {
 
-constexpr std::int32_t kKeyYaw = 728;    // 140 degrees a second
-constexpr std::int32_t kKeyPitch = 520;  // 100 degrees a second
-constexpr std::int32_t kMouseTurn = 12;  // a count of the mouse: 0.066 degrees
+// Turns in a tick.
+constexpr std::int32_t kKeyYaw = 728;      // 140 degrees a second
+constexpr std::int32_t kKeyPitch = 520;    // 100 degrees a second
+constexpr std::int32_t kStickYaw = 1040;   // 200 degrees a second, the stick pushed as far as it goes
+constexpr std::int32_t kStickPitch = 624;  // 120 degrees a second
+constexpr std::int32_t kMouseTurn = 12;    // a count of the mouse: 0.066 degrees
 constexpr std::int32_t kMostCounts = 4096;
 constexpr int kFullSpeed = 127, kSlowSpeed = 56;
 
 int direction(bool positive, bool negative) {
     return int{positive} - int{negative};
+}
+
+HeldMoves either(const HeldMoves& a, const HeldMoves& b) {
+    return {a.forward || b.forward,     a.back || b.back,
+            a.left || b.left,           a.right || b.right,
+            a.turn_left || b.turn_left, a.turn_right || b.turn_right,
+            a.look_up || b.look_up,     a.look_down || b.look_down,
+            a.jump || b.jump,           a.walk_slowly || b.walk_slowly};
+}
+
+// Of a key that is held or not and a stick.
+std::int8_t speed_of(int key, std::int32_t stick, bool is_slow) {
+    const int most = is_slow ? kSlowSpeed : kFullSpeed;
+    return static_cast<std::int8_t>(std::clamp(key * most + stick * most / kFullAxis, -most, most));
+}
+
+std::int32_t turn_of(std::int32_t stick, std::int32_t full_turn, std::int32_t sensitivity_100) {
+    return static_cast<std::int32_t>(std::int64_t{stick} * full_turn * sensitivity_100 / (100 * kFullAxis));
 }
 
 // As much of a turn as fits a tick; the rest stays.
@@ -28,9 +50,14 @@ std::int16_t take_turn(std::int32_t& turn) {
     return static_cast<std::int16_t>(taken);
 }
 
-// Bounded, so that no device makes the sum overflow; half a circle is more than a mouse turns between two ticks.
-std::int32_t turned(std::int32_t turn, std::int32_t counts) {
-    return std::clamp(turn - std::clamp(counts, -kMostCounts, kMostCounts) * kMouseTurn, -65'536, 65'536);
+// Adds what the mouse turned. Bounded, so that no device makes the sum overflow; half a circle is more than a mouse
+// turns between two ticks.
+void add_turn(std::int32_t& turn, std::int32_t& rest_100, std::int32_t counts, std::int32_t sensitivity_100) {
+    constexpr std::int32_t kMost = 65'536;
+    const std::int32_t turn_100 =
+        std::clamp(counts, -kMostCounts, kMostCounts) * kMouseTurn * sensitivity_100 + rest_100;
+    turn = std::clamp(turn + turn_100 / 100, -kMost, kMost);
+    rest_100 = turn_100 % 100;
 }
 
 // The part of a tick's turn that is not yet drawn, to be taken back.
@@ -45,31 +72,44 @@ LookOffset rest_of(std::int32_t yaw, std::int32_t pitch, std::int32_t fraction_1
 
 void LiveInput::gather(const Controls& controls) {
     held_ = controls;
-    has_jumped_ |= controls.jump;
-    mouse_yaw_ = turned(mouse_yaw_, controls.mouse_x);
-    mouse_pitch_ = turned(mouse_pitch_, -std::max(controls.mouse_y, -kMostCounts));
+    tapped_ = either(tapped_, controls);
+    wants_respawn_ |=
+        std::find(controls.commands.begin(), controls.commands.end(), Command::Respawn) != controls.commands.end();
+    const std::int32_t sensitivity_100 = preferences_.mouse_sensitivity_100;
+    add_turn(mouse_yaw_, rest_yaw_100_, -std::max(controls.mouse_x, -kMostCounts), sensitivity_100);
+    const std::int32_t down = std::max(controls.mouse_y, -kMostCounts);
+    add_turn(mouse_pitch_, rest_pitch_100_, preferences_.inverts_look ? -down : down, sensitivity_100);
 }
 
 TickInput LiveInput::next() {
-    const int speed = held_.walk_slowly ? kSlowSpeed : kFullSpeed;
-    last_keys_ = {kKeyYaw * direction(held_.turn_left, held_.turn_right),
-                  kKeyPitch * direction(held_.look_down, held_.look_up)};
-    mouse_yaw_ += last_keys_.yaw;
-    mouse_pitch_ += last_keys_.pitch;
+    const HeldMoves moves = std::exchange(tapped_, held_);  // a key let go since the last tick still counts once
+    last_turn_ = turn_by(moves);
+    mouse_yaw_ += last_turn_.yaw;
+    mouse_pitch_ += last_turn_.pitch;
 
+    const bool is_slow = moves.walk_slowly == preferences_.always_runs;
+    const Stick stick = without_dead_zone(held_.walk_stick, preferences_.gamepad_dead_zone_100);
     TickInput input;
-    input.forward = static_cast<std::int8_t>(speed * direction(held_.forward, held_.back));
-    input.right = static_cast<std::int8_t>(speed * direction(held_.right, held_.left));
+    input.forward = speed_of(direction(moves.forward, moves.back), stick.y, is_slow);
+    input.right = speed_of(direction(moves.right, moves.left), stick.x, is_slow);
     input.yaw = take_turn(mouse_yaw_);
     input.pitch = take_turn(mouse_pitch_);
-    input.buttons = has_jumped_ ? kJumpButton : std::uint8_t{0};
-    has_jumped_ = held_.jump;  // a key let go since then still jumps once
+    if (moves.jump) input.buttons |= kJumpButton;
+    if (std::exchange(wants_respawn_, false)) input.buttons |= kRespawnButton;
     return input;
 }
 
+LookOffset LiveInput::turn_by(const HeldMoves& moves) const {
+    const Stick stick = squared(without_dead_zone(held_.look_stick, preferences_.gamepad_dead_zone_100));
+    const std::int32_t sensitivity_100 = preferences_.gamepad_sensitivity_100;
+    const std::int32_t down = preferences_.inverts_look ? stick.y : -stick.y;
+    return {kKeyYaw * direction(moves.turn_left, moves.turn_right) - turn_of(stick.x, kStickYaw, sensitivity_100),
+            kKeyPitch * direction(moves.look_down, moves.look_up) + turn_of(down, kStickPitch, sensitivity_100)};
+}
+
 LookOffset LiveInput::look_offset(std::int32_t fraction_16) const {
-    const LookOffset keys = rest_of(last_keys_.yaw, last_keys_.pitch, fraction_16);
-    return {keys.yaw + mouse_yaw_, keys.pitch + mouse_pitch_};
+    const LookOffset turn = rest_of(last_turn_.yaw, last_turn_.pitch, fraction_16);
+    return {turn.yaw + mouse_yaw_, turn.pitch + mouse_pitch_};
 }
 
 TickInputSource::TickInputSource(const GameState& start, std::optional<Demo> replayed, bool records)

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "engine/platform/controls.h"
+#include "game/preferences/preferences.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/game_level.h"
 
@@ -13,10 +14,12 @@ struct LookOffset {
     std::int32_t yaw = 0, pitch = 0;
 };
 
-/// Turns the player's input into one TickInput a tick. The mouse is gathered between ticks and drawn at once; keys turn
-/// by the tick and are interpolated.
+/// Turns the player's input into one TickInput a tick. The mouse is gathered between ticks and drawn at once; keys and
+/// sticks turn by the tick and are interpolated.
 class LiveInput {
   public:
+    /// Takes sensitivities, the dead zone, inverted look and running from the preferences.
+    void use(const Preferences& preferences) { preferences_ = preferences; }
     void gather(const Controls& controls);
     TickInput next();
 
@@ -24,10 +27,15 @@ class LiveInput {
     LookOffset look_offset(std::int32_t fraction_16) const;
 
   private:
+    LookOffset turn_by(const HeldMoves& moves) const;
+
+    Preferences preferences_;
     Controls held_;
-    bool has_jumped_ = false;
+    HeldMoves tapped_;  // held at any time since the last tick
+    bool wants_respawn_ = false;
     std::int32_t mouse_yaw_ = 0, mouse_pitch_ = 0;
-    LookOffset last_keys_;
+    std::int32_t rest_yaw_100_ = 0, rest_pitch_100_ = 0;  // of the mouse: less than 1 of the angles, in hundredths
+    LookOffset last_turn_;                                // by keys and sticks
 };
 
 /// Where a tick's input comes from: demo playback until the demo ends, then live input. Records what is played, if
@@ -37,6 +45,7 @@ class TickInputSource {
     /// Throws InputError where the demo was recorded on another level.
     TickInputSource(const GameState& start, std::optional<Demo> replayed, bool records);
 
+    void use(const Preferences& preferences) { live_.use(preferences); }
     void gather(const Controls& controls) { live_.gather(controls); }
 
     /// Moves the state by a tick. Throws InputError where a replayed tick leads to another state than when it was

@@ -47,7 +47,7 @@ enum class Command {
     Restart,    ///< Backspace: the level again, from its start
 };
 
-/// What the player does in a menu. Each is reported when it is pressed, and again and again while it is held.
+/// What the player does in a menu. Each is reported when it is pressed, directions again and again while they are held.
 enum class MenuAction { Up, Down, Left, Right, Accept, Back };
 
 /// The free mouse, in pixels of the window.
@@ -56,18 +56,27 @@ struct Pointer {
     bool has_moved = false, is_pressed = false;  ///< since the last poll
 };
 
-/// The arrow keys held now.
-struct Arrows {
-    bool up = false, down = false, left = false, right = false;
+/// A stick's place, -kFullAxis to kFullAxis: without a dead zone, as the device reports it.
+struct Stick {
+    std::int32_t x = 0, y = 0;  ///< right and up positive
+
+    bool operator==(const Stick&) const = default;
 };
 
-/// The player's input between two polls: keys held now, mouse motion and presses since the last poll.
-struct Controls {
+/// What is held: moves that are on or off.
+struct HeldMoves {
     bool forward = false, back = false, left = false, right = false;  ///< walk
     bool turn_left = false, turn_right = false, look_up = false, look_down = false;
     bool jump = false, walk_slowly = false;
-    Arrows arrows;                          ///< not yet in the fields above: see walk_by_arrows()
-    bool holds_button = false;              ///< any button of the captured mouse
+
+    bool operator==(const HeldMoves&) const = default;
+};
+
+/// The player's input between two polls: what is held now or was pressed since the last poll, and mouse motion since.
+struct Controls : HeldMoves {
+    HeldMoves panel_keys;                   ///< not yet in the fields above: see walk_by_panel_keys()
+    Stick walk_stick, look_stick;           ///< y: ahead, up
+    bool holds_button = false;              ///< the first button of the captured mouse
     std::int32_t mouse_x = 0, mouse_y = 0;  ///< counts of the device, right and down positive
     std::vector<Command> commands;
     std::vector<MenuAction> menu;
@@ -76,12 +85,19 @@ struct Controls {
     bool has_focus = true, is_minimised = false;  ///< the window
 };
 
-/// Makes the arrow keys walk and turn.
-inline void walk_by_arrows(Controls& controls) {
-    controls.forward |= controls.arrows.up;
-    controls.back |= controls.arrows.down;
-    controls.turn_left |= controls.arrows.left;
-    controls.turn_right |= controls.arrows.right;
+/// Lets the keys that work an open panel (by default the arrow keys) move the player, as they do while none is open.
+inline void walk_by_panel_keys(Controls& controls) {
+    const HeldMoves& keys = controls.panel_keys;
+    controls.forward |= keys.forward;
+    controls.back |= keys.back;
+    controls.left |= keys.left;
+    controls.right |= keys.right;
+    controls.turn_left |= keys.turn_left;
+    controls.turn_right |= keys.turn_right;
+    controls.look_up |= keys.look_up;
+    controls.look_down |= keys.look_down;
+    controls.jump |= keys.jump;
+    controls.walk_slowly |= keys.walk_slowly;
 }
 
 }  // namespace oblong

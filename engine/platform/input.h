@@ -44,6 +44,7 @@ enum class PadButton : std::uint16_t {
 };
 
 enum class PadAxis : std::uint16_t { LeftX, LeftY, RightX, RightY, LeftTrigger, RightTrigger };
+inline constexpr int kAxisHalfCount = 12;  ///< codes of pad_axis() are less
 
 /// One thing that can be pressed: a key, a button, a turn of the wheel, or a stick or trigger in one direction.
 struct Input {

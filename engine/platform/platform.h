@@ -30,7 +30,8 @@ class Platform {
     virtual std::uint64_t now_us() = 0;          ///< a clock that never runs backwards; starts anywhere
     virtual WindowSize window_size() const = 0;  ///< of the drawable, in pixels of the device
     virtual void set_title(const char* title) = 0;
-    /// Whether the mouse turns the view and can't leave the window, or points at a menu.
+    /// Whether the mouse turns the view and can't leave the window, or points at a menu. Where that changes, keys and
+    /// buttons are let go of: what was pressed in a menu does nothing in the game.
     virtual void capture_mouse(bool /*is_captured*/) {}
     /// Which inputs do what, from the next poll on. Before the first call: default_bindings().
     virtual void use_bindings(const Bindings&) {}

@@ -119,11 +119,11 @@ TEST(Split, MovesWithTheMouseWhileAButtonIsHeld) {
     EXPECT_EQ(options.split_16, 0);
 }
 
-TEST(Controls, ArrowsWalk) {
+TEST(Controls, KeysOfPanelsWalk) {
     Controls controls;
-    controls.arrows = {true, false, false, true};
+    controls.panel_keys.forward = controls.panel_keys.turn_right = true;
     EXPECT_FALSE(controls.forward);
-    walk_by_arrows(controls);
+    walk_by_panel_keys(controls);
     EXPECT_TRUE(controls.forward && controls.turn_right);
     EXPECT_FALSE(controls.back || controls.turn_left);
 }

@@ -31,10 +31,8 @@ class SessionOfTheDemo : public testing::Test {
             kFrames, 35,
             [&](std::int64_t poll) {
                 Controls controls;
-                if (by_arrows)
-                    controls.arrows = {true, false, false, true};
-                else
-                    controls.forward = controls.turn_right = true;
+                HeldMoves& held = by_arrows ? controls.panel_keys : controls;
+                held.forward = held.turn_right = true;
                 if (const auto found = presses.find(poll); found != presses.end()) controls.commands = found->second;
                 return controls;
             },

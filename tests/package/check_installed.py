@@ -91,7 +91,7 @@ def options_of(prefix, name):
 def check_manual_page(prefix, page):
     name = os.path.basename(page).rsplit('.', 1)[0]
     with open(page) as file:
-        text = file.read()
+        text = re.sub(r'\\f[BIPR]', '', file.read())
     missing = {option for option in options_of(prefix, name)
                if not re.search(r'(?<![\w-])' + re.escape(option) + r'(?![\w-])', text.replace('\\-', '-'))}
     assert not missing, '%s does not name %s' % (page, sorted(missing))

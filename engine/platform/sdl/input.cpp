@@ -2,127 +2,171 @@
 
 #include <SDL.h>
 
+#include <algorithm>
 #include <array>
-#include <span>
+#include <cstdlib>
 #include <utility>
 
 namespace oblong {
 namespace {
-
-using CommandKey = std::pair<SDL_Scancode, Command>;
-
-constexpr std::array<CommandKey, 24> kCommandKeys{{
-    {SDL_SCANCODE_F1, Command::ShowHelp},
-    {SDL_SCANCODE_F2, Command::ProjectionAspect},
-    {SDL_SCANCODE_F3, Command::DisplayAspect},
-    {SDL_SCANCODE_F4, Command::AccuracyTier},
-    {SDL_SCANCODE_F5, Command::ScalingMode},
-    {SDL_SCANCODE_F6, Command::FrameCost},
-    {SDL_SCANCODE_F7, Command::LabPanel},
-    {SDL_SCANCODE_F8, Command::ErrorMap},
-    {SDL_SCANCODE_F9, Command::SplitView},
-    {SDL_SCANCODE_F10, Command::FlipSettings},
-    {SDL_SCANCODE_F11, Command::AspectGuide},
-    {SDL_SCANCODE_F12, Command::Screenshot},
-    {SDL_SCANCODE_4, Command::FourAspects},
-    {SDL_SCANCODE_L, Command::Torch},
-    {SDL_SCANCODE_C, Command::CrtLook},
-    {SDL_SCANCODE_TAB, Command::Automap},
-    {SDL_SCANCODE_E, Command::Wireframe},
-    {SDL_SCANCODE_MINUS, Command::Darker},
-    {SDL_SCANCODE_O, Command::Log},
-    {SDL_SCANCODE_P, Command::Inspect},
-    {SDL_SCANCODE_I, Command::Isometric},
-    {SDL_SCANCODE_LEFTBRACKET, Command::ZoomIn},
-    {SDL_SCANCODE_RIGHTBRACKET, Command::ZoomOut},
-    {SDL_SCANCODE_EQUALS, Command::Brighter},
-}};
-constexpr std::array<CommandKey, 6> kRepeatingKeys{{
-    {SDL_SCANCODE_UP, Command::DialUp},
-    {SDL_SCANCODE_DOWN, Command::DialDown},
-    {SDL_SCANCODE_LEFT, Command::DialCoarser},
-    {SDL_SCANCODE_RIGHT, Command::DialFiner},
-    {SDL_SCANCODE_PAGEUP, Command::PageUp},
-    {SDL_SCANCODE_PAGEDOWN, Command::PageDown},
-}};
-
-void add_commands(std::span<const CommandKey> keys, SDL_Scancode code, Controls& controls) {
-    for (const auto& [key, command] : keys)
-        if (code == key) controls.commands.push_back(command);
-}
 
 bool is_mouse_captured() {
     return SDL_GetRelativeMouseMode() == SDL_TRUE;
 }
 
 // Scancodes, not letters: WASD are four places on the keyboard, in every country.
-void read_held_keys(Controls& controls) {
-    const std::uint8_t* held = SDL_GetKeyboardState(nullptr);
-    controls.forward = held[SDL_SCANCODE_W];
-    controls.back = held[SDL_SCANCODE_S];
-    controls.left = held[SDL_SCANCODE_A];
-    controls.right = held[SDL_SCANCODE_D];
-    controls.arrows = {held[SDL_SCANCODE_UP] != 0, held[SDL_SCANCODE_DOWN] != 0, held[SDL_SCANCODE_LEFT] != 0,
-                       held[SDL_SCANCODE_RIGHT] != 0};
-    controls.look_up = held[SDL_SCANCODE_PAGEUP];
-    controls.look_down = held[SDL_SCANCODE_PAGEDOWN];
-    controls.walk_slowly = held[SDL_SCANCODE_LSHIFT] || held[SDL_SCANCODE_RSHIFT];
-    controls.jump |= held[SDL_SCANCODE_SPACE] != 0;
+Input key_of(SDL_Scancode code) {
+    return {Device::Key, static_cast<std::uint16_t>(code)};
+}
+
+// From SDL's numbers, where the middle button is the second one.
+Input mouse_button_of(std::uint8_t button) {
+    constexpr std::array<std::uint16_t, 4> kNumbers{0, 1, 3, 2};
+    return mouse_button(button < kNumbers.size() ? kNumbers[button] : button);
+}
+
+Input wheel_of(WheelTurn turn) {
+    return {Device::MouseWheel, static_cast<std::uint16_t>(turn)};
+}
+
+// Counts of the device: neither the system's acceleration nor its scale.
+void ask_for_raw_motion() {
+    SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_SYSTEM_SCALE, "0");
+    SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_MODE_WARP, "0");
+    SDL_SetHint(SDL_HINT_MOUSE_RELATIVE_SCALING, "0");
+}
+
+bool is_printable_key(Input input) {
+    return input.device == Device::Key && input.code >= SDL_SCANCODE_A && input.code <= SDL_SCANCODE_SLASH;
 }
 
 }  // namespace
 
+SdlInput::SdlInput(SDL_Window* window) : window_(window) {
+    ask_for_raw_motion();
+}
+
 Controls SdlInput::poll() {
-    Controls controls;
-    for (SDL_Event event; SDL_PollEvent(&event);) take(event, controls);
-    read_held_keys(controls);
-    controls.holds_button = is_mouse_captured() && SDL_GetMouseState(nullptr, nullptr) != 0;
+    for (SDL_Event event; SDL_PollEvent(&event);) take(event);
+    Controls controls = mapper_.take(SDL_GetTicks64());
+    const std::uint32_t flags = SDL_GetWindowFlags(window_);
+    controls.has_focus = (flags & SDL_WINDOW_INPUT_FOCUS) != 0;
+    controls.is_minimised = (flags & SDL_WINDOW_MINIMIZED) != 0;
+    controls.pointer = pointer_;
+    if (pointer_) pointer_->has_moved = pointer_->is_pressed = false;
     return controls;
 }
 
+// A letter as the user's keyboard has it: the key W is called Z on a French one.
+std::string SdlInput::local_name_of(Input input) const {
+    if (!is_printable_key(input)) return pads_.local_name_of(input);
+    const std::string name = SDL_GetKeyName(SDL_GetKeyFromScancode(static_cast<SDL_Scancode>(input.code)));
+    return name.size() == 1 && name[0] > ' ' && name[0] <= '~' ? name : name_of(input);
+}
+
+// What the mouse has done on its way to being captured is no turn of the view.
 void SdlInput::capture_mouse(bool is_captured) {
+    if (is_captured == is_mouse_captured()) return;
     SDL_SetRelativeMouseMode(is_captured ? SDL_TRUE : SDL_FALSE);
+    SDL_FlushEvent(SDL_MOUSEMOTION);
+    SDL_GetRelativeMouseState(nullptr, nullptr);
+    mapper_.release_pressed();
+    pointer_.reset();
 }
 
 bool SdlInput::take_textures_lost() {
     return std::exchange(are_textures_lost_, false);
 }
 
-void SdlInput::take(const SDL_Event& event, Controls& controls) {
+void SdlInput::take(const SDL_Event& event) {
     switch (event.type) {
         case SDL_QUIT:
             is_closed_ = true;
             break;
         case SDL_KEYDOWN:
-            add_commands(kRepeatingKeys, event.key.keysym.scancode, controls);
-            if (event.key.repeat == 0) take_key(event.key, controls);
+        case SDL_KEYUP:
+            take_key(event.key);
             break;
         case SDL_MOUSEBUTTONDOWN:
-            capture_mouse(true);
+        case SDL_MOUSEBUTTONUP:
+            take_button(event.button);
+            break;
+        case SDL_MOUSEWHEEL:
+            take_wheel(event.wheel);
             break;
         case SDL_MOUSEMOTION:
-            if (!is_mouse_captured()) break;
-            controls.mouse_x += event.motion.xrel;
-            controls.mouse_y += event.motion.yrel;
+            take_motion(event.motion);
             break;
         case SDL_WINDOWEVENT:
-            if (event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) capture_mouse(false);
+            take_window_event(event.window.event);
             break;
         case SDL_RENDER_TARGETS_RESET:
         case SDL_RENDER_DEVICE_RESET:
             are_textures_lost_ = true;
             break;
         default:
+            pads_.take(event, mapper_);
             break;
     }
 }
 
-void SdlInput::take_key(const SDL_KeyboardEvent& key, Controls& controls) {
+void SdlInput::take_key(const SDL_KeyboardEvent& key) {
     const SDL_Scancode code = key.keysym.scancode;
-    if (code == SDL_SCANCODE_ESCAPE) return leave();
-    if (code == SDL_SCANCODE_RETURN && (key.keysym.mod & KMOD_ALT) != 0) return toggle_fullscreen();
-    if (code == SDL_SCANCODE_SPACE) controls.jump = true;  // also when let go before the poll
-    add_commands(kCommandKeys, code, controls);
+    const bool has_alt = (key.keysym.mod & KMOD_ALT) != 0;
+    if (key.state == SDL_RELEASED) return mapper_.release(key_of(code));
+    if (key.repeat != 0) return mapper_.repeat(key_of(code));
+    if (has_alt && code == SDL_SCANCODE_RETURN) return toggle_fullscreen();
+    if (has_alt && code == SDL_SCANCODE_TAB) return;  // to another window
+    if (code == SDL_SCANCODE_ESCAPE) leave();
+    mapper_.press(key_of(code));
+}
+
+void SdlInput::take_button(const SDL_MouseButtonEvent& button) {
+    const Input input = mouse_button_of(button.button);
+    if (button.state == SDL_RELEASED) return mapper_.release(input);
+    if (is_mouse_captured()) return mapper_.press(input);
+    point_at(button.x, button.y);
+    pointer_->is_pressed |= button.button == SDL_BUTTON_LEFT;
+    mapper_.click(input);
+}
+
+void SdlInput::take_motion(const SDL_MouseMotionEvent& motion) {
+    if (is_mouse_captured()) return mapper_.move_mouse(motion.xrel, motion.yrel);
+    point_at(motion.x, motion.y);
+    pointer_->has_moved = true;
+}
+
+// From the window's own units, which a display of high density has fewer of.
+void SdlInput::point_at(std::int32_t x, std::int32_t y) {
+    int width = 0, height = 0, width_px = 0, height_px = 0;
+    SDL_GetWindowSize(window_, &width, &height);
+    SDL_GetWindowSizeInPixels(window_, &width_px, &height_px);
+    const auto scaled = [](std::int32_t at, int size_px, int size) {
+        return static_cast<std::int32_t>(std::int64_t{at} * size_px / std::max(size, 1));
+    };
+    if (!pointer_) pointer_.emplace();
+    pointer_->x_px = scaled(x, width_px, width);
+    pointer_->y_px = scaled(y, height_px, height);
+}
+
+void SdlInput::take_wheel(const SDL_MouseWheelEvent& wheel) {
+    const auto turn = [&](std::int32_t notches, WheelTurn ahead, WheelTurn back) {
+        constexpr std::int32_t kMost = 16;  // more than a wheel turns between two polls
+        notches = std::clamp(notches, -kMost, kMost);
+        for (std::int32_t i = 0; i < std::abs(notches); ++i) {
+            mapper_.press(wheel_of(notches > 0 ? ahead : back));
+            mapper_.release(wheel_of(notches > 0 ? ahead : back));
+        }
+    };
+    turn(wheel.y, WheelTurn::Up, WheelTurn::Down);
+    turn(wheel.x, WheelTurn::Right, WheelTurn::Left);
+}
+
+void SdlInput::take_window_event(std::uint8_t event) {
+    if (event == SDL_WINDOWEVENT_LEAVE) pointer_.reset();
+    if (event != SDL_WINDOWEVENT_FOCUS_LOST) return;
+    mapper_.release_all();
+    capture_mouse(false);
 }
 
 void SdlInput::toggle_fullscreen() {

@@ -1,34 +1,57 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string>
+
 #include "engine/platform/controls.h"
+#include "engine/platform/input_mapper.h"
+#include "engine/platform/sdl/game_pads.h"
 
 struct SDL_Window;
 union SDL_Event;
 struct SDL_KeyboardEvent;
+struct SDL_MouseButtonEvent;
+struct SDL_MouseMotionEvent;
+struct SDL_MouseWheelEvent;
 
 namespace oblong {
 
-/// The keyboard and the mouse of a window. A click captures the mouse, Escape or losing the focus frees it; Escape with
-/// a free mouse closes, Alt+Enter is the whole screen and back.
+/// The keyboard, the mouse and the gamepads of a window. Losing the focus frees the mouse and lets go of all that is
+/// held; Alt+Enter is the whole screen and back.
 class SdlInput {
   public:
-    explicit SdlInput(SDL_Window* window) : window_(window) {}
+    explicit SdlInput(SDL_Window* window);
 
-    /// Handles all pending events: motion and presses since the last poll, and the keys held now.
+    /// Handles all pending events: motion and presses since the last poll, and what is held now.
     Controls poll();
+    void use_bindings(const Bindings& bindings) { mapper_.use(bindings); }
+    /// What the input is called on the user's keyboard and the pad used last.
+    std::string local_name_of(Input input) const;
+    /// Lets go of keys and buttons, too: what was pressed in a menu does nothing in the game.
     void capture_mouse(bool is_captured);
+    /// How long a poll may be put off: less than for ever while an input of a pad is repeated.
+    std::int32_t longest_wait_ms() const { return mapper_.longest_wait_ms(); }
     bool is_closed() const { return is_closed_; }
     /// True once after the renderer lost its textures.
     bool take_textures_lost();
 
   private:
-    void take(const SDL_Event& event, Controls& controls);
-    void take_key(const SDL_KeyboardEvent& key, Controls& controls);
+    void take(const SDL_Event& event);
+    void take_key(const SDL_KeyboardEvent& key);
+    void take_button(const SDL_MouseButtonEvent& button);
+    void take_wheel(const SDL_MouseWheelEvent& wheel);
+    void take_motion(const SDL_MouseMotionEvent& motion);
+    void take_window_event(std::uint8_t event);
+    void point_at(std::int32_t x, std::int32_t y);
     void toggle_fullscreen();
     void leave();
 
     SDL_Window* window_;
+    InputMapper mapper_;
+    GamePads pads_;
     bool is_closed_ = false, are_textures_lost_ = false;
+    std::optional<Pointer> pointer_;
 };
 
 }  // namespace oblong

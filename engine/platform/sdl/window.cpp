@@ -116,8 +116,12 @@ class SdlPlatform final : public Platform {
     WindowSize window_size() const override;
     void set_title(const char* title) override { SDL_SetWindowTitle(window_.get(), title); }
     void capture_mouse(bool is_captured) override { input_.capture_mouse(is_captured); }
+    void use_bindings(const Bindings& bindings) override { input_.use_bindings(bindings); }
+    std::string local_name_of(Input input) const override { return input_.local_name_of(input); }
     void change_window(const WindowSettings& settings) override;
-    void wait_for_input(std::int32_t timeout_ms) override { SDL_WaitEventTimeout(nullptr, timeout_ms); }
+    void wait_for_input(std::int32_t timeout_ms) override {
+        SDL_WaitEventTimeout(nullptr, std::min(timeout_ms, input_.longest_wait_ms()));
+    }
     void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
 
   private:

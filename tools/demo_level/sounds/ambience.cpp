@@ -28,27 +28,27 @@ Samples wind() {
     return sum;
 }
 
+void scatter_bubbles(Samples& to, std::int32_t length_ms, int count, const Mode& lowest, const Mode& highest,
+                     std::uint32_t seed) {
+    Chance chance(seed);
+    for (int i = 0; i < count; ++i) {
+        const Grain grain{chance.between(0, length_ms - 1), chance.between(lowest.percent, highest.percent),
+                          chance.between(lowest.hz, highest.hz),
+                          chance.between(lowest.half_life_ms, highest.half_life_ms)};
+        add_around(to, bubble(grain.length_ms, grain.hz), grain.at_ms, grain.percent);
+    }
+}
+
 Samples rain() {
     constexpr std::int32_t kLength_ms = 5'000;
     Samples sum = scaled(band(kLength_ms, 8, 900, 5'500), 34);
     Chance chance(9);
-    for (std::uint32_t i = 0; i < 420; ++i)
-        add_around(sum, high_passed(strike(24, 2, chance.between(2'500, 8'000), 900 + i), 800),
-                   chance.between(0, kLength_ms - 1), chance.between(6, 38));
-    for (std::uint32_t i = 0; i < 60; ++i)
-        add_around(sum, bubble(chance.between(20, 45), chance.between(900, 2'200)), chance.between(0, kLength_ms - 1),
-                   chance.between(4, 12));
+    for (std::uint32_t i = 0; i < 420; ++i) {
+        const Grain drop{chance.between(0, kLength_ms - 1), chance.between(6, 38), chance.between(2'500, 8'000)};
+        add_around(sum, high_passed(strike(24, 2, drop.hz, 900 + i), 800), drop.at_ms, drop.percent);
+    }
+    scatter_bubbles(sum, kLength_ms, 60, {900, 20, 4}, {2'200, 45, 12}, 10);
     return sum;
-}
-
-void scatter_bubbles(Samples& to, std::int32_t length_ms, int count, const Mode& lowest, const Mode& highest,
-                     std::uint32_t seed) {
-    Chance chance(seed);
-    for (int i = 0; i < count; ++i)
-        add_around(
-            to,
-            bubble(chance.between(lowest.half_life_ms, highest.half_life_ms), chance.between(lowest.hz, highest.hz)),
-            chance.between(0, length_ms - 1), chance.between(lowest.percent, highest.percent));
 }
 
 Samples water() {
@@ -71,9 +71,10 @@ Samples lava() {
     Samples sum = scaled(band(kLength_ms, 19, 30, 110), 520);
     scatter_bubbles(sum, kLength_ms, 20, {62, 160, 30}, {140, 320, 85}, 20);
     Chance chance(21);
-    for (std::uint32_t i = 0; i < 40; ++i)
-        add_around(sum, high_passed(strike(30, 3, 3'000, 1'400 + i), 400), chance.between(0, kLength_ms - 1),
-                   chance.between(5, 26));
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        const Grain crack{chance.between(0, kLength_ms - 1), chance.between(5, 26), 3'000};
+        add_around(sum, high_passed(strike(30, 3, crack.hz, 1'400 + i), 400), crack.at_ms, crack.percent);
+    }
     return sum;
 }
 
@@ -82,9 +83,10 @@ Samples fire() {
     Samples sum = times(band(kLength_ms, 23, 80, 340), swell(kLength_ms, 13, 0));
     add(sum, band(kLength_ms, 24, 120, 600), 0, 60);
     Chance chance(25);
-    for (std::uint32_t i = 0; i < 46; ++i)
-        add_around(sum, high_passed(strike(22, 2, chance.between(2'000, 6'000), 1'700 + i), 900),
-                   chance.between(0, kLength_ms - 1), chance.between(5, 34));
+    for (std::uint32_t i = 0; i < 46; ++i) {
+        const Grain crack{chance.between(0, kLength_ms - 1), chance.between(5, 34), chance.between(2'000, 6'000)};
+        add_around(sum, high_passed(strike(22, 2, crack.hz, 1'700 + i), 900), crack.at_ms, crack.percent);
+    }
     return sum;
 }
 
@@ -103,9 +105,10 @@ Samples sparks() {
     Chance chance(31);
     for (std::int32_t burst = 0; burst < 9; ++burst) {
         const std::int32_t at_ms = chance.between(0, kLength_ms - 1);
-        for (std::uint32_t i = 0; i < 14; ++i)
-            add_around(sum, high_passed(strike(16, 1, 9'000, 2'000 + i), 1'800), at_ms + chance.between(0, 210),
-                       chance.between(10, 80));
+        for (std::uint32_t i = 0; i < 14; ++i) {
+            const Grain spark{at_ms + chance.between(0, 210), chance.between(10, 80), 9'000};
+            add_around(sum, high_passed(strike(16, 1, spark.hz, 2'000 + i), 1'800), spark.at_ms, spark.percent);
+        }
     }
     return sum;
 }

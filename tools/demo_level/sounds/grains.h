@@ -12,6 +12,12 @@ struct Mode {
     std::int32_t hz, half_life_ms, percent;
 };
 
+/// One of many short sounds: where, how loud and how it is. Made as Grain{chance.between(...), ...}: braces draw in
+/// order, while the arguments of a call are drawn in an order that differs from compiler to compiler.
+struct Grain {
+    std::int32_t at_ms, percent, hz, length_ms = 0;
+};
+
 /// A strike: a burst of noise, the higher `brightness_hz` the harder.
 Samples strike(std::int32_t ms, std::int32_t half_life_ms, std::int32_t brightness_hz, std::uint32_t seed);
 

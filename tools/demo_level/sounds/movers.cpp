@@ -65,9 +65,10 @@ Samples slab_move() {
     Samples sum = scaled(noise_loop(14, 30, 110), 700);
     add(sum, times(noise_loop(15, 180, 700), swell(kMove_ms, 5, 20)), 0, 160);
     Chance chance(16);
-    for (std::uint32_t i = 0; i < 70; ++i)
-        add_around(sum, high_passed(strike(40, 6, 1'800, 200 + i), 250), chance.between(0, kMove_ms - 1),
-                   chance.between(10, 45));
+    for (std::uint32_t i = 0; i < 70; ++i) {
+        const Grain crunch{chance.between(0, kMove_ms - 1), chance.between(10, 45), 1'800};
+        add_around(sum, high_passed(strike(40, 6, crunch.hz, 200 + i), 250), crunch.at_ms, crunch.percent);
+    }
     return sum;
 }
 
@@ -94,9 +95,11 @@ Samples gate_start() {
 Samples gate_move() {
     Samples sum = scaled(noise_loop(25, 50, 200), 260);
     Chance chance(26);
-    for (std::int32_t i = 0; i < 22; ++i)
-        add_around(sum, clank(300 + static_cast<std::uint32_t>(i), chance.between(88, 118)),
-                   i * 90 + chance.between(0, 40), chance.between(18, 42));
+    for (std::int32_t i = 0; i < 22; ++i) {
+        const Grain link{i * 90 + chance.between(0, 40), chance.between(18, 42), 0};
+        const Samples one = clank(300 + static_cast<std::uint32_t>(i), chance.between(88, 118));
+        add_around(sum, one, link.at_ms, link.percent);
+    }
     return sum;
 }
 

@@ -50,11 +50,12 @@ Samples lens() {
 Samples keys() {
     Samples sum = silence(1'150);
     Chance chance(71);
-    for (std::uint32_t i = 0; i < 9; ++i)
-        add(sum,
-            struck(strike(240, 1, 10'000, 500 + i), {{2'870, 45, 60}, {4'130, 50, 70}, {5'910, 34, 50}},
-                   chance.between(90, 116)),
-            static_cast<std::int32_t>(i) * 85 + chance.between(0, 40), 100 - static_cast<std::int32_t>(i) * 8);
+    for (std::int32_t i = 0; i < 9; ++i) {
+        const std::int32_t at_ms = i * 85 + chance.between(0, 40);
+        const Samples one = struck(strike(240, 1, 10'000, 500 + static_cast<std::uint32_t>(i)),
+                                   {{2'870, 45, 60}, {4'130, 50, 70}, {5'910, 34, 50}}, chance.between(90, 116));
+        add(sum, one, at_ms, 100 - i * 8);
+    }
     return sum;
 }
 

@@ -50,9 +50,10 @@ Samples metal_contact(const Step& step) {
 Samples earth_contact(const Step& step) {
     Samples sum = struck(strike(200, 9, 500, step.seed), {{74, 24, 9}}, step.pitch_percent);
     Chance chance(step.seed);
-    for (int i = 0; i < 14; ++i)
-        add(sum, high_passed(strike(26, 5, 2'600, step.seed + 100 + static_cast<std::uint32_t>(i)), 500),
-            chance.between(0, 75), chance.between(25, 80));
+    for (std::uint32_t i = 0; i < 14; ++i) {
+        const Grain crumb{chance.between(0, 75), chance.between(25, 80), 2'600};
+        add(sum, high_passed(strike(26, 5, crumb.hz, step.seed + 100 + i), 500), crumb.at_ms, crumb.percent);
+    }
     return sum;
 }
 
@@ -66,9 +67,11 @@ Samples water_step(const Step& step) {
     Samples sum = silence(480);
     add(sum, high_passed(low_passed(shaped(noise(420, step.seed), 18, 55), 2'400), 350), 0, 120);
     Chance chance(step.seed);
-    for (int i = 0; i < 7; ++i)
-        add(sum, bubble(chance.between(40, 90), chance.between(420, 1'150)), chance.between(30, 330),
-            chance.between(10, 30));
+    for (int i = 0; i < 7; ++i) {
+        const Grain drop{chance.between(30, 330), chance.between(10, 30), chance.between(420, 1'150),
+                         chance.between(40, 90)};
+        add(sum, bubble(drop.length_ms, drop.hz), drop.at_ms, drop.percent);
+    }
     return sum;
 }
 

@@ -9,9 +9,11 @@ using namespace synth;
 void add_bubbles(Samples& to, int count, std::int32_t from_ms, std::int32_t until_ms, std::int32_t lowest_hz,
                  std::int32_t highest_hz, std::int32_t percent, std::uint32_t seed) {
     Chance chance(seed);
-    for (int i = 0; i < count; ++i)
-        add(to, bubble(chance.between(35, 110), chance.between(lowest_hz, highest_hz)),
-            chance.between(from_ms, until_ms), percent * chance.between(40, 100) / 100);
+    for (int i = 0; i < count; ++i) {
+        const Grain grain{chance.between(from_ms, until_ms), percent * chance.between(40, 100) / 100,
+                          chance.between(lowest_hz, highest_hz), chance.between(35, 110)};
+        add(to, bubble(grain.length_ms, grain.hz), grain.at_ms, grain.percent);
+    }
 }
 
 Samples splash() {
@@ -28,8 +30,8 @@ Samples leaving_water() {
     add(sum, high_passed(low_passed(shaped(noise(700, 31), 110, 120), 2'600), 400), 0, 110);
     Chance chance(13);
     for (int i = 0; i < 20; ++i) {
-        const std::int32_t hz = chance.between(1'100, 2'600);
-        add(sum, shaped(tone(50, hz * 100, hz * 135), 1, 9), 250 + chance.between(0, 800), chance.between(8, 22));
+        const Grain drop{250 + chance.between(0, 800), chance.between(8, 22), chance.between(1'100, 2'600)};
+        add(sum, shaped(tone(50, drop.hz * 100, drop.hz * 135), 1, 9), drop.at_ms, drop.percent);
     }
     return sum;
 }

@@ -1,0 +1,166 @@
+#include "engine/platform/sdl/game_pads.h"
+
+#include <SDL.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+#include <utility>
+
+namespace oblong {
+namespace {
+
+static_assert(static_cast<int>(PadButton::Touchpad) == SDL_CONTROLLER_BUTTON_TOUCHPAD);
+static_assert(static_cast<int>(PadAxis::RightTrigger) == SDL_CONTROLLER_AXIS_TRIGGERRIGHT);
+static_assert(kFullAxis == SDL_JOYSTICK_AXIS_MAX);
+
+// What makers print on the buttons; the rest is called as it is everywhere.
+struct MakersNames {
+    std::string_view a, b, x, y, back, start, left_stick, right_stick, left_shoulder, right_shoulder, left_trigger,
+        right_trigger;
+};
+constexpr MakersNames kXbox{"A", "B", "X", "Y", "View", "Menu", "LS", "RS", "LB", "RB", "LT", "RT"};
+constexpr MakersNames kPlayStation{"Cross", "Circle", "Square", "Triangle", "Share", "Options",
+                                   "L3",    "R3",     "L1",     "R1",       "L2",    "R2"};
+constexpr MakersNames kNintendo{"A", "B", "X", "Y", "Minus", "Plus", "LS", "RS", "L", "R", "ZL", "ZR"};
+
+const MakersNames* names_of(SDL_GameControllerType type) {
+    switch (type) {
+        case SDL_CONTROLLER_TYPE_XBOX360:
+        case SDL_CONTROLLER_TYPE_XBOXONE:
+            return &kXbox;
+        case SDL_CONTROLLER_TYPE_PS3:
+        case SDL_CONTROLLER_TYPE_PS4:
+        case SDL_CONTROLLER_TYPE_PS5:
+            return &kPlayStation;
+        case SDL_CONTROLLER_TYPE_NINTENDO_SWITCH_PRO:
+        case SDL_CONTROLLER_TYPE_NINTENDO_SWITCH_JOYCON_PAIR:
+            return &kNintendo;
+        default:
+            return nullptr;
+    }
+}
+
+std::string_view button_name(const MakersNames& names, PadButton button) {
+    switch (button) {
+        case PadButton::A:
+            return names.a;
+        case PadButton::B:
+            return names.b;
+        case PadButton::X:
+            return names.x;
+        case PadButton::Y:
+            return names.y;
+        case PadButton::Back:
+            return names.back;
+        case PadButton::Start:
+            return names.start;
+        case PadButton::LeftStick:
+            return names.left_stick;
+        case PadButton::RightStick:
+            return names.right_stick;
+        case PadButton::LeftShoulder:
+            return names.left_shoulder;
+        case PadButton::RightShoulder:
+            return names.right_shoulder;
+        default:
+            return "";
+    }
+}
+
+std::string_view makers_name(const MakersNames& names, Input input) {
+    if (input == pad_axis(PadAxis::LeftTrigger, true)) return names.left_trigger;
+    if (input == pad_axis(PadAxis::RightTrigger, true)) return names.right_trigger;
+    return input.device == Device::PadButton ? button_name(names, static_cast<PadButton>(input.code)) : "";
+}
+
+}  // namespace
+
+void GamePads::Close::operator()(SDL_GameController* controller) const {
+    SDL_GameControllerClose(controller);
+}
+
+GamePads::GamePads() : is_available_(SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) == 0) {
+    if (!is_available_) std::fprintf(stderr, "oblong: no gamepads: %s\n", SDL_GetError());
+}
+
+GamePads::~GamePads() {
+    pads_.clear();
+    if (is_available_) SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
+}
+
+void GamePads::take(const SDL_Event& event, InputMapper& mapper) {
+    switch (event.type) {
+        case SDL_JOYDEVICEADDED:  // also of those that are no gamepads
+            return add(event.jdevice.which);
+        case SDL_CONTROLLERDEVICEREMOVED:
+            return remove(event.cdevice.which, mapper);
+        case SDL_CONTROLLERBUTTONDOWN:
+        case SDL_CONTROLLERBUTTONUP:
+            return take_button(event.cbutton, mapper);
+        case SDL_CONTROLLERAXISMOTION:
+            return take_axis(event.caxis, mapper);
+        default:
+            return;
+    }
+}
+
+void GamePads::add(std::int32_t device_index) {
+    if (SDL_IsGameController(device_index) != SDL_TRUE) {
+        const char* name = SDL_JoystickNameForIndex(device_index);
+        std::fprintf(stderr,
+                     "oblong: gamepad '%s': ignored, SDL does not know its buttons, expected a pad of its list\n",
+                     name != nullptr ? name : "without a name");
+        return;
+    }
+    SDL_GameController* controller = SDL_GameControllerOpen(device_index);
+    if (controller == nullptr) {
+        std::fprintf(stderr, "oblong: gamepad: cannot be opened: %s\n", SDL_GetError());
+        return;
+    }
+    const std::int32_t id = SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(controller));
+    pads_.push_back({id, std::unique_ptr<SDL_GameController, Close>(controller)});
+}
+
+void GamePads::remove(std::int32_t id, InputMapper& mapper) {
+    std::erase_if(pads_, [&](const Pad& pad) { return pad.id == id; });
+    if (used_ == id) use_pad(-1, mapper);
+}
+
+void GamePads::take_button(const SDL_ControllerButtonEvent& event, InputMapper& mapper) {
+    const Input button{Device::PadButton, event.button};
+    if (event.state == SDL_PRESSED) {
+        use_pad(event.which, mapper);
+        mapper.press(button);
+    } else if (event.which == used_) {
+        mapper.release(button);
+    }
+}
+
+void GamePads::take_axis(const SDL_ControllerAxisEvent& event, InputMapper& mapper) {
+    if (event.axis >= SDL_CONTROLLER_AXIS_MAX) return;
+    const std::int32_t value = event.value;
+    if (event.which != used_ && std::abs(value) < kFullAxis / 2) return;  // a pad that lies beside, at rest
+    use_pad(event.which, mapper);
+    const auto axis = static_cast<PadAxis>(event.axis);
+    mapper.move_axis(pad_axis(axis, true), value);
+    mapper.move_axis(pad_axis(axis, false), -value);
+}
+
+void GamePads::use_pad(std::int32_t id, InputMapper& mapper) {
+    if (used_ == id) return;
+    mapper.release_pad();
+    used_ = id;
+}
+
+std::string GamePads::local_name_of(Input input) const {
+    const auto pad = std::find_if(pads_.begin(), pads_.end(), [&](const Pad& p) { return p.id == used_; });
+    if (pad == pads_.end()) return name_of(input);
+    const MakersNames* names = names_of(SDL_GameControllerGetType(pad->controller.get()));
+    const std::string_view name = names != nullptr ? makers_name(*names, input) : "";
+    return name.empty() ? name_of(input) : "Pad " + std::string(name);
+}
+
+}  // namespace oblong

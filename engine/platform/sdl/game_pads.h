@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/platform/input_mapper.h"
+
+struct _SDL_GameController;
+struct SDL_ControllerAxisEvent;
+struct SDL_ControllerButtonEvent;
+union SDL_Event;
+
+namespace oblong {
+
+/// The gamepads that are plugged in, now or later. The one used last acts. Nothing asks a pad for its state: SDL
+/// reports what changes, and without a pad nothing.
+class GamePads {
+  public:
+    /// Without SDL's help for gamepads (an error there) a line on standard error, and no pads.
+    GamePads();
+    ~GamePads();
+    GamePads(const GamePads&) = delete;
+    GamePads& operator=(const GamePads&) = delete;
+
+    /// Handles the events of gamepads, and no others. A pad that SDL has no description of is ignored, with a line on
+    /// standard error.
+    void take(const SDL_Event& event, InputMapper& mapper);
+
+    /// What the pad used last calls one of its inputs ("Cross", "L1"); without a pad, name_of().
+    std::string local_name_of(Input input) const;
+
+  private:
+    struct Close {
+        void operator()(_SDL_GameController* controller) const;
+    };
+    struct Pad {
+        std::int32_t id;
+        std::unique_ptr<_SDL_GameController, Close> controller;
+    };
+
+    void add(std::int32_t device_index);
+    void remove(std::int32_t id, InputMapper& mapper);
+    void take_button(const SDL_ControllerButtonEvent& event, InputMapper& mapper);
+    void take_axis(const SDL_ControllerAxisEvent& event, InputMapper& mapper);
+    void use_pad(std::int32_t id, InputMapper& mapper);
+
+    bool is_available_ = false;
+    std::vector<Pad> pads_;
+    std::int32_t used_ = -1;  // id of the pad used last; -1: none
+};
+
+}  // namespace oblong

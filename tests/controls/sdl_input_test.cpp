@@ -1,0 +1,258 @@
+#include <SDL.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "engine/platform/sdl/input.h"
+#include "tests/controls/virtual_pad.h"
+
+namespace oblong {
+namespace {
+
+using test::VirtualPad;
+using Commands = std::vector<Command>;
+
+// A window of SDL's driver that shows nothing, so that it has no focus: gamepads are heard all the same.
+class SdlInputTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        SDL_SetHint(SDL_HINT_VIDEODRIVER, "dummy");
+        SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
+        ASSERT_EQ(SDL_Init(SDL_INIT_VIDEO), 0) << SDL_GetError();
+        window_ = SDL_CreateWindow("test", 0, 0, 640, 480, 0);
+        ASSERT_NE(window_, nullptr) << SDL_GetError();
+        input_ = std::make_unique<SdlInput>(window_);
+        input_->poll();
+    }
+    void TearDown() override {
+        input_.reset();
+        SDL_DestroyWindow(window_);
+        SDL_Quit();
+    }
+
+    void push_key(const char* name, bool is_down, bool is_repeat = false, std::uint16_t modifiers = 0) {
+        SDL_Event event{};
+        event.type = is_down ? SDL_KEYDOWN : SDL_KEYUP;
+        event.key.state = is_down ? SDL_PRESSED : SDL_RELEASED;
+        event.key.repeat = is_repeat ? 1 : 0;
+        event.key.keysym.scancode = static_cast<SDL_Scancode>(input_named(name).code);
+        event.key.keysym.mod = modifiers;
+        SDL_PushEvent(&event);
+    }
+    void push_button(std::uint8_t button, bool is_down, std::int32_t x = 0, std::int32_t y = 0) {
+        SDL_Event event{};
+        event.type = is_down ? SDL_MOUSEBUTTONDOWN : SDL_MOUSEBUTTONUP;
+        event.button.state = is_down ? SDL_PRESSED : SDL_RELEASED;
+        event.button.button = button;
+        event.button.x = x;
+        event.button.y = y;
+        SDL_PushEvent(&event);
+    }
+    void push_motion(std::int32_t x, std::int32_t y, std::int32_t right, std::int32_t down) {
+        SDL_Event event{};
+        event.type = SDL_MOUSEMOTION;
+        event.motion.x = x;
+        event.motion.y = y;
+        event.motion.xrel = right;
+        event.motion.yrel = down;
+        SDL_PushEvent(&event);
+    }
+    void push_wheel(std::int32_t x, std::int32_t y) {
+        SDL_Event event{};
+        event.type = SDL_MOUSEWHEEL;
+        event.wheel.x = x;
+        event.wheel.y = y;
+        SDL_PushEvent(&event);
+    }
+    void push_window(SDL_WindowEventID what) {
+        SDL_Event event{};
+        event.type = SDL_WINDOWEVENT;
+        event.window.event = static_cast<std::uint8_t>(what);
+        SDL_PushEvent(&event);
+    }
+
+    SDL_Window* window_ = nullptr;
+    std::unique_ptr<SdlInput> input_;
+};
+
+TEST_F(SdlInputTest, ScancodesAreTheNumbersOfTheNames) {
+    EXPECT_EQ(input_named("W").code, SDL_SCANCODE_W);
+    EXPECT_EQ(input_named("Right Ctrl").code, SDL_SCANCODE_RCTRL);
+    EXPECT_EQ(input_named("Keypad Enter").code, SDL_SCANCODE_KP_ENTER);
+    EXPECT_EQ(input_named("F24").code, SDL_SCANCODE_F24);
+    EXPECT_EQ(input_named("Less").code, SDL_SCANCODE_NONUSBACKSLASH);
+    EXPECT_EQ(input_named("0").code, SDL_SCANCODE_0);
+}
+
+TEST_F(SdlInputTest, KeysWalkAndCommand) {
+    push_key("W", true);
+    push_key("F1", true);
+    push_key("F1", true, true);
+    push_key("F1", false);
+    const Controls controls = input_->poll();
+    EXPECT_TRUE(controls.forward);
+    EXPECT_EQ(controls.commands, Commands{Command::ShowHelp});
+    push_key("W", false);
+    EXPECT_FALSE(input_->poll().forward);
+}
+
+TEST_F(SdlInputTest, AltWithEnterOrTabIsTheWindowsOwn) {
+    push_key("Enter", true, false, KMOD_LALT);
+    push_key("Enter", false, false, KMOD_LALT);
+    push_key("Tab", true, false, KMOD_LALT);
+    const Controls controls = input_->poll();
+    EXPECT_TRUE(controls.menu.empty());
+    EXPECT_TRUE(controls.commands.empty());
+    EXPECT_NE(SDL_GetWindowFlags(window_) & SDL_WINDOW_FULLSCREEN_DESKTOP, 0u);
+}
+
+TEST_F(SdlInputTest, RebindingActsFromTheNextPollOn) {
+    Bindings bindings = default_bindings();
+    set_inputs(bindings, Move::Forward, "Q");
+    input_->use_bindings(bindings);
+    push_key("W", true);
+    EXPECT_FALSE(input_->poll().forward);
+    push_key("Q", true);
+    const Controls controls = input_->poll();
+    EXPECT_TRUE(controls.forward);
+    EXPECT_EQ(controls.pressed, input_named("Q"));
+}
+
+TEST_F(SdlInputTest, AFreeMousePointsInPixelsOfTheWindow) {
+    EXPECT_FALSE(input_->poll().pointer);
+    push_motion(100, 200, 5, 6);
+    Controls controls = input_->poll();
+    ASSERT_TRUE(controls.pointer);
+    EXPECT_EQ(controls.pointer->x_px, 100);
+    EXPECT_EQ(controls.pointer->y_px, 200);
+    EXPECT_TRUE(controls.pointer->has_moved);
+    EXPECT_FALSE(controls.pointer->is_pressed);
+    EXPECT_EQ(controls.mouse_x, 0);
+    push_button(SDL_BUTTON_LEFT, true, 110, 210);
+    push_button(SDL_BUTTON_LEFT, false, 110, 210);
+    controls = input_->poll();
+    EXPECT_TRUE(controls.pointer->is_pressed);
+    EXPECT_FALSE(controls.pointer->has_moved);
+    EXPECT_EQ(controls.pointer->x_px, 110);
+    EXPECT_EQ(controls.pressed, mouse_button(1));
+    EXPECT_FALSE(input_->poll().pointer->is_pressed);
+    push_window(SDL_WINDOWEVENT_LEAVE);
+    EXPECT_FALSE(input_->poll().pointer);
+}
+
+TEST_F(SdlInputTest, ACapturedMouseTurnsAndItsButtonsAct) {
+    push_motion(1, 1, 500, 500);  // before it is captured
+    input_->capture_mouse(true);
+    ASSERT_EQ(SDL_GetRelativeMouseMode(), SDL_TRUE);
+    EXPECT_EQ(input_->poll().mouse_x, 0);
+    push_motion(0, 0, 7, -3);
+    push_motion(0, 0, 1, 1);
+    push_button(SDL_BUTTON_RIGHT, true);
+    push_button(SDL_BUTTON_MIDDLE, true);
+    push_button(SDL_BUTTON_MIDDLE, false);
+    Controls controls = input_->poll();
+    EXPECT_EQ(controls.mouse_x, 8);
+    EXPECT_EQ(controls.mouse_y, -2);
+    EXPECT_TRUE(controls.forward);
+    EXPECT_TRUE(controls.jump);
+    EXPECT_FALSE(controls.pointer);
+    EXPECT_FALSE(controls.holds_button);
+    push_button(SDL_BUTTON_LEFT, true);
+    EXPECT_TRUE(input_->poll().holds_button);
+    input_->capture_mouse(false);
+    EXPECT_FALSE(input_->poll().forward);
+}
+
+TEST_F(SdlInputTest, TheWheelGoesThroughMenusNotchByNotch) {
+    push_wheel(0, 2);
+    push_wheel(0, -1);
+    EXPECT_EQ(input_->poll().menu, (std::vector<MenuAction>{MenuAction::Up, MenuAction::Up, MenuAction::Down}));
+    push_wheel(INT32_MIN, INT32_MIN);
+    EXPECT_LE(input_->poll().menu.size(), 16u);
+}
+
+TEST_F(SdlInputTest, LosingTheFocusLetsGoOfAllAndFreesTheMouse) {
+    VirtualPad pad;
+    input_->poll();
+    input_->capture_mouse(true);
+    push_key("W", true);
+    push_button(SDL_BUTTON_RIGHT, true);
+    pad.set(PadAxis::LeftX, 30'000);
+    pad.press(PadButton::A);
+    Controls controls = input_->poll();
+    EXPECT_TRUE(controls.forward && controls.jump);
+    EXPECT_GT(controls.walk_stick.x, 0);
+    push_window(SDL_WINDOWEVENT_FOCUS_LOST);
+    controls = input_->poll();
+    EXPECT_EQ(static_cast<const HeldMoves&>(controls), HeldMoves{});
+    EXPECT_EQ(controls.walk_stick, Stick{});
+    EXPECT_EQ(SDL_GetRelativeMouseMode(), SDL_FALSE);
+}
+
+TEST_F(SdlInputTest, APadMayComeAndGoInTheGame) {
+    {
+        VirtualPad pad;
+        ASSERT_TRUE(pad.is_plugged_in()) << SDL_GetError();
+        EXPECT_EQ(input_->poll().walk_stick, Stick{});
+        pad.set(PadAxis::LeftY, -20'000);
+        pad.set(PadAxis::RightX, 10'000);
+        pad.press(PadButton::A);
+        const Controls controls = input_->poll();
+        EXPECT_EQ(controls.walk_stick, (Stick{0, 20'000}));
+        EXPECT_EQ(controls.look_stick, (Stick{10'000, 0}));
+        EXPECT_TRUE(controls.jump);
+        EXPECT_EQ(controls.menu, (std::vector<MenuAction>{MenuAction::Up, MenuAction::Accept}));
+    }
+    const Controls without = input_->poll();
+    EXPECT_EQ(without.walk_stick, Stick{});
+    EXPECT_FALSE(without.jump);
+    VirtualPad again;
+    input_->poll();
+    again.press(PadButton::Start);
+    EXPECT_EQ(input_->poll().commands, Commands{Command::Menu});
+}
+
+TEST_F(SdlInputTest, TriggersAreButtons) {
+    VirtualPad pad;
+    input_->poll();
+    pad.set(PadAxis::RightTrigger, INT16_MAX);
+    Controls controls = input_->poll();
+    EXPECT_TRUE(controls.jump);
+    EXPECT_EQ(controls.pressed, input_named("Pad Right Trigger"));
+    pad.set(PadAxis::RightTrigger, INT16_MIN);
+    EXPECT_FALSE(input_->poll().jump);
+}
+
+TEST_F(SdlInputTest, ThePadUsedLastActs) {
+    VirtualPad first, second;
+    input_->poll();
+    first.set(PadAxis::LeftX, 30'000);
+    EXPECT_EQ(input_->poll().walk_stick.x, 30'000);
+    second.set(PadAxis::LeftX, -3'000);  // lies beside, a little off its middle
+    EXPECT_EQ(input_->poll().walk_stick.x, 30'000);
+    second.set(PadAxis::LeftX, -30'000);
+    EXPECT_EQ(input_->poll().walk_stick.x, -30'000);
+    second.unplug();
+    EXPECT_EQ(input_->poll().walk_stick.x, 0);
+    first.press(PadButton::A);
+    EXPECT_TRUE(input_->poll().jump);
+}
+
+TEST_F(SdlInputTest, ADeviceThatSdlDoesNotKnowIsIgnoredAndNamed) {
+    testing::internal::CaptureStderr();
+    VirtualPad wheel(SDL_JOYSTICK_TYPE_WHEEL);
+    input_->poll();
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("ignored"), std::string::npos);
+    wheel.press(PadButton::A);
+    EXPECT_FALSE(input_->poll().jump);
+}
+
+TEST_F(SdlInputTest, LocalNamesArePrintable) {
+    EXPECT_EQ(input_->local_name_of(input_named("W")), "W");
+    EXPECT_EQ(input_->local_name_of(input_named("Left Bracket")), "[");
+    EXPECT_EQ(input_->local_name_of(input_named("Left Shift")), "Left Shift");
+    EXPECT_EQ(input_->local_name_of(input_named("Pad A")), "Pad A");
+}
+
+}  // namespace
+}  // namespace oblong

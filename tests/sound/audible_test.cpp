@@ -1,0 +1,136 @@
+#include "game/sound/audible.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/sound/walled_level.h"
+
+namespace oblong {
+namespace {
+
+using test::floor_and;
+using test::ToyGame;
+using test::ToyLevel;
+
+SoundSource source_at(Sound sound, int x, int y, int z = 46, std::uint32_t serial = 0) {
+    const Position at = world_vector(x, y, z);
+    return {sound, 0, {at, at}, serial, kWorldModel};
+}
+
+const Listener kListener{world_vector(0, 0, 46), Angle{}, false};  // looks along +x: right is -y
+
+// (1 - d / range)^2 of the gain, to the sides with constant power.
+void expect_levels(const SoundSource& source, const Listener& listener) {
+    const double x = (source.box.mins.x.raw - listener.ear.x.raw) / 4096.0;
+    const double y = (source.box.mins.y.raw - listener.ear.y.raw) / 4096.0;
+    const double z = (source.box.mins.z.raw - listener.ear.z.raw) / 4096.0;
+    const double yaw = listener.yaw.bam * M_PI / 32'768, distance = std::sqrt(x * x + y * y + z * z);
+    const SoundRow& row = row_of(source.sound);
+    const double gain = distance >= row.range ? 0 : std::pow(1 - distance / row.range, 2) * row.gain_256;
+    const double right = (x * std::sin(yaw) - y * std::cos(yaw)) / std::max(distance, 96.0) * 7 / 8;
+    const VoiceLevels levels = levels_at(source, listener);
+    EXPECT_NEAR(levels.left_256, gain * std::sqrt((1 - right) / 2), 1.5) << x << " " << y << " " << z;
+    EXPECT_NEAR(levels.right_256, gain * std::sqrt((1 + right) / 2), 1.5) << x << " " << y << " " << z;
+}
+
+TEST(Levels, FallWithDistanceAndTurnWithTheListener) {
+    for (int x = -900; x <= 900; x += 150)
+        for (int y = -900; y <= 900; y += 150)
+            for (int turn = 0; turn < 65'536; turn += 9'000)
+                expect_levels(source_at(Sound::SlabStart, x, y, 46 + x / 3),
+                              {world_vector(3, -7, 46), Angle::from_bam(turn), false});
+}
+
+TEST(Levels, ToTheRightAreLouderOnTheRight) {
+    const VoiceLevels right = levels_at(source_at(Sound::SlabStart, 0, -400), kListener);
+    EXPECT_GT(right.right_256, 3 * right.left_256);
+    EXPECT_GT(right.left_256, 0);
+    Listener turned = kListener;
+    turned.yaw = kHalfTurn;
+    const VoiceLevels left = levels_at(source_at(Sound::SlabStart, 0, -400), turned);
+    EXPECT_EQ(left.left_256, right.right_256);
+}
+
+TEST(Levels, OfABoxAreThoseOfItsNearestPoint) {
+    SoundSource canal = source_at(Sound::Water, 100, -5'000);
+    canal.box.maxs = world_vector(300, 5'000, 46);
+    EXPECT_EQ(levels_at(canal, kListener), levels_at(source_at(Sound::Water, 100, 0), kListener));
+}
+
+TEST(Audible, LeavesOutWhatIsOutOfRangeAndTracesNothingForIt) {
+    const ToyGame game(test::with_wall());
+    const std::vector<SoundSource> sources{source_at(Sound::Hum, -170, 0), source_at(Sound::Wind, -2'000, 0)};
+    const Audible audible = audible_sounds(game.level, game.state, kListener, sources);
+    EXPECT_TRUE(audible.sounds.empty());
+    EXPECT_EQ(audible.traces, 0);
+}
+
+TEST(Audible, IsMuffledAndSofterBehindAWall) {
+    const ToyGame game(test::with_wall());
+    const auto heard = [&](int x) {
+        const std::vector<SoundSource> one{source_at(Sound::GateStart, x, 0, 46, 1)};
+        return audible_sounds(game.level, game.state, kListener, one);
+    };
+    const Audible behind = heard(300), before = heard(-300);
+    ASSERT_EQ(behind.sounds.size(), 1u);
+    ASSERT_EQ(before.sounds.size(), 1u);
+    EXPECT_TRUE(behind.sounds[0].levels.is_muffled);
+    EXPECT_FALSE(before.sounds[0].levels.is_muffled);
+    EXPECT_LT(behind.sounds[0].levels.left_256, before.sounds[0].levels.left_256);
+    EXPECT_EQ(behind.traces, 1);
+    EXPECT_EQ(behind.sounds[0].direction, Direction::Ahead);
+    EXPECT_EQ(before.sounds[0].direction, Direction::Behind);
+}
+
+TEST(Audible, IsMuffledUnderWaterAllOfIt) {
+    const ToyGame game(test::with_wall());
+    Listener diver = kListener;
+    diver.is_under_water = true;
+    const std::vector<SoundSource> sources{source_at(Sound::GateStart, -300, 0, 46, 1),
+                                           source_at(Sound::UnderWater, 0, 0)};
+    for (const AudibleSound& sound : audible_sounds(game.level, game.state, diver, sources).sounds)
+        EXPECT_EQ(sound.levels.is_muffled, sound.sound != Sound::UnderWater);
+}
+
+TEST(Audible, OneVoiceForALoopHoweverManySound) {
+    const ToyGame game(test::with_wall());
+    std::vector<SoundSource> sources;
+    for (int i = 0; i < 50; ++i) sources.push_back(source_at(Sound::Water, -100 - i, i % 2 == 0 ? 200 : -200));
+    const Audible audible = audible_sounds(game.level, game.state, kListener, sources);
+    ASSERT_EQ(audible.sounds.size(), 1u);
+    EXPECT_LE(audible.traces, static_cast<int>(kMostSourcesOfALoop));
+    const VoiceLevels levels = audible.sounds[0].levels;
+    EXPECT_NEAR(levels.left_256, levels.right_256, 2);  // each ear hears those on its side
+}
+
+TEST(Audible, HasNoMoreThanItsMostAndKeepsTheLoudest) {
+    const ToyGame game(test::with_wall());
+    std::vector<SoundSource> sources;
+    for (int i = 0; i < 60; ++i)
+        sources.push_back(source_at(Sound::GateStop, -10 * i, 0, 46, 1 + static_cast<std::uint32_t>(i)));
+    const Audible audible = audible_sounds(game.level, game.state, kListener, sources);
+    ASSERT_EQ(audible.sounds.size(), kMostAudible);
+    for (const AudibleSound& sound : audible.sounds) EXPECT_LE(sound.serial, kMostAudible + 8);
+}
+
+TEST(Audible, AShutDoorIsInTheWayOfOthersButNotOfItself) {
+    ToyLevel toy;
+    toy.add_model(floor_and({})).add_model({{200, -64, 0, 216, 64, 128}});
+    toy.add_entity({{"classname", "func_door"}, {"model", "*1"}, {"angle", "-1"}});
+    // The door's tree for lines: solid below the node's plane, wherever the line is.
+    Node slab;
+    slab.plane = PlaneIndex(0);
+    slab.children = {NodeChild(LeafIndex(0)), NodeChild(LeafIndex(0))};
+    toy.level.nodes.push_back(slab);
+    toy.level.models[ModelIndex(1)].root = NodeChild(NodeIndex(1));
+    const ToyGame game(std::move(toy));
+    const Position far = world_vector(400, 0, 46), aside = world_vector(-400, 0, 46);
+    EXPECT_FALSE(is_clear(game.level, game.state, kListener.ear, far, kWorldModel));
+    EXPECT_TRUE(is_clear(game.level, game.state, kListener.ear, far, ModelIndex(1)));
+    EXPECT_TRUE(is_clear(game.level, game.state, kListener.ear, aside, kWorldModel));
+}
+
+}  // namespace
+}  // namespace oblong

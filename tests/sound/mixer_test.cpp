@@ -1,0 +1,163 @@
+#include "engine/platform/sdl/mixer.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <thread>
+
+#include "engine/base/input_error.h"
+#include "engine/platform/files.h"
+#include "engine/platform/sdl/voice_filter.h"
+#include "tools/demo_level/sounds/sounds.h"
+
+namespace oblong {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::uint8_t> sine_file(double hz, double seconds) {
+    std::vector<std::int16_t> wave;
+    for (int i = 0; i < seconds * 22'050; ++i)
+        wave.push_back(static_cast<std::int16_t>(16'000 * std::sin(2 * M_PI * hz * i / 22'050)));
+    return sound_source::encode_wave(wave);
+}
+
+/// What SDL's driver "disk" writes instead of playing it: 16-bit samples, left and right by turns.
+class DiskAudio {
+  public:
+    DiskAudio() : file_((fs::temp_directory_path() / ("oblong_mixer_" + std::to_string(getpid()))).string()) {
+        setenv("SDL_AUDIODRIVER", "disk", 1);
+        setenv("SDL_DISKAUDIOFILE", file_.c_str(), 1);
+        setenv("SDL_DISKAUDIODELAY", "1", 1);
+    }
+    ~DiskAudio() { fs::remove(file_); }
+
+    struct Sides {
+        double left = 0, right = 0;
+    };
+    /// The root mean squares of both sides.
+    Sides loudness() const {
+        const std::vector<std::uint8_t> bytes = read_file(file_);
+        double sums[2] = {};
+        for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+            const double sample = static_cast<std::int16_t>(bytes[i] | bytes[i + 1] << 8);
+            sums[i / 2 % 2] += sample * sample;
+        }
+        const double count = static_cast<double>(bytes.size()) / 4;
+        return {std::sqrt(sums[0] / count), std::sqrt(sums[1] / count)};
+    }
+
+  private:
+    std::string file_;
+};
+
+void wait_until_silent(const SoundOutput& output, SoundOutput::VoiceNumber voice) {
+    for (int i = 0; i < 5'000 && output.is_playing(voice); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_FALSE(output.is_playing(voice));
+}
+
+DiskAudio::Sides played(double hz, const VoiceLevels& levels) {
+    DiskAudio disk;
+    {
+        const auto output = open_mixer();
+        const auto sound = output->add_sound(sine_file(hz, 0.4));
+        wait_until_silent(*output, output->start(sound, false, levels));
+    }
+    return disk.loudness();
+}
+
+TEST(Mixer, PlaysEachSideAsLoudAsItIsTold) {
+    const DiskAudio::Sides left = played(440, {256, 0, false}), right = played(440, {64, 256, false});
+    EXPECT_GT(left.left, 3'000);
+    EXPECT_EQ(left.right, 0);
+    EXPECT_NEAR(right.right / right.left, 4, 0.1);
+}
+
+TEST(Mixer, MufflesHighToneMoreThanLowOnes) {
+    const double low = played(200, {256, 256, true}).left / played(200, {256, 256, false}).left;
+    const double high = played(4'000, {256, 256, true}).left / played(4'000, {256, 256, false}).left;
+    EXPECT_GT(low, 0.7);
+    EXPECT_LT(high, 0.06);
+}
+
+TEST(Mixer, LoopsUntilItIsStopped) {
+    DiskAudio disk;
+    const auto output = open_mixer();
+    const auto sound = output->add_sound(sine_file(440, 0.02));
+    const auto voice = output->start(sound, true, {100, 100, false});
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    EXPECT_TRUE(output->is_playing(voice));
+    output->stop(voice);
+    wait_until_silent(*output, voice);
+    const auto other = output->start(sound, false, {100, 100, false});
+    EXPECT_NE(other, voice);
+    output->adjust(voice, {0, 0, false});  // the one that has ended: nothing happens
+    EXPECT_FALSE(output->is_playing(voice));
+}
+
+TEST(Mixer, HasAnEndOfVoices) {
+    DiskAudio disk;
+    const auto output = open_mixer();
+    const auto sound = output->add_sound(sine_file(440, 1));
+    for (int i = 0; i < 32; ++i) EXPECT_NE(output->start(sound, true, {1, 1, false}), SoundOutput::kNoVoice);
+    EXPECT_EQ(output->start(sound, true, {1, 1, false}), SoundOutput::kNoVoice);
+}
+
+TEST(Mixer, PlaysTheTitlesMusic) {
+    DiskAudio disk;
+    {
+        const auto output = open_mixer();
+        output->play_music(sound_source::make_title_music(), 256);
+        std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    }
+    const DiskAudio::Sides sides = disk.loudness();
+    EXPECT_GT(sides.left, 200);
+    EXPECT_GT(sides.right, 200);
+}
+
+TEST(Mixer, RefusesWhatIsNoSound) {
+    DiskAudio disk;
+    const auto output = open_mixer();
+    const std::vector<std::uint8_t> text{'t', 'e', 'x', 't'};
+    EXPECT_THROW(output->add_sound(text), InputError);
+    EXPECT_THROW(output->add_sound({}), InputError);
+    EXPECT_THROW(output->play_music(text, 256), InputError);
+}
+
+TEST(Mixer, SaysWhereThereIsNoDevice) {
+    setenv("SDL_AUDIODRIVER", "nonsense", 1);
+    try {
+        open_mixer();
+        FAIL() << "opened a device that is none";
+    } catch (const std::runtime_error& error) {
+        EXPECT_EQ(std::string(error.what()).find("no sound: "), 0u);
+    }
+}
+
+TEST(VoiceFilter, GoesToItsLevelsWithoutAStep) {
+    VoiceFilter filter;
+    filter.begin({0, 0, false}, false);
+    filter.set({256, 0, false});
+    std::vector<std::int16_t> samples(2 * 2'000, 10'000);
+    filter.apply(samples);
+    EXPECT_LT(samples[0], 20);
+    for (std::size_t i = 2; i < samples.size(); i += 2) EXPECT_LE(std::abs(samples[i] - samples[i - 2]), 12);
+    EXPECT_EQ(samples[samples.size() - 2], 10'000);
+    EXPECT_EQ(samples.back(), 0);
+}
+
+TEST(VoiceFilter, LeavesFullLevelsAsTheyAre) {
+    VoiceFilter filter;
+    filter.begin({256, 256, false}, false);
+    std::vector<std::int16_t> samples{1, -2, 32'767, -32'768, 300, -300}, copy = samples;
+    filter.apply(samples);
+    EXPECT_EQ(samples, copy);
+}
+
+}  // namespace
+}  // namespace oblong

@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include "engine/platform/files.h"
+#include "game/sound/game_sound.h"
+#include "game/sound/sound_player.h"
+#include "tests/sound/recorded_output.h"
+#include "tests/sound/walled_level.h"
+
+namespace oblong {
+namespace {
+
+using test::RecordedOutput;
+using test::ToyGame;
+
+const std::string kAssets = OBLONG_BUILD_DIR "/assets", kSounds = kAssets + "/sounds";
+
+AudibleSound heard(Sound sound, std::uint32_t serial, std::int32_t level_256) {
+    return {sound, 0, serial, {level_256, level_256, false}, Direction::Here};
+}
+
+TEST(SoundPlayer, StartsChangesAndStopsByDifferences) {
+    RecordedOutput output;
+    SoundPlayer player(output, kSounds);
+    EXPECT_GT(output.sounds, 50);
+    const std::vector<AudibleSound> both{heard(Sound::Wind, 0, 100), heard(Sound::Button, 7, 200)};
+    player.play(both, 256);
+    ASSERT_EQ(output.voices.size(), 2u);
+    player.play(both, 256);
+    EXPECT_EQ(output.starts, 2);
+    EXPECT_EQ(output.adjusts, 0);
+    player.play(both, 128);
+    EXPECT_EQ(output.adjusts, 2);
+    EXPECT_EQ(output.voices.begin()->second.levels.left_256, 50);
+    player.play(std::span(both).first(1), 128);
+    ASSERT_EQ(output.voices.size(), 1u);
+    EXPECT_TRUE(output.voices.begin()->second.is_loop);
+    player.play({}, 128);
+    EXPECT_TRUE(output.voices.empty());
+}
+
+TEST(SoundPlayer, GivesNoVoiceToWhatHasNoVolume) {
+    RecordedOutput output;
+    SoundPlayer player(output, kSounds);
+    const std::vector<AudibleSound> faint{heard(Sound::Wind, 0, 1)};
+    player.play(faint, 100);
+    player.play_once(Sound::MenuMove, 0);
+    EXPECT_EQ(output.starts, 0);
+}
+
+// A game's sound whose output a test can look at while it is open.
+struct TestSound {
+    explicit TestSound(const std::string& assets = kAssets)
+        : sound(
+              [this] {
+                  auto output = std::make_unique<RecordedOutput>();
+                  last = output.get();
+                  ++opened;
+                  return output;
+              },
+              assets) {}
+
+    RecordedOutput* last = nullptr;
+    int opened = 0;
+    GameSound sound;
+};
+
+constexpr SoundSettings kOn{100, 80, 60, false}, kOff{0, 80, 60, false};
+
+TEST(GameSound, OpensNothingWithoutVolume) {
+    TestSound test;
+    test.sound.set(kOff);
+    test.sound.set({100, 0, 0, false});
+    test.sound.play(Sound::MenuMove);
+    test.sound.play_music();
+    EXPECT_EQ(test.opened, 0);
+    test.sound.set(kOn);
+    EXPECT_EQ(test.opened, 1);
+    EXPECT_GT(test.last->music_size, 50'000u);  // which was asked for before
+}
+
+TEST(GameSound, IsSilentAndSaysSoOnceWhereThereIsNoDevice) {
+    int tries = 0;
+    GameSound sound(
+        [&]() -> std::unique_ptr<SoundOutput> {
+            ++tries;
+            throw std::runtime_error("no sound: none here");
+        },
+        kAssets);
+    testing::internal::CaptureStderr();
+    sound.set(kOn);
+    sound.set(kOff);
+    sound.set(kOn);
+    sound.play(Sound::MenuMove);
+    sound.play_music();
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "oblong: no sound: none here\n");
+    EXPECT_EQ(tries, 1);
+}
+
+TEST(GameSound, IsSilentWhereItsFilesAreMissing) {
+    testing::internal::CaptureStderr();
+    TestSound test("nowhere");
+    test.sound.set(kOn);
+    test.sound.play(Sound::MenuMove);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("nowhere/sounds/step_stone1.wav"), std::string::npos);
+}
+
+// Walks on until steps are heard.
+void walk(ToyGame& game, GameSound& sound, int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+        const GameState before = game.state;
+        step(game.level, game.state, test::kAhead);
+        sound.note_tick(before, game.state);
+    }
+}
+
+TEST(GameSound, PlaysAWalkAndHoldsItInAMenu) {
+    ToyGame game(test::with_wall());
+    TestSound test;
+    test.sound.set(kOn);
+    test.sound.enter(&game.level);
+    walk(game, test.sound, 35);
+    EXPECT_GT(test.last->starts, 0);
+    test.sound.play_music();
+    const std::int32_t loud_256 = test.last->music_volume_256;
+    test.sound.hold(true);
+    EXPECT_TRUE(test.last->are_held);
+    EXPECT_EQ(test.last->music_volume_256, loud_256 / 2);
+    test.sound.hold(false);
+    EXPECT_FALSE(test.last->are_held);
+    test.sound.enter(nullptr);
+    EXPECT_TRUE(test.sound.captions().empty());
+}
+
+TEST(GameSound, WritesCaptionsWithoutADevice) {
+    ToyGame game(test::with_wall());
+    TestSound test;
+    test.sound.set({0, 80, 60, true});
+    test.sound.enter(&game.level);
+    walk(game, test.sound, 20);
+    EXPECT_EQ(test.opened, 0);
+    EXPECT_EQ(test.sound.captions(), std::vector<std::string>{"footsteps on stone"});
+}
+
+TEST(GameSound, StopsWhatPlaysWhereSoundsAreTurnedOff) {
+    ToyGame game(test::with_wall());
+    TestSound test;
+    test.sound.set(kOn);
+    test.sound.enter(&game.level);
+    walk(game, test.sound, 12);
+    ASSERT_FALSE(test.last->voices.empty());
+    test.sound.set({100, 0, 60, false});
+    EXPECT_TRUE(test.last->voices.empty());
+}
+
+}  // namespace
+}  // namespace oblong

@@ -1,0 +1,186 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "game/sound/captions.h"
+#include "game/sound/sound_scene.h"
+#include "game/sound/surfaces.h"
+#include "tests/sound/walled_level.h"
+
+namespace oblong {
+namespace {
+
+using test::floor_and;
+using test::kAhead;
+using test::kStand;
+using test::ToyGame;
+using test::ToyLevel;
+
+// Plays a game and notes what begins in each tick.
+struct HeardGame {
+    explicit HeardGame(ToyLevel toy, std::int32_t height = 0) : game(std::move(toy), height), scene(game.level) {}
+
+    void play(int ticks, const TickInput& input) {
+        for (int i = 0; i < ticks; ++i) {
+            const GameState before = game.state;
+            step(game.level, game.state, input);
+            scene.note_tick(before, game.state);
+            captions.note_tick(scene.audible().sounds);
+            for (const std::string& line : captions.lines()) lines.insert(line);
+            for (const AudibleSound& sound : scene.audible().sounds) note(sound);
+        }
+    }
+    void note(const AudibleSound& sound) {
+        if (sound.serial == 0 || serials.insert(sound.serial).second) begun.push_back(sound.sound);
+    }
+    int count(Sound sound) const { return static_cast<int>(std::count(begun.begin(), begun.end(), sound)); }
+
+    ToyGame game;
+    SoundScene scene;
+    Captions captions;
+    std::vector<Sound> begun;  // loops: in each tick
+    std::set<std::uint32_t> serials;
+    std::set<std::string> lines;
+};
+
+ToyLevel plain() {
+    ToyLevel toy;
+    return toy.add_model(floor_and({}));
+}
+
+ToyLevel with_door(const char* class_name = "func_door") {
+    ToyLevel toy = plain();
+    toy.add_model({{200, -64, 0, 216, 64, 128}});
+    return toy.add_entity({{"classname", class_name}, {"model", "*1"}, {"angle", "-1"}, {"wait", "1"}});
+}
+
+TEST(Steps, FollowTheWay) {
+    HeardGame heard(plain());
+    heard.play(35, kStand);
+    EXPECT_TRUE(heard.begun.empty());
+    heard.play(105, kAhead);
+    EXPECT_NEAR(heard.count(Sound::StepStone), heard.game.x() / 104, 1);
+    const int steps = heard.count(Sound::StepStone);
+    heard.play(35, kStand);
+    EXPECT_LE(heard.count(Sound::StepStone), steps + 1);  // slides to a halt
+}
+
+TEST(Steps, AreNamedOnceInALongWalk) {
+    HeardGame heard(plain());
+    int shown = 0;
+    for (int i = 0; i < 170; ++i) {
+        const bool was_shown = !heard.captions.lines().empty();
+        heard.play(1, kAhead);
+        shown += !was_shown && !heard.captions.lines().empty();
+    }
+    EXPECT_EQ(shown, 1);
+    EXPECT_EQ(heard.lines, std::set<std::string>{"footsteps on stone"});
+}
+
+TEST(Steps, KnowTheirGroundByTheNameOfItsTexture) {
+    EXPECT_EQ(step_sound_of_texture("wood_planks"), Sound::StepWood);
+    EXPECT_EQ(step_sound_of_texture("iron_grate"), Sound::StepMetal);
+    EXPECT_EQ(step_sound_of_texture("{grate"), Sound::StepMetal);
+    EXPECT_EQ(step_sound_of_texture("earth"), Sound::StepEarth);
+    EXPECT_EQ(step_sound_of_texture("carpet"), Sound::StepCarpet);
+    EXPECT_EQ(step_sound_of_texture("stone_floor"), Sound::StepStone);
+    EXPECT_EQ(step_sound_of_texture("GROUND1_6"), Sound::StepEarth);
+    EXPECT_EQ(step_sound_of_texture(""), Sound::StepStone);
+}
+
+TEST(Landing, IsHeardAfterAFallAndNotAfterAStep) {
+    HeardGame high(plain(), 200);
+    high.play(70, kStand);
+    EXPECT_EQ(high.count(Sound::Land), 1);
+    HeardGame low(plain(), 10);
+    low.play(70, kStand);
+    EXPECT_EQ(low.count(Sound::Land), 0);
+}
+
+TEST(Movers, StartMoveAndStop) {
+    HeardGame heard(with_door());
+    heard.play(60, kAhead);  // near: it opens
+    heard.play(300, kStand);
+    EXPECT_GE(heard.count(Sound::SlabStart), 1);
+    EXPECT_EQ(heard.count(Sound::SlabStart), heard.count(Sound::SlabStop));
+    EXPECT_GT(heard.count(Sound::SlabMove), 30);
+    EXPECT_TRUE(heard.scene.audible().sounds.empty());
+    EXPECT_EQ(heard.lines.count("heavy door, ahead") + heard.lines.count("heavy door"), 1u);
+}
+
+TEST(Movers, SoundAsTheirKind) {
+    HeardGame lift(with_door("func_plat"));
+    EXPECT_EQ(mover_sounds(*lift.game.level.bsp, ModelIndex(1)).move, Sound::LiftMove);
+    HeardGame train(with_door("func_train"));
+    EXPECT_EQ(mover_sounds(*train.game.level.bsp, ModelIndex(1)).move, Sound::TrainMove);
+}
+
+TEST(Movers, AtRestCostNothing) {
+    HeardGame heard(with_door());
+    heard.play(10, kStand);
+    EXPECT_EQ(heard.scene.audible().traces, 0);
+    EXPECT_TRUE(heard.scene.audible().sounds.empty());
+}
+
+TEST(Water, IsHeardInOutAndUnder) {
+    ToyLevel toy(100);
+    toy.add_model({{-2048, -2048, -264, 2048, 2048, -200}});
+    HeardGame heard(std::move(toy), 130);
+    heard.play(40, kStand);
+    EXPECT_EQ(heard.count(Sound::WaterIn), 1);
+    EXPECT_EQ(heard.game.state.player.depth, Depth::Eyes);
+    EXPECT_GT(heard.count(Sound::UnderWater), 0);
+    heard.play(70, kAhead);
+    EXPECT_GT(heard.count(Sound::Swim), 0);
+    EXPECT_EQ(heard.count(Sound::StepStone), 0);
+}
+
+TEST(Items, Ring) {
+    ToyLevel toy = plain();
+    toy.add_entity({{"classname", "item_lens"}, {"origin", "120 0 24"}});
+    toy.add_entity({{"classname", "item_key1"}, {"origin", "320 0 24"}});
+    HeardGame heard(std::move(toy));
+    heard.play(120, kAhead);
+    EXPECT_EQ(heard.count(Sound::Lens), 1);
+    EXPECT_EQ(heard.count(Sound::Key), 1);
+    EXPECT_EQ(heard.count(Sound::Message), 0);  // one sound for one event
+    EXPECT_EQ(heard.lines.count("a lens rings"), 1u);
+}
+
+TEST(Ambience, IsHeardWhereItIsAndNamedWhenItBegins) {
+    ToyLevel toy = plain();
+    toy.add_entity({{"classname", "light_torch_small_walltorch"}, {"origin", "600 100 40"}});
+    HeardGame heard(std::move(toy));
+    heard.play(20, kStand);
+    EXPECT_TRUE(heard.begun.empty());
+    heard.play(70, kAhead);
+    EXPECT_GT(heard.count(Sound::Fire), 0);
+    EXPECT_EQ(heard.lines.count("a flame, ahead"), 1u);
+}
+
+TEST(Captions, SayFromWhere) {
+    EXPECT_EQ(caption_of(Sound::DoorStart, Direction::Left), "door, to the left");
+    EXPECT_EQ(caption_of(Sound::Wind, Direction::Here), "wind");
+    EXPECT_EQ(caption_of(Sound::MenuMove, Direction::Left), "");
+}
+
+TEST(Captions, AreFewAndEnd) {
+    Captions captions;
+    std::vector<AudibleSound> sounds;
+    for (std::uint32_t i = 0; i < 6; ++i)
+        sounds.push_back({static_cast<Sound>(static_cast<std::uint32_t>(Sound::DoorStart) + 3 * i),
+                          0,
+                          i + 1,
+                          {90, 90, false},
+                          Direction::Here});
+    captions.note_tick(sounds);
+    EXPECT_EQ(captions.lines().size(), Captions::kMostLines);
+    for (int i = 0; i < 104; ++i) captions.note_tick(sounds);
+    EXPECT_EQ(captions.lines().size(), Captions::kMostLines);
+    captions.note_tick(sounds);
+    EXPECT_TRUE(captions.lines().empty());
+}
+
+}  // namespace
+}  // namespace oblong

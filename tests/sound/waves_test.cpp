@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <set>
+
+#include "game/sound/sound_table.h"
+#include "tools/demo_level/sounds/sounds.h"
+
+namespace oblong {
+namespace {
+
+constexpr double kRate_hz = 22'050;
+
+using Wave = std::vector<std::int16_t>;
+
+const std::map<std::string, Wave>& waves() {
+    static const std::map<std::string, Wave> made = [] {
+        std::map<std::string, Wave> by_name;
+        for (auto& [name, samples] : sound_source::make_all_sounds()) by_name[name] = samples;
+        return by_name;
+    }();
+    return made;
+}
+
+int step_at(const Wave& wave, std::size_t i) {
+    return std::abs(wave[i] - wave[(i + wave.size() - 1) % wave.size()]);
+}
+
+// The amplitude of a frequency in a part of a wave, by its own sums (Goertzel's question, the slow way).
+double amplitude(const Wave& wave, double hz, double from_s = 0, double until_s = 1e9) {
+    const auto first = static_cast<std::size_t>(from_s * kRate_hz);
+    const std::size_t end = std::min(wave.size(), static_cast<std::size_t>(until_s * kRate_hz));
+    double real = 0, imaginary = 0;
+    for (std::size_t i = first; i < end; ++i) {
+        const double angle = 2 * M_PI * hz * static_cast<double>(i) / kRate_hz;
+        real += wave[i] * std::cos(angle), imaginary += wave[i] * std::sin(angle);
+    }
+    return 2 * std::hypot(real, imaginary) / static_cast<double>(end - first);
+}
+
+std::vector<std::string> files_of(Sound sound) {
+    std::vector<std::string> names;
+    for (int variant = 0; variant < row_of(sound).variants; ++variant) {
+        const std::string file = file_of(sound, variant);
+        names.push_back(file.substr(0, file.size() - 4));
+    }
+    return names;
+}
+
+TEST(Waves, AreThoseThatTheGameAsksForAndNoOthers) {
+    std::set<std::string> wanted, made;
+    for (std::size_t i = 0; i < kSoundCount; ++i)
+        for (const std::string& name : files_of(static_cast<Sound>(i))) wanted.insert(name);
+    for (const auto& [name, wave] : waves()) made.insert(name);
+    EXPECT_EQ(made, wanted);
+}
+
+TEST(Waves, LastAsLongAsTheTableSays) {
+    for (std::size_t i = 0; i < kSoundCount; ++i) {
+        const SoundRow& row = row_of(static_cast<Sound>(i));
+        double longest = 0;
+        for (const std::string& name : files_of(static_cast<Sound>(i)))
+            longest = std::max(longest, static_cast<double>(waves().at(name).size()) / kRate_hz);
+        if (row.is_loop()) {
+            EXPECT_GE(longest, 2) << row.file;
+        } else {
+            EXPECT_LE(longest, row.length_ticks / 35.0) << row.file;
+            EXPECT_GT(longest, (row.length_ticks - 2) / 35.0) << row.file;
+        }
+    }
+}
+
+TEST(Waves, AreNeitherClippedNorFaintNorOffTheMiddle) {
+    for (const auto& [name, wave] : waves()) {
+        int peak = 0;
+        double sum = 0;
+        for (const std::int16_t sample : wave) peak = std::max(peak, std::abs(sample)), sum += sample;
+        EXPECT_LT(peak, 0.86 * 32'767) << name;
+        EXPECT_GT(peak, 0.39 * 32'767) << name;
+        EXPECT_LT(std::abs(sum / static_cast<double>(wave.size())), 0.001 * 32'767) << name;
+    }
+}
+
+TEST(Waves, OfOneShotsBeginAndEndInSilence) {
+    for (std::size_t i = 0; i < kSoundCount; ++i) {
+        if (row_of(static_cast<Sound>(i)).is_loop()) continue;
+        for (const std::string& name : files_of(static_cast<Sound>(i))) {
+            const Wave& wave = waves().at(name);
+            EXPECT_EQ(wave.front(), 0) << name;
+            for (std::size_t n = 1; n <= 8; ++n) EXPECT_LE(std::abs(wave[wave.size() - n]), 100) << name;
+        }
+    }
+}
+
+// A seam that clicks is a step larger than any other for a while around it.
+TEST(Waves, OfLoopsHaveNoSeam) {
+    int loops = 0;
+    for (std::size_t i = 0; i < kSoundCount; ++i) {
+        if (!row_of(static_cast<Sound>(i)).is_loop()) continue;
+        ++loops;
+        const Wave& wave = waves().at(files_of(static_cast<Sound>(i)).front());
+        int usual = 0;
+        for (std::size_t n = 1; n < 400; ++n)
+            usual = std::max({usual, step_at(wave, n), step_at(wave, wave.size() - n)});
+        EXPECT_LE(step_at(wave, 0), usual + 40) << row_of(static_cast<Sound>(i)).file;
+    }
+    EXPECT_EQ(loops, 16);
+}
+
+// Noise in a loop is blended at its seam: its power there is that of the rest.
+TEST(Waves, OfLoopsAreAsLoudAtTheSeam) {
+    for (const char* name : {"door_move", "slab_move", "under_water", "fire"}) {
+        const Wave& wave = waves().at(name);
+        double all = 0, seam = 0;
+        for (const std::int16_t sample : wave) all += double{1} * sample * sample;
+        const std::size_t part = 6'000;
+        for (std::size_t i = 0; i < part; ++i) seam += double{1} * wave[i] * wave[i];
+        const double ratio = seam / part / (all / static_cast<double>(wave.size()));
+        EXPECT_GT(ratio, 0.4) << name;
+        EXPECT_LT(ratio, 2.5) << name;
+    }
+}
+
+TEST(Waves, SoundAtTheirFrequencies) {
+    const Wave& hum = waves().at("hum");
+    EXPECT_GT(amplitude(hum, 100), 3 * amplitude(hum, 300));
+    EXPECT_LT(amplitude(hum, 150), 0.001 * amplitude(hum, 100));
+    const Wave& lens = waves().at("lens");
+    for (const double note : {880.0, 1'318.51, 1'760.0})
+        EXPECT_GT(amplitude(lens, note), 10 * amplitude(lens, note * 1.06)) << note;
+    EXPECT_GT(amplitude(lens, 880, 0, 0.1), 5 * amplitude(lens, 1'318.51, 0, 0.1));  // one note after the other
+    const Wave& back = waves().at("menu_back");
+    EXPECT_GT(amplitude(back, 659, 0, 0.07), amplitude(back, 440, 0, 0.07));  // down
+    EXPECT_GT(amplitude(back, 440, 0.1, 0.2), amplitude(back, 659, 0.1, 0.2));
+}
+
+// How many times a second the wave crosses zero: the higher, the brighter.
+double crossings_hz(const std::string& name) {
+    const Wave& wave = waves().at(name);
+    int crossings = 0;
+    for (std::size_t i = 1; i < wave.size(); ++i) crossings += (wave[i] < 0) != (wave[i - 1] < 0);
+    return crossings * kRate_hz / static_cast<double>(wave.size());
+}
+
+TEST(Waves, StepsAreAsBrightAsTheirGround) {
+    EXPECT_GT(crossings_hz("step_metal1"), crossings_hz("step_wood1"));
+    EXPECT_GT(crossings_hz("step_stone1"), crossings_hz("step_carpet1"));
+    EXPECT_GT(crossings_hz("rain"), 4 * crossings_hz("lava"));
+}
+
+std::uint32_t number_at(const std::vector<std::uint8_t>& bytes, std::size_t at, int count) {
+    std::uint32_t number = 0;
+    for (int i = count; i-- > 0;) number = number << 8 | bytes[at + static_cast<std::size_t>(i)];
+    return number;
+}
+
+TEST(WaveFile, IsRiffOfOneChannelOf16Bits) {
+    const Wave wave{1, -2, 300};
+    const std::vector<std::uint8_t> bytes = sound_source::encode_wave(wave);
+    const std::string text(bytes.begin(), bytes.end());
+    ASSERT_EQ(bytes.size(), 44u + 6u);
+    EXPECT_EQ(text.substr(0, 4), "RIFF");
+    EXPECT_EQ(number_at(bytes, 4, 4), bytes.size() - 8);
+    EXPECT_EQ(text.substr(8, 8), "WAVEfmt ");
+    EXPECT_EQ(number_at(bytes, 16, 4), 16u);
+    EXPECT_EQ(number_at(bytes, 20, 2), 1u);
+    EXPECT_EQ(number_at(bytes, 22, 2), 1u);
+    EXPECT_EQ(number_at(bytes, 24, 4), 22'050u);
+    EXPECT_EQ(number_at(bytes, 28, 4), 44'100u);
+    EXPECT_EQ(number_at(bytes, 32, 2), 2u);
+    EXPECT_EQ(number_at(bytes, 34, 2), 16u);
+    EXPECT_EQ(text.substr(36, 4), "data");
+    EXPECT_EQ(number_at(bytes, 40, 4), 6u);
+    EXPECT_EQ(number_at(bytes, 46, 2), 0xfffeu);
+}
+
+// The same bytes on every machine and with every compiler. A sound that was changed on purpose changes the number.
+TEST(Waves, AreTheSameEverywhere) {
+    std::uint64_t hash = 14'695'981'039'346'656'037u;
+    const auto add = [&](std::uint8_t byte) { hash = (hash ^ byte) * 1'099'511'628'211u; };
+    for (const auto& [name, wave] : waves())
+        for (const std::uint8_t byte : sound_source::encode_wave(wave)) add(byte);
+    for (const std::uint8_t byte : sound_source::make_title_music()) add(byte);
+    EXPECT_EQ(hash, 12'474'116'008'877'215'082u);
+}
+
+}  // namespace
+}  // namespace oblong
