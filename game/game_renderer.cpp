@@ -74,12 +74,17 @@ std::vector<PlacedModel> placed_models(const GameLevel& level, const Interpolate
     std::vector<PlacedModel> placed;
     for (std::size_t i = 0; i < level.movers.size(); ++i) {
         const Mover& mover = level.movers[i];
+        if (is_removed(state.after.movers[i])) continue;
         const Vec3<World> before = offset_of(mover, state.before.movers[i]),
                           after = offset_of(mover, state.after.movers[i]);
-        const bool is_pressed = mover.is_button && state.after.movers[i].phase != MoverState::Phase::AtStart;
-        placed.push_back({mover.model, between(before, after, state.fraction_16), is_pressed});
+        placed.push_back(
+            {mover.model, between(before, after, state.fraction_16), shows_other_frames(mover, state.after.movers[i])});
     }
-    for (const ModelIndex model : level.static_models) placed.push_back({model, {}});
+    for (std::size_t i = 0; i < level.walls.size(); ++i) {
+        const WallState wall = state.after.walls[i];
+        if (wall != WallState::Removed)
+            placed.push_back({level.walls[i].model, {}, wall == WallState::ShowsOtherFrames});
+    }
     return placed;
 }
 

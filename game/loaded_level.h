@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "game/load.h"
 #include "game/simulation/game_level.h"
@@ -11,6 +12,7 @@ namespace oblong {
 /// Where the files of a level are looked for: the arguments of load_game().
 struct LevelFiles {
     std::string level, palette, assets, models;
+    std::vector<std::string> game_folders = {};
 };
 
 /// A level, loaded to be played: its files and the part of the game that never changes.

@@ -76,7 +76,7 @@ void time_demo(const Options& options, const LoadedLevel& loaded, Workers& worke
 
 // Records who walks a route, as fast as it goes.
 void record_route(const Options& options, const std::string& assets) {
-    const LoadedLevel loaded({options.level, options.palette, assets, options.models});
+    const LoadedLevel loaded(level_files_of(options, assets));
     const std::vector<Waypoint> route = read_parsed(options.route, parse_route);
     const Demo demo = naming_file(options.route, [&] { return walk_route(loaded.level, route); });
     write_file(options.record, encode_demo(demo));
@@ -86,7 +86,7 @@ void run_game(const Options& options, const std::string& assets) {
     if (!options.route.empty()) return record_route(options, assets);
     WorkerThreads workers(static_cast<int>(options.threads));
     if (!options.timedemo.empty()) {
-        time_demo(options, LoadedLevel({options.level, options.palette, assets, options.models}), workers);
+        time_demo(options, LoadedLevel(level_files_of(options, assets)), workers);
         return;
     }
     ProgramFiles files = load_program_files(options, assets);

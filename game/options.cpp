@@ -61,12 +61,15 @@ Flashes flashes_of(const std::string& name) {
 struct OptionTexts {
     std::string mode = "320x200", display = "4:3", field_of_view = "90", brightness = "1", gamma = "1",
                 flashes = "full", window, accuracy = "bounded", scaling = "sharp", aspect_projection = "display",
-                aspect_display = "display", map = "off", wireframe = "off", lines = "gupta-sproull", log;
+                aspect_display = "display", automap = "off", wireframe = "off", lines = "gupta-sproull", log;
     std::vector<std::string> dials;
 };
 
 void declare(Command& line, Options& options, OptionTexts& texts) {
-    line.add("level", options.level, "Quake BSP file to play; without one, the demo level");
+    auto level = line.add("level", options.level, "Quake BSP file to play; without one, the demo level");
+    line.add("--map", options.map, "level to play by its name, as e1m1: beside, in maps/ or in a pak file (README)")
+        .exclude(level);
+    line.add("--game", options.game, "folder with maps/ and pak0.pak; default: the current one, and id1 in it");
     line.add("--palette", options.palette, "768 bytes of red, green, blue; default: the level's, else the demo's");
     line.add("--models", options.models, "folder of Quake's models: shows a level's items (README)");
     line.add("--mode", texts.mode, "WxH, size of the picture in pixels");
@@ -84,7 +87,7 @@ void declare(Command& line, Options& options, OptionTexts& texts) {
     line.add_flag("--gallery", options.shows_gallery, "all that the engine can do, one thing after the other; no game");
     line.add("--log", texts.log,
              "once a second, lines of these kinds on standard error: " + names_of(LogChannels::all()));
-    line.add("--map", texts.map, "off, player or north: the map that Tab shows, and what is up on it");
+    line.add("--automap", texts.automap, "off, player or north: the map that Tab shows, and what is up on it");
     line.add("--wireframe", texts.wireframe, "off, over or alone: the edges that E shows");
     line.add("--lines", texts.lines, "naive, dda, bresenham or gupta-sproull: how lines of both are drawn");
     line.add("--threads", options.threads, "that draw; default: 1. A second one pays from about 640x480 on")
@@ -121,7 +124,7 @@ void interpret(const OptionTexts& texts, Options& options) {
     options.corrects_projection = corrects_projection_of(texts.aspect_projection);
     options.shown_as = shown_as_of(texts.aspect_display);
     if (!texts.log.empty()) options.log = parse_log_channels(texts.log);
-    options.map = named_value<MapView>("--map", texts.map, kMapNames);
+    options.automap = named_value<MapView>("--automap", texts.automap, kMapNames);
     options.wireframe = named_value<Wireframe>("--wireframe", texts.wireframe, kWireframeNames);
     options.line_method = named_value<LineMethod>("--lines", texts.lines, kLineNames);
     if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))

@@ -17,6 +17,7 @@ namespace oblong {
 /// The command line's options; empty strings and 0 where they are not given.
 struct Options {
     std::string level, palette, models;
+    std::string map, game;  ///< a level by its name, and the folder of a game like Quake's
     ScreenMode mode;
     WindowSize window;
     Degrees field_of_view = Degrees::from_int(90);
@@ -28,7 +29,7 @@ struct Options {
     bool corrects_projection = true, has_crt_look = false;
     ShownAs shown_as = ShownAs::OnDisplay;
     LogChannels log;
-    MapView map = MapView::Off;
+    MapView automap = MapView::Off;
     Wireframe wireframe = Wireframe::Off;
     LineMethod line_method = LineMethod::GuptaSproull;
     std::string record, replay, timedemo, route;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/platform/files.h"
+#include "game/level_search.h"
 
 namespace oblong {
 namespace {
@@ -33,15 +34,20 @@ ViewOptions view_options_of(const Options& options) {
     view_options.corrects_projection = options.corrects_projection;
     view_options.shown_as = options.shown_as;
     view_options.log = options.log;
-    view_options.map = options.map;
+    view_options.map = options.automap;
     view_options.wireframe = options.wireframe;
     view_options.line_method = options.line_method;
     return view_options;
 }
 
+LevelFiles level_files_of(const Options& options, const std::string& assets_folder) {
+    LevelFiles files{options.level, options.palette, assets_folder, options.models, game_folders_of(options.game)};
+    if (!options.map.empty()) files.level = find_named_level(options.map, {"", files.game_folders});
+    return files;
+}
+
 ProgramFiles load_program_files(const Options& options, const std::string& assets_folder) {
-    auto loaded =
-        std::make_shared<const LoadedLevel>(LevelFiles{options.level, options.palette, assets_folder, options.models});
+    auto loaded = std::make_shared<const LoadedLevel>(level_files_of(options, assets_folder));
     std::optional<Demo> demo;
     if (!options.replay.empty()) demo = read_parsed(options.replay, decode_demo);
     if (!options.record.empty()) check_writable(options.record);

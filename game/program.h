@@ -12,6 +12,9 @@ namespace oblong {
 /// What a game begins with.
 ViewOptions view_options_of(const Options& options);
 
+/// The files of the level that the options name. Throws FileError where --map names none.
+LevelFiles level_files_of(const Options& options, const std::string& assets_folder);
+
 /// What a program reads before it opens a window.
 struct ProgramFiles {
     std::shared_ptr<const LoadedLevel> loaded;

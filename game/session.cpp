@@ -31,7 +31,6 @@ Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
       before_(start_of(level_)),
       after_(before_),
       last_us_(platform.now_us()) {
-    hud_.end_message = level_.end_message;
     platform_.set_title(("Oblong - " + std::filesystem::path(data_.level_file).stem().string()).c_str());
     show_message(hud_, "F1 Help", played_us_);
     keep_what_is_on();
@@ -131,6 +130,7 @@ ShownPicture Session::draw() {
     wants_screenshot_ = false;
     hud_.shows_help = view_options_.shows_help;
     hud_.shows_end = after_.has_ended;
+    if (hud_.shows_end) hud_.end_message = end_message(level_, after_);
     draw_hud(hud_, played_us_, text_bottom_, text_colours_, canvas);
     return {canvas, palette, shown_rect()};
 }

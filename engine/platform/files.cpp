@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
 
@@ -43,6 +44,22 @@ std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_by
         bytes.insert(bytes.end(), chunk.begin(), chunk.begin() + static_cast<std::ptrdiff_t>(count));
     }
     if (std::ferror(file.get())) throw FileError(path, "read", reason() + ", expected a readable file");
+    return bytes;
+}
+
+std::vector<std::uint8_t> read_file_part(const std::string& path, std::uint64_t offset, std::size_t length) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw FileError(path, "open", "expected a readable file");
+    std::error_code ignored;
+    const std::uint64_t size = std::filesystem::file_size(path, ignored);
+    if (offset > size || length > size - offset)
+        throw FileError(
+            path, "offset " + std::to_string(offset),
+            "the file has " + std::to_string(size) + " bytes, expected " + std::to_string(length) + " from here on");
+    std::vector<std::uint8_t> bytes(length);
+    file.seekg(static_cast<std::streamoff>(offset));
+    file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(length));
+    if (!file) throw FileError(path, "read", "expected a readable file");
     return bytes;
 }
 

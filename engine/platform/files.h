@@ -22,7 +22,9 @@ inline constexpr std::size_t kLargestFile_bytes = std::size_t{1} << 30;
 
 /// All bytes of a file. Throws FileError where it can't be read or has more than `most_bytes`.
 std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_bytes = kLargestFile_bytes);
-/// The same as text.
+/// `length` bytes of a file from an offset on. Throws FileError where they can't be read or are not there.
+std::vector<std::uint8_t> read_file_part(const std::string& path, std::uint64_t offset, std::size_t length);
+/// A whole file as text.
 std::string read_text(const std::string& path);
 
 /// Writes a whole file under another name and renames it when it is complete: whatever fails, a full disk too, the old

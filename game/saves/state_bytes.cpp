@@ -26,6 +26,8 @@ class Writer {
     }
     void operator()(const Angle& angle) { append_little_endian(bytes_, angle.bam); }
     void operator()(const MoverState& mover) { visit_fields(mover, *this); }
+    void operator()(const TriggerState& trigger) { visit_fields(trigger, *this); }
+    void operator()(const DelayedFiring& delayed) { visit_fields(delayed, *this); }
     template <class Element>
     void operator()(const std::vector<Element>& list) {
         append_little_endian(bytes_, static_cast<std::uint32_t>(list.size()));
@@ -55,6 +57,8 @@ class Reader {
     }
     void operator()(Angle& angle) { angle.bam = bytes_.next<std::uint16_t>(); }
     void operator()(MoverState& mover) { visit_fields(mover, *this); }
+    void operator()(TriggerState& trigger) { visit_fields(trigger, *this); }
+    void operator()(DelayedFiring& delayed) { visit_fields(delayed, *this); }
     template <class Element>
     void operator()(std::vector<Element>& list) {
         const auto length = bytes_.next<std::uint32_t>();
@@ -77,6 +81,8 @@ class Layout {
         fnv_.add(std::is_enum_v<Field> ? 'e' : std::is_integral_v<Field> ? 'i' : 'f');
     }
     void operator()(const MoverState& mover) { visit_fields(mover, *this); }
+    void operator()(const TriggerState& trigger) { visit_fields(trigger, *this); }
+    void operator()(const DelayedFiring& delayed) { visit_fields(delayed, *this); }
     template <class Element>
     void operator()(const std::vector<Element>&) {
         fnv_.add('[');

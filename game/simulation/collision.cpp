@@ -5,26 +5,13 @@
 namespace oblong {
 namespace {
 
-// A solid model where it is now.
-struct Obstacle {
-    ModelIndex model;
-    Vec3<World> offset;
-};
-
-Obstacle obstacle_of(const GameLevel& level, const GameState& state, std::size_t number) {
-    const std::size_t fixed = level.solid_static_models.size();
-    if (number < fixed) return {level.solid_static_models[number], {}};
-    const Mover& mover = level.movers[number - fixed];
-    return {mover.model, offset_of(mover, state.movers[number - fixed])};
-}
-
-// Calls visit(obstacle) for the world, and the static models and the movers that may be in an area, until one answers
+// Calls visit(obstacle) for the world, and the walls and the movers that may be in an area, until one answers
 // false.
 template <class Visit>
 bool for_each_obstacle(const GameLevel& level, const GameState& state, const Box& area, Visit visit) {
     if (!visit(Obstacle{kWorldModel, {}})) return false;
     for (const std::uint32_t number : level.obstacles.overlapping(area))
-        if (!visit(obstacle_of(level, state, number))) return false;
+        if (const auto obstacle = obstacle_of(level, state, number); obstacle && !visit(*obstacle)) return false;
     return true;
 }
 
@@ -55,6 +42,19 @@ bool is_reachable(const GameLevel& level, const Position& from, const Position& 
 }
 
 }  // namespace
+
+std::optional<Obstacle> obstacle_of(const GameLevel& level, const GameState& state, std::uint32_t number) {
+    const std::size_t walls = level.solid_walls.size();
+    if (number < walls) {
+        const std::uint32_t wall = level.solid_walls[number];
+        if (state.walls[wall] == WallState::Removed) return {};
+        return Obstacle{level.walls[wall].model, {}};
+    }
+    const Mover& mover = level.movers[number - walls];
+    const MoverState& mover_state = state.movers[number - walls];
+    if (is_removed(mover_state)) return {};
+    return Obstacle{mover.model, offset_of(mover, mover_state)};
+}
 
 Contact move_box(const GameLevel& level, const GameState& state, const Position& from, const Position& to) {
     const Box swept = player_box(from).united(player_box(to));

@@ -8,6 +8,15 @@
 
 namespace oblong {
 
+/// A solid model where it is now.
+struct Obstacle {
+    ModelIndex model;
+    Vec3<World> offset;
+};
+
+/// The obstacle of a number in GameLevel::obstacles; nothing for one that has been removed.
+std::optional<Obstacle> obstacle_of(const GameLevel& level, const GameState& state, std::uint32_t number);
+
 /// How far the player's box gets on a straight line.
 struct Contact {
     Position end;           ///< where it stops, clear of what it hit

@@ -22,10 +22,17 @@ inline constexpr TargetIndex kNoTarget = -1;
 using MessageIndex = std::int32_t;
 inline constexpr MessageIndex kNoMessage = -1;
 
-/// What an entity does to others when it is activated.
+/// Instead of a number of ticks.
+inline constexpr std::int32_t kForever = -1;
+
+/// What an entity does to others when it fires: Quake's SUB_UseTargets.
 struct Firing {
-    TargetIndex target = kNoTarget;     ///< what it activates
+    TargetIndex target = kNoTarget;     ///< what it activates, unless it removes something
+    TargetIndex removed = kNoTarget;    ///< what it removes ("killtarget")
+    std::int32_t delay_ticks = 0;       ///< before it does all this
     MessageIndex message = kNoMessage;  ///< what it shows the player
+
+    bool is_empty() const { return target == kNoTarget && removed == kNoTarget && message == kNoMessage; }
 };
 
 enum class ItemClass : std::uint8_t { Lens, SilverKey, GoldKey };
@@ -42,70 +49,121 @@ struct Item {
     Firing fires;            ///< when it is taken
 };
 
-/// A brush model that travels between two ends: a door, a lift or a button.
+enum class MoverKind : std::uint8_t { Door, Button, Lift, SecretDoor, Train };
+
+/// A straight part of a mover's way.
+struct Leg {
+    Vec3<World> from;              ///< offset of the model where the leg begins
+    Vec3<World> way;               ///< from there to its end
+    World length;                  ///< of `way`
+    std::int32_t pause_ticks = 0;  ///< a train's, at the leg's end; kForever: it stays there
+    std::uint32_t next = 0;        ///< a train's next leg
+};
+
+/// A brush model that travels: doors, lifts and buttons between the two ends of one leg, secret doors there and back
+/// along two, trains round and round along many.
 struct Mover {
+    MoverKind kind = MoverKind::Door;
     ModelIndex model;
-    Vec3<World> start;   ///< offset of the model where it rests
-    Vec3<World> travel;  ///< from there to its other end
-    World length;        ///< of `travel`, above 0
+    std::vector<Leg> legs;  ///< one or more
     World speed_per_tick;
-    std::int32_t wait_ticks = 0;     ///< at the other end; kForever: it stays there
-    std::optional<Box> touch_box;    ///< the player in here activates it
-    TargetIndex target = kNoTarget;  ///< what it activates in turn (a button)
-    bool is_button = false;          ///< shows the other frames of its textures unless it is at its start
-
-    static constexpr std::int32_t kForever = -1;
+    std::int32_t wait_ticks = 0;               ///< at the far end; kForever: it stays there
+    bool turns_back = false;                   ///< where the player is in its way; others wait until there is room
+    bool starts_at_end = false;                ///< a lift that waits above until it is activated
+    bool starts_by_itself = false;             ///< a train
+    bool toggles = false;                      ///< a door that activation closes again
+    std::optional<Box> touch_box;              ///< the player in here touches it
+    bool is_opened_by_touch = false;           ///< a door: by one who has its keys
+    std::uint8_t keys = 0;                     ///< that opening a door takes
+    MessageIndex touch_message = kNoMessage;   ///< for who touches a door that has not opened yet
+    MessageIndex keys_message = kNoMessage;    ///< for who has not its keys
+    std::uint32_t group = 0;                   ///< the first of the doors that open together; any other: itself
+    std::vector<std::uint32_t> group_members;  ///< of a group's first door
+    Firing fires;
 };
 
-/// A volume that does something to the player who enters it.
+enum class TriggerKind : std::uint8_t {
+    Multiple,    ///< fires when touched or activated, then not before a wait; or once
+    Relay,       ///< fires when activated
+    Counter,     ///< fires when it has been activated a number of times
+    Teleport,    ///< takes the player to a place, and fires
+    Push,        ///< gives the player a velocity
+    Checkpoint,  ///< the player comes in again here
+    Exit,        ///< ends the level
+    Lightning,   ///< Chthon's: see monster_places.h
+};
+
+/// A volume that does something to the player who enters it, or what can only be activated.
 struct Trigger {
-    Box box;
-    bool ends_level = false;
-    std::string next_map;            ///< where a trigger_changelevel leads, as "e1m2"; may be empty
-    bool switches_once = false;      ///< lights of its target: once, not each time that the player enters
-    TargetIndex target = kNoTarget;  ///< what it activates
-    std::optional<Place> teleports_to;
-    std::optional<std::uint32_t> activation;  ///< into GameState::teleporter_ends: works only after it was activated
+    TriggerKind kind = TriggerKind::Multiple;
+    std::optional<Box> box;  ///< none: it can't be touched
+    Firing fires;
+    std::int32_t wait_ticks = 0;       ///< between two firings; kForever: it fires once
+    std::int32_t count = 0;            ///< a counter's, or the strokes of lightning
+    std::optional<Vec3<Unit>> facing;  ///< fires only for a player who looks this way, within a quarter turn
+    bool is_secret = false;            ///< counts in GameState::found_secrets
+    bool is_quiet = false;             ///< a counter that doesn't say how many are left
+    bool needs_activation = false;     ///< a teleporter that works for 0.2 s after it was activated
+    Place place;                       ///< of a teleporter's exit, or a checkpoint
+    Velocity push;
+    std::string next_map;                   ///< where an exit leads, as "e1m2"; may be empty
+    std::vector<std::uint32_t> electrodes;  ///< of lightning: movers
 };
 
-/// The most doors, lifts and buttons of a level; Quake allows 255 brush models, its successors some thousands.
+/// A brush model that stands still.
+struct Wall {
+    ModelIndex model;
+    bool is_solid = true;
+};
+
+/// The most doors, lifts, buttons and trains of a level; Quake allows 255 brush models, its successors some thousands.
 inline constexpr std::size_t kMostMovers = 16'384;
 
-/// Everything that is activated by one name.
+/// Everything that has one name.
 struct Target {
-    std::vector<std::uint32_t> movers;       ///< indices into GameLevel::movers
-    std::vector<std::uint32_t> teleporters;  ///< indices into GameState::teleporter_ends
-    std::uint64_t light_styles = 0;          ///< a bit for each style of its lights, switched off and on by turns
+    std::vector<EntityRef> entities;  ///< in their order in the file
+    std::uint64_t light_styles = 0;   ///< a bit for each style of its lights, switched off and on by turns
 };
 
 /// The part of a game that never changes: what it needs of a level.
 struct GameLevel {
     const Level* bsp = nullptr;  ///< outlives the game level
+    std::string title;           ///< worldspawn's message; may be empty
     std::vector<Mover> movers;
+    std::vector<Wall> walls;
     std::vector<Trigger> triggers;
-    std::vector<Target> targets;
     std::vector<Item> items;
+    std::vector<Target> targets;
     std::vector<std::string> messages;
-    std::uint32_t targeted_teleporters = 0;       ///< how many GameState::teleporter_ends has
-    std::uint64_t dark_styles = 0;                ///< GameState::dark_styles at the start
-    std::vector<ModelIndex> static_models;        ///< brush models that are drawn and never move
-    std::vector<ModelIndex> solid_static_models;  ///< those of them that stop the player
-    BoxTree touch_boxes;                          ///< of movers, by their indices
-    BoxTree trigger_boxes;                        ///< by the indices of triggers
-    BoxTree item_boxes;                           ///< by the indices of items
-    BoxTree obstacles;  ///< all places that solid static models, then movers, may take; numbered in this order
+    std::vector<MessageIndex> counter_messages;  ///< [n]: n more activations to go, for counters of this level
+    std::int32_t secrets = 0;                    ///< how many there are to be found
+    std::uint64_t dark_styles = 0;               ///< GameState::dark_styles at the start
+    std::vector<std::uint32_t> solid_walls;      ///< into `walls`
+    BoxTree touch_boxes;                         ///< of movers, by their indices
+    BoxTree trigger_boxes;                       ///< by the indices of triggers
+    BoxTree item_boxes;                          ///< by the indices of items
+    BoxTree obstacles;  ///< all places that solid walls, then movers, may take; numbered in this order
     Position player_start;
     Angle player_yaw;
-    std::string end_message;  ///< what the level says at its end; may be empty
 
     const Target& target(TargetIndex index) const { return at(targets, index); }
     const SubModel& model(ModelIndex index) const { return bsp->models[index]; }
 };
 
-/// Reads entities: info_player_start, func_door, func_plat, func_button, trigger_once, trigger_multiple,
-/// trigger_teleport, trigger_changelevel, item_lens, item_key1, item_key2, and lights with a targetname and a style
-/// from 32 on; any other func_ stands still. Keys that are no numbers count as absent. Throws InputError for more than
-/// kMostMovers movers: doors that overlap are compared in pairs.
+/// Reads the entities of a level that are in it when one plays alone at normal skill (no spawnflag 512), and makes of
+/// them what Quake's own game code does:
+/// - info_player_start, info_teleport_destination;
+/// - func_door, func_door_secret, func_button, func_plat, func_train with its path_corners; what would have to be shot
+///   ("health", an untargeted secret door) answers to touch; so does a door whose name nothing activates;
+/// - func_wall, func_illusionary; func_episodegate and func_bossgate are open; any other func_ stands still;
+/// - trigger_once, trigger_multiple, trigger_secret, trigger_onlyregistered (every copy is), trigger_counter,
+///   trigger_relay, trigger_push, trigger_teleport, trigger_changelevel; trigger_hurt, trigger_setskill and
+///   trigger_monsterjump do nothing: the player has no health and there are no monsters;
+/// - lights with a targetname and a style from 32 on;
+/// - item_key1, item_key2; of monsters and other items only what they fire is left: see monster_places.h.
+/// Of Oblong's own there are item_lens and info_checkpoint ("origin", "angle", "size" of its volume, 128 128 112): the
+/// respawn button leads back to the one passed last.
+/// Throws InputError for more than kMostMovers movers: doors that overlap are compared in pairs.
 GameLevel make_game_level(const Level& bsp);
 
 /// The state in which a level begins.
@@ -114,11 +172,33 @@ GameState start_of(const GameLevel& level);
 /// The map that follows the level as it was left, as "e1m2"; empty where its end names none or it has not ended.
 std::string_view next_map(const GameLevel& level, const GameState& state);
 
+/// What the level says as it was left; may be empty.
+std::string_view end_message(const GameLevel& level, const GameState& state);
+
 /// The box of a model at an offset, grown by some room for the rounding of files: compilers write boxes up to a unit
 /// too small.
 Box obstacle_box(const GameLevel& level, ModelIndex model, const Vec3<World>& offset);
 
 /// Where a mover's model is, as an offset.
 Vec3<World> offset_of(const Mover& mover, const MoverState& state);
+
+/// True where a mover's model is neither drawn nor solid any more.
+inline bool is_removed(const MoverState& mover) {
+    return mover.phase == MoverState::Phase::Removed;
+}
+
+inline bool is_moving(const MoverState& mover) {
+    return mover.phase == MoverState::Phase::Leaving || mover.phase == MoverState::Phase::Returning;
+}
+
+/// True for a mover that stays as it is until something activates it: ticks don't step it.
+inline bool is_at_rest(const MoverState& mover) {
+    return !is_moving(mover) && (mover.phase != MoverState::Phase::AtEnd || mover.wait_ticks == kForever);
+}
+
+/// True where a mover shows the other frames of its textures: a button that is pressed.
+inline bool shows_other_frames(const Mover& mover, const MoverState& state) {
+    return mover.kind == MoverKind::Button && state.phase == MoverState::Phase::AtEnd;
+}
 
 }  // namespace oblong

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "game/simulation/entity_specs.h"
+#include "game/simulation/entity_keys.h"
 #include "game/simulation/step.h"
 
 namespace oblong {
@@ -57,12 +57,12 @@ ItemCount count_items(const GameLevel& level, const GameState& state, ItemClass 
     return count;
 }
 
-void touch_items(const GameLevel& level, GameState& state) {
+void touch_items(const GameLevel& level, GameState& state, Activations& activations) {
     for (const std::uint32_t i : level.item_boxes.overlapping(player_box(state.player.position))) {
         if (!is_there(state, i)) continue;
         state.items[i] = ItemState::Taken;
         state.keys |= key_of(level.items[i].item_class);
-        fire(level, state, level.items[i].fires);
+        activations.fire({EntityRef::Kind::Item, i});
     }
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -11,30 +10,73 @@ namespace {
 
 using Phase = MoverState::Phase;
 
-constexpr std::int32_t kTeleporterTicks = kTicksPerSecond / 5;
+constexpr std::int64_t kDoorRest_ticks = kTicksPerSecond;         // between two touches that count
+constexpr std::int64_t kMessageRest_ticks = 2 * kTicksPerSecond;  // likewise, of doors that want a key or say something
+constexpr std::int32_t kRiderWait_ticks = kTicksPerSecond;        // of a lift after its rider left it
+constexpr std::int32_t kTurn_ticks = kTicksPerSecond;             // of a secret door between its two ways
 
-bool is_moving(const MoverState& state) {
-    return state.phase == Phase::Leaving || state.phase == Phase::Returning;
+EntityRef ref_of(std::uint32_t mover) {
+    return {EntityRef::Kind::Mover, mover};
 }
 
-// Travels for a tick; changes the phase where an end is reached.
+bool is_out(const MoverState& state) {
+    return state.phase == Phase::Leaving || state.phase == Phase::AtEnd;
+}
+
+void set_off(GameState& state, std::uint32_t i, Phase phase) {
+    state.movers[i].phase = phase;
+    state.movers[i].wait_ticks = 0;
+    const auto place = std::lower_bound(state.active_movers.begin(), state.active_movers.end(), i);
+    if (place == state.active_movers.end() || *place != i) state.active_movers.insert(place, i);
+}
+
+// --- On the way ---
+
+void reach_end(const Mover& mover, MoverState& state) {
+    const bool has_another_leg = mover.kind == MoverKind::SecretDoor && state.leg + 1 < mover.legs.size();
+    if (has_another_leg) {
+        ++state.leg;
+        state.travelled = World{};
+        state.wait_ticks = kTurn_ticks;
+        return;
+    }
+    state.phase = Phase::AtEnd;
+    state.wait_ticks = mover.kind == MoverKind::Train ? mover.legs[state.leg].pause_ticks : mover.wait_ticks;
+}
+
+void reach_start(const Mover& mover, MoverState& state) {
+    if (state.leg == 0) {
+        state.phase = Phase::AtStart;
+        return;
+    }
+    --state.leg;
+    state.travelled = mover.legs[state.leg].length;
+    state.wait_ticks = kTurn_ticks;
+}
+
+// Travels for a tick; changes the phase, or goes to the next leg, where an end is reached.
 void travel(const Mover& mover, MoverState& state) {
+    const World length = mover.legs[state.leg].length;
     const bool is_leaving = state.phase == Phase::Leaving;
     const World step = is_leaving ? mover.speed_per_tick : -mover.speed_per_tick;
-    state.travelled = std::clamp(state.travelled + step, World{}, mover.length);
-    if (is_leaving && state.travelled == mover.length) {
-        state.phase = Phase::AtEnd;
-        state.wait_ticks = mover.wait_ticks;
-    }
-    if (!is_leaving && state.travelled == World{}) state.phase = Phase::AtStart;
+    state.travelled = std::clamp(state.travelled + step, World{}, length);
+    if (is_leaving && state.travelled == length)
+        reach_end(mover, state);
+    else if (!is_leaving && state.travelled == World{})
+        reach_start(mover, state);
 }
 
 void wait(const Mover& mover, MoverState& state) {
-    if (mover.wait_ticks == Mover::kForever) return;
-    if (state.wait_ticks > 0)
-        --state.wait_ticks;
-    else
+    if (state.wait_ticks == kForever) return;
+    state.wait_ticks = std::max(0, state.wait_ticks - 1);
+    if (state.wait_ticks > 0) return;
+    if (mover.kind != MoverKind::Train) {
         state.phase = Phase::Returning;
+        return;
+    }
+    state.phase = Phase::Leaving;
+    state.leg = mover.legs[state.leg].next;
+    state.travelled = World{};
 }
 
 // Carries or pushes the player along; false where there is no room.
@@ -48,85 +90,167 @@ bool push_player(const GameLevel& level, GameState& state, const Mover& mover, c
     return is_free(level, state, state.player.position);
 }
 
-void reverse(MoverState& state) {
-    state.phase = state.phase == Phase::Leaving || state.phase == Phase::AtEnd ? Phase::Returning : Phase::Leaving;
-}
-
-void move(const GameLevel& level, GameState& state, std::size_t index) {
-    const Mover& mover = level.movers[index];
-    MoverState after = state.movers[index];
+// False where the player is in the way.
+bool move(const GameLevel& level, GameState& state, std::uint32_t i) {
+    const Mover& mover = level.movers[i];
+    MoverState after = state.movers[i];
     travel(mover, after);
-    const Vec3<World> offset = offset_of(mover, after), moved = offset - offset_of(mover, state.movers[index]);
+    const Vec3<World> offset = offset_of(mover, after), moved = offset - offset_of(mover, state.movers[i]);
     const bool meets_player = state.player.ground == mover.model.number() ||
                               may_touch(level, mover.model, offset, player_box(state.player.position));
     const bool was_free = meets_player && is_free(level, state, state.player.position);
-    const MoverState before = std::exchange(state.movers[index], after);
-    if (!was_free || push_player(level, state, mover, moved)) return;
-    state.movers[index] = before;
-    reverse(state.movers[index]);
+    const MoverState before = std::exchange(state.movers[i], after);
+    if (!was_free || push_player(level, state, mover, moved)) return true;
+    state.movers[i] = before;
+    return false;
 }
 
-bool is_at_rest(const Mover& mover, const MoverState& state) {
-    return state.phase == Phase::AtStart || (state.phase == Phase::AtEnd && mover.wait_ticks == Mover::kForever);
+// True where it leaves its start again.
+bool turn_back(const Mover& mover, MoverState& state) {
+    if (!mover.turns_back) return false;
+    state.phase = state.phase == Phase::Leaving ? Phase::Returning : Phase::Leaving;
+    return mover.kind == MoverKind::Door && state.phase == Phase::Leaving;
 }
 
-void activate_one(const GameLevel& level, GameState& state, std::uint32_t index) {
-    const Mover& mover = level.movers[index];
-    MoverState& mover_state = state.movers[index];
-    if (mover_state.phase == Phase::AtEnd)
-        mover_state.wait_ticks = mover.wait_ticks;
-    else
-        mover_state.phase = Phase::Leaving;
-    if (is_at_rest(mover, mover_state)) return;
-    const auto place = std::lower_bound(state.active_movers.begin(), state.active_movers.end(), index);
-    if (place == state.active_movers.end() || *place != index) state.active_movers.insert(place, index);
+// True where the mover fires now: a button that is pressed in, a door that opens again.
+bool step_mover(const GameLevel& level, GameState& state, std::uint32_t i) {
+    const Mover& mover = level.movers[i];
+    MoverState& mover_state = state.movers[i];
+    if (mover_state.phase == Phase::AtEnd) {
+        wait(mover, mover_state);
+        return false;
+    }
+    if (!is_moving(mover_state)) return false;
+    if (mover_state.wait_ticks > 0) {
+        --mover_state.wait_ticks;
+        return false;
+    }
+    if (!move(level, state, i)) return turn_back(mover, mover_state);
+    return mover.kind == MoverKind::Button && mover_state.phase == Phase::AtEnd;
+}
+
+// --- Doors ---
+
+void open_door(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
+    MoverState& door = state.movers[i];
+    if (door.phase == Phase::AtEnd) door.wait_ticks = level.movers[i].wait_ticks;
+    if (door.phase != Phase::AtStart && door.phase != Phase::Returning) return;
+    set_off(state, i, Phase::Leaving);
+    activations.fire(ref_of(i));
+}
+
+void activate_door(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
+    const std::uint32_t first = level.movers[i].group;
+    state.movers[first].has_been_fired = true;
+    const bool closes = level.movers[first].toggles && is_out(state.movers[first]);
+    for (const std::uint32_t door : level.movers[first].group_members) {
+        if (!closes)
+            open_door(level, state, door, activations);
+        else if (is_out(state.movers[door]))
+            set_off(state, door, Phase::Returning);
+    }
+}
+
+// One that opens for whoever comes near.
+void touch_open_door(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
+    MoverState& group = state.movers[level.movers[i].group];
+    if (state.tick < group.next_touch) return;
+    group.next_touch = state.tick + kDoorRest_ticks;
+    activations.activate(ref_of(i));
+}
+
+// One that wants a key, or says something.
+void touch_shut_door(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
+    const Mover& door = level.movers[i];
+    MoverState& group = state.movers[door.group];
+    if (state.tick < group.next_touch || group.has_been_fired) return;
+    group.next_touch = state.tick + kMessageRest_ticks;
+    show(state, level.movers[door.group].touch_message);
+    if (door.keys == 0) return;
+    if ((state.keys & door.keys) != door.keys) return show(state, door.keys_message);
+    state.keys = static_cast<std::uint8_t>(state.keys & ~door.keys);
+    activations.activate(ref_of(i));
+}
+
+// --- Others ---
+
+void activate_secret_door(GameState& state, std::uint32_t i, Activations& activations) {
+    if (state.movers[i].phase != Phase::AtStart) return;
+    state.movers[i].has_been_fired = true;
+    set_off(state, i, Phase::Leaving);
+    activations.fire(ref_of(i));
+}
+
+void touch_secret_door(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
+    MoverState& door = state.movers[i];
+    if (state.tick < door.next_touch) return;
+    door.next_touch = state.tick + kMessageRest_ticks;
+    if (!door.has_been_fired) show(state, level.movers[i].touch_message);
+    if (level.movers[i].is_opened_by_touch) activations.activate(ref_of(i));
+}
+
+void press_button(GameState& state, std::uint32_t i) {
+    if (!is_out(state.movers[i])) set_off(state, i, Phase::Leaving);
+}
+
+// One that waits above until it is activated, comes down; it is a lift like any other from then on.
+void activate_lift(GameState& state, std::uint32_t i) {
+    const MoverState& lift = state.movers[i];
+    if (lift.phase == Phase::AtEnd && lift.wait_ticks < 0) set_off(state, i, Phase::Returning);
+}
+
+void touch_lift(GameState& state, std::uint32_t i) {
+    MoverState& lift = state.movers[i];
+    if (lift.phase == Phase::AtStart) set_off(state, i, Phase::Leaving);
+    if (lift.phase == Phase::AtEnd && lift.wait_ticks >= 0) lift.wait_ticks = kRiderWait_ticks;
+}
+
+void activate_train(GameState& state, std::uint32_t i) {
+    if (state.movers[i].phase == Phase::AtStart) set_off(state, i, Phase::Leaving);
+}
+
+void touch_mover(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
+    const Mover& mover = level.movers[i];
+    if (mover.kind == MoverKind::Button) return activations.activate(ref_of(i));
+    if (mover.kind == MoverKind::Lift) return touch_lift(state, i);
+    if (mover.kind == MoverKind::SecretDoor) return touch_secret_door(level, state, i, activations);
+    if (mover.is_opened_by_touch && mover.keys == 0) return touch_open_door(level, state, i, activations);
+    touch_shut_door(level, state, i, activations);
 }
 
 }  // namespace
 
-void switch_lights(const Target& target, GameState& state) {
-    state.dark_styles ^= target.light_styles;
+void step_movers(const GameLevel& level, GameState& state, Activations& activations) {
+    std::vector<std::uint32_t> firing;
+    for (const std::uint32_t i : state.active_movers)
+        if (step_mover(level, state, i)) firing.push_back(i);
+    std::erase_if(state.active_movers, [&](std::uint32_t i) { return is_at_rest(state.movers[i]); });
+    for (const std::uint32_t i : firing) activations.fire(ref_of(i));
 }
 
-void activate_teleporters(const Target& target, GameState& state) {
-    for (const std::uint32_t teleporter : target.teleporters)
-        state.teleporter_ends[teleporter] = state.tick + kTeleporterTicks;
-}
-
-// Each target once, however many movers name it.
-void activate(const GameLevel& level, GameState& state, std::span<const std::uint32_t> movers) {
-    std::set<TargetIndex> targets, switched;
-    for (const std::uint32_t i : movers) {
-        const TargetIndex target = level.movers[i].target;
-        if (target != kNoTarget && !is_moving(state.movers[i])) targets.insert(target);
-        if (target != kNoTarget && state.movers[i].phase == Phase::AtStart) switched.insert(target);
-        activate_one(level, state, i);
-    }
-    for (const TargetIndex index : switched) switch_lights(level.target(index), state);
-    for (const TargetIndex index : targets) {
-        const Target& target = level.target(index);
-        for (const std::uint32_t i : target.movers) activate_one(level, state, i);
-        activate_teleporters(target, state);
-    }
-}
-
-void touch_movers(const GameLevel& level, GameState& state) {
+void touch_movers(const GameLevel& level, GameState& state, Activations& activations) {
     const Box player = player_box(state.player.position);
-    std::vector<std::uint32_t> touched = level.touch_boxes.overlapping(player);
-    std::erase_if(touched, [&](std::uint32_t i) {
-        return !level.movers[i].touch_box || !level.movers[i].touch_box->overlaps(player);
-    });
-    activate(level, state, touched);
+    for (const std::uint32_t i : level.touch_boxes.overlapping(player)) {
+        const Mover& mover = level.movers[i];
+        if (mover.touch_box && mover.touch_box->overlaps(player) && !is_removed(state.movers[i]))
+            touch_mover(level, state, i, activations);
+    }
 }
 
-void step_movers(const GameLevel& level, GameState& state) {
-    for (const std::uint32_t i : state.active_movers) {
-        if (is_moving(state.movers[i]))
-            move(level, state, i);
-        else if (state.movers[i].phase == Phase::AtEnd)
-            wait(level.movers[i], state.movers[i]);
+void activate_mover(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
+    if (is_removed(state.movers[i])) return;
+    switch (level.movers[i].kind) {
+        case MoverKind::Door:
+            return activate_door(level, state, i, activations);
+        case MoverKind::SecretDoor:
+            return activate_secret_door(state, i, activations);
+        case MoverKind::Button:
+            return press_button(state, i);
+        case MoverKind::Lift:
+            return activate_lift(state, i);
+        case MoverKind::Train:
+            return activate_train(state, i);
     }
-    std::erase_if(state.active_movers, [&](std::uint32_t i) { return is_at_rest(level.movers[i], state.movers[i]); });
 }
 
 }  // namespace oblong

@@ -20,6 +20,8 @@ struct Hash {
     void operator()(World number) { add(number.raw); }
     void operator()(Angle angle) { add(angle.bam); }
     void operator()(const MoverState& mover) { visit_fields(mover, *this); }
+    void operator()(const TriggerState& trigger) { visit_fields(trigger, *this); }
+    void operator()(const DelayedFiring& delayed) { visit_fields(delayed, *this); }
     template <class Element>
     void operator()(const std::vector<Element>& list) {
         add(static_cast<std::int64_t>(list.size()));

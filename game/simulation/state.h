@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "engine/fixed/angle.h"
@@ -26,18 +27,49 @@ struct Player {
     bool operator==(const Player&) const = default;
 };
 
-/// Where a mover is between its two ends.
+/// Where a mover is on its way.
 struct MoverState {
-    enum class Phase : std::uint8_t { AtStart, Leaving, AtEnd, Returning };
-    Phase phase = Phase::AtStart;
-    World travelled;              ///< from the start, 0 to Mover::length
-    std::int32_t wait_ticks = 0;  ///< before it returns
+    enum class Phase : std::uint8_t { AtStart, Leaving, AtEnd, Returning, Removed };
+    Phase phase = Phase::AtStart;  ///< a train leaves once, and is AtEnd while it waits at a corner
+    std::uint32_t leg = 0;         ///< into Mover::legs
+    World travelled;               ///< from the leg's start, 0 to Leg::length
+    std::int32_t wait_ticks = 0;   ///< before it goes on; kForever: not before it is activated
+    std::int64_t next_touch = 0;   ///< the tick from which a touch of its group counts again
+    bool has_been_fired = false;   ///< a door's group: it shows its touch message no more
 
     bool operator==(const MoverState&) const = default;
 };
 
+struct TriggerState {
+    std::int64_t ready_tick = 0;  ///< the tick from which it fires again; kNever: it is gone
+    std::int64_t open_until = 0;  ///< the tick from which a teleporter that needs activation works no more
+    std::int32_t left = 0;        ///< activations before a counter fires; strokes of lightning
+
+    static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+    bool operator==(const TriggerState&) const = default;
+};
+
 /// What became of an item of the level.
 enum class ItemState : std::uint8_t { There, Taken, Removed };
+
+enum class WallState : std::uint8_t { There, ShowsOtherFrames, Removed };
+
+/// Something that can be activated, or removed.
+struct EntityRef {
+    enum class Kind : std::uint8_t { Mover, Wall, Trigger, Item };
+    Kind kind = Kind::Mover;
+    std::uint32_t index = 0;  ///< into the list of its kind in GameLevel and GameState
+
+    bool operator==(const EntityRef&) const = default;
+};
+
+/// What an entity will fire.
+struct DelayedFiring {
+    std::int64_t tick = 0;
+    EntityRef by;
+
+    bool operator==(const DelayedFiring&) const = default;
+};
 
 /// A place where the player comes in, and the direction that they look in there.
 struct Place {
@@ -50,16 +82,18 @@ struct Place {
 struct GameState {
     std::int64_t tick = 0;
     Player player;
-    std::vector<MoverState> movers;               ///< in the order of GameLevel::movers
-    std::vector<std::uint32_t> active_movers;     ///< not at rest, ascending: ticks step no others
-    std::vector<std::int64_t> teleporter_ends;    ///< the tick from which each targeted teleporter works no more
-    std::uint64_t dark_styles = 0;                ///< a bit for each light style that is switched off
-    std::vector<std::uint32_t> touched_switches;  ///< triggers, ascending, that switch no lights while they are here
-    std::vector<ItemState> items;                 ///< in the order of GameLevel::items
-    std::uint8_t keys = 0;                        ///< kSilverKey, kGoldKey: those the player has
-    Place respawn;                                ///< where the player came in last: see kRespawnButton
-    std::int32_t shown_message = -1;              ///< the last one: into GameLevel::messages; -1: none yet
-    std::int64_t message_tick = 0;                ///< the tick that showed it
+    std::vector<MoverState> movers;            ///< in the order of GameLevel::movers
+    std::vector<std::uint32_t> active_movers;  ///< not at rest, ascending: ticks step no others
+    std::vector<WallState> walls;              ///< in the order of GameLevel::walls
+    std::vector<TriggerState> triggers;        ///< in the order of GameLevel::triggers
+    std::vector<ItemState> items;              ///< in the order of GameLevel::items
+    std::vector<DelayedFiring> delayed;        ///< the earliest first
+    std::uint64_t dark_styles = 0;             ///< a bit for each light style that is switched off
+    std::int32_t found_secrets = 0;            ///< of GameLevel::secrets
+    std::uint8_t keys = 0;                     ///< kSilverKey, kGoldKey: those the player has
+    Place respawn;                             ///< where the player came in last: see kRespawnButton
+    std::int32_t shown_message = -1;           ///< the last one: into GameLevel::messages; -1: none yet
+    std::int64_t message_tick = 0;             ///< the tick that showed it
     bool has_ended = false;
     std::int32_t exit = -1;  ///< the trigger that ended the level: into GameLevel::triggers
 

@@ -1,69 +1,159 @@
 #include "game/simulation/state_check.h"
 
 #include <algorithm>
-#include <vector>
 
+#include "game/simulation/activations.h"
 #include "game/simulation/slide_move.h"
 #include "game/simulation/step.h"
 
 namespace oblong {
 namespace {
 
-constexpr std::int64_t kMostTicks = std::int64_t{1} << 40;  // a thousand years
-constexpr World kFastest = World::from_int(4096);           // along an axis; the player's own bound is half of that
+constexpr std::int64_t kLastTick = std::int64_t{1} << 40;  // a thousand years
+constexpr World kFastest = World::from_int(4096);          // along an axis; the player's own bound is half of that
+constexpr std::int32_t kLongestWait_ticks = 2'000'000;     // above the largest number of a key
 
-bool is_within(auto value, auto least, auto most) {
-    return least <= value && value <= most;
+// Collects the first thing that is wrong.
+class Check {
+  public:
+    void expect(bool is_right, std::string what) {
+        if (!is_right && wrong_.empty()) wrong_ = std::move(what);
+    }
+    void expect_length(const char* name, std::size_t length, std::size_t expected) {
+        expect(length == expected,
+               std::string(name) + ": " + std::to_string(length) + ", expected " + std::to_string(expected));
+    }
+    bool is_fine() const { return wrong_.empty(); }
+    std::string result() && { return std::move(wrong_); }
+
+  private:
+    std::string wrong_;
+};
+
+bool is_within(World value, World most) {
+    return value <= most && value >= -most;
 }
 
 bool is_within(const Vec3<World>& v, World most) {
-    return is_within(v.x, -most, most) && is_within(v.y, -most, most) && is_within(v.z, -most, most);
+    return is_within(v.x, most) && is_within(v.y, most) && is_within(v.z, most);
 }
 
-// Indices below `count`, ascending, none of them twice.
-bool are_ascending(const std::vector<std::uint32_t>& indices, std::size_t count) {
-    const auto descends = [](std::uint32_t a, std::uint32_t b) { return a >= b; };
-    return std::adjacent_find(indices.begin(), indices.end(), descends) == indices.end() &&
-           (indices.empty() || indices.back() < count);
+bool is_tick(std::int64_t tick) {
+    return tick >= 0 && tick <= kLastTick;
 }
 
-bool is_index_or_none(std::int32_t index, std::size_t count) {
-    return index >= -1 && index < static_cast<std::int64_t>(count);
+// Enumerations and bool from outside may hold any number.
+template <class Enumeration>
+bool is_one_of(Enumeration value, Enumeration last) {
+    return static_cast<std::uint8_t>(value) <= static_cast<std::uint8_t>(last);
 }
 
-bool is_consistent(const GameLevel& level, const Player& player) {
-    return is_within(player.position, kFarthestPlayer) && is_within(player.velocity, kFastest) &&
-           is_within(player.pitch, -Player::kSteepestPitch, Player::kSteepestPitch) &&
-           is_within(player.eye_lag, -World::from_int(kStepHeight), World::from_int(kStepHeight)) &&
-           is_index_or_none(player.ground, level.bsp->models.size()) && player.depth <= Depth::Eyes;
+void check_player(const GameLevel& level, const Player& player, Check& check) {
+    check.expect(is_within(player.position, kFarthestPlayer), "player: a position outside the world");
+    check.expect(is_within(player.velocity, kFastest), "player: a velocity above any that the game makes");
+    check.expect(player.pitch >= -Player::kSteepestPitch && player.pitch <= Player::kSteepestPitch,
+                 "player: pitch " + std::to_string(player.pitch) + ", expected -16000 to 16000");
+    check.expect(is_within(player.eye_lag, World::from_int(kStepHeight)), "player: an eye more than a step too low");
+    check.expect(player.ground >= Player::kNoGround && player.ground < level.bsp->models.count(),
+                 "player: stands on model " + std::to_string(player.ground) + ", which the level has not");
+    check.expect(is_one_of(player.depth, Depth::Eyes), "player: an unknown depth");
 }
 
-bool is_consistent(const Mover& mover, const MoverState& state) {
-    return state.phase <= MoverState::Phase::Returning && is_within(state.travelled, World{}, mover.length) &&
-           is_within(state.wait_ticks, std::min(mover.wait_ticks, 0), std::max(mover.wait_ticks, 0));
+bool is_soon(std::int64_t tick, const GameState& state) {
+    return tick >= 0 && tick <= state.tick + kLongestWait_ticks;
 }
 
-bool are_consistent(const GameLevel& level, const std::vector<MoverState>& states) {
-    return std::equal(level.movers.begin(), level.movers.end(), states.begin(), states.end(),
-                      [](const Mover& mover, const MoverState& state) { return is_consistent(mover, state); });
+bool is_possible(const Mover& mover, const MoverState& state) {
+    return is_one_of(state.phase, MoverState::Phase::Removed) && state.leg < mover.legs.size() &&
+           state.travelled >= World{} && state.travelled <= mover.legs[state.leg].length &&
+           state.wait_ticks >= kForever && state.wait_ticks <= kLongestWait_ticks;
 }
 
-bool are_consistent(const GameLevel& level, const std::vector<ItemState>& items) {
-    return items.size() == level.items.size() &&
-           std::all_of(items.begin(), items.end(), [](ItemState item) { return item <= ItemState::Removed; });
+// Counters fire, and are gone, at 0.
+bool is_possible(const Trigger& trigger, const TriggerState& trigger_state, const GameState& state) {
+    const bool is_gone = trigger_state.ready_tick == TriggerState::kNever;
+    const bool counts = trigger.kind == TriggerKind::Counter && !is_gone;
+    return (is_gone || is_soon(trigger_state.ready_tick, state)) && is_soon(trigger_state.open_until, state) &&
+           trigger_state.left >= (counts ? 1 : 0) && trigger_state.left <= trigger.count;
+}
+
+void check_movers(const GameLevel& level, const GameState& state, Check& check) {
+    for (std::size_t i = 0; i < level.movers.size(); ++i)
+        check.expect(is_possible(level.movers[i], state.movers[i]) && is_soon(state.movers[i].next_touch, state),
+                     "movers: number " + std::to_string(i) + " is where it can't be");
+    std::vector<std::uint32_t> active;
+    for (std::size_t i = 0; i < level.movers.size(); ++i)
+        if (!is_at_rest(state.movers[i])) active.push_back(static_cast<std::uint32_t>(i));
+    check.expect(active == state.active_movers, "active movers: others than those that are on their way");
+}
+
+void check_triggers(const GameLevel& level, const GameState& state, Check& check) {
+    std::int32_t secrets_gone = 0;
+    for (std::size_t i = 0; i < level.triggers.size(); ++i) {
+        check.expect(is_possible(level.triggers[i], state.triggers[i], state),
+                     "triggers: number " + std::to_string(i) + " has a state that it can't have");
+        secrets_gone += level.triggers[i].is_secret && state.triggers[i].ready_tick == TriggerState::kNever;
+    }
+    check.expect(state.found_secrets >= 0 && state.found_secrets <= secrets_gone,
+                 std::to_string(state.found_secrets) + " secrets found, expected no more than are gone");
+}
+
+void check_others(const GameLevel& level, const GameState& state, Check& check) {
+    for (const WallState wall : state.walls)
+        check.expect(is_one_of(wall, WallState::Removed), "walls: one in an unknown state");
+    for (const ItemState item : state.items)
+        check.expect(is_one_of(item, ItemState::Removed), "items: one in an unknown state");
+    check.expect(
+        state.shown_message >= kNoMessage && state.shown_message < static_cast<std::int64_t>(level.messages.size()),
+        "message " + std::to_string(state.shown_message) + ", which the level has not");
+    check.expect(state.exit >= -1 && state.exit < static_cast<std::int64_t>(level.triggers.size()),
+                 "exit " + std::to_string(state.exit) + ", which the level has not");
+    check.expect((state.keys & ~(kSilverKey | kGoldKey)) == 0, "unknown keys");
+    check.expect(is_within(state.respawn.position, kFarthestPlayer), "a place to come in outside the world");
+}
+
+bool is_there(const GameLevel& level, const EntityRef& entity) {
+    switch (entity.kind) {
+        case EntityRef::Kind::Mover:
+            return entity.index < level.movers.size();
+        case EntityRef::Kind::Trigger:
+            return entity.index < level.triggers.size();
+        case EntityRef::Kind::Item:
+            return entity.index < level.items.size();
+        case EntityRef::Kind::Wall:
+            return false;  // walls fire nothing
+    }
+    return false;
+}
+
+void check_delayed(const GameLevel& level, const GameState& state, Check& check) {
+    check.expect(state.delayed.size() <= static_cast<std::size_t>(Activations::kMost), "delayed: too many");
+    std::int64_t earliest = state.tick;
+    for (const DelayedFiring& delayed : state.delayed) {
+        check.expect(is_there(level, delayed.by), "delayed: by something that the level has not");
+        check.expect(delayed.tick > state.tick && delayed.tick >= earliest && is_tick(delayed.tick),
+                     "delayed: not the earliest first");
+        earliest = delayed.tick;
+    }
 }
 
 }  // namespace
 
-bool is_consistent(const GameLevel& level, const GameState& state) {
-    return is_within(state.tick, std::int64_t{0}, kMostTicks) && is_consistent(level, state.player) &&
-           are_consistent(level, state.movers) && are_ascending(state.active_movers, level.movers.size()) &&
-           state.teleporter_ends.size() == level.targeted_teleporters &&
-           are_ascending(state.touched_switches, level.triggers.size()) && are_consistent(level, state.items) &&
-           is_within(state.respawn.position, kFarthestPlayer) &&
-           is_index_or_none(state.shown_message, level.messages.size()) &&
-           is_within(state.message_tick, std::int64_t{0}, state.tick) &&
-           is_index_or_none(state.exit, level.triggers.size());
+std::string find_inconsistency(const GameLevel& level, const GameState& state) {
+    Check check;
+    check.expect(is_tick(state.tick), "tick " + std::to_string(state.tick));
+    check.expect(is_tick(state.message_tick) && state.message_tick <= state.tick, "a message of a tick to come");
+    check.expect_length("movers", state.movers.size(), level.movers.size());
+    check.expect_length("walls", state.walls.size(), level.walls.size());
+    check.expect_length("triggers", state.triggers.size(), level.triggers.size());
+    check.expect_length("items", state.items.size(), level.items.size());
+    if (!check.is_fine()) return std::move(check).result();
+    check_player(level, state.player, check);
+    check_movers(level, state, check);
+    check_triggers(level, state, check);
+    check_others(level, state, check);
+    check_delayed(level, state, check);
+    return std::move(check).result();
 }
 
 }  // namespace oblong

@@ -1,12 +1,20 @@
 #pragma once
 
+#include <string>
+
 #include "game/simulation/game_level.h"
 #include "game/simulation/state.h"
 
 namespace oblong {
 
-/// True if a level can have such a state: its lists are as long as the level's, its indices lead to something, and its
-/// numbers are in the ranges that step() keeps them in. What is not is never stepped or drawn.
-bool is_consistent(const GameLevel& level, const GameState& state);
+/// What is wrong with a state of a level that came from outside, as "movers: 3, expected 4"; empty where the game can
+/// go on from it: every list has the level's length, every index is in its range, every number is one that the game
+/// makes.
+std::string find_inconsistency(const GameLevel& level, const GameState& state);
+
+/// True where the game can go on from a state that came from outside.
+inline bool is_consistent(const GameLevel& level, const GameState& state) {
+    return find_inconsistency(level, state).empty();
+}
 
 }  // namespace oblong

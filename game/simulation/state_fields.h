@@ -7,8 +7,9 @@
 namespace oblong {
 
 /// Visits every field of a state, in one order that the hash and saved games share: visit(field) for each number
-/// (integers, enumerations, bool, World, Angle), visit(vector) for each list. What is not visited here is neither
-/// hashed nor saved. State is GameState or const GameState.
+/// (integers, enumerations, bool, World, Angle), visit(vector) for each list; of the elements of lists, structs have a
+/// visit_fields() of their own below. What is not visited here is neither hashed nor saved. State is GameState or const
+/// GameState.
 template <class State, class Visit>
 requires std::is_same_v<std::remove_const_t<State>, GameState>
 void visit_fields(State& state, Visit& visit) {
@@ -18,9 +19,10 @@ void visit_fields(State& state, Visit& visit) {
     visit_all(player.position.x, player.position.y, player.position.z);
     visit_all(player.velocity.x, player.velocity.y, player.velocity.z);
     visit_all(player.yaw, player.pitch, player.eye_lag, player.ground, player.depth, player.holds_jump);
-    visit_all(state.movers, state.active_movers, state.teleporter_ends, state.dark_styles, state.touched_switches);
-    visit_all(state.items, state.keys, state.respawn.position.x, state.respawn.position.y, state.respawn.position.z,
-              state.respawn.yaw, state.shown_message, state.message_tick, state.has_ended, state.exit);
+    visit_all(state.movers, state.active_movers, state.walls, state.triggers, state.items, state.delayed);
+    visit_all(state.dark_styles, state.found_secrets, state.keys);
+    visit_all(state.respawn.position.x, state.respawn.position.y, state.respawn.position.z, state.respawn.yaw);
+    visit_all(state.shown_message, state.message_tick, state.has_ended, state.exit);
 }
 
 /// The same of a mover: MoverState or const MoverState.
@@ -28,8 +30,29 @@ template <class Mover, class Visit>
 requires std::is_same_v<std::remove_const_t<Mover>, MoverState>
 void visit_fields(Mover& mover, Visit& visit) {
     visit(mover.phase);
+    visit(mover.leg);
     visit(mover.travelled);
     visit(mover.wait_ticks);
+    visit(mover.next_touch);
+    visit(mover.has_been_fired);
+}
+
+/// Of a trigger.
+template <class Trigger, class Visit>
+requires std::is_same_v<std::remove_const_t<Trigger>, TriggerState>
+void visit_fields(Trigger& trigger, Visit& visit) {
+    visit(trigger.ready_tick);
+    visit(trigger.open_until);
+    visit(trigger.left);
+}
+
+/// Of what is delayed.
+template <class Delayed, class Visit>
+requires std::is_same_v<std::remove_const_t<Delayed>, DelayedFiring>
+void visit_fields(Delayed& delayed, Visit& visit) {
+    visit(delayed.tick);
+    visit(delayed.by.kind);
+    visit(delayed.by.index);
 }
 
 }  // namespace oblong

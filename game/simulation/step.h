@@ -1,8 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
+#include "game/simulation/activations.h"
 #include "game/simulation/game_level.h"
 #include "game/simulation/state.h"
 #include "game/simulation/tick_input.h"
@@ -21,29 +21,24 @@ void step(const GameLevel& level, GameState& state, const TickInput& input);
 
 // The parts of a tick, in their order.
 
-/// Moves the active movers. They carry and push the player; one that has no room to push turns back.
-void step_movers(const GameLevel& level, GameState& state);
+/// Moves the active movers. They carry and push the player; one that has no room to push turns back or waits.
+void step_movers(const GameLevel& level, GameState& state, Activations& activations);
 
 /// Moves the player as Quake does: walks, climbs steps of up to 18 units, jumps, falls, swims.
 void step_player(const GameLevel& level, GameState& state, const TickInput& input);
 
-/// Activates the movers whose touch box the player is in.
-void touch_movers(const GameLevel& level, GameState& state);
+/// What movers do whose touch box the player is in.
+void touch_movers(const GameLevel& level, GameState& state, Activations& activations);
 
 /// Takes the items that the player touches.
-void touch_items(const GameLevel& level, GameState& state);
+void touch_items(const GameLevel& level, GameState& state, Activations& activations);
 
-/// Activates what an entity fires, and shows its message.
-void fire(const GameLevel& level, GameState& state, const Firing& firing);
+/// What triggers do that the player is in.
+void touch_triggers(const GameLevel& level, GameState& state, Activations& activations);
 
-/// Activates movers and what they target: one at rest leaves, one on its way back turns round, one at its other end
-/// restarts its wait. Lights that they target are switched by those that leave their start.
-void activate(const GameLevel& level, GameState& state, std::span<const std::uint32_t> movers);
+// What Activations do to one entity.
 
-/// Switches a target's lights: on if they are off, else off.
-void switch_lights(const Target& target, GameState& state);
-
-/// Activates teleporters: they work for 0.2 s from now on.
-void activate_teleporters(const Target& target, GameState& state);
+void activate_mover(const GameLevel& level, GameState& state, std::uint32_t mover, Activations& activations);
+void activate_trigger(const GameLevel& level, GameState& state, std::uint32_t trigger, Activations& activations);
 
 }  // namespace oblong

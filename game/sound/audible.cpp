@@ -6,6 +6,7 @@
 #include "engine/fixed/root.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/trace.h"
+#include "game/simulation/collision.h"
 #include "game/simulation/step.h"
 
 namespace oblong {
@@ -165,12 +166,11 @@ bool is_clear(const GameLevel& level, const GameState& state, const Position& fr
               ModelIndex except) {
     if (stops_line(*level.bsp, kWorldModel, from, to)) return false;
     const Box line = Box{from, from}.united({to, to});
-    const std::size_t still = level.solid_static_models.size();
     for (const std::uint32_t i : level.obstacles.overlapping(line)) {
-        const bool moves = i >= still;
-        const ModelIndex model = moves ? level.movers[i - still].model : level.solid_static_models[i];
-        const Vec3<World> offset = moves ? offset_of(level.movers[i - still], state.movers[i - still]) : Vec3<World>{};
-        if (model == except || !obstacle_box(level, model, offset).overlaps(line)) continue;
+        const std::optional<Obstacle> obstacle = obstacle_of(level, state, i);
+        if (!obstacle || obstacle->model == except) continue;
+        const auto& [model, offset] = *obstacle;
+        if (!obstacle_box(level, model, offset).overlaps(line)) continue;
         if (stops_line(*level.bsp, model, from - offset, to - offset)) return false;
     }
     return true;

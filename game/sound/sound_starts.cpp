@@ -105,12 +105,12 @@ void SoundStarts::note_movers(const GameState& before, const GameState& after, s
         if (offset_in(level_, before, i) != offset_in(level_, after, i)) moving.push_back(i);
     for (const std::uint32_t i : moving) {
         const bool starts = !std::binary_search(were_moving_.begin(), were_moving_.end(), i);
-        const bool is_button = level_.movers[i].is_button;
+        const bool is_button = level_.movers[i].kind == MoverKind::Button;
         if (starts) add_at(is_button ? Sound::Button : mover_sounds_[i].start, i, after, sources);
         if (!is_button) add_at(mover_sounds_[i].move, i, after, sources);
     }
     for (const std::uint32_t i : were_moving_)
-        if (!std::binary_search(moving.begin(), moving.end(), i) && !level_.movers[i].is_button)
+        if (!std::binary_search(moving.begin(), moving.end(), i) && level_.movers[i].kind != MoverKind::Button)
             add_at(mover_sounds_[i].stop, i, after, sources);
     were_moving_ = std::move(moving);
 }

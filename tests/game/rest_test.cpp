@@ -66,7 +66,7 @@ BoxTree tree_of_all(std::size_t count) {
 GameLevel where_all_is_near(GameLevel level) {
     level.touch_boxes = tree_of_all(level.movers.size());
     level.trigger_boxes = tree_of_all(level.triggers.size());
-    level.obstacles = tree_of_all(level.solid_static_models.size() + level.movers.size());
+    level.obstacles = tree_of_all(level.solid_walls.size() + level.movers.size());
     return level;
 }
 
@@ -141,14 +141,18 @@ ToyLevel with_light(const char* trigger, const char* spawnflags) {
 constexpr std::uint64_t kStyle33 = std::uint64_t{1} << 33;
 constexpr TickInput kBack{-127, 0, 0, 0, 0};
 
-TEST(SwitchedLight, GoesOffAndOnEachTimeThatThePlayerEntersATrigger) {
-    ToyGame game(with_light("trigger_multiple", "0"));
+// As in Quake: again after each wait, for as long as the player stays.
+TEST(SwitchedLight, GoesOffAndOnEachTimeThatATriggerFires) {
+    ToyLevel toy = with_light("trigger_multiple", "0");
+    toy.level.entities.front().pairs.emplace_back("wait", "2");
+    ToyGame game(std::move(toy));
     EXPECT_EQ(game.state.dark_styles, 0u);
-    game.play(25, kAhead);
-    EXPECT_EQ(game.state.dark_styles, kStyle33);
-    game.play(40, kBack);
-    EXPECT_EQ(game.state.dark_styles, kStyle33) << "leaving is no entering";
-    game.play(40, kAhead);
+    while (game.state.dark_styles == 0) game.play(1, kAhead);
+    EXPECT_NEAR(game.x(), 84, 10);
+    game.play(10, kAhead);
+    game.play(59, kStand);
+    EXPECT_EQ(game.state.dark_styles, kStyle33) << "69 ticks later";
+    game.play(1, kStand);
     EXPECT_EQ(game.state.dark_styles, 0u);
 }
 
@@ -171,16 +175,18 @@ TEST(SwitchedLight, AButtonSwitchesItWhenItIsPressed) {
     toy.add_entity({{"classname", "light"}, {"targetname", "lamp"}, {"style", "5"}});
     ToyGame game(std::move(toy));
     const std::uint64_t hash = hash_of(game.state);
+    game.play(14, kAhead);
+    EXPECT_EQ(game.state.dark_styles, 0u) << "not before it is in";
     game.play(20, kAhead);
     EXPECT_EQ(game.state.dark_styles, std::uint64_t{1} << 63) << "styles below 32 are patterns, above 63 none";
     GameState lit = game.state;
     lit.dark_styles = 0;
     EXPECT_NE(hash_of(lit), hash_of(game.state));
     EXPECT_NE(hash_of(lit), hash);
-    game.play(100, kAhead);
-    EXPECT_EQ(game.state.dark_styles, std::uint64_t{1} << 63) << "held, it stays pressed";
+    game.play(20, kAhead);
+    EXPECT_EQ(game.state.dark_styles, std::uint64_t{1} << 63) << "held, it stays in for its wait";
     game.play(100, kBack);
-    game.play(120, kAhead);
+    while (game.state.movers[0].phase != MoverState::Phase::AtEnd) game.play(1, kAhead);
     EXPECT_EQ(game.state.dark_styles, 0u);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 
@@ -32,8 +33,8 @@ TEST(SavedGame, TheWalkHasSomethingInEveryList) {
     const GameState& state = walk.game.state;
     EXPECT_EQ(state.movers.size(), 2u);
     EXPECT_FALSE(state.active_movers.empty());
-    ASSERT_EQ(state.teleporter_ends.size(), 1u);
-    EXPECT_GT(state.teleporter_ends[0], 0);
+    const auto was_open = [](const TriggerState& trigger) { return trigger.open_until > 0; };
+    EXPECT_EQ(std::count_if(state.triggers.begin(), state.triggers.end(), was_open), 1);
     EXPECT_EQ(state.items, (std::vector{ItemState::Taken, ItemState::Taken}));
     EXPECT_EQ(state.keys, kSilverKey);
     EXPECT_NE(state.shown_message, -1);
@@ -179,7 +180,7 @@ TEST(SavedGame, AStateThatTheLevelCannotHaveIsRefused) {
         [](GameState& s) { s.player.depth = static_cast<Depth>(4); },
         [](GameState& s) { s.movers.pop_back(); },
         [](GameState& s) { s.movers.emplace_back(); },
-        [](GameState& s) { s.movers[0].phase = static_cast<MoverState::Phase>(4); },
+        [](GameState& s) { s.movers[0].phase = static_cast<MoverState::Phase>(5); },
         [](GameState& s) { s.movers[0].travelled = World::from_int(-1); },
         [](GameState& s) { s.movers[1].travelled = World::from_int(30'000); },
         [](GameState& s) { s.movers[1].wait_ticks = 1 << 30; },
@@ -190,8 +191,11 @@ TEST(SavedGame, AStateThatTheLevelCannotHaveIsRefused) {
         [](GameState& s) {
             s.active_movers = {1, 0};
         },
-        [](GameState& s) { s.teleporter_ends.clear(); },
-        [](GameState& s) { s.touched_switches = {1'000'000}; },
+        [](GameState& s) { s.triggers.clear(); },
+        [](GameState& s) { s.walls.emplace_back(); },
+        [](GameState& s) {
+            s.delayed = {{s.tick + 1, {EntityRef::Kind::Trigger, 1'000'000}}};
+        },
         [](GameState& s) { s.items.emplace_back(); },
         [](GameState& s) { s.items[1] = static_cast<ItemState>(3); },
         [](GameState& s) { s.respawn.position.y = World::highest(); },

@@ -68,7 +68,7 @@ const OwnItem* own_item_of(std::string_view name) {
 
 class ModelFinder {
   public:
-    explicit ModelFinder(const ModelFolders& folders) {
+    explicit ModelFinder(const ModelFolders& folders) : game_(folders.game) {
         const fs::path level_folder = fs::path(folders.level_file).parent_path();
         if (!folders.named.empty()) folders_.emplace_back(folders.named);
         folders_.push_back(level_folder);
@@ -81,17 +81,20 @@ class ModelFinder {
         for (const fs::path& folder : folders_)
             for (const fs::path& below : {path, path.filename(), "progs" / path.filename(), "models" / path.filename()})
                 if (fs::is_regular_file(folder / below, ignored)) return (folder / below).lexically_normal().string();
-        return std::nullopt;
+        if (game_ == nullptr || path.extension() != ".mdl") return std::nullopt;
+        const std::optional<std::string> in_game = game_->find(path.generic_string());
+        return in_game ? in_game : game_->find(("progs" / path.filename()).generic_string());
     }
 
   private:
+    const GameFiles* game_;
     std::vector<fs::path> folders_;
 };
 
 class LevelModelReader {
   public:
     LevelModelReader(const Level& level, const Palette& palette, const ModelFolders& folders)
-        : level_(level), palette_(palette), finder_(folders), shows_classes_(!folders.named.empty()) {}
+        : level_(level), palette_(palette), finder_(folders), shows_classes_(folders.has_quakes_models()) {}
 
     LevelModels read() {
         for (const Entity& entity : level_.entities)
@@ -247,7 +250,7 @@ class LevelModelReader {
 
     Mesh read_mesh(const ModelFile& file, const EntityValues& values) const {
         if (lower_case(fs::path(file.path).extension().string()) != ".obj")
-            return read_parsed(file.path, [&](const auto& bytes) { return read_mdl(bytes, file.scale); });
+            return read_parsed_game_file(file.path, [&](const auto& bytes) { return read_mdl(bytes, file.scale); });
         const double scale = static_cast<double>(file.scale.raw) / World::from_int(1).raw;
         ObjModel model = read_obj(file.path, palette_, {scale, file.is_z_up, file.dither});
         for (const std::string& warning : model.warnings) values.warn(file.path + ": " + warning);

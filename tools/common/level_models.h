@@ -9,6 +9,7 @@
 #include "engine/level/level.h"
 #include "engine/mesh/placed_mesh.h"
 #include "engine/surface/palette.h"
+#include "tools/common/game_files.h"
 
 namespace oblong {
 
@@ -30,11 +31,15 @@ struct LevelModels {
 };
 
 /// Where files of models are looked for: in `named`, in the level's folder, in the one above it; in each by the file's
-/// path, and by its name alone there, in `progs` and in `models`.
+/// path, and by its name alone there, in `progs` and in `models`; in `game` by the file's path, and in `progs`.
 struct ModelFolders {
     std::string level_file;
-    std::string named;     ///< empty: nowhere, and Quake's own classes show nothing
-    std::string own = {};  ///< of Oblong's lens and keys, after all others; empty: nowhere
+    std::string named;                ///< empty: nowhere
+    std::string own = {};             ///< of Oblong's lens and keys, after all others; empty: nowhere
+    const GameFiles* game = nullptr;  ///< with pak files, or null; looked at last
+
+    /// Quake's own classes show nothing where neither is given.
+    bool has_quakes_models() const { return !named.empty() || game != nullptr; }
 };
 
 inline constexpr std::size_t kMostLevelModels = 4096;

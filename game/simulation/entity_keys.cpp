@@ -1,0 +1,100 @@
+#include "game/simulation/entity_keys.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+
+#include "engine/fixed/trig.h"
+#include "engine/level/entities.h"
+#include "game/simulation/tick_input.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int32_t kUpwards = -1, kDownwards = -2;  // yaws that are none
+constexpr std::int32_t kLargestAngle = 3600;            // degrees
+constexpr std::int32_t kSlowest = 1, kFastest = 4000;   // units a second
+
+struct PitchYaw {
+    World pitch, yaw;  // degrees, pitch down positive
+};
+
+PitchYaw angles_of(const Entity& entity) {
+    const World bound = World::from_int(kLargestAngle);
+    const auto is_angle = [&](World w) { return w <= bound && w >= -bound; };
+    const auto angles = parse_world_vector(entity.value("angles"));
+    if (angles && is_angle(angles->x) && is_angle(angles->y)) return {angles->x, angles->y};
+    return {World{}, number_of(entity, "angle", 0, kLargestAngle)};
+}
+
+Unit product(Unit a, Unit b) {
+    return convert<Unit>(widening_product(a, b));
+}
+
+}  // namespace
+
+std::optional<Position> origin_of(const Entity& entity) {
+    const auto origin = parse_world_vector(entity.value("origin"));
+    const auto is_inside = [](World w) { return w <= World::from_int(kWorldEnd) && w >= World::from_int(-kWorldEnd); };
+    if (!origin || !is_inside(origin->x) || !is_inside(origin->y) || !is_inside(origin->z)) return {};
+    return origin;
+}
+
+Angle yaw_of(const Entity& entity) {
+    return degrees_to_angle(convert<Degrees>(angles_of(entity).yaw));
+}
+
+bool has_direction(const Entity& entity) {
+    const PitchYaw angles = angles_of(entity);
+    return angles.pitch != World{} || angles.yaw != World{};
+}
+
+Vec3<Unit> direction_of(const Entity& entity) {
+    constexpr Unit kOne = Unit::from_int(1);
+    const PitchYaw angles = angles_of(entity);
+    if (angles.pitch == World{} && angles.yaw == World::from_int(kUpwards)) return {Unit{}, Unit{}, kOne};
+    if (angles.pitch == World{} && angles.yaw == World::from_int(kDownwards)) return {Unit{}, Unit{}, -kOne};
+    const Angle yaw = degrees_to_angle(convert<Degrees>(angles.yaw));
+    const Angle pitch = degrees_to_angle(convert<Degrees>(angles.pitch));
+    if (angles.pitch == World{}) return {cosine(yaw), sine(yaw), Unit{}};
+    return {product(cosine(pitch), cosine(yaw)), product(cosine(pitch), sine(yaw)), -sine(pitch)};
+}
+
+std::optional<ModelIndex> model_of(const Entity& entity, const Level& bsp) {
+    const std::string name = entity.value("model");
+    if (name.size() < 2 || name[0] != '*') return {};
+    std::int32_t model = 0;
+    const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), model);
+    const bool is_number = error == std::errc{} && end == name.data() + name.size();
+    const bool is_there = model >= 1 && model < bsp.models.count();
+    return is_number && is_there ? std::optional(ModelIndex(model)) : std::nullopt;
+}
+
+World number_of(const Entity& entity, const char* key, std::int32_t otherwise, std::int32_t largest) {
+    const World bound = World::from_int(largest);
+    const auto number = parse_world_number(entity.value(key));
+    if (!number || *number == World{} || *number > bound || *number < -bound) return World::from_int(otherwise);
+    return *number;
+}
+
+World speed_per_tick_of(const Entity& entity, std::int32_t otherwise) {
+    const World speed = number_of(entity, "speed", otherwise);
+    return scaled(std::clamp(speed, World::from_int(kSlowest), World::from_int(kFastest)), 1, kTicksPerSecond);
+}
+
+std::int32_t ticks_of(const Entity& entity, const char* key, World otherwise_seconds) {
+    World seconds = number_of(entity, key, 0);
+    if (seconds == World{}) seconds = otherwise_seconds;
+    if (seconds < World{}) return kForever;
+    // Rounded up, but for the rounding of the number itself: 0.6 s are 21 ticks.
+    const std::int64_t ticks_12 = std::int64_t{seconds.raw} * kTicksPerSecond;
+    constexpr std::int64_t kAlmostOne = (std::int64_t{1} << World::kFractionBits) - kTicksPerSecond;
+    return static_cast<std::int32_t>((ticks_12 + kAlmostOne) >> World::kFractionBits);
+}
+
+bool has_flag(const Entity& entity, int flags) {
+    const auto value = parse_decimal(entity.value("spawnflags"), 0);
+    return value && (*value & flags) != 0;
+}
+
+}  // namespace oblong

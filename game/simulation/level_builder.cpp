@@ -1,0 +1,285 @@
+#include "game/simulation/level_builder.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/base/input_error.h"
+#include "engine/level/entities.h"
+#include "engine/scene/light_styles.h"
+#include "game/simulation/door_links.h"
+#include "game/simulation/entity_keys.h"
+#include "game/simulation/items.h"
+#include "game/simulation/monster_places.h"
+#include "game/simulation/mover_specs.h"
+#include "game/simulation/trigger_specs.h"
+
+namespace oblong {
+namespace {
+
+constexpr int kStartsDark = 1;                 // spawnflag of lights
+constexpr std::int64_t kFirstSwitchable = 32;  // light style
+constexpr std::int32_t kExitHeight = 27;       // of the player over an info_teleport_destination
+
+using Kind = EntityRef::Kind;
+
+std::uint32_t number_of_last(std::size_t size) {
+    return static_cast<std::uint32_t>(size - 1);
+}
+
+}  // namespace
+
+LevelBuilder::LevelBuilder(const Level& bsp) : longest_travel_(longest_travel(bsp)) {
+    level_.bsp = &bsp;
+    for (const Entity& entity : bsp.entities) {
+        if (is_left_out(entity)) continue;
+        present_.push_back(&entity);
+        if (const std::string its_name = entity.value("targetname"); !its_name.empty())
+            by_name_.emplace(its_name, &entity);
+    }
+}
+
+GameLevel LevelBuilder::build() {
+    for (const Entity* entity : present_)
+        add_entity(*entity, static_cast<std::size_t>(entity - level_.bsp->entities.data()));
+    add_what_monsters_leave();
+    add_start();
+    connect_movers();
+    connect_triggers();
+    connect_lightning();
+    for (Item& item : level_.items)
+        item.fires = firing_of(level_.bsp->entities[item.entity], default_message(item.item_class));
+    connect_doors();
+    add_counter_messages();
+    make_trees();
+    return std::move(level_);
+}
+
+void LevelBuilder::add_entity(const Entity& entity, std::size_t number) {
+    const std::string its_class = entity.value("classname");
+    if (its_class == "worldspawn") level_.title = entity.value("message");
+    if (its_class.starts_with("func_") && !add_mover(entity)) add_wall(entity);
+    add_trigger(entity);
+    add_item(entity, number);
+    if (its_class.starts_with("light")) add_light(entity);
+}
+
+bool LevelBuilder::add_mover(const Entity& entity) {
+    auto mover = mover_of(entity, *level_.bsp, longest_travel_);
+    if (!mover) mover = train_of(entity, by_name_, *level_.bsp, longest_travel_);
+    if (!mover) return false;
+    if (level_.movers.size() == kMostMovers)
+        throw InputError("entities", "more than 16,384 doors, lifts, buttons and trains, expected no more");
+    level_.movers.push_back(std::move(*mover));
+    mover_entities_.push_back(&entity);
+    name(entity, Kind::Mover, level_.movers.size());
+    return true;
+}
+
+void LevelBuilder::add_wall(const Entity& entity) {
+    const auto model = model_of(entity, *level_.bsp);
+    const std::string its_class = entity.value("classname");
+    if (!model || its_class == "func_episodegate" || its_class == "func_bossgate") return;
+    const bool is_solid = its_class != "func_illusionary";
+    level_.walls.push_back({*model, is_solid});
+    if (!is_solid) return;
+    level_.solid_walls.push_back(number_of_last(level_.walls.size()));
+    name(entity, Kind::Wall, level_.walls.size());
+}
+
+void LevelBuilder::add_trigger(const Entity& entity) {
+    auto trigger = trigger_of(entity, *level_.bsp);
+    if (!trigger || (trigger->kind == TriggerKind::Teleport && !find_exit(entity, *trigger))) return;
+    level_.secrets += trigger->is_secret;
+    level_.triggers.push_back(std::move(*trigger));
+    trigger_entities_.push_back(&entity);
+    name(entity, Kind::Trigger, level_.triggers.size());
+}
+
+// False for a teleporter without an exit.
+bool LevelBuilder::find_exit(const Entity& entity, Trigger& trigger) const {
+    const auto exit = by_name_.find(entity.value("target"));
+    const auto origin = exit == by_name_.end() ? std::nullopt : origin_of(*exit->second);
+    if (!origin) return false;
+    trigger.place = {*origin, yaw_of(*exit->second)};
+    if (exit->second->value("classname") == "info_teleport_destination")
+        trigger.place.position.z += World::from_int(kExitHeight);
+    return true;
+}
+
+void LevelBuilder::add_item(const Entity& entity, std::size_t number) {
+    std::optional<Item> item = item_of(entity);
+    if (!item) return;
+    item->entity = number;
+    level_.items.push_back(*item);
+    name(entity, Kind::Item, level_.items.size());
+}
+
+// As in Quake, a light with a name and a style from 32 on can be switched; spawnflag 1: it is off at the start.
+void LevelBuilder::add_light(const Entity& entity) {
+    const std::string its_name = entity.value("targetname");
+    const auto style = parse_decimal(entity.value("style"), 0);
+    if (its_name.empty() || !style || *style < kFirstSwitchable || *style >= kLightStyleCount) return;
+    const std::uint64_t bit = std::uint64_t{1} << *style;
+    target_named(its_name).light_styles |= bit;
+    if (has_flag(entity, kStartsDark)) level_.dark_styles |= bit;
+}
+
+void LevelBuilder::add_what_monsters_leave() {
+    for (const Entity* entity : present_) {
+        if (!is_left_as_trigger(*entity) || item_of(*entity)) continue;
+        auto trigger = trigger_left_of(*entity, level_.triggers);
+        if (!trigger || (trigger->kind != TriggerKind::Exit && firing_of(*entity).is_empty())) continue;
+        level_.triggers.push_back(std::move(*trigger));
+        trigger_entities_.push_back(entity);
+    }
+}
+
+void LevelBuilder::add_start() {
+    const auto find_class = [&](std::string_view its_class) {
+        const auto found = std::find_if(present_.begin(), present_.end(),
+                                        [&](const Entity* each) { return each->value("classname") == its_class; });
+        return found == present_.end() ? nullptr : *found;
+    };
+    const Entity* start = find_class("info_player_start");
+    if (start == nullptr) start = find_class("info_player_deathmatch");
+    if (start == nullptr) return;
+    level_.player_start = origin_of(*start).value_or(Position{}) + world_vector(0, 0, 1);
+    level_.player_yaw = yaw_of(*start);
+}
+
+// What Quake's lifts and trains don't do: fire.
+void LevelBuilder::connect_movers() {
+    link_doors(level_.movers, mover_entities_, *level_.bsp);
+    for (std::size_t i = 0; i < level_.movers.size(); ++i) {
+        Mover& mover = level_.movers[i];
+        if (mover.kind == MoverKind::Lift || mover.kind == MoverKind::Train) continue;
+        mover.fires = firing_of(*mover_entities_[i]);
+        if (mover.kind == MoverKind::Button) continue;
+        const MessageIndex said = std::exchange(mover.fires.message, kNoMessage);  // doors say it when they are touched
+        if (said != kNoMessage) level_.movers[mover.group].touch_message = said;
+        if (mover.keys == kSilverKey) mover.keys_message = message("You need the silver key");
+        if (mover.keys == kGoldKey) mover.keys_message = message("You need the gold key");
+    }
+}
+
+void LevelBuilder::connect_triggers() {
+    for (std::size_t i = 0; i < level_.triggers.size(); ++i) {
+        Trigger& trigger = level_.triggers[i];
+        if (trigger.kind == TriggerKind::Push || trigger.kind == TriggerKind::Checkpoint) continue;
+        const Entity& entity = *trigger_entities_[i];
+        trigger.fires = firing_of(entity, trigger.is_secret ? kSecretMessage : std::string_view{});
+        if (entity.value("classname") == "trigger_onlyregistered") trigger.fires.message = kNoMessage;
+    }
+}
+
+// Lightning takes over what the level's first Chthon fires.
+void LevelBuilder::connect_lightning() {
+    std::vector<std::uint32_t> electrodes = find_electrodes(mover_entities_);
+    const auto boss = std::find_if(trigger_entities_.begin(), trigger_entities_.end(),
+                                   [](const Entity* each) { return each->value("classname") == "monster_boss"; });
+    if (electrodes.size() < 2 || boss == trigger_entities_.end()) return;
+    Trigger& left_of_boss = level_.triggers[static_cast<std::size_t>(boss - trigger_entities_.begin())];
+    for (Trigger& trigger : level_.triggers) {
+        if (trigger.kind != TriggerKind::Lightning) continue;
+        trigger.fires = left_of_boss.fires;
+        trigger.electrodes = electrodes;
+        left_of_boss.box.reset();
+    }
+}
+
+void LevelBuilder::connect_doors() {
+    const std::vector<bool> is_activated = activated_movers();
+    make_doors_touchable(level_.movers, mover_entities_, is_activated, *level_.bsp);
+    for (std::size_t i = 0; i < level_.movers.size(); ++i)
+        if (level_.movers[i].kind == MoverKind::SecretDoor && !is_activated[i])
+            level_.movers[i].is_opened_by_touch = true;
+}
+
+std::vector<bool> LevelBuilder::activated_movers() const {
+    std::vector<bool> is_used(level_.targets.size());
+    const auto use = [&](const Firing& fires) {
+        if (fires.target != kNoTarget) at(is_used, fires.target) = true;
+    };
+    for (const Mover& mover : level_.movers) use(mover.fires);
+    for (const Trigger& trigger : level_.triggers) use(trigger.fires);
+    for (const Item& item : level_.items) use(item.fires);
+    std::vector<bool> is_activated(level_.movers.size());
+    for (std::size_t i = 0; i < is_used.size(); ++i) {
+        if (!is_used[i]) continue;
+        for (const EntityRef& entity : level_.targets[i].entities)
+            if (entity.kind == Kind::Mover) is_activated[entity.index] = true;
+    }
+    return is_activated;
+}
+
+void LevelBuilder::add_counter_messages() {
+    const bool is_counting = std::any_of(level_.triggers.begin(), level_.triggers.end(), [](const Trigger& trigger) {
+        return trigger.kind == TriggerKind::Counter && !trigger.is_quiet;
+    });
+    if (!is_counting) return;
+    for (const char* text :
+         {"Sequence complete", "Only 1 more to go", "Only 2 more to go", "Only 3 more to go", "There are more to go"})
+        level_.counter_messages.push_back(message(text));
+}
+
+void LevelBuilder::make_trees() {
+    std::vector<BoxTree::Entry> touch_boxes, trigger_boxes, item_boxes, obstacles;
+    const auto add = [](const Box& box, std::vector<BoxTree::Entry>& entries, std::size_t number) {
+        entries.push_back({box, static_cast<std::uint32_t>(number)});
+    };
+    for (const std::uint32_t wall : level_.solid_walls)
+        add(obstacle_box(level_, level_.walls[wall].model, {}), obstacles, obstacles.size());
+    for (std::size_t i = 0; i < level_.movers.size(); ++i) {
+        const Mover& mover = level_.movers[i];
+        if (mover.touch_box) add(*mover.touch_box, touch_boxes, i);
+        Box way = obstacle_box(level_, mover.model, mover.legs.front().from);
+        for (const Leg& leg : mover.legs) way = way.united(obstacle_box(level_, mover.model, leg.from + leg.way));
+        add(way, obstacles, obstacles.size());
+    }
+    for (std::size_t i = 0; i < level_.triggers.size(); ++i)
+        if (level_.triggers[i].box) add(*level_.triggers[i].box, trigger_boxes, i);
+    for (std::size_t i = 0; i < level_.items.size(); ++i) add(level_.items[i].box, item_boxes, i);
+    level_.touch_boxes = BoxTree(std::move(touch_boxes));
+    level_.trigger_boxes = BoxTree(std::move(trigger_boxes));
+    level_.item_boxes = BoxTree(std::move(item_boxes));
+    level_.obstacles = BoxTree(std::move(obstacles));
+}
+
+// The target of a name that something in the level has; a new one where there is none yet.
+Target& LevelBuilder::target_named(const std::string& its_name) {
+    const auto [found, is_new] = target_of_.emplace(its_name, static_cast<TargetIndex>(level_.targets.size()));
+    if (is_new) level_.targets.emplace_back();
+    return at(level_.targets, found->second);
+}
+
+// Puts the last of `count` things of a kind under an entity's name.
+void LevelBuilder::name(const Entity& entity, Kind kind, std::size_t count) {
+    if (const std::string its_name = entity.value("targetname"); !its_name.empty())
+        target_named(its_name).entities.push_back({kind, number_of_last(count)});
+}
+
+TargetIndex LevelBuilder::target_of(const Entity& entity, const char* key) const {
+    const auto found = target_of_.find(entity.value(key));
+    return found == target_of_.end() ? kNoTarget : found->second;
+}
+
+// Only when all names are known.
+Firing LevelBuilder::firing_of(const Entity& entity, std::string_view usual_message) {
+    Firing firing;
+    firing.target = target_of(entity, "target");
+    firing.removed = target_of(entity, "killtarget");
+    firing.delay_ticks = std::max(0, ticks_of(entity, "delay", World{}));
+    std::string text = entity.value("message");
+    firing.message = message(text.empty() ? std::string(usual_message) : std::move(text));
+    return firing;
+}
+
+// Equal messages are kept once.
+MessageIndex LevelBuilder::message(std::string text) {
+    if (text.empty()) return kNoMessage;
+    const auto [found, is_new] = message_of_.emplace(text, static_cast<MessageIndex>(level_.messages.size()));
+    if (is_new) level_.messages.push_back(std::move(text));
+    return found->second;
+}
+
+}  // namespace oblong

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "game/simulation/game_level.h"
+#include "game/simulation/train_paths.h"
+
+namespace oblong {
+
+/// Makes a game level of a level's entities, in two steps: first all that they put into it, each under its name; then
+/// what they do to each other.
+class LevelBuilder {
+  public:
+    explicit LevelBuilder(const Level& bsp);
+
+    /// Throws InputError for more than kMostMovers movers.
+    GameLevel build();
+
+  private:
+    void add_entity(const Entity& entity, std::size_t number);
+    bool add_mover(const Entity& entity);
+    void add_wall(const Entity& entity);
+    void add_trigger(const Entity& entity);
+    bool find_exit(const Entity& entity, Trigger& trigger) const;
+    void add_item(const Entity& entity, std::size_t number);
+    void add_light(const Entity& entity);
+    void add_what_monsters_leave();
+    void add_start();
+
+    void connect_movers();
+    void connect_doors();
+    void connect_triggers();
+    void connect_lightning();
+    void add_counter_messages();
+    void make_trees();
+
+    Target& target_named(const std::string& name);
+    void name(const Entity& entity, EntityRef::Kind kind, std::size_t count);
+    TargetIndex target_of(const Entity& entity, const char* key) const;
+    Firing firing_of(const Entity& entity, std::string_view usual_message = {});
+    MessageIndex message(std::string text);
+    std::vector<bool> activated_movers() const;
+
+    GameLevel level_;
+    World longest_travel_;
+    std::vector<const Entity*> present_;                            // entities that are in the level
+    std::vector<const Entity*> mover_entities_, trigger_entities_;  // in the order of the movers and the triggers
+    EntitiesByName by_name_;
+    std::unordered_map<std::string, TargetIndex> target_of_;  // by targetname
+    std::unordered_map<std::string, MessageIndex> message_of_;
+};
+
+}  // namespace oblong

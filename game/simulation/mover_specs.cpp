@@ -1,0 +1,173 @@
+#include "game/simulation/mover_specs.h"
+
+#include <algorithm>
+#include <string>
+
+#include "engine/fixed/trig.h"
+#include "game/simulation/entity_keys.h"
+#include "game/simulation/tick_input.h"
+
+namespace oblong {
+namespace {
+
+// Spawnflags.
+constexpr int kDoorStartsOpen = 1, kDoorNeedsGoldKey = 8, kDoorNeedsSilverKey = 16, kDoorToggles = 32;
+constexpr int kSecretOpensOnce = 1, kSecretFirstLeft = 2, kSecretFirstDown = 4, kSecretIsShot = 16;
+constexpr int kLiftLowTrigger = 1;
+
+constexpr std::int32_t kLiftInset = 25;
+constexpr std::int32_t kLiftWait_s = 3, kSecretSpeed = 50, kSecretWait_s = 5;
+
+World seconds(std::int32_t whole) {
+    return World::from_int(whole);
+}
+
+// How far something extends along a direction, as Quake's game code takes it: |direction . size|.
+World extent_along(const Vec3<Unit>& direction, const Vec3<World>& size) {
+    return absolute(component_along(size, direction));
+}
+
+Leg leg_along(const Vec3<World>& from, const Vec3<Unit>& direction, World length) {
+    Leg leg;
+    leg.from = from;
+    leg.way = times(length, direction);
+    leg.length = length;
+    return leg;
+}
+
+// A door or a button travels by its extent along its direction, less the lip that stays visible; at least 1.
+Mover sliding_mover(const Entity& entity, const Box& box, std::int32_t lip, std::int32_t speed, std::int32_t wait_s) {
+    const Vec3<Unit> direction = direction_of(entity);
+    const World extent = extent_along(direction, box.size());
+    Mover mover;
+    mover.legs = {leg_along({}, direction, std::max(World::from_int(1), extent - number_of(entity, "lip", lip)))};
+    mover.speed_per_tick = speed_per_tick_of(entity, speed);
+    mover.wait_ticks = ticks_of(entity, "wait", seconds(wait_s));
+    return mover;
+}
+
+std::uint8_t keys_of(const Entity& entity) {
+    if (has_flag(entity, kDoorNeedsGoldKey)) return kGoldKey;  // the one that Quake asks for where both flags are set
+    return has_flag(entity, kDoorNeedsSilverKey) ? kSilverKey : std::uint8_t{0};
+}
+
+Mover door(const Entity& entity, const Box& box) {
+    Mover mover = sliding_mover(entity, box, 8, 100, 3);
+    mover.turns_back = mover.wait_ticks != kForever;
+    mover.keys = keys_of(entity);
+    if (mover.keys != 0) mover.turns_back = false;
+    if (mover.keys != 0 || has_flag(entity, kDoorToggles)) mover.wait_ticks = kForever;
+    mover.toggles = has_flag(entity, kDoorToggles);
+    if (!has_flag(entity, kDoorStartsOpen)) return mover;
+    Leg& leg = mover.legs.front();
+    leg.from = leg.way;
+    leg.way = -leg.way;
+    return mover;
+}
+
+Mover button(const Entity& entity, const Box& box) {
+    Mover mover = sliding_mover(entity, box, 4, 40, 1);
+    mover.kind = MoverKind::Button;
+    mover.touch_box = contact_box(box);
+    return mover;
+}
+
+// First back (or down), then sideways.
+Mover secret_door(const Entity& entity, const Box& box) {
+    const Angle yaw = yaw_of(entity);
+    const Vec3<Unit> forward{cosine(yaw), sine(yaw), Unit{}}, right{sine(yaw), -cosine(yaw), Unit{}};
+    const Vec3<Unit> down{Unit{}, Unit{}, -Unit::from_int(1)};
+    const Vec3<Unit> first = has_flag(entity, kSecretFirstDown)   ? down
+                             : has_flag(entity, kSecretFirstLeft) ? -right
+                                                                  : right;
+    const auto length = [&](const char* key, const Vec3<Unit>& direction) {
+        const World given = number_of(entity, key, 0);
+        return given > World{} ? given : extent_along(direction, box.size());
+    };
+    Mover mover;
+    mover.kind = MoverKind::SecretDoor;
+    mover.legs.push_back(leg_along({}, first, length("t_width", first)));
+    mover.legs.push_back(leg_along(mover.legs[0].way, forward, length("t_length", forward)));
+    mover.speed_per_tick = scaled(World::from_int(kSecretSpeed), 1, kTicksPerSecond);
+    mover.wait_ticks = has_flag(entity, kSecretOpensOnce) ? kForever : ticks_of(entity, "wait", seconds(kSecretWait_s));
+    mover.is_opened_by_touch = entity.value("targetname").empty() || has_flag(entity, kSecretIsShot);
+    mover.touch_box = contact_box(box);
+    return mover;
+}
+
+// Where a player starts a lift: in the shaft above it, less a rim; a narrow lift's shaft is a line in its middle.
+Box lift_shaft(const Entity& entity, const Box& box, World height) {
+    const World inset = World::from_int(kLiftInset), unit = World::from_int(1);
+    Box shaft{box.mins + Vec3<World>{inset, inset, World{}}, box.maxs - Vec3<World>{inset, inset, World{}}};
+    const auto narrow = [&](World Vec3<World>::*axis) {
+        if (box.size().*axis > inset + inset) return;
+        shaft.mins.*axis = box.mins.*axis + scaled(box.size().*axis, 1, 2);
+        shaft.maxs.*axis = shaft.mins.*axis + unit;
+    };
+    narrow(&Vec3<World>::x);
+    narrow(&Vec3<World>::y);
+    shaft.mins.z = box.maxs.z - height;
+    shaft.maxs.z = (has_flag(entity, kLiftLowTrigger) ? shaft.mins.z : box.maxs.z) + World::from_int(8);
+    return shaft;
+}
+
+// A lift's model is at its upper end. It waits below and comes up with the player; with a name, it waits above until it
+// is activated.
+Mover lift(const Entity& entity, const Box& box) {
+    const World given = number_of(entity, "height", 0);
+    const World height = std::max(World::from_int(1), given > World{} ? given : box.size().z - World::from_int(8));
+    Mover mover;
+    mover.kind = MoverKind::Lift;
+    mover.legs = {leg_along({World{}, World{}, -height}, {Unit{}, Unit{}, Unit::from_int(1)}, height)};
+    mover.speed_per_tick = speed_per_tick_of(entity, 150);
+    mover.wait_ticks = kLiftWait_s * kTicksPerSecond;
+    mover.turns_back = true;
+    mover.starts_at_end = !entity.value("targetname").empty();
+    mover.touch_box = lift_shaft(entity, box, height);
+    return mover;
+}
+
+bool is_within(const Mover& mover, World longest) {
+    return std::all_of(mover.legs.begin(), mover.legs.end(), [&](const Leg& leg) {
+        const auto is_near = [&](World w) { return w <= longest && w >= -longest; };
+        const Vec3<World> end = leg.from + leg.way;
+        return leg.length <= longest && is_near(end.x) && is_near(end.y) && is_near(end.z);
+    });
+}
+
+}  // namespace
+
+World longest_travel(const Level& bsp) {
+    World lowest, highest;
+    for (const Vec3<World>& vertex : bsp.vertices) {
+        lowest = std::min({lowest, vertex.x, vertex.y, vertex.z});
+        highest = std::max({highest, vertex.x, vertex.y, vertex.z});
+    }
+    const World farthest = std::max(highest, -std::max(lowest, -World::highest()));
+    return World::highest() - farthest - World::ulp();  // a step for the rounding of directions
+}
+
+std::optional<Mover> mover_of(const Entity& entity, const Level& bsp, World longest) {
+    const auto model = model_of(entity, bsp);
+    if (!model) return {};
+    const Box box = model_box(bsp, *model);
+    const std::string name = entity.value("classname");
+    std::optional<Mover> mover;
+    if (name == "func_door") mover = door(entity, box);
+    if (name == "func_door_secret") mover = secret_door(entity, box);
+    if (name == "func_button") mover = button(entity, box);
+    if (name == "func_plat") mover = lift(entity, box);
+    if (!mover || !is_within(*mover, longest)) return {};
+    mover->model = *model;
+    return mover;
+}
+
+bool is_shot(const Entity& entity) {
+    return number_of(entity, "health", 0) > World{};
+}
+
+Box contact_box(const Box& model) {
+    return model.grown(world_vector(2, 2, 2));
+}
+
+}  // namespace oblong

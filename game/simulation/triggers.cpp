@@ -1,0 +1,150 @@
+#include <algorithm>
+
+#include "engine/fixed/trig.h"
+#include "game/simulation/step.h"
+
+namespace oblong {
+namespace {
+
+using Phase = MoverState::Phase;
+
+constexpr World kExitSpeed = World::from_int(300);
+constexpr std::int64_t kTeleporterTicks = kTicksPerSecond / 5;
+
+EntityRef ref_of(std::uint32_t trigger) {
+    return {EntityRef::Kind::Trigger, trigger};
+}
+
+bool is_gone(const TriggerState& state) {
+    return state.ready_tick == TriggerState::kNever;
+}
+
+void begin_wait(const Trigger& trigger, GameState& state, std::uint32_t i) {
+    state.triggers[i].ready_tick =
+        trigger.wait_ticks == kForever ? TriggerState::kNever : state.tick + trigger.wait_ticks;
+}
+
+void fire_unless_waiting(const Trigger& trigger, GameState& state, std::uint32_t i, Activations& activations) {
+    if (state.tick < state.triggers[i].ready_tick) return;
+    begin_wait(trigger, state, i);
+    state.found_secrets += trigger.is_secret;
+    activations.fire(ref_of(i));
+}
+
+void count_down(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
+    const Trigger& trigger = level.triggers[i];
+    const std::int32_t left = --state.triggers[i].left;
+    if (!trigger.is_quiet) {
+        const auto most = static_cast<std::int32_t>(level.counter_messages.size()) - 1;
+        show(state, at(level.counter_messages, std::min(left, most)));
+    }
+    if (left == 0) fire_unless_waiting(trigger, state, i, activations);
+}
+
+// Chthon's: it hurts only while both electrodes are in place, and kills with the last stroke.
+void strike(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
+    const Trigger& trigger = level.triggers[i];
+    if (trigger.electrodes.size() < 2 || state.triggers[i].left == 0) return;
+    for (const std::uint32_t electrode : trigger.electrodes)
+        if (state.movers[electrode].phase != Phase::AtEnd) return;
+    if (--state.triggers[i].left == 0) activations.fire(ref_of(i));
+}
+
+bool looks_along(const Player& player, const Vec3<Unit>& direction) {
+    const World ahead = times(times(World::from_int(1), cosine(player.yaw)), direction.x) +
+                        times(times(World::from_int(1), sine(player.yaw)), direction.y);
+    return ahead >= World{};
+}
+
+void teleport(GameState& state, const Place& exit) {
+    Player& player = state.player;
+    state.respawn = exit;
+    player.position = exit.position;
+    player.yaw = exit.yaw;
+    player.pitch = 0;
+    player.velocity = times(kExitSpeed, {cosine(exit.yaw), sine(exit.yaw), Unit{}});
+    player.ground = Player::kNoGround;
+}
+
+void end_level(GameState& state, std::uint32_t trigger) {
+    state.has_ended = true;
+    state.exit = static_cast<std::int32_t>(trigger);
+}
+
+void push(const Trigger& trigger, GameState& state, std::uint32_t i) {
+    state.player.velocity = trigger.push;
+    if (trigger.wait_ticks == kForever) begin_wait(trigger, state, i);
+}
+
+// True where the player is somewhere else afterwards.
+bool touch(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
+    const Trigger& trigger = level.triggers[i];
+    switch (trigger.kind) {
+        case TriggerKind::Multiple:
+            if (!trigger.facing || looks_along(state.player, *trigger.facing))
+                fire_unless_waiting(trigger, state, i, activations);
+            return false;
+        case TriggerKind::Teleport:
+            if (trigger.needs_activation && state.tick >= state.triggers[i].open_until) return false;
+            activations.fire(ref_of(i));
+            teleport(state, trigger.place);
+            return true;
+        case TriggerKind::Push:
+            push(trigger, state, i);
+            return false;
+        case TriggerKind::Checkpoint:
+            state.respawn = trigger.place;
+            return false;
+        case TriggerKind::Exit:
+            activations.fire(ref_of(i));
+            end_level(state, i);
+            return false;
+        case TriggerKind::Relay:
+        case TriggerKind::Counter:
+        case TriggerKind::Lightning:
+            return false;
+    }
+    return false;
+}
+
+}  // namespace
+
+// In their order. One that teleports the player ends those at the old place.
+void touch_triggers(const GameLevel& level, GameState& state, Activations& activations) {
+    std::uint32_t first = 0;
+    for (bool is_moved = true; is_moved;) {
+        is_moved = false;
+        const Box player = player_box(state.player.position);
+        for (const std::uint32_t i : level.trigger_boxes.overlapping(player)) {
+            if (i < first || is_gone(state.triggers[i]) || !level.triggers[i].box->overlaps(player)) continue;
+            first = i + 1;
+            is_moved = touch(level, state, i, activations);
+            if (state.has_ended) return;
+            if (is_moved) break;
+        }
+    }
+}
+
+void activate_trigger(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
+    const Trigger& trigger = level.triggers[i];
+    if (is_gone(state.triggers[i])) return;
+    switch (trigger.kind) {
+        case TriggerKind::Multiple:
+            return fire_unless_waiting(trigger, state, i, activations);
+        case TriggerKind::Relay:
+            return activations.fire(ref_of(i));
+        case TriggerKind::Counter:
+            return count_down(level, state, i, activations);
+        case TriggerKind::Lightning:
+            return strike(level, state, i, activations);
+        case TriggerKind::Teleport:
+            state.triggers[i].open_until = state.tick + kTeleporterTicks;
+            return;
+        case TriggerKind::Push:
+        case TriggerKind::Checkpoint:
+        case TriggerKind::Exit:
+            return;
+    }
+}
+
+}  // namespace oblong

@@ -1,0 +1,101 @@
+#include "tools/common/pak.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "engine/base/input_error.h"
+#include "tests/paks/pak_writer.h"
+
+namespace oblong {
+namespace {
+
+using test::Bytes;
+using test::set_u32;
+
+// "a.txt" at 12, "maps/b.bsp" at 15, the directory at 20 to 148.
+const Bytes kPak = test::write_pak({{"a.txt", {1, 2, 3}}, {"maps/b.bsp", {4, 5, 6, 7, 8}}});
+
+std::vector<PakEntry> read(const Bytes& bytes) {
+    const PakHeader header = read_pak_header(bytes, bytes.size());
+    const auto directory = std::span(bytes).subspan(header.directory_offset, header.directory_length);
+    return read_pak_directory(directory, header, bytes.size());
+}
+
+// "WHERE: what is wrong"; empty if nothing is.
+std::string fault_of(const Bytes& bytes) {
+    try {
+        read(bytes);
+    } catch (const InputError& error) {
+        return error.where + ": " + error.what();
+    }
+    return {};
+}
+
+TEST(Pak, IsReadAsItWasWritten) {
+    const std::vector<PakEntry> entries = read(kPak);
+    ASSERT_EQ(entries.size(), 2u);
+    EXPECT_EQ(entries[0].name, "a.txt");
+    EXPECT_EQ(entries[0].offset, 12u);
+    EXPECT_EQ(entries[0].length, 3u);
+    EXPECT_EQ(entries[1].name, "maps/b.bsp");
+    EXPECT_EQ(entries[1].offset, 15u);
+    EXPECT_EQ(entries[1].length, 5u);
+    EXPECT_TRUE(read(test::write_pak({})).empty());
+}
+
+TEST(Pak, EachCutAndEachLieOfTheHeaderIsNamed) {
+    const auto altered = [](std::size_t offset, std::uint32_t number) {
+        Bytes bytes = kPak;
+        set_u32(bytes, offset, number);
+        return fault_of(bytes);
+    };
+    for (std::size_t size = 0; size < kPak.size(); ++size)
+        EXPECT_NE(fault_of(Bytes(kPak.begin(), kPak.begin() + static_cast<std::ptrdiff_t>(size))), "") << size;
+    EXPECT_EQ(altered(0, 0x4b434151), "offset 0: no pak file: expected 'PACK' and 8 more bytes");
+    EXPECT_EQ(altered(4, 21),
+              "offset 4: a directory of 128 bytes at 21, expected it behind the header in a file of 148");
+    EXPECT_EQ(altered(4, 0), "offset 4: a directory of 128 bytes at 0, expected it behind the header in a file of 148");
+    EXPECT_NE(altered(4, 0xffffffff), "");
+    EXPECT_EQ(altered(8, 127), "offset 8: a directory of 127 bytes, expected a multiple of 64");
+    EXPECT_NE(altered(8, 0xffffffc0), "");
+}
+
+TEST(Pak, EachLieOfTheDirectoryIsNamed) {
+    const auto altered = [](std::size_t offset, std::uint32_t number) {
+        Bytes bytes = kPak;
+        set_u32(bytes, offset, number);
+        return fault_of(bytes);
+    };
+    EXPECT_EQ(altered(20 + 60, 200), "offset 76: a.txt has 200 bytes from 12 on, expected them in the file's 148");
+    EXPECT_NE(altered(20 + 60, 0xffffffff), "");
+    EXPECT_NE(altered(20 + 56, 0xffffffff), "");
+    EXPECT_EQ(altered(20 + 60, 4), "offset 84: data from 15 on, where other data is, expected it apart");
+    EXPECT_EQ(altered(20 + 56, 11), "offset 20: data from 11 on, where other data is, expected it apart");
+    EXPECT_EQ(altered(84 + 56, 30), "offset 84: data from 30 on, where other data is, expected it apart");
+    EXPECT_EQ(altered(84, 0), "offset 84: an entry without a name, expected one");
+    Bytes endless = kPak;
+    std::fill_n(endless.begin() + 20, 56, std::uint8_t{'x'});
+    EXPECT_EQ(fault_of(endless), "offset 20: a name without an end, expected a zero byte among its 56");
+    Bytes same = kPak;
+    set_u32(same, 84 + 56, 12);
+    set_u32(same, 84 + 60, 3);
+    EXPECT_EQ(fault_of(same), "") << "two names of the same data";
+}
+
+TEST(Pak, DamagedOnesAreRefusedOrReadInside) {
+    std::mt19937 random(7);
+    for (int i = 0; i < 20'000; ++i) {
+        Bytes bytes = kPak;
+        for (std::size_t flips = 1 + random() % 4; flips > 0; --flips)
+            bytes[random() % bytes.size()] ^= static_cast<std::uint8_t>(1 << random() % 8);
+        if (fault_of(bytes) != "") continue;
+        for (const PakEntry& entry : read(bytes)) {
+            EXPECT_FALSE(entry.name.empty());
+            EXPECT_LE(std::uint64_t{entry.offset} + entry.length, bytes.size());
+        }
+    }
+}
+
+}  // namespace
+}  // namespace oblong
