@@ -18,7 +18,7 @@ enum class Device : std::uint8_t {
 
 enum class WheelTurn : std::uint16_t { Up, Down, Left, Right };
 
-/// The buttons of a gamepad, as SDL numbers them: A is the lowest of the four, wherever its letter stands.
+/// The buttons of a gamepad, as SDL numbers them: A is what the pad calls so, or the lowest of the four.
 enum class PadButton : std::uint16_t {
     A,
     B,
