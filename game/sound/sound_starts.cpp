@@ -78,7 +78,10 @@ void SoundStarts::note_player(const GameState& before, const GameState& after, s
     if (!swims(before.player) && swims(after.player)) add(Sound::WaterIn, sources);
     if (swims(before.player) && !swims(after.player)) add(Sound::WaterOut, sources);
     const bool lands = !stands(before.player) && stands(after.player) && !swims(after.player);
-    if (lands && before.player.velocity.z < kHardLanding) add(Sound::Land, sources);
+    // The tick that meets the ground takes the speed away, the next one stands.
+    fall_speed_ = std::min(fall_speed_, before.player.velocity.z);
+    if (lands && fall_speed_ < kHardLanding) add(Sound::Land, sources);
+    if (stands(after.player) || swims(after.player)) fall_speed_ = {};
     note_way(before, after, sources);
 }
 
