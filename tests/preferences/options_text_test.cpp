@@ -138,13 +138,18 @@ class DamagedText {
         }
         const std::vector<std::string> before = lines_of(whole);
         const std::set<std::string> all(before.begin(), before.end());
-        for (const std::string& line : lines_of(text)) (all.contains(line) ? whole_ : damaged_).push_back(line);
+        for (const std::string& line : lines_of(text)) {
+            if (all.contains(line))
+                whole_.insert(line);
+            else
+                damaged_.push_back(line);
+        }
     }
 
     // Whether the row's line is there, and no damaged one could be taken for it.
     bool keeps(const Preference& row, const Preferences& written) const {
         const std::string line = row.name + " = " + row.text(written);
-        return std::find(whole_.begin(), whole_.end(), line) != whole_.end() && !is_damaged(row.name);
+        return whole_.contains(line) && !is_damaged(row.name);
     }
     bool is_damaged(const std::string& name) const {
         return std::any_of(damaged_.begin(), damaged_.end(),
@@ -154,7 +159,8 @@ class DamagedText {
     std::string text;
 
   private:
-    std::vector<std::string> whole_, damaged_;
+    std::set<std::string> whole_;
+    std::vector<std::string> damaged_;
 };
 
 TEST(OptionsText, DamageLosesNoLineThatIsStillRight) {

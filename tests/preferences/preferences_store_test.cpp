@@ -155,7 +155,7 @@ TEST_F(OptionsFile, AFullDiskLosesNothing) {
     for (const rlim_t limit : {rlim_t{0}, rlim_t{10}, rlim_t{18}}) {
         const FullDisk full(limit);
         const auto volume = static_cast<std::int32_t>(40 + limit);
-        EXPECT_EQ(store.save(with_volume(volume * 2)).rfind(file + ": write: ", 0), 0u) << limit;
+        EXPECT_EQ(store.save(with_volume(volume)).rfind(file + ": write: ", 0), 0u) << limit;
         EXPECT_EQ(read_text(file), written);
         EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "nothing is left beside it";
     }
