@@ -56,9 +56,8 @@ GameData load_game(const std::string& level_file, const std::string& palette_fil
                                     : palette_file;
     data.palette = read_parsed_game_file(palette, read_palette);
     data.colormap = make_colormap(data.palette);
-    data.models = read_level_models(
-        data.level, data.palette,
-        {data.level_file, models_folder, assets_folder, game.has_paks() ? &game : nullptr});
+    data.models = read_level_models(data.level, data.palette,
+                                    {data.level_file, models_folder, assets_folder, game.has_paks() ? &game : nullptr});
     remove_left_out(data.level, data.models);
     print_warnings("oblong", data.level_file, data.models.warnings);
     return data;

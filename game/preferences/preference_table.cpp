@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/accuracy/dials.h"
+#include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "game/preferences/preference_kinds.h"
 #include "game/preferences/view_preferences.h"
@@ -16,10 +17,21 @@ namespace {
 
 using Rows = std::vector<Preference>;
 
-std::vector<std::string> scaling_names() {
+// "stretch" is an older name for filling the window, which is a shape and no way to scale.
+Preference scaling_preference() {
     std::vector<std::string> names;
     for (int i = 0; i < kScalingCount; ++i) names.emplace_back(name_of(static_cast<Scaling>(i)));
-    return names;
+    Preference row = one_of(
+        {"scaling", "Scaling", "how pixels of the picture become pixels of the window (F5)", PreferencePage::Picture},
+        names, &Preferences::scaling);
+    row.values += "; stretch: aspect-display fill";
+    row.parse = [parse = row.parse](Preferences& of, const std::string& text) {
+        if (text == "stretch")
+            of.shown_as = ShownAs::FillWindow;
+        else
+            parse(of, text);
+    };
+    return row;
 }
 
 void add_picture(Rows& rows) {
@@ -35,8 +47,7 @@ void add_picture(Rows& rows) {
     rows.push_back(
         one_of({"aspect-display", "Shown as", "the display's shape, square pixels, or the window's shape (F3)", kPage},
                {"display", "square", "fill"}, &Preferences::shown_as));
-    rows.push_back(one_of({"scaling", "Scaling", "how pixels of the picture become pixels of the window (F5)", kPage},
-                          scaling_names(), &Preferences::scaling));
+    rows.push_back(scaling_preference());
     rows.push_back(
         on_or_off({"crt", "Look of a tube", "scanlines, mask and glow of a tube, drawn by the window (C)", kPage},
                   &Preferences::has_crt_look));
@@ -50,9 +61,9 @@ void add_picture(Rows& rows) {
                              &Preferences::fills_screen));
     rows.push_back(on_or_off({"vsync", "Wait for display", "each picture is shown whole, where the system can", kPage},
                              &Preferences::waits_for_display));
-    rows.push_back(whole_number({"frame-cap", "Frames at most", "a second; 0: as many as the machine can", kPage},
-                                &Preferences::frame_cap_hz, 0, 1000, {0, 30, 35, 60, 70, 75, 90, 120, 144, 165, 240},
-                                " a second"));
+    rows.push_back(whole_number(
+        {"frame-cap", "Frames at most", "pictures a second; 0: as many as the machine can", kPage},
+        &Preferences::frame_cap_hz, 0, 1000, {0, 30, 35, 60, 70, 75, 90, 120, 144, 165, 240}, " a second"));
 }
 
 // "preset" while a dial stands where its preset sets it: another preset turns it too.
@@ -60,7 +71,7 @@ Preference dial_preference(const Dial& dial) {
     Preference row;
     row.name = "dial-" + std::string(dial.name);
     row.label = dial.caption;
-    row.help = dial.about;
+    row.help = dial.about.substr(0, dial.about.find_last_not_of('.') + 1);
     row.page = PreferencePage::Accuracy;
     row.values = values_of(dial) + ", or preset: as --accuracy sets it";
     row.text = [&dial](const Preferences& of) {
@@ -144,6 +155,28 @@ void add_sound(Rows& rows) {
                                 tenths, " %"));
 }
 
+// For each action, the keys and buttons that do it.
+std::vector<KeptValue> binding_values() {
+    std::vector<KeptValue> values;
+    for (const ActionNames& action : all_actions()) {
+        KeptValue value;
+        value.name = "bind-" + std::string(action.name);
+        value.label = action.label;
+        value.help = "the keys and buttons that do it, named after their places on a US keyboard";
+        value.values = "names with spaces between them, or none";
+        value.text = [&action](const Preferences& of) { return inputs_to_text(of.bindings, action.action); };
+        value.parse = [&action, name = value.name](Preferences& of, const std::string& text) {
+            try {
+                set_inputs(of.bindings, action.action, text);
+            } catch (const InputError& error) {
+                throw UsageError("--" + name + ": " + error.what());
+            }
+        };
+        values.push_back(value);
+    }
+    return values;
+}
+
 Rows make_rows() {
     Rows rows;
     add_picture(rows);
@@ -167,10 +200,15 @@ std::span<const Preference> all_preferences() {
     return rows;
 }
 
-const Preference* preference_named(const std::string& name) {
-    const std::span<const Preference> rows = all_preferences();
-    const auto found = std::find_if(rows.begin(), rows.end(), [&](const Preference& row) { return row.name == name; });
-    return found == rows.end() ? nullptr : &*found;
+std::span<const KeptValue* const> all_kept_values() {
+    static const std::vector<KeptValue> bindings = binding_values();
+    static const std::vector<const KeptValue*> values = [] {
+        std::vector<const KeptValue*> all;
+        for (const Preference& preference : all_preferences()) all.push_back(&preference);
+        for (const KeptValue& binding : bindings) all.push_back(&binding);
+        return all;
+    }();
+    return values;
 }
 
 }  // namespace oblong

@@ -83,7 +83,7 @@ class MapOfAWall : public testing::Test {
         for (std::size_t i = 0; i < 256; ++i) data_.palette.colours[i].red = static_cast<std::uint8_t>(i);
         data_.level = level_with_wall(128);
         level_.bsp = &data_.level;
-        map_ = std::make_unique<Automap>(data_, level_);
+        map_ = std::make_unique<Automap>(data_, level_, ColourScheme::Standard);
     }
 
     // Whether a pixel is on a line; the eye is at (0, 32), 64 units before the middle of the wall.

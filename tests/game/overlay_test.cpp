@@ -4,9 +4,11 @@
 #include <limits>
 #include <vector>
 
+#include "engine/platform/headless/headless.h"
 #include "game/aspect_guide.h"
 #include "game/comparison.h"
 #include "game/error_map.h"
+#include "game/help_panel.h"
 #include "game/hud.h"
 #include "game/lab_panel.h"
 
@@ -89,14 +91,19 @@ CostText long_cost() {
     return cost;
 }
 
+std::vector<std::string> keys_as_bound() {
+    const HeadlessPlatform platform(1, 35, nullptr, nullptr);
+    return game_help(default_bindings(), platform);
+}
+
 void draw_everything(const ScreenMode& mode, const GuardedCanvas& guarded) {
     const Framebuffer canvas = guarded.canvas();
     LabOptions options;
     options.flips = options.splits = true;
-    Hud hud;
-    hud.cost = long_cost();
-    hud.shows_help = hud.shows_end = true;
-    show_message(hud, std::string(200, 'm'), 0);
+    const CostText cost = long_cost();
+    const HudText text{{"[door]"}, {"a wall"}, &cost, keys_as_bound()};
+    Messages messages;
+    messages.show(std::string(200, 'm'), MessageKind::Level);
     draw_aspect_guide(mode, kColours, canvas);
     for (const std::int32_t split : {0, 1, 32'768, 65'535, 65'536}) {
         options.split_16 = split;
@@ -105,8 +112,10 @@ void draw_everything(const ScreenMode& mode, const GuardedCanvas& guarded) {
     }
     for (options.dial = 0; options.dial < all_dials().size(); ++options.dial)
         draw_lab_panel(options, long_figures(), panel_colours_of(kPalette), canvas);
-    const std::int32_t bottom = ErrorMap(kPalette).draw_legend(canvas.height_px, kColours, canvas);
-    draw_hud(hud, 0, draw_flip_names(options, {}, 0, bottom, kColours, canvas), kColours, canvas);
+    const std::int32_t bottom =
+        ErrorMap(kPalette, ColourScheme::Standard).draw_legend(canvas.height_px, kColours, canvas);
+    draw_hud(text, messages, 0, draw_flip_names(options, {}, 0, bottom, kColours, canvas), kColours, ColourTable{},
+             canvas);
 }
 
 TEST(Overlay, StaysInTheCanvas) {
@@ -145,32 +154,17 @@ TEST(Overlay, ThePlanFits320x200InTwoColumns) {
         for (std::int32_t x = 148; x < 320; ++x) ASSERT_EQ(left.canvas().row(y)[x], kPicture) << x << ", " << y;
 }
 
-// The help covers the lines of the cost nowhere, and all of it is on the screen.
-TEST(Overlay, TheHelpFits320x200AboveTheCost) {
-    const GuardedCanvas larger(640, 400);
-    Hud hud;
-    hud.shows_help = true;
-    draw_hud(hud, 0, 396, kColours, larger.canvas());
-    const Area help = larger.box_of([](std::uint8_t colour) { return colour != kPicture; });
+// All of it is on the screen, and a message of one line fits above it.
+TEST(Overlay, TheHelpFits320x200) {
+    const std::vector<std::string> keys = keys_as_bound();
+    EXPECT_LE(keys.size(), 17u);
+    for (const std::string& line : keys) EXPECT_LE(line.size(), 51u) << line;
+    const GuardedCanvas guarded(640, 400);
+    Messages none;
+    draw_hud({{}, {}, nullptr, keys}, none, 0, 396, kColours, ColourTable{}, guarded.canvas());
+    const Area help = guarded.box_of([](std::uint8_t colour) { return colour != kPicture; });
     EXPECT_LE(help.width, 320);
-    const std::int32_t help_bottom = 100 + (help.height + 1) / 2;
-
-    const GuardedCanvas usual(320, 200);
-    Hud cost;
-    cost.cost.background.fill(kPicture);
-    cost.cost.frame = "99999 us a frame, 999 frames a second";
-    draw_hud(cost, 0, 200 - kTextMargin_px, kColours, usual.canvas());
-    const Area line = usual.box_of([](std::uint8_t colour) { return colour != kPicture; });
-    EXPECT_GT(line.y, help_bottom + 1);
-    EXPECT_LT(line.width, 320);
-}
-
-TEST(Overlay, MessagesStayAsLongAsTheyTakeToRead) {
-    Hud hud;
-    show_message(hud, "short", 1000);
-    EXPECT_EQ(hud.message_ends_us, 1000u + 2'500'000);
-    show_message(hud, std::string(120, 'm'), 1000);
-    EXPECT_EQ(hud.message_ends_us, 1000u + 6'000'000);
+    EXPECT_LE(help.height, 200 - 2 * 10);
 }
 
 TEST(Overlay, CountsAreShort) {
@@ -220,7 +214,7 @@ TEST(ErrorMap, ColoursByBandAndBrightness) {
             pixels.push_back(colour);
             errors.push_back({pixels_off, 0});
         }
-    ErrorMap(palette).draw(errors, {pixels.data(), 14, 1, 14});
+    ErrorMap(palette, ColourScheme::Standard).draw(errors, {pixels.data(), 14, 1, 14});
     for (std::size_t band = 0; band < ErrorMap::kBands; ++band) {
         EXPECT_LE(luminance_1000(palette.colours[pixels[2 * band]]),
                   luminance_1000(palette.colours[pixels[2 * band + 1]]));

@@ -117,7 +117,6 @@ void SdlInput::take_key(const SDL_KeyboardEvent& key) {
     if (key.repeat != 0) return mapper_.repeat(key_of(code));
     if (has_alt && code == SDL_SCANCODE_RETURN) return toggle_fullscreen();
     if (has_alt && code == SDL_SCANCODE_TAB) return;  // to another window
-    if (code == SDL_SCANCODE_ESCAPE) leave();
     mapper_.press(key_of(code));
 }
 
@@ -172,13 +171,6 @@ void SdlInput::take_window_event(std::uint8_t event) {
 void SdlInput::toggle_fullscreen() {
     const bool is_full = (SDL_GetWindowFlags(window_) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
     SDL_SetWindowFullscreen(window_, is_full ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
-}
-
-void SdlInput::leave() {
-    if (is_mouse_captured())
-        capture_mouse(false);
-    else
-        is_closed_ = true;
 }
 
 }  // namespace oblong

@@ -45,7 +45,6 @@ class SdlInput {
     void take_window_event(std::uint8_t event);
     void point_at(std::int32_t x, std::int32_t y);
     void toggle_fullscreen();
-    void leave();
 
     SDL_Window* window_;
     InputMapper mapper_;

@@ -1,0 +1,275 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "game/menu/key_pages.h"
+#include "game/menu/menu_pages.h"
+
+namespace oblong {
+namespace {
+
+constexpr CanvasSize kCanvas{320, 200};
+
+// A program that only notes what it is asked to do.
+class FakeHost final : public MenuHost {
+  public:
+    Preferences& preferences() override { return kept; }
+    std::string local_name_of(Input input) const override { return name_of(input); }
+    std::vector<LevelEntry> levels() const override {
+        return {{"demo", "", "The museum"}, {"e1m1", "maps/e1m1.bsp", "the Slipgate Complex"}};
+    }
+    std::vector<SaveEntry> saves() const override {
+        SaveEntry empty{"Slot 1", "empty", "", true, false, std::nullopt};
+        SaveEntry full{"Slot 2", "demo 1:23", "", true, true, MenuPicture{2, 1, {{255, 0, 0}, {0, 255, 0}}}};
+        SaveEntry automatic{"Autosave", "demo 0:10", "", false, true, std::nullopt};
+        return {automatic, empty, full};
+    }
+    EndFigures end_figures() const override { return {"You have seen the museum.", "12:34", "12 of 12", "e1m2"}; }
+    std::string credits() const override { return std::string(2000, 'c'); }
+    bool can_save() const override { return is_walking; }
+    bool can_continue() const override { return true; }
+    bool has_unsaved_progress() const override { return is_unsaved; }
+    bool saves_on_leaving() const override { return has_autosave; }
+    void walk() override { done.push_back("walk"); }
+    void continue_walk() override { done.push_back("continue"); }
+    void restart() override { done.push_back("restart"); }
+    void play_level(const std::string& name) override { done.push_back("level " + name); }
+    void play_next() override { done.push_back("next"); }
+    void save(std::size_t entry) override { done.push_back("save " + std::to_string(entry)); }
+    void load(std::size_t entry) override { done.push_back("load " + std::to_string(entry)); }
+    void show_title() override { done.push_back("title"); }
+    void show_gallery() override { done.push_back("gallery"); }
+    void leave() override { done.push_back("leave"); }
+
+    Preferences kept;
+    std::vector<std::string> done;
+    bool is_walking = true, is_unsaved = true, has_autosave = false;
+};
+
+class Pages : public testing::Test {
+  protected:
+    void act(MenuAction action) {
+        Controls controls;
+        controls.menu = {action};
+        menu_.handle(controls, kCanvas, 1, {0, 0, 320, 200});
+    }
+    void escape() {
+        Controls controls;
+        controls.commands = {Command::Menu};
+        menu_.handle(controls, kCanvas, 1, {0, 0, 320, 200});
+    }
+    void press(const char* key) {
+        Controls controls;
+        controls.pressed = input_named(key);
+        menu_.handle(controls, kCanvas, 1, {0, 0, 320, 200});
+    }
+    // By the keys, from wherever the page is.
+    void choose(const std::string& label) {
+        for (std::size_t i = 0; i <= menu_.page().rows.size(); ++i, act(MenuAction::Down))
+            if (menu_.page().rows[menu_.chosen()].label == label) return act(MenuAction::Accept);
+        FAIL() << "no row " << label << " in " << menu_.page().title;
+    }
+
+    FakeHost host_;
+    Menu menu_;
+    MenuPages pages_{menu_, host_};
+};
+
+TEST_F(Pages, TheTitleHasWhatAPlayerLooksFor) {
+    pages_.open_title();
+    std::vector<std::string> labels;
+    for (const MenuRow& row : menu_.page().rows) labels.push_back(row.label);
+    EXPECT_EQ(labels, (std::vector<std::string>{"Continue", "Walk", "Levels", "Load", "Options", "Gallery", "Credits",
+                                                "Leave"}));
+    choose("Walk");
+    EXPECT_EQ(host_.done, std::vector<std::string>{"walk"});
+    EXPECT_FALSE(menu_.is_open());
+}
+
+TEST_F(Pages, EscapeOnTheTitleAsksAndEscapeAgainGoesOn) {
+    pages_.open_title();
+    for (int i = 0; i < 9; ++i) {
+        escape();
+        EXPECT_EQ(menu_.page().title, "Leave");
+        EXPECT_EQ(menu_.page().rows[menu_.chosen()].label, "No") << "an answer by mistake loses nothing";
+        escape();
+        EXPECT_EQ(menu_.page().title, "OBLONG");
+    }
+    EXPECT_TRUE(host_.done.empty());
+    escape();
+    choose("Yes");
+    EXPECT_EQ(host_.done, std::vector<std::string>{"leave"});
+}
+
+// Opens every page that can be reached and leaves each by Escape: nothing is done by that.
+class EveryPage : public Pages {
+  protected:
+    void visit(int levels) {
+        const std::size_t depth = menu_.depth(), rows = menu_.page().rows.size();
+        seen_.insert(menu_.page().title);
+        for (std::size_t row = 0; row < rows; ++row) {
+            while (menu_.chosen() != row) act(MenuAction::Down);
+            const MenuRow chosen = menu_.page().rows[row];
+            if (!chosen.accept || is_final(chosen.label)) continue;
+            act(MenuAction::Accept);
+            ASSERT_TRUE(menu_.is_open()) << chosen.label << " closes the menu";
+            if (menu_.depth() <= depth) continue;
+            if (levels > 0) visit(levels - 1);
+            while (menu_.depth() > depth) escape();
+        }
+    }
+    // Rows that do something at once, or answer.
+    static bool is_final(const std::string& label) {
+        static const std::set<std::string> kFinal{"Go on",   "No",   "Yes",      "Back",      "Done",
+                                                  "Gallery", "Walk", "Continue", "Replace it"};
+        return kFinal.contains(label) || label == "Slot 1" || (label == "Leave");
+    }
+    std::set<std::string> seen_;
+};
+
+TEST_F(EveryPage, OfAWalkIsReachedAndLeftWithoutLoss) {
+    pages_.open_game();
+    visit(4);
+    EXPECT_TRUE(host_.done.empty()) << host_.done.front();
+    for (const char* title : {"Paused", "Save", "Load", "Options", "Picture", "Accuracy", "Comfort", "Controls",
+                              "Sound", "Keys", "Levels", "Not saved"})
+        EXPECT_TRUE(seen_.contains(title)) << title;
+    escape();
+    EXPECT_FALSE(menu_.is_open());
+}
+
+TEST_F(Pages, WhatLosesAWalkAsksFirst) {
+    pages_.open_game();
+    choose("Restart level");
+    EXPECT_TRUE(host_.done.empty());
+    EXPECT_EQ(menu_.page().title, "Not saved");
+    choose("No");
+    EXPECT_EQ(menu_.page().title, "Paused");
+    choose("Leave");
+    EXPECT_TRUE(host_.done.empty());
+    choose("Yes");
+    EXPECT_EQ(host_.done, std::vector<std::string>{"leave"});
+}
+
+TEST_F(Pages, WhatLosesNothingAsksNothing) {
+    host_.is_unsaved = false;
+    pages_.open_game();
+    choose("Restart level");
+    EXPECT_EQ(host_.done, std::vector<std::string>{"restart"});
+    host_.is_unsaved = host_.has_autosave = true;
+    pages_.open_game();
+    choose("Leave");
+    EXPECT_EQ(host_.done.back(), "leave");
+}
+
+TEST_F(Pages, SlotsAreSavedToAndLoadedFrom) {
+    pages_.open_game();
+    choose("Save");
+    EXPECT_EQ(menu_.page().rows.size(), 3u) << "two slots and Back: the game writes the autosave";
+    choose("Slot 1");
+    EXPECT_EQ(host_.done.back(), "save 1");
+    pages_.open_game();
+    choose("Save");
+    choose("Slot 2");
+    EXPECT_EQ(host_.done.size(), 1u) << "a saved game is replaced only after a question";
+    choose("Replace it");
+    EXPECT_EQ(host_.done.back(), "save 2");
+    host_.is_unsaved = false;
+    pages_.open_title();
+    choose("Load");
+    choose("Slot 1");
+    EXPECT_EQ(host_.done.size(), 2u) << "nothing is in it";
+    choose("Autosave");
+    EXPECT_EQ(host_.done.back(), "load 0");
+}
+
+TEST_F(Pages, TheEndLeadsOn) {
+    pages_.open_end();
+    EXPECT_NE(menu_.page().text.find("12:34"), std::string::npos);
+    EXPECT_NE(menu_.page().text.find("12 of 12"), std::string::npos);
+    choose("On to e1m2");
+    EXPECT_EQ(host_.done.back(), "next");
+    pages_.open_end();
+    choose("Again");
+    EXPECT_EQ(host_.done.back(), "restart");
+}
+
+TEST_F(Pages, PreferencesChangeAtOnce) {
+    pages_.open_game();
+    choose("Options");
+    choose("Comfort");
+    const auto row = [&] { return menu_.page().rows[menu_.chosen()]; };
+    while (row().label != "Text size") act(MenuAction::Down);
+    act(MenuAction::Right);
+    EXPECT_EQ(host_.kept.text_scale, 2);
+    act(MenuAction::Left);
+    EXPECT_EQ(host_.kept.text_scale, 1);
+}
+
+TEST_F(Pages, KeysAreAddedRemovedAndConflictsShown) {
+    open_key_pages(menu_, host_);
+    choose("Jump, swim up");
+    choose("Add a key or button");
+    press("J");
+    EXPECT_NE(inputs_text(host_, Move::Jump).find("J"), std::string::npos);
+    choose("Add a key or button");
+    press("W");  // walks ahead
+    EXPECT_EQ(menu_.page().rows.size(), 3u) << menu_.page().text;
+    escape();
+    EXPECT_EQ(inputs_text(host_, Move::Jump).find("W"), std::string::npos);
+    choose("Add a key or button");
+    press("W");
+    choose("Let it do both");
+    EXPECT_EQ(conflicts_of(host_.kept.bindings).size(), 1u);
+    escape();
+    EXPECT_EQ(menu_.page().rows[menu_.chosen()].value.substr(0, 2), "! ");
+    choose("Jump, swim up");
+    choose("W");  // removes it
+    EXPECT_TRUE(conflicts_of(host_.kept.bindings).empty());
+    choose("Add a key or button");
+    press("W");
+    choose("Take it from there");
+    EXPECT_TRUE(conflicts_of(host_.kept.bindings).empty());
+    EXPECT_EQ(inputs_text(host_, Move::Forward).find("W"), std::string::npos);
+}
+
+TEST_F(Pages, AllKeysAreSetAnewOnlyAfterAQuestion) {
+    host_.kept.bindings.unbind_all(Move::Jump);
+    open_key_pages(menu_, host_);
+    choose("All as at first");
+    choose("No");
+    EXPECT_TRUE(host_.kept.bindings.inputs_of(Move::Jump).empty());
+    choose("All as at first");
+    choose("Yes");
+    EXPECT_EQ(host_.kept.bindings, default_bindings());
+}
+
+// Every page, drawn at every size, in a canvas with a border around it.
+TEST_F(EveryPage, CanBeDrawnAtAnySize) {
+    Palette palette;
+    for (std::size_t i = 0; i < 256; ++i)
+        palette.colours[i] = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i)};
+    const MenuLook look(palette);
+    for (const auto open :
+         {&MenuPages::open_title, &MenuPages::open_game, &MenuPages::open_end, &MenuPages::open_gallery}) {
+        (pages_.*open)();
+        for (const CanvasSize size :
+             {CanvasSize{320, 200}, CanvasSize{160, 100}, CanvasSize{8, 8}, CanvasSize{640, 480}})
+            for (const std::int32_t text_scale : {1, 2}) {
+                constexpr std::int32_t kBorder_px = 20;
+                const std::int32_t pitch = size.width_px + 2 * kBorder_px;
+                std::vector<std::uint8_t> pixels(static_cast<std::size_t>(pitch * (size.height_px + 2 * kBorder_px)),
+                                                 7);
+                const Framebuffer canvas{pixels.data() + kBorder_px * pitch + kBorder_px, size.width_px, size.height_px,
+                                         pitch};
+                menu_.draw(text_scale, look, palette, canvas);
+                for (std::int32_t y = 0; y < size.height_px; ++y)
+                    std::fill_n(canvas.row(y), size.width_px, std::uint8_t{7});
+                EXPECT_EQ(std::set<std::uint8_t>(pixels.begin(), pixels.end()).size(), 1u);
+            }
+        menu_.close_all();
+    }
+}
+
+}  // namespace
+}  // namespace oblong

@@ -1,0 +1,177 @@
+#include "game/program.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "engine/platform/files.h"
+#include "engine/platform/headless/headless.h"
+
+namespace oblong {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Script = std::map<std::int64_t, Controls>;  // by poll; in all others the player walks ahead
+
+Controls pressing(Command command) {
+    Controls controls;
+    controls.commands = {command};
+    return controls;
+}
+
+Controls acting(std::vector<MenuAction> actions) {
+    Controls controls;
+    controls.menu = std::move(actions);
+    return controls;
+}
+
+// A whole program, played by a script in a folder of its own.
+class ProgramOfTheDemo : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!fs::exists(assets_ + "/demo.bsp")) GTEST_SKIP() << "the demo level is not built";
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    static Controls at_poll(const Script& script, std::int64_t poll) {
+        const auto found = script.find(poll);
+        Controls controls = found == script.end() ? Controls{} : found->second;
+        controls.forward = true;
+        return controls;
+    }
+    void play_on(Platform& platform, const Options& options) {
+        PreferencesStore store(options.folders.config_file);
+        store.begin_with(options.preferences);
+        Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
+    }
+    // The number of pictures shown.
+    std::int64_t play(std::int64_t frames, const Options& options, const Script& script) {
+        std::int64_t shown = 0;
+        HeadlessPlatform platform(
+            frames, 35, [&](std::int64_t poll) { return at_poll(script, poll); },
+            [&](Framebuffer, const Palette&) { ++shown; });
+        play_on(platform, options);
+        return shown;
+    }
+    Options recording() const {
+        Options options;
+        options.record = path("walk.demo");
+        return options;
+    }
+    Options keeping() const {
+        Options options;
+        options.folders = {path("oblong.cfg"), path("data")};
+        return options;
+    }
+    std::size_t recorded_ticks() const { return read_parsed(path("walk.demo"), decode_demo).ticks.size(); }
+    std::string path(const char* name) const { return (folder_ / name).string(); }
+
+    const std::string assets_ = std::string(OBLONG_BUILD_DIR) + "/assets";
+    const fs::path folder_ =
+        fs::path(OBLONG_BUILD_DIR) / "menu_test" / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(ProgramOfTheDemo, NothingIsSimulatedWhileTheMenuIsOpen) {
+    play(60, recording(), {});
+    const std::size_t all = recorded_ticks();
+    play(60, recording(), {{10, pressing(Command::Menu)}, {29, pressing(Command::Menu)}});
+    EXPECT_EQ(recorded_ticks(), all - 20);
+}
+
+TEST_F(ProgramOfTheDemo, LosingTheFocusPausesUntilThePlayerGoesOn) {
+    play(60, recording(), {});
+    const std::size_t all = recorded_ticks();
+    Script script;
+    for (std::int64_t poll = 10; poll < 15; ++poll) script[poll].has_focus = false;
+    script[29] = acting({MenuAction::Accept});  // "Go on"
+    play(60, recording(), script);
+    EXPECT_EQ(recorded_ticks(), all - 20);
+}
+
+TEST_F(ProgramOfTheDemo, RestartingKeepsTheSettings) {
+    play(60, keeping(),
+         {{5, pressing(Command::Brighter)}, {6, pressing(Command::Brighter)}, {20, pressing(Command::Restart)}});
+    EXPECT_EQ(PreferencesStore(path("oblong.cfg")).kept().brightness_100, 200);
+    const SaveSlots slots(path("data"));
+    EXPECT_LT(slots.load(SaveSlot::Automatic).game->state.tick, 45);
+}
+
+TEST_F(ProgramOfTheDemo, RestartAsksOnceThereIsSomethingToLose) {
+    play(120, keeping(), {{100, pressing(Command::Restart)}, {101, acting({MenuAction::Accept})}});  // "No"
+    const SaveSlots slots(path("data"));
+    EXPECT_GT(slots.load(SaveSlot::Automatic).game->state.tick, 110) << "saved on leaving, as it was";
+}
+
+TEST_F(ProgramOfTheDemo, QuickSaveAndLoadGoBackToTheTickSaved) {
+    play(100, keeping(), {{50, pressing(Command::QuickSave)}, {90, pressing(Command::QuickLoad)}});
+    const SaveSlots slots(path("data"));
+    const std::int64_t saved = slots.load(SaveSlot::Quick).game->state.tick;
+    EXPECT_NEAR(static_cast<double>(saved), 50, 1);
+    EXPECT_EQ(slots.load(SaveSlot::Automatic).game->state.tick, saved + 10);
+}
+
+TEST_F(ProgramOfTheDemo, TheTitleLeadsToAWalkAndTheMenuBackToIt) {
+    Options options = keeping();
+    options.shows_title = true;
+    Script script{{5, acting({MenuAction::Accept})},  // no autosave yet: "Walk"
+                  {60, pressing(Command::Menu)},
+                  {61, acting({MenuAction::Up, MenuAction::Up, MenuAction::Accept})},  // "Title"
+                  {70, acting({MenuAction::Accept})},                                  // "Continue"
+                  {90, pressing(Command::Menu)},
+                  {91, acting({MenuAction::Up, MenuAction::Accept})}};  // "Leave"
+    EXPECT_LT(play(200, options, script), 95) << "the program is left before the script ends";
+    const SaveSlots slots(path("data"));
+    EXPECT_NEAR(static_cast<double>(slots.load(SaveSlot::Automatic).game->state.tick), 54 + 19, 3);
+}
+
+TEST_F(ProgramOfTheDemo, TheGalleryIsOpenedFromTheMenuAndGoesBackToIt) {
+    const auto gallery = acting({MenuAction::Up, MenuAction::Up, MenuAction::Up, MenuAction::Accept});
+    play(60, recording(), {});
+    const std::size_t all = recorded_ticks();
+    play(60, recording(),
+         {{10, pressing(Command::Menu)}, {11, gallery}, {20, pressing(Command::Menu)}, {29, pressing(Command::Menu)}});
+    EXPECT_EQ(recorded_ticks(), all - 20) << "the walk waits";
+}
+
+// A window that counts what is shown; nothing happens but the script.
+class CountingPlatform final : public Platform {
+  public:
+    explicit CountingPlatform(Script script) : script_(std::move(script)) {}
+    bool is_open() const override { return polls_ < 100; }
+    Controls poll() override {
+        const auto found = script_.find(polls_++);
+        now_us_ += 28'572;
+        return found == script_.end() ? Controls{} : found->second;
+    }
+    std::uint64_t now_us() override { return now_us_; }
+    WindowSize window_size() const override { return {1600, 1200}; }
+    void set_title(const char*) override {}
+    void capture_mouse(bool is_captured) override { captured.push_back(is_captured); }
+    void wait_for_input(std::int32_t timeout_ms) override { now_us_ += static_cast<std::uint64_t>(timeout_ms) * 1000; }
+    void present(Framebuffer, const Palette&, const PresentRect&) override { shown.push_back(polls_); }
+
+    std::vector<std::int64_t> shown;  // the poll before each picture
+    std::vector<bool> captured;
+
+  private:
+    Script script_;
+    std::int64_t polls_ = 0;
+    std::uint64_t now_us_ = 0;
+};
+
+TEST_F(ProgramOfTheDemo, NothingIsDrawnWhileNothingChanges) {
+    Script script{{20, pressing(Command::Menu)}, {40, acting({MenuAction::Down})}, {80, pressing(Command::Menu)}};
+    CountingPlatform platform(script);
+    play_on(platform, Options{});
+    std::int64_t paused = 0;
+    for (const std::int64_t poll : platform.shown) paused += poll > 21 && poll <= 80;
+    EXPECT_EQ(paused, 1) << "the row that was chosen";
+    EXPECT_EQ(platform.captured, (std::vector<bool>{true, false, true}));
+}
+
+}  // namespace
+}  // namespace oblong
