@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <string>
 
 #include "engine/base/input_error.h"
@@ -24,7 +25,7 @@ constexpr std::int32_t kFeetBelow = 24;                    // Player::position
 struct Turning {
     std::int32_t fastest, gain, nearness;
 };
-constexpr Turning kYawTurning{500, 40, 11}, kPitchTurning{160, 14, 11};
+constexpr Turning kYawTurning{480, 52, 10}, kPitchTurning{160, 17, 10};
 
 std::string place_of(std::size_t line) {
     return "line " + std::to_string(line);
@@ -106,11 +107,10 @@ std::int32_t way_between(Angle from, Angle to) {
     return static_cast<std::int16_t>((to - from).bam);
 }
 
-// The part of the speed that is left to who does not look where he goes: cos^2, and none beyond a right angle.
+// The part of the speed that is left to who does not look where he goes: all up to 6 degrees off, none from 50 on.
 std::int32_t slowed(std::int32_t speed, std::int32_t yaw_error) {
-    constexpr std::int64_t kOne = Unit::from_int(1).raw;
-    const std::int64_t ahead = std::max<std::int64_t>(0, cosine(Angle::from_bam(yaw_error)).raw);
-    return static_cast<std::int32_t>(speed * ahead / kOne * ahead / kOne);
+    constexpr std::int32_t kFull = 1092, kNone = 9102;
+    return speed * std::clamp(kNone - std::abs(yaw_error), 0, kNone - kFull) / (kNone - kFull);
 }
 
 std::string words(const Position& p) {

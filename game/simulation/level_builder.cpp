@@ -274,9 +274,11 @@ Firing LevelBuilder::firing_of(const Entity& entity, std::string_view usual_mess
     return firing;
 }
 
-// Equal messages are kept once.
+// Equal messages are kept once. A backslash and an n in them is a new line, as in Quake.
 MessageIndex LevelBuilder::message(std::string text) {
     if (text.empty()) return kNoMessage;
+    for (std::size_t end = text.find("\\n"); end != std::string::npos; end = text.find("\\n", end))
+        text.replace(end, 2, "\n");
     const auto [found, is_new] = message_of_.emplace(text, static_cast<MessageIndex>(level_.messages.size()));
     if (is_new) level_.messages.push_back(std::move(text));
     return found->second;

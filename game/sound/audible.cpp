@@ -17,8 +17,9 @@ constexpr std::int64_t kMostPan_16 = kOne_16 * 7 / 8;  // the far ear is never q
 constexpr World kNear = World::from_int(96);           // nearer than this, sounds come from both sides more and more
 constexpr World kInReach = World::from_int(32);        // nothing is between the listener and what is as near as this
 constexpr std::int32_t kSurfaceRise = 32;              // liquids are heard over the edge of their basin
-constexpr std::int32_t kBlockedGain_256 = 140;
-constexpr std::int32_t kFaintest_256 = 3;  // both sides together: quieter sounds get no voice
+constexpr std::int32_t kBlockedGain_256 = 140,
+                       kBlockedWind_256 = 40;  // wind is no sound of one place: hardly heard inside
+constexpr std::int32_t kFaintest_256 = 3;      // both sides together: quieter sounds get no voice
 
 Position nearest_point(const Box& box, const Position& to) {
     return {std::clamp(to.x, box.mins.x, box.maxs.x), std::clamp(to.y, box.mins.y, box.maxs.y),
@@ -51,11 +52,16 @@ bool is_liquid(Sound sound) {
     return sound == Sound::Water || sound == Sound::Slime || sound == Sound::Lava;
 }
 
+// The middle of a liquid, seen from over the edge of its basin: its nearest point may be below where one stands.
+Position over_middle(const Box& box, const Position& ear) {
+    const Position middle = box.mins + scaled(box.size(), 1, 2);
+    return {middle.x, middle.y, std::min(box.maxs.z + World::from_int(kSurfaceRise), ear.z)};
+}
+
 // The end of the line that tells whether a source is behind something: a little before it.
 Position traced_point(const SoundSource& source, const Listener& listener) {
-    Position point = nearest_point(source.box, listener.ear);
-    if (is_liquid(source.sound) && point.z < listener.ear.z)
-        point.z = std::min(point.z + World::from_int(kSurfaceRise), listener.ear.z);
+    const Position point =
+        is_liquid(source.sound) ? over_middle(source.box, listener.ear) : nearest_point(source.box, listener.ear);
     const Vec3<World> way = point - listener.ear;
     const World distance = length_of(way);
     if (distance <= kInReach) return listener.ear;
@@ -90,7 +96,7 @@ class Hearing {
         const SoundSource& source = *heard.source;
         AudibleSound sound{source.sound, source.variant, source.serial, heard.levels, direction_to(source, listener_)};
         if (is_blocked(source)) {
-            sound.levels = times_256(heard.levels, kBlockedGain_256);
+            sound.levels = times_256(heard.levels, source.sound == Sound::Wind ? kBlockedWind_256 : kBlockedGain_256);
             sound.levels.is_muffled = true;
         }
         sound.levels.is_muffled |= listener_.is_under_water && source.sound != Sound::UnderWater;
@@ -115,6 +121,7 @@ class Hearing {
     }
 
     Audible result() && {
+        std::erase_if(audible_.sounds, [](const auto& sound) { return loudness(sound.levels) < kFaintest_256; });
         std::stable_sort(audible_.sounds.begin(), audible_.sounds.end(),
                          [](const auto& a, const auto& b) { return loudness(a.levels) > loudness(b.levels); });
         if (audible_.sounds.size() > kMostAudible) audible_.sounds.resize(kMostAudible);

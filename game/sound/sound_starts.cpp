@@ -78,7 +78,10 @@ void SoundStarts::note_player(const GameState& before, const GameState& after, s
     if (!swims(before.player) && swims(after.player)) add(Sound::WaterIn, sources);
     if (swims(before.player) && !swims(after.player)) add(Sound::WaterOut, sources);
     const bool lands = !stands(before.player) && stands(after.player) && !swims(after.player);
-    if (lands && before.player.velocity.z < kHardLanding) add(Sound::Land, sources);
+    // The tick that meets the ground takes the speed away, the next one stands.
+    fall_speed_ = std::min(fall_speed_, before.player.velocity.z);
+    if (lands && fall_speed_ < kHardLanding) add(Sound::Land, sources);
+    if (stands(after.player) || swims(after.player)) fall_speed_ = {};
     note_way(before, after, sources);
 }
 
@@ -124,7 +127,10 @@ void SoundStarts::note_items(const GameState& before, const GameState& after, st
     }
     const bool has_ended = !before.has_ended && after.has_ended;
     if (has_ended) add(Sound::LevelEnd, sources);
-    if (before.message_tick != after.message_tick && !has_taken && !has_ended) add(Sound::Message, sources);
+    const bool has_found = after.found_secrets > before.found_secrets;
+    if (has_found) add(Sound::Secret, sources);
+    const bool says_more = before.message_tick != after.message_tick;
+    if (says_more && !has_taken && !has_ended && !has_found) add(Sound::Message, sources);
 }
 
 }  // namespace oblong

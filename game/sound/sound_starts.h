@@ -30,6 +30,7 @@ class SoundStarts {
     std::vector<MoverSounds> mover_sounds_;   // in the order of the level's movers
     std::vector<std::uint32_t> were_moving_;  // movers, ascending, in the last tick
     World since_step_;                        // the way walked or swum since the last step or stroke
+    World fall_speed_;                        // the fastest since the player last stood, downward negative
     std::uint32_t last_serial_ = 0;
 };
 

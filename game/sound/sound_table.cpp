@@ -44,7 +44,7 @@ constexpr auto kRows = std::to_array<SoundRow>({
     {"menu_move", 1, "", 0, 110, 4},
     {"menu_accept", 1, "", 0, 150, 11},
     {"menu_back", 1, "", 0, 140, 11},
-    {"wind", 1, "wind", 900, 120, 0, kSometimes},
+    {"wind", 1, "wind", 900, 180, 0, kSometimes},
     {"rain", 1, "rain", 700, 160, 0, kSometimes},
     {"water", 1, "water", 500, 130, 0, kSometimes},
     {"slime", 1, "slime bubbles", 450, 150, 0, kSometimes},

@@ -5,6 +5,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/level/bsp_read.h"
+#include "engine/platform/bindings.h"
 #include "engine/platform/files.h"
 #include "game/route.h"
 #include "game/simulation/items.h"
@@ -59,14 +60,14 @@ TEST_F(RecordedWalk, ShowsEveryMessageOfTheLevelButThoseOfWaysThatItDoesNotTake)
         const std::string message = entity.value("message");
         if (entity.value("classname") == "item_lens") lenses += shown.contains(message);
     }
-    EXPECT_EQ(lenses, kLenses);
+    EXPECT_EQ(lenses, kLenses - 1) << "that of the last one gives way to what the tower says";
     EXPECT_TRUE(shown.contains("All twelve lenses: the tower is open"));
     EXPECT_GE(shown.size(), 2 * kLenses + 3) << "a caption on entering each room";
 }
 
 TEST_F(RecordedWalk, TurnsAtAPacePleasantToWatch) {
     constexpr int kFastest = 65'536 * 100 / 360 / static_cast<int>(kTicksPerSecond);  // 100 degrees a second
-    constexpr int kLargestJerk = 65'536 * 8 / 360 / static_cast<int>(kTicksPerSecond);
+    constexpr int kLargestJerk = 65'536 * 11 / 360 / static_cast<int>(kTicksPerSecond);
     int before = 0;
     for (const DemoTick& tick : demo_.ticks) {
         EXPECT_LE(std::abs(tick.input.yaw), kFastest);
@@ -83,6 +84,11 @@ TEST(DemoCaptions, AreOfOneOrTwoLinesThatFitThePicture) {
         std::string message = entity.value("message");
         if (message.empty()) continue;
         ++count;
+        for (std::size_t key = message.find('{'); key != std::string::npos; key = message.find('{')) {
+            const std::string action = message.substr(key + 1, message.find('}') - key - 1);
+            EXPECT_TRUE(std::ranges::count(all_actions(), action, &ActionNames::name) == 1) << action;
+            message.replace(key, action.size() + 2, "F11");
+        }
         std::size_t lines = 1;
         for (std::size_t end = message.find("\\n"); end != std::string::npos; end = message.find("\\n"), ++lines) {
             EXPECT_LE(end, 50u) << message;

@@ -93,3 +93,14 @@ demand_same() {
     diff "$work/reference.txt" "$work/$1.txt" >"$work/$1.diff" ||
         { head -n 10 "$work/$1.diff" >&2; fail "$1 draws other pictures (< reference, > $1); all are in $work/$1.diff"; }
 }
+
+# demand_same_walk NAME COMMAND...: the recorded walk leads to the states that the build made before it recorded, and the
+# games saved on the way are the same files as those of the first NAME.
+demand_same_walk() {
+    local name=$1
+    shift
+    "$@" "$build/assets/demo.bsp" "$build/assets/walk.demo" >"$work/$name.walk" || fail "$name does not walk the recorded walk"
+    grep -q '^end ' "$work/$name.walk" || fail "the recorded walk does not reach the end of the level"
+    first_walk=${first_walk:-$work/$name.walk}
+    cmp -s "$first_walk" "$work/$name.walk" || fail "$name saves other files than $(basename "$first_walk" .walk)"
+}

@@ -40,9 +40,24 @@ void apply_filter(int, void* stream, int length_bytes, void* filter) {
     static_cast<VoiceFilter*>(filter)->apply({static_cast<std::int16_t*>(stream), count});
 }
 
+using AlsaErrorHandler = void (*)(const char* file, int line, const char* function, int error, const char* format, ...);
+
+void ignore_alsa_error(const char*, int, const char*, int, const char*, ...) {}
+
+// Where there is no sound card, ALSA's library writes a dozen lines on standard error by itself: the game says it in
+// one.
+void silence_alsa() {
+    void* library = SDL_LoadObject("libasound.so.2");
+    if (library == nullptr) return;
+    using SetHandler = int (*)(AlsaErrorHandler);
+    const auto set_handler = reinterpret_cast<SetHandler>(SDL_LoadFunction(library, "snd_lib_error_set_handler"));
+    if (set_handler != nullptr) set_handler(ignore_alsa_error);
+}
+
 // Everything is converted to one format: the filters know no other.
 struct Device {
     Device() {
+        silence_alsa();
         if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) fail();
         if (Mix_OpenAudioDevice(kRate_hz, AUDIO_S16SYS, VoiceFilter::kSides, kBuffer_samples, nullptr, 0) == 0) return;
         SDL_QuitSubSystem(SDL_INIT_AUDIO);

@@ -54,8 +54,8 @@ void build_accuracy_room(Draft& draft) {
     draft.add_light({-784, 2440, 200}, 200);
     for (const double x : {-784.0, -160.0}) add_hanging_lamp(draft, {x, 2320, 200}, 272, 370);
     add_lens(draft, {-472, 2320, kFloor}, "ACCURACY");
-    add_caption(draft, {{-840, 2150, kFloor}, {-744, 2190, kFloor + 72}}, "ACCURACY - F4: in 1991 these stripes bend.",
-                "The lava does no harm; steps lead out.");
+    add_caption(draft, {{-840, 2150, kFloor}, {-744, 2190, kFloor + 72}},
+                "ACCURACY - {accuracy}: in 1991 these stripes bend.", "The lava does no harm; steps lead out.");
 }
 
 }  // namespace oblong::map_source

@@ -43,7 +43,7 @@ void build_aspect_room(Draft& draft) {
     add_hanging_lamp(draft, {112, 256, 200}, 288, 400);
     add_lens(draft, {-112, 262, 0}, "ASPECT");
     add_caption(draft, {{-48, 8, 0}, {48, 40, 72}}, "ASPECT - a sphere is round on your screen.",
-                "F2, F3 spoil it; F11 measures it.");
+                "{projection-aspect}, {display-aspect} spoil it; {aspect-guide} measures it.");
 }
 
 }  // namespace oblong::map_source

@@ -59,7 +59,7 @@ void build_axonometry_room(Draft& draft) {
     draft.add_light({1400, 250, 150}, 300);
     add_lens(draft, {1552, 416, 0}, "AXONOMETRY");
     add_caption(draft, {{1352, 368, 0}, {1384, 464, 72}}, "AXONOMETRY - from the lens, the pile is flat.",
-                "I shows the level from outside, like this.");
+                "{isometric} shows the level from outside, like this.");
     draft.add_light({1500, 360, 190}, 660);
     add_wall_lamp(draft, {1752, 288, 136}, Side::West, 290);
     add_wall_lamp(draft, {1352, 560, 136}, Side::East, 290);

@@ -99,7 +99,7 @@ void build_courtyard(Draft& draft) {
     add_plants(draft);
     add_moonlight(draft);
     add_caption(draft, {{688, 560, 0}, {784, 600, 72}}, "THE COURTYARD - twelve lenses open the tower.",
-                "Tab shows a map.");
+                "{map} shows a map.");
 }
 
 void build_canal(Draft& draft) {
@@ -133,7 +133,7 @@ void build_balcony(Draft& draft) {
     add_lamp_post(draft, {1032, 1180, 0}, 290);
     add_wall_lamp(draft, {1144, 828, 72}, Side::West, 330);
     add_lens(draft, {1046, 940, 160}, "FIELD OF VIEW");
-    add_caption(draft, {{1112, 840, 160}, {1148, 936, 232}}, "FIELD OF VIEW - [ and ] make it wide or narrow;",
+    add_caption(draft, {{1112, 840, 160}, {1148, 936, 232}}, "FIELD OF VIEW - {zoom-in} and {zoom-out} change it;",
                 "what is in the middle keeps its size.");
     build_room(draft, {{{1184, 688, 0}, {1312, 792, 128}},
                        "stone_floor",

@@ -44,7 +44,7 @@ void build_dust_room(Draft& draft) {
     draft.add_point("misc_dust", middle, {{"size", "80 80 220"}, {"count", "160"}, {"colour", "47"}, {"period", "20"}});
     add_lens(draft, {366, 206, 0}, "DUST");
     add_caption(draft, {{470, 96, 0}, {506, 192, 72}}, "DUST - 160 specks in a shaft of moonlight.",
-                "Out of sight they cost nothing: F6.");
+                "Out of sight they cost nothing: {frame-cost}.");
     for (const double y : {40.0, 248.0}) {
         for (const double x : {328.0, 472.0}) draft.add_light({x, y, 70}, 230);
     }

@@ -40,7 +40,7 @@ void build_entrance(Draft& draft) {
     furnish(draft);
     draft.add_light({0, -96, 180}, 350);
     add_caption(draft, {{-60, -416, 0}, {60, -330, 72}},
-                "Find the twelve lenses, one in each exhibit:", "then the tower opens. F1 shows the keys.");
+                "Find the twelve lenses, one in each exhibit:", "then the tower opens. {help} shows the keys.");
     draft.add_point("info_player_start", {0, -368, 32}, {{"angle", "90"}});
 }
 

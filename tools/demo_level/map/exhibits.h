@@ -16,7 +16,8 @@ inline constexpr const char* kTowerGate = "tower_gate";
 /// The lens of an exhibit, above `floor`, which is in reach of everybody who walks.
 void add_lens(Draft& draft, const Point& floor, const std::string& exhibit);
 
-/// What the game says, once, to who enters a box: one or two lines of up to 50 characters.
+/// What the game says, once, to who enters a box: one or two lines of up to 50 characters. The game puts
+/// the name of a key in the place of "{accuracy}": the name of what it does (engine/platform/bindings.h).
 void add_caption(Draft& draft, const Box& box, const std::string& first, const std::string& second = "");
 
 /// What counts the lenses and opens the tower's gates.

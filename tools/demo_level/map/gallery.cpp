@@ -59,7 +59,7 @@ void build_gallery(Draft& draft) {
     add_sign(draft, {Side::North, {736, kSouth, 144}, 1, "sign_light", 128, 48});
     add_lens(draft, {1232, kMiddle, 0}, "the VANISHING POINT");
     add_caption(draft, {{300, 368, 0}, {330, 464, 72}}, "VANISHING POINT - all lines meet in one.",
-                "F4: how textures bend; F9 compares.");
+                "{accuracy}: how textures bend; {split} compares.");
 }
 
 }  // namespace oblong::map_source

@@ -55,7 +55,7 @@ void build_light_hall(Draft& draft) {
     for (const double x : {640.0, 832.0}) draft.add_light({x, 120, 150}, 330);
     add_lens(draft, {736, 40, 0}, "LIGHT AND SHADOW");
     add_caption(draft, {{688, 240, 0}, {784, 280, 72}}, "LIGHT - a mirror, and a lantern that moves.",
-                "L carries a torch; F6 shows what it costs.");
+                "{torch} carries a torch; {frame-cost} shows what it costs.");
 }
 
 }  // namespace oblong::map_source

@@ -37,7 +37,7 @@ void build_plane_room(Draft& draft) {
     draft.add_light({1560, 760, 150}, 510);
     add_lens(draft, {1548, 932, 0}, "ANY PLANE");
     add_caption(draft, {{1440, 664, 0}, {1536, 696, 72}}, "ANY PLANE - walls and crystals along no axis.",
-                "E shows the edges of all that is drawn.");
+                "{wireframe} shows the edges of all that is drawn.");
     add_caption(draft, {{1352, 840, 0}, {1376, 936, 72}}, "The lift: stand on it, and it goes up.");
     draft.add_light({1420, 820, 120}, 330);
     add_wall_lamp(draft, {1352, 980, 120}, Side::East, 330);

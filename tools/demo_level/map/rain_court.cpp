@@ -78,7 +78,7 @@ void build_rain_court(Draft& draft) {
     add_sign(draft, {Side::South, {1392, kCourtHigh.y, 138}, 1, "sign_fog", 64, 32});
     add_lens(draft, {1392, 1522, 0}, "RAIN");
     add_caption(draft, {{1192, 1568, 0}, {1224, 1664, 72}}, "RAIN - 500 drops, drawn in this court alone.",
-                "F6: they come and go as you turn.");
+                "{frame-cost}: they come and go as you turn.");
     const Box rain = within_walk(kWalk + 8, -8, kCourtHigh.z);
     const auto size = std::to_string(static_cast<int>(rain.high.x - rain.low.x));
     draft.add_point("misc_rain", rain.centre(),

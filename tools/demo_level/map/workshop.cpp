@@ -69,7 +69,7 @@ void build_workshop(Draft& draft) {
     draft.add_light({1030, 100, 130}, 290);
     add_lens(draft, {1180, 144, 0}, "SPARKS");
     add_caption(draft, {{968, 96, 0}, {1000, 192, 72}}, "SPARKS - the neon sign is palette alone.",
-                "F6 lists each effect and its pixels.");
+                "{frame-cost} lists each effect and its pixels.");
     draft.add_light({1260, 144, 60}, 200);
 }
 
