@@ -66,7 +66,6 @@ std::string display_name(const ScreenMode& mode) {
 std::string aspect_caption(const ScreenMode& mode, bool corrects_projection, ShownAs shown_as, Scaling scaling,
                            WindowSize window) {
     const Ratio pixel = shown_pixel(layout(window, mode, shown_as, scaling), mode);
-    if (scaling == Scaling::Stretch) shown_as = ShownAs::FillWindow;
     return "Drawn for " + (corrects_projection ? display_name(mode) : "square pixels") + ", shown " +
            name_of(shown_as, mode) + ":\nspheres " + describe_shape(sphere_shape(mode, corrects_projection, pixel)) +
            ", the circle " + describe_shape(pixel * mode.pixel().inverse());

@@ -6,6 +6,7 @@
 #include "engine/geometry/clip_line.h"
 #include "engine/geometry/views.h"
 #include "engine/level/side.h"
+#include "game/sign_colours.h"
 
 namespace oblong {
 
@@ -99,18 +100,18 @@ class Automap::Plotter {
     ViewVolume volume_;
 };
 
-Automap::Automap(const GameData& data, const GameLevel& level)
+Automap::Automap(const GameData& data, const GameLevel& level, ColourScheme scheme)
     : bsp_(data.level),
       level_(level),
       lines_(data.level.faces.size()),
       visible_(data.level),
       is_visible_(data.level.faces.size()),
       darker_(darker_colours(data.palette, kPictureBrightness)),
-      wall_(data.palette, {232, 224, 200}),
-      step_(data.palette, {160, 128, 88}),
-      door_(data.palette, {248, 176, 48}),
-      hidden_(data.palette, {88, 92, 104}),
-      player_(data.palette, {120, 248, 120}) {
+      wall_(data.palette, sign_colours_of(scheme).wall),
+      step_(data.palette, sign_colours_of(scheme).step),
+      door_(data.palette, sign_colours_of(scheme).door),
+      hidden_(data.palette, sign_colours_of(scheme).hidden),
+      player_(data.palette, sign_colours_of(scheme).player) {
     for (const FaceIndex face : bsp_.world().faces) lines_[face] = map_lines_of(bsp_, face);
 }
 
@@ -122,19 +123,31 @@ void Automap::draw_world(const Plotter& plotter, const Vec3<World>& eye) {
     for (const bool shown : {false, true})  // what may be seen over what may not
         for (const FaceIndex face : bsp_.world().faces) {
             if ((is_visible_[face] != 0) != shown) continue;
-            for (const MapLine& line : lines_[face])
-                plotter.draw(line.from, line.to, !shown ? hidden_ : line.kind == MapLineKind::Step ? step_ : wall_);
+            for (const MapLine& line : lines_[face]) draw_line_of_world(plotter, line, shown);
         }
 }
 
+void Automap::draw_line_of_world(const Plotter& plotter, const MapLine& line, bool is_visible) const {
+    if (line.kind == MapLineKind::Wall) return plotter.draw(line.from, line.to, is_visible ? wall_ : hidden_);
+    const auto at = [&](std::int32_t thirds) {
+        return between(line.from, line.to, World::from_int(thirds), World::from_int(3));
+    };
+    plotter.draw(line.from, at(1), is_visible ? step_ : hidden_);
+    plotter.draw(at(2), line.to, is_visible ? step_ : hidden_);
+}
+
 void Automap::draw_models(const Plotter& plotter, const GameView& view) const {
-    for (const PlacedModel& placed : placed_models(level_, view.state))
+    for (const PlacedModel& placed : placed_models(level_, view.state)) {
+        const Box box = box_of(bsp_.models[placed.model].box).moved(placed.offset);
+        plotter.draw(box.mins, {box.maxs.x, box.maxs.y, box.mins.z}, door_);
+        plotter.draw({box.maxs.x, box.mins.y, box.mins.z}, {box.mins.x, box.maxs.y, box.mins.z}, door_);
         for (const FaceIndex index : bsp_.models[placed.model].faces) {
             const Face& face = bsp_.faces[index];
             if (!is_wall(bsp_, face)) continue;
             for (const MapLine& line : lowest_edges(bsp_, face))
                 plotter.draw(line.from + placed.offset, line.to + placed.offset, door_);
         }
+    }
 }
 
 void Automap::draw(const GameView& view, MapView orientation, LineMethod method, const ScreenMode& mode,

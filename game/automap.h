@@ -6,6 +6,7 @@
 #include "engine/visibility/visible_set.h"
 #include "game/game_renderer.h"
 #include "game/line_overlays.h"
+#include "game/preferences/preferences.h"
 #include "tools/common/drawing.h"
 
 namespace oblong {
@@ -26,12 +27,13 @@ struct MapLine {
 /// and skies, and for walls that begin above the ground, as over a door.
 std::vector<MapLine> map_lines_of(const Level& level, FaceIndex face);
 
-/// The level from above around the player, an orthographic view of lines over a darkened picture. It exists only while
+/// The level from above around the player, an orthographic view of lines over a darkened picture: steps are broken
+/// lines, doors and other models have crosses. It exists only while
 /// it is shown.
 class Automap {
   public:
     /// `data` and `level` outlive it.
-    Automap(const GameData& data, const GameLevel& level);
+    Automap(const GameData& data, const GameLevel& level, ColourScheme scheme);
 
     /// Draws it over the canvas. Lines in no leaf that may be seen from here are dark.
     void draw(const GameView& view, MapView orientation, LineMethod method, const ScreenMode& mode,
@@ -41,6 +43,7 @@ class Automap {
     class Plotter;
 
     void draw_world(const Plotter& plotter, const Vec3<World>& eye);
+    void draw_line_of_world(const Plotter& plotter, const MapLine& line, bool is_visible) const;
     void draw_models(const Plotter& plotter, const GameView& view) const;
 
     const Level& bsp_;

@@ -9,10 +9,6 @@
 namespace oblong {
 namespace {
 
-// From cold to hot, in colours that Quake's palette has too. All but the first, which is for what is nearly exact, are
-// bright.
-constexpr std::array<Rgb8, ErrorMap::kBands> kColours{
-    {{90, 90, 90}, {40, 60, 220}, {150, 200, 250}, {250, 230, 40}, {240, 130, 30}, {230, 20, 20}, {255, 250, 250}}};
 constexpr std::array<std::string_view, ErrorMap::kBands> kLabels{"less", "1/8 px", "1/4 px", "1/2 px",
                                                                  "1 px", "2 px",   "4 px"};
 constexpr std::int32_t kSwatch_px = 4;
@@ -26,11 +22,12 @@ Rgb8 tinted(Rgb8 band, Rgb8 picture) {
 
 }  // namespace
 
-ErrorMap::ErrorMap(const Palette& palette) {
+ErrorMap::ErrorMap(const Palette& palette, ColourScheme scheme) {
+    const std::array<Rgb8, kBands>& colours = sign_colours_of(scheme).errors;
     for (std::size_t band = 0; band < kBands; ++band) {
-        swatches_[band] = nearest_colour(palette, tinted(kColours[band], {128, 128, 128}));
+        swatches_[band] = nearest_colour(palette, tinted(colours[band], {128, 128, 128}));
         for (std::size_t i = 0; i < palette.colours.size(); ++i)
-            tints_[band][i] = nearest_colour(palette, tinted(kColours[band], palette.colours[i]));
+            tints_[band][i] = nearest_colour(palette, tinted(colours[band], palette.colours[i]));
     }
 }
 

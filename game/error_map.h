@@ -5,6 +5,7 @@
 
 #include "engine/screen/screen.h"
 #include "engine/surface/palette.h"
+#include "game/sign_colours.h"
 #include "tools/common/drawing.h"
 #include "tools/common/text.h"
 #include "tools/measure/texel_error.h"
@@ -17,8 +18,9 @@ class ErrorMap {
     /// Errors below the first are dark grey; from each of these on, 1/256 pixel, they have a colour of their own.
     static constexpr std::array kSteps_256{32, 64, 128, 256, 512, 1024};  // 1/8 to 4 pixels
     static constexpr std::size_t kBands = kSteps_256.size() + 1;
+    static_assert(kBands == kErrorBands);
 
-    explicit ErrorMap(const Palette& palette);
+    ErrorMap(const Palette& palette, ColourScheme scheme);
 
     /// Colours each pixel of a picture, which stays recognisable by its brightness. `errors`: one a pixel.
     void draw(std::span<const TexelError> errors, Framebuffer canvas) const;

@@ -59,11 +59,17 @@ std::int64_t palette_time_ns(const Palette& palette, const PaletteEffects& effec
 
 }  // namespace
 
+std::int32_t cost_height_px(const CostText& text, Framebuffer canvas) {
+    if (text.frame.empty()) return 0;
+    const auto lines = static_cast<std::int32_t>(lines_across(text.frame, {}, canvas).size());
+    const auto rows = static_cast<std::int32_t>(std::max(text.passes.size(), text.effects.size()));
+    return lines * kLineHeight_px + (rows == 0 ? 0 : (rows + 1) * kRow_px) + 2;
+}
+
 void draw_cost(const CostText& text, std::int32_t bottom, TextColours colours, Framebuffer canvas) {
     if (text.frame.empty()) return;
-    const std::size_t rows = std::max(text.passes.size(), text.effects.size());
-    const std::int32_t height = kLineHeight_px + (rows == 0 ? 0 : static_cast<std::int32_t>(rows + 1) * kRow_px) + 2;
-    recolour_area(canvas, {0, bottom - height, canvas.width_px, canvas.height_px}, text.background);
+    const std::int32_t height = cost_height_px(text, canvas);
+    recolour_area(canvas, {0, bottom - height, canvas.width_px, height}, text.background);
     bottom = draw_lines_above(bottom, text.frame, colours, canvas);
     draw_column(kTextMargin_px, bottom, text.passes, kPassName, colours, canvas);
     draw_column(kEffectsLeft_px, bottom, text.effects, kEffectName, colours, canvas);

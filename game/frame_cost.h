@@ -17,6 +17,8 @@ struct CostText {
     std::vector<PlanLine> passes, effects;  ///< of the plan; effects without those that are passes of their own
 };
 
+/// How many rows draw_cost() draws over; 0 where there is nothing to show.
+std::int32_t cost_height_px(const CostText& text, Framebuffer canvas);
 /// Draws the text so that it ends above the row `bottom`: the plan's passes at the left, effects at the right.
 void draw_cost(const CostText& text, std::int32_t bottom, TextColours colours, Framebuffer canvas);
 

@@ -4,24 +4,13 @@
 #include <array>
 #include <utility>
 
+#include "game/help_panel.h"
 #include "game/screenshot.h"
 #include "tools/gallery/rows.h"
 
 namespace oblong {
 
 namespace {
-
-constexpr std::array<std::string_view, 9> kGalleryHelp{
-    "Page Down, Page Up  next row, row before",
-    "Up, Down            choose a parameter",
-    "Left, Right         change it",
-    "F6                  all figures and notes",
-    "F2, F3              aspect",
-    "F4                  accuracy",
-    "F5, C               scaling, tube",
-    "F12                 screenshots",
-    "F1                  this help",
-};
 
 /// What is changed by the same keys as in the game.
 constexpr std::array<Command, 8> kKeysOfTheGame{
@@ -59,8 +48,8 @@ GalleryState start_of_gallery(const std::vector<Row>& rows) {
     return state;
 }
 
-std::string apply(Command command, const std::vector<Row>& rows, const ScreenMode& mode, WindowSize window,
-                  ViewOptions& view_options, GalleryState& state) {
+std::string apply(Command command, const std::vector<Row>& rows, WindowSize window, ViewOptions& view_options,
+                  GalleryState& state) {
     const Row& row = rows[state.row];
     const std::size_t count = rows.size(), parameters = std::max<std::size_t>(row.parameters.size(), 1);
     switch (command) {
@@ -87,7 +76,7 @@ std::string apply(Command command, const std::vector<Row>& rows, const ScreenMod
             break;
     }
     const bool is_of_game = std::find(kKeysOfTheGame.begin(), kKeysOfTheGame.end(), command) != kKeysOfTheGame.end();
-    return is_of_game ? apply(command, view_options, mode, window) : "";
+    return is_of_game ? apply(command, view_options, window) : "";
 }
 
 Gallery::Gallery(std::shared_ptr<const LoadedLevel> loaded, const SessionSettings& settings, ViewOptions& view_options,
@@ -95,59 +84,67 @@ Gallery::Gallery(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
     : loaded_(std::move(loaded)),
       data_(loaded_->data),
       assets_{data_.level, data_.colormap, text_colours_of(data_.palette)},
+      menu_look_(data_.palette),
       rows_(gallery_rows()),
-      mode_(settings.mode),
       screenshot_folder_(settings.screenshot_folder),
       platform_(platform),
       view_options_(view_options),
       state_(start_of_gallery(rows_)),
-      picture_(pixel_count(mode_.width_px, mode_.height_px)),
       start_us_(platform.now_us()),
       now_us_(start_us_) {
-    show_message(hud_, "Page Down: next row    F1 Help", start_us_);
+    const Bindings& bindings = view_options_.preferences.bindings;
+    messages_.show(key_name_of(Command::PageDown, bindings, platform_) + ": next row    " +
+                       key_name_of(Command::ShowHelp, bindings, platform_) + ": keys",
+                   MessageKind::Answer);
 }
 
 void Gallery::advance(const Controls& controls, std::uint64_t now_us) {
     now_us_ = now_us;
     for (const Command command : controls.commands) {
         wants_screenshot_ |= command == Command::Screenshot;
-        const std::string message = apply(command, rows_, mode_, platform_.window_size(), view_options_, state_);
-        if (!message.empty()) show_message(hud_, message, now_us);
+        const std::string message = apply(command, rows_, platform_.window_size(), view_options_, state_);
+        if (!message.empty()) messages_.show(message, MessageKind::Answer);
     }
     if (!controls.commands.empty() || rows_[state_.row].moves) is_drawn_ = false;
 }
 
 ShownPicture Gallery::draw() {
-    if (!is_drawn_) draw_picture();
+    if (!is_drawn_ || drawn_with_ != view_options_.preferences) draw_picture();
+    const ScreenMode& mode = drawn_with_.mode;
     shown_ = picture_;
-    const Framebuffer canvas{shown_.data(), mode_.width_px, mode_.height_px, mode_.width_px};
+    const Framebuffer canvas{shown_.data(), mode.width_px, mode.height_px, mode.width_px};
     if (wants_screenshot_)
-        show_message(hud_, save_screenshots(screenshot_folder_, canvas, data_.palette, mode_), now_us_);
+        messages_.show(save_screenshots(screenshot_folder_, canvas, data_.palette, mode), MessageKind::Answer);
     wants_screenshot_ = false;
     draw_over();
-    PresentRect rect = layout(platform_.window_size(), mode_, view_options_.shown_as, view_options_.scaling);
-    rect.has_crt_look = view_options_.has_crt_look;
-    return {canvas, data_.palette, rect};
+    return {canvas, data_.palette, shown_rect(view_options_.preferences, platform_.window_size())};
 }
 
 void Gallery::draw_picture() {
+    drawn_with_ = view_options_.preferences;
+    const ScreenMode& mode = drawn_with_.mode;
+    picture_.resize(pixel_count(mode.width_px, mode.height_px));
     const Row& row = rows_[state_.row];
     const auto time_ms = static_cast<std::int64_t>((now_us_ - start_us_) / 1000);
-    const RowInput input{assets_, mode_, settings_of(view_options_), state_.values[state_.row], time_ms};
-    page_ = draw_row(row, input, state_.chosen, {picture_.data(), mode_.width_px, mode_.height_px, mode_.width_px});
+    const RowInput input{assets_, mode, settings_of(drawn_with_), state_.values[state_.row], time_ms};
+    page_ = draw_row(row, input, state_.chosen, {picture_.data(), mode.width_px, mode.height_px, mode.width_px});
     const std::string number = std::to_string(state_.row + 1) + " of " + std::to_string(rows_.size());
     platform_.set_title(("Oblong - the gallery, " + number + ": " + std::string(row.name)).c_str());
     is_drawn_ = true;
 }
 
 void Gallery::draw_over() {
-    const Framebuffer canvas{shown_.data(), mode_.width_px, mode_.height_px, mode_.width_px};
+    const ScreenMode& mode = drawn_with_.mode;
+    const Framebuffer canvas{shown_.data(), mode.width_px, mode.height_px, mode.width_px};
     if (state_.lists_figures) {
         const std::string text = list_of_figures(rows_[state_.row], page_);
-        draw_panel(canvas, lines_of(text, mode_.width_px - 4 * kTextMargin_px), assets_.text);
+        draw_panel(canvas, lines_of(text, mode.width_px - 4 * kTextMargin_px), assets_.text);
     }
-    if (view_options_.shows_help) draw_panel(canvas, kGalleryHelp, assets_.text);
-    if (now_us_ < hud_.message_ends_us) draw_lines(kHeader_px + kTextMargin_px, hud_.message, assets_.text, canvas);
+    HudText text;
+    if (view_options_.shows_help) text.help = gallery_help(drawn_with_.bindings, platform_);
+    const TextColours colours{assets_.text.bright, assets_.text.dark, drawn_with_.text_scale};
+    const Framebuffer below_header = part_of(canvas, {0, kHeader_px, canvas.width_px, canvas.height_px - kHeader_px});
+    draw_hud(text, messages_, now_us_, below_header.height_px, colours, menu_look_.veil, below_header);
 }
 
 }  // namespace oblong

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "engine/platform/platform.h"
+#include "game/game_screen.h"
 #include "game/hud.h"
 #include "game/loaded_level.h"
-#include "game/game_screen.h"
 #include "game/session.h"
 #include "tools/gallery/row.h"
 
@@ -26,8 +26,8 @@ GalleryState start_of_gallery(const std::vector<Row>& rows);
 
 /// Carries out a command: Page Down and Page Up go to the next and the previous row, up and down arrows choose a
 /// parameter, left and right change it. The message that tells the user; empty where there is none.
-std::string apply(Command command, const std::vector<Row>& rows, const ScreenMode& mode, WindowSize window,
-                  ViewOptions& view_options, GalleryState& state);
+std::string apply(Command command, const std::vector<Row>& rows, WindowSize window, ViewOptions& view_options,
+                  GalleryState& state);
 
 /// Steps through the gallery's rows.
 class Gallery final : public GameScreen {
@@ -39,6 +39,7 @@ class Gallery final : public GameScreen {
     void advance(const Controls& controls, std::uint64_t now_us) override;
     void pause(std::uint64_t now_us) override { now_us_ = now_us; }
     ShownPicture draw() override;
+    const MenuLook& menu_look() const override { return menu_look_; }
 
   private:
     void draw_picture();
@@ -47,14 +48,15 @@ class Gallery final : public GameScreen {
     std::shared_ptr<const LoadedLevel> loaded_;
     const GameData& data_;  // of loaded_
     const GalleryAssets assets_;
+    const MenuLook menu_look_;
     const std::vector<Row> rows_;
-    ScreenMode mode_;
     std::string screenshot_folder_;
     Platform& platform_;
     ViewOptions& view_options_;
     GalleryState state_;
     RowPage page_;
-    Hud hud_;
+    Messages messages_;
+    Preferences drawn_with_;  ///< those of picture_
     std::vector<std::uint8_t> picture_, shown_;
     std::uint64_t start_us_, now_us_;
     bool wants_screenshot_ = false;

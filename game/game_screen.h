@@ -6,6 +6,7 @@
 #include "engine/platform/present_rect.h"
 #include "engine/screen/screen.h"
 #include "engine/surface/palette.h"
+#include "game/menu/menu_look.h"
 
 namespace oblong {
 
@@ -30,6 +31,8 @@ class GameScreen {
     virtual void pause(std::uint64_t now_us) = 0;
     /// Draws what is up now. The canvas is valid, and may be drawn over, until the next call.
     virtual ShownPicture draw() = 0;
+    /// The colours of a menu over it.
+    virtual const MenuLook& menu_look() const = 0;
 };
 
 }  // namespace oblong

@@ -1,55 +1,112 @@
 #include "game/hud.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
-#include <utility>
-#include <vector>
+
+#include "tools/common/font.h"
 
 namespace oblong {
 namespace {
 
-constexpr std::uint64_t kMessageStays_us = 2'500'000, kLetterStays_us = 50'000;
-constexpr std::int32_t kPanelSide_px = 10;
+constexpr std::int32_t kPanelMargin_px = 6, kTextGap_px = 2;
 
-// At most 51 columns: with its margins a panel of 318 pixels.
-constexpr std::array<std::string_view, 15> kHelp{
-    "W A S D, arrows  walk, turn    Space  jump, swim up",
-    "Mouse (click), Page Up, Down  look    Shift  slowly",
-    "",
-    "Aspect                     Accuracy",
-    "F2   of the projection     F4   next preset",
-    "F3   of the display        F6   cost of a frame",
-    "F11  circle and square     F7   lab: dials, costs",
-    "4    F2 and F3, all four   F8   map of the error",
-    "Picture                    F9   split with exact",
-    "F5   scaling               F10  flip two settings",
-    "I    isometric             [ ]  zoom against dolly",
-    "Tab  map   E  edges        P    what is ahead",
-    "- =  brightness   L torch  C    look of a tube",
-    "F12  screenshots   O log   F1   this help",
-    "Alt+Enter whole screen    Esc free the mouse, leave",
-};
+std::int32_t line_px(TextColours colours) {
+    return kLineHeight_px * colours.scale;
+}
 
-void draw_end(std::string_view message, TextColours colours, Framebuffer canvas) {
-    std::vector<std::string_view> lines =
-        lines_of(message.empty() ? "You have reached the end." : message, canvas.width_px - 2 * kPanelSide_px);
-    lines.insert(lines.end(), {"", "Thank you for playing.", "Esc frees the mouse, then leaves."});
-    draw_panel(canvas, lines, colours);
+std::int32_t height_of(const std::string& text, TextColours colours, Framebuffer canvas) {
+    return static_cast<std::int32_t>(lines_across(text, colours, canvas).size()) * line_px(colours);
+}
+
+// Takes so many rows from the bottom of a room; none if they are not there.
+RowRange take_below(std::int32_t height, RowRange& room) {
+    if (height <= 0 || height > room.height()) return {};
+    room.bottom -= height;
+    return {room.bottom, room.bottom + height};
+}
+
+RowRange panel_rows(const std::vector<std::string>& lines, std::int32_t scale, Framebuffer canvas) {
+    const std::int32_t height =
+        (static_cast<std::int32_t>(lines.size()) * kLineHeight_px + 2 * kPanelMargin_px) * scale;
+    const std::int32_t top = std::max((canvas.height_px - height) / 2, 0);
+    return {top, std::min(top + height, canvas.height_px)};
+}
+
+std::int32_t panel_scale(const std::vector<std::string>& lines, TextColours colours, Framebuffer canvas) {
+    std::int32_t width = 0;
+    for (const std::string& line : lines) width = std::max(width, text_width_px(line));
+    const std::int32_t height = static_cast<std::int32_t>(lines.size()) * kLineHeight_px;
+    const std::int32_t most = std::min(canvas.width_px / std::max(width, 1), canvas.height_px / std::max(height, 1));
+    return std::clamp(most, 1, colours.scale);
+}
+
+void draw_on_background(std::int32_t y, std::string_view line, TextColours colours, const ColourTable& background,
+                        Framebuffer canvas) {
+    const std::int32_t width = text_width_px(line) * colours.scale + kTextMargin_px;
+    recolour_area(canvas, {kTextMargin_px / 2, y - colours.scale, width, line_px(colours)}, background);
+    draw_text(canvas, kTextMargin_px, y, line, colours);
+}
+
+template <class Lines>
+void draw_on_background(RowRange rows, const Lines& lines, TextColours colours, const ColourTable& background,
+                        Framebuffer canvas) {
+    std::int32_t y = rows.top + colours.scale;
+    for (const auto& line : lines) {
+        if (y + line_px(colours) - colours.scale > rows.bottom) return;
+        draw_on_background(y, line, colours, background, canvas);
+        y += line_px(colours);
+    }
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
+    return text;
 }
 
 }  // namespace
 
-void show_message(Hud& hud, std::string message, std::uint64_t now_us) {
-    hud.message = std::move(message);
-    hud.message_ends_us = now_us + std::max(kMessageStays_us, hud.message.size() * kLetterStays_us);
+HudLayout lay_out_hud(const HudText& text, bool has_messages, std::int32_t bottom, TextColours colours,
+                      Framebuffer canvas) {
+    HudLayout layout;
+    RowRange above{kTextGap_px, std::max(bottom, kTextGap_px)};
+    RowRange below = above;
+    const bool has_help = !text.help.empty();
+    if (has_help) {
+        layout.help_scale = panel_scale(text.help, colours, canvas);
+        layout.help = panel_rows(text.help, layout.help_scale, canvas);
+        above.bottom = std::min(above.bottom, layout.help.top);
+        below.top = std::max(below.top, layout.help.bottom);
+    } else if (has_messages) {
+        below.top += std::min(line_px(colours), below.height());
+    }
+    const std::string captions = joined(text.captions);
+    if (!captions.empty()) layout.captions = take_below(height_of(captions, colours, canvas), below);
+    for (const std::string& note : text.notes)
+        layout.notes.push_back(take_below(height_of(note, colours, canvas), below));
+    if (text.cost != nullptr) layout.cost = take_below(cost_height_px(*text.cost, canvas), below);
+    layout.messages = above;
+    if (!has_help) layout.messages.bottom = std::max(below.bottom, above.top);
+    return layout;
 }
 
-void draw_hud(const Hud& hud, std::uint64_t now_us, std::int32_t bottom, TextColours colours, Framebuffer canvas) {
-    draw_cost(hud.cost, bottom, colours, canvas);
-    if (hud.shows_end) draw_end(hud.end_message, colours, canvas);
-    if (hud.shows_help) draw_panel(canvas, kHelp, colours);
-    if (!hud.message.empty() && now_us < hud.message_ends_us) draw_lines(kTextMargin_px, hud.message, colours, canvas);
+void draw_hud(const HudText& text, Messages& messages, std::uint64_t now_us, std::int32_t bottom, TextColours colours,
+              const ColourTable& background, Framebuffer canvas) {
+    const HudLayout layout = lay_out_hud(text, !messages.is_empty(), bottom, colours, canvas);
+    const TextColours small{colours.bright, colours.dark, 1};
+    if (layout.cost.height() > 0) draw_cost(*text.cost, layout.cost.bottom, small, canvas);
+    for (std::size_t i = 0; i < text.notes.size(); ++i)
+        draw_on_background(layout.notes[i], lines_across(text.notes[i], colours, canvas), colours, background, canvas);
+    const std::string captions = joined(text.captions);
+    draw_on_background(layout.captions, lines_across(captions, colours, canvas), colours, background, canvas);
+    if (!text.help.empty()) {
+        const std::vector<std::string_view> lines(text.help.begin(), text.help.end());
+        draw_panel(canvas, lines, {colours.bright, colours.dark, layout.help_scale});
+    }
+    const std::int32_t columns = (canvas.width_px - 2 * kTextMargin_px) / (kGlyphAdvance_px * colours.scale);
+    const auto most_lines = static_cast<std::size_t>(layout.messages.height() / line_px(colours));
+    draw_on_background(layout.messages, messages.lines(now_us, std::max(columns, 1), most_lines), colours, background,
+                       canvas);
 }
 
 }  // namespace oblong

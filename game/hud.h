@@ -1,27 +1,45 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "engine/screen/screen.h"
 #include "game/frame_cost.h"
+#include "game/messages.h"
 
 namespace oblong {
 
-/// Text drawn over the picture.
-struct Hud {
-    std::string message;  ///< shown until message_ends_us
-    std::uint64_t message_ends_us = 0;
-    CostText cost;  ///< at the bottom
-    bool shows_help = false;
-    bool shows_end = false;
-    std::string end_message;  ///< instead of the usual one
+/// What is written over a picture beside messages.
+struct HudText {
+    std::vector<std::string> captions;  ///< of sounds: at the bottom
+    std::vector<std::string> notes;     ///< likewise, above them
+    const CostText* cost = nullptr;     ///< likewise, above those; may be null
+    std::vector<std::string> help;      ///< lines of a panel in the middle; empty: there is none
 };
 
-/// Shows a message from now on, for as long as it takes to read.
-void show_message(Hud& hud, std::string message, std::uint64_t now_us);
+/// RowRange [top, bottom) of a canvas.
+struct RowRange {
+    std::int32_t top = 0, bottom = 0;
+    std::int32_t height() const { return bottom > top ? bottom - top : 0; }
+};
 
-/// `bottom`: the row above which the cost goes.
-void draw_hud(const Hud& hud, std::uint64_t now_us, std::int32_t bottom, TextColours colours, Framebuffer canvas);
+/// Where the text over a picture goes: no two of its parts share a row. What has no room has no rows.
+struct HudLayout {
+    RowRange help, captions, cost;
+    std::vector<RowRange> notes;
+    RowRange messages;            ///< all that is left for them
+    std::int32_t help_scale = 1;  ///< the largest up to the text's at which the panel fits
+};
+
+/// Lays text out in rows [0, bottom) of a canvas. Room for a message's line comes first, then captions, notes and cost.
+HudLayout lay_out_hud(const HudText& text, bool has_messages, std::int32_t bottom, TextColours colours,
+                      Framebuffer canvas);
+
+/// Draws text and messages over a picture. `now_us` may be any clock that stands still while the player can't read;
+/// `background`: what the picture becomes behind text.
+void draw_hud(const HudText& text, Messages& messages, std::uint64_t now_us, std::int32_t bottom, TextColours colours,
+              const ColourTable& background, Framebuffer canvas);
 
 }  // namespace oblong

@@ -4,13 +4,13 @@
 
 namespace oblong {
 
-Lab::Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode)
+Lab::Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode, ColourScheme scheme)
     : data_(data),
       level_(level),
       colours_(text_colours_of(data.palette)),
       panel_colours_(panel_colours_of(data.palette)),
       renderer_(data, level, mode),
-      error_map_(data.palette) {}
+      error_map_(data.palette, scheme) {}
 
 ErrorMeter& Lab::meter() {
     if (!meter_) meter_.emplace(data_.level_file, level_);

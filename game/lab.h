@@ -15,7 +15,7 @@ namespace oblong {
 class Lab {
   public:
     /// `data` and `level` outlive it.
-    Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode);
+    Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode, ColourScheme scheme);
 
     /// Draws what is on over the canvas, which shows `view` with shown_setting(). `settings`: the current ones. The row
     /// above which its text at the bottom ends.

@@ -66,11 +66,12 @@ std::unique_ptr<Platform> open_platform(const Options& options) {
 
 void time_demo(const Options& options, const LoadedLevel& loaded, Workers& workers) {
     const Demo demo = read_parsed(options.timedemo, decode_demo);
-    GameRenderer renderer(loaded.data, loaded.level, options.mode, &workers);
+    GameRenderer renderer(loaded.data, loaded.level, options.preferences.mode, &workers);
     warn_of_torn_edges("oblong", loaded.data.level_file, renderer.torn_edges());
-    const Settings settings = settings_of(view_options_of(options));
-    const auto result = naming_file(
-        options.timedemo, [&] { return run_timedemo(loaded.level, demo, renderer, settings, options.field_of_view); });
+    const Settings settings = settings_of(options.preferences);
+    const auto result = naming_file(options.timedemo, [&] {
+        return run_timedemo(loaded.level, demo, renderer, settings, options.preferences.field_of_view);
+    });
     std::cout << describe(result) << '\n';
 }
 
@@ -82,7 +83,7 @@ void record_route(const Options& options, const std::string& assets) {
     write_file(options.record, encode_demo(demo));
 }
 
-void run_game(const Options& options, const std::string& assets) {
+void run_game(const Options& options, PreferencesStore& store, const std::string& assets) {
     if (!options.route.empty()) return record_route(options, assets);
     WorkerThreads workers(static_cast<int>(options.threads));
     if (!options.timedemo.empty()) {
@@ -91,16 +92,16 @@ void run_game(const Options& options, const std::string& assets) {
     }
     ProgramFiles files = load_program_files(options, assets);
     const auto platform = open_platform(options);
-    Program(options, std::move(files), *platform, &workers).run();
+    Program(options, std::move(files), store, *platform, &workers).run();
 }
 
 // Runs the game as the command line says; the exit code. Whoever started it from a menu reads no standard error: with
 // --error-box an error is shown in a window too, after it was printed.
 int run(int argument_count, const char* const* arguments) {
     std::string error_text;
-    const int code = run_with_options(argument_count, arguments, [&](const Options& options) {
+    const int code = run_with_options(argument_count, arguments, [&](const Options& options, PreferencesStore& store) {
         try {
-            run_game(options, assets_folder(arguments[0]));
+            run_game(options, store, assets_folder(arguments[0]));
         } catch (const std::exception& error) {
             if (options.shows_error_box) error_text = "oblong: " + message_of(error);
             throw;

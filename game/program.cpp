@@ -1,15 +1,20 @@
 #include "game/program.h"
 
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <utility>
 
 #include "engine/platform/files.h"
+#include "game/screenshot.h"
 
 namespace oblong {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::int32_t kLongestWait_ms = 500;
 
 // Before the game is played, not after it.
 void check_writable(const std::string& file) {
@@ -19,25 +24,31 @@ void check_writable(const std::string& file) {
         throw FileError(file, "write", folder.string() + " is no folder, expected a folder for the file");
 }
 
-}  // namespace
-
 ViewOptions view_options_of(const Options& options) {
     ViewOptions view_options;
-    view_options.preset = options.preset;
-    view_options.brightness_100 = options.brightness_100;
-    view_options.gamma_100 = options.gamma_100;
-    view_options.flashes = options.flashes;
-    view_options.accuracy = options.accuracy;
-    view_options.has_crt_look = options.has_crt_look;
-    view_options.scaling = options.scaling;
-    view_options.corrects_projection = options.corrects_projection;
-    view_options.shown_as = options.shown_as;
+    view_options.preferences = options.preferences;
     view_options.log = options.log;
     view_options.map = options.map;
     view_options.wireframe = options.wireframe;
     view_options.line_method = options.line_method;
     return view_options;
 }
+
+bool has(const Controls& controls, Command command) {
+    return std::find(controls.commands.begin(), controls.commands.end(), command) != controls.commands.end();
+}
+
+bool is_input(const Controls& controls) {
+    const bool is_pointed = controls.pointer && (controls.pointer->has_moved || controls.pointer->is_pressed);
+    return is_pointed || controls.pressed || !controls.menu.empty() || !controls.commands.empty();
+}
+
+// The game goes on without a file of options.
+void report(const std::string& fault) {
+    if (!fault.empty()) std::fprintf(stderr, "oblong: %s\n", fault.c_str());
+}
+
+}  // namespace
 
 ProgramFiles load_program_files(const Options& options, const std::string& assets_folder) {
     auto loaded =
@@ -47,35 +58,189 @@ ProgramFiles load_program_files(const Options& options, const std::string& asset
     if (!options.record.empty()) check_writable(options.record);
     const GameState start = start_of(loaded->level);
     return naming_file(options.replay, [&] {
-        return ProgramFiles{loaded, TickInputSource(start, std::move(demo), !options.record.empty())};
+        return ProgramFiles{assets_folder, loaded, TickInputSource(start, std::move(demo), !options.record.empty())};
     });
 }
 
-Program::Program(const Options& options, ProgramFiles files, Platform& platform, Workers* workers)
+Program::Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform,
+                 Workers* workers)
     : options_(options),
+      assets_folder_(files.assets_folder),
       view_options_(view_options_of(options)),
+      store_(store),
       platform_(platform),
-      settings_{options.mode, options.field_of_view, workers} {
+      settings_{workers},
+      slots_(options.folders.data),
+      pages_(menu_, *this) {
     if (options_.shows_gallery)
         gallery_ = std::make_unique<Gallery>(std::move(files.loaded), settings_, view_options_, platform_);
+    else if (options_.shows_title)
+        start_title(std::move(files.loaded));
     else
-        session_ = std::make_unique<Session>(std::move(files.loaded), settings_, view_options_, std::move(files.input),
-                                             platform_);
+        start(std::move(files.loaded), std::move(files.input), options_.replay.empty() ? Stage::Walk : Stage::Replay);
 }
 
 void Program::run() {
     naming_file(options_.replay, [&] {
-        while (platform_.is_open()) show_frame();
+        while (platform_.is_open() && !has_left_) show_frame();
     });
-    if (!options_.record.empty()) write_file(options_.record, encode_demo(session_->input().recorded()));
+    report(save_on_leaving());
+    report(store_.save(view_options_.preferences));
+    keep_recorded();
+    if (recorded_) write_file(options_.record, encode_demo(*recorded_));
 }
 
 void Program::show_frame() {
     const Controls controls = platform_.poll();
-    GameScreen& screen = gallery_ ? static_cast<GameScreen&>(*gallery_) : *session_;
-    screen.advance(controls, platform_.now_us());
-    const ShownPicture picture = screen.draw();
+    take(controls);
+    if (has_left_) return;
+    follow_preferences();
+    const WindowSize size = platform_.window_size();
+    is_stale_ |= is_moving() || is_input(controls) || size != shown_size_;
+    if (is_stale_ && !controls.is_minimised) {
+        shown_size_ = size;
+        is_stale_ = false;
+        return draw();
+    }
+    const std::uint64_t began_us = platform_.now_us();
+    platform_.wait_for_input(kLongestWait_ms);
+    // Something has happened, perhaps to the window: what it shows may be lost.
+    is_stale_ |= platform_.now_us() - began_us < (kLongestWait_ms - 1) * std::uint64_t{1000};
+}
+
+void Program::take(const Controls& controls) {
+    const bool is_left =
+        (std::exchange(had_focus_, controls.has_focus) && !controls.has_focus) || controls.is_minimised;
+    if (is_left && is_walked() && !menu_.is_open()) pages_.open_game();
+    if (menu_.is_open())
+        take_in_menu(controls);
+    else
+        take_in_walk(controls);
+    open_what_is_due();
+    const bool is_captured = is_walked() && !menu_.is_open();
+    if (std::exchange(is_mouse_captured_, is_captured) != is_captured) platform_.capture_mouse(is_captured);
+}
+
+// Whether what the player does moves the game, but for a menu.
+bool Program::is_walked() const {
+    return !gallery_ && (stage_ == Stage::Walk || (stage_ == Stage::Replay && !session_->input().is_replaying()));
+}
+
+void Program::take_in_menu(const Controls& controls) {
+    const Preferences& now = view_options_.preferences;
+    const CanvasSize canvas{now.mode.width_px, now.mode.height_px};
+    const std::size_t depth = menu_.depth();
+    menu_.handle(controls, canvas, now.text_scale, shown_rect(now, platform_.window_size()));
+    if (menu_.depth() < depth) report(store_.save(now));
+    if (stage_ == Stage::Title && !gallery_)
+        play_title();
+    else
+        screen().pause(platform_.now_us());
+}
+
+void Program::take_in_walk(const Controls& controls) {
+    if (has(controls, Command::Menu)) {
+        if (gallery_)
+            close_gallery();
+        else
+            pages_.open_game();
+        return screen().pause(platform_.now_us());
+    }
+    if (stage_ == Stage::Walk && !gallery_) {
+        if (has(controls, Command::QuickSave)) save_to(SaveSlot::Quick);
+        if (has(controls, Command::QuickLoad)) load_from(SaveSlot::Quick);
+        if (has(controls, Command::Restart)) pages_.open_restart();
+    }
+    screen().advance(controls, platform_.now_us());
+}
+
+// Back to what it was opened from; where the program began with it, there is nothing.
+void Program::close_gallery() {
+    if (!session_) return pages_.open_gallery();
+    gallery_.reset();
+    if (stage_ != Stage::Title) pages_.open_game();
+}
+
+// The title and a walk that has ended are never without a page.
+void Program::open_what_is_due() {
+    if (menu_.is_open() || gallery_ || has_left_) return;
+    if (stage_ == Stage::Title) return pages_.open_title();
+    if (session_->state().has_ended && !session_->input().is_replaying()) pages_.open_end();
+}
+
+void Program::follow_preferences() {
+    platform_.change_window(window_settings_of(view_options_.preferences));
+    platform_.use_bindings(view_options_.preferences.bindings);
+    report(store_.save_when_settled(view_options_.preferences, platform_.now_us()));
+}
+
+GameScreen& Program::screen() {
+    return gallery_ ? static_cast<GameScreen&>(*gallery_) : *session_;
+}
+
+bool Program::is_moving() const {
+    if (!menu_.is_open()) return true;
+    return stage_ == Stage::Title && !gallery_ && session_->input().is_replaying();
+}
+
+void Program::draw() {
+    title_options_.preferences = view_options_.preferences;
+    const ShownPicture picture = screen().draw();
+    if (menu_.is_open())
+        menu_.draw(view_options_.preferences.text_scale, screen().menu_look(), picture.palette, picture.canvas);
     platform_.present(picture.canvas, picture.palette, picture.rect);
+}
+
+void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, Stage stage) {
+    keep_recorded();
+    gallery_.reset();
+    stage_ = stage;
+    SessionSettings settings = settings_;
+    settings.shows_text = stage != Stage::Title;
+    session_ =
+        std::make_unique<Session>(std::move(loaded), settings, stage == Stage::Title ? title_options_ : view_options_,
+                                  std::move(input), platform_);
+    saved_tick_ = 0;
+    is_stale_ = true;
+}
+
+void Program::start_walk(std::shared_ptr<const LoadedLevel> loaded) {
+    const GameState state = start_of(loaded->level);
+    start(std::move(loaded), TickInputSource(state, std::nullopt, false), Stage::Walk);
+    if (can_save()) save_to(SaveSlot::Automatic);
+}
+
+void Program::start_title(std::shared_ptr<const LoadedLevel> loaded) {
+    const fs::path file = fs::path(assets_folder_) / "walk.demo";
+    title_demo_.reset();
+    if (fs::exists(file)) title_demo_ = read_parsed(file.string(), decode_demo);
+    title_options_.preferences = view_options_.preferences;
+    TickInputSource input = title_input(loaded->level);
+    start(std::move(loaded), std::move(input), Stage::Title);
+    can_continue_ = has_saves() && slots_.load(SaveSlot::Automatic).game.has_value();
+    pages_.open_title();
+}
+
+// A demo of another level than the one that is there is left out.
+TickInputSource Program::title_input(const GameLevel& level) {
+    const GameState state = start_of(level);
+    if (title_demo_ && title_demo_->start_hash != hash_of(state)) title_demo_.reset();
+    return TickInputSource(state, title_demo_, false);
+}
+
+// The demo again when it has ended, or leads elsewhere than when it was recorded.
+void Program::play_title() {
+    const std::uint64_t now_us = platform_.now_us();
+    if (!session_->input().is_replaying()) {
+        if (title_demo_) start(session_->shared_level(), title_input(session_->loaded().level), Stage::Title);
+        return session_->pause(now_us);
+    }
+    try {
+        session_->advance({}, now_us);
+    } catch (const InputError&) {
+        title_demo_.reset();
+        start(session_->shared_level(), title_input(session_->loaded().level), Stage::Title);
+    }
 }
 
 }  // namespace oblong

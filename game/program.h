@@ -1,19 +1,20 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "game/gallery.h"
+#include "game/menu/menu_pages.h"
 #include "game/options.h"
+#include "game/saves/save_slots.h"
 #include "game/session.h"
 
 namespace oblong {
 
-/// What a game begins with.
-ViewOptions view_options_of(const Options& options);
-
 /// What a program reads before it opens a window.
 struct ProgramFiles {
+    std::string assets_folder;
     std::shared_ptr<const LoadedLevel> loaded;
     TickInputSource input;  ///< of the first game in it
 };
@@ -23,24 +24,88 @@ struct ProgramFiles {
 ProgramFiles load_program_files(const Options& options, const std::string& assets_folder);
 
 /// The game from its start until it is left: the one loop of input, the screen that is up, and the window.
-class Program {
+class Program final : private MenuHost {
   public:
-    /// `platform` and `workers`, which may be null, outlive the program.
-    Program(const Options& options, ProgramFiles files, Platform& platform, Workers* workers);
+    /// `store`, which keeps what the player changes, `platform` and `workers`, which may be null, outlive the program.
+    Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform, Workers* workers);
 
     /// Until the platform closes or the player leaves. Then writes the demo that was recorded, if any. Throws
     /// FileError.
     void run();
 
   private:
+    /// What is up, apart from the gallery and the menu.
+    enum class Stage { Title, Walk, Replay };
+
     void show_frame();
+    void take(const Controls& controls);
+    void take_in_menu(const Controls& controls);
+    void take_in_walk(const Controls& controls);
+    void close_gallery();
+    void open_what_is_due();
+    bool is_walked() const;
+    void draw();
+    bool is_moving() const;
+    GameScreen& screen();
+    void follow_preferences();
+
+    void start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, Stage stage);
+    void start_walk(std::shared_ptr<const LoadedLevel> loaded);
+    void start_title(std::shared_ptr<const LoadedLevel> loaded);
+    TickInputSource title_input(const GameLevel& level);
+    void play_title();
+    std::shared_ptr<const LoadedLevel> loaded_as(const std::string& level);
+    void keep_recorded();
+    /// Does something with files; where it fails, says why on a page of the menu.
+    void try_with_files(const std::string& what, const std::function<void()>& work);
+
+    bool has_saves() const { return !options_.folders.data.empty(); }
+    void write_save(SaveSlot slot);
+    void save_to(SaveSlot slot);
+    void load_from(SaveSlot slot);
+    /// The message if that failed, else "".
+    std::string save_on_leaving();
+
+    // What the menu's pages ask and do.
+    Preferences& preferences() override { return view_options_.preferences; }
+    std::string local_name_of(Input input) const override { return platform_.local_name_of(input); }
+    std::vector<LevelEntry> levels() const override;
+    std::vector<SaveEntry> saves() const override;
+    EndFigures end_figures() const override;
+    std::string credits() const override;
+    bool can_save() const override;
+    bool can_continue() const override { return can_continue_; }
+    bool has_unsaved_progress() const override;
+    bool saves_on_leaving() const override { return can_save(); }
+    void walk() override;
+    void continue_walk() override { load_from(SaveSlot::Automatic); }
+    void restart() override;
+    void play_level(const std::string& name) override;
+    void save(std::size_t entry) override { save_to(static_cast<SaveSlot>(entry)); }
+    void load(std::size_t entry) override { load_from(static_cast<SaveSlot>(entry)); }
+    void show_title() override;
+    void show_gallery() override;
+    void leave() override { has_left_ = true; }
 
     const Options options_;
+    const std::string assets_folder_;
     ViewOptions view_options_;
+    ViewOptions title_options_;  // of the title's background: nothing is drawn over it
+    PreferencesStore& store_;
     Platform& platform_;
     SessionSettings settings_;
-    std::unique_ptr<Session> session_;
-    std::unique_ptr<Gallery> gallery_;
+    SaveSlots slots_;
+    std::unique_ptr<Session> session_;  // none only where the program began with the gallery
+    std::unique_ptr<Gallery> gallery_;  // while it is up, over the session
+    std::optional<Demo> title_demo_;    // what the title shows; nothing: the level stands still
+    std::unique_ptr<Demo> recorded_;    // once what was recorded has ended before the program
+    Menu menu_;
+    MenuPages pages_;
+    Stage stage_ = Stage::Walk;
+    std::int64_t saved_tick_ = 0;  // of the walk, up to which it is saved
+    bool can_continue_ = false, has_left_ = false, had_focus_ = false, is_mouse_captured_ = false;
+    bool is_stale_ = true;  // the window shows something else than what is up
+    WindowSize shown_size_;
 };
 
 }  // namespace oblong

@@ -3,17 +3,14 @@
 #include <filesystem>
 #include <utility>
 
+#include "game/help_panel.h"
 #include "game/screenshot.h"
 #include "game/shown_view.h"
+#include "game/sign_colours.h"
+#include "game/view_sway.h"
 #include "tools/common/crosshair.h"
 
 namespace oblong {
-
-namespace {
-
-constexpr Rgb8 kWireColour{255, 232, 96};
-
-}  // namespace
 
 Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSettings& settings, ViewOptions& view_options,
                  TickInputSource input, Platform& platform)
@@ -23,17 +20,15 @@ Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
       input_(std::move(input)),
       platform_(platform),
       view_options_(view_options),
-      field_of_view_(settings.field_of_view),
-      screenshot_folder_(settings.screenshot_folder),
-      renderer_(data_, level_, settings.mode, settings.workers),
-      palette_(data_, view_options.gamma_100),
+      settings_(settings),
+      palette_(data_),
       text_colours_(text_colours_of(data_.palette)),
+      menu_look_(data_.palette),
       before_(start_of(level_)),
       after_(before_),
       last_us_(platform.now_us()) {
-    hud_.end_message = level_.end_message;
     platform_.set_title(("Oblong - " + std::filesystem::path(data_.level_file).stem().string()).c_str());
-    show_message(hud_, "F1 Help", played_us_);
+    show(key_name_of(Command::ShowHelp, view_options_.preferences.bindings, platform_) + ": keys");
     keep_what_is_on();
 }
 
@@ -42,34 +37,34 @@ void Session::advance(const Controls& controls, std::uint64_t now_us) {
     last_us_ = now_us;
     played_us_ += elapsed_us;
     handle_commands(controls);
-    if (controls.pointer && controls.pointer->is_pressed) platform_.capture_mouse(true);
     Controls held = controls;
     if (!view_options_.lab.shows_panel) walk_by_panel_keys(held);
-    drag_split(shown_rect(), view_options_.lab, held);
+    drag_split(shown_rect(view_options_.preferences, platform_.window_size()), view_options_.lab, held);
+    input_.use(view_options_.preferences);
     input_.gather(held);
     play_due_ticks(elapsed_us);
 }
 
 void Session::pause(std::uint64_t now_us) {
     last_us_ = now_us;
-    keep_what_is_on();
 }
 
 void Session::handle_commands(const Controls& controls) {
     for (const Command command : controls.commands) {
         wants_screenshot_ |= command == Command::Screenshot;
-        const std::string message = apply(command, view_options_, renderer_.mode(), platform_.window_size());
-        if (!message.empty()) show_message(hud_, message, played_us_);
+        const std::string message = apply(command, view_options_, platform_.window_size());
+        if (!message.empty()) show(message);
     }
-    if (!controls.commands.empty()) keep_what_is_on();
 }
 
 // Makes what a command switched on, and frees what it switched off.
 void Session::keep_what_is_on() {
+    follow_mode();
+    follow_colours();
     if (!needs_lab(view_options_.lab))
         lab_.reset();
     else if (!lab_)
-        lab_ = std::make_unique<Lab>(data_, level_, renderer_.mode());
+        lab_ = std::make_unique<Lab>(data_, level_, renderer_->mode(), drawn_colours_);
     if (!view_options_.shows_four_aspects)
         four_aspects_.reset();
     else if (!four_aspects_)
@@ -81,74 +76,130 @@ void Session::keep_what_is_on() {
     if (view_options_.map == MapView::Off)
         map_.reset();
     else if (!map_)
-        map_ = std::make_unique<Automap>(data_, level_);
+        map_ = std::make_unique<Automap>(data_, level_, drawn_colours_);
     if (view_options_.wireframe == Wireframe::Off)
         wire_colour_.reset();
     else if (!wire_colour_)
-        wire_colour_ = std::make_unique<LineColour>(data_.palette, kWireColour);
+        wire_colour_ = std::make_unique<LineColour>(data_.palette, sign_colours_of(drawn_colours_).edges);
     if (!view_options_.shows_cost) {
         cost_.reset();
-        hud_.cost = {};
+        cost_text_ = {};
     } else if (!cost_)
         cost_ = std::make_unique<FrameCost>(data_.palette, platform_.now_us());
 }
 
-PresentRect Session::shown_rect() const {
-    PresentRect rect = layout(platform_.window_size(), renderer_.mode(), view_options_.shown_as, view_options_.scaling);
-    rect.has_crt_look = view_options_.has_crt_look;
-    return rect;
+// What draws is made for a mode.
+void Session::follow_mode() {
+    const ScreenMode& mode = view_options_.preferences.mode;
+    if (renderer_ && renderer_->mode() == mode) return;
+    lab_.reset();
+    renderer_ = std::make_unique<GameRenderer>(data_, level_, mode, settings_.workers);
+}
+
+// What draws signs is made for a scheme.
+void Session::follow_colours() {
+    if (drawn_colours_ == view_options_.preferences.colours) return;
+    drawn_colours_ = view_options_.preferences.colours;
+    lab_.reset();
+    map_.reset();
+    wire_colour_.reset();
 }
 
 void Session::play_due_ticks(std::uint64_t elapsed_us) {
-    for (int due = clock_.advance(elapsed_us); due > 0; --due) {
+    for (int due = clock_.advance(elapsed_us, view_options_.preferences.game_speed_100); due > 0; --due) {
         before_ = after_;
         input_.play_tick(level_, after_);
         palette_.note_tick(before_, after_);
+        show_level_message();
     }
 }
 
-ShownPicture Session::draw() {
+GameView Session::shown_view() const {
     const std::int32_t fraction = clock_.fraction_16();
     const InterpolatedState state{before_, after_, fraction};
-    const Camera camera = camera_at(state, input_.look_offset(fraction), field_of_view_);
-    const GameView view{state, camera, view_options_.has_torch, other_view(view_options_, camera, data_.level)};
-    const Settings settings = settings_of(view_options_);
+    const Preferences& preferences = view_options_.preferences;
+    Camera camera = camera_at(state, input_.look_offset(fraction), preferences.field_of_view);
+    if (preferences.view_bob_100 != 0 || preferences.view_roll_100 != 0) sway(state, preferences, camera);
+    return {state, camera, view_options_.has_torch, other_view(view_options_, camera, data_.level)};
+}
+
+Palette Session::palette_of(const GameView& view, const PaletteEffects& effects) const {
+    return effects.is_plain() ? data_.palette : apply_palette_effects(data_.palette, effects, time_ms_at(view.state));
+}
+
+ShownPicture Session::draw() {
+    keep_what_is_on();
+    const Preferences& preferences = view_options_.preferences;
+    const GameView view = shown_view();
+    const Settings settings = settings_of(preferences);
     Settings shown_settings = settings;
     if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, last_us_);
     const std::uint64_t began_us = platform_.now_us();
-    renderer_.draw(view, shown_settings);
-    const PaletteEffects effects = palette_.effects_at(view, settings.flashes);
+    renderer_->draw(view, shown_settings);
+    const PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.gamma_100);
     note_cost(view, shown_settings, effects, began_us);
-    if (log_) renderer_.note(view, shown_settings, last_us_, *log_);
+    if (log_) renderer_->note(view, shown_settings, last_us_, *log_);
 
     if (wire_colour_) draw_wires(view, shown_settings);
     draw_over(view, settings);
-    const Palette palette =
-        effects.is_plain() ? data_.palette : apply_palette_effects(data_.palette, effects, time_ms_at(state));
-    const Framebuffer canvas = renderer_.canvas();
-    if (wants_screenshot_)
-        show_message(hud_, save_screenshots(screenshot_folder_, canvas, palette, renderer_.mode()), played_us_);
+    const Palette palette = palette_of(view, effects);
+    const Framebuffer canvas = renderer_->canvas();
+    if (wants_screenshot_) show(save_screenshots(settings_.screenshot_folder, canvas, palette, renderer_->mode()));
     wants_screenshot_ = false;
-    hud_.shows_help = view_options_.shows_help;
-    hud_.shows_end = after_.has_ended;
-    draw_hud(hud_, played_us_, text_bottom_, text_colours_, canvas);
-    return {canvas, palette, shown_rect()};
+    if (settings_.shows_text) draw_text();
+    return {canvas, palette, shown_rect(preferences, platform_.window_size())};
+}
+
+Thumbnail Session::thumbnail() {
+    follow_mode();
+    const GameView view = shown_view();
+    renderer_->draw(view, settings_of(view_options_.preferences));
+    const PaletteEffects effects =
+        palette_.effects_at(view, view_options_.preferences.flashes, view_options_.preferences.gamma_100);
+    return make_thumbnail(renderer_->canvas(), palette_of(view, effects));
+}
+
+void Session::restore(const GameState& state) {
+    before_ = after_ = state;
+}
+
+void Session::show(std::string message) {
+    messages_.show(std::move(message), MessageKind::Answer);
+}
+
+void Session::show_level_message() {
+    const bool is_new = after_.shown_message != before_.shown_message || after_.message_tick != before_.message_tick;
+    if (after_.shown_message < 0 || !is_new) return;
+    const std::string& text = at(level_.messages, after_.shown_message);
+    messages_.show(with_key_names(text, view_options_.preferences.bindings, platform_), MessageKind::Level);
+}
+
+void Session::draw_text() {
+    const Preferences& preferences = view_options_.preferences;
+    text_.help.clear();
+    if (view_options_.shows_help) text_.help = game_help(preferences.bindings, platform_);
+    text_.cost = cost_ ? &cost_text_ : nullptr;
+    const TextColours colours{text_colours_.bright, text_colours_.dark, preferences.text_scale};
+    draw_hud(text_, messages_, played_us_, text_bottom_, colours, menu_look_.veil, renderer_->canvas());
 }
 
 // Over the picture that was drawn last.
 void Session::draw_wires(const GameView& view, const Settings& settings) {
-    const Framebuffer canvas = renderer_.canvas();
+    const Framebuffer canvas = renderer_->canvas();
     if (view_options_.wireframe == Wireframe::Alone)
         fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, text_colours_.dark);
-    renderer_.draw_edges(view, settings, wire_colour_->style(view_options_.line_method));
+    renderer_->draw_edges(view, settings, wire_colour_->style(view_options_.line_method));
 }
 
 void Session::draw_over(const GameView& view, const Settings& settings) {
-    const Framebuffer canvas = renderer_.canvas();
-    const ScreenMode& mode = renderer_.mode();
+    const Framebuffer canvas = renderer_->canvas();
+    const Preferences& preferences = view_options_.preferences;
+    const ScreenMode& mode = preferences.mode;
+    const PresentRect rect = shown_rect(preferences, platform_.window_size());
     text_bottom_ = canvas.height_px - kTextMargin_px;
+    text_.notes.clear();
     if (four_aspects_) {
-        four_aspects_->draw(view, settings, mode, shown_pixel(shown_rect(), mode), text_colours_, canvas);
+        four_aspects_->draw(view, settings, mode, shown_pixel(rect, mode), text_colours_, canvas);
         text_bottom_ = 0;  // their captions leave no room
         return;
     }
@@ -157,22 +208,20 @@ void Session::draw_over(const GameView& view, const Settings& settings) {
     if (view_options_.inspects && !view.other) inspect(view);
     if (!view_options_.shows_aspect_guide) return;
     draw_aspect_guide(mode, text_colours_, canvas);
-    const std::string caption = aspect_caption(mode, settings.correct_aspect, view_options_.shown_as,
-                                               view_options_.scaling, platform_.window_size());
-    text_bottom_ = draw_lines_above(text_bottom_, caption, text_colours_, canvas);
+    text_.notes.push_back(aspect_caption(mode, settings.correct_aspect, preferences.shown_as, preferences.scaling,
+                                         platform_.window_size()));
 }
 
 void Session::inspect(const GameView& view) {
     const std::vector<PlacedModel> models = placed_models(level_, view.state);
-    const std::string text = describe_picked(data_.level, models, pick_ahead(data_.level, models, view.camera));
-    draw_crosshair(renderer_.canvas(), text_colours_);
-    text_bottom_ = draw_lines_above(text_bottom_, text, text_colours_, renderer_.canvas());
+    draw_crosshair(renderer_->canvas(), text_colours_);
+    text_.notes.push_back(describe_picked(data_.level, models, pick_ahead(data_.level, models, view.camera)));
 }
 
 void Session::note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,
                         std::uint64_t began_us) {
     if (!cost_ || !cost_->note(began_us, platform_.now_us())) return;
-    hud_.cost = cost_->measure(view, settings, data_.palette, effects, renderer_);
+    cost_text_ = cost_->measure(view, settings, data_.palette, effects, *renderer_);
 }
 
 }  // namespace oblong

@@ -6,10 +6,11 @@
 #include "game/automap.h"
 #include "game/four_aspects.h"
 #include "game/game_renderer.h"
+#include "game/game_screen.h"
 #include "game/hud.h"
 #include "game/lab.h"
 #include "game/loaded_level.h"
-#include "game/game_screen.h"
+#include "game/saves/thumbnail.h"
 #include "game/shown_palette.h"
 #include "game/tick_clock.h"
 #include "game/tick_input_source.h"
@@ -18,12 +19,11 @@
 
 namespace oblong {
 
-/// The settings that a session begins with.
+/// What a session is given and never changes.
 struct SessionSettings {
-    ScreenMode mode;
-    Degrees field_of_view;
     Workers* workers = nullptr;  ///< who share in drawing the game's pictures; null: one thread draws
     std::string screenshot_folder = ".";
+    bool shows_text = true;  ///< messages and whatever else is written over the picture
 };
 
 /// One game in one level: ticks, what keys switch on, and the picture.
@@ -37,19 +37,33 @@ class Session final : public GameScreen {
     void advance(const Controls& controls, std::uint64_t now_us) override;
     void pause(std::uint64_t now_us) override;
     ShownPicture draw() override;
+    const MenuLook& menu_look() const override { return menu_look_; }
+
+    /// Goes on from another state of the level.
+    void restore(const GameState& state);
+    /// Shows the player a message that answers what they did.
+    void show(std::string message);
+    /// The game's picture as it is now, without text.
+    Thumbnail thumbnail();
 
     const LoadedLevel& loaded() const { return *loaded_; }
+    const std::shared_ptr<const LoadedLevel>& shared_level() const { return loaded_; }
     const GameState& state() const { return after_; }
     const TickInputSource& input() const { return input_; }
 
   private:
+    GameView shown_view() const;
+    Palette palette_of(const GameView& view, const PaletteEffects& effects) const;
     void play_due_ticks(std::uint64_t elapsed_us);
     void inspect(const GameView& view);
+    void show_level_message();
     void draw_over(const GameView& view, const Settings& settings);
+    void draw_text();
     void draw_wires(const GameView& view, const Settings& settings);
     void handle_commands(const Controls& controls);
     void keep_what_is_on();
-    PresentRect shown_rect() const;
+    void follow_mode();
+    void follow_colours();
     void note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,
                    std::uint64_t began_us);
 
@@ -59,23 +73,26 @@ class Session final : public GameScreen {
     TickInputSource input_;
     Platform& platform_;
     ViewOptions& view_options_;
-    Degrees field_of_view_;
-    std::string screenshot_folder_;
-    GameRenderer renderer_;
-    std::unique_ptr<Lab> lab_;                   // only while something of it is on
-    std::unique_ptr<FourAspects> four_aspects_;  // likewise
-    std::unique_ptr<FrameLog> log_;              // likewise
-    std::unique_ptr<Automap> map_;               // likewise
-    std::unique_ptr<LineColour> wire_colour_;    // of the edges of faces; likewise
+    SessionSettings settings_;
+    std::unique_ptr<GameRenderer> renderer_;               // of the mode that is chosen now
+    ColourScheme drawn_colours_ = ColourScheme::Standard;  // of what is below
+    std::unique_ptr<Lab> lab_;                             // only while something of it is on
+    std::unique_ptr<FourAspects> four_aspects_;            // likewise
+    std::unique_ptr<FrameLog> log_;                        // likewise
+    std::unique_ptr<Automap> map_;                         // likewise
+    std::unique_ptr<LineColour> wire_colour_;              // of the edges of faces; likewise
     ShownPalette palette_;
     TextColours text_colours_;
-    Hud hud_;
+    const MenuLook menu_look_;
+    Messages messages_;
+    HudText text_;
     TickClock clock_;
     GameState before_, after_;
     std::uint64_t last_us_;            // the platform's time up to which the game was played
     std::uint64_t played_us_ = 0;      // since the session began, without pauses
     std::unique_ptr<FrameCost> cost_;  // only while it is shown
-    std::int32_t text_bottom_ = 0;     // the row above which the text at the bottom ends
+    CostText cost_text_;
+    std::int32_t text_bottom_ = 0;  // the row above which the text at the bottom ends
     bool wants_screenshot_ = false;
 };
 

@@ -11,17 +11,19 @@ namespace oblong {
 /// gamma.
 class ShownPalette {
   public:
-    /// `data` outlives it. `gamma_100`: 50 to 200, 100 changes nothing.
-    ShownPalette(const GameData& data, std::int32_t gamma_100);
+    /// `data` outlives it.
+    explicit ShownPalette(const GameData& data) : data_(data) {}
 
     /// Notes a tick: one that teleports the player is the start of a flash.
     void note_tick(const GameState& before, const GameState& after);
-    /// What is done to the palette. The flash is left out unless flashes are full.
-    PaletteEffects effects_at(const GameView& view, Flashes flashes) const;
+    /// What is done to the palette. The flash is left out unless flashes are full. `gamma_100`: 50 to 200, 100 changes
+    /// nothing.
+    PaletteEffects effects_at(const GameView& view, Flashes flashes, std::int32_t gamma_100);
 
   private:
     const GameData& data_;
-    std::optional<GammaTable> gamma_;
+    std::int32_t gamma_100_ = 100;
+    std::optional<GammaTable> gamma_;          // of gamma_100_; nothing where it changes nothing
     std::optional<std::int64_t> teleport_ms_;  // when the player was teleported last
 };
 

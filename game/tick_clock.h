@@ -6,28 +6,29 @@
 
 namespace oblong {
 
-/// Turns elapsed time into ticks. Times are summed exactly (in 1/35 us), so that the same time gives the same number of
-/// ticks, however it is divided.
+/// Turns elapsed time into ticks. Times are summed exactly (in 1/3,500 us), so that the same time gives the same number
+/// of ticks, however it is divided. In slow motion the same ticks come later: the game in them is the same.
 class TickClock {
   public:
     /// The most time that counts between two calls: a machine that was suspended for a minute must not simulate it.
     static constexpr std::uint64_t kLongestPause_us = 250'000;
 
-    /// Advances the clock; the number of ticks that became due. Negative time counts as none.
-    int advance(std::uint64_t elapsed_us) {
+    /// Advances the clock; the number of ticks that became due. Negative time counts as none. `speed_100`: of the game
+    /// against the time that elapsed, in hundredths, up to 10,000.
+    int advance(std::uint64_t elapsed_us, std::int32_t speed_100 = 100) {
         if (elapsed_us > kLongestPause_us) elapsed_us = elapsed_us >> 63 ? 0 : kLongestPause_us;
-        rest_ += static_cast<std::int64_t>(elapsed_us) * kTicksPerSecond;
-        const std::int64_t due = rest_ / kSecond_us;
-        rest_ -= due * kSecond_us;
+        rest_ += static_cast<std::int64_t>(elapsed_us) * kTicksPerSecond * speed_100;
+        const std::int64_t due = rest_ / kTick;
+        rest_ -= due * kTick;
         return static_cast<int>(due);
     }
 
     /// How far the picture is between the last tick but one and the last, 0 to 65,535 of 65,536.
-    std::int32_t fraction_16() const { return static_cast<std::int32_t>(rest_ * 65'536 / kSecond_us); }
+    std::int32_t fraction_16() const { return static_cast<std::int32_t>(rest_ * 65'536 / kTick); }
 
   private:
-    static constexpr std::int64_t kSecond_us = 1'000'000;
-    std::int64_t rest_ = 0;  // the remainder, us * 35, below one tick
+    static constexpr std::int64_t kTick = 100 * 1'000'000;  // us * 35 * 100
+    std::int64_t rest_ = 0;                                 // the remainder, below one tick
 };
 
 }  // namespace oblong

@@ -5,6 +5,7 @@
 
 #include "engine/base/table.h"
 #include "game/aspect_guide.h"
+#include "game/preferences/preference_table.h"
 
 namespace oblong {
 namespace {
@@ -24,17 +25,6 @@ Enum next_of(Enum value, int count) {
     return static_cast<Enum>((static_cast<int>(value) + 1) % count);
 }
 
-// The next value of those that a key steps through; the last ones are the limits of --brightness.
-std::int32_t next_brightness(std::int32_t brightness_100, bool is_brighter) {
-    constexpr std::array<std::int32_t, 11> kValues{25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800};
-    if (is_brighter) {
-        const auto above = std::upper_bound(kValues.begin(), kValues.end(), brightness_100);
-        return above == kValues.end() ? kValues.back() : *above;
-    }
-    const auto from = std::lower_bound(kValues.begin(), kValues.end(), brightness_100);
-    return from == kValues.begin() ? kValues.front() : *(from - 1);
-}
-
 // Zoom against dolly starts at 90 degrees, where it is off, and ends at its limits.
 std::string zoom(bool is_narrower, ViewOptions& options) {
     const std::int32_t degrees = options.zoom_degrees == 0 ? kUnzoomed : options.zoom_degrees;
@@ -51,58 +41,91 @@ std::string toggle(bool& is_on, const char* on = "", const char* off = "") {
     return is_on ? on : off;
 }
 
-std::string describe_display(const ViewOptions& options, const ScreenMode& mode, WindowSize window) {
-    const std::string size = describe(layout(window, mode, options.shown_as, options.scaling), mode);
-    switch (options.shown_as) {
-        case ShownAs::OnDisplay:
-            return "F3 Display: " + display_name(mode) + " (" + size + ")";
-        case ShownAs::SquarePixels:
-            return "F3 Display: square pixels (" + size + ")";
-        default:
-            return "F3 Display: fill the window (" + size + ")";
-    }
+// How a sphere in the middle of the picture looks in the window.
+std::string describe_sphere(const Preferences& preferences, WindowSize window) {
+    const Ratio pixel = shown_pixel(shown_rect(preferences, window), preferences.mode);
+    const std::string shape = describe_shape(sphere_shape(preferences.mode, preferences.corrects_projection, pixel));
+    return shape == "round" ? shape : "spheres " + shape;
+}
+
+std::string describe_projection(const Preferences& preferences, WindowSize window) {
+    return "F2 Drawn for " +
+           (preferences.corrects_projection ? display_name(preferences.mode) : std::string("square pixels")) + ": " +
+           describe_sphere(preferences, window);
+}
+
+std::string describe_display(const Preferences& preferences, WindowSize window) {
+    const auto shape = [&]() -> std::string {
+        if (preferences.shown_as == ShownAs::OnDisplay) return "as " + display_name(preferences.mode);
+        return preferences.shown_as == ShownAs::SquarePixels ? "with square pixels" : "in the window's shape";
+    };
+    return "F3 Shown " + shape() + ": " + describe_sphere(preferences, window);
+}
+
+std::string describe_scaling(const Preferences& preferences, WindowSize window) {
+    constexpr std::array<const char*, kScalingCount> kWords{
+        "all pixels alike, their borders blended", "whole rows, borders of columns blended",
+        "whole pixels, the shape as near as they come", "nothing blended, some rows and columns are wider"};
+    return std::string("F5 Scaling ") + name_of(preferences.scaling) + ": " + at(kWords, preferences.scaling) + " (" +
+           describe(shown_rect(preferences, window), preferences.mode) + ")";
+}
+
+// Does a row of the options what a key does; the message that tells the user.
+std::string change(const std::string& name, int steps, Preferences& preferences) {
+    const std::span<const Preference> rows = all_preferences();
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const Preference& of) { return of.name == name; });
+    row->change(preferences, steps);
+    return row->label + " " + row->shown(preferences);
 }
 
 }  // namespace
 
-Settings settings_of(const ViewOptions& options) {
+Settings settings_of(const Preferences& preferences) {
     Settings settings;
-    settings.accuracy = options.accuracy;
-    settings.brightness_100 = options.brightness_100;
-    settings.flashes = options.flashes;
-    settings.correct_aspect = options.corrects_projection;
+    settings.accuracy = preferences.accuracy;
+    settings.brightness_100 = preferences.brightness_100;
+    settings.flashes = preferences.flashes;
+    settings.correct_aspect = preferences.corrects_projection;
     return settings;
 }
 
-std::string apply(Command command, ViewOptions& options, const ScreenMode& mode, WindowSize window) {
+WindowSettings window_settings_of(const Preferences& preferences) {
+    return {preferences.fills_screen, preferences.waits_for_display, preferences.frame_cap_hz};
+}
+
+PresentRect shown_rect(const Preferences& preferences, WindowSize window) {
+    PresentRect rect = layout(window, preferences.mode, preferences.shown_as, preferences.scaling);
+    rect.has_crt_look = preferences.has_crt_look;
+    return rect;
+}
+
+std::string apply(Command command, ViewOptions& options, WindowSize window) {
+    Preferences& preferences = options.preferences;
     switch (command) {
         case Command::ShowHelp:
             return toggle(options.shows_help);
         case Command::FrameCost:
             return toggle(options.shows_cost);
         case Command::ProjectionAspect:
-            options.corrects_projection = !options.corrects_projection;
-            return options.corrects_projection ? "F2 Projection: for " + display_name(mode)
-                                               : "F2 Projection: for square pixels";
+            preferences.corrects_projection = !preferences.corrects_projection;
+            return describe_projection(preferences, window);
         case Command::DisplayAspect:
-            options.shown_as = next_of(options.shown_as, kShownAsCount);
-            return describe_display(options, mode, window);
+            preferences.shown_as = next_of(preferences.shown_as, kShownAsCount);
+            return describe_display(preferences, window);
         case Command::AccuracyTier:
-            options.preset = next_of(options.preset, kPresetCount);
-            change_setting(accuracy_of(options.preset), options.lab, options.accuracy);
-            return "F4 Accuracy: " + std::string(name_of(options.preset));
+            preferences.preset = next_of(preferences.preset, kPresetCount);
+            change_setting(accuracy_of(preferences.preset), options.lab, preferences.accuracy);
+            return "F4 Accuracy: " + std::string(name_of(preferences.preset));
         case Command::ScalingMode:
-            options.scaling = next_of(options.scaling, kScalingCount);
-            return std::string("F5 Scaling: ") + name_of(options.scaling) + " (" +
-                   describe(layout(window, mode, options.shown_as, options.scaling), mode) + ")";
+            preferences.scaling = next_of(preferences.scaling, kScalingCount);
+            return describe_scaling(preferences, window);
         case Command::Darker:
         case Command::Brighter:
-            options.brightness_100 = next_brightness(options.brightness_100, command == Command::Brighter);
-            return "Brightness " + std::to_string(options.brightness_100) + " %";
+            return change("brightness", command == Command::Brighter ? 1 : -1, preferences);
         case Command::Torch:
             return toggle(options.has_torch, "L Torch", "L Torch: off");
         case Command::CrtLook:
-            return toggle(options.has_crt_look, "C Tube: scanlines, mask, glow", "C Tube: off");
+            return toggle(preferences.has_crt_look, "C Tube: scanlines, mask, glow", "C Tube: off");
         case Command::Inspect:
             return toggle(options.inspects);
         case Command::Log:
@@ -124,7 +147,7 @@ std::string apply(Command command, ViewOptions& options, const ScreenMode& mode,
         case Command::FourAspects:
             return toggle(options.shows_four_aspects);
         default:
-            return apply_to_lab(command, options.lab, options.accuracy);
+            return apply_to_lab(command, options.lab, preferences.accuracy);
     }
 }
 

@@ -99,7 +99,7 @@ PresentRect even(Size fit, WindowSize window, const ScreenMode& mode, Ratio pixe
 }  // namespace
 
 const char* name_of(Scaling scaling) {
-    constexpr std::array<const char*, kScalingCount> names{"sharp", "rows", "even", "nearest", "stretch"};
+    constexpr std::array<const char*, kScalingCount> names{"sharp", "rows", "even", "nearest"};
     return at(names, scaling);
 }
 
@@ -107,7 +107,6 @@ PresentRect layout(WindowSize window, const ScreenMode& mode, ShownAs shown_as, 
     window.width_px = std::min(window.width_px, kLargestWindowSide_px);
     window.height_px = std::min(window.height_px, kLargestWindowSide_px);
     if (window.width_px <= 0 || window.height_px <= 0) return {};
-    if (scaling == Scaling::Stretch) shown_as = ShownAs::FillWindow;
 
     const Ratio pixel = pixel_shape(window, mode, shown_as).reduced();
     const Ratio picture = (pixel * Ratio{mode.width_px, mode.height_px}).reduced();

@@ -12,12 +12,11 @@ enum class Scaling {
     SharpBilinear,  ///< nearest to the next whole multiple, then linear down: exact shape, edges a pixel wide
     Rows,           ///< whole rows, exact shape: only columns are blended
     Even,           ///< whole columns and rows: nothing is blended, the shape is off by `shape_error_permille`
-    Nearest,        ///< exact shape, nearest neighbour: some rows and columns are a pixel wider
-    Stretch         ///< the whole window, whatever its shape
+    Nearest         ///< exact shape, nearest neighbour: some rows and columns are a pixel wider
 };
-inline constexpr int kScalingCount = 5;
+inline constexpr int kScalingCount = 4;
 
-/// "sharp", "rows", "even", "nearest", "stretch".
+/// "sharp", "rows", "even", "nearest".
 const char* name_of(Scaling scaling);
 
 /// Which shape the picture gets in the window.

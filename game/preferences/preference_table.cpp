@@ -16,10 +16,21 @@ namespace {
 
 using Rows = std::vector<Preference>;
 
-std::vector<std::string> scaling_names() {
+// "stretch" is an older name for filling the window, which is a shape and no way to scale.
+Preference scaling_preference() {
     std::vector<std::string> names;
     for (int i = 0; i < kScalingCount; ++i) names.emplace_back(name_of(static_cast<Scaling>(i)));
-    return names;
+    Preference row = one_of(
+        {"scaling", "Scaling", "how pixels of the picture become pixels of the window (F5)", PreferencePage::Picture},
+        names, &Preferences::scaling);
+    row.values += "; stretch: aspect-display fill";
+    row.parse = [parse = row.parse](Preferences& of, const std::string& text) {
+        if (text == "stretch")
+            of.shown_as = ShownAs::FillWindow;
+        else
+            parse(of, text);
+    };
+    return row;
 }
 
 void add_picture(Rows& rows) {
@@ -35,8 +46,7 @@ void add_picture(Rows& rows) {
     rows.push_back(
         one_of({"aspect-display", "Shown as", "the display's shape, square pixels, or the window's shape (F3)", kPage},
                {"display", "square", "fill"}, &Preferences::shown_as));
-    rows.push_back(one_of({"scaling", "Scaling", "how pixels of the picture become pixels of the window (F5)", kPage},
-                          scaling_names(), &Preferences::scaling));
+    rows.push_back(scaling_preference());
     rows.push_back(
         on_or_off({"crt", "Look of a tube", "scanlines, mask and glow of a tube, drawn by the window (C)", kPage},
                   &Preferences::has_crt_look));
@@ -50,9 +60,9 @@ void add_picture(Rows& rows) {
                              &Preferences::fills_screen));
     rows.push_back(on_or_off({"vsync", "Wait for display", "each picture is shown whole, where the system can", kPage},
                              &Preferences::waits_for_display));
-    rows.push_back(whole_number({"frame-cap", "Frames at most", "a second; 0: as many as the machine can", kPage},
-                                &Preferences::frame_cap_hz, 0, 1000, {0, 30, 35, 60, 70, 75, 90, 120, 144, 165, 240},
-                                " a second"));
+    rows.push_back(whole_number(
+        {"frame-cap", "Frames at most", "pictures a second; 0: as many as the machine can", kPage},
+        &Preferences::frame_cap_hz, 0, 1000, {0, 30, 35, 60, 70, 75, 90, 120, 144, 165, 240}, " a second"));
 }
 
 // "preset" while a dial stands where its preset sets it: another preset turns it too.
@@ -60,7 +70,7 @@ Preference dial_preference(const Dial& dial) {
     Preference row;
     row.name = "dial-" + std::string(dial.name);
     row.label = dial.caption;
-    row.help = dial.about;
+    row.help = dial.about.substr(0, dial.about.find_last_not_of('.') + 1);
     row.page = PreferencePage::Accuracy;
     row.values = values_of(dial) + ", or preset: as --accuracy sets it";
     row.text = [&dial](const Preferences& of) {
@@ -167,10 +177,10 @@ std::span<const Preference> all_preferences() {
     return rows;
 }
 
-const Preference* preference_named(const std::string& name) {
-    const std::span<const Preference> rows = all_preferences();
-    const auto found = std::find_if(rows.begin(), rows.end(), [&](const Preference& row) { return row.name == name; });
-    return found == rows.end() ? nullptr : &*found;
+std::vector<const KeptValue*> all_kept_values() {
+    std::vector<const KeptValue*> values;
+    for (const Preference& preference : all_preferences()) values.push_back(&preference);
+    return values;
 }
 
 }  // namespace oblong

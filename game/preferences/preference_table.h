@@ -3,6 +3,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "game/preferences/preferences.h"
 
@@ -15,21 +16,26 @@ inline constexpr int kPreferencePageCount = 5;
 /// "Picture", "Accuracy", "Comfort", "Controls", "Sound".
 const char* name_of(PreferencePage page);
 
-/// One thing that a player sets: what it is called and how it is written, read and changed.
-struct Preference {
+/// One value of the options file: what it is called and how it is written and read.
+struct KeptValue {
     std::string name;    ///< in the file, and after "--" on the command line: "mouse-sensitivity"
-    std::string label;   ///< in a menu, at most 20 characters: "Mouse sensitivity"
     std::string help;    ///< one line
-    std::string values;  ///< which there are: "10 to 1000", "on or off"
-    PreferencePage page = PreferencePage::Picture;
-    bool is_switch = false;  ///< its values are "on" and "off"
+    std::string values;  ///< which there are: "10 to 1000", "off or on"
 
     /// The value, as parse() reads it: "80", "on", "preset".
     std::function<std::string(const Preferences&)> text;
-    /// The value as a menu shows it, at most 20 characters: "80 %", "on", "every16".
-    std::function<std::string(const Preferences&)> shown;
     /// Sets the value. Throws UsageError, `--NAME: 'TEXT', expected VALUES`, and changes nothing then.
     std::function<void(Preferences&, const std::string& text)> parse;
+};
+
+/// One that a menu shows and changes too.
+struct Preference : KeptValue {
+    std::string label;  ///< at most 20 characters: "Mouse sensitivity"
+    PreferencePage page = PreferencePage::Picture;
+    bool is_switch = false;  ///< its values are "on" and "off"
+
+    /// The value as a menu shows it, at most 20 characters: "80 %", "on", "every16".
+    std::function<std::string(const Preferences&)> shown;
     /// Sets the value so many steps on (negative: back). Numbers stop at their ends, names go round.
     std::function<void(Preferences&, int steps)> change;
 };
@@ -37,7 +43,7 @@ struct Preference {
 /// All of them: those of a page follow each other, in the order in which the page shows them. Reading them in this
 /// order gives what was written: a preset comes before its dials.
 std::span<const Preference> all_preferences();
-/// The one of that name; null if there is none.
-const Preference* preference_named(const std::string& name);
+/// All that is kept in the file, in its order: all preferences.
+std::vector<const KeptValue*> all_kept_values();
 
 }  // namespace oblong

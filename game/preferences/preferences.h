@@ -4,6 +4,7 @@
 
 #include "engine/accuracy/presets.h"
 #include "engine/geometry/projection.h"
+#include "engine/platform/bindings.h"
 #include "engine/platform/present_rect.h"
 #include "engine/scene/light_styles.h"
 #include "engine/screen/screen.h"
@@ -49,6 +50,8 @@ struct Preferences {
     std::int32_t gamepad_dead_zone_100 = 15;     ///< of a stick's way, 0 to 90
     bool inverts_look = false;                   ///< mouse or stick forward looks down
     bool always_runs = true;                     ///< false: walks slowly unless the key for it is held
+
+    Bindings bindings = default_bindings();  ///< which inputs do what
 
     std::int32_t volume_100 = 100;        ///< of all, 0 to 100; 0: no sound device is opened
     std::int32_t sounds_volume_100 = 80;  ///< of what happens in the level and in menus, 0 to 100

@@ -35,8 +35,6 @@ TEST(AspectCaption, GoesByTheWindowWhereThePictureFillsIt) {
     const std::string flat =
         "Drawn for 4:3, shown in the window's shape:\nspheres 25 % too flat, the circle 25 % too flat";
     EXPECT_EQ(caption(kWide, true, ShownAs::FillWindow), flat);
-    EXPECT_EQ(caption(kWide, true, ShownAs::OnDisplay, Scaling::Stretch), flat);
-    EXPECT_EQ(caption(kWide, true, ShownAs::SquarePixels, Scaling::Stretch), flat);
     EXPECT_EQ(caption(kWide, false, ShownAs::FillWindow),
               "Drawn for square pixels, shown in the window's shape:\nspheres 10 % too flat, the circle 25 % too flat");
     EXPECT_EQ(caption({1600, 1200}, true, ShownAs::FillWindow),

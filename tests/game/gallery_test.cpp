@@ -12,7 +12,7 @@ RowPage draw_nothing(const RowInput&, Framebuffer) {
 class GalleryKeys : public testing::Test {
   protected:
     void press(std::initializer_list<Command> commands) {
-        for (const Command command : commands) apply(command, rows_, {}, {1600, 1200}, view_options_, state_);
+        for (const Command command : commands) apply(command, rows_, {1600, 1200}, view_options_, state_);
     }
     std::int64_t value(std::size_t parameter) const { return state_.values[state_.row][parameter]; }
 
@@ -56,10 +56,10 @@ TEST_F(GalleryKeys, RowsKeepTheirValuesAndTheFirstParameterIsChosenAgain) {
 }
 
 TEST_F(GalleryKeys, AspectAndAccuracyAreChangedAsInTheGame) {
-    EXPECT_NE(apply(Command::ProjectionAspect, rows_, {}, {1600, 1200}, view_options_, state_), "");
-    EXPECT_FALSE(view_options_.corrects_projection);
+    EXPECT_NE(apply(Command::ProjectionAspect, rows_, {1600, 1200}, view_options_, state_), "");
+    EXPECT_FALSE(view_options_.preferences.corrects_projection);
     press({Command::AccuracyTier});
-    EXPECT_NE(view_options_.preset, Preset::Bounded);
+    EXPECT_NE(view_options_.preferences.preset, Preset::Bounded);
     const ViewOptions before = view_options_;
     press({Command::LabPanel, Command::FourAspects, Command::Torch});
     EXPECT_EQ(view_options_.shows_four_aspects, before.shows_four_aspects) << "keys of the game alone do nothing";

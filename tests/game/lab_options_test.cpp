@@ -11,7 +11,7 @@ constexpr ScreenMode kMode{};
 constexpr WindowSize kWindow{1600, 1200};
 
 std::string press(Command command, ViewOptions& options) {
-    return apply(command, options, kMode, kWindow);
+    return apply(command, options, kWindow);
 }
 
 const Dial& chosen(const ViewOptions& options) {
@@ -21,16 +21,16 @@ const Dial& chosen(const ViewOptions& options) {
 TEST(LabOptions, ArrowsTurnDialsWhileTheLabIsOpenOnly) {
     ViewOptions options;
     press(Command::DialCoarser, options);
-    EXPECT_EQ(options.accuracy, Accuracy{});
+    EXPECT_EQ(options.preferences.accuracy, Accuracy{});
     press(Command::LabPanel, options);
     EXPECT_EQ(chosen(options).name, "perspective");
     press(Command::DialCoarser, options);
-    EXPECT_EQ(options.accuracy.texturing, Texturing::Every8);
+    EXPECT_EQ(options.preferences.accuracy.texturing, Texturing::Every8);
     press(Command::DialFiner, options);
     press(Command::DialFiner, options);
-    EXPECT_EQ(options.accuracy.texturing, Texturing::BoundedTexels);
+    EXPECT_EQ(options.preferences.accuracy.texturing, Texturing::BoundedTexels);
     for (int i = 0; i < 20; ++i) press(Command::DialCoarser, options);
-    EXPECT_EQ(options.accuracy.texturing, Texturing::Affine);
+    EXPECT_EQ(options.preferences.accuracy.texturing, Texturing::Affine);
     EXPECT_EQ(options.lab.before.texturing, Texturing::Every32);  // a turn at the end changes nothing
 }
 
@@ -51,23 +51,25 @@ TEST(LabOptions, EachDialIsReachedAndExplained) {
 TEST(LabOptions, RemembersTheSettingBefore) {
     ViewOptions options;
     EXPECT_EQ(options.lab.before, accuracy_of(Preset::Exact));
-    options.preset = Preset::Year1991;
+    options.preferences.preset = Preset::Year1991;
     press(Command::AccuracyTier, options);
     EXPECT_EQ(options.lab.before, Accuracy{});
     press(Command::AccuracyTier, options);
     EXPECT_EQ(options.lab.before, accuracy_of(Preset::Year1994));
-    EXPECT_EQ(options.accuracy, accuracy_of(Preset::Year1996));
+    EXPECT_EQ(options.preferences.accuracy, accuracy_of(Preset::Year1996));
 }
 
 TEST(LabOptions, FlipsEachHalfSecond) {
     ViewOptions options;
     press(Command::FlipSettings, options);
-    const auto shown = [&](std::uint64_t now_us) { return shown_setting(options.lab, options.accuracy, now_us); };
-    EXPECT_EQ(shown(499'999), options.accuracy);
+    const auto shown = [&](std::uint64_t now_us) {
+        return shown_setting(options.lab, options.preferences.accuracy, now_us);
+    };
+    EXPECT_EQ(shown(499'999), options.preferences.accuracy);
     EXPECT_EQ(shown(500'000), options.lab.before);
-    EXPECT_EQ(shown(1'000'000), options.accuracy);
+    EXPECT_EQ(shown(1'000'000), options.preferences.accuracy);
     press(Command::FlipSettings, options);
-    EXPECT_EQ(shown(500'000), options.accuracy);
+    EXPECT_EQ(shown(500'000), options.preferences.accuracy);
 }
 
 TEST(LabOptions, SettingsHaveShortNames) {

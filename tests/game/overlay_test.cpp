@@ -95,7 +95,7 @@ void draw_everything(const ScreenMode& mode, const GuardedCanvas& guarded) {
     options.flips = options.splits = true;
     Hud hud;
     hud.cost = long_cost();
-    hud.shows_help = hud.shows_end = true;
+    hud.shows_help = true;
     show_message(hud, std::string(200, 'm'), 0);
     draw_aspect_guide(mode, kColours, canvas);
     for (const std::int32_t split : {0, 1, 32'768, 65'535, 65'536}) {
@@ -105,7 +105,7 @@ void draw_everything(const ScreenMode& mode, const GuardedCanvas& guarded) {
     }
     for (options.dial = 0; options.dial < all_dials().size(); ++options.dial)
         draw_lab_panel(options, long_figures(), panel_colours_of(kPalette), canvas);
-    const std::int32_t bottom = ErrorMap(kPalette).draw_legend(canvas.height_px, kColours, canvas);
+    const std::int32_t bottom = ErrorMap(kPalette, ColourScheme::Standard).draw_legend(canvas.height_px, kColours, canvas);
     draw_hud(hud, 0, draw_flip_names(options, {}, 0, bottom, kColours, canvas), kColours, canvas);
 }
 
@@ -220,7 +220,7 @@ TEST(ErrorMap, ColoursByBandAndBrightness) {
             pixels.push_back(colour);
             errors.push_back({pixels_off, 0});
         }
-    ErrorMap(palette).draw(errors, {pixels.data(), 14, 1, 14});
+    ErrorMap(palette, ColourScheme::Standard).draw(errors, {pixels.data(), 14, 1, 14});
     for (std::size_t band = 0; band < ErrorMap::kBands; ++band) {
         EXPECT_LE(luminance_1000(palette.colours[pixels[2 * band]]),
                   luminance_1000(palette.colours[pixels[2 * band + 1]]));

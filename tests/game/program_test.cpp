@@ -24,8 +24,10 @@ class Program : public testing::Test {
     void TearDown() override { fs::remove_all(folder_); }
 
     int run(const std::string& arguments) const {
-        const std::string command =
-            "cd '" + folder_.string() + "' && '" OBLONG_BUILD_DIR "/bin/oblong' " + arguments + " > out.txt 2> err.txt";
+        const std::string command = "cd '" + folder_.string() +
+                                    "' && XDG_CONFIG_HOME=\"$PWD\" XDG_DATA_HOME=\"$PWD\" '" OBLONG_BUILD_DIR
+                                    "/bin/oblong' " +
+                                    arguments + " > out.txt 2> err.txt";
         const int status = std::system(command.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }

@@ -41,8 +41,8 @@ class SessionOfTheDemo : public testing::Test {
                                       picture.pixels + pixel_count(picture.width_px, picture.height_px));
             });
         ViewOptions view_options;
-        Session session(loaded_, {ScreenMode{}, Degrees::from_int(90)}, view_options,
-                        TickInputSource(start_of(loaded_->level), std::nullopt, true), platform);
+        Session session(loaded_, {}, view_options, TickInputSource(start_of(loaded_->level), std::nullopt, true),
+                        platform);
         while (platform.is_open()) {
             const Controls controls = platform.poll();
             session.advance(controls, platform.now_us());

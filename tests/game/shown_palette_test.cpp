@@ -26,10 +26,10 @@ GameState state_at(std::int64_t tick, std::int32_t x) {
 
 TEST(ShownPalette, FlashesAndFadesAfterATeleporterOnly) {
     const GameData data = data_in(contents::kEmpty);
-    ShownPalette palette(data, 100);
+    ShownPalette palette(data);
     const auto flash_at = [&](std::int64_t tick, Flashes flashes) {
         const GameState state = state_at(tick, 0);
-        return palette.effects_at({{state, state}, {}}, flashes).flash.share_256;
+        return palette.effects_at({{state, state}, {}}, flashes, 100).flash.share_256;
     };
     palette.note_tick(state_at(99, 0), state_at(100, 20));
     EXPECT_EQ(flash_at(99, Flashes::Full), 0) << "walking is none";
@@ -45,9 +45,9 @@ TEST(ShownPalette, IsPlainInTheOpenAndTintedInALiquid) {
     const GameState state = state_at(0, 0);
     const GameView view{{state, state}, {}};
     const GameData open = data_in(contents::kEmpty), water = data_in(contents::kWater);
-    EXPECT_TRUE(ShownPalette(open, 100).effects_at(view, Flashes::Full).is_plain());
-    EXPECT_FALSE(ShownPalette(open, 150).effects_at(view, Flashes::Full).is_plain());
-    EXPECT_EQ(ShownPalette(water, 100).effects_at(view, Flashes::Off).liquid, (Tint{{130, 80, 50}, 128}));
+    EXPECT_TRUE(ShownPalette(open).effects_at(view, Flashes::Full, 100).is_plain());
+    EXPECT_FALSE(ShownPalette(open).effects_at(view, Flashes::Full, 150).is_plain());
+    EXPECT_EQ(ShownPalette(water).effects_at(view, Flashes::Off, 100).liquid, (Tint{{130, 80, 50}, 128}));
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ TEST(ShownView, KeepsTheSizeOfWhatIsInTheMiddleWhileItZooms) {
 
 TEST(ShownView, ZoomsBetweenItsLimitsAndIsOffAt90Degrees) {
     ViewOptions options;
-    const auto press = [&](Command command) { return apply(command, options, ScreenMode{}, {1600, 1200}); };
+    const auto press = [&](Command command) { return apply(command, options, {1600, 1200}); };
     EXPECT_EQ(press(Command::ZoomIn), "[ ] Zoom against dolly: 80 degrees");
     EXPECT_EQ(press(Command::ZoomOut), "[ ] Zoom against dolly: off");
     EXPECT_EQ(options.zoom_degrees, 0);

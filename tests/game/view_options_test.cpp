@@ -6,32 +6,32 @@ namespace oblong {
 namespace {
 
 std::string press(Command command, ViewOptions& options) {
-    return apply(command, options, ScreenMode{}, {1600, 1200});
+    return apply(command, options, {1600, 1200});
 }
 
 TEST(ViewOptions, KeysStepThroughBrightnessUpToItsLimits) {
     ViewOptions options;
     press(Command::Brighter, options);
-    EXPECT_EQ(options.brightness_100, 140);
+    EXPECT_EQ(options.preferences.brightness_100, 140);
     press(Command::Darker, options);
-    EXPECT_EQ(options.brightness_100, 100);
-    options.brightness_100 = 150;  // by --brightness, between two steps
+    EXPECT_EQ(options.preferences.brightness_100, 100);
+    options.preferences.brightness_100 = 150;  // by --brightness, between two steps
     press(Command::Darker, options);
-    EXPECT_EQ(options.brightness_100, 140);
+    EXPECT_EQ(options.preferences.brightness_100, 140);
     for (int i = 0; i < 20; ++i) press(Command::Brighter, options);
-    EXPECT_EQ(settings_of(options).brightness_100, 800);
+    EXPECT_EQ(settings_of(options.preferences).brightness_100, 800);
     for (int i = 0; i < 20; ++i) press(Command::Darker, options);
-    EXPECT_EQ(settings_of(options).brightness_100, 25);
+    EXPECT_EQ(settings_of(options.preferences).brightness_100, 25);
 }
 
 TEST(ViewOptions, TorchAndTubeAreOffUntilTheirKeysArePressed) {
     ViewOptions options;
-    EXPECT_FALSE(options.has_torch || options.has_crt_look);
+    EXPECT_FALSE(options.has_torch || options.preferences.has_crt_look);
     for (const bool is_on : {true, false}) {
         EXPECT_FALSE(press(Command::Torch, options).empty());
         EXPECT_FALSE(press(Command::CrtLook, options).empty());
         EXPECT_EQ(options.has_torch, is_on);
-        EXPECT_EQ(options.has_crt_look, is_on);
+        EXPECT_EQ(options.preferences.has_crt_look, is_on);
     }
 }
 
@@ -49,9 +49,9 @@ TEST(ViewOptions, MapAndEdgesGoThroughTheirViewsAndOffAgain) {
 
 TEST(ViewOptions, FlashesReachTheFrame) {
     ViewOptions options;
-    EXPECT_EQ(settings_of(options).flashes, Flashes::Full);
-    options.flashes = Flashes::Off;
-    EXPECT_EQ(settings_of(options).flashes, Flashes::Off);
+    EXPECT_EQ(settings_of(options.preferences).flashes, Flashes::Full);
+    options.preferences.flashes = Flashes::Off;
+    EXPECT_EQ(settings_of(options.preferences).flashes, Flashes::Off);
 }
 
 }  // namespace

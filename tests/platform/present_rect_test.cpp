@@ -42,7 +42,8 @@ TEST(Layout, KnownDisplays) {
         expect_size(size_of(shown(Scaling::Nearest)), display.sharp, display.window, Scaling::Nearest);
         expect_size(size_of(shown(Scaling::Even)), display.even, display.window, Scaling::Even);
         expect_size(size_of(shown(Scaling::Rows)), display.rows, display.window, Scaling::Rows);
-        expect_size(size_of(shown(Scaling::Stretch)), display.window, display.window, Scaling::Stretch);
+        const PresentRect filled = layout(display.window, kMode, ShownAs::FillWindow, Scaling::SharpBilinear);
+        expect_size(size_of(filled), display.window, display.window, Scaling::SharpBilinear);
         EXPECT_EQ(describe(shown(Scaling::Even), kMode), display.even_text);
     }
 }

@@ -24,7 +24,7 @@ struct Options {
     bool is_quick = false;
 };
 
-void declare(Command& line, Options& options) {
+void declare(CommandArguments& line, Options& options) {
     line.add("--out", options.out, "folder for accuracy.html and accuracy.json");
     line.add_flag("--quick", options.is_quick, "fewer cameras, fewer rounds: under a minute");
     const CommandOption level =

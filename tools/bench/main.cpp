@@ -14,7 +14,7 @@ struct Options {
     std::string level, cameras, palette, mode = "320x200";
 };
 
-void declare(Command& line, Options& options) {
+void declare(CommandArguments& line, Options& options) {
     CommandOption level = line.add("--level", options.level, "whose frames are timed (default: a sphere in a room)");
     CommandOption cameras = line.add("--cameras", options.cameras, "its cameras, CSV: x,y,z,yaw,pitch[,roll]");
     level.need(cameras);

@@ -9,18 +9,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path program_folder(const char* called_as) {
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    return (error ? fs::absolute(called_as) : program).parent_path();
-}
-
 bool has_assets(const fs::path& folder) {
     std::error_code error;
     return fs::exists(folder / "palette.lmp", error);
 }
 
 }  // namespace
+
+std::string program_folder(const char* called_as) {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    return (error ? fs::absolute(called_as) : program).parent_path().string();
+}
 
 std::string assets_folder(const char* called_as) {
     const fs::path programs = program_folder(called_as);

@@ -48,7 +48,7 @@ std::string fault_of_dash(const std::string& text) {
 }  // namespace
 
 template <class Value>
-CommandOption Command::add(const std::string& names, Value& value, const std::string& help) {
+CommandOption CommandArguments::add(const std::string& names, Value& value, const std::string& help) {
     CLI::Option* const option = app_->add_option(names, value, help);
     if (value != Value{}) option->capture_default_str();
     option->check(fault_of_empty, "");
@@ -58,21 +58,25 @@ CommandOption Command::add(const std::string& names, Value& value, const std::st
     return CommandOption(option);
 }
 
-template CommandOption Command::add(const std::string&, std::string&, const std::string&);
-template CommandOption Command::add(const std::string&, std::vector<std::string>&, const std::string&);
-template CommandOption Command::add(const std::string&, std::int64_t&, const std::string&);
-template CommandOption Command::add(const std::string&, double&, const std::string&);
+template CommandOption CommandArguments::add(const std::string&, std::string&, const std::string&);
+template CommandOption CommandArguments::add(const std::string&, std::vector<std::string>&, const std::string&);
+template CommandOption CommandArguments::add(const std::string&, std::int64_t&, const std::string&);
+template CommandOption CommandArguments::add(const std::string&, double&, const std::string&);
 
-void Command::add_flag(const std::string& names, bool& value, const std::string& help) {
+void CommandArguments::add_flag(const std::string& names, bool& value, const std::string& help) {
     app_->add_flag(names, value, help);
 }
 
-Command Command::add_command(const std::string& name, const std::string& help) {
-    app_->require_subcommand(1);
-    return Command(app_->add_subcommand(name, help));
+void CommandArguments::add_switch(const std::string& name, std::string& value, const std::string& help) {
+    app_->add_flag("--" + name + ",!--no-" + name, value, help);
 }
 
-bool Command::is_given() const {
+CommandArguments CommandArguments::add_command(const std::string& name, const std::string& help) {
+    app_->require_subcommand(1);
+    return CommandArguments(app_->add_subcommand(name, help));
+}
+
+bool CommandArguments::is_given() const {
     return app_->parsed();
 }
 
@@ -81,7 +85,7 @@ CommandLine::CommandLine(const std::string& program, const std::string& descript
     owned_->set_version_flag("--version", program + " " + OBLONG_VERSION);
 }
 
-CommandLine::CommandLine(std::shared_ptr<CLI::App> app) : Command(app.get()), owned_(std::move(app)) {}
+CommandLine::CommandLine(std::shared_ptr<CLI::App> app) : CommandArguments(app.get()), owned_(std::move(app)) {}
 
 int CommandLine::run(int argument_count, const char* const* arguments, const std::function<void()>& body) {
     const std::string program = owned_->get_name();

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// CLI11 takes long to compile, so that only one file includes it.
+// CLI11 takes long to compile, so that only this file's and config_line's sources include it.
 namespace CLI {
 class App;
 class Option;
@@ -30,9 +30,9 @@ class CommandOption {
 };
 
 /// What may follow a command: options, positional arguments, and subcommands.
-class Command {
+class CommandArguments {
   public:
-    explicit Command(CLI::App* app) : app_(app) {}
+    explicit CommandArguments(CLI::App* app) : app_(app) {}
 
     /// `names` such as "-o,--out"; a name without a dash is a positional argument. The variable's value is the default,
     /// and --help shows it unless it is empty or 0. For std::string, a vector of them (one or more may be given),
@@ -41,9 +41,11 @@ class Command {
     template <class Value>
     CommandOption add(const std::string& names, Value& value, const std::string& help);
     void add_flag(const std::string& names, bool& value, const std::string& help);
+    /// --NAME and --no-NAME: `value` becomes "true" or "false" where it is given; what follows --NAME= as it stands.
+    void add_switch(const std::string& name, std::string& value, const std::string& help);
 
     /// A subcommand; one of them must be given.
-    Command add_command(const std::string& name, const std::string& help);
+    CommandArguments add_command(const std::string& name, const std::string& help);
     bool is_given() const;
 
   private:
@@ -51,7 +53,7 @@ class Command {
 };
 
 /// The command line of a program; it has --help and --version.
-class CommandLine : public Command {
+class CommandLine : public CommandArguments {
   public:
     CommandLine(const std::string& program, const std::string& description);
 

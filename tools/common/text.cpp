@@ -10,16 +10,19 @@ namespace {
 
 constexpr std::int32_t kPanelMargin_px = 6;
 
-void draw_glyph(Framebuffer canvas, std::int32_t x, std::int32_t y, const Glyph& glyph, std::uint8_t colour) {
+void draw_glyph(Framebuffer canvas, std::int32_t x, std::int32_t y, const Glyph& glyph, std::uint8_t colour,
+                std::int32_t scale) {
     for (std::int32_t row = 0; row < kGlyphHeight_px; ++row)
         for (std::int32_t column = 0; column < kGlyphWidth_px; ++column)
-            if (is_drawn(glyph, row, column)) set_pixel(canvas, x + column, y + row, colour);
+            if (is_drawn(glyph, row, column))
+                fill_area(canvas, {x + column * scale, y + row * scale, scale, scale}, colour);
 }
 
-void draw_plain(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, std::uint8_t colour) {
+void draw_plain(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, std::uint8_t colour,
+                std::int32_t scale) {
     for (const char character : line) {
-        draw_glyph(canvas, x, y, glyph_of(character), colour);
-        x += kGlyphAdvance_px;
+        draw_glyph(canvas, x, y, glyph_of(character), colour, scale);
+        x += kGlyphAdvance_px * scale;
     }
 }
 
@@ -51,34 +54,37 @@ std::vector<std::string_view> lines_of(std::string_view text, std::int32_t width
 }
 
 void draw_text(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, TextColours colours) {
-    draw_plain(canvas, x + 1, y + 1, line, colours.dark);
-    draw_plain(canvas, x, y, line, colours.bright);
+    draw_plain(canvas, x + colours.scale, y + colours.scale, line, colours.dark, colours.scale);
+    draw_plain(canvas, x, y, line, colours.bright, colours.scale);
+}
+
+std::vector<std::string_view> lines_across(std::string_view text, TextColours colours, Framebuffer canvas) {
+    return lines_of(text, (canvas.width_px - 2 * kTextMargin_px) / colours.scale);
 }
 
 void draw_lines(std::int32_t y, std::string_view text, TextColours colours, Framebuffer canvas) {
-    for (const std::string_view line : lines_of(text, canvas.width_px - 2 * kTextMargin_px)) {
+    for (const std::string_view line : lines_across(text, colours, canvas)) {
         draw_text(canvas, kTextMargin_px, y, line, colours);
-        y += kLineHeight_px;
+        y += kLineHeight_px * colours.scale;
     }
 }
 
 std::int32_t draw_lines_above(std::int32_t bottom, std::string_view text, TextColours colours, Framebuffer canvas) {
-    const std::size_t count = lines_of(text, canvas.width_px - 2 * kTextMargin_px).size();
-    const std::int32_t top = bottom - static_cast<std::int32_t>(count) * kLineHeight_px;
+    const std::size_t count = lines_across(text, colours, canvas).size();
+    const std::int32_t top = bottom - static_cast<std::int32_t>(count) * kLineHeight_px * colours.scale;
     draw_lines(top, text, colours, canvas);
     return top;
 }
 
 void draw_panel(Framebuffer canvas, std::span<const std::string_view> lines, TextColours colours) {
+    const std::int32_t scale = colours.scale, margin = kPanelMargin_px * scale, line_height = kLineHeight_px * scale;
     std::int32_t width = 0;
-    for (const std::string_view line : lines) width = std::max(width, text_width_px(line));
-    const auto height = static_cast<std::int32_t>(lines.size()) * kLineHeight_px;
+    for (const std::string_view line : lines) width = std::max(width, text_width_px(line) * scale);
+    const auto height = static_cast<std::int32_t>(lines.size()) * line_height;
     const std::int32_t x = (canvas.width_px - width) / 2, y = (canvas.height_px - height) / 2;
-    fill_area(canvas,
-              {x - kPanelMargin_px, y - kPanelMargin_px, width + 2 * kPanelMargin_px, height + 2 * kPanelMargin_px},
-              colours.dark);
+    fill_area(canvas, {x - margin, y - margin, width + 2 * margin, height + 2 * margin}, colours.dark);
     for (std::size_t i = 0; i < lines.size(); ++i)
-        draw_plain(canvas, x, y + static_cast<std::int32_t>(i) * kLineHeight_px, lines[i], colours.bright);
+        draw_plain(canvas, x, y + static_cast<std::int32_t>(i) * line_height, lines[i], colours.bright, scale);
 }
 
 }  // namespace oblong

@@ -54,13 +54,15 @@ int main(int argc, char** argv) {
     using namespace oblong;
     std::string output;
     CommandLine line("oblong-demo-level", "Makes what the demo level is built from.");
-    Command textures = line.add_command("textures", "the pictures on its walls, as indexed PNGs into a folder");
-    Command models = line.add_command("models", "what stands in it: OBJ files with their skins, into a folder");
-    Command sounds = line.add_command("sounds", "what is heard in the game, as WAV files into a folder");
-    Command music = line.add_command("music", "the title's music, a tracker module");
-    Command map = line.add_command("map", "the level's source, for oblong-map");
-    Command palette = line.add_command("palette", "its 256 colours, 768 bytes");
-    for (Command* command : {&textures, &models, &sounds, &music, &map, &palette})
+    CommandArguments textures =
+        line.add_command("textures", "the pictures on its walls, as indexed PNGs into a folder");
+    CommandArguments models =
+        line.add_command("models", "what stands in it: OBJ files with their skins, into a folder");
+    CommandArguments sounds = line.add_command("sounds", "what is heard in the game, as WAV files into a folder");
+    CommandArguments music = line.add_command("music", "the title's music, a tracker module");
+    CommandArguments map = line.add_command("map", "the level's source, for oblong-map");
+    CommandArguments palette = line.add_command("palette", "its 256 colours, 768 bytes");
+    for (CommandArguments* command : {&textures, &models, &sounds, &music, &map, &palette})
         command->add("-o", output, "what to write").require();
     return line.run(argc, argv, [&] {
         if (textures.is_given()) write_pictures(art::paint_all_textures(), output);

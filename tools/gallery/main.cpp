@@ -19,7 +19,7 @@ struct Options {
     std::vector<std::string> dials, ids;
 };
 
-void declare(Command& line, Options& options) {
+void declare(CommandArguments& line, Options& options) {
     line.add("--out", options.out, "folder for index.html and its pictures");
     line.add("--row", options.ids, "only this row, by its id; may be given several times");
     line.add("--assets", options.assets, "folder of demo.bsp and palette.lmp (default: the project's)");

@@ -16,7 +16,7 @@ struct Arguments {
     bool is_fast = false;
 };
 
-void declare(Command& line, Arguments& arguments) {
+void declare(CommandArguments& line, Arguments& arguments) {
     line.add("IN.map", arguments.input, "the level's source: Quake .map, Standard or Valve 220").require();
     line.add("-o,--out", arguments.output, "the level to write: OUT.bsp, version 29").require();
     line.add("--wad", arguments.wads, "a WAD2 file of textures; may be given more than once");

@@ -65,7 +65,7 @@ HiddenSurfaces parse_hidden_surfaces(const std::string& text) {
     return static_cast<HiddenSurfaces>(known - kHiddenSurfaceNames.begin());
 }
 
-void declare(Command& line, Options& options) {
+void declare(CommandArguments& line, Options& options) {
     line.add("LEVEL", options.level, "a Quake level: BSP 29, BSP2 or 2PSB").require();
     line.add("--cameras", options.cameras, "CSV: x,y,z,yaw,pitch[,roll]").require();
     line.add("--palette", options.palette, "768 bytes of red, green, blue (default: the demo level's)");

@@ -19,10 +19,10 @@ int main(int argc, char** argv) {
     std::vector<std::string> pictures, glowing;
     std::string archive, output, palette_file, dither = "none";
     CommandLine line("oblong-texture", "Textures in and out of Quake's files, and how light changes their colours.");
-    Command pack = line.add_command(
+    CommandArguments pack = line.add_command(
         "pack", "PNGs into a WAD2. A texture is named after its file; a leading '#' becomes '*' (liquids).");
-    Command unpack = line.add_command("unpack", "The textures of a WAD2 or a BSP as indexed PNGs.");
-    Command ramps = line.add_command(
+    CommandArguments unpack = line.add_command("unpack", "The textures of a WAD2 or a BSP as indexed PNGs.");
+    CommandArguments ramps = line.add_command(
         "ramps", "The colormap of a palette as a PNG: a row for each colour, brightest shade to darkest.");
     pack.add("input", pictures, "PNG files, sizes multiples of 16").require();
     pack.add("-o", output, "the WAD to write").require();
@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
     unpack.add("input", archive, "a WAD2 or BSP file").require();
     unpack.add("-o", output, "the folder to write to").require();
     ramps.add("-o", output, "the PNG to write").require();
-    for (Command* command : {&pack, &unpack, &ramps})
+    for (CommandArguments* command : {&pack, &unpack, &ramps})
         command->add("--palette", palette_file, "768 bytes: red, green, blue of 256 colours").require();
     return line.run(argc, argv, [&] {
         const Palette palette = read_parsed(palette_file, read_palette);

@@ -1,0 +1,167 @@
+#include "game/menu/key_pages.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace oblong {
+namespace {
+
+std::string label_of(Action action) {
+    const auto names = all_actions();
+    const auto found =
+        std::find_if(names.begin(), names.end(), [&](const ActionNames& of) { return of.action == action; });
+    return std::string(found->label);
+}
+
+// What else an input of the action does: "Jump, Map"; empty if nothing.
+std::string others_of(const Bindings& bindings, Action action, Input input) {
+    std::string others;
+    for (const Conflict& conflict : conflicts_of(bindings)) {
+        if (conflict.input != input ||
+            std::find(conflict.actions.begin(), conflict.actions.end(), action) == conflict.actions.end())
+            continue;
+        for (const Action other : conflict.actions)
+            if (other != action) others += (others.empty() ? "" : ", ") + label_of(other);
+    }
+    return others;
+}
+
+bool has_conflict(const Bindings& bindings, Action action) {
+    const auto inputs = bindings.inputs_of(action);
+    return std::any_of(inputs.begin(), inputs.end(),
+                       [&](Input input) { return !others_of(bindings, action, input).empty(); });
+}
+
+// The pages of keys; their functions keep copies of it.
+class KeyPages {
+  public:
+    KeyPages(Menu& menu, MenuHost& host) : menu_(&menu), host_(&host) {}
+
+    void open() const {
+        menu_->open([*this] { return list_page(); });
+    }
+
+  private:
+    MenuPage list_page() const {
+        MenuPage page{"Keys", "", {}, 0, "Enter changes what is chosen", false, nullptr};
+        for (const ActionNames& names : all_actions()) {
+            const Action action = names.action;
+            const bool is_doubled = has_conflict(host_->preferences().bindings, action);
+            page.rows.push_back({std::string(names.label), (is_doubled ? "! " : "") + inputs_text(*host_, action),
+                                 is_doubled ? "! A key here does something else, too" : "",
+                                 [*this, action] { menu_->open([*this, action] { return action_page(action); }); },
+                                 nullptr});
+        }
+        add_sets(page);
+        return page;
+    }
+
+    void add_sets(MenuPage& page) const {
+        constexpr std::array<std::pair<Hands, const char*>, kHandsCount> kSets{
+            {{Hands::Both, "All as at first"},
+             {Hands::Left, "All for the left hand"},
+             {Hands::Right, "All for the right hand"}}};
+        for (const auto& [hands, label] : kSets)
+            page.rows.push_back({label, "", "Sets all keys anew",
+                                 [*this, of = hands] { menu_->open([*this, of] { return set_page(of); }); }, nullptr});
+    }
+
+    MenuPage set_page(Hands hands) const {
+        MenuPage page{"Keys", "Set all keys anew? What you changed is lost.", {}, 0, "", false, nullptr};
+        page.rows.push_back({"No", "", "", [*this] { menu_->close(); }, nullptr});
+        page.rows.push_back({"Yes", "", "",
+                             [*this, hands] {
+                                 host_->preferences().bindings = default_bindings(hands);
+                                 menu_->close();
+                             },
+                             nullptr});
+        return page;
+    }
+
+    MenuPage action_page(Action action) const {
+        MenuPage page{label_of(action), "", {}, 0, "", false, nullptr};
+        for (const Input input : host_->preferences().bindings.inputs_of(action)) {
+            const std::string others = others_of(host_->preferences().bindings, action, input);
+            page.rows.push_back(
+                {host_->local_name_of(input), "remove", others.empty() ? "" : "Does this, too: " + others,
+                 [*this, action, input] { host_->preferences().bindings.unbind(action, input); }, nullptr});
+        }
+        page.rows.push_back({"Add a key or button", "", "",
+                             [*this, action] { menu_->open([*this, action] { return press_page(action); }); },
+                             nullptr});
+        page.first_chosen = page.rows.size() - 1;
+        page.rows.push_back({"Done", "", "", [*this] { menu_->close(); }, nullptr});
+        return page;
+    }
+
+    MenuPage press_page(Action action) const {
+        MenuPage page{label_of(action),
+                      "Press a key, or a button of the mouse or gamepad, for: " + label_of(action) + ".\n\nEsc: none.",
+                      {},
+                      0,
+                      "",
+                      false,
+                      nullptr};
+        page.press = [*this, action](Input input) {
+            menu_->close();
+            const std::string others = others_if_bound(action, input);
+            if (others.empty()) return host_->preferences().bindings.bind(action, input);
+            menu_->open([*this, action, input, others] { return conflict_page(action, input, others); });
+        };
+        return page;
+    }
+
+    std::string others_if_bound(Action action, Input input) const {
+        Bindings tried = host_->preferences().bindings;
+        tried.bind(action, input);
+        return others_of(tried, action, input);
+    }
+
+    MenuPage conflict_page(Action action, Input input, const std::string& others) const {
+        const std::string name = host_->local_name_of(input);
+        MenuPage page{label_of(action), name + " does something already: " + others + ".", {}, 0, "", false, nullptr};
+        page.rows.push_back({"Take it from there", "", "",
+                             [*this, action, input] {
+                                 for (const ActionNames& names : all_actions())
+                                     if (is_other(action, names.action, input))
+                                         host_->preferences().bindings.unbind(names.action, input);
+                                 host_->preferences().bindings.bind(action, input);
+                                 menu_->close();
+                             },
+                             nullptr});
+        page.rows.push_back({"Let it do both", "", "",
+                             [*this, action, input] {
+                                 host_->preferences().bindings.bind(action, input);
+                                 menu_->close();
+                             },
+                             nullptr});
+        page.rows.push_back({"Leave it as it was", "", "", [*this] { menu_->close(); }, nullptr});
+        return page;
+    }
+
+    // Whether an input that is bound to both would do two things at once.
+    static bool is_other(Action action, Action other, Input input) {
+        Bindings both;
+        both.bind(action, input);
+        both.bind(other, input);
+        return action != other && !conflicts_of(both).empty();
+    }
+
+    Menu* menu_;
+    MenuHost* host_;
+};
+
+}  // namespace
+
+void open_key_pages(Menu& menu, MenuHost& host) {
+    KeyPages(menu, host).open();
+}
+
+std::string inputs_text(MenuHost& host, Action action) {
+    std::string text;
+    for (const Input input : host.preferences().bindings.inputs_of(action))
+        text += (text.empty() ? "" : ", ") + host.local_name_of(input);
+    return text.empty() ? "none" : text;
+}
+
+}  // namespace oblong

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/platform/controls.h"
+#include "engine/platform/present_rect.h"
+#include "game/menu/draw_menu.h"
+
+namespace oblong {
+
+/// What the player did in a menu, for what answers it: sounds, a new picture.
+enum class MenuEvent : std::uint8_t { None, Moved, Changed, Accepted, WentBack };
+
+/// The pages that are open, one over the other; the last one is shown. No page: the menu is closed.
+class Menu {
+  public:
+    void open(MenuPageMaker make_page);
+    /// Closes the page that is shown, whatever its `back` is.
+    void close();
+    void close_all();
+    bool is_open() const { return !pages_.empty(); }
+    std::size_t depth() const { return pages_.size(); }
+
+    /// Carries out what the player did: menu actions, Command::Menu as Back, the pointer. `shown`: where the window
+    /// shows the canvas.
+    MenuEvent handle(const Controls& controls, CanvasSize canvas, std::int32_t text_scale, const PresentRect& shown);
+    void draw(std::int32_t text_scale, const MenuLook& look, const Palette& palette, Framebuffer canvas) const;
+
+    /// The page that is shown and its chosen row; for there to be one, the menu is open.
+    MenuPage page() const { return pages_.back().make(); }
+    std::size_t chosen() const { return pages_.back().chosen; }
+
+  private:
+    struct OpenPage {
+        MenuPageMaker make;
+        std::size_t chosen = 0, first = 0;
+    };
+
+    MenuEvent take_press(const Controls& controls);
+    MenuEvent act(MenuAction action, CanvasSize canvas, std::int32_t text_scale);
+    MenuEvent move(const MenuPage& page, int steps, CanvasSize canvas, std::int32_t text_scale);
+    MenuEvent change(const MenuPage& page, int steps);
+    MenuEvent accept(const MenuPage& page);
+    MenuEvent go_back(const MenuPage& page);
+    MenuEvent point(const Pointer& pointer, CanvasSize canvas, std::int32_t text_scale, const PresentRect& shown);
+    MenuLayout layout_of(const MenuPage& page, CanvasSize canvas, std::int32_t text_scale) const;
+
+    std::vector<OpenPage> pages_;
+};
+
+}  // namespace oblong

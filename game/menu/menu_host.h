@@ -1,0 +1,68 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/platform/bindings.h"
+#include "game/menu/menu_page.h"
+#include "game/preferences/preferences.h"
+
+namespace oblong {
+
+/// A place for a saved game, as the menu shows it.
+struct SaveEntry {
+    std::string name;                    ///< "Slot 1"
+    std::string content;                 ///< "demo 3:12"; "empty"
+    std::string help;                    ///< of a save that can't be loaded: why
+    bool is_saved_to_by_player = false;  ///< and not by keys or the game alone
+    bool has_game = false;
+    std::optional<MenuPicture> picture;
+};
+
+/// A level that can be walked.
+struct LevelEntry {
+    std::string name;   ///< what play_level() takes
+    std::string title;  ///< what its maker calls it; may be empty
+};
+
+/// How a walk ended.
+struct EndFigures {
+    std::string message;     ///< what the level says; may be empty
+    std::string time;        ///< "3:12"
+    std::string lenses;      ///< "5 of 12"; empty where the level has none
+    std::string next_level;  ///< what play_level() takes; empty where there is none
+};
+
+/// What the menu's pages know of the program, and have it do.
+class MenuHost {
+  public:
+    virtual ~MenuHost() = default;
+
+    virtual Preferences& preferences() = 0;
+    virtual std::string local_name_of(Input input) const = 0;
+
+    virtual std::vector<LevelEntry> levels() const = 0;
+    virtual std::vector<SaveEntry> saves() const = 0;
+    virtual EndFigures end_figures() const = 0;
+    virtual std::string credits() const = 0;
+
+    virtual bool can_save() const = 0;      ///< a walk is on, and there is a place for saves
+    virtual bool can_continue() const = 0;  ///< there is a walk to go on with that was saved on leaving
+    /// Whether something of a walk that is on is not saved.
+    virtual bool has_unsaved_progress() const = 0;
+    /// Whether leaving a walk saves it.
+    virtual bool saves_on_leaving() const = 0;
+
+    virtual void walk() = 0;  ///< the demo level, from its start
+    virtual void continue_walk() = 0;
+    virtual void restart() = 0;
+    virtual void play_level(const std::string& name) = 0;
+    virtual void save(std::size_t entry) = 0;  ///< of saves()
+    virtual void load(std::size_t entry) = 0;
+    virtual void show_title() = 0;
+    virtual void show_gallery() = 0;
+    virtual void leave() = 0;
+};
+
+}  // namespace oblong

@@ -1,0 +1,199 @@
+#include "game/menu/menu_layout.h"
+
+#include <algorithm>
+
+#include "tools/common/font.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int32_t kRowPadding_px = 1;  // above and below a row's text, at scale 1
+constexpr std::int32_t kRowColumns = 2;     // before a label: the mark of the chosen row
+constexpr std::int32_t kValueColumns = 4;   // around a value: "< value >"
+constexpr std::int32_t kGap_px = 5, kHelpLines = 2;
+constexpr std::int32_t kFewestColumns = 20, kFewestLines = 7;  // from which on letters get no larger
+constexpr std::int32_t kMostColumns = 50;
+constexpr std::int32_t kPictureAspect_100 = 75;  // height to width of the area for a picture
+
+std::int32_t columns_of(const std::string& text) {
+    return static_cast<std::int32_t>(text.size());
+}
+
+// As large as in 320x200, times the player's choice, as far as some columns and lines remain.
+std::int32_t letter_scale(CanvasSize canvas, std::int32_t text_scale) {
+    const std::int32_t by_canvas = std::min(canvas.width_px / 320, canvas.height_px / 200);
+    const std::int32_t most = std::min(canvas.width_px / (kFewestColumns * kGlyphAdvance_px),
+                                       canvas.height_px / (kFewestLines * kLineHeight_px));
+    return std::max(std::min(std::max(by_canvas, 1) * text_scale, most), 1);
+}
+
+std::vector<std::string> wrapped(const std::string& text, std::int32_t columns) {
+    if (text.empty()) return {};
+    const std::vector<std::string_view> lines = lines_of(text, columns * kGlyphAdvance_px);
+    return {lines.begin(), lines.end()};
+}
+
+// Places what a page holds, from its title down.
+class PageLayout {
+  public:
+    PageLayout(const MenuPage& page, const MenuView& view, CanvasSize canvas)
+        : page_(page), view_(view), canvas_(canvas), margin_px_(kTextMargin_px), line_px_(0) {
+        out_.scale = letter_scale(canvas, view.text_scale);
+        line_px_ = kLineHeight_px * out_.scale;
+        column_px_ = kGlyphAdvance_px * out_.scale;
+        place_title();
+        place_help();
+        place_body();
+        make_items();
+        choose_first();
+        place_items();
+    }
+    MenuLayout take() { return std::move(out_); }
+
+  private:
+    std::int32_t columns_in(std::int32_t width_px) const { return std::max(width_px / column_px_, 1); }
+
+    void place_title() {
+        const std::string name = page_.title;
+        const std::int32_t by_canvas = std::max(std::min(canvas_.width_px / 320, canvas_.height_px / 200), 1);
+        LetterCell cell{2 * by_canvas, 2 * by_canvas};
+        if (page_.is_title) cell = {6 * by_canvas, 6 * by_canvas};
+        Area size = lettering_size(name, cell);
+        const std::int32_t room_px = canvas_.width_px - 2 * margin_px_;
+        while (cell.width_px > 1 && (size.width > room_px || size.height > canvas_.height_px / 4)) {
+            cell = {cell.width_px - 1, cell.height_px - 1};
+            size = lettering_size(name, cell);
+        }
+        out_.title_cell = cell;
+        const std::int32_t y = std::min(canvas_.height_px / 20, 3 * kGap_px);
+        out_.title = {(canvas_.width_px - size.width) / 2, y, size.width, size.height};
+    }
+
+    void place_help() {
+        std::string help = page_.help;
+        if (view_.chosen < page_.rows.size() && !page_.rows[view_.chosen].help.empty())
+            help = page_.rows[view_.chosen].help;
+        out_.help = wrapped(help, columns_in(canvas_.width_px - 2 * margin_px_));
+        if (out_.help.size() > kHelpLines) out_.help.resize(kHelpLines);
+        const bool has_help = !page_.help.empty() || std::any_of(page_.rows.begin(), page_.rows.end(),
+                                                                 [](const MenuRow& row) { return !row.help.empty(); });
+        help_lines_ = has_help ? kHelpLines : 0;
+        out_.help_y =
+            canvas_.height_px - margin_px_ - std::max(static_cast<std::int32_t>(out_.help.size()), 1) * line_px_;
+    }
+
+    bool has_picture() const {
+        return canvas_.width_px >= kMostColumns * column_px_ &&
+               std::any_of(page_.rows.begin(), page_.rows.end(),
+                           [](const MenuRow& row) { return row.picture.has_value(); });
+    }
+
+    // The columns that the widest line would take.
+    std::int32_t wanted_columns() const {
+        std::int32_t columns = page_.text.empty() ? 0 : kMostColumns;
+        for (const MenuRow& row : page_.rows) {
+            const std::int32_t value = row.value.empty() ? 0 : columns_of(row.value) + kValueColumns + 2;
+            columns = std::max(columns, 2 * kRowColumns + columns_of(row.label) + value);
+        }
+        return std::min(columns, kMostColumns);
+    }
+
+    void place_body() {
+        const std::int32_t room_px = canvas_.width_px - 2 * margin_px_;
+        std::int32_t width = std::min(wanted_columns() * column_px_, room_px);
+        const std::int32_t top = out_.title.y + out_.title.height + kGap_px + out_.title_cell.height_px;
+        const std::int32_t bottom =
+            canvas_.height_px - margin_px_ - help_lines_ * line_px_ - (help_lines_ > 0 ? kGap_px : 0);
+        std::int32_t left = (canvas_.width_px - width) / 2;
+        if (has_picture()) {
+            const std::int32_t picture_px = room_px * 2 / 5;
+            width = room_px - picture_px - 2 * kGap_px;
+            left = margin_px_;
+            out_.picture = Area{canvas_.width_px - margin_px_ - picture_px, top, picture_px,
+                                picture_px * kPictureAspect_100 / 100};
+        }
+        out_.body = {left, std::min(top, bottom), width, std::max(bottom - top, 0)};
+    }
+
+    bool has_own_line_for_value(const MenuRow& row) const {
+        return !row.value.empty() && kRowColumns + columns_of(row.label) + 1 + columns_of(row.value) + kValueColumns >
+                                         columns_in(out_.body.width);
+    }
+
+    void make_items() {
+        const std::int32_t padding = kRowPadding_px * out_.scale;
+        for (std::string& line : wrapped(page_.text, columns_in(out_.body.width)))
+            items_.push_back({{0, 0, out_.body.width, line_px_}, std::move(line), std::nullopt, 0});
+        if (!items_.empty() && !page_.rows.empty())
+            items_.push_back({{0, 0, out_.body.width, line_px_ / 2}, "", std::nullopt, 0});
+        for (std::size_t i = 0; i < page_.rows.size(); ++i) {
+            const bool is_double = has_own_line_for_value(page_.rows[i]);
+            const std::int32_t height = (is_double ? 2 : 1) * line_px_ + 2 * padding;
+            items_.push_back({{0, 0, out_.body.width, height}, "", i, padding + (is_double ? line_px_ : 0)});
+        }
+        out_.count = items_.size();
+    }
+
+    // How many items from `first` on fit; at least one.
+    std::size_t shown_from(std::size_t first) const {
+        std::int32_t height = 0;
+        std::size_t last = first;
+        for (; last < items_.size(); ++last) {
+            height += items_[last].area.height;
+            if (height > out_.body.height && last > first) break;
+        }
+        return last - first;
+    }
+
+    void choose_first() {
+        std::size_t first = std::min(view_.first, items_.empty() ? 0 : items_.size() - 1);
+        while (first > 0 && first - 1 + shown_from(first - 1) == items_.size()) --first;  // no empty room at the end
+        const auto is_chosen = [&](const MenuLayout::Item& item) { return item.row == view_.chosen; };
+        const auto chosen =
+            static_cast<std::size_t>(std::find_if(items_.begin(), items_.end(), is_chosen) - items_.begin());
+        if (chosen < items_.size()) {
+            if (view_.chosen == 0 && shown_from(0) > chosen) first = 0;  // with the text above the first row
+            first = std::min(first, chosen);
+            while (first + shown_from(first) <= chosen) ++first;
+        }
+        out_.first = first;
+    }
+
+    void place_items() {
+        const std::size_t shown = items_.empty() ? 0 : shown_from(out_.first);
+        std::int32_t y = out_.body.y;
+        for (std::size_t i = out_.first; i < out_.first + shown; ++i) {
+            MenuLayout::Item item = items_[i];
+            item.area.x = out_.body.x;
+            item.area.y = y;
+            item.value_y += y;
+            y += item.area.height;
+            out_.items.push_back(std::move(item));
+        }
+        out_.body.height = y - out_.body.y;
+        out_.has_more_above = out_.first > 0;
+        out_.has_more_below = out_.first + shown < items_.size();
+    }
+
+    const MenuPage& page_;
+    const MenuView& view_;
+    const CanvasSize canvas_;
+    const std::int32_t margin_px_;
+    std::int32_t line_px_, column_px_ = 0, help_lines_ = 0;
+    std::vector<MenuLayout::Item> items_;
+    MenuLayout out_;
+};
+
+}  // namespace
+
+MenuLayout lay_out(const MenuPage& page, const MenuView& view, CanvasSize canvas) {
+    return PageLayout(page, view, canvas).take();
+}
+
+std::string cut_to(const std::string& line, std::int32_t columns) {
+    if (columns_of(line) <= columns) return line;
+    const auto kept = static_cast<std::size_t>(std::max(columns - 2, 0));
+    return line.substr(0, kept) + std::string("..").substr(0, static_cast<std::size_t>(std::clamp(columns, 0, 2)));
+}
+
+}  // namespace oblong

@@ -1,0 +1,232 @@
+#include "game/menu/menu_pages.h"
+
+#include <utility>
+
+#include "game/menu/key_pages.h"
+#include "game/preferences/preference_table.h"
+
+namespace oblong {
+namespace {
+
+MenuRow row(std::string label, std::function<void()> accept, std::string help = "") {
+    return {std::move(label), "", std::move(help), std::move(accept), nullptr, std::nullopt};
+}
+
+std::string with_capital(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
+std::string text_of_end(const EndFigures& figures) {
+    std::string text =
+        (figures.message.empty() ? "You have reached the end." : figures.message) + "\n\nTime: " + figures.time;
+    if (!figures.lenses.empty()) text += "\nLenses found: " + figures.lenses;
+    return text;
+}
+
+}  // namespace
+
+void MenuPages::open_title() {
+    menu_.open([this] { return title_page(); });
+}
+
+void MenuPages::open_game() {
+    menu_.open([this] { return game_page(); });
+}
+
+void MenuPages::open_gallery() {
+    menu_.open([this] {
+        MenuPage page{"Gallery", "", {}, 0, "", false, nullptr};
+        page.rows.push_back(row("Go on", [this] { menu_.close_all(); }));
+        page.rows.push_back(row("Title", closing([this] { host_.show_title(); })));
+        page.rows.push_back(row("Leave", [this] { host_.leave(); }));
+        return page;
+    });
+}
+
+void MenuPages::open_end() {
+    menu_.open([this, figures = host_.end_figures()] { return end_page(figures); });
+}
+
+void MenuPages::open_restart() {
+    do_or_ask("Begin this level again?", [this] { host_.restart(); });
+}
+
+void MenuPages::open_message(std::string title, std::string text) {
+    menu_.open([this, title = std::move(title), text = std::move(text)] {
+        MenuPage page{title, text, {}, 0, "", false, nullptr};
+        page.rows.push_back(row("Go on", [this] { menu_.close(); }));
+        return page;
+    });
+}
+
+MenuPage MenuPages::title_page() {
+    MenuPage page{"OBLONG", "", {}, 0, "", true, [this] { ask_to_leave(); }};
+    if (host_.can_continue())
+        page.rows.push_back(row("Continue", closing([this] { host_.continue_walk(); }), "from where you left"));
+    page.rows.push_back(row("Walk", closing([this] { host_.walk(); }), "through the museum, from its entrance"));
+    page.rows.push_back(row(
+        "Levels", [this] { open_levels(); }, "others to walk through"));
+    page.rows.push_back(row(
+        "Load", [this] { open_load(); }, "a walk that was saved"));
+    page.rows.push_back(row("Options", [this] { open_options(); }));
+    page.rows.push_back(row(
+        "Gallery", [this] { host_.show_gallery(); }, "all that the engine can do, a thing a page"));
+    page.rows.push_back(row("Credits", [this] { open_credits(); }));
+    page.rows.push_back(row("Leave", [this] { host_.leave(); }));
+    page.help = "Arrows choose, Enter accepts, Esc goes back";
+    return page;
+}
+
+MenuPage MenuPages::game_page() {
+    MenuPage page{"Paused", "", {}, 0, "", false, nullptr};
+    page.rows.push_back(row("Go on", [this] { menu_.close_all(); }));
+    if (host_.can_save()) page.rows.push_back(row("Save", [this] { open_save(); }));
+    page.rows.push_back(row("Load", [this] { open_load(); }));
+    page.rows.push_back(row("Options", [this] { open_options(); }));
+    page.rows.push_back(row("Restart level", [this] { open_restart(); }));
+    page.rows.push_back(row("Levels", [this] { open_levels(); }));
+    page.rows.push_back(row(
+        "Gallery", [this] { host_.show_gallery(); }, "the walk waits"));
+    page.rows.push_back(row(
+        "Title", [this] { leave_walk("Leave this walk?", closing([this] { host_.show_title(); })); },
+        host_.saves_on_leaving() ? "The walk is saved: Continue goes on with it" : ""));
+    page.rows.push_back(row(
+        "Leave", [this] { leave_walk("Leave the game?", [this] { host_.leave(); }); },
+        host_.saves_on_leaving() ? "The walk is saved: Continue goes on with it" : ""));
+    return page;
+}
+
+MenuPage MenuPages::end_page(const EndFigures& figures) {
+    MenuPage page{"The end", text_of_end(figures), {}, 0, "", false, closing([this] { host_.show_title(); })};
+    if (!figures.next_level.empty())
+        page.rows.push_back(
+            row("On to " + figures.next_level, closing([this, next = figures.next_level] { host_.play_level(next); })));
+    page.rows.push_back(row("Again", closing([this] { host_.restart(); })));
+    page.rows.push_back(row("Another level", [this] { open_levels(); }));
+    page.rows.push_back(row("Title", closing([this] { host_.show_title(); })));
+    return page;
+}
+
+void MenuPages::open_options() {
+    menu_.open([this] { return options_page(); });
+}
+
+MenuPage MenuPages::options_page() {
+    MenuPage page{"Options", "", {}, 0, "Changes are seen at once and kept", false, nullptr};
+    for (int i = 0; i < kPreferencePageCount; ++i)
+        page.rows.push_back(row(name_of(static_cast<PreferencePage>(i)), [this, i] { open_preferences(i); }));
+    page.rows.push_back(row(
+        "Keys", [this] { open_key_pages(menu_, host_); }, "which key or button does what"));
+    page.rows.push_back(row("Back", [this] { menu_.close(); }));
+    return page;
+}
+
+void MenuPages::open_preferences(int page) {
+    menu_.open([this, page] { return preferences_page(page); });
+}
+
+MenuPage MenuPages::preferences_page(int page) {
+    const auto shown_page = static_cast<PreferencePage>(page);
+    MenuPage shown{name_of(shown_page), "", {}, 0, "", false, nullptr};
+    for (const Preference& preference : all_preferences()) {
+        if (preference.page != shown_page) continue;
+        shown.rows.push_back(
+            {preference.label, preference.shown(host_.preferences()), with_capital(preference.help), nullptr,
+             [this, &preference](int steps) { preference.change(host_.preferences(), steps); }, std::nullopt});
+    }
+    shown.rows.push_back(row("Back", [this] { menu_.close(); }));
+    return shown;
+}
+
+void MenuPages::open_levels() {
+    menu_.open([this, levels = host_.levels()] {
+        MenuPage page{"Levels", "", {}, 0, "", false, nullptr};
+        for (const LevelEntry& level : levels) {
+            MenuRow entry = row(level.name, [this, name = level.name] {
+                do_or_ask("Leave this walk and go to " + name + "?", [this, name] { host_.play_level(name); });
+            });
+            entry.value = level.title;
+            page.rows.push_back(std::move(entry));
+        }
+        page.rows.push_back(row("Back", [this] { menu_.close(); }));
+        return page;
+    });
+}
+
+void MenuPages::open_load() {
+    menu_.open([this, saves = host_.saves()] {
+        MenuPage page{"Load", "", {}, 0, "", false, nullptr};
+        for (std::size_t i = 0; i < saves.size(); ++i) {
+            const SaveEntry& save = saves[i];
+            const auto load = [this, i, name = save.name] {
+                do_or_ask("Leave this walk and load " + name + "?", [this, i] { host_.load(i); });
+            };
+            page.rows.push_back({save.name, save.content, save.help,
+                                 save.has_game ? std::function<void()>(load) : nullptr, nullptr, save.picture});
+        }
+        page.rows.push_back(row("Back", [this] { menu_.close(); }));
+        return page;
+    });
+}
+
+void MenuPages::open_save() {
+    menu_.open([this, saves = host_.saves()] {
+        MenuPage page{"Save", "", {}, 0, "", false, nullptr};
+        for (std::size_t i = 0; i < saves.size(); ++i) {
+            const SaveEntry& save = saves[i];
+            if (!save.is_saved_to_by_player) continue;
+            const auto write = closing([this, i] { host_.save(i); });
+            const auto accept = [this, write, name = save.name, has_game = save.has_game] {
+                if (!has_game) return write();
+                ask("Save", "Replace what is in " + name + "?", "Replace it", write);
+            };
+            page.rows.push_back({save.name, save.content, save.help, accept, nullptr, save.picture});
+        }
+        page.rows.push_back(row("Back", [this] { menu_.close(); }));
+        return page;
+    });
+}
+
+void MenuPages::open_credits() {
+    menu_.open([text = host_.credits()] {
+        return MenuPage{"Credits", text, {}, 0, "Up and down: read on. Esc: back", false, nullptr};
+    });
+}
+
+void MenuPages::do_or_ask(const std::string& question, std::function<void()> action) {
+    if (host_.has_unsaved_progress())
+        ask("Not saved", question + " What is not saved is lost.", "Yes", closing(std::move(action)));
+    else
+        closing(std::move(action))();
+}
+
+void MenuPages::leave_walk(const std::string& question, std::function<void()> action) {
+    if (host_.has_unsaved_progress() && !host_.saves_on_leaving())
+        ask("Not saved", question + " What is not saved is lost.", "Yes", std::move(action));
+    else
+        action();
+}
+
+void MenuPages::ask_to_leave() {
+    ask("Leave", "Leave Oblong?", "Yes", [this] { host_.leave(); });
+}
+
+void MenuPages::ask(std::string title, std::string text, std::string yes, std::function<void()> action) {
+    menu_.open(
+        [this, title = std::move(title), text = std::move(text), yes = std::move(yes), action = std::move(action)] {
+            MenuPage page{title, text, {}, 0, "", false, nullptr};
+            page.rows.push_back(row("No", [this] { menu_.close(); }));
+            page.rows.push_back(row(yes, action));
+            return page;
+        });
+}
+
+std::function<void()> MenuPages::closing(std::function<void()> action) {
+    return [this, action = std::move(action)] {
+        menu_.close_all();
+        action();
+    };
+}
+
+}  // namespace oblong

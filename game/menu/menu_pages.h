@@ -1,0 +1,48 @@
+#pragma once
+
+#include "game/menu/menu.h"
+#include "game/menu/menu_host.h"
+
+namespace oblong {
+
+/// Opens the pages of the menu.
+class MenuPages {
+  public:
+    /// Both outlive it.
+    MenuPages(Menu& menu, MenuHost& host) : menu_(menu), host_(host) {}
+
+    void open_title();
+    void open_game();     ///< over a walk
+    void open_gallery();  ///< over a gallery with nothing behind it
+    void open_end();      ///< after a walk
+    void open_restart();  ///< asks, if there is something to lose
+    /// A text with nothing to choose but to go on.
+    void open_message(std::string title, std::string text);
+
+  private:
+    void open_options();
+    void open_preferences(int page);
+    void open_levels();
+    void open_load();
+    void open_save();
+    void open_credits();
+
+    MenuPage title_page();
+    MenuPage game_page();
+    MenuPage end_page(const EndFigures& figures);
+    MenuPage options_page();
+    MenuPage preferences_page(int page);
+
+    /// Asks before `action` if something that is not saved would be lost, else does it.
+    void do_or_ask(const std::string& question, std::function<void()> action);
+    void ask(std::string title, std::string text, std::string yes, std::function<void()> action);
+    /// Closes all pages, then does it.
+    std::function<void()> closing(std::function<void()> action);
+    void ask_to_leave();
+    void leave_walk(const std::string& question, std::function<void()> action);
+
+    Menu& menu_;
+    MenuHost& host_;
+};
+
+}  // namespace oblong

@@ -1,0 +1,191 @@
+#include "game/preferences/options_text.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+#include <sstream>
+
+#include "engine/base/input_error.h"
+#include "tests/preferences/named.h"
+
+namespace oblong {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream input(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(input, line);) lines.push_back(line);
+    return lines;
+}
+
+std::string with(const std::string& text, const std::string& name, const Preferences& now) {
+    return with_values(text, {&test::preference_named(name)}, now);
+}
+
+TEST(OptionsText, ReadsEachNameThatItWrites) {
+    const Preferences changed = test::all_changed();
+    const ReadPreferences read = read_preferences(write_preferences(changed));
+    EXPECT_TRUE(read.faults.empty());
+    for (const Preference& row : all_preferences()) {
+        EXPECT_NE(row.shown(changed), row.shown(Preferences{})) << row.name;
+        EXPECT_EQ(row.text(read.preferences), row.text(changed)) << row.name;
+    }
+    EXPECT_EQ(read.preferences, changed);
+}
+
+TEST(OptionsText, HasHelpAndValuesAboveEachName) {
+    const std::vector<std::string> lines = lines_of(write_preferences({}));
+    for (const Preference& row : all_preferences()) {
+        const auto at = std::find(lines.begin(), lines.end(), row.name + " = " + row.text(Preferences{}));
+        ASSERT_NE(at, lines.end()) << row.name;
+        ASSERT_GE(at - lines.begin(), 3);
+        EXPECT_EQ(*(at - 2), "# " + row.help + ".");
+        EXPECT_EQ((at - 1)->rfind("# " + row.values, 0), 0u);
+    }
+}
+
+TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
+    const ReadPreferences read = read_preferences(
+        "brightness = 2 # for e1m7\n"
+        "fov = wide\n"
+        "; nothing\n"
+        "colour = red\n"
+        "[sounds]\n"
+        "volume = 30\n"
+        "x\n"
+        "mouse-sensitivity = 9\n"
+        "gamma\n"
+        "\t crt  =  on\r\n"
+        "invert-look\n"
+        "music-volume = \"20\"\n");
+    EXPECT_EQ(read.preferences.brightness_100, 200);
+    EXPECT_EQ(read.preferences.volume_100, 30);
+    EXPECT_EQ(read.preferences.music_volume_100, 20);
+    EXPECT_TRUE(read.preferences.has_crt_look);
+    EXPECT_TRUE(read.preferences.inverts_look) << "a name alone is on, as on the command line";
+    const std::vector<std::pair<std::size_t, std::string>> expected{
+        {2, "fov: 'wide', expected 1 to 179 degrees"},
+        {4, "'colour' is unknown, expected a name that this version writes; the line is kept"},
+        {5, "'[sounds]', expected NAME = VALUE"},
+        {7, "'x', expected NAME = VALUE"},
+        {8, "mouse-sensitivity: '9', expected 10 to 1000"},
+        {9, "gamma: 'true', expected a decimal number between -16,777,216 and 16,777,216"}};
+    ASSERT_EQ(read.faults.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_EQ(read.faults[i].line, expected[i].first);
+        EXPECT_EQ(read.faults[i].what, expected[i].second);
+    }
+}
+
+TEST(OptionsText, RefusesAViewThatCannotBeDrawnAndKeepsTheRest) {
+    const ReadPreferences read = read_preferences("mode = 64x48\nvolume = 10\nfov = 179\n");
+    ASSERT_EQ(read.faults.size(), 1u);
+    EXPECT_EQ(read.faults.front().line, 3u);
+    EXPECT_EQ(read.preferences.mode, ScreenMode{});
+    EXPECT_EQ(read.preferences.volume_100, 10);
+}
+
+TEST(OptionsText, APresetComesBeforeItsDialsWhereverItsLineIs) {
+    const ReadPreferences read = read_preferences("dial-perspective = every8\naccuracy = 1991\n");
+    Accuracy expected = accuracy_of(Preset::Year1991);
+    expected.texturing = Texturing::Every8;
+    EXPECT_EQ(read.preferences.accuracy, expected);
+}
+
+// What a user wrote by hand stays, byte for byte, but for the one value.
+TEST(OptionsText, ChangesOnlyTheValue) {
+    Preferences now;
+    now.brightness_100 = 140;
+    const auto brighter = [&](const std::string& text) { return with(text, "brightness", now); };
+    EXPECT_EQ(brighter("# mine\n\nunknown = 7\nbrightness=1\nfov = 90\n"),
+              "# mine\n\nunknown = 7\nbrightness= 1.4\nfov = 90\n");
+    EXPECT_EQ(brighter("  brightness   =   1.25   # dark here\n"), "  brightness   =   1.4   # dark here\n");
+    EXPECT_EQ(brighter("brightness = 1#dark\r\n"), "brightness = 1.4 #dark\r\n");
+    EXPECT_EQ(brighter("brightness = 1\r\nfov = 80\r\n"), "brightness = 1.4\r\nfov = 80\r\n");
+    EXPECT_EQ(brighter("brightness = # none\n"), "brightness = 1.4 # none\n");
+    EXPECT_EQ(brighter("brightness = nonsense\n"), "brightness = 1.4\n") << "a broken line is mended";
+    EXPECT_EQ(brighter("brightness = 1\n# later:\nbrightness = 2\n"), "brightness = 1\n# later:\nbrightness = 1.4\n")
+        << "the later one counts";
+    EXPECT_EQ(brighter("brightness"), "brightness = 1.4\n");
+    for (const char* text : {"", "# mine\n", "fov = 80"}) {
+        const std::string added = brighter(text);
+        EXPECT_EQ(added.rfind(text, 0), 0u);
+        EXPECT_EQ(read_preferences(added).preferences.brightness_100, 140);
+    }
+}
+
+TEST(OptionsText, EveryValueIsChangedInItsLineAlone) {
+    const Preferences changed = test::all_changed();
+    const std::string text = write_preferences({});
+    for (const Preference& row : all_preferences()) {
+        const std::vector<std::string> before = lines_of(text), after = lines_of(with(text, row.name, changed));
+        ASSERT_EQ(after.size(), before.size());
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const bool is_own = before[i].rfind(row.name + " = ", 0) == 0;
+            EXPECT_EQ(after[i], is_own ? row.name + " = " + row.text(changed) : before[i]);
+        }
+    }
+}
+
+// A few bytes of a text are damaged: all lines that are still right are read.
+class DamagedText {
+  public:
+    explicit DamagedText(std::mt19937& random) {
+        for (std::uint32_t flips = 1 + random() % 8; flips > 0; --flips) {
+            const std::size_t at = random() % text.size();
+            text[at] = static_cast<char>(text[at] ^ (1 << random() % 8));
+        }
+        const std::vector<std::string> before = lines_of(write_preferences(test::all_changed()));
+        const std::set<std::string> all(before.begin(), before.end());
+        for (const std::string& line : lines_of(text)) (all.contains(line) ? whole_ : damaged_).push_back(line);
+    }
+
+    // Whether the row's line is there, and no damaged one could be taken for it.
+    bool keeps(const Preference& row, const Preferences& written) const {
+        const std::string line = row.name + " = " + row.text(written);
+        return std::find(whole_.begin(), whole_.end(), line) != whole_.end() && !is_damaged(row.name);
+    }
+    bool is_damaged(const std::string& name) const {
+        return std::any_of(damaged_.begin(), damaged_.end(),
+                           [&](const std::string& line) { return line.find(name) != std::string::npos; });
+    }
+
+    std::string text = write_preferences(test::all_changed());
+
+  private:
+    std::vector<std::string> whole_, damaged_;
+};
+
+TEST(OptionsText, DamageLosesNoLineThatIsStillRight) {
+    const Preferences written = test::all_changed();
+    std::mt19937 random(11);
+    std::size_t kept = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const DamagedText damaged(random);
+        const ReadPreferences read = read_preferences(damaged.text);
+        const bool is_view_damaged =
+            damaged.is_damaged("mode") || damaged.is_damaged("fov") || damaged.is_damaged("display");
+        for (const Preference& row : all_preferences()) {
+            const bool is_of_view = row.name == "mode" || row.name == "fov" || row.name == "display";
+            const bool is_of_damaged_preset = row.text(written) == "preset" && damaged.is_damaged("accuracy");
+            if (!damaged.keeps(row, written) || (is_of_view && is_view_damaged) || is_of_damaged_preset) continue;
+            ++kept;
+            ASSERT_EQ(row.shown(read.preferences), row.shown(written)) << row.name << " in trial " << trial;
+        }
+        // What is written over it is read back.
+        const std::string mended = with(damaged.text, "volume", Preferences{});
+        ASSERT_EQ(read_preferences(mended).preferences.volume_100, 100) << "trial " << trial;
+    }
+    EXPECT_GT(kept, 2000 * all_preferences().size() * 9 / 10);
+}
+
+TEST(OptionsText, RefusesWhatIsNoText) {
+    std::string bytes;
+    for (int i = 0; i < 4096; ++i) bytes += static_cast<char>(i * 7919 >> 3);
+    EXPECT_THROW(read_preferences(bytes), InputError);
+    EXPECT_TRUE(read_preferences("").faults.empty());
+}
+
+}  // namespace
+}  // namespace oblong
