@@ -65,7 +65,6 @@ void declare_runs(CommandArguments& line, Options& options) {
     headless.limit(1, 1'000'000).need(out);
     out.need(headless);
     timedemo.exclude(record).exclude(replay).exclude(headless);
-    record.exclude(replay);
     route.need(record).exclude(headless);
 }
 
