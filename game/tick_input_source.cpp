@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/base/input_error.h"
+#include "game/preferences/preferences.h"
 #include "game/simulation/step.h"
 #include "game/stick_response.h"
 
@@ -24,12 +25,21 @@ int direction(bool positive, bool negative) {
     return int{positive} - int{negative};
 }
 
+template <class Rule>
+HeldMoves combined(const HeldMoves& a, const HeldMoves& b, const Rule& rule) {
+    return {rule(a.forward, b.forward),     rule(a.back, b.back),
+            rule(a.left, b.left),           rule(a.right, b.right),
+            rule(a.turn_left, b.turn_left), rule(a.turn_right, b.turn_right),
+            rule(a.look_up, b.look_up),     rule(a.look_down, b.look_down),
+            rule(a.jump, b.jump),           rule(a.walk_slowly, b.walk_slowly)};
+}
+
 HeldMoves either(const HeldMoves& a, const HeldMoves& b) {
-    return {a.forward || b.forward,     a.back || b.back,
-            a.left || b.left,           a.right || b.right,
-            a.turn_left || b.turn_left, a.turn_right || b.turn_right,
-            a.look_up || b.look_up,     a.look_down || b.look_down,
-            a.jump || b.jump,           a.walk_slowly || b.walk_slowly};
+    return combined(a, b, [](bool x, bool y) { return x || y; });
+}
+
+HeldMoves first_alone(const HeldMoves& a, const HeldMoves& b) {
+    return combined(a, b, [](bool x, bool y) { return x && !y; });
 }
 
 // Of a key that is held or not and a stick.
@@ -70,25 +80,36 @@ LookOffset rest_of(std::int32_t yaw, std::int32_t pitch, std::int32_t fraction_1
 
 }  // namespace
 
+void LiveInput::use(const Preferences& preferences) {
+    mouse_sensitivity_100_ = preferences.mouse_sensitivity_100;
+    stick_sensitivity_100_ = preferences.gamepad_sensitivity_100;
+    dead_zone_100_ = preferences.gamepad_dead_zone_100;
+    inverts_look_ = preferences.inverts_look;
+    always_runs_ = preferences.always_runs;
+}
+
 void LiveInput::gather(const Controls& controls) {
     held_ = controls;
+    walk_stick_ = controls.walk_stick;
+    look_stick_ = controls.look_stick;
     tapped_ = either(tapped_, controls);
     wants_respawn_ |=
         std::find(controls.commands.begin(), controls.commands.end(), Command::Respawn) != controls.commands.end();
-    const std::int32_t sensitivity_100 = preferences_.mouse_sensitivity_100;
-    add_turn(mouse_yaw_, rest_yaw_100_, -std::max(controls.mouse_x, -kMostCounts), sensitivity_100);
+    add_turn(mouse_yaw_, rest_yaw_100_, -std::max(controls.mouse_x, -kMostCounts), mouse_sensitivity_100_);
     const std::int32_t down = std::max(controls.mouse_y, -kMostCounts);
-    add_turn(mouse_pitch_, rest_pitch_100_, preferences_.inverts_look ? -down : down, sensitivity_100);
+    add_turn(mouse_pitch_, rest_pitch_100_, inverts_look_ ? -down : down, mouse_sensitivity_100_);
 }
 
 TickInput LiveInput::next() {
-    const HeldMoves moves = std::exchange(tapped_, held_);  // a key let go since the last tick still counts once
+    // A key that was pressed and let go between two ticks counts once.
+    const HeldMoves moves = either(held_, first_alone(std::exchange(tapped_, {}), held_before_));
+    held_before_ = held_;
     last_turn_ = turn_by(moves);
     mouse_yaw_ += last_turn_.yaw;
     mouse_pitch_ += last_turn_.pitch;
 
-    const bool is_slow = moves.walk_slowly == preferences_.always_runs;
-    const Stick stick = without_dead_zone(held_.walk_stick, preferences_.gamepad_dead_zone_100);
+    const bool is_slow = moves.walk_slowly == always_runs_;
+    const Stick stick = without_dead_zone(walk_stick_, dead_zone_100_);
     TickInput input;
     input.forward = speed_of(direction(moves.forward, moves.back), stick.y, is_slow);
     input.right = speed_of(direction(moves.right, moves.left), stick.x, is_slow);
@@ -100,11 +121,11 @@ TickInput LiveInput::next() {
 }
 
 LookOffset LiveInput::turn_by(const HeldMoves& moves) const {
-    const Stick stick = squared(without_dead_zone(held_.look_stick, preferences_.gamepad_dead_zone_100));
-    const std::int32_t sensitivity_100 = preferences_.gamepad_sensitivity_100;
-    const std::int32_t down = preferences_.inverts_look ? stick.y : -stick.y;
-    return {kKeyYaw * direction(moves.turn_left, moves.turn_right) - turn_of(stick.x, kStickYaw, sensitivity_100),
-            kKeyPitch * direction(moves.look_down, moves.look_up) + turn_of(down, kStickPitch, sensitivity_100)};
+    const Stick stick = squared(without_dead_zone(look_stick_, dead_zone_100_));
+    const std::int32_t down = inverts_look_ ? stick.y : -stick.y;
+    return {
+        kKeyYaw * direction(moves.turn_left, moves.turn_right) - turn_of(stick.x, kStickYaw, stick_sensitivity_100_),
+        kKeyPitch * direction(moves.look_down, moves.look_up) + turn_of(down, kStickPitch, stick_sensitivity_100_)};
 }
 
 LookOffset LiveInput::look_offset(std::int32_t fraction_16) const {

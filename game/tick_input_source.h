@@ -3,11 +3,12 @@
 #include <optional>
 
 #include "engine/platform/controls.h"
-#include "game/preferences/preferences.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/game_level.h"
 
 namespace oblong {
+
+struct Preferences;
 
 /// A turn of the view that is drawn before the next tick applies it, 65,536 to the circle.
 struct LookOffset {
@@ -18,8 +19,9 @@ struct LookOffset {
 /// sticks turn by the tick and are interpolated.
 class LiveInput {
   public:
-    /// Takes sensitivities, the dead zone, inverted look and running from the preferences.
-    void use(const Preferences& preferences) { preferences_ = preferences; }
+    /// Takes sensitivities, the dead zone, inverted look and running from the preferences; without a call, their
+    /// defaults.
+    void use(const Preferences& preferences);
     void gather(const Controls& controls);
     TickInput next();
 
@@ -29,9 +31,10 @@ class LiveInput {
   private:
     LookOffset turn_by(const HeldMoves& moves) const;
 
-    Preferences preferences_;
-    Controls held_;
-    HeldMoves tapped_;  // held at any time since the last tick
+    std::int32_t mouse_sensitivity_100_ = 100, stick_sensitivity_100_ = 100, dead_zone_100_ = 15;
+    bool inverts_look_ = false, always_runs_ = true;
+    HeldMoves held_, held_before_, tapped_;  // now, at the last tick, at any time since
+    Stick walk_stick_, look_stick_;
     bool wants_respawn_ = false;
     std::int32_t mouse_yaw_ = 0, mouse_pitch_ = 0;
     std::int32_t rest_yaw_100_ = 0, rest_pitch_100_ = 0;  // of the mouse: less than 1 of the angles, in hundredths

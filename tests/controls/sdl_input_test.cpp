@@ -212,6 +212,13 @@ TEST_F(SdlInputTest, APadMayComeAndGoInTheGame) {
     EXPECT_EQ(input_->poll().commands, Commands{Command::Menu});
 }
 
+TEST_F(SdlInputTest, AGentlePushOfTheOnlyPadActs) {
+    VirtualPad pad;
+    input_->poll();
+    pad.set(PadAxis::LeftX, 6'000);
+    EXPECT_EQ(input_->poll().walk_stick, (Stick{6'000, 0}));
+}
+
 TEST_F(SdlInputTest, TriggersAreButtons) {
     VirtualPad pad;
     input_->poll();

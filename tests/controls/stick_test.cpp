@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/preferences/preferences.h"
 #include "game/stick_response.h"
 #include "game/tick_input_source.h"
 
@@ -159,6 +160,17 @@ TEST(LiveInput, AStepBetweenTwoTicksIsMade) {
     const TickInput input = live.next();
     EXPECT_EQ(input.right, -127);
     EXPECT_GT(input.yaw, 0);
+    EXPECT_EQ(live.next(), TickInput{});
+}
+
+TEST(LiveInput, AKeyLetGoBeforeATickIsNotHeldInIt) {
+    LiveInput live;
+    Controls held;
+    held.turn_left = held.jump = true;
+    live.gather(held);
+    EXPECT_GT(live.next().yaw, 0);
+    live.gather(held);
+    live.gather({});
     EXPECT_EQ(live.next(), TickInput{});
 }
 

@@ -41,7 +41,7 @@ class ModelFolder : public ::testing::Test {
     LevelModels read(const std::string& entities, const std::string& named = "") const {
         Level level = read_bsp(join_lumps(29, make_tiny_lumps()));
         level.entities = parse_entities("{ \"classname\" \"worldspawn\" }" + entities, "test");
-        return read_level_models(level, {}, {path("maps/level.bsp"), named});
+        return read_level_models(level, {}, {path("maps/level.bsp"), named, path("elsewhere")});
     }
     static PlacedMesh at(const LevelModels& models, std::int64_t time_ms, std::size_t number = 0) {
         std::vector<PlacedMesh> placed;
@@ -172,6 +172,37 @@ TEST_F(ModelFolder, TheNamedFolderComesFirst) {
     EXPECT_TRUE(read(armor, path("elsewhere")).meshes.at(0)->turns) << "else beside the level";
     write_model("elsewhere/armor.mdl");
     EXPECT_FALSE(read(armor, path("elsewhere")).meshes.at(0)->turns);
+}
+
+constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+TEST_F(ModelFolder, LensesAndKeysHaveModelsOfTheirOwn) {
+    const std::string lens = R"({ "classname" "item_lens" "origin" "5 6 70" })",
+                      key = R"({ "classname" "item_key1" "origin" "5 6 70" })";
+    EXPECT_TRUE(read(lens + key).models.empty());
+    EXPECT_TRUE(read(lens + key).warnings.empty()) << "as for Quake's classes, nobody named a file";
+    for (const char* name : {"lens.obj", "key_silver.obj"})
+        write_file(path(std::string("elsewhere/") + name), kTriangle);
+    const LevelModels models = read(lens + key);
+    ASSERT_EQ(models.models.size(), 2u);
+    EXPECT_EQ(at(models, 0).position, place(5, 6, 70)) << "where the level has it";
+    EXPECT_EQ(at(models, 0, 1).position, place(5, 6, 8 + 28)) << "over the floor";
+    EXPECT_NE(at(models, 900).yaw, at(models, 0).yaw) << "they turn";
+    EXPECT_EQ(models.models[1].entity, 2u);
+    write_model("progs/w_s_key.mdl");
+    EXPECT_EQ(read(key, path("progs")).meshes.at(0)->frames[0].maxs, place(100, 100, 100)) << "Quake's own comes first";
+}
+
+TEST_F(ModelFolder, WhatIsGoneIsNotPlaced) {
+    write_model("models/thing.mdl");
+    const std::string one = misc_model("\"model\" \"thing.mdl\""),
+                      turned = misc_model("\"model\" \"thing.mdl\" \"angle\" \"90\"");
+    const LevelModels models = read(one + turned);
+    const std::vector<std::uint8_t> is_gone{1, 0};
+    std::vector<PlacedMesh> placed;
+    place_models(models, 0, is_gone, placed);
+    ASSERT_EQ(placed.size(), 1u);
+    EXPECT_EQ(placed[0].yaw, kQuarterTurn);
 }
 
 TEST_F(ModelFolder, BadValuesAreReplacedAndReported) {

@@ -126,7 +126,7 @@ void GamePads::add(std::int32_t device_index) {
 
 void GamePads::remove(std::int32_t id, InputMapper& mapper) {
     std::erase_if(pads_, [&](const Pad& pad) { return pad.id == id; });
-    if (used_ == id) use_pad(-1, mapper);
+    if (used_ == id) use_pad(kNone, mapper);
 }
 
 void GamePads::take_button(const SDL_ControllerButtonEvent& event, InputMapper& mapper) {
@@ -142,7 +142,8 @@ void GamePads::take_button(const SDL_ControllerButtonEvent& event, InputMapper& 
 void GamePads::take_axis(const SDL_ControllerAxisEvent& event, InputMapper& mapper) {
     if (event.axis >= SDL_CONTROLLER_AXIS_MAX) return;
     const std::int32_t value = event.value;
-    if (event.which != used_ && std::abs(value) < kFullAxis / 2) return;  // a pad that lies beside, at rest
+    const bool is_other = used_ != kNone && event.which != used_;
+    if (is_other && std::abs(value) < kFullAxis / 2) return;  // it lies beside, at rest
     use_pad(event.which, mapper);
     const auto axis = static_cast<PadAxis>(event.axis);
     mapper.move_axis(pad_axis(axis, true), value);

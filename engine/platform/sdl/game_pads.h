@@ -48,7 +48,8 @@ class GamePads {
 
     bool is_available_ = false;
     std::vector<Pad> pads_;
-    std::int32_t used_ = -1;  // id of the pad used last; -1: none
+    static constexpr std::int32_t kNone = -1;
+    std::int32_t used_ = kNone;  // id of the pad used last
 };
 
 }  // namespace oblong

@@ -95,6 +95,7 @@ void build_courtyard(Draft& draft) {
     add_way_board(draft, {Side::South, {340, 1440, 78}, 1, "sign_forced", 160, 48});
     add_sign(draft, {Side::West, {1152, 1616, 158}, 2.25, "sign_rain", 64, 32});
     for (const double y : {1540.0, 1692.0}) add_wall_lamp(draft, {1144, y, 96}, Side::West, 360);
+    for (const double x : {300.0, 424.0, 600.0}) add_wall_lamp(draft, {x, 552, 112}, Side::North, 400);
     add_plants(draft);
     add_moonlight(draft);
     add_caption(draft, {{688, 560, 0}, {784, 600, 72}}, "THE COURTYARD - twelve lenses open the tower.",

@@ -30,11 +30,12 @@ void add_lawns(Draft& draft) {
     draft.add_detail_box({{kPathX - 40, 2176, kLawn}, {kPathX + 40, 2500, kLawn + 1}}, "stone_floor");
     for (const double y : {1930.0, 2050.0, 2190.0, 2340.0}) {
         for (const double x : {kPathX - 140, kPathX + 140})
-            add_garden_tree(draft, x + (y > 2000 && y < 2200 ? 20 : 0), y);
+            add_garden_tree(draft, x + (y < 2000 || y > 2200 ? 0 : x < kPathX ? -20 : 20), y);
     }
     for (const double x : {kGarden.low.x, kGarden.high.x - 24})
         draft.add_detail_box({{x, kGarden.low.y, kLawn}, {x + 24, kGarden.high.y, kLawn + 40}}, "hedge");
-    for (const double x : {kPathX - 120, kPathX + 120}) add_lamp_post(draft, {x, 1990, kLawn}, 280);
+    // Far enough from the trees that nobody is caught between them.
+    for (const double x : {kPathX - 88, kPathX + 88}) add_lamp_post(draft, {x, 2112, kLawn}, 280);
     for (const double y : {2210.0, 2400.0}) {
         for (const double x : {kPathX - 60, kPathX + 60}) add_lamp_post(draft, {x, y, kLawn}, 280);
     }

@@ -18,9 +18,9 @@ ModelPoint as_it_is(const ModelPoint& p) {
 std::string lens_obj() {
     ObjDraft draft("models.mtl");
     draft.use_material("glass");
-    add_turned(draft, lens_profile(0.84, 0.22), 16, upright);
+    add_turned(draft, lens_profile(0.84, 0.22, 3), 16, upright);
     draft.use_material("brass");
-    add_ring(draft, {0.82, 1, 0.26}, 16, upright);
+    add_ring(draft, {0.82, 1, 0.26}, 16, upright, 3);
     add_turned(draft, {{0.15, -1.2}, {0.17, -1.12}, {0.12, -1.02}, {0.12, -0.97}}, 8, as_it_is);
     draft.use_material("bronze");
     add_turned(draft, {{0.01, -2.2}, {0.13, -2.16}, {0.17, -2.0}, {0.1, -1.2}}, 8, as_it_is);

@@ -32,10 +32,10 @@ struct Seat {
 std::string orrery_sun_obj() {
     ObjDraft draft("models.mtl");
     draft.use_material("sun");
-    add_turned(draft, sphere_profile(0.24, 8), 16, [](const ModelPoint& p) { return p; });
+    add_turned(draft, sphere_profile(0.24, 7), 14, [](const ModelPoint& p) { return p; });
     draft.use_material("brass");
     for (const auto& [radius, angle] : {std::pair{0.6, 0.41}, {0.5, -0.7}, {0.4, 1.35}}) {
-        add_ring(draft, {radius - 0.05, radius, 0.07}, 28, [angle](const ModelPoint& p) { return tilted(p, angle); });
+        add_ring(draft, {radius - 0.05, radius, 0.07}, 24, [angle](const ModelPoint& p) { return tilted(p, angle); });
     }
     add_turned(draft, {{0.015, -0.6}, {0.015, 0.6}}, 6, [](const ModelPoint& p) { return tilted(p, 0.41); });
     return draft.text();
@@ -47,11 +47,11 @@ std::string orrery_lenses_obj() {
     draft.use_material("brass");
     add_ring(draft, {0.95, 1.02, 0.05}, 36, [](const ModelPoint& p) { return p; });
     for (int i = 0; i < kLenses; ++i)
-        add_ring(draft, {0.83 * kRadius, kRadius, 0.05}, 10, Seat{kTurn * i / kLenses, kRadius});
+        add_ring(draft, {0.83 * kRadius, kRadius, 0.05}, 10, Seat{kTurn * i / kLenses, kRadius}, 3);
     draft.use_material("spectrum");
     for (int i = 0; i < kLenses; ++i) {
         draft.use_columns(i / double{kLenses}, (i + 1) / double{kLenses});
-        add_turned(draft, lens_profile(0.84 * kRadius, 0.05), 10, Seat{kTurn * i / kLenses, kRadius});
+        add_turned(draft, lens_profile(0.84 * kRadius, 0.05, 2), 10, Seat{kTurn * i / kLenses, kRadius});
     }
     return draft.text();
 }

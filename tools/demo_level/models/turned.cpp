@@ -25,11 +25,10 @@ std::vector<ProfilePoint> sphere_profile(double radius, int rows) {
     return profile;
 }
 
-std::vector<ProfilePoint> lens_profile(double radius, double half_thickness) {
-    constexpr int kRows = 3;
+std::vector<ProfilePoint> lens_profile(double radius, double half_thickness, int rows) {
     std::vector<ProfilePoint> profile;
-    for (int i = -kRows; i <= kRows; ++i) {
-        const double across = 1 - std::abs(i) / static_cast<double>(kRows);
+    for (int i = -rows; i <= rows; ++i) {
+        const double across = 1 - std::abs(i) / static_cast<double>(rows);
         const double height = half_thickness * (1 - across * across);
         profile.push_back({radius * across, i < 0 ? -height : height});
     }

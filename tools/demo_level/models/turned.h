@@ -37,19 +37,21 @@ struct Band {
     double inner, outer, height;
 };
 
-/// A ring about the y axis and then placed; each of its four sides is smooth in itself.
+/// A ring about the y axis and then placed; each of its four sides is smooth in itself. `shown` of 3 leaves out the one
+/// inside, that a lens fills.
 template <class Place>
-void add_ring(ObjDraft& draft, const Band& band, int sides, Place place) {
+void add_ring(ObjDraft& draft, const Band& band, int sides, Place place, std::size_t shown = 4) {
     const double low = -band.height / 2, high = band.height / 2;
     const std::vector<ProfilePoint> outline{
-        {band.outer, low}, {band.outer, high}, {band.inner, high}, {band.inner, low}, {band.outer, low}};
-    for (std::size_t side = 0; side < 4; ++side) add_turned(draft, {outline[side], outline[side + 1]}, sides, place);
+        {band.inner, low}, {band.outer, low}, {band.outer, high}, {band.inner, high}, {band.inner, low}};
+    for (std::size_t side = 0; side < shown; ++side)
+        add_turned(draft, {outline[side], outline[side + 1]}, sides, place);
 }
 
 /// A sphere about the origin.
 std::vector<ProfilePoint> sphere_profile(double radius, int rows);
 
-/// Glass between two spherical surfaces that meet in a rim of this radius.
-std::vector<ProfilePoint> lens_profile(double radius, double half_thickness);
+/// Glass between two spherical surfaces that meet in a rim of this radius, each of so many rows.
+std::vector<ProfilePoint> lens_profile(double radius, double half_thickness, int rows);
 
 }  // namespace oblong::model_source

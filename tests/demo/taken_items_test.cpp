@@ -1,0 +1,32 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "game/game_renderer.h"
+#include "game/load.h"
+
+namespace oblong {
+namespace {
+
+/// In the dust room the lens is the only model.
+TEST(TakenItems, AreNoPartOfThePictureOrOfItsCost) {
+    const GameData data = load_game("", "", OBLONG_BUILD_DIR "/assets");
+    const GameLevel level = make_game_level(data.level);
+    GameRenderer renderer(data, level, ScreenMode{});
+    GameState state = start_of(level);
+    const auto draws_models = [&] {
+        const InterpolatedState both{state, state};
+        Camera camera;
+        camera.eye = world_vector(470, 144, 60);
+        camera.yaw = kHalfTurn;
+        camera.field_of_view = Degrees::from_int(90);
+        renderer.draw({both, camera}, Settings{});
+        return std::ranges::count(renderer.plan().passes, Pass::Models) == 1;
+    };
+    EXPECT_TRUE(draws_models());
+    std::ranges::fill(state.items, ItemState::Taken);
+    EXPECT_FALSE(draws_models());
+}
+
+}  // namespace
+}  // namespace oblong
