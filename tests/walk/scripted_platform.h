@@ -16,7 +16,6 @@ class ScriptedPlatform : public Platform {
 
     ScriptedPlatform(std::int64_t polls, Script script) : most_polls_(polls), script_(std::move(script)) {}
 
-    void close() { most_polls_ = polls_; }
     bool is_open() const override { return polls_ < most_polls_; }
     Controls poll() override { return script_(polls_++); }
     // Rounded up: the n-th poll is never before the n-th tick.
@@ -28,7 +27,8 @@ class ScriptedPlatform : public Platform {
     void present(Framebuffer, const Palette&, const PresentRect&) override {}
 
   private:
-    std::int64_t most_polls_, polls_ = 0;
+    const std::int64_t most_polls_;
+    std::int64_t polls_ = 0;
     Script script_;
 };
 
