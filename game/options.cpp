@@ -109,8 +109,8 @@ void interpret(const OptionTexts& texts, Options& options) {
     options.wireframe = named_value<Wireframe>("--wireframe", texts.wireframe, kWireframeNames);
     options.line_method = named_value<LineMethod>("--lines", texts.lines, kLineNames);
     const bool has_run = !(options.record + options.replay + options.timedemo).empty();
-    if (options.shows_title && (has_run || options.shows_gallery))
-        throw UsageError("--title: there is no game yet to record or to replay, expected it without the other");
+    if (options.shows_title && (!options.timedemo.empty() || options.shows_gallery))
+        throw UsageError("--title: --timedemo and --gallery show none, expected it without them");
     options.shows_title |= options.level.empty() && !has_run && !options.shows_gallery && options.headless_frames == 0;
     if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))
         throw UsageError("--error-box: nobody is there to close it, expected it without --headless or --timedemo");

@@ -72,10 +72,10 @@ TEST_F(ProgramSaves, AWalkGoesOnFromTheStateThatWasSavedAndIsSavedOnLeaving) {
     EXPECT_EQ(quick.tick, kSave - kAccept - 1);
     EXPECT_EQ(hash_of(quick), hash_of(stepped(start_of(level_), 0, quick.tick)));
     EXPECT_NE(quick.player.position, level_.player_start);
-    // Loaded at kLoad, before that poll's tick.
-    EXPECT_EQ(left.tick, quick.tick + kEnd - kLoad);
-    EXPECT_EQ(hash_of(left),
-              hash_of(stepped(quick, static_cast<std::size_t>(kLoad - kAccept - 1), left.tick - quick.tick)));
+    // The poll after kLoad has the first tick from there on.
+    const std::int64_t ticks = kEnd - kLoad - 1;
+    EXPECT_EQ(left.tick, quick.tick + ticks);
+    EXPECT_EQ(hash_of(left), hash_of(stepped(quick, static_cast<std::size_t>(kLoad - kAccept), ticks)));
 }
 
 }  // namespace
