@@ -97,9 +97,10 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
       pages_(menu_, *this) {
     if (options_.shows_gallery)
         gallery_ = std::make_unique<Gallery>(std::move(files.loaded), settings_, view_options_, platform_);
-    else if (options_.shows_title)
+    else if (options_.shows_title) {
+        if (!(options_.replay + options_.record).empty()) first_input_ = std::move(files.input);
         start_title(std::move(files.loaded));
-    else
+    } else
         start(std::move(files.loaded), std::move(files.input), options_.replay.empty() ? Stage::Walk : Stage::Replay);
 }
 

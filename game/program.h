@@ -107,10 +107,11 @@ class Program final : private MenuHost {
     SessionSettings settings_;
     GameSound sound_;
     SaveSlots slots_;
-    std::unique_ptr<Session> session_;  // none only where the program began with the gallery
-    std::unique_ptr<Gallery> gallery_;  // while it is up, over the session
-    std::optional<Demo> title_demo_;    // what the title shows; nothing: the level stands still
-    std::unique_ptr<Demo> recorded_;    // once what was recorded has ended before the program
+    std::optional<TickInputSource> first_input_;  // of the first walk that the title starts: a replay, or recorded
+    std::unique_ptr<Session> session_;            // none only where the program began with the gallery
+    std::unique_ptr<Gallery> gallery_;            // while it is up, over the session
+    std::optional<Demo> title_demo_;              // what the title shows; nothing: the level stands still
+    std::unique_ptr<Demo> recorded_;              // once what was recorded has ended before the program
     Menu menu_;
     MenuPages pages_;
     Stage stage_ = Stage::Walk;
