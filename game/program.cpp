@@ -133,6 +133,7 @@ void Program::show_frame() {
 }
 
 void Program::take(const Controls& controls) {
+    if (controls.changes_full_screen) preferences().fills_screen = !preferences().fills_screen;
     const bool is_left =
         (std::exchange(had_focus_, controls.has_focus) && !controls.has_focus) || controls.is_minimised;
     if (is_left && is_walked() && !menu_.is_open()) pages_.open_game();

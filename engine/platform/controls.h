@@ -83,6 +83,7 @@ struct Controls : HeldMoves {
     std::optional<Input> pressed;                 ///< the last of all inputs that were pressed, bound or not
     std::optional<Pointer> pointer;               ///< nothing while the mouse is captured, or where there is none
     bool has_focus = true, is_minimised = false;  ///< the window
+    bool changes_full_screen = false;             ///< to the whole screen or back: Alt+Enter
 };
 
 /// Lets the keys that work an open panel (by default the arrow keys) move the player, as they do while none is open.

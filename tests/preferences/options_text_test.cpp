@@ -131,12 +131,12 @@ TEST(OptionsText, EveryValueIsChangedInItsLineAlone) {
 // A few bytes of a text are damaged: all lines that are still right are read.
 class DamagedText {
   public:
-    explicit DamagedText(std::mt19937& random) {
+    DamagedText(const std::string& whole, std::mt19937& random) : text(whole) {
         for (std::uint32_t flips = 1 + random() % 8; flips > 0; --flips) {
             const std::size_t at = random() % text.size();
             text[at] = static_cast<char>(text[at] ^ (1 << random() % 8));
         }
-        const std::vector<std::string> before = lines_of(write_preferences(test::all_changed()));
+        const std::vector<std::string> before = lines_of(whole);
         const std::set<std::string> all(before.begin(), before.end());
         for (const std::string& line : lines_of(text)) (all.contains(line) ? whole_ : damaged_).push_back(line);
     }
@@ -151,7 +151,7 @@ class DamagedText {
                            [&](const std::string& line) { return line.find(name) != std::string::npos; });
     }
 
-    std::string text = write_preferences(test::all_changed());
+    std::string text;
 
   private:
     std::vector<std::string> whole_, damaged_;
@@ -159,10 +159,12 @@ class DamagedText {
 
 TEST(OptionsText, DamageLosesNoLineThatIsStillRight) {
     const Preferences written = test::all_changed();
+    const std::string text = write_preferences(written);
+    constexpr int kTrials = 2000;
     std::mt19937 random(11);
     std::size_t kept = 0;
-    for (int trial = 0; trial < 2000; ++trial) {
-        const DamagedText damaged(random);
+    for (int trial = 0; trial < kTrials; ++trial) {
+        const DamagedText damaged(text, random);
         const ReadPreferences read = read_preferences(damaged.text);
         const bool is_view_damaged =
             damaged.is_damaged("mode") || damaged.is_damaged("fov") || damaged.is_damaged("display");
@@ -174,10 +176,11 @@ TEST(OptionsText, DamageLosesNoLineThatIsStillRight) {
             ASSERT_EQ(row.shown(read.preferences), row.shown(written)) << row.name << " in trial " << trial;
         }
         // What is written over it is read back.
+        if (trial % 10 != 0) continue;
         const std::string mended = with(damaged.text, "volume", Preferences{});
         ASSERT_EQ(read_preferences(mended).preferences.volume_100, 100) << "trial " << trial;
     }
-    EXPECT_GT(kept, 2000 * all_preferences().size() * 9 / 10);
+    EXPECT_GT(kept, kTrials * all_preferences().size() * 9 / 10);
 }
 
 TEST(OptionsText, RefusesWhatIsNoText) {

@@ -52,6 +52,7 @@ Controls SdlInput::poll() {
     const std::uint32_t flags = SDL_GetWindowFlags(window_);
     controls.has_focus = (flags & SDL_WINDOW_INPUT_FOCUS) != 0;
     controls.is_minimised = (flags & SDL_WINDOW_MINIMIZED) != 0;
+    controls.changes_full_screen = std::exchange(changes_full_screen_, false);
     controls.pointer = pointer_;
     if (pointer_) pointer_->has_moved = pointer_->is_pressed = false;
     return controls;
@@ -115,7 +116,10 @@ void SdlInput::take_key(const SDL_KeyboardEvent& key) {
     const bool has_alt = (key.keysym.mod & KMOD_ALT) != 0;
     if (key.state == SDL_RELEASED) return mapper_.release(key_of(code));
     if (key.repeat != 0) return mapper_.repeat(key_of(code));
-    if (has_alt && code == SDL_SCANCODE_RETURN) return toggle_fullscreen();
+    if (has_alt && code == SDL_SCANCODE_RETURN) {
+        changes_full_screen_ = !changes_full_screen_;
+        return;
+    }
     if (has_alt && code == SDL_SCANCODE_TAB) return;  // to another window
     mapper_.press(key_of(code));
 }
@@ -166,11 +170,6 @@ void SdlInput::take_window_event(std::uint8_t event) {
     if (event != SDL_WINDOWEVENT_FOCUS_LOST) return;
     mapper_.release_all();
     capture_mouse(false);
-}
-
-void SdlInput::toggle_fullscreen() {
-    const bool is_full = (SDL_GetWindowFlags(window_) & SDL_WINDOW_FULLSCREEN_DESKTOP) != 0;
-    SDL_SetWindowFullscreen(window_, is_full ? 0 : SDL_WINDOW_FULLSCREEN_DESKTOP);
 }
 
 }  // namespace oblong

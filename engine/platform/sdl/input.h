@@ -18,7 +18,7 @@ struct SDL_MouseWheelEvent;
 namespace oblong {
 
 /// The keyboard, the mouse and the gamepads of a window. Losing the focus frees the mouse and lets go of all that is
-/// held; Alt+Enter is the whole screen and back.
+/// held; Alt+Enter asks for the whole screen, or back.
 class SdlInput {
   public:
     explicit SdlInput(SDL_Window* window);
@@ -44,12 +44,11 @@ class SdlInput {
     void take_motion(const SDL_MouseMotionEvent& motion);
     void take_window_event(std::uint8_t event);
     void point_at(std::int32_t x, std::int32_t y);
-    void toggle_fullscreen();
 
     SDL_Window* window_;
     InputMapper mapper_;
     GamePads pads_;
-    bool is_closed_ = false, are_textures_lost_ = false;
+    bool is_closed_ = false, are_textures_lost_ = false, changes_full_screen_ = false;
     std::optional<Pointer> pointer_;
 };
 
