@@ -37,7 +37,6 @@ void Session::advance(const Controls& controls, std::uint64_t now_us) {
     last_us_ = now_us;
     played_us_ += elapsed_us;
     handle_commands(controls);
-    if (controls.pointer && controls.pointer->is_pressed) platform_.capture_mouse(true);
     Controls held = controls;
     if (!view_options_.lab.shows_panel) walk_by_panel_keys(held);
     drag_split(shown_rect(view_options_.preferences, platform_.window_size()), view_options_.lab, held);
