@@ -6,6 +6,7 @@
 
 #include "engine/platform/files.h"
 #include "engine/platform/headless/headless.h"
+#include "engine/platform/sdl/mixer.h"
 #include "engine/platform/sdl/window.h"
 #include "engine/platform/worker_threads.h"
 #include "engine/screen/screen.h"
@@ -92,7 +93,8 @@ void run_game(const Options& options, PreferencesStore& store, const std::string
     }
     ProgramFiles files = load_program_files(options, assets);
     const auto platform = open_platform(options);
-    Program(options, std::move(files), store, *platform, &workers).run();
+    const OpenSound open_sound = options.headless_frames == 0 ? OpenSound(open_mixer) : OpenSound();
+    Program(options, std::move(files), store, *platform, &workers, open_sound).run();
 }
 
 // Runs the game as the command line says; the exit code. Whoever started it from a menu reads no standard error: with

@@ -65,7 +65,6 @@ void declare_runs(CommandArguments& line, Options& options) {
     headless.limit(1, 1'000'000).need(out);
     out.need(headless);
     timedemo.exclude(record).exclude(replay).exclude(headless);
-    record.exclude(replay);
     route.need(record).exclude(headless);
 }
 
@@ -113,8 +112,8 @@ void interpret(const OptionTexts& texts, Options& options) {
     options.wireframe = named_value<Wireframe>("--wireframe", texts.wireframe, kWireframeNames);
     options.line_method = named_value<LineMethod>("--lines", texts.lines, kLineNames);
     const bool has_run = !(options.record + options.replay + options.timedemo).empty();
-    if (options.shows_title && (has_run || options.shows_gallery))
-        throw UsageError("--title: there is no game yet to record or to replay, expected it without the other");
+    if (options.shows_title && (!options.timedemo.empty() || options.shows_gallery))
+        throw UsageError("--title: --timedemo and --gallery show none, expected it without them");
     options.shows_title |=
         (options.level + options.map).empty() && !has_run && !options.shows_gallery && options.headless_frames == 0;
     if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))

@@ -44,6 +44,21 @@ bool is_input(const Controls& controls) {
     return is_pointed || controls.pressed || !controls.menu.empty() || !controls.commands.empty();
 }
 
+std::optional<Sound> sound_of(MenuEvent event) {
+    switch (event) {
+        case MenuEvent::None:
+            return {};
+        case MenuEvent::Moved:
+        case MenuEvent::Changed:
+            return Sound::MenuMove;
+        case MenuEvent::Accepted:
+            return Sound::MenuAccept;
+        case MenuEvent::WentBack:
+            return Sound::MenuBack;
+    }
+    return {};
+}
+
 // The game goes on without a file of options.
 void report(const std::string& fault) {
     if (!fault.empty()) std::fprintf(stderr, "oblong: %s\n", fault.c_str());
@@ -69,7 +84,7 @@ ProgramFiles load_program_files(const Options& options, const std::string& asset
 }
 
 Program::Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform,
-                 Workers* workers)
+                 Workers* workers, OpenSound open_sound)
     : options_(options),
       assets_folder_(files.assets_folder),
       level_files_{"", options.palette, files.assets_folder, options.models, game_folders_of(options.game)},
@@ -77,13 +92,15 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
       store_(store),
       platform_(platform),
       settings_{workers},
+      sound_(std::move(open_sound), assets_folder_),
       slots_(options.folders.data),
       pages_(menu_, *this) {
     if (options_.shows_gallery)
         gallery_ = std::make_unique<Gallery>(std::move(files.loaded), settings_, view_options_, platform_);
-    else if (options_.shows_title)
+    else if (options_.shows_title) {
+        if (!(options_.replay + options_.record).empty()) first_input_ = std::move(files.input);
         start_title(std::move(files.loaded));
-    else
+    } else
         start(std::move(files.loaded), std::move(files.input), options_.replay.empty() ? Stage::Walk : Stage::Replay);
 }
 
@@ -138,7 +155,8 @@ void Program::take_in_menu(const Controls& controls) {
     const Preferences& now = view_options_.preferences;
     const CanvasSize canvas{now.mode.width_px, now.mode.height_px};
     const std::size_t depth = menu_.depth();
-    menu_.handle(controls, canvas, now.text_scale, shown_rect(now, platform_.window_size()));
+    const MenuEvent event = menu_.handle(controls, canvas, now.text_scale, shown_rect(now, platform_.window_size()));
+    if (const auto sound = sound_of(event)) sound_.play(*sound);
     if (menu_.depth() < depth) report(store_.save(now));
     if (stage_ == Stage::Title && !gallery_)
         play_title();
@@ -180,6 +198,15 @@ void Program::follow_preferences() {
     platform_.change_window(window_settings_of(view_options_.preferences));
     platform_.use_bindings(view_options_.preferences.bindings);
     report(store_.save_when_settled(view_options_.preferences, platform_.now_us()));
+    follow_sound();
+}
+
+// A level's last sounds are heard to their end.
+void Program::follow_sound() {
+    const Preferences& now = view_options_.preferences;
+    sound_.set({now.volume_100, now.sounds_volume_100, now.music_volume_100, now.shows_captions});
+    const bool is_paused = gallery_ || (menu_.is_open() && stage_ != Stage::Title);
+    sound_.hold(is_paused && !(session_ && session_->state().has_ended));
 }
 
 GameScreen& Program::screen() {
@@ -204,10 +231,18 @@ void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
     gallery_.reset();
     stage_ = stage;
     SessionSettings settings = settings_;
-    settings.shows_text = stage != Stage::Title;
-    session_ =
-        std::make_unique<Session>(std::move(loaded), settings, stage == Stage::Title ? title_options_ : view_options_,
-                                  std::move(input), platform_);
+    const bool is_title = stage == Stage::Title;
+    settings.shows_text = !is_title;
+    settings.sound = is_title ? nullptr : &sound_;
+    sound_.enter(nullptr);  // before the level that is heard goes
+    session_ = std::make_unique<Session>(std::move(loaded), settings, is_title ? title_options_ : view_options_,
+                                         std::move(input), platform_);
+    if (is_title) {
+        sound_.play_music();
+    } else {
+        sound_.stop_music();
+        sound_.enter(&session_->loaded().level);
+    }
     saved_tick_ = 0;
     is_stale_ = true;
 }

@@ -10,6 +10,7 @@
 #include "game/options.h"
 #include "game/saves/save_slots.h"
 #include "game/session.h"
+#include "game/sound/game_sound.h"
 
 namespace oblong {
 
@@ -31,7 +32,9 @@ ProgramFiles load_program_files(const Options& options, const std::string& asset
 class Program final : private MenuHost {
   public:
     /// `store`, which keeps what the player changes, `platform` and `workers`, which may be null, outlive the program.
-    Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform, Workers* workers);
+    /// `open_sound` may be empty: all is silent.
+    Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform, Workers* workers,
+            OpenSound open_sound = {});
 
     /// Until the platform closes or the player leaves. Then writes the demo that was recorded, if any. Throws
     /// FileError.
@@ -52,6 +55,7 @@ class Program final : private MenuHost {
     bool is_moving() const;
     GameScreen& screen();
     void follow_preferences();
+    void follow_sound();
 
     void start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, Stage stage);
     void start_walk(std::shared_ptr<const LoadedLevel> loaded);
@@ -101,11 +105,13 @@ class Program final : private MenuHost {
     PreferencesStore& store_;
     Platform& platform_;
     SessionSettings settings_;
+    GameSound sound_;
     SaveSlots slots_;
-    std::unique_ptr<Session> session_;  // none only where the program began with the gallery
-    std::unique_ptr<Gallery> gallery_;  // while it is up, over the session
-    std::optional<Demo> title_demo_;    // what the title shows; nothing: the level stands still
-    std::unique_ptr<Demo> recorded_;    // once what was recorded has ended before the program
+    std::optional<TickInputSource> first_input_;  // of the first walk that the title starts: a replay, or recorded
+    std::unique_ptr<Session> session_;            // none only where the program began with the gallery
+    std::unique_ptr<Gallery> gallery_;            // while it is up, over the session
+    std::optional<Demo> title_demo_;              // what the title shows; nothing: the level stands still
+    std::unique_ptr<Demo> recorded_;              // once what was recorded has ended before the program
     Menu menu_;
     MenuPages pages_;
     Stage stage_ = Stage::Walk;

@@ -101,6 +101,9 @@ std::shared_ptr<const LoadedLevel> Program::loaded_as(const std::string& level) 
 }
 
 void Program::walk() {
+    if (first_input_)
+        return start(session_->shared_level(), *std::exchange(first_input_, std::nullopt),
+                     options_.replay.empty() ? Stage::Walk : Stage::Replay);
     try_with_files("Walk", [&] { start_walk(loaded_as("")); });
 }
 
@@ -173,7 +176,7 @@ void Program::show_title() {
 }
 
 void Program::keep_recorded() {
-    if (session_ && !options_.record.empty() && !recorded_)
+    if (session_ && stage_ != Stage::Title && !options_.record.empty() && !recorded_)
         recorded_ = std::make_unique<Demo>(session_->input().recorded());
 }
 

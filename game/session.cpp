@@ -37,7 +37,6 @@ void Session::advance(const Controls& controls, std::uint64_t now_us) {
     last_us_ = now_us;
     played_us_ += elapsed_us;
     handle_commands(controls);
-    if (controls.pointer && controls.pointer->is_pressed) platform_.capture_mouse(true);
     Controls held = controls;
     if (!view_options_.lab.shows_panel) walk_by_panel_keys(held);
     drag_split(shown_rect(view_options_.preferences, platform_.window_size()), view_options_.lab, held);
@@ -111,6 +110,7 @@ void Session::play_due_ticks(std::uint64_t elapsed_us) {
         before_ = after_;
         input_.play_tick(level_, after_);
         palette_.note_tick(before_, after_);
+        if (settings_.sound) settings_.sound->note_tick(before_, after_);
         show_level_message();
     }
 }
@@ -177,6 +177,7 @@ void Session::show_level_message() {
 
 void Session::draw_text() {
     const Preferences& preferences = view_options_.preferences;
+    text_.captions = settings_.sound ? settings_.sound->captions() : std::vector<std::string>();
     text_.help.clear();
     if (view_options_.shows_help) text_.help = game_help(preferences.bindings, platform_);
     text_.cost = cost_ ? &cost_text_ : nullptr;

@@ -12,6 +12,7 @@
 #include "game/loaded_level.h"
 #include "game/saves/thumbnail.h"
 #include "game/shown_palette.h"
+#include "game/sound/game_sound.h"
 #include "game/tick_clock.h"
 #include "game/tick_input_source.h"
 #include "game/view_options.h"
@@ -23,7 +24,8 @@ namespace oblong {
 struct SessionSettings {
     Workers* workers = nullptr;  ///< who share in drawing the game's pictures; null: one thread draws
     std::string screenshot_folder = ".";
-    bool shows_text = true;  ///< messages and whatever else is written over the picture
+    GameSound* sound = nullptr;  ///< that is heard; null: none, not even captions
+    bool shows_text = true;      ///< messages and whatever else is written over the picture
 };
 
 /// One game in one level: ticks, what keys switch on, and the picture.

@@ -120,9 +120,12 @@ TEST_F(SdlInputTest, RebindingActsFromTheNextPollOn) {
 
 TEST_F(SdlInputTest, AFreeMousePointsInPixelsOfTheWindow) {
     EXPECT_FALSE(input_->poll().pointer);
-    push_motion(100, 200, 5, 6);
+    push_motion(95, 194, 0, 0);
     Controls controls = input_->poll();
     ASSERT_TRUE(controls.pointer);
+    EXPECT_FALSE(controls.pointer->has_moved) << "it rests where the window was opened";
+    push_motion(100, 200, 5, 6);
+    controls = input_->poll();
     EXPECT_EQ(controls.pointer->x_px, 100);
     EXPECT_EQ(controls.pointer->y_px, 200);
     EXPECT_TRUE(controls.pointer->has_moved);

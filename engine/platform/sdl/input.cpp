@@ -133,10 +133,12 @@ void SdlInput::take_button(const SDL_MouseButtonEvent& button) {
     mapper_.click(input);
 }
 
+// A mouse that rests where the window opens, or enters it, has not moved: it chooses nothing.
 void SdlInput::take_motion(const SDL_MouseMotionEvent& motion) {
     if (is_mouse_captured()) return mapper_.move_mouse(motion.xrel, motion.yrel);
+    const std::optional<Pointer> before = pointer_;
     point_at(motion.x, motion.y);
-    pointer_->has_moved = true;
+    pointer_->has_moved |= before && (before->x_px != pointer_->x_px || before->y_px != pointer_->y_px);
 }
 
 // From the window's own units, which a display of high density has fewer of.

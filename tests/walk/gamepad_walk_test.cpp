@@ -1,0 +1,66 @@
+#include <SDL.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "engine/platform/sdl/input.h"
+#include "tests/controls/pad_pilot.h"
+#include "tests/walk/walked_level.h"
+
+namespace oblong::test {
+namespace {
+
+class GamepadWalk : public WalkedLevel {
+  protected:
+    // Without a window that has the focus, gamepads are heard all the same.
+    void SetUp() override {
+        SDL_SetHint(SDL_HINT_VIDEODRIVER, "dummy");
+        SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");
+        ASSERT_EQ(SDL_Init(SDL_INIT_VIDEO), 0) << SDL_GetError();
+        window_ = SDL_CreateWindow("test", 0, 0, 640, 400, 0);
+        ASSERT_NE(window_, nullptr) << SDL_GetError();
+        events_ = std::make_unique<SdlInput>(window_);
+    }
+    void TearDown() override {
+        events_.reset();
+        SDL_DestroyWindow(window_);
+        SDL_Quit();
+    }
+
+    SDL_Window* window_ = nullptr;
+    std::unique_ptr<SdlInput> events_;
+};
+
+bool accepts(const Controls& controls) {
+    return std::find(controls.menu.begin(), controls.menu.end(), MenuAction::Accept) != controls.menu.end();
+}
+
+// A accepts the title's "Walk"; then sticks and A lead along the recorded walk to the end of the level. Nothing but
+// events of a pad reaches the program.
+TEST_F(GamepadWalk, APadAloneWalksFromTheTitleToTheEnd) {
+    const Demo walk = decode_demo(read_file(OBLONG_BUILD_DIR "/assets/walk.demo"));
+    VirtualPad pad;
+    PadPilot pilot(pad);
+    constexpr std::int64_t kPress = 5, kRelease = 7, kEndPolls = 10;
+    std::size_t played = 0;
+    bool has_begun = false;
+    const std::int64_t polls = kPress + static_cast<std::int64_t>(walk.ticks.size()) + kEndPolls;
+    ScriptedPlatform platform(polls, [&](std::int64_t poll) {
+        if (poll == kPress) pad.press(PadButton::A);
+        if (poll == kRelease && !has_begun) pad.release(PadButton::A);
+        if (has_begun) pilot.steer(played < walk.ticks.size() ? walk.ticks[played++].input : TickInput{});
+        const Controls controls = events_->poll();
+        has_begun |= accepts(controls);
+        return controls;
+    });
+
+    Demo recorded = record({}, platform);
+    ASSERT_TRUE(has_begun);
+    ASSERT_GE(recorded.ticks.size(), walk.ticks.size());
+    expect_all_found(replayed(recorded));
+    recorded.ticks.resize(walk.ticks.size());
+    EXPECT_EQ(recorded, walk);
+}
+
+}  // namespace
+}  // namespace oblong::test
