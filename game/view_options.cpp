@@ -13,8 +13,7 @@ namespace {
 constexpr std::array<const char*, kMapViewCount> kMapMessages{"Tab Map: off", "Tab Map: turns with you",
                                                               "Tab Map: north is up"};
 constexpr std::array<const char*, kWireframeCount> kWireframeMessages{
-    "E Edges: off", "E Edges of the faces that own pixels: over the picture",
-    "E Edges of the faces that own pixels: alone"};
+    "E Edges: off", "E Edges of visible faces: over the picture", "E Edges of visible faces: alone"};
 // Fields of view, degrees, between which keys step.
 constexpr std::int32_t kNarrowestZoom = 10, kUnzoomed = 90, kWidestZoom = 120, kZoomStep = 10;
 
