@@ -69,7 +69,7 @@ void GameSound::keep_what_is_on() {
         scene_.reset();
     else if (!scene_)
         scene_ = std::make_unique<SoundScene>(*level_);
-    if (player_ && !scene_) player_->stop_all();
+    if (player_ && !(scene_ && has_sounds())) player_->stop_all();
     if (output_ && wants_music_) start_music();
 }
 

@@ -150,6 +150,11 @@ TEST(GameSound, StopsWhatPlaysWhereSoundsAreTurnedOff) {
     ASSERT_FALSE(test.last->voices.empty());
     test.sound.set({100, 0, 60, false});
     EXPECT_TRUE(test.last->voices.empty());
+    test.sound.set(kOn);
+    walk(game, test.sound, 12);
+    ASSERT_FALSE(test.last->voices.empty());
+    test.sound.set({100, 0, 60, true});
+    EXPECT_TRUE(test.last->voices.empty()) << "captions go on, sounds don't";
 }
 
 }  // namespace
