@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<const char*, kMapViewCount> kMapMessages{"Tab Map: off", "Tab Map: turns with you",
                                                               "Tab Map: north is up"};
 constexpr std::array<const char*, kWireframeCount> kWireframeMessages{
-    "E Edges: off", "E Edges: of the faces that own pixels", "E Edges: by themselves"};
+    "E Edges: off", "E Edges of visible faces: over the picture", "E Edges of visible faces: alone"};
 // Fields of view, degrees, between which keys step.
 constexpr std::int32_t kNarrowestZoom = 10, kUnzoomed = 90, kWidestZoom = 120, kZoomStep = 10;
 
@@ -44,8 +44,7 @@ std::string toggle(bool& is_on, const char* on = "", const char* off = "") {
 // How a sphere in the middle of the picture looks in the window.
 std::string describe_sphere(const Preferences& preferences, WindowSize window) {
     const Ratio pixel = shown_pixel(shown_rect(preferences, window), preferences.mode);
-    const std::string shape = describe_shape(sphere_shape(preferences.mode, preferences.corrects_projection, pixel));
-    return shape == "round" ? shape : "spheres " + shape;
+    return "spheres " + describe_shape(sphere_shape(preferences.mode, preferences.corrects_projection, pixel));
 }
 
 std::string describe_projection(const Preferences& preferences, WindowSize window) {
@@ -64,8 +63,8 @@ std::string describe_display(const Preferences& preferences, WindowSize window) 
 
 std::string describe_scaling(const Preferences& preferences, WindowSize window) {
     constexpr std::array<const char*, kScalingCount> kWords{
-        "all pixels alike, their borders blended", "whole rows, borders of columns blended",
-        "whole pixels, the shape as near as they come", "nothing blended, some rows and columns are wider"};
+        "all pixels of one size, their borders blended", "rows of one height, borders of columns blended",
+        "nothing blended, the shape as near as whole pixels allow", "nothing blended, some rows and columns are wider"};
     return std::string("F5 Scaling ") + name_of(preferences.scaling) + ": " + at(kWords, preferences.scaling) + " (" +
            describe(shown_rect(preferences, window), preferences.mode) + ")";
 }
@@ -123,9 +122,9 @@ std::string apply(Command command, ViewOptions& options, WindowSize window) {
         case Command::Brighter:
             return change("brightness", command == Command::Brighter ? 1 : -1, preferences);
         case Command::Torch:
-            return toggle(options.has_torch, "L Torch", "L Torch: off");
+            return toggle(options.has_torch, "L Torch: on", "L Torch: off");
         case Command::CrtLook:
-            return toggle(preferences.has_crt_look, "C Tube: scanlines, mask, glow", "C Tube: off");
+            return toggle(preferences.has_crt_look, "C Look of a tube: scanlines, mask, glow", "C Look of a tube: off");
         case Command::Inspect:
             return toggle(options.inspects);
         case Command::Log:
@@ -138,7 +137,7 @@ std::string apply(Command command, ViewOptions& options, WindowSize window) {
             options.wireframe = next_of(options.wireframe, kWireframeCount);
             return at(kWireframeMessages, options.wireframe);
         case Command::Isometric:
-            return toggle(options.is_isometric, "I Isometric: you are in the middle", "I Isometric: off");
+            return toggle(options.is_isometric, "I From outside: you are in the middle", "I From outside: off");
         case Command::ZoomIn:
         case Command::ZoomOut:
             return zoom(command == Command::ZoomIn, options);

@@ -126,15 +126,15 @@ TEST_F(MenuOfThree, APageThatWaitsForAKeyTakesAnyButEscape) {
     });
     Controls controls;
     controls.menu = {MenuAction::Accept};
-    controls.pressed = input_named("Return");
+    controls.pressed = input_named("Enter");
     menu_.handle(controls, kCanvas, 1, kShown);
-    EXPECT_EQ(pressed, input_named("Return"));
+    EXPECT_EQ(pressed, input_named("Enter"));
     EXPECT_EQ(menu_.depth(), 2u) << "what is bound is not what it does in a menu";
     controls = {};
     controls.commands = {Command::Menu};
     controls.pressed = input_named("Escape");
     menu_.handle(controls, kCanvas, 1, kShown);
-    EXPECT_EQ(pressed, input_named("Return"));
+    EXPECT_EQ(pressed, input_named("Enter"));
     EXPECT_EQ(menu_.depth(), 1u);
 }
 
