@@ -108,7 +108,7 @@ void Gallery::advance(const Controls& controls, std::uint64_t now_us) {
     if (!controls.commands.empty() || rows_[state_.row].moves) is_drawn_ = false;
 }
 
-ShownPicture Gallery::draw() {
+ShownPicture Gallery::draw(bool is_behind_menu) {
     if (!is_drawn_ || drawn_with_ != view_options_.preferences) draw_picture();
     const ScreenMode& mode = drawn_with_.mode;
     shown_ = picture_;
@@ -116,7 +116,7 @@ ShownPicture Gallery::draw() {
     if (wants_screenshot_)
         messages_.show(save_screenshots(screenshot_folder_, canvas, data_.palette, mode), MessageKind::Answer);
     wants_screenshot_ = false;
-    draw_over();
+    if (!is_behind_menu) draw_over();
     return {canvas, data_.palette, shown_rect(view_options_.preferences, platform_.window_size())};
 }
 

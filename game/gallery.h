@@ -38,7 +38,7 @@ class Gallery final : public GameScreen {
 
     void advance(const Controls& controls, std::uint64_t now_us) override;
     void pause(std::uint64_t now_us) override { now_us_ = now_us; }
-    ShownPicture draw() override;
+    ShownPicture draw(bool is_behind_menu) override;
     const MenuLook& menu_look() const override { return menu_look_; }
 
   private:

@@ -29,8 +29,9 @@ class GameScreen {
     virtual void advance(const Controls& controls, std::uint64_t now_us) = 0;
     /// The same without either: nothing moves until advance() is called again.
     virtual void pause(std::uint64_t now_us) = 0;
-    /// Draws what is up now. The canvas is valid, and may be drawn over, until the next call.
-    virtual ShownPicture draw() = 0;
+    /// Draws what is up now; behind a menu without text, maps and panels, which would mix with it. The canvas is valid,
+    /// and may be drawn over, until the next call.
+    virtual ShownPicture draw(bool is_behind_menu) = 0;
     /// The colours of a menu over it.
     virtual const MenuLook& menu_look() const = 0;
 };

@@ -45,6 +45,7 @@ std::vector<std::string> in_two_columns(std::span<const Entry> entries, const Bi
 }  // namespace
 
 std::string key_name_of(Action action, const Bindings& bindings, const Platform& platform) {
+    if (action == Action(Command::Menu)) return "Esc";  // whatever else is bound to it
     const std::span<const Input> inputs = bindings.inputs_of(action);
     return inputs.empty() ? "none" : platform.local_name_of(inputs.front());
 }

@@ -100,8 +100,10 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
     else if (options_.shows_title) {
         if (!(options_.replay + options_.record).empty()) first_input_ = std::move(files.input);
         start_title(std::move(files.loaded));
-    } else
+    } else {
         start(std::move(files.loaded), std::move(files.input), options_.replay.empty() ? Stage::Walk : Stage::Replay);
+        if (can_save()) save_to(SaveSlot::Automatic);
+    }
 }
 
 void Program::run() {
@@ -155,6 +157,7 @@ void Program::take_in_menu(const Controls& controls) {
     const Preferences& now = view_options_.preferences;
     const CanvasSize canvas{now.mode.width_px, now.mode.height_px};
     const std::size_t depth = menu_.depth();
+    wants_screenshot_ |= has(controls, Command::Screenshot) && !menu_.page().press;
     const MenuEvent event = menu_.handle(controls, canvas, now.text_scale, shown_rect(now, platform_.window_size()));
     if (const auto sound = sound_of(event)) sound_.play(*sound);
     if (menu_.depth() < depth) report(store_.save(now));
@@ -184,6 +187,7 @@ void Program::take_in_walk(const Controls& controls) {
 void Program::close_gallery() {
     if (!session_) return pages_.open_gallery();
     gallery_.reset();
+    name_window();
     if (stage_ != Stage::Title) pages_.open_game();
 }
 
@@ -220,10 +224,18 @@ bool Program::is_moving() const {
 
 void Program::draw() {
     title_options_.preferences = view_options_.preferences;
-    const ShownPicture picture = screen().draw();
-    if (menu_.is_open())
-        menu_.draw(view_options_.preferences.text_scale, screen().menu_look(), picture.palette, picture.canvas);
+    const ShownPicture picture = screen().draw(menu_.is_open());
+    if (menu_.is_open()) draw_menu(picture);
     platform_.present(picture.canvas, picture.palette, picture.rect);
+}
+
+void Program::draw_menu(const ShownPicture& picture) {
+    const Preferences& now = view_options_.preferences;
+    menu_.draw(now.text_scale, screen().menu_look(), picture.palette, picture.canvas);
+    if (!std::exchange(wants_screenshot_, false)) return;
+    pages_.open_message("Screenshot",
+                        save_screenshots(settings_.screenshot_folder, picture.canvas, picture.palette, now.mode));
+    is_stale_ = true;
 }
 
 void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, Stage stage) {
@@ -232,7 +244,6 @@ void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
     stage_ = stage;
     SessionSettings settings = settings_;
     const bool is_title = stage == Stage::Title;
-    settings.shows_text = !is_title;
     settings.sound = is_title ? nullptr : &sound_;
     sound_.enter(nullptr);  // before the level that is heard goes
     session_ = std::make_unique<Session>(std::move(loaded), settings, is_title ? title_options_ : view_options_,
@@ -245,6 +256,12 @@ void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
     }
     saved_tick_ = 0;
     is_stale_ = true;
+    name_window();
+}
+
+void Program::name_window() {
+    const fs::path level = session_->loaded().data.level_file;
+    platform_.set_title(("Oblong - " + level.stem().string()).c_str());
 }
 
 void Program::start_walk(std::shared_ptr<const LoadedLevel> loaded) {

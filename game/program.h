@@ -52,6 +52,7 @@ class Program final : private MenuHost {
     void open_what_is_due();
     bool is_walked() const;
     void draw();
+    void draw_menu(const ShownPicture& picture);
     bool is_moving() const;
     GameScreen& screen();
     void follow_preferences();
@@ -64,6 +65,7 @@ class Program final : private MenuHost {
     void play_title();
     std::shared_ptr<const LoadedLevel> loaded_as(const std::string& level);
     void keep_recorded();
+    void name_window();  ///< after the session's level
     LevelPlaces places() const;
     /// Does something with files; where it fails, says why on a page of the menu.
     void try_with_files(const std::string& what, const std::function<void()>& work);
@@ -117,7 +119,8 @@ class Program final : private MenuHost {
     Stage stage_ = Stage::Walk;
     std::int64_t saved_tick_ = 0;  // of the walk, up to which it is saved
     bool can_continue_ = false, has_left_ = false, had_focus_ = false, is_mouse_captured_ = false;
-    bool is_stale_ = true;  // the window shows something else than what is up
+    bool wants_screenshot_ = false;  // of a menu
+    bool is_stale_ = true;           // the window shows something else than what is up
     WindowSize shown_size_;
 };
 

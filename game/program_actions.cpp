@@ -53,8 +53,13 @@ LevelPlaces Program::places() const {
 
 std::vector<LevelEntry> Program::levels() const {
     std::vector<LevelEntry> entries;
+    const fs::path museum = fs::path(assets_folder_) / "demo.bsp";
+    std::error_code ignored;
     for (const ListedLevel& level : list_levels(places()).levels)
-        entries.push_back({level.name, level.file, level.file.empty() ? "the museum" : ""});
+        if (level.file.empty())
+            entries.push_back({level.name, "", "the museum"});
+        else if (!fs::equivalent(level.file, museum, ignored))
+            entries.push_back({level.name, level.file, ""});
     return entries;
 }
 

@@ -1,6 +1,5 @@
 #include "game/session.h"
 
-#include <filesystem>
 #include <utility>
 
 #include "game/help_panel.h"
@@ -27,7 +26,6 @@ Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
       before_(start_of(level_)),
       after_(before_),
       last_us_(platform.now_us()) {
-    platform_.set_title(("Oblong - " + std::filesystem::path(data_.level_file).stem().string()).c_str());
     show(key_name_of(Command::ShowHelp, view_options_.preferences.bindings, platform_) + ": keys");
     keep_what_is_on();
 }
@@ -128,7 +126,7 @@ Palette Session::palette_of(const GameView& view, const PaletteEffects& effects)
     return effects.is_plain() ? data_.palette : apply_palette_effects(data_.palette, effects, time_ms_at(view.state));
 }
 
-ShownPicture Session::draw() {
+ShownPicture Session::draw(bool is_behind_menu) {
     keep_what_is_on();
     const Preferences& preferences = view_options_.preferences;
     const GameView view = shown_view();
@@ -142,12 +140,12 @@ ShownPicture Session::draw() {
     if (log_) renderer_->note(view, shown_settings, last_us_, *log_);
 
     if (wire_colour_) draw_wires(view, shown_settings);
-    draw_over(view, settings);
+    if (!is_behind_menu) draw_over(view, settings);
     const Palette palette = palette_of(view, effects);
     const Framebuffer canvas = renderer_->canvas();
     if (wants_screenshot_) show(save_screenshots(settings_.screenshot_folder, canvas, palette, renderer_->mode()));
     wants_screenshot_ = false;
-    if (settings_.shows_text) draw_text();
+    if (!is_behind_menu) draw_text();
     return {canvas, palette, shown_rect(preferences, platform_.window_size())};
 }
 

@@ -25,7 +25,6 @@ struct SessionSettings {
     Workers* workers = nullptr;  ///< who share in drawing the game's pictures; null: one thread draws
     std::string screenshot_folder = ".";
     GameSound* sound = nullptr;  ///< that is heard; null: none, not even captions
-    bool shows_text = true;      ///< messages and whatever else is written over the picture
 };
 
 /// One game in one level: ticks, what keys switch on, and the picture.
@@ -38,7 +37,7 @@ class Session final : public GameScreen {
 
     void advance(const Controls& controls, std::uint64_t now_us) override;
     void pause(std::uint64_t now_us) override;
-    ShownPicture draw() override;
+    ShownPicture draw(bool is_behind_menu) override;
     const MenuLook& menu_look() const override { return menu_look_; }
 
     /// Goes on from another state of the level.

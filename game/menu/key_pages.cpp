@@ -53,6 +53,7 @@ class KeyPages {
                                  nullptr});
         }
         add_sets(page);
+        page.rows.push_back({"Back", "", "", [*this] { menu_->close(); }, nullptr});
         return page;
     }
 

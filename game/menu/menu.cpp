@@ -104,7 +104,8 @@ MenuEvent Menu::go_back(const MenuPage& page) {
     return MenuEvent::WentBack;
 }
 
-// Motion over a row chooses it; a press on it accepts it, or changes it: down at the left of its value, else up.
+// Motion over a row chooses it; a press on it accepts it, or changes it: down at the left of its value, else up. A
+// press on a text without rows closes it.
 MenuEvent Menu::point(const Pointer& pointer, CanvasSize canvas, std::int32_t text_scale, const PresentRect& shown) {
     if (!is_open() || shown.width_px <= 0 || shown.height_px <= 0) return MenuEvent::None;
     if (!pointer.has_moved && !pointer.is_pressed) return MenuEvent::None;
@@ -113,6 +114,7 @@ MenuEvent Menu::point(const Pointer& pointer, CanvasSize canvas, std::int32_t te
     const auto y =
         static_cast<std::int32_t>(std::int64_t{pointer.y_px - shown.y_px} * canvas.height_px / shown.height_px);
     const MenuPage current = page();
+    if (current.rows.empty() && pointer.is_pressed) return go_back(current);
     const MenuLayout layout = layout_of(current, canvas, text_scale);
     for (const MenuLayout::Item& item : layout.items) {
         if (!item.row || !is_inside(item.area, x, y)) continue;

@@ -8,13 +8,13 @@
 namespace oblong {
 namespace {
 
-MenuRow row(std::string label, std::function<void()> accept, std::string help = "") {
-    return {std::move(label), "", std::move(help), std::move(accept), nullptr, std::nullopt};
-}
-
 std::string with_capital(std::string text) {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     return text;
+}
+
+MenuRow row(std::string label, std::function<void()> accept, std::string help = "") {
+    return {std::move(label), "", with_capital(std::move(help)), std::move(accept), nullptr, std::nullopt};
 }
 
 std::string text_of_end(const EndFigures& figures) {
@@ -79,7 +79,7 @@ MenuPage MenuPages::title_page() {
 }
 
 MenuPage MenuPages::game_page() {
-    MenuPage page{"Paused", "", {}, 0, "", false, nullptr};
+    MenuPage page{"Paused", "", {}, 0, "Arrows choose, Enter accepts, Esc goes on", false, nullptr};
     page.rows.push_back(row("Go on", [this] { menu_.close_all(); }));
     if (host_.can_save()) page.rows.push_back(row("Save", [this] { open_save(); }));
     page.rows.push_back(row("Load", [this] { open_load(); }));
@@ -131,8 +131,8 @@ MenuPage MenuPages::preferences_page(int page) {
     for (const Preference& preference : all_preferences()) {
         if (preference.page != shown_page) continue;
         shown.rows.push_back(
-            {preference.label, preference.shown(host_.preferences()), with_capital(preference.help), nullptr,
-             [this, &preference](int steps) { preference.change(host_.preferences(), steps); }, std::nullopt});
+            {with_capital(preference.label), preference.shown(host_.preferences()), with_capital(preference.help),
+             nullptr, [this, &preference](int steps) { preference.change(host_.preferences(), steps); }, std::nullopt});
     }
     shown.rows.push_back(row("Back", [this] { menu_.close(); }));
     return shown;
@@ -189,7 +189,7 @@ void MenuPages::open_save() {
 
 void MenuPages::open_credits() {
     menu_.open([text = host_.credits()] {
-        return MenuPage{"Credits", text, {}, 0, "Up and down: read on. Esc: back", false, nullptr};
+        return MenuPage{"Credits", text, {}, 0, "Up and down: read on. Esc or a click: back", false, nullptr};
     });
 }
 

@@ -46,7 +46,7 @@ class SessionOfTheDemo : public testing::Test {
         while (platform.is_open()) {
             const Controls controls = platform.poll();
             session.advance(controls, platform.now_us());
-            const ShownPicture picture = session.draw();
+            const ShownPicture picture = session.draw(false);
             platform.present(picture.canvas, picture.palette, picture.rect);
         }
         demo_ = encode_demo(session.input().recorded());

@@ -117,6 +117,17 @@ TEST_F(MenuOfThree, APressOutsideTheRowsDoesNothing) {
     EXPECT_TRUE(menu_.is_open());
 }
 
+TEST_F(MenuOfThree, APressAnywhereClosesATextWithoutRows) {
+    menu_.open([] { return MenuPage{"Text", "to read", {}, 0, "", false, nullptr}; });
+    Controls controls;
+    controls.pointer = Pointer{3, 3, true, false};
+    menu_.handle(controls, kCanvas, 1, kShown);
+    EXPECT_EQ(menu_.depth(), 2u) << "it only moves";
+    controls.pointer = Pointer{3, 3, false, true};
+    EXPECT_EQ(menu_.handle(controls, kCanvas, 1, kShown), MenuEvent::WentBack);
+    EXPECT_EQ(menu_.depth(), 1u);
+}
+
 TEST_F(MenuOfThree, APageThatWaitsForAKeyTakesAnyButEscape) {
     std::optional<Input> pressed;
     menu_.open([&] {

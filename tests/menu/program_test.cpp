@@ -111,6 +111,15 @@ TEST_F(ProgramOfTheDemo, RestartAsksOnceThereIsSomethingToLose) {
     EXPECT_GT(slots.load(SaveSlot::Automatic).game->state.tick, 110) << "saved on leaving, as it was";
 }
 
+TEST_F(ProgramOfTheDemo, AStartStraightIntoALevelIsSavedAtOnce) {
+    const SaveSlots slots(path("data"));
+    const Options options = keeping();
+    PreferencesStore store(options.folders.config_file);
+    HeadlessPlatform platform(1, 35, {}, {});
+    const Program program(options, load_program_files(options, assets_), store, platform, nullptr);
+    EXPECT_EQ(slots.load(SaveSlot::Automatic).game->state.tick, 0);
+}
+
 TEST_F(ProgramOfTheDemo, QuickSaveAndLoadGoBackToTheTickSaved) {
     play(100, keeping(), {{50, pressing(Command::QuickSave)}, {90, pressing(Command::QuickLoad)}});
     const SaveSlots slots(path("data"));

@@ -51,7 +51,7 @@ class LivePreferences : public testing::Test {
             if (frame == kChanged) change(options.preferences);
             const Controls controls = platform.poll();
             session.advance(controls, platform.now_us());
-            const ShownPicture picture = session.draw();
+            const ShownPicture picture = session.draw(false);
             const Framebuffer canvas = picture.canvas;
             all.push_back({{canvas.pixels, canvas.pixels + pixel_count(canvas.width_px, canvas.height_px)},
                            canvas.width_px,

@@ -66,7 +66,7 @@ RowPage draw_pixel_aspect(const RowInput& input, Framebuffer canvas) {
     const double a = static_cast<double>(named.a.numerator) / static_cast<double>(named.a.denominator);
     const Projection projection = make_projection(named.mode, Degrees::from_int(90));
     return {
-        {number_figure("a = w / (r h): a pixel's height to its width", a, 1 / shape, 1e-12, 6),
+        {number_figure("a = w / (r h): pixel's height to width", a, 1 / shape, 1e-12, 6),
          number_figure("multiplier of y / multiplier of x = 1 / a", 1 / a,
                        number_of(projection.y.multiplier) / number_of(projection.x.multiplier), 1e-8, 6)},
         {"One in " + std::to_string(named.mode.height_px / kRows) +
