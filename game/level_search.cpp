@@ -71,7 +71,7 @@ std::string find_named_level(const std::string& name, const LevelPlaces& places)
 
 LevelList list_levels(const LevelPlaces& places) {
     LevelList list{{{kDemoLevel, ""}}, {}};
-    std::set<std::string> names{kDemoLevel};
+    std::set<std::string> names;
     const auto add = [&](const std::string& file) {
         std::string name = fs::path(file).stem().string();
         if (is_level_name(name) && !name.starts_with(kItemPrefix) && names.insert(name).second)

@@ -98,11 +98,12 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
     if (options_.shows_gallery)
         gallery_ = std::make_unique<Gallery>(std::move(files.loaded), settings_, view_options_, platform_);
     else if (options_.shows_title) {
-        if (!(options_.replay + options_.record).empty()) first_input_ = std::move(files.input);
+        if (!(options_.replay + options_.record).empty())
+            first_walk_ = std::make_unique<FirstWalk>(FirstWalk{files.loaded, std::move(files.input)});
         start_title(std::move(files.loaded));
     } else {
         start(std::move(files.loaded), std::move(files.input), options_.replay.empty() ? Stage::Walk : Stage::Replay);
-        if (can_save()) save_to(SaveSlot::Automatic);
+        if (can_save()) save_to(SaveSlot::LevelStart);
     }
 }
 
@@ -267,7 +268,7 @@ void Program::name_window() {
 void Program::start_walk(std::shared_ptr<const LoadedLevel> loaded) {
     const GameState state = start_of(loaded->level);
     start(std::move(loaded), TickInputSource(state, std::nullopt, false), Stage::Walk);
-    if (can_save()) save_to(SaveSlot::Automatic);
+    if (can_save()) save_to(SaveSlot::LevelStart);
 }
 
 void Program::start_title(std::shared_ptr<const LoadedLevel> loaded) {

@@ -43,6 +43,11 @@ class Program final : private MenuHost {
   private:
     /// What is up, apart from the gallery and the menu.
     enum class Stage { Title, Walk, Replay };
+    /// What a title that was asked for begins with: a replay, or what is recorded.
+    struct FirstWalk {
+        std::shared_ptr<const LoadedLevel> loaded;
+        TickInputSource input;
+    };
 
     void show_frame();
     void take(const Controls& controls);
@@ -76,6 +81,8 @@ class Program final : private MenuHost {
     void load_from(SaveSlot slot);
     /// The message if that failed, else "".
     std::string save_on_leaving();
+    /// Saves the walk, then goes; where that fails, asks whether to go all the same.
+    void leave_walk(const std::function<void()>& go);
 
     // What the menu's pages ask and do.
     Preferences& preferences() override { return view_options_.preferences; }
@@ -97,7 +104,7 @@ class Program final : private MenuHost {
     void load(std::size_t entry) override { load_from(static_cast<SaveSlot>(entry)); }
     void show_title() override;
     void show_gallery() override;
-    void leave() override { has_left_ = true; }
+    void leave() override;
 
     const Options options_;
     const std::string assets_folder_;
@@ -109,11 +116,11 @@ class Program final : private MenuHost {
     SessionSettings settings_;
     GameSound sound_;
     SaveSlots slots_;
-    std::optional<TickInputSource> first_input_;  // of the first walk that the title starts: a replay, or recorded
-    std::unique_ptr<Session> session_;            // none only where the program began with the gallery
-    std::unique_ptr<Gallery> gallery_;            // while it is up, over the session
-    std::optional<Demo> title_demo_;              // what the title shows; nothing: the level stands still
-    std::unique_ptr<Demo> recorded_;              // once what was recorded has ended before the program
+    std::unique_ptr<FirstWalk> first_walk_;  // until the title's Walk starts it
+    std::unique_ptr<Session> session_;       // none only where the program began with the gallery
+    std::unique_ptr<Gallery> gallery_;       // while it is up, over the session
+    std::optional<Demo> title_demo_;         // what the title shows; nothing: the level stands still
+    std::unique_ptr<Demo> recorded_;         // once what was recorded has ended before the program
     Menu menu_;
     MenuPages pages_;
     Stage stage_ = Stage::Walk;

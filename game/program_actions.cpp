@@ -1,4 +1,5 @@
 // What the menu's pages ask of the program and have it do.
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <utility>
@@ -13,6 +14,10 @@ namespace oblong {
 namespace {
 
 namespace fs = std::filesystem;
+
+void report(const std::string& fault) {
+    std::fprintf(stderr, "oblong: %s\n", fault.c_str());
+}
 
 std::string time_text(std::int64_t ticks) {
     const std::int64_t seconds = ticks / kTicksPerSecond;
@@ -45,6 +50,23 @@ SaveEntry entry_of(const SlotContent& content) {
     return entry;
 }
 
+// A level that cannot be read is not there.
+bool is_there(const std::string& level, const LevelPlaces& places) {
+    try {
+        return find_level(level, places).has_value();
+    } catch (const FileError& fault) {
+        report(fault.what());
+        return false;
+    }
+}
+
+// The museum where it is now, should the program have moved since.
+std::string level_file_of(const SavedGame& game) {
+    std::error_code ignored;
+    const bool is_museum = fs::path(game.level.name).filename() == "demo.bsp";
+    return is_museum && !fs::exists(game.level.name, ignored) ? "" : game.level.name;
+}
+
 }  // namespace
 
 LevelPlaces Program::places() const {
@@ -55,7 +77,9 @@ std::vector<LevelEntry> Program::levels() const {
     std::vector<LevelEntry> entries;
     const fs::path museum = fs::path(assets_folder_) / "demo.bsp";
     std::error_code ignored;
-    for (const ListedLevel& level : list_levels(places()).levels)
+    const LevelList list = list_levels(places());
+    for (const std::string& problem : list.problems) report(problem);
+    for (const ListedLevel& level : list.levels)
         if (level.file.empty())
             entries.push_back({level.name, "", "the museum"});
         else if (!fs::equivalent(level.file, museum, ignored))
@@ -75,7 +99,7 @@ EndFigures Program::end_figures() const {
     const GameState& state = session_->state();
     EndFigures figures{std::string(end_message(level, state)), time_text(state.tick), "", ""};
     const std::string next(next_map(level, state));
-    if (!next.empty() && find_level(next, places())) figures.next_level = next;
+    if (!next.empty() && is_there(next, places())) figures.next_level = next;
     const ItemCount lenses = count_items(level, state, ItemClass::Lens);
     if (lenses.all > 0) figures.lenses = std::to_string(lenses.taken) + " of " + std::to_string(lenses.all);
     return figures;
@@ -106,8 +130,8 @@ std::shared_ptr<const LoadedLevel> Program::loaded_as(const std::string& level) 
 }
 
 void Program::walk() {
-    if (first_input_)
-        return start(session_->shared_level(), *std::exchange(first_input_, std::nullopt),
+    if (const auto first = std::move(first_walk_))
+        return start(std::move(first->loaded), std::move(first->input),
                      options_.replay.empty() ? Stage::Walk : Stage::Replay);
     try_with_files("Walk", [&] { start_walk(loaded_as("")); });
 }
@@ -140,7 +164,7 @@ void Program::save_to(SaveSlot slot) {
     if (!can_save()) return session_->show("This game cannot be saved.");
     try_with_files("Save", [&] {
         write_save(slot);
-        if (slot != SaveSlot::Automatic) session_->show("Saved: " + name_of(slot));
+        if (slot != SaveSlot::LevelStart) session_->show("Saved: " + name_of(slot));
     });
 }
 
@@ -153,7 +177,7 @@ void Program::load_from(SaveSlot slot) {
         }
         const SavedGame& game = *content.game;
         const bool is_here = game.level.file_hash == session_->loaded().data.level_hash;
-        auto loaded = is_here ? session_->shared_level() : loaded_as(game.level.name);
+        auto loaded = is_here ? session_->shared_level() : loaded_as(level_file_of(game));
         naming_file(game.level.name, [&] { check_level(game, loaded->data.level_hash, loaded->level); });
         const GameState state = start_of(loaded->level);
         start(std::move(loaded), TickInputSource(state, std::nullopt, false), Stage::Walk);
@@ -174,14 +198,22 @@ std::string Program::save_on_leaving() {
     }
 }
 
-void Program::show_title() {
+void Program::leave_walk(const std::function<void()>& go) {
     const std::string fault = save_on_leaving();
-    try_with_files("Title", [&] { start_title(loaded_as("")); });
-    if (!fault.empty()) pages_.open_message("Not saved", fault);
+    if (fault.empty()) return go();
+    pages_.open_not_saved(fault, go);
+}
+
+void Program::show_title() {
+    leave_walk([this] { try_with_files("Title", [this] { start_title(loaded_as("")); }); });
+}
+
+void Program::leave() {
+    leave_walk([this] { has_left_ = true; });
 }
 
 void Program::keep_recorded() {
-    if (session_ && stage_ != Stage::Title && !options_.record.empty() && !recorded_)
+    if (session_ && session_->input().records() && !recorded_)
         recorded_ = std::make_unique<Demo>(session_->input().recorded());
 }
 

@@ -57,6 +57,7 @@ class TickInputSource {
 
     LookOffset look_offset(std::int32_t fraction_16) const;
     bool is_replaying() const { return replayed_ && next_ < replayed_->ticks.size(); }
+    bool records() const { return records_; }
     const Demo& recorded() const { return recorded_; }
 
   private:

@@ -207,6 +207,10 @@ void MenuPages::leave_walk(const std::string& question, std::function<void()> ac
         action();
 }
 
+void MenuPages::open_not_saved(const std::string& fault, std::function<void()> go) {
+    ask("Not saved", fault + "\n\nLeave this walk all the same?", "Yes", closing(std::move(go)));
+}
+
 void MenuPages::ask_to_leave() {
     ask("Leave", "Leave Oblong?", "Yes", [this] { host_.leave(); });
 }

@@ -18,6 +18,8 @@ class MenuPages {
     void open_restart();  ///< asks, if there is something to lose
     /// A text with nothing to choose but to go on.
     void open_message(std::string title, std::string text);
+    /// Says why a walk could not be saved, and asks whether to leave it all the same: then `go` is done.
+    void open_not_saved(const std::string& fault, std::function<void()> go);
 
   private:
     void open_options();

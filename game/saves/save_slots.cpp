@@ -40,12 +40,14 @@ std::string refusal_of(const std::string& file) {
 std::string name_of(SaveSlot slot) {
     if (slot == SaveSlot::Quick) return "Quick save";
     if (slot == SaveSlot::Automatic) return "Autosave";
+    if (slot == SaveSlot::LevelStart) return "Level start";
     return "Slot " + std::to_string(static_cast<int>(slot) - static_cast<int>(SaveSlot::FirstNumbered) + 1);
 }
 
 std::string SaveSlots::file_of(SaveSlot slot) const {
     std::string name = "quick.save";
     if (slot == SaveSlot::Automatic) name = "auto.save";
+    if (slot == SaveSlot::LevelStart) name = "start.save";
     if (slot >= SaveSlot::FirstNumbered)
         name =
             "slot" + std::to_string(static_cast<int>(slot) - static_cast<int>(SaveSlot::FirstNumbered) + 1) + ".save";

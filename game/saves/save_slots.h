@@ -9,16 +9,17 @@
 
 namespace oblong {
 
-/// A place for one saved game: the quick one, the automatic one, and kNumberedSlotCount that the player chooses.
-enum class SaveSlot : std::uint8_t { Quick, Automatic, FirstNumbered };
-inline constexpr int kNumberedSlotCount = 8, kSaveSlotCount = 2 + kNumberedSlotCount;
+/// A place for one saved game: the quick one, the walk that was left last, the start of the level, and
+/// kNumberedSlotCount that the player chooses.
+enum class SaveSlot : std::uint8_t { Quick, Automatic, LevelStart, FirstNumbered };
+inline constexpr int kNumberedSlotCount = 8, kSaveSlotCount = 3 + kNumberedSlotCount;
 
 /// The slot of a number from 1 to kNumberedSlotCount.
 constexpr SaveSlot numbered_slot(int number) {
     return static_cast<SaveSlot>(static_cast<int>(SaveSlot::FirstNumbered) + number - 1);
 }
 
-/// "Quick save", "Autosave", "Slot 1" and so on.
+/// "Quick save", "Autosave", "Level start", "Slot 1" and so on.
 std::string name_of(SaveSlot slot);
 
 /// What can be loaded from a slot.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 
 #include "engine/platform/files.h"
@@ -105,6 +106,31 @@ TEST_F(ProgramOfTheDemo, RestartingKeepsTheSettings) {
     EXPECT_LT(slots.load(SaveSlot::Automatic).game->state.tick, 45);
 }
 
+// The walk left last is what Continue goes on with: another start leaves it alone.
+TEST_F(ProgramOfTheDemo, AStartReplacesNoWalkThatWasLeft) {
+    play(120, keeping(), {});
+    const std::int64_t left = SaveSlots(path("data")).load(SaveSlot::Automatic).game->state.tick;
+    EXPECT_GT(left, 110);
+    PreferencesStore store(keeping().folders.config_file);
+    HeadlessPlatform platform(1, 35, {}, {});
+    const Program program(keeping(), load_program_files(keeping(), assets_), store, platform, nullptr);
+    EXPECT_EQ(SaveSlots(path("data")).load(SaveSlot::Automatic).game->state.tick, left);
+}
+
+// The folder of saves is a file here.
+TEST_F(ProgramOfTheDemo, AWalkThatCantBeSavedIsLeftOnlyAfterAQuestion) {
+    Options options = recording();
+    options.folders = {path("oblong.cfg"), path("no_folder/data")};
+    std::ofstream(path("no_folder")) << "a file";
+    const Controls leave = acting({MenuAction::Up, MenuAction::Accept});
+    Script script{{5, pressing(Command::Menu)},  // the message that the start was not saved
+                  {90, pressing(Command::Menu)},
+                  {91, leave}};
+    EXPECT_EQ(play(200, options, script), 200) << "it waits for an answer";
+    script[95] = acting({MenuAction::Down, MenuAction::Accept});
+    EXPECT_LT(play(200, options, script), 100);
+}
+
 TEST_F(ProgramOfTheDemo, RestartAsksOnceThereIsSomethingToLose) {
     play(120, keeping(), {{100, pressing(Command::Restart)}, {101, acting({MenuAction::Accept})}});  // "No"
     const SaveSlots slots(path("data"));
@@ -117,7 +143,7 @@ TEST_F(ProgramOfTheDemo, AStartStraightIntoALevelIsSavedAtOnce) {
     PreferencesStore store(options.folders.config_file);
     HeadlessPlatform platform(1, 35, {}, {});
     const Program program(options, load_program_files(options, assets_), store, platform, nullptr);
-    EXPECT_EQ(slots.load(SaveSlot::Automatic).game->state.tick, 0);
+    EXPECT_EQ(slots.load(SaveSlot::LevelStart).game->state.tick, 0);
 }
 
 TEST_F(ProgramOfTheDemo, QuickSaveAndLoadGoBackToTheTickSaved) {

@@ -38,7 +38,7 @@ class ProgramSaves : public WalkedLevel {
         ScriptedPlatform platform(polls, [&](std::int64_t poll) {
             if (poll == kAccept) return accept();
             if (poll < kAccept) return Controls{};
-            if (poll == kAccept + 1) start_ = saved(SaveSlot::Automatic);
+            if (poll == kAccept + 1) start_ = saved(SaveSlot::LevelStart);
             Controls controls = walk_controls(poll);
             live_.gather(controls);
             inputs_.push_back(live_.next());

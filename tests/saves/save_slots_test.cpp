@@ -27,14 +27,15 @@ class SlotFiles : public testing::Test {
 
 TEST_F(SlotFiles, AreEmptyWithoutAFolderAndMakeNone) {
     const std::vector<SlotContent> all = slots_.list();
-    ASSERT_EQ(all.size(), 10u);
+    ASSERT_EQ(all.size(), 11u);
     for (const SlotContent& content : all) {
         EXPECT_FALSE(content.game);
         EXPECT_EQ(content.refusal, "");
     }
     EXPECT_FALSE(fs::exists(folder_.path("made")));
-    EXPECT_EQ(name_of(all[0].slot) + name_of(all[1].slot) + name_of(all[2].slot) + name_of(all[9].slot),
-              "Quick saveAutosaveSlot 1Slot 8");
+    EXPECT_EQ(name_of(all[0].slot) + name_of(all[1].slot) + name_of(all[2].slot) + name_of(all[3].slot) +
+                  name_of(all[10].slot),
+              "Quick saveAutosaveLevel startSlot 1Slot 8");
 }
 
 TEST_F(SlotFiles, EachKeepsItsOwnGame) {
@@ -47,8 +48,8 @@ TEST_F(SlotFiles, EachKeepsItsOwnGame) {
         EXPECT_EQ(*content.game, after(i)) << i;
         EXPECT_FALSE(content.is_former) << i;
     }
-    EXPECT_EQ(slots_.load(numbered_slot(1)).game, after(2));
-    EXPECT_EQ(slots_.load(numbered_slot(8)).game, after(9));
+    EXPECT_EQ(slots_.load(numbered_slot(1)).game, after(3));
+    EXPECT_EQ(slots_.load(numbered_slot(8)).game, after(10));
 }
 
 TEST_F(SlotFiles, ADamagedGameIsNamedAndTheOneBeforeItIsOffered) {
