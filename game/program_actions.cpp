@@ -7,7 +7,7 @@
 #include "engine/platform/files.h"
 #include "game/level_search.h"
 #include "game/program.h"
-#include "game/saves/saved_game.h"
+#include "game/saves/saved_level.h"
 #include "game/simulation/items.h"
 
 namespace oblong {

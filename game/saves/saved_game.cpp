@@ -1,14 +1,12 @@
 #include "game/saves/saved_game.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <string_view>
 
 #include "engine/base/fnv.h"
 #include "engine/base/little_endian.h"
 #include "game/saves/state_bytes.h"
 #include "game/simulation/state_check.h"
-#include "tools/common/game_files.h"
 
 namespace oblong {
 namespace {
@@ -60,14 +58,6 @@ LittleEndianReader checked(std::span<const std::uint8_t> bytes) {
 }
 
 }  // namespace
-
-SavedLevel saved_level_of(const GameData& data, const GameLevel& level) {
-    namespace fs = std::filesystem;
-    std::error_code ignored;
-    const bool is_file = fs::exists(data.level_file, ignored) || path_in_pak(data.level_file);
-    const std::string name = is_file ? fs::absolute(data.level_file, ignored).string() : data.level_file;
-    return {name, data.level_hash, hash_of(start_of(level))};
-}
 
 std::vector<std::uint8_t> encode_save(const SavedGame& game) {
     std::vector<std::uint8_t> bytes(kMagic.begin(), kMagic.end());

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "game/load.h"
 #include "game/saves/thumbnail.h"
 #include "game/simulation/game_level.h"
 #include "game/simulation/state.h"
@@ -20,9 +19,6 @@ struct SavedLevel {
 
     bool operator==(const SavedLevel&) const = default;
 };
-
-/// `data.level_file` as a place that does not depend on the current folder, and the hashes.
-SavedLevel saved_level_of(const GameData& data, const GameLevel& level);
 
 /// A game that can be gone on with. Its time is state.tick.
 struct SavedGame {

@@ -55,7 +55,7 @@ StageOperations stage_of(std::string_view name, std::int64_t events, const Event
 /// the sides of the view that its parent's crosses, above the leaves its rectangle on the screen and the rows there;
 /// the leaves and faces below it. And half of the additions, since each camera is in another leaf: visible_set.cpp,
 /// which leaves can be seen from the eye's.
-constexpr EventCost kNode{28160, 1742, 68, 0, 10000, 8600};
+constexpr EventCost kNode{26000, 1742, 68, 0, 10000, 8600};
 /// math/basis.h, to_view(): three differences, nine products, three roundings.
 constexpr EventCost kRotation{1800, 900, 0, 0, 4800, 2400};
 /// geometry/frustum.h, outcode_of(): four products, five comparisons and what joins them.
@@ -120,10 +120,11 @@ constexpr EventCost kFlatPixel{100, 0, 0, 0, 0, 100};
 /// both layers put into one; a pixel of both layers that are not; the sky of a frame.
 constexpr EventCost kSkyDirection{4940, 1673}, kSkyTexels_8{1550, 109, 0, 0, 1600, 800},
     kSkyPixel{1845, 200, 0, 200, 200, 100}, kSkyFrame{0, 0, 1100};
-/// surface/lit_surface.cpp, build_cell_row(): texel and colormap looked up; a step of the shade; a threshold. And, of
-/// the 16 texels of a cell's row or fewer: the shades at its ends.
-constexpr EventCost kLitTexel{600, 20, 2, 200, 200, 100}, kNearestTexel{251, 9, 2, 200, 200, 100},
+/// surface/lit_surface.cpp, build_cell_row(): texel and colormap looked up; a step of the shade; a threshold. And of
+/// eight texels, which are a half of a cell's row or more: the shades at its ends.
+constexpr EventCost kLitTexel{600, 0, 0, 200, 200, 100}, kNearestTexel{251, 0, 0, 200, 200, 100},
     kDither{207, 6, 0, 100, 100, 0};
+constexpr EventCost kLitTexels_8{0, 169, 17}, kNearestTexels_8{0, 76, 17};
 
 StageOperations vertices_of(const StageCounts& stages, const Widths& widths) {
     // A position has 20.12 bits: products with axes of up to 32 bits are of 32.
@@ -230,6 +231,7 @@ StageOperations lit_texels_of(const StageCounts& stages, const Accuracy& accurac
     const bool interpolates = accuracy.light == LightSampling::Interpolated;
     StageOperations stage =
         stage_of("lit texels", stages.lit_texels, interpolates ? kLitTexel : kNearestTexel, Width::Bits32);
+    add(stages.lit_texels / 8, interpolates ? kLitTexels_8 : kNearestTexels_8, Width::Bits32, stage);
     if (accuracy.dithers_light) add(stages.lit_texels, kDither, Width::Bits32, stage);
     return stage;
 }
