@@ -119,8 +119,10 @@ void Program::run() {
 
 void Program::show_frame() {
     const Controls controls = platform_.poll();
+    const std::size_t depth = menu_.depth();
     take(controls);
     if (has_left_) return;
+    is_stale_ |= menu_.depth() != depth;  // a page may open by itself: at the end, without the focus
     follow_preferences();
     const WindowSize size = platform_.window_size();
     is_stale_ |= is_moving() || is_input(controls) || size != shown_size_;

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "engine/platform/files.h"
@@ -50,10 +51,12 @@ SaveEntry entry_of(const SlotContent& content) {
     return entry;
 }
 
-// A level that cannot be read is not there.
-bool is_there(const std::string& level, const LevelPlaces& places) {
+// Another level than the one that is played; one that cannot be read is not there.
+bool is_another(const std::string& level, const LevelPlaces& places) {
     try {
-        return find_level(level, places).has_value();
+        const std::optional<std::string> file = find_level(level, places);
+        std::error_code ignored;
+        return file && *file != places.beside && !fs::equivalent(*file, places.beside, ignored);
     } catch (const FileError& fault) {
         report(fault.what());
         return false;
@@ -99,7 +102,7 @@ EndFigures Program::end_figures() const {
     const GameState& state = session_->state();
     EndFigures figures{std::string(end_message(level, state)), time_text(state.tick), "", ""};
     const std::string next(next_map(level, state));
-    if (!next.empty() && is_there(next, places())) figures.next_level = next;
+    if (!next.empty() && is_another(next, places())) figures.next_level = next;
     const ItemCount lenses = count_items(level, state, ItemClass::Lens);
     if (lenses.all > 0) figures.lenses = std::to_string(lenses.taken) + " of " + std::to_string(lenses.all);
     return figures;

@@ -214,5 +214,14 @@ TEST_F(ProgramOfTheDemo, NothingIsDrawnWhileNothingChanges) {
     EXPECT_EQ(platform.captured, (std::vector<bool>{true, false, true}));
 }
 
+TEST_F(ProgramOfTheDemo, APageThatOpensByItselfIsDrawn) {
+    Controls unfocused;
+    unfocused.has_focus = false;
+    CountingPlatform platform({{20, unfocused}});
+    play_on(platform, Options{});
+    ASSERT_FALSE(platform.shown.empty());
+    EXPECT_EQ(platform.shown.back(), 21) << "paused, and nothing after it";
+}
+
 }  // namespace
 }  // namespace oblong
