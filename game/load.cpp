@@ -42,7 +42,7 @@ void remove_left_out(const Level& level, LevelModels& models) {
 GameData load_game(const std::string& level_file, const std::string& palette_file, const std::string& assets_folder,
                    const std::string& models_folder, const std::vector<std::string>& game_folders) {
     GameData data;
-    data.level_file = level_file.empty() ? (fs::path(assets_folder) / "demo.bsp").string() : level_file;
+    data.level_file = level_file.empty() ? (fs::path(assets_folder) / kDemoLevelFile).string() : level_file;
     const GameFiles game = game_files_of(data.level_file, game_folders);
     data.level = read_parsed_game_file(data.level_file, [&](std::span<const std::uint8_t> bytes) {
         data.level_hash = fnv1a_of(bytes);

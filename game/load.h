@@ -12,6 +12,9 @@
 
 namespace oblong {
 
+/// The demo level, in the assets' folder.
+inline constexpr const char* kDemoLevelFile = "demo.bsp";
+
 /// The files that a game needs, loaded.
 struct GameData {
     std::string level_file;

@@ -143,7 +143,7 @@ int run_with_options(int argument_count, const char* const* arguments,
         interpret(texts, options);
         options.folders = folders_of(texts, options, arguments[0]);
         PreferencesStore store(options.folders.config_file);
-        for (const std::string& fault : store.faults()) std::fprintf(stderr, "oblong: %s\n", fault.c_str());
+        for (const std::string& fault : store.faults()) print_fault("oblong", fault);
         options.preferences = store.kept();
         change_by_command_line(texts, options.preferences);
         store.begin_with(options.preferences);

@@ -1,7 +1,6 @@
 #include "game/program.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "engine/platform/files.h"
 #include "game/level_search.h"
 #include "game/screenshot.h"
+#include "tools/common/arguments.h"
 
 namespace oblong {
 namespace {
@@ -59,11 +59,6 @@ std::optional<Sound> sound_of(MenuEvent event) {
     return {};
 }
 
-// The game goes on without a file of options.
-void report(const std::string& fault) {
-    if (!fault.empty()) std::fprintf(stderr, "oblong: %s\n", fault.c_str());
-}
-
 }  // namespace
 
 LevelFiles level_files_of(const Options& options, const std::string& assets_folder) {
@@ -111,8 +106,8 @@ void Program::run() {
     naming_file(options_.replay, [&] {
         while (platform_.is_open() && !has_left_) show_frame();
     });
-    report(save_on_leaving());
-    report(store_.save(view_options_.preferences));
+    print_fault("oblong", save_on_leaving());
+    print_fault("oblong", store_.save(view_options_.preferences));
     keep_recorded();
     if (recorded_) write_file(options_.record, encode_demo(*recorded_));
 }
@@ -163,7 +158,7 @@ void Program::take_in_menu(const Controls& controls) {
     wants_screenshot_ |= has(controls, Command::Screenshot) && !menu_.page().press;
     const MenuEvent event = menu_.handle(controls, canvas, now.text_scale, shown_rect(now, platform_.window_size()));
     if (const auto sound = sound_of(event)) sound_.play(*sound);
-    if (menu_.depth() < depth) report(store_.save(now));
+    if (menu_.depth() < depth) print_fault("oblong", store_.save(now));
     if (stage_ == Stage::Title && !gallery_)
         play_title();
     else
@@ -204,7 +199,7 @@ void Program::open_what_is_due() {
 void Program::follow_preferences() {
     platform_.change_window(window_settings_of(view_options_.preferences));
     platform_.use_bindings(view_options_.preferences.bindings);
-    report(store_.save_when_settled(view_options_.preferences, platform_.now_us()));
+    print_fault("oblong", store_.save_when_settled(view_options_.preferences, platform_.now_us()));
     follow_sound();
 }
 
@@ -271,39 +266,6 @@ void Program::start_walk(std::shared_ptr<const LoadedLevel> loaded) {
     const GameState state = start_of(loaded->level);
     start(std::move(loaded), TickInputSource(state, std::nullopt, false), Stage::Walk);
     if (can_save()) save_to(SaveSlot::LevelStart);
-}
-
-void Program::start_title(std::shared_ptr<const LoadedLevel> loaded) {
-    const fs::path file = fs::path(assets_folder_) / "walk.demo";
-    title_demo_.reset();
-    if (fs::exists(file)) title_demo_ = read_parsed(file.string(), decode_demo);
-    title_options_.preferences = view_options_.preferences;
-    TickInputSource input = title_input(loaded->level);
-    start(std::move(loaded), std::move(input), Stage::Title);
-    can_continue_ = has_saves() && slots_.load(SaveSlot::Automatic).game.has_value();
-    pages_.open_title();
-}
-
-// A demo of another level than the one that is there is left out.
-TickInputSource Program::title_input(const GameLevel& level) {
-    const GameState state = start_of(level);
-    if (title_demo_ && title_demo_->start_hash != hash_of(state)) title_demo_.reset();
-    return TickInputSource(state, title_demo_, false);
-}
-
-// The demo again when it has ended, or leads elsewhere than when it was recorded.
-void Program::play_title() {
-    const std::uint64_t now_us = platform_.now_us();
-    if (!session_->input().is_replaying()) {
-        if (title_demo_) start(session_->shared_level(), title_input(session_->loaded().level), Stage::Title);
-        return session_->pause(now_us);
-    }
-    try {
-        session_->advance({}, now_us);
-    } catch (const InputError&) {
-        title_demo_.reset();
-        start(session_->shared_level(), title_input(session_->loaded().level), Stage::Title);
-    }
 }
 
 }  // namespace oblong

@@ -1,5 +1,4 @@
 // What the menu's pages ask of the program and have it do.
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <optional>
@@ -10,15 +9,12 @@
 #include "game/program.h"
 #include "game/saves/saved_level.h"
 #include "game/simulation/items.h"
+#include "tools/common/arguments.h"
 
 namespace oblong {
 namespace {
 
 namespace fs = std::filesystem;
-
-void report(const std::string& fault) {
-    std::fprintf(stderr, "oblong: %s\n", fault.c_str());
-}
 
 std::string time_text(std::int64_t ticks) {
     const std::int64_t seconds = ticks / kTicksPerSecond;
@@ -58,7 +54,7 @@ bool is_another(const std::string& level, const LevelPlaces& places) {
         std::error_code ignored;
         return file && *file != places.beside && !fs::equivalent(*file, places.beside, ignored);
     } catch (const FileError& fault) {
-        report(fault.what());
+        print_fault("oblong", fault.what());
         return false;
     }
 }
@@ -66,7 +62,7 @@ bool is_another(const std::string& level, const LevelPlaces& places) {
 // The museum where it is now, should the program have moved since.
 std::string level_file_of(const SavedGame& game) {
     std::error_code ignored;
-    const bool is_museum = fs::path(game.level.name).filename() == "demo.bsp";
+    const bool is_museum = fs::path(game.level.name).filename() == kDemoLevelFile;
     return is_museum && !fs::exists(game.level.name, ignored) ? "" : game.level.name;
 }
 
@@ -78,10 +74,10 @@ LevelPlaces Program::places() const {
 
 std::vector<LevelEntry> Program::levels() const {
     std::vector<LevelEntry> entries;
-    const fs::path museum = fs::path(assets_folder_) / "demo.bsp";
+    const fs::path museum = fs::path(assets_folder_) / kDemoLevelFile;
     std::error_code ignored;
     const LevelList list = list_levels(places());
-    for (const std::string& problem : list.problems) report(problem);
+    for (const std::string& problem : list.problems) print_fault("oblong", problem);
     for (const ListedLevel& level : list.levels)
         if (level.file.empty())
             entries.push_back({level.name, "", "the museum"});

@@ -2,10 +2,10 @@
 
 #include <exception>
 #include <filesystem>
-#include <iostream>
 #include <utility>
 
 #include "engine/platform/files.h"
+#include "tools/common/arguments.h"
 
 namespace oblong {
 namespace {
@@ -52,7 +52,7 @@ void GameSound::open_device() {
         output_ = open_();
         player_ = std::make_unique<SoundPlayer>(*output_, in_folder(assets_folder_, "sounds"));
     } catch (const std::exception& error) {
-        std::cerr << "oblong: " << error.what() << '\n';
+        print_fault("oblong", error.what());
         player_.reset();
         output_.reset();
         open_ = nullptr;
@@ -121,7 +121,7 @@ void GameSound::start_music() {
             return true;
         });
     } catch (const FileError& error) {
-        std::cerr << "oblong: " << error.what() << '\n';
+        print_fault("oblong", error.what());
     }
 }
 

@@ -155,6 +155,10 @@ int run_program(const std::string& name, const std::function<void()>& body) {
     }
 }
 
+void print_fault(const std::string& program, const std::string& fault) {
+    if (!fault.empty()) std::fprintf(stderr, "%s: %s\n", program.c_str(), fault.c_str());
+}
+
 void print_warnings(const std::string& program, const std::string& level_file,
                     const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings)

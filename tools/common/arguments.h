@@ -51,6 +51,9 @@ std::string message_of(const std::exception& error);
 /// codes: 0 success; 1 a failure, `PROGRAM: FILE: WHERE: what is wrong` on standard error; 2 wrong usage.
 int run_program(const std::string& name, const std::function<void()>& body);
 
+/// Prints a fault that the program goes on after on standard error, `PROGRAM: FAULT`; nothing for an empty one.
+void print_fault(const std::string& program, const std::string& fault);
+
 /// Prints warnings about a level on standard error, a line each.
 void print_warnings(const std::string& program, const std::string& level_file,
                     const std::vector<std::string>& warnings);

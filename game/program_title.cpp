@@ -1,0 +1,45 @@
+// What the title shows behind its menu: the recorded walk through the demo level, again and again.
+#include <filesystem>
+#include <utility>
+
+#include "engine/platform/files.h"
+#include "game/program.h"
+
+namespace oblong {
+
+namespace fs = std::filesystem;
+
+void Program::start_title(std::shared_ptr<const LoadedLevel> loaded) {
+    const fs::path file = fs::path(assets_folder_) / "walk.demo";
+    title_demo_.reset();
+    if (fs::exists(file)) title_demo_ = read_parsed(file.string(), decode_demo);
+    title_options_.preferences = view_options_.preferences;
+    TickInputSource input = title_input(loaded->level);
+    start(std::move(loaded), std::move(input), Stage::Title);
+    can_continue_ = has_saves() && slots_.load(SaveSlot::Automatic).game.has_value();
+    pages_.open_title();
+}
+
+// A demo of another level than the one that is there is left out.
+TickInputSource Program::title_input(const GameLevel& level) {
+    const GameState state = start_of(level);
+    if (title_demo_ && title_demo_->start_hash != hash_of(state)) title_demo_.reset();
+    return TickInputSource(state, title_demo_, false);
+}
+
+// The demo again when it has ended, or leads elsewhere than when it was recorded.
+void Program::play_title() {
+    const std::uint64_t now_us = platform_.now_us();
+    if (!session_->input().is_replaying()) {
+        if (title_demo_) start(session_->shared_level(), title_input(session_->loaded().level), Stage::Title);
+        return session_->pause(now_us);
+    }
+    try {
+        session_->advance({}, now_us);
+    } catch (const InputError&) {
+        title_demo_.reset();
+        start(session_->shared_level(), title_input(session_->loaded().level), Stage::Title);
+    }
+}
+
+}  // namespace oblong
