@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/accuracy/presets.h"
+#include "tests/support/folders.h"
 #include "tools/common/arguments.h"
 
 namespace oblong::test {
@@ -35,7 +36,7 @@ TEST(Dials, NamesDiffer) {
         EXPECT_TRUE(names.insert(dial.name).second) << dial.name;
         EXPECT_EQ(dial_named(dial.name), &dial);
         EXPECT_LE(dial.caption.size(), 20u) << dial.name;
-        EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(OBLONG_SOURCE_DIR) / dial.read_in)) << dial.name;
+        EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(test::source_folder()) / dial.read_in)) << dial.name;
         std::set<std::string_view> settings;
         for (const DialSetting& setting : dial.settings) EXPECT_TRUE(settings.insert(setting.name).second) << dial.name;
     }

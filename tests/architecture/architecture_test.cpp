@@ -6,13 +6,14 @@
 #include <iterator>
 
 #include "tests/architecture/include_check.h"
+#include "tests/support/folders.h"
 
 namespace oblong::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = OBLONG_SOURCE_DIR;
+const fs::path kRoot = test::source_folder();
 
 std::string read_text(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);

@@ -2,6 +2,7 @@
 
 #include "tests/bad_input/run_program.h"
 #include "tests/support/bsp_fault.h"
+#include "tests/support/folders.h"
 
 // Whole levels with a part gone or moved, through the program. What the reader takes, the renderer must draw:
 // tests/level tries far more damage on the reader alone.
@@ -19,7 +20,7 @@ void PrintTo(const LevelCase& level, std::ostream* out) {
 }
 
 std::vector<LevelCase> level_cases() {
-    std::vector<LevelCase> cases{{"demo", OBLONG_BUILD_DIR "/assets/demo.bsp"}};
+    std::vector<LevelCase> cases{{"demo", test::build_folder() + "/assets/demo.bsp"}};
     for (const std::string name : kRealLevels) cases.push_back({name, name + ".bsp"});
     return cases;
 }

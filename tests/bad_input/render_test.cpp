@@ -1,4 +1,5 @@
 #include "tests/bad_input/run_program.h"
+#include "tests/support/folders.h"
 
 // oblong-render against files and arguments that it must refuse: each names the file and what is wrong with it.
 namespace oblong::test {
@@ -6,7 +7,7 @@ namespace {
 
 const std::string kProgram = "oblong-render";
 const std::string kCameras = "x,y,z,yaw,pitch\n0,-368,54,90,0\n";
-const std::string kLevel = OBLONG_BUILD_DIR "/assets/demo.bsp";
+const std::string kLevel = test::build_folder() + "/assets/demo.bsp";
 
 class BadRender : public testing::Test {
   protected:
@@ -233,7 +234,7 @@ TEST(Programs, StandardOutputThatIsFullIsAFailure) {
 
 TEST(Programs, HelpAndVersionExitWith0) {
     int count = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(OBLONG_BUILD_DIR "/bin")) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::build_folder() + "/bin")) {
         const std::string name = entry.path().filename().string();
         if (!name.starts_with("oblong")) continue;
         ++count;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/bsp_writer.h"
+#include "tests/support/folders.h"
 #include "tests/support/shared_levels.h"
 #include "tests/support/temporary_folder.h"
 
@@ -21,7 +22,7 @@ struct Outcome {
 /// Runs build/bin/WORDS[0] with the other words as its arguments; its standard output goes to `output`.
 inline Outcome run_program(const std::vector<std::string>& words, const std::string& output = "/dev/null") {
     const TemporaryFolder folder;
-    std::string line = "'" OBLONG_BUILD_DIR "/bin/" + words[0] + "'";
+    std::string line = "'" + test::build_folder() + "/bin/" + words[0] + "'";
     for (std::size_t i = 1; i < words.size(); ++i) line += " '" + words[i] + "'";
     line += " </dev/null >'" + output + "' 2>'" + folder.path("error") + "'";
     const int status = std::system(line.c_str());

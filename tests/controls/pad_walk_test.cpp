@@ -7,6 +7,7 @@
 #include "game/simulation/step.h"
 #include "game/tick_input_source.h"
 #include "tests/controls/pad_pilot.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -18,9 +19,9 @@ TEST(PadWalk, TheWholeWalkOfTheDemoLevelIsPlayedByAGamepadAlone) {
     ASSERT_EQ(SDL_Init(SDL_INIT_VIDEO), 0) << SDL_GetError();
     SDL_Window* window = SDL_CreateWindow("test", 0, 0, 640, 480, 0);
     {
-        const Level level = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+        const Level level = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
         const GameLevel game_level = make_game_level(level);
-        const Demo walk = decode_demo(read_file(OBLONG_BUILD_DIR "/assets/walk.demo"));
+        const Demo walk = decode_demo(read_file(test::build_folder() + "/assets/walk.demo"));
         SdlInput input(window);
         test::VirtualPad pad;
         test::PadPilot pilot(pad);

@@ -11,6 +11,7 @@
 #include "engine/level/trace.h"
 #include "engine/platform/files.h"
 #include "game/simulation/game_level.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -36,7 +37,7 @@ class DemoLevel : public testing::Test {
         return corners;
     }
 
-    const Level level_ = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    const Level level_ = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
 };
 
 TEST_F(DemoLevel, HasABeginningAnEndAndWhatMoves) {
@@ -106,7 +107,7 @@ TEST_F(DemoLevel, ItsFogLiesBelowAllRoomsButTheGarden) {
 }
 
 TEST_F(DemoLevel, EveryCameraOfTheListStandsInTheOpen) {
-    std::ifstream cameras(OBLONG_SOURCE_DIR "/assets/demo_cameras.csv");
+    std::ifstream cameras(test::source_folder() + "/assets/demo_cameras.csv");
     std::string line;
     std::getline(cameras, line);
     EXPECT_EQ(line, "x,y,z,yaw,pitch");

@@ -10,6 +10,7 @@
 #include "game/route.h"
 #include "game/simulation/items.h"
 #include "game/simulation/step.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -29,13 +30,13 @@ class RecordedWalk : public testing::Test {
         }
     }
 
-    const Level level_ = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    const Level level_ = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
     const GameLevel game_level_ = make_game_level(level_);
-    const Demo demo_ = decode_demo(read_file(OBLONG_BUILD_DIR "/assets/walk.demo"));
+    const Demo demo_ = decode_demo(read_file(test::build_folder() + "/assets/walk.demo"));
 };
 
 TEST_F(RecordedWalk, IsTheWalkOfTheRouteOnThisLevel) {
-    const auto route = parse_route(read_file(OBLONG_SOURCE_DIR "/assets/walk.csv"));
+    const auto route = parse_route(read_file(test::source_folder() + "/assets/walk.csv"));
     EXPECT_EQ(walk_route(game_level_, route), demo_);
 }
 
@@ -78,7 +79,7 @@ TEST_F(RecordedWalk, TurnsAtAPacePleasantToWatch) {
 
 /// Lines of 320 pixels have room for 53 letters of 6.
 TEST(DemoCaptions, AreOfOneOrTwoLinesThatFitThePicture) {
-    const Level level = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    const Level level = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
     std::size_t count = 0;
     for (const Entity& entity : level.entities) {
         std::string message = entity.value("message");
@@ -137,7 +138,7 @@ TEST(Route, NamesTheLineThatIsWrong) {
 }
 
 TEST(Route, SaysWhereTheVisitorIsStuck) {
-    const Level level = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    const Level level = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
     const auto route = route_of("x,y,z,speed,wait,yaw,pitch,jump\n0,-300,,,,,,\n140,-160,,,,,,\n400,-160,,,,,,\n");
     try {
         walk_route(make_game_level(level), route);

@@ -7,6 +7,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
 #include "engine/platform/files.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -82,7 +83,7 @@ class DemoSigns : public testing::TestWithParam<FirstSight> {
         return true;
     }
 
-    const Level level_ = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    const Level level_ = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
 };
 
 /// Letters are seven dots high: three quarters of a pixel a dot make them five pixels high, and still readable.

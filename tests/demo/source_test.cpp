@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "engine/platform/files.h"
+#include "tests/support/folders.h"
 #include "tools/common/obj.h"
 #include "tools/common/png.h"
 #include "tools/demo_level/art/textures.h"
@@ -17,7 +18,7 @@
 namespace oblong {
 namespace {
 
-const std::filesystem::path kTextures = std::filesystem::path(OBLONG_SOURCE_DIR) / "assets" / "textures";
+const std::filesystem::path kTextures = std::filesystem::path(test::source_folder()) / "assets" / "textures";
 
 std::string museum_text() {
     std::ostringstream text;

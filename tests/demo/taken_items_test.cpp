@@ -4,13 +4,14 @@
 
 #include "game/game_renderer.h"
 #include "game/load.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
 
 /// In the dust room the lens is the only model.
 TEST(TakenItems, AreNoPartOfThePictureOrOfItsCost) {
-    const GameData data = load_game("", "", OBLONG_BUILD_DIR "/assets");
+    const GameData data = load_game("", "", test::build_folder() + "/assets");
     const GameLevel level = make_game_level(data.level);
     GameRenderer renderer(data, level, ScreenMode{});
     GameState state = start_of(level);

@@ -5,6 +5,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
 #include "game/simulation/step.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -69,7 +70,7 @@ class DemoWalk : public testing::Test {
         }
     }
 
-    const Level level_ = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    const Level level_ = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
     Visitor visitor_{level_};
 };
 

@@ -9,6 +9,7 @@
 #include "engine/platform/files.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/step.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -108,7 +109,7 @@ class Explorer {
 /// The state of the recorded walk in which all lenses are found and the tower is open.
 GameState open_tower(const GameLevel& level) {
     GameState state = start_of(level);
-    for (const DemoTick& tick : decode_demo(read_file(OBLONG_BUILD_DIR "/assets/walk.demo")).ticks) {
+    for (const DemoTick& tick : decode_demo(read_file(test::build_folder() + "/assets/walk.demo")).ticks) {
         const bool found_all = std::none_of(state.items.begin(), state.items.end(),
                                             [](ItemState item) { return item == ItemState::There; });
         const bool is_in_corridor =
@@ -131,7 +132,7 @@ struct Known {
 };
 
 TEST(DemoWaysOut, LeadFromEveryPlaceThatCanBeReached) {
-    const Level bsp = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    const Level bsp = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
     const GameLevel level = make_game_level(bsp);
     const Explorer explorer(level, open_tower(level));
     const Cell courtyard = cell_of(world_vector(512, 1420, 24));

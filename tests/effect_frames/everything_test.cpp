@@ -4,6 +4,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/platform/worker_threads.h"
 #include "tests/effect_frames/effect_stage.h"
+#include "tests/support/folders.h"
 #include "tests/support/shared_levels.h"
 #include "tools/gallery/mesh_shapes.h"
 
@@ -29,9 +30,9 @@ std::vector<PlacedMesh> ball_at(const Vec3<World>& position) {
 }
 
 EffectStage everything(const Camera& camera) {
-    const std::filesystem::path assets = std::filesystem::path(OBLONG_BUILD_DIR) / "assets";
+    const std::filesystem::path assets = std::filesystem::path(test::build_folder()) / "assets";
     const std::string source =
-        text_of(std::filesystem::path(OBLONG_SOURCE_DIR) / "tools" / "effect_costs" / "all_effects.map");
+        text_of(std::filesystem::path(test::source_folder()) / "tools" / "effect_costs" / "all_effects.map");
     const std::vector<map::Wad> wads{map::Wad(text_of(assets / "demo.wad"))};
     const std::string bytes = map::to_bytes(map::compile_map(map::parse_map(source), wads, {true}));
     return {read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}), camera,

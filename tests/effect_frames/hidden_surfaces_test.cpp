@@ -11,6 +11,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
 #include "tests/effect_frames/effect_stage.h"
+#include "tests/support/folders.h"
 #include "tests/support/shared_levels.h"
 #include "tools/render/camera_list.h"
 
@@ -225,14 +226,14 @@ class DemoFrames : public testing::Test {
     DemoFrames() : stage(read_bsp(read_file_bytes(assets / "demo.bsp")), {}) {}
 
     std::vector<Camera> cameras(std::size_t every) const {
-        const auto list = read_file_bytes(std::filesystem::path(OBLONG_SOURCE_DIR) / "assets" / "demo_cameras.csv");
+        const auto list = read_file_bytes(std::filesystem::path(test::source_folder()) / "assets" / "demo_cameras.csv");
         const std::vector<Camera> all = parse_cameras(list, Degrees::from_int(90));
         std::vector<Camera> chosen;
         for (std::size_t i = 0; i < all.size(); i += every) chosen.push_back(all[i]);
         return chosen;
     }
 
-    const std::filesystem::path assets = std::filesystem::path(OBLONG_BUILD_DIR) / "assets";
+    const std::filesystem::path assets = std::filesystem::path(test::build_folder()) / "assets";
     EffectStage stage;
 };
 

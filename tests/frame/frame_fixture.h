@@ -11,6 +11,7 @@
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
 #include "engine/scene/placed_models.h"
+#include "tests/support/folders.h"
 #include "tests/support/shared_levels.h"
 
 namespace oblong::test {
@@ -44,7 +45,7 @@ inline Stage real_stage(const std::string& name, ScreenMode mode = {}) {
 }
 
 inline Stage demo_stage(ScreenMode mode = {}) {
-    const std::filesystem::path assets = std::filesystem::path(OBLONG_BUILD_DIR) / "assets";
+    const std::filesystem::path assets = std::filesystem::path(test::build_folder()) / "assets";
     return Stage(assets / "demo.bsp", assets / "palette.lmp", mode);
 }
 

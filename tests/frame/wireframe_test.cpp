@@ -9,6 +9,7 @@
 
 #include "engine/geometry/views.h"
 #include "tests/frame/frame_fixture.h"
+#include "tests/support/folders.h"
 
 namespace oblong::test {
 namespace {
@@ -36,7 +37,7 @@ Seen seen_from(const Camera& camera, const Vec3<World>& point, const ScreenMode&
 class WireframeOfTheDemo : public testing::Test {
   protected:
     void SetUp() override {
-        if (!std::filesystem::exists(std::filesystem::path(OBLONG_BUILD_DIR) / "assets" / "demo.bsp"))
+        if (!std::filesystem::exists(std::filesystem::path(test::build_folder()) / "assets" / "demo.bsp"))
             GTEST_SKIP() << "the demo level is not built";
     }
 };

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "engine/level/bsp_read.h"
+#include "tests/support/folders.h"
 #include "tests/support/shared_levels.h"
 #include "tools/gallery/row.h"
 
@@ -16,7 +17,7 @@ namespace oblong::test {
 class GalleryTest : public testing::Test {
   protected:
     static void SetUpTestSuite() {
-        const std::filesystem::path assets = std::filesystem::path(OBLONG_BUILD_DIR) / "assets";
+        const std::filesystem::path assets = std::filesystem::path(test::build_folder()) / "assets";
         if (!std::filesystem::exists(assets / "demo.bsp")) return;
         level_ = std::make_unique<Level>(read_bsp(read_file_bytes(assets / "demo.bsp")));
         colormap_ = std::make_unique<Colormap>(make_colormap(read_palette(read_file_bytes(assets / "palette.lmp"))));

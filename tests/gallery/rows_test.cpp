@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/gallery/gallery_fixture.h"
+#include "tests/support/folders.h"
 
 namespace oblong::test {
 namespace {
@@ -37,7 +38,7 @@ TEST(GalleryTable, RowsNameTheirSeedAndFilesThatExist) {
         ASSERT_FALSE(row.seeds.empty()) << row.id;
         EXPECT_TRUE(row.seeds.front() >= '1' && row.seeds.front() <= '5') << row.id << ": " << row.seeds;
         for (const std::string_view file : {row.source, row.test})
-            EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::path(OBLONG_SOURCE_DIR) / file))
+            EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::path(test::source_folder()) / file))
                 << row.id << ": " << file;
     }
 }

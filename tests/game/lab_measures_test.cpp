@@ -6,6 +6,7 @@
 
 #include "game/load.h"
 #include "game/recent_times.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -45,7 +46,7 @@ class Clock final : public Platform {
 class LabMeasure : public testing::Test {
   protected:
     void SetUp() override {
-        const std::string assets = std::string(OBLONG_BUILD_DIR) + "/assets";
+        const std::string assets = test::build_folder() + "/assets";
         if (!std::filesystem::exists(assets + "/demo.bsp")) GTEST_SKIP() << "the demo level is not built";
         data_ = load_game("", "", assets);
         level_ = make_game_level(data_.level);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/folders.h"
 #include "tests/support/shared_levels.h"
 
 namespace oblong {
@@ -18,16 +19,15 @@ class Program : public testing::Test {
   protected:
     void SetUp() override {
         fs::create_directories(folder_);
-        if (!fs::exists(fs::path(OBLONG_BUILD_DIR) / "assets" / "demo.bsp"))
+        if (!fs::exists(fs::path(test::build_folder()) / "assets" / "demo.bsp"))
             GTEST_SKIP() << "the demo level is not built";
     }
     void TearDown() override { fs::remove_all(folder_); }
 
     int run(const std::string& arguments) const {
         const std::string command = "cd '" + folder_.string() +
-                                    "' && XDG_CONFIG_HOME=\"$PWD\" XDG_DATA_HOME=\"$PWD\" '" OBLONG_BUILD_DIR
-                                    "/bin/oblong' " +
-                                    arguments + " > out.txt 2> err.txt";
+                                    "' && XDG_CONFIG_HOME=\"$PWD\" XDG_DATA_HOME=\"$PWD\" '" + test::build_folder() +
+                                    "/bin/oblong' " + arguments + " > out.txt 2> err.txt";
         const int status = std::system(command.c_str());
         return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
@@ -37,7 +37,7 @@ class Program : public testing::Test {
     }
 
     const fs::path folder_ =
-        fs::path(OBLONG_BUILD_DIR) / "program_test" / testing::UnitTest::GetInstance()->current_test_info()->name();
+        fs::path(test::build_folder()) / "program_test" / testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(Program, HeadlessWritesAPictureATick) {

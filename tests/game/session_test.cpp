@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "engine/platform/headless/headless.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -19,7 +20,7 @@ constexpr std::int64_t kFrames = 40;
 class SessionOfTheDemo : public testing::Test {
   protected:
     void SetUp() override {
-        const std::string assets = std::string(OBLONG_BUILD_DIR) + "/assets";
+        const std::string assets = test::build_folder() + "/assets";
         if (!std::filesystem::exists(assets + "/demo.bsp")) GTEST_SKIP() << "the demo level is not built";
         loaded_ = std::make_shared<const LoadedLevel>(LevelFiles{"", "", assets, ""});
     }

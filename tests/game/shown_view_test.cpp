@@ -6,13 +6,14 @@
 #include <filesystem>
 
 #include "engine/level/bsp_read.h"
+#include "tests/support/folders.h"
 #include "tests/support/shared_levels.h"
 
 namespace oblong {
 namespace {
 
 Level demo_level() {
-    return read_bsp(test::read_file_bytes(std::filesystem::path(OBLONG_BUILD_DIR) / "assets" / "demo.bsp"));
+    return read_bsp(test::read_file_bytes(std::filesystem::path(test::build_folder()) / "assets" / "demo.bsp"));
 }
 
 /// Before the sphere of the second room, 300 units from its middle.

@@ -8,6 +8,7 @@
 
 #include "engine/platform/files.h"
 #include "tests/map/map_source.h"
+#include "tests/support/folders.h"
 
 namespace oblong::test {
 namespace {
@@ -33,8 +34,8 @@ class Program : public testing::Test {
 
     // The exit code; what is said on standard error goes to `said_`.
     int run(const std::string& arguments) {
-        const std::string command =
-            "'" OBLONG_BUILD_DIR "/bin/oblong-map' " + arguments + " >" + path("out.txt") + " 2>" + path("said.txt");
+        const std::string command = "'" + test::build_folder() + "/bin/oblong-map' " + arguments + " >" +
+                                    path("out.txt") + " 2>" + path("said.txt");
         const int status = std::system(command.c_str());
         said_ = read_text(path("said.txt"));
         return WEXITSTATUS(status);

@@ -10,6 +10,7 @@
 #include "tests/map/brush_world.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
+#include "tests/support/folders.h"
 
 namespace oblong::test {
 namespace {
@@ -117,7 +118,7 @@ TEST(Sight, LinesThatMeetNoBrushAreInTheSets) {
 }
 
 TEST(Sight, LinesOfTheDemoLevelAreInTheSets) {
-    const std::string assets = OBLONG_BUILD_DIR "/assets/";
+    const std::string assets = test::build_folder() + "/assets/";
     const Witness witness = Sight(read_text(assets + "demo.map"), read_text(assets + "demo.bsp")).test(400000, 9);
     EXPECT_GT(witness.seen, 5000);
     EXPECT_EQ(witness.denied, 0) << "of " << witness.seen;

@@ -8,6 +8,7 @@
 
 #include "engine/visibility/eye.h"
 #include "tests/frame/holes.h"
+#include "tests/support/folders.h"
 #include "tools/measure/texel_error.h"
 
 namespace oblong::test {
@@ -85,7 +86,7 @@ void expect_within_the_bound(MeasuredStage measured, int frames) {
 }
 
 TEST(Bound, HoldsNextToWallsOfTheDemoLevel) {
-    const std::filesystem::path bsp = std::filesystem::path(OBLONG_BUILD_DIR) / "assets" / "demo.bsp";
+    const std::filesystem::path bsp = std::filesystem::path(test::build_folder()) / "assets" / "demo.bsp";
     expect_within_the_bound({demo_stage(), reference::read_level(read_file_bytes(bsp))}, 100);
 }
 

@@ -8,6 +8,7 @@
 
 #include "engine/platform/files.h"
 #include "engine/platform/headless/headless.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -76,9 +77,9 @@ class ProgramOfTheDemo : public testing::Test {
     std::string path(const char* name) const { return (folder_ / name).string(); }
 
     std::size_t polls_ = 0;  // of the last play(): a paused game is not drawn at each
-    const std::string assets_ = std::string(OBLONG_BUILD_DIR) + "/assets";
+    const std::string assets_ = test::build_folder() + "/assets";
     const fs::path folder_ =
-        fs::path(OBLONG_BUILD_DIR) / "menu_test" / testing::UnitTest::GetInstance()->current_test_info()->name();
+        fs::path(test::build_folder()) / "menu_test" / testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(ProgramOfTheDemo, NothingIsSimulatedWhileTheMenuIsOpen) {

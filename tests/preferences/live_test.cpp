@@ -8,6 +8,7 @@
 #include "engine/platform/headless/headless.h"
 #include "game/session.h"
 #include "tests/preferences/named.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -27,7 +28,7 @@ constexpr std::int64_t kFrames = 24, kChanged = 8;
 class LivePreferences : public testing::Test {
   protected:
     void SetUp() override {
-        const std::string assets = std::string(OBLONG_BUILD_DIR) + "/assets";
+        const std::string assets = test::build_folder() + "/assets";
         if (!std::filesystem::exists(assets + "/demo.bsp")) GTEST_SKIP() << "the demo level is not built";
         loaded_ = std::make_shared<const LoadedLevel>(LevelFiles{"", "", assets, ""});
     }

@@ -4,6 +4,7 @@
 
 #include "engine/scene/effects.h"
 #include "tests/bad_input/run_program.h"
+#include "tests/support/folders.h"
 
 // What oblong-render says of its frames.
 namespace oblong::test {
@@ -11,13 +12,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::string kLevel = OBLONG_BUILD_DIR "/assets/demo.bsp";
+const std::string kLevel = test::build_folder() + "/assets/demo.bsp";
 
 class Report : public testing::Test {
   protected:
     /// All of standard output, as JSON.
     Json report(const std::vector<std::string>& more, const std::string& level = kLevel,
-                const std::string& cameras = OBLONG_SOURCE_DIR "/assets/demo_cameras.csv") {
+                const std::string& cameras = test::source_folder() + "/assets/demo_cameras.csv") {
         std::vector<std::string> words{"oblong-render", level, "--cameras", cameras, "--json", "-"};
         words.insert(words.end(), more.begin(), more.end());
         const Outcome outcome = run_program(words, folder_.path("output"));
@@ -124,7 +125,7 @@ TEST_F(Report, CountsThePixelsThatBrushModelsOwn) {
            box({64, -32, 32}, {80, 32, 96}) + "}\n";
     const std::string source = folder_.write("wall.map", map), level = folder_.path("wall.bsp");
     const Outcome compiled =
-        run_program({"oblong-map", source, "-o", level, "--wad", OBLONG_BUILD_DIR "/assets/demo.wad"});
+        run_program({"oblong-map", source, "-o", level, "--wad", test::build_folder() + "/assets/demo.wad"});
     ASSERT_EQ(compiled.exit_code, 0) << compiled.error;
     const std::string cameras =
         folder_.write("cameras.csv", std::string("x,y,z,yaw,pitch\n0,0,64,0,0\n0,0,64,180,0\n"));

@@ -2,6 +2,7 @@
 
 #include "engine/base/fnv.h"
 #include "game/tick_input_source.h"
+#include "tests/support/folders.h"
 #include "tests/walk/walked_level.h"
 
 // Saves made and loaded by keys in the whole program, held against the game stepped by itself.
@@ -26,7 +27,8 @@ class ProgramSaves : public WalkedLevel {
             ADD_FAILURE() << name_of(slot) << " is empty";
             return {};
         }
-        EXPECT_NO_THROW(check_level(*content.game, fnv1a_of(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp")), level_));
+        EXPECT_NO_THROW(
+            check_level(*content.game, fnv1a_of(read_file(test::build_folder() + "/assets/demo.bsp")), level_));
         return content.game->state;
     }
 

@@ -5,6 +5,7 @@
 #include "game/sound/sound_player.h"
 #include "tests/sound/recorded_output.h"
 #include "tests/sound/walled_level.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 using test::RecordedOutput;
 using test::ToyGame;
 
-const std::string kAssets = OBLONG_BUILD_DIR "/assets", kSounds = kAssets + "/sounds";
+const std::string kAssets = test::build_folder() + "/assets", kSounds = kAssets + "/sounds";
 
 AudibleSound heard(Sound sound, std::uint32_t serial, std::int32_t level_256) {
     return {sound, 0, serial, {level_256, level_256, false}, Direction::Here};

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "engine/platform/files.h"
+#include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
 
 namespace oblong {
@@ -23,8 +24,8 @@ Outcome run_game(const std::string& driver, const std::string& seconds, const st
     const test::TemporaryFolder folder;
     const std::string line = "env SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=" + driver + " SDL_DISKAUDIOFILE='" +
                              folder.path("played") + "' XDG_CONFIG_HOME='" + folder.path() + "' XDG_DATA_HOME='" +
-                             folder.path() + "' timeout --preserve-status -s TERM " + seconds +
-                             " '" OBLONG_BUILD_DIR "/bin/oblong' --frame-cap 20 --window 320x240 " + arguments +
+                             folder.path() + "' timeout --preserve-status -s TERM " + seconds + " '" +
+                             test::build_folder() + "/bin/oblong' --frame-cap 20 --window 320x240 " + arguments +
                              " 2>'" + folder.path("error") + "'";
     const int status = std::system(line.c_str());
     Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(folder.path("error")), {}};

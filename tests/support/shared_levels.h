@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/folders.h"
+
 /// The real levels stand in a folder beside the project (or where the environment's OBLONG_SHARED says); they are
 /// never part of it, so tests that need them skip where they are missing.
 namespace oblong::test {
@@ -19,7 +21,7 @@ inline constexpr std::array<const char*, 3> kRealLevels = {"dm4", "e1m7", "end"}
 
 /// The folder with levels/ in it; empty if there is none.
 inline std::filesystem::path find_shared_folder() {
-    std::vector<std::filesystem::path> places = {std::filesystem::path(OBLONG_SOURCE_DIR) / ".." / "shared"};
+    std::vector<std::filesystem::path> places = {std::filesystem::path(test::source_folder()) / ".." / "shared"};
     if (const char* named = std::getenv("OBLONG_SHARED")) places.emplace_back(named);
     for (const auto& place : places)
         if (std::filesystem::is_directory(place / "levels")) return place;

@@ -9,6 +9,7 @@
 #include "engine/level/side.h"
 #include "engine/scene/face_table.h"
 #include "engine/scene/placed_models.h"
+#include "tests/support/folders.h"
 #include "tests/support/point.h"
 #include "tests/support/shared_levels.h"
 
@@ -17,7 +18,7 @@ namespace oblong::test {
 /// "demo" or one of kRealLevels.
 inline Level read_level(const std::string& name) {
     if (name != "demo") return read_bsp(read_shared_file(name + ".bsp"));
-    return read_bsp(read_file_bytes(std::filesystem::path(OBLONG_BUILD_DIR) / "assets" / "demo.bsp"));
+    return read_bsp(read_file_bytes(std::filesystem::path(test::build_folder()) / "assets" / "demo.bsp"));
 }
 
 inline std::vector<Point> points_of(const Level& level, std::span<const VertexIndex> vertices, Vec3<World> offset) {

@@ -5,6 +5,7 @@
 
 #include "engine/platform/sdl/input.h"
 #include "tests/controls/pad_pilot.h"
+#include "tests/support/folders.h"
 #include "tests/walk/walked_level.h"
 
 namespace oblong::test {
@@ -38,7 +39,7 @@ bool accepts(const Controls& controls) {
 // A accepts the title's "Walk"; then sticks and A lead along the recorded walk to the end of the level. Nothing but
 // events of a pad reaches the program.
 TEST_F(GamepadWalk, APadAloneWalksFromTheTitleToTheEnd) {
-    const Demo walk = decode_demo(read_file(OBLONG_BUILD_DIR "/assets/walk.demo"));
+    const Demo walk = decode_demo(read_file(test::build_folder() + "/assets/walk.demo"));
     VirtualPad pad;
     PadPilot pilot(pad);
     constexpr std::int64_t kPress = 5, kRelease = 7, kEndPolls = 10;

@@ -1,3 +1,4 @@
+#include "tests/support/folders.h"
 #include "tests/walk/walked_level.h"
 
 namespace oblong::test {
@@ -9,7 +10,7 @@ using TitleToEnd = WalkedLevel;
 // the end of the level.
 TEST_F(TitleToEnd, TheRecordedWalkGoesThroughTheWholeProgram) {
     Options options;
-    options.replay = OBLONG_BUILD_DIR "/assets/walk.demo";
+    options.replay = test::build_folder() + "/assets/walk.demo";
     options.preferences.game_speed_100 = 800;
     const Demo walk = decode_demo(read_file(options.replay));
     constexpr std::int64_t kTitlePolls = 20, kEndPolls = 20;

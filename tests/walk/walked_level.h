@@ -9,6 +9,7 @@
 #include "game/program.h"
 #include "game/simulation/items.h"
 #include "game/simulation/step.h"
+#include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/walk/scripted_platform.h"
 
@@ -22,7 +23,7 @@ class WalkedLevel : public testing::Test {
         options.shows_title = true;
         options.record = folder_.path("recorded.demo");
         PreferencesStore store;
-        Program(options, load_program_files(options, kAssets), store, platform, nullptr).run();
+        Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
         return decode_demo(read_file(options.record));
     }
 
@@ -45,9 +46,9 @@ class WalkedLevel : public testing::Test {
         EXPECT_EQ(lenses.taken, lenses.all);
     }
 
-    static constexpr const char* kAssets = OBLONG_BUILD_DIR "/assets";
+    const std::string assets_ = test::build_folder() + "/assets";
     const TemporaryFolder folder_;
-    const Level bsp_ = read_bsp(read_file(OBLONG_BUILD_DIR "/assets/demo.bsp"));
+    const Level bsp_ = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
     const GameLevel level_ = make_game_level(bsp_);
 };
 
