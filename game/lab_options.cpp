@@ -66,7 +66,7 @@ std::string apply_to_lab(Command command, LabOptions& options, Accuracy& accurac
     switch (command) {
         case Command::LabPanel:
             options.shows_panel = !options.shows_panel;
-            return options.shows_panel ? "{dial-up} {dial-down}: dials, {dial-coarser} {dial-finer}: turn them. " +
+            return options.shows_panel ? "{dial-up} {dial-down} choose a dial, {dial-coarser} {dial-finer} turn it. " +
                                              describe(all_dials()[options.dial])
                                        : "";
         case Command::ErrorMap:
