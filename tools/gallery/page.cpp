@@ -26,8 +26,8 @@ figcaption { overflow-wrap: anywhere; }
 .others { display: grid; grid-template-columns: repeat(auto-fill, minmax(7rem, 1fr)); gap: 0.5rem; margin-top: 0.5rem; }
 .others :target { grid-column: 1 / -1; }
 nav { columns: 15rem; font-size: 0.9rem; }
-nav b { display: block; break-after: avoid; margin-top: 0.4rem; }
-nav a { display: block; text-decoration: none; }
+nav b { display: block; break-after: avoid; break-inside: avoid; margin-top: 0.4rem; }
+nav a { display: block; break-inside: avoid; text-decoration: none; }
 table { border-collapse: collapse; font-size: 0.88rem; margin: 0.6rem 0; font-variant-numeric: tabular-nums; width: 100%; }
 th, td { text-align: left; padding: 0.2rem 0.6rem 0.2rem 0; border-bottom: 1px solid var(--line); vertical-align: top; }
 th { color: var(--soft); font-weight: 600; }
