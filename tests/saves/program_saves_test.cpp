@@ -49,7 +49,7 @@ class ProgramSaves : public WalkedLevel {
             return controls;
         });
         PreferencesStore store;
-        Program(options, load_program_files(options, kAssets), store, platform, nullptr).run();
+        Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
     }
 
     // The state so many ticks after another, the input of which begins with the `first`.
