@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <random>
 
@@ -147,6 +148,11 @@ TEST(Picture, FaultsAreNamed) {
     EXPECT_TRUE(complaint_of(tga_header(2, 65535, 65535, 24)).starts_with("image: ")) << "too large";
     EXPECT_TRUE(complaint_of(tga_header(2, 0, 16, 24)).starts_with("image: "));
     EXPECT_EQ(complaint_of(tga_header(10, 16, 16, 24)), "image: the file ends within the picture, expected all of it");
+    Bytes jpeg = bytes_of(kTwoColoursJpeg);
+    const std::array<std::uint8_t, 2> kTableMarker{0xff, 0xc4};
+    const auto counts = std::search(jpeg.begin(), jpeg.end(), kTableMarker.begin(), kTableMarker.end()) + 5;
+    std::fill_n(counts, 2, std::uint8_t{200});
+    EXPECT_TRUE(complaint_of(jpeg).starts_with("image: a Huffman table of 4"));
 }
 
 /// A file of each kind, by its number.
