@@ -20,7 +20,7 @@ std::string text_of_end(const EndFigures& figures) {
     std::string text =
         (figures.message.empty() ? "You have reached the end." : figures.message) + "\n\nTime: " + figures.time;
     if (!figures.lenses.empty()) text += "\nLenses found: " + figures.lenses;
-    if (!figures.fault.empty()) text += "\n\nThe way leads on, but not here. " + figures.fault;
+    if (!figures.fault.empty()) text += "\n\nThe next level cannot be played: " + figures.fault;
     return text;
 }
 
