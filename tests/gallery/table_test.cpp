@@ -32,7 +32,7 @@ const std::vector<Named> kNamed{
     {"VRP, VPN, VUP, COP, window; the cube's table", {"view-window"}},
     {"front and back planes", {"front-plane"}},
     {"the canonical view volume, lines clipped in it", {"view-volume", "lines-clipped"}},
-    {"zoom against dolly", {"zoom-dolly"}},
+    {"zoom against dolly", {"zoom-dolly", "view-window"}},
     // 3 Notes
     {"model, world, camera, screen space", {"pipeline"}},
     {"left-handed, clockwise", {"left-handed-cube"}},

@@ -34,7 +34,7 @@ RowPage draw_homogeneous(const RowInput& input, Framebuffer canvas) {
                        blue = assets.colour(90, 130, 220);
     diagram.line({-4.4, 0}, {9, 0}, grey);
     diagram.line({sign * distance, -2.4}, {sign * distance, 3.6}, blue);
-    diagram.text({sign * distance, 3.6}, "z = " + decimal_text(distance, "%.0f"), blue);
+    diagram.text({sign * distance, -1.9}, "z = " + decimal_text(distance, "%.0f"), blue);
     diagram.text({0, 0}, "eye", grey, -4, 4);
     double found = 0;
     for (const double ahead : {3.0, 5.0, 8.0}) {
@@ -214,7 +214,12 @@ RowPage draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
         const Point3& p = kQuad[i];
         lines.push_back("glVertex3f(" + decimal_text(p[0], "%.0f") + ", " + decimal_text(p[1], "%.0f") + ", " +
                         decimal_text(p[2], "%.0f") + ")");
-        lines.push_back("     " + decimal_text(found.x, "%7.2f") + decimal_text(found.y, "%8.2f"));
+        const Vec3<World>& w = corners[i];
+        const Vec3<Entry> divided =
+            *point_of(sketch.world_to_volume() * Vec4{convert<Entry>(w.x), convert<Entry>(w.y), convert<Entry>(w.z)});
+        lines.push_back(decimal_text(number_of(divided.x), "%7.3f") + decimal_text(number_of(divided.y), "%7.3f") +
+                        decimal_text(number_of(divided.z), "%7.4f"));
+        lines.push_back("  " + decimal_text(found.x, "%7.2f") + decimal_text(found.y, "%8.2f"));
     }
     lines.push_back("glEnd()");
     draw_column(canvas, canvas.width_px * 186 / 320, kHeader_px + 8, lines, assets.text);
@@ -228,9 +233,9 @@ RowPage draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
                            number_of(distance_to_plane(corners[2], plane)), 1e-6, 6),
              number_figure("pixels from the closed form: worst corner", 0, worst_px, 0.01),
              number_figure("pixels drawn: the area of its picture", std::abs(shoelace), static_cast<double>(pixels),
-                           static_cast<double>(area.width + area.height) / 4, 0)},
+                           static_cast<double>(area.width + area.height) / 16, 0)},
             {"The polygon of the slides' OpenGL example takes each step of the pipeline: model, view, six planes, "
-             "perspective divide, viewport (column and row below each vertex), scan conversion.",
+             "perspective divide (x, y and depth below each vertex), viewport (column and row), scan conversion.",
              "In OpenGL's axes z grows toward the viewer: y = z on all of it."}};
 }
 
