@@ -1,7 +1,6 @@
 #include "engine/level/entity_classes.h"
 
 #include <algorithm>
-#include <string>
 
 namespace oblong {
 
@@ -354,19 +353,14 @@ const EntityKey* find_entity_key(const EntityClass& its_class, std::string_view 
     return find_key(kOfAll, key);
 }
 
-bool is_key_of_all(const EntityKey* key) {
-    return key >= kOfAll.begin() && key < kOfAll.end();
+std::span<const EntityKey> keys_of_all() {
+    return kOfAll;
 }
 
 std::string_view usual_text(std::string_view class_name, std::string_view key) {
     const EntityClass* const its_class = find_entity_class(class_name);
     const EntityKey* const row = its_class ? find_entity_key(*its_class, key) : nullptr;
     return row ? row->usual : "";
-}
-
-std::string text_of(const Entity& entity, const std::string& key) {
-    const std::string given = entity.value(key);
-    return given.empty() ? std::string(usual_text(entity.value("classname"), key)) : given;
 }
 
 }  // namespace oblong

@@ -2,11 +2,8 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
-
-#include "engine/level/level.h"
 
 namespace oblong {
 
@@ -62,13 +59,10 @@ const EntityClass* find_entity_class(std::string_view class_name);
 /// The row of a key of a class; null where nothing reads it. "_light" is "light", "_wateralpha" is "wateralpha" ...
 const EntityKey* find_entity_key(const EntityClass& its_class, std::string_view key);
 
-/// Whether a row is one that every class has.
-bool is_key_of_all(const EntityKey* key);
+/// The rows that every class has.
+std::span<const EntityKey> keys_of_all();
 
 /// What an absent key of a class counts as: a text, empty if nothing.
 std::string_view usual_text(std::string_view class_name, std::string_view key);
-
-/// The value of an entity's key, or what its absence counts as.
-std::string text_of(const Entity& entity, const std::string& key);
 
 }  // namespace oblong

@@ -29,7 +29,7 @@ bool is_light(const MapEntity& entity) {
 bool shines(const MapEntity& entity) {
     if (!entity.has("light") || !entity.brushes.empty()) return false;
     const EntityClass* const its_class = find_entity_class(entity.value("classname"));
-    return its_class == nullptr || is_key_of_all(find_entity_key(*its_class, "light"));
+    return its_class == nullptr || find_entity_key(*its_class, "light") == find_entity_key({}, "light");
 }
 
 Point direction_of_angles(double yaw_degrees, double pitch_degrees) {
