@@ -104,6 +104,7 @@ constexpr std::array kLight{
     EntityKey{"target", Place, "", "makes it a spotlight that points there"},
     numbers("mangle", 2, 3, "", "makes it a spotlight: yaw pitch roll, pitch negative is down"),
     number("angle", "40", "degrees of a spotlight's cone"),
+    number("radius", "0", "what is as near as this throws no shadow in its light: the body of a lamp"),
     flags(kLightFlags),
 };
 constexpr std::array kDoor{

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "game/menu/key_pages.h"
 #include "game/menu/menu.h"
 #include "game/menu/menu_host.h"
+#include "game/preferences/preference_table.h"
 
 namespace oblong {
 
@@ -13,6 +15,8 @@ class MenuPages {
 
     void open_title();
     void open_game();     ///< over a walk
+    void open_keys();     ///< what keys do, over a walk or a gallery
+    void open_figures();  ///< over a gallery
     void open_gallery();  ///< over a gallery with nothing behind it
     void open_end();      ///< after a walk
     void open_restart();  ///< asks, if there is something to lose
@@ -28,12 +32,15 @@ class MenuPages {
     void open_load();
     void open_save();
     void open_credits();
+    void open_told();
+    void open_text(std::string title, std::string text, std::optional<Command> closed_by);
 
     MenuPage title_page();
     MenuPage game_page();
     MenuPage end_page(const EndFigures& figures);
     MenuPage options_page();
     MenuPage preferences_page(int page);
+    std::string help_of(const Preference& preference);
 
     /// Asks before `action` if something that is not saved would be lost, else does it.
     void do_or_ask(const std::string& question, std::function<void()> action);
@@ -45,6 +52,7 @@ class MenuPages {
 
     Menu& menu_;
     MenuHost& host_;
+    KeyUndo key_undo_;
 };
 
 }  // namespace oblong

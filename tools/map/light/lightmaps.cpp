@@ -32,7 +32,8 @@ double light_from(const LightSource& source, const Point& point, const Point& no
     const double cosine = -dot(towards, normal) / distance;
     if (cosine <= 0 || !source.shines_on(scaled(towards, 1 / distance))) return 0;
     const double light = source.at_distance(distance) * incidence(cosine);
-    if (light <= 0 || !tracer.is_lit(point, source.origin)) return 0;
+    const Point edge_of_lamp = source.origin + scaled(towards, std::min(source.radius / distance, 1.0));
+    if (light <= 0 || !tracer.is_lit(point, edge_of_lamp)) return 0;
     return source.is_subtracted ? -light : light;
 }
 
@@ -176,10 +177,10 @@ std::optional<Point> place_beside_wall(const Point& point, const Tracer& tracer)
     return std::nullopt;
 }
 
-// As ericw-tools' `light` does. Lamps deeper in a wall light nothing.
+// As ericw-tools' `light` does. Lamps deeper in a wall light nothing; those with a radius may stand in their own body.
 void move_out_of_walls(std::vector<LightSource>& sources, const Tracer& tracer, Warnings* warnings) {
     for (LightSource& source : sources) {
-        if (!tracer.is_solid(source.origin)) continue;
+        if (source.radius > 0 || !tracer.is_solid(source.origin)) continue;
         if (const auto place = place_beside_wall(source.origin, tracer))
             source.origin = *place;
         else if (warnings != nullptr)

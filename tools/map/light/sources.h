@@ -20,7 +20,8 @@ enum class Falloff {
 bool is_falloff(double delay);
 
 /// An entity `light...`, or another with a key light that is nothing else for its class: keys light (or _light), wait,
-/// delay, style, target or mangle, angle.
+/// delay, style, target or mangle, angle,
+/// radius.
 struct LightSource {
     Point origin;
     double brightness = 300;     ///< at least 0
@@ -31,6 +32,7 @@ struct LightSource {
     const MapEntity* entity = nullptr;
     std::optional<Point> direction;  ///< of a spotlight
     double cone_cosine = -1;         ///< of half of the spotlight's opening
+    double radius = 0;               ///< what is as near as this throws no shadow in its light: the lamp's own body
 
     /// Light that arrives (or is taken away) at a distance, before the angle of the surface counts; at least 0.
     double at_distance(double distance) const;
