@@ -9,12 +9,12 @@ namespace oblong {
 namespace {
 
 std::string flip_text(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us) {
-    if (options.before == accuracy) return "F10 Both are " + setting_name(accuracy) + ": turn a dial";
+    if (options.before == accuracy) return "{flip} Both are " + setting_name(accuracy) + ": turn a dial";
     const bool shows_now = shown_setting(options, accuracy, now_us) == accuracy;
     const auto name = [](const Accuracy& setting, bool is_shown) {
         return is_shown ? "[" + setting_name(setting) + "]" : " " + setting_name(setting) + " ";
     };
-    return "F10 now " + name(accuracy, shows_now) + " before " + name(options.before, !shows_now);
+    return "{flip} now " + name(accuracy, shows_now) + " before " + name(options.before, !shows_now);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ struct AspectView {
 /// corrected projection on the left, with the display's shape above.
 std::array<AspectView, 4> four_aspects(const ScreenMode& mode, Ratio pixel);
 
-/// "F2 4:3, F3 square:\n17 % too flat".
+/// "drawn 4:3, shown square:\n17 % too flat".
 std::string caption_of(const AspectView& view, const ScreenMode& mode);
 
 /// Draws the four combinations of F2 and F3 in one picture.

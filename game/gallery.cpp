@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "game/help_panel.h"
+#include "game/key_names.h"
 #include "game/screenshot.h"
 #include "tools/gallery/rows.h"
 
@@ -13,9 +13,9 @@ namespace oblong {
 namespace {
 
 /// What is changed by the same keys as in the game.
-constexpr std::array<Command, 8> kKeysOfTheGame{
+constexpr std::array<Command, 7> kKeysOfTheGame{
     Command::ProjectionAspect, Command::DisplayAspect, Command::AccuracyTier, Command::ScalingMode,
-    Command::CrtLook,          Command::Darker,        Command::Brighter,     Command::ShowHelp};
+    Command::CrtLook,          Command::Darker,        Command::Brighter};
 
 void go_to_row(std::size_t row, GalleryState& state) {
     state.row = row;
@@ -31,13 +31,6 @@ void change_parameter(const Row& row, std::int64_t steps, GalleryState& state) {
         value = std::clamp(value + steps * parameter.step, parameter.least, parameter.most);
     else
         value = (value + steps + count) % count;
-}
-
-std::string list_of_figures(const Row& row, const RowPage& page) {
-    std::string text = std::string(row.seeds) + "\n" + std::string(row.source) + "\n" + std::string(row.test) + "\n";
-    for (const Figure& figure : page.figures) text += "\n" + figure_text(figure);
-    for (const std::string& note : page.notes) text += "\n\n" + note;
-    return text;
 }
 
 }  // namespace
@@ -69,9 +62,6 @@ std::string apply(Command command, const std::vector<Row>& rows, WindowSize wind
         case Command::DialFiner:
             change_parameter(row, command == Command::DialFiner ? 1 : -1, state);
             return "";
-        case Command::FrameCost:
-            state.lists_figures = !state.lists_figures;
-            return "";
         default:
             break;
     }
@@ -92,10 +82,7 @@ Gallery::Gallery(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
       state_(start_of_gallery(rows_)),
       start_us_(platform.now_us()),
       now_us_(start_us_) {
-    const Bindings& bindings = view_options_.preferences.bindings;
-    messages_.show(key_name_of(Command::PageDown, bindings, platform_) + ": next row    " +
-                       key_name_of(Command::ShowHelp, bindings, platform_) + ": keys",
-                   MessageKind::Answer);
+    show("{page-down}: next row    {help}: keys");
 }
 
 void Gallery::advance(const Controls& controls, std::uint64_t now_us) {
@@ -103,7 +90,7 @@ void Gallery::advance(const Controls& controls, std::uint64_t now_us) {
     for (const Command command : controls.commands) {
         wants_screenshot_ |= command == Command::Screenshot;
         const std::string message = apply(command, rows_, platform_.window_size(), view_options_, state_);
-        if (!message.empty()) messages_.show(message, MessageKind::Answer);
+        if (!message.empty()) show(message);
     }
     if (!controls.commands.empty() || rows_[state_.row].moves) is_drawn_ = false;
 }
@@ -113,8 +100,7 @@ ShownPicture Gallery::draw(bool is_behind_menu) {
     const ScreenMode& mode = drawn_with_.mode;
     shown_ = picture_;
     const Framebuffer canvas{shown_.data(), mode.width_px, mode.height_px, mode.width_px};
-    if (wants_screenshot_)
-        messages_.show(save_screenshots(screenshot_folder_, canvas, data_.palette, mode), MessageKind::Answer);
+    if (wants_screenshot_) show(save_screenshots(screenshot_folder_, canvas, data_.palette, mode));
     wants_screenshot_ = false;
     if (!is_behind_menu) draw_over();
     return {canvas, data_.palette, shown_rect(view_options_.preferences, platform_.window_size())};
@@ -133,18 +119,24 @@ void Gallery::draw_picture() {
     is_drawn_ = true;
 }
 
+std::string Gallery::figures() const {
+    const Row& row = rows_[state_.row];
+    std::string text = std::string(row.seeds) + "\n" + std::string(row.source) + "\n" + std::string(row.test) + "\n";
+    for (const Figure& figure : page_.figures) text += "\n" + figure_text(figure);
+    for (const std::string& note : page_.notes) text += "\n\n" + note;
+    return text;
+}
+
+void Gallery::show(const std::string& message) {
+    messages_.show(KeyNames(view_options_.preferences.bindings, platform_, view_options_.uses_pad).in(message));
+}
+
 void Gallery::draw_over() {
     const ScreenMode& mode = drawn_with_.mode;
     const Framebuffer canvas{shown_.data(), mode.width_px, mode.height_px, mode.width_px};
-    if (state_.lists_figures) {
-        const std::string text = list_of_figures(rows_[state_.row], page_);
-        draw_panel(canvas, lines_of(text, mode.width_px - 4 * kTextMargin_px), assets_.text);
-    }
-    HudText text;
-    if (view_options_.shows_help) text.help = gallery_help(drawn_with_.bindings, platform_);
     const TextColours colours{assets_.text.bright, assets_.text.dark, drawn_with_.text_scale};
     const Framebuffer below_header = part_of(canvas, {0, kHeader_px, canvas.width_px, canvas.height_px - kHeader_px});
-    draw_hud(text, messages_, now_us_, below_header.height_px, colours, menu_look_.veil, below_header);
+    draw_hud({}, messages_, now_us_, below_header.height_px, colours, menu_look_.veil, below_header);
 }
 
 }  // namespace oblong

@@ -19,7 +19,6 @@ struct GalleryState {
     std::size_t row = 0;
     std::size_t chosen = 0;                         ///< of the row's parameters
     std::vector<std::vector<std::int64_t>> values;  ///< of each row's parameters
-    bool lists_figures = false;                     ///< all figures and notes of the row, over its picture
 };
 
 GalleryState start_of_gallery(const std::vector<Row>& rows);
@@ -41,8 +40,12 @@ class Gallery final : public GameScreen {
     ShownPicture draw(bool is_behind_menu) override;
     const MenuLook& menu_look() const override { return menu_look_; }
 
+    /// All figures and notes of the row that is up.
+    std::string figures() const;
+
   private:
     void draw_picture();
+    void show(const std::string& message);
     void draw_over();
 
     std::shared_ptr<const LoadedLevel> loaded_;

@@ -16,7 +16,6 @@ struct HudText {
     std::vector<std::string> captions;  ///< of sounds: at the bottom
     std::vector<std::string> notes;     ///< likewise, above them
     const CostText* cost = nullptr;     ///< likewise, above those; may be null
-    std::vector<std::string> help;      ///< lines of a panel in the middle; empty: there is none
 };
 
 /// RowRange [top, bottom) of a canvas.
@@ -27,10 +26,9 @@ struct RowRange {
 
 /// Where the text over a picture goes: no two of its parts share a row. What has no room has no rows.
 struct HudLayout {
-    RowRange help, captions, cost;
+    RowRange captions, cost;
     std::vector<RowRange> notes;
-    RowRange messages;            ///< all that is left for them
-    std::int32_t help_scale = 1;  ///< the largest up to the text's at which the panel fits
+    RowRange messages;  ///< all that is left for them
 };
 
 /// Lays text out in rows [0, bottom) of a canvas. Room for a message's line comes first, then captions, notes and cost.

@@ -66,16 +66,19 @@ std::string apply_to_lab(Command command, LabOptions& options, Accuracy& accurac
     switch (command) {
         case Command::LabPanel:
             options.shows_panel = !options.shows_panel;
-            return options.shows_panel ? describe(all_dials()[options.dial]) : "";
+            return options.shows_panel ? "{dial-up} {dial-down} choose a dial, {dial-coarser} {dial-finer} turn it. " +
+                                             describe(all_dials()[options.dial])
+                                       : "";
         case Command::ErrorMap:
             options.maps_errors = !options.maps_errors;
-            return options.maps_errors ? "F8 How far each texel is off its place" : "F8 Map of the error: off";
+            return options.maps_errors ? "{error-map} How far each texel is off its place"
+                                       : "{error-map} Map of the error: off";
         case Command::SplitView:
             options.splits = !options.splits;
-            return options.splits ? "F9 Hold a mouse button to move the line" : "F9 Split: off";
+            return options.splits ? "{split} Hold a mouse button to move the line" : "{split} Split: off";
         case Command::FlipSettings:
             options.flips = !options.flips;
-            return options.flips ? "F10 Twice a second: this setting, the one before" : "F10 Flip: off";
+            return options.flips ? "{flip} Twice a second: this setting, the one before" : "{flip} Flip: off";
         default:
             return options.shows_panel ? apply_to_dials(command, options, accuracy) : "";
     }

@@ -147,7 +147,7 @@ void draw_lab_panel(const LabOptions& options, const LabFigures& figures, const 
     const Area area{0, canvas.height_px - rows, canvas.width_px, rows};
     recolour_area(canvas, area, colours.background);
     const Panel panel{part_of(canvas, area), colours};
-    panel.write(kMargin_px, 0, "Arrows: dials, WASD: walk", panel.colours.dim);
+    panel.write(kMargin_px, 0, "Dials, the coarser the faster", panel.colours.dim);
     panel.write(kTimes_px, 0, "us a frame (median)", panel.colours.dim);
     draw_dials(options, figures.now.accuracy, panel);
     draw_times(figures, panel);

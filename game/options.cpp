@@ -79,7 +79,7 @@ void declare(CommandArguments& line, Options& options, OptionTexts& texts) {
     line.add_flag("--gallery", options.shows_gallery, "all that the engine can do, one thing after the other; no game");
     line.add("--log", texts.log,
              "once a second, lines of these kinds on standard error: " + names_of(LogChannels::all()));
-    line.add("--automap", texts.map, "off, player or north: the map that Tab shows, and what is up on it");
+    line.add("--automap", texts.map, "off, player or north: the map, and what is up on it");
     line.add("--wireframe", texts.wireframe, "off, over or alone: the edges that E shows");
     line.add("--lines", texts.lines, "naive, dda, bresenham or gupta-sproull: how lines of both are drawn");
     line.add("--threads", options.threads, "that draw; default: 1. A second one pays from about 640x480 on")
@@ -137,7 +137,9 @@ int run_with_options(int argument_count, const char* const* arguments,
                      const std::function<void(const Options&, PreferencesStore&)>& body) {
     Options options;
     OptionTexts texts;
-    CommandLine line("oblong", "A world of 320x200 pixels in the right shape. F1 in the game lists its keys.");
+    CommandLine line("oblong", "A world of 320x200 pixels in the right shape. " +
+                                   name_of(default_bindings().inputs_of(Command::ShowHelp).front()) +
+                                   " in the game lists its keys.");
     declare(line, options, texts);
     return line.run(argument_count, arguments, [&] {
         interpret(texts, options);

@@ -133,6 +133,7 @@ void Program::show_frame() {
 
 void Program::take(const Controls& controls) {
     if (controls.changes_full_screen) preferences().fills_screen = !preferences().fills_screen;
+    if (controls.pressed) view_options_.uses_pad = is_of_pad(*controls.pressed);
     const bool is_left =
         (std::exchange(had_focus_, controls.has_focus) && !controls.has_focus) || controls.is_minimised;
     if (is_left && is_walked() && !menu_.is_open()) pages_.open_game();
@@ -172,6 +173,9 @@ void Program::take_in_walk(const Controls& controls) {
             pages_.open_game();
         return screen().pause(platform_.now_us());
     }
+    if (has(controls, Command::ShowHelp)) pages_.open_keys();
+    if (gallery_ && has(controls, Command::FrameCost)) pages_.open_figures();
+    if (menu_.is_open()) return screen().pause(platform_.now_us());
     if (stage_ == Stage::Walk && !gallery_) {
         if (has(controls, Command::QuickSave)) quick_save();
         if (has(controls, Command::QuickLoad)) quick_load();
@@ -230,8 +234,8 @@ void Program::draw_menu(const ShownPicture& picture) {
     const Preferences& now = view_options_.preferences;
     menu_.draw(now.text_scale, screen().menu_look(), picture.palette, picture.canvas);
     if (!std::exchange(wants_screenshot_, false)) return;
-    pages_.open_message("Screenshot",
-                        save_screenshots(settings_.screenshot_folder, picture.canvas, picture.palette, now.mode));
+    pages_.open_message("Screenshot", key_names().in(save_screenshots(settings_.screenshot_folder, picture.canvas,
+                                                                      picture.palette, now.mode)));
     is_stale_ = true;
 }
 

@@ -102,7 +102,15 @@ class Program final : private MenuHost {
 
     // What the menu's pages ask and do.
     Preferences& preferences() override { return view_options_.preferences; }
+    KeyNames key_names() const override {
+        return {view_options_.preferences.bindings, platform_, view_options_.uses_pad};
+    }
     std::string local_name_of(Input input) const override { return platform_.local_name_of(input); }
+    std::vector<KeyHelp> key_help() const override {
+        return gallery_ ? gallery_help(key_names()) : game_help(key_names());
+    }
+    std::vector<std::string> told() const override { return session_ ? session_->told() : std::vector<std::string>(); }
+    std::string figures() const override { return gallery_ ? gallery_->figures() : ""; }
     std::vector<LevelEntry> levels() const override;
     std::vector<SaveEntry> saves() const override;
     EndFigures end_figures() const override;

@@ -130,7 +130,7 @@ std::string Program::credits() const {
            "for Oblong and may be used under CC0 1.0 or MIT.\n\n"
            "Levels and models of Quake belong to id Software, or to who made them; none comes with Oblong.\n\n"
            "It stands on SDL and SDL_mixer (zlib licence), libpng (libpng licence), zlib (zlib licence), CLI11 "
-           "(BSD licence) and JSON for Modern C++ (MIT licence).\n\n"
+           "(BSD licence), JSON for Modern C++, tinyobjloader and stb (MIT licence).\n\n"
            "What it does was learnt from Casey Muratori, Michael Abrash and the texts that the README names.";
 }
 

@@ -72,12 +72,12 @@ std::string save_screenshots(const std::string& folder, Framebuffer picture, con
         const std::string name = stem(first_free_number(folder));
         save(fs::path(folder) / (name + ".png"), picture, {1, 1}, palette);
         const WindowSize size = exact_size(mode);
-        if (size == WindowSize{}) return "F12 Saved " + name + ".png";
+        if (size == WindowSize{}) return "{screenshot} Saved " + name + ".png";
         const std::string exact = "-" + std::to_string(size.width_px) + "x" + std::to_string(size.height_px) + ".png";
         save(fs::path(folder) / (name + exact), picture, exact_multiples(mode), palette);
-        return "F12 Saved " + name + ".png and " + exact;
+        return "{screenshot} Saved " + name + ".png and " + exact;
     } catch (const std::exception& error) {
-        return std::string("F12 Not saved: ") + error.what();
+        return std::string("{screenshot} Not saved: ") + error.what();
     }
 }
 

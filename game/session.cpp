@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "game/help_panel.h"
+#include "game/key_names.h"
 #include "game/screenshot.h"
 #include "game/shown_view.h"
 #include "game/sign_colours.h"
@@ -26,7 +26,7 @@ Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
       before_(start_of(level_)),
       after_(before_),
       last_us_(platform.now_us()) {
-    show(key_name_of(Command::ShowHelp, view_options_.preferences.bindings, platform_) + ": keys");
+    show("{help}: keys");
     keep_what_is_on();
 }
 
@@ -162,22 +162,23 @@ void Session::restore(const GameState& state) {
     before_ = after_ = state;
 }
 
-void Session::show(std::string message) {
-    messages_.show(std::move(message), MessageKind::Answer);
+KeyNames Session::key_names() const {
+    return {view_options_.preferences.bindings, platform_, view_options_.uses_pad};
+}
+
+void Session::show(const std::string& message) {
+    messages_.show(key_names().in(message));
 }
 
 void Session::show_level_message() {
     const bool is_new = after_.shown_message != before_.shown_message || after_.message_tick != before_.message_tick;
     if (after_.shown_message < 0 || !is_new) return;
-    const std::string& text = at(level_.messages, after_.shown_message);
-    messages_.show(with_key_names(text, view_options_.preferences.bindings, platform_), MessageKind::Level);
+    show(at(level_.messages, after_.shown_message));
 }
 
 void Session::draw_text() {
     const Preferences& preferences = view_options_.preferences;
     text_.captions = settings_.sound ? settings_.sound->captions() : std::vector<std::string>();
-    text_.help.clear();
-    if (view_options_.shows_help) text_.help = game_help(preferences.bindings, platform_);
     text_.cost = cost_ ? &cost_text_ : nullptr;
     const TextColours colours{text_colours_.bright, text_colours_.dark, preferences.text_scale};
     draw_hud(text_, messages_, played_us_, text_bottom_, colours, menu_look_.veil, renderer_->canvas());

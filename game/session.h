@@ -8,6 +8,7 @@
 #include "game/game_renderer.h"
 #include "game/game_screen.h"
 #include "game/hud.h"
+#include "game/key_names.h"
 #include "game/lab.h"
 #include "game/loaded_level.h"
 #include "game/saves/thumbnail.h"
@@ -42,8 +43,10 @@ class Session final : public GameScreen {
 
     /// Goes on from another state of the level.
     void restore(const GameState& state);
-    /// Shows the player a message that answers what they did.
-    void show(std::string message);
+    /// Shows the player a message, with the names of keys in it (KeyNames::in()).
+    void show(const std::string& message);
+    /// What the player was told, the newest first.
+    const std::vector<std::string>& told() const { return messages_.told(); }
     /// The game's picture as it is now, without text.
     Thumbnail thumbnail();
 
@@ -54,6 +57,7 @@ class Session final : public GameScreen {
 
   private:
     GameView shown_view() const;
+    KeyNames key_names() const;
     Palette palette_of(const GameView& view, const PaletteEffects& effects) const;
     void play_due_ticks(std::uint64_t elapsed_us);
     void inspect(const GameView& view);

@@ -10,10 +10,11 @@
 namespace oblong {
 namespace {
 
-constexpr std::array<const char*, kMapViewCount> kMapMessages{"Tab Map: off", "Tab Map: turns with you",
-                                                              "Tab Map: north is up"};
+constexpr std::array<const char*, kMapViewCount> kMapMessages{"{map} Map: off", "{map} Map: turns with you",
+                                                              "{map} Map: north is up"};
 constexpr std::array<const char*, kWireframeCount> kWireframeMessages{
-    "E Edges: off", "E Edges of visible faces: over the picture", "E Edges of visible faces: alone"};
+    "{wireframe} Edges: off", "{wireframe} Edges of visible faces: over the picture",
+    "{wireframe} Edges of visible faces: alone"};
 // Fields of view, degrees, between which keys step.
 constexpr std::int32_t kNarrowestZoom = 10, kUnzoomed = 90, kWidestZoom = 120, kZoomStep = 10;
 
@@ -31,8 +32,8 @@ std::string zoom(bool is_narrower, ViewOptions& options) {
     const std::int32_t changed =
         std::clamp(degrees + (is_narrower ? -kZoomStep : kZoomStep), kNarrowestZoom, kWidestZoom);
     options.zoom_degrees = changed == kUnzoomed ? 0 : changed;
-    if (options.zoom_degrees == 0) return "[ ] Zoom against dolly: off";
-    return "[ ] Zoom against dolly: " + std::to_string(changed) + " degrees";
+    if (options.zoom_degrees == 0) return "{zoom-in} {zoom-out} Zoom against dolly: off";
+    return "{zoom-in} {zoom-out} Zoom against dolly: " + std::to_string(changed) + " degrees";
 }
 
 // Switches an option on or off; the message that tells the user.
@@ -48,7 +49,7 @@ std::string describe_sphere(const Preferences& preferences, WindowSize window) {
 }
 
 std::string describe_projection(const Preferences& preferences, WindowSize window) {
-    return "F2 Drawn for " +
+    return "{projection-aspect} Drawn for " +
            (preferences.corrects_projection ? display_name(preferences.mode) : std::string("square pixels")) + ": " +
            describe_sphere(preferences, window);
 }
@@ -58,15 +59,15 @@ std::string describe_display(const Preferences& preferences, WindowSize window) 
         if (preferences.shown_as == ShownAs::OnDisplay) return "as " + display_name(preferences.mode);
         return preferences.shown_as == ShownAs::SquarePixels ? "with square pixels" : "in the window's shape";
     };
-    return "F3 Shown " + shape() + ": " + describe_sphere(preferences, window);
+    return "{display-aspect} Shown " + shape() + ": " + describe_sphere(preferences, window);
 }
 
 std::string describe_scaling(const Preferences& preferences, WindowSize window) {
     constexpr std::array<const char*, kScalingCount> kWords{
         "all pixels of one size, their borders blended", "rows of one height, borders of columns blended",
         "nothing blended, the shape as near as whole pixels allow", "nothing blended, some rows and columns are wider"};
-    return std::string("F5 Scaling ") + name_of(preferences.scaling) + ": " + at(kWords, preferences.scaling) + " (" +
-           describe(shown_rect(preferences, window), preferences.mode) + ")";
+    return std::string("{scaling} Scaling ") + name_of(preferences.scaling) + ": " + at(kWords, preferences.scaling) +
+           " (" + describe(shown_rect(preferences, window), preferences.mode) + ")";
 }
 
 // Does a row of the options what a key does; the message that tells the user.
@@ -101,8 +102,6 @@ PresentRect shown_rect(const Preferences& preferences, WindowSize window) {
 std::string apply(Command command, ViewOptions& options, WindowSize window) {
     Preferences& preferences = options.preferences;
     switch (command) {
-        case Command::ShowHelp:
-            return toggle(options.shows_help);
         case Command::FrameCost:
             return toggle(options.shows_cost);
         case Command::ProjectionAspect:
@@ -114,7 +113,7 @@ std::string apply(Command command, ViewOptions& options, WindowSize window) {
         case Command::AccuracyTier:
             preferences.preset = next_of(preferences.preset, kPresetCount);
             change_setting(accuracy_of(preferences.preset), options.lab, preferences.accuracy);
-            return "F4 Accuracy: " + std::string(name_of(preferences.preset));
+            return "{accuracy} Accuracy: " + std::string(name_of(preferences.preset));
         case Command::ScalingMode:
             preferences.scaling = next_of(preferences.scaling, kScalingCount);
             return describe_scaling(preferences, window);
@@ -122,14 +121,15 @@ std::string apply(Command command, ViewOptions& options, WindowSize window) {
         case Command::Brighter:
             return change("brightness", command == Command::Brighter ? 1 : -1, preferences);
         case Command::Torch:
-            return toggle(options.has_torch, "L Torch: on", "L Torch: off");
+            return toggle(options.has_torch, "{torch} Torch: on", "{torch} Torch: off");
         case Command::CrtLook:
-            return toggle(preferences.has_crt_look, "C Look of a tube: scanlines, mask, glow", "C Look of a tube: off");
+            return toggle(preferences.has_crt_look, "{crt} Look of a tube: scanlines, mask, glow",
+                          "{crt} Look of a tube: off");
         case Command::Inspect:
             return toggle(options.inspects);
         case Command::Log:
             options.log = next_channels(options.log);
-            return "O Log: " + names_of(options.log) + (options.log.is_empty() ? "" : ", on standard error");
+            return "{log} Log: " + names_of(options.log) + (options.log.is_empty() ? "" : ", on standard error");
         case Command::Automap:
             options.map = next_of(options.map, kMapViewCount);
             return at(kMapMessages, options.map);
@@ -137,7 +137,8 @@ std::string apply(Command command, ViewOptions& options, WindowSize window) {
             options.wireframe = next_of(options.wireframe, kWireframeCount);
             return at(kWireframeMessages, options.wireframe);
         case Command::Isometric:
-            return toggle(options.is_isometric, "I From outside: you are in the middle", "I From outside: off");
+            return toggle(options.is_isometric, "{isometric} From outside: you are in the middle",
+                          "{isometric} From outside: off");
         case Command::ZoomIn:
         case Command::ZoomOut:
             return zoom(command == Command::ZoomIn, options);

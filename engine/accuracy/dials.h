@@ -21,7 +21,7 @@ struct Dial {
     std::string_view caption;  ///< at most 20 characters, for the screen
     std::string_view about;    ///< what it approximates and how, one or two sentences
     std::string_view unit;     ///< of its numbers; empty where its values have names
-    std::string_view read_in;  ///< the file that reads it
+    std::string_view read_in;  ///< the file that reads it from Accuracy
     /// Whether another setting is other work: other code, or more or less of it. If not, a value is only rounded to
     /// fewer bits in a wide type: its error is real, its time is that of the wide type, and what narrow types would
     /// have cost can be modelled only.

@@ -108,7 +108,7 @@ Basis axonometric_axes(Axonometry kind, Angle turn) {
     if (kind == Axonometry::Isometric) return axes_along(kUnit, kUnit, -kUnit, turn);
     // Along (sqrt 7, 1, -1): x is shortened to sqrt 2 / 3, y and z to twice that.
     if (kind == Axonometry::Dimetric) return axes_along(264'575'131, kUnit, -kUnit, turn);
-    return axes_along(3 * kUnit, 2 * kUnit, -2 * kUnit, turn);
+    return axes_along(5 * kUnit, 4 * kUnit, -3 * kUnit, turn);
 }
 
 ViewSpec oblique_view(const Vec3<World>& centre, const Basis& axes, View width, Unit length, Angle angle) {

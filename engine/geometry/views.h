@@ -26,8 +26,9 @@ enum class ViewSide { Front, Top, Side };
 Basis side_axes(ViewSide side);
 
 /// Axes for orthographic_view(), seen from above: all three axes of the world are shortened alike (isometric), two of
-/// them (dimetric, x half as long as y and z: 7 and 42 degrees of engineering drawings), or none (trimetric). From the
-/// south-west; `turn` turns the view counter-clockwise about z.
+/// them (dimetric, x half as long as y and z: 7 and 42 degrees of engineering drawings), or each by a factor of its own
+/// (trimetric: the roots of 25, 34 and 41 fiftieths). From the south-west; `turn` turns the view counter-clockwise
+/// about z.
 enum class Axonometry { Isometric, Dimetric, Trimetric };
 Basis axonometric_axes(Axonometry kind, Angle turn = {});
 

@@ -68,6 +68,10 @@ constexpr Input mouse_button(std::uint16_t number) {
     return {Device::MouseButton, number};
 }
 
+constexpr bool is_of_pad(Input input) {
+    return input.device == Device::PadButton || input.device == Device::PadAxis;
+}
+
 /// Whether the input opens the menu, whatever is bound, so that there is always a way to it: Escape, a gamepad's Start.
 bool is_reserved(Input input);
 

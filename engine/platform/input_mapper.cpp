@@ -60,10 +60,6 @@ bool has(std::span<const Input> inputs, Input input) {
     return std::find(inputs.begin(), inputs.end(), input) != inputs.end();
 }
 
-bool is_of_pad(Input input) {
-    return input.device == Device::PadButton || input.device == Device::PadAxis;
-}
-
 bool is_repeating(Command command) {
     return command >= Command::DialUp && command <= Command::PageDown;
 }

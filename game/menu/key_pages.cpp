@@ -43,7 +43,8 @@ class KeyPages {
 
   private:
     MenuPage list_page() const {
-        MenuPage page{"Keys", "", {}, 0, "Enter changes what is chosen", false, nullptr};
+        MenuPage page{"Keys", "", {}, 0, "", false, nullptr};
+        page.help = host_->key_names().in("{accept} changes what is chosen");
         for (const ActionNames& names : all_actions()) {
             const Action action = names.action;
             const bool is_doubled = has_conflict(host_->preferences().bindings, action);
@@ -97,7 +98,8 @@ class KeyPages {
 
     MenuPage press_page(Action action) const {
         MenuPage page{label_of(action),
-                      "Press a key, or a button of the mouse or gamepad, for: " + label_of(action) + ".\n\nEsc: none.",
+                      "Press a key, or a button of the mouse or gamepad, for: " + label_of(action) + ".\n\n" +
+                          host_->key_names().of(Command::Menu) + ": none.",
                       {},
                       0,
                       "",

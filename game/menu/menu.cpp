@@ -33,7 +33,7 @@ MenuEvent Menu::handle(const Controls& controls, CanvasSize canvas, std::int32_t
     for (const MenuAction action : controls.menu)
         if (is_open()) note(act(action, canvas, text_scale));
     for (const Command command : controls.commands)
-        if (is_open() && command == Command::Menu) note(go_back(page()));
+        if (is_open() && (command == Command::Menu || command == page().closed_by)) note(go_back(page()));
     return event;
 }
 

@@ -80,15 +80,19 @@ MenuPage MenuPages::title_page() {
         "Gallery", [this] { host_.show_gallery(); }, "all that the engine can do, a thing a page"));
     page.rows.push_back(row("Credits", [this] { open_credits(); }));
     page.rows.push_back(row("Leave", [this] { host_.leave(); }));
-    page.help = "Arrows choose, Enter accepts, Esc goes back";
+    page.help = host_.key_names().in("{choose} choose, {accept} accepts, {menu} goes back");
     return page;
 }
 
 MenuPage MenuPages::game_page() {
-    MenuPage page{"Paused", "", {}, 0, "Arrows choose, Enter accepts, Esc goes on", false, nullptr};
+    MenuPage page{"Paused", "", {}, 0, "", false, nullptr};
+    page.help = host_.key_names().in("{choose} choose, {accept} accepts, {menu} goes on");
     page.rows.push_back(row("Go on", [this] { menu_.close_all(); }));
     if (host_.can_save()) page.rows.push_back(row("Save", [this] { open_save(); }));
     page.rows.push_back(row("Load", [this] { open_load(); }));
+    if (!host_.told().empty())
+        page.rows.push_back(row(
+            "Messages", [this] { open_told(); }, "what you were told in this walk"));
     page.rows.push_back(row("Options", [this] { open_options(); }));
     page.rows.push_back(row("Restart level", [this] { open_restart(); }));
     page.rows.push_back(row("Levels", [this] { open_levels(); }));
@@ -131,14 +135,19 @@ void MenuPages::open_preferences(int page) {
     menu_.open([this, page] { return preferences_page(page); });
 }
 
+std::string MenuPages::help_of(const Preference& preference) {
+    const std::string keys = preference.keys.empty() ? "" : " (" + host_.key_names().in(preference.keys) + ")";
+    return with_capital(preference.help) + keys;
+}
+
 MenuPage MenuPages::preferences_page(int page) {
     const auto shown_page = static_cast<PreferencePage>(page);
     MenuPage shown{name_of(shown_page), "", {}, 0, "", false, nullptr};
     for (const Preference& preference : all_preferences()) {
         if (preference.page != shown_page) continue;
         shown.rows.push_back(
-            {with_capital(preference.label), preference.shown(host_.preferences()), with_capital(preference.help),
-             nullptr, [this, &preference](int steps) { preference.change(host_.preferences(), steps); }, std::nullopt});
+            {with_capital(preference.label), preference.shown(host_.preferences()), help_of(preference), nullptr,
+             [this, &preference](int steps) { preference.change(host_.preferences(), steps); }, std::nullopt});
     }
     shown.rows.push_back(row("Back", [this] { menu_.close(); }));
     return shown;
@@ -224,9 +233,38 @@ void MenuPages::open_save() {
     });
 }
 
+void MenuPages::open_text(std::string title, std::string text, std::optional<Command> closed_by) {
+    menu_.open([this, title = std::move(title), text = std::move(text), closed_by] {
+        MenuPage page{title, text, {}, 0, "", false, nullptr};
+        page.help = host_.key_names().in("{choose}: read on. {menu} or a click: back");
+        page.closed_by = closed_by;
+        return page;
+    });
+}
+
 void MenuPages::open_credits() {
-    menu_.open([text = host_.credits()] {
-        return MenuPage{"Credits", text, {}, 0, "Up and down: read on. Esc or a click: back", false, nullptr};
+    open_text("Credits", host_.credits(), {});
+}
+
+void MenuPages::open_told() {
+    std::string text;
+    for (const std::string& message : host_.told()) text += (text.empty() ? "" : "\n\n") + message;
+    open_text("Messages", text, {});
+}
+
+void MenuPages::open_figures() {
+    open_text("All figures", host_.figures(), Command::FrameCost);
+}
+
+void MenuPages::open_keys() {
+    menu_.open([this, help = host_.key_help()] {
+        MenuPage page{"Keys", "", {}, 0, "", false, nullptr};
+        page.help = host_.key_names().in("{choose}: read on. {menu}: back");
+        page.closed_by = Command::ShowHelp;
+        for (const KeyHelp& line : help) page.rows.push_back({line.label, line.keys, "", nullptr, nullptr});
+        page.rows.push_back(row("Change them", [this] { open_key_pages(menu_, host_); }));
+        page.rows.push_back(row("Back", [this] { menu_.close(); }));
+        return page;
     });
 }
 

@@ -2,6 +2,7 @@
 
 #include "game/menu/menu.h"
 #include "game/menu/menu_host.h"
+#include "game/preferences/preference_table.h"
 
 namespace oblong {
 
@@ -13,6 +14,8 @@ class MenuPages {
 
     void open_title();
     void open_game();     ///< over a walk
+    void open_keys();     ///< what keys do, over a walk or a gallery
+    void open_figures();  ///< over a gallery
     void open_gallery();  ///< over a gallery with nothing behind it
     void open_end();      ///< after a walk
     void open_restart();  ///< asks, if there is something to lose
@@ -29,12 +32,15 @@ class MenuPages {
     void open_delete();
     void open_save();
     void open_credits();
+    void open_told();
+    void open_text(std::string title, std::string text, std::optional<Command> closed_by);
 
     MenuPage title_page();
     MenuPage game_page();
     MenuPage end_page(const EndFigures& figures);
     MenuPage options_page();
     MenuPage preferences_page(int page);
+    std::string help_of(const Preference& preference);
 
     void ask(std::string title, std::string text, std::string yes, std::function<void()> action);
     /// Closes all pages, then does it.

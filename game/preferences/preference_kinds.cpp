@@ -15,6 +15,7 @@ Preference named(PreferenceNames names, std::string values) {
     preference.label = std::move(names.label);
     preference.help = std::move(names.help);
     preference.page = names.page;
+    preference.keys = std::move(names.keys);
     preference.values = std::move(values);
     return preference;
 }

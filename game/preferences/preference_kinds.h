@@ -12,6 +12,7 @@ namespace oblong {
 struct PreferenceNames {
     std::string name, label, help;
     PreferencePage page;
+    std::string keys = "";
 };
 
 /// The kinds of preferences: makers of the table's rows.

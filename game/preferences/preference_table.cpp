@@ -21,9 +21,9 @@ using Rows = std::vector<Preference>;
 Preference scaling_preference() {
     std::vector<std::string> names;
     for (int i = 0; i < kScalingCount; ++i) names.emplace_back(name_of(static_cast<Scaling>(i)));
-    Preference row = one_of(
-        {"scaling", "Scaling", "how pixels of the picture become pixels of the window (F5)", PreferencePage::Picture},
-        names, &Preferences::scaling);
+    Preference row = one_of({"scaling", "Scaling", "how pixels of the picture become pixels of the window",
+                             PreferencePage::Picture, "{scaling}"},
+                            names, &Preferences::scaling);
     row.values += "; stretch: aspect-display fill";
     row.parse = [parse = row.parse](Preferences& of, const std::string& text) {
         if (text == "stretch")
@@ -40,20 +40,21 @@ void add_picture(Rows& rows) {
     rows.push_back(mode_preference());
     rows.push_back(display_preference());
     rows.push_back(one_of(
-        {"aspect-projection", "Drawn for", "whether the projection is for the display's pixels or for square ones (F2)",
-         kPage},
+        {"aspect-projection", "Drawn for", "whether the projection is for the display's pixels or for square ones",
+         kPage, "{projection-aspect}"},
         {"square", "display"}, [](const Preferences& of) { return int{of.corrects_projection}; },
         [](Preferences& of, int value) { of.corrects_projection = value != 0; }));
-    rows.push_back(
-        one_of({"aspect-display", "Shown as", "the display's shape, square pixels, or the window's shape (F3)", kPage},
-               {"display", "square", "fill"}, &Preferences::shown_as));
+    rows.push_back(one_of({"aspect-display", "Shown as", "the display's shape, square pixels, or the window's shape",
+                           kPage, "{display-aspect}"},
+                          {"display", "square", "fill"}, &Preferences::shown_as));
     rows.push_back(scaling_preference());
     rows.push_back(
-        on_or_off({"crt", "Look of a tube", "scanlines, mask and glow of a tube, drawn by the window (C)", kPage},
+        on_or_off({"crt", "Look of a tube", "scanlines, mask and glow of a tube, drawn by the window", kPage, "{crt}"},
                   &Preferences::has_crt_look));
-    rows.push_back(
-        hundredths({"brightness", "Brightness", "of the light on surfaces; real levels are dark at 1 (- and =)", kPage},
-                   &Preferences::brightness_100, 25, 800, {25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800}));
+    rows.push_back(hundredths({"brightness", "Brightness", "of the light on surfaces; real levels are dark at 1", kPage,
+                               "{darker}, {brighter}"},
+                              &Preferences::brightness_100, 25, 800,
+                              {25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800}));
     rows.push_back(hundredths({"gamma", "Gamma", "of the display: above 1, dark colours are brighter", kPage},
                               &Preferences::gamma_100, 50, 200,
                               {50, 60, 70, 80, 90, 100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200}));
@@ -91,8 +92,8 @@ void add_accuracy(Rows& rows) {
     std::vector<std::string> presets;
     for (const Preset preset : kPresets) presets.emplace_back(name_of(preset));
     rows.push_back(one_of(
-        {"accuracy", "Accuracy", "a preset of all dials, by the year that could afford it (F4)",
-         PreferencePage::Accuracy},
+        {"accuracy", "Accuracy", "a preset of all dials, by the year that could afford it", PreferencePage::Accuracy,
+         "{accuracy}"},
         presets, [](const Preferences& of) { return static_cast<int>(of.preset); },
         [](Preferences& of, int value) {
             of.preset = static_cast<Preset>(value);

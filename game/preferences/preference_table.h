@@ -33,6 +33,7 @@ struct KeptValue {
 struct Preference : KeptValue {
     PreferencePage page = PreferencePage::Picture;
     bool is_switch = false;  ///< its values are "on" and "off"
+    std::string keys;        ///< what changes it in the game, for KeyNames::in(): "{scaling}"; may be empty
 
     /// The value as a menu shows it, at most 20 characters: "80 %", "on", "every16".
     std::function<std::string(const Preferences&)> shown;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -59,6 +60,40 @@ TEST(DemoSource, NamesOnlyTexturesThatThereAre) {
     for (const std::string& name : names) {
         EXPECT_TRUE(std::filesystem::exists(kTextures / file_of_texture_name(name))) << name;
     }
+}
+
+double distance_between(const map_source::Point& a, const map_source::Point& b) {
+    return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+/// Whether a light that stands at most 16 units before the body has all of it within its radius.
+bool is_free_of(const map_source::Brush& body, const map_source::MapEntity& light) {
+    std::map<std::string, std::string> keys(light.pairs.begin(), light.pairs.end());
+    map_source::Point at;
+    if (keys["radius"].empty() || std::sscanf(keys["origin"].c_str(), "%lf %lf %lf", &at.x, &at.y, &at.z) != 3)
+        return false;
+    double nearest = 1e9, farthest = 0;
+    for (const auto& face : body.faces)
+        for (const auto& corner : face.points) {
+            nearest = std::min(nearest, distance_between(corner, at));
+            farthest = std::max(farthest, distance_between(corner, at));
+        }
+    return nearest < 16 && farthest < std::stod(keys["radius"]);
+}
+
+TEST(DemoSource, NoLampDarkensTheWallAroundItByItsOwnShadow) {
+    const auto museum = map_source::make_museum();
+    int lamps = 0;
+    for (const auto& entity : museum.entities())
+        for (const auto& brush : entity.brushes) {
+            if (brush.faces[0].placement.texture != "lamp") continue;
+            ++lamps;
+            const auto& corner = brush.faces[0].points[0];
+            EXPECT_TRUE(
+                std::ranges::any_of(museum.entities(), [&](const auto& light) { return is_free_of(brush, light); }))
+                << "at " << corner.x << ' ' << corner.y << ' ' << corner.z;
+        }
+    EXPECT_GT(lamps, 30);
 }
 
 /// How far a point is in front of a face's plane, in units of the length of its normal.

@@ -6,6 +6,7 @@
 
 #include "tests/gallery/gallery_fixture.h"
 #include "tests/support/folders.h"
+#include "tools/gallery/page.h"
 
 namespace oblong::test {
 namespace {
@@ -82,6 +83,47 @@ TEST_F(GalleryRows, PicturesAreTheSameEachTimeAndStayInCanvasesOfOtherSizes) {
             EXPECT_TRUE(drawn.is_border_whole) << row.id << " in " << mode.width_px << "x" << mode.height_px;
         }
     }
+}
+
+/// What follows a mark in a text, up to a quotation mark, at each place.
+std::set<std::string> all_after(const std::string& text, std::string_view mark) {
+    std::set<std::string> found;
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
+        const std::size_t begin = at + mark.size();
+        found.insert(text.substr(begin, text.find('"', begin) - begin));
+    }
+    return found;
+}
+
+TEST(GalleryPage, EveryPictureIsALinkAndEveryLinkLeadsSomewhere) {
+    const std::vector<Row> rows = gallery_rows();
+    std::vector<PageRow> shown;
+    std::size_t pictures = 0;
+    for (const Row& row : rows) {
+        const std::string id(row.id);
+        shown.push_back({row, {{id + ".png", "a"}, {id + "-1.png", "b"}}, {{}, {}}});
+        pictures += 2;
+    }
+    const std::string page = index_page(shown, {});
+    const std::set<std::string> ids = all_after(page, " id=\""), links = all_after(page, "<a href=\"#");
+    EXPECT_EQ(all_after(page, "\"><img src=\"").size(), pictures);
+    EXPECT_EQ(all_after(page, "<img src=\"").size(), pictures);
+    for (const std::string& link : links) EXPECT_TRUE(ids.contains(link)) << link;
+    EXPECT_EQ(links.size(), pictures + rows.size());
+}
+
+TEST_F(GalleryRows, LinesOfFiguresAreWrappedNotCut) {
+    Row row = gallery_rows().front();
+    row.parameters.clear();
+    row.draw = [](const RowInput&, Framebuffer) {
+        return RowPage{{measured("a figure whose name is longer than a line of the canvas has room for, by far", "1")},
+                       {}};
+    };
+    const Drawn whole = draw(row, {});
+    row.draw = [](const RowInput&, Framebuffer) {
+        return RowPage{{measured("a figure whose name is longer than a line of the canvas has room for, by", "1")}, {}};
+    };
+    EXPECT_NE(draw(row, {}).pixels, whole.pixels) << "the last word shows";
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ const std::vector<Named> kNamed{
     {"aspect from display and mode", {"pixel-aspect"}},
     {"field of view, distance to the viewplane, the same view at every resolution", {"field-of-view"}},
     {"two precomputed multipliers", {"two-multipliers"}},
-    {"the dot product as definition and operation", {"dot-product"}},
+    {"no more cost than the naive projection", {"two-multipliers"}},
+    {"the dot product as definition and operation", {"dot-product", "dot-product-steps"}},
     {"orthonormal bases, and what breaks without", {"orthonormal-axes"}},
     // 2 Lab
     {"log channels by kind", {"log"}},

@@ -40,8 +40,8 @@ TEST(FourAspects, SayWhatEachIs) {
     std::string all;
     for (const AspectView& view : four_aspects(kMode, {5, 6})) all += caption_of(view, kMode) + ";";
     EXPECT_EQ(all,
-              "F2 4:3, F3 4:3:\nround;F2 square, F3 4:3:\n17 % too narrow;F2 4:3, F3 square:\n17 % too flat;"
-              "F2 square, F3 square:\nround;");
+              "drawn 4:3, shown 4:3:\nround;drawn square, shown 4:3:\n17 % too narrow;"
+              "drawn 4:3, shown square:\n17 % too flat;drawn square, shown square:\nround;");
 }
 
 }  // namespace

@@ -4,11 +4,9 @@
 #include <limits>
 #include <vector>
 
-#include "engine/platform/headless/headless.h"
 #include "game/aspect_guide.h"
 #include "game/comparison.h"
 #include "game/error_map.h"
-#include "game/help_panel.h"
 #include "game/hud.h"
 #include "game/lab_panel.h"
 
@@ -91,19 +89,14 @@ CostText long_cost() {
     return cost;
 }
 
-std::vector<std::string> keys_as_bound() {
-    const HeadlessPlatform platform(1, 35, nullptr, nullptr);
-    return game_help(default_bindings(), platform);
-}
-
 void draw_everything(const ScreenMode& mode, const GuardedCanvas& guarded) {
     const Framebuffer canvas = guarded.canvas();
     LabOptions options;
     options.flips = options.splits = true;
     const CostText cost = long_cost();
-    const HudText text{{"[door]"}, {"a wall"}, &cost, keys_as_bound()};
+    const HudText text{{"[door]"}, {"a wall"}, &cost};
     Messages messages;
-    messages.show(std::string(200, 'm'), MessageKind::Level);
+    messages.show(std::string(200, 'm'));
     draw_aspect_guide(mode, kColours, canvas);
     for (const std::int32_t split : {0, 1, 32'768, 65'535, 65'536}) {
         options.split_16 = split;
@@ -152,19 +145,6 @@ TEST(Overlay, ThePlanFits320x200InTwoColumns) {
     draw_cost(cost, 200 - kTextMargin_px, kColours, left.canvas());
     for (std::int32_t y = 0; y < 180; ++y)
         for (std::int32_t x = 148; x < 320; ++x) ASSERT_EQ(left.canvas().row(y)[x], kPicture) << x << ", " << y;
-}
-
-// All of it is on the screen, and a message of one line fits above it.
-TEST(Overlay, TheHelpFits320x200) {
-    const std::vector<std::string> keys = keys_as_bound();
-    EXPECT_LE(keys.size(), 17u);
-    for (const std::string& line : keys) EXPECT_LE(line.size(), 51u) << line;
-    const GuardedCanvas guarded(640, 400);
-    Messages none;
-    draw_hud({{}, {}, nullptr, keys}, none, 0, 396, kColours, ColourTable{}, guarded.canvas());
-    const Area help = guarded.box_of([](std::uint8_t colour) { return colour != kPicture; });
-    EXPECT_LE(help.width, 320);
-    EXPECT_LE(help.height, 200 - 2 * 10);
 }
 
 TEST(Overlay, CountsAreShort) {

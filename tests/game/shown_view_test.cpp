@@ -76,8 +76,8 @@ TEST(ShownView, KeepsTheSizeOfWhatIsInTheMiddleWhileItZooms) {
 TEST(ShownView, ZoomsBetweenItsLimitsAndIsOffAt90Degrees) {
     ViewOptions options;
     const auto press = [&](Command command) { return apply(command, options, {1600, 1200}); };
-    EXPECT_EQ(press(Command::ZoomIn), "[ ] Zoom against dolly: 80 degrees");
-    EXPECT_EQ(press(Command::ZoomOut), "[ ] Zoom against dolly: off");
+    EXPECT_EQ(press(Command::ZoomIn), "{zoom-in} {zoom-out} Zoom against dolly: 80 degrees");
+    EXPECT_EQ(press(Command::ZoomOut), "{zoom-in} {zoom-out} Zoom against dolly: off");
     EXPECT_EQ(options.zoom_degrees, 0);
     for (int i = 0; i < 20; ++i) press(Command::ZoomOut);
     EXPECT_EQ(options.zoom_degrees, 120);

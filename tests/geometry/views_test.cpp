@@ -91,22 +91,31 @@ double shortening(const Basis& axes, const Point& axis) {
     return std::hypot(dot(point_of(axes.right), axis), dot(point_of(axes.up), axis));
 }
 
+/// How many of three numbers differ from each other.
+std::size_t different_of(std::array<double, 3> factors) {
+    std::sort(factors.begin(), factors.end());
+    return 1 + (factors[1] - factors[0] > 0.05) + (factors[2] - factors[1] > 0.05);
+}
+
 TEST(ParallelViews, HaveTheScalesThatTheirNamesSay) {
-    for (const double degrees : {0.0, 90.0, 180.0, 270.0}) {
-        const Angle turn = degrees_to_angle(Degrees::from_int(static_cast<std::int64_t>(degrees)));
-        const bool is_turned = degrees == 90 || degrees == 270;
-        const Point x{is_turned ? 0.0 : 1.0, is_turned ? 1.0 : 0.0, 0}, y{x[1], x[0], 0}, z{0, 0, 1};
-        const Basis isometric = axonometric_axes(Axonometry::Isometric, turn);
-        for (const Point& axis : {x, y, z}) EXPECT_NEAR(shortening(isometric, axis), std::sqrt(2 / 3.0), 1e-8);
-        const Basis dimetric = axonometric_axes(Axonometry::Dimetric, turn);
-        EXPECT_NEAR(shortening(dimetric, x), std::sqrt(2) / 3, 1e-8);
-        EXPECT_NEAR(shortening(dimetric, y), 2 * std::sqrt(2) / 3, 1e-8);
-        EXPECT_NEAR(shortening(dimetric, z), 2 * std::sqrt(2) / 3, 1e-8);
-        const Basis trimetric = axonometric_axes(Axonometry::Trimetric, turn);
-        EXPECT_NEAR(shortening(trimetric, x), std::sqrt(1 - 9 / 17.0), 1e-8);
-        EXPECT_NEAR(shortening(trimetric, y), std::sqrt(1 - 4 / 17.0), 1e-8);
-        EXPECT_NEAR(shortening(trimetric, z), std::sqrt(1 - 4 / 17.0), 1e-8);
-    }
+    struct Named {
+        Axonometry kind;
+        std::size_t different;          ///< iso: 1, di: 2, tri: 3
+        std::array<double, 3> squares;  ///< of x, y, z: 1 less the squared part of each along the rays
+    };
+    for (const Named& named : {Named{Axonometry::Isometric, 1, {2 / 3.0, 2 / 3.0, 2 / 3.0}},
+                               Named{Axonometry::Dimetric, 2, {2 / 9.0, 8 / 9.0, 8 / 9.0}},
+                               Named{Axonometry::Trimetric, 3, {25 / 50.0, 34 / 50.0, 41 / 50.0}}})
+        for (const int quarters : {0, 1, 2, 3}) {
+            const Basis axes = axonometric_axes(named.kind, degrees_to_angle(Degrees::from_int(90 * quarters)));
+            std::array<double, 3> factors{shortening(axes, {1, 0, 0}), shortening(axes, {0, 1, 0}),
+                                          shortening(axes, {0, 0, 1})};
+            if (quarters % 2 == 1) std::swap(factors[0], factors[1]);
+            EXPECT_EQ(different_of(factors), named.different);
+            // Of three axes at right angles, whatever the view: the squares add up to 2.
+            EXPECT_NEAR(factors[0] * factors[0] + factors[1] * factors[1] + factors[2] * factors[2], 2, 1e-7);
+            for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(factors[i], std::sqrt(named.squares[i]), 1e-8);
+        }
 }
 
 TEST(ParallelViews, ShiftWhatIsFartherWhereOblique) {

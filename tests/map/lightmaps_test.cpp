@@ -127,6 +127,29 @@ TEST(Lightmaps, APillarThrowsAShadow) {
     }
 }
 
+// A lamp whose body stands on the floor and its light on top of that, as near as lamps have it.
+TEST(Lightmaps, WithinItsRadiusALampsBodyThrowsNoShadow) {
+    const std::string body = box({104, 104, 0}, {120, 120, 16});
+    const auto lit = [&](const std::vector<std::array<std::string, 2>>& keys) {
+        return compile(level(hall() + body, entity_at("light", {112, 112, 20}, keys)), {true});
+    };
+    const auto shaded = lit({}), open = lit({{"radius", "26"}});
+    EXPECT_LT(floor_light(shaded, 128, 112), floor_light(shaded, 176, 112)) << "a dark halo";
+    int before = 256;
+    for (int x = 128; x <= 208; x += 16) {
+        EXPECT_LT(floor_light(open, x, 112), before) << x;
+        before = floor_light(open, x, 112);
+        const double distance = std::hypot(x - 112, 19);
+        EXPECT_NEAR(before, (300 - distance) * (1 + 19 / distance) / 2 / 2, 1) << x;
+    }
+}
+
+TEST(Lightmaps, ALampsRadiusLetsNoLightThroughWhatIsFarther) {
+    const auto bsp = compile(
+        level(hall() + box({104, 24, 0}, {120, 104, 128}), entity_at("light", kLamp, {{"radius", "26"}})), {true});
+    EXPECT_EQ(floor_light(bsp, 192, 64), 0) << "behind the pillar";
+}
+
 TEST(Lightmaps, ManyRaysSoftenTheEdgeOfAShadow) {
     const std::string source = level(hall() + box({104, 24, 64}, {120, 224, 128}), entity_at("light", kLamp));
     const auto hard = compile(source, {true}), soft = compile(source);

@@ -32,9 +32,8 @@ TEST(Hud, NothingOverlaps) {
     for (int i = 0; i < 20'000 && !testing::Test::HasFailure(); ++i) {
         const bool is_small = random() % 2 == 0;
         const Framebuffer canvas{pixels.data(), is_small ? 320 : 640, is_small ? 200 : 480, 640};
-        HudText text{
-            random_texts(random, 3, 60), random_texts(random, 2, 200), random() % 3 == 0 ? &cost : nullptr, {}};
-        if (random() % 4 == 0) text.help.assign(random() % 22, std::string(random() % 52, 'h'));
+        const HudText text{random_texts(random, 3, 60), random_texts(random, 2, 200),
+                           random() % 3 == 0 ? &cost : nullptr};
         const TextColours colours{255, 0, 1 + static_cast<std::int32_t>(random() % 2)};
         const bool has_messages = random() % 2 == 0;
         const auto bottom = static_cast<std::int32_t>(random() % 201);
@@ -42,7 +41,6 @@ TEST(Hud, NothingOverlaps) {
         std::vector<int> owners(480);
         std::vector<RowRange> parts = layout.notes;
         parts.insert(parts.end(), {layout.captions, layout.cost, layout.messages});
-        if (!text.help.empty()) parts.push_back(layout.help);
         for (const RowRange& part : parts)
             for (std::int32_t row = part.top; row < part.bottom; ++row) {
                 ASSERT_GE(row, 0);
@@ -58,7 +56,7 @@ TEST(Hud, AMessageComesFirstThenCaptionsNotesAndCost) {
     const TextColours colours{255, 0, 1};
     CostText cost;
     cost.frame = "1 us a frame";
-    const HudText text{{"[door]"}, {"a wall"}, &cost, {}};
+    const HudText text{{"[door]"}, {"a wall"}, &cost};
     const HudLayout roomy = lay_out_hud(text, true, 200, colours, canvas);
     EXPECT_EQ(roomy.captions.bottom, 200);
     EXPECT_EQ(roomy.notes[0].bottom, roomy.captions.top);
@@ -68,20 +66,6 @@ TEST(Hud, AMessageComesFirstThenCaptionsNotesAndCost) {
     EXPECT_GE(narrow.messages.height(), kLineHeight_px);
     EXPECT_EQ(narrow.captions.height(), kLineHeight_px);
     EXPECT_EQ(narrow.notes[0].height() + narrow.cost.height(), 0);
-}
-
-// Above the panel of keys, or not yet.
-TEST(Hud, MessagesWaitWhileThePanelOfKeysTakesTheirRoom) {
-    std::vector<std::uint8_t> pixels(320 * 200);
-    const Framebuffer canvas{pixels.data(), 320, 200, 320};
-    HudText text;
-    text.help.assign(15, "F1  this");
-    EXPECT_GE(lay_out_hud(text, true, 196, {255, 0, 1}, canvas).messages.height(), kLineHeight_px);
-    text.help.assign(19, "F1  this");
-    EXPECT_LT(lay_out_hud(text, true, 196, {255, 0, 1}, canvas).messages.height(), kLineHeight_px);
-    EXPECT_EQ(lay_out_hud(text, true, 196, {255, 0, 2}, canvas).help_scale, 1) << "large where it fits";
-    text.help.assign(8, "F1  this");
-    EXPECT_EQ(lay_out_hud(text, true, 196, {255, 0, 2}, canvas).help_scale, 2);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "engine/platform/headless/headless.h"
 #include "game/menu/key_pages.h"
 #include "game/menu/menu_pages.h"
 
@@ -14,7 +15,11 @@ constexpr CanvasSize kCanvas{320, 200};
 class FakeHost final : public MenuHost {
   public:
     Preferences& preferences() override { return kept; }
+    KeyNames key_names() const override { return {kept.bindings, platform, false}; }
     std::string local_name_of(Input input) const override { return name_of(input); }
+    std::vector<KeyHelp> key_help() const override { return game_help(key_names()); }
+    std::vector<std::string> told() const override { return {"You carry a lens.", std::string(300, 'm')}; }
+    std::string figures() const override { return "12 figures"; }
     std::vector<LevelEntry> levels() const override {
         return {{"demo", "", "The museum"}, {"e1m1", "maps/e1m1.bsp", "the Slipgate Complex"}};
     }
@@ -47,6 +52,7 @@ class FakeHost final : public MenuHost {
     void show_gallery() override { done.push_back("gallery"); }
     void leave() override { done.push_back("leave"); }
 
+    const HeadlessPlatform platform{1, 35, nullptr, nullptr};
     Preferences kept;
     std::vector<std::string> done;
     bool is_walking = true, is_unsaved = true, has_autosave = false;

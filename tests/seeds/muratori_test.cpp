@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numbers>
 
 #include "engine/geometry/project.h"
 #include "engine/geometry/projection.h"
 #include "tests/seeds/seed_values.h"
+#include "tools/gallery/counted.h"
 
 namespace oblong::test {
 namespace {
@@ -89,6 +91,47 @@ TEST(SeedM9, FourThirdsWrittenAs1Point33MissesByAQuarterOfAPixel) {
     };
     EXPECT_EQ(top(k320x200), 0);
     EXPECT_EQ(top(rounded), 0.25);
+}
+
+/// What the three projections of the seed do for one point, counted as they run, and that they end where project()
+/// does.
+TEST(SeedM10, AspectAndFieldOfViewInTwoMultipliersCostNothing) {
+    Operations naive, by_formula, by_multipliers;
+    const auto counted = [](Operations& operations, double value) { return Counted(value, operations); };
+    const auto point = [](auto number) { return Vec3<Counted>{number(3), number(2), number(7)}; };
+    const auto place = [](auto number, double x, double y) { return SeedPixel<Counted>{number(x), number(y)}; };
+    const auto in_naive = [&](double value) { return counted(naive, value); };
+    const auto in_formula = [&](double value) { return counted(by_formula, value); };
+    const auto in_multipliers = [&](double value) { return counted(by_multipliers, value); };
+
+    const Projection corrected = make_projection(k320x200, Degrees::from_int(90)),
+                     square = make_projection(k320x200, Degrees::from_int(90), false);
+    const auto expect_at = [](const SeedPixel<Counted>& found, const Projection& projection) {
+        const ScreenPosition position = project(view_point(3, 2, 7), projection);
+        EXPECT_NEAR(found.x.value(), number(position.x), 1.0 / 256);
+        EXPECT_NEAR(found.y.value(), number(position.y), 1.0 / 256);
+    };
+    expect_at(project_naively(point(in_naive), in_naive(160), place(in_naive, 160, 100)), square);
+    expect_at(project_by_formula(point(in_formula), in_formula(160), in_formula(4.0 / 3), place(in_formula, 320, 200),
+                                 place(in_formula, 160, 100)),
+              corrected);
+    expect_at(project_by_multipliers(point(in_multipliers), place(in_multipliers, 160, 400.0 / 3),
+                                     place(in_multipliers, 160, 100)),
+              corrected);
+    EXPECT_EQ(naive, (Operations{2, 2, 2}));
+    EXPECT_EQ(by_formula, (Operations{4, 3, 2})) << "worked out at each point";
+    EXPECT_EQ(by_multipliers, naive);
+}
+
+/// The seven things that the seed asks for, and the nine terms that they leave three of.
+TEST(SeedM11, ThreeOfNineTermsAreLeftInOrthonormalAxesAlone) {
+    const std::array<std::array<double, 3>, 3> orthonormal{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+        crooked{{{1, 0.5, 0}, {0.5, 1, 0}, {0, 0, 1}}};
+    const Vec3<double> u{1, 2, 3}, v{4, -5, 6};
+    EXPECT_EQ(dot_by_nine_terms(u, v, orthonormal), 12);
+    EXPECT_EQ(dot_by_components(u, v), 12);
+    // u is (2, root 3, 3) in axes at right angles, v (3/2, -5 root 3 / 2, 6): 3 - 15/2 + 18.
+    EXPECT_EQ(dot_by_nine_terms(u, v, crooked), 13.5);
 }
 
 }  // namespace

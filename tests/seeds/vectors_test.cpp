@@ -7,6 +7,7 @@
 #include "engine/math/matrix.h"
 #include "engine/math/plane.h"
 #include "engine/math/vec.h"
+#include "tools/gallery/counted.h"
 
 // What the five texts say of vectors, with the values as corrected. M: Muratori, N: the course notes, P: Princeton,
 // A: Abrash.
@@ -36,6 +37,15 @@ std::int64_t dot_of(const Vec3<Entry>& a, const Vec3<Entry>& b) {
 }
 
 const Plane kFloorAt5 = plane_through(at(0, 0, 5), kZ);
+
+TEST(SeedA10, LightByADotProductTakesFourMultiplicationsAndTwoAdditions) {
+    Operations operations;
+    const auto vector = [&](double x, double y, double z) {
+        return Vec3<Counted>{{x, operations}, {y, operations}, {z, operations}};
+    };
+    EXPECT_EQ(lit(vector(0.6, 0, 0.8), vector(0, 0, 1), Counted(200, operations)).value(), 160);
+    EXPECT_EQ(operations, (Operations{4, 0, 2}));
+}
 
 TEST(SeedM6, LawOfCosinesTakesSquaredLengthsWithoutRoots) {
     const auto u = whole(1, 2, 3), v = whole(4, -5, 6);

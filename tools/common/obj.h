@@ -19,7 +19,7 @@ struct ObjModel {
     std::vector<std::string> warnings;  ///< what of the file is missing, and what is done instead
 };
 
-/// A Wavefront OBJ file with its materials (by tinyobjloader), a skin for each that is used: the PNG of its map_Kd, or
+/// A Wavefront OBJ file with its materials (by tinyobjloader), a skin for each that is used: the picture of its map_Kd, or
 /// a texel of its colour Kd. A missing material file, a material or a picture is a warning, and grey stands for it.
 /// Coordinates are rounded to 1/4,096 unit once, after they are scaled: a model of a unit's size loses nothing if
 /// `scale` makes it as large as it is shown. Faces may be polygons of up to 255 corners, concave ones too. Where

@@ -8,8 +8,6 @@
 namespace oblong {
 namespace {
 
-constexpr std::int32_t kPanelMargin_px = 6;
-
 void draw_glyph(Framebuffer canvas, std::int32_t x, std::int32_t y, const Glyph& glyph, std::uint8_t colour,
                 std::int32_t scale) {
     for (std::int32_t row = 0; row < kGlyphHeight_px; ++row)
@@ -74,17 +72,6 @@ std::int32_t draw_lines_above(std::int32_t bottom, std::string_view text, TextCo
     const std::int32_t top = bottom - static_cast<std::int32_t>(count) * kLineHeight_px * colours.scale;
     draw_lines(top, text, colours, canvas);
     return top;
-}
-
-void draw_panel(Framebuffer canvas, std::span<const std::string_view> lines, TextColours colours) {
-    const std::int32_t scale = colours.scale, margin = kPanelMargin_px * scale, line_height = kLineHeight_px * scale;
-    std::int32_t width = 0;
-    for (const std::string_view line : lines) width = std::max(width, text_width_px(line) * scale);
-    const auto height = static_cast<std::int32_t>(lines.size()) * line_height;
-    const std::int32_t x = (canvas.width_px - width) / 2, y = (canvas.height_px - height) / 2;
-    fill_area(canvas, {x - margin, y - margin, width + 2 * margin, height + 2 * margin}, colours.dark);
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        draw_plain(canvas, x, y + static_cast<std::int32_t>(i) * line_height, lines[i], colours.bright, scale);
 }
 
 }  // namespace oblong

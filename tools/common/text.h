@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -38,8 +37,5 @@ std::int32_t draw_lines_above(std::int32_t bottom, std::string_view text, TextCo
 
 /// How a text is wrapped that is drawn between the canvas's margins.
 std::vector<std::string_view> lines_across(std::string_view text, TextColours colours, Framebuffer canvas);
-
-/// A dark panel in the middle of the canvas with the lines on it.
-void draw_panel(Framebuffer canvas, std::span<const std::string_view> lines, TextColours colours);
 
 }  // namespace oblong

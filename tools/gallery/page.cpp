@@ -21,11 +21,13 @@ a { color: inherit; }
 code { font-family: ui-monospace, monospace; font-size: 0.9em; overflow-wrap: anywhere; }
 .soft, figcaption { color: var(--soft); font-size: 0.9rem; }
 img { width: 100%; image-rendering: pixelated; display: block; background: #000; }
-figure { margin: 0; }
+figure { margin: 0; min-width: 0; scroll-margin-top: 1rem; }
+figcaption { overflow-wrap: anywhere; }
 .others { display: grid; grid-template-columns: repeat(auto-fill, minmax(7rem, 1fr)); gap: 0.5rem; margin-top: 0.5rem; }
+.others :target { grid-column: 1 / -1; }
 nav { columns: 15rem; font-size: 0.9rem; }
-nav b { display: block; break-after: avoid; margin-top: 0.4rem; }
-nav a { display: block; text-decoration: none; }
+nav b { display: block; break-after: avoid; break-inside: avoid; margin-top: 0.4rem; }
+nav a { display: block; break-inside: avoid; text-decoration: none; }
 table { border-collapse: collapse; font-size: 0.88rem; margin: 0.6rem 0; font-variant-numeric: tabular-nums; width: 100%; }
 th, td { text-align: left; padding: 0.2rem 0.6rem 0.2rem 0; border-bottom: 1px solid var(--line); vertical-align: top; }
 th { color: var(--soft); font-weight: 600; }
@@ -56,10 +58,12 @@ std::string link_of(const Row& row) {
     return "<a href=\"#" + std::string(row.id) + "\">" + escaped(row.name) + "</a>\n";
 }
 
-std::string picture_html(const PagePicture& picture, const ScreenMode& mode) {
+/// A picture that a click shows in its section's full width: opened by itself, a browser would take its pixels for
+/// square.
+std::string picture_html(const PagePicture& picture, const std::string& id, const ScreenMode& mode) {
     const std::string shape = std::to_string(mode.display.numerator) + " / " + std::to_string(mode.display.denominator);
-    std::string html = "<figure><img src=\"" + picture.file + "\" alt=\"" + escaped(picture.caption) +
-                       "\" style=\"aspect-ratio: " + shape + "\">";
+    std::string html = "<figure id=\"" + id + "\"><a href=\"#" + id + "\"><img src=\"" + picture.file + "\" alt=\"" +
+                       escaped(picture.caption) + "\" style=\"aspect-ratio: " + shape + "\"></a>";
     if (!picture.caption.empty()) html += "<figcaption>" + escaped(picture.caption) + "</figcaption>";
     return html + "</figure>\n";
 }
@@ -90,11 +94,12 @@ std::string text_html(const PageRow& shown) {
 }
 
 std::string row_html(const PageRow& shown, const ScreenMode& mode) {
-    std::string html =
-        "<section id=\"" + std::string(shown.row.id) + "\"><div>" + picture_html(shown.pictures[0], mode);
+    const std::string id(shown.row.id);
+    std::string html = "<section id=\"" + id + "\"><div>" + picture_html(shown.pictures[0], id + "-0", mode);
     if (shown.pictures.size() > 1) {
         html += "<div class=\"others\">";
-        for (std::size_t i = 1; i < shown.pictures.size(); ++i) html += picture_html(shown.pictures[i], mode);
+        for (std::size_t i = 1; i < shown.pictures.size(); ++i)
+            html += picture_html(shown.pictures[i], id + "-" + std::to_string(i), mode);
         html += "</div>";
     }
     return html + "</div><div>" + text_html(shown) + "</div></section>\n";

@@ -18,12 +18,6 @@ std::string with_decimals(double value, int decimals) {
     return text;
 }
 
-/// A line on a dark bar, cut where the canvas ends.
-void draw_bar(std::int32_t y, std::string_view line, TextColours colours, Framebuffer canvas) {
-    const auto most = static_cast<std::size_t>((canvas.width_px - 2 * kTextMargin_px) / kGlyphAdvance_px);
-    draw_text(canvas, kTextMargin_px, y, line.substr(0, most), colours);
-}
-
 std::string parameter_text(const Row& row, std::span<const std::int64_t> values, std::size_t chosen) {
     const Parameter& parameter = row.parameters[chosen];
     std::string text = "< " + parameter.name + ": " + value_text(parameter, values[chosen]) + " >";
@@ -76,19 +70,18 @@ RowPage draw_row(const Row& row, const RowInput& input, std::size_t chosen, Fram
     const TextColours colours = input.assets.text;
     fill_area(canvas, {0, 0, canvas.width_px, kHeader_px}, colours.dark);
     fill_area(canvas, {0, canvas.height_px - kFooter_px, canvas.width_px, kFooter_px}, colours.dark);
-    draw_bar(2, row.name, colours, canvas);
-    std::size_t lines_left = kFooter_px / kLineHeight_px;
+    const std::int32_t width_px = canvas.width_px - 2 * kTextMargin_px;
+    draw_text(canvas, kTextMargin_px, 2, row.name, colours);
+    std::vector<std::string> texts;
+    if (!row.parameters.empty()) texts.push_back(parameter_text(row, input.values, chosen));
+    for (const Figure& figure : page.figures) texts.push_back(figure_text(figure));
     std::int32_t y = canvas.height_px - kFooter_px + 2;
-    if (!row.parameters.empty()) {
-        draw_bar(y, parameter_text(row, input.values, chosen), colours, canvas);
-        y += kLineHeight_px;
-        --lines_left;
-    }
-    for (const Figure& figure : page.figures) {
-        if (lines_left-- == 0) break;
-        draw_bar(y, figure_text(figure), colours, canvas);
-        y += kLineHeight_px;
-    }
+    for (const std::string& text : texts)
+        for (const std::string_view line : lines_of(text, width_px)) {
+            if (y + kLineHeight_px > canvas.height_px) return page;
+            draw_text(canvas, kTextMargin_px, y, line, colours);
+            y += kLineHeight_px;
+        }
     return page;
 }
 

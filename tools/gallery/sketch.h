@@ -50,7 +50,8 @@ class Sketch {
 /// The canvas between the gallery's header and footer, its left part `width` of 320 wide; and what is right of it.
 Area scene_area(Framebuffer canvas, std::int32_t width_of_320 = 320);
 
-/// Lines of text from a place down.
+/// Lines of text from a place down to the gallery's footer; where there is no room for all, the last one says how many
+/// more there are.
 void draw_column(Framebuffer canvas, std::int32_t x, std::int32_t y, std::span<const std::string> lines,
                  TextColours colours);
 

@@ -1,10 +1,16 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "engine/accuracy/dials.h"
+#include "engine/base/table.h"
+#include "engine/fixed/root.h"
+#include "engine/frame/frame_record.h"
+#include "engine/frame/texture_spans.h"
+#include "engine/geometry/screen_polygon.h"
 #include "engine/geometry/triangle_gradients.h"
-#include "engine/raster/texture_blocks.h"
+#include "engine/math/soft_float.h"
 #include "tools/probe/decimal.h"
 #include "tools/probe/queries.h"
 
@@ -55,41 +61,118 @@ TexspanQuery read_query(Fields& fields) {
     return query;
 }
 
-void append_texels(const TexelBlock& block, const TexspanQuery& query, std::string& text) {
-    for (std::int64_t i = 0; i < block.count; ++i) {
-        if (!text.empty()) text += ' ';
-        text += format_fixed(query.base_u + Texel::from_raw(block.u_16 + i * block.u_step_16)) + ' ';
-        text += format_fixed(query.base_v + Texel::from_raw(block.v_16 + i * block.v_step_16));
-    }
+/// The least_density() of a face that shows these texels (engine/scene/face_table.cpp), floored to 2^-15. With edges P
+/// and Q from one corner, along which u changes by p and q, u rises by |p Q - q P| / |P x Q| a unit; and the area in
+/// texels by that in units is as much of |P x Q| below, which cancels.
+TexelDensity least_density(const std::array<TexturedCorner, 3>& corners) {
+    const auto& [a, b, c] = corners;
+    const auto to_b = b.position - a.position, to_c = c.position - a.position;
+    const auto change = [](Texel to, Texel from) { return SoftFloat::from(to - from); };
+    const SoftFloat u_b = change(b.u, a.u), u_c = change(c.u, a.u), v_b = change(b.v, a.v), v_c = change(c.v, a.v);
+    SoftFloat squares;
+    for (const auto& [at_b, at_c] : {std::pair{u_b, u_c}, {v_b, v_c}})
+        for (const auto& [b_along, c_along] : {std::pair{to_b.x, to_c.x}, {to_b.y, to_c.y}, {to_b.z, to_c.z}}) {
+            const SoftFloat part = at_b * SoftFloat::from(c_along) - at_c * SoftFloat::from(b_along);
+            squares = squares + part * part;
+        }
+    if (squares.is_zero()) return {};
+    const SoftFloat area = u_b * v_c - u_c * v_b;
+    const std::optional<std::int64_t> square = fixed_of(area * area / squares, 30);
+    if (!square) return TexelDensity::from_int(1 << 16);
+    return TexelDensity::from_raw(std::int64_t{2} * integer_root(static_cast<std::uint64_t>(*square)));
 }
 
-/// Samples a part of the row that the query asks for.
-void append_part(const TexspanQuery& query, const Projection& projection, const Span& part, const Accuracy& accuracy,
-                 std::string& text) {
-    const PixelPosition middle{(part.first + part.end) / 2, part.y};
-    const auto exact = make_triangle_gradients(query.corners, projection, middle);
-    if (!exact) throw Unsupported{};
-    const TextureGradients gradients = rounded_to(*exact, accuracy.inverse_z_bits, accuracy.over_z_bits);
-    const BlockRule rule = make_block_rule(accuracy);
-    const BlockThresholds thresholds = make_block_thresholds(rule, gradients.inverse_z.per_column);
-    BlockList blocks(part.end - part.first);
-    block_cutter(accuracy)({&part, 1}, query.view.mode.width_px,
-                           {gradients, make_texel_limits(65535, 65535, 0), thresholds, rule.texel_bound_256}, blocks);
-    for (const TexelBlock& block : blocks.waiting()) append_texels(block, query, text);
+/// The view of a frame whose eye is at the origin, the world's axes being those of viewspace.
+ViewContext view_of(const Projection& projection) {
+    ViewContext view;
+    view.axes = view.rays = y_up_basis({}, {}, {});
+    view.projection = projection;
+    view.frustum = make_frustum(view.axes, projection);
+    view.grid = SubpixelGrid::of_bits(Screen::kFractionBits);
+    return view;
 }
+
+/// The triangle as a frame claims it: how near and how far its part in view is.
+ClaimedFace claimed_by_frame(const TexspanQuery& query, const Projection& projection) {
+    std::vector<Vec3<World>> corners;
+    ClaimedFace claimed;
+    claimed.nearest_z = View::highest();
+    for (const TexturedCorner& corner : query.corners) {
+        corners.push_back(convert<World>(corner.position));
+        claimed.nearest_z = std::min(claimed.nearest_z, convert<View>(corner.position.z));
+        claimed.farthest_z = std::max(claimed.farthest_z, convert<View>(corner.position.z));
+    }
+    ScreenPolygon polygon;
+    if (project_polygon(corners, view_of(projection), polygon)) {
+        claimed.nearest_z = polygon.nearest_z;
+        claimed.farthest_z = polygon.farthest_z;
+    }
+    return claimed;
+}
+
+/// What the row's pixels show: a frame's own drawing of them, recorded. Nothing is written: the surface has no texels.
+class RowSampler {
+  public:
+    RowSampler(const TexspanQuery& query, const Accuracy& accuracy)
+        : query_(query),
+          accuracy_(accuracy),
+          projection_(frame_lens(query.view)),
+          claimed_(claimed_by_frame(query, projection_)),
+          density_(least_density(query.corners)) {
+        // Nothing is drawn with a projection that is not; its blocks are single pixels.
+        if (is_drawable(projection_)) pixel_width_ = make_inverse_projection(projection_).least_pixel_width;
+        surface_.limits = make_texel_limits(65535, 65535, 0);
+        surface_.origin_u = static_cast<std::int32_t>(floor_of(query.base_u));
+        surface_.origin_v = static_cast<std::int32_t>(floor_of(query.base_v));
+        surface_.kernel = [](std::span<const TexelBlock>, const SurfaceView&, std::uint8_t*) {};
+        surface_.is_wrapped_by_masks = false;  // so that pixels that are divided come to that kernel too
+        record_.pixels.resize(static_cast<std::size_t>(query.span.end));
+    }
+
+    /// Samples a part of the row.
+    void sample(const Span& part) {
+        const auto exact = make_triangle_gradients(query_.corners, projection_, {(part.first + part.end) / 2, part.y});
+        if (!exact) throw Unsupported{};
+        const TextureGradients gradients = rounded_to(*exact, accuracy_.inverse_z_bits, accuracy_.over_z_bits);
+        SpanScratch scratch(part.end - part.first);
+        // With a pitch of 0 every row is the one that is recorded.
+        const Framebuffer out{nullptr, query_.view.mode.width_px, query_.view.mode.height_px, 0};
+        draw_texture_spans({claimed_, surface_, {}, gradients, density_, pixel_width_}, {&part, 1},
+                           {make_span_texturing(accuracy_), out, scratch, nullptr, &record_});
+    }
+
+    std::string text() const {
+        std::string text;
+        for (std::int32_t column = query_.span.first; column < query_.span.end; ++column) {
+            const PixelRecord& pixel = at(record_.pixels, column);
+            text += (text.empty() ? "" : " ") + format_fixed(pixel.u) + ' ' + format_fixed(pixel.v);
+        }
+        return text;
+    }
+
+  private:
+    const TexspanQuery& query_;
+    const Accuracy& accuracy_;
+    Projection projection_;
+    ClaimedFace claimed_;
+    TexelDensity density_;
+    WidthAtOne pixel_width_;
+    FaceSurface surface_;
+    FrameRecord record_;
+};
 
 std::string sample_span(const TexspanQuery& query, const Accuracy& accuracy) {
-    // Gradients lose half a step a pixel away from their anchor. Rows wider than any frame's are sampled in parts with
-    // an anchor each; an affine span has to stay whole.
-    constexpr std::int32_t kLongestPart_px = 512;
-    const std::int32_t longest_px =
-        accuracy.texturing == Texturing::Affine ? query.view.mode.width_px : kLongestPart_px;
-    const Projection projection = frame_lens(query.view);
-    std::string text;
+    // Gradients lose half a step a pixel away from their anchor. Pixels that divide each for itself are sampled in
+    // short parts with an anchor each. Others need their neighbours: of rows wider than any frame's, a frame's width of
+    // them, and an affine span all.
+    constexpr std::int32_t kShortPart_px = 512;
+    const std::int32_t longest_px = accuracy.texturing == Texturing::Affine  ? query.view.mode.width_px
+                                    : accuracy.texturing == Texturing::Exact ? kShortPart_px
+                                                                             : kLargestMode_px;
+    RowSampler sampler(query, accuracy);
     for (std::int32_t first = query.span.first; first < query.span.end; first += longest_px)
-        append_part(query, projection, {query.span.y, first, std::min(first + longest_px, query.span.end)}, accuracy,
-                    text);
-    return text;
+        sampler.sample({query.span.y, first, std::min(first + longest_px, query.span.end)});
+    return sampler.text();
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ void paint_sunk_panel(Canvas& canvas, Box box, int seed) {
 
 Texel plaster(Ramp ramp, int base, int x, int y, int seed) {
     const NoiseField field{64, 64, seed};
-    return {ramp, base + fractal_noise(field, x, y, 32) + (hash_255(x, y, seed) - 128) / 3};
+    return {ramp, base + fractal_noise(field, x, y, 32) + (hash_255(x, y, seed) - 128) * 2};
 }
 
 void paint_gold_star(Canvas& canvas, int x, int y) {
@@ -138,7 +138,7 @@ Canvas paint_grid_paper() {
     canvas.paint(canvas.whole(), [](int x, int y) {
         Texel paper = plaster(Ramp::Ivory, steps(11), x, y, 94);
         if (x % 32 == 0 || y % 32 == 0) return Texel{Ramp::Night, steps(8)};
-        if (x % 8 == 0 || y % 8 == 0) return Texel{Ramp::Star, paper.level - steps(2)};
+        if (x % 8 == 0 || y % 8 == 0) return Texel{Ramp::Stone, paper.level - steps(1)};
         return paper;
     });
     return canvas;

@@ -22,8 +22,7 @@ constexpr std::array<RampDesign, kOrdinaryRamps> kDesigns{{{{238, 238, 238}, 0, 
                                                            {{236, 150, 100}, 22, -26, -22},
                                                            {{250, 240, 212}, 10, 2, -10},
                                                            {{178, 128, 214}, -10, -34, 20},
-                                                           {{170, 180, 96}, -20, 4, -24},
-                                                           {{216, 232, 255}, -30, -6, 34}}};
+                                                           {{170, 180, 96}, -20, 4, -24}}};
 
 /// Brightness of each step, of 256: even ratios in the dark, where eyes (and a museum at night) need them most.
 constexpr std::array<int, kRampSteps> kBrightness{8,   16,  25,  35,  46,  58,  71,  85,
@@ -56,6 +55,12 @@ Palette design_palette() {
     for (const RampDesign& design : kDesigns) {
         for (const int brightness : kBrightness) palette.colours[index++] = step_colour(design, brightness);
     }
+    for (const HalfSteps& half : kHalfSteps)
+        for (std::size_t step = 0; step < static_cast<std::size_t>(half.count); ++step) {
+            const std::size_t below = static_cast<std::size_t>(half.first) + step;
+            palette.colours[index++] =
+                step_colour(at(kDesigns, half.ramp), (kBrightness.at(below) + kBrightness.at(below + 1)) / 2);
+        }
     for (const Rgb8 colour : kGlowing) palette.colours[index++] = colour;
     palette.colours[0] = {0, 0, 0};
     return palette;

@@ -8,7 +8,7 @@
 
 namespace oblong::art {
 
-/// A run of the palette from dark to bright in one hue. The last six glow.
+/// A run of the palette from dark to bright in one hue. Those from Flame on glow.
 enum class Ramp : std::uint8_t {
     Grey,
     Stone,
@@ -23,7 +23,6 @@ enum class Ramp : std::uint8_t {
     Ivory,
     Violet,
     Moss,
-    Star,
     Flame,
     Ice,
     Magenta,
@@ -36,7 +35,14 @@ struct RampPlace {
     int first = 0, count = 16;  ///< palette indices
 };
 
-inline constexpr int kOrdinaryRamps = 14, kRampSteps = 16;
+inline constexpr int kOrdinaryRamps = 13, kRampSteps = 16;
+
+/// Colours halfway between some steps of a ramp, for what is flat and large: light falls on it in steps half as high.
+struct HalfSteps {
+    Ramp ramp;
+    int first, count;  ///< the first lies between the steps `first` and `first` + 1
+};
+inline constexpr std::array<HalfSteps, 2> kHalfSteps{{{Ramp::Ivory, 2, 8}, {Ramp::Night, 1, 8}}};
 
 constexpr RampPlace place_of(Ramp ramp) {
     constexpr std::array<RampPlace, 6> kGlowing{{{224, 8}, {232, 8}, {240, 4}, {244, 4}, {248, 4}, {255, 1}}};
@@ -45,8 +51,8 @@ constexpr RampPlace place_of(Ramp ramp) {
     return at(kGlowing, index - kOrdinaryRamps);
 }
 
-/// The palette of the demo level: fourteen ramps of sixteen steps that begin near black (index 0 is black), then 32
-/// colours that glow. No colour appears twice.
+/// The palette of the demo level: thirteen ramps of sixteen steps that begin near black (index 0 is black), then half
+/// steps, then 32 colours that glow. No colour appears twice.
 Palette design_palette();
 
 }  // namespace oblong::art

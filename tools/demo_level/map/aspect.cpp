@@ -30,7 +30,8 @@ void build_aspect_room(Draft& draft) {
                        "diamond",
                        "wood_planks",
                        {{48, "wood_panel"}, {256, "plaster_night"}, {288, "sand_frieze"}},
-                       {entrance, east, window}});
+                       {entrance, east, window},
+                       "sand_wall"});
     add_round_window(draft, kWindowX, kWindowZ, 512, kWindowHalf, 72, "brass_panel");
     add_sphere(draft);
     add_sign(draft, {Side::South, {kWindowX, 512, 260}, 1.625, "sign_aspect", 96, 32});

@@ -40,9 +40,10 @@ void Draft::add_point(const std::string& classname, const Point& origin,
     add_entity(std::move(entity));
 }
 
-void Draft::add_light(const Point& origin, int brightness, int style) {
+void Draft::add_light(const Point& origin, int brightness, int style, int lamp_radius) {
     std::vector<std::pair<std::string, std::string>> more{{"light", std::to_string(brightness)}, {"wait", "1.5"}};
     if (style != 0) more.emplace_back("style", std::to_string(style));
+    if (lamp_radius != 0) more.emplace_back("radius", std::to_string(lamp_radius));
     add_point("light", origin, more);
 }
 

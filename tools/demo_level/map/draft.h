@@ -33,8 +33,9 @@ class Draft {
     /// A point entity; `more` are pairs after classname and origin.
     void add_point(const std::string& classname, const Point& origin,
                    std::vector<std::pair<std::string, std::string>> more = {});
-    /// Light that fades to nothing within `brightness` / 1.5 units; `style` is one of Quake's, 0 for steady.
-    void add_light(const Point& origin, int brightness, int style = 0);
+    /// Light that fades to nothing within `brightness` / 1.5 units; `style` is one of Quake's, 0 for steady. Nothing
+    /// within `lamp_radius` throws a shadow in it: the lamp's own body.
+    void add_light(const Point& origin, int brightness, int style = 0, int lamp_radius = 0);
     void add_entity(MapEntity entity) { entities_.push_back(std::move(entity)); }
 
     const std::vector<MapEntity>& entities() const { return entities_; }

@@ -59,6 +59,9 @@ Box sign_box(const Sign& sign) {
     return box;
 }
 
+/// From a light before a lamp's body to the farthest corner of the body and its cap.
+constexpr int kLampRadius = 28;
+
 void add_lamp_body(Draft& draft, const Point& centre) {
     const Box box = within(box_around(centre, 8));
     Brush brush = make_box(box, "lamp");
@@ -122,16 +125,14 @@ void add_wall_lamp(Draft& draft, const Point& centre, Side facing, int brightnes
     draft.add_detail_box(
         {{cap.x - x_half, cap.y - y_half, centre.z + 8}, {cap.x + x_half, cap.y + y_half, centre.z + 12}},
         "brass_trim");
-    draft.add_light({centre.x + out.x * 24, centre.y + out.y * 24, centre.z}, brightness, style);
+    draft.add_light({centre.x + out.x * 12, centre.y + out.y * 12, centre.z}, brightness, style, kLampRadius);
 }
 
 void add_hanging_lamp(Draft& draft, const Point& centre, double ceiling_z, int brightness, int style) {
     add_lamp_body(draft, centre);
     draft.add_detail_box({{centre.x - 1, centre.y - 1, centre.z + 8}, {centre.x + 1, centre.y + 1, ceiling_z}},
                          "brass_trim");
-    draft.add_light({centre.x, centre.y, centre.z - 36}, brightness, style);
-    // The lamp shades the ceiling from the light below it: a weaker one above it, beside the chain.
-    draft.add_light({centre.x + 4, centre.y + 4, centre.z + 14}, brightness / 2, style);
+    draft.add_light({centre.x, centre.y, centre.z - 12}, brightness, style, kLampRadius);
 }
 
 Brush make_crystal(const Point& middle, double radius, double height, double turn_degrees, const Skin& skin) {
@@ -166,10 +167,8 @@ void add_lamp_post(Draft& draft, const Point& foot, int brightness) {
     draft.add_detail_box(square(3, 8, kLampHeight - 8), "brass_trim");
     add_lamp_body(draft, {foot.x, foot.y, foot.z + kLampHeight});
     draft.add_detail_box(square(10, kLampHeight + 8, kLampHeight + 12), "brass_trim");
-    // The lamp's own body would shade a single light in its middle: one on each side of it, and the ground is lit all
-    // round.
-    for (const double side : {-14.0, 14.0}) {
-        draft.add_light({foot.x + side, foot.y + side, foot.z + kLampHeight}, brightness);
+    for (const double side : {-12.0, 12.0}) {
+        draft.add_light({foot.x + side, foot.y, foot.z + kLampHeight}, brightness, 0, kLampRadius);
     }
 }
 

@@ -35,7 +35,8 @@ void build_light_hall(Draft& draft) {
                        "checker",
                        "coffer",
                        {{32, "wood_panel"}, {160, "plaster_night"}, {192, "sand_frieze"}},
-                       {west, east, {Side::North, 688, 784, 0, 112}}});
+                       {west, east, {Side::North, 688, 784, 0, 112}},
+                       "sand_wall"});
     add_arch(draft, 1, {{688, 288, 0}, {784, 320, 112}}, "sand_wall");
     add_mirror(draft);
     add_what_moves_and_shades(draft);

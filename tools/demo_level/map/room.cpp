@@ -68,9 +68,13 @@ void build_stretch(Draft& draft, const Room& room, Side side, const std::vector<
                    double high) {
     const Box wall = wall_box(room.inside, side);
     double foot = room.inside.low.z;
+    const auto skin_of = [&](const std::string& texture) {
+        const std::string& ends = room.jambs.empty() ? texture : room.jambs;
+        return runs_along_x(side) ? Skin(ends, texture, texture, texture) : Skin(texture, ends, texture, texture);
+    };
     for (const WallBand& band : room.walls) {
         for (const auto& [z_low, z_high] : solid_heights(openings, (low + high) / 2, foot, band.z_high)) {
-            draft.add_box(wall_part(wall, side, low, high, z_low, z_high), band.texture);
+            draft.add_box(wall_part(wall, side, low, high, z_low, z_high), skin_of(band.texture));
         }
         foot = band.z_high;
     }

@@ -26,6 +26,7 @@ struct Room {
     std::string floor, ceiling;
     std::vector<WallBand> walls;  ///< from the floor up; the last one ends at the ceiling
     std::vector<Opening> openings;
+    std::string jambs = {};  ///< of the openings; empty: as their wall
 };
 
 /// A closed box with holes. Floor and ceiling go on under the walls, so that doorways have a floor.

@@ -1,15 +1,20 @@
-// Seed 1 (Muratori): the shape of pixels, the field of view, and the projection that knows both.
+// Seed 1 (Muratori): the shape of pixels, the field of view, the projection that knows both and what it costs; the dot
+// product out of seven requirements.
 
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "engine/fixed/trig.h"
 #include "engine/geometry/project.h"
 #include "tools/common/drawing.h"
+#include "tools/common/font.h"
+#include "tools/gallery/counted.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/level_scene.h"
 #include "tools/gallery/numbers.h"
 #include "tools/gallery/rows.h"
+#include "tools/gallery/sketch.h"
 
 namespace oblong {
 
@@ -121,6 +126,33 @@ Camera camera_before_sphere() {
     return camera_at(-112, 352 - 300, 128, 90, 0, 40);
 }
 
+/// What the seed's three projections do for a point: naive, by the formula at each point, by two multipliers.
+struct ProjectionCosts {
+    Operations naive, by_formula, by_multipliers;
+};
+ProjectionCosts projection_costs() {
+    ProjectionCosts costs;
+    const auto in = [](Operations& operations) {
+        return [&operations](double value) { return Counted(value, operations); };
+    };
+    const auto point = [](auto number) { return Vec3<Counted>{number(3), number(2), number(7)}; };
+    const auto centre = [](auto number) { return SeedPixel<Counted>{number(160), number(100)}; };
+    const auto n = in(costs.naive), f = in(costs.by_formula), m = in(costs.by_multipliers);
+    project_naively(point(n), n(160), centre(n));
+    project_by_formula(point(f), f(160), f(4.0 / 3), {f(320), f(200)}, centre(f));
+    project_by_multipliers(point(m), {m(160), m(400.0 / 3)}, centre(m));
+    return costs;
+}
+
+/// How far off the top row is with 1.33 for 4/3, in 320x200 at 90 degrees: what is three units up, four ahead.
+double error_of_rounded_aspect_px() {
+    const auto top = [](Ratio display) {
+        const Projection projection = make_projection({320, 200, display}, Degrees::from_int(90));
+        return number_of(project({{}, View::from_int(3), View::from_int(4)}, projection).y);
+    };
+    return top({133, 100}) - top({4, 3});
+}
+
 RowPage draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
     RowInput square = input;
     square.settings.correct_aspect = input.values[0] == 0;
@@ -135,12 +167,118 @@ RowPage draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
     const Ratio pixel = input.mode.pixel();
     const double shape = static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator);
     const double right_shape = square.settings.correct_aspect ? 1 : shape;
-    return {{number_figure("width to height of a square as shown", right_shape, columns / rows * shape, 0.005),
+    const ProjectionCosts costs = projection_costs();
+    fill_area(canvas, {0, kHeader_px, 27 * kGlyphAdvance_px, 4 * kLineHeight_px + 5}, input.assets.text.dark);
+    draw_column(canvas, kTextMargin_px, kHeader_px + 3,
+                std::vector<std::string>{"a point costs", "naive        " + costs.naive.text(),
+                                         "multipliers  " + costs.by_multipliers.text(),
+                                         "formula      " + costs.by_formula.text()},
+                input.assets.text);
+    return {{{"a point by two multipliers, as naive", costs.naive.text(), costs.by_multipliers.text(),
+              costs.by_multipliers == costs.naive},
+             number_figure("width to height of a square as shown", right_shape, columns / rows * shape, 0.005),
+             {"a point by the whole formula", "4 * 3 / 2 +", costs.by_formula.text(),
+              costs.by_formula == Operations{4, 3, 2}},
+             number_figure("rows that 1.33 for 4/3 is off by, at the top", 100 - 100 * 1.33 / (4.0 / 3),
+                           error_of_rounded_aspect_px(), 1.0 / 512),
              measured("multiplier of x, pixels", decimal_text(number_of(projection.x.multiplier))),
              measured("multiplier of y, pixels", decimal_text(number_of(projection.y.multiplier)))},
             {"Aspect and field of view are in the two multipliers, computed once for a mode. A point costs a "
-             "multiplication and a "
-             "division for each axis, in both pictures: they are drawn by the same code with other numbers."}};
+             "multiplication, a division and an addition for each axis, in both pictures: they are drawn by the same "
+             "code with other numbers.",
+             "Operations are counted while the seed's formulas run, on a number that counts."}};
+}
+
+using Dots = std::array<std::array<double, 3>, 3>;
+
+/// The dot products of axes whose first two have this angle between them, by the engine.
+Dots dots_of_axes(std::int64_t degrees) {
+    const Angle angle = degrees_to_angle(Degrees::from_int(degrees));
+    constexpr Unit kOne = Unit::from_int(1);
+    const std::array<Vec3<Unit>, 3> axes{{{kOne, {}, {}}, {cosine(angle), sine(angle), {}}, {{}, {}, kOne}}};
+    Dots dots{};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) dots[i][j] = number_of(dot(axes[i], axes[j]));
+    return dots;
+}
+
+/// The nine terms as a table: a term that is gone is dim.
+void draw_nine_terms(const Vec3<double>& u, const Vec3<double>& v, const Dots& dots, const GalleryAssets& assets,
+                     Framebuffer canvas) {
+    const std::array us{u.x, u.y, u.z}, vs{v.x, v.y, v.z};
+    constexpr std::array kNames{'i', 'j', 'k'};
+    const TextColours dim{assets.colour(90, 98, 124), assets.text.dark};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) {
+            const double product = us[i] * vs[j], axes = dots[i][j];
+            const std::string text = decimal_text(product, "%3.0f ") + kNames[i] + "." + kNames[j] +
+                                     decimal_text(axes, axes == 0 || axes == 1 ? " =%5.0f" : " =%5.2f");
+            draw_text(canvas, kTextMargin_px + static_cast<std::int32_t>(i) * canvas.width_px / 3,
+                      canvas.height_px - kFooter_px - 38 + static_cast<std::int32_t>(j) * kLineHeight_px, text,
+                      std::abs(axes) < 1e-6 ? dim : assets.text);
+        }
+}
+
+/// The seven equations of the seed, each with both sides' numbers; what follows from them, and what it costs.
+RowPage draw_seven_steps(const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
+    const Vec3<double> u{1, 2, 3}, v{4, -5, 6}, w{2, 1, -1};
+    const Dots dots = dots_of_axes(input.values[0]);
+    const auto product = [&](const Vec3<double>& a, const Vec3<double>& b) { return dot_by_nine_terms(a, b, dots); };
+    // The definition, without a dot product: the triangle of u, v and u - v, in axes at right angles.
+    const double angle = degrees_to_angle(Degrees::from_int(input.values[0])).bam * std::numbers::pi / 32768;
+    const auto squared = [&](const Vec3<double>& a) {
+        return std::pow(a.x + a.y * std::cos(angle), 2) + std::pow(a.y * std::sin(angle), 2) + a.z * a.z;
+    };
+    const double defined = (squared(u) + squared(v) - squared(u - v)) / 2;
+    struct Step {
+        std::string text;
+        double left, right;
+    };
+    const auto sides = [](double left, double right) {
+        return decimal_text(left, "%7.2f") + " " + decimal_text(right, "%7.2f");
+    };
+    const std::array<Step, 7> steps{
+        {{"|u| |v| cos = u . v", defined, product(u, v)},
+         {"u = 1i + 2j + 3k: |u|^2", squared(u), product(u, u)},
+         {"i.j, j.k, k.i = 0", 0, std::abs(dots[0][1]) + std::abs(dots[1][2]) + std::abs(dots[2][0])},
+         {"i.i, j.j, k.k = 1", 3, dots[0][0] + dots[1][1] + dots[2][2]},
+         {"v . u = u . v", product(v, u), product(u, v)},
+         {"u.(v + w) = u.v + u.w", product(u, v + w), product(u, v) + product(u, w)},
+         {"(2u) . v = 2 (u . v)", product(u + u, v), 2 * product(u, v)}}};
+    std::vector<std::string> lines;
+    int holding = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const bool holds = std::abs(steps[i].left - steps[i].right) < 1e-6;
+        holding += holds;
+        std::string text = std::to_string(i + 1) + " " + steps[i].text;
+        text.resize(27, ' ');
+        lines.push_back(text + sides(steps[i].left, steps[i].right) + (holds ? "  yes" : "  no"));
+    }
+    lines.push_back("");
+    lines.push_back("u . v in nine terms:");
+    draw_column(canvas, kTextMargin_px, kHeader_px + 5, lines, assets.text);
+    draw_nine_terms(u, v, dots, assets, canvas);
+    Operations three, nine;
+    const auto counted = [](const Vec3<double>& a, Operations& in) {
+        return Vec3<Counted>{{a.x, in}, {a.y, in}, {a.z, in}};
+    };
+    dot_by_components(counted(u, three), counted(v, three));
+    const Counted zero(0, nine);
+    const std::array<std::array<Counted, 3>, 3> some{{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}}};
+    dot_by_nine_terms(counted(u, nine), counted(v, nine), some);
+    const bool is_orthonormal = input.values[0] == 90;
+    return {
+        {count_figure("of the seven hold", is_orthonormal ? 7 : 6, holding),
+         number_figure("nine terms; by lengths of u, v, u - v", defined, product(u, v), 1e-4),
+         number_figure("the three terms alone miss by", 3 * std::cos(angle), product(u, v) - dot_by_components(u, v),
+                       1e-4),
+         measured("three terms cost", three.text()), measured("nine terms cost", nine.text())},
+        {"What a dot product shall do (1), where (2, 3, 4: axes at right angles, of length 1), and how (5 commutes, "
+         "6 distributes, 7 takes scalars out): from these follows how it is computed.",
+         "u = (1 2 3), v = (4 -5 6), w = (2 1 -1). Six of nine terms are 0 and three dot products of axes 1; in "
+         "crooked axes 3 fails, and the three terms are no dot product."}};
 }
 
 }  // namespace
@@ -167,7 +305,14 @@ std::vector<Row> aspect_rows() {
              "engine/geometry/project.h",
              "tests/seeds/muratori_test.cpp",
              {choice_parameter("pixels are", {"as on the display", "taken for square"})},
-             draw_two_multipliers}};
+             draw_two_multipliers},
+            {"dot-product-steps",
+             "The dot product in seven steps",
+             "1 Muratori: Understanding the Dot Product",
+             "engine/math/vec.h",
+             "tests/seeds/muratori_test.cpp",
+             {{"degrees from i to j", 60, 120, 10, 90}},
+             draw_seven_steps}};
 }
 
 }  // namespace oblong

@@ -113,13 +113,11 @@ RowPage draw_log(const RowInput& input, Framebuffer canvas) {
     log.note(logged.frame());
 
     recolour_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, darker_colours(assets.colormap.palette, 72));
-    std::int32_t y = kHeader_px + 3;
+    std::vector<std::string> parts;
     for (const std::string& line : lines)
-        for (const std::string_view part : lines_of(line, canvas.width_px - 2 * kTextMargin_px)) {
-            if (y + kLineHeight_px > canvas.height_px - kFooter_px) break;
-            draw_text(canvas, kTextMargin_px, y, part, assets.text);
-            y += kLineHeight_px;
-        }
+        for (const std::string_view part : lines_of(line, canvas.width_px - 2 * kTextMargin_px))
+            parts.emplace_back(part);
+    draw_column(canvas, kTextMargin_px, kHeader_px + 3, parts, assets.text);
     std::int64_t spans_px = pixels_of(logged.work.claims.left_free);
     for (const FaceList list : {FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Sky, FaceList::Mirror})
         spans_px += pixels_of(logged.work.claims, list);
@@ -153,16 +151,23 @@ RowPage draw_memory(const RowInput& input, Framebuffer canvas) {
     logged.draw(canvas);
     const LogLines lines = memory_lines(logged.frame());
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+    std::vector<std::string> labels;
+    std::int32_t bars_x = 0;
+    for (const std::string& line : lines) {
+        labels.push_back(line.substr(0, first_digit_of(line)) + decimal_text(bytes_in(line) / 1024, "%.1f kB"));
+        bars_x = std::max(bars_x, kTextMargin_px + text_width_px(labels.back()) + 6);
+    }
     std::int32_t y = kHeader_px + 5;
     double sum = 0;
-    for (const std::string& line : lines) {
-        const double bytes = bytes_in(line);
-        if (line != lines.back()) sum += bytes;  // the last is all rooms
-        // A pixel for each 12 % more: from a kilobyte to ten megabytes the bars stay comparable.
-        const auto width = static_cast<std::int32_t>(std::max(0.0, std::log2(bytes / 512) * canvas.width_px / 48));
-        fill_area(canvas, {canvas.width_px * 21 / 32, y, width, kGlyphHeight_px - 2}, assets.colour(90, 130, 220));
-        draw_text(canvas, kTextMargin_px, y,
-                  line.substr(0, first_digit_of(line)) + decimal_text(bytes / 1024, "%.1f kB"), assets.text);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const double bytes = bytes_in(lines[i]);
+        if (i + 1 < lines.size()) sum += bytes;  // the last is all rooms
+        // From half a kilobyte to 16 megabytes, by the logarithm: the bars stay comparable.
+        const double share = std::log2(std::max(bytes / 512, 1.0)) / 15;
+        fill_area(canvas,
+                  {bars_x, y, static_cast<std::int32_t>(share * (canvas.width_px - bars_x)), kGlyphHeight_px - 2},
+                  assets.colour(90, 130, 220));
+        draw_text(canvas, kTextMargin_px, y, labels[i], assets.text);
         y += kGlyphHeight_px;
     }
     double texels = 0;

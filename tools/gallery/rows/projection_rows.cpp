@@ -1,5 +1,6 @@
 // Seeds 2 and 4: parallel projections, and the vanishing points of the perspective one.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -85,11 +86,18 @@ RowPage draw_axonometric(const RowInput& input, Framebuffer canvas) {
     const std::array<std::array<double, 3>, 3> factors{
         {{equal, equal, equal},
          {root2 / 3, 2 * root2 / 3, 2 * root2 / 3},
-         {std::sqrt(8 / 17.0), std::sqrt(13 / 17.0), std::sqrt(13 / 17.0)}}};
+         {std::sqrt(25 / 50.0), std::sqrt(34 / 50.0), std::sqrt(41 / 50.0)}}};
     std::array<double, 3> here = at(factors, static_cast<std::int32_t>(input.values[0]));
     if (input.values[1] % 2 == 1) std::swap(here[0], here[1]);
+    std::vector<Figure> figures = edge_figures(input, view, here);
+    std::array<double, 3> found{};
+    for (std::size_t axis = 0; axis < 3; ++axis) found[axis] = std::stod(figures[axis].found);
+    std::sort(found.begin(), found.end());
+    const int different = 1 + (found[1] - found[0] > 0.02) + (found[2] - found[1] > 0.02);
+    figures.push_back(count_figure("different factors: iso 1, di 2, tri 3", input.values[0] + 1, different));
+    std::rotate(figures.begin(), figures.end() - 1, figures.end());
     return {
-        edge_figures(input, view, here),
+        std::move(figures),
         {"Orthographic, but along no axis: all three are seen. Isometric shortens them alike, dimetric two of them, "
          "trimetric each by a factor of its own."}};
 }

@@ -10,6 +10,7 @@
 #include "engine/math/plane.h"
 #include "engine/math/rotation.h"
 #include "tools/common/drawing.h"
+#include "tools/gallery/counted.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/numbers.h"
 #include "tools/gallery/rows.h"
@@ -180,10 +181,15 @@ RowPage draw_lighting(const RowInput& input, Framebuffer canvas) {
     diagram.text(sum(foot, point_of(normal)), "N", colours.second, -9, 2);
     diagram.text(sum(foot, times(point_of(to_light), 1.2)), "D", colours.first, -2, -3);
     diagram.text({-1.65, -0.75}, "I = N . -D = " + decimal_text(share), colours.result);
+    Operations cost;
+    const auto counted = [&cost](const Vec3<Unit>& vector) {
+        return Vec3<Counted>{{number_of(vector.x), cost}, {number_of(vector.y), cost}, {number_of(vector.z), cost}};
+    };
+    lit(counted(normal), counted(to_light), Counted(200, cost));
     return {
         {number_figure("share of the light: cos, 0 or more", std::max(std::cos(radians(degrees)), 0.0), share, 1e-4),
          number_figure("of a light of 200", 200 * std::max(std::cos(radians(degrees)), 0.0), 200 * share, 0.02, 2),
-         measured("multiplications, additions", "4, 2")},
+         {"counted: four multiplications, two additions", "4 * 0 / 2 +", cost.text(), cost == Operations{4, 0, 2}}},
         {"A surface takes of the light what the cosine of the angle between its normal and the way to the light "
          "says: the "
          "same light falls on more of it. Three multiplications and two additions for N . -D, one for the light.",

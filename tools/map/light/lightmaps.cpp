@@ -31,7 +31,8 @@ double light_from(const LightSource& source, const Point& point, const Point& no
     const double cosine = -dot(towards, normal) / distance;
     if (cosine <= 0 || !source.shines_on(scaled(towards, 1 / distance))) return 0;
     const double light = source.at_distance(distance) * incidence(cosine);
-    if (light <= 0 || !tracer.is_clear(point, source.origin)) return 0;
+    const Point edge_of_lamp = source.origin + scaled(towards, std::min(source.radius / distance, 1.0));
+    if (light <= 0 || !tracer.is_clear(point, edge_of_lamp)) return 0;
     return source.is_subtracted ? -light : light;
 }
 

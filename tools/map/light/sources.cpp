@@ -76,6 +76,7 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
         throw InputError("line " + std::to_string(entity.line),
                          "\"style\" is " + std::to_string(source.style) + ", expected 0 to 63");
     source.direction = spot_direction(entity, origin, entities);
+    source.radius = std::max(number_of(entity, "radius", 0), 0.0);
     const double cone = number_of(entity, "angle", 0);
     if (source.direction) source.cone_cosine = std::cos(radians((cone > 0 ? cone : kDefaultConeDegrees) / 2));
     return source;

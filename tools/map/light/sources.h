@@ -19,7 +19,7 @@ enum class Falloff {
 /// Whether a value of the key "delay" is one of these.
 bool is_falloff(double delay);
 
-/// An entity `light...`: keys light (or _light), wait, delay, style, target or mangle, angle.
+/// An entity `light...`: keys light (or _light), wait, delay, style, target or mangle, angle, radius.
 struct LightSource {
     Point origin;
     double brightness = 300;     ///< at least 0
@@ -29,6 +29,7 @@ struct LightSource {
     int style = 0;
     std::optional<Point> direction;  ///< of a spotlight
     double cone_cosine = -1;         ///< of half of the spotlight's opening
+    double radius = 0;               ///< what is as near as this throws no shadow in its light: the lamp's own body
 
     /// Light that arrives (or is taken away) at a distance, before the angle of the surface counts; at least 0.
     double at_distance(double distance) const;

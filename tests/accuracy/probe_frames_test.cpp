@@ -1,0 +1,230 @@
+// The probe says what frames draw: its texels are those of a frame's face, and keep the bound that frames keep, also
+// where a texel is many pixels wide and rounding alone limits the length of blocks.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include "tests/accuracy/scenes_fixture.h"
+#include "tools/accuracy/scene_textures.h"
+#include "tools/demo_level/map/room.h"
+#include "tools/map/compile.h"
+#include "tools/measure/reference_view.h"
+#include "tools/probe/probe.h"
+
+namespace oblong::test {
+namespace {
+
+using map_source::Point;
+using Triangle = std::array<reference::TexturedCorner, 3>;
+
+/// The rounding of a texture coordinate alone (engine/fixed/README.md): closer no texel can be to its place.
+constexpr double kRounding_texels = 1.0 / 4096;
+
+/// The texels that the probe answers for a row.
+std::vector<reference::ScreenPoint> ask_for_texels(const Accuracy& accuracy, const Triangle& triangle, int row,
+                                                   int first, int end) {
+    std::ostringstream query;
+    query.precision(15);
+    query << "texspanq bounded 320 200 4 3 90";
+    for (const reference::TexturedCorner& corner : triangle)
+        query << ' ' << corner.position.x << ' ' << corner.position.y << ' ' << corner.position.z << ' ' << corner.u
+              << ' ' << corner.v;
+    query << ' ' << row << ' ' << first << ' ' << end;
+    std::istringstream answer(Probe(accuracy).answer(query.str()));
+    std::vector<reference::ScreenPoint> texels;
+    for (double u, v; answer >> u >> v;) texels.push_back({u, v});
+    EXPECT_EQ(texels.size(), static_cast<std::size_t>(end - first)) << query.str();
+    return texels;
+}
+
+/// Where the triangle's plane shows a texel, pixels.
+reference::ScreenPoint place_of(const Triangle& triangle, const reference::ScreenPoint& texel) {
+    const auto& [a, b, c] = triangle;
+    const double ub = b.u - a.u, uc = c.u - a.u, vb = b.v - a.v, vc = c.v - a.v, u = texel.x - a.u, v = texel.y - a.v;
+    const double area = ub * vc - uc * vb, to_b = (u * vc - uc * v) / area, to_c = (ub * v - u * vb) / area;
+    return project(a.position + (b.position - a.position) * to_b + (c.position - a.position) * to_c,
+                   reference::Projection{});
+}
+
+/// The columns of a row whose centres lie within a triangle on the screen; none: first is not below end.
+std::pair<int, int> columns_of(const Triangle& triangle, int row) {
+    double least = 320, greatest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto from = project(triangle[i].position, {}), to = project(triangle[(i + 1) % 3].position, {});
+        const double y = row + 0.5;
+        if ((from.y < y) == (to.y < y)) continue;
+        const double x = from.x + (to.x - from.x) * (y - from.y) / (to.y - from.y);
+        least = std::min(least, x);
+        greatest = std::max(greatest, x);
+    }
+    return {std::max(static_cast<int>(std::ceil(least + 0.01 - 0.5)), 0),
+            std::min(static_cast<int>(std::floor(greatest - 0.01 - 0.5)) + 1, 320)};
+}
+
+double part(std::mt19937& random, double least, double greatest) {
+    return std::uniform_real_distribution<double>(least, greatest)(random);
+}
+
+double snapped(double value) {
+    return std::nearbyint(value * 256) / 256;
+}
+
+/// Corners in view, 4 to 400 units away, of texels that are 1/64 to 512 pixels wide.
+Triangle random_triangle(std::mt19937& random) {
+    const double near = std::exp2(part(random, 2, 8)), texels_a_unit = 160 / near / std::exp2(part(random, -6, 9));
+    Triangle triangle;
+    for (reference::TexturedCorner& corner : triangle) {
+        const double z = snapped(near * std::exp2(part(random, 0, 1.5)));
+        corner.position = {snapped(z * part(random, -1, 1)), snapped(z * part(random, -0.75, 0.75)), z};
+    }
+    const double turn = part(random, 0, 6.28);
+    for (reference::TexturedCorner& corner : triangle) {
+        const auto& [x, y, z] = corner.position;
+        corner.u = snapped((x * std::cos(turn) + y * std::sin(turn) + z / 4) * texels_a_unit);
+        corner.v = snapped((y * std::cos(turn) - x * std::sin(turn) + z / 8) * texels_a_unit);
+    }
+    return triangle;
+}
+
+TEST(ProbeBound, NoTexelIsFartherFromItsPlaceThanTheBoundOnAnyTriangle) {
+    std::mt19937 random(18);
+    double largest_part = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Triangle triangle = random_triangle(random);
+        Accuracy accuracy;
+        accuracy.pixel_bound_256 = 24 << random() % 5;
+        const int row = static_cast<int>(random() % 200);
+        const auto [first, end] = columns_of(triangle, row);
+        if (end - first < 2) continue;
+        reference::ScreenPoint centre{first + 0.5, row + 0.5};
+        for (const reference::ScreenPoint& texel : ask_for_texels(accuracy, triangle, row, first, end)) {
+            const reference::Texel exact = texel_at(triangle, {}, centre);
+            const auto place = place_of(triangle, texel);
+            const double error = std::hypot(place.x - centre.x, place.y - centre.y) * 256 / accuracy.pixel_bound_256;
+            centre.x += 1;
+            if (std::hypot(texel.x - exact.u, texel.y - exact.v) <= kRounding_texels) continue;
+            ASSERT_LE(error, 1.004) << i << " row " << row << " column " << centre.x - 1.5;
+            largest_part = std::max(largest_part, error);
+        }
+    }
+    EXPECT_GT(largest_part, 0.9) << "the bound is never nearly reached: the triangles are too tame";
+}
+
+/// A room with a wedge that shows the eye one triangle, whose texels are `scale` units wide.
+struct Wedge {
+    std::array<Point, 3> corners;  ///< clockwise as the eye sees them
+    double scale = 1;
+
+    explicit Wedge(std::mt19937& random) : scale(std::exp2(std::floor(part(random, -1, 4)))) {
+        // Before the eye at (0, 0, 128), which looks along x: no whole numbers of 16 texels, where surfaces begin.
+        const double far = std::round(part(random, 8, 90));
+        const auto corner = [&](double across, double up) {
+            const double x = far + std::round(part(random, 0, far / 2));
+            return Point{x, std::round(across * x * part(random, 0.3, 0.9)), 128 + std::round(up * x / 2) + 1};
+        };
+        corners = {corner(1, -0.8), corner(0.1, 0.9), corner(-1, -0.6)};
+    }
+
+    MeasuredLevel level(const Palette& palette) const {
+        map_source::Draft draft(std::vector<std::pair<std::string, std::string>>{{"light", "80"}});
+        build_room(draft, {{{-256, -256, 0}, {512, 256, 256}}, "tiles", "tiles", {{256, "stone"}}, {}});
+        draft.add_point("info_player_start", {-200, 0, 32});
+        const auto& [a, b, c] = corners;
+        const Point back{a.x + b.x + c.x, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
+        const Point inside{(a.x + b.x + c.x) * 0.4, back.y, back.z};
+        map_source::Brush brush =
+            map_source::make_solid({{a, b, c}, {a, back, b}, {b, back, c}, {c, back, a}}, inside, "stone");
+        for (auto& face : brush.faces) face.placement.scale_u = face.placement.scale_v = scale;
+        draft.add_detail(std::move(brush));
+        std::ostringstream text;
+        write_map(draft, text);
+        const std::string bytes =
+            map::to_bytes(map::compile_map(map::parse_map(text.str()), {map::Wad(make_scene_wad(palette))}, {true}));
+        Camera camera;
+        camera.eye = {World::from_int(0), World::from_int(0), World::from_int(128)};
+        return make_measured_level("wedge", "", std::vector<std::uint8_t>(bytes.begin(), bytes.end()), {camera});
+    }
+};
+
+/// A frame of a wedge.
+struct WedgeFrame {
+    const Wedge& wedge;
+    const MeasuredLevel& level;
+    const FrameRecord& record;
+
+    const PixelRecord& pixel(int column, int row) const {
+        return record.pixels[static_cast<std::size_t>(row * 320 + column)];
+    }
+    bool is_of_wedge(int column, int row) const {
+        if (pixel(column, row).face.is_none()) return false;
+        const reference::Plane& plane = level.exact.face(pixel(column, row).face.number()).plane;
+        return std::all_of(wedge.corners.begin(), wedge.corners.end(), [&](const Point& p) {
+            return std::abs(dot(plane.normal, {p.x, p.y, p.z}) - plane.offset) < 0.01;
+        });
+    }
+    std::pair<int, int> columns_of_wedge(int row) const {
+        int first = 0;
+        while (first < 320 && !is_of_wedge(first, row)) ++first;
+        int end = first;
+        while (end < 320 && is_of_wedge(end, row)) ++end;
+        return {first, end};
+    }
+    /// The face of a pixel in viewspace.
+    Triangle triangle_at(int column, int row) const {
+        const reference::Camera camera = reference::make_camera(reference_view(level.cameras[0], kMeasuredMode));
+        const reference::PlaneView plane(level.exact, level.exact.face(pixel(column, row).face.number()), {}, camera);
+        Triangle triangle;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Point& p = wedge.corners[k];
+            const reference::Vec position{-p.y, p.z - 128, p.x};
+            const reference::Texel texel = plane.texel_at(project(position, {}), 1 / position.z);
+            triangle[k] = {position, texel.u, texel.v};
+        }
+        return triangle;
+    }
+};
+
+/// How far apart, in pixels, a row of the wedge shows texels in the frame and by the probe, and of how many pixels.
+std::pair<double, int> compare_row(const WedgeFrame& frame, int row, const Accuracy& accuracy) {
+    const auto [first, end] = frame.columns_of_wedge(row);
+    if (end - first < 2) return {};
+    const Triangle triangle = frame.triangle_at(first, row);
+    double most_apart = 0;
+    int column = first;
+    for (const reference::ScreenPoint& probed : ask_for_texels(accuracy, triangle, row, first, end)) {
+        const PixelRecord& pixel = frame.pixel(column++, row);
+        const reference::ScreenPoint drawn{number_of(pixel.u), number_of(pixel.v)};
+        if (std::hypot(probed.x - drawn.x, probed.y - drawn.y) <= kRounding_texels) continue;
+        const auto in_frame = place_of(triangle, drawn), in_probe = place_of(triangle, probed);
+        most_apart = std::max(most_apart, std::hypot(in_frame.x - in_probe.x, in_frame.y - in_probe.y));
+    }
+    return {most_apart, end - first};
+}
+
+TEST(ProbeFrames, TheProbesTexelsAreThoseThatFramesDraw) {
+    std::mt19937 random(19);
+    const Scenes scenes(0);
+    int compared = 0;
+    for (int i = 0; i < 40; ++i) {
+        const Wedge wedge(random);
+        const MeasuredLevel level = wedge.level(scenes.palette);
+        Accuracy accuracy;
+        accuracy.mip = MipSelection::None;
+        accuracy.pixel_bound_256 = 24 << random() % 4;
+        LevelFrames frames(level, scenes.colormap);
+        const FrameRecord& record = frames.record(level.cameras[0], accuracy);
+        for (int row = 0; row < 200; row += 7) {
+            const auto [apart, pixels] = compare_row({wedge, level, record}, row, accuracy);
+            // What blocks of the same lengths may differ by: the part of the bound that is left for rounding.
+            ASSERT_LE(apart, accuracy.pixel_bound_256 / 256.0 / 16) << i << " row " << row;
+            compared += pixels;
+        }
+    }
+    EXPECT_GT(compared, 40000);
+}
+
+}  // namespace
+}  // namespace oblong::test

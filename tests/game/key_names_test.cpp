@@ -1,0 +1,69 @@
+#include "game/key_names.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include "engine/platform/headless/headless.h"
+#include "game/view_options.h"
+#include "tests/support/folders.h"
+
+namespace oblong {
+namespace {
+
+namespace fs = std::filesystem;
+
+const HeadlessPlatform kPlatform(1, 35, nullptr, nullptr);
+
+TEST(KeyNames, AreThoseThatAreBoundOnTheDeviceInUse) {
+    Bindings bindings = default_bindings();
+    const KeyNames keys(bindings, kPlatform, false), pad(bindings, kPlatform, true);
+    EXPECT_EQ(keys.in("{jump} jumps, {torch} lights, {menu} stops"), "Space jumps, L lights, Escape stops");
+    EXPECT_EQ(pad.in("{jump} jumps, {torch} lights, {menu} stops"), "Pad A jumps, Pad B lights, Pad Start stops");
+    EXPECT_EQ(pad.in("{help}: keys"), "F1: keys") << "the pad has no button for it";
+    set_inputs(bindings, Move::Jump, "J");
+    EXPECT_EQ(keys.in("{jump}"), "J");
+    set_inputs(bindings, Move::Jump, "none");
+    EXPECT_EQ(keys.in("{jump}"), "none");
+    EXPECT_EQ(keys.in("{no such} {jump"), "{no such} {jump");
+}
+
+// In messages, captions and help of the game: they are named as they are bound, by KeyNames alone.
+TEST(KeyNames, StandInNoTextOfTheGame) {
+    const std::regex literal(R"x("((?:[^"\\]|\\.)*)")x");
+    const std::regex key(
+        R"x((^|[^A-Za-z0-9-])(F[1-9][0-2]?|Tab|Esc|Escape|Enter|Backspace|Insert|Page (Up|Down)|WASD|)x"
+        R"x([Aa]rrows?|Shift|Ctrl|Space|Pad [A-Z]\w*)([^A-Za-z0-9-]|$))x");
+    for (const auto& entry : fs::recursive_directory_iterator(test::source_folder() + "/game")) {
+        const std::string name = entry.path().filename().string();
+        // The names themselves; a window of its own, whose keys are the same for all.
+        if (entry.path().extension() != ".cpp" || name == "key_names.cpp" || name == "error_window.cpp") continue;
+        std::ifstream file(entry.path());
+        for (std::string line; std::getline(file, line);) {
+            if (line.find("#include") != line.npos || line.find("Alt+Enter") != line.npos)
+                continue;  // bound to nothing
+            for (std::sregex_iterator it(line.begin(), line.end(), literal), end; it != end; ++it)
+                EXPECT_FALSE(std::regex_search((*it)[1].str(), key)) << entry.path() << ": " << (*it)[1];
+        }
+    }
+}
+
+// Keys of one letter too, which a search for names does not find.
+TEST(KeyNames, AreAskedForByTheMessageOfEachCommand) {
+    const Bindings bindings = default_bindings();
+    for (const ActionNames& row : all_actions()) {
+        const Command* command = std::get_if<Command>(&row.action);
+        if (!command) continue;
+        ViewOptions options;
+        for (int times = 0; times < 4; ++times) {
+            const std::string message = apply(*command, options, {1600, 1200});
+            const std::string name = KeyNames(bindings, kPlatform, false).of(*command);
+            EXPECT_FALSE(message.starts_with(name + " ")) << message;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace oblong

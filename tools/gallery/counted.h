@@ -1,0 +1,90 @@
+#pragma once
+
+#include <string>
+
+#include "engine/math/vec.h"
+
+namespace oblong {
+
+/// What a computation did; a subtraction counts as an addition, a sign as nothing.
+struct Operations {
+    int multiplications = 0, divisions = 0, additions = 0;
+    bool operator==(const Operations&) const = default;
+
+    std::string text() const {
+        return std::to_string(multiplications) + " * " + std::to_string(divisions) + " / " + std::to_string(additions) +
+               " +";
+    }
+};
+
+/// A number that counts what is done with it.
+class Counted {
+  public:
+    Counted(double value, Operations& operations) : value_(value), operations_(&operations) {}
+
+    double value() const { return value_; }
+    Counted operator+(const Counted& other) const { return {value_ + other.value_, tallied(&Operations::additions)}; }
+    Counted operator-(const Counted& other) const { return {value_ - other.value_, tallied(&Operations::additions)}; }
+    Counted operator*(const Counted& other) const {
+        return {value_ * other.value_, tallied(&Operations::multiplications)};
+    }
+    Counted operator/(const Counted& other) const { return {value_ / other.value_, tallied(&Operations::divisions)}; }
+
+  private:
+    Operations& tallied(int Operations::*kind) const {
+        ++(operations_->*kind);
+        return *operations_;
+    }
+
+    double value_;
+    Operations* operations_;
+};
+
+// The seeds' formulas for any number type, as corrected: y grows upward, rows downward.
+
+/// A place on the screen.
+template <class Number>
+struct SeedPixel {
+    Number x, y;
+};
+
+/// Muratori's first projection, which takes pixels for square: d x / z + w / 2, and the same for y.
+template <class Number>
+SeedPixel<Number> project_naively(const Vec3<Number>& p, Number d, const SeedPixel<Number>& centre) {
+    return {d * p.x / p.z + centre.x, centre.y - d * p.y / p.z};
+}
+
+/// His second, as it is written: with d r h / w for y, worked out at each point. `r` is the display's shape.
+template <class Number>
+SeedPixel<Number> project_by_formula(const Vec3<Number>& p, Number d, Number r, const SeedPixel<Number>& size,
+                                     const SeedPixel<Number>& centre) {
+    return {d * p.x / p.z + centre.x, centre.y - d * (r * size.y / size.x) * p.y / p.z};
+}
+
+/// His last: what is in parentheses is computed once for a mode.
+template <class Number>
+SeedPixel<Number> project_by_multipliers(const Vec3<Number>& p, const SeedPixel<Number>& multipliers,
+                                         const SeedPixel<Number>& centre) {
+    return {multipliers.x * p.x / p.z + centre.x, centre.y - multipliers.y * p.y / p.z};
+}
+
+template <class Number>
+Number dot_by_components(const Vec3<Number>& u, const Vec3<Number>& v) {
+    return u.x * v.x + u.y * v.y + u.z * v.z;
+}
+
+/// Abrash's example 3 (c), without the sign: a light's share of the surface that it falls on.
+template <class Number>
+Number lit(const Vec3<Number>& normal, const Vec3<Number>& to_light, Number light) {
+    return dot_by_components(normal, to_light) * light;
+}
+
+/// The dot product before his basis is known to be orthonormal: nine terms, each with the dot product of two axes.
+template <class Number, class Dots>
+Number dot_by_nine_terms(const Vec3<Number>& u, const Vec3<Number>& v, const Dots& axes) {
+    return u.x * v.x * axes[0][0] + u.y * v.x * axes[1][0] + u.z * v.x * axes[2][0] +  //
+           u.x * v.y * axes[0][1] + u.y * v.y * axes[1][1] + u.z * v.y * axes[2][1] +  //
+           u.x * v.z * axes[0][2] + u.y * v.z * axes[1][2] + u.z * v.z * axes[2][2];
+}
+
+}  // namespace oblong
