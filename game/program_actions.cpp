@@ -15,15 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Another level than the one that is played; one that cannot be read is not there.
-bool is_another(const std::string& level, const LevelPlaces& places) {
+// Where a level leads: to another than the one that is played, or why not.
+void find_next(const std::string& name, const LevelPlaces& places, EndFigures& figures) {
     try {
-        const std::optional<std::string> file = find_level(level, places);
+        const std::string file = find_named_level(name, places);
         std::error_code ignored;
-        return file && *file != places.beside && !fs::equivalent(*file, places.beside, ignored);
+        if (file != places.beside && !fs::equivalent(file, places.beside, ignored)) figures.next_level = name;
     } catch (const FileError& fault) {
-        print_fault("oblong", fault.what());
-        return false;
+        figures.fault = fault.what();
     }
 }
 
@@ -56,9 +55,9 @@ std::vector<LevelEntry> Program::levels() const {
 EndFigures Program::end_figures() const {
     const GameLevel& level = session_->loaded().level;
     const GameState& state = session_->state();
-    EndFigures figures{std::string(end_message(level, state)), time_text(state.tick), "", ""};
+    EndFigures figures{std::string(end_message(level, state)), time_text(state.tick), "", "", ""};
     const std::string next(next_map(level, state));
-    if (!next.empty() && is_another(next, places())) figures.next_level = next;
+    if (!next.empty()) find_next(next, places(), figures);
     const ItemCount lenses = count_items(level, state, ItemClass::Lens);
     if (lenses.all > 0) figures.lenses = std::to_string(lenses.taken) + " of " + std::to_string(lenses.all);
     return figures;

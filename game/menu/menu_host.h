@@ -35,6 +35,7 @@ struct EndFigures {
     std::string time;        ///< "3:12"
     std::string lenses;      ///< "5 of 12"; empty where the level has none
     std::string next_level;  ///< "e1m2"; empty where there is none
+    std::string fault;       ///< why the level that follows cannot be played, which it names; may be empty
 };
 
 /// What the menu's pages know of the program, and have it do.

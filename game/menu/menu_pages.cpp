@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "game/menu/key_pages.h"
 #include "game/preferences/preference_table.h"
 
 namespace oblong {
@@ -23,6 +22,7 @@ std::string text_of_end(const EndFigures& figures) {
     std::string text =
         (figures.message.empty() ? "You have reached the end." : figures.message) + "\n\nTime: " + figures.time;
     if (!figures.lenses.empty()) text += "\nLenses found: " + figures.lenses;
+    if (!figures.fault.empty()) text += "\n\nThe next level cannot be played: " + figures.fault;
     return text;
 }
 
@@ -126,7 +126,7 @@ MenuPage MenuPages::options_page() {
     for (int i = 0; i < kPreferencePageCount; ++i)
         page.rows.push_back(row(name_of(static_cast<PreferencePage>(i)), [this, i] { open_preferences(i); }));
     page.rows.push_back(row(
-        "Keys", [this] { open_key_pages(menu_, host_); }, "which key or button does what"));
+        "Keys", [this] { open_key_pages(menu_, host_, key_undo_); }, "which key or button does what"));
     page.rows.push_back(row("Back", [this] { menu_.close(); }));
     return page;
 }
@@ -262,7 +262,7 @@ void MenuPages::open_keys() {
         page.help = host_.key_names().in("{choose}: read on. {menu}: back");
         page.closed_by = Command::ShowHelp;
         for (const KeyHelp& line : help) page.rows.push_back({line.label, line.keys, "", nullptr, nullptr});
-        page.rows.push_back(row("Change them", [this] { open_key_pages(menu_, host_); }));
+        page.rows.push_back(row("Change them", [this] { open_key_pages(menu_, host_, key_undo_); }));
         page.rows.push_back(row("Back", [this] { menu_.close(); }));
         return page;
     });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "game/menu/key_pages.h"
 #include "game/menu/menu.h"
 #include "game/menu/menu_host.h"
 #include "game/preferences/preference_table.h"
@@ -51,6 +52,7 @@ class MenuPages {
 
     Menu& menu_;
     MenuHost& host_;
+    KeyUndo key_undo_;
 };
 
 }  // namespace oblong

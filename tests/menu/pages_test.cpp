@@ -32,7 +32,9 @@ class FakeHost final : public MenuHost {
         return {own, empty, full, damaged};
     }
     std::optional<SaveEntry> last_walk() const override { return saves()[3]; }
-    EndFigures end_figures() const override { return {"You have seen the museum.", "12:34", "12 of 12", "e1m2"}; }
+    EndFigures end_figures() const override {
+        return {"You have seen the museum.", "12:34", "12 of 12", end_fault.empty() ? "e1m2" : "", end_fault};
+    }
     std::string credits() const override { return std::string(2000, 'c'); }
     bool can_save() const override { return is_walking; }
     bool has_unsaved_progress() const override { return is_unsaved; }
@@ -54,6 +56,7 @@ class FakeHost final : public MenuHost {
 
     const HeadlessPlatform platform{1, 35, nullptr, nullptr};
     Preferences kept;
+    std::string end_fault;
     std::vector<std::string> done;
     bool is_walking = true, is_unsaved = true, has_autosave = false;
 };
@@ -84,6 +87,7 @@ class Pages : public testing::Test {
 
     FakeHost host_;
     Menu menu_;
+    KeyUndo undo_;
     MenuPages pages_{menu_, host_};
 };
 
@@ -246,6 +250,12 @@ TEST_F(Pages, TheEndLeadsOn) {
     EXPECT_EQ(host_.done.back(), "restart");
 }
 
+TEST_F(Pages, TheEndSaysWhichLevelIsMissing) {
+    host_.end_fault = "e1m2.bsp: open: no such level in maps, expected one";
+    pages_.open_end();
+    EXPECT_NE(menu_.page().text.find(host_.end_fault), std::string::npos) << menu_.page().text;
+}
+
 TEST_F(Pages, PreferencesChangeAtOnce) {
     pages_.open_game();
     choose("Options");
@@ -259,7 +269,7 @@ TEST_F(Pages, PreferencesChangeAtOnce) {
 }
 
 TEST_F(Pages, KeysAreAddedRemovedAndConflictsShown) {
-    open_key_pages(menu_, host_);
+    open_key_pages(menu_, host_, undo_);
     choose("Jump, swim up");
     choose("Add a key or button");
     press("J");
@@ -285,9 +295,39 @@ TEST_F(Pages, KeysAreAddedRemovedAndConflictsShown) {
     EXPECT_EQ(inputs_text(host_, Move::Forward).find("W"), std::string::npos);
 }
 
+// However it was made: added, removed, taken from elsewhere, all set anew.
+TEST_F(Pages, TheLastChangeOfAKeyIsUndone) {
+    open_key_pages(menu_, host_, undo_);
+    const auto undo_and_redo = [&](const Bindings& before) {
+        const Bindings after = host_.kept.bindings;
+        EXPECT_NE(before, after);
+        choose("Undo the last change");
+        EXPECT_EQ(host_.kept.bindings, before);
+        choose("Undo the last change");
+        EXPECT_EQ(host_.kept.bindings, after);
+        choose("Undo the last change");
+    };
+    const Bindings at_first = host_.kept.bindings;
+    choose("Jump, swim up");
+    for (const MenuRow& row : menu_.page().rows) EXPECT_NE(row.label, "Undo the last change") << "nothing was changed";
+    choose("Add a key or button");
+    press("J");
+    undo_and_redo(at_first);
+    choose("Space");  // removes it
+    undo_and_redo(at_first);
+    choose("Add a key or button");
+    press("W");
+    choose("Take it from there");
+    undo_and_redo(at_first);
+    escape();
+    choose("All for the left hand");
+    choose("Yes");
+    undo_and_redo(at_first);
+}
+
 TEST_F(Pages, AllKeysAreSetAnewOnlyAfterAQuestion) {
     host_.kept.bindings.unbind_all(Move::Jump);
-    open_key_pages(menu_, host_);
+    open_key_pages(menu_, host_, undo_);
     choose("All as at first");
     choose("No");
     EXPECT_TRUE(host_.kept.bindings.inputs_of(Move::Jump).empty());
