@@ -135,7 +135,8 @@ ShownPicture Session::draw(bool is_behind_menu) {
     if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, last_us_);
     const std::uint64_t began_us = platform_.now_us();
     renderer_->draw(view, shown_settings);
-    const PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.gamma_100);
+    PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.gamma_100);
+    if (is_behind_menu) effects.flash = {};  // it would wash the menu out
     note_cost(view, shown_settings, effects, began_us);
     if (log_) renderer_->note(view, shown_settings, last_us_, *log_);
 
