@@ -65,16 +65,17 @@ const Names kClasses{"worldspawn",
                      "test_"};
 
 // The same for keys, whatever class they belong to.
-const Names kKeys{
-    "classname",  "origin",     "angle",     "angles",    "mangle",      "target",      "targetname", "killtarget",
-    "spawnflags", "model",      "delay",     "wait",      "message",     "sounds",      "speed",      "lip",
-    "dmg",        "health",     "height",    "count",     "style",       "light",       "map",        "t_length",
-    "t_width",    "noise",      "noise1",    "noise2",    "noise3",      "noise4",      "netname",    "color",
-    "wad",        "worldtype",  "gravity",   "volume",    "cnt",         "sky",         "fog",        "alpha",
-    "mapversion", "_light",     "_minlight", "_sunlight", "_sun_mangle", "_sky",        "_wad",       "_tb_",
-    "wateralpha", "slimealpha", "lavaalpha", "telealpha", "_wateralpha", "_slimealpha", "_lavaalpha", "_telealpha",
-    "size",       "colour",     "period",    "texture",   "scale",       "shadow",      "radius",     "pattern",
-    "frame",      "frames",     "skin",      "up",        "dither",      "shading",     "highlight",  "least_light"};
+const Names kKeys{"classname",  "origin",      "angle",       "angles",      "mangle",      "target",     "targetname",
+                  "killtarget", "spawnflags",  "model",       "delay",       "wait",        "message",    "sounds",
+                  "speed",      "lip",         "dmg",         "health",      "height",      "count",      "style",
+                  "light",      "map",         "t_length",    "t_width",     "noise",       "noise1",     "noise2",
+                  "noise3",     "noise4",      "netname",     "color",       "wad",         "worldtype",  "gravity",
+                  "volume",     "cnt",         "sky",         "fog",         "alpha",       "mapversion", "_light",
+                  "_minlight",  "_sunlight",   "_sun_mangle", "_sky",        "_wad",        "_tb_",       "wateralpha",
+                  "slimealpha", "lavaalpha",   "telealpha",   "_wateralpha", "_slimealpha", "_lavaalpha", "_telealpha",
+                  "size",       "colour",      "period",      "texture",     "scale",       "shadow",     "radius",
+                  "pattern",    "frame",       "frames",      "skin",        "up",          "dither",     "shading",
+                  "highlight",  "least_light", "glass"};
 
 struct Count {
     std::string_view key, wanted;
