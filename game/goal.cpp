@@ -1,5 +1,7 @@
 #include "game/goal.h"
 
+#include <algorithm>
+
 #include "game/simulation/items.h"
 
 namespace oblong {
@@ -42,17 +44,26 @@ Goal goal_of(const GameLevel& level, const GameState& state) {
     const ItemCount count = count_items(level, state, ItemClass::Lens);
     Goal goal;
     if (count.all == 0) return goal;
+    const std::vector<std::size_t> last = last_lenses(level, state);
     const auto where = [&](std::size_t item) {
-        return direction_of(state.player.position, level.items[item].position);
+        return " (" + direction_of(state.player.position, level.items[item].position) + ")";
     };
     goal.count = std::to_string(count.taken) + " of " + std::to_string(count.all);
-    for (const std::size_t lens : last_lenses(level, state))
-        goal.hint += (goal.hint.empty() ? "Missing: " : ", ") + name_of(level, lens) + " (" + where(lens) + ")";
-    for (std::size_t i = 0; i < level.items.size(); ++i)
-        if (is_lens(level, i))
-            goal.list += (goal.list.empty() ? "" : "\n") + name_of(level, i) +
-                         (is_there(state, i) ? ": " + where(i) + " of here" : ": found");
+    for (const std::size_t lens : last)
+        goal.hint += (goal.hint.empty() ? "Missing: " : ", ") + name_of(level, lens) + where(lens);
+    for (std::size_t i = 0; i < level.items.size(); ++i) {
+        if (!is_lens(level, i)) continue;
+        goal.list += (goal.list.empty() ? "" : "\n") + name_of(level, i);
+        goal.list += !is_there(state, i) ? ": found" : last.empty() ? ": missing" : ": missing" + where(i);
+    }
     return goal;
+}
+
+std::string found_text(const GameLevel& level, const GameState& before, const GameState& after) {
+    const ItemCount count = count_items(level, after, ItemClass::Lens);
+    if (count.taken <= count_items(level, before, ItemClass::Lens).taken) return "";
+    const Goal goal = goal_of(level, after);
+    return "Lenses: " + goal.count + (goal.hint.empty() ? "" : ". " + goal.hint);
 }
 
 }  // namespace oblong

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "game/simulation/game_level.h"
 #include "game/simulation/state.h"
 
 namespace oblong {
@@ -11,9 +12,12 @@ namespace oblong {
 struct Goal {
     std::string count;  ///< "5 of 12"
     std::string hint;   ///< once few are missing: "Missing: RAIN (north-east), FOG (north)"
-    std::string list;   ///< a line a lens: its name and whether it is found, or where it is
+    std::string list;   ///< a line a lens: its name and whether it is found; of the last ones where they are
 };
 Goal goal_of(const GameLevel& level, const GameState& state);
+
+/// What is said when a tick has taken lenses: "Lenses: 9 of 12. Missing: ..."; empty where it has not.
+std::string found_text(const GameLevel& level, const GameState& before, const GameState& after);
 
 /// The lenses that are missing once so few are that the player is led to them; before that none.
 std::vector<std::size_t> last_lenses(const GameLevel& level, const GameState& state);
