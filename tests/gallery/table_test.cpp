@@ -51,6 +51,7 @@ const std::vector<Named> kNamed{
     // 4 Princeton
     {"the order of the stages with direct illumination in the world", {"mesh-pipeline"}},
     {"the OpenGL example", {"opengl-quad"}},
+    {"parallel and perspective view volumes", {"view-volume"}},
     {"the perspective matrix, D < 0", {"homogeneous"}},
     {"orthographic front, top, side", {"orthographic"}},
     {"isometric, dimetric, trimetric", {"axonometric", "level-from-outside"}},

@@ -72,12 +72,14 @@ RowPage draw_lab_cube(const RowInput& input, Framebuffer canvas) {
     const auto row = [&](double y, double depth) {
         return 100 - 200 / shows.size * (y - 0.5) * distance / (distance + depth);
     };
-    std::vector<Figure> figures{
-        number_figure("near / far face, COP 2, window 1: 5/4", 5 / 4.0, near_over_far(kLabViews[0]), 0.001),
-        number_figure("the same, window 1/2: 5/4", 5 / 4.0, near_over_far(kLabViews[1]), 0.001),
-        number_figure("COP 20, window 1: 23/22", 23 / 22.0, near_over_far(kLabViews[2]), 0.001),
-        number_figure("near face, windows wide: D / (D + 2) / window", distance / (distance + 2) / shows.size,
-                      across({0, 0, 0}, {1, 0, 0}, lab) / 200, 0.0001, 4)};
+    std::vector<Figure> figures;
+    for (const LabView& each : kLabViews)
+        figures.push_back(number_figure(std::string("near / far face, ") + each.name,
+                                        (each.distance + 3) / (each.distance + 2), near_over_far(each), 0.0005, 4));
+    std::rotate(figures.begin(), figures.begin() + input.values[0], figures.end());
+    figures.push_back(number_figure("near face, windows wide: D / (D + 2) / window",
+                                    distance / (distance + 2) / shows.size, across({0, 0, 0}, {1, 0, 0}, lab) / 200,
+                                    0.0001, 4));
     const bool is_labs = input.values[0] == 0 && moved == 0;
     figures.push_back(number_figure(is_labs ? "(0, 0, 1): column (the seed's table: 175)" : "(0, 0, 1): column",
                                     column(0, 3), shown({0, 0, 1}, lab).x, 0.01, 1));
