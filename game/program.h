@@ -109,6 +109,7 @@ class Program final : private MenuHost {
     std::vector<KeyHelp> key_help() const override {
         return gallery_ ? gallery_help(key_names()) : game_help(key_names());
     }
+    Goal goal() const override;
     std::vector<std::string> told() const override { return session_ ? session_->told() : std::vector<std::string>(); }
     std::string figures() const override { return gallery_ ? gallery_->figures() : ""; }
     std::vector<LevelEntry> levels() const override;

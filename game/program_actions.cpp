@@ -58,9 +58,12 @@ EndFigures Program::end_figures() const {
     EndFigures figures{std::string(end_message(level, state)), time_text(state.tick), "", "", ""};
     const std::string next(next_map(level, state));
     if (!next.empty()) find_next(next, places(), figures);
-    const ItemCount lenses = count_items(level, state, ItemClass::Lens);
-    if (lenses.all > 0) figures.lenses = std::to_string(lenses.taken) + " of " + std::to_string(lenses.all);
+    figures.lenses = goal().count;
     return figures;
+}
+
+Goal Program::goal() const {
+    return session_ ? goal_of(session_->loaded().level, session_->state()) : Goal{};
 }
 
 void Program::try_with_files(const std::string& what, const std::function<void()>& work) {

@@ -90,6 +90,12 @@ MenuPage MenuPages::game_page() {
     page.rows.push_back(row("Go on", [this] { menu_.close_all(); }));
     if (host_.can_save()) page.rows.push_back(row("Save", [this] { open_save(); }));
     page.rows.push_back(row("Load", [this] { open_load(); }));
+    if (const Goal goal = host_.goal(); !goal.count.empty()) {
+        page.rows.push_back(row(
+            "Lenses", [this, goal] { open_text("Lenses", goal.list, {}); },
+            goal.hint.empty() ? "which are found, and which are missing" : goal.hint));
+        page.rows.back().value = goal.count;
+    }
     if (!host_.told().empty())
         page.rows.push_back(row(
             "Messages", [this] { open_told(); }, "what you were told in this walk"));
