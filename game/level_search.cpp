@@ -63,10 +63,11 @@ std::optional<std::string> find_level(const std::string& name, const LevelPlaces
 
 std::string find_named_level(const std::string& name, const LevelPlaces& places) {
     if (auto file = find_level(name, places)) return *file;
-    std::string looked;
+    std::string looked, paks;
     for (const fs::path& folder : folders_of(places)) looked += folder.string() + ", ";
+    for (const std::string& folder : places.game_folders) paks += (paks.empty() ? "" : ", ") + folder;
     throw FileError(name + kExtension, "open",
-                    "no such level in " + looked + "or the pak files of the game's folders, expected one");
+                    "no such level in " + looked + "or pak files in " + paks + ", expected one");
 }
 
 LevelList list_levels(const LevelPlaces& places) {

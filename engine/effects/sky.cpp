@@ -131,20 +131,24 @@ TexelBlock* append_cells(const Span& span, const DomeView& view, std::int32_t pi
     return blocks;
 }
 
-/// Cuts spans into blocks and hands these to `draw`, some hundred at a time.
+/// Cuts spans into blocks and hands these to `draw`, some hundred at a time. Returns how many there were.
 template <class Draw>
-void draw_cells(std::span<const Span> spans, const DomeView& view, std::int32_t pitch, Draw draw) {
+std::int64_t draw_cells(std::span<const Span> spans, const DomeView& view, std::int32_t pitch, Draw draw) {
     constexpr std::int32_t kMostOfSpan = (kLargestMode_px >> kLeastCellLog2) + 1;
     std::array<TexelBlock, kMostOfSpan + 256> blocks;
     TexelBlock* end = blocks.data();
+    std::int64_t count = 0;
+    const auto draw_waiting = [&] {
+        draw(std::span<const TexelBlock>(blocks.data(), end));
+        count += end - blocks.data();
+        end = blocks.data();
+    };
     for (const Span& span : spans) {
-        if (end - blocks.data() > 256) {
-            draw(std::span<const TexelBlock>(blocks.data(), end));
-            end = blocks.data();
-        }
+        if (end - blocks.data() > 256) draw_waiting();
         end = append_cells(span, view, pitch, end);
     }
-    draw(std::span<const TexelBlock>(blocks.data(), end));
+    draw_waiting();
+    return count;
 }
 
 /// Eight bytes of `front`, and of `back` where those are 0: adding 127 leaves the highest bit of a 0 clear.
@@ -216,8 +220,8 @@ SkyNow compose_sky(const SkyTexture& texture, std::int64_t time_ms, std::int64_t
     return {texture, time_ms, scratch};
 }
 
-void draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basis& axes, const Projection& projection,
-              Framebuffer out) {
+std::int64_t draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basis& axes, const Projection& projection,
+                      Framebuffer out) {
     const std::int32_t size = sky.texture.size;
     const SkyScroll scroll = scroll_at(sky.time_ms, size);
     // Three times round are more than the dome's radius: no coordinate is below 0.
@@ -229,19 +233,8 @@ void draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basis& axes,
         });
     const SurfaceView tile = tile_of(sky.tile, size);
     const BlockKernel kernel = best_block_kernel();
-    draw_cells(spans, view, out.pitch, [&](std::span<const TexelBlock> blocks) { kernel(blocks, tile, out.pixels); });
-}
-
-SkyWork work_of_sky(std::span<const Span> spans, std::int32_t size, const Basis& axes, const Projection& projection) {
-    const int log2 = cell_log2(axes, projection);
-    SkyWork work;
-    std::int64_t pixels = 0;
-    for (const Span& span : spans) {
-        work.directions += ((span.end - 1) >> log2) - (span.first >> log2) + 2;
-        pixels += span.end - span.first;
-    }
-    if (is_worth_composing(pixels, size)) work.composed_texels = std::int64_t{size} * size;
-    return work;
+    return draw_cells(spans, view, out.pitch,
+                      [&](std::span<const TexelBlock> blocks) { kernel(blocks, tile, out.pixels); });
 }
 
 }  // namespace oblong

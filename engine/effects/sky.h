@@ -36,16 +36,9 @@ SkyNow compose_sky(const SkyTexture& texture, std::int64_t time_ms, std::int64_t
 
 /// Draws a dome: a texel depends on the direction of view alone, with heights tripled as Quake does, for a flat dome.
 /// Directions are computed every 8 columns and interpolated between. Both layers move along both axes; the background
-/// moves evenly, the clouds by one more texel whenever it has moved by a whole one.
-void draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basis& axes, const Projection& projection,
-              Framebuffer out);
-
-/// How much draw_sky() has to do for these spans.
-struct SkyWork {
-    std::int64_t directions = 0;       ///< computed: one more a span than it has blocks
-    std::int64_t composed_texels = 0;  ///< of both layers as one; 0: both are looked up at each pixel
-};
-/// `size` is the sky texture's.
-SkyWork work_of_sky(std::span<const Span> spans, std::int32_t size, const Basis& axes, const Projection& projection);
+/// moves evenly, the clouds by one more texel whenever it has moved by a whole one. Returns how many blocks it drew: it
+/// computes one more direction a span.
+std::int64_t draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basis& axes, const Projection& projection,
+                      Framebuffer out);
 
 }  // namespace oblong

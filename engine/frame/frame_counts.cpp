@@ -13,6 +13,12 @@ void count_run(std::uint32_t pixel, std::uint32_t count, std::vector<std::uint8_
         writes[i] = static_cast<std::uint8_t>(std::min(writes[i] + 1, 255));
 }
 
+void count_runs(std::span<const Span> spans, std::int32_t pitch, std::vector<std::uint8_t>& writes) {
+    for (const Span& span : spans)
+        count_run(static_cast<std::uint32_t>(span.y * pitch + span.first),
+                  static_cast<std::uint32_t>(span.end - span.first), writes);
+}
+
 }  // namespace
 
 std::vector<NamedCount> named_counts(const FrameCounts& counts) {
@@ -34,6 +40,7 @@ std::vector<NamedCount> named_counts(const FrameCounts& counts) {
             {"last_blocks", stages.last_blocks},
             {"textured_pixels", stages.textured_pixels},
             {"divided_pixels", stages.divided_pixels},
+            {"exact_divisions", stages.exact_divisions},
             {"flat_pixels", stages.flat_pixels},
             {"sky_pixels", stages.sky_pixels},
             {"sky_blocks", stages.sky_blocks},
@@ -69,11 +76,18 @@ void count_face(EffectSet effects, std::span<const Span> spans, FrameCounts& cou
 }
 
 void count_writes(std::span<const Span> spans, std::int32_t pitch, FrameCounts& counts) {
-    for (const Span& span : spans) {
-        count_run(static_cast<std::uint32_t>(span.y * pitch + span.first),
-                  static_cast<std::uint32_t>(span.end - span.first), counts.writes);
-        counts.stages.flat_pixels += span.end - span.first;
-    }
+    count_runs(spans, pitch, counts.writes);
+    counts.stages.flat_pixels += pixels_of(spans);
+}
+
+void count_divided_pixels(std::span<const Span> spans, std::int64_t divisions, std::int32_t pitch,
+                          FrameCounts& counts) {
+    count_runs(spans, pitch, counts.writes);
+    const std::int64_t pixels = pixels_of(spans);
+    counts.stages.textured_pixels += pixels;
+    counts.stages.divided_pixels += pixels;
+    counts.stages.exact_divisions += divisions;
+    counts.divisions += pixels;
 }
 
 void count_writes(std::span<const TexelBlock> blocks, FrameCounts& counts) {
@@ -85,9 +99,12 @@ void count_writes(std::span<const TexelBlock> blocks, FrameCounts& counts) {
     counts.stages.blocks += static_cast<std::int64_t>(blocks.size());
 }
 
-void count_sky(std::span<const Span> spans, FrameCounts& counts) {
-    counts.stages.sky_pixels = pixels_of(spans);
-    counts.stages.flat_pixels -= counts.stages.sky_pixels;
+void count_sky(std::span<const Span> spans, std::int64_t blocks, const SkyNow& sky, StageCounts& stages) {
+    stages.sky_pixels = pixels_of(spans);
+    stages.flat_pixels -= stages.sky_pixels;
+    stages.sky_blocks = blocks;
+    stages.sky_directions = blocks + std::ssize(spans);
+    stages.sky_texels = std::ssize(sky.tile);
 }
 
 void count_walk(std::int64_t nodes, const VertexCache::Counts& vertices, StageCounts& stages) {

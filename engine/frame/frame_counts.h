@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/effects/sky.h"
 #include "engine/frame/plan.h"
 #include "engine/geometry/screen_polygon.h"
 #include "engine/geometry/vertex_cache.h"
@@ -26,13 +27,15 @@ struct StageCounts {
     std::int64_t edge_rows = 0;        ///< steps down those edges
     std::int64_t claimed_rows = 0;     ///< rows of faces looked up in the span buffer
     std::int64_t surfaces = 0;         ///< for which gradients were made
-    std::int64_t blocks = 0;           ///< all of them, those of one pixel for each of divided_pixels too
+    std::int64_t blocks = 0;           ///< that spans are cut into
     std::int64_t last_blocks = 0;      ///< those whose length is no power of two
     std::int64_t textured_pixels = 0, flat_pixels = 0, sky_pixels = 0;
-    std::int64_t sky_blocks = 0, sky_directions = 0, sky_texels = 0;  ///< SkyWork
-    std::int64_t divided_pixels = 0;  ///< textured ones of raster/exact_spans.h, in `divisions` as one each
-    std::int64_t particles = 0;       ///< computed, in view or not
-    std::int64_t lit_texels = 0;      ///< built because the cache did not have them
+    std::int64_t sky_blocks = 0, sky_directions = 0;  ///< draw_sky()
+    std::int64_t sky_texels = 0;                      ///< of both layers, composed; 0: they are looked up at each pixel
+    std::int64_t divided_pixels = 0;   ///< textured ones of raster/exact_spans.h, in `divisions` as one each
+    std::int64_t exact_divisions = 0;  ///< that they took: fewer, where texels lie on lines or rows share depths
+    std::int64_t particles = 0;        ///< computed, in view or not
+    std::int64_t lit_texels = 0;       ///< built because the cache did not have them
 };
 
 /// Statistics of a frame, collected only on request (FrameWorkspace::counts).
@@ -66,8 +69,10 @@ void count_face(EffectSet effects, std::span<const Span> spans, FrameCounts& cou
 /// Adds a write to each pixel of spans or blocks. `pitch` is the framebuffer's.
 void count_writes(std::span<const Span> spans, std::int32_t pitch, FrameCounts& counts);
 void count_writes(std::span<const TexelBlock> blocks, FrameCounts& counts);
-/// Moves these spans, all of the sky's, from the pixels of one colour to those of the sky.
-void count_sky(std::span<const Span> spans, FrameCounts& counts);
+/// Adds spans drawn by raster/exact_spans.h, which made so many divisions.
+void count_divided_pixels(std::span<const Span> spans, std::int64_t divisions, std::int32_t pitch, FrameCounts& counts);
+/// Moves these spans, all of the sky's, from the pixels of one colour to those of the sky, drawn in so many blocks.
+void count_sky(std::span<const Span> spans, std::int64_t blocks, const SkyNow& sky, StageCounts& stages);
 /// Adds what a walk and its vertices took.
 void count_walk(std::int64_t nodes, const VertexCache::Counts& vertices, StageCounts& stages);
 /// Adds a polygon that was scanned into `rows`.

@@ -4,6 +4,20 @@
 
 namespace oblong {
 
+namespace {
+
+/// Texels of the surface's mip level, 16.16.
+void show_texel(std::int64_t u_16, std::int64_t v_16, const FaceSurface& surface, PixelRecord& pixel) {
+    const auto whole = [&surface](std::int64_t texel_16, std::int32_t origin) {
+        return Texel::from_raw(texel_16 * (std::int64_t{1} << surface.mip)) + Texel::from_int(origin);
+    };
+    pixel.mip = static_cast<std::int8_t>(surface.mip);
+    pixel.u = whole(u_16, surface.origin_u);
+    pixel.v = whole(v_16, surface.origin_v);
+}
+
+}  // namespace
+
 PixelRecord record_of(const VisibleFace& visible) {
     PixelRecord record;
     record.face = visible.face;
@@ -20,15 +34,20 @@ void record_spans(const PixelRecord& face, std::span<const Span> spans, Framebuf
 
 void record_blocks(PixelRecord face, std::span<const TexelBlock> blocks, const FaceSurface& surface,
                    FrameRecord& record) {
-    face.mip = static_cast<std::int8_t>(surface.mip);
-    const auto whole = [&surface](std::int64_t texel_16, std::int32_t origin) {
-        return Texel::from_raw(texel_16 * (std::int64_t{1} << surface.mip)) + Texel::from_int(origin);
-    };
     for (const TexelBlock& block : blocks)
         for (std::int64_t i = 0; i < block.count; ++i) {
-            face.u = whole(block.u_16 + i * block.u_step_16, surface.origin_u);
-            face.v = whole(block.v_16 + i * block.v_step_16, surface.origin_v);
+            show_texel(block.u_16 + i * block.u_step_16, block.v_16 + i * block.v_step_16, surface, face);
             record.pixels[block.pixel + static_cast<std::size_t>(i)] = face;
+        }
+}
+
+void record_divided_pixels(PixelRecord face, std::span<const Span> spans, const BlockCutting& cutting,
+                           const FaceSurface& surface, Framebuffer out, FrameRecord& record) {
+    for (const Span& span : spans)
+        for (std::int32_t column = span.first; column < span.end; ++column) {
+            const TexelPosition texel = texel_at(cutting.gradients, cutting.limits, column, span.y);
+            show_texel(texel.u_16, texel.v_16, surface, face);
+            record.pixels[static_cast<std::size_t>(span.y * out.pitch + column)] = face;
         }
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/placed_models.h"
 #include "engine/screen/screen.h"
@@ -31,5 +32,8 @@ void record_spans(const PixelRecord& face, std::span<const Span> spans, Framebuf
 /// Records the texels of blocks of a surface, whose pixels are of `face`.
 void record_blocks(PixelRecord face, std::span<const TexelBlock> blocks, const FaceSurface& surface,
                    FrameRecord& record);
+/// Records the texels of pixels that raster/exact_spans.h has drawn.
+void record_divided_pixels(PixelRecord face, std::span<const Span> spans, const BlockCutting& cutting,
+                           const FaceSurface& surface, Framebuffer out, FrameRecord& record);
 
 }  // namespace oblong

@@ -34,23 +34,16 @@ void draw_sky_faces(const FrameContext& frame, FrameWorkspace& work) {
         note_spans(claimed, spans, frame.out, work);
         work.pass_spans.insert(work.pass_spans.end(), spans.begin(), spans.end());
     }
-    if (work.counts) count_sky(work.pass_spans, *work.counts);
     const Level& level = frame.scene.level;
     const MipTexture& texture = level.textures[level.sky];
     const bool is_layered = texture.width == 2 * texture.height && (texture.height & (texture.height - 1)) == 0;
     if (!is_layered) return fill_spans(work.pass_spans, texture.mips[0][0], frame.out);
-    if (work.counts) {
-        const SkyWork sky_work =
-            work_of_sky(work.pass_spans, texture.height, frame.view.ray_directions(), frame.view.projection);
-        StageCounts& stages = work.counts->stages;
-        stages.sky_directions = sky_work.directions;
-        stages.sky_blocks = sky_work.directions - std::ssize(work.pass_spans);
-        stages.sky_texels = sky_work.composed_texels;
-    }
     const SkyNow sky = compose_sky({texture.mips[0].data(), texture.height, texture.width}, frame.scene.time_ms,
                                    pixels_of(work.pass_spans), work.sky_layers);
     if (frame.shared) return frame.shared->add_sky(sky, work.pass_spans);
-    draw_sky(work.pass_spans, sky, frame.view.ray_directions(), frame.view.projection, frame.out);
+    const std::int64_t blocks =
+        draw_sky(work.pass_spans, sky, frame.view.ray_directions(), frame.view.projection, frame.out);
+    if (work.counts) count_sky(work.pass_spans, blocks, sky, work.counts->stages);
 }
 
 SurfaceDrawing liquid_drawing() {

@@ -79,7 +79,10 @@ void SharedDrawing::end() {
 void SharedDrawing::do_item(std::uint32_t number, int worker) {
     const FrameContext& frame = *frame_;
     const Item& item = items_[number - first_item_];
-    if (item.is_sky) return draw_sky(item.spans, sky_, frame.view.ray_directions(), frame.view.projection, frame.out);
+    if (item.is_sky) {
+        draw_sky(item.spans, sky_, frame.view.ray_directions(), frame.view.projection, frame.out);
+        return;
+    }
     draw_with_surface(item.claimed, item.surface, item.effect, item.spans, frame, *work_,
                       {frame.texturing, frame.out, scratches_[static_cast<std::size_t>(worker)]});
 }

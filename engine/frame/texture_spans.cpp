@@ -47,25 +47,21 @@ BlockKernel line_kernel(std::span<const Span> spans, const TexturedFace& face, c
     return is_worth_it ? face.surface.kernel : nullptr;
 }
 
-/// A frame that counts or records draws blocks, to the same bytes: they say what each pixel shows.
+/// Without blocks, where surface and effect allow that.
 void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
     const FaceSurface& surface = face.surface;
-    FrameCounts* const counts = drawing.counts;
     BlockCutting cutting{face.gradients, surface.limits, {}};
     cutting.limits.least = {};  // without steps nothing drifts
-    if (surface.is_wrapped_by_masks && !counts && !drawing.record) {
-        if (face.effect.warps_alone)
-            return draw_exact_warped_spans(spans, face.gradients, cutting.limits, face.effect.texels, drawing.out);
-        if (!face.effect.kernel)
-            return draw_exact_spans(spans, face.gradients, cutting.limits, surface.view,
-                                    line_kernel(spans, face, drawing), drawing.out);
-    }
-    const std::int64_t divisions_before = counts ? counts->divisions : 0;
-    draw_blocks(face, spans, drawing.texturing.cut_pixels, cutting, drawing);
-    if (!counts || !surface.is_wrapped_by_masks) return;
-    const std::int64_t pixels = pixels_of(spans);
-    counts->stages.divided_pixels += pixels;
-    counts->divisions = divisions_before + pixels;
+    if (!surface.is_wrapped_by_masks || (face.effect.kernel && !face.effect.warps_alone))
+        return draw_blocks(face, spans, drawing.texturing.cut_pixels, cutting, drawing);
+    const std::int64_t divisions =
+        face.effect.warps_alone
+            ? draw_exact_warped_spans(spans, face.gradients, cutting.limits, face.effect.texels, drawing.out)
+            : draw_exact_spans(spans, face.gradients, cutting.limits, surface.view, line_kernel(spans, face, drawing),
+                               drawing.out);
+    if (drawing.counts) count_divided_pixels(spans, divisions, drawing.out.pitch, *drawing.counts);
+    if (drawing.record)
+        record_divided_pixels(record_of(face.claimed.visible), spans, cutting, surface, drawing.out, *drawing.record);
 }
 
 /// The longest block of a face that rounding allows (longest_block_log2).

@@ -96,9 +96,11 @@ class LinePieces {
             for (std::uint64_t near = pixels_near_borders(blocks_[i], errors_16_[i]); near != 0; near &= near - 1) {
                 const auto pixel = static_cast<std::int32_t>(blocks_[i].pixel) + std::countr_zero(near);
                 out_[pixel] = row_.colour_at(row_.at(pixel));
+                ++divisions_;
             }
         count_ = 0;
     }
+    std::int64_t divisions() const { return divisions_; }  ///< of draw()
 
   private:
     const OctaveRow& row_;
@@ -106,6 +108,7 @@ class LinePieces {
     const SurfaceView& surface_;
     std::uint8_t* const out_;
     std::size_t count_ = 0;
+    std::int64_t divisions_ = 0;
     std::array<TexelBlock, 32> blocks_;
     std::array<std::uint32_t, 32> errors_16_;
 };
@@ -120,23 +123,25 @@ struct PieceLengths {
 };
 
 /// The same bytes as by a division at each pixel, with two for each piece whose texels lie almost on a line. `out` is
-/// the octave's first pixel.
-void draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel kernel, const SurfaceView& surface,
-                 PieceLengths& lengths, std::uint8_t* out) {
+/// the octave's first pixel. Returns how many it made.
+std::int64_t draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel kernel, const SurfaceView& surface,
+                         PieceLengths& lengths, std::uint8_t* out) {
     constexpr std::int64_t kMost_16 = 2048;  // beyond, too many pixels would be near a border
     const std::int32_t end = octave.end - octave.first;
     if (!kernel || row.is_constant()) return row.draw_divided(0, end, out);
     LinePieces pieces(row, kernel, surface, out);
+    std::int64_t divisions = 0;
     for (std::int32_t pixel = 0; pixel < end;) {
         const std::int32_t left = end - 1 - pixel, count = left < 2 * lengths.next ? left : lengths.next;
         if (lengths.divided > 0 || count < kShortestPiece) {
             const std::int32_t divided_end = std::min(pixel + std::max(lengths.divided, kShortestPiece), end);
-            row.draw_divided(pixel, divided_end, out);
+            divisions += row.draw_divided(pixel, divided_end, out);
             lengths.divided = std::max(lengths.divided - (divided_end - pixel), 0);
             pixel = divided_end;
             continue;
         }
         const Piece piece{row.at(pixel), row.at(pixel + count), count};
+        divisions += 2;
         const std::int64_t error_16 = line_error_16(piece);
         if (error_16 <= kMost_16) {
             pieces.add(piece, pixel, error_16);
@@ -150,13 +155,15 @@ void draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel kernel,
         }
     }
     pieces.draw();
+    return divisions + pieces.divisions();
 }
 
 template <class ColourAt>
-void draw_clamped(const Octave& octave, std::int32_t row, const TextureGradients& gradients, const TexelLimits& limits,
-                  std::uint8_t* out, ColourAt colour_at) {
+std::int64_t draw_clamped(const Octave& octave, std::int32_t row, const TextureGradients& gradients,
+                          const TexelLimits& limits, std::uint8_t* out, ColourAt colour_at) {
     for (std::int32_t column = octave.first; column < octave.end; ++column)
         out[column] = colour_at(texel_at(gradients, limits, column, row));
+    return octave.end - octave.first;
 }
 
 /// Over a row of 4,096 pixels such steps do not wrap: values between two ends are between them.
@@ -174,53 +181,60 @@ bool needs_no_clamp(const Octave& octave, std::int32_t row, const TextureGradien
 }
 
 /// Calls draw(octave, row, pixels) where nothing has to be clamped. colour_at(position) is a pixel's of the others.
+/// Returns how many divisions they made.
 template <class DrawOctave, class ColourAt>
-void draw_octaves(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
-                  const SurfaceView& surface, Framebuffer out, DrawOctave draw, ColourAt colour_at) {
+std::int64_t draw_octaves(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
+                          const SurfaceView& surface, Framebuffer out, DrawOctave draw, ColourAt colour_at) {
+    std::int64_t divisions = 0;
     for (const Span& span : spans) {
         std::uint8_t* const row = out.row(span.y);
         for (std::int32_t column = span.first; column < span.end;) {
             const Octave octave =
                 octave_from(column, span.end, gradients.inverse_z.at(column, span.y), gradients.inverse_z.per_column);
             if (needs_no_clamp(octave, span.y, gradients, limits))
-                draw(octave, OctaveRow(octave, span.y, gradients, surface), row + octave.first);
+                divisions += draw(octave, OctaveRow(octave, span.y, gradients, surface), row + octave.first);
             else
-                draw_clamped(octave, span.y, gradients, limits, row, colour_at);
+                divisions += draw_clamped(octave, span.y, gradients, limits, row, colour_at);
             column = octave.end;
         }
     }
+    return divisions;
 }
 
 }  // namespace
 
-void draw_exact_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
-                      const SurfaceView& surface, BlockKernel kernel, Framebuffer out) {
+std::int64_t draw_exact_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
+                              const SurfaceView& surface, BlockKernel kernel, Framebuffer out) {
     const auto colour_at = [&](TexelPosition texel) { return texel_from(surface, texel.u_16 >> 16, texel.v_16 >> 16); };
     if (spans.size() > 1 && gradients.inverse_z.per_row == InverseZ{}) {
-        const ColumnDepths depths(gradients, rectangle_around(spans));
+        const ScreenRectangle rectangle = rectangle_around(spans);
+        const ColumnDepths depths(gradients, rectangle);
         const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
             row.draw_at_depths(depths.from(octave.first), octave.end - octave.first, pixels);
+            return 0;
         };
-        return draw_octaves(spans, gradients, limits, surface, out, draw, colour_at);
+        return rectangle.end_column - rectangle.first_column +
+               draw_octaves(spans, gradients, limits, surface, out, draw, colour_at);
     }
     PieceLengths lengths;
     const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
-        draw_octave(octave, row, kernel, surface, lengths, pixels);
+        return draw_octave(octave, row, kernel, surface, lengths, pixels);
     };
-    draw_octaves(spans, gradients, limits, surface, out, draw, colour_at);
+    return draw_octaves(spans, gradients, limits, surface, out, draw, colour_at);
 }
 
-void draw_exact_warped_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
-                             const EffectTexels& texels, Framebuffer out) {
+std::int64_t draw_exact_warped_spans(std::span<const Span> spans, const TextureGradients& gradients,
+                                     const TexelLimits& limits, const EffectTexels& texels, Framebuffer out) {
     const auto colour_at = [surface = texels.surface, &warp = *texels.warp](TexelPosition texel) {
         const std::uint32_t u_16 = texel.u_16 + shift_at(warp, texel.v_16);
         return texel_from(surface, u_16 >> 16, (texel.v_16 + shift_at(warp, texel.u_16)) >> 16);
     };
     const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
-        row.draw_divided(0, octave.end - octave.first, pixels,
-                         [&](const OctaveRow&, const DividedTexel& texel) { return colour_at(position_of(texel)); });
+        return row.draw_divided(0, octave.end - octave.first, pixels, [&](const OctaveRow&, const DividedTexel& texel) {
+            return colour_at(position_of(texel));
+        });
     };
-    draw_octaves(spans, gradients, limits, texels.surface, out, draw, colour_at);
+    return draw_octaves(spans, gradients, limits, texels.surface, out, draw, colour_at);
 }
 
 }  // namespace oblong

@@ -68,12 +68,14 @@ class OctaveRow {
     }
 
     /// A division a pixel, and nothing else; where 1/z is constant one for all. colour(row, texel) is a pixel's.
+    /// Returns how many divisions that took.
     template <class Colour>
-    void draw_divided(std::int32_t first, std::int32_t end, std::uint8_t* out, Colour colour) const {
+    std::int32_t draw_divided(std::int32_t first, std::int32_t end, std::uint8_t* out, Colour colour) const {
         if (is_constant()) {
             const std::int64_t depth = depth_of(inverse_z_.upper_half(first));
-            return draw_pixels(
+            draw_pixels(
                 first, end, out, [depth] { return depth; }, colour);
+            return 1;
         }
         const auto next_depth = [inverse_z = inverse_z_.at(first), step = inverse_z_.step]() mutable {
             const std::int64_t depth = depth_of(upper_half(inverse_z));
@@ -81,9 +83,10 @@ class OctaveRow {
             return depth;
         };
         draw_pixels(first, end, out, next_depth, colour);
+        return end - first;
     }
-    void draw_divided(std::int32_t first, std::int32_t end, std::uint8_t* out) const {
-        draw_divided(first, end, out, kPlain);
+    std::int32_t draw_divided(std::int32_t first, std::int32_t end, std::uint8_t* out) const {
+        return draw_divided(first, end, out, kPlain);
     }
 
     /// Whether 1/z is the same in all columns, as that of a floor is in a level view.

@@ -35,13 +35,32 @@ bool has_conflict(const Bindings& bindings, Action action) {
 // The pages of keys; their functions keep copies of it.
 class KeyPages {
   public:
-    KeyPages(Menu& menu, MenuHost& host) : menu_(&menu), host_(&host) {}
+    KeyPages(Menu& menu, MenuHost& host, KeyUndo& undo) : menu_(&menu), host_(&host), undo_(&undo) {}
 
     void open() const {
         menu_->open([*this] { return list_page(); });
     }
 
   private:
+    // All changes go through here.
+    template <class Change>
+    void change(Change change) const {
+        Bindings& bindings = host_->preferences().bindings;
+        *undo_ = bindings;
+        change(bindings);
+    }
+    void bind(Action action, Input input) const {
+        change([&](Bindings& bindings) { bindings.bind(action, input); });
+    }
+
+    // Undoing twice is doing it again.
+    void add_undo(MenuPage& page) const {
+        if (!*undo_ || **undo_ == host_->preferences().bindings) return;
+        page.rows.push_back({"Undo the last change", "", "Of the keys, whichever it was",
+                             [*this] { change([before = **undo_](Bindings& bindings) { bindings = before; }); },
+                             nullptr});
+    }
+
     MenuPage list_page() const {
         MenuPage page{"Keys", "", {}, 0, "", false, nullptr};
         page.help = host_->key_names().in("{accept} changes what is chosen");
@@ -53,6 +72,7 @@ class KeyPages {
                                  [*this, action] { menu_->open([*this, action] { return action_page(action); }); },
                                  nullptr});
         }
+        add_undo(page);
         add_sets(page);
         page.rows.push_back({"Back", "", "", [*this] { menu_->close(); }, nullptr});
         return page;
@@ -73,7 +93,7 @@ class KeyPages {
         page.rows.push_back({"No", "", "", [*this] { menu_->close(); }, nullptr});
         page.rows.push_back({"Yes", "", "",
                              [*this, hands] {
-                                 host_->preferences().bindings = default_bindings(hands);
+                                 change([&](Bindings& bindings) { bindings = default_bindings(hands); });
                                  menu_->close();
                              },
                              nullptr});
@@ -86,12 +106,14 @@ class KeyPages {
             const std::string others = others_of(host_->preferences().bindings, action, input);
             page.rows.push_back(
                 {host_->local_name_of(input), "remove", others.empty() ? "" : "Does this, too: " + others,
-                 [*this, action, input] { host_->preferences().bindings.unbind(action, input); }, nullptr});
+                 [*this, action, input] { change([&](Bindings& bindings) { bindings.unbind(action, input); }); },
+                 nullptr});
         }
         page.rows.push_back({"Add a key or button", "", "",
                              [*this, action] { menu_->open([*this, action] { return press_page(action); }); },
                              nullptr});
         page.first_chosen = page.rows.size() - 1;
+        add_undo(page);
         page.rows.push_back({"Done", "", "", [*this] { menu_->close(); }, nullptr});
         return page;
     }
@@ -108,7 +130,7 @@ class KeyPages {
         page.press = [*this, action](Input input) {
             menu_->close();
             const std::string others = others_if_bound(action, input);
-            if (others.empty()) return host_->preferences().bindings.bind(action, input);
+            if (others.empty()) return bind(action, input);
             menu_->open([*this, action, input, others] { return conflict_page(action, input, others); });
         };
         return page;
@@ -125,16 +147,18 @@ class KeyPages {
         MenuPage page{label_of(action), name + " does something already: " + others + ".", {}, 0, "", false, nullptr};
         page.rows.push_back({"Take it from there", "", "",
                              [*this, action, input] {
-                                 for (const ActionNames& names : all_actions())
-                                     if (is_other(action, names.action, input))
-                                         host_->preferences().bindings.unbind(names.action, input);
-                                 host_->preferences().bindings.bind(action, input);
+                                 change([&](Bindings& bindings) {
+                                     for (const ActionNames& names : all_actions())
+                                         if (is_other(action, names.action, input))
+                                             bindings.unbind(names.action, input);
+                                     bindings.bind(action, input);
+                                 });
                                  menu_->close();
                              },
                              nullptr});
         page.rows.push_back({"Let it do both", "", "",
                              [*this, action, input] {
-                                 host_->preferences().bindings.bind(action, input);
+                                 bind(action, input);
                                  menu_->close();
                              },
                              nullptr});
@@ -152,12 +176,13 @@ class KeyPages {
 
     Menu* menu_;
     MenuHost* host_;
+    KeyUndo* undo_;
 };
 
 }  // namespace
 
-void open_key_pages(Menu& menu, MenuHost& host) {
-    KeyPages(menu, host).open();
+void open_key_pages(Menu& menu, MenuHost& host, KeyUndo& undo) {
+    KeyPages(menu, host, undo).open();
 }
 
 std::string inputs_text(MenuHost& host, Action action) {

@@ -148,11 +148,12 @@ TEST(Dials, CountsAddUp) {
         stage.draw(cameras()[0], work);
         const StageCounts& stages = work.counts->stages;
         EXPECT_EQ(stages.textured_pixels + stages.flat_pixels + stages.sky_pixels, 64000);
-        EXPECT_GE(stages.blocks, work.counts->divisions / 2);
+        EXPECT_GE(stages.blocks, (work.counts->divisions - stages.divided_pixels) / 2);
         EXPECT_LE(stages.last_blocks, stages.blocks);
         EXPECT_LE(stages.projected, stages.vertices);
         if (texturing == Texturing::Exact) {
-            EXPECT_EQ(stages.blocks, stages.textured_pixels);
+            EXPECT_EQ(stages.blocks, stages.textured_pixels - stages.divided_pixels);
+            EXPECT_LT(stages.exact_divisions, stages.divided_pixels);
         }
         if (texturing == Texturing::Affine) {
             EXPECT_LE(stages.blocks, work.counts->spans);

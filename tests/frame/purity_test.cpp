@@ -83,6 +83,67 @@ TEST(Purity, CountingMakesNoDifference) {
     }
 }
 
+/// What kernels were given to draw, in order: a kernel is a plain function, so this can't be handed to it.
+struct DrawnBlocks {
+    std::uint64_t hash = 14695981039346656037u;
+    std::int64_t blocks = 0, pixels = 0;
+    bool operator==(const DrawnBlocks&) const = default;
+
+    void note(std::uint64_t value) { hash = (hash ^ value) * 1099511628211u; }
+} drawn_blocks;
+
+void draw_and_note(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels) {
+    for (const TexelBlock& block : blocks) {
+        for (const std::uint32_t value : {block.pixel, static_cast<std::uint32_t>(block.count), block.u_16, block.v_16})
+            drawn_blocks.note(value);
+        ++drawn_blocks.blocks;
+        drawn_blocks.pixels += block.count;
+    }
+    draw_blocks_plain(blocks, surface, pixels);
+}
+
+bool divides_no_pixel(const Accuracy& accuracy) {
+    return accuracy.texturing != Texturing::Bounded && accuracy.texturing != Texturing::Exact;
+}
+
+std::int64_t any_time_ns() {
+    return 0;
+}
+
+// Counts, records and times are of what is drawn when nobody looks, not of another way to the same bytes: the same
+// blocks come to the kernels, and the blocks that are counted are those.
+TEST(Purity, WhatIsWatchedTakesThePathThatIsDrawn) {
+    Stage stage = demo_stage();
+    stage.settings.allowed_effects = {};  // which have kernels of their own
+    FrameWorkspace work(stage.level, stage.mode);
+    work.surfaces.kernel = draw_and_note;
+    for (const Preset preset : kPresets) {
+        stage.settings.accuracy = accuracy_of(preset);
+        for (const Camera& camera : cameras_of(stage.level)) {
+            SCOPED_TRACE(name_of(preset));
+            const auto drawn = [&] {
+                drawn_blocks = {};
+                stage.draw(camera, work);
+                return drawn_blocks;
+            };
+            drawn();  // lights surfaces
+            const DrawnBlocks unwatched = drawn();
+            work.counts = std::make_unique<FrameCounts>();
+            EXPECT_EQ(drawn(), unwatched) << "counted";
+            if (divides_no_pixel(stage.settings.accuracy)) {
+                EXPECT_EQ(work.counts->stages.blocks, unwatched.blocks);
+            }
+            work.counts = nullptr;
+            work.record = std::make_unique<FrameRecord>();
+            EXPECT_EQ(drawn(), unwatched) << "recorded";
+            work.record = nullptr;
+            work.times = std::make_unique<PassTimes>(PassTimes{any_time_ns});
+            EXPECT_EQ(drawn(), unwatched) << "timed";
+            work.times = nullptr;
+        }
+    }
+}
+
 TEST(Purity, EveryKernelDrawsTheSameFrame) {
     Stage stage = demo_stage();
     FrameWorkspace work(stage.level, stage.mode);

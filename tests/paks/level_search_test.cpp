@@ -65,6 +65,19 @@ TEST_F(Game, ANameLeadsToNoOtherFolder) {
     EXPECT_THROW(find_named_level("../mine/e1m9", places_), FileError);
 }
 
+TEST_F(Game, AMissingLevelIsNamedWithAllPlacesWhereItWasLookedFor) {
+    places_.beside = folder_.path("mine/start.bsp");
+    try {
+        find_named_level("e1m8", places_);
+        FAIL();
+    } catch (const FileError& error) {
+        const std::string text = error.what();
+        for (const std::string& part : {std::string("e1m8.bsp: "), folder_.path("mine"), std::string(" maps,"),
+                                        folder_.path("game/maps"), "pak files in " + folder_.path("game")})
+            EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
+}
+
 TEST_F(Game, AllLevelsAreListedOnceTheDemoLevelFirst) {
     const LevelList list = list_levels(places_);
     EXPECT_TRUE(list.problems.empty());

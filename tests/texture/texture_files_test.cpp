@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -122,31 +123,74 @@ TEST_F(TrueColours, OfAPngWithAnotherPaletteAreWhatCounts) {
     for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(texture.mips[0][i], 255 - i);
 }
 
-/// A palette of greys 16 apart, and a picture of 32x32 in one grey between two of them.
+/// A palette of greys 16 apart, and a picture of 32x32 in one grey, by default half-way between two of them.
 struct BetweenGreys {
     Palette palette;
-    PngImage image{32, 32, {}, std::vector<Rgba8>(32 * 32, {{104, 104, 104}, 255})};
+    PngImage image;
 
-    BetweenGreys() {
+    explicit BetweenGreys(std::uint8_t level = 104)
+        : image{32, 32, {}, std::vector<Rgba8>(32 * 32, {{level, level, level}, 255})} {
         for (std::size_t i = 0; i < 256; ++i) {
             const auto grey = static_cast<std::uint8_t>(i % 16 * 16);
             palette.colours[i] = {grey, grey, grey};
         }
     }
-    double mean(Dither dither) const {
-        int sum = 0;
-        for (const std::uint8_t index : indices_of(image, palette, kOrdinaryColours, dither)) {
-            EXPECT_LT(index, kFirstFullbright);
-            sum += palette.colours[index].red;
-        }
-        return sum / (32 * 32.0);
-    }
 };
 
-TEST(Quantise, DitheringKeepsTheMeanThatTheNearestColourMisses) {
-    const BetweenGreys scene;
-    EXPECT_EQ(scene.mean(Dither::None), 96);
-    EXPECT_NEAR(scene.mean(Dither::FloydSteinberg), 104, 2);
+TEST(Quantise, TheNearestColourIsTheNearestOfAllInDoubles) {
+    const Palette palette = test::scattered_palette();
+    PngImage image{64, 64, {}, {}};
+    for (int i = 0; i < 64 * 64; ++i)
+        image.colours.push_back({{static_cast<std::uint8_t>(i * 37 / 16), static_cast<std::uint8_t>(i * i / 53),
+                                  static_cast<std::uint8_t>(i * 101 / 7)}});
+    for (const ColourRange range :
+         {ColourRange{0, 256}, kOrdinaryColours, ColourRange{40, 41}, ColourRange{100, 130}}) {
+        const std::vector<std::uint8_t> indices = indices_of(image, palette, range, Dither::None);
+        for (std::size_t i = 0; i < indices.size(); ++i) {
+            const auto distance = [&, wanted = image.colours[i].colour](int index) {
+                const Rgb8 colour = palette.colours[static_cast<std::size_t>(index)];
+                return std::hypot(0.0 + colour.red - wanted.red, 0.0 + colour.green - wanted.green,
+                                  0.0 + colour.blue - wanted.blue);
+            };
+            ASSERT_GE(indices[i], range.begin);
+            ASSERT_LT(indices[i], range.end);
+            for (int other = range.begin; other < range.end; ++other)
+                ASSERT_GE(distance(other) + 1e-9, distance(indices[i])) << i << ' ' << other;
+        }
+    }
+}
+
+// A pixel passes on 8 at most, half of 16; of that, 9/16 to the next row and up to 11/16 over a side of a block. What
+// a block of 8x8 takes in or gives away is then 8 (2 * 8 * 9 + 2 * 8 * 11) / 16 at most, 2.5 a pixel, and rounding.
+TEST(Quantise, DitheringKeepsTheMeanOfEachBlock) {
+    for (int level = 8; level <= 232; ++level) {
+        const BetweenGreys scene(static_cast<std::uint8_t>(level));
+        const auto indices = indices_of(scene.image, scene.palette, kOrdinaryColours, Dither::FloydSteinberg);
+        double all = 0;
+        for (int block = 0; block < 16; ++block) {
+            double sum = 0;
+            for (int i = 0; i < 64; ++i) {
+                const int x = block % 4 * 8 + i % 8, y = block / 4 * 8 + i / 8;
+                sum += scene.palette.colours[indices[static_cast<std::size_t>(y * 32 + x)]].red;
+            }
+            ASSERT_NEAR(sum / 64, level, 2.75) << block;
+            all += sum / 64 / 16;
+        }
+        ASSERT_NEAR(all, level, 2.75 / 4) << "a block of 32x32";
+    }
+}
+
+TEST(Quantise, TheNearestColourAloneMissesTheMean) {
+    for (const std::uint8_t index : indices_of(BetweenGreys().image, BetweenGreys().palette, {}, Dither::None))
+        ASSERT_EQ(index % 16, 6);
+}
+
+TEST(Quantise, ColoursBeyondThePalettesDoNotAddUp) {
+    // Half white, then a grey that the palette has: what white lacked must not brighten it for long.
+    BetweenGreys scene(255);
+    for (std::size_t i = 512; i < 1024; ++i) scene.image.colours[i].colour = {96, 96, 96};
+    const auto indices = indices_of(scene.image, scene.palette, kOrdinaryColours, Dither::FloydSteinberg);
+    for (std::size_t i = 512 + 4 * 32; i < 1024; ++i) ASSERT_EQ(indices[i] % 16, 6) << i;
 }
 
 TEST(Quantise, DitheringLeavesColoursOfThePaletteAlone) {

@@ -6,6 +6,7 @@
 
 #include "engine/base/table.h"
 #include "engine/platform/files.h"
+#include "tools/common/picture.h"
 
 namespace oblong {
 namespace {
@@ -94,7 +95,7 @@ Skin make_skin(const tinyobj::material_t& material, const std::filesystem::path&
     if (material.diffuse_texname.empty()) return skin_of_colour(material.name, diffuse_colour(material), palette);
     try {
         const auto path = (folder / with_slashes(material.diffuse_texname)).string();
-        const PngImage image = read_parsed(path, decode_png);
+        const PngImage image = read_parsed(path, decode_picture);
         return {material.name, image.width_px, image.height_px, indices_of(image, palette, kOrdinaryColours, dither)};
     } catch (const FileError& error) {
         warnings.push_back(std::string(error.what()) + ": the material's colour stands for it");

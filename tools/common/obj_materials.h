@@ -24,7 +24,7 @@ class ObjMaterialReader : public tinyobj::MaterialReader {
     std::filesystem::path folder_;
 };
 
-/// A material's picture, or else its colour; PNGs are beside the OBJ file. Adds a warning where a PNG can't be read.
+/// A material's picture, or else its colour; pictures are beside the OBJ file. Adds a warning where one can't be read.
 Skin make_skin(const tinyobj::material_t& material, const std::filesystem::path& folder, const Palette& palette,
                Dither dither, std::vector<std::string>& warnings);
 

@@ -1,69 +1,73 @@
 #include "tools/common/quantise.h"
 
-#include <libimagequant.h>
-
 #include <algorithm>
-#include <memory>
-#include <stdexcept>
-#include <string>
+#include <array>
 
 #include "engine/base/table.h"
+#include "engine/screen/screen.h"
 
 namespace oblong {
 namespace {
 
-template <auto Destroy>
-struct Destroyer {
-    void operator()(auto* what) const { Destroy(what); }
+/// Red, green and blue, sixteenths.
+using Channels16 = std::array<int, 3>;
+
+constexpr Channels16 in_16(Rgb8 colour) {
+    return {colour.red * 16, colour.green * 16, colour.blue * 16};
+}
+
+/// The errors that pixels pass on, to those after them in their row and to the row below. Pixel x is at x + 1: what
+/// leaves the picture at a side has a place too.
+struct PassedErrors {
+    explicit PassedErrors(int width_px) : here(static_cast<std::size_t>(width_px) + 2), below(here.size()) {}
+
+    /// Of 16 parts 7 to the next pixel, and below 3, 5 and 1, the last with what rounding left: none is lost.
+    void pass(int x, int step, const Channels16& errors) {
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            const int next = errors[i] * 7 / 16, behind = errors[i] * 3 / 16, under = errors[i] * 5 / 16;
+            at(here, x + 1 + step)[i] += next;
+            at(below, x + 1 - step)[i] += behind;
+            at(below, x + 1)[i] += under;
+            at(below, x + 1 + step)[i] += errors[i] - next - behind - under;
+        }
+    }
+    void end_row() {
+        here.swap(below);
+        std::fill(below.begin(), below.end(), Channels16{});
+    }
+
+    std::vector<Channels16> here, below;
 };
-using LiqAttributes = std::unique_ptr<liq_attr, Destroyer<liq_attr_destroy>>;
-using LiqImage = std::unique_ptr<liq_image, Destroyer<liq_image_destroy>>;
-using LiqResult = std::unique_ptr<liq_result, Destroyer<liq_result_destroy>>;
 
-void expect(bool succeeded, const char* what) {
-    if (!succeeded) throw std::runtime_error(std::string("libimagequant: ") + what + " failed");
+/// The colour with the errors that reached it. What lies beyond black or white is let go: where the palette has no
+/// such colour, errors would add up without end.
+Channels16 wanted_colour(Rgb8 colour, const Channels16& passed) {
+    Channels16 wanted = in_16(colour);
+    for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] = std::clamp(wanted[i] + passed[i], 0, 255 * 16);
+    return wanted;
 }
 
-liq_color opaque(Rgb8 colour) {
-    return {colour.red, colour.green, colour.blue, 255};
+Rgb8 rounded(const Channels16& colour) {
+    const auto channel = [](int value_16) { return static_cast<std::uint8_t>((value_16 + 8) / 16); };
+    return {channel(colour[0]), channel(colour[1]), channel(colour[2])};
 }
 
-std::vector<liq_color> opaque_pixels(const PngImage& image) {
-    const std::size_t count = image.indices.empty() ? image.colours.size() : image.indices.size();
-    std::vector<liq_color> pixels;
-    pixels.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) pixels.push_back(opaque(image.pixel(i).colour));
-    return pixels;
-}
-
-/// The colours of a range are all that the library may use: fixed ones, and no more of them.
-LiqResult with_fixed_colours(liq_image* image, const Palette& palette, ColourRange range) {
-    const LiqAttributes attributes(liq_attr_create());
-    expect(attributes && liq_set_max_colors(attributes.get(), std::max(range.end - range.begin, 2)) == LIQ_OK,
-           "its set-up");
-    for (int index = range.begin; index < range.end; ++index)
-        expect(liq_image_add_fixed_color(image, opaque(at(palette.colours, index))) == LIQ_OK, "a colour");
-    liq_result* result = nullptr;
-    expect(liq_image_quantize(image, attributes.get(), &result) == LIQ_OK, "the choice of colours");
-    return LiqResult(result);
-}
-
+// Rows go to and fro: if all went one way, the patterns would slant.
 std::vector<std::uint8_t> dithered(const PngImage& image, const Palette& palette, ColourRange range) {
-    const std::vector<liq_color> pixels = opaque_pixels(image);
-    const LiqAttributes attributes(liq_attr_create());
-    const LiqImage picture(liq_image_create_rgba(attributes.get(), pixels.data(), image.width_px, image.height_px, 0));
-    expect(picture != nullptr, "its set-up");
-    const LiqResult result = with_fixed_colours(picture.get(), palette, range);
-    expect(liq_set_dithering_level(result.get(), 1) == LIQ_OK, "its set-up");
-    std::vector<std::uint8_t> indices(pixels.size());
-    expect(liq_write_remapped_image(result.get(), picture.get(), indices.data(), indices.size()) == LIQ_OK,
-           "dithering");
-    // The library has the colours in an order of its own.
-    const liq_palette& used = *liq_get_palette(result.get());
-    std::vector<std::uint8_t> ours;
-    for (unsigned i = 0; i < used.count; ++i)
-        ours.push_back(nearest_colour(palette, {used.entries[i].r, used.entries[i].g, used.entries[i].b}, range));
-    for (std::uint8_t& index : indices) index = ours.at(index);
+    std::vector<std::uint8_t> indices(pixel_count(image.width_px, image.height_px));
+    PassedErrors passed(image.width_px);
+    for (int y = 0; y < image.height_px; ++y) {
+        const int step = y % 2 == 0 ? 1 : -1;
+        for (int i = 0; i < image.width_px; ++i) {
+            const int x = step > 0 ? i : image.width_px - 1 - i;
+            const auto place = pixel_count(image.width_px, y) + static_cast<std::size_t>(x);
+            const Channels16 wanted = wanted_colour(image.pixel(place).colour, at(passed.here, x + 1));
+            indices[place] = nearest_colour(palette, rounded(wanted), range);
+            const Channels16 taken = in_16(palette.colours[indices[place]]);
+            passed.pass(x, step, {wanted[0] - taken[0], wanted[1] - taken[1], wanted[2] - taken[2]});
+        }
+        passed.end_row();
+    }
     return indices;
 }
 
@@ -79,8 +83,8 @@ std::vector<std::uint8_t> indices_of(const PngImage& image, const Palette& palet
     if (has_palette(image, palette)) return image.indices;
     if (dither == Dither::FloydSteinberg) return dithered(image, palette, range);
     std::vector<std::uint8_t> indices;
-    for (const liq_color& pixel : opaque_pixels(image))
-        indices.push_back(nearest_colour(palette, {pixel.r, pixel.g, pixel.b}, range));
+    for (std::size_t i = 0; i < pixel_count(image.width_px, image.height_px); ++i)
+        indices.push_back(nearest_colour(palette, image.pixel(i).colour, range));
     return indices;
 }
 

@@ -10,7 +10,7 @@
 namespace oblong {
 
 /// How a picture of any colours gets those of a palette: each pixel the nearest, or with the error of each pixel passed
-/// on to its neighbours, so that the mean of a few pixels is right (Floyd and Steinberg 1976; by libimagequant).
+/// on to its neighbours, so that the mean of a few pixels is right (Floyd and Steinberg 1976).
 enum class Dither : std::uint8_t { None, FloydSteinberg };
 
 /// Whether a picture's own palette is this very one, or the beginning of it.

@@ -174,7 +174,7 @@ bool has_one_length(Texturing texturing) {
 
 StageOperations blocks_of(const FrameCounts& counts, const Accuracy& accuracy, const Widths& widths) {
     const StageCounts& stages = counts.stages;
-    const std::int64_t blocks = stages.blocks - stages.divided_pixels;
+    const std::int64_t blocks = stages.blocks;
     StageOperations stage{"blocks", blocks, {}};
     add(blocks, kInverseZAdvance, widths.inverse_z, stage);
     add(blocks, kOverZAdvance, widths.over_z, stage);
@@ -214,7 +214,7 @@ StageOperations textured_of(const StageCounts& stages) {
     stage.events += divided;
     if (is_sky_one_layer) add(stages.sky_blocks, kBlockRead, Width::Bits32, stage);
     add(divided, kExactTexel, Width::Bits32, stage);
-    add(stages.blocks - divided, kBlockRead, Width::Bits32, stage);
+    add(stages.blocks, kBlockRead, Width::Bits32, stage);
     add(stages.flat_pixels, kFlatPixel, Width::Bits32, stage);
     return stage;
 }

@@ -20,11 +20,11 @@ int main(int argc, char** argv) {
     std::string archive, output, palette_file, dither = "none";
     CommandLine line("oblong-texture", "Textures in and out of Quake's files, and how light changes their colours.");
     CommandArguments pack = line.add_command(
-        "pack", "PNGs into a WAD2. A texture is named after its file; a leading '#' becomes '*' (liquids).");
+        "pack", "Pictures into a WAD2. A texture is named after its file; a leading '#' becomes '*' (liquids).");
     CommandArguments unpack = line.add_command("unpack", "The textures of a WAD2 or a BSP as indexed PNGs.");
     CommandArguments ramps = line.add_command(
         "ramps", "The colormap of a palette as a PNG: a row for each colour, brightest shade to darkest.");
-    pack.add("input", pictures, "PNG files, sizes multiples of 16").require();
+    pack.add("input", pictures, "PNG, TGA, JPEG or BMP files, sizes multiples of 16").require();
     pack.add("-o", output, "the WAD to write").require();
     pack.add("--glow", glowing, "texture NAME whose colours may glow (palette indices 224 to 255)");
     pack.add("--dither", dither,

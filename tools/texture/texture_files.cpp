@@ -9,7 +9,7 @@
 #include "engine/platform/files.h"
 #include "engine/screen/screen.h"
 #include "tools/common/arguments.h"
-#include "tools/common/png.h"
+#include "tools/common/picture.h"
 #include "tools/common/wad.h"
 #include "tools/texture/mipmaps.h"
 
@@ -33,9 +33,9 @@ std::vector<std::uint8_t> texels_of(const PngImage& image, const std::string& na
 }
 
 /// The file of each texture, by the name that levels look for.
-std::map<std::string, std::string> files_by_name(const std::vector<std::string>& png_paths) {
+std::map<std::string, std::string> files_by_name(const std::vector<std::string>& picture_paths) {
     std::map<std::string, std::string> files;
-    for (const std::string& path : png_paths) {
+    for (const std::string& path : picture_paths) {
         const std::string name = naming_file(path, [&] { return texture_name_of_file(path); });
         const auto [other, is_new] = files.emplace(lookup_name(name), path);
         if (!is_new)
@@ -57,16 +57,16 @@ std::vector<MipTexture> read_textures(std::span<const std::uint8_t> file) {
 MipTexture read_png_texture(const std::string& path, const Palette& palette, PngColours colours) {
     return read_parsed(path, [&](std::span<const std::uint8_t> bytes) {
         const std::string name = texture_name_of_file(path);
-        const PngImage image = decode_png(bytes);
+        const PngImage image = decode_picture(bytes);
         check_texture_size(image.width_px, image.height_px, "image");
         return make_mip_texture(name, image.width_px, image.height_px, texels_of(image, name, palette, colours),
                                 palette);
     });
 }
 
-void pack_textures(const std::vector<std::string>& png_paths, const std::vector<std::string>& glowing,
+void pack_textures(const std::vector<std::string>& picture_paths, const std::vector<std::string>& glowing,
                    const std::string& wad_path, const Palette& palette, Dither dither) {
-    const std::map<std::string, std::string> files = files_by_name(png_paths);
+    const std::map<std::string, std::string> files = files_by_name(picture_paths);
     std::set<std::string> glowing_files;
     for (const std::string& name : glowing) {
         const auto file = files.find(lookup_name(name));
@@ -74,7 +74,7 @@ void pack_textures(const std::vector<std::string>& png_paths, const std::vector<
         glowing_files.insert(file->second);
     }
     std::vector<MipTexture> textures;
-    for (const std::string& path : png_paths)
+    for (const std::string& path : picture_paths)
         textures.push_back(read_png_texture(path, palette, {glowing_files.contains(path), dither}));
     write_file(wad_path, write_wad(textures));
 }

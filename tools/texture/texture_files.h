@@ -9,7 +9,7 @@
 
 namespace oblong {
 
-/// How the colours of a PNG become a palette's.
+/// How the colours of a picture become a palette's.
 struct PngColours {
     bool may_glow = false;  ///< the last 32 of the palette may be taken
     Dither dither = Dither::None;
@@ -17,15 +17,15 @@ struct PngColours {
 
 /// All these throw FileError.
 
-/// A PNG as a texture named after the file. Its sizes must be multiples of 16, 4096 at most. An indexed PNG whose
-/// palette is this very one (or the beginning of it) keeps its indices; any other takes its colours by `colours`.
-/// Transparent pixels become holes in a texture whose name begins with '{';
-/// in any other they are an error.
+/// A picture (PNG, TGA, JPEG, BMP) as a texture named after the file. Its sizes must be multiples of 16, 4096 at most.
+/// An indexed PNG whose palette is this very one (or the beginning of it) keeps its indices; any other takes its
+/// colours by `colours`. Transparent pixels become holes in a texture whose name begins with '{'; in any other they are
+/// an error.
 MipTexture read_png_texture(const std::string& path, const Palette& palette, PngColours colours = {});
 
-/// `pack`: PNGs into a WAD, those whose texture names `glowing` lists with colours that glow. Two PNGs of one name,
-/// whatever the case of its letters, are an error. Throws UsageError where `glowing` names none of the PNGs.
-void pack_textures(const std::vector<std::string>& png_paths, const std::vector<std::string>& glowing,
+/// `pack`: pictures into a WAD, those whose texture names `glowing` lists with colours that glow. Two pictures of one
+/// name, whatever the case of its letters, are an error. Throws UsageError where `glowing` names none of them.
+void pack_textures(const std::vector<std::string>& picture_paths, const std::vector<std::string>& glowing,
                    const std::string& wad_path, const Palette& palette, Dither dither = Dither::None);
 
 /// `unpack`: the textures of a WAD or a BSP as indexed PNGs into a folder, which is made.

@@ -33,11 +33,12 @@ namespace {
     throw std::runtime_error(std::string(what) + ": " + SDL_GetError());
 }
 
-// SDL falls back to drivers that show nothing: they are used only when asked for by name.
+// SDL falls back to drivers that show nothing: they are used only when asked for by their name alone, neither by an
+// empty one nor at the end of a list.
 bool shows_nothing() {
-    if (SDL_getenv("SDL_VIDEODRIVER") != nullptr) return false;
     const std::string_view driver = SDL_GetCurrentVideoDriver();
-    return driver == "offscreen" || driver == "dummy";
+    const char* const wanted = SDL_getenv("SDL_VIDEODRIVER");
+    return (driver == "offscreen" || driver == "dummy") && (wanted == nullptr || driver != wanted);
 }
 
 struct Video {
