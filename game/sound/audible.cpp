@@ -58,14 +58,23 @@ Position over_middle(const Box& box, const Position& ear) {
     return {middle.x, middle.y, std::min(box.maxs.z + World::from_int(kSurfaceRise), ear.z)};
 }
 
-// The end of the line that tells whether a source is behind something: a little before it.
-Position traced_point(const SoundSource& source, const Listener& listener) {
-    const Position point =
-        is_liquid(source.sound) ? over_middle(source.box, listener.ear) : nearest_point(source.box, listener.ear);
-    const Vec3<World> way = point - listener.ear;
-    const World distance = length_of(way);
-    if (distance <= kInReach) return listener.ear;
-    return listener.ear + scaled(way, distance - World::from_int(4), distance);
+// From where a source may be heard: its nearest point, and of an area then places within its corners, the nearer first.
+struct HeardPlaces {
+    std::array<Position, kMostLinesOfASource> places;
+    std::size_t count = 1;
+};
+
+HeardPlaces places_of(const SoundSource& source, const Position& ear) {
+    const Box& box = source.box;
+    HeardPlaces found;
+    found.places[0] = is_liquid(source.sound) ? over_middle(box, ear) : nearest_point(box, ear);
+    if (box.mins == box.maxs) return found;
+    for (const auto& [x, y] : {std::pair{1, 1}, {1, 7}, {7, 1}, {7, 7}})
+        found.places[found.count++] = {box.mins.x + scaled(box.size(), x, 8).x, box.mins.y + scaled(box.size(), y, 8).y,
+                                       found.places[0].z};
+    std::stable_sort(found.places.begin() + 1, found.places.end(),
+                     [&](const auto& a, const auto& b) { return length_of(a - ear) < length_of(b - ear); });
+    return found;
 }
 
 std::int32_t loudness(const VoiceLevels& levels) {
@@ -94,11 +103,8 @@ class Hearing {
 
     void add(const Heard& heard) {
         const SoundSource& source = *heard.source;
-        AudibleSound sound{source.sound, source.variant, source.serial, heard.levels, direction_to(source, listener_)};
-        if (is_blocked(source)) {
-            sound.levels = times_256(heard.levels, source.sound == Sound::Wind ? kBlockedWind_256 : kBlockedGain_256);
-            sound.levels.is_muffled = true;
-        }
+        AudibleSound sound{source.sound, source.variant, source.serial, levels_of(heard),
+                           direction_to(source, listener_)};
         sound.levels.is_muffled |= listener_.is_under_water && source.sound != Sound::UnderWater;
         audible_.sounds.push_back(sound);
     }
@@ -129,12 +135,32 @@ class Hearing {
     }
 
   private:
-    bool is_blocked(const SoundSource& source) {
-        if (row_of(source.sound).range == 0) return false;
-        const Position end = traced_point(source, listener_);
-        if (end == listener_.ear) return false;
+    // Through no more than a few lines, which end a little before what sounds.
+    bool is_in_sight(const SoundSource& source, const Position& place) {
+        const Vec3<World> way = place - listener_.ear;
+        const World distance = length_of(way);
+        if (distance <= kInReach) return true;
         ++audible_.traces;
-        return !is_clear(level_, state_, listener_.ear, end, source.model);
+        const Position end = listener_.ear + scaled(way, distance - World::from_int(4), distance);
+        return is_clear(level_, state_, listener_.ear, end, source.model);
+    }
+
+    // How loud it is from the first of its places that is in sight.
+    VoiceLevels levels_of(const Heard& heard) {
+        const SoundSource& source = *heard.source;
+        if (row_of(source.sound).range == 0) return heard.levels;
+        const HeardPlaces found = places_of(source, listener_.ear);
+        for (std::size_t i = 0; i < found.count; ++i) {
+            const Position& place = found.places[i];
+            if (!is_in_sight(source, place)) continue;
+            if (i == 0) return heard.levels;
+            SoundSource part = source;
+            part.box = {place, place};
+            return levels_at(part, listener_);
+        }
+        VoiceLevels levels = times_256(heard.levels, source.sound == Sound::Wind ? kBlockedWind_256 : kBlockedGain_256);
+        levels.is_muffled = true;
+        return levels;
     }
 
     const GameLevel& level_;

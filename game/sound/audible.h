@@ -33,9 +33,10 @@ struct AudibleSound {
 /// What is heard, and how much work it was to find out.
 struct Audible {
     std::vector<AudibleSound> sounds;  ///< at most kMostAudible, the loudest ones
-    std::int32_t traces = 0;           ///< lines through the level: at most one a source, none for those out of range
+    std::int32_t traces = 0;           ///< lines through the level: none for sources out of range
 };
 inline constexpr std::size_t kMostAudible = 24, kMostSourcesOfALoop = 3;
+inline constexpr std::size_t kMostLinesOfASource = 5;  ///< of an area that is all hidden; one to what is in sight
 
 /// How loud a source sounds on each side: (1 - distance / range)^2 of its gain, turned to the sides with constant
 /// power. Nothing is muffled yet. Zero from its range on.
@@ -46,8 +47,9 @@ VoiceLevels levels_at(const SoundSource& source, const Listener& listener);
 bool is_clear(const GameLevel& level, const GameState& state, const Position& from, const Position& to,
               ModelIndex except);
 
-/// What a listener hears of some sources. Loops of one sound become one: each ear hears the loudest of them. What no
-/// straight line reaches is softer and muffled; under water, all is muffled.
+/// What a listener hears of some sources. Loops of one sound become one: each ear hears the loudest of them. An area is
+/// heard from the nearest of its parts that a straight line reaches. What no line reaches is softer and muffled; under
+/// water, all is muffled.
 Audible audible_sounds(const GameLevel& level, const GameState& state, const Listener& listener,
                        std::span<const SoundSource> sources);
 

@@ -10,6 +10,7 @@
 #include "game/route.h"
 #include "game/simulation/items.h"
 #include "game/simulation/step.h"
+#include "game/sound/sound_scene.h"
 #include "tests/support/folders.h"
 
 namespace oblong {
@@ -75,6 +76,44 @@ TEST_F(RecordedWalk, TurnsAtAPacePleasantToWatch) {
         EXPECT_LE(std::abs(tick.input.yaw - before), kLargestJerk);
         before = tick.input.yaw;
     }
+}
+
+TEST_F(RecordedWalk, LightsAWindowOfTheTowerWithEachLens) {
+    std::size_t lenses = 0;
+    const auto lit = [&](const GameState& state) {
+        return static_cast<std::size_t>(std::ranges::count(state.walls, WallState::ShowsOtherFrames));
+    };
+    replay([&](const GameState& state) {
+        lenses = static_cast<std::size_t>(count_items(game_level_, state, ItemClass::Lens).taken);
+        ASSERT_EQ(lit(state), lenses) << "tick " << state.tick;
+    });
+    EXPECT_EQ(lenses, kLenses);
+    std::set<std::string> names, colours;
+    for (const Item& item : game_level_.items) {
+        names.insert(level_.entities[item.entity].value("netname"));
+        colours.insert(level_.entities[item.entity].value("glass"));
+    }
+    EXPECT_EQ(names.size(), kLenses);
+    EXPECT_EQ(colours.size(), kLenses) << "each has its own";
+}
+
+TEST_F(RecordedWalk, HearsTheRainUnmuffledInAllOfItsCourt) {
+    SoundScene scene(game_level_);
+    GameState before = start_of(game_level_);
+    int ticks_in_court = 0;
+    replay([&](const GameState& state) {
+        scene.note_tick(before, state);
+        before = state;
+        const Position& p = state.player.position;
+        if (p.x < World::from_int(1184) || p.y < World::from_int(1408) || p.y > World::from_int(1824) || p.z < World{})
+            return;
+        ++ticks_in_court;
+        const auto& sounds = scene.audible().sounds;
+        const auto rain = std::ranges::find(sounds, Sound::Rain, &AudibleSound::sound);
+        ASSERT_NE(rain, sounds.end()) << "tick " << state.tick;
+        EXPECT_FALSE(rain->levels.is_muffled) << "tick " << state.tick;
+    });
+    EXPECT_GT(ticks_in_court, 10 * kTicksPerSecond);
 }
 
 /// Lines of 320 pixels have room for 53 letters of 6.

@@ -1,6 +1,10 @@
+#include <algorithm>
+#include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "engine/base/fnv.h"
+#include "game/saves/saved_level.h"
 #include "game/tick_input_source.h"
 #include "tests/support/folders.h"
 #include "tests/walk/walked_level.h"
@@ -19,9 +23,11 @@ class ProgramSaves : public WalkedLevel {
         return controls;
     }
 
+    SaveSlots slots() const { return SaveSlots(folder_.path("saves")); }
+
     // What is in the slot, which must be this level's.
     GameState saved(SaveSlot slot) const {
-        const SlotContent content = SaveSlots(folder_.path("saves")).load(slot);
+        const SlotContent content = slots().load(slot);
         EXPECT_EQ(content.refusal, "");
         if (!content.game) {
             ADD_FAILURE() << name_of(slot) << " is empty";
@@ -32,15 +38,21 @@ class ProgramSaves : public WalkedLevel {
         return content.game->state;
     }
 
+    using Commands = std::vector<std::pair<std::int64_t, Command>>;
+
     // A walk from the title, with one command at a poll each, that ends with the last poll.
-    void play(std::int64_t polls, const std::vector<std::pair<std::int64_t, Command>>& commands) {
+    void play(std::int64_t polls, const Commands& commands) {
+        play(polls, commands, 0, [](std::int64_t) {});
+    }
+    void play(std::int64_t polls, const Commands& commands, std::size_t title_row,
+              const std::function<void(std::int64_t)>& at_poll) {
         Options options;
         options.shows_title = true;
         options.folders.data = folder_.path("saves");
         ScriptedPlatform platform(polls, [&](std::int64_t poll) {
-            if (poll == kAccept) return accept();
+            at_poll(poll);
+            if (poll == kAccept) return chosen(title_row);
             if (poll < kAccept) return Controls{};
-            if (poll == kAccept + 1) start_ = saved(SaveSlot::LevelStart);
             Controls controls = walk_controls(poll);
             live_.gather(controls);
             inputs_.push_back(live_.next());
@@ -51,6 +63,12 @@ class ProgramSaves : public WalkedLevel {
         PreferencesStore store;
         Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
     }
+    static Controls chosen(std::size_t row) {
+        Controls controls;
+        controls.menu.assign(row, MenuAction::Down);
+        controls.menu.push_back(MenuAction::Accept);
+        return controls;
+    }
 
     // The state so many ticks after another, the input of which begins with the `first`.
     GameState stepped(GameState state, std::size_t first, std::int64_t ticks) const {
@@ -59,18 +77,16 @@ class ProgramSaves : public WalkedLevel {
     }
 
     static constexpr std::int64_t kAccept = 3;
+    static constexpr SaveSlot kFirst{SaveKind::Walk, 1}, kSecond{SaveKind::Walk, 2};
     LiveInput live_;
     std::vector<TickInput> inputs_;  // of the polls after kAccept
-    GameState start_;                // as it was saved when the walk began
 };
 
 TEST_F(ProgramSaves, AWalkGoesOnFromTheStateThatWasSavedAndIsSavedOnLeaving) {
     constexpr std::int64_t kSave = 120, kLoad = 200, kEnd = 290;
     live_.use(Preferences{});
     play(kEnd, {{kSave, Command::QuickSave}, {kLoad, Command::QuickLoad}});
-    EXPECT_EQ(start_, start_of(level_));
-
-    const GameState quick = saved(SaveSlot::Quick), left = saved(SaveSlot::Automatic);
+    const GameState quick = saved({SaveKind::Quick, 1}), left = saved(kFirst);
     EXPECT_EQ(quick.tick, kSave - kAccept - 1);
     EXPECT_EQ(hash_of(quick), hash_of(stepped(start_of(level_), 0, quick.tick)));
     EXPECT_NE(quick.player.position, level_.player_start);
@@ -78,6 +94,126 @@ TEST_F(ProgramSaves, AWalkGoesOnFromTheStateThatWasSavedAndIsSavedOnLeaving) {
     const std::int64_t ticks = kEnd - kLoad - 1;
     EXPECT_EQ(left.tick, quick.tick + ticks);
     EXPECT_EQ(hash_of(left), hash_of(stepped(quick, static_cast<std::size_t>(kLoad - kAccept), ticks)));
+}
+
+// "Walk" and another program's walk have places of their own; "Continue" goes on with the last one.
+TEST_F(ProgramSaves, AWalkNeverOverwritesAnother) {
+    play(200, {});
+    const GameState first = saved(kFirst);
+    EXPECT_EQ(first.tick, 196);
+    play(150, {}, 1, [](std::int64_t) {});  // below "Continue"
+    EXPECT_EQ(saved(kFirst), first);
+    EXPECT_EQ(saved(kSecond).tick, 146);
+    play(100, {});  // "Continue"
+    EXPECT_EQ(saved(kFirst), first);
+    EXPECT_EQ(saved(kSecond).tick, 146 + 96);
+}
+
+TEST_F(ProgramSaves, AWalkThatIsOnElsewhereGoesOnAsAnother) {
+    play(200, {});
+    const std::optional<HeldWalk> elsewhere = slots().hold(1);
+    play(300, {{kAccept + 1, Command::Menu}});  // the message
+    EXPECT_EQ(saved(kFirst).tick, 196);
+    EXPECT_GT(saved(kSecond).tick, 400);
+}
+
+TEST_F(ProgramSaves, AWalkIsSavedEachMinute) {
+    constexpr std::int64_t kMinute = 60 * kTicksPerSecond;
+    const SaveSlots all = slots();
+    std::vector<std::int64_t> saved_ticks{0};
+    play(2 * kMinute + 200, {}, 0, [&](std::int64_t) {
+        if (const SlotContent content = all.load(kFirst);
+            content.game && content.game->state.tick != saved_ticks.back())
+            saved_ticks.push_back(content.game->state.tick);
+    });
+    ASSERT_GE(saved_ticks.size(), 3u);
+    for (std::size_t i = 1; i < saved_ticks.size(); ++i)
+        EXPECT_LE(saved_ticks[i], saved_ticks[i - 1] + kMinute) << "the last minute at most is lost";
+}
+
+// It is continued where the next tick takes an item.
+TEST_F(ProgramSaves, AnItemThatIsTakenIsSavedAtOnce) {
+    const Demo demo = decode_demo(read_file(assets_ + "/walk.demo"));
+    SavedGame game;
+    game.state = start_of(level_);
+    const auto taken = [&] { return std::find(game.state.items.begin(), game.state.items.end(), ItemState::Taken); };
+    for (const DemoTick& tick : demo.ticks)
+        if (taken() == game.state.items.end()) step(level_, game.state, tick.input);
+    ASSERT_NE(taken(), game.state.items.end());
+    *taken() = ItemState::There;
+    game.level.name = assets_ + "/demo.bsp";
+    game.level.file_hash = fnv1a_of(read_file(game.level.name));
+    game.level.start_hash = hash_of(start_of(level_));
+    slots().save(kFirst, game);
+    std::int64_t saved_tick = 0;
+    constexpr std::int64_t kPolls = 400;  // time enough for what is written beside the game
+    play(kPolls, {{kAccept + 1, Command::Menu}}, 0, [&](std::int64_t poll) {
+        if (poll == kPolls - 1) saved_tick = saved(kFirst).tick;
+    });
+    EXPECT_GT(saved_tick, game.state.tick);
+    EXPECT_LT(saved_tick, game.state.tick + 5);
+}
+
+// A level under another name and in other colours, walked from one folder and gone on with from another program.
+class ProgramSavesOfALevel : public ProgramSaves {
+  protected:
+    class Shown final : public ScriptedPlatform {
+      public:
+        using ScriptedPlatform::ScriptedPlatform;
+        void present(Framebuffer, const Palette& palette, const PresentRect&) override { last = palette; }
+        Palette last;
+    };
+    ProgramSavesOfALevel() {
+        std::filesystem::copy_file(assets_ + "/demo.bsp", level_file_);
+        std::vector<std::uint8_t> bytes;
+        for (int i = 0; i < 256; ++i)
+            bytes.insert(bytes.end(), {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(255 - i), 7});
+        palette_file_ = folder_.write("its.lmp", bytes);
+    }
+    // The colours of the last picture, as far as no effect changes them.
+    std::vector<Rgb8> colours_of(Options options, std::int64_t polls) const {
+        options.folders.data = folder_.path("saves");
+        Shown platform(polls, [](std::int64_t poll) { return poll == kAccept ? accept() : Controls{}; });
+        PreferencesStore store;
+        Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
+        return {platform.last.colours.begin() + 1, platform.last.colours.begin() + 200};
+    }
+    std::vector<Rgb8> colours_from_the_title() const {
+        Options options;
+        options.shows_title = true;
+        return colours_of(options, 60);
+    }
+    const std::string level_file_ = folder_.path("mine.bsp");
+    std::string palette_file_;
+};
+
+TEST_F(ProgramSavesOfALevel, TheColoursAreThoseItWasStartedWith) {
+    const std::vector<Rgb8> of_the_museum = colours_from_the_title();
+    Options options;
+    options.level = level_file_;
+    options.palette = std::filesystem::relative(palette_file_).string();
+    const std::vector<Rgb8> its = colours_of(options, 150);
+    EXPECT_EQ(its[0], (Rgb8{1, 254, 7}));
+    ASSERT_TRUE(slots().last_walk()->game);
+    EXPECT_EQ(slots().last_walk()->game->level.palette, palette_file_);
+    EXPECT_EQ(colours_from_the_title(), its);
+
+    std::filesystem::remove(palette_file_);
+    EXPECT_EQ(colours_from_the_title(), of_the_museum) << "the palette is gone";
+    SavedLevel now = slots().last_walk()->game->level;
+    now.palette_hash ^= 1;
+    EXPECT_NE(what_is_gone(slots().last_walk()->game->level, now).find(palette_file_), std::string::npos);
+}
+
+// Not to begin anew by mistake: the title says so, and "Continue" says why.
+TEST_F(ProgramSaves, AWalkDamagedInBothCopiesStaysOnTheTitle) {
+    play(200, {});
+    folder_.write("saves/auto1.save", "damaged");
+    folder_.write("saves/auto1.save.old", "damaged");
+    std::int64_t polls = 0;
+    play(120, {}, 0, [&](std::int64_t poll) { polls = poll; });
+    EXPECT_EQ(polls, 119);
+    EXPECT_FALSE(slots().load(kSecond).game) << "no new walk has begun";
 }
 
 }  // namespace

@@ -84,6 +84,43 @@ TEST(Audible, IsMuffledAndSofterBehindAWall) {
     EXPECT_EQ(before.sounds[0].direction, Direction::Behind);
 }
 
+/// Past a column, a step of 4 units each: what comes from all over an area goes round it.
+TEST(Audible, AnAreaIsNeitherMuffledNorMuchSofterBehindAColumn) {
+    const ToyGame game(test::with_column());
+    for (const Sound sound : {Sound::Rain, Sound::Wind, Sound::Water, Sound::Lava}) {
+        SoundSource area = source_at(sound, 80, -100, 20);
+        area.box.maxs = world_vector(280, 100, 220);
+        const std::vector<SoundSource> sources{area};
+        double before_db = 0;
+        for (int y = -80; y <= 80; y += 4) {
+            const Listener ear{world_vector(20, y, 46), Angle{}, false};
+            const Audible audible = audible_sounds(game.level, game.state, ear, sources);
+            ASSERT_EQ(audible.sounds.size(), 1u);
+            const VoiceLevels levels = audible.sounds[0].levels;
+            EXPECT_FALSE(levels.is_muffled) << y;
+            const double db = 20 * std::log10(std::hypot(levels.left_256, levels.right_256));
+            EXPECT_NEAR(db, y > -80 ? before_db : db, 2.5) << y;
+            before_db = db;
+            EXPECT_LE(audible.traces, static_cast<int>(kMostLinesOfASource));
+        }
+    }
+    // The column does stand between: a sound of one place is behind it.
+    const std::vector<SoundSource> one{source_at(Sound::Fire, 120, 0)};
+    EXPECT_TRUE(
+        audible_sounds(game.level, game.state, {world_vector(20, 0, 46), {}, false}, one).sounds[0].levels.is_muffled);
+}
+
+TEST(Audible, AnAreaBehindAWallIsMuffled) {
+    const ToyGame game(test::with_wall());
+    SoundSource area = source_at(Sound::Rain, 140, -100, 20);
+    area.box.maxs = world_vector(340, 100, 220);
+    const std::vector<SoundSource> sources{area};
+    const Audible audible = audible_sounds(game.level, game.state, kListener, sources);
+    ASSERT_EQ(audible.sounds.size(), 1u);
+    EXPECT_TRUE(audible.sounds[0].levels.is_muffled);
+    EXPECT_EQ(audible.traces, static_cast<int>(kMostLinesOfASource));
+}
+
 TEST(Audible, IsMuffledUnderWaterAllOfIt) {
     const ToyGame game(test::with_wall());
     Listener diver = kListener;
@@ -100,7 +137,7 @@ TEST(Audible, OneVoiceForALoopHoweverManySound) {
     for (int i = 0; i < 50; ++i) sources.push_back(source_at(Sound::Water, -100 - i, i % 2 == 0 ? 200 : -200));
     const Audible audible = audible_sounds(game.level, game.state, kListener, sources);
     ASSERT_EQ(audible.sounds.size(), 1u);
-    EXPECT_LE(audible.traces, static_cast<int>(kMostSourcesOfALoop));
+    EXPECT_LE(audible.traces, static_cast<int>(kMostSourcesOfALoop * kMostLinesOfASource));
     const VoiceLevels levels = audible.sounds[0].levels;
     EXPECT_NEAR(levels.left_256, levels.right_256, 2);  // each ear hears those on its side
 }
