@@ -70,6 +70,7 @@ class Program final : private MenuHost {
     void play_title();
     std::shared_ptr<const LoadedLevel> loaded_as(const std::string& level);
     void keep_recorded();
+    void follow_game(const LoadedLevel& loaded);
     void name_window();  ///< after the session's level
     LevelPlaces places() const;
     /// Does something with files; where it fails, says why on a page of the menu.
@@ -134,6 +135,7 @@ class Program final : private MenuHost {
     Stage stage_ = Stage::Walk;
     std::int64_t saved_tick_ = 0;  // of the walk, up to which it is saved
     bool can_continue_ = false, has_left_ = false, had_focus_ = false, is_mouse_captured_ = false;
+    bool is_first_game_ = true;
     bool wants_screenshot_ = false;  // of a menu
     bool is_stale_ = true;           // the window shows something else than what is up
     WindowSize shown_size_;

@@ -18,6 +18,7 @@ void Program::start_title(std::shared_ptr<const LoadedLevel> loaded) {
     start(std::move(loaded), std::move(input), Stage::Title);
     can_continue_ = has_saves() && slots_.load(SaveSlot::Automatic).game.has_value();
     pages_.open_title();
+    if (!options_.folders.config_file.empty() && !view_options_.preferences.has_set_light) pages_.open_light();
 }
 
 // A demo of another level than the one that is there is left out.

@@ -47,9 +47,9 @@ struct Preferences {
     std::map<std::string, Light> lights;  ///< by games, of those that have another one than light_of_new()
     std::string game = kMuseum;           ///< that is played: the one that light() is of
     bool has_set_light = false;           ///< the page that helps with it was shown
-    bool fills_screen = false;          ///< the whole screen instead of a window
-    bool waits_for_display = true;      ///< vsync, where the system offers it
-    std::int32_t frame_cap_hz = 144;    ///< at most so many frames a second, 10 to 1,000; 0: no limit
+    bool fills_screen = false;            ///< the whole screen instead of a window
+    bool waits_for_display = true;        ///< vsync, where the system offers it
+    std::int32_t frame_cap_hz = 144;      ///< at most so many frames a second, 10 to 1,000; 0: no limit
 
     Preset preset = Preset::Bounded;  ///< the last one chosen
     Accuracy accuracy;                ///< its dials, perhaps turned since
@@ -80,7 +80,10 @@ struct Preferences {
         const auto found = lights.find(name);
         return found == lights.end() ? light_of_new(name) : found->second;
     }
-    void set_light(const Light& light) { lights[game] = light; }
+    void set_light(const Light& light) {
+        lights[game] = light;
+        if (light == light_of_new(game)) lights.erase(game);
+    }
 
     bool operator==(const Preferences&) const = default;
 };
