@@ -18,7 +18,7 @@ void Program::start_title(std::shared_ptr<const LoadedLevel> loaded) {
     title_options_.preferences = view_options_.preferences;
     TickInputSource input = title_input(loaded->level);
     start(std::move(loaded), std::move(input), Stage::Title);
-    can_continue_ = has_saves() && slots_.load(SaveSlot::Automatic).game.has_value();
+    last_walk_ = has_saves() ? slots_.last_walk() : std::nullopt;
     pages_.open_title();
 }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "game/goal.h"
 #include "game/key_names.h"
 #include "game/screenshot.h"
 #include "game/shown_view.h"
@@ -173,8 +174,10 @@ void Session::show(const std::string& message) {
 
 void Session::show_level_message() {
     const bool is_new = after_.shown_message != before_.shown_message || after_.message_tick != before_.message_tick;
-    if (after_.shown_message < 0 || !is_new) return;
-    show(at(level_.messages, after_.shown_message));
+    std::string text;
+    if (is_new && after_.shown_message >= 0) text = at(level_.messages, after_.shown_message);
+    if (after_.items != before_.items) text += (text.empty() ? "" : "\n") + found_text(level_, before_, after_);
+    if (!text.empty()) show(text);
 }
 
 void Session::draw_text() {

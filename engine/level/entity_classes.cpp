@@ -171,6 +171,10 @@ constexpr std::array kExit{
     flags(kExitFlags),
 };
 constexpr std::array kSounds{EntityKey{"sounds", Whole, "", kNoEffect}};
+constexpr std::array kLens{
+    EntityKey{"netname", Text, "", "what the player is told that is missing"},
+    EntityKey{"glass", Text, "glass", "its glass: a material of `models.mtl`"},
+};
 constexpr std::array kCheckpoint{numbers("size", 3, 3, "128 128 112", "of the box in which one passes it")};
 
 constexpr EntityKey kCount = number("count", "", "how many particles"),
@@ -275,7 +279,7 @@ constexpr std::array kClasses{
     EntityClass{"trigger_push", Brush, "pushes the player", {kTurned, kPush}},
     EntityClass{"trigger_changelevel", Brush, "the level's end", {kExit, kFires}},
     EntityClass{"event_lightning", Either, "Chthon's lightning (Quake's e1m7)", {kFires}},
-    EntityClass{"item_lens", Point, "a lens; fires when it is taken", {kFires}},
+    EntityClass{"item_lens", Point, "a lens; fires when it is taken", {kFires, kLens}},
     EntityClass{"item_key1", Point, "the silver key", {kFires, kSounds}},
     EntityClass{"item_key2", Point, "the gold key", {kFires, kSounds}},
     EntityClass{"misc_rain", Point, "rain in a box", {kRain}},

@@ -36,6 +36,7 @@ struct ModelFile {
     World scale = World::from_int(1);
     bool is_z_up = false;
     Dither dither = Dither::None;
+    std::string glass = {};
     auto operator<=>(const ModelFile&) const = default;
 };
 
@@ -210,7 +211,7 @@ class LevelModelReader {
         const std::optional<std::string> file = finder_.find(fs::path("models") / item.file);
         if (!origin || !file) return;
         LevelModel model;
-        model.placed.mesh = &mesh_of({*file, item.scale}, values);
+        model.placed.mesh = &mesh_of({*file, item.scale, false, Dither::None, values.text("glass")}, values);
         model.placed.position = resting_place(*origin, item.over_floor);
         model.placed.shading = Shading::Phong;
         model.placed.highlight = 120;
@@ -252,7 +253,7 @@ class LevelModelReader {
         if (lower_case(fs::path(file.path).extension().string()) != ".obj")
             return read_parsed_game_file(file.path, [&](const auto& bytes) { return read_mdl(bytes, file.scale); });
         const double scale = static_cast<double>(file.scale.raw) / World::from_int(1).raw;
-        ObjModel model = read_obj(file.path, palette_, {scale, file.is_z_up, file.dither});
+        ObjModel model = read_obj(file.path, palette_, {scale, file.is_z_up, file.dither, file.glass});
         for (const std::string& warning : model.warnings) values.warn(file.path + ": " + warning);
         return std::move(model.mesh);
     }
