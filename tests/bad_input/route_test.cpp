@@ -27,9 +27,9 @@ TEST_F(BadRoute, AByteOrderMarkIsNoPartOfTheHeader) {
     EXPECT_TRUE(names_fault(walk("\xef\xbb\xbf" + kHeader + "here\n"), "oblong", file_, "line 2: "));
 }
 
-TEST_F(BadRoute, TwentyThousandUnknownArgumentsAreAShortMessage) {
+TEST_F(BadRoute, ThousandsOfUnknownArgumentsAreAShortMessage) {
     std::vector<std::string> arguments{"oblong-map"};
-    for (int i = 0; i < 20'000; ++i) arguments.push_back("--n" + std::to_string(i));
+    for (int i = 0; i < 5000; ++i) arguments.push_back("--n" + std::to_string(i));
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_LT(outcome.error.size(), 1200u) << outcome.error.size();
