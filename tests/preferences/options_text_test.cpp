@@ -78,6 +78,24 @@ TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
     }
 }
 
+TEST(OptionsText, AByteOrderMarkIsNoPartOfAName) {
+    const ReadPreferences read = read_preferences(
+        "\xef\xbb\xbf"
+        "fov = 100\n");
+    EXPECT_TRUE(read.faults.empty());
+    EXPECT_EQ(read.preferences.field_of_view, read_preferences("fov = 100\n").preferences.field_of_view);
+    EXPECT_NE(read.preferences.field_of_view, Preferences{}.field_of_view);
+}
+
+TEST(OptionsText, OfManyFaultsTheFirstAreNamed) {
+    std::string text;
+    for (int i = 0; i < 20'000; ++i) text += "n" + std::to_string(i) + "=1\n";
+    const ReadPreferences read = read_preferences(text);
+    ASSERT_EQ(read.faults.size(), 17u);
+    EXPECT_EQ(read.faults.back().line, 17u);
+    EXPECT_EQ(read.faults.back().what, "this line and 19983 more are wrong too");
+}
+
 TEST(OptionsText, RefusesAViewThatCannotBeDrawnAndKeepsTheRest) {
     const ReadPreferences read = read_preferences("mode = 64x48\nvolume = 10\nfov = 179\n");
     ASSERT_EQ(read.faults.size(), 1u);
