@@ -25,7 +25,7 @@ std::int32_t Lab::draw(const LabOptions& options, const GameView& view, const Se
     if (options.splits) draw_exact_side(options, view, settings, canvas);
     std::int32_t bottom = canvas.height_px;
     if (options.shows_panel) {
-        measures_.measure(view, settings, options.before, renderer_, meter(), clock);
+        measures_.measure(view, settings, options.before, renderer_, meter(), data_.palette, clock);
         bottom = draw_lab_panel(options, measures_.figures(), colours_, is_short, canvas);
     }
     if (options.maps_errors && meter_->problem().empty())

@@ -154,6 +154,16 @@ std::string describe_errors(const LabFigures& figures) {
            three_digits(figures.errors->max);
 }
 
+std::string describe_colours(const LabFigures& figures) {
+    const std::string of = "Colours off, of 442: ";
+    if (!figures.colour_errors) return of + "...";
+    const ErrorSummary& errors = *figures.colour_errors;
+    if (errors.count == 0) return of + "none (light, mip levels)";
+    const double percent = 100.0 * static_cast<double>(errors.count) / figures.pixels;
+    return of + "rms " + three_digits(errors.rms) + ", worst " + three_digits(errors.max) + ", in " +
+           with_decimals(percent, percent < 9.95 ? 1 : 0) + " %";
+}
+
 std::string describe_operations(const Operations& operations) {
     return "Work: " + short_count(operations.adds.total()) + " adds, " +
            short_count(operations.multiplications.total()) + " muls, " + short_count(operations.divisions.total()) +
@@ -194,7 +204,7 @@ std::int32_t draw_lab_panel(const LabOptions& options, const LabFigures& figures
     const std::size_t columns =
         has_two_columns ? kDialColumns
                         : static_cast<std::size_t>(std::max((width - 2 * kMargin_px) / kGlyphAdvance_px, 1));
-    std::vector<std::string> texts{describe_errors(figures)};
+    std::vector<std::string> texts{describe_errors(figures), describe_colours(figures)};
     if (!has_two_columns) texts.insert(texts.begin(), describe_times(figures));
     if (!is_short) {
         texts.push_back(describe_operations(figures.operations));
@@ -202,7 +212,7 @@ std::int32_t draw_lab_panel(const LabOptions& options, const LabFigures& figures
     }
     const std::int32_t most_px = panel_room_px(canvas, scale);
     const std::int32_t room_px =
-        (is_short ? std::min(most_px, canvas.height_px / 2) : most_px) / scale - 2 * kMargin_px;
+        (is_short ? std::min(most_px, canvas.height_px / 3) : most_px) / scale - 2 * kMargin_px;
     const auto most_rows = static_cast<std::size_t>(std::max(room_px, kRow_px) / kRow_px);
     const std::size_t head = has_two_columns ? 1 : 0, least_dials = has_two_columns ? kDialRows : std::size_t{2};
     std::vector<std::string> lines;

@@ -137,7 +137,7 @@ ShownPicture Session::draw(bool is_behind_menu) {
     if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, last_us_);
     const std::uint64_t began_us = platform_.now_us();
     renderer_->draw(view, shown_settings);
-    PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.gamma_100);
+    PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.light());
     if (is_behind_menu) effects.flash = {};  // it would wash the menu out
     note_cost(view, shown_settings, effects, began_us);
     if (log_) renderer_->note(view, shown_settings, last_us_, *log_);
@@ -157,7 +157,7 @@ Thumbnail Session::thumbnail() {
     const GameView view = shown_view();
     renderer_->draw(view, settings_of(view_options_.preferences));
     const PaletteEffects effects =
-        palette_.effects_at(view, view_options_.preferences.flashes, view_options_.preferences.gamma_100);
+        palette_.effects_at(view, view_options_.preferences.flashes, view_options_.preferences.light());
     return make_thumbnail(renderer_->canvas(), palette_of(view, effects));
 }
 

@@ -45,7 +45,7 @@ std::int32_t text_scale_in(std::int32_t width_px, std::int32_t height_px, std::i
 std::int32_t panel_room_px(Framebuffer canvas, std::int32_t scale) {
     constexpr std::int32_t kManyLines = 18;
     const bool has_many = canvas.height_px / (kLineHeight_px * scale) >= kManyLines;
-    return has_many ? canvas.height_px * 11 / 20 : canvas.height_px * 4 / 5;
+    return has_many ? canvas.height_px * 23 / 40 : canvas.height_px * 4 / 5;
 }
 
 std::int32_t text_width_px(std::string_view line) {
