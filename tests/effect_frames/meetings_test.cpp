@@ -207,15 +207,18 @@ Colours allowed_colours(const Sight& sight, const Point& eye, const Point& ray, 
     for (std::size_t dark = 0; dark <= 2 * meeting.sprites.size(); ++dark)
         colours = with_each(colours, [](std::size_t colour) { return set_of({static_cast<int>(colour / 2)}); });
     colours |= things;
-    for (auto box = sight.before.rbegin(); box != sight.before.rend(); ++box) {
-        if ((*box)->texture == "{bars") colours |= set_of({kBars, kBars / 2});
-        // Its front and its back; and where the tree has cut a face, a pixel on the cut may be of both pieces.
-        for (int face = 0; face < 3 && (*box)->texture == "*slime"; ++face)
-            colours = with_each(colours, [](std::size_t colour) {
-                return set_of({half.rows[kSlime][colour], half.rows[colour][kSlime]});
-            });
-        colours |= things;
-    }
+    // Boxes may stand in each other, so that they are drawn over each other in any order. Each of slime has its front
+    // and its back; and where the tree has cut a face, a pixel on the cut may be of both pieces.
+    const std::size_t layers = 3 * sight.before.size();
+    for (std::size_t layer = 0; layer < layers; ++layer)
+        for (const RoomBox* box : sight.before) {
+            if (box->texture == "{bars") colours |= set_of({kBars, kBars / 2});
+            if (box->texture == "*slime")
+                colours = with_each(colours, [](std::size_t colour) {
+                    return set_of({half.rows[kSlime][colour], half.rows[colour][kSlime]});
+                });
+            colours |= things;
+        }
     return colours;
 }
 
