@@ -18,13 +18,13 @@ ErrorMeter& Lab::meter() {
 }
 
 std::int32_t Lab::draw(const LabOptions& options, const GameView& view, const Settings& settings, std::uint64_t now_us,
-                       Platform& clock, Framebuffer canvas) {
+                       Framebuffer canvas) {
     Settings shown = settings;
     shown.accuracy = shown_setting(options, settings.accuracy, now_us);
     if (options.maps_errors) draw_errors(view, shown, canvas);
     if (options.splits) draw_exact_side(options, view, settings, canvas);
     std::int32_t bottom = canvas.height_px;
-    if (options.shows_panel) bottom = draw_panel(options, view, settings, clock, canvas);
+    if (options.shows_panel) bottom = draw_panel(options, view, settings, canvas);
     return draw_captions(options, settings.accuracy, now_us, bottom, canvas);
 }
 
@@ -38,9 +38,9 @@ void Lab::draw_exact_side(const LabOptions& options, const GameView& view, Setti
     draw_split(options, renderer_.canvas(), colours_, canvas);
 }
 
-std::int32_t Lab::draw_panel(const LabOptions& options, const GameView& view, const Settings& settings, Platform& clock,
+std::int32_t Lab::draw_panel(const LabOptions& options, const GameView& view, const Settings& settings,
                              Framebuffer canvas) {
-    measures_.measure(view, settings, options.before, renderer_, meter(), clock);
+    measures_.measure(view, settings, options.before, renderer_, meter());
     draw_lab_panel(options, measures_.figures(), panel_colours_, canvas);
     return canvas.height_px - lab_panel_rows(canvas);
 }

@@ -20,13 +20,13 @@ class Lab {
     /// Draws what is on over the canvas, which shows `view` with shown_setting(). `settings`: the current ones. The row
     /// above which its text at the bottom ends.
     std::int32_t draw(const LabOptions& options, const GameView& view, const Settings& settings, std::uint64_t now_us,
-                      Platform& clock, Framebuffer canvas);
+                      Framebuffer canvas);
 
   private:
     ErrorMeter& meter();
     void draw_errors(const GameView& view, const Settings& shown, Framebuffer canvas);
     void draw_exact_side(const LabOptions& options, const GameView& view, Settings settings, Framebuffer canvas);
-    std::int32_t draw_panel(const LabOptions& options, const GameView& view, const Settings& settings, Platform& clock,
+    std::int32_t draw_panel(const LabOptions& options, const GameView& view, const Settings& settings,
                             Framebuffer canvas);
     std::int32_t draw_captions(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us,
                                std::int32_t bottom, Framebuffer canvas) const;

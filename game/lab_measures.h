@@ -6,9 +6,8 @@
 #include <string>
 
 #include "engine/accuracy/presets.h"
-#include "engine/platform/platform.h"
 #include "game/game_renderer.h"
-#include "game/recent_times.h"
+#include "game/view_times.h"
 #include "tools/measure/operations.h"
 #include "tools/measure/texel_error.h"
 #include "tools/reference/level.h"
@@ -35,7 +34,8 @@ class ErrorMeter {
 /// A setting and what a frame with it takes.
 struct TimedSetting {
     Accuracy accuracy;
-    RecentTimes times;
+    ViewTimes times;
+    std::optional<TimeSpread> frame_ns = {};  ///< of `times`; none before the first
 };
 
 /// What the lab has measured of the view shown lately.
@@ -51,19 +51,20 @@ struct LabFigures {
 /// Measures the view in turns, one of these at a frame: the time of one setting; operations; errors.
 class LabMeasures {
   public:
-    LabMeasures();
+    explicit LabMeasures(FrameClock clock = steady_clock_ns);
 
     /// Takes the next turn. A time is that of the second of two renderings, which finds its surfaces lit.
     void measure(const GameView& view, const Settings& now, const Accuracy& before, GameRenderer& renderer,
-                 ErrorMeter& meter, Platform& clock);
+                 ErrorMeter& meter);
     void note_errors(const std::vector<TexelError>& errors, const std::string& problem);
     const LabFigures& figures() const { return figures_; }
 
   private:
     void follow(const Accuracy& now, const Accuracy& before);
-    void time(TimedSetting& setting, const GameView& view, Settings settings, GameRenderer& renderer, Platform& clock);
+    void time(TimedSetting& setting, const GameView& view, Settings settings, GameRenderer& renderer);
     void count(const GameView& view, const Settings& now, GameRenderer& renderer);
 
+    FrameClock clock_;
     LabFigures figures_;
     std::size_t turn_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "game/lab_panel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "tools/common/font.h"
@@ -15,7 +16,7 @@ constexpr std::int32_t kPanelRows_px = static_cast<std::int32_t>(1 + kDialRows +
 constexpr std::size_t kDialColumns = 30;
 constexpr std::int32_t kDials_px = kDialColumns * kGlyphAdvance_px;
 constexpr std::int32_t kTimes_px = kMargin_px + kDials_px + 6, kNames_px = 8 * kGlyphAdvance_px;
-constexpr std::int32_t kLongestBar_px = 50;
+constexpr std::int32_t kLongestBar_px = 24;
 constexpr Rgb8 kDim{130, 130, 130}, kBar{60, 110, 190}, kChosen{20, 60, 130};
 
 // The panel's canvas and colours.
@@ -60,31 +61,39 @@ void draw_dials(const LabOptions& options, const Accuracy& accuracy, const Panel
               panel.colours.bright.bright);
 }
 
-std::uint64_t longest_of(const LabFigures& figures) {
-    std::uint64_t longest_us = 1;
-    for (const TimedSetting* setting : {&figures.now, &figures.before})
-        longest_us = std::max(longest_us, setting->times.median_us().value_or(0));
-    for (const TimedSetting& preset : figures.presets)
-        longest_us = std::max(longest_us, preset.times.median_us().value_or(0));
-    return longest_us;
+double longest_of(const LabFigures& figures) {
+    double longest_ns = 1;
+    const auto add = [&](const TimedSetting& setting) {
+        if (setting.frame_ns) longest_ns = std::max(longest_ns, setting.frame_ns->median);
+    };
+    add(figures.now);
+    add(figures.before);
+    std::for_each(figures.presets.begin(), figures.presets.end(), add);
+    return longest_ns;
 }
 
-void draw_time(std::string_view name, const TimedSetting& setting, std::uint64_t longest_us, std::size_t row,
+void draw_time(std::string_view name, const TimedSetting& setting, double longest_ns, std::size_t row,
                TextColours colours, const Panel& panel) {
     panel.write(kTimes_px, row, name, colours);
-    const std::optional<std::uint64_t> time_us = setting.times.median_us();
-    if (!time_us) return panel.write(kTimes_px + kNames_px, row, "...", colours);
-    const auto length = static_cast<std::int32_t>(*time_us * kLongestBar_px / longest_us);
+    const std::optional<TimeSpread>& time = setting.frame_ns;
+    if (!time) return panel.write(kTimes_px + kNames_px, row, "...", colours);
+    const auto length = static_cast<std::int32_t>(time->median * kLongestBar_px / longest_ns);
     fill_area(panel.canvas, {kTimes_px + kNames_px, Panel::y_of(row) + 1, length, kRow_px - 3}, panel.colours.bar);
-    panel.write(kTimes_px + kNames_px + length + 2, row, std::to_string(*time_us), colours);
+    panel.write(kTimes_px + kNames_px + length + 2, row,
+                std::to_string(std::llround(time->median / 1000)) + " " + spread_text(*time), colours);
 }
 
+// What the spread cannot tell from the setting now is dim: it is neither faster nor slower.
 void draw_times(const LabFigures& figures, const Panel& panel) {
-    const std::uint64_t longest_us = longest_of(figures);
-    draw_time("now", figures.now, longest_us, 1, panel.colours.bright, panel);
-    draw_time("before", figures.before, longest_us, 2, panel.colours.bright, panel);
-    for (std::size_t i = 0; i < kPresets.size(); ++i)
-        draw_time(name_of(kPresets[i]), figures.presets[i], longest_us, 3 + i, panel.colours.bright, panel);
+    const double longest_ns = longest_of(figures);
+    const auto draw = [&](std::string_view name, const TimedSetting& setting, std::size_t row) {
+        const bool is_apart =
+            !figures.now.frame_ns || !setting.frame_ns || are_apart(*figures.now.frame_ns, *setting.frame_ns);
+        draw_time(name, setting, longest_ns, row, is_apart ? panel.colours.bright : panel.colours.dim, panel);
+    };
+    draw_time("now", figures.now, longest_ns, 1, panel.colours.bright, panel);
+    draw("before", figures.before, 2);
+    for (std::size_t i = 0; i < kPresets.size(); ++i) draw(name_of(kPresets[i]), figures.presets[i], 3 + i);
 }
 
 std::string with_decimals(double value, int digits) {
@@ -148,7 +157,7 @@ void draw_lab_panel(const LabOptions& options, const LabFigures& figures, const 
     recolour_area(canvas, area, colours.background);
     const Panel panel{part_of(canvas, area), colours};
     panel.write(kMargin_px, 0, "Dials, the coarser the faster", panel.colours.dim);
-    panel.write(kTimes_px, 0, "us a frame (median)", panel.colours.dim);
+    panel.write(kTimes_px, 0, "us; dim: as now", panel.colours.dim);
     draw_dials(options, figures.now.accuracy, panel);
     draw_times(figures, panel);
     panel.write(kMargin_px, 1 + kDialRows, describe_errors(figures), panel.colours.bright);

@@ -91,6 +91,7 @@ void Session::follow_mode() {
     const ScreenMode& mode = view_options_.preferences.mode;
     if (renderer_ && renderer_->mode() == mode) return;
     lab_.reset();
+    cost_.reset();
     renderer_ = std::make_unique<GameRenderer>(data_, level_, mode, settings_.workers);
 }
 
@@ -133,10 +134,9 @@ ShownPicture Session::draw(bool is_behind_menu) {
     const Settings settings = settings_of(preferences);
     Settings shown_settings = settings;
     if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, last_us_);
-    const std::uint64_t began_us = platform_.now_us();
     renderer_->draw(view, shown_settings);
     const PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.gamma_100);
-    note_cost(view, shown_settings, effects, began_us);
+    note_cost(view, shown_settings, effects);
     if (log_) renderer_->note(view, shown_settings, last_us_, *log_);
 
     if (wire_colour_) draw_wires(view, shown_settings);
@@ -205,7 +205,7 @@ void Session::draw_over(const GameView& view, const Settings& settings) {
         return;
     }
     if (map_) map_->draw(view, view_options_.map, view_options_.line_method, mode, settings, canvas);
-    if (lab_) text_bottom_ = lab_->draw(view_options_.lab, view, settings, last_us_, platform_, canvas);
+    if (lab_) text_bottom_ = lab_->draw(view_options_.lab, view, settings, last_us_, canvas);
     if (view_options_.inspects && !view.other) inspect(view);
     if (!view_options_.shows_aspect_guide) return;
     draw_aspect_guide(mode, text_colours_, canvas);
@@ -219,9 +219,8 @@ void Session::inspect(const GameView& view) {
     text_.notes.push_back(describe_picked(data_.level, models, pick_ahead(data_.level, models, view.camera)));
 }
 
-void Session::note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,
-                        std::uint64_t began_us) {
-    if (!cost_ || !cost_->note(began_us, platform_.now_us())) return;
+void Session::note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects) {
+    if (!cost_ || !cost_->note(view, settings, *renderer_, platform_.now_us())) return;
     cost_text_ = cost_->measure(view, settings, data_.palette, effects, *renderer_);
 }
 

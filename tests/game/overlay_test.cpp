@@ -67,11 +67,12 @@ class GuardedCanvas {
 // All figures as long as they get.
 LabFigures long_figures() {
     LabFigures figures;
-    for (std::size_t i = 0; i < kPresets.size(); ++i) figures.presets[i].times.add(12'345, 0);
+    for (std::size_t i = 0; i < kPresets.size(); ++i)
+        figures.presets[i].frame_ns = {12'345'000, 12'000'000, 13'000'000};
     figures.now.accuracy.reciprocal = ReciprocalMethod::Table1024Newton;
     figures.now.accuracy.texturing = Texturing::BoundedTexels;
-    figures.now.times.add(23'456, 0);
-    figures.before.times.add(34'567, 0);
+    figures.now.frame_ns = {23'456'000, 20'000'000, 29'000'000};
+    figures.before.frame_ns = {34'567'000, 30'000'000, 39'000'000};
     figures.operations.adds[Width::Bits32] = figures.operations.multiplications[Width::Bits64] =
         figures.operations.divisions[Width::Bits64] = figures.operations.lookups = 888'888;
     figures.frame_rates = {888, 888, 888};
