@@ -16,7 +16,7 @@ constexpr std::int32_t kPanelRows_px = static_cast<std::int32_t>(1 + kDialRows +
 constexpr std::size_t kDialColumns = 30;
 constexpr std::int32_t kDials_px = kDialColumns * kGlyphAdvance_px;
 constexpr std::int32_t kTimes_px = kMargin_px + kDials_px + 6, kNames_px = 8 * kGlyphAdvance_px;
-constexpr std::int32_t kLongestBar_px = 24;
+constexpr std::int32_t kLongestBar_px = 20;
 constexpr Rgb8 kDim{130, 130, 130}, kBar{60, 110, 190}, kChosen{20, 60, 130};
 
 // The panel's canvas and colours.
@@ -80,7 +80,7 @@ void draw_time(std::string_view name, const TimedSetting& setting, double longes
     const auto length = static_cast<std::int32_t>(time->median * kLongestBar_px / longest_ns);
     fill_area(panel.canvas, {kTimes_px + kNames_px, Panel::y_of(row) + 1, length, kRow_px - 3}, panel.colours.bar);
     panel.write(kTimes_px + kNames_px + length + 2, row,
-                std::to_string(std::llround(time->median / 1000)) + " " + spread_text(*time), colours);
+                std::to_string(std::llround(time->median / 1000)) + spread_text(*time), colours);
 }
 
 // What the spread cannot tell from the setting now is dim: it is neither faster nor slower.
