@@ -6,6 +6,7 @@
 #include "engine/geometry/clip_line.h"
 #include "engine/geometry/views.h"
 #include "engine/level/side.h"
+#include "game/goal.h"
 #include "game/sign_colours.h"
 
 namespace oblong {
@@ -15,6 +16,7 @@ namespace {
 constexpr View kMapWidth = View::from_int(2048), kFarthest = View::from_int(1 << 21);
 constexpr int kPictureBrightness = 56;  // of 256, behind the map
 constexpr World kBeside = World::from_int(2), kStepHeight = World::from_int(18), kFlatWithin = World::from_int(1);
+constexpr World kRim = World::from_int(700), kMark = World::from_int(36);  // of missing lenses
 constexpr World kArrowLength = World::from_int(64), kArrowHead = World::from_int(40);
 constexpr Unit kRootOfHalf = Unit::from_raw(759'250'125);
 
@@ -111,7 +113,8 @@ Automap::Automap(const GameData& data, const GameLevel& level, ColourScheme sche
       step_(data.palette, sign_colours_of(scheme).step),
       door_(data.palette, sign_colours_of(scheme).door),
       hidden_(data.palette, sign_colours_of(scheme).hidden),
-      player_(data.palette, sign_colours_of(scheme).player) {
+      player_(data.palette, sign_colours_of(scheme).player),
+      lens_(data.palette, sign_colours_of(scheme).lens) {
     for (const FaceIndex face : bsp_.world().faces) lines_[face] = map_lines_of(bsp_, face);
 }
 
@@ -150,12 +153,26 @@ void Automap::draw_models(const Plotter& plotter, const GameView& view) const {
     }
 }
 
+void Automap::draw_lenses(const Plotter& plotter, const GameView& view) const {
+    const Vec3<World>& eye = view.camera.eye;
+    for (const std::size_t lens : last_lenses(level_, view.state.after)) {
+        Vec3<World> way = level_.items[lens].position - eye;
+        way.z = {};
+        const World distance = length_of(way);
+        if (distance > kRim) way = scaled(way, kRim, distance);
+        const Vec3<World> middle = eye + way, across{kMark, {}, {}}, along{{}, kMark, {}};
+        const std::array corners{middle + across, middle + along, middle - across, middle - along};
+        for (std::size_t i = 0; i < 4; ++i) plotter.draw(corners[i], corners[(i + 1) % 4], lens_);
+    }
+}
+
 void Automap::draw(const GameView& view, MapView orientation, LineMethod method, const ScreenMode& mode,
                    const Settings& settings, Framebuffer canvas) {
     recolour_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, darker_);
     const Plotter plotter(view.camera, orientation, method, mode, settings, canvas);
     draw_world(plotter, view.camera.eye);
     draw_models(plotter, view);
+    draw_lenses(plotter, view);
     plotter.draw_arrow(view.camera, player_);
 }
 

@@ -28,8 +28,8 @@ struct MapLine {
 std::vector<MapLine> map_lines_of(const Level& level, FaceIndex face);
 
 /// The level from above around the player, an orthographic view of lines over a darkened picture: steps are broken
-/// lines, doors and other models have crosses. It exists only while
-/// it is shown.
+/// lines, doors and other models have crosses; the last lenses that are missing are squares on edge, at the map's rim
+/// where they are farther. It exists only while it is shown.
 class Automap {
   public:
     /// `data` and `level` outlive it.
@@ -45,6 +45,7 @@ class Automap {
     void draw_world(const Plotter& plotter, const Vec3<World>& eye);
     void draw_line_of_world(const Plotter& plotter, const MapLine& line, bool is_visible) const;
     void draw_models(const Plotter& plotter, const GameView& view) const;
+    void draw_lenses(const Plotter& plotter, const GameView& view) const;
 
     const Level& bsp_;
     const GameLevel& level_;
@@ -52,7 +53,7 @@ class Automap {
     VisibleSet visible_;
     Table<std::uint8_t, Face> is_visible_;  ///< scratch
     ColourTable darker_;
-    LineColour wall_, step_, door_, hidden_, player_;
+    LineColour wall_, step_, door_, hidden_, player_, lens_;
 };
 
 }  // namespace oblong

@@ -4,8 +4,9 @@
 
 namespace oblong {
 
-LoadedLevel::LoadedLevel(const LevelFiles& files)
-    : data(load_game(files.level, files.palette, files.assets, files.models, files.game_folders)),
+LoadedLevel::LoadedLevel(const LevelFiles& named)
+    : files(named),
+      data(load_game(files.level, files.palette, files.assets, files.models, files.game_folders)),
       level(naming_file(data.level_file, [&] { return make_game_level(data.level); })) {}
 
 }  // namespace oblong

@@ -15,13 +15,14 @@ struct LevelFiles {
     std::vector<std::string> game_folders = {};
 };
 
-/// A level, loaded to be played: its files and the part of the game that never changes.
+/// A level, loaded to be played: its files, what is in them, and the part of the game that never changes.
 struct LoadedLevel {
     /// Throws FileError.
-    explicit LoadedLevel(const LevelFiles& files);
+    explicit LoadedLevel(const LevelFiles& named);
     LoadedLevel(const LoadedLevel&) = delete;  // `level` points into `data`
     LoadedLevel& operator=(const LoadedLevel&) = delete;
 
+    const LevelFiles files;
     const GameData data;
     const GameLevel level;
 };

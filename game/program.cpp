@@ -96,10 +96,8 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
         if (!(options_.replay + options_.record).empty())
             first_walk_ = std::make_unique<FirstWalk>(FirstWalk{files.loaded, std::move(files.input)});
         start_title(std::move(files.loaded));
-    } else {
+    } else
         start(std::move(files.loaded), std::move(files.input), options_.replay.empty() ? Stage::Walk : Stage::Replay);
-        if (can_save()) save_to(SaveSlot::LevelStart);
-    }
 }
 
 void Program::run() {
@@ -117,6 +115,7 @@ void Program::show_frame() {
     const std::size_t depth = menu_.depth();
     take(controls);
     if (has_left_) return;
+    autosave_when_due();
     is_stale_ |= menu_.depth() != depth;  // a page may open by itself: at the end, without the focus
     follow_preferences();
     const WindowSize size = platform_.window_size();
@@ -178,8 +177,8 @@ void Program::take_in_walk(const Controls& controls) {
     if (gallery_ && has(controls, Command::FrameCost)) pages_.open_figures();
     if (menu_.is_open()) return screen().pause(platform_.now_us());
     if (stage_ == Stage::Walk && !gallery_) {
-        if (has(controls, Command::QuickSave)) save_to(SaveSlot::Quick);
-        if (has(controls, Command::QuickLoad)) load_from(SaveSlot::Quick);
+        if (has(controls, Command::QuickSave)) quick_save();
+        if (has(controls, Command::QuickLoad)) quick_load();
         if (has(controls, Command::Restart)) pages_.open_restart();
     }
     screen().advance(controls, platform_.now_us());
@@ -241,6 +240,7 @@ void Program::draw_menu(const ShownPicture& picture) {
 }
 
 void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, Stage stage) {
+    finish_autosave();
     keep_recorded();
     gallery_.reset();
     stage_ = stage;
@@ -256,7 +256,8 @@ void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
         sound_.stop_music();
         sound_.enter(&session_->loaded().level);
     }
-    saved_tick_ = 0;
+    held_.reset();
+    saved_tick_ = autosave_tick_ = autosave_items_ = 0;
     is_stale_ = true;
     name_window();
 }
@@ -269,7 +270,6 @@ void Program::name_window() {
 void Program::start_walk(std::shared_ptr<const LoadedLevel> loaded) {
     const GameState state = start_of(loaded->level);
     start(std::move(loaded), TickInputSource(state, std::nullopt, false), Stage::Walk);
-    if (can_save()) save_to(SaveSlot::LevelStart);
 }
 
 }  // namespace oblong

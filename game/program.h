@@ -1,5 +1,6 @@
 #pragma once
 
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,9 @@ struct ProgramFiles {
 /// Reads the level and the demo that the options name, and checks that what they record can be written. Throws
 /// FileError.
 ProgramFiles load_program_files(const Options& options, const std::string& assets_folder);
+
+/// "3:12"
+std::string time_text(std::int64_t ticks);
 
 /// The game from its start until it is left: the one loop of input, the screen that is up, and the window.
 class Program final : private MenuHost {
@@ -68,6 +72,8 @@ class Program final : private MenuHost {
     void start_title(std::shared_ptr<const LoadedLevel> loaded);
     TickInputSource title_input(const GameLevel& level);
     void play_title();
+    /// Where the levels of the game that is played are; the demo level is of none.
+    const LevelFiles& game_files() const;
     std::shared_ptr<const LoadedLevel> loaded_as(const std::string& level);
     void keep_recorded();
     void name_window();  ///< after the session's level
@@ -76,9 +82,19 @@ class Program final : private MenuHost {
     void try_with_files(const std::string& what, const std::function<void()>& work);
 
     bool has_saves() const { return !options_.folders.data.empty(); }
-    void write_save(SaveSlot slot);
-    void save_to(SaveSlot slot);
+    SavedGame saved_now();
+    /// The walk's own place for saves of a kind: its number is taken when it is saved first. Throws FileError.
+    SaveSlot own_slot(SaveKind kind);
+    bool is_own(SaveSlot slot) const;
+    void quick_save();
+    void quick_load();
     void load_from(SaveSlot slot);
+    void go_on_with(const SlotContent& content, std::optional<HeldWalk> held);
+    bool is_autosave_due() const;
+    /// Saves the walk beside the game where that is due: a frame takes its picture, another thread writes.
+    void autosave_when_due();
+    /// Waits for that.
+    void finish_autosave();
     /// The message if that failed, else "".
     std::string save_on_leaving();
     /// Saves the walk, then goes; where that fails, asks whether to go all the same.
@@ -93,6 +109,7 @@ class Program final : private MenuHost {
     std::vector<KeyHelp> key_help() const override {
         return gallery_ ? gallery_help(key_names()) : game_help(key_names());
     }
+    Goal goal() const override;
     std::vector<std::string> told() const override { return session_ ? session_->told() : std::vector<std::string>(); }
     std::string figures() const override { return gallery_ ? gallery_->figures() : ""; }
     std::vector<LevelEntry> levels() const override;
@@ -100,23 +117,24 @@ class Program final : private MenuHost {
     EndFigures end_figures() const override;
     std::string credits() const override;
     bool can_save() const override;
-    bool can_continue() const override { return can_continue_; }
+    std::optional<SaveEntry> last_walk() const override;
     bool has_unsaved_progress() const override;
     bool saves_on_leaving() const override { return can_save(); }
     void walk() override;
-    void continue_walk() override { load_from(SaveSlot::Automatic); }
+    void continue_walk() override;
     void restart() override;
     void play_level(const std::string& file) override;
     void play_next() override;
-    void save(std::size_t entry) override { save_to(static_cast<SaveSlot>(entry)); }
-    void load(std::size_t entry) override { load_from(static_cast<SaveSlot>(entry)); }
+    void save(std::size_t entry) override;
+    void load(std::size_t entry) override { load_from(listed_.at(entry).slot); }
+    std::string remove_save(std::size_t entry) override;
     void show_title() override;
     void show_gallery() override;
     void leave() override;
 
     const Options options_;
     const std::string assets_folder_;
-    const LevelFiles level_files_;  // of all levels, but for its `level`
+    const LevelFiles level_files_;  // that the options name, but for its `level`
     ViewOptions view_options_;
     ViewOptions title_options_;  // of the title's background: nothing is drawn over it
     PreferencesStore& store_;
@@ -132,8 +150,13 @@ class Program final : private MenuHost {
     Menu menu_;
     MenuPages pages_;
     Stage stage_ = Stage::Walk;
-    std::int64_t saved_tick_ = 0;  // of the walk, up to which it is saved
-    bool can_continue_ = false, has_left_ = false, had_focus_ = false, is_mouse_captured_ = false;
+    std::optional<HeldWalk> held_;                         // the walk, once it has saves
+    std::future<std::string> autosave_;                    // that is being written: its fault, or ""
+    std::int64_t autosave_tick_ = 0, autosave_items_ = 0;  // when the last one began
+    std::int64_t saved_tick_ = 0;                          // of the walk, up to which it is saved
+    std::optional<SlotContent> last_walk_;                 // as the title offers it
+    mutable std::vector<SlotContent> listed_;              // as the menu showed them last
+    bool has_left_ = false, had_focus_ = false, is_mouse_captured_ = false;
     bool wants_screenshot_ = false;  // of a menu
     bool is_stale_ = true;           // the window shows something else than what is up
     WindowSize shown_size_;

@@ -7,7 +7,6 @@
 #include "engine/platform/files.h"
 #include "game/level_search.h"
 #include "game/program.h"
-#include "game/saves/saved_level.h"
 #include "game/simulation/items.h"
 #include "tools/common/arguments.h"
 
@@ -15,37 +14,6 @@ namespace oblong {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string time_text(std::int64_t ticks) {
-    const std::int64_t seconds = ticks / kTicksPerSecond;
-    const std::string rest = std::to_string(seconds % 60);
-    return std::to_string(seconds / 60) + (rest.size() < 2 ? ":0" : ":") + rest;
-}
-
-std::string level_title(const std::string& file) {
-    return fs::path(file).stem().string();
-}
-
-MenuPicture picture_of(const Thumbnail& thumbnail) {
-    MenuPicture picture{Thumbnail::kWidth_px, Thumbnail::kHeight_px, {}};
-    picture.pixels.reserve(thumbnail.pixels.size());
-    for (const std::uint8_t index : thumbnail.pixels) picture.pixels.push_back(thumbnail.palette.colours[index]);
-    return picture;
-}
-
-SaveEntry entry_of(const SlotContent& content) {
-    SaveEntry entry;
-    entry.name = name_of(content.slot);
-    entry.content = "empty";
-    entry.help = content.refusal;
-    entry.is_saved_to_by_player = content.slot >= SaveSlot::FirstNumbered;
-    entry.has_game = content.game.has_value();
-    if (!content.game) return entry;
-    entry.content = level_title(content.game->level.name) + " " + time_text(content.game->state.tick);
-    if (content.is_former) entry.help = "The one saved before it. " + content.refusal;
-    entry.picture = picture_of(content.game->picture);
-    return entry;
-}
 
 // Where a level leads: to another than the one that is played, or why not.
 void find_next(const std::string& name, const LevelPlaces& places, EndFigures& figures) {
@@ -58,17 +26,16 @@ void find_next(const std::string& name, const LevelPlaces& places, EndFigures& f
     }
 }
 
-// The museum where it is now, should the program have moved since.
-std::string level_file_of(const SavedGame& game) {
-    std::error_code ignored;
-    const bool is_museum = fs::path(game.level.name).filename() == kDemoLevelFile;
-    return is_museum && !fs::exists(game.level.name, ignored) ? "" : game.level.name;
-}
-
 }  // namespace
 
+std::string time_text(std::int64_t ticks) {
+    const std::int64_t seconds = ticks / kTicksPerSecond;
+    const std::string rest = std::to_string(seconds % 60);
+    return std::to_string(seconds / 60) + (rest.size() < 2 ? ":0" : ":") + rest;
+}
+
 LevelPlaces Program::places() const {
-    return {session_->loaded().data.level_file, level_files_.game_folders};
+    return {session_->loaded().data.level_file, game_files().game_folders};
 }
 
 std::vector<LevelEntry> Program::levels() const {
@@ -85,32 +52,18 @@ std::vector<LevelEntry> Program::levels() const {
     return entries;
 }
 
-std::vector<SaveEntry> Program::saves() const {
-    std::vector<SaveEntry> entries;
-    if (!has_saves()) return entries;
-    for (const SlotContent& content : slots_.list()) entries.push_back(entry_of(content));
-    return entries;
-}
-
 EndFigures Program::end_figures() const {
     const GameLevel& level = session_->loaded().level;
     const GameState& state = session_->state();
     EndFigures figures{std::string(end_message(level, state)), time_text(state.tick), "", "", ""};
     const std::string next(next_map(level, state));
     if (!next.empty()) find_next(next, places(), figures);
-    const ItemCount lenses = count_items(level, state, ItemClass::Lens);
-    if (lenses.all > 0) figures.lenses = std::to_string(lenses.taken) + " of " + std::to_string(lenses.all);
+    figures.lenses = goal().count;
     return figures;
 }
 
-bool Program::can_save() const {
-    return has_saves() && stage_ == Stage::Walk && session_ && !session_->state().has_ended;
-}
-
-bool Program::has_unsaved_progress() const {
-    constexpr std::int64_t kNothing_ticks = 2 * kTicksPerSecond;  // is lost in so short a time
-    return stage_ == Stage::Walk && session_ && !session_->state().has_ended &&
-           session_->state().tick > saved_tick_ + kNothing_ticks;
+Goal Program::goal() const {
+    return session_ ? goal_of(session_->loaded().level, session_->state()) : Goal{};
 }
 
 void Program::try_with_files(const std::string& what, const std::function<void()>& work) {
@@ -121,9 +74,16 @@ void Program::try_with_files(const std::string& what, const std::function<void()
     }
 }
 
+const LevelFiles& Program::game_files() const {
+    const bool is_demo_level = !session_ || session_->loaded().files.level.empty();
+    return is_demo_level ? level_files_ : session_->loaded().files;
+}
+
+// A palette that was named for another level is none of the demo level's.
 std::shared_ptr<const LoadedLevel> Program::loaded_as(const std::string& level) {
-    LevelFiles files = level_files_;
+    LevelFiles files = level.empty() ? level_files_ : game_files();
     files.level = level;
+    if (level.empty() && !(options_.level + options_.map).empty()) files.palette.clear();
     return std::make_shared<const LoadedLevel>(files);
 }
 
@@ -135,7 +95,7 @@ void Program::walk() {
 }
 
 void Program::play_level(const std::string& file) {
-    try_with_files("Levels", [&] { start_walk(loaded_as(file)); });
+    try_with_files("Levels", [&] { leave_walk([this, loaded = loaded_as(file)] { start_walk(loaded); }); });
 }
 
 void Program::play_next() {
@@ -144,62 +104,12 @@ void Program::play_next() {
 }
 
 void Program::restart() {
-    start_walk(session_->shared_level());
+    leave_walk([this] { start_walk(session_->shared_level()); });
 }
 
 void Program::show_gallery() {
     menu_.close_all();
     gallery_ = std::make_unique<Gallery>(session_->shared_level(), settings_, view_options_, platform_);
-}
-
-void Program::write_save(SaveSlot slot) {
-    const LoadedLevel& loaded = session_->loaded();
-    slots_.save(slot, {saved_level_of(loaded.data, loaded.level), session_->state(), session_->thumbnail()});
-    saved_tick_ = session_->state().tick;
-}
-
-void Program::save_to(SaveSlot slot) {
-    if (!can_save()) return session_->show("This game cannot be saved.");
-    try_with_files("Save", [&] {
-        write_save(slot);
-        if (slot != SaveSlot::LevelStart) session_->show("Saved: " + name_of(slot));
-    });
-}
-
-void Program::load_from(SaveSlot slot) {
-    try_with_files("Load", [&] {
-        const SlotContent content = slots_.load(slot);
-        if (!content.game) {
-            if (content.refusal.empty()) return session_->show(name_of(slot) + ": nothing is saved there");
-            return pages_.open_message("Load", content.refusal);
-        }
-        const SavedGame& game = *content.game;
-        const bool is_here = game.level.file_hash == session_->loaded().data.level_hash;
-        auto loaded = is_here ? session_->shared_level() : loaded_as(level_file_of(game));
-        naming_file(game.level.name, [&] { check_level(game, loaded->data.level_hash, loaded->level); });
-        const GameState state = start_of(loaded->level);
-        start(std::move(loaded), TickInputSource(state, std::nullopt, false), Stage::Walk);
-        session_->restore(game.state);
-        saved_tick_ = game.state.tick;
-        session_->show("Loaded: " + name_of(slot));
-        if (content.is_former) pages_.open_message("Load", "The one saved before it was loaded. " + content.refusal);
-    });
-}
-
-std::string Program::save_on_leaving() {
-    if (!can_save() || session_->state().tick <= saved_tick_) return "";
-    try {
-        write_save(SaveSlot::Automatic);
-        return "";
-    } catch (const FileError& error) {
-        return error.what();
-    }
-}
-
-void Program::leave_walk(const std::function<void()>& go) {
-    const std::string fault = save_on_leaving();
-    if (fault.empty()) return go();
-    pages_.open_not_saved(fault, go);
 }
 
 void Program::show_title() {

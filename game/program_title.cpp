@@ -1,9 +1,11 @@
-// What the title shows behind its menu: the recorded walk through the demo level, again and again.
+// What the title shows behind its menu: the recorded walk through the demo level until it has found what there is to
+// find, again and again.
 #include <filesystem>
 #include <utility>
 
 #include "engine/platform/files.h"
 #include "game/program.h"
+#include "game/simulation/items.h"
 
 namespace oblong {
 
@@ -16,7 +18,7 @@ void Program::start_title(std::shared_ptr<const LoadedLevel> loaded) {
     title_options_.preferences = view_options_.preferences;
     TickInputSource input = title_input(loaded->level);
     start(std::move(loaded), std::move(input), Stage::Title);
-    can_continue_ = has_saves() && slots_.load(SaveSlot::Automatic).game.has_value();
+    last_walk_ = has_saves() ? slots_.last_walk() : std::nullopt;
     pages_.open_title();
 }
 
@@ -27,10 +29,11 @@ TickInputSource Program::title_input(const GameLevel& level) {
     return TickInputSource(state, title_demo_, false);
 }
 
-// The demo again when it has ended, or leads elsewhere than when it was recorded.
+// The demo again when it has ended, is about to show how the level ends, or leads elsewhere than when it was recorded.
 void Program::play_title() {
     const std::uint64_t now_us = platform_.now_us();
-    if (!session_->input().is_replaying()) {
+    const ItemCount lenses = count_items(session_->loaded().level, session_->state(), ItemClass::Lens);
+    if (!session_->input().is_replaying() || (lenses.all > 0 && lenses.taken == lenses.all)) {
         if (title_demo_) start(session_->shared_level(), title_input(session_->loaded().level), Stage::Title);
         return session_->pause(now_us);
     }

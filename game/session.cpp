@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "game/goal.h"
 #include "game/key_names.h"
 #include "game/screenshot.h"
 #include "game/shown_view.h"
@@ -135,7 +136,8 @@ ShownPicture Session::draw(bool is_behind_menu) {
     Settings shown_settings = settings;
     if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, last_us_);
     renderer_->draw(view, shown_settings);
-    const PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.gamma_100);
+    PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.gamma_100);
+    if (is_behind_menu) effects.flash = {};  // it would wash the menu out
     note_cost(view, shown_settings, effects);
     if (log_) renderer_->note(view, shown_settings, last_us_, *log_);
 
@@ -172,8 +174,10 @@ void Session::show(const std::string& message) {
 
 void Session::show_level_message() {
     const bool is_new = after_.shown_message != before_.shown_message || after_.message_tick != before_.message_tick;
-    if (after_.shown_message < 0 || !is_new) return;
-    show(at(level_.messages, after_.shown_message));
+    std::string text;
+    if (is_new && after_.shown_message >= 0) text = at(level_.messages, after_.shown_message);
+    if (after_.items != before_.items) text += (text.empty() ? "" : "\n") + found_text(level_, before_, after_);
+    if (!text.empty()) show(text);
 }
 
 void Session::draw_text() {

@@ -2,6 +2,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/level/entities.h"
+#include "engine/level/entity_classes.h"
 
 namespace oblong {
 
@@ -26,6 +27,14 @@ std::optional<std::uint8_t> parse_colour(std::string_view text) {
     return static_cast<std::uint8_t>(*number);
 }
 
+std::optional<ColourRamp> parse_colours(std::string_view text) {
+    const std::size_t space = text.find(' ');
+    const auto first = parse_colour(text.substr(0, space));
+    const auto last = space == std::string_view::npos ? first : parse_colour(text.substr(space + 1));
+    if (!first || !last) return std::nullopt;
+    return ColourRamp{*first, *last};
+}
+
 bool is_between(World value, World least, World most) {
     return value >= least && value <= most;
 }
@@ -41,48 +50,48 @@ void EntityValues::warn_of(const std::string& key, const std::string& expected) 
     warn(key + " is \"" + entity_.value(key) + "\", expected " + expected);
 }
 
+std::string_view EntityValues::usual(const std::string& key) const {
+    return usual_text(entity_.value("classname"), key);
+}
+
 World EntityValues::number(const std::string& key, const NumberRange& range) const {
     const std::string text = entity_.value(key);
-    if (text.empty()) return range.otherwise;
+    const World otherwise = parse_world_number(usual(key)).value_or(World{});
+    if (text.empty()) return otherwise;
     const std::optional<World> value = parse_world_number(text);
     if (value && is_between(*value, range.least, range.most)) return *value;
-    warn_of(key,
-            "a number from " + range_text(range.least, range.most) + ": it is taken as " + decimal(range.otherwise));
-    return range.otherwise;
+    warn_of(key, "a number from " + range_text(range.least, range.most) + ": it is taken as " + decimal(otherwise));
+    return otherwise;
 }
 
-std::int32_t EntityValues::whole_number(const std::string& key, std::int32_t least, std::int32_t most,
-                                        std::int32_t otherwise) const {
-    return floor_of(number(key, {World::from_int(least), World::from_int(most), World::from_int(otherwise)}));
+std::int32_t EntityValues::whole_number(const std::string& key, std::int32_t least, std::int32_t most) const {
+    return floor_of(number(key, {World::from_int(least), World::from_int(most)}));
 }
 
-std::int32_t EntityValues::period_ms(std::int32_t otherwise_ms) const {
+std::int32_t EntityValues::period_ms() const {
     constexpr World kLeast = World::from_raw(4096 / 20), kMost = World::from_int(3600);
-    const World otherwise = World::from_raw((otherwise_ms * 4096 + 500) / 1000);
-    const std::int64_t seconds_12 = number("period", {kLeast, kMost, otherwise}).raw;
+    const std::int64_t seconds_12 = number("period", {kLeast, kMost}).raw;
     return static_cast<std::int32_t>((seconds_12 * 1000 + 2048) / 4096);
 }
 
 std::optional<Vec3<World>> EntityValues::vector(const std::string& key, World least, World most) const {
     const std::string text = entity_.value(key);
-    if (text.empty()) return std::nullopt;
+    const std::optional<Vec3<World>> otherwise = parse_world_vector(usual(key));
+    if (text.empty()) return otherwise;
     const std::optional<Vec3<World>> value = parse_world_vector(text);
     if (value && is_between(value->x, least, most) && is_between(value->y, least, most) &&
         is_between(value->z, least, most))
         return value;
     warn_of(key, "three numbers from " + range_text(least, most));
-    return std::nullopt;
+    return otherwise;
 }
 
-ColourRamp EntityValues::colours(const std::string& key, const ColourRamp& otherwise) const {
+ColourRamp EntityValues::colours(const std::string& key) const {
     const std::string text = entity_.value(key);
-    if (text.empty()) return otherwise;
-    const std::size_t space = text.find(' ');
-    const auto first = parse_colour(text.substr(0, space));
-    const auto last = space == std::string::npos ? first : parse_colour(text.substr(space + 1));
-    if (first && last) return {*first, *last};
-    warn_of(key, "one or two palette indices from 0 to 255: the default is taken");
-    return otherwise;
+    const std::optional<ColourRamp> given = parse_colours(text);
+    if (given) return *given;
+    if (!text.empty()) warn_of(key, "one or two palette indices from 0 to 255: the default is taken");
+    return parse_colours(usual(key)).value_or(ColourRamp{});
 }
 
 std::optional<Vec3<World>> EntityValues::origin() const {

@@ -11,25 +11,16 @@ namespace oblong {
 
 namespace {
 
-/// How the particles of an entity class are unless its keys say otherwise.
 struct EmitterClass {
     std::string_view name;
     ParticleKind kind;
-    Vec3<World> size;
-    std::int32_t count, period_ms;
-    std::uint8_t first_colour, last_colour;
 };
 
-constexpr Vec3<World> whole(std::int32_t x, std::int32_t y, std::int32_t z) {
-    return {World::from_int(x), World::from_int(y), World::from_int(z)};
-}
-
-/// Colours are those of Quake's palette: greys, browns, fire from light to dark.
 constexpr std::array kEmitterClasses{
-    EmitterClass{"misc_rain", ParticleKind::Rain, whole(256, 256, 256), 400, 700, 8, 11},
-    EmitterClass{"misc_dust", ParticleKind::Dust, whole(256, 256, 128), 100, 20000, 6, 9},
-    EmitterClass{"misc_sparks", ParticleKind::Sparks, whole(64, 64, 48), 40, 900, 111, 104},
-    EmitterClass{"air_bubbles", ParticleKind::Bubbles, whole(32, 32, 96), 12, 4000, 11, 13},
+    EmitterClass{"misc_rain", ParticleKind::Rain},
+    EmitterClass{"misc_dust", ParticleKind::Dust},
+    EmitterClass{"misc_sparks", ParticleKind::Sparks},
+    EmitterClass{"air_bubbles", ParticleKind::Bubbles},
 };
 
 const EmitterClass* emitter_class(std::string_view name) {
@@ -84,17 +75,17 @@ class ThingReader {
         if (!origin || !has_room(things_.emitters.size(), kMostEmitters, values)) return;
         constexpr World kLeastSize = World::from_int(1), kMostSize = World::from_int(65536);
         const std::optional<Vec3<World>> size = values.vector("size", kLeastSize, kMostSize);
-        const Vec3<World> used = size.value_or(its_class.size);
         ParticleEmitter emitter;
         emitter.kind = its_class.kind;
-        emitter.half_size = {half_of(used.x), half_of(used.y), half_of(used.z)};
+        emitter.half_size = {half_of(size->x), half_of(size->y), half_of(size->z)};
         emitter.middle = *origin;
         // Quake's has no size: bubbles rise from where it is.
-        if (emitter.kind == ParticleKind::Bubbles && !size) emitter.middle.z += emitter.half_size.z;
-        emitter.period_ms = values.period_ms(its_class.period_ms);
-        emitter.count = particles_left(values.whole_number("count", 0, kMostParticles, its_class.count), values);
+        if (emitter.kind == ParticleKind::Bubbles && values.text("size").empty())
+            emitter.middle.z += emitter.half_size.z;
+        emitter.period_ms = values.period_ms();
+        emitter.count = particles_left(values.whole_number("count", 0, kMostParticles), values);
         emitter.seed = static_cast<std::uint32_t>(index);
-        const ColourRamp ramp = values.colours("colour", {its_class.first_colour, its_class.last_colour});
+        const ColourRamp ramp = values.colours("colour");
         emitter.first_colour = ramp.first;
         emitter.last_colour = ramp.last;
         if (emitter.count == 0) return;
@@ -107,7 +98,7 @@ class ThingReader {
         if (!origin || texture.is_none() || !has_room(things_.sprites.size(), kMostSprites, values)) return;
         PlacedSprite placed;
         placed.sprite = {*origin, texture, scale_of(values)};
-        placed.shadow_radius = values.number("shadow", {World{}, World::from_int(512), World{}});
+        placed.shadow_radius = values.number("shadow", {World{}, World::from_int(512)});
         if (placed.shadow_radius > World{}) placed.floor = find_floor(level_, *origin, kFarthestShadow);
         LevelBox box = box_around(*origin, half_size_of(placed.sprite));
         if (placed.floor) {
@@ -126,9 +117,9 @@ class ThingReader {
         lantern.middle = *origin;
         lantern.texture = texture;
         lantern.scale = scale_of(values);
-        lantern.radius = values.number("radius", {World{}, World::from_int(4096), World::from_int(64)});
-        lantern.light_radius = values.number("light", {World{}, World::from_int(2048), World::from_int(200)});
-        lantern.period_ms = values.period_ms(8000);
+        lantern.radius = values.number("radius", {World{}, World::from_int(4096)});
+        lantern.light_radius = values.number("light", {World{}, World::from_int(2048)});
+        lantern.period_ms = values.period_ms();
         const Vec3<World> half = half_size_of({*origin, texture, lantern.scale});
         const Vec3<World> reach = half + Vec3<World>{lantern.radius, lantern.radius, {}};
         const World light = lantern.radius + lantern.light_radius;
@@ -161,7 +152,7 @@ class ThingReader {
     }
 
     static World scale_of(const EntityValues& values) {
-        return values.number("scale", {World::from_raw(4096 / 16), World::from_int(16), World::from_int(1)});
+        return values.number("scale", {World::from_raw(4096 / 16), World::from_int(16)});
     }
 
     /// Sideways in any direction, as it turns.

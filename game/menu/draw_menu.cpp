@@ -31,6 +31,7 @@ class PageDrawing {
                       {body.x - kPanelMargin_px, body.y - kPanelMargin_px, body.width + 2 * kPanelMargin_px,
                        body.height + 2 * kPanelMargin_px},
                       look_.veil);
+        if (page_.is_title) hide_behind_name();
         draw_lettering(canvas_, layout_.title.x, layout_.title.y, page_.title, layout_.title_cell, look_);
         for (const MenuLayout::Item& item : layout_.items) draw_item(item);
         draw_scroll_marks();
@@ -43,6 +44,15 @@ class PageDrawing {
     void draw_centred(std::int32_t y, const std::string& line, std::uint8_t colour) const {
         const std::int32_t x = (canvas_.width_px - width_px(line, layout_.scale)) / 2;
         draw_text(canvas_, x, y, line, colours_of(colour, look_, layout_.scale));
+    }
+
+    // Signs in the picture would be read into the game's name: a band across the canvas is all but black.
+    void hide_behind_name() const {
+        const Area& name = layout_.title;
+        for (int i = 0; i < 2; ++i)
+            recolour_area(canvas_,
+                          {0, name.y - 2 * kPanelMargin_px, canvas_.width_px, name.height + 4 * kPanelMargin_px},
+                          look_.veil);
     }
 
     void draw_item(const MenuLayout::Item& item) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/platform/bindings.h"
+#include "game/goal.h"
 #include "game/key_names.h"
 #include "game/menu/menu_page.h"
 #include "game/preferences/preferences.h"
@@ -14,10 +15,11 @@ namespace oblong {
 /// A place for a saved game, as the menu shows it.
 struct SaveEntry {
     std::string name;                    ///< "Slot 1"
-    std::string content;                 ///< "demo 3:12"; "empty"
-    std::string help;                    ///< of a save that can't be loaded: why
+    std::string content;                 ///< "demo 3:12, 5 of 12 lenses"; "empty"
+    std::string help;                    ///< a line; of a save that can't be loaded load() says more
     bool is_saved_to_by_player = false;  ///< and not by keys or the game alone
-    bool has_game = false;
+    bool is_empty = true, has_game = false;
+    bool is_of_this_walk = false;  ///< of the walk that is on, which goes back to it by loading it
     std::optional<MenuPicture> picture;
 };
 
@@ -46,6 +48,7 @@ class MenuHost {
     virtual KeyNames key_names() const = 0;
     virtual std::string local_name_of(Input input) const = 0;
     virtual std::vector<KeyHelp> key_help() const = 0;  ///< of what is up behind the menu
+    virtual Goal goal() const = 0;                      ///< of the walk
     virtual std::vector<std::string> told() const = 0;  ///< the messages of a walk, the newest first
     virtual std::string figures() const = 0;            ///< of the gallery's row that is up
 
@@ -54,8 +57,9 @@ class MenuHost {
     virtual EndFigures end_figures() const = 0;
     virtual std::string credits() const = 0;
 
-    virtual bool can_save() const = 0;      ///< a walk is on, and there is a place for saves
-    virtual bool can_continue() const = 0;  ///< there is a walk to go on with that was saved on leaving
+    virtual bool can_save() const = 0;  ///< a walk is on, and there is a place for saves
+    /// The walk that was saved last; nothing if there is none.
+    virtual std::optional<SaveEntry> last_walk() const = 0;
     /// Whether something of a walk that is on is not saved.
     virtual bool has_unsaved_progress() const = 0;
     /// Whether leaving a walk saves it.
@@ -65,9 +69,10 @@ class MenuHost {
     virtual void continue_walk() = 0;
     virtual void restart() = 0;
     virtual void play_level(const std::string& file) = 0;
-    virtual void play_next() = 0;              ///< EndFigures::next_level
-    virtual void save(std::size_t entry) = 0;  ///< of saves()
-    virtual void load(std::size_t entry) = 0;
+    virtual void play_next() = 0;                            ///< EndFigures::next_level
+    virtual void save(std::size_t entry) = 0;                ///< of saves()
+    virtual void load(std::size_t entry) = 0;                ///< says why where there is none to load
+    virtual std::string remove_save(std::size_t entry) = 0;  ///< the message if that failed, else ""
     virtual void show_title() = 0;
     virtual void show_gallery() = 0;
     virtual void leave() = 0;

@@ -16,6 +16,8 @@ MenuRow row(std::string label, std::function<void()> accept, std::string help = 
     return {std::move(label), "", with_capital(std::move(help)), std::move(accept), nullptr, std::nullopt};
 }
 
+constexpr const char* kLost = " What is not saved is lost.";
+
 std::string text_of_end(const EndFigures& figures) {
     std::string text =
         (figures.message.empty() ? "You have reached the end." : figures.message) + "\n\nTime: " + figures.time;
@@ -49,7 +51,10 @@ void MenuPages::open_end() {
 }
 
 void MenuPages::open_restart() {
-    do_or_ask("Begin this level again?", [this] { host_.restart(); });
+    const auto restart = closing([this] { host_.restart(); });
+    if (!host_.has_unsaved_progress()) return restart();
+    const char* const what = host_.saves_on_leaving() ? " This walk is kept: Load goes on with it." : kLost;
+    ask("Restart", std::string("Begin this level again?") + what, "Yes", restart);
 }
 
 void MenuPages::open_message(std::string title, std::string text) {
@@ -62,8 +67,9 @@ void MenuPages::open_message(std::string title, std::string text) {
 
 MenuPage MenuPages::title_page() {
     MenuPage page{"OBLONG", "", {}, 0, "", true, [this] { ask_to_leave(); }};
-    if (host_.can_continue())
-        page.rows.push_back(row("Continue", closing([this] { host_.continue_walk(); }), "from where you left"));
+    if (const auto last = host_.last_walk())
+        page.rows.push_back(
+            row("Continue", closing([this] { host_.continue_walk(); }), last->content + ". " + last->help));
     page.rows.push_back(row("Walk", closing([this] { host_.walk(); }), "through the museum, from its entrance"));
     page.rows.push_back(row(
         "Levels", [this] { open_levels(); }, "others to walk through"));
@@ -84,6 +90,12 @@ MenuPage MenuPages::game_page() {
     page.rows.push_back(row("Go on", [this] { menu_.close_all(); }));
     if (host_.can_save()) page.rows.push_back(row("Save", [this] { open_save(); }));
     page.rows.push_back(row("Load", [this] { open_load(); }));
+    if (const Goal goal = host_.goal(); !goal.count.empty()) {
+        page.rows.push_back(row(
+            "Lenses", [this, goal] { open_text("Lenses", goal.list, {}); },
+            goal.hint.empty() ? "which are found, and which are missing" : goal.hint));
+        page.rows.back().value = goal.count;
+    }
     if (!host_.told().empty())
         page.rows.push_back(row(
             "Messages", [this] { open_told(); }, "what you were told in this walk"));
@@ -152,7 +164,8 @@ void MenuPages::open_levels() {
         MenuPage page{"Levels", "", {}, 0, "", false, nullptr};
         for (const LevelEntry& level : levels) {
             MenuRow entry = row(level.name, [this, name = level.name, file = level.file] {
-                do_or_ask("Leave this walk and go to " + name + "?", [this, file] { host_.play_level(file); });
+                leave_walk("Leave this walk and go to " + name + "?",
+                           closing([this, file] { host_.play_level(file); }));
             });
             entry.value = level.title;
             page.rows.push_back(std::move(entry));
@@ -167,11 +180,41 @@ void MenuPages::open_load() {
         MenuPage page{"Load", "", {}, 0, "", false, nullptr};
         for (std::size_t i = 0; i < saves.size(); ++i) {
             const SaveEntry& save = saves[i];
-            const auto load = [this, i, name = save.name] {
-                do_or_ask("Leave this walk and load " + name + "?", [this, i] { host_.load(i); });
+            const auto load = [this, i, save] {
+                const std::string question = "Leave this walk and load " + save.name + "?";
+                const auto action = closing([this, i] { host_.load(i); });
+                if (!save.has_game) return action();  // which says why
+                if (save.is_of_this_walk && host_.has_unsaved_progress())
+                    return ask("Load", question + kLost, "Yes", action);
+                leave_walk(question, action);
             };
             page.rows.push_back({save.name, save.content, save.help,
-                                 save.has_game ? std::function<void()>(load) : nullptr, nullptr, save.picture});
+                                 save.is_empty ? nullptr : std::function<void()>(load), nullptr, save.picture});
+        }
+        page.rows.push_back(row(
+            "Delete", [this] { open_delete(); }, "a saved walk"));
+        page.rows.push_back(row("Back", [this] { menu_.close(); }));
+        return page;
+    });
+}
+
+void MenuPages::open_delete() {
+    menu_.open([this, saves = host_.saves()] {
+        MenuPage page{"Delete", "", {}, 0, "", false, nullptr};
+        for (std::size_t i = 0; i < saves.size(); ++i) {
+            const SaveEntry& save = saves[i];
+            if (save.is_empty) continue;
+            const auto remove = [this, i] {
+                const std::string fault = host_.remove_save(i);
+                for (int pages = 3; pages > 0; --pages)
+                    menu_.close();  // the question, this one, and the list before it
+                open_load();
+                if (!fault.empty()) open_message("Delete", fault);
+            };
+            const auto accept = [this, name = save.name, remove] {
+                ask("Delete", "Delete " + name + " for good?", "Delete it", remove);
+            };
+            page.rows.push_back({save.name, save.content, save.help, accept, nullptr, save.picture});
         }
         page.rows.push_back(row("Back", [this] { menu_.close(); }));
         return page;
@@ -185,8 +228,8 @@ void MenuPages::open_save() {
             const SaveEntry& save = saves[i];
             if (!save.is_saved_to_by_player) continue;
             const auto write = closing([this, i] { host_.save(i); });
-            const auto accept = [this, write, name = save.name, has_game = save.has_game] {
-                if (!has_game) return write();
+            const auto accept = [this, write, name = save.name, is_empty = save.is_empty] {
+                if (is_empty) return write();
                 ask("Save", "Replace what is in " + name + "?", "Replace it", write);
             };
             page.rows.push_back({save.name, save.content, save.help, accept, nullptr, save.picture});
@@ -231,16 +274,9 @@ void MenuPages::open_keys() {
     });
 }
 
-void MenuPages::do_or_ask(const std::string& question, std::function<void()> action) {
-    if (host_.has_unsaved_progress())
-        ask("Not saved", question + " What is not saved is lost.", "Yes", closing(std::move(action)));
-    else
-        closing(std::move(action))();
-}
-
 void MenuPages::leave_walk(const std::string& question, std::function<void()> action) {
     if (host_.has_unsaved_progress() && !host_.saves_on_leaving())
-        ask("Not saved", question + " What is not saved is lost.", "Yes", std::move(action));
+        ask("Not saved", question + kLost, "Yes", std::move(action));
     else
         action();
 }

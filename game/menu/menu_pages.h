@@ -30,6 +30,7 @@ class MenuPages {
     void open_preferences(int page);
     void open_levels();
     void open_load();
+    void open_delete();
     void open_save();
     void open_credits();
     void open_told();
@@ -42,12 +43,11 @@ class MenuPages {
     MenuPage preferences_page(int page);
     std::string help_of(const Preference& preference);
 
-    /// Asks before `action` if something that is not saved would be lost, else does it.
-    void do_or_ask(const std::string& question, std::function<void()> action);
     void ask(std::string title, std::string text, std::string yes, std::function<void()> action);
     /// Closes all pages, then does it.
     std::function<void()> closing(std::function<void()> action);
     void ask_to_leave();
+    /// Asks before `action` if something would be lost that leaving the walk does not save, else does it.
     void leave_walk(const std::string& question, std::function<void()> action);
 
     Menu& menu_;

@@ -20,7 +20,7 @@ bool exists(const std::string& file) {
 }
 
 std::string text_of_file(const std::string& file) {
-    const std::vector<std::uint8_t> bytes = read_file(file, kLargestFile_bytes);
+    const std::vector<std::uint8_t> bytes = read_file(file, kLargestFile_bytes, FileUse::Kept);
     return {bytes.begin(), bytes.end()};
 }
 
@@ -65,7 +65,7 @@ std::string PreferencesStore::save(const Preferences& now) {
         if (!folder.empty()) make_folder(folder);
         // As it is now: it may have been edited while the game ran.
         const std::string text = exists(file_) ? text_of_file(file_) : write_preferences(kept_);
-        write_file(file_, with_values(text, changed_, kept_));
+        write_file(file_, with_values(text, changed_, kept_), FileUse::Kept);
         changed_.clear();
         return "";
     } catch (const FileError& error) {

@@ -1,6 +1,11 @@
 #include "game/saves/save_slots.h"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <filesystem>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "engine/platform/files.h"
@@ -11,9 +16,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestSave_bytes = std::size_t{1} << 24;
+constexpr std::string_view kExtension = ".save", kFormerExtension = ".old";
+constexpr std::array<std::string_view, 3> kPrefixes{"auto", "quick", "slot"};  // by SaveKind
+constexpr const char* kLockFile = "lock";  // place 0: the folder; place n + 1: walk n
+constexpr int kLongestWait_ms = 3000, kMostWalks = 1'000'000;
 
 std::string former_of(const std::string& file) {
-    return file + ".old";
+    return file + std::string(kFormerExtension);
 }
 
 bool is_there(const std::string& file) {
@@ -22,7 +31,7 @@ bool is_there(const std::string& file) {
 }
 
 SavedGame read_save(const std::string& file) {
-    return naming_file(file, [&] { return decode_save(read_file(file, kLargestSave_bytes)); });
+    return naming_file(file, [&] { return decode_save(read_file(file, kLargestSave_bytes, FileUse::Kept)); });
 }
 
 // Why a file is no save that can be loaded; empty if it is one.
@@ -35,56 +44,144 @@ std::string refusal_of(const std::string& file) {
     return {};
 }
 
+std::string number_text(SaveSlot slot) {
+    return slot.number == 0 ? "" : std::to_string(slot.number);
+}
+
+std::string file_name_of(SaveSlot slot) {
+    return std::string(kPrefixes[static_cast<std::size_t>(slot.kind)]) + number_text(slot) + std::string(kExtension);
+}
+
+// The slot whose file, or the one before it, has this name; nothing for any other file.
+std::optional<SaveSlot> slot_of(const std::string& file_name) {
+    const std::string_view name(file_name);
+    for (const SaveKind kind : {SaveKind::Walk, SaveKind::Quick, SaveKind::Numbered}) {
+        const std::string_view prefix = kPrefixes[static_cast<std::size_t>(kind)];
+        SaveSlot slot{kind, 0};
+        if (!name.starts_with(prefix)) continue;
+        std::from_chars(name.data() + prefix.size(), name.data() + name.size(), slot.number);
+        if (slot.number < 0 || slot.number > kMostWalks) continue;
+        if (name == file_name_of(slot) || name == former_of(file_name_of(slot))) return slot;
+    }
+    return {};
+}
+
+// When a slot was saved to; the earliest time where there is no such file.
+fs::file_time_type time_of(const std::string& file) {
+    std::error_code ignored;
+    return fs::last_write_time(is_there(file) ? file : former_of(file), ignored);
+}
+
+std::vector<fs::path> files_in(const std::string& folder) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        files.push_back(entry->path());
+    return files;
+}
+
 }  // namespace
 
 std::string name_of(SaveSlot slot) {
-    if (slot == SaveSlot::Quick) return "Quick save";
-    if (slot == SaveSlot::Automatic) return "Autosave";
-    if (slot == SaveSlot::LevelStart) return "Level start";
-    return "Slot " + std::to_string(static_cast<int>(slot) - static_cast<int>(SaveSlot::FirstNumbered) + 1);
+    static constexpr std::array<const char*, 3> kNames{"Walk", "Quick save", "Slot"};
+    const std::string number = number_text(slot);
+    return kNames[static_cast<std::size_t>(slot.kind)] + (number.empty() ? "" : " " + number);
 }
 
+// At the end of links: so a save may be kept elsewhere, and the one before it is there too.
 std::string SaveSlots::file_of(SaveSlot slot) const {
-    std::string name = "quick.save";
-    if (slot == SaveSlot::Automatic) name = "auto.save";
-    if (slot == SaveSlot::LevelStart) name = "start.save";
-    if (slot >= SaveSlot::FirstNumbered)
-        name =
-            "slot" + std::to_string(static_cast<int>(slot) - static_cast<int>(SaveSlot::FirstNumbered) + 1) + ".save";
-    return (fs::path(folder_) / name).string();
+    return end_of_links((fs::path(folder_) / file_name_of(slot)).string());
+}
+
+std::unique_ptr<FileLock> SaveSlots::lock(std::int64_t place, int longest_wait_ms) const {
+    make_folder(folder_);
+    return FileLock::take((fs::path(folder_) / kLockFile).string(), place, longest_wait_ms);
+}
+
+// And clears away what programs that were ended amid saving have left: nobody else saves now.
+std::unique_ptr<FileLock> SaveSlots::lock_folder() const {
+    auto held = lock(0, kLongestWait_ms);
+    if (!held) throw FileError(folder_, "lock", "another program has been saving for 3 s, expected it to end");
+    for (const fs::path& file : files_in(folder_))
+        if (file.extension() == kUnfinishedExtension) remove_files({file.string()});
+    return held;
 }
 
 // A damaged file does not take the place of the one before it.
 void SaveSlots::save(SaveSlot slot, const SavedGame& game) const {
-    make_folder(folder_);
+    const auto held = lock_folder();
     const std::string file = file_of(slot);
     if (is_there(file) && refusal_of(file).empty())
         replace_file(file, former_of(file), encode_save(game));
     else
-        write_file(file, encode_save(game));
+        write_file(file, encode_save(game), FileUse::Kept);
 }
 
 SlotContent SaveSlots::load(SaveSlot slot) const {
     SlotContent content;
     content.slot = slot;
-    const std::string file = file_of(slot);
-    for (const std::string& each : {file, former_of(file)}) {
-        if (!is_there(each)) continue;
-        try {
-            content.game = read_save(each);
-            content.is_former = each != file;
-            return content;
-        } catch (const FileError& error) {
-            if (content.refusal.empty()) content.refusal = error.what();
+    try {
+        const std::string file = file_of(slot);
+        for (const std::string& each : {file, former_of(file)}) {
+            if (!is_there(each)) continue;
+            try {
+                content.game = read_save(each);
+                content.is_former = each != file;
+                return content;
+            } catch (const FileError& error) {
+                content.refusal +=
+                    (content.refusal.empty() ? "" : "\n\nAnd the one before it: ") + std::string(error.what());
+            }
         }
+    } catch (const FileError& error) {
+        content.refusal = error.what();
     }
     return content;
 }
 
+void SaveSlots::remove(SaveSlot slot) const {
+    const auto held = lock_folder();
+    const std::string file = file_of(slot);
+    const bool is_walked = slot.kind != SaveKind::Numbered && !hold(slot.number);
+    if (is_walked) throw FileError(file, "remove", "this walk is on, expected one that is not");
+    remove_files({former_of(file), file});
+}
+
+std::vector<SaveSlot> SaveSlots::walks_and_quick_saves() const {
+    std::set<std::pair<fs::file_time_type, SaveSlot>> slots;
+    for (const fs::path& file : files_in(folder_))
+        if (const auto slot = slot_of(file.filename().string()); slot && slot->kind != SaveKind::Numbered)
+            slots.emplace(time_of((file.parent_path() / file_name_of(*slot)).string()), *slot);
+    std::vector<SaveSlot> last_first;
+    for (auto entry = slots.rbegin(); entry != slots.rend(); ++entry) last_first.push_back(entry->second);
+    return last_first;
+}
+
 std::vector<SlotContent> SaveSlots::list() const {
     std::vector<SlotContent> all;
-    for (int slot = 0; slot < kSaveSlotCount; ++slot) all.push_back(load(static_cast<SaveSlot>(slot)));
+    for (const SaveSlot slot : walks_and_quick_saves()) all.push_back(load(slot));
+    for (int number = 1; number <= kNumberedSlotCount; ++number) all.push_back(load({SaveKind::Numbered, number}));
     return all;
+}
+
+std::optional<SlotContent> SaveSlots::last_walk() const {
+    for (const SaveSlot slot : walks_and_quick_saves())
+        if (slot.kind == SaveKind::Walk) return load(slot);
+    return {};
+}
+
+std::optional<HeldWalk> SaveSlots::hold(int number) const {
+    HeldWalk held{number, lock(number + std::int64_t{1}, 0)};
+    if (!held.lock) return {};
+    return held;
+}
+
+HeldWalk SaveSlots::hold_new() const {
+    const auto held = lock_folder();
+    int number = 1;
+    for (const SaveSlot slot : walks_and_quick_saves()) number = std::max(number, slot.number + 1);
+    for (;; ++number)
+        if (auto walk = hold(number)) return std::move(*walk);
 }
 
 }  // namespace oblong

@@ -12,30 +12,51 @@ namespace oblong {
 namespace {
 
 constexpr std::string_view kMagic = "OBLGSAVE";
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::size_t kVersionAt = 8, kSizeAt = 12, kHeaderBytes = 16, kHashBytes = 8, kLongestName = 4096;
 
-void append_picture(std::vector<std::uint8_t>& bytes, const Thumbnail& picture) {
-    for (const Rgb8 colour : picture.palette.colours)
-        bytes.insert(bytes.end(), {colour.red, colour.green, colour.blue});
-    bytes.insert(bytes.end(), picture.pixels.begin(), picture.pixels.end());
+void append_name(std::vector<std::uint8_t>& bytes, const std::string& whole_name) {
+    const std::string name = whole_name.substr(0, kLongestName);
+    append_little_endian(bytes, static_cast<std::uint16_t>(name.size()));
+    bytes.insert(bytes.end(), name.begin(), name.end());
 }
 
-Thumbnail read_picture(LittleEndianReader& reader) {
-    Thumbnail picture;
-    picture.palette = read_palette(reader.take(3 * picture.palette.colours.size()));
-    const auto pixels = reader.take(picture.pixels.size());
-    std::copy(pixels.begin(), pixels.end(), picture.pixels.begin());
-    return picture;
+std::string read_name(LittleEndianReader& reader) {
+    const auto name = reader.take(reader.next<std::uint16_t>());
+    return {name.begin(), name.end()};
+}
+
+void append_level(std::vector<std::uint8_t>& bytes, const SavedLevel& level) {
+    for (const std::string* name : {&level.name, &level.palette, &level.models}) append_name(bytes, *name);
+    append_little_endian(bytes, static_cast<std::uint16_t>(level.game_folders.size()));
+    for (const std::string& folder : level.game_folders) append_name(bytes, folder);
+    for (const std::uint64_t hash : {level.file_hash, level.start_hash, level.palette_hash})
+        append_little_endian(bytes, hash);
+    append_little_endian(bytes, level.model_count);
 }
 
 SavedLevel read_level(LittleEndianReader& reader) {
     SavedLevel level;
-    const auto name = reader.take(reader.next<std::uint16_t>());
-    level.name.assign(name.begin(), name.end());
-    level.file_hash = reader.next<std::uint64_t>();
-    level.start_hash = reader.next<std::uint64_t>();
+    for (std::string* name : {&level.name, &level.palette, &level.models}) *name = read_name(reader);
+    for (auto folders = reader.next<std::uint16_t>(); folders > 0; --folders)
+        level.game_folders.push_back(read_name(reader));
+    for (std::uint64_t* hash : {&level.file_hash, &level.start_hash, &level.palette_hash})
+        *hash = reader.next<std::uint64_t>();
+    level.model_count = reader.next<std::uint32_t>();
     return level;
+}
+
+void append_picture(std::vector<std::uint8_t>& bytes, const Thumbnail& picture) {
+    for (const Rgb8 colour : picture.pixels) bytes.insert(bytes.end(), {colour.red, colour.green, colour.blue});
+}
+
+Thumbnail read_picture(LittleEndianReader& reader) {
+    Thumbnail picture;
+    for (Rgb8& colour : picture.pixels) {
+        const auto bytes = reader.take(3);
+        colour = {bytes[0], bytes[1], bytes[2]};
+    }
+    return picture;
 }
 
 // That the file is whole and as it was written; returns what is between header and checksum.
@@ -46,7 +67,7 @@ LittleEndianReader checked(std::span<const std::uint8_t> bytes) {
     LittleEndianReader header(bytes, kVersionAt);
     const auto version = header.next<std::uint32_t>();
     expect_at(kVersionAt, version == kVersion,
-              "saved by another version of the game (" + std::to_string(version) + "), expected 1");
+              std::string(kOtherVersion) + " (" + std::to_string(version) + "), expected " + std::to_string(kVersion));
     const auto size = header.next<std::uint32_t>();
     expect_at(kSizeAt, size == bytes.size(),
               "the file has " + std::to_string(bytes.size()) + " bytes, expected the " + std::to_string(size) +
@@ -64,11 +85,9 @@ std::vector<std::uint8_t> encode_save(const SavedGame& game) {
     append_little_endian(bytes, kVersion);
     append_little_endian(bytes, std::uint32_t{0});  // the size: below
     append_little_endian(bytes, state_layout());
-    const std::string name = game.level.name.substr(0, kLongestName);
-    append_little_endian(bytes, static_cast<std::uint16_t>(name.size()));
-    bytes.insert(bytes.end(), name.begin(), name.end());
-    append_little_endian(bytes, game.level.file_hash);
-    append_little_endian(bytes, game.level.start_hash);
+    append_level(bytes, game.level);
+    append_little_endian(bytes, game.lenses.taken);
+    append_little_endian(bytes, game.lenses.all);
     append_picture(bytes, game.picture);
     append_little_endian(bytes, hash_of(game.state));
     append_state(bytes, game.state);
@@ -82,9 +101,11 @@ std::vector<std::uint8_t> encode_save(const SavedGame& game) {
 SavedGame decode_save(std::span<const std::uint8_t> bytes) {
     LittleEndianReader reader = checked(bytes);
     expect_at(kHeaderBytes, reader.next<std::uint64_t>() == state_layout(),
-              "saved by another version of the game, expected a state of this one's fields");
+              std::string(kOtherVersion) + ", expected a state of this one's fields");
     SavedGame game;
     game.level = read_level(reader);
+    game.lenses.taken = reader.next<std::int32_t>();
+    game.lenses.all = reader.next<std::int32_t>();
     game.picture = read_picture(reader);
     const std::size_t hash_at = reader.offset();
     const auto state_hash = reader.next<std::uint64_t>();

@@ -7,15 +7,20 @@
 
 #include "game/saves/thumbnail.h"
 #include "game/simulation/game_level.h"
+#include "game/simulation/items.h"
 #include "game/simulation/state.h"
 
 namespace oblong {
 
-/// The level in which a game was saved.
+/// The level in which a game was saved, and what it was shown with: load_game()'s arguments, as places that do not
+/// depend on the current folder. A name has at most 4,096 bytes; empty: as load_game() has it.
 struct SavedLevel {
-    std::string name;              ///< what load_game() takes; at most 4,096 bytes
-    std::uint64_t file_hash = 0;   ///< GameData::level_hash
-    std::uint64_t start_hash = 0;  ///< of start_of(level): the level as this version of the game reads it
+    std::string name, palette, models;
+    std::vector<std::string> game_folders;
+    std::uint64_t file_hash = 0;     ///< GameData::level_hash
+    std::uint64_t start_hash = 0;    ///< of start_of(level): the level as this version of the game reads it
+    std::uint64_t palette_hash = 0;  ///< FNV-1a of the red, green, blue of its colours
+    std::uint32_t model_count = 0;   ///< of the level's models that were found
 
     bool operator==(const SavedLevel&) const = default;
 };
@@ -23,17 +28,22 @@ struct SavedLevel {
 /// A game that can be gone on with. Its time is state.tick.
 struct SavedGame {
     SavedLevel level;
+    ItemCount lenses;  ///< as count_items() has them, for who has not loaded the level
     GameState state;
     Thumbnail picture;
 
     bool operator==(const SavedGame&) const = default;
 };
 
-/// The file, little-endian: "OBLGSAVE", version (u32: 1), its whole size (u32), a hash of the kinds of a state's fields
-/// (u64: state_layout()), the level's name (u16 and so many bytes), file hash (u64) and start hash (u64), the picture
-/// (palette: 256 times red, green, blue; then 80x50 indices), the hash of the state (u64), the state (append_state()),
-/// FNV-1a of all bytes before (u64).
+/// The file, little-endian: "OBLGSAVE", version (u32: 2), its whole size (u32), a hash of the kinds of a state's fields
+/// (u64: state_layout()), names of level, palette, models (each u16 and so many bytes), how many game folders (u16) and
+/// their names, hashes of file, start and palette (u64 each), models (u32), lenses taken and in all (i32 each), the
+/// picture (80x50 times red, green, blue), the hash of the state (u64), the state (append_state()), FNV-1a of all bytes
+/// before (u64).
 std::vector<std::uint8_t> encode_save(const SavedGame& game);
+
+/// What such an error says of a save that is whole.
+inline constexpr const char* kOtherVersion = "saved by another version of the game";
 
 /// Parses such bytes. Throws InputError unless they are a whole and unaltered save of this version of the game.
 SavedGame decode_save(std::span<const std::uint8_t> bytes);

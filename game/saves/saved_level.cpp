@@ -2,16 +2,76 @@
 
 #include <filesystem>
 
+#include "engine/base/fnv.h"
 #include "tools/common/game_files.h"
 
 namespace oblong {
+namespace {
 
-SavedLevel saved_level_of(const GameData& data, const GameLevel& level) {
-    namespace fs = std::filesystem;
+namespace fs = std::filesystem;
+
+std::string absolute(const std::string& path) {
     std::error_code ignored;
-    const bool is_file = fs::exists(data.level_file, ignored) || path_in_pak(data.level_file);
-    const std::string name = is_file ? fs::absolute(data.level_file, ignored).string() : data.level_file;
-    return {name, data.level_hash, hash_of(start_of(level))};
+    return path.empty() ? "" : fs::absolute(path, ignored).lexically_normal().string();
+}
+
+bool is_there(const std::string& path) {
+    std::error_code ignored;
+    return fs::exists(path, ignored) || path_in_pak(path);
+}
+
+std::uint64_t hash_of_colours(const Palette& palette) {
+    Fnv1a hash;
+    for (const Rgb8 colour : palette.colours)
+        for (const std::uint8_t byte : {colour.red, colour.green, colour.blue}) hash.add(byte);
+    return hash.value();
+}
+
+bool is_demo_level(const std::string& name, const std::string& assets) {
+    std::error_code ignored;
+    if (fs::path(name).filename() != kDemoLevelFile) return false;
+    return !fs::exists(name, ignored) || fs::equivalent(name, fs::path(assets) / kDemoLevelFile, ignored);
+}
+
+}  // namespace
+
+SavedLevel saved_level_of(const LoadedLevel& loaded) {
+    const GameData& data = loaded.data;
+    SavedLevel saved;
+    saved.name = is_there(data.level_file) ? absolute(data.level_file) : data.level_file;
+    saved.palette = absolute(loaded.files.palette);
+    saved.models = absolute(loaded.files.models);
+    if (!loaded.files.level.empty())  // the demo level is of no game
+        for (const std::string& folder : loaded.files.game_folders) saved.game_folders.push_back(absolute(folder));
+    saved.file_hash = data.level_hash;
+    saved.start_hash = hash_of(start_of(loaded.level));
+    saved.palette_hash = hash_of_colours(data.palette);
+    saved.model_count = static_cast<std::uint32_t>(data.models.models.size());
+    return saved;
+}
+
+LevelFiles files_of(const SavedLevel& saved, const LevelFiles& own) {
+    LevelFiles files = own;
+    if (!is_demo_level(saved.name, own.assets)) {
+        files.level = saved.name;
+        files.game_folders = saved.game_folders;
+    }
+    if (saved.palette.empty() || is_there(saved.palette)) files.palette = saved.palette;
+    if (saved.models.empty() || is_there(saved.models)) files.models = saved.models;
+    return files;
+}
+
+std::string what_is_gone(const SavedLevel& saved, const SavedLevel& loaded) {
+    std::string text;
+    if (loaded.palette_hash != saved.palette_hash)
+        text += "It is not shown in the colours that it had: " +
+                (saved.palette.empty() ? "the palette of its game" : saved.palette) + " is gone or another file.\n";
+    if (loaded.model_count < saved.model_count)
+        text += "It is shown without " + std::to_string(saved.model_count - loaded.model_count) + " of the " +
+                std::to_string(saved.model_count) +
+                " models that it had: " + (saved.models.empty() ? "the files of its game" : saved.models) +
+                " are gone.\n";
+    return text;
 }
 
 }  // namespace oblong

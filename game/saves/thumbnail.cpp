@@ -1,10 +1,8 @@
 #include "game/saves/thumbnail.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "engine/base/table.h"
-#include "tools/common/nearest_colour.h"
 
 namespace oblong {
 namespace {
@@ -32,31 +30,12 @@ Rgb8 mean_colour(Framebuffer picture, const Palette& palette, PixelRange columns
 
 Thumbnail make_thumbnail(Framebuffer picture, const Palette& palette) {
     Thumbnail thumbnail;
-    thumbnail.palette = palette;
     auto pixel = thumbnail.pixels.begin();
     for (std::int32_t y = 0; y < Thumbnail::kHeight_px; ++y)
         for (std::int32_t x = 0; x < Thumbnail::kWidth_px; ++x)
-            *pixel++ = nearest_colour(
-                palette, mean_colour(picture, palette, covered_by(x, Thumbnail::kWidth_px, picture.width_px),
-                                     covered_by(y, Thumbnail::kHeight_px, picture.height_px)));
+            *pixel++ = mean_colour(picture, palette, covered_by(x, Thumbnail::kWidth_px, picture.width_px),
+                                   covered_by(y, Thumbnail::kHeight_px, picture.height_px));
     return thumbnail;
-}
-
-void draw_thumbnail(const Thumbnail& thumbnail, PixelPosition at_px, const Palette& shown_palette, Framebuffer out) {
-    const bool is_same = thumbnail.palette.colours == shown_palette.colours;
-    std::array<std::optional<std::uint8_t>, 256> nearest;
-    const auto shown_index = [&](std::uint8_t index) {
-        if (is_same) return index;
-        if (!at(nearest, index))
-            at(nearest, index) = nearest_colour(shown_palette, at(thumbnail.palette.colours, index));
-        return *at(nearest, index);
-    };
-    for (std::int32_t y = 0; y < Thumbnail::kHeight_px; ++y)
-        for (std::int32_t x = 0; x < Thumbnail::kWidth_px; ++x) {
-            const std::int32_t column = at_px.column + x, row = at_px.row + y;
-            if (column < 0 || row < 0 || column >= out.width_px || row >= out.height_px) continue;
-            out.row(row)[column] = shown_index(at(thumbnail.pixels, y * Thumbnail::kWidth_px + x));
-        }
 }
 
 }  // namespace oblong

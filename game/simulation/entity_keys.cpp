@@ -6,6 +6,7 @@
 
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
+#include "engine/level/entity_classes.h"
 #include "game/simulation/tick_input.h"
 
 namespace oblong {
@@ -24,7 +25,7 @@ PitchYaw angles_of(const Entity& entity) {
     const auto is_angle = [&](World w) { return w <= bound && w >= -bound; };
     const auto angles = parse_world_vector(entity.value("angles"));
     if (angles && is_angle(angles->x) && is_angle(angles->y)) return {angles->x, angles->y};
-    return {World{}, number_of(entity, "angle", 0, kLargestAngle)};
+    return {World{}, number_of(entity, "angle", kLargestAngle)};
 }
 
 Unit product(Unit a, Unit b) {
@@ -70,21 +71,20 @@ std::optional<ModelIndex> model_of(const Entity& entity, const Level& bsp) {
     return is_number && is_there ? std::optional(ModelIndex(model)) : std::nullopt;
 }
 
-World number_of(const Entity& entity, const char* key, std::int32_t otherwise, std::int32_t largest) {
+World number_of(const Entity& entity, const char* key, std::int32_t largest) {
     const World bound = World::from_int(largest);
     const auto number = parse_world_number(entity.value(key));
-    if (!number || *number == World{} || *number > bound || *number < -bound) return World::from_int(otherwise);
-    return *number;
+    if (number && *number != World{} && *number <= bound && *number >= -bound) return *number;
+    return parse_world_number(usual_text(entity.value("classname"), key)).value_or(World{});
 }
 
-World speed_per_tick_of(const Entity& entity, std::int32_t otherwise) {
-    const World speed = number_of(entity, "speed", otherwise);
+World speed_per_tick_of(const Entity& entity) {
+    const World speed = number_of(entity, "speed");
     return scaled(std::clamp(speed, World::from_int(kSlowest), World::from_int(kFastest)), 1, kTicksPerSecond);
 }
 
-std::int32_t ticks_of(const Entity& entity, const char* key, World otherwise_seconds) {
-    World seconds = number_of(entity, key, 0);
-    if (seconds == World{}) seconds = otherwise_seconds;
+std::int32_t ticks_of(const Entity& entity, const char* key) {
+    const World seconds = number_of(entity, key);
     if (seconds < World{}) return kForever;
     // Rounded up, but for the rounding of the number itself: 0.6 s are 21 ticks.
     const std::int64_t ticks_12 = std::int64_t{seconds.raw} * kTicksPerSecond;

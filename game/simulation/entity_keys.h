@@ -6,7 +6,8 @@
 
 namespace oblong {
 
-// What the keys of entities say. A key whose value is no number, or too large a one, counts as absent.
+// What the keys of entities say. A key whose value is no number, or too large a one, counts as absent: then it is what
+// entity_classes() says of its class.
 
 /// "origin"; nothing where it is absent, not three numbers, or outside +-kWorldEnd.
 std::optional<Position> origin_of(const Entity& entity);
@@ -23,15 +24,15 @@ Vec3<Unit> direction_of(const Entity& entity);
 /// The model that "model" names ("*3"), 1 and up; nothing where the level has no such model.
 std::optional<ModelIndex> model_of(const Entity& entity, const Level& bsp);
 
-/// The number of a key in world units; `otherwise` where it is absent, 0, or beyond +-`largest`. As in Quake's game
-/// code, 0 counts as absent.
-World number_of(const Entity& entity, const char* key, std::int32_t otherwise, std::int32_t largest = kWorldEnd);
+/// The number of a key in world units; the usual one where it is absent, 0, or beyond +-`largest`, 0 if there is none.
+/// As in Quake's game code, 0 counts as absent.
+World number_of(const Entity& entity, const char* key, std::int32_t largest = kWorldEnd);
 
-/// A speed in world units a second, from 1 to 4000, as way in a tick.
-World speed_per_tick_of(const Entity& entity, std::int32_t otherwise);
+/// The key "speed" in world units a second, from 1 to 4000, as way in a tick.
+World speed_per_tick_of(const Entity& entity);
 
 /// The number of ticks, rounded up, that a key gives in seconds; kForever for less than 0.
-std::int32_t ticks_of(const Entity& entity, const char* key, World otherwise_seconds);
+std::int32_t ticks_of(const Entity& entity, const char* key);
 
 /// True where one of the bits of "spawnflags" is set.
 bool has_flag(const Entity& entity, int flags);

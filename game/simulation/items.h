@@ -18,6 +18,8 @@ std::string_view default_message(ItemClass item_class);
 /// How many items of a class a level has, and how many of them the player has taken.
 struct ItemCount {
     std::int32_t taken = 0, all = 0;
+
+    bool operator==(const ItemCount&) const = default;
 };
 ItemCount count_items(const GameLevel& level, const GameState& state, ItemClass item_class);
 

@@ -268,7 +268,7 @@ Firing LevelBuilder::firing_of(const Entity& entity, std::string_view usual_mess
     Firing firing;
     firing.target = target_of(entity, "target");
     firing.removed = target_of(entity, "killtarget");
-    firing.delay_ticks = std::max(0, ticks_of(entity, "delay", World{}));
+    firing.delay_ticks = std::max(0, ticks_of(entity, "delay"));
     std::string text = entity.value("message");
     firing.message = message(text.empty() ? std::string(usual_message) : std::move(text));
     return firing;

@@ -16,11 +16,7 @@ constexpr int kSecretOpensOnce = 1, kSecretFirstLeft = 2, kSecretFirstDown = 4, 
 constexpr int kLiftLowTrigger = 1;
 
 constexpr std::int32_t kLiftInset = 25;
-constexpr std::int32_t kLiftWait_s = 3, kSecretSpeed = 50, kSecretWait_s = 5;
-
-World seconds(std::int32_t whole) {
-    return World::from_int(whole);
-}
+constexpr std::int32_t kLiftWait_s = 3, kSecretSpeed = 50;
 
 // How far something extends along a direction, as Quake's game code takes it: |direction . size|.
 World extent_along(const Vec3<Unit>& direction, const Vec3<World>& size) {
@@ -36,13 +32,13 @@ Leg leg_along(const Vec3<World>& from, const Vec3<Unit>& direction, World length
 }
 
 // A door or a button travels by its extent along its direction, less the lip that stays visible; at least 1.
-Mover sliding_mover(const Entity& entity, const Box& box, std::int32_t lip, std::int32_t speed, std::int32_t wait_s) {
+Mover sliding_mover(const Entity& entity, const Box& box) {
     const Vec3<Unit> direction = direction_of(entity);
     const World extent = extent_along(direction, box.size());
     Mover mover;
-    mover.legs = {leg_along({}, direction, std::max(World::from_int(1), extent - number_of(entity, "lip", lip)))};
-    mover.speed_per_tick = speed_per_tick_of(entity, speed);
-    mover.wait_ticks = ticks_of(entity, "wait", seconds(wait_s));
+    mover.legs = {leg_along({}, direction, std::max(World::from_int(1), extent - number_of(entity, "lip")))};
+    mover.speed_per_tick = speed_per_tick_of(entity);
+    mover.wait_ticks = ticks_of(entity, "wait");
     return mover;
 }
 
@@ -52,7 +48,7 @@ std::uint8_t keys_of(const Entity& entity) {
 }
 
 Mover door(const Entity& entity, const Box& box) {
-    Mover mover = sliding_mover(entity, box, 8, 100, 3);
+    Mover mover = sliding_mover(entity, box);
     mover.turns_back = mover.wait_ticks != kForever;
     mover.keys = keys_of(entity);
     if (mover.keys != 0) mover.turns_back = false;
@@ -66,7 +62,7 @@ Mover door(const Entity& entity, const Box& box) {
 }
 
 Mover button(const Entity& entity, const Box& box) {
-    Mover mover = sliding_mover(entity, box, 4, 40, 1);
+    Mover mover = sliding_mover(entity, box);
     mover.kind = MoverKind::Button;
     mover.touch_box = contact_box(box);
     return mover;
@@ -81,7 +77,7 @@ Mover secret_door(const Entity& entity, const Box& box) {
                              : has_flag(entity, kSecretFirstLeft) ? -right
                                                                   : right;
     const auto length = [&](const char* key, const Vec3<Unit>& direction) {
-        const World given = number_of(entity, key, 0);
+        const World given = number_of(entity, key);
         return given > World{} ? given : extent_along(direction, box.size());
     };
     Mover mover;
@@ -89,7 +85,7 @@ Mover secret_door(const Entity& entity, const Box& box) {
     mover.legs.push_back(leg_along({}, first, length("t_width", first)));
     mover.legs.push_back(leg_along(mover.legs[0].way, forward, length("t_length", forward)));
     mover.speed_per_tick = scaled(World::from_int(kSecretSpeed), 1, kTicksPerSecond);
-    mover.wait_ticks = has_flag(entity, kSecretOpensOnce) ? kForever : ticks_of(entity, "wait", seconds(kSecretWait_s));
+    mover.wait_ticks = has_flag(entity, kSecretOpensOnce) ? kForever : ticks_of(entity, "wait");
     mover.is_opened_by_touch = entity.value("targetname").empty() || has_flag(entity, kSecretIsShot);
     mover.touch_box = contact_box(box);
     return mover;
@@ -114,12 +110,12 @@ Box lift_shaft(const Entity& entity, const Box& box, World height) {
 // A lift's model is at its upper end. It waits below and comes up with the player; with a name, it waits above until it
 // is activated.
 Mover lift(const Entity& entity, const Box& box) {
-    const World given = number_of(entity, "height", 0);
+    const World given = number_of(entity, "height");
     const World height = std::max(World::from_int(1), given > World{} ? given : box.size().z - World::from_int(8));
     Mover mover;
     mover.kind = MoverKind::Lift;
     mover.legs = {leg_along({World{}, World{}, -height}, {Unit{}, Unit{}, Unit::from_int(1)}, height)};
-    mover.speed_per_tick = speed_per_tick_of(entity, 150);
+    mover.speed_per_tick = speed_per_tick_of(entity);
     mover.wait_ticks = kLiftWait_s * kTicksPerSecond;
     mover.turns_back = true;
     mover.starts_at_end = !entity.value("targetname").empty();
@@ -163,7 +159,7 @@ std::optional<Mover> mover_of(const Entity& entity, const Level& bsp, World long
 }
 
 bool is_shot(const Entity& entity) {
-    return number_of(entity, "health", 0) > World{};
+    return number_of(entity, "health") > World{};
 }
 
 Box contact_box(const Box& model) {

@@ -35,7 +35,7 @@ Path path_of(const Entity& train, const EntitiesByName& by_name, const Position&
         const auto [known, is_new] = numbers.emplace(corner, path.corners.size());
         if (!is_new) path.next = known->second;
         if (!is_new || path.corners.size() == kMostCorners) break;
-        const std::int32_t wait = ticks_of(*corner, "wait", World{});
+        const std::int32_t wait = ticks_of(*corner, "wait");
         path.corners.push_back({*origin_of(*corner) - model_corner, wait == 0 ? kShortestPause_ticks : wait});
     }
     return path;
@@ -84,7 +84,7 @@ std::optional<Mover> train_of(const Entity& entity, const EntitiesByName& by_nam
     mover.kind = MoverKind::Train;
     mover.model = *model;
     mover.legs = legs_of(path);
-    mover.speed_per_tick = speed_per_tick_of(entity, 100);
+    mover.speed_per_tick = speed_per_tick_of(entity);
     mover.starts_by_itself = entity.value("targetname").empty();
     return mover;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/level/entities.h"
+#include "engine/level/entity_classes.h"
 #include "game/simulation/entity_keys.h"
 #include "game/simulation/mover_specs.h"
 
@@ -12,12 +13,10 @@ namespace oblong {
 namespace {
 
 constexpr int kNotTouched = 1, kCounterIsQuiet = 1, kPushesOnce = 1;  // spawnflags
-constexpr World kUsualWait_s = World::from_raw(819);                  // 0.2
-constexpr std::int32_t kPushSpeed = 1000, kPushFactor = 10;
+constexpr std::int32_t kPushFactor = 10;
 constexpr World kFastestPush = World::from_int(2000);     // as fast as anything is in Quake, along each axis
 constexpr std::int32_t kStrokes = 3;                      // of lightning; Chthon's health at normal skill
 const Vec3<World> kShotReach = world_vector(32, 32, 64);  // from what has to be shot
-const Vec3<World> kCheckpointSize = world_vector(128, 128, 112);
 
 struct ClassRow {
     std::string_view name;
@@ -41,7 +40,7 @@ constexpr std::array kTriggerClasses{
 
 void read_multiple(const Entity& entity, const std::string& name, Trigger& trigger) {
     trigger.is_secret = name == "trigger_secret";
-    trigger.wait_ticks = name == "trigger_multiple" ? ticks_of(entity, "wait", kUsualWait_s) : kForever;
+    trigger.wait_ticks = name == "trigger_multiple" ? ticks_of(entity, "wait") : kForever;
     if (name == "trigger_onlyregistered") return;
     if (has_flag(entity, kNotTouched))
         trigger.box.reset();
@@ -51,14 +50,14 @@ void read_multiple(const Entity& entity, const std::string& name, Trigger& trigg
 }
 
 void read_counter(const Entity& entity, Trigger& trigger) {
-    const World count = number_of(entity, "count", 2);
+    const World count = number_of(entity, "count");
     trigger.count = std::max(1, floor_of(count));
     trigger.wait_ticks = kForever;
     trigger.is_quiet = has_flag(entity, kCounterIsQuiet);
 }
 
 void read_push(const Entity& entity, Trigger& trigger) {
-    const World speed = number_of(entity, "speed", kPushSpeed, 4000);
+    const World speed = number_of(entity, "speed", 4000);
     const Velocity push = times(speed * kPushFactor, direction_of(entity));
     const auto bounded = [](World w) { return std::clamp(w, -kFastestPush, kFastestPush); };
     trigger.push = {bounded(push.x), bounded(push.y), bounded(push.z)};
@@ -68,9 +67,10 @@ void read_push(const Entity& entity, Trigger& trigger) {
 bool read_checkpoint(const Entity& entity, Trigger& trigger) {
     const auto origin = origin_of(entity);
     if (!origin) return false;
-    const Vec3<World> size = parse_world_vector(entity.value("size")).value_or(kCheckpointSize);
+    auto size = parse_world_vector(entity.value("size"));
+    if (!size) size = parse_world_vector(usual_text(entity.value("classname"), "size"));
     const auto half = [](World w) { return scaled(std::clamp(w, World{}, World::from_int(kWorldEnd)), 1, 2); };
-    trigger.box = Box{*origin, *origin}.grown({half(size.x), half(size.y), half(size.z)});
+    trigger.box = Box{*origin, *origin}.grown({half(size->x), half(size->y), half(size->z)});
     trigger.place = {*origin, yaw_of(entity)};
     return true;
 }

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/accuracy/scenes_fixture.h"
+#include "tools/measure/reference_view.h"
 #include "tools/measure/texel_error.h"
 
 namespace oblong::test {
@@ -44,6 +47,50 @@ TEST(HardScenes, BoundedStaysWithinItsBound) {
             const ErrorSummary error = displacement({level}, scenes.colormap, accuracy);
             EXPECT_LE(error.max, bound_256 / 256.0) << level.name;
         }
+}
+
+/// Whether a texture coordinate is the last of a surface, which begins and ends at whole 16 texels.
+bool is_at_edge(double texel, double rounding) {
+    return std::abs(texel - std::round(texel / 16) * 16) <= rounding;
+}
+
+/// How far off a texel may be by its coordinates' rounding, texels of level 0: engine/fixed/README.md, in both
+/// coordinates, whose gradients are those of the mip level; in rooms of 4,096 units.
+double texel_budget(double z, int mip) {
+    constexpr double kPixels = 320 / 2 + 200 / 2 + 3, kTexels = 4096;
+    const double sampled = z * kPixels * 0x1p-30 + 0x1p-13;
+    return std::sqrt(2) * (std::ldexp(sampled, mip) + z * 2 * kTexels * kPixels * 0x1p-45 + kTexels * 0x1p-26);
+}
+
+/// What is left at a division a pixel is rounding, by engine/fixed/README.md, or the last texel of a surface: of a
+/// pixel whose centre lies beyond the face's edge by no more than its corners are rounded by.
+TEST(HardScenes, WhatExactTexelsAreOffByIsRoundingOrTheEdgeOfASurface) {
+    const Scenes scenes(100);
+    int edges = 0;
+    for (const MeasuredLevel& level : scenes.levels) {
+        LevelFrames frames(level, scenes.colormap);
+        for (const Camera& camera : level.cameras) {
+            const reference::Camera exact = reference::make_camera(reference_view(camera, kMeasuredMode));
+            TexelErrorMeter meter(level.exact, level.models, camera, kMeasuredMode);
+            const FrameRecord& record = frames.record(camera, textured_by(Texturing::Exact));
+            const std::vector<TexelError> errors = meter.measure(record);
+            for (std::size_t i = 0; i < errors.size(); ++i) {
+                const PixelRecord& pixel = record.pixels[i];
+                if (!errors[i].is_measured()) continue;
+                const reference::PlaneView plane(level.exact, level.exact.face(pixel.face.number()), {}, exact);
+                const double z =
+                    1 / plane.inverse_z({static_cast<double>(i % 320) + 0.5, static_cast<double>(i / 320) + 0.5});
+                const double rounding = texel_budget(z, pixel.mip);
+                if (errors[i].texels <= rounding) continue;
+                const double u = number_of(pixel.u), v = number_of(pixel.v);
+                ASSERT_TRUE(is_at_edge(u, rounding) || is_at_edge(v, rounding))
+                    << level.name << " u " << u << " v " << v << " mip " << int{pixel.mip} << " z " << z << " off "
+                    << errors[i].texels << " allowed " << rounding;
+                ++edges;
+            }
+        }
+    }
+    EXPECT_GT(edges, 0);
 }
 
 /// Pixels that no face covers.

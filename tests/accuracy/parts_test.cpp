@@ -25,6 +25,9 @@ TEST(Configurations, AreAllDialsAloneAroundTheDefaultAndThePresets) {
             rows.dial->set(expected, rows.dial->settings[i].value);
             EXPECT_EQ(all.accuracies[rows.rows[i].index], expected) << rows.dial->name << '=' << rows.rows[i].name;
             EXPECT_TRUE(all.is_timed[rows.rows[i].index] || !rows.dial->changes_work);
+            EXPECT_TRUE(all.is_counted[rows.rows[i].index]);
+            if (rows.is_below_bound) expected.texturing = Texturing::Exact;
+            EXPECT_EQ(all.accuracies[rows.rows[i].alone], expected) << rows.dial->name << '=' << rows.rows[i].name;
         }
 }
 
@@ -44,7 +47,7 @@ Report report_with(std::vector<ErrorSummaries> errors) {
     report.configurations = make_configurations(std::span(dial_named("sine"), 1));
     report.results.resize(report.configurations.accuracies.size());
     for (std::size_t i = 0; i < errors.size(); ++i)
-        report.results[report.configurations.dials[0].rows[i].index].errors = errors[i];
+        report.results[report.configurations.dials[0].rows[i].alone].errors = errors[i];
     return report;
 }
 

@@ -48,6 +48,13 @@ void expect_dial(const Json& found, const Dial& dial) {
         EXPECT_EQ(found["settings"][k]["name"], dial.settings[k].name);
         EXPECT_EQ(found["settings"][k]["time"], dial.changes_work ? "measured" : "modelled");
         expect_setting(found["settings"][k]);
+        EXPECT_TRUE(found["settings"][k]["alone"].contains("rms"));
+    }
+    // The most exact setting alone is what no setting goes below.
+    const Json& floor = found["floor"];
+    const bool has_own = floor["unit"] == "pixels" && dial.name.find("bound") == std::string_view::npos;
+    if (has_own) {
+        EXPECT_EQ(found["settings"].back()["alone"], floor);
     }
 }
 

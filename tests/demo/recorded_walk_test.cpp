@@ -78,6 +78,25 @@ TEST_F(RecordedWalk, TurnsAtAPacePleasantToWatch) {
     }
 }
 
+TEST_F(RecordedWalk, LightsAWindowOfTheTowerWithEachLens) {
+    std::size_t lenses = 0;
+    const auto lit = [&](const GameState& state) {
+        return static_cast<std::size_t>(std::ranges::count(state.walls, WallState::ShowsOtherFrames));
+    };
+    replay([&](const GameState& state) {
+        lenses = static_cast<std::size_t>(count_items(game_level_, state, ItemClass::Lens).taken);
+        ASSERT_EQ(lit(state), lenses) << "tick " << state.tick;
+    });
+    EXPECT_EQ(lenses, kLenses);
+    std::set<std::string> names, colours;
+    for (const Item& item : game_level_.items) {
+        names.insert(level_.entities[item.entity].value("netname"));
+        colours.insert(level_.entities[item.entity].value("glass"));
+    }
+    EXPECT_EQ(names.size(), kLenses);
+    EXPECT_EQ(colours.size(), kLenses) << "each has its own";
+}
+
 TEST_F(RecordedWalk, HearsTheRainUnmuffledInAllOfItsCourt) {
     SoundScene scene(game_level_);
     GameState before = start_of(game_level_);

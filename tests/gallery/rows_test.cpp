@@ -75,12 +75,14 @@ TEST_F(GalleryRows, EveryParameterChangesSomething) {
         }
 }
 
-TEST_F(GalleryRows, PicturesAreTheSameEachTimeAndStayInCanvasesOfOtherSizes) {
+TEST_F(GalleryRows, PicturesAreTheSameEachTimeAndStayRightInCanvasesOfOtherSizes) {
     for (const Row& row : gallery_rows()) {
         EXPECT_EQ(draw(row, start_values(row)).pixels, draw(row, start_values(row)).pixels) << row.id;
         for (const ScreenMode& mode : {ScreenMode{160, 100, {4, 3}}, ScreenMode{480, 270, {16, 9}}}) {
             const Drawn drawn = draw(row, start_values(row), mode);
             EXPECT_TRUE(drawn.is_border_whole) << row.id << " in " << mode.width_px << "x" << mode.height_px;
+            for (const Figure& figure : drawn.page.figures)
+                EXPECT_TRUE(figure.agrees) << row.id << " in " << mode.width_px << ": " << figure_text(figure);
         }
     }
 }

@@ -8,7 +8,7 @@ namespace {
 
 using PipelineRow = GalleryTest;
 
-constexpr std::int64_t kStages = 8, kSpans = 6, kPixels = 7;
+constexpr std::int64_t kStages = 11, kSpans = 9, kPixels = 10;
 
 /// The pixels of the scene, left of the numbers, that are not of the background's colour (that of the corner).
 std::int64_t drawn_pixels(const std::vector<std::uint8_t>& pixels, std::int32_t pitch, std::int32_t border) {

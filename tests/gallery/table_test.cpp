@@ -32,7 +32,7 @@ const std::vector<Named> kNamed{
     {"VRP, VPN, VUP, COP, window; the cube's table", {"view-window"}},
     {"front and back planes", {"front-plane"}},
     {"the canonical view volume, lines clipped in it", {"view-volume", "lines-clipped"}},
-    {"zoom against dolly", {"zoom-dolly"}},
+    {"zoom against dolly", {"zoom-dolly", "view-window"}},
     // 3 Notes
     {"model, world, camera, screen space", {"pipeline"}},
     {"left-handed, clockwise", {"left-handed-cube"}},
@@ -40,7 +40,7 @@ const std::vector<Named> kNamed{
     {"triangles with flat top and bottom; edge functions in parallel", {"triangles"}},
     {"painter's algorithm", {"hidden-surfaces", "overdraw", "cyclic-overlap"}},
     {"z-buffer", {"z-buffer"}},
-    {"scale, translate, rotate, projection matrices", {"model-to-world", "homogeneous"}},
+    {"scale, translate, rotate, projection matrices", {"model-to-world", "projection-matrix"}},
     {"flat, Gouraud, Phong shading", {"shading"}},
     {"textures from PNG", {"texture-quantise"}},
     {"barycentric coordinates and gradients", {"barycentric", "perspective-correct"}},
@@ -50,6 +50,9 @@ const std::vector<Named> kNamed{
     {"top-left rule", {"top-left-rule"}},
     // 4 Princeton
     {"the order of the stages with direct illumination in the world", {"mesh-pipeline"}},
+    {"the OpenGL example", {"opengl-quad"}},
+    {"parallel and perspective view volumes", {"view-volume"}},
+    {"the perspective matrix, D < 0", {"homogeneous"}},
     {"orthographic front, top, side", {"orthographic"}},
     {"isometric, dimetric, trimetric", {"axonometric", "level-from-outside"}},
     {"cavalier, cabinet", {"oblique"}},

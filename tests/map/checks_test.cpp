@@ -2,72 +2,179 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "engine/level/entity_classes.h"
 #include "tests/map/map_source.h"
 
 namespace oblong::test {
 namespace {
 
-// What is said of a sealed room with these entities and a start, "line N: WHAT" each.
-std::vector<std::string> warnings_of(const std::string& entities) {
-    const std::string text = entities + entity_at("info_player_start", {64, 64, 40});
+// What is said of a source, "line N: WHAT" each.
+std::vector<std::string> warnings_of_source(const std::string& source) {
+    map::Warnings warnings;
+    map::find_warnings(map::parse_map(source), warnings);
     std::vector<std::string> said;
-    for (const map::Warning& warning :
-         map::find_warnings(map::parse_map("{\n\"classname\" \"worldspawn\"\n}\n" + text)))
+    for (const map::Warning& warning : warnings.take())
         said.push_back("line " + std::to_string(warning.line) + ": " + warning.what);
     return said;
 }
 
+// Of a world with these entities, from line 4 on, and a start.
+std::vector<std::string> warnings_of(const std::string& entities) {
+    return warnings_of_source("{\n\"classname\" \"worldspawn\"\n}\n" + entities +
+                              entity_at("info_player_start", {64, 64, 40}));
+}
+
 using Said = std::vector<std::string>;
+
+const std::string kBrush = box({0, 0, 0}, {8, 8, 8});
 
 TEST(Checks, AreSilentAboutWhatQuakeKnows) {
     EXPECT_EQ(warnings_of(entity_at("light_flame_large_yellow", {1, 2, 3}, {{"light", "200"}, {"style", "4"}}) +
-                          entity("func_door", {{"lip", "8"}, {"dmg", "2"}, {"_tb_group", "3"}}) +
-                          entity_at("monster_shambler", {1, 2, 3}, {{"spawnflags", "1"}})),
+                          entity("func_door", {{"lip", "8"}, {"dmg", "2"}, {"_tb_group", "3"}}, kBrush) +
+                          entity_at("monster_shambler", {1, 2, 3}, {{"spawnflags", "1"}}) +
+                          entity_at("item_key1", {1, 2, 3}, {{"sounds", "1"}}) +
+                          entity("func_button", {{"target", "lightning"}}, kBrush) + entity("event_lightning", {})),
               Said{});
 }
 
 TEST(Checks, NameUnknownClassesAndKeysByTheirLines) {
-    EXPECT_EQ(warnings_of(entity("fnuc_door", {{"angle", "90"}}) + entity("func_door", {{"wiat", "3"}})),
-              (Said{"line 4: the class 'fnuc_door' is unknown: the entity is written as it stands",
-                    "line 10: the key 'wiat' is unknown"}));
+    EXPECT_EQ(warnings_of(entity("fnuc_door", {{"angle", "90"}}) + entity("func_door", {{"wiat", "3"}}, kBrush)),
+              (Said{"line 4: the class 'fnuc_door' is unknown, perhaps 'func_door' is meant: the entity is written as "
+                    "it stands",
+                    "line 10: nothing reads the key 'wiat' of a func_door, perhaps 'wait' is meant"}));
+    EXPECT_EQ(warnings_of(entity("func_rotating", {{"angle", "90"}})),
+              Said{"line 4: the class 'func_rotating' is unknown: the entity is written as it stands"});
     EXPECT_EQ(warnings_of("{\n\"origin\" \"1 2 3\"\n}\n"), Said{"line 4: an entity without a classname, expected one"});
 }
 
-TEST(Checks, CountWhatIsSaidAgain) {
+TEST(Checks, NameKeysThatNothingReads) {
+    EXPECT_EQ(warnings_of(entity("func_wall", {{"lip", "8"}}, kBrush)),
+              Said{"line 6: nothing reads the key 'lip' of a func_wall"});
+    EXPECT_EQ(warnings_of(entity_at("misc_rain", {1, 2, 3}, {{"fog", "1 1 1 1"}})),
+              Said{"line 6: nothing reads the key 'fog' of a misc_rain"});
     const std::string lamp = entity_at("light", {1, 2, 3}, {{"_color", "1 0 0"}});
-    EXPECT_EQ(warnings_of(lamp + lamp + lamp), Said{"line 6: the key '_color' has no effect here (so 2 more)"});
-    EXPECT_EQ(warnings_of(entity("func_wall", {{"_shadow", "1"}})),
-              Said{"line 6: the key '_shadow' has no effect here"});
+    EXPECT_EQ(warnings_of(lamp + lamp + lamp), Said{"line 6: nothing reads the key '_color' of a light (so 2 more)"});
 }
 
-TEST(Checks, NameValuesThatAreTakenInAnotherWay) {
-    EXPECT_EQ(warnings_of(entity("light", {{"_light", "255 128 0 400"}})),
+TEST(Checks, NameValuesOfAnotherKind) {
+    const auto of_light = [](const std::string& key, const std::string& value) {
+        return warnings_of(entity_at("light", {1, 2, 3}, {{key, value}}));
+    };
+    EXPECT_EQ(of_light("_light", "255 128 0 400"),
               Said{"line 6: the colour in '_light' is not kept, only its brightness"});
-    EXPECT_EQ(warnings_of(entity("light", {{"delay", "4"}})),
-              Said{"line 6: 'delay' is '4', expected 0, 1, 2, 3 or 5: 0 is taken"});
-    EXPECT_EQ(warnings_of(entity("light", {{"delay", "5"}})), Said{});
-    EXPECT_EQ(warnings_of(entity("light", {{"wait", "1 2"}})),
-              Said{"line 6: 'wait' is '1 2', expected one number: the first is taken"});
+    EXPECT_EQ(of_light("delay", "4"), Said{"line 6: 'delay' is '4', expected 0, 1, 2, 3 or 5: 0 is taken"});
+    EXPECT_EQ(of_light("delay", "5"), Said{});
+    EXPECT_EQ(of_light("wait", "1 2"), Said{"line 6: 'wait' is '1 2', expected a number"});
+    EXPECT_EQ(of_light("style", "candle"), Said{"line 6: 'style' is 'candle', expected a whole number"});
+    EXPECT_EQ(of_light("mangle", "up"), Said{"line 6: 'mangle' is 'up', expected 2 to 3 numbers"});
+    EXPECT_EQ(warnings_of(entity("func_door", {{"speed", "fast"}}, kBrush)),
+              Said{"line 6: 'speed' is 'fast', expected a number"});
+    EXPECT_EQ(warnings_of(entity_at("misc_model", {1, 2, 3}, {{"model", "a.obj"}, {"up", "x"}})),
+              Said{"line 7: 'up' is 'x', expected y or z: y is taken"});
 }
 
 TEST(Checks, KnowEffects) {
     EXPECT_EQ(warnings_of(entity_at("misc_rain", {1, 2, 3}, {{"size", "64 64 64"}, {"count", "200"}}) +
                           entity_at("misc_sprite", {1, 2, 3}, {{"texture", "{tree"}, {"shadow", "24"}}) +
-                          entity("func_detail_fence", {{"palette_cycle", "240 243 4"}, {"fog", "0.5 1 1 1"}})),
+                          entity_at("info_checkpoint", {1, 2, 3}, {{"size", "64 64 64"}})),
               Said{});
-    EXPECT_EQ(warnings_of(entity("misc_dust", {{"size", "64"}})), Said{"line 6: 'size' is '64', expected 3 numbers"});
-    EXPECT_EQ(warnings_of(entity("func_wall", {{"palette_cycle2", "240 243"}, {"palette_cycles", "1 2 3"}})),
-              (Said{"line 6: 'palette_cycle2' is '240 243', expected first, last, steps a second",
-                    "line 7: the key 'palette_cycles' is unknown"}));
-    EXPECT_EQ(warnings_of(entity("misc_lantern", {{"texture", "lamp"}})),
-              Said{"line 4: the texture of a misc_lantern is 'lamp', expected one that begins with '{'"});
+    EXPECT_EQ(warnings_of(entity_at("misc_dust", {1, 2, 3}, {{"size", "64"}})),
+              Said{"line 6: 'size' is '64', expected 3 numbers"});
+    EXPECT_EQ(warnings_of(entity_at("misc_lantern", {1, 2, 3}, {{"texture", "lamp"}})),
+              Said{"line 6: 'texture' is 'lamp', expected a texture that begins with '{'"});
+}
+
+TEST(Checks, KnowTheWorldsKeys) {
+    const auto of_world = [](const std::vector<std::array<std::string, 2>>& pairs) {
+        return warnings_of_source(entity("worldspawn", pairs) + entity_at("info_player_start", {64, 64, 40}));
+    };
+    EXPECT_EQ(of_world({{"skyfog", "0.5"},
+                        {"fog", "0.5 1 1 1"},
+                        {"_wateralpha", "0.5"},
+                        {"palette_cycle", "240 243 4"},
+                        {"palette_cycle12", "240 243 4"}}),
+              Said{});
+    EXPECT_EQ(
+        of_world({{"palette_cycle2", "240 243"}, {"palette_cycles", "1 2 3"}}),
+        (Said{"line 3: 'palette_cycle2' is '240 243', expected 3 numbers",
+              "line 4: nothing reads the key 'palette_cycles' of a worldspawn, perhaps 'palette_cycle' is meant"}));
+}
+
+TEST(Checks, NameTargetsThatNobodyHas) {
+    EXPECT_EQ(warnings_of(entity("func_button", {{"target", "gate"}, {"killtarget", "wall"}}, kBrush) +
+                          entity("func_wall", {{"targetname", "wall"}}, kBrush)),
+              Said{"line 6: 'target' is 'gate', but no entity has that name"});
+}
+
+TEST(Checks, NameTeleportersToNowhere) {
+    EXPECT_EQ(warnings_of(entity("trigger_teleport", {}, kBrush)),
+              Said{"line 4: a trigger_teleport without 'target', expected its exit"});
+    EXPECT_EQ(warnings_of(entity("trigger_teleport", {{"target", "x"}}, kBrush)),
+              Said{"line 6: 'target' is 'x', but no entity has that name"});
+    EXPECT_EQ(warnings_of(entity("trigger_teleport", {{"target", "x"}}, kBrush) +
+                          entity("func_wall", {{"targetname", "x"}}, kBrush)),
+              Said{"line 6: 'target' is 'x', but the first entity of that name has no origin"});
+}
+
+TEST(Checks, NameWhatAClassNeedsAndAnEntityLacks) {
+    EXPECT_EQ(warnings_of(entity("trigger_changelevel", {}, kBrush)),
+              Said{"line 4: a trigger_changelevel without 'map', expected the next level's name"});
+    EXPECT_EQ(warnings_of(entity("func_door", {}) + entity("func_door", {})),
+              Said{"line 4: a func_door without brushes, expected some: it is not there (so 1 more)"});
+    EXPECT_EQ(warnings_of(entity("info_teleport_destination", {{"targetname", "x"}})),
+              Said{"line 4: an info_teleport_destination without an origin, expected its place"});
+    EXPECT_EQ(warnings_of_source(entity("worldspawn", {}) + entity("info_player_start", {})),
+              Said{"line 4: an info_player_start without an origin, expected its place"});
 }
 
 TEST(Checks, MissTheStart) {
-    const auto warnings = map::find_warnings(map::parse_map("// a remark\n{\n\"classname\" \"worldspawn\"\n}\n"));
-    ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_EQ(warnings[0].line, 2);
-    EXPECT_EQ(warnings[0].what, "no info_player_start: nobody can play the level");
+    EXPECT_EQ(warnings_of_source("// a remark\n{\n\"classname\" \"worldspawn\"\n}\n"),
+              Said{"line 2: no info_player_start: nobody can play the level"});
+}
+
+// The room for a player is a box of 32 x 32 x 56 units around a place a unit above the start.
+TEST(Checks, NameAStartInAWall) {
+    const auto said_at = [](const Whole& start) {
+        map::Warnings warnings;
+        compile(level(room({0, 0, 0}, {128, 128, 128}), entity_at("info_player_start", start)), {true, &warnings});
+        return warnings.take();
+    };
+    EXPECT_TRUE(said_at({64, 64, 24}).empty()) << "on the floor";
+    EXPECT_TRUE(said_at({16, 112, 24}).empty()) << "in a corner";
+    for (const Whole& start : {Whole{14, 64, 24}, Whole{64, 64, 20}, Whole{64, 64, 97}}) {
+        const auto said = said_at(start);
+        ASSERT_EQ(said.size(), 1u) << start[0] << ' ' << start[2];
+        EXPECT_TRUE(said[0].what.starts_with("the info_player_start at ")) << said[0].what;
+        EXPECT_NE(said[0].what.find(" is in a wall"), std::string::npos) << said[0].what;
+    }
+}
+
+TEST(Checks, NameAnOriginBrush) {
+    map::Warnings warnings;
+    const auto bsp = compile(
+        level(room({0, 0, 0}, {128, 128, 128}),
+              entity("func_wall", {}, box({32, 32, 32}, {64, 64, 64}) + box({40, 40, 40}, {48, 48, 48}, "origin")) +
+                  entity_at("info_player_start", {64, 64, 24})),
+        {true, &warnings});
+    const auto said = warnings.take();
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].what.find("texture 'origin'"), std::string::npos) << said[0].what;
+    EXPECT_EQ(bsp.models.at(1).face_count, 6) << "the brush beside it";
+}
+
+// Every row is a class of its own, and no group of keys has one twice: the first would win.
+TEST(EntityClasses, AreDifferent) {
+    std::set<std::string_view> names;
+    for (const EntityClass& row : entity_classes()) {
+        EXPECT_TRUE(names.insert(row.name).second) << row.name;
+        EXPECT_EQ(find_entity_class(row.name), &row) << row.name << " is hidden by a family above it";
+        for (const auto& group : row.keys) {
+            std::set<std::string_view> keys;
+            for (const EntityKey& key : group) EXPECT_TRUE(keys.insert(key.name).second) << row.name << ' ' << key.name;
+        }
+    }
 }
 
 }  // namespace

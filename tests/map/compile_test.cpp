@@ -148,7 +148,7 @@ TEST(Compile, ErrorsSayWhatIsWrong) {
     says(level(plain_room().substr(0, plain_room().rfind('{'))), "the level encloses no space");
     says(level(box({0, 0, 0}, {64, 64, 64})), "the level encloses no space");
     says(level(plain_room(), lights_of_plain_room() + entity_at("light", {500, 500, 500})),
-         "light at 500 500 500 is open to the void");
+         "light at 500 500 500 is outside of the level");
     says(level(replaced(plain_room(), "0 0 0 1 1", "0 0 0 0.0001 0.0001"), lights_of_plain_room()),
          "more than 65535 faces");
     says(level(plain_room() + box({100, 100, 50}, {100, 101, 51}), lights_of_plain_room()), "lie on one line");

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/map/bsp_checks.h"
@@ -190,6 +191,71 @@ TEST(Lightmaps, TheSunShinesThroughTheSky) {
     const auto bsp = compile(entity("worldspawn", {{"_sunlight", "200"}, {"_sun_mangle", "0 -90 0"}}, roofed), {true});
     EXPECT_EQ(floor_light(bsp, 64, 64), 100) << "straight down: half of 200";
     EXPECT_EQ(floor_light(bsp, 160, 64), 0) << "under the ceiling";
+}
+
+// As in id's own compiler: e1m5 has lamps in and above its skies.
+TEST(Lightmaps, ASkyStopsNoLamp) {
+    for (const int z : {97, 113}) {
+        const std::string below = hall() + box({0, 0, 92}, {224, 224, 104}, "sky");
+        const auto linear = compile(level(below, entity_at("light", {64, 64, z})), {true});
+        const auto inverse = compile(level(below, entity_at("light", {64, 64, z}, {{"delay", "1"}})), {true});
+        for (const auto& [x, y] : {std::pair{64, 64}, {96, 64}, {160, 128}}) {
+            const double d = std::hypot(x - 64, y - 64, z - 1), half = (1 + (z - 1) / d) / 2 / 2;
+            EXPECT_NEAR(floor_light(linear, x, y), (300 - d) * half, 1) << x << ' ' << y << ", lamp at " << z;
+            EXPECT_NEAR(floor_light(inverse, x, y), 300 * 128 / d * half, 1) << x << ' ' << y << ", lamp at " << z;
+        }
+    }
+    const auto wall =
+        compile(level(hall() + box({0, 0, 92}, {224, 224, 104}), entity_at("light", {64, 64, 113})), {true});
+    EXPECT_EQ(floor_light(wall, 64, 64), 0) << "a ceiling does";
+}
+
+TEST(Lightmaps, ALightOf0IsTheUsualOne) {
+    const auto bsp = compile(level(hall(), entity_at("light_globe", kLamp, {{"light", "0"}})), {true});
+    EXPECT_NEAR(floor_light(bsp, 96, 64), expected(300 - distance_to(96, 64), 96, 64), 1);
+}
+
+TEST(Lightmaps, WhateverHasALightShines) {
+    const auto light_of = [](std::string_view its_class, const std::vector<std::array<std::string, 2>>& pairs) {
+        return floor_light(compile(level(hall(), entity_at(its_class, kLamp, pairs)), {true}), 96, 64);
+    };
+    const int full = expected(250 - distance_to(96, 64), 96, 64);
+    EXPECT_NEAR(light_of("info_teleport_destination", {{"light", "250"}, {"wait", "9"}, {"angle", "90"}}), full, 1);
+    EXPECT_NEAR(light_of("a_class_of_others", {{"light", "250"}}), full, 1);
+    EXPECT_EQ(light_of("info_null", {{"light", "0"}}), 0);
+    EXPECT_EQ(light_of("misc_lantern", {{"light", "250"}, {"texture", "{bars"}}), 0) << "its light is another";
+}
+
+// What is said of a level that is compiled.
+std::vector<std::string> said_of(const std::string& source) {
+    map::Warnings warnings;
+    compile(source, {true, &warnings});
+    std::vector<std::string> said;
+    for (const map::Warning& warning : warnings.take())
+        said.push_back("line " + std::to_string(warning.line) + ": " + warning.what);
+    return said;
+}
+
+TEST(Lightmaps, ALampJustInAWallIsMovedOutOfIt) {
+    for (const int depth : {1, 2}) {
+        const std::string source = level(hall(), entity_at("light", {-depth, 64, 97}));
+        const auto bsp = compile(source, {true});
+        const double d = std::hypot(96 - (2 - depth), 96);
+        EXPECT_NEAR(floor_light(bsp, 96, 64), (300 - d) * (1 + 96 / d) / 4, 1) << depth;
+        EXPECT_EQ(said_of(source), std::vector<std::string>{});
+    }
+}
+
+TEST(Lightmaps, ALampDeepInAWallIsNamed) {
+    const std::string source = "// a remark\n" + level(hall(), entity_at("light", {-8, 64, 97}));
+    const std::vector<std::string> said = said_of(source);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].find(": the light at -8 64 97 is in a wall and lights nothing, expected open air within 2 units"),
+              std::string::npos)
+        << said[0];
+    const auto line =
+        1 + std::count(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(source.rfind("{")), '\n');
+    EXPECT_TRUE(said[0].starts_with("line " + std::to_string(line) + ":")) << said[0];
 }
 
 }  // namespace

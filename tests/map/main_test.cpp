@@ -21,7 +21,7 @@ class Program : public testing::Test {
         folder_ = fs::temp_directory_path() / ("oblong-map-test-" + std::to_string(getpid()));
         fs::create_directories(folder_);
         write_file(path("good.map"),
-                   level(room({0, 0, 0}, {64, 64, 64}), entity_at("info_player_start", {32, 32, 32})));
+                   level(room({0, 0, 0}, {64, 64, 64}), entity_at("info_player_start", {32, 32, 28})));
         write_file(path("odd.map"), level(room({0, 0, 0}, {64, 64, 64}), entity_at("light", {32, 32, 32})));
         write_file(path("leak.map"), level(box({0, 0, 0}, {64, 64, 64}), entity_at("light", {0, 0, 99})));
         write_file(path("bad.map"), "{");

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/map/map_source.h"
 
 namespace oblong::test {
@@ -18,6 +20,14 @@ TEST(MapFile, BadInputIsNamedWithItsLine) {
     expect_complaint(std::string(kHead) + "// a remark\n;", "line 4: found ';', expected a key in quotes");
     expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 nan ) ( 0 1 0 ) wall 0 0 0 1 1", "expected a number");
     expect_complaint(std::string(kHead) + "{\n( 0 0 0 ) ( 1 0 1e9 ) ( 0 1 0 ) wall 0 0 0 1 1", "expected a number");
+}
+
+TEST(MapFile, AZeroByteIsNamedByItsLine) {
+    using namespace std::string_literals;
+    const std::string head = level(room({0, 0, 0}, {64, 64, 64})), tail = entity("light", {{"message", "a\0b"s}});
+    const auto lines = std::count(head.begin(), head.end(), '\n');
+    expect_complaint(head + tail, "line " + std::to_string(lines + 3) + ": a zero byte");
+    expect_complaint(head + "\0"s, "line " + std::to_string(lines + 1) + ": a zero byte");
 }
 
 // Cut short anywhere, a source is an error or, by chance, a level: nothing else happens.

@@ -22,7 +22,15 @@ TEST(Leak, NamesTheEntityAndTheWayOut) {
         compile(source, {true});
         FAIL() << "the light outside should leak";
     } catch (const map::LeakError& leak) {
-        EXPECT_NE(std::string(leak.what()).find("light at 400 0 0"), std::string::npos) << leak.what();
+        EXPECT_NE(std::string(leak.what()).find("light at 400 0 0 is outside of the level"), std::string::npos)
+            << leak.what();
+    }
+    try {
+        compile(level(room({0, 0, 0}, {256, 256, 128}), entity_at("light", {400, 0, 0})), {true});
+        FAIL() << "the light outside should leak";
+    } catch (const map::LeakError& leak) {
+        EXPECT_NE(std::string(leak.what()).find("the level leaks: light at 400 0 0"), std::string::npos)
+            << leak.what() << ": no start says which side is inside";
     }
 }
 

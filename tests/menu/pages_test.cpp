@@ -18,23 +18,26 @@ class FakeHost final : public MenuHost {
     KeyNames key_names() const override { return {kept.bindings, platform, false}; }
     std::string local_name_of(Input input) const override { return name_of(input); }
     std::vector<KeyHelp> key_help() const override { return game_help(key_names()); }
+    Goal goal() const override { return {"11 of 12", "Missing: FOG (north)", "RAIN: found\nFOG: missing (north)"}; }
     std::vector<std::string> told() const override { return {"You carry a lens.", std::string(300, 'm')}; }
     std::string figures() const override { return "12 figures"; }
     std::vector<LevelEntry> levels() const override {
         return {{"demo", "", "The museum"}, {"e1m1", "maps/e1m1.bsp", "the Slipgate Complex"}};
     }
     std::vector<SaveEntry> saves() const override {
-        SaveEntry empty{"Slot 1", "empty", "", true, false, std::nullopt};
-        SaveEntry full{"Slot 2", "demo 1:23", "", true, true, MenuPicture{2, 1, {{255, 0, 0}, {0, 255, 0}}}};
-        SaveEntry automatic{"Autosave", "demo 0:10", "", false, true, std::nullopt};
-        return {automatic, empty, full};
+        const SaveEntry empty{"Slot 1", "empty", "", true, true, false, false, std::nullopt};
+        const SaveEntry full{"Slot 2", "demo 1:23", "",    true,
+                             false,    true,        false, MenuPicture{2, 1, {{255, 0, 0}, {0, 255, 0}}}};
+        const SaveEntry damaged{"Walk 1", "damaged", "", false, false, false, false, std::nullopt};
+        const SaveEntry own{"Walk 2", "demo 0:10", "", false, false, true, true, std::nullopt};
+        return {own, empty, full, damaged};
     }
+    std::optional<SaveEntry> last_walk() const override { return saves()[3]; }
     EndFigures end_figures() const override {
         return {"You have seen the museum.", "12:34", "12 of 12", end_fault.empty() ? "e1m2" : "", end_fault};
     }
     std::string credits() const override { return std::string(2000, 'c'); }
     bool can_save() const override { return is_walking; }
-    bool can_continue() const override { return true; }
     bool has_unsaved_progress() const override { return is_unsaved; }
     bool saves_on_leaving() const override { return has_autosave; }
     void walk() override { done.push_back("walk"); }
@@ -44,6 +47,10 @@ class FakeHost final : public MenuHost {
     void play_next() override { done.push_back("next"); }
     void save(std::size_t entry) override { done.push_back("save " + std::to_string(entry)); }
     void load(std::size_t entry) override { done.push_back("load " + std::to_string(entry)); }
+    std::string remove_save(std::size_t entry) override {
+        done.push_back("remove " + std::to_string(entry));
+        return "";
+    }
     void show_title() override { done.push_back("title"); }
     void show_gallery() override { done.push_back("gallery"); }
     void leave() override { done.push_back("leave"); }
@@ -131,9 +138,9 @@ class EveryPage : public Pages {
     }
     // Rows that do something at once, or answer.
     static bool is_final(const std::string& label) {
-        static const std::set<std::string> kFinal{"Go on",   "No",   "Yes",      "Back",      "Done",
-                                                  "Gallery", "Walk", "Continue", "Replace it"};
-        return kFinal.contains(label) || label == "Slot 1" || (label == "Leave");
+        static const std::set<std::string> kFinal{"Go on",   "No",   "Yes",      "Back",       "Done",
+                                                  "Gallery", "Walk", "Continue", "Replace it", "Delete it"};
+        return kFinal.contains(label) || label == "Slot 1" || label == "Walk 1" || (label == "Leave");
     }
     std::set<std::string> seen_;
 };
@@ -153,7 +160,7 @@ TEST_F(Pages, WhatLosesAWalkAsksFirst) {
     pages_.open_game();
     choose("Restart level");
     EXPECT_TRUE(host_.done.empty());
-    EXPECT_EQ(menu_.page().title, "Not saved");
+    EXPECT_NE(menu_.page().text.find("is lost"), std::string::npos);
     choose("No");
     EXPECT_EQ(menu_.page().title, "Paused");
     choose("Leave");
@@ -190,8 +197,47 @@ TEST_F(Pages, SlotsAreSavedToAndLoadedFrom) {
     choose("Load");
     choose("Slot 1");
     EXPECT_EQ(host_.done.size(), 2u) << "nothing is in it";
-    choose("Autosave");
+    choose("Walk 2");
     EXPECT_EQ(host_.done.back(), "load 0");
+}
+
+TEST_F(Pages, ADamagedWalkIsChosenToLearnWhy) {
+    pages_.open_title();
+    EXPECT_EQ(menu_.page().rows[0].label, "Continue");
+    EXPECT_EQ(menu_.page().rows[0].help.substr(0, 7), "Damaged");
+    choose("Continue");
+    EXPECT_EQ(host_.done.back(), "continue");
+    pages_.open_title();
+    choose("Load");
+    choose("Walk 1");
+    EXPECT_EQ(host_.done.back(), "load 3");
+}
+
+// Of the walk that is on: its later part is lost then, though it would be saved on leaving.
+TEST_F(Pages, GoingBackInTheWalkThatIsOnAsksFirst) {
+    host_.has_autosave = true;
+    pages_.open_game();
+    choose("Load");
+    choose("Walk 2");
+    EXPECT_TRUE(host_.done.empty());
+    choose("No");
+    choose("Slot 2");
+    EXPECT_EQ(host_.done, std::vector<std::string>{"load 2"}) << "the walk is kept";
+}
+
+TEST_F(Pages, WhatIsSavedIsDeletedAfterAQuestion) {
+    pages_.open_title();
+    choose("Load");
+    choose("Delete");
+    EXPECT_EQ(menu_.page().rows.size(), 4u) << "all but the empty one, and Back";
+    choose("Walk 1");
+    choose("No");
+    EXPECT_TRUE(host_.done.empty());
+    choose("Walk 1");
+    choose("Delete it");
+    EXPECT_EQ(host_.done, std::vector<std::string>{"remove 3"});
+    EXPECT_EQ(menu_.page().title, "Load");
+    EXPECT_EQ(menu_.depth(), 2u);
 }
 
 TEST_F(Pages, TheEndLeadsOn) {

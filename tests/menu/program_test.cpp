@@ -73,6 +73,10 @@ class ProgramOfTheDemo : public testing::Test {
         options.folders = {path("oblong.cfg"), path("data")};
         return options;
     }
+    // Of the first walk that was saved.
+    std::int64_t saved_tick(SaveKind kind = SaveKind::Walk) const {
+        return SaveSlots(path("data")).load({kind, 1}).game->state.tick;
+    }
     std::size_t recorded_ticks() const { return read_parsed(path("walk.demo"), decode_demo).ticks.size(); }
     std::string path(const char* name) const { return (folder_ / name).string(); }
 
@@ -103,19 +107,7 @@ TEST_F(ProgramOfTheDemo, RestartingKeepsTheSettings) {
     play(60, keeping(),
          {{5, pressing(Command::Brighter)}, {6, pressing(Command::Brighter)}, {20, pressing(Command::Restart)}});
     EXPECT_EQ(PreferencesStore(path("oblong.cfg")).kept().brightness_100, 200);
-    const SaveSlots slots(path("data"));
-    EXPECT_LT(slots.load(SaveSlot::Automatic).game->state.tick, 45);
-}
-
-// The walk left last is what Continue goes on with: another start leaves it alone.
-TEST_F(ProgramOfTheDemo, AStartReplacesNoWalkThatWasLeft) {
-    play(120, keeping(), {});
-    const std::int64_t left = SaveSlots(path("data")).load(SaveSlot::Automatic).game->state.tick;
-    EXPECT_GT(left, 110);
-    PreferencesStore store(keeping().folders.config_file);
-    HeadlessPlatform platform(1, 35, {}, {});
-    const Program program(keeping(), load_program_files(keeping(), assets_), store, platform, nullptr);
-    EXPECT_EQ(SaveSlots(path("data")).load(SaveSlot::Automatic).game->state.tick, left);
+    EXPECT_FALSE(SaveSlots(path("data")).last_walk()) << "two seconds are no walk";
 }
 
 // The folder of saves is a file here.
@@ -124,9 +116,7 @@ TEST_F(ProgramOfTheDemo, AWalkThatCantBeSavedIsLeftOnlyAfterAQuestion) {
     options.folders = {path("oblong.cfg"), path("no_folder/data")};
     std::ofstream(path("no_folder")) << "a file";
     const Controls leave = acting({MenuAction::Up, MenuAction::Accept});
-    Script script{{5, pressing(Command::Menu)},  // the message that the start was not saved
-                  {90, pressing(Command::Menu)},
-                  {91, leave}};
+    Script script{{90, pressing(Command::Menu)}, {91, leave}};
     EXPECT_EQ(play(200, options, script), 200) << "it waits for an answer";
     script[95] = acting({MenuAction::Down, MenuAction::Accept});
     EXPECT_LT(play(200, options, script), 100);
@@ -134,40 +124,34 @@ TEST_F(ProgramOfTheDemo, AWalkThatCantBeSavedIsLeftOnlyAfterAQuestion) {
 
 TEST_F(ProgramOfTheDemo, RestartAsksOnceThereIsSomethingToLose) {
     play(120, keeping(), {{100, pressing(Command::Restart)}, {101, acting({MenuAction::Accept})}});  // "No"
-    const SaveSlots slots(path("data"));
-    EXPECT_GT(slots.load(SaveSlot::Automatic).game->state.tick, 110) << "saved on leaving, as it was";
+    EXPECT_GT(saved_tick(), 110) << "saved on leaving, as it was";
 }
 
-TEST_F(ProgramOfTheDemo, AStartStraightIntoALevelIsSavedAtOnce) {
-    const SaveSlots slots(path("data"));
-    const Options options = keeping();
-    PreferencesStore store(options.folders.config_file);
-    HeadlessPlatform platform(1, 35, {}, {});
-    const Program program(options, load_program_files(options, assets_), store, platform, nullptr);
-    EXPECT_EQ(slots.load(SaveSlot::LevelStart).game->state.tick, 0);
+TEST_F(ProgramOfTheDemo, AWalkThatIsBegunAgainIsKept) {
+    play(300, keeping(), {{100, pressing(Command::Restart)}, {101, acting({MenuAction::Down, MenuAction::Accept})}});
+    EXPECT_NEAR(static_cast<double>(saved_tick()), 100, 2);
+    EXPECT_GT(SaveSlots(path("data")).load({SaveKind::Walk, 2}).game->state.tick, 190);
 }
 
 TEST_F(ProgramOfTheDemo, QuickSaveAndLoadGoBackToTheTickSaved) {
     play(100, keeping(), {{50, pressing(Command::QuickSave)}, {90, pressing(Command::QuickLoad)}});
-    const SaveSlots slots(path("data"));
-    const std::int64_t saved = slots.load(SaveSlot::Quick).game->state.tick;
+    const std::int64_t saved = saved_tick(SaveKind::Quick);
     EXPECT_NEAR(static_cast<double>(saved), 50, 1);
     constexpr std::int64_t kPollsAfterLoading = 9;
-    EXPECT_EQ(slots.load(SaveSlot::Automatic).game->state.tick, saved + kPollsAfterLoading);
+    EXPECT_EQ(saved_tick(), saved + kPollsAfterLoading);
 }
 
 TEST_F(ProgramOfTheDemo, TheTitleLeadsToAWalkAndTheMenuBackToIt) {
     Options options = keeping();
     options.shows_title = true;
-    Script script{{5, acting({MenuAction::Accept})},  // no autosave yet: "Walk"
-                  {60, pressing(Command::Menu)},
-                  {61, acting({MenuAction::Up, MenuAction::Up, MenuAction::Accept})},  // "Title"
-                  {70, acting({MenuAction::Accept})},                                  // "Continue"
+    Script script{{5, acting({MenuAction::Accept})},  // no walk yet: "Walk"
                   {90, pressing(Command::Menu)},
-                  {91, acting({MenuAction::Up, MenuAction::Accept})}};  // "Leave"
-    EXPECT_LT(play(200, options, script), 95) << "the program is left before the script ends";
-    const SaveSlots slots(path("data"));
-    EXPECT_NEAR(static_cast<double>(slots.load(SaveSlot::Automatic).game->state.tick), 54 + 19, 3);
+                  {91, acting({MenuAction::Up, MenuAction::Up, MenuAction::Accept})},  // "Title"
+                  {100, acting({MenuAction::Accept})},                                 // "Continue"
+                  {120, pressing(Command::Menu)},
+                  {121, acting({MenuAction::Up, MenuAction::Accept})}};  // "Leave"
+    EXPECT_LT(play(200, options, script), 125) << "the program is left before the script ends";
+    EXPECT_NEAR(static_cast<double>(saved_tick()), 84 + 19, 3);
 }
 
 TEST_F(ProgramOfTheDemo, TheGalleryIsOpenedFromTheMenuAndGoesBackToIt) {

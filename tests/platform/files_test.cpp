@@ -1,6 +1,11 @@
 #include "engine/platform/files.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -68,11 +73,55 @@ TEST_F(Files, NewContentTakesTheOldOnesPlaceAndNothingElseIsLeft) {
 TEST_F(Files, WritingThatFailsLeavesTheOldFile) {
     const Bytes before{1, 2, 3};
     write_file(path("file"), before);
-    // The unfinished file is a link to a device that is always full.
-    fs::create_symlink("/dev/full", path("file.part"));
-    EXPECT_EQ(complaint_of_writing(path("file")), "write: No space left on device" + kNoPlace);
+    signal(SIGXFSZ, SIG_IGN);
+    rlimit usual;
+    getrlimit(RLIMIT_FSIZE, &usual);
+    const rlimit small{1000, usual.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string complaint = complaint_of_writing(path("file"));
+    setrlimit(RLIMIT_FSIZE, &usual);
+    EXPECT_EQ(complaint, "write: File too large" + kNoPlace);
     EXPECT_EQ(read_file(path("file")), before);
-    EXPECT_FALSE(fs::is_symlink(path("file.part")));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+// Each has a name of its own for what is not finished: none takes another's away, and no mixture is left.
+TEST_F(Files, ManyWritersOfOneFileDoNotDisturbEachOther) {
+    std::vector<pid_t> writers;
+    for (std::uint8_t writer = 1; writer <= 4; ++writer) {
+        const pid_t child = fork();
+        if (child != 0) {
+            writers.push_back(child);
+            continue;
+        }
+        int failures = 0;
+        for (int i = 0; i < 200; ++i)
+            failures += complaint(path("file"),
+                                  [&](const std::string& name) { write_file(name, Bytes(70'000, writer)); }) != "";
+        _exit(failures > 0);
+    }
+    for (const pid_t child : writers) {
+        int status = 0;
+        waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0);
+    }
+    const Bytes last = read_file(path("file"));
+    EXPECT_EQ(last, Bytes(70'000, last.at(0)));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(Files, WhatAProgramKeepsIsNoPipeAndNoDevice) {
+    ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+    const std::string refusal = "is a pipe or a device, expected a regular file";
+    for (const std::string& file : {path("pipe"), std::string("/dev/null"), std::string("/dev/full")}) {
+        EXPECT_EQ(complaint(file, [](const std::string& name) { read_file(name, 100, FileUse::Kept); }),
+                  "open: " + refusal);
+        EXPECT_EQ(complaint(file, [](const std::string& name) { write_file(name, Bytes(3), FileUse::Kept); }),
+                  "write: " + refusal);
+    }
+    EXPECT_TRUE(fs::is_fifo(path("pipe")));
+    write_file(path("file"), Bytes{1, 2}, FileUse::Kept);
+    EXPECT_EQ(read_file(path("file"), 2, FileUse::Kept), (Bytes{1, 2}));
 }
 
 TEST_F(Files, ADeviceIsWrittenToAndStays) {
@@ -82,16 +131,38 @@ TEST_F(Files, ADeviceIsWrittenToAndStays) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST_F(Files, ALinkStaysAndWhatItLeadsToIsWritten) {
+// At its end, also over several links of other folders, and whole or not at all there.
+TEST_F(Files, ALinkStaysAndWhatItLeadsToIsReplaced) {
     write_file(path("target"), Bytes(100, 1));
+    fs::create_hard_link(path("target"), path("as it was"));
+    fs::create_directory(path("below"));
+    fs::create_symlink("../link", path("below/link to a link"));
     fs::create_symlink(path("target"), path("link"));
-    fs::create_symlink(path("later"), path("dangling"));
-    for (const char* name : {"link", "dangling"}) {
+    fs::create_symlink("later", path("below/dangling"));
+    for (const char* name : {"link", "below/link to a link", "below/dangling"}) {
         write_file(path(name), Bytes{2, 0, 3});
         EXPECT_TRUE(fs::is_symlink(path(name))) << name;
     }
     EXPECT_EQ(read_file(path("target")), (Bytes{2, 0, 3}));
-    EXPECT_EQ(read_file(path("later")), (Bytes{2, 0, 3}));
+    EXPECT_EQ(read_file(path("as it was")), Bytes(100, 1));
+    EXPECT_EQ(read_file(path("below/later")), (Bytes{2, 0, 3}));
+    fs::create_symlink("b", path("a"));
+    fs::create_symlink("a", path("b"));
+    EXPECT_EQ(complaint_of_writing(path("a")), "open: its symbolic links go round, expected them to lead to a file");
+}
+
+// As a shell hands on standard output that leads to a file: what is written there follows what was.
+TEST_F(Files, AnOpenFileIsWrittenToUnderItsNumber) {
+    const int descriptor = open(path("file").c_str(), O_RDWR | O_CREAT, 0600);
+    for (const std::string folder : {"/proc/self/fd/", "/dev/fd/"}) {
+        write_file(folder + std::to_string(descriptor), Bytes{7, 8});
+        Bytes read(2);
+        EXPECT_EQ(pread(descriptor, read.data(), 2, 0), 2) << folder;
+        EXPECT_EQ(read, (Bytes{7, 8})) << folder;
+        ASSERT_EQ(ftruncate(descriptor, 0), 0);
+    }
+    close(descriptor);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
 TEST_F(Files, PlacesThatCannotBeWritten) {

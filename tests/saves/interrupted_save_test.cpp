@@ -1,16 +1,14 @@
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/ptrace.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <functional>
+#include <set>
 
-#include "engine/platform/files.h"
 #include "game/saves/save_slots.h"
+#include "tests/saves/forgetful_disk.h"
 #include "tests/saves/saved_walk.h"
+#include "tests/saves/traced_process.h"
 #include "tests/support/temporary_folder.h"
 
 // Saves by a process of their own that is stopped on the way.
@@ -19,45 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr SaveSlot kSlot = SaveSlot::Quick;
-constexpr int kSaved = 0, kRefused = 3, kNotTraced = 4;  // exit codes of such a process
-
-// Runs `work` in a copy of this process; the copy's exit code says whether it threw a FileError.
-pid_t start(const std::function<void()>& work) {
-    const pid_t child = fork();
-    if (child != 0) return child;
-    try {
-        work();
-        _exit(kSaved);
-    } catch (const FileError&) {
-        _exit(kRefused);
-    } catch (...) {
-        _exit(1);
-    }
-}
-
-int status_of(pid_t child) {
-    int status = 0;
-    waitpid(child, &status, 0);
-    return status;
-}
-
-// Lets a process that is traced make `calls` system calls, each counted where it begins and where it ends, and kills it
-// there. True if it was killed, false if it ended before; then `exit_code` is its own.
-bool kill_after(pid_t child, int calls, int& exit_code) {
-    int status = status_of(child);
-    for (int i = 0; i < calls && WIFSTOPPED(status); ++i) {
-        ptrace(PTRACE_SYSCALL, child, nullptr, nullptr);
-        status = status_of(child);
-    }
-    if (WIFEXITED(status)) {
-        exit_code = WEXITSTATUS(status);
-        return false;
-    }
-    kill(child, SIGKILL);
-    status_of(child);
-    return true;
-}
+constexpr SaveSlot kSlot{SaveKind::Walk, 1};
 
 class InterruptedSave : public testing::Test {
   protected:
@@ -65,6 +25,7 @@ class InterruptedSave : public testing::Test {
         slots_.save(kSlot, first_);
         slots_.save(kSlot, second_);
     }
+    void save_third() const { slots_.save(kSlot, third_); }
 
     // Either game is there, as it was saved, and the slot can be saved to again.
     void expect_nothing_lost(const std::string& when) {
@@ -77,57 +38,141 @@ class InterruptedSave : public testing::Test {
     }
 
     const TemporaryFolder folder_;
-    const SaveSlots slots_{folder_.path()};
+    const SaveSlots slots_{folder_.path("saves")};
     const SavedGame first_ = SavedWalk(10).saved(), second_ = SavedWalk(20).saved(), third_ = SavedWalk(30).saved();
 };
 
 TEST_F(InterruptedSave, KilledAtAnySystemCallLosesNothing) {
-    int exit_code = -1, calls = 0;
-    while (exit_code == -1) {
-        const pid_t child = start([&] {
-            if (ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) _exit(kNotTraced);
-            raise(SIGSTOP);
-            slots_.save(kSlot, third_);
-        });
-        ++calls;
-        kill_after(child, calls, exit_code);
-        ASSERT_NO_FATAL_FAILURE(expect_nothing_lost("after half a call more than " + std::to_string(calls)));
-        ASSERT_LT(calls, 2000);
+    for (int stops = 1; stops < 2000; ++stops) {
+        int made = 0;
+        TracedProcess process([&] { save_third(); });
+        while (made < stops && process.next()) ++made;
+        if (process.exit_code() == kNotTraced) GTEST_SKIP() << "processes can't be traced here";
+        const bool has_ended = !process.is_stopped();
+        process.end();
+        ASSERT_NO_FATAL_FAILURE(expect_nothing_lost("after half a call more than " + std::to_string(stops)));
+        if (!has_ended) continue;
+        EXPECT_EQ(process.exit_code(), kDone);
+        // Opening, writing, syncing, closing, renaming twice, syncing the folder, each with a beginning and an end.
+        EXPECT_GT(stops, 14);
+        return;
     }
-    if (exit_code == kNotTraced) GTEST_SKIP() << "processes can't be traced here";
-    EXPECT_EQ(exit_code, kSaved);
-    // Opening, writing, closing, twice renaming, each with a beginning and an end, are the fewest that it takes.
-    EXPECT_GT(calls, 10);
+    FAIL() << "it does not end";
+}
+
+// What a disk says that is full, or broken, to each system call in turn.
+TEST_F(InterruptedSave, ARefusedSystemCallLosesNothing) {
+    if (!TracedProcess::kCanFailCalls) GTEST_SKIP() << "calls can't be made to fail on this processor";
+    const std::set<std::uint64_t> of_files{SYS_openat, SYS_read,   SYS_write,  SYS_newfstatat, SYS_fsync,
+                                           SYS_close,  SYS_rename, SYS_unlink, SYS_fcntl,      SYS_getdents64};
+    int refused = 0, calls = 0;
+    for (int call = -1; call < calls; ++call) {  // at first none fails
+        TracedProcess process([&] { save_third(); });
+        int made = 0;
+        while (const auto begun = process.next())
+            if (process.is_beginning() && of_files.contains(begun->number) && made++ == call) process.fail_call(ENOSPC);
+        if (process.exit_code() == kNotTraced) GTEST_SKIP() << "processes can't be traced here";
+        ASSERT_TRUE(process.exit_code() == kDone || process.exit_code() == kRefused) << "call " << call;
+        if (call < 0) calls = made;
+        refused += process.exit_code() == kRefused;
+        if (process.exit_code() == kDone) {
+            EXPECT_EQ(slots_.load(kSlot).game, third_) << "call " << call;
+        }
+        ASSERT_NO_FATAL_FAILURE(expect_nothing_lost("call " + std::to_string(call)));
+    }
+    EXPECT_GT(refused, 6) << "making, writing, syncing, closing the file, renaming twice, syncing the folder";
 }
 
 TEST_F(InterruptedSave, ADiskThatIsFullAtAnyByteLosesNothing) {
     const rlim_t size = encode_save(third_).size();
     for (rlim_t room = 0; room <= size; room += room + 97 < size ? 97 : 1) {
-        const pid_t child = start([&] {
+        const int status = status_of(start_process([&] {
             signal(SIGXFSZ, SIG_IGN);
             const rlimit limit{room, room};
             if (setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(1);
-            slots_.save(kSlot, third_);
-        });
-        const int status = status_of(child);
+            save_third();
+        }));
         ASSERT_TRUE(WIFEXITED(status)) << room;
-        ASSERT_EQ(WEXITSTATUS(status), room < size ? kRefused : kSaved) << room;
+        ASSERT_EQ(WEXITSTATUS(status), room < size ? kRefused : kDone) << room;
         if (room == size) break;
         EXPECT_EQ(slots_.load(kSlot).game, second_) << room;
-        EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path()), {}), 2) << room << ": something was left";
+        EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path("saves")), {}), 3)
+            << room << ": something was left";
     }
     EXPECT_EQ(slots_.load(kSlot).game, third_);
 }
 
-TEST_F(InterruptedSave, ADeviceThatIsFullIsNamed) {
-    fs::create_symlink("/dev/full", folder_.path("quick.save.new.part"));
-    try {
-        slots_.save(kSlot, third_);
-        FAIL() << "saved";
-    } catch (const FileError& error) {
-        EXPECT_NE(std::string(error.what()).find("No space left on device"), std::string::npos) << error.what();
+// The power fails after each system call: what the disk may hold then is put into a folder and loaded.
+class PowerCut : public InterruptedSave {
+  protected:
+    // Saves into a folder, which need not be there; returns how many states were tried.
+    int try_all(const std::string& saves, const std::function<bool(const SlotContent&)>& is_right_before) {
+        const SaveSlots slots(saves);
+        ForgetfulDisk disk(folder_.path());
+        TracedProcess process([&] { slots.save(kSlot, third_); });
+        int states = 0;
+        const auto try_losses = [&](const std::string& when, const std::function<bool(const SlotContent&)>& is_right) {
+            disk.for_each_loss([&](const ForgetfulDisk::Files& files) {
+                const SlotContent content = loaded(files, saves);
+                EXPECT_TRUE(is_right(content)) << when << ": " << content.refusal;
+                ++states;
+            });
+        };
+        int calls = 0;
+        while (const auto call = process.next())
+            if (!process.is_beginning() && disk.note(*call) && !HasFailure())
+                try_losses("call " + std::to_string(++calls), is_right_before);
+        EXPECT_EQ(process.exit_code(), kDone);
+        try_losses("at the end", [&](const SlotContent& content) { return content.game == third_; });
+        return states;
     }
-    EXPECT_EQ(slots_.load(kSlot).game, second_);
+
+  private:
+    SlotContent loaded(const ForgetfulDisk::Files& files, const std::string& saves) const {
+        const TemporaryFolder after;
+        for (const auto& [name, bytes] : files)
+            if (fs::path(name).parent_path() == saves) after.write(fs::path(name).filename().string(), bytes);
+        return SaveSlots(after.path()).load(kSlot);
+    }
+};
+
+TEST_F(PowerCut, LosesNothingOfASlotThatHasSaves) {
+    const int states = try_all(folder_.path("saves"), [&](const SlotContent& content) {
+        return content.game == second_ || content.game == third_;
+    });
+    EXPECT_GT(states, 50);
+}
+
+TEST_F(PowerCut, LeavesAFirstSaveWholeOrNone) {
+    const int states = try_all(folder_.path("made/with/saves"), [&](const SlotContent& content) {
+        return content.game == third_ || (!content.game && content.refusal.empty());
+    });
+    EXPECT_GT(states, 50);
+}
+
+// Each saves a walk of its own, and all to one slot.
+TEST_F(InterruptedSave, SeveralProgramsAtOnceAllSave) {
+    constexpr int kPrograms = 4, kTimes = 25;
+    constexpr SaveSlot kShared{SaveKind::Numbered, 1};
+    std::vector<pid_t> programs;
+    for (int program = 0; program < kPrograms; ++program)
+        programs.push_back(start_process([&] {
+            const HeldWalk walk = slots_.hold_new();
+            const SavedGame mine = SavedWalk(walk.number).saved();
+            for (int i = 0; i < kTimes; ++i) {
+                slots_.save({SaveKind::Walk, walk.number}, mine);
+                slots_.save(kShared, mine);
+                if (slots_.load({SaveKind::Walk, walk.number}).game != mine || !slots_.load(kShared).game) _exit(1);
+            }
+        }));
+    for (const pid_t program : programs) EXPECT_EQ(status_of(program), kDone);
+    int walks = 0;
+    for (const SlotContent& content : slots_.list()) {
+        if (content.slot.kind != SaveKind::Walk || content.slot == kSlot) continue;
+        ++walks;
+        EXPECT_EQ(content.game, SavedWalk(content.slot.number).saved());
+    }
+    EXPECT_EQ(walks, kPrograms);
 }
 
 }  // namespace

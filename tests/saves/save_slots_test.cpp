@@ -1,7 +1,9 @@
 #include "game/saves/save_slots.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
+#include <chrono>
 #include <filesystem>
 
 #include "engine/platform/files.h"
@@ -20,6 +22,7 @@ class SlotFiles : public testing::Test {
 
     std::string file(const std::string& name) const { return folder_.path("made/" + name); }
 
+    static constexpr SaveSlot kQuick{SaveKind::Quick, 1}, kThird{SaveKind::Numbered, 3};
     const TemporaryFolder folder_;
     const SaveSlots slots_{folder_.path("made")};
     const SavedGame first_ = after(10), second_ = after(20), third_ = after(30);
@@ -27,87 +30,194 @@ class SlotFiles : public testing::Test {
 
 TEST_F(SlotFiles, AreEmptyWithoutAFolderAndMakeNone) {
     const std::vector<SlotContent> all = slots_.list();
-    ASSERT_EQ(all.size(), 11u);
+    ASSERT_EQ(all.size(), 8u);
     for (const SlotContent& content : all) {
         EXPECT_FALSE(content.game);
         EXPECT_EQ(content.refusal, "");
     }
+    EXPECT_FALSE(slots_.last_walk());
     EXPECT_FALSE(fs::exists(folder_.path("made")));
-    EXPECT_EQ(name_of(all[0].slot) + name_of(all[1].slot) + name_of(all[2].slot) + name_of(all[3].slot) +
-                  name_of(all[10].slot),
-              "Quick saveAutosaveLevel startSlot 1Slot 8");
+    EXPECT_EQ(name_of(all[0].slot) + name_of(all[7].slot) + name_of(kQuick) + name_of({SaveKind::Walk, 12}),
+              "Slot 1Slot 8Quick save 1Walk 12");
 }
 
 TEST_F(SlotFiles, EachKeepsItsOwnGame) {
-    for (int i = 0; i < kSaveSlotCount; ++i) slots_.save(static_cast<SaveSlot>(i), after(i));
-    const std::vector<SlotContent> all = slots_.list();
-    for (int i = 0; i < kSaveSlotCount; ++i) {
-        const SlotContent& content = all[static_cast<std::size_t>(i)];
-        EXPECT_EQ(content.slot, static_cast<SaveSlot>(i));
+    const std::vector<SaveSlot> kept{
+        kQuick, {SaveKind::Walk, 1}, {SaveKind::Walk, 2}, {SaveKind::Numbered, 1}, {SaveKind::Numbered, 8}};
+    for (int i = 0; i < 5; ++i) slots_.save(kept[static_cast<std::size_t>(i)], after(i));
+    for (int i = 0; i < 5; ++i) {
+        const SlotContent content = slots_.load(kept[static_cast<std::size_t>(i)]);
         ASSERT_TRUE(content.game) << i;
         EXPECT_EQ(*content.game, after(i)) << i;
         EXPECT_FALSE(content.is_former) << i;
     }
-    EXPECT_EQ(slots_.load(numbered_slot(1)).game, after(3));
-    EXPECT_EQ(slots_.load(numbered_slot(8)).game, after(10));
+    EXPECT_EQ(slots_.list().size(), 3u + 8u);
+}
+
+TEST_F(SlotFiles, TheWalkThatWasSavedLastIsFirst) {
+    for (const int number : {3, 1, 2}) {
+        const SaveSlot slot{SaveKind::Walk, number};
+        slots_.save(slot, first_);
+        fs::last_write_time(file("auto" + std::to_string(number) + ".save"),
+                            fs::file_time_type{std::chrono::hours(number == 1 ? 9 : number)});
+    }
+    const std::vector<SlotContent> all = slots_.list();
+    EXPECT_EQ(all[0].slot.number, 1);
+    EXPECT_EQ(all[1].slot.number, 3);
+    EXPECT_EQ(slots_.last_walk()->slot.number, 1);
+    // Damaged it is still the last one: it does not give way to another in silence.
+    folder_.write("made/auto1.save", "damaged");
+    fs::last_write_time(file("auto1.save"), fs::file_time_type{std::chrono::hours(9)});
+    EXPECT_EQ(slots_.last_walk()->slot.number, 1);
+    EXPECT_FALSE(slots_.last_walk()->game);
+}
+
+TEST_F(SlotFiles, WhatEarlierVersionsSavedIsListedAndSaysSo) {
+    Bytes bytes = encode_save(first_);
+    bytes[8] = 1;
+    forge(bytes);
+    fs::create_directory(folder_.path("made"));
+    for (const char* name : {"auto.save", "quick.save", "slot2.save"}) write_file(file(name), bytes);
+    int refused = 0;
+    for (const SlotContent& content : slots_.list())
+        refused += content.refusal.find("another version of the game (1)") != std::string::npos;
+    EXPECT_EQ(refused, 3);
+    EXPECT_EQ(slots_.hold_new().number, 1) << "and is not saved over";
+}
+
+TEST_F(SlotFiles, OtherFilesAreNoSlots) {
+    fs::create_directory(folder_.path("made"));
+    for (const char* name : {"auto01.save", "auto-1.save", "auto1.save.part", "auto.saved", "auto99999999999999.save",
+                             "auto2147483647.save", "walk1.save", "oblong.cfg", "auto 1.save"})
+        folder_.write(std::string("made/") + name, "something");
+    EXPECT_EQ(slots_.list().size(), 8u);
+    EXPECT_EQ(slots_.hold_new().number, 1);
+}
+
+TEST_F(SlotFiles, AWalkIsHeldByOneAtATime) {
+    const SaveSlots of_another(folder_.path("made"));
+    std::optional<HeldWalk> mine = slots_.hold_new();
+    EXPECT_EQ(mine->number, 1);
+    EXPECT_FALSE(of_another.hold(1));
+    EXPECT_EQ(of_another.hold_new().number, 2) << "though nothing is saved yet";
+    slots_.save({SaveKind::Walk, 1}, first_);
+    EXPECT_THROW(of_another.remove({SaveKind::Walk, 1}), FileError);
+    EXPECT_TRUE(of_another.load({SaveKind::Walk, 1}).game) << "to be gone on with as another walk";
+    mine.reset();
+    EXPECT_EQ(of_another.hold(1)->number, 1);
+    EXPECT_EQ(of_another.hold_new().number, 2);
+    of_another.remove({SaveKind::Walk, 1});
+    EXPECT_FALSE(slots_.last_walk());
+}
+
+TEST_F(SlotFiles, BothCopiesDamagedAreNamed) {
+    fs::create_directory(folder_.path("made"));
+    folder_.write("made/quick1.save", "short");
+    folder_.write("made/quick1.save.old", Bytes(100));
+    EXPECT_EQ(slots_.load(kQuick).refusal, file("quick1.save") +
+                                               ": offset 0: the file has 5 bytes, expected a saved game" +
+                                               "\n\nAnd the one before it: " + file("quick1.save.old") +
+                                               ": offset 0: no saved game: expected 'OBLGSAVE'");
+    EXPECT_EQ(slots_.list().size(), 9u);
+    slots_.remove(kQuick);
+    EXPECT_EQ(slots_.list().size(), 8u);
+}
+
+// A link leads to where the save is kept, also the one before it.
+TEST_F(SlotFiles, ALinkIsFollowedToItsEnd) {
+    fs::create_directory(folder_.path("made"));
+    fs::create_directory(folder_.path("elsewhere"));
+    fs::create_symlink("../elsewhere/link", file("quick1.save"));
+    fs::create_symlink("mine", folder_.path("elsewhere/link"));
+    slots_.save(kQuick, first_);
+    slots_.save(kQuick, second_);
+    EXPECT_TRUE(fs::is_symlink(file("quick1.save")));
+    EXPECT_TRUE(fs::is_symlink(folder_.path("elsewhere/link")));
+    EXPECT_EQ(decode_save(read_file(folder_.path("elsewhere/mine"))), second_);
+    EXPECT_EQ(slots_.load(kQuick).game, second_);
+    fs::remove(folder_.path("elsewhere/mine"));
+    EXPECT_EQ(slots_.load(kQuick).game, first_);
+
+    fs::create_symlink("slot1.save", file("slot1.save"));
+    EXPECT_NE(slots_.load({SaveKind::Numbered, 1}).refusal, "");
+    EXPECT_THROW(slots_.save({SaveKind::Numbered, 1}, first_), FileError);
+}
+
+// A pipe that nobody writes to would be waited for for ever.
+TEST_F(SlotFiles, PipesAndDevicesAreRefused) {
+    fs::create_directory(folder_.path("made"));
+    ASSERT_EQ(mkfifo(file("quick1.save").c_str(), 0600), 0);
+    fs::create_symlink("/dev/null", file("slot1.save"));
+    fs::create_symlink("/dev/zero", file("slot2.save"));
+    for (const SaveSlot slot : {kQuick, SaveSlot{SaveKind::Numbered, 1}, SaveSlot{SaveKind::Numbered, 2}}) {
+        const SlotContent content = slots_.load(slot);
+        EXPECT_NE(content.refusal.find("is a pipe or a device, expected a regular file"), std::string::npos)
+            << content.refusal;
+        EXPECT_THROW(slots_.save(slot, first_), FileError);
+    }
+    EXPECT_TRUE(fs::is_fifo(file("quick1.save")));
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(SlotFiles, WhatAnEndedProgramHasLeftGoes) {
+    slots_.save(kQuick, first_);
+    folder_.write("made/quick1.save.1-0.part", "a part");
+    slots_.save(kQuick, second_);
+    EXPECT_FALSE(fs::exists(file("quick1.save.1-0.part")));
 }
 
 TEST_F(SlotFiles, ADamagedGameIsNamedAndTheOneBeforeItIsOffered) {
-    slots_.save(SaveSlot::Quick, first_);
-    slots_.save(SaveSlot::Quick, second_);
-    EXPECT_EQ(slots_.load(SaveSlot::Quick).game, second_);
-    Bytes bytes = read_file(file("quick.save"));
+    slots_.save(kQuick, first_);
+    slots_.save(kQuick, second_);
+    EXPECT_EQ(slots_.load(kQuick).game, second_);
+    Bytes bytes = read_file(file("quick1.save"));
     bytes[3000] ^= 4;
-    write_file(file("quick.save"), bytes);
-    const SlotContent content = slots_.load(SaveSlot::Quick);
+    write_file(file("quick1.save"), bytes);
+    const SlotContent content = slots_.load(kQuick);
     EXPECT_EQ(content.game, first_);
     EXPECT_TRUE(content.is_former);
-    EXPECT_EQ(content.refusal, file("quick.save") + ": offset " + std::to_string(bytes.size() - 8) +
+    EXPECT_EQ(content.refusal, file("quick1.save") + ": offset " + std::to_string(bytes.size() - 8) +
                                    ": the checksum is another, expected an unaltered file");
 
     // Saving again does not put the damaged one in the place of the one that can be loaded.
-    slots_.save(SaveSlot::Quick, third_);
-    EXPECT_EQ(slots_.load(SaveSlot::Quick).game, third_);
-    fs::remove(file("quick.save"));
-    EXPECT_EQ(slots_.load(SaveSlot::Quick).game, first_);
+    slots_.save(kQuick, third_);
+    EXPECT_EQ(slots_.load(kQuick).game, third_);
+    fs::remove(file("quick1.save"));
+    EXPECT_EQ(slots_.load(kQuick).game, first_);
 }
 
 TEST_F(SlotFiles, AMissingGameLeavesTheOneBeforeIt) {
-    slots_.save(numbered_slot(3), first_);
-    slots_.save(numbered_slot(3), second_);
+    slots_.save(kThird, first_);
+    slots_.save(kThird, second_);
     fs::remove(file("slot3.save"));
-    const SlotContent content = slots_.load(numbered_slot(3));
+    const SlotContent content = slots_.load(kThird);
     EXPECT_EQ(content.game, first_);
     EXPECT_TRUE(content.is_former);
     EXPECT_EQ(content.refusal, "");
 }
 
-TEST_F(SlotFiles, WhatIsNoFileIsRefused) {
-    fs::create_directories(file("auto.save"));
-    const SlotContent content = slots_.load(SaveSlot::Automatic);
+TEST_F(SlotFiles, AFolderIsNoSave) {
+    fs::create_directories(file("quick1.save"));
+    const SlotContent content = slots_.load(kQuick);
     EXPECT_FALSE(content.game);
-    EXPECT_EQ(content.refusal, file("auto.save") + ": open: is a folder, expected a file");
-    EXPECT_THROW(slots_.save(SaveSlot::Automatic, first_), FileError);
-
-    fs::create_symlink("/dev/zero", file("quick.save"));
-    EXPECT_EQ(slots_.load(SaveSlot::Quick).refusal,
-              file("quick.save") + ": size: more than 16777216 bytes, expected a smaller file");
+    EXPECT_EQ(content.refusal, file("quick1.save") + ": open: is a folder, expected a file");
+    EXPECT_THROW(slots_.save(kQuick, first_), FileError);
 }
 
 TEST_F(SlotFiles, AFolderThatCannotBeMadeIsAnError) {
     folder_.write("made", "a file");
-    EXPECT_THROW(slots_.save(SaveSlot::Quick, first_), FileError);
-    EXPECT_FALSE(slots_.load(SaveSlot::Quick).game);
+    EXPECT_THROW(slots_.save(kQuick, first_), FileError);
+    EXPECT_FALSE(slots_.load(kQuick).game);
 }
 
 TEST_F(SlotFiles, OfAThousandDamagedOnesTheFormerIsAlwaysThere) {
-    slots_.save(SaveSlot::Quick, first_);
-    slots_.save(SaveSlot::Quick, second_);
-    const Bytes whole = read_file(file("quick.save"));
+    slots_.save(kQuick, first_);
+    slots_.save(kQuick, second_);
+    const Bytes whole = read_file(file("quick1.save"));
     std::mt19937 random(14);
     for (int i = 0; i < 1000; ++i) {
-        folder_.write("made/quick.save", damaged(whole, random));
-        const SlotContent content = slots_.load(SaveSlot::Quick);
+        folder_.write("made/quick1.save", damaged(whole, random));
+        const SlotContent content = slots_.load(kQuick);
         ASSERT_TRUE(content.game) << i;
         ASSERT_EQ(content.is_former, !content.refusal.empty()) << i;
         ASSERT_EQ(content.game->state, (content.is_former ? first_ : second_).state) << i;

@@ -72,16 +72,29 @@ TEST(SavedGame, TheFileIsAsItsDescriptionSays) {
         return value;
     };
     EXPECT_EQ(std::string(bytes.begin(), bytes.begin() + 8), "OBLGSAVE");
-    EXPECT_EQ(number(8, 4), 1u);
+    EXPECT_EQ(number(8, 4), 2u);
     EXPECT_EQ(number(12, 4), bytes.size());
-    const std::size_t name_length = saved.level.name.size(), name_at = 16 + 8 + 2, hash_at = name_at + name_length;
-    EXPECT_EQ(number(name_at - 2, 2), name_length);
-    EXPECT_EQ(std::string(bytes.begin() + name_at, bytes.begin() + static_cast<std::ptrdiff_t>(hash_at)),
-              "/levels/toy.bsp");
-    EXPECT_EQ(number(hash_at, 8), kToyLevelHash);
-    const std::size_t picture_at = hash_at + 16, state_hash_at = picture_at + 768 + 80 * 50;
-    EXPECT_EQ(number(picture_at + 3 * 9, 3), 9u | 27u << 8 | 45u << 16);
-    EXPECT_EQ(number(picture_at + 768 + 5, 1), 35u);
+    std::size_t at = 24;
+    const auto name = [&] {
+        const std::size_t length = number(at, 2), first = at + 2;
+        at = first + length;
+        return std::string(bytes.begin() + static_cast<std::ptrdiff_t>(first),
+                           bytes.begin() + static_cast<std::ptrdiff_t>(at));
+    };
+    EXPECT_EQ(name(), "/levels/toy.bsp");
+    EXPECT_EQ(name(), "/levels/its.lmp");
+    EXPECT_EQ(name(), "/models");
+    EXPECT_EQ(number(at, 2), 2u);
+    at += 2;
+    EXPECT_EQ(name(), "/game");
+    EXPECT_EQ(name(), "/game/id1");
+    EXPECT_EQ(number(at, 8), kToyLevelHash);
+    EXPECT_EQ(number(at + 16, 8), 0xfedcba9876543210u);
+    EXPECT_EQ(number(at + 24, 4), 77u);
+    EXPECT_EQ(number(at + 28, 4), 3u);
+    EXPECT_EQ(number(at + 32, 4), 12u);
+    const std::size_t picture_at = at + 36, state_hash_at = picture_at + 80 * 50 * 3;
+    EXPECT_EQ(number(picture_at + 3 * 9, 3), 63u | 27u << 8 | 45u << 16);
     EXPECT_EQ(number(state_hash_at, 8), hash_of(saved.state));
     EXPECT_EQ(number(state_hash_at + 8, 8), 150u) << "the tick";
     EXPECT_EQ(number(state_hash_at + 16, 4), static_cast<std::uint32_t>(saved.state.player.position.x.raw));
@@ -98,9 +111,9 @@ TEST(SavedGame, OfAnotherLevelOrVersionIsRefused) {
               "state: not one of this level, expected one saved by this version of the game");
 
     Bytes later = encode_save(saved);
-    later[8] = 2;
+    later[8] = 1;
     forge(later);
-    EXPECT_EQ(refusal_of(later), "offset 8: saved by another version of the game (2), expected 1");
+    EXPECT_EQ(refusal_of(later), "offset 8: saved by another version of the game (1), expected 2");
     Bytes other_fields = encode_save(saved);
     other_fields[16] ^= 1;
     forge(other_fields);
@@ -219,7 +232,9 @@ TEST(SavedGame, StatesWithOtherNumbersAreRefusedOrPlayed) {
     std::mt19937 random(13);
     int played = 0;
     const Bytes whole = encode_save(saved);
-    const std::size_t first = 16 + 8 + 2 + saved.level.name.size() + 16 + 768 + 4000;
+    Bytes state_bytes;
+    append_state(state_bytes, saved.state);
+    const std::size_t first = whole.size() - 8 - state_bytes.size() - 8;
     for (int i = 0; i < 3000; ++i) {
         Bytes bytes = whole;
         for (std::size_t flips = 1 + random() % 3; flips > 0; --flips)

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <random>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "game/saves/saved_game.h"
@@ -42,13 +43,12 @@ inline TickInput walk_input(int tick) {
     return input;
 }
 
-/// A picture whose pixels and colours all differ from their neighbours.
+/// A picture whose pixels all differ from their neighbours.
 inline Thumbnail some_picture() {
     Thumbnail picture;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) picture.pixels[i] = static_cast<std::uint8_t>(i * 7);
-    for (std::size_t i = 0; i < 256; ++i) {
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         const auto byte = [i](std::size_t factor) { return static_cast<std::uint8_t>(i * factor); };
-        picture.palette.colours[i] = {byte(1), byte(3), byte(5)};
+        picture.pixels[i] = {byte(7), byte(3), byte(5)};
     }
     return picture;
 }
@@ -59,7 +59,11 @@ struct SavedWalk {
         for (int tick = 0; tick < ticks; ++tick) step(game.level, game.state, walk_input(tick));
     }
     SavedGame saved() const {
-        return {{"/levels/toy.bsp", kToyLevelHash, hash_of(start_of(game.level))}, game.state, some_picture()};
+        SavedLevel level{"/levels/toy.bsp",  "/levels/its.lmp",
+                         "/models",          {"/game", "/game/id1"},
+                         kToyLevelHash,      hash_of(start_of(game.level)),
+                         0xfedcba9876543210, 77};
+        return {std::move(level), {3, 12}, game.state, some_picture()};
     }
     ToyGame game{level_of_all_kinds()};
 };

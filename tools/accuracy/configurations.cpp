@@ -13,22 +13,30 @@ std::size_t index_of(const Accuracy& accuracy, Configurations& all) {
     if (found != all.accuracies.end()) return static_cast<std::size_t>(found - all.accuracies.begin());
     all.accuracies.push_back(accuracy);
     all.is_timed.push_back(false);
+    all.is_counted.push_back(false);
     return all.accuracies.size() - 1;
+}
+
+bool is_about_blocks(const Dial& dial) {
+    return dial.name == "perspective" || dial.name == "pixel-bound" || dial.name == "texel-bound";
 }
 
 Configurations::DialRows rows_of(const Dial& dial, Configurations& all) {
     Accuracy base;
-    Configurations::DialRows rows{&dial, measure_of(dial), "default", {}};
+    Configurations::DialRows rows{&dial, measure_of(dial), "default", false, {}};
     if (dial.name == "texel-bound") {  // has no effect on others
         base.texturing = Texturing::BoundedTexels;
         rows.base = "default with perspective=bounded-texels";
     }
+    rows.is_below_bound = rows.measure == Measure::Displacement && !is_about_blocks(dial);
     for (const DialSetting& setting : dial.settings) {
         Accuracy accuracy = base;
         dial.set(accuracy, setting.value);
         const std::size_t index = index_of(accuracy, all);
         if (dial.changes_work) all.is_timed[index] = true;
-        rows.rows.push_back({std::string(setting.name), index});
+        all.is_counted[index] = true;
+        if (rows.is_below_bound) accuracy.texturing = Texturing::Exact;
+        rows.rows.push_back({std::string(setting.name), index, index_of(accuracy, all)});
     }
     return rows;
 }
@@ -54,11 +62,12 @@ bool has_same_surfaces(const Accuracy& a, const Accuracy& b) {
 Configurations make_configurations(std::span<const Dial> dials) {
     Configurations all;
     all.default_index = index_of(Accuracy{}, all);
-    all.is_timed[all.default_index] = true;
+    all.is_timed[all.default_index] = all.is_counted[all.default_index] = true;
     for (const Dial& dial : dials) all.dials.push_back(rows_of(dial, all));
     for (const Preset preset : kPresets) {
-        all.presets.push_back({std::string(name_of(preset)), index_of(accuracy_of(preset), all)});
-        all.is_timed[all.presets.back().index] = true;
+        const std::size_t index = index_of(accuracy_of(preset), all);
+        all.presets.push_back({std::string(name_of(preset)), index, index});
+        all.is_timed[index] = all.is_counted[index] = true;
     }
     return all;
 }

@@ -24,11 +24,15 @@ struct Configurations {
     struct Row {
         std::string name;       ///< of the setting, or the preset
         std::size_t index = 0;  ///< into `accuracies`
+        std::size_t alone = 0;  ///< the same with a division a pixel, where DialRows::is_below_bound; else `index`
     };
     struct DialRows {
         const Dial* dial = nullptr;
         Measure measure = Measure::Displacement;
-        std::string base;       ///< what the other dials stand at
+        std::string base;  ///< what the other dials stand at
+        /// What it adds to the displacement is below what the default's bound lets pass, which therefore hides it: its
+        /// own error shows around a division a pixel.
+        bool is_below_bound = false;
         std::vector<Row> rows;  ///< from the coarsest to the most exact
     };
 
@@ -36,7 +40,8 @@ struct Configurations {
     std::size_t default_index = 0;
     std::vector<DialRows> dials;
     std::vector<Row> presets;
-    std::vector<bool> is_timed;  ///< by accuracy: it runs other code than the default does
+    std::vector<bool> is_timed;    ///< by accuracy: it runs other code than the default does
+    std::vector<bool> is_counted;  ///< by accuracy: its cost is asked for
 };
 
 /// Every setting of these dials around the default, the bound in texels around perspective=bounded-texels, and the

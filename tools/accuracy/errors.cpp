@@ -40,10 +40,10 @@ constexpr std::array<MeasureEntry, kMeasureCount> kMeasures{{
      "percentile and largest are over frames."},
     {&ErrorSummaries::light, &PixelErrors::light, "RGB distance, 0 to 442",
      "How far a pixel's colour is from that of the texel it shows times the exact light there, where mip level 0 is "
-     "drawn. "
-     "The 256 colours of the palette are part of it."},
+     "drawn and a dial of light changes the pixel. The 256 colours of the palette are part of it."},
     {&ErrorSummaries::colour, &PixelErrors::colour, "RGB distance, 0 to 442",
-     "How far a pixel's colour is from the mean colour of all that it covers, found by many rays a pixel."},
+     "How far a pixel's colour is from the mean colour of all that it covers, found by many rays a pixel, where that "
+     "is one face and a dial of mip levels changes the pixel."},
 }};
 
 }  // namespace

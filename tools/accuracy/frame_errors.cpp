@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "tools/accuracy/configurations.h"
 #include "tools/measure/reference_view.h"
 #include "tools/measure/texel_error.h"
 
@@ -20,6 +21,23 @@ float light_error(const DrawnFrame& frame, const PixelRecord& pixel, std::uint8_
     const reference::Rgb truth =
         true_colour(level, level.face(pixel.face.number()), number_of(pixel.u), number_of(pixel.v), frame.palette);
     return distance(frame.palette[shown], truth);
+}
+
+/// Whether some setting of the dials of a measure changes a pixel of the camera's frame.
+std::vector<bool> changes_by(Measure measure, LevelFrames& frames, const Camera& camera) {
+    frames.draw(camera, Accuracy{});
+    const std::vector<std::uint8_t> usual(frames.pixels().begin(), frames.pixels().end());
+    std::vector<bool> changes(usual.size());
+    for (const Dial& dial : all_dials())
+        for (const DialSetting& setting : dial.settings) {
+            if (measure_of(dial) != measure) continue;
+            Accuracy accuracy;
+            dial.set(accuracy, setting.value);
+            frames.draw(camera, accuracy);
+            for (std::size_t i = 0; i < usual.size(); ++i)
+                if (frames.pixels()[i] != usual[i]) changes[i] = true;
+        }
+    return changes;
 }
 
 }  // namespace
@@ -46,6 +64,8 @@ FrameTruth make_frame_truth(LevelFrames& frames, const Camera& camera, const ref
     for (const PixelRecord& pixel : frames.record(camera, Accuracy{}).pixels)
         truth.exact_edges.push_back(pixel.face.number());
     truth.colours = draw_colours(level.exact, models, view, palette, samples_per_axis);
+    truth.light_changes = changes_by(Measure::LightColour, frames, camera);
+    truth.mip_changes = changes_by(Measure::PixelColour, frames, camera);
     return truth;
 }
 
@@ -63,8 +83,9 @@ PixelErrors measure_frame(const DrawnFrame& frame) {
         errors.wrong.push_back(true_face < 0 || is_close ? -1.f : is_wrong ? 1.f : 0.f);
         errors.edges.push_back(frame.truth.exact_edges[i] != pixel.face.number() ? 1.f : 0.f);
         errors.wrong_close_calls += is_close && is_wrong;
-        errors.light.push_back(light_error(frame, pixel, frame.pixels[i]));
-        errors.colour.push_back(colour.is_excluded ? -1 : distance(frame.palette[frame.pixels[i]], colour.colour));
+        errors.light.push_back(frame.truth.light_changes[i] ? light_error(frame, pixel, frame.pixels[i]) : -1);
+        const bool has_colour = frame.truth.mip_changes[i] && !colour.is_excluded && !colour.is_border;
+        errors.colour.push_back(has_colour ? distance(frame.palette[frame.pixels[i]], colour.colour) : -1);
         errors.free.push_back(pixel.face.is_none() ? 1.f : 0.f);
     }
     return errors;

@@ -19,6 +19,9 @@ struct FrameTruth {
     std::vector<bool> is_close_call;
     std::vector<std::int32_t> exact_edges;        ///< the faces of the engine's frame with default settings
     std::vector<reference::ColourPixel> colours;  ///< means over the pixels
+    /// Pixels whose colour some setting of a dial of light, or of mip levels, changes. Others say nothing of such
+    /// dials: liquids and glowing colours, texels that are nearer than any smaller mip level.
+    std::vector<bool> light_changes, mip_changes;
 };
 
 /// `frames`: the level's. `samples_per_axis`: rays whose colours are averaged, each way of a pixel.
@@ -42,11 +45,12 @@ struct PixelErrors {
     std::vector<float> displacement;  ///< of texels on the screen, pixels
     std::vector<float> texels;        ///< the same, texels of mip level 0
     std::vector<float> wrong;         ///< 1: another face than the truth's, 0: the same; close calls left out
-    /// Where mip level 0 is drawn: the distance in RGB, 0 to 255 a channel, from the shown texel's colour times the
-    /// true light there.
+    /// Where mip level 0 is drawn and light changes the pixel: the distance in RGB, 0 to 255 a channel, from the shown
+    /// texel's colour times the true light there.
     std::vector<float> light;
-    std::vector<float> colour;  ///< the distance in RGB from the mean colour of what the pixel covers
-    std::vector<float> edges;   ///< 1: another face than with exact edges, 0: the same
+    /// Where mip levels change the pixel, and it shows one face: the distance in RGB from the mean colour of that.
+    std::vector<float> colour;
+    std::vector<float> edges;  ///< 1: another face than with exact edges, 0: the same
     std::int64_t wrong_close_calls = 0;
     std::vector<float> free;  ///< 1: no face covers it, 0: one does
 };

@@ -21,7 +21,7 @@ std::string percent_more(double more, double less) {
 /// What of the measurements explains that `exact`, the setting meant to be closer, is further off than `coarse`.
 std::string reason_for(const Report& report, Measure measure, const Configurations::Row& coarse,
                        const Configurations::Row& exact) {
-    const ErrorSummaries &a = result_of(report, coarse).errors, &b = result_of(report, exact).errors;
+    const ErrorSummaries &a = report.results[coarse.alone].errors, &b = report.results[exact.alone].errors;
     const ErrorSummary &before = summary_of(a, measure), &after = summary_of(b, measure);
     if (measure == Measure::PixelColour || measure == Measure::LightColour)
         return "It is compared with a mean of many samples: what is sharper or smoother is not always nearer to that "
@@ -86,14 +86,38 @@ std::vector<std::string> notes_on_order(const Report& report, const Configuratio
     std::vector<std::string> notes;
     for (std::size_t i = 1; i < dial.rows.size(); ++i) {
         const Configurations::Row &coarse = dial.rows[i - 1], &exact = dial.rows[i];
-        const double before = summary_of(result_of(report, coarse).errors, dial.measure).rms;
-        const double after = summary_of(result_of(report, exact).errors, dial.measure).rms;
+        const double before = summary_of(report.results[coarse.alone].errors, dial.measure).rms;
+        const double after = summary_of(report.results[exact.alone].errors, dial.measure).rms;
         if (after <= before * kSameError) continue;
-        notes.push_back("By its rms error " + exact.name + " is further off than " + coarse.name + ": " +
-                        number_text(after) + ", not " + number_text(before) + " or less. " +
-                        reason_for(report, dial.measure, coarse, exact));
+        notes.push_back((dial.is_below_bound ? "Alone, by its rms error " : "By its rms error ") + exact.name +
+                        " is further off than " + coarse.name + ": " + number_text(after) + ", not " +
+                        number_text(before) + " or less. " + reason_for(report, dial.measure, coarse, exact));
     }
     return notes;
+}
+
+const ErrorSummary& floor_of(const Report& report, const Configurations::DialRows& dial) {
+    if (dial.measure != Measure::Displacement)
+        return summary_of(result_of(report, dial.rows.back()).errors, dial.measure);
+    return result_of(report, report.configurations.presets.back()).errors.displacement;
+}
+
+std::string note_on_floor(const Report& report, const Configurations::DialRows& dial) {
+    if (dial.measure != Measure::Displacement) return "";
+    const ErrorSummary& floor = floor_of(report, dial);
+    const std::string note =
+        "With a division a pixel, and all other dials at their most exact, rms " + number_text(floor.rms) +
+        ", largest " + number_text(floor.max) +
+        " are left, and no setting goes below that: texture coordinates are rounded by up to 2^-13 texel, a tenth of a "
+        "pixel next to a wall whose texels are hundreds of pixels wide; and a pixel whose centre lies beyond its "
+        "face's "
+        "edge, by what corners are rounded by, shows the surface's last texel.";
+    if (!dial.is_below_bound) return note;
+    return "Around the default the blocks of perspective=bounded are off by more than most settings of this dial add, "
+           "one way or the other: their order there means nothing. What the dial itself adds shows alone, at a "
+           "division "
+           "a pixel. " +
+           note;
 }
 
 std::string summary_of_dial(const Report& report, const Configurations::DialRows& dial) {

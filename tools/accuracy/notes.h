@@ -20,6 +20,13 @@ std::vector<Tradeoff> pareto_front(std::vector<Tradeoff> all);
 /// %: how much, and what of the measurements explains it.
 std::vector<std::string> notes_on_order(const Report& report, const Configurations::DialRows& dial);
 
+/// The error that is left at a division a pixel and the defaults of all other dials: what no setting of a dial of
+/// displacement goes below. Of other dials that of their most exact setting.
+const ErrorSummary& floor_of(const Report& report, const Configurations::DialRows& dial);
+
+/// A sentence on that floor, and on the bound that hides what a dial adds; empty where neither is of any interest.
+std::string note_on_floor(const Report& report, const Configurations::DialRows& dial);
+
 /// Sentences on what a dial's settings cost and how far off they are, from the first to the last.
 std::string summary_of_dial(const Report& report, const Configurations::DialRows& dial);
 

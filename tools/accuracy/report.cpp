@@ -105,8 +105,8 @@ struct WorstFrames {
     }
 };
 
-SettingResult measure_setting(const Accuracy& accuracy, std::span<const FrameJob> jobs, std::size_t level_count,
-                              WorstFrames& worst) {
+SettingResult measure_setting(const Accuracy& accuracy, bool is_counted, std::span<const FrameJob> jobs,
+                              std::size_t level_count, WorstFrames& worst) {
     ErrorCollector all;
     std::vector<ErrorCollector> by_level(level_count);
     for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -115,7 +115,7 @@ SettingResult measure_setting(const Accuracy& accuracy, std::span<const FrameJob
         by_level[jobs[i].level].add(errors);
         worst.add(errors, i);
     }
-    SettingResult result{all.summarize(), {}, count_cost(accuracy, jobs)};
+    SettingResult result{all.summarize(), {}, is_counted ? count_cost(accuracy, jobs) : CountedCost{}};
     for (const ErrorCollector& level : by_level) result.by_level.push_back(level.summarize());
     return result;
 }
@@ -187,7 +187,8 @@ Report measure_all(const Configurations& configurations, std::span<const Measure
     std::vector<WorstFrames> worst(configurations.accuracies.size());
     progress.begin("errors and operations", worst.size(), 15, 45);
     for (std::size_t i = 0; i < worst.size(); ++i, progress.step())
-        report.results.push_back(measure_setting(configurations.accuracies[i], jobs, places.size(), worst[i]));
+        report.results.push_back(
+            measure_setting(configurations.accuracies[i], configurations.is_counted[i], jobs, places.size(), worst[i]));
     for (const Configurations::DialRows& dial : configurations.dials)
         report.heat_maps.push_back(draw_heat_maps(dial, report, jobs, worst));
 

@@ -145,6 +145,7 @@ std::string presets_section(const Report& report) {
 std::string dial_table(const Report& report, const Configurations::DialRows& dial) {
     std::vector<std::string> headings{"setting", "rms", "99th percentile", "largest"};
     if (dial.measure == Measure::Displacement) headings.push_back("rms, texels");
+    if (dial.is_below_bound) headings.insert(headings.end(), {"alone: rms", "alone: largest"});
     if (dial.measure == Measure::WrongPixels) headings.push_back("close calls, \u2030");
     headings.insert(headings.end(), {"\u00b5s (quartiles)", "486, ms", "multiplications", "divisions", "look-ups"});
     HtmlTable table(headings);
@@ -154,6 +155,8 @@ std::string dial_table(const Report& report, const Configurations::DialRows& dia
         std::vector<std::string> cells{row.name, number_text(error.rms), number_text(error.p99),
                                        number_text(error.max)};
         if (dial.measure == Measure::Displacement) cells.push_back(number_text(result.errors.texels.rms));
+        const ErrorSummary& alone = summary_of(report.results[row.alone].errors, dial.measure);
+        if (dial.is_below_bound) cells.insert(cells.end(), {number_text(alone.rms), number_text(alone.max)});
         if (dial.measure == Measure::WrongPixels) cells.push_back(number_text(result.errors.close_calls.rms));
         const Operations& operations = is_about_surfaces(dial.measure) ? result.cost.lighting : result.cost.operations;
         cells.insert(cells.end(),
@@ -202,6 +205,7 @@ std::string dial_section(const Report& report, std::size_t index) {
     page += paragraph("Error: " + std::string(about(rows.measure)) + " Other dials: " + rows.base + ". Read in " +
                           std::string(dial.read_in) + ".",
                       "soft");
+    if (const std::string note = note_on_floor(report, rows); !note.empty()) page += paragraph(note, "note");
     for (const std::string& note : notes_on_order(report, rows)) page += paragraph(note, "note");
     page += "<figure>\n" + dial_chart(report, rows) + "</figure>\n" + dial_table(report, rows);
     return page + heat_maps(report.heat_maps[index], rows.measure);

@@ -98,6 +98,7 @@ Json setting_json(const Report& report, const Configurations::Row& row, Measure 
     const ErrorSummaries& errors = report.results[row.index].errors;
     return {{"name", row.name},
             {"error", error_json(summary_of(errors, measure), unit_of(measure))},
+            {"alone", error_json(summary_of(report.results[row.alone].errors, measure), unit_of(measure))},
             {"cost", cost_json(report, row.index, is_measured)},
             {"time", is_measured ? "measured" : "modelled"},
             {"errors", errors_json(errors)},
@@ -114,6 +115,8 @@ Json dial_json(const Report& report, const Configurations::DialRows& rows) {
             {"unit", dial.unit},
             {"read_in", dial.read_in},
             {"others_stand_at", rows.base},
+            {"alone_stands_at", rows.is_below_bound ? "default with perspective=exact" : rows.base},
+            {"floor", error_json(floor_of(report, rows), unit_of(rows.measure))},
             {"settings", settings},
             {"notes", notes_on_order(report, rows)}};
 }

@@ -36,6 +36,7 @@ struct ModelFile {
     World scale = World::from_int(1);
     bool is_z_up = false;
     Dither dither = Dither::None;
+    std::string glass = {};
     auto operator<=>(const ModelFile&) const = default;
 };
 
@@ -143,12 +144,12 @@ class LevelModelReader {
     static ModelFile file_of(const std::string& path, const EntityValues& values) {
         ModelFile file{path};
         constexpr World kLeast = World::from_raw(4), kMost = World::from_int(4096);
-        file.scale = values.number("scale", {kLeast, kMost, World::from_int(1)});
+        file.scale = values.number("scale", {kLeast, kMost});
         const std::string up = values.text("up"), dither = values.text("dither");
         file.is_z_up = up == "z";
         if (!up.empty() && up != "z" && up != "y")
             values.warn("up is \"" + up + "\", expected y or z: it is taken as y");
-        if (values.whole_number("dither", 0, 1, 0) == 1) file.dither = Dither::FloydSteinberg;
+        if (values.whole_number("dither", 0, 1) == 1) file.dither = Dither::FloydSteinberg;
         return file;
     }
 
@@ -158,12 +159,12 @@ class LevelModelReader {
         model.placed.mesh = &mesh;
         const auto last = [](const auto& list) { return static_cast<std::int32_t>(list.size()) - 1; };
         const std::int32_t last_frame = last(mesh.frame_sequences);
-        const std::int32_t frame = values.whole_number("frame", 0, last_frame, 0);
+        const std::int32_t frame = values.whole_number("frame", 0, last_frame);
         model.first_frame = static_cast<std::uint32_t>(frame);
-        model.frames = static_cast<std::uint32_t>(values.whole_number("frames", 1, last_frame - frame + 1, 1));
-        model.skin = static_cast<std::uint32_t>(values.whole_number("skin", 0, last(mesh.skin_sequences), 0));
+        model.frames = static_cast<std::uint32_t>(values.whole_number("frames", 1, last_frame - frame + 1));
+        model.skin = static_cast<std::uint32_t>(values.whole_number("skin", 0, last(mesh.skin_sequences)));
         if (mesh.turns) model.turn_ms = kItemTurn_ms;
-        if (!values.text("period").empty()) model.turn_ms = values.period_ms(kItemTurn_ms);
+        if (!values.text("period").empty()) model.turn_ms = values.period_ms();
         read_look(values, model.placed);
         return model;
     }
@@ -171,7 +172,7 @@ class LevelModelReader {
     static void read_look(const EntityValues& values, PlacedMesh& placed) {
         constexpr World kWhole = World::from_int(3600);
         const auto angle = [](World degrees) { return degrees_to_angle(convert<Degrees>(degrees)); };
-        placed.yaw = angle(values.number("angle", {-kWhole, kWhole, {}}));
+        placed.yaw = angle(values.number("angle", {-kWhole, kWhole}));
         if (const auto angles = values.vector("angles", -kWhole, kWhole)) {
             placed.pitch = angle(angles->x);
             placed.yaw = angle(angles->y);
@@ -182,8 +183,8 @@ class LevelModelReader {
         if (shading == "phong") placed.shading = Shading::Phong;
         if (!shading.empty() && shading != "flat" && shading != "gouraud" && shading != "phong")
             values.warn("shading is \"" + shading + "\", expected flat, gouraud or phong: it is taken as gouraud");
-        placed.highlight = values.whole_number("highlight", 0, 255, 0);
-        placed.least_light = values.whole_number("least_light", 0, 255, 0);
+        placed.highlight = values.whole_number("highlight", 0, 255);
+        placed.least_light = values.whole_number("least_light", 0, 255);
     }
 
     void read_item(const ModelClass& its_class, const Entity& entity, std::size_t index, const EntityValues& values) {
@@ -210,7 +211,7 @@ class LevelModelReader {
         const std::optional<std::string> file = finder_.find(fs::path("models") / item.file);
         if (!origin || !file) return;
         LevelModel model;
-        model.placed.mesh = &mesh_of({*file, item.scale}, values);
+        model.placed.mesh = &mesh_of({*file, item.scale, false, Dither::None, values.text("glass")}, values);
         model.placed.position = resting_place(*origin, item.over_floor);
         model.placed.shading = Shading::Phong;
         model.placed.highlight = 120;
@@ -252,7 +253,7 @@ class LevelModelReader {
         if (lower_case(fs::path(file.path).extension().string()) != ".obj")
             return read_parsed_game_file(file.path, [&](const auto& bytes) { return read_mdl(bytes, file.scale); });
         const double scale = static_cast<double>(file.scale.raw) / World::from_int(1).raw;
-        ObjModel model = read_obj(file.path, palette_, {scale, file.is_z_up, file.dither});
+        ObjModel model = read_obj(file.path, palette_, {scale, file.is_z_up, file.dither, file.glass});
         for (const std::string& warning : model.warnings) values.warn(file.path + ": " + warning);
         return std::move(model.mesh);
     }

@@ -192,24 +192,36 @@ class ObjMeshBuilder {
 class ObjSkins {
   public:
     ObjSkins(const std::vector<tinyobj::material_t>& materials, std::filesystem::path folder, const Palette& palette,
-             Dither dither, std::vector<std::string>& warnings)
-        : materials_(materials), folder_(std::move(folder)), palette_(palette), dither_(dither), warnings_(warnings) {}
+             const ObjOptions& options, std::vector<std::string>& warnings)
+        : materials_(materials),
+          folder_(std::move(folder)),
+          palette_(palette),
+          options_(options),
+          warnings_(warnings) {}
 
     std::uint32_t number_of(int material) {
+        material = shown_for(material);
         const auto [known, is_new] = numbers_.emplace(material, static_cast<std::uint32_t>(skins.size()));
         if (is_new)
-            skins.push_back(material < 0 ? grey_skin(palette_)
-                                         : make_skin(at(materials_, material), folder_, palette_, dither_, warnings_));
+            skins.push_back(material < 0
+                                ? grey_skin(palette_)
+                                : make_skin(at(materials_, material), folder_, palette_, options_.dither, warnings_));
         return known->second;
     }
 
     std::vector<Skin> skins;
 
   private:
+    int shown_for(int material) const {
+        if (material < 0 || options_.glass.empty() || at(materials_, material).name != "glass") return material;
+        const auto found = std::ranges::find(materials_, options_.glass, &tinyobj::material_t::name);
+        return found == materials_.end() ? material : static_cast<int>(found - materials_.begin());
+    }
+
     const std::vector<tinyobj::material_t>& materials_;
     std::filesystem::path folder_;
     const Palette& palette_;
-    Dither dither_;
+    const ObjOptions& options_;
     std::vector<std::string>& warnings_;
     std::map<int, std::uint32_t> numbers_;
 };
@@ -246,7 +258,7 @@ ObjModel parse_obj(const std::string& text, const std::filesystem::path& folder,
     const ObjSummary summary = check_obj(text, options.scale);
     const ObjFile file = load_obj(text, folder);
     ObjModel model{{}, lines_without_repetition(file.warnings)};
-    ObjSkins skins(file.materials, folder, palette, options.dither, model.warnings);
+    ObjSkins skins(file.materials, folder, palette, options, model.warnings);
     ObjMeshBuilder builder(file.numbers, options);
     std::int64_t flat_faces = 0;
     for (const tinyobj::shape_t& shape : file.shapes) {

@@ -19,6 +19,7 @@ std::vector<Row> inspection_rows();
 std::vector<Row> line_clipping_rows();
 std::vector<Row> line_rows();
 std::vector<Row> mesh_rows();
+std::vector<Row> projection_matrix_rows();
 std::vector<Row> projection_rows();
 std::vector<Row> shading_rows();
 std::vector<Row> stage_rows();

@@ -20,12 +20,21 @@ struct LevelBrushes {
     std::vector<std::vector<Brush>> models;
 };
 
-bool is_hint(const MapBrush& brush) {
+bool has_side_of(const MapBrush& brush, bool (*is_meant)(std::string_view)) {
     return std::any_of(brush.sides.begin(), brush.sides.end(),
-                       [](const MapSide& side) { return is_hint_texture(side.texture.name); });
+                       [is_meant](const MapSide& side) { return is_meant(side.texture.name); });
 }
 
-LevelBrushes make_brushes(const std::vector<MapEntity>& entities) {
+bool is_left_out(const MapBrush& brush, Warnings* warnings) {
+    const bool is_origin = has_side_of(brush, is_origin_texture);
+    if (is_origin && warnings != nullptr)
+        warnings->add(brush.line,
+                      "a brush with the texture 'origin', which turning entities have elsewhere: nothing "
+                      "turns here, it is left out");
+    return is_origin || has_side_of(brush, is_hint_texture);
+}
+
+LevelBrushes make_brushes(const std::vector<MapEntity>& entities, Warnings* warnings) {
     LevelBrushes level;
     level.models.emplace_back();
     for (const MapEntity& entity : entities) {
@@ -33,7 +42,7 @@ LevelBrushes make_brushes(const std::vector<MapEntity>& entities) {
         if (!belongs_to_world(entity)) level.models.emplace_back();
         auto& model = belongs_to_world(entity) ? level.models.front() : level.models.back();
         for (const MapBrush& brush : entity.brushes) {
-            if (is_hint(brush)) continue;
+            if (is_left_out(brush, warnings)) continue;
             model.push_back(make_brush(brush, level.planes, level.textures));
             if (is_detail_entity(entity)) model.back().is_detail = true;
         }
@@ -50,6 +59,31 @@ bool has_inside(const Tree& tree) {
                        [](const TreeLeaf& leaf) { return !is_opaque(leaf.contents); });
 }
 
+bool is_start(const MapEntity& entity) {
+    return entity.value("classname") == "info_player_start";
+}
+
+bool is_start_inside(const Leak& leak, const std::vector<const MapEntity*>& at_start) {
+    for (std::size_t i = 0; i < at_start.size(); ++i)
+        if (leak.inside[i] && is_start(*at_start[i])) return true;
+    return false;
+}
+
+// The player comes in a unit above the start's place.
+void check_starts(const Tree& player_hull, const PlaneList& planes, const std::vector<MapEntity>& entities,
+                  Warnings& warnings) {
+    for (const MapEntity& entity : entities) {
+        const auto origin = origin_of(entity);
+        if (!is_start(entity) || !origin) continue;
+        const std::vector<int> leaves = leaves_at(player_hull, planes, *origin + Point{0, 0, 1});
+        if (std::all_of(leaves.begin(), leaves.end(),
+                        [&](int leaf) { return is_opaque(player_hull.leaf(leaf).contents); }))
+            warnings.add(entity.line, "the info_player_start at " + points_text({*origin}) +
+                                          " is in a wall, expected room for the player: 16 units to each side, 24 "
+                                          "below, 32 above");
+    }
+}
+
 CompiledModel compile_world(LevelBrushes& level, const std::vector<MapEntity>& entities) {
     std::vector<Point> starts;
     std::vector<const MapEntity*> at_start;
@@ -60,7 +94,8 @@ CompiledModel compile_world(LevelBrushes& level, const std::vector<MapEntity>& e
         at_start.push_back(&entity);
     }
     ModelResult world = compile_model(level.models.front(), level.planes, level.textures.texinfos(), starts);
-    if (world.leak) throw LeakError(*at_start[world.leak->start], world.leak->path);
+    if (world.leak)
+        throw LeakError(*at_start[world.leak->start], world.leak->path, is_start_inside(*world.leak, at_start));
     if (!has_inside(world.model.tree))
         throw InputError("line " + std::to_string(entities.front().line),
                          "the level encloses no space, expected a room around the entities");
@@ -75,10 +110,12 @@ std::string number_text(double value) {
 
 }  // namespace
 
-LeakError::LeakError(const MapEntity& entity, std::vector<Point> way_out)
-    : InputError("line " + std::to_string(entity.line), "the level leaks: " + entity.value("classname", "an entity") +
-                                                            " at " + points_text({way_out.front()}) +
-                                                            " is open to the void, expected brushes all around"),
+LeakError::LeakError(const MapEntity& entity, std::vector<Point> way_out, bool is_start_inside)
+    : InputError("line " + std::to_string(entity.line),
+                 (is_start_inside ? "" : "the level leaks: ") + entity.value("classname", "an entity") + " at " +
+                     points_text({way_out.front()}) +
+                     (is_start_inside ? " is outside of the level, which is sealed around its start: expected it inside"
+                                      : " is open to the void, expected brushes all around")),
       path(std::move(way_out)) {}
 
 std::string points_text(const std::vector<Point>& path) {
@@ -93,19 +130,20 @@ std::string points_text(const std::vector<Point>& path) {
 BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wads, const CompileOptions& options) {
     assign_switchable_styles(entities);
     split_off_fences(entities);
-    LevelBrushes level = make_brushes(entities);
+    LevelBrushes level = make_brushes(entities, options.warnings);
     BspFile bsp;
     bsp.textures = collect_textures(level.textures.names(), wads);
     const CompiledModel world = compile_world(level, entities);
     Emitter emitter(bsp, level.planes);
     emitter.add_texinfos(level.textures.texinfos());
+    if (options.warnings != nullptr) check_starts(world.hulls[0], level.planes, entities, *options.warnings);
     const std::vector<int> leaf_indices = emitter.add_model(world);
     for (std::size_t i = 1; i < level.models.size(); ++i)
         emitter.add_model(compile_model(level.models[i], level.planes, level.textures.texinfos(), std::nullopt).model);
     bsp.entities = entities_text(entities);
     check_size(bsp);  // before the passes that take long
     add_visibility(bsp, world, leaf_indices, level.planes, options.is_fast);
-    add_light(bsp, entities, options.is_fast);
+    add_light(bsp, entities, options.is_fast, options.warnings);
     return bsp;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/base/input_error.h"
+#include "tools/map/source/checks.h"
 #include "tools/map/source/map_file.h"
 #include "tools/map/source/wad.h"
 #include "tools/map/tree/bsp_file.h"
@@ -8,13 +9,14 @@
 namespace oblong::map {
 
 struct CompileOptions {
-    bool is_fast = false;  ///< rougher visibility and light
+    bool is_fast = false;          ///< rougher visibility and light
+    Warnings* warnings = nullptr;  ///< collects what is odd, but compiled all the same
 };
 
-/// An entity of the level is open to the void around it.
+/// An entity of the level is open to the void around it: it leaks there or, where the start is sealed, it is outside.
 class LeakError : public InputError {
   public:
-    LeakError(const MapEntity& entity, std::vector<Point> way_out);
+    LeakError(const MapEntity& entity, std::vector<Point> way_out, bool is_start_inside);
 
     std::vector<Point> path;  ///< from the entity to the void
 };

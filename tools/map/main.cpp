@@ -27,13 +27,21 @@ std::string points_path(const Arguments& arguments) {
     return std::filesystem::path(arguments.output).replace_extension(".pts").string();
 }
 
-std::string compile(const Arguments& arguments, const std::string& text, const std::vector<map::Wad>& wads) {
-    std::vector<map::MapEntity> entities = map::parse_map(text);
-    for (const map::Warning& warning : map::find_warnings(entities))
+void print(map::Warnings& warnings, const Arguments& arguments) {
+    for (const map::Warning& warning : warnings.take())
         std::cerr << "oblong-map: " << arguments.input << ": line " << warning.line << ": warning: " << warning.what
                   << '\n';
+}
+
+std::string compile(const Arguments& arguments, const std::string& text, const std::vector<map::Wad>& wads) {
+    std::vector<map::MapEntity> entities = map::parse_map(text);
+    map::Warnings warnings;
+    map::find_warnings(entities, warnings);
+    print(warnings, arguments);
     try {
-        return map::to_bytes(map::compile_map(std::move(entities), wads, {arguments.is_fast}));
+        std::string level = map::to_bytes(map::compile_map(std::move(entities), wads, {arguments.is_fast, &warnings}));
+        print(warnings, arguments);
+        return level;
     } catch (const map::LeakError& leak) {
         write_file(points_path(arguments), map::points_text(leak.path) + "\n");
         throw InputError(leak.where, std::string(leak.what()) + "; the way out is in " + points_path(arguments));

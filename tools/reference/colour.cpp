@@ -78,12 +78,15 @@ std::vector<ColourPixel> draw_colours(const Level& level, std::span<const Placed
     const double weight = 1.0 / (samples_per_axis * samples_per_axis);
     std::vector<ColourPixel> picture(static_cast<std::size_t>(view.width_px) *
                                      static_cast<std::size_t>(view.height_px));
+    std::vector<int> faces;  // of the first rays
     const auto step = [&](int i) { return (2 * i + 1) * (kRayUnit / 2) / samples_per_axis - kRayUnit / 2; };
     for (int i = 0; i < samples_per_axis * samples_per_axis; ++i) {
         const RayShift shift{step(i % samples_per_axis), step(i / samples_per_axis)};
         const Frame frame = draw(level, models, view, shift);
         for (std::size_t at = 0; at < picture.size(); ++at) {
             const Pixel& pixel = frame.pixels[at];
+            if (i == 0) faces.push_back(pixel.face);
+            if (pixel.face != faces[at]) picture[at].is_border = true;
             if (pixel.face < 0 || level.face(pixel.face).material != Material::Lit) {
                 picture[at].is_excluded = true;
                 continue;

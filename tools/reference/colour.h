@@ -31,6 +31,7 @@ Rgb true_colour(const Level& level, const Face& face, double u, double v, const 
 struct ColourPixel {
     Rgb colour;
     bool is_excluded = false;  ///< some of it is sky or a liquid, which move, or no face at all
+    bool is_border = false;    ///< it shows parts of several faces
 };
 
 /// Colours without colormap, mip levels or rounding: the mean of samples_per_axis^2 rays a pixel, evenly spread, with 1

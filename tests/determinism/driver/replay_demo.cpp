@@ -23,7 +23,10 @@ void print(const char* kind, std::int64_t tick, std::uint64_t hash) {
 
 // The state as it is read from a file that it is saved in.
 GameState saved_and_loaded(const GameLevel& level, std::uint64_t level_hash, const GameState& state) {
-    const SavedGame game{{"level", level_hash, hash_of(start_of(level))}, state, {}};
+    SavedGame game;
+    game.level.file_hash = level_hash;
+    game.level.start_hash = hash_of(start_of(level));
+    game.state = state;
     const std::vector<std::uint8_t> bytes = encode_save(game);
     print("saved", state.tick, fnv1a_of(bytes));
     const SavedGame loaded = decode_save(bytes);

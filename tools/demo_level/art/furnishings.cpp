@@ -141,4 +141,18 @@ Canvas paint_lamp_dead() {
     return canvas;
 }
 
+Canvas paint_lens_windows(bool is_lit) {
+    Canvas canvas(192, 16);
+    canvas.paint(canvas.whole(), [&](int x, int y) {
+        const int across = 2 * (x % 16) - 15, down = 2 * y - 15, distance = across * across + down * down;
+        if (distance > 15 * 15) return Texel{Ramp::Stone, steps(2)};
+        if (distance > 11 * 11) return Texel{Ramp::Brass, steps(distance > 13 * 13 ? 6 : 9)};
+        if (!is_lit) return Texel{Ramp::Stone, steps(across + down < -10 ? 4 : 2)};
+        const Ramp ramp = at(kLensRamps, x / 16);
+        const int last = place_of(ramp).count - 1;
+        return Texel{ramp, steps(last) - steps(last) / 2 * distance / (11 * 11)};
+    });
+    return canvas;
+}
+
 }  // namespace oblong::art

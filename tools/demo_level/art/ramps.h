@@ -51,6 +51,11 @@ constexpr RampPlace place_of(Ramp ramp) {
     return at(kGlowing, index - kOrdinaryRamps);
 }
 
+/// The colours of the exhibits' lenses, in the order of a visit and of the rainbow.
+inline constexpr std::array<Ramp, 12> kLensRamps{Ramp::Red,  Ramp::Terracotta, Ramp::Flame,     Ramp::Brass,
+                                                 Ramp::Moss, Ramp::Green,      Ramp::Verdigris, Ramp::Cyan,
+                                                 Ramp::Ice,  Ramp::Water,      Ramp::Night,     Ramp::Violet};
+
 /// The palette of the demo level: thirteen ramps of sixteen steps that begin near black (index 0 is black), then half
 /// steps, then 32 colours that glow. No colour appears twice.
 Palette design_palette();

@@ -87,6 +87,8 @@ void add_furnishings(Textures& all) {
     all.push_back({"{fern", paint_fern()});
     all.push_back({"neon", paint_neon()});
     all.push_back({"lamp_dead", paint_lamp_dead()});
+    all.push_back({"+0lenses", paint_lens_windows(false)});
+    all.push_back({"+alenses", paint_lens_windows(true)});
     for (int frame = 0; frame < kVoltFrames; ++frame) {
         all.push_back({"+" + std::to_string(frame) + "volt", paint_volt(frame)});
     }

@@ -68,6 +68,8 @@ Canvas paint_neon();      ///< 128x32, WORKSHOP among lights in the colours of R
 Canvas paint_volt(int frame);  ///< 64x64, a bolt that brightens and fades in kVoltFrames frames
 Canvas paint_lamp_dead();      ///< 32x32, the lamp with broken glass
 inline constexpr int kVoltFrames = 4;
+/// 192x16, a round window of 16 texels for each lens of kLensRamps: of its glass, or dark.
+Canvas paint_lens_windows(bool is_lit);
 
 /// A brass-framed plate, as wide as its text needs and 32 high, with a room's title engraved in gold on night blue;
 /// 48 high and of two lines if `second` is given.

@@ -1,5 +1,7 @@
 #include "tools/demo_level/map/exhibits.h"
 
+#include <algorithm>
+
 namespace oblong::map_source {
 namespace {
 
@@ -9,9 +11,19 @@ MapEntity brush_entity(const std::string& classname, const Box& box) {
 
 }  // namespace
 
+std::string lens_target(std::size_t exhibit) {
+    return "lens" + std::to_string(exhibit + 1);
+}
+
 void add_lens(Draft& draft, const Point& floor, const std::string& exhibit) {
-    draft.add_point("item_lens", {floor.x, floor.y, floor.z + 40},
-                    {{"target", kLensCounter}, {"message", "The lens of " + exhibit}});
+    const auto number = static_cast<std::size_t>(std::ranges::find(kExhibits, exhibit) - kExhibits.begin());
+    const Point place{floor.x, floor.y, floor.z + 40};
+    draft.add_point("item_lens", place,
+                    {{"target", lens_target(number)},
+                     {"netname", exhibit},
+                     {"glass", "glass" + std::to_string(number + 1)},
+                     {"message", "The lens of " + exhibit}});
+    draft.add_point("trigger_relay", place, {{"targetname", lens_target(number)}, {"target", kLensCounter}});
 }
 
 void add_caption(Draft& draft, const Box& box, const std::string& first, const std::string& second) {

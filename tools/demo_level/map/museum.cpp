@@ -12,8 +12,7 @@ Draft make_museum() {
                  {"palette_cycle", "240 243 6"},  // Ramp::Magenta: the workshop's neon sign
                  {"_minlight", "28"},
                  {"_sunlight", "90"},
-                 {"_sun_mangle", "125 -38 0"},
-                 {"_sky", "sky_night"}});
+                 {"_sun_mangle", "125 -38 0"}});
     build_entrance(draft);
     build_aspect_room(draft);
     build_gallery(draft);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "tools/demo_level/map/exhibits.h"
@@ -125,6 +126,54 @@ void add_windows(Draft& draft) {
     for (const double x : {kX - 50, kX + 50}) add_wall_lamp(draft, {x, kY - kOuter - 8, 120}, Side::South, 320);
 }
 
+/// Whether a face of a window looks away from the tower's middle.
+bool looks_out(const BrushFace& face) {
+    const Point normal = outward_normal(face), &at = face.points[0];
+    const double along = normal.x * (at.x - kX) + normal.y * (at.y - kY);
+    return along > 0.9 * std::hypot(normal.x, normal.y) * std::hypot(at.x - kX, at.y - kY);
+}
+
+/// A lens's 16 texels from end to end of a face. Texture axes run east or, on a face that looks as much east, north.
+Placement window_placement(const BrushFace& face, std::size_t lens, double z_low, double z_high) {
+    const Point normal = outward_normal(face);
+    const bool runs_north = std::abs(normal.x) >= std::abs(normal.y);
+    double low = 1e9, high = -1e9;
+    for (const Point& point : face.points) {
+        low = std::min(low, runs_north ? point.y : point.x);
+        high = std::max(high, runs_north ? point.y : point.x);
+    }
+    Placement placement{"+0lenses", 0, 0, (high - low) / 16, (z_high - z_low) / 16};
+    placement.offset_u = 16 * static_cast<double>(lens) - low / placement.scale_u;
+    placement.offset_v = z_high / placement.scale_v;
+    return placement;
+}
+
+/// A round window for each lens around the tower's south, dark until the lens is found.
+void add_lens_windows(Draft& draft) {
+    constexpr double kLow = 172, kHigh = 192, kHalf = 10.0 / 120;  // of a side's length
+    constexpr std::size_t kFirstSide = 4, kOnASide = 4;
+    const auto wall = octagon(kOuter), front = octagon(kOuter + 4);
+    for (std::size_t lens = 0; lens < kLensCount; ++lens) {
+        const std::size_t side = kFirstSide + lens / kOnASide;
+        const double middle = (static_cast<double>(lens % kOnASide) + 0.5) / kOnASide;
+        const auto corner = [&](const auto& ring, double part) {
+            const auto &a = ring[side], &b = ring[(side + 1) % ring.size()];
+            const auto between = [&](std::size_t axis) {
+                return std::round((a[axis] + (b[axis] - a[axis]) * part) * 4) / 4;
+            };
+            return std::array<double, 2>{between(0), between(1)};
+        };
+        const Outline outline{2,
+                              {corner(wall, middle - kHalf), corner(wall, middle + kHalf),
+                               corner(front, middle + kHalf), corner(front, middle - kHalf)}};
+        Brush window = extrude(outline, kLow, kHigh, "brass_trim");
+        for (BrushFace& face : window.faces)
+            if (looks_out(face)) face.placement = window_placement(face, lens, kLow, kHigh);
+        draft.add_entity(
+            {{{"classname", "func_wall"}, {"targetname", lens_target(lens)}, {"_minlight", "255"}}, {window}});
+    }
+}
+
 /// A brass plate that goes up past a band for each exhibit, of what its room is made of, and out into the night.
 void add_lift(Draft& draft) {
     for (const Outline& part : around_shaft({2, octagon(kInner)}))
@@ -230,6 +279,7 @@ void build_tower(Draft& draft) {
     add_stairs(draft, {kX - 64, kX + 64, south - 72, 0, 24, 3, true}, {"sand_frieze", "stone_floor"});
     add_band(draft, 8, 204);
     add_windows(draft);
+    add_lens_windows(draft);
     add_lift(draft);
     add_lantern(draft);
     add_orrery(draft);

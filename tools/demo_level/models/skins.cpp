@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/table.h"
 #include "tools/demo_level/models/models.h"
 #include "tools/demo_level/models/turned.h"
 
@@ -56,15 +57,18 @@ art::Canvas paint_glass(Ramp ramp, int darkest, int brightest) {
     return canvas;
 }
 
-/// A column of glass for each exhibit, in the order of the rainbow.
+/// The glass of an exhibit's lens.
+art::Canvas paint_coloured_glass(std::size_t exhibit) {
+    const Ramp ramp = at(art::kLensRamps, exhibit);
+    const int last = art::place_of(ramp).count - 1;
+    return paint_glass(ramp, last / 2, last);
+}
+
+/// A column of glass for each exhibit.
 art::Canvas paint_spectrum() {
-    constexpr std::array<Ramp, 12> kRamps{Ramp::Red,  Ramp::Terracotta, Ramp::Flame,     Ramp::Brass,
-                                          Ramp::Moss, Ramp::Green,      Ramp::Verdigris, Ramp::Cyan,
-                                          Ramp::Ice,  Ramp::Water,      Ramp::Night,     Ramp::Violet};
     art::Canvas canvas(192, 16);
-    for (std::size_t i = 0; i < kRamps.size(); ++i) {
-        const int last = art::place_of(kRamps[i]).count - 1;
-        const art::Canvas glass = paint_glass(kRamps[i], last / 2, last);
+    for (std::size_t i = 0; i < art::kLensRamps.size(); ++i) {
+        const art::Canvas glass = paint_coloured_glass(i);
         canvas.paint({static_cast<int>(i) * 16, 0, 16, 16}, [&](int x, int y) { return glass.at(x, y); });
     }
     return canvas;
@@ -90,14 +94,17 @@ std::string materials() {
 }  // namespace
 
 std::vector<art::NamedCanvas> paint_all_skins() {
-    return {{"bronze", paint_metal(Ramp::Wood, 6, 0)},
-            {"brass", paint_metal(Ramp::Brass, 9, 4)},
-            {"silver", paint_metal(Ramp::Grey, 11, 0)},
-            {"gold", paint_metal(Ramp::Brass, 11, 0)},
-            {"globe", paint_globe()},
-            {"glass", paint_glass(Ramp::Ice, 4, 6)},
-            {"spectrum", paint_spectrum()},
-            {"sun", paint_sun()}};
+    std::vector<art::NamedCanvas> skins{{"bronze", paint_metal(Ramp::Wood, 6, 0)},
+                                        {"brass", paint_metal(Ramp::Brass, 9, 4)},
+                                        {"silver", paint_metal(Ramp::Grey, 11, 0)},
+                                        {"gold", paint_metal(Ramp::Brass, 11, 0)},
+                                        {"globe", paint_globe()},
+                                        {"glass", paint_glass(Ramp::Ice, 4, 6)},
+                                        {"spectrum", paint_spectrum()},
+                                        {"sun", paint_sun()}};
+    for (std::size_t i = 0; i < art::kLensRamps.size(); ++i)
+        skins.push_back({"glass" + std::to_string(i + 1), paint_coloured_glass(i)});
+    return skins;
 }
 
 std::vector<ModelFile> all_model_files() {

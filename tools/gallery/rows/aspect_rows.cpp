@@ -153,6 +153,15 @@ double error_of_rounded_aspect_px() {
     return top({133, 100}) - top({4, 3});
 }
 
+void draw_costs(const ProjectionCosts& costs, const GalleryAssets& assets, Framebuffer canvas) {
+    fill_area(canvas, {0, kHeader_px, 27 * kGlyphAdvance_px, 4 * kLineHeight_px + 5}, assets.text.dark);
+    draw_column(canvas, kTextMargin_px, kHeader_px + 3,
+                std::vector<std::string>{"a point costs", "naive        " + costs.naive.text(),
+                                         "multipliers  " + costs.by_multipliers.text(),
+                                         "formula      " + costs.by_formula.text()},
+                assets.text);
+}
+
 RowPage draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
     RowInput square = input;
     square.settings.correct_aspect = input.values[0] == 0;
@@ -168,12 +177,7 @@ RowPage draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
     const double shape = static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator);
     const double right_shape = square.settings.correct_aspect ? 1 : shape;
     const ProjectionCosts costs = projection_costs();
-    fill_area(canvas, {0, kHeader_px, 27 * kGlyphAdvance_px, 4 * kLineHeight_px + 5}, input.assets.text.dark);
-    draw_column(canvas, kTextMargin_px, kHeader_px + 3,
-                std::vector<std::string>{"a point costs", "naive        " + costs.naive.text(),
-                                         "multipliers  " + costs.by_multipliers.text(),
-                                         "formula      " + costs.by_formula.text()},
-                input.assets.text);
+    if (canvas.width_px >= 320) draw_costs(costs, input.assets, canvas);
     return {{{"a point by two multipliers, as naive", costs.naive.text(), costs.by_multipliers.text(),
               costs.by_multipliers == costs.naive},
              number_figure("width to height of a square as shown", right_shape, columns / rows * shape, 0.005),
@@ -259,7 +263,7 @@ RowPage draw_seven_steps(const RowInput& input, Framebuffer canvas) {
     lines.push_back("");
     lines.push_back("u . v in nine terms:");
     draw_column(canvas, kTextMargin_px, kHeader_px + 5, lines, assets.text);
-    draw_nine_terms(u, v, dots, assets, canvas);
+    if (canvas.height_px >= 200) draw_nine_terms(u, v, dots, assets, canvas);
     Operations three, nine;
     const auto counted = [](const Vec3<double>& a, Operations& in) {
         return Vec3<Counted>{{a.x, in}, {a.y, in}, {a.z, in}};

@@ -1,11 +1,13 @@
 // Seeds 2 and 3: six planes, the canonical view volume, polygons into triangles.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "engine/geometry/canonical_volume.h"
 #include "engine/geometry/triangulate.h"
 #include "engine/geometry/views.h"
+#include "tools/common/font.h"
 #include "tools/gallery/rows.h"
 #include "tools/gallery/sketch.h"
 
@@ -22,18 +24,38 @@ std::string sides_text(unsigned outcode) {
     return text.empty() ? "inside" : text;
 }
 
-/// A view that is shown from outside: an eye at the origin that looks along +x.
+enum class VolumeKind { Perspective, Parallel, Oblique };
+
+/// A view that is shown from outside: from the origin along +x. The parallel volumes are a box, and one that leans by
+/// kLean of its depth to the left and down (seed 4's parallel projection matrix, L cos a = L sin a = kLean).
 struct ShownView {
-    static constexpr double kNear = 4, kFar = 14;
-    ViewContext view;
+    static constexpr double kNear = 4, kFar = 14, kHalfWidth = 6, kLean = 0.25;
+    VolumeKind kind;
     Matrix4 to_volume, from_volume;
+
+    /// Half of the volume's width at a distance; its height is three quarters of its width.
+    double half_width(double ahead) const {
+        return kind == VolumeKind::Perspective ? ahead * std::tan(30 * 3.141592653589793 / 180) : kHalfWidth;
+    }
+    double lean() const { return kind == VolumeKind::Oblique ? kLean : 0; }
 };
 
-ShownView make_shown_view() {
-    ShownView shown;
-    shown.view = make_view_context(look_at_view({}, world_point(1, 0, 0), Degrees::from_int(60)), {});
-    shown.to_volume = volume_matrix(shown.view.projection, entry_of(ShownView::kNear), entry_of(ShownView::kFar)) *
-                      view_matrix(shown.view.axes, shown.view.eye);
+/// Viewspace to the canonical volume of a parallel view: what leans is set upright, then the box is moved and scaled.
+Matrix4 parallel_volume_matrix(double lean) {
+    Matrix4 shear = Matrix4::identity();
+    shear.rows[0][2] = shear.rows[1][2] = entry_of(lean);
+    return scaling({entry_of(1 / ShownView::kHalfWidth), entry_of(4 / (3 * ShownView::kHalfWidth)),
+                    entry_of(1 / (ShownView::kFar - ShownView::kNear))}) *
+           translation({Entry{}, Entry{}, entry_of(-ShownView::kNear)}) * shear;
+}
+
+ShownView make_shown_view(VolumeKind kind) {
+    ShownView shown{kind, {}, {}};
+    const ViewContext view = make_view_context(look_at_view({}, world_point(1, 0, 0), Degrees::from_int(60)), {});
+    shown.to_volume = (kind == VolumeKind::Perspective
+                           ? volume_matrix(view.projection, entry_of(ShownView::kNear), entry_of(ShownView::kFar))
+                           : parallel_volume_matrix(shown.lean())) *
+                      view_matrix(view.axes, view.eye);
     shown.from_volume = *inverse(shown.to_volume);
     return shown;
 }
@@ -53,26 +75,57 @@ std::array<Vec3<World>, 4> volume_end(const ShownView& shown, int z) {
             volume_corner(shown, 1, -1, z)};
 }
 
-/// Corners of a triangle clipped in double precision: its points that no side is outside of, on a fine grid, give the
-/// share of its area that is left.
-double share_inside(const std::array<Vec3<World>, 3>& triangle) {
-    const double across = std::tan(30 * 3.141592653589793 / 180), up = across * 3 / 4;
-    constexpr int kSteps = 400;
-    int inside = 0, all = 0;
-    for (int i = 0; i < kSteps; ++i)
-        for (int j = 0; i + j < kSteps; ++j) {
-            const double b = (i + 1.0 / 3) / kSteps, c = (j + 1.0 / 3) / kSteps, a = 1 - b - c;
-            const auto mixed = [&](auto part) {
-                return a * number_of(part(triangle[0])) + b * number_of(part(triangle[1])) +
-                       c * number_of(part(triangle[2]));
-            };
-            const double x = mixed([](const auto&p) { return p.x; }), y = mixed([](const auto&p) { return p.y; }),
-                         z = mixed([](const auto&p) { return p.z; });
-            ++all;
-            inside +=
-                x >= ShownView::kNear && x <= ShownView::kFar && std::abs(y) <= across * x && std::abs(z) <= up * x;
+/// A place on a triangle: shares of the ways to its second and its third corner.
+struct TrianglePlace {
+    double b = 0, c = 0;
+};
+
+/// a + along_b b + along_c c >= 0 is kept.
+struct HalfPlane {
+    double a = 0, along_b = 0, along_c = 0;
+
+    double at(const TrianglePlace& p) const { return a + along_b * p.b + along_c * p.c; }
+};
+
+/// The triangle's own three sides, and the six planes of the view on it.
+std::vector<HalfPlane> half_planes_of(const std::array<Vec3<World>, 3>& triangle, const ShownView& shown) {
+    std::vector<HalfPlane> sides{{0, 1, 0}, {0, 0, 1}, {1, -1, -1}};
+    const auto keep = [&](auto inside_at) {
+        const auto at = [&](std::size_t i) {
+            return inside_at(number_of(triangle[i].x), number_of(triangle[i].y), number_of(triangle[i].z));
+        };
+        sides.push_back({at(0), at(1) - at(0), at(2) - at(0)});
+    };
+    keep([](double x, double, double) { return x - ShownView::kNear; });
+    keep([](double x, double, double) { return ShownView::kFar - x; });
+    for (const double sign : {-1.0, 1.0}) {
+        keep([&](double x, double y, double) { return shown.half_width(x) + sign * (y - shown.lean() * x); });
+        keep([&](double x, double, double z) { return shown.half_width(x) * 3 / 4 + sign * (z + shown.lean() * x); });
+    }
+    return sides;
+}
+
+/// The share of a triangle's area that is in the view, in closed form: nothing is clipped one side after the other.
+/// Each side's line is cut to what the others keep of it, which is an edge of what is left or nothing; the edges'
+/// cross products add up to twice its area (Green), the whole being 1/2.
+double share_inside(const std::array<Vec3<World>, 3>& triangle, const ShownView& shown) {
+    const std::vector<HalfPlane> sides = half_planes_of(triangle, shown);
+    double doubled_area = 0;
+    for (const HalfPlane& side : sides) {
+        const double square = side.along_b * side.along_b + side.along_c * side.along_c;
+        const TrianglePlace foot{-side.a * side.along_b / square, -side.a * side.along_c / square};
+        const TrianglePlace way{side.along_c, -side.along_b};  // the inside on its left
+        double from = -1e9, to = 1e9;
+        for (const HalfPlane& other : sides) {
+            const double there = other.at(foot), rise = other.along_b * way.b + other.along_c * way.c;
+            if (&other == &side) continue;
+            if (rise > 0) from = std::max(from, -there / rise);
+            if (rise < 0) to = std::min(to, -there / rise);
+            if (rise == 0 && there < 0) to = from;
         }
-    return static_cast<double>(inside) / all;
+        if (from < to) doubled_area += (to - from) * (foot.c * way.b - foot.b * way.c);
+    }
+    return std::abs(doubled_area);
 }
 
 double area_of(std::span<const Vec3<World>> corners) {
@@ -86,11 +139,58 @@ double area_of(std::span<const Vec3<World>> corners) {
     return std::hypot(sum[0], sum[1], sum[2]) / 2;
 }
 
+/// The volume that all views become, with what is left of the polygon in it: x right, y up, depth away from the viewer.
+void draw_canonical_volume(std::span<const Vec4> polygon, const RowInput& input, Framebuffer canvas) {
+    const GalleryAssets& assets = input.assets;
+    const std::int32_t x = canvas.width_px * 206 / 320, y = kHeader_px + 5 * kLineHeight_px;
+    const Area area{x, y, canvas.width_px - x, std::max(canvas.height_px - kFooter_px - y, 8)};
+    Sketch sketch(input, canvas, area, {world_point(-3.2, -6, 3), world_point(0, 1, 0), 46});
+    const auto place = [](double across, double up, double depth) {
+        return world_point(2 * across, 2 * depth, 2 * up);
+    };
+    const auto end = [&](int z) {
+        return std::array{place(-1, -1, z), place(-1, 1, z), place(1, 1, z), place(1, -1, z)};
+    };
+    const auto near = end(0), far = end(1);
+    const std::uint8_t blue = assets.colour(90, 130, 220), dim = assets.colour(50, 70, 120);
+    sketch.outline(far, dim);
+    for (std::size_t i = 0; i < 4; ++i) sketch.line(near[i], far[i], dim);
+    std::vector<Vec3<World>> corners;
+    for (const Vec4& corner : polygon) {
+        const Vec3<Entry> p = *point_of(corner);
+        corners.push_back(place(number_of(p.x), number_of(p.y), number_of(p.z)));
+    }
+    sketch.polygon(corners, assets.colour(200, 150, 60));
+    sketch.outline(corners, assets.colour(250, 225, 150));
+    sketch.outline(near, blue);
+    sketch.label(near[0], "-1 -1 0", blue);
+    sketch.label(far[2], "1 1 1", blue);
+}
+
+/// The volume in the world: its two ends, the edges between them, and the rays that its near corners are seen along.
+void draw_volume(const ShownView& shown, const GalleryAssets& assets, Sketch& sketch) {
+    const std::uint8_t blue = assets.colour(90, 130, 220), grey = assets.colour(80, 88, 110);
+    const auto near = volume_end(shown, 0), far = volume_end(shown, 1);
+    sketch.outline(near, blue);
+    sketch.outline(far, blue);
+    for (std::size_t i = 0; i < 4; ++i) {
+        sketch.line(near[i], far[i], blue);
+        // Back by 2/5 of the depth, to where x is 0: the eye, or where a ray has no beginning.
+        const auto back = [&](auto part) { return number_of(part(near[i])) * 1.4 - number_of(part(far[i])) * 0.4; };
+        sketch.line(world_point(back([](const auto& p) { return p.x; }), back([](const auto& p) { return p.y; }),
+                                back([](const auto& p) { return p.z; })),
+                    near[i], grey);
+    }
+    if (shown.kind == VolumeKind::Perspective) sketch.label(world_point(0, 0, 0), "eye", grey);
+    sketch.label(far[1], "far", blue);
+    sketch.label(near[1], "near", blue);
+}
+
 RowPage draw_view_volume(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
-    const ShownView shown = make_shown_view();
-    const auto move = static_cast<double>(input.values[0]);
+    const ShownView shown = make_shown_view(static_cast<VolumeKind>(input.values[0]));
+    const auto move = static_cast<double>(input.values[1]);
     const std::array triangle{world_point(2 + move, 5, -2), world_point(9 + move, -8, 1), world_point(10 + move, 4, 7)};
     std::vector<Vec4> corners;
     for (const Vec3<World>& p : triangle)
@@ -99,36 +199,33 @@ RowPage draw_view_volume(const RowInput& input, Framebuffer canvas) {
     std::vector<Vec3<World>> inside;
     for (const Vec4& corner : clipped) inside.push_back(world_of(shown, corner));
 
-    Sketch sketch(input, canvas, scene_area(canvas, 216), {world_point(2, -28, 16), world_point(8, 0, -1), 42});
-    const std::uint8_t blue = assets.colour(90, 130, 220), grey = assets.colour(80, 88, 110);
-    const auto near = volume_end(shown, 0), far = volume_end(shown, 1);
+    Sketch sketch(input, canvas, scene_area(canvas, 206), {world_point(2, -28, 16), world_point(7.5, 0, -1), 46});
     sketch.outline(triangle, assets.colour(220, 90, 80));
     sketch.polygon(inside, assets.colour(200, 150, 60));
     sketch.outline(inside, assets.colour(250, 225, 150));
-    sketch.outline(near, blue);
-    sketch.outline(far, blue);
-    for (std::size_t i = 0; i < 4; ++i) {
-        sketch.line(world_point(0, 0, 0), near[i], grey);
-        sketch.line(near[i], far[i], blue);
-    }
-    sketch.label(world_point(0, 0, 0), "eye", grey);
-    sketch.label(far[1], "far", blue);
-    sketch.label(near[1], "near", blue);
-    std::vector<std::string> lines{"corners"};
+    draw_volume(shown, assets, sketch);
+    std::vector<std::string> lines;
     for (const Vec4& corner : corners) lines.push_back(sides_text(volume_outcode(corner)));
-    lines.push_back("");
-    lines.push_back(std::to_string(clipped.size()) + " after six");
-    draw_column(canvas, canvas.width_px * 220 / 320, kHeader_px + 8, lines, assets.text);
+    lines.push_back(std::to_string(clipped.size()) + " corners left");
+    draw_column(canvas, canvas.width_px * 206 / 320, kHeader_px + 4, lines, assets.text);
+    draw_canonical_volume(clipped, input, canvas);
 
-    const double whole = area_of(triangle);
-    return {{number_figure("area inside, by a grid of 80,000 points", share_inside(triangle) * whole, area_of(inside),
-                           whole * 0.004),
-             number_figure("width of the far side: 2 z tan(30 degrees)", 2 * 14 * std::tan(0.5235987755982988),
-                           number_of(far[0].y - far[3].y), 2e-3),
-             number_figure("its height: 3/4 of that", 1.5 * 14 * std::tan(0.5235987755982988),
-                           number_of(far[1].z - far[0].z), 2e-3)},
-            {"Each corner's w and x, y, z are compared: -w <= x <= w, -w <= y <= w, 0 <= z <= w.",
-             "By one side after the other (Sutherland and Hodgman), in homogeneous coordinates, before any division."}};
+    const auto far = volume_end(shown, 1);
+    const bool is_parallel = shown.kind != VolumeKind::Perspective;
+    const double whole = area_of(triangle), wide = 2 * shown.half_width(ShownView::kFar);
+    const Vec4 middle = shown.to_volume * Vec4{entry_of(9), Entry{}, Entry{}};
+    return {
+        {number_figure("area inside, by the edges that nine half-planes leave each other",
+                       share_inside(triangle, shown) * whole, area_of(inside), 2e-3),
+         number_figure(is_parallel ? "width of the far side, the near side's" : "width of the far side: 2 z tan(30)",
+                       wide, number_of(far[0].y - far[3].y), 2e-3),
+         number_figure("its height: 3/4 of that", wide * 3 / 4, number_of(far[1].z - far[0].z), 2e-3),
+         number_figure(is_parallel ? "depth half way: even" : "depth half way: f / (f - n) (1 - n / z)",
+                       is_parallel ? 0.5 : 14 / 10.0 * (1 - 4 / 9.0), number_of(point_of(middle)->z), 1e-6, 6)},
+        {"Left the volume in the world, right the canonical volume that a matrix makes of it: a pyramid's frustum, a "
+         "box, or what leans along an oblique direction of projection. What clips needs to know none of them.",
+         "Each corner's w and x, y, z are compared: -w <= x <= w, -w <= y <= w, 0 <= z <= w. By one side after the "
+         "other (Sutherland and Hodgman), in homogeneous coordinates, before any division."}};
 }
 
 /// Seed 3's pentagon against one plane, with both lists.
@@ -228,11 +325,12 @@ constexpr std::string_view kVolumeTest = "tests/geometry/canonical_volume_test.c
 
 std::vector<Row> clipping_rows() {
     return {{"view-volume",
-             "Six planes, the view volume",
-             "3 Notes: Clipping; 2 Lab: canonical view volume",
+             "Six planes, the view volumes",
+             "3 Notes: Clipping; 2 Lab: canonical view volume; 4 Princeton: view volumes",
              "engine/geometry/canonical_volume.h",
              kVolumeTest,
-             {{"triangle moved by, units", -4, 8, 1, 1}},
+             {choice_parameter("projection", {"perspective", "parallel", "oblique parallel"}),
+              {"triangle moved by, units", -4, 8, 1, 1}},
              draw_view_volume},
             {"two-lists",
              "A polygon cut by a plane",

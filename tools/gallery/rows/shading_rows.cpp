@@ -1,4 +1,4 @@
-// Seeds 3 and 5: shading, and light as dot products. Seed 4: what scaling does to normals.
+// Seeds 3 and 5: shading, and light as dot products. What scaling does to normals.
 
 #include <array>
 #include <cmath>
@@ -178,50 +178,77 @@ RowPage draw_lights(const RowInput& input, Framebuffer canvas) {
     return page;
 }
 
-/// Seed 4 says that normals stay normals; its erratum A7 works out that they do not.
+/// The angle between two directions of the plane, degrees.
+double degrees_between(PlanePoint a, PlanePoint b) {
+    return std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y)) * 180 / std::numbers::pi;
+}
+
+/// A normal of a scaled surface in three ways: as a point, by the inverse transpose, and as the cross product of two of
+/// its edges after they were scaled.
+struct ScaledNormals {
+    PlanePoint as_point, as_normal, of_edges;
+};
+ScaledNormals scaled_normals(const Matrix3& matrix, const Matrix3& normals, double angle) {
+    const Vec3<Entry> normal{entry_of(std::cos(angle)), entry_of(std::sin(angle)), Entry{}};
+    const Vec3<Entry> along{-normal.y, normal.x, Entry{}}, across{Entry{}, Entry{}, Entry::from_int(1)};
+    const auto edges = cross(convert<World>(matrix * along), convert<World>(matrix * across));
+    const Vec3<Entry> as_point = matrix * normal, as_normal = normals * normal;
+    return {{number_of(as_point.x), number_of(as_point.y)},
+            {number_of(as_normal.x), number_of(as_normal.y)},
+            {number_of(edges.x), number_of(edges.y)}};
+}
+
+/// Seed 5 says that scaling leaves normals normals; its erratum A7 works out that it does not. The cross product of two
+/// edges, its other way to a normal, needs no rule.
 RowPage draw_normals(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     const double scale = static_cast<double>(input.values[0]) / 4;
     Diagram diagram(input, canvas, {0, 0}, 4.4);
     diagram.fill(assets.colour(20, 24, 36));
-    const std::uint8_t outline = assets.colour(150, 160, 180), wrong = assets.colour(220, 70, 60),
-                       right = assets.colour(90, 210, 110);
+    const std::uint8_t wrong = assets.colour(220, 70, 60), right = assets.colour(90, 210, 110),
+                       edges = assets.colour(250, 230, 120);
     Matrix3 matrix = Matrix3::identity();
     matrix.rows[0][0] = Entry::from_raw(input.values[0] * (std::int64_t{1} << 30));
     const std::optional<Matrix3> normals = normal_matrix(matrix);
     if (!normals) return {};
-    const auto number = [](Entry entry) { return std::ldexp(static_cast<double>(entry.raw), -32); };
-    PlanePoint last{scale, 0};
-    for (int step = 1; step <= 96; ++step) {
-        const double angle = step * std::numbers::pi / 48;
-        const PlanePoint place{scale * std::cos(angle), std::sin(angle)};
-        diagram.line(last, place, outline);
-        last = place;
-    }
+    const auto on_ellipse = [scale](double angle) { return PlanePoint{scale * std::cos(angle), std::sin(angle)}; };
+    for (int step = 0; step < 96; ++step)
+        diagram.line(on_ellipse(step * std::numbers::pi / 48), on_ellipse((step + 1) * std::numbers::pi / 48),
+                     assets.colour(150, 160, 180));
+    double worst_normal = 0, worst_point = 0, expected_point = 0;
     for (int step = 0; step < 12; ++step) {
-        const double angle = (step + 0.5) * std::numbers::pi / 6, length = 0.6;
-        const auto entry = [](double value) { return Entry::from_raw(std::llround(std::ldexp(value, 32))); };
-        const Vec3<Entry> normal{entry(std::cos(angle)), entry(std::sin(angle)), Entry{}};
-        const Vec3<Entry> as_point = matrix * normal, as_normal = *normals * normal;
-        const PlanePoint from{scale * std::cos(angle), std::sin(angle)};
-        for (const auto& [vector, colour] : {std::pair{as_point, wrong}, std::pair{as_normal, right}}) {
-            const double size = length / std::hypot(number(vector.x), number(vector.y));
-            diagram.arrow(from, {from.x + number(vector.x) * size, from.y + number(vector.y) * size}, colour);
-        }
+        const double angle = (step + 0.5) * std::numbers::pi / 6, c = std::cos(angle), s = std::sin(angle);
+        const ScaledNormals found = scaled_normals(matrix, *normals, angle);
+        const PlanePoint from = on_ellipse(angle);
+        const auto arrow = [&](PlanePoint vector, double length, std::uint8_t colour) {
+            const double size = length / std::hypot(vector.x, vector.y);
+            diagram.arrow(from, {from.x + vector.x * size, from.y + vector.y * size}, colour);
+        };
+        arrow(found.as_point, 0.6, wrong);
+        arrow(found.as_normal, 0.6, right);
+        arrow(found.of_edges, 0.35, edges);
+        worst_normal = std::max(worst_normal, degrees_between(found.as_normal, found.of_edges));
+        worst_point = std::max(worst_point, degrees_between(found.as_point, found.of_edges));
+        expected_point = std::max(expected_point, degrees_between({scale * c, s}, {c, scale * s}));
     }
-    diagram.text({-0.9, 0.3}, "N = M n", wrong);
-    diagram.text({-0.9, -0.1}, "N = M^-T n", right);
+    diagram.text({-0.9, 0.5}, "N = M n", wrong);
+    diagram.text({-0.9, 0.15}, "N = M^-T n", right);
+    diagram.text({-0.9, -0.2}, "N = M e0 x M e1", edges);
     const auto whole = [](int x, int y) { return Vec3<Entry>{Entry::from_int(x), Entry::from_int(y), Entry{}}; };
     const auto product = [&](const Vec3<Entry>& a, const Vec3<Entry>& b) {
-        return number(a.x) * number(b.x) + number(a.y) * number(b.y) + number(a.z) * number(b.z);
+        return number_of(a.x) * number_of(b.x) + number_of(a.y) * number_of(b.y) + number_of(a.z) * number_of(b.z);
     };
     const Vec3<Entry> tangent = matrix * whole(1, -1);
     return {
-        {number_figure("M n . M t of n (1, 1, 0), t (1, -1, 0)", scale * scale - 1,
+        {number_figure("degrees from M^-T n to M e0 x M e1, worst", 0, worst_normal, 0.05),
+         number_figure("degrees from M n to M e0 x M e1, worst", expected_point, worst_point, 0.05),
+         number_figure("M n . M t of n (1, 1, 0), t (1, -1, 0)", scale * scale - 1,
                        product(matrix * whole(1, 1), tangent), 1e-9, 4),
          number_figure("M^-T n . M t", 0, product(*normals * whole(1, 1), tangent), 1e-6, 4)},
         {"M scales x. A normal that is transformed as a point leans over; by the inverse transpose it stays at right "
-         "angles to the surface. With 2 the two products are the erratum's 3 and 0."}};
+         "angles to the surface. With 2 the two products are the erratum's 3 and 0.",
+         "The cross product of two edges is a normal of whatever became of them, after a projection too: there its "
+         "third part alone, the area on the screen, says which way a face looks."}};
 }
 
 }  // namespace
@@ -243,8 +270,8 @@ std::vector<Row> shading_rows() {
          {choice_parameter("light", {"ambient", "directional", "point"}, 1), {"light from, degrees", 0, 345, 15, 60}},
          draw_lights},
         {"normals",
-         "Normals by the inverse transpose",
-         "4 Princeton: Transformations",
+         "Normals: transformed, by cross product",
+         "5 Abrash: A Brief Aside on Cross Products; 4 Princeton: Transformations",
          "engine/math/matrix.cpp",
          "tests/mesh/mesh_stages_test.cpp",
          {{"scale of x, quarters", 1, 12, 1, 8}},

@@ -1,61 +1,24 @@
 // The pipeline, stopped after each stage: a cube by the functions that draw models, with the numbers that each leaves.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
-#include "engine/fixed/trig.h"
-#include "engine/geometry/views.h"
-#include "engine/mesh/draw_mesh.h"
+#include "engine/geometry/canonical_volume.h"
+#include "engine/geometry/facing.h"
 #include "engine/raster/lines.h"
-#include "engine/raster/scan.h"
-#include "tools/common/font.h"
 #include "tools/gallery/rows.h"
 #include "tools/gallery/sketch.h"
+#include "tools/gallery/staged_cube.h"
 
 namespace oblong {
 
 namespace {
 
-enum class Stage { Object, World, View, Clipped, Projected, Scanned, Spans, Pixels };
-const std::vector<std::string> kStageNames{"object space", "world space", "view space", "clipped",
-                                           "projected",    "scanned",     "spans",      "pixels"};
-
-/// A cube of 2 units, a triangle on each half of a side: corners counted as bits (x, y, z), sides counter-clockwise
-/// from outside, and the triangles clockwise.
-Mesh make_cube() {
-    Mesh cube;
-    MeshFrame frame;
-    for (int i = 0; i < 8; ++i)
-        frame.vertices.push_back({world_point(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1), {}});
-    constexpr std::array<std::array<std::uint32_t, 4>, 6> kSides{
-        {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {4, 5, 7, 6}, {0, 2, 3, 1}}};
-    std::vector<std::array<std::uint32_t, 3>> corners;
-    for (const auto& side : kSides) {
-        cube.triangles.push_back({{side[0], side[2], side[1]}, 0});
-        cube.triangles.push_back({{side[0], side[3], side[2]}, 0});
-    }
-    for (const MeshTriangle& triangle : cube.triangles) corners.push_back(triangle.vertices);
-    set_normals(frame.vertices, corners);
-    set_box(frame);
-    cube.frames.push_back(frame);
-    cube.texels.assign(8, {});
-    return cube;
-}
-
 constexpr std::array<std::array<std::uint32_t, 2>, 12> kEdges{
     {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
-/// A triangle on its way: what clipping and the scan converter made of it.
-struct ShownTriangle {
-    std::uint32_t number = 0;
-    std::vector<ScreenCorner> corners;
-    std::vector<Span> spans;
-};
-
-/// The cube's place: so far east of the eye, which is at the origin, and below it.
-constexpr double kAhead = 4.6, kBelow = -2.4;
 /// The eye looks east, and down by half as much: forward is (kLevel, 0, -kDown), up is (kDown, 0, kLevel).
 const double kLevel = 2 / std::sqrt(5.0), kDown = 1 / std::sqrt(5.0);
 
@@ -64,125 +27,42 @@ Vec3<World> point_before_eye(double right, double up, double ahead) {
     return world_point(ahead * kLevel + up * kDown, -right, up * kLevel - ahead * kDown);
 }
 
-/// All that the stages leave of the cube, by the engine's own functions in their order.
-struct StagedCube {
-    StagedCube(const RowInput& input, Framebuffer part);
-
-    Mesh mesh = make_cube();
-    PlacedMesh placed;
-    ViewContext view;
-    MeshScratch scratch;
-    std::vector<ShownTriangle> triangles;
-};
-
-/// The mode of a part of the picture, with pixels of the same shape.
-ScreenMode mode_of(const RowInput& input, Framebuffer part) {
-    return {part.width_px, part.height_px, input.mode.pixel() * Ratio{part.width_px, part.height_px}};
-}
-
-StagedCube::StagedCube(const RowInput& input, Framebuffer part) : scratch(part.height_px) {
-    placed.mesh = &mesh;
-    placed.position = world_point(kAhead, static_cast<double>(input.values[2]) / 4, kBelow);
-    placed.yaw = degrees_to_angle(Degrees::from_int(input.values[1]));
-    placed.colour = input.assets.colour(230, 160, 70);
-    placed.shading = Shading::Flat;
-    view = make_view_context(look_at_view({}, world_point(2, 0, -1), Degrees::from_int(60)), mode_of(input, part));
-    const MeshTransform transform = *make_mesh_transform(placed);
-    const auto object = pose_of(placed, scratch.object_vertices);
-    find_facing(mesh.triangles, object, to_object(view.eye, transform), scratch.facing);
-    transform_to_world(object, transform, scratch.world_vertices);
-    transform_to_view(scratch.world_vertices, view, scratch.view_vertices);
-    find_corner_values(placed, scratch.world_vertices, {}, scratch.values);
-    for (const std::uint32_t number : scratch.facing) {
-        std::array<const ViewVertex*, 3> corners{};
-        for (std::size_t i = 0; i < 3; ++i) corners[i] = &at(scratch.view_vertices, mesh.triangles[number].vertices[i]);
-        ShownTriangle shown{number, {}, {}};
-        clip_and_project(corners, {}, view, scratch.clip, shown.corners);
-        std::vector<ScreenVertex> polygon;
-        for (const ScreenCorner& corner : shown.corners) polygon.push_back(corner.screen);
-        if (polygon.size() >= 3) {
-            scan_convex(polygon, scratch.rows);
-            append_spans(scratch.rows, {0, part.width_px, 0, part.height_px}, shown.spans);
+/// The triangles that face the eye, as their light has them or in plain colours: those behind from here come first.
+void draw_sides(const StagedCube& cube, Stage stage, std::span<const Vec3<World>> places, const Vec3<World>& from,
+                const GalleryAssets& assets, Sketch& sketch) {
+    for (const bool is_front : {false, true})
+        for (const ShownTriangle& shown : cube.triangles) {
+            std::array<Vec3<World>, 3> corners;
+            for (std::size_t i = 0; i < 3; ++i) corners[i] = at(places, cube.mesh.triangles[shown.number].vertices[i]);
+            const Vec3<Unit> normal = normalised(cross(corners[2] - corners[0], corners[1] - corners[0]));
+            if (faces_away(corners[0], normal, from) == is_front) continue;
+            const auto part = [&](int full) { return static_cast<int>(full * std::min(shown.light / 150, 1.0)); };
+            sketch.polygon(corners, stage == Stage::Lit ? assets.colour(part(230), part(160), part(70))
+                                    : is_front          ? assets.colour(90, 110, 150)
+                                                        : assets.colour(52, 62, 88));
         }
-        triangles.push_back(std::move(shown));
-    }
-}
-
-std::string row_of(const char* format, double a, double b, double c) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, a, b, c);
-    return text;
-}
-
-std::string outcode_letters(unsigned outcode) {
-    constexpr std::array<char, 5> kLetters{'L', 'R', 'B', 'T', 'Z'};
-    std::string text;
-    for (std::size_t i = 0; i < kLetters.size(); ++i)
-        if (outcode >> i & 1) text += kLetters[i];
-    return text.empty() ? "-" : text;
-}
-
-template <class T>
-std::string place_text(const Vec3<T>& p) {
-    return row_of("%6.2f%6.2f%6.2f", number_of(p.x), number_of(p.y), number_of(p.z));
-}
-
-/// The numbers that a stage leaves.
-std::vector<std::string> numbers_of(const StagedCube& cube, Stage stage) {
-    std::vector<std::string> lines;
-    if (stage == Stage::Object)
-        for (const MeshVertex& vertex : cube.mesh.frames[0].vertices) lines.push_back(place_text(vertex.position));
-    if (stage == Stage::World)
-        for (const WorldVertex& vertex : cube.scratch.world_vertices) lines.push_back(place_text(vertex.position));
-    if (stage == Stage::View)
-        for (const ViewVertex& vertex : cube.scratch.view_vertices)
-            lines.push_back(place_text(vertex.position) + " " + outcode_letters(vertex.outcode));
-    for (const ShownTriangle& triangle : cube.triangles) {
-        const std::string number = std::to_string(triangle.number);
-        const std::size_t corners = triangle.corners.size();
-        if (stage == Stage::Clipped) lines.push_back("triangle " + number + ": " + std::to_string(corners));
-        if (stage == Stage::Projected)
-            for (const ScreenCorner& corner : triangle.corners)
-                lines.push_back(row_of("%6.1f%6.1f%7.2f", number_of(corner.screen.x), number_of(corner.screen.y),
-                                       1 / number_of(corner.inverse_z)));
-        if (stage < Stage::Scanned || triangle.spans.empty()) continue;
-        std::int64_t pixels = 0;
-        for (const Span& span : triangle.spans) pixels += span.end - span.first;
-        if (stage == Stage::Scanned)
-            lines.push_back(number + ": rows " + std::to_string(triangle.spans.front().y) + " to " +
-                            std::to_string(triangle.spans.back().y));
-        if (stage == Stage::Spans) {
-            const Span& middle = triangle.spans[triangle.spans.size() / 2];
-            lines.push_back(number + ": " + std::to_string(middle.y) + ", " + std::to_string(middle.first) + "-" +
-                            std::to_string(middle.end - 1));
-        }
-        if (stage == Stage::Pixels) lines.push_back(number + ": " + std::to_string(pixels) + " pixels");
-    }
-    return lines;
-}
-
-const char* caption_of(Stage stage) {
-    constexpr std::array<const char*, 8> kCaptions{
-        "  x     y     z",    "  x     y     z", "  x     y     z  out", "corners left",
-        "column  row  depth", "first, last row", "middle row's span",    "drawn"};
-    return at(kCaptions, stage);
 }
 
 /// The cube in its own space, or in the world with the eye and its view, from outside.
 void draw_from_outside(const StagedCube& cube, Stage stage, const RowInput& input, Framebuffer canvas,
                        const Area& area) {
     const GalleryAssets& assets = input.assets;
-    const bool is_object = stage == Stage::Object;
-    const SketchEye from = is_object ? SketchEye{world_point(5, -6, 4), world_point(0, 0, 0), 40}
-                                     : SketchEye{world_point(-5, -9, 4), world_point(2.6, 0, -1.5), 46};
+    const bool is_object = stage <= Stage::Facing;
+    const SketchEye from = stage == Stage::Object   ? SketchEye{world_point(5, -6, 4), world_point(0, 0, 0), 40}
+                           : stage == Stage::Facing ? SketchEye{world_point(1, -10, 7), world_point(-1, -1, 0.8), 42}
+                           : stage == Stage::Lit    ? SketchEye{world_point(1, -5, 1.5), world_point(3.8, 1.2, -1), 46}
+                                                    : SketchEye{world_point(-5, -9, 4), world_point(2.6, 0, -1.5), 46};
     Sketch sketch(input, canvas, area, from);
-    const auto place = [&](std::uint32_t i) {
-        return is_object ? cube.mesh.frames[0].vertices[i].position : cube.scratch.world_vertices[i].position;
-    };
+    std::vector<Vec3<World>> places;
+    for (std::uint32_t i = 0; i < 8; ++i)
+        places.push_back(is_object ? cube.mesh.frames[0].vertices[i].position
+                                   : cube.scratch.world_vertices[i].position);
+    const auto place = [&](std::uint32_t i) { return places[i]; };
+    if (stage == Stage::Facing || stage == Stage::Lit) draw_sides(cube, stage, places, from.eye, assets, sketch);
     const std::uint8_t grey = assets.colour(80, 88, 110);
     // In view space x is right, y up, z ahead.
     const std::array axes =
-        stage == Stage::View
+        stage == Stage::InView
             ? std::array{point_before_eye(2.2, 0, 0), point_before_eye(0, 2.2, 0), point_before_eye(0, 0, 2.2)}
             : std::array{world_point(2.2, 0, 0), world_point(0, 2.2, 0), world_point(0, 0, 2.2)};
     const std::array<std::uint8_t, 3> colours{assets.colour(200, 80, 70), assets.colour(90, 170, 80),
@@ -191,6 +71,20 @@ void draw_from_outside(const StagedCube& cube, Stage stage, const RowInput& inpu
     for (std::size_t i = 0; i < 3; ++i) {
         sketch.line(world_point(0, 0, 0), axes[i], colours[i]);
         sketch.label(axes[i], kAxisNames[i], colours[i]);
+    }
+    if (stage == Stage::Facing) {
+        const std::uint8_t white = assets.colour(235, 235, 225);
+        sketch.line(cube.object_eye, world_point(0, 0, 0), grey);
+        sketch.label(cube.object_eye, "eye", white);
+    }
+    if (stage == Stage::Lit) {
+        const std::uint8_t yellow = assets.colour(250, 230, 120);
+        const Vec3<Unit>& toward = cube.light.directional.toward;
+        const Vec3<World> top = cube.placed.position + world_point(0, 0, 1);
+        const Vec3<World> lamp =
+            top + world_point(2 * number_of(toward.x), 2 * number_of(toward.y), 2 * number_of(toward.z));
+        sketch.line(top, lamp, yellow);
+        sketch.label(lamp, "to the light", yellow);
     }
     if (!is_object) {
         const double across = 7 * std::tan(30 * std::numbers::pi / 180),
@@ -203,7 +97,9 @@ void draw_from_outside(const StagedCube& cube, Stage stage, const RowInput& inpu
         sketch.label(world_point(0, 0, 0), "eye", assets.colour(235, 235, 225));
     }
     for (const auto& [a, b] : kEdges) sketch.line(place(a), place(b), assets.colour(240, 190, 90));
-    for (std::uint32_t i = 0; i < 8; ++i) sketch.label(place(i), std::to_string(i), assets.colour(235, 235, 225));
+    const bool shows_sides = stage == Stage::Facing || stage == Stage::Lit;
+    for (std::uint32_t i = 0; i < 8 && !shows_sides; ++i)
+        sketch.label(place(i), std::to_string(i), assets.colour(235, 235, 225));
 }
 
 PixelPosition pixel_of(const ScreenVertex& vertex) {
@@ -219,11 +115,8 @@ void draw_from_eye(const StagedCube& cube, Stage stage, const RowInput& input, F
         depth.start_frame();
         depth.want(all);
         depth.clear();
-        MeshLight light;
-        light.ambient = 40;
-        light.directional = {normalised(world_point(-2, -1, 2)), 110};
         MeshScratch scratch(part.height_px);
-        draw_mesh(cube.placed, {cube.view, assets.colormap, light}, {depth, part, all}, scratch);
+        draw_mesh(cube.placed, {cube.view, assets.colormap, cube.light}, {depth, part, all}, scratch);
         return;
     }
     const std::array<std::uint8_t, 2> colours{assets.colour(90, 130, 220), assets.colour(70, 105, 180)};
@@ -249,20 +142,70 @@ void draw_from_eye(const StagedCube& cube, Stage stage, const RowInput& input, F
     }
 }
 
+/// The canonical volume from its front, -1 to 1 across and up, whatever the screen's shape: what is left of the
+/// triangles after the perspective divide.
+void draw_divided(const StagedCube& cube, const RowInput& input, Framebuffer canvas, const Area& area) {
+    const GalleryAssets& assets = input.assets;
+    Diagram diagram(input, part_of(canvas, {0, 0, area.width, canvas.height_px}), {0, 0}, 2.5);
+    const std::uint8_t grey = assets.colour(80, 88, 110);
+    diagram.line({-1.2, 0}, {1.2, 0}, grey);
+    diagram.line({0, -1.2}, {0, 1.2}, grey);
+    diagram.outline({-1, -1}, {1, 1}, assets.colour(90, 130, 220));
+    diagram.text({-1, -1}, "-1", assets.colour(90, 130, 220), -14, 0);
+    diagram.text({1, 1}, "1", assets.colour(90, 130, 220), 3, -4);
+    const auto flat = [](const Vec3<Entry>& corner) { return PlanePoint{number_of(corner.x), number_of(corner.y)}; };
+    for (const ShownTriangle& triangle : cube.triangles)
+        for (std::size_t i = 0; i < triangle.divided.size(); ++i) {
+            diagram.line(flat(triangle.divided[i]), flat(triangle.divided[(i + 1) % triangle.divided.size()]),
+                         assets.colour(240, 190, 90));
+            diagram.disc(flat(triangle.divided[i]), 0.03, assets.colour(110, 200, 110));
+        }
+}
+
+/// Of the vertices in the view: how far the viewport puts what was divided from where the next stage has them.
+double viewport_error_px(const StagedCube& cube, Framebuffer part) {
+    double worst = 0;
+    for (std::size_t i = 0; i < 8; ++i) {
+        const ViewVertex& vertex = cube.scratch.view_vertices[i];
+        if (vertex.outcode != 0) continue;
+        const Vec3<World>& p = cube.scratch.world_vertices[i].position;
+        const Vec3<Entry> divided =
+            *point_of(cube.to_volume() * Vec4{convert<Entry>(p.x), convert<Entry>(p.y), convert<Entry>(p.z)});
+        worst = std::max({worst, std::abs((1 + number_of(divided.x)) / 2 * part.width_px - number_of(vertex.screen.x)),
+                          std::abs((1 - number_of(divided.y)) / 2 * part.height_px - number_of(vertex.screen.y))});
+    }
+    return worst;
+}
+
 /// A vertex in the world, by sines and cosines in double.
 std::array<double, 3> world_in_double(const RowInput& input, int vertex) {
     const double yaw = static_cast<double>(input.values[1]) * std::numbers::pi / 180;
     const double x = vertex & 1 ? 1 : -1, y = vertex & 2 ? 1 : -1, z = vertex & 4 ? 1 : -1;
-    return {kAhead + x * std::cos(yaw) - y * std::sin(yaw),
-            static_cast<double>(input.values[2]) / 4 + x * std::sin(yaw) + y * std::cos(yaw), z + kBelow};
+    return {kCubeAhead + x * std::cos(yaw) - y * std::sin(yaw),
+            static_cast<double>(input.values[2]) / 4 + x * std::sin(yaw) + y * std::cos(yaw), z + kCubeBelow};
 }
 
 /// The triangles that face an eye at the origin: two for each side beyond whose plane it lies.
 int facing_in_double(const RowInput& input) {
     const double yaw = static_cast<double>(input.values[1]) * std::numbers::pi / 180;
-    const double x = -kAhead, y = -static_cast<double>(input.values[2]) / 4;
+    const double x = -kCubeAhead, y = -static_cast<double>(input.values[2]) / 4;
     const double own_x = x * std::cos(yaw) + y * std::sin(yaw), own_y = y * std::cos(yaw) - x * std::sin(yaw);
-    return 2 * ((std::abs(own_x) > 1) + (std::abs(own_y) > 1) + (std::abs(kBelow) > 1));
+    return 2 * ((std::abs(own_x) > 1) + (std::abs(own_y) > 1) + (std::abs(kCubeBelow) > 1));
+}
+
+/// The light of those triangles: 40 and 110 times the cosine between a side's normal and (-2, -1, 2), of length 3.
+double light_in_double(const RowInput& input) {
+    const double yaw = static_cast<double>(input.values[1]) * std::numbers::pi / 180;
+    const double x = -kCubeAhead, y = -static_cast<double>(input.values[2]) / 4;
+    const double own_x = x * std::cos(yaw) + y * std::sin(yaw), own_y = y * std::cos(yaw) - x * std::sin(yaw);
+    const auto side = [](double normal_x, double normal_y, double normal_z) {
+        return 40 + 110 * std::max((-2 * normal_x - normal_y + 2 * normal_z) / 3, 0.0);
+    };
+    double light = 2 * side(0, 0, 1);  // the eye is above the cube
+    const double east = std::copysign(1, own_x), north = std::copysign(1, own_y);
+    if (std::abs(own_x) > 1) light += 2 * side(east * std::cos(yaw), east * std::sin(yaw), 0);
+    if (std::abs(own_y) > 1) light += 2 * side(-north * std::sin(yaw), north * std::cos(yaw), 0);
+    return light;
 }
 
 RowPage draw_stages(const RowInput& input, Framebuffer canvas) {
@@ -272,32 +215,45 @@ RowPage draw_stages(const RowInput& input, Framebuffer canvas) {
     const Area area = scene_area(canvas, 188);
     const Framebuffer part = part_of(canvas, area);
     const StagedCube cube(input, part);
-    if (stage <= Stage::View)
+    if (stage <= Stage::InView)
         draw_from_outside(cube, stage, input, canvas, area);
+    else if (stage == Stage::Divided)
+        draw_divided(cube, input, canvas, area);
     else
         draw_from_eye(cube, stage, input, part);
-    std::vector<std::string> lines{caption_of(stage)};
-    for (std::string& line : numbers_of(cube, stage)) lines.push_back(std::move(line));
-    const auto most = static_cast<std::size_t>(area.height / kLineHeight_px);
-    if (lines.size() > most) lines.resize(most);
-    draw_column(canvas, canvas.width_px * 190 / 320, kHeader_px + 3, lines, assets.text);
+    draw_column(canvas, canvas.width_px * 190 / 320, kHeader_px + 3, cube.lines_of(stage), assets.text);
 
     const auto world = world_in_double(input, 0);
     const ViewVertex& vertex = cube.scratch.view_vertices[0];
     std::int64_t span_pixels = 0;
-    for (const ShownTriangle& triangle : cube.triangles)
+    double light = 0;
+    for (const ShownTriangle& triangle : cube.triangles) {
+        light += triangle.light;
         for (const Span& span : triangle.spans) span_pixels += span.end - span.first;
-    return {{count_figure("triangles that face the eye", facing_in_double(input), std::ssize(cube.triangles)),
-             number_figure("vertex 0 in the world: y", world[1], number_of(cube.scratch.world_vertices[0].position.y),
-                           1e-3),
-             number_figure("vertex 0 in view space: x, to the right", -world[1], number_of(vertex.position.x), 2e-3),
-             number_figure("vertex 0 in view space: y, up", world[0] * kDown + world[2] * kLevel,
-                           number_of(vertex.position.y), 2e-3),
-             number_figure("vertex 0 in view space: z, ahead", world[0] * kLevel - world[2] * kDown,
-                           number_of(vertex.position.z), 2e-3),
-             measured("pixels of all spans", std::to_string(span_pixels))},
-            {"The functions that draw models, in their order: engine/mesh/mesh_stages.h.",
-             "Outcodes: L left, R right, B bottom, T top, Z behind. A convex shape covers no pixel twice."}};
+    }
+    const Vec3<World>& first = cube.scratch.world_vertices[0].position;
+    const Vec3<Entry> divided =
+        *point_of(cube.to_volume() * Vec4{convert<Entry>(first.x), convert<Entry>(first.y), convert<Entry>(first.z)});
+    const double ahead = world[0] * kLevel - world[2] * kDown;
+    return {
+        {count_figure("triangles that face the eye", facing_in_double(input), std::ssize(cube.triangles)),
+         number_figure("vertex 0 in the world: y", world[1], number_of(cube.scratch.world_vertices[0].position.y),
+                       1e-3),
+         number_figure("vertex 0 in view space: x, to the right", -world[1], number_of(vertex.position.x), 2e-3),
+         number_figure("vertex 0 in view space: y, up", world[0] * kDown + world[2] * kLevel,
+                       number_of(vertex.position.y), 2e-3),
+         number_figure("vertex 0 in view space: z, ahead", ahead, number_of(vertex.position.z), 2e-3),
+         number_figure("light of all that face it, by cosines", light_in_double(input), light, 0.1, 1),
+         number_figure("vertex 0 divided: x / (z tan 30)", -world[1] / (ahead * std::tan(std::numbers::pi / 6)),
+                       number_of(divided.x), 1e-3),
+         number_figure("its depth: f / (f - n) (1 - n / z)",
+                       kVolumeFar / (kVolumeFar - kVolumeNear) * (1 - kVolumeNear / ahead), number_of(divided.z), 1e-4),
+         number_figure("pixels from there to the screen's corners", 0, viewport_error_px(cube, part), 0.01),
+         measured("pixels of all spans", std::to_string(span_pixels))},
+        {"The functions that draw models, in their order: engine/mesh/mesh_stages.h.",
+         "Outcodes: L left, R right, B bottom, T top, Z behind. Light is worked out in the world, for the triangles "
+         "that "
+         "face the eye. A convex shape covers no pixel twice."}};
 }
 
 }  // namespace
@@ -308,7 +264,7 @@ std::vector<Row> stage_rows() {
              "3 Notes: 3D Pipeline; 4 Princeton: pipeline; 5 Abrash: spaces",
              "engine/mesh/mesh_stages.h",
              "tests/gallery/stages_test.cpp",
-             {choice_parameter("stage", kStageNames, 2),
+             {choice_parameter("stage", kStageNames, 4),
               {"yaw, degrees", 0, 85, 5, 60},
               {"to the left, quarters of a unit", -10, 10, 1, 7}},
              draw_stages}};

@@ -1,4 +1,4 @@
-// Transforms: homogeneous vectors and matrices (seeds 2 and 3), rotations (2, 3, 5), the cube of seed 3.
+// Transforms: model matrices (seed 3), rotations (2, 3, 5), the cube of seed 3.
 
 #include <array>
 #include <cmath>
@@ -161,39 +161,6 @@ RowPage draw_rotations(const RowInput& input, Framebuffer canvas) {
              "The angle about the axis is rounded to a 65,536th of a turn, the quaternion is not."}};
 }
 
-/// Points and directions in four coordinates, from the side: ahead is right, up is up.
-RowPage draw_homogeneous(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    const double distance = static_cast<double>(input.values[0]);
-    Matrix4 projection = Matrix4::identity();
-    projection.rows[3] = {Entry{}, Entry{}, entry_of(1 / distance), Entry{}};
-    Diagram diagram(input, canvas, {4, 1.4}, 6);
-    diagram.fill(assets.colour(18, 22, 34));
-    const std::uint8_t grey = assets.colour(110, 118, 140), bright = assets.colour(240, 190, 90);
-    diagram.line({0, 0}, {9, 0}, grey);
-    diagram.line({distance, -1}, {distance, 3.6}, assets.colour(90, 130, 220));
-    diagram.text({distance, 3.6}, "z = d", assets.colour(90, 130, 220));
-    diagram.text({0, 0}, "eye", grey, -4, 4);
-    double found = 0;
-    for (const double z : {3.0, 5.0, 8.0}) {
-        const Vec4 clip = projection * Vec4{entry_of(0), entry_of(3), entry_of(z)};
-        const Vec3<Entry> point = *point_of(clip);
-        diagram.line({0, 0}, {z, 3}, grey);
-        diagram.disc({z, 3}, 0.07, bright);
-        diagram.disc({number_of(point.z), number_of(point.y)}, 0.07, assets.colour(110, 200, 110));
-        diagram.text({z, 3}, "w " + decimal_text(number_of(clip.w), "%.2f"), bright, -12, -12);
-        found = number_of(point.y);
-    }
-    const Matrix4 move = translation({entry_of(5), {}, {}});
-    const Vec4 direction = move * Vec4{entry_of(1), {}, {}, {}}, point = move * Vec4{entry_of(1), {}, {}};
-    const auto halved = *point_of({entry_of(2), entry_of(-4), entry_of(6), entry_of(2)});
-    return {{number_figure("y of (0, 3, 8, 1) on the viewplane: 3 d / 8", 3 * distance / 8, found, 1e-8),
-             number_figure("x of the point (1, 0, 0, 1) moved by 5", 6, number_of(point.x), 0),
-             number_figure("x of the direction (1, 0, 0, 0) moved by 5", 1, number_of(direction.x), 0),
-             number_figure("y of (2, -4, 6, 2) as a point", -2, number_of(halved.y), 0)},
-            {"The projection matrix puts z / d into w; dividing by w is the perspective divide."}};
-}
-
 /// How often each directed edge is used, and six times the signed volume.
 struct CubeCheck {
     int matched_edges = 0;
@@ -274,13 +241,6 @@ std::vector<Row> transform_rows() {
          kTransformTest,
          {{"yaw, degrees", 15, 345, 15, 30}, {"pitch, degrees", 0, 75, 15, 30}, {"roll, degrees", 0, 345, 15, 45}},
          draw_rotations},
-        {"homogeneous",
-         "Homogeneous coordinates",
-         "2 Lab: 4-vectors; 3 Notes: Homogeneous coordinates; 4 Princeton: Perspective",
-         "engine/math/matrix.h",
-         "tests/math/matrix_test.cpp",
-         {{"d, distance of the viewplane", 1, 4, 1, 2}},
-         draw_homogeneous},
         {"left-handed-cube",
          "Left-handed, clockwise: the cube",
          "3 Notes: 3D Mesh",

@@ -20,29 +20,46 @@ namespace oblong {
 
 namespace {
 
-/// The lab's cube and window: as its text has them with a window of 1 moved by `moved` and a COP `distance` before the
-/// plane.
-WindowView lab_window(double distance, double moved) {
+/// What the lab's text compares: its own view, half the window, and a COP ten times as far.
+struct LabView {
+    const char* name;
+    double distance, size;  ///< of the COP before the plane; of the window
+};
+constexpr std::array<LabView, 3> kLabViews{
+    {{"COP 2, window 1", 2, 1}, {"COP 2, window 1/2", 2, 0.5}, {"COP 20, window 1", 20, 1}}};
+
+/// The lab's cube and window: as its text has them with a COP `distance` before the plane, and a window of `size` moved
+/// by `moved`.
+WindowView lab_window(const LabView& lab, double moved) {
     WindowView window;
     window.reference_point = in_world({0.5, 0.5, -2});
     window.normal = in_world({0, 0, -1});
     window.up = in_world({0, 1, 0});
-    window.centre_of_projection = in_world({0.5, 0.5, -2 - distance});
-    const Vec3<World> low = in_world({moved - 0.5, -0.5, 0}), high = in_world({moved + 0.5, 0.5, 0});
+    window.centre_of_projection = in_world({0.5, 0.5, -2 - lab.distance});
+    const double half = lab.size / 2;
+    const Vec3<World> low = in_world({moved - half, -half, 0}), high = in_world({moved + half, half, 0});
     window.u_min = low.x, window.v_min = low.y;
     window.u_max = high.x, window.v_max = high.y;
     return window;
 }
 
+/// How many times as large the cube's near face is as its far one, in the lab's 200x200 pixels.
+double near_over_far(const LabView& lab) {
+    const ViewContext view = make_view_context(window_view(lab_window(lab, 0)), {200, 200, {1, 1}});
+    return across({0, 0, 0}, {1, 0, 0}, view) / across({0, 0, 1}, {1, 0, 1}, view);
+}
+
 RowPage draw_lab_cube(const RowInput& input, Framebuffer canvas) {
-    const double distance = static_cast<double>(input.values[0]) / 2, moved = static_cast<double>(input.values[1]) / 10;
-    const ViewSpec spec = window_view(lab_window(distance, moved));
+    const LabView& shows = at(kLabViews, static_cast<std::int32_t>(input.values[0]));
+    const double distance = shows.distance, half = shows.size / 2,
+                 moved = static_cast<double>(input.values[1]) / 10 * shows.size;
+    const ViewSpec spec = window_view(lab_window(shows, moved));
     WireScene scene(input, spec, canvas);
     scene.fill_background();
     const Cube cube{{0, 0, 0}, 1};
     const auto on_plane = [&](double u, double v) { return Place{0.5 - u, 0.5 + v, -2}; };
-    const std::array<Place, 4> window{on_plane(moved - 0.5, -0.5), on_plane(moved - 0.5, 0.5),
-                                      on_plane(moved + 0.5, 0.5), on_plane(moved + 0.5, -0.5)};
+    const std::array<Place, 4> window{on_plane(moved - half, -half), on_plane(moved - half, half),
+                                      on_plane(moved + half, half), on_plane(moved + half, -half)};
     draw_cube(cube, input.assets, scene);
     for (std::size_t i = 0; i < 4; ++i) scene.line(window[i], window[(i + 1) % 4], input.assets.colour(120, 150, 90));
     draw_axes({0, 0, 0}, 1.3, input.assets, scene);
@@ -50,18 +67,32 @@ RowPage draw_lab_cube(const RowInput& input, Framebuffer canvas) {
     // In the lab's 200x200 pixels: u is VUP x VPN, so that x grows to the left.
     const ViewContext lab = make_view_context(spec, {200, 200, {1, 1}});
     const auto column = [&](double x, double depth) {
-        return 100 + 200 * ((0.5 - x) * distance / (distance + depth) - moved);
+        return 100 + 200 / shows.size * ((0.5 - x) * distance / (distance + depth) - moved);
     };
-    const auto row = [&](double y, double depth) { return 100 - 200 * (y - 0.5) * distance / (distance + depth); };
+    const auto row = [&](double y, double depth) {
+        return 100 - 200 / shows.size * (y - 0.5) * distance / (distance + depth);
+    };
+    std::vector<Figure> figures;
+    for (const LabView& each : kLabViews)
+        figures.push_back(number_figure(std::string("near / far face, ") + each.name,
+                                        (each.distance + 3) / (each.distance + 2), near_over_far(each), 0.0005, 4));
+    std::rotate(figures.begin(), figures.begin() + input.values[0], figures.end());
+    figures.push_back(number_figure("near face, windows wide: D / (D + 2) / window",
+                                    distance / (distance + 2) / shows.size, across({0, 0, 0}, {1, 0, 0}, lab) / 200,
+                                    0.0001, 4));
+    const bool is_labs = input.values[0] == 0 && moved == 0;
+    figures.push_back(number_figure(is_labs ? "(0, 0, 1): column (the seed's table: 175)" : "(0, 0, 1): column",
+                                    column(0, 3), shown({0, 0, 1}, lab).x, 0.01, 1));
+    figures.push_back(number_figure(is_labs ? "(1, 0, 1): column (the table: 75)" : "(1, 0, 1): column", column(1, 3),
+                                    shown({1, 0, 1}, lab).x, 0.01, 1));
+    figures.push_back(number_figure("(0, 0, 0): column", column(0, 2), shown({0, 0, 0}, lab).x, 0.01, 1));
+    figures.push_back(number_figure("(0, 0, 1): row", row(0, 3), shown({0, 0, 1}, lab).y, 0.01, 1));
     return {
-        {number_figure("(0, 0, 1): column (the seed's table: 175)", column(0, 3), shown({0, 0, 1}, lab).x, 0.01, 1),
-         number_figure("(1, 0, 1): column (the table: 75)", column(1, 3), shown({1, 0, 1}, lab).x, 0.01, 1),
-         number_figure("far / near face, (d + 2) / (d + 3) (the table: 1)", (distance + 2) / (distance + 3),
-                       across({0, 0, 1}, {1, 0, 1}, lab) / across({0, 0, 0}, {1, 0, 0}, lab), 0.001),
-         number_figure("(0, 0, 0): column", column(0, 2), shown({0, 0, 0}, lab).x, 0.01, 1),
-         number_figure("(0, 0, 1): row", row(0, 3), shown({0, 0, 1}, lab).y, 0.01, 1)},
+        std::move(figures),
         {"VRP, VPN, VUP, COP and a window (the green square), which may be off-centre. The seed's table has the far "
          "face as large as the near one: that would be an oblique parallel projection.",
+         "The seed has it that a smaller window flattens as a farther COP does. It enlarges and crops, and the near "
+         "face stays 5/4 of the far one; only the COP makes it 23/22.",
          "Right-handed axes, VPN toward the viewer: u = VUP x VPN points along -x."}};
 }
 
@@ -221,6 +252,12 @@ RowPage draw_view_matrix(const RowInput& input, Framebuffer canvas) {
          "inverse is the transpose, and the eye goes to minus its dot products with them."}};
 }
 
+Parameter lab_parameter() {
+    std::vector<std::string> names;
+    for (const LabView& lab : kLabViews) names.push_back(lab.name);
+    return choice_parameter("view", names);
+}
+
 }  // namespace
 
 std::vector<Row> view_rows() {
@@ -231,7 +268,7 @@ std::vector<Row> view_rows() {
              "2 Lab: 3-D Perspective Viewing Pipeline",
              kViews,
              kTest,
-             {{"COP before the plane, halves", 2, 16, 1, 4}, {"window moved, tenths", -5, 5, 1, 0}},
+             {lab_parameter(), {"window moved, tenths", -5, 5, 1, 0}},
              draw_lab_cube},
             {"front-plane",
              "Front plane: a floor plan",

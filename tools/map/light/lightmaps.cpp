@@ -16,6 +16,7 @@ namespace {
 constexpr double kRangeScale = 0.5;
 constexpr std::size_t kMaxStyles = 4;
 constexpr double kSkyDistance = 8192;
+constexpr int kNudge = 2;  // units that a lamp in a wall is moved
 
 using Samples = std::vector<double>;
 using StyleSamples = std::map<int, Samples>;
@@ -32,7 +33,7 @@ double light_from(const LightSource& source, const Point& point, const Point& no
     if (cosine <= 0 || !source.shines_on(scaled(towards, 1 / distance))) return 0;
     const double light = source.at_distance(distance) * incidence(cosine);
     const Point edge_of_lamp = source.origin + scaled(towards, std::min(source.radius / distance, 1.0));
-    if (light <= 0 || !tracer.is_clear(point, edge_of_lamp)) return 0;
+    if (light <= 0 || !tracer.is_lit(point, edge_of_lamp)) return 0;
     return source.is_subtracted ? -light : light;
 }
 
@@ -112,6 +113,11 @@ void store(BspFile& bsp, FileFace& face, const StyleSamples& styles) {
     }
 }
 
+bool is_sky(const BspFile& bsp, const FileFace& face) {
+    const FileTexInfo& texinfo = at(bsp.texinfos, face.texinfo);
+    return texinfo.flags != 0 && contents_of_texture(at(bsp.textures, texinfo.texture)) == contents::kSky;
+}
+
 // Which faces of the world each source may light, by the sets of potentially visible leaves: spares most rays.
 class LightReach {
   public:
@@ -133,6 +139,7 @@ LightReach::LightReach(const BspFile& bsp, const Tracer& tracer, const std::vect
     for (const LightSource& source : sources) {
         auto& reached = reached_.emplace_back(world_face_count_, false);
         const FileLeaf& home = at(bsp.leaves, tracer.leaf_at(source.origin));
+        bool sees_sky = home.contents == contents::kSky;
         const std::vector<bool> seen = unpacked_row(bsp.visibility, home.visibility_offset, leaf_count);
         for (std::size_t leaf = 0; leaf < leaf_count; ++leaf) {
             if (!seen[leaf]) continue;
@@ -140,8 +147,10 @@ LightReach::LightReach(const BspFile& bsp, const Tracer& tracer, const std::vect
             for (int i = 0; i < marks.mark_face_count; ++i) {
                 const int face = at(bsp.mark_faces, marks.first_mark_face + i);
                 at(reached, face) = true;
+                sees_sky = sees_sky || is_sky(bsp, at(bsp.faces, face));
             }
         }
+        if (sees_sky) reached.assign(world_face_count_, true);  // what is behind a sky is in no set
     }
 }
 
@@ -158,11 +167,36 @@ std::vector<const LightSource*> sources_near(const Lights& lights, const LightRe
     return near;
 }
 
+// The first place 2 units along an axis that is no wall: samples are 1 unit over their faces.
+std::optional<Point> place_beside_wall(const Point& point, const Tracer& tracer) {
+    for (int direction = 0; direction < 6; ++direction) {
+        Point place = point;
+        component(place, direction / 2) += direction % 2 == 0 ? -kNudge : kNudge;
+        if (!tracer.is_solid(place)) return place;
+    }
+    return std::nullopt;
+}
+
+// As ericw-tools' `light` does. Lamps deeper in a wall light nothing; those with a radius may stand in their own body.
+void move_out_of_walls(std::vector<LightSource>& sources, const Tracer& tracer, Warnings* warnings) {
+    for (LightSource& source : sources) {
+        if (source.radius > 0 || !tracer.is_solid(source.origin)) continue;
+        if (const auto place = place_beside_wall(source.origin, tracer))
+            source.origin = *place;
+        else if (warnings != nullptr)
+            warnings->add(source.entity->line, "the " + source.entity->value("classname") + " at " +
+                                                   source.entity->value("origin") +
+                                                   " is in a wall and lights nothing, expected open air within " +
+                                                   std::to_string(kNudge) + " units");
+    }
+}
+
 }  // namespace
 
-void add_light(BspFile& bsp, const std::vector<MapEntity>& entities, bool is_fast) {
-    const Lights lights = lights_of(entities);
+void add_light(BspFile& bsp, const std::vector<MapEntity>& entities, bool is_fast, Warnings* warnings) {
+    Lights lights = lights_of(entities);
     const Tracer tracer(bsp);
+    move_out_of_walls(lights.sources, tracer, warnings);
     const LightReach reach(bsp, tracer, lights.sources);
     for (std::size_t model = 0; model < bsp.models.size(); ++model) {
         const int first = bsp.models[model].first_face, end = first + bsp.models[model].face_count;

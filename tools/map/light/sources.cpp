@@ -5,6 +5,7 @@
 #include <set>
 
 #include "engine/base/input_error.h"
+#include "engine/level/entity_classes.h"
 #include "tools/map/source/entities.h"
 
 namespace oblong::map {
@@ -13,6 +14,7 @@ namespace {
 constexpr double kFadeUnit = 128;  // of the inverse falloffs
 constexpr double kLeastSeen = 1;   // of 255, doubled
 constexpr double kDefaultConeDegrees = 40;
+constexpr double kUsualBrightness = 300;
 constexpr int kFirstSwitchableStyle = 32, kStyleCount = 64;
 
 double radians(double degrees) {
@@ -21,6 +23,13 @@ double radians(double degrees) {
 
 bool is_light(const MapEntity& entity) {
     return entity.value("classname").starts_with("light");
+}
+
+// As in id's own compiler, any other thing with a key "light" shines, where that key is not its class's own.
+bool shines(const MapEntity& entity) {
+    if (!entity.has("light") || !entity.brushes.empty()) return false;
+    const EntityClass* const its_class = find_entity_class(entity.value("classname"));
+    return its_class == nullptr || find_entity_key(*its_class, "light") == find_entity_key({}, "light");
 }
 
 Point direction_of_angles(double yaw_degrees, double pitch_degrees) {
@@ -64,9 +73,12 @@ double brightness_of(const MapEntity& entity, double otherwise) {
 LightSource source_of(const MapEntity& entity, const Point& origin, const std::vector<MapEntity>& entities) {
     LightSource source;
     source.origin = origin;
-    const double brightness = brightness_of(entity, source.brightness);
+    source.entity = &entity;
+    double brightness = brightness_of(entity, kUsualBrightness);
+    if (brightness == 0 && is_light(entity)) brightness = kUsualBrightness;  // as in id's compiler and its successors
     source.brightness = std::abs(brightness);
     source.is_subtracted = brightness < 0;
+    if (!is_light(entity)) return source;  // its other keys are not those of lights
     source.wait = number_of(entity, "wait", 1);
     if (source.wait <= 0) source.wait = 1;
     const double delay = number_of(entity, "delay", 0);
@@ -139,7 +151,7 @@ Lights lights_of(const std::vector<MapEntity>& entities) {
     Lights lights;
     for (const MapEntity& entity : entities) {
         const auto origin = origin_of(entity);
-        if (!is_light(entity) || !origin) continue;
+        if ((!is_light(entity) && !shines(entity)) || !origin) continue;
         LightSource source = source_of(entity, *origin, entities);
         if (source.brightness > 0) lights.sources.push_back(source);
     }

@@ -19,7 +19,9 @@ enum class Falloff {
 /// Whether a value of the key "delay" is one of these.
 bool is_falloff(double delay);
 
-/// An entity `light...`: keys light (or _light), wait, delay, style, target or mangle, angle, radius.
+/// An entity `light...`, or another with a key light that is nothing else for its class: keys light (or _light), wait,
+/// delay, style, target or mangle, angle,
+/// radius.
 struct LightSource {
     Point origin;
     double brightness = 300;     ///< at least 0
@@ -27,6 +29,7 @@ struct LightSource {
     double wait = 1;
     Falloff falloff = Falloff::kLinear;
     int style = 0;
+    const MapEntity* entity = nullptr;
     std::optional<Point> direction;  ///< of a spotlight
     double cone_cosine = -1;         ///< of half of the spotlight's opening
     double radius = 0;               ///< what is as near as this throws no shadow in its light: the lamp's own body
@@ -51,6 +54,7 @@ struct Lights {
     std::vector<double> least;  ///< by model: worldspawn's _minlight (or light), the brush entity's if that is more
 };
 
+/// The entities must outlive what it returns.
 Lights lights_of(const std::vector<MapEntity>& entities);
 
 /// Gives each light that can be switched (has a targetname, but no style) the style of its name, from 32 on, as a key.

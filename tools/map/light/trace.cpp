@@ -1,7 +1,5 @@
 #include "tools/map/light/trace.h"
 
-#include "tools/map/source/contents.h"
-
 namespace oblong::map {
 
 Tracer::Tracer(const BspFile& bsp) : root_(bsp.models.front().head_nodes[0]) {
@@ -21,7 +19,7 @@ int Tracer::leaf_at(const Point& point) const {
     return -1 - child;
 }
 
-int Tracer::follow(int child, const Point& from, const Point& to) const {
+int Tracer::follow(int child, const Point& from, const Point& to, bool stops_at_sky) const {
     while (child >= 0) {
         const TraceNode& node = at(nodes_, child);
         const double from_height = dot(node.normal, from) - node.distance;
@@ -29,12 +27,13 @@ int Tracer::follow(int child, const Point& from, const Point& to) const {
         const std::size_t near = from_height < 0 ? 1 : 0, far = to_height < 0 ? 1 : 0;
         if (near != far) {
             const Point at = from + scaled(to - from, from_height / (from_height - to_height));
-            const int hit = follow(node.children[near], from, at);
-            return hit != 0 ? hit : follow(node.children[far], at, to);
+            const int hit = follow(node.children[near], from, at, stops_at_sky);
+            return hit != 0 ? hit : follow(node.children[far], at, to, stops_at_sky);
         }
         child = node.children[near];
     }
-    return at(opaque_, -1 - child);
+    const int met = at(opaque_, -1 - child);
+    return met == contents::kSky && !stops_at_sky ? 0 : met;
 }
 
 }  // namespace oblong::map

@@ -1,186 +1,209 @@
 #include "tools/map/source/checks.h"
 
 #include <algorithm>
-#include <map>
+#include <unordered_map>
+#include <utility>
 
-#include "tools/map/light/sources.h"
+#include "engine/level/entities.h"
+#include "engine/level/entity_classes.h"
 #include "tools/map/source/contents.h"
 #include "tools/map/source/entities.h"
 
 namespace oblong::map {
 namespace {
 
-using Names = std::vector<std::string_view>;
-
-// Of Quake's game (its source in QuakeC, "QUAKED" comments) and of level compilers. Whole families end in '_'.
-const Names kClasses{"worldspawn",
-                     "light",
-                     "light_",
-                     "func_group",
-                     "func_detail",
-                     "func_detail_wall",
-                     "func_detail_illusionary",
-                     "func_detail_fence",
-                     "func_wall",
-                     "func_door",
-                     "func_door_secret",
-                     "func_button",
-                     "func_plat",
-                     "func_train",
-                     "func_bossgate",
-                     "func_episodegate",
-                     "func_illusionary",
-                     "func_dm_only",
-                     "trigger_multiple",
-                     "trigger_once",
-                     "trigger_relay",
-                     "trigger_secret",
-                     "trigger_counter",
-                     "trigger_teleport",
-                     "trigger_changelevel",
-                     "trigger_setskill",
-                     "trigger_hurt",
-                     "trigger_push",
-                     "trigger_monsterjump",
-                     "trigger_onlyregistered",
-                     "info_player_start",
-                     "info_player_start2",
-                     "info_player_coop",
-                     "info_player_deathmatch",
-                     "info_teleport_destination",
-                     "info_intermission",
-                     "info_null",
-                     "info_notnull",
-                     "path_corner",
-                     "event_lightning",
-                     "air_bubbles",
-                     "viewthing",
-                     "testplayerstart",
-                     "item_",
-                     "weapon_",
-                     "monster_",
-                     "ambient_",
-                     "misc_",
-                     "trap_",
-                     "test_"};
-
-// The same for keys, whatever class they belong to.
-const Names kKeys{
-    "classname",  "origin",     "angle",     "angles",    "mangle",      "target",      "targetname", "killtarget",
-    "spawnflags", "model",      "delay",     "wait",      "message",     "sounds",      "speed",      "lip",
-    "dmg",        "health",     "height",    "count",     "style",       "light",       "map",        "t_length",
-    "t_width",    "noise",      "noise1",    "noise2",    "noise3",      "noise4",      "netname",    "color",
-    "wad",        "worldtype",  "gravity",   "volume",    "cnt",         "sky",         "fog",        "alpha",
-    "mapversion", "_light",     "_minlight", "_sunlight", "_sun_mangle", "_sky",        "_wad",       "_tb_",
-    "wateralpha", "slimealpha", "lavaalpha", "telealpha", "_wateralpha", "_slimealpha", "_lavaalpha", "_telealpha",
-    "size",       "colour",     "period",    "texture",   "scale",       "shadow",      "radius",     "pattern",
-    "frame",      "frames",     "skin",      "up",        "dither",      "shading",     "highlight",  "least_light"};
-
-struct Count {
-    std::string_view key, wanted;
-    std::size_t least, most;
-};
-
-// How many numbers keys of effects take.
-const std::vector<Count> kCounts{{"fog", "density red green blue, perhaps alpha mindist maxdist top fadedepth", 4, 9},
-                                 {"size", "3 numbers", 3, 3},
-                                 {"palette_cycle", "first, last, steps a second", 3, 3}};
-
-// palette_cycle, palette_cycle2 ...
-bool is_palette_cycle(std::string_view key) {
-    constexpr std::string_view kName = "palette_cycle";
-    return key.starts_with(kName) && key.substr(kName.size()).find_first_not_of("0123456789") == std::string_view::npos;
+std::string quoted(std::string_view text) {
+    constexpr std::size_t kMost = 60;
+    return "'" + std::string(text.substr(0, kMost)) + (text.size() > kMost ? "...'" : "'");
 }
 
-// Keys whose value is one number to the light compiler.
-const Names kNumbers{"wait", "delay", "style", "_minlight", "_sunlight"};
+std::string with_article(std::string_view name) {
+    const bool is_vowel = std::string_view("aeiou").find(name.front()) != std::string_view::npos;
+    return (is_vowel ? "an " : "a ") + std::string(name);
+}
 
-bool is_one_of(const Names& names, const std::string& word) {
-    return std::any_of(names.begin(), names.end(), [&](std::string_view name) {
-        return word == name || (name.ends_with('_') && word.starts_with(name));
-    });
+// How many letters have to be changed, added, left out or swapped with the next (Damerau, Levenshtein).
+std::size_t typing_errors(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> before, last(b.size() + 1), now(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        now[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (a[i - 1] != b[j - 1])});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                now[j] = std::min(now[j], before[j - 2] + 1);
+        }
+        before = std::exchange(last, now);
+    }
+    return last.back();
+}
+
+// Finds the name that is nearest to a misspelt one.
+class NearestName {
+  public:
+    explicit NearestName(std::string_view wanted) : wanted_(wanted) {}
+
+    void add(std::string_view name) {
+        constexpr std::size_t kLongest = 64;
+        if (name.ends_with('#')) name.remove_suffix(1);
+        if (name.ends_with('_') || wanted_.size() > kLongest) return;
+        const std::size_t errors = typing_errors(wanted_, name);
+        if (errors >= least_) return;
+        least_ = errors;
+        name_ = name;
+    }
+
+    std::string text() const { return name_.empty() ? "" : ", perhaps " + quoted(name_) + " is meant"; }
+
+  private:
+    std::string_view wanted_, name_;
+    std::size_t least_ = 3;
+};
+
+std::string nearest_class(std::string_view wanted) {
+    NearestName nearest(wanted);
+    for (const EntityClass& row : entity_classes()) nearest.add(row.name);
+    return nearest.text();
+}
+
+std::string nearest_key(const EntityClass& its_class, std::string_view wanted) {
+    NearestName nearest(wanted);
+    for (const auto& keys : its_class.keys)
+        for (const EntityKey& row : keys)
+            if (!row.does.empty()) nearest.add(row.name);
+    return nearest.text();
+}
+
+std::string list_of(std::span<const KeyValue> values) {
+    std::string text;
+    for (const KeyValue& value : values) {
+        if (!text.empty()) text += &value == &values.back() ? " or " : ", ";
+        text += value.value;
+    }
+    return text;
+}
+
+// What a key's value has to be.
+std::string expected_of(const EntityKey& row) {
+    if (row.kind == KeyKind::Texture) return "a texture that begins with '{'";
+    if (row.kind == KeyKind::Choice) return list_of(row.values) + ": " + std::string(row.usual) + " is taken";
+    if (row.kind == KeyKind::Whole || row.kind == KeyKind::Flags) return "a whole number";
+    if (row.most == 1) return "a number";
+    const std::string least = std::to_string(row.least), most = std::to_string(row.most);
+    return (row.least == row.most ? most : least + " to " + most) + " numbers";
+}
+
+bool is_of_kind(const EntityKey& row, const std::string& value) {
+    const auto numbers = parse_decimals(value, 0);
+    const auto is_value = [&](const KeyValue& each) { return each.value == value; };
+    switch (row.kind) {
+        case KeyKind::Numbers:
+            return numbers && numbers->size() >= row.least && numbers->size() <= row.most;
+        case KeyKind::Whole:
+        case KeyKind::Flags:
+            return numbers && numbers->size() == 1 && value.find('.') == std::string::npos;
+        case KeyKind::Choice:
+            return std::any_of(row.values.begin(), row.values.end(), is_value);
+        case KeyKind::Texture:
+            return is_fence_texture(value);
+        default:
+            return true;
+    }
 }
 
 class Checker {
   public:
-    void check_class(const MapEntity& entity) {
-        const std::string name = entity.value("classname");
-        if (name.empty()) {
-            add(entity.line, "an entity without a classname, expected one");
-        } else if (!is_one_of(kClasses, name)) {
-            add(entity.line, "the class '" + name + "' is unknown: the entity is written as it stands");
-        }
+    Checker(const std::vector<MapEntity>& entities, Warnings& warnings) : entities_(entities), warnings_(warnings) {
+        for (const MapEntity& entity : entities) name(entity, entity.value("targetname"));
     }
 
-    void check_key(const MapPair& pair) {
-        if (is_one_of(kKeys, pair.key) || is_palette_cycle(pair.key)) return;
-        const bool is_for_compilers = pair.key.starts_with('_');
-        add(pair.line, "the key '" + pair.key + (is_for_compilers ? "' has no effect here" : "' is unknown"));
-    }
-
-    void check_count(const MapPair& pair) {
-        const std::size_t words = count_words(pair.value);
-        for (const Count& count : kCounts) {
-            if (pair.key != count.key && !(count.key == "palette_cycle" && is_palette_cycle(pair.key))) continue;
-            if (words < count.least || words > count.most)
-                add(pair.line, "'" + pair.key + "' is '" + pair.value + "', expected " + std::string(count.wanted));
-        }
-    }
-
-    // A sprite is a texture with holes.
-    void check_sprite(const MapEntity& entity) {
-        const std::string name = entity.value("classname"), texture = entity.value("texture");
-        if (name != "misc_sprite" && name != "misc_lantern") return;
-        if (!is_fence_texture(texture))
-            add(entity.line, "the texture of a " + name + " is '" + texture + "', expected one that begins with '{'");
-    }
-
-    void check_light(const MapEntity& entity, const MapPair& pair) {
-        const std::size_t words = count_words(pair.value);
-        if (pair.key == "delay" && !is_falloff(number_of(entity, "delay", 0))) {
-            add(pair.line, "'delay' is '" + pair.value + "', expected 0, 1, 2, 3 or 5: 0 is taken");
-        } else if (pair.key == "light" || pair.key == "_light") {
-            if (words > 1) add(pair.line, "the colour in '" + pair.key + "' is not kept, only its brightness");
-        } else if (words > 1 && is_one_of(kNumbers, pair.key)) {
-            add(pair.line, "'" + pair.key + "' is '" + pair.value + "', expected one number: the first is taken");
-        }
-    }
-
-    void add(int line, const std::string& what) {
-        if (known_[what]++ == 0) warnings_.push_back({line, what});
-    }
-
-    std::vector<Warning> take() {
-        for (Warning& warning : warnings_) {
-            const int others = known_[warning.what] - 1;
-            if (others > 0) warning.what += " (so " + std::to_string(others) + " more)";
-        }
-        return std::move(warnings_);
+    void check() {
+        for (const MapEntity& entity : entities_) check_entity(entity);
+        const auto is_start = [](const MapEntity& entity) { return entity.value("classname") == "info_player_start"; };
+        if (std::none_of(entities_.begin(), entities_.end(), is_start))
+            warnings_.add(entities_.front().line, "no info_player_start: nobody can play the level");
     }
 
   private:
-    std::vector<Warning> warnings_;
-    std::map<std::string, int> known_;
+    void name(const MapEntity& entity, const std::string& its_name) {
+        if (!its_name.empty()) named_.emplace(its_name, &entity);
+        // Chthon's electrodes are found by their target (Quake's e1m7).
+        if (entity.value("classname") == "event_lightning") named_.emplace("lightning", &entity);
+    }
+
+    void check_entity(const MapEntity& entity) {
+        const std::string name = entity.value("classname");
+        if (name.empty()) return warnings_.add(entity.line, "an entity without a classname, expected one");
+        const EntityClass* const its_class = find_entity_class(name);
+        if (its_class == nullptr)
+            return warnings_.add(entity.line, "the class " + quoted(name) + " is unknown" + nearest_class(name) +
+                                                  ": the entity is written as it stands");
+        check_shape(entity, *its_class, with_article(name));
+        for (const auto& keys : its_class->keys)
+            for (const EntityKey& row : keys)
+                if (row.is_required && entity.value(row.name).empty())
+                    warnings_.add(entity.line, with_article(name) + " without '" + std::string(row.name) +
+                                                   "', expected " + std::string(row.does));
+        for (const MapPair& pair : entity.pairs) check_pair(pair, *its_class, name);
+    }
+
+    void check_shape(const MapEntity& entity, const EntityClass& its_class, const std::string& name) {
+        if (its_class.shape == ClassShape::Brush && entity.brushes.empty())
+            warnings_.add(entity.line, name + " without brushes, expected some: it is not there");
+        if (its_class.shape == ClassShape::Point && entity.value("origin").empty())
+            warnings_.add(entity.line, name + " without an origin, expected its place");
+    }
+
+    void check_pair(const MapPair& pair, const EntityClass& its_class, const std::string& class_name) {
+        const EntityKey* const row = find_entity_key(its_class, pair.key);
+        if (row == nullptr) {
+            if (pair.key.starts_with("_tb_")) return;  // TrenchBroom's own
+            warnings_.add(pair.line, "nothing reads the key " + quoted(pair.key) + " of " + with_article(class_name) +
+                                         nearest_key(its_class, pair.key));
+        } else if (!pair.value.empty() && !row->does.empty()) {
+            check_value(pair, *row);
+        }
+    }
+
+    void check_value(const MapPair& pair, const EntityKey& row) {
+        if (!is_of_kind(row, pair.value))
+            return warnings_.add(pair.line,
+                                 quoted(pair.key) + " is " + quoted(pair.value) + ", expected " + expected_of(row));
+        if (row.name == "light" && row.most > 1 && count_words(pair.value) > 1)
+            warnings_.add(pair.line, "the colour in " + quoted(pair.key) + " is not kept, only its brightness");
+        if (row.kind != KeyKind::Target && row.kind != KeyKind::Place) return;
+        const auto target = named_.find(pair.value);
+        if (target == named_.end())
+            warnings_.add(pair.line, quoted(pair.key) + " is " + quoted(pair.value) + ", but no entity has that name");
+        else if (row.kind == KeyKind::Place && target->second->value("origin").empty())
+            warnings_.add(pair.line, quoted(pair.key) + " is " + quoted(pair.value) +
+                                         ", but the first entity of that name has no origin");
+    }
+
+    const std::vector<MapEntity>& entities_;
+    Warnings& warnings_;
+    std::unordered_map<std::string, const MapEntity*> named_;  // the first of a name
 };
 
 }  // namespace
 
-std::vector<Warning> find_warnings(const std::vector<MapEntity>& entities) {
-    Checker checker;
-    bool has_start = false;
-    for (const MapEntity& entity : entities) {
-        const std::string name = entity.value("classname");
-        has_start = has_start || name == "info_player_start";
-        checker.check_class(entity);
-        checker.check_sprite(entity);
-        for (const MapPair& pair : entity.pairs) {
-            checker.check_key(pair);
-            checker.check_count(pair);
-            if (name == "worldspawn" || name.starts_with("light")) checker.check_light(entity, pair);
-        }
+void Warnings::add(int line, const std::string& what) {
+    if (known_[what]++ == 0) warnings_.push_back({line, what});
+}
+
+std::vector<Warning> Warnings::take() {
+    for (Warning& warning : warnings_) {
+        const int others = known_[warning.what] - 1;
+        if (others > 0) warning.what += " (so " + std::to_string(others) + " more)";
     }
-    if (!has_start) checker.add(entities.front().line, "no info_player_start: nobody can play the level");
-    return checker.take();
+    known_.clear();
+    std::stable_sort(warnings_.begin(), warnings_.end(),
+                     [](const Warning& a, const Warning& b) { return a.line < b.line; });
+    return std::exchange(warnings_, {});
+}
+
+void find_warnings(const std::vector<MapEntity>& entities, Warnings& warnings) {
+    Checker(entities, warnings).check();
 }
 
 }  // namespace oblong::map

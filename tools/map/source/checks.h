@@ -1,17 +1,33 @@
 #pragma once
 
+#include <map>
+#include <string>
+#include <vector>
+
 #include "tools/map/source/map_file.h"
 
 namespace oblong::map {
 
-/// Something in a map source that the compiler may read differently from what its author means.
+/// Something in a map source that is compiled all the same, but hardly as it is meant.
 struct Warning {
     int line = 0;
     std::string what;
 };
 
-/// Unknown classes and keys, what has no effect here, and a missing start, in the order of their first lines; each
-/// once, with the number of repetitions.
-std::vector<Warning> find_warnings(const std::vector<MapEntity>& entities);
+/// Collects warnings: what is said again is counted.
+class Warnings {
+  public:
+    void add(int line, const std::string& what);
+    /// By their lines, with the number of further ones of the same text; none are left.
+    std::vector<Warning> take();
+
+  private:
+    std::vector<Warning> warnings_;
+    std::map<std::string, int> known_;
+};
+
+/// What is odd about the entities of a source: classes and keys that entity_classes() does not know, values that are
+/// none of theirs, entities without what their class takes, targets that nobody has.
+void find_warnings(const std::vector<MapEntity>& entities, Warnings& warnings);
 
 }  // namespace oblong::map

@@ -52,6 +52,11 @@ constexpr bool is_fence_texture(std::string_view name) {
     return name.starts_with("{");
 }
 
+/// Other engines turn a brush entity around the middle of a brush with this one.
+constexpr bool is_origin_texture(std::string_view name) {
+    return name == "origin";
+}
+
 /// A brush with one of these on any side advises other compilers where to cut the tree; it fills nothing.
 constexpr bool is_hint_texture(std::string_view name) {
     return name == "hint" || name == "hintskip";

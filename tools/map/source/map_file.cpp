@@ -217,6 +217,14 @@ MapEntity take_entity(MapTokens& tokens) {
     return entity;
 }
 
+// It would end the text of the entities in the level.
+void check_no_zero_byte(std::string_view text) {
+    const std::size_t zero = text.find('\0');
+    if (zero == std::string_view::npos) return;
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n');
+    throw InputError("line " + std::to_string(line), "a zero byte, expected text");
+}
+
 }  // namespace
 
 std::string MapEntity::value(std::string_view key, std::string_view otherwise) const {
@@ -233,6 +241,7 @@ bool MapEntity::has(std::string_view key) const {
 std::vector<MapEntity> parse_map(std::string_view text) {
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    check_no_zero_byte(text);
     MapTokens tokens(text);
     std::vector<MapEntity> entities;
     while (!tokens.peek().is_end) entities.push_back(take_entity(tokens));

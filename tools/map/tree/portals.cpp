@@ -1,5 +1,7 @@
 #include "tools/map/tree/portals.h"
 
+#include <algorithm>
+
 namespace oblong::map {
 namespace {
 
@@ -180,16 +182,21 @@ std::optional<Leak> fill_outside(Tree& tree, const PlaneList& planes, const Port
                                  const std::vector<Point>& starts) {
     const Flood flood = flood_from_void(tree, portals);
     std::optional<Leak> on_wall;
-    bool is_any_inside = false;
+    std::vector<bool> inside(starts.size());
+    std::optional<Leak> in_open;
     for (std::size_t i = 0; i < starts.size(); ++i) {
         const Touched touched = touched_at(tree, planes, flood, starts[i]);
-        is_any_inside = is_any_inside || touched.has_inside;
-        if (touched.has_inside || touched.reached < 0 || (touched.has_wall && on_wall)) continue;
-        Leak leak{i, path_to_void(tree, portals, flood, starts[i], touched.reached)};
-        if (!touched.has_wall) return leak;
-        on_wall = std::move(leak);
+        inside[i] = touched.has_inside;
+        std::optional<Leak>& leak = touched.has_wall ? on_wall : in_open;
+        if (touched.has_inside || touched.reached < 0 || leak) continue;
+        leak = {i, path_to_void(tree, portals, flood, starts[i], touched.reached), {}};
     }
-    if (!is_any_inside && on_wall) return on_wall;
+    const bool is_any_inside = std::count(inside.begin(), inside.end(), true) > 0;
+    if (!in_open && !is_any_inside) in_open = std::move(on_wall);
+    if (in_open) {
+        in_open->inside = std::move(inside);
+        return in_open;
+    }
     for (const int leaf : flood.order) tree.leaf(leaf).contents = contents::kSolid;
     return std::nullopt;
 }

@@ -38,6 +38,7 @@ void fill_leaves(Tree& tree, const Portals& portals, const std::function<int(con
 struct Leak {
     std::size_t start = 0;  ///< index of the starting point
     std::vector<Point> path;
+    std::vector<bool> inside;  ///< which starts are sealed off from the void
 };
 
 /// Narrower gaps do not count: brushes that an editor turned and rounded do not meet exactly.

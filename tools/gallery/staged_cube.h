@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/mesh/draw_mesh.h"
+#include "tools/gallery/numbers.h"
+#include "tools/gallery/row.h"
+
+namespace oblong {
+
+/// Where the pipeline is stopped. Facing comes first, in object space, so that nothing else is done for a back face.
+enum class Stage { Object, Facing, InWorld, Lit, InView, Clipped, Divided, Projected, Scanned, Spans, Pixels };
+inline const std::vector<std::string> kStageNames{"object space", "facing",  "world space", "lit",
+                                                  "view space",   "clipped", "divided",     "on screen",
+                                                  "scanned",      "spans",   "pixels"};
+
+/// A triangle on its way: its light, and what clipping and the scan converter made of it.
+struct ShownTriangle {
+    std::uint32_t number = 0;
+    Vec3<Unit> world_normal;
+    double light = 0;                  ///< a lightmap value
+    std::vector<Vec3<Entry>> divided;  ///< its corners in the canonical volume, after the perspective divide
+    std::vector<ScreenCorner> corners;
+    std::vector<Span> spans;
+};
+
+/// The cube's place: so far east of the eye, which is at the origin, and below it.
+inline constexpr double kCubeAhead = 4.6, kCubeBelow = -2.4;
+/// The canonical volume reaches from here to there.
+inline constexpr double kVolumeNear = 0.25, kVolumeFar = 16;
+
+/// All that the stages leave of a cube, by the engine's own functions in their order. The row's values: a stage, the
+/// cube's yaw in degrees, and how far it stands to the left in quarters of a unit.
+struct StagedCube {
+    StagedCube(const RowInput& input, Framebuffer part);
+    StagedCube(const StagedCube&) = delete;
+
+    bool faces_eye(std::uint32_t triangle) const;
+    /// World to the canonical volume.
+    Matrix4 to_volume() const;
+    /// The numbers that a stage leaves, below a line that names them.
+    std::vector<std::string> lines_of(Stage stage) const;
+
+    Mesh mesh;
+    PlacedMesh placed;
+    ViewContext view;
+    Vec3<World> object_eye;
+    MeshLight light;
+    MeshScratch scratch;
+    std::vector<ShownTriangle> triangles;
+};
+
+}  // namespace oblong
