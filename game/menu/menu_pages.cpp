@@ -68,8 +68,8 @@ void MenuPages::open_message(std::string title, std::string text) {
 MenuPage MenuPages::title_page() {
     MenuPage page{"OBLONG", "", {}, 0, "", true, [this] { ask_to_leave(); }};
     if (const auto last = host_.last_walk())
-        page.rows.push_back(
-            row("Continue", closing([this] { host_.continue_walk(); }), last->content + ". " + last->help));
+        page.rows.push_back(row("Continue", closing([this] { host_.continue_walk(); }),
+                                last->has_game ? "go on in " + last->content : last->content + ". " + last->help));
     page.rows.push_back(row("Walk", closing([this] { host_.walk(); }), "through the museum, from its entrance"));
     page.rows.push_back(row(
         "Levels", [this] { open_levels(); }, "others to walk through"));
