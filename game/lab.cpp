@@ -40,7 +40,7 @@ void Lab::draw_exact_side(const LabOptions& options, const GameView& view, Setti
 
 std::int32_t Lab::draw_panel(const LabOptions& options, const GameView& view, const Settings& settings,
                              Framebuffer canvas) {
-    measures_.measure(view, settings, options.before, renderer_, meter());
+    measures_.measure(view, settings, options.before, renderer_, meter(), data_.palette);
     draw_lab_panel(options, measures_.figures(), panel_colours_, canvas);
     return canvas.height_px - lab_panel_rows(canvas);
 }

@@ -11,7 +11,7 @@ namespace oblong {
 namespace {
 
 constexpr std::int32_t kRow_px = 9, kMargin_px = 3, kBackground = 40;
-constexpr std::size_t kDialRows = 7, kTextRows = 3;
+constexpr std::size_t kDialRows = 7, kTextRows = 4;
 constexpr std::int32_t kPanelRows_px = static_cast<std::int32_t>(1 + kDialRows + kTextRows) * kRow_px + 2 * kMargin_px;
 constexpr std::size_t kDialColumns = 30;
 constexpr std::int32_t kDials_px = kDialColumns * kGlyphAdvance_px;
@@ -114,6 +114,16 @@ std::string describe_errors(const LabFigures& figures) {
            three_digits(figures.errors->max);
 }
 
+std::string describe_colours(const LabFigures& figures) {
+    const std::string of = "Colours off, of 442: ";
+    if (!figures.colour_errors) return of + "...";
+    const ErrorSummary& errors = *figures.colour_errors;
+    if (errors.count == 0) return of + "none (light, mip levels)";
+    const double percent = 100.0 * static_cast<double>(errors.count) / figures.pixels;
+    return of + "rms " + three_digits(errors.rms) + ", worst " + three_digits(errors.max) + ", in " +
+           with_decimals(percent, percent < 9.95 ? 1 : 0) + " %";
+}
+
 std::string describe_operations(const Operations& operations) {
     return "Work: " + short_count(operations.adds.total()) + " adds, " +
            short_count(operations.multiplications.total()) + " muls, " + short_count(operations.divisions.total()) +
@@ -161,8 +171,9 @@ void draw_lab_panel(const LabOptions& options, const LabFigures& figures, const 
     draw_dials(options, figures.now.accuracy, panel);
     draw_times(figures, panel);
     panel.write(kMargin_px, 1 + kDialRows, describe_errors(figures), panel.colours.bright);
-    panel.write(kMargin_px, 2 + kDialRows, describe_operations(figures.operations), panel.colours.bright);
-    panel.write(kMargin_px, 3 + kDialRows, describe_frame_rates(figures), panel.colours.bright);
+    panel.write(kMargin_px, 2 + kDialRows, describe_colours(figures), panel.colours.bright);
+    panel.write(kMargin_px, 3 + kDialRows, describe_operations(figures.operations), panel.colours.bright);
+    panel.write(kMargin_px, 4 + kDialRows, describe_frame_rates(figures), panel.colours.bright);
 }
 
 }  // namespace oblong

@@ -136,7 +136,7 @@ ShownPicture Session::draw(bool is_behind_menu) {
     Settings shown_settings = settings;
     if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, last_us_);
     renderer_->draw(view, shown_settings);
-    PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.gamma_100);
+    PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.light());
     if (is_behind_menu) effects.flash = {};  // it would wash the menu out
     note_cost(view, shown_settings, effects);
     if (log_) renderer_->note(view, shown_settings, last_us_, *log_);
@@ -156,7 +156,7 @@ Thumbnail Session::thumbnail() {
     const GameView view = shown_view();
     renderer_->draw(view, settings_of(view_options_.preferences));
     const PaletteEffects effects =
-        palette_.effects_at(view, view_options_.preferences.flashes, view_options_.preferences.gamma_100);
+        palette_.effects_at(view, view_options_.preferences.flashes, view_options_.preferences.light());
     return make_thumbnail(renderer_->canvas(), palette_of(view, effects));
 }
 

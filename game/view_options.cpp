@@ -83,7 +83,7 @@ std::string change(const std::string& name, int steps, Preferences& preferences)
 Settings settings_of(const Preferences& preferences) {
     Settings settings;
     settings.accuracy = preferences.accuracy;
-    settings.brightness_100 = preferences.brightness_100;
+    settings.brightness_100 = preferences.light().brightness_100;
     settings.flashes = preferences.flashes;
     settings.correct_aspect = preferences.corrects_projection;
     return settings;

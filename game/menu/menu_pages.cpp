@@ -132,6 +132,8 @@ MenuPage MenuPages::options_page() {
     for (int i = 0; i < kPreferencePageCount; ++i)
         page.rows.push_back(row(name_of(static_cast<PreferencePage>(i)), [this, i] { open_preferences(i); }));
     page.rows.push_back(row(
+        "Light", [this] { open_light(); }, "set by a test picture"));
+    page.rows.push_back(row(
         "Keys", [this] { open_key_pages(menu_, host_, key_undo_); }, "which key or button does what"));
     page.rows.push_back(row("Back", [this] { menu_.close(); }));
     return page;
