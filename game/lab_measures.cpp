@@ -1,5 +1,6 @@
 #include "game/lab_measures.h"
 
+#include <cmath>
 #include <exception>
 
 #include "engine/platform/files.h"
@@ -7,9 +8,9 @@
 namespace oblong {
 namespace {
 
-// The turns of a round: two settings, the presets, operations, errors.
+// The turns of a round: two settings, the presets, operations, errors of places, errors of colours.
 constexpr std::size_t kFirstPreset = 2, kCount = kFirstPreset + kPresets.size(), kErrors = kCount + 1,
-                      kTurns = kErrors + 1;
+                      kColours = kErrors + 1, kTurns = kColours + 1;
 
 }  // namespace
 
@@ -28,16 +29,39 @@ std::vector<TexelError> ErrorMeter::measure(const GameView& view, const Settings
     return meter.measure(renderer.draw_and_record(view, settings));
 }
 
+Accuracy with_exact_colours(Accuracy accuracy) {
+    const Accuracy exact = accuracy_of(Preset::Exact);
+    accuracy.light = exact.light;
+    accuracy.shades = exact.shades;
+    accuracy.dithers_light = exact.dithers_light;
+    accuracy.mip = exact.mip;
+    accuracy.mip_bias = exact.mip_bias;
+    return accuracy;
+}
+
+ErrorSummary colour_errors(std::span<const std::uint8_t> picture, std::span<const std::uint8_t> exact,
+                           const Palette& palette) {
+    std::vector<float> errors;
+    for (std::size_t i = 0; i < picture.size(); ++i) {
+        if (picture[i] == exact[i]) continue;
+        const Rgb8 a = palette.colours[picture[i]], b = palette.colours[exact[i]];
+        errors.push_back(std::hypot(static_cast<float>(a.red - b.red), static_cast<float>(a.green - b.green),
+                                    static_cast<float>(a.blue - b.blue)));
+    }
+    return summarize_errors(std::move(errors));
+}
+
 LabMeasures::LabMeasures() {
     for (std::size_t i = 0; i < kPresets.size(); ++i) figures_.presets[i].accuracy = accuracy_of(kPresets[i]);
 }
 
 void LabMeasures::measure(const GameView& view, const Settings& now, const Accuracy& before, GameRenderer& renderer,
-                          ErrorMeter& meter, Platform& clock) {
+                          ErrorMeter& meter, const Palette& palette, Platform& clock) {
     follow(now.accuracy, before);
     const std::size_t turn = turn_++ % kTurns;
     if (turn == kCount) return count(view, now, renderer);
     if (turn == kErrors) return note_errors(meter.measure(view, now, renderer), meter.problem());
+    if (turn == kColours) return compare_colours(view, now, renderer, palette);
     TimedSetting& setting = turn == 0   ? figures_.now
                             : turn == 1 ? figures_.before
                                         : figures_.presets[turn - kFirstPreset];
@@ -70,6 +94,19 @@ void LabMeasures::count(const GameView& view, const Settings& now, GameRenderer&
     figures_.operations = sum_of(operations_by_stage(renderer.draw_and_count(view, now), now.accuracy));
     for (std::size_t i = 0; i < kProcessors.size(); ++i)
         figures_.frame_rates[i] = frame_rate(kProcessors[i], cycles_on(kProcessors[i], figures_.operations));
+}
+
+void LabMeasures::compare_colours(const GameView& view, Settings settings, GameRenderer& renderer,
+                                  const Palette& palette) {
+    const auto picture = [&] {
+        renderer.draw(view, settings);
+        const Framebuffer canvas = renderer.canvas();
+        return std::vector<std::uint8_t>(canvas.pixels, canvas.row(canvas.height_px));
+    };
+    const std::vector<std::uint8_t> shown = picture();
+    settings.accuracy = with_exact_colours(settings.accuracy);
+    figures_.colour_errors = colour_errors(shown, picture(), palette);
+    figures_.pixels = static_cast<std::int32_t>(shown.size());
 }
 
 void LabMeasures::note_errors(const std::vector<TexelError>& errors, const std::string& problem) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "engine/accuracy/presets.h"
@@ -46,16 +47,27 @@ struct LabFigures {
     std::array<double, kProcessors.size()> frame_rates{};  ///< that they allow
     std::optional<ErrorSummary> errors;                    ///< pixels on the screen
     std::string problem;                                   ///< why there are no errors
+    /// Of light and mip levels: how far colours are from those of exact ones at the same texels, RGB, 0 to 442; of the
+    /// pixels that differ.
+    std::optional<ErrorSummary> colour_errors;
+    std::int32_t pixels = 0;  ///< of the picture
 };
 
-/// Measures the view in turns, one of these at a frame: the time of one setting; operations; errors.
+/// A setting whose dials of colour (light, shades, dither, mip levels) are those of the preset `exact`.
+Accuracy with_exact_colours(Accuracy accuracy);
+/// How far the colours of two pictures are apart, RGB, where they differ.
+ErrorSummary colour_errors(std::span<const std::uint8_t> picture, std::span<const std::uint8_t> exact,
+                           const Palette& palette);
+
+/// Measures the view in turns, one of these at a frame: the time of one setting; operations; errors of places; errors
+/// of colours.
 class LabMeasures {
   public:
     LabMeasures();
 
     /// Takes the next turn. A time is that of the second of two renderings, which finds its surfaces lit.
     void measure(const GameView& view, const Settings& now, const Accuracy& before, GameRenderer& renderer,
-                 ErrorMeter& meter, Platform& clock);
+                 ErrorMeter& meter, const Palette& palette, Platform& clock);
     void note_errors(const std::vector<TexelError>& errors, const std::string& problem);
     const LabFigures& figures() const { return figures_; }
 
@@ -63,6 +75,7 @@ class LabMeasures {
     void follow(const Accuracy& now, const Accuracy& before);
     void time(TimedSetting& setting, const GameView& view, Settings settings, GameRenderer& renderer, Platform& clock);
     void count(const GameView& view, const Settings& now, GameRenderer& renderer);
+    void compare_colours(const GameView& view, Settings settings, GameRenderer& renderer, const Palette& palette);
 
     LabFigures figures_;
     std::size_t turn_ = 0;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/base/input_error.h"
+#include "engine/base/text.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
 #include "game/simulation/step.h"
@@ -120,7 +121,8 @@ std::string words(const Position& p) {
 }  // namespace
 
 std::vector<Waypoint> parse_route(std::span<const std::uint8_t> bytes) {
-    const std::vector<std::string> lines = lines_of(bytes);
+    std::vector<std::string> lines = lines_of(bytes);
+    lines[0] = without_byte_order_mark(lines[0]);
     if (lines[0] != kHeader) throw InputError(place_of(1), "'" + lines[0] + "', expected " + std::string(kHeader));
     std::vector<Waypoint> route;
     for (std::size_t i = 1; i < lines.size(); ++i)

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/base/input_error.h"
+#include "engine/base/text.h"
 #include "tools/common/arguments.h"
 #include "tools/common/config_line.h"
 
@@ -44,7 +45,8 @@ std::vector<ReadLine> read_lines(const std::string& text, std::vector<LineFault>
     for (const std::string& line : lines_of_text(text)) {
         ++number;
         try {
-            const std::optional<ConfigLine> set = parse_config_line(line);
+            const std::optional<ConfigLine> set =
+                parse_config_line(number == 1 ? std::string(without_byte_order_mark(line)) : line);
             if (set && !is_known(set->name, values))
                 faults.push_back({number, printable("'" + set->name +
                                                     "' is unknown, expected a name that this "
@@ -120,6 +122,15 @@ std::string with_value(const std::string& line, const std::string& value) {
     return line.substr(0, begin) + space + value + before_comment + line.substr(end);
 }
 
+// Keeps the first faults, and says how many more there are.
+void limit_faults(std::vector<LineFault>& faults) {
+    constexpr std::size_t kMost = 16;
+    if (faults.size() <= kMost) return;
+    const std::size_t more = faults.size() - kMost, line = faults[kMost].line;
+    faults.resize(kMost);
+    faults.push_back({line, "this line and " + std::to_string(more - 1) + " more are wrong too"});
+}
+
 }  // namespace
 
 ReadPreferences read_preferences(const std::string& text) {
@@ -130,6 +141,7 @@ ReadPreferences read_preferences(const std::string& text) {
     check_together(lines, read);
     std::stable_sort(read.faults.begin(), read.faults.end(),
                      [](const LineFault& a, const LineFault& b) { return a.line < b.line; });
+    limit_faults(read.faults);
     return read;
 }
 

@@ -1,5 +1,8 @@
 #include "game/simulation/collision.h"
 
+#include <array>
+#include <cstdlib>
+
 #include "engine/level/trace.h"
 
 namespace oblong {
@@ -34,6 +37,15 @@ std::array<Position, 6> positions_around(const GameLevel& level, const Obstacle&
              {from.x, low.y, from.z},
              {from.x, high.y, from.z},
              {from.x, from.y, low.z}}};
+}
+
+// The way of a length along one of the directions to the 26 neighbours in a grid, up first; one of the 27 is no way.
+Vec3<World> way_in_direction(std::int32_t direction, World length) {
+    constexpr std::array<std::int32_t, 3> kSteps{0, 1, -1};
+    constexpr std::array<std::int32_t, 4> kShares_12{0, 4096, 2896, 2365};  // of an axis, of two at once, of three
+    const std::int32_t z = 1 - direction / 9, x = at(kSteps, direction / 3 % 3), y = at(kSteps, direction % 3);
+    const World along = scaled(length, at(kShares_12, std::abs(x) + std::abs(y) + std::abs(z)), 4096);
+    return {along * x, along * y, along * z};
 }
 
 bool is_reachable(const GameLevel& level, const Position& from, const Position& to) {
@@ -100,6 +112,20 @@ WayOut find_way_out(const GameLevel& level, const GameState& state, const Positi
         return true;
     });
     return out;
+}
+
+Position free_place_near(const GameLevel& level, const Position& from) {
+    constexpr std::int32_t kFarthest = 256, kStep = 2, kDirections = 27;
+    const auto is_free_of_world = [&](const Position& position) {
+        return hull_contents(*level.bsp, level.model(kWorldModel), Hull::Player, position) != contents::kSolid;
+    };
+    if (is_free_of_world(from)) return from;
+    for (std::int32_t length = kStep; length <= kFarthest; length += kStep)
+        for (std::int32_t direction = 0; direction < kDirections; ++direction) {
+            const Position place = from + way_in_direction(direction, World::from_int(length));
+            if (is_free_of_world(place)) return place;
+        }
+    return from;
 }
 
 std::int32_t contents_at(const GameLevel& level, const Position& point) {

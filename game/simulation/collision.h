@@ -43,6 +43,10 @@ struct WayOut {
 };
 WayOut find_way_out(const GameLevel& level, const GameState& state, const Position& from);
 
+/// `from`, or where the world is solid there, the nearest place for the player within 256 units in 26 directions;
+/// `from` if there is none.
+Position free_place_near(const GameLevel& level, const Position& from);
+
 /// What fills the world at a point (contents::kEmpty and so on).
 std::int32_t contents_at(const GameLevel& level, const Position& point);
 

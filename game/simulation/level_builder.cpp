@@ -6,6 +6,7 @@
 #include "engine/base/input_error.h"
 #include "engine/level/entities.h"
 #include "engine/scene/light_styles.h"
+#include "game/simulation/collision.h"
 #include "game/simulation/door_links.h"
 #include "game/simulation/entity_keys.h"
 #include "game/simulation/items.h"
@@ -103,6 +104,7 @@ bool LevelBuilder::find_exit(const Entity& entity, Trigger& trigger) const {
     trigger.place = {*origin, yaw_of(*exit->second)};
     if (exit->second->value("classname") == "info_teleport_destination")
         trigger.place.position.z += World::from_int(kExitHeight);
+    trigger.place.position = free_place_near(level_, trigger.place.position);
     return true;
 }
 

@@ -23,6 +23,19 @@ TEST_F(BadRoute, AWalkIntoAWallIsStuckAndLeavesNoDemo) {
     EXPECT_FALSE(std::filesystem::exists(folder_.path("walk.demo")));
 }
 
+TEST_F(BadRoute, AByteOrderMarkIsNoPartOfTheHeader) {
+    EXPECT_TRUE(names_fault(walk("\xef\xbb\xbf" + kHeader + "here\n"), "oblong", file_, "line 2: "));
+}
+
+TEST_F(BadRoute, ThousandsOfUnknownArgumentsAreAShortMessage) {
+    std::vector<std::string> arguments{"oblong-map"};
+    for (int i = 0; i < 5000; ++i) arguments.push_back("--n" + std::to_string(i));
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_LT(outcome.error.size(), 1200u) << outcome.error.size();
+    EXPECT_NE(outcome.error.find("--n"), std::string::npos) << outcome.error;
+}
+
 TEST_F(BadRoute, WhatIsNoRoute) {
     EXPECT_TRUE(names_fault(walk("where to?\n"), "oblong", file_, "line 1: 'where to?', expected x,y,z"));
     const Outcome alone = run_program({"oblong", "--route", file_});

@@ -1,51 +1,12 @@
 // A room that calls for every effect at once (tools/effect_costs/all_effects.map), in which nothing depends on what was
 // drawn before, and each effect can be left out.
 
-#include "engine/level/bsp_read.h"
+#include "tests/effect_frames/everything.h"
+
 #include "engine/platform/worker_threads.h"
-#include "tests/effect_frames/effect_stage.h"
-#include "tests/support/folders.h"
-#include "tests/support/shared_levels.h"
-#include "tools/gallery/mesh_shapes.h"
 
 namespace oblong::test {
 namespace {
-
-std::string text_of(const std::filesystem::path& path) {
-    const std::vector<std::uint8_t> bytes = read_file_bytes(path);
-    return {bytes.begin(), bytes.end()};
-}
-
-/// A level's entities do not name meshes here: they are placed.
-const Mesh& ball() {
-    static const Mesh mesh = ball_mesh(24, 8, checkered_skin(64, 16, 80));
-    return mesh;
-}
-
-std::vector<PlacedMesh> ball_at(const Vec3<World>& position) {
-    PlacedMesh placed;
-    placed.mesh = &ball();
-    placed.position = position;
-    return {placed};
-}
-
-EffectStage everything(const Camera& camera) {
-    const std::filesystem::path assets = std::filesystem::path(test::build_folder()) / "assets";
-    const std::string source =
-        text_of(std::filesystem::path(test::source_folder()) / "tools" / "effect_costs" / "all_effects.map");
-    const std::vector<map::Wad> wads{map::Wad(text_of(assets / "demo.wad"))};
-    const std::string bytes = map::to_bytes(map::compile_map(map::parse_map(source), wads, {true}));
-    return {read_bsp({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}), camera,
-            make_colormap(read_palette(read_file_bytes(assets / "palette.lmp"))), ball_at(place(60, 40, 60))};
-}
-
-Camera in_tank() {
-    return camera_at(place(-310, 0, 120), 0, 8);
-}
-
-Camera before_tank() {
-    return camera_at(place(-280, 0, 120), 0, 8);
-}
 
 TEST(Everything, OwnsPixelsInOneFrame) {
     EffectStage stage = everything(in_tank());

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <set>
 
+#include "engine/accuracy/dials.h"
 #include "game/load.h"
 #include "game/recent_times.h"
 #include "tests/support/folders.h"
@@ -61,7 +64,8 @@ class LabMeasure : public testing::Test {
     void round(const Accuracy& now, const Accuracy& before) {
         Settings settings;
         settings.accuracy = now;
-        for (int turn = 0; turn < 9; ++turn) measures_.measure(view(), settings, before, *renderer_, *meter_, clock_);
+        for (int turn = 0; turn < 10; ++turn)
+            measures_.measure(view(), settings, before, *renderer_, *meter_, data_.palette, clock_);
     }
     ErrorSummary errors_of(const Accuracy& accuracy) {
         Settings settings;
@@ -111,6 +115,31 @@ TEST_F(LabMeasure, ErrorsAreThoseOfTheSetting) {
     EXPECT_LT(errors_of(accuracy_of(Preset::Exact)).max, 0.05);
     EXPECT_GT(errors_of(accuracy_of(Preset::Year1994)).max, 1);
     EXPECT_GT(errors_of(accuracy_of(Preset::Year1991)).rms, errors_of(accuracy_of(Preset::Bounded)).rms);
+}
+
+TEST_F(LabMeasure, ColoursAreOffByTheDialsOfLightAndMipLevelsAlone) {
+    const std::set<std::string_view> of_colour{"light", "shades", "dither", "mip", "mip-bias"};
+    for (const Dial& dial : all_dials()) {
+        Accuracy turned = accuracy_of(Preset::Exact);
+        const std::int32_t exact = dial.get(turned);
+        dial.set(turned,
+                 dial.settings.front().value == exact ? dial.settings.back().value : dial.settings.front().value);
+        round(turned, {});
+        const ErrorSummary errors = measures_.figures().colour_errors.value();
+        EXPECT_EQ(errors.count > 0, of_colour.count(dial.name) > 0) << dial.name;
+        EXPECT_EQ(errors.max > 0, errors.count > 0) << dial.name;
+    }
+}
+
+TEST(ColourErrors, AreRgbDistancesWherePicturesDiffer) {
+    Palette palette;
+    palette.colours[1] = {3, 4, 0};
+    palette.colours[2] = {0, 0, 12};
+    const std::vector<std::uint8_t> shown{0, 1, 1, 2}, exact{0, 0, 1, 1};
+    const ErrorSummary errors = colour_errors(shown, exact, palette);
+    EXPECT_EQ(errors.count, 2);
+    EXPECT_NEAR(errors.rms, std::sqrt((25 + 169) / 2.0), 1e-5);
+    EXPECT_NEAR(errors.max, 13, 1e-5);
 }
 
 TEST_F(LabMeasure, SaysWhyThereAreNoErrors) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/base/input_error.h"
 #include "game/simulation/collision.h"
 #include "game/simulation/step.h"
@@ -185,6 +187,30 @@ ToyLevel with_teleporter(int exit_z, std::vector<std::pair<std::string, std::str
                     {"origin", "1000 500 " + std::to_string(exit_z)},
                     {"angle", "90"}});
     return toy;
+}
+
+// The exit, at (1000, 500, 27), is in a block of the world: the nearest place out of it is taken, whichever side it is
+// on.
+TEST(Trigger, ATeleporterIntoRockLeadsBesideIt) {
+    struct Case {
+        Solid block;
+        double x, y, z;  // where the player's middle is free: 16 units from a side, 24 above a floor
+    };
+    for (const Case& each : {Case{{900, 400, 0, 1100, 520, 400}, 1000, 536, 27},
+                             {{900, 490, 0, 1100, 620, 400}, 1000, 474, 27},
+                             {{990, 400, 0, 1200, 600, 400}, 974, 500, 27},
+                             {{800, 400, 0, 1010, 600, 400}, 1026, 500, 27},
+                             {{800, 300, 0, 1200, 700, 40}, 1000, 500, 64}}) {
+        ToyLevel toy;
+        toy.add_model(floor_and({each.block})).add_model({{100, -64, 0, 116, 64, 128}});
+        toy.add_entity({{"classname", "trigger_teleport"}, {"model", "*1"}, {"target", "there"}});
+        toy.add_entity({{"classname", "info_teleport_destination"}, {"targetname", "there"}, {"origin", "1000 500 0"}});
+        const GameLevel level = make_game_level(toy.level);
+        const Position exit = level.triggers.at(0).place.position;
+        const double dx = exit.x.raw / 4096.0 - each.x, dy = exit.y.raw / 4096.0 - each.y,
+                     dz = exit.z.raw / 4096.0 - each.z;
+        EXPECT_LE(std::sqrt(dx * dx + dy * dy + dz * dz), 2.01) << each.x << ' ' << each.y << ' ' << each.z;
+    }
 }
 
 // Quake's rule: one with a name works for 0.2 s after it was activated, any other always.

@@ -59,7 +59,7 @@ TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
         "\t crt  =  on\r\n"
         "invert-look\n"
         "music-volume = \"20\"\n");
-    EXPECT_EQ(read.preferences.brightness_100, 200);
+    EXPECT_EQ(read.preferences.light().brightness_100, 200);
     EXPECT_EQ(read.preferences.volume_100, 30);
     EXPECT_EQ(read.preferences.music_volume_100, 20);
     EXPECT_TRUE(read.preferences.has_crt_look);
@@ -76,6 +76,24 @@ TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
         EXPECT_EQ(read.faults[i].line, expected[i].first);
         EXPECT_EQ(read.faults[i].what, expected[i].second);
     }
+}
+
+TEST(OptionsText, AByteOrderMarkIsNoPartOfAName) {
+    const ReadPreferences read = read_preferences(
+        "\xef\xbb\xbf"
+        "fov = 100\n");
+    EXPECT_TRUE(read.faults.empty());
+    EXPECT_EQ(read.preferences.field_of_view, read_preferences("fov = 100\n").preferences.field_of_view);
+    EXPECT_NE(read.preferences.field_of_view, Preferences{}.field_of_view);
+}
+
+TEST(OptionsText, OfManyFaultsTheFirstAreNamed) {
+    std::string text;
+    for (int i = 0; i < 20'000; ++i) text += "n" + std::to_string(i) + "=1\n";
+    const ReadPreferences read = read_preferences(text);
+    ASSERT_EQ(read.faults.size(), 17u);
+    EXPECT_EQ(read.faults.back().line, 17u);
+    EXPECT_EQ(read.faults.back().what, "this line and 19983 more are wrong too");
 }
 
 TEST(OptionsText, RefusesAViewThatCannotBeDrawnAndKeepsTheRest) {
@@ -96,7 +114,7 @@ TEST(OptionsText, APresetComesBeforeItsDialsWhereverItsLineIs) {
 // What a user wrote by hand stays, byte for byte, but for the one value.
 TEST(OptionsText, ChangesOnlyTheValue) {
     Preferences now;
-    now.brightness_100 = 140;
+    now.set_light({140});
     const auto brighter = [&](const std::string& text) { return with(text, "brightness", now); };
     EXPECT_EQ(brighter("# mine\n\nunknown = 7\nbrightness=1\nfov = 90\n"),
               "# mine\n\nunknown = 7\nbrightness= 1.4\nfov = 90\n");
@@ -111,7 +129,7 @@ TEST(OptionsText, ChangesOnlyTheValue) {
     for (const char* text : {"", "# mine\n", "fov = 80"}) {
         const std::string added = brighter(text);
         EXPECT_EQ(added.rfind(text, 0), 0u);
-        EXPECT_EQ(read_preferences(added).preferences.brightness_100, 140);
+        EXPECT_EQ(read_preferences(added).preferences.light().brightness_100, 140);
     }
 }
 

@@ -1,7 +1,10 @@
+#include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <vector>
 
 #include "engine/base/fnv.h"
+#include "game/saves/saved_level.h"
 #include "game/tick_input_source.h"
 #include "tests/support/folders.h"
 #include "tests/walk/walked_level.h"
@@ -114,7 +117,7 @@ TEST_F(ProgramSaves, AWalkThatIsOnElsewhereGoesOnAsAnother) {
     EXPECT_GT(saved(kSecond).tick, 400);
 }
 
-TEST_F(ProgramSaves, AWalkIsSavedEachMinuteAndAtEachItem) {
+TEST_F(ProgramSaves, AWalkIsSavedEachMinute) {
     constexpr std::int64_t kMinute = 60 * kTicksPerSecond;
     const SaveSlots all = slots();
     std::vector<std::int64_t> saved_ticks{0};
@@ -126,6 +129,80 @@ TEST_F(ProgramSaves, AWalkIsSavedEachMinuteAndAtEachItem) {
     ASSERT_GE(saved_ticks.size(), 3u);
     for (std::size_t i = 1; i < saved_ticks.size(); ++i)
         EXPECT_LE(saved_ticks[i], saved_ticks[i - 1] + kMinute) << "the last minute at most is lost";
+}
+
+// It is continued where the next tick takes an item.
+TEST_F(ProgramSaves, AnItemThatIsTakenIsSavedAtOnce) {
+    const Demo demo = decode_demo(read_file(assets_ + "/walk.demo"));
+    SavedGame game;
+    game.state = start_of(level_);
+    const auto taken = [&] { return std::find(game.state.items.begin(), game.state.items.end(), ItemState::Taken); };
+    for (const DemoTick& tick : demo.ticks)
+        if (taken() == game.state.items.end()) step(level_, game.state, tick.input);
+    ASSERT_NE(taken(), game.state.items.end());
+    *taken() = ItemState::There;
+    game.level.name = assets_ + "/demo.bsp";
+    game.level.file_hash = fnv1a_of(read_file(game.level.name));
+    game.level.start_hash = hash_of(start_of(level_));
+    slots().save(kFirst, game);
+    std::int64_t saved_tick = 0;
+    constexpr std::int64_t kPolls = 400;  // time enough for what is written beside the game
+    play(kPolls, {{kAccept + 1, Command::Menu}}, 0, [&](std::int64_t poll) {
+        if (poll == kPolls - 1) saved_tick = saved(kFirst).tick;
+    });
+    EXPECT_GT(saved_tick, game.state.tick);
+    EXPECT_LT(saved_tick, game.state.tick + 5);
+}
+
+// A level under another name and in other colours, walked from one folder and gone on with from another program.
+class ProgramSavesOfALevel : public ProgramSaves {
+  protected:
+    class Shown final : public ScriptedPlatform {
+      public:
+        using ScriptedPlatform::ScriptedPlatform;
+        void present(Framebuffer, const Palette& palette, const PresentRect&) override { last = palette; }
+        Palette last;
+    };
+    ProgramSavesOfALevel() {
+        std::filesystem::copy_file(assets_ + "/demo.bsp", level_file_);
+        std::vector<std::uint8_t> bytes;
+        for (int i = 0; i < 256; ++i)
+            bytes.insert(bytes.end(), {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(255 - i), 7});
+        palette_file_ = folder_.write("its.lmp", bytes);
+    }
+    // The colours of the last picture, as far as no effect changes them.
+    std::vector<Rgb8> colours_of(Options options, std::int64_t polls) const {
+        options.folders.data = folder_.path("saves");
+        Shown platform(polls, [](std::int64_t poll) { return poll == kAccept ? accept() : Controls{}; });
+        PreferencesStore store;
+        Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
+        return {platform.last.colours.begin() + 1, platform.last.colours.begin() + 200};
+    }
+    std::vector<Rgb8> colours_from_the_title() const {
+        Options options;
+        options.shows_title = true;
+        return colours_of(options, 60);
+    }
+    const std::string level_file_ = folder_.path("mine.bsp");
+    std::string palette_file_;
+};
+
+TEST_F(ProgramSavesOfALevel, TheColoursAreThoseItWasStartedWith) {
+    const std::vector<Rgb8> of_the_museum = colours_from_the_title();
+    Options options;
+    options.level = level_file_;
+    options.palette = std::filesystem::relative(palette_file_).string();
+    const std::vector<Rgb8> its = colours_of(options, 150);
+    EXPECT_EQ(its[0], (Rgb8{1, 254, 7}));
+    ASSERT_TRUE(slots().last_walk()->game);
+    EXPECT_EQ(slots().last_walk()->game->level.palette, palette_file_);
+    EXPECT_EQ(colours_from_the_title(), its);
+
+    std::filesystem::remove(palette_file_);
+    EXPECT_EQ(colours_from_the_title(), of_the_museum) << "the palette is gone";
+    SavedLevel now = slots().last_walk()->game->level;
+    now.palette_hash ^= 1;
+    EXPECT_NE(what_is_gone(slots().last_walk()->game->level, now).find(palette_file_), std::string::npos);
 }
 
 // Not to begin anew by mistake: the title says so, and "Continue" says why.

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
+#include <set>
 
 #include "tests/scene/scene_fixture.h"
 
@@ -50,6 +52,30 @@ struct Surfaces {
 };
 
 constexpr std::int64_t kTexels = 48 * 16;  ///< of a floor
+
+/// Quake's thresholds, a level each at 1, 2.5 and 5 texels a pixel: no depth has a finer level than a nearer one, and
+/// neighbours of a span, whose depths are less than doubled, are of levels that differ by one at most.
+TEST(FaceSurfaces, HardCaseX11_MipLevelsRiseWithDepthOneAtATime) {
+    const Surfaces scene(two_floors());
+    const ProjectionAxis axis = make_projection({}, Degrees::from_int(90)).x;  // 160 pixels at depth 1
+    const auto level_at = [&](View z, int bias) { return scene.surfaces.mip_level(kNear, z, axis, bias); };
+    for (int bias = -3; bias <= 3; ++bias) {
+        int before = 0;
+        std::set<int> levels;
+        for (View z = View::from_int(1); z < View::from_int(8192); z = z + View::from_raw(z.raw / 64)) {
+            const int level = level_at(z, bias);
+            EXPECT_GE(level, before);
+            EXPECT_LE(level_at(z * 2 - View::ulp(), bias), level + 1) << bias;
+            const double texels_a_pixel = std::ldexp(static_cast<double>(z.raw), -View::kFractionBits + bias) / 160;
+            const int expected = (texels_a_pixel > 1) + (texels_a_pixel > 2.5) + (texels_a_pixel > 5);
+            const bool is_close = std::abs(texels_a_pixel - 1) < 0.02 || std::abs(texels_a_pixel - 2.5) < 0.05 ||
+                                  std::abs(texels_a_pixel - 5) < 0.1;
+            EXPECT_TRUE(is_close || level == expected) << texels_a_pixel << " at bias " << bias;
+            levels.insert(before = level);
+        }
+        EXPECT_EQ(levels.size(), 4u) << bias;
+    }
+}
 
 TEST(FaceSurfaces, AStyleRelightsOnlyTheFacesThatHaveIt) {
     Surfaces scene(two_floors());

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "engine/base/text.h"
 #include "tools/common/arguments.h"
 
 namespace oblong {
@@ -90,7 +91,8 @@ CommandLine::CommandLine(std::shared_ptr<CLI::App> app) : CommandArguments(app.g
 int CommandLine::run(int argument_count, const char* const* arguments, const std::function<void()>& body) {
     const std::string program = owned_->get_name();
     owned_->failure_message([&](const CLI::App*, const CLI::Error& error) {
-        return program + ": " + error.what() + "\nRun it with --help for more information.\n";
+        constexpr std::size_t kMost = 1000;  // it names all arguments that were not expected
+        return program + ": " + shortened(error.what(), kMost) + "\nRun it with --help for more information.\n";
     });
     try {
         parse(argument_count, arguments);

@@ -69,18 +69,22 @@ bool is_start_inside(const Leak& leak, const std::vector<const MapEntity*>& at_s
     return false;
 }
 
-// The player comes in a unit above the start's place.
-void check_starts(const Tree& player_hull, const PlaneList& planes, const std::vector<MapEntity>& entities,
-                  Warnings& warnings) {
+// The player comes in that far above the place of a start or a teleporter's exit.
+double arrival_height(const MapEntity& entity) {
+    return is_start(entity) ? 1 : 27;
+}
+
+void check_arrivals(const Tree& player_hull, const PlaneList& planes, const std::vector<MapEntity>& entities,
+                    Warnings& warnings) {
     for (const MapEntity& entity : entities) {
         const auto origin = origin_of(entity);
-        if (!is_start(entity) || !origin) continue;
-        const std::vector<int> leaves = leaves_at(player_hull, planes, *origin + Point{0, 0, 1});
+        const std::string name = entity.value("classname");
+        if (!origin || (!is_start(entity) && name != "info_teleport_destination")) continue;
+        const auto leaves = leaves_at(player_hull, planes, *origin + Point{0, 0, arrival_height(entity)});
         if (std::all_of(leaves.begin(), leaves.end(),
                         [&](int leaf) { return is_opaque(player_hull.leaf(leaf).contents); }))
-            warnings.add(entity.line, "the info_player_start at " + points_text({*origin}) +
-                                          " is in a wall, expected room for the player: 16 units to each side, 24 "
-                                          "below, 32 above");
+            warnings.add(entity.line, "the " + name + " at " + points_text({*origin}) +
+                                          " is in a wall, expected room for the player, 32 x 32 x 56 units");
     }
 }
 
@@ -136,7 +140,7 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
     const CompiledModel world = compile_world(level, entities);
     Emitter emitter(bsp, level.planes);
     emitter.add_texinfos(level.textures.texinfos());
-    if (options.warnings != nullptr) check_starts(world.hulls[0], level.planes, entities, *options.warnings);
+    if (options.warnings != nullptr) check_arrivals(world.hulls[0], level.planes, entities, *options.warnings);
     const std::vector<int> leaf_indices = emitter.add_model(world);
     for (std::size_t i = 1; i < level.models.size(); ++i)
         emitter.add_model(compile_model(level.models[i], level.planes, level.textures.texinfos(), std::nullopt).model);

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "engine/base/input_error.h"
+#include "engine/base/text.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::array<std::string_view, 6> kColumns{"x", "y", "z", "yaw", "pitch", "roll"};
 
-constexpr std::string_view kSpace = " \t\r", kByteOrderMark = "\xef\xbb\xbf";
+constexpr std::string_view kSpace = " \t\r";
 
 std::string trimmed(const std::string& field) {
     const std::size_t first = field.find_first_not_of(kSpace);
@@ -96,7 +97,7 @@ std::vector<Camera> parse_cameras(std::span<const std::uint8_t> bytes, Degrees f
         else
             lines.back() += static_cast<char>(byte);
     }
-    if (lines[0].starts_with(kByteOrderMark)) lines[0].erase(0, kByteOrderMark.size());  // as spreadsheets write it
+    lines[0] = without_byte_order_mark(lines[0]);
     const std::vector<std::size_t> columns = parse_header(lines[0]);
     std::vector<Camera> cameras;
     for (std::size_t i = 1; i < lines.size(); ++i) {

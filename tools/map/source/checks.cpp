@@ -196,9 +196,15 @@ std::vector<Warning> Warnings::take() {
         const int others = known_[warning.what] - 1;
         if (others > 0) warning.what += " (so " + std::to_string(others) + " more)";
     }
+    constexpr std::size_t kMost = 200;
     known_.clear();
     std::stable_sort(warnings_.begin(), warnings_.end(),
                      [](const Warning& a, const Warning& b) { return a.line < b.line; });
+    if (warnings_.size() > kMost) {
+        const std::size_t more = warnings_.size() - kMost;
+        warnings_.resize(kMost + 1);
+        warnings_.back().what = "this and " + std::to_string(more - 1) + " more warnings, which are left out";
+    }
     return std::exchange(warnings_, {});
 }
 

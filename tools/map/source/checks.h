@@ -18,7 +18,7 @@ struct Warning {
 class Warnings {
   public:
     void add(int line, const std::string& what);
-    /// By their lines, with the number of further ones of the same text; none are left.
+    /// By their lines, with the number of further ones of the same text, at most 200; none are left.
     std::vector<Warning> take();
 
   private:

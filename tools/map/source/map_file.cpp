@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/base/input_error.h"
+#include "engine/base/text.h"
 #include "engine/level/entities.h"
 
 namespace oblong::map {
@@ -239,10 +240,8 @@ bool MapEntity::has(std::string_view key) const {
 }
 
 std::vector<MapEntity> parse_map(std::string_view text) {
-    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     check_no_zero_byte(text);
-    MapTokens tokens(text);
+    MapTokens tokens(without_byte_order_mark(text));
     std::vector<MapEntity> entities;
     while (!tokens.peek().is_end) entities.push_back(take_entity(tokens));
     if (entities.empty() || entities[0].value("classname") != "worldspawn")
