@@ -17,10 +17,19 @@ struct CostText {
     std::vector<PlanLine> passes, effects;  ///< of the plan; effects without those that are passes of their own
 };
 
-/// How many rows draw_cost() draws over; 0 where there is nothing to show.
-std::int32_t cost_height_px(const CostText& text, Framebuffer canvas);
-/// Draws the text so that it ends above the row `bottom`: the plan's passes at the left, effects at the right.
-void draw_cost(const CostText& text, std::int32_t bottom, TextColours colours, Framebuffer canvas);
+/// How the text is cut into pages, in a canvas.
+struct CostTable {
+    std::int32_t height_px = 0;  ///< of each page; 0 where there is nothing to show
+    std::size_t lines = 0;       ///< of a column of a page
+    std::int32_t pages = 1;
+};
+
+/// The pages that fit into so many rows; at least the frame's time is shown, whatever the room.
+CostTable lay_out_cost(const CostText& text, std::int32_t room_px, TextColours colours, Framebuffer canvas);
+/// Draws a page, of 1 and on, so that it ends above the row `bottom`: the plan's passes at the left, effects at the
+/// right; in a canvas too narrow for both, below them and without pixels.
+void draw_cost(const CostText& text, const CostTable& table, std::int32_t page, std::int32_t bottom,
+               TextColours colours, Framebuffer canvas);
 
 /// Measures what frames cost, each half second, as long as it exists.
 class FrameCost {

@@ -103,7 +103,8 @@ std::string apply(Command command, ViewOptions& options, WindowSize window) {
     Preferences& preferences = options.preferences;
     switch (command) {
         case Command::FrameCost:
-            return toggle(options.shows_cost);
+            ++options.cost_page;
+            return "";
         case Command::ProjectionAspect:
             preferences.corrects_projection = !preferences.corrects_projection;
             return describe_projection(preferences, window);

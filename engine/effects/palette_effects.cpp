@@ -115,7 +115,8 @@ GammaTable make_tube_table() {
     GammaTable table{};
     for (std::uint64_t value = 0; value < 256; ++value) {
         const std::uint64_t volts_30 = lift_30 + (kOne_30 - lift_30) * value / 255;
-        const std::uint64_t light_30 = std::max(power_30(static_cast<std::uint32_t>(volts_30), 12, 5), kBlack_30) - kBlack_30;
+        const std::uint64_t light_30 =
+            std::max(power_30(static_cast<std::uint32_t>(volts_30), 12, 5), kBlack_30) - kBlack_30;
         at(table, value) = srgb_of((light_30 << 30) / (kOne_30 - kBlack_30));
     }
     return table;
