@@ -3,11 +3,12 @@
 //   long_play PALETTE LEVEL.bsp TICKS
 // Every other minute the player comes in at another item. A level that ends begins again. Fails where walking and
 // jumping do not move the player for half a minute, or where the heap grows.
-#include <malloc.h>
-
 #include <algorithm>
 #include <cinttypes>
 #include <cstdio>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "engine/base/fnv.h"
 #include "engine/frame/frame.h"
@@ -83,6 +84,11 @@ class Whereabouts {
     std::int64_t since_ = 0;
 };
 
+std::string place_text(const Position& at) {
+    const auto units = [](World w) { return std::to_string(w.raw / World::from_int(1).raw); };
+    return units(at.x) + " " + units(at.y) + " " + units(at.z);
+}
+
 /// Bytes that are allocated; 0 where the library does not tell.
 std::int64_t heap_bytes() {
 #ifdef __GLIBC__
@@ -125,8 +131,7 @@ class Painter {
 void move_respawn(const GameLevel& level, GameState& state, Chance& chance) {
     if (level.items.empty()) return;
     const Item& item = level.items[static_cast<std::size_t>(chance.below(static_cast<int>(level.items.size())))];
-    Position at = middle_of(item.box);
-    at.z += World::from_int(8);
+    const Position at = free_place_near(level, item.position);
     if (is_free(level, state, at)) state.respawn.position = at;
 }
 
@@ -149,7 +154,7 @@ void play(const std::string& palette_path, const std::string& level_path, std::i
         step(level, state, input);
         if (whereabouts.is_held(state.player.position, tick))
             throw FileError(level_path, "tick " + std::to_string(tick),
-                            "the player is held at " + to_text(state.player.position) + ", expected a way to walk");
+                            "the player is held at " + place_text(state.player.position) + ", expected a way to walk");
         if (state.has_ended) {
             state = start_of(level);
             ++ends;
