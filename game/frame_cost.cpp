@@ -1,7 +1,7 @@
 #include "game/frame_cost.h"
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <cstdio>
 
 #include "tools/common/font.h"
@@ -15,13 +15,9 @@ constexpr int kBackground = 90;  // of 256: how bright it is
 constexpr std::int32_t kRow_px = 9, kEffectsLeft_px = 148, kTwoColumns_px = 320;
 constexpr int kPassName = 11, kEffectName = 17;  // the longest ones
 
-std::int64_t steady_clock_ns() {
-    return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 // Microseconds in four characters: "0.3", "48.2", "7235".
-std::string short_time(std::int64_t time_ns) {
-    const std::int64_t tenths_us = (time_ns + 50) / 100;
+std::string short_time(double time_ns) {
+    const std::int64_t tenths_us = std::llround(std::max(time_ns, 0.0) / 100);
     const std::string whole = std::to_string(tenths_us / 10);
     return tenths_us < 1000 ? whole + "." + std::to_string(tenths_us % 10) : whole;
 }
@@ -74,10 +70,10 @@ std::vector<PlanLine> other_lines(std::vector<PlanLine> effects, const std::vect
     return effects;
 }
 
-std::int64_t palette_time_ns(const Palette& palette, const PaletteEffects& effects, std::int64_t time_ms) {
+double palette_time_ns(const Palette& palette, const PaletteEffects& effects, std::int64_t time_ms) {
     const std::int64_t began_ns = steady_clock_ns();
     apply_palette_effects(palette, effects, time_ms);
-    return steady_clock_ns() - began_ns;
+    return static_cast<double>(steady_clock_ns() - began_ns);
 }
 
 }  // namespace
@@ -127,13 +123,13 @@ void draw_cost(const CostText& text, const CostTable& table, std::int32_t page, 
 FrameCost::FrameCost(const Palette& palette, std::uint64_t now_us)
     : background_(darker_colours(palette, kBackground)), since_us_(now_us) {}
 
-bool FrameCost::note(std::uint64_t began_us, std::uint64_t ended_us) {
-    times_.add(ended_us - began_us, ended_us);
+bool FrameCost::note(const GameView& view, const Settings& settings, GameRenderer& renderer, std::uint64_t now_us) {
+    times_.time(view, settings, renderer);
     ++frames_;
-    const std::uint64_t since_us = ended_us - since_us_;
+    const std::uint64_t since_us = now_us - since_us_;
     if (since_us < kMeasured_us) return false;
     frames_a_second_ = frames_ * 1'000'000 / since_us;
-    since_us_ = ended_us;
+    since_us_ = now_us;
     frames_ = 0;
     return true;
 }
@@ -141,13 +137,13 @@ bool FrameCost::note(std::uint64_t began_us, std::uint64_t ended_us) {
 CostText FrameCost::measure(const GameView& view, const Settings& settings, const Palette& palette,
                             const PaletteEffects& effects, GameRenderer& renderer) const {
     CostText text{background_, {}, {}, {}};
-    // The median: a mean can't tell settings apart that differ by a tenth.
-    text.frame = std::to_string(times_.median_us().value_or(0)) + " us a frame, " + std::to_string(frames_a_second_) +
-                 " frames a second, " + std::to_string(view.state.after.active_movers.size()) + " movers";
+    const RenderingTimes& times = times_.renderings();
+    const TimeSpread frame = times.frame_ns();
+    text.frame = short_time(frame.median) + " us " + spread_text(frame) + ", " + std::to_string(frames_a_second_) +
+                 " frames/s, " + std::to_string(view.state.after.active_movers.size()) + " movers";
     const FrameCounts counts = renderer.draw_and_count(view, settings);
-    const PassTimes times = renderer.draw_and_time(view, settings, steady_clock_ns);
-    text.passes = pass_lines(renderer.plan(), counts, times);
-    text.effects = other_lines(effect_lines(renderer.plan(), counts, times), text.passes);
+    text.passes = times.pass_lines(renderer.plan(), counts);
+    text.effects = other_lines(times.effect_lines(renderer.plan(), counts), text.passes);
     if (!effects.is_plain())
         text.effects.push_back({"palette", 0, palette_time_ns(palette, effects, time_ms_at(view.state))});
     return text;

@@ -4,7 +4,7 @@
 
 #include "engine/effects/palette_effects.h"
 #include "game/game_renderer.h"
-#include "game/recent_times.h"
+#include "game/view_times.h"
 #include "tools/common/drawing.h"
 #include "tools/common/text.h"
 
@@ -14,7 +14,7 @@ namespace oblong {
 struct CostText {
     ColourTable background{};               ///< what the picture becomes behind it
     std::string frame;                      ///< time and rate of frames; empty: nothing is shown
-    std::vector<PlanLine> passes, effects;  ///< of the plan; effects without those that are passes of their own
+    std::vector<PlanLine> passes, effects;  ///< what makes up the frame; effects without those that are passes
 };
 
 /// How the text is cut into pages, in a canvas.
@@ -31,20 +31,21 @@ CostTable lay_out_cost(const CostText& text, std::int32_t room_px, TextColours c
 void draw_cost(const CostText& text, const CostTable& table, std::int32_t page, std::int32_t bottom,
                TextColours colours, Framebuffer canvas);
 
-/// Measures what frames cost, each half second, as long as it exists.
+/// Measures what the view that is shown costs, as long as it exists.
 class FrameCost {
   public:
     FrameCost(const Palette& palette, std::uint64_t now_us);
 
-    /// Notes a frame's time. True if the text is to be made anew.
-    bool note(std::uint64_t began_us, std::uint64_t ended_us);
-    /// Draws the view twice more, to the same picture: to count pixels, and to time passes.
+    /// Times one more rendering of the view that `renderer` has just drawn. True each half second: the text is to be
+    /// made anew.
+    bool note(const GameView& view, const Settings& settings, GameRenderer& renderer, std::uint64_t now_us);
+    /// Of the view noted last. Draws it once more, to the same picture, to count pixels.
     CostText measure(const GameView& view, const Settings& settings, const Palette& palette,
                      const PaletteEffects& effects, GameRenderer& renderer) const;
 
   private:
     ColourTable background_;
-    RecentTimes times_;
+    ViewTimes times_;
     std::uint64_t since_us_, frames_ = 0, frames_a_second_ = 0;
 };
 

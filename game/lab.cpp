@@ -18,14 +18,14 @@ ErrorMeter& Lab::meter() {
 }
 
 std::int32_t Lab::draw(const LabOptions& options, const GameView& view, const Settings& settings, std::uint64_t now_us,
-                       Platform& clock, bool is_short, Framebuffer canvas) {
+                       bool is_short, Framebuffer canvas) {
     Settings shown = settings;
     shown.accuracy = shown_setting(options, settings.accuracy, now_us);
     if (options.maps_errors) draw_errors(view, shown, canvas);
     if (options.splits) draw_exact_side(options, view, settings, canvas);
     std::int32_t bottom = canvas.height_px;
     if (options.shows_panel) {
-        measures_.measure(view, settings, options.before, renderer_, meter(), data_.palette, clock);
+        measures_.measure(view, settings, options.before, renderer_, meter(), data_.palette);
         bottom = draw_lab_panel(options, measures_.figures(), colours_, is_short, canvas);
     }
     if (options.maps_errors && meter_->problem().empty())

@@ -21,7 +21,7 @@ class Lab {
     /// Draws what is on over the canvas, which shows `view` with shown_setting(). `settings`: the current ones.
     /// `is_short`: another panel is to have room beside its own. The row above which it ends.
     std::int32_t draw(const LabOptions& options, const GameView& view, const Settings& settings, std::uint64_t now_us,
-                      Platform& clock, bool is_short, Framebuffer canvas);
+                      bool is_short, Framebuffer canvas);
 
     /// What is to be said of what draw() drew, for KeyNames::in().
     std::vector<std::string> notes(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us) const;

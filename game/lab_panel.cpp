@@ -1,6 +1,7 @@
 #include "game/lab_panel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ constexpr std::int32_t kTwoColumns_px = 320;  // from which width on times stand
 constexpr std::size_t kDialRows = 7, kDialColumns = 30;
 constexpr std::int32_t kDials_px = kDialColumns * kGlyphAdvance_px;
 constexpr std::int32_t kTimes_px = kMargin_px + kDials_px + 6, kNames_px = 8 * kGlyphAdvance_px;
-constexpr std::int32_t kLongestBar_px = 50;
+constexpr std::int32_t kLongestBar_px = 15;
 constexpr Rgb8 kDim{130, 130, 130}, kBar{60, 110, 190}, kChosen{20, 60, 130};
 
 // The panel's canvas and colours.
@@ -100,40 +101,55 @@ void draw_dials(const LabOptions& options, const Accuracy& accuracy, std::size_t
                panel.colours.bright.bright);
 }
 
-std::uint64_t longest_of(const LabFigures& figures) {
-    std::uint64_t longest_us = 1;
-    for (const TimedSetting* setting : {&figures.now, &figures.before})
-        longest_us = std::max(longest_us, setting->times.median_us().value_or(0));
-    for (const TimedSetting& preset : figures.presets)
-        longest_us = std::max(longest_us, preset.times.median_us().value_or(0));
-    return longest_us;
+double longest_of(const LabFigures& figures) {
+    double longest_ns = 1;
+    const auto add = [&](const TimedSetting& setting) {
+        if (setting.frame_ns) longest_ns = std::max(longest_ns, setting.frame_ns->median);
+    };
+    add(figures.now);
+    add(figures.before);
+    std::for_each(figures.presets.begin(), figures.presets.end(), add);
+    return longest_ns;
 }
 
-void draw_time(std::string_view name, const TimedSetting& setting, std::uint64_t longest_us, std::size_t row,
+// Microseconds, and half of what lies between the quartiles.
+std::string time_text(const TimedSetting& setting, bool has_spread) {
+    const std::optional<TimeSpread>& time = setting.frame_ns;
+    if (!time) return "...";
+    return std::to_string(std::llround(time->median / 1000)) + (has_spread ? spread_text(*time) : "");
+}
+
+// Whether the spread leaves a doubt which of two is faster.
+bool are_alike(const TimedSetting& a, const TimedSetting& b) {
+    return a.frame_ns && b.frame_ns && !are_apart(*a.frame_ns, *b.frame_ns);
+}
+
+void draw_time(std::string_view name, const TimedSetting& setting, double longest_ns, std::size_t row,
                TextColours colours, const Panel& panel) {
     panel.write(kTimes_px, row, name, colours);
-    const std::optional<std::uint64_t> time_us = setting.times.median_us();
-    if (!time_us) return panel.write(kTimes_px + kNames_px, row, "...", colours);
-    const auto length = static_cast<std::int32_t>(*time_us * kLongestBar_px / longest_us);
+    const double time_ns = setting.frame_ns ? setting.frame_ns->median : 0;
+    const auto length = static_cast<std::int32_t>(time_ns * kLongestBar_px / longest_ns);
     panel.fill({kTimes_px + kNames_px, Panel::y_of(row) + 1, length, kRow_px - 3}, panel.colours.bar);
-    panel.write(kTimes_px + kNames_px + length + 2, row, std::to_string(*time_us), colours);
+    panel.write(kTimes_px + kNames_px + length + 2, row, time_text(setting, true), colours);
 }
 
+// What the spread cannot tell from the setting now is dim: it is neither faster nor slower.
 void draw_times(const LabFigures& figures, const Panel& panel) {
-    panel.write(kTimes_px, 0, "us a frame (median)", panel.colours.dim);
-    const std::uint64_t longest_us = longest_of(figures);
-    draw_time("now", figures.now, longest_us, 1, panel.colours.bright, panel);
-    draw_time("before", figures.before, longest_us, 2, panel.colours.bright, panel);
-    for (std::size_t i = 0; i < kPresets.size(); ++i)
-        draw_time(name_of(kPresets[i]), figures.presets[i], longest_us, 3 + i, panel.colours.bright, panel);
+    panel.write(kTimes_px, 0, "us; dim: same as now", panel.colours.dim);
+    const double longest_ns = longest_of(figures);
+    const auto draw = [&](std::string_view name, const TimedSetting& setting, std::size_t row) {
+        const bool is_alike = are_alike(figures.now, setting);
+        draw_time(name, setting, longest_ns, row, is_alike ? panel.colours.dim : panel.colours.bright, panel);
+    };
+    draw_time("now", figures.now, longest_ns, 1, panel.colours.bright, panel);
+    draw("before", figures.before, 2);
+    for (std::size_t i = 0; i < kPresets.size(); ++i) draw(name_of(kPresets[i]), figures.presets[i], 3 + i);
 }
 
-std::string describe_times(const LabFigures& figures) {
-    const auto time = [](const TimedSetting& setting) {
-        const auto time_us = setting.times.median_us();
-        return time_us ? std::to_string(*time_us) : std::string("...");
-    };
-    return "now " + time(figures.now) + " us before " + time(figures.before);
+// Without the spread, what it cannot tell apart has a "~" between.
+std::string describe_times(const LabFigures& figures, bool has_spread) {
+    const std::string between = has_spread ? " us " : are_alike(figures.now, figures.before) ? " ~ " : "  ";
+    return "now " + time_text(figures.now, has_spread) + between + "before " + time_text(figures.before, has_spread);
 }
 
 std::string with_decimals(double value, int digits) {
@@ -205,7 +221,7 @@ std::int32_t draw_lab_panel(const LabOptions& options, const LabFigures& figures
         has_two_columns ? kDialColumns
                         : static_cast<std::size_t>(std::max((width - 2 * kMargin_px) / kGlyphAdvance_px, 1));
     std::vector<std::string> texts{describe_errors(figures), describe_colours(figures)};
-    if (!has_two_columns) texts.insert(texts.begin(), describe_times(figures));
+    if (!has_two_columns) texts.insert(texts.begin(), describe_times(figures, !is_short || width >= kTwoColumns_px));
     if (!is_short) {
         texts.push_back(describe_operations(figures.operations));
         texts.push_back(describe_frame_rates(figures));

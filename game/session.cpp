@@ -93,6 +93,7 @@ void Session::follow_mode() {
     const ScreenMode& mode = view_options_.preferences.mode;
     if (renderer_ && renderer_->mode() == mode) return;
     lab_.reset();
+    cost_.reset();
     renderer_ = std::make_unique<GameRenderer>(data_, level_, mode, settings_.workers);
 }
 
@@ -135,11 +136,10 @@ ShownPicture Session::draw(bool is_behind_menu) {
     const Settings settings = settings_of(preferences);
     Settings shown_settings = settings;
     if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, last_us_);
-    const std::uint64_t began_us = platform_.now_us();
     renderer_->draw(view, shown_settings);
     PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.light());
     if (is_behind_menu) effects.flash = {};  // it would wash the menu out
-    note_cost(view, shown_settings, effects, began_us);
+    note_cost(view, shown_settings, effects);
     if (log_) renderer_->note(view, shown_settings, last_us_, *log_);
 
     if (wire_colour_) draw_wires(view, shown_settings);
@@ -221,7 +221,7 @@ void Session::draw_over(const GameView& view, const Settings& settings) {
     if (map_) map_->draw(view, view_options_.map, view_options_.line_method, mode, settings, canvas);
     if (lab_) {
         const LabOptions& lab = view_options_.lab;
-        text_bottom_ = lab_->draw(lab, view, settings, last_us_, platform_, cost_ != nullptr, canvas);
+        text_bottom_ = lab_->draw(lab, view, settings, last_us_, cost_ != nullptr, canvas);
         for (const std::string& note : lab_->notes(lab, settings.accuracy, last_us_))
             text_.notes.push_back(key_names().in(note));
     }
@@ -238,9 +238,8 @@ void Session::inspect(const GameView& view) {
     text_.notes.push_back(describe_picked(data_.level, models, pick_ahead(data_.level, models, view.camera)));
 }
 
-void Session::note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,
-                        std::uint64_t began_us) {
-    if (!cost_ || !cost_->note(began_us, platform_.now_us())) return;
+void Session::note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects) {
+    if (!cost_ || !cost_->note(view, settings, *renderer_, platform_.now_us())) return;
     cost_text_ = cost_->measure(view, settings, data_.palette, effects, *renderer_);
 }
 

@@ -70,8 +70,7 @@ class Session final : public GameScreen {
     void keep_what_is_on();
     void follow_mode();
     void follow_colours();
-    void note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,
-                   std::uint64_t began_us);
+    void note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects);
 
     std::shared_ptr<const LoadedLevel> loaded_;
     const GameData& data_;    // of loaded_
