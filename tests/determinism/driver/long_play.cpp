@@ -101,8 +101,7 @@ std::int64_t heap_bytes() {
 
 class Painter {
   public:
-    Painter(const Level& level, const Colormap& colormap)
-        : level_(level), colormap_(colormap), work_(level, mode_), pixels_(320 * 200) {}
+    Painter(const Level& level, const Colormap& colormap) : level_(level), colormap_(colormap), pixels_(320 * 200) {}
 
     std::uint64_t picture_hash(const GameLevel& game, const GameState& state) {
         std::vector<PlacedModel> models = models_at_rest(level_);
@@ -115,7 +114,8 @@ class Painter {
         camera.yaw = state.player.yaw;
         camera.pitch = Angle::from_bam(state.player.pitch);
         const Scene scene{level_, colormap_, models, state.tick * 1000 / kTicksPerSecond};
-        draw_frame(scene, camera, mode_, {}, work_, {pixels_.data(), mode_.width_px, mode_.height_px, mode_.width_px});
+        FrameWorkspace work(level_, mode_);  // anew: one that is kept has room for the most that it has drawn
+        draw_frame(scene, camera, mode_, {}, work, {pixels_.data(), mode_.width_px, mode_.height_px, mode_.width_px});
         return fnv1a_of(pixels_);
     }
 
@@ -123,7 +123,6 @@ class Painter {
     const Level& level_;
     const Colormap& colormap_;
     ScreenMode mode_{320, 200};
-    FrameWorkspace work_;
     std::vector<std::uint8_t> pixels_;
 };
 
