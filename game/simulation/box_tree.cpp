@@ -31,7 +31,8 @@ void BoxTree::add_node(std::uint32_t first, std::uint32_t end) {
     if (end - first <= kMostInLeaf) return;
     const Axis axis = longest_axis(bounds);
     const std::uint32_t middle = first + (end - first) / 2;
-    std::nth_element(entries_.begin() + first, entries_.begin() + middle, entries_.begin() + end,
+    Entry* const entries = entries_.data();
+    std::nth_element(entries + first, entries + middle, entries + end,
                      [axis](const Entry& a, const Entry& b) { return a.box.mins.*axis < b.box.mins.*axis; });
     add_node(first, middle);
     nodes_[node].second_child = static_cast<std::uint32_t>(nodes_.size());
