@@ -9,8 +9,7 @@
 namespace oblong {
 namespace {
 
-constexpr std::array<std::string_view, ErrorMap::kBands> kLabels{"less", "1/8 px", "1/4 px", "1/2 px",
-                                                                 "1 px", "2 px",   "4 px"};
+constexpr std::array<std::string_view, ErrorMap::kBands> kLabels{"0", "1/8", "1/4", "1/2", "1", "2", "4px"};
 constexpr std::int32_t kSwatch_px = 4;
 
 // A band's colour, by the brightness of a colour of the picture: from three quarters to all of its own.
@@ -45,12 +44,13 @@ void ErrorMap::draw(std::span<const TexelError> errors, Framebuffer canvas) cons
 }
 
 std::int32_t ErrorMap::draw_legend(std::int32_t bottom, TextColours colours, Framebuffer canvas) const {
-    const std::int32_t top = bottom - kLineHeight_px - kSwatch_px - kTextMargin_px;
+    const std::int32_t line_px = kLineHeight_px * colours.scale, swatch_px = kSwatch_px * colours.scale;
+    const std::int32_t top = bottom - line_px - swatch_px - kTextMargin_px;
     const std::int32_t width = (canvas.width_px - 2 * kTextMargin_px) / static_cast<std::int32_t>(kBands);
     for (std::size_t band = 0; band < kBands; ++band) {
         const std::int32_t x = kTextMargin_px + static_cast<std::int32_t>(band) * width;
         draw_text(canvas, x, top, kLabels[band], colours);
-        fill_area(canvas, {x, top + kLineHeight_px, width, kSwatch_px}, swatches_[band]);
+        fill_area(canvas, {x, top + line_px, width, swatch_px}, swatches_[band]);
     }
     return top;
 }

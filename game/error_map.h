@@ -24,7 +24,8 @@ class ErrorMap {
 
     /// Colours each pixel of a picture, which stays recognisable by its brightness. `errors`: one a pixel.
     void draw(std::span<const TexelError> errors, Framebuffer canvas) const;
-    /// Draws what the colours mean, above the row `bottom`. The row above which it ends.
+    /// Draws what the colours mean, pixels from which on each is used, above the row `bottom`. The row above which it
+    /// ends.
     std::int32_t draw_legend(std::int32_t bottom, TextColours colours, Framebuffer canvas) const;
 
     /// The band of an error, pixels: 0 below the first step, and where nothing is measured.

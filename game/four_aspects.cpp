@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tools/common/font.h"
+
 namespace oblong {
 namespace {
 
@@ -46,7 +48,12 @@ void copy_picture(Framebuffer from, Framebuffer to) {
 
 void draw_caption(const AspectView& aspect, const ScreenMode& mode, TextColours colours, Framebuffer canvas) {
     const Framebuffer cell = part_of(canvas, aspect.cell);
-    draw_lines_above(cell.height_px, caption_of(aspect, mode), colours, cell);
+    const std::string caption = caption_of(aspect, mode);
+    const auto height_px = [&] {
+        return static_cast<std::int32_t>(lines_across(caption, colours, cell).size()) * kLineHeight_px * colours.scale;
+    };
+    while (colours.scale > 1 && height_px() > cell.height_px / 3) --colours.scale;
+    draw_lines_above(cell.height_px, caption, colours, cell);
 }
 
 }  // namespace

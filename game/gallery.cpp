@@ -134,7 +134,8 @@ void Gallery::show(const std::string& message) {
 void Gallery::draw_over() {
     const ScreenMode& mode = drawn_with_.mode;
     const Framebuffer canvas{shown_.data(), mode.width_px, mode.height_px, mode.width_px};
-    const TextColours colours{assets_.text.bright, assets_.text.dark, drawn_with_.text_scale};
+    const TextColours colours{assets_.text.bright, assets_.text.dark,
+                              text_scale_in(mode.width_px, mode.height_px, drawn_with_.text_scale)};
     const Framebuffer below_header = part_of(canvas, {0, kHeader_px, canvas.width_px, canvas.height_px - kHeader_px});
     draw_hud({}, messages_, now_us_, below_header.height_px, colours, menu_look_.veil, below_header);
 }

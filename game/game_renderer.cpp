@@ -27,10 +27,6 @@ Vec3<World> between(const Vec3<World>& before, const Vec3<World>& after, std::in
             between(before.z, after.z, fraction_16)};
 }
 
-ViewSpec spec_of(const GameView& view, const Settings& settings) {
-    return view.other ? *view.other : first_person_view(view.camera, settings.accuracy.sine);
-}
-
 Position eye_of(const Player& player) {
     return player.position + Vec3<World>{World{}, World{}, World::from_int(kEyeHeight) - player.eye_lag};
 }
@@ -60,6 +56,10 @@ std::vector<std::optional<std::size_t>> models_of_items(const GameLevel& level, 
 }
 
 }  // namespace
+
+ViewSpec spec_of(const GameView& view, const Settings& settings) {
+    return view.other ? *view.other : first_person_view(view.camera, settings.accuracy.sine);
+}
 
 std::int64_t time_ms_at(const InterpolatedState& state) {
     const std::int64_t ticks_16 = (state.before.tick << 16) + state.fraction_16;
@@ -155,10 +155,11 @@ FrameRecord GameRenderer::draw_and_record(const GameView& view, const Settings& 
     return std::move(*std::exchange(work_.record, nullptr));
 }
 
-PassTimes GameRenderer::draw_and_time(const GameView& view, const Settings& settings, FrameClock clock) {
-    work_.times = std::make_unique<PassTimes>(PassTimes{clock});
-    draw(view, settings);
-    return *std::exchange(work_.times, nullptr);
+void GameRenderer::draw_and_time(const GameView& view, const Settings& settings, RenderingTimes& times) {
+    use_scene(view, [&](const Scene& scene) {
+        const ViewSpec spec = spec_of(view, settings);
+        times.time(work_, [&] { draw_frame(scene, spec, mode_, settings, work_, canvas()); });
+    });
 }
 
 Framebuffer GameRenderer::canvas() {

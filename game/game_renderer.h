@@ -11,6 +11,7 @@
 #include "game/load.h"
 #include "game/tick_input_source.h"
 #include "tools/common/frame_log.h"
+#include "tools/common/rendering_times.h"
 
 namespace oblong {
 
@@ -28,6 +29,9 @@ struct GameView {
     bool has_torch = false;              ///< a light at the eye
     std::optional<ViewSpec> other = {};  ///< drawn instead of what the camera sees
 };
+
+/// How it is seen.
+ViewSpec spec_of(const GameView& view, const Settings& settings);
 
 /// The time since the level began.
 std::int64_t time_ms_at(const InterpolatedState& state);
@@ -53,8 +57,8 @@ class GameRenderer {
     FrameRecord draw_and_record(const GameView& view, const Settings& settings);
     /// Draws the edges of the faces that own pixels over the picture, which is of this view and these settings.
     void draw_edges(const GameView& view, const Settings& settings, const LineStyle& style);
-    /// What draw() takes in its passes; the clock's time counts in it.
-    PassTimes draw_and_time(const GameView& view, const Settings& settings, FrameClock clock);
+    /// Draws, and adds what that took.
+    void draw_and_time(const GameView& view, const Settings& settings, RenderingTimes& times);
     /// Writes what the log's channels say of the picture drawn last, of this view, at most once a second.
     void note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log);
     /// The plan of the picture drawn last.

@@ -62,16 +62,21 @@ HudLayout lay_out_hud(const HudText& text, bool has_messages, std::int32_t botto
     if (!captions.empty()) layout.captions = take_below(height_of(captions, colours, canvas), below);
     for (const std::string& note : text.notes)
         layout.notes.push_back(take_below(height_of(note, colours, canvas), below));
-    if (text.cost != nullptr) layout.cost = take_below(cost_height_px(*text.cost, canvas), below);
+    if (text.cost != nullptr) {
+        const std::int32_t panels_top = canvas.height_px - panel_room_px(canvas, colours.scale);
+        const std::int32_t room_px = below.bottom - std::max(below.top, panels_top);
+        layout.cost_table = lay_out_cost(*text.cost, room_px, colours, canvas);
+        if (text.cost_page <= layout.cost_table.pages) layout.cost = take_below(layout.cost_table.height_px, below);
+    }
     layout.messages = {top, std::max(below.bottom, top)};
     return layout;
 }
 
-void draw_hud(const HudText& text, Messages& messages, std::uint64_t now_us, std::int32_t bottom, TextColours colours,
-              const ColourTable& background, Framebuffer canvas) {
+HudLayout draw_hud(const HudText& text, Messages& messages, std::uint64_t now_us, std::int32_t bottom,
+                   TextColours colours, const ColourTable& background, Framebuffer canvas) {
     const HudLayout layout = lay_out_hud(text, !messages.is_empty(), bottom, colours, canvas);
-    const TextColours small{colours.bright, colours.dark, 1};
-    if (layout.cost.height() > 0) draw_cost(*text.cost, layout.cost.bottom, small, canvas);
+    if (layout.cost.height() > 0)
+        draw_cost(*text.cost, layout.cost_table, text.cost_page, layout.cost.bottom, colours, canvas);
     for (std::size_t i = 0; i < text.notes.size(); ++i)
         draw_on_background(layout.notes[i], lines_across(text.notes[i], colours, canvas), colours, background, canvas);
     const std::string captions = joined(text.captions);
@@ -81,6 +86,7 @@ void draw_hud(const HudText& text, Messages& messages, std::uint64_t now_us, std
         std::min(kMostMessageLines, static_cast<std::size_t>(layout.messages.height() / line_px(colours)));
     draw_on_background(layout.messages, messages.lines(now_us, std::max(columns, 1), most_lines), colours, background,
                        canvas);
+    return layout;
 }
 
 }  // namespace oblong

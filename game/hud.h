@@ -16,6 +16,7 @@ struct HudText {
     std::vector<std::string> captions;  ///< of sounds: at the bottom
     std::vector<std::string> notes;     ///< likewise, above them
     const CostText* cost = nullptr;     ///< likewise, above those; may be null
+    std::int32_t cost_page = 1;
 };
 
 /// RowRange [top, bottom) of a canvas.
@@ -27,6 +28,7 @@ struct RowRange {
 /// Where the text over a picture goes: no two of its parts share a row. What has no room has no rows.
 struct HudLayout {
     RowRange captions, cost;
+    CostTable cost_table;
     std::vector<RowRange> notes;
     RowRange messages;  ///< all that is left for them
 };
@@ -35,9 +37,9 @@ struct HudLayout {
 HudLayout lay_out_hud(const HudText& text, bool has_messages, std::int32_t bottom, TextColours colours,
                       Framebuffer canvas);
 
-/// Draws text and messages over a picture. `now_us` may be any clock that stands still while the player can't read;
-/// `background`: what the picture becomes behind text.
-void draw_hud(const HudText& text, Messages& messages, std::uint64_t now_us, std::int32_t bottom, TextColours colours,
-              const ColourTable& background, Framebuffer canvas);
+/// Draws text and messages over a picture, and says where. `now_us` may be any clock that stands still while the player
+/// can't read; `background`: what the picture becomes behind text.
+HudLayout draw_hud(const HudText& text, Messages& messages, std::uint64_t now_us, std::int32_t bottom,
+                   TextColours colours, const ColourTable& background, Framebuffer canvas);
 
 }  // namespace oblong

@@ -4,11 +4,11 @@
 
 namespace oblong {
 
-Lab::Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode, ColourScheme scheme)
+Lab::Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode, ColourScheme scheme,
+         std::int32_t text_scale)
     : data_(data),
       level_(level),
-      colours_(text_colours_of(data.palette)),
-      panel_colours_(panel_colours_of(data.palette)),
+      colours_(panel_colours_of(data.palette, text_scale)),
       renderer_(data, level, mode),
       error_map_(data.palette, scheme) {}
 
@@ -18,14 +18,27 @@ ErrorMeter& Lab::meter() {
 }
 
 std::int32_t Lab::draw(const LabOptions& options, const GameView& view, const Settings& settings, std::uint64_t now_us,
-                       Platform& clock, Framebuffer canvas) {
+                       bool is_short, Framebuffer canvas) {
     Settings shown = settings;
     shown.accuracy = shown_setting(options, settings.accuracy, now_us);
     if (options.maps_errors) draw_errors(view, shown, canvas);
     if (options.splits) draw_exact_side(options, view, settings, canvas);
     std::int32_t bottom = canvas.height_px;
-    if (options.shows_panel) bottom = draw_panel(options, view, settings, clock, canvas);
-    return draw_captions(options, settings.accuracy, now_us, bottom, canvas);
+    if (options.shows_panel) {
+        measures_.measure(view, settings, options.before, renderer_, meter(), data_.palette);
+        bottom = draw_lab_panel(options, measures_.figures(), colours_, is_short, canvas);
+    }
+    if (options.maps_errors && meter_->problem().empty())
+        bottom = error_map_.draw_legend(bottom, colours_.bright, canvas);
+    return bottom;
+}
+
+std::vector<std::string> Lab::notes(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us) const {
+    std::vector<std::string> notes;
+    if (options.maps_errors && !meter_->problem().empty()) notes.push_back("No error: " + meter_->problem());
+    if (options.splits) notes.push_back(split_text(setting_name(shown_setting(options, accuracy, now_us))));
+    if (options.flips) notes.push_back(flip_text(options, accuracy, now_us));
+    return notes;
 }
 
 void Lab::draw_errors(const GameView& view, const Settings& shown, Framebuffer canvas) {
@@ -35,27 +48,7 @@ void Lab::draw_errors(const GameView& view, const Settings& shown, Framebuffer c
 void Lab::draw_exact_side(const LabOptions& options, const GameView& view, Settings settings, Framebuffer canvas) {
     settings.accuracy = accuracy_of(Preset::Exact);
     renderer_.draw(view, settings);
-    draw_split(options, renderer_.canvas(), colours_, canvas);
-}
-
-std::int32_t Lab::draw_panel(const LabOptions& options, const GameView& view, const Settings& settings, Platform& clock,
-                             Framebuffer canvas) {
-    measures_.measure(view, settings, options.before, renderer_, meter(), data_.palette, clock);
-    draw_lab_panel(options, measures_.figures(), panel_colours_, canvas);
-    return canvas.height_px - lab_panel_rows(canvas);
-}
-
-std::int32_t Lab::draw_captions(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us,
-                                std::int32_t bottom, Framebuffer canvas) const {
-    const std::string shown = setting_name(shown_setting(options, accuracy, now_us));
-    if (options.maps_errors) {
-        bottom = meter_->problem().empty()
-                     ? error_map_.draw_legend(bottom, colours_, canvas)
-                     : draw_lines_above(bottom, "No error: " + meter_->problem(), colours_, canvas);
-    }
-    if (options.splits) bottom = draw_split_names(options, shown, "exact", bottom, colours_, canvas);
-    if (options.flips) bottom = draw_flip_names(options, accuracy, now_us, bottom, colours_, canvas);
-    return bottom;
+    draw_split(options, renderer_.canvas(), colours_.bright, canvas);
 }
 
 }  // namespace oblong

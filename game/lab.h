@@ -15,26 +15,25 @@ namespace oblong {
 class Lab {
   public:
     /// `data` and `level` outlive it.
-    Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode, ColourScheme scheme);
+    Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode, ColourScheme scheme,
+        std::int32_t text_scale);
 
-    /// Draws what is on over the canvas, which shows `view` with shown_setting(). `settings`: the current ones. The row
-    /// above which its text at the bottom ends.
+    /// Draws what is on over the canvas, which shows `view` with shown_setting(). `settings`: the current ones.
+    /// `is_short`: another panel is to have room beside its own. The row above which it ends.
     std::int32_t draw(const LabOptions& options, const GameView& view, const Settings& settings, std::uint64_t now_us,
-                      Platform& clock, Framebuffer canvas);
+                      bool is_short, Framebuffer canvas);
+
+    /// What is to be said of what draw() drew, for KeyNames::in().
+    std::vector<std::string> notes(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us) const;
 
   private:
     ErrorMeter& meter();
     void draw_errors(const GameView& view, const Settings& shown, Framebuffer canvas);
     void draw_exact_side(const LabOptions& options, const GameView& view, Settings settings, Framebuffer canvas);
-    std::int32_t draw_panel(const LabOptions& options, const GameView& view, const Settings& settings, Platform& clock,
-                            Framebuffer canvas);
-    std::int32_t draw_captions(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us,
-                               std::int32_t bottom, Framebuffer canvas) const;
 
     const GameData& data_;
     const GameLevel& level_;
-    TextColours colours_;
-    PanelColours panel_colours_;
+    PanelColours colours_;
     GameRenderer renderer_;
     std::optional<ErrorMeter> meter_;  // made when errors are first asked for
     ErrorMap error_map_;

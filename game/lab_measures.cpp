@@ -51,12 +51,14 @@ ErrorSummary colour_errors(std::span<const std::uint8_t> picture, std::span<cons
     return summarize_errors(std::move(errors));
 }
 
-LabMeasures::LabMeasures() {
-    for (std::size_t i = 0; i < kPresets.size(); ++i) figures_.presets[i].accuracy = accuracy_of(kPresets[i]);
+LabMeasures::LabMeasures(FrameClock clock) : clock_(clock) {
+    figures_.now.times = figures_.before.times = ViewTimes(clock);
+    for (std::size_t i = 0; i < kPresets.size(); ++i)
+        figures_.presets[i] = {accuracy_of(kPresets[i]), ViewTimes(clock)};
 }
 
 void LabMeasures::measure(const GameView& view, const Settings& now, const Accuracy& before, GameRenderer& renderer,
-                          ErrorMeter& meter, const Palette& palette, Platform& clock) {
+                          ErrorMeter& meter, const Palette& palette) {
     follow(now.accuracy, before);
     const std::size_t turn = turn_++ % kTurns;
     if (turn == kCount) return count(view, now, renderer);
@@ -65,7 +67,7 @@ void LabMeasures::measure(const GameView& view, const Settings& now, const Accur
     TimedSetting& setting = turn == 0   ? figures_.now
                             : turn == 1 ? figures_.before
                                         : figures_.presets[turn - kFirstPreset];
-    time(setting, view, now, renderer, clock);
+    time(setting, view, now, renderer);
 }
 
 // Times of a setting stay with it when it becomes the one before; those of settings that are gone are forgotten.
@@ -73,20 +75,17 @@ void LabMeasures::follow(const Accuracy& now, const Accuracy& before) {
     const TimedSetting was_now = figures_.now, was_before = figures_.before;
     const auto known = [&](const Accuracy& accuracy) {
         if (accuracy == was_now.accuracy) return was_now;
-        return accuracy == was_before.accuracy ? was_before : TimedSetting{accuracy, {}};
+        return accuracy == was_before.accuracy ? was_before : TimedSetting{accuracy, ViewTimes(clock_)};
     };
     if (figures_.now.accuracy != now) figures_.now = known(now);
     if (figures_.before.accuracy != before) figures_.before = known(before);
 }
 
-void LabMeasures::time(TimedSetting& setting, const GameView& view, Settings settings, GameRenderer& renderer,
-                       Platform& clock) {
+void LabMeasures::time(TimedSetting& setting, const GameView& view, Settings settings, GameRenderer& renderer) {
     settings.accuracy = setting.accuracy;
     renderer.draw(view, settings);
-    const std::uint64_t began_us = clock.now_us();
-    renderer.draw(view, settings);
-    const std::uint64_t ended_us = clock.now_us();
-    setting.times.add(ended_us - began_us, ended_us);
+    setting.times.time(view, settings, renderer);
+    setting.frame_ns = setting.times.renderings().frame_ns();
 }
 
 void LabMeasures::count(const GameView& view, const Settings& now, GameRenderer& renderer) {

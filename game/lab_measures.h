@@ -7,9 +7,8 @@
 #include <string>
 
 #include "engine/accuracy/presets.h"
-#include "engine/platform/platform.h"
 #include "game/game_renderer.h"
-#include "game/recent_times.h"
+#include "game/view_times.h"
 #include "tools/measure/operations.h"
 #include "tools/measure/texel_error.h"
 #include "tools/reference/level.h"
@@ -36,7 +35,8 @@ class ErrorMeter {
 /// A setting and what a frame with it takes.
 struct TimedSetting {
     Accuracy accuracy;
-    RecentTimes times;
+    ViewTimes times;
+    std::optional<TimeSpread> frame_ns = {};  ///< of `times`; none before the first
 };
 
 /// What the lab has measured of the view shown lately.
@@ -63,20 +63,21 @@ ErrorSummary colour_errors(std::span<const std::uint8_t> picture, std::span<cons
 /// of colours.
 class LabMeasures {
   public:
-    LabMeasures();
+    explicit LabMeasures(FrameClock clock = steady_clock_ns);
 
     /// Takes the next turn. A time is that of the second of two renderings, which finds its surfaces lit.
     void measure(const GameView& view, const Settings& now, const Accuracy& before, GameRenderer& renderer,
-                 ErrorMeter& meter, const Palette& palette, Platform& clock);
+                 ErrorMeter& meter, const Palette& palette);
     void note_errors(const std::vector<TexelError>& errors, const std::string& problem);
     const LabFigures& figures() const { return figures_; }
 
   private:
     void follow(const Accuracy& now, const Accuracy& before);
-    void time(TimedSetting& setting, const GameView& view, Settings settings, GameRenderer& renderer, Platform& clock);
+    void time(TimedSetting& setting, const GameView& view, Settings settings, GameRenderer& renderer);
     void count(const GameView& view, const Settings& now, GameRenderer& renderer);
     void compare_colours(const GameView& view, Settings settings, GameRenderer& renderer, const Palette& palette);
 
+    FrameClock clock_;
     LabFigures figures_;
     std::size_t turn_ = 0;
 };

@@ -106,6 +106,9 @@ void change_by_command_line(const OptionTexts& texts, Preferences& preferences) 
 void interpret(const OptionTexts& texts, Options& options) {
     Preferences checked;  // what is wrong on the command line is said before anything is read
     change_by_command_line(texts, checked);
+    for (const char* name : {"brightness", "gamma", "tube-light"})
+        if (const auto text = texts.preferences.find(name); text != texts.preferences.end() && !text->second.empty())
+            options.light.insert(*text);
     if (!texts.window.empty()) options.window = parse_window_size(texts.window);
     if (!texts.log.empty()) options.log = parse_log_channels(texts.log);
     options.automap = named_value<MapView>("--automap", texts.map, kMapNames);

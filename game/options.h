@@ -16,8 +16,9 @@ namespace oblong {
 /// 0 where they are not given.
 struct Options {
     std::string level, palette, models;
-    std::string map, game;    ///< a level by its name, and the folder of a game like Quake's
-    Preferences preferences;  ///< as they are kept, changed by the command line
+    std::string map, game;                     ///< a level by its name, and the folder of a game like Quake's
+    Preferences preferences;                   ///< as they are kept, changed by the command line
+    std::map<std::string, std::string> light;  ///< of the first game, by preferences' names: what the command line says
     WindowSize window;
     LogChannels log;
     MapView automap = MapView::Off;

@@ -59,6 +59,21 @@ std::optional<Sound> sound_of(MenuEvent event) {
     return {};
 }
 
+bool is_plain(char letter) {
+    const bool is_letter = (letter | 32) >= 'a' && (letter | 32) <= 'z';
+    return is_letter || (letter >= '0' && letter <= '9') || letter == '.' || letter == '-';
+}
+
+// As a word of the options file.
+std::string game_name(const std::string& folder) {
+    if (folder.empty()) return kQuake;
+    std::string name = fs::absolute(folder).lexically_normal().filename().string();
+    if (name.empty()) name = fs::absolute(folder).lexically_normal().parent_path().filename().string();
+    for (char& letter : name)
+        if (!is_plain(letter)) letter = '_';
+    return name == kMuseum || name.empty() ? "_" + name : name;
+}
+
 }  // namespace
 
 LevelFiles level_files_of(const Options& options, const std::string& assets_folder) {
@@ -244,6 +259,7 @@ void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
     keep_recorded();
     gallery_.reset();
     stage_ = stage;
+    follow_game(*loaded);
     SessionSettings settings = settings_;
     const bool is_title = stage == Stage::Title;
     settings.sound = is_title ? nullptr : &sound_;
@@ -260,6 +276,23 @@ void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
     saved_tick_ = autosave_tick_ = autosave_items_ = 0;
     is_stale_ = true;
     name_window();
+}
+
+// Light is kept a game. Frames that are written are shown by nobody's taste: as the museum's.
+void Program::follow_game(const LoadedLevel& loaded) {
+    if (options_.headless_frames > 0) return;
+    Preferences& now = view_options_.preferences;
+    const std::string museum = (fs::path(assets_folder_) / "palette.lmp").string();
+    const bool is_museum =
+        fs::exists(museum) && read_parsed(museum, read_palette).colours == loaded.data.palette.colours;
+    now.game = is_museum ? kMuseum : game_name(options_.game);
+    if (is_first_game_ && !is_museum) {
+        now.lights = store_.kept().lights;
+        for (const auto& [name, text] : options_.light) preference_named(name).parse(now, text);
+        store_.begin_with(now);
+    }
+    is_first_game_ = false;
+    title_options_.preferences = now;
 }
 
 void Program::name_window() {

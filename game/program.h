@@ -76,6 +76,7 @@ class Program final : private MenuHost {
     const LevelFiles& game_files() const;
     std::shared_ptr<const LoadedLevel> loaded_as(const std::string& level);
     void keep_recorded();
+    void follow_game(const LoadedLevel& loaded);
     void name_window();  ///< after the session's level
     LevelPlaces places() const;
     /// Does something with files; where it fails, says why on a page of the menu.
@@ -157,6 +158,7 @@ class Program final : private MenuHost {
     std::optional<SlotContent> last_walk_;                 // as the title offers it
     mutable std::vector<SlotContent> listed_;              // as the menu showed them last
     bool has_left_ = false, had_focus_ = false, is_mouse_captured_ = false;
+    bool is_first_game_ = true;
     bool wants_screenshot_ = false;  // of a menu
     bool is_stale_ = true;           // the window shows something else than what is up
     WindowSize shown_size_;

@@ -20,6 +20,7 @@ void Program::start_title(std::shared_ptr<const LoadedLevel> loaded) {
     start(std::move(loaded), std::move(input), Stage::Title);
     last_walk_ = has_saves() ? slots_.last_walk() : std::nullopt;
     pages_.open_title();
+    if (!options_.folders.config_file.empty() && !view_options_.preferences.has_set_light) pages_.open_light();
 }
 
 // A demo of another level than the one that is there is left out.

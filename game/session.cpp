@@ -61,10 +61,11 @@ void Session::handle_commands(const Controls& controls) {
 void Session::keep_what_is_on() {
     follow_mode();
     follow_colours();
-    if (!needs_lab(view_options_.lab))
-        lab_.reset();
-    else if (!lab_)
-        lab_ = std::make_unique<Lab>(data_, level_, renderer_->mode(), drawn_colours_);
+    const bool needs_one = needs_lab(view_options_.lab);
+    if (!needs_one || lab_text_scale_ != scaled_text().scale) lab_.reset();
+    lab_text_scale_ = scaled_text().scale;
+    if (needs_one && !lab_)
+        lab_ = std::make_unique<Lab>(data_, level_, renderer_->mode(), drawn_colours_, lab_text_scale_);
     if (!view_options_.shows_four_aspects)
         four_aspects_.reset();
     else if (!four_aspects_)
@@ -81,7 +82,7 @@ void Session::keep_what_is_on() {
         wire_colour_.reset();
     else if (!wire_colour_)
         wire_colour_ = std::make_unique<LineColour>(data_.palette, sign_colours_of(drawn_colours_).edges);
-    if (!view_options_.shows_cost) {
+    if (view_options_.cost_page == 0) {
         cost_.reset();
         cost_text_ = {};
     } else if (!cost_)
@@ -93,6 +94,7 @@ void Session::follow_mode() {
     const ScreenMode& mode = view_options_.preferences.mode;
     if (renderer_ && renderer_->mode() == mode) return;
     lab_.reset();
+    cost_.reset();
     renderer_ = std::make_unique<GameRenderer>(data_, level_, mode, settings_.workers);
 }
 
@@ -143,11 +145,10 @@ ShownPicture Session::draw(bool is_behind_menu) {
     const Settings settings = settings_of(preferences);
     Settings shown_settings = settings;
     if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, last_us_);
-    const std::uint64_t began_us = platform_.now_us();
     renderer_->draw(view, shown_settings);
-    PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.gamma_100);
+    PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.light());
     if (is_behind_menu) effects.flash = {};  // it would wash the menu out
-    note_cost(view, shown_settings, effects, began_us);
+    note_cost(view, shown_settings, effects);
     if (log_) renderer_->note(view, shown_settings, last_us_, *log_);
 
     if (wire_colour_) draw_wires(view, shown_settings);
@@ -165,7 +166,7 @@ Thumbnail Session::thumbnail() {
     const GameView view = shown_view();
     renderer_->draw(view, settings_of(view_options_.preferences));
     const PaletteEffects effects =
-        palette_.effects_at(view, view_options_.preferences.flashes, view_options_.preferences.gamma_100);
+        palette_.effects_at(view, view_options_.preferences.flashes, view_options_.preferences.light());
     return make_thumbnail(renderer_->canvas(), palette_of(view, effects));
 }
 
@@ -189,12 +190,21 @@ void Session::show_level_message() {
     if (!text.empty()) show(text);
 }
 
-void Session::draw_text() {
+// As large as the mode and the player want it.
+TextColours Session::scaled_text() const {
     const Preferences& preferences = view_options_.preferences;
+    return {text_colours_.bright, text_colours_.dark,
+            text_scale_in(preferences.mode.width_px, preferences.mode.height_px, preferences.text_scale)};
+}
+
+void Session::draw_text() {
     text_.captions = settings_.sound ? settings_.sound->captions() : std::vector<std::string>();
     text_.cost = cost_ ? &cost_text_ : nullptr;
-    const TextColours colours{text_colours_.bright, text_colours_.dark, preferences.text_scale};
-    draw_hud(text_, messages_, played_us_, text_bottom_, colours, menu_look_.veil, renderer_->canvas());
+    text_.cost_page = view_options_.cost_page;
+    const TextColours colours = scaled_text();
+    const HudLayout layout =
+        draw_hud(text_, messages_, played_us_, text_bottom_, colours, menu_look_.veil, renderer_->canvas());
+    if (layout.cost_table.pages < view_options_.cost_page) view_options_.cost_page = 0;  // the last one was up
 }
 
 // Over the picture that was drawn last.
@@ -213,12 +223,17 @@ void Session::draw_over(const GameView& view, const Settings& settings) {
     text_bottom_ = canvas.height_px - kTextMargin_px;
     text_.notes.clear();
     if (four_aspects_) {
-        four_aspects_->draw(view, settings, mode, shown_pixel(rect, mode), text_colours_, canvas);
+        four_aspects_->draw(view, settings, mode, shown_pixel(rect, mode), scaled_text(), canvas);
         text_bottom_ = 0;  // their captions leave no room
         return;
     }
     if (map_) map_->draw(view, view_options_.map, view_options_.line_method, mode, settings, canvas);
-    if (lab_) text_bottom_ = lab_->draw(view_options_.lab, view, settings, last_us_, platform_, canvas);
+    if (lab_) {
+        const LabOptions& lab = view_options_.lab;
+        text_bottom_ = lab_->draw(lab, view, settings, last_us_, cost_ != nullptr, canvas);
+        for (const std::string& note : lab_->notes(lab, settings.accuracy, last_us_))
+            text_.notes.push_back(key_names().in(note));
+    }
     if (view_options_.inspects && !view.other) inspect(view);
     if (!view_options_.shows_aspect_guide) return;
     draw_aspect_guide(mode, text_colours_, canvas);
@@ -232,9 +247,8 @@ void Session::inspect(const GameView& view) {
     text_.notes.push_back(describe_picked(data_.level, models, pick_ahead(data_.level, models, view.camera)));
 }
 
-void Session::note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,
-                        std::uint64_t began_us) {
-    if (!cost_ || !cost_->note(began_us, platform_.now_us())) return;
+void Session::note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects) {
+    if (!cost_ || !cost_->note(view, settings, *renderer_, platform_.now_us())) return;
     cost_text_ = cost_->measure(view, settings, data_.palette, effects, *renderer_);
 }
 

@@ -65,13 +65,13 @@ class Session final : public GameScreen {
     void show_level_message();
     void draw_over(const GameView& view, const Settings& settings);
     void draw_text();
+    TextColours scaled_text() const;
     void draw_wires(const GameView& view, const Settings& settings);
     void handle_commands(const Controls& controls);
     void keep_what_is_on();
     void follow_mode();
     void follow_colours();
-    void note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects,
-                   std::uint64_t began_us);
+    void note_cost(const GameView& view, const Settings& settings, const PaletteEffects& effects);
 
     std::shared_ptr<const LoadedLevel> loaded_;
     const GameData& data_;    // of loaded_
@@ -82,6 +82,7 @@ class Session final : public GameScreen {
     SessionSettings settings_;
     std::unique_ptr<GameRenderer> renderer_;               // of the mode that is chosen now
     ColourScheme drawn_colours_ = ColourScheme::Standard;  // of what is below
+    std::int32_t lab_text_scale_ = 1;                      // that lab_ was made for
     std::unique_ptr<Lab> lab_;                             // only while something of it is on
     std::unique_ptr<FourAspects> four_aspects_;            // likewise
     std::unique_ptr<FrameLog> log_;                        // likewise

@@ -83,7 +83,7 @@ std::string change(const std::string& name, int steps, Preferences& preferences)
 Settings settings_of(const Preferences& preferences) {
     Settings settings;
     settings.accuracy = preferences.accuracy;
-    settings.brightness_100 = preferences.brightness_100;
+    settings.brightness_100 = preferences.light().brightness_100;
     settings.flashes = preferences.flashes;
     settings.correct_aspect = preferences.corrects_projection;
     return settings;
@@ -103,7 +103,8 @@ std::string apply(Command command, ViewOptions& options, WindowSize window) {
     Preferences& preferences = options.preferences;
     switch (command) {
         case Command::FrameCost:
-            return toggle(options.shows_cost);
+            ++options.cost_page;
+            return "";
         case Command::ProjectionAspect:
             preferences.corrects_projection = !preferences.corrects_projection;
             return describe_projection(preferences, window);

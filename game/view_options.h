@@ -19,7 +19,8 @@ struct ViewOptions {
     bool has_torch = false;
     bool is_isometric = false;      ///< the level from outside, instead of from the player's eye
     std::int32_t zoom_degrees = 0;  ///< the field of view of zoom against dolly; 0: off
-    bool shows_cost = false, shows_aspect_guide = false, shows_four_aspects = false;
+    std::int32_t cost_page = 0;     ///< of what a frame costs, from 1; 0: not shown, as after the last page
+    bool shows_aspect_guide = false, shows_four_aspects = false;
     bool inspects = false;  ///< says what is in the middle of the picture
     LogChannels log;        ///< written on standard error while any is on
     MapView map = MapView::Off;

@@ -64,6 +64,17 @@ Rgb8 mean_colour(std::span<const std::uint8_t> texels, const Palette& palette) {
     return {mean(red), mean(green), mean(blue)};
 }
 
+/// IEC 61966-2-1: 12.92 L below 0.0031308, 1.055 L^(1/2.4) - 0.055 above.
+std::uint8_t srgb_of(std::uint64_t light_30) {
+    constexpr std::uint64_t kOne_30 = 1u << 30;
+    light_30 = std::min(light_30, kOne_30);
+    const std::uint64_t shown_30 =
+        light_30 * 10'000'000 < kOne_30 * 31'308
+            ? light_30 * 1292 / 100
+            : (power_30(static_cast<std::uint32_t>(light_30), 5, 12) * std::uint64_t{1055} - kOne_30 * 55) / 1000;
+    return static_cast<std::uint8_t>((shown_30 * 255 + (1u << 29)) >> 30);
+}
+
 }  // namespace
 
 Tint liquid_tint(std::int32_t contents, const Level& level, const Palette& palette) {
@@ -94,6 +105,19 @@ GammaTable make_gamma_table(std::int32_t gamma_100) {
         const std::uint64_t shown_30 = power_30(static_cast<std::uint32_t>((std::uint64_t{value} << 30) / 255), 100,
                                                 static_cast<std::uint32_t>(gamma_100));
         at(table, value) = static_cast<std::uint8_t>((shown_30 * 255 + (1 << 29)) >> 30);
+    }
+    return table;
+}
+
+GammaTable make_tube_table() {
+    constexpr std::uint32_t kOne_30 = 1u << 30, kBlack_30 = kOne_30 / 100 * kTubeBlack_per_cent;
+    const std::uint32_t lift_30 = power_30(kBlack_30, 5, 12);
+    GammaTable table{};
+    for (std::uint64_t value = 0; value < 256; ++value) {
+        const std::uint64_t volts_30 = lift_30 + (kOne_30 - lift_30) * value / 255;
+        const std::uint64_t light_30 =
+            std::max(power_30(static_cast<std::uint32_t>(volts_30), 12, 5), kBlack_30) - kBlack_30;
+        at(table, value) = srgb_of((light_30 << 30) / (kOne_30 - kBlack_30));
     }
     return table;
 }

@@ -35,6 +35,15 @@ using GammaTable = std::array<std::uint8_t, 256>;
 /// A value v of 0 to 1 is shown as v^(100 / gamma_100): above 100, 50 to 200, dark colours are brighter.
 GammaTable make_gamma_table(std::int32_t gamma_100);
 
+/// What a tube made of each value, for a display that follows sRGB. A tube's light is a (v + b)^2.4 (ITU-R BT.1886,
+/// annex 1); its white is 1 and its black kTubeBlack, from which a and b follow. That black is taken off, since eyes
+/// adapt to it, and the rest is encoded as sRGB (IEC 61966-2-1). 0 and 255 stay; dark colours are brighter.
+GammaTable make_tube_table();
+/// The black of a tube, of its white: the 1 % that sRGB counts for the room's light on the glass, and as much again
+/// from a knob that is turned up until the dark shows. So colours of 4 to 24 of 255 come out between what GLQuake does
+/// to its palette (v^0.7: Check_Gamma in gl_vidnt.c) and what vkQuake does by default ((1.4 v)^0.9).
+inline constexpr std::int32_t kTubeBlack_per_cent = 2;
+
 /// What is done to a palette, in this order.
 struct PaletteEffects {
     std::vector<PaletteCycle> cycles;

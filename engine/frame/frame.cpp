@@ -37,15 +37,15 @@ PlacedEye place_viewer(const Level& level, const ViewSpec& view) {
     return {eye.position, view.cuts.empty() ? eye.leaf : kSolidOutside};
 }
 
-/// Who draws a frame, if it is more than one thread. What is counted, recorded or timed is drawn by one: in an order.
+/// Who draws a frame, if it is more than one thread. What is counted or recorded is drawn by one: in an order.
 SharedDrawing* shared_drawing_of(const FrameWorkspace& work) {
-    return work.counts || work.record || work.times ? nullptr : work.shared.get();
+    return work.counts || work.record ? nullptr : work.shared.get();
 }
 
 /// Finds what may be seen, and starts everything that lasts for a frame.
 FrameContext begin_frame(const Scene& scene, ViewSpec spec, const ScreenMode& mode, const Settings& settings,
                          FrameWorkspace& work, Framebuffer out) {
-    if (work.times) *work.times = {work.times->clock};
+    if (work.times) *work.times = {work.times->clock, work.times->faces_walked};
     const PlacedEye eye = place_viewer(scene.level, spec);
     spec.eye = eye.position;
     work.visible.see_from(scene.level, eye.leaf);

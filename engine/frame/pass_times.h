@@ -2,16 +2,11 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
-#include <string_view>
-#include <vector>
 
 #include "engine/frame/plan.h"
 #include "engine/scene/effects.h"
 
 namespace oblong {
-
-struct FrameCounts;
 
 /// A clock that a program hands in: nanoseconds since any moment.
 using FrameClock = std::int64_t (*)();
@@ -19,8 +14,9 @@ using FrameClock = std::int64_t (*)();
 /// Where the time of a frame went, measured only on request (FrameWorkspace::times).
 struct PassTimes {
     FrameClock clock = nullptr;
+    std::uint32_t faces_walked = 0;                       ///< of this frame and those before
+    std::int64_t walk_ns = 0;                             ///< a sample of it: 0, or more than it was, in short walks
     std::int64_t claims_ns = 0;                           ///< the walk, polygons, scan, span buffer
-    std::int64_t surfaces_ns = 0;                         ///< building lit surfaces, part of its pass
     std::array<std::int64_t, kPassCount> passes_ns{};     ///< of each Pass
     std::array<std::int64_t, kEffectCount> effects_ns{};  ///< of each Effect that has no pass of its own
 };
@@ -47,16 +43,5 @@ class Stopwatch {
     std::int64_t* sum_;
     std::int64_t began_ns_ = 0;
 };
-
-/// A line of a plan as it is shown.
-struct PlanLine {
-    std::string_view name;
-    std::int64_t pixels = 0;
-    std::int64_t nanoseconds = 0;
-};
-
-/// The passes of a plan with their pixels and times, and the effects on it.
-std::vector<PlanLine> pass_lines(const FramePlan& plan, const FrameCounts& counts, const PassTimes& times);
-std::vector<PlanLine> effect_lines(const FramePlan& plan, const FrameCounts& counts, const PassTimes& times);
 
 }  // namespace oblong

@@ -36,6 +36,7 @@ struct Settings {
     std::int32_t brightness_100 = 100;  ///< of the light on lit surfaces, hundredths; up to their brightest shade
     HiddenSurfaces hidden_surfaces = HiddenSurfaces::SpanBuffer;
     bool correct_aspect = true;  ///< false: the projection assumes square pixels (F2 in the game)
+    bool operator==(const Settings&) const = default;
 };
 
 }  // namespace oblong

@@ -37,7 +37,6 @@ std::optional<Effect> reason_to_build(const VisibleFace& visible, FrameWorkspace
 
 FaceSurface surface_of(const VisibleFace& visible, int mip, const FrameContext& frame, FrameWorkspace& work) {
     const std::optional<Effect> reason = work.times ? reason_to_build(visible, work) : std::nullopt;
-    const Stopwatch watch(work.times.get(), &PassTimes::surfaces_ns);
     const Stopwatch of_effect(reason ? work.times.get() : nullptr, reason.value_or(Effect::Styles));
     const Vec3<World> offset = work.brush_models.offset_of(visible.fragment);
     return work.surfaces.get(visible.face, mip, {work.light_styles, texture_now(visible, frame, work), offset});

@@ -35,6 +35,7 @@ struct Projection {
 struct ViewWindow {
     View half_width, distance;
     View half_height = {};  ///< 0: as the display's shape gives it
+    constexpr bool operator==(const ViewWindow&) const = default;
 };
 
 /// Half the width of what a screen of this shape shows of the world around a window, in the window's unit.

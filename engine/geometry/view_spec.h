@@ -13,6 +13,7 @@ namespace oblong {
 struct ViewCut {
     Vec3<Unit> normal;  ///< of length 1
     PlaneDistance distance;
+    bool operator==(const ViewCut&) const = default;
 };
 
 /// Any view: where from, which way, how much of it, and how it gets onto a plane. Made by the functions of
@@ -26,6 +27,7 @@ struct ViewSpec {
     Unit shear_x, shear_y;
     ViewWindow window;          ///< of a parallel view its half width is in units
     std::vector<ViewCut> cuts;  ///< front and back planes, sections. There is no other near plane (frustum.h)
+    bool operator==(const ViewSpec&) const = default;
 };
 
 /// One, and a little for rounding: with it no product of positions in the world overflows that does not without.

@@ -4,7 +4,7 @@ namespace oblong {
 
 namespace {
 
-constexpr std::int32_t kAxisLimit = 1 << 8;     ///< texels a unit: what TexelAxis holds
+constexpr std::int32_t kAxisLimit = 255;        ///< texels a unit: TexelAxis holds 256, and has room to be rounded
 constexpr std::int32_t kOffsetLimit = 1 << 30;  ///< texels: with the axes' part (below 2^29) still within 32 bits
 constexpr std::int64_t kTexInfoSize = 40;       ///< bytes
 

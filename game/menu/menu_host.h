@@ -14,9 +14,9 @@ namespace oblong {
 
 /// A place for a saved game, as the menu shows it.
 struct SaveEntry {
-    std::string name;                    ///< "Slot 1"
-    std::string content;                 ///< "demo 3:12, 5 of 12 lenses"; "empty"
-    std::string help;                    ///< a line; of a save that can't be loaded load() says more
+    std::string name;     ///< "Slot 1"
+    std::string content;  ///< "demo 3:12, 5 of 12 lenses"; "empty"
+    std::string help;     ///< a line, for KeyNames::in(); of a save that can't be loaded load() says more
     bool is_saved_to_by_player = false;  ///< and not by keys or the game alone
     bool is_empty = true, has_game = false;
     bool is_of_this_walk = false;  ///< of the walk that is on, which goes back to it by loading it

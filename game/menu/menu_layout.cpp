@@ -10,21 +10,13 @@ namespace {
 constexpr std::int32_t kRowPadding_px = 1;  // above and below a row's text, at scale 1
 constexpr std::int32_t kRowColumns = 2;     // before a label: the mark of the chosen row
 constexpr std::int32_t kValueColumns = 4;   // around a value: "< value >"
-constexpr std::int32_t kGap_px = 5, kHelpLines = 2;
-constexpr std::int32_t kFewestColumns = 20, kFewestLines = 7;  // from which on letters get no larger
+constexpr std::int32_t kGap_px = 5;
+constexpr std::size_t kHelpLines = 2;  // room for them at least
 constexpr std::int32_t kMostColumns = 50;
 constexpr std::int32_t kPictureAspect_100 = 75;  // height to width of the area for a picture
 
 std::int32_t columns_of(const std::string& text) {
     return static_cast<std::int32_t>(text.size());
-}
-
-// As large as in 320x200, times the player's choice, as far as some columns and lines remain.
-std::int32_t letter_scale(CanvasSize canvas, std::int32_t text_scale) {
-    const std::int32_t by_canvas = std::min(canvas.width_px / 320, canvas.height_px / 200);
-    const std::int32_t most = std::min(canvas.width_px / (kFewestColumns * kGlyphAdvance_px),
-                                       canvas.height_px / (kFewestLines * kLineHeight_px));
-    return std::max(std::min(std::max(by_canvas, 1) * text_scale, most), 1);
 }
 
 std::vector<std::string> wrapped(const std::string& text, std::int32_t columns) {
@@ -38,7 +30,7 @@ class PageLayout {
   public:
     PageLayout(const MenuPage& page, const MenuView& view, CanvasSize canvas)
         : page_(page), view_(view), canvas_(canvas), margin_px_(kTextMargin_px), line_px_(0) {
-        out_.scale = letter_scale(canvas, view.text_scale);
+        out_.scale = text_scale_in(canvas.width_px, canvas.height_px, view.text_scale);
         line_px_ = kLineHeight_px * out_.scale;
         column_px_ = kGlyphAdvance_px * out_.scale;
         place_title();
@@ -70,14 +62,18 @@ class PageLayout {
     }
 
     void place_help() {
-        std::string help = page_.help;
-        if (view_.chosen < page_.rows.size() && !page_.rows[view_.chosen].help.empty())
-            help = page_.rows[view_.chosen].help;
-        out_.help = wrapped(help, columns_in(canvas_.width_px - 2 * margin_px_));
-        if (out_.help.size() > kHelpLines) out_.help.resize(kHelpLines);
-        const bool has_help = !page_.help.empty() || std::any_of(page_.rows.begin(), page_.rows.end(),
-                                                                 [](const MenuRow& row) { return !row.help.empty(); });
-        help_lines_ = has_help ? kHelpLines : 0;
+        const auto lines_for = [&](const std::string& help) {
+            return wrapped(help, columns_in(canvas_.width_px - 2 * margin_px_));
+        };
+        const bool has_own = view_.chosen < page_.rows.size() && !page_.rows[view_.chosen].help.empty();
+        out_.help = lines_for(has_own ? page_.rows[view_.chosen].help : page_.help);
+        // Of the whole page, so that rows stay where they are while another one is chosen.
+        std::size_t most = lines_for(page_.help).size();
+        for (const MenuRow& row : page_.rows) most = std::max(most, lines_for(row.help).size());
+        const auto room = static_cast<std::size_t>(canvas_.height_px / line_px_ * 2 / 5);
+        if (out_.help.size() > room) out_.help.resize(room);
+        help_lines_ =
+            most == 0 ? 0 : static_cast<std::int32_t>(std::clamp(most, kHelpLines, std::max(room, kHelpLines)));
         out_.help_y =
             canvas_.height_px - margin_px_ - std::max(static_cast<std::int32_t>(out_.help.size()), 1) * line_px_;
     }

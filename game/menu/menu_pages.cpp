@@ -68,8 +68,9 @@ void MenuPages::open_message(std::string title, std::string text) {
 MenuPage MenuPages::title_page() {
     MenuPage page{"OBLONG", "", {}, 0, "", true, [this] { ask_to_leave(); }};
     if (const auto last = host_.last_walk())
-        page.rows.push_back(row("Continue", closing([this] { host_.continue_walk(); }),
-                                last->has_game ? "go on in " + last->content : last->content + ". " + last->help));
+        page.rows.push_back(row(
+            "Continue", closing([this] { host_.continue_walk(); }),
+            last->has_game ? "go on in " + last->content : last->content + ". " + host_.key_names().in(last->help)));
     page.rows.push_back(row("Walk", closing([this] { host_.walk(); }), "through the museum, from its entrance"));
     page.rows.push_back(row(
         "Levels", [this] { open_levels(); }, "others to walk through"));
@@ -132,6 +133,8 @@ MenuPage MenuPages::options_page() {
     for (int i = 0; i < kPreferencePageCount; ++i)
         page.rows.push_back(row(name_of(static_cast<PreferencePage>(i)), [this, i] { open_preferences(i); }));
     page.rows.push_back(row(
+        "Light", [this] { open_light(); }, "set by a test picture"));
+    page.rows.push_back(row(
         "Keys", [this] { open_key_pages(menu_, host_, key_undo_); }, "which key or button does what"));
     page.rows.push_back(row("Back", [this] { menu_.close(); }));
     return page;
@@ -188,7 +191,7 @@ void MenuPages::open_load() {
                     return ask("Load", question + kLost, "Yes", action);
                 leave_walk(question, action);
             };
-            page.rows.push_back({save.name, save.content, save.help,
+            page.rows.push_back({save.name, save.content, host_.key_names().in(save.help),
                                  save.is_empty ? nullptr : std::function<void()>(load), nullptr, save.picture});
         }
         page.rows.push_back(row(
@@ -214,7 +217,8 @@ void MenuPages::open_delete() {
             const auto accept = [this, name = save.name, remove] {
                 ask("Delete", "Delete " + name + " for good?", "Delete it", remove);
             };
-            page.rows.push_back({save.name, save.content, save.help, accept, nullptr, save.picture});
+            page.rows.push_back(
+                {save.name, save.content, host_.key_names().in(save.help), accept, nullptr, save.picture});
         }
         page.rows.push_back(row("Back", [this] { menu_.close(); }));
         return page;
@@ -232,7 +236,8 @@ void MenuPages::open_save() {
                 if (is_empty) return write();
                 ask("Save", "Replace what is in " + name + "?", "Replace it", write);
             };
-            page.rows.push_back({save.name, save.content, save.help, accept, nullptr, save.picture});
+            page.rows.push_back(
+                {save.name, save.content, host_.key_names().in(save.help), accept, nullptr, save.picture});
         }
         page.rows.push_back(row("Back", [this] { menu_.close(); }));
         return page;

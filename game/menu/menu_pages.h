@@ -19,6 +19,7 @@ class MenuPages {
     void open_figures();  ///< over a gallery
     void open_gallery();  ///< over a gallery with nothing behind it
     void open_end();      ///< after a walk
+    void open_light();    ///< a test picture, to set the light of the game that is played
     void open_restart();  ///< asks, if there is something to lose
     /// A text with nothing to choose but to go on.
     void open_message(std::string title, std::string text);

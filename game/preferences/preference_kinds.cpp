@@ -20,14 +20,14 @@ Preference named(PreferenceNames names, std::string values) {
     return preference;
 }
 
+}  // namespace
+
 std::string hundredths_text(std::int32_t value_100) {
     std::string text = std::to_string(value_100 / 100);
     if (value_100 % 100 == 0) return text;
     text += '.' + std::to_string(value_100 % 100 / 10);
     return value_100 % 10 == 0 ? text : text + std::to_string(value_100 % 10);
 }
-
-}  // namespace
 
 void refuse(const std::string& name, const std::string& text, const std::string& expected) {
     throw UsageError("--" + name + ": '" + text + "', expected " + expected);
@@ -94,22 +94,26 @@ Preference whole_number(PreferenceNames names, std::int32_t Preferences::*field,
     return preference;
 }
 
-Preference hundredths(PreferenceNames names, std::int32_t Preferences::*field, std::int32_t least_100,
-                      std::int32_t greatest_100, std::vector<std::int32_t> stops_100) {
+Preference light_in_hundredths(PreferenceNames names, std::int32_t Light::*field, std::int32_t least_100,
+                               std::int32_t greatest_100, std::vector<std::int32_t> stops_100) {
     Preference preference =
         named(std::move(names), hundredths_text(least_100) + " to " + hundredths_text(greatest_100));
-    preference.text = [field](const Preferences& of) { return hundredths_text(of.*field); };
-    preference.shown = [field](const Preferences& of) { return std::to_string(of.*field) + " %"; };
+    preference.text = [field](const Preferences& of) { return hundredths_text(of.light_of(kMuseum).*field); };
+    preference.shown = [field](const Preferences& of) { return std::to_string(of.light().*field) + " %"; };
     preference.parse = [=, name = preference.name, values = preference.values](Preferences& of,
                                                                                const std::string& text) {
         const std::int64_t value_16 = parse_number("--" + name, text, 16);
         const std::int64_t value_100 = (value_16 * 100 + (1 << 15)) >> 16;
         if (value_16 * 100 < std::int64_t{least_100} << 16 || value_16 * 100 > std::int64_t{greatest_100} << 16)
             refuse(name, text, values);
-        of.*field = static_cast<std::int32_t>(value_100);
+        Light light = of.light();
+        light.*field = static_cast<std::int32_t>(value_100);
+        of.set_light(light);
     };
     preference.change = [field, stops_100](Preferences& of, int steps) {
-        of.*field = stepped(stops_100, of.*field, steps);
+        Light light = of.light();
+        light.*field = stepped(stops_100, light.*field, steps);
+        of.set_light(light);
     };
     return preference;
 }

@@ -23,9 +23,10 @@ Preference on_or_off(PreferenceNames names, bool Preferences::*field);
 Preference whole_number(PreferenceNames names, std::int32_t Preferences::*field, std::int32_t least,
                         std::int32_t greatest, std::vector<std::int32_t> stops, std::string unit);
 
-/// A decimal number kept in hundredths, likewise; all numbers here in hundredths.
-Preference hundredths(PreferenceNames names, std::int32_t Preferences::*field, std::int32_t least_100,
-                      std::int32_t greatest_100, std::vector<std::int32_t> stops_100);
+/// A decimal number of the light of the game that is played, kept in hundredths, likewise; all numbers here in
+/// hundredths. In the file it is the museum's: those of the other games are a value of their own.
+Preference light_in_hundredths(PreferenceNames names, std::int32_t Light::*field, std::int32_t least_100,
+                               std::int32_t greatest_100, std::vector<std::int32_t> stops_100);
 
 /// One of some names; its place among them is get()'s and set()'s number.
 Preference one_of(PreferenceNames names, std::vector<std::string> values, std::function<int(const Preferences&)> get,
@@ -45,6 +46,9 @@ Preference one_of(PreferenceNames names, std::vector<std::string> values, Enum P
 
 /// From one of `stops`, which rise, to one so many steps on; stops at the ends. A value between two is beside both.
 std::int32_t stepped(const std::vector<std::int32_t>& stops, std::int32_t value, int steps);
+
+/// 140: "1.4".
+std::string hundredths_text(std::int32_t value_100);
 
 /// "a, b or c".
 std::string listed(const std::vector<std::string>& values);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,24 @@ Preference scaling_preference() {
     return row;
 }
 
+Preference tube_preference() {
+    Preference row = one_of(
+        {"tube-light", "Colours of a tube", "kept a game: dark colours as bright as a tube of Quake's time made them",
+         PreferencePage::Picture},
+        {"off", "on"}, [](const Preferences& of) { return int{of.light().is_of_tube}; },
+        [](Preferences& of, int value) {
+            Light light = of.light();
+            light.is_of_tube = value != 0;
+            of.set_light(light);
+        });
+    row.is_switch = true;
+    row.parse = [parse = row.parse](Preferences& of, const std::string& text) {
+        parse(of, text == "true" ? "on" : text == "false" ? "off" : text);
+    };
+    row.text = [](const Preferences& of) { return of.light_of(kMuseum).is_of_tube ? "on" : "off"; };
+    return row;
+}
+
 void add_picture(Rows& rows) {
     constexpr PreferencePage kPage = PreferencePage::Picture;
     rows.push_back(field_of_view_preference());
@@ -51,13 +70,13 @@ void add_picture(Rows& rows) {
     rows.push_back(
         on_or_off({"crt", "Look of a tube", "scanlines, mask and glow of a tube, drawn by the window", kPage, "{crt}"},
                   &Preferences::has_crt_look));
-    rows.push_back(hundredths({"brightness", "Brightness", "of the light on surfaces; real levels are dark at 1", kPage,
-                               "{darker}, {brighter}"},
-                              &Preferences::brightness_100, 25, 800,
-                              {25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800}));
-    rows.push_back(hundredths({"gamma", "Gamma", "of the display: above 1, dark colours are brighter", kPage},
-                              &Preferences::gamma_100, 50, 200,
-                              {50, 60, 70, 80, 90, 100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200}));
+    rows.push_back(light_in_hundredths(
+        {"brightness", "Brightness", "of the light on surfaces, kept a game", kPage, "{darker}, {brighter}"},
+        &Light::brightness_100, 25, 800, {25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800}));
+    rows.push_back(light_in_hundredths(
+        {"gamma", "Gamma", "of the display, kept a game: above 1, dark colours are brighter", kPage}, &Light::gamma_100,
+        50, 200, {50, 60, 70, 80, 90, 100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200}));
+    rows.push_back(tube_preference());
     rows.push_back(on_or_off({"whole-screen", "Whole screen", "instead of a window (Alt+Enter)", kPage},
                              &Preferences::fills_screen));
     rows.push_back(on_or_off({"vsync", "Wait for display", "each picture is shown whole, where the system can", kPage},
@@ -156,6 +175,48 @@ void add_sound(Rows& rows) {
                                 tenths, " %"));
 }
 
+// The light of all games but the museum, whose values are options of their own: "quake:1.4:1:on", a word a game.
+KeptValue lights_value() {
+    KeptValue value;
+    value.name = "game-lights";
+    value.label = "Light of games";
+    value.help = "brightness, gamma and tube-light of games that are not the museum";
+    value.values = "GAME:BRIGHTNESS:GAMMA:on or off, with spaces between games, or none";
+    value.text = [](const Preferences& of) {
+        std::string text;
+        for (const auto& [game, light] : of.lights)
+            if (game != kMuseum)
+                text += (text.empty() ? "" : " ") + game + ':' + hundredths_text(light.brightness_100) + ':' +
+                        hundredths_text(light.gamma_100) + (light.is_of_tube ? ":on" : ":off");
+        return text.empty() ? "none" : text;
+    };
+    value.parse = [values = value.values](Preferences& of, const std::string& text) {
+        Preferences read;
+        std::istringstream words(text == "none" ? "" : text);
+        for (std::string word; words >> word;) {
+            std::istringstream parts(word);
+            std::string brightness, gamma, tube;
+            const bool is_whole = std::getline(parts, read.game, ':') && std::getline(parts, brightness, ':') &&
+                                  std::getline(parts, gamma, ':') && std::getline(parts, tube, ':');
+            if (!is_whole || std::count(word.begin(), word.end(), ':') != 3 || read.game.empty() ||
+                read.game == kMuseum)
+                refuse("game-lights", word, values);
+            for (const auto& [name, part] :
+                 {std::pair("brightness", brightness), {"gamma", gamma}, {"tube-light", tube}})
+                preference_named(name).parse(read, part);
+        }
+        if (const auto museum = of.lights.find(kMuseum); museum != of.lights.end()) read.lights.insert(*museum);
+        of.lights = read.lights;
+    };
+    return value;
+}
+
+// Whether the page that helps with the light was shown.
+KeptValue light_set_value() {
+    return on_or_off({"light-set", "Light is set", "whether the page for the light was shown", PreferencePage::Picture},
+                     &Preferences::has_set_light);
+}
+
 // For each action, the keys and buttons that do it.
 std::vector<KeptValue> binding_values() {
     std::vector<KeptValue> values;
@@ -201,11 +262,18 @@ std::span<const Preference> all_preferences() {
     return rows;
 }
 
+const Preference& preference_named(std::string_view name) {
+    const auto rows = all_preferences();
+    return *std::find_if(rows.begin(), rows.end(), [&](const Preference& row) { return row.name == name; });
+}
+
 std::span<const KeptValue* const> all_kept_values() {
+    static const std::vector<KeptValue> lights{lights_value(), light_set_value()};
     static const std::vector<KeptValue> bindings = binding_values();
     static const std::vector<const KeptValue*> values = [] {
         std::vector<const KeptValue*> all;
         for (const Preference& preference : all_preferences()) all.push_back(&preference);
+        for (const KeptValue& light : lights) all.push_back(&light);
         for (const KeptValue& binding : bindings) all.push_back(&binding);
         return all;
     }();

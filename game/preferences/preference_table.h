@@ -3,6 +3,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "game/preferences/preferences.h"
@@ -44,6 +45,8 @@ struct Preference : KeptValue {
 /// All of them: those of a page follow each other, in the order in which the page shows them. Reading them in this
 /// order gives what was written: a preset comes before its dials.
 std::span<const Preference> all_preferences();
+/// The one of a name that there is.
+const Preference& preference_named(std::string_view name);
 /// All that is kept in the file, in its order: all preferences, and for each action "bind-NAME", what it is bound to.
 std::span<const KeptValue* const> all_kept_values();
 

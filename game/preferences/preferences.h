@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <string>
 
 #include "engine/accuracy/presets.h"
 #include "engine/geometry/projection.h"
@@ -19,6 +21,20 @@ enum class ColourScheme : std::uint8_t {
 };
 inline constexpr int kColourSchemeCount = 3;
 
+/// How a game's pictures are lit.
+struct Light {
+    std::int32_t brightness_100 = 100;  ///< of the light on surfaces, 25 to 800
+    std::int32_t gamma_100 = 100;       ///< of the display, 50 to 200
+    bool is_of_tube = false;            ///< colours as a tube showed them
+    bool operator==(const Light&) const = default;
+};
+/// The games that are no folder's: Oblong's own levels, and others that no --game was named for.
+inline constexpr const char *kMuseum = "museum", *kQuake = "quake";
+/// That of a game until the player changes it: all but the museum were made on tubes.
+inline Light light_of_new(const std::string& game) {
+    return {100, 100, game != kMuseum};
+}
+
 /// All that a player sets and that is kept in a file. Changes how the game is shown and steered, never what happens in
 /// it.
 struct Preferences {
@@ -28,11 +44,12 @@ struct Preferences {
     ShownAs shown_as = ShownAs::OnDisplay;
     Scaling scaling = Scaling::SharpBilinear;
     bool has_crt_look = false;
-    std::int32_t brightness_100 = 100;  ///< of the light on surfaces, 25 to 800
-    std::int32_t gamma_100 = 100;       ///< of the display, 50 to 200
-    bool fills_screen = false;          ///< the whole screen instead of a window
-    bool waits_for_display = true;      ///< vsync, where the system offers it
-    std::int32_t frame_cap_hz = 144;    ///< at most so many frames a second, 10 to 1,000; 0: no limit
+    std::map<std::string, Light> lights;  ///< by games, of those that have another one than light_of_new()
+    std::string game = kMuseum;           ///< that is played: the one that light() is of
+    bool has_set_light = false;           ///< the page that helps with it was shown
+    bool fills_screen = false;            ///< the whole screen instead of a window
+    bool waits_for_display = true;        ///< vsync, where the system offers it
+    std::int32_t frame_cap_hz = 144;      ///< at most so many frames a second, 10 to 1,000; 0: no limit
 
     Preset preset = Preset::Bounded;  ///< the last one chosen
     Accuracy accuracy;                ///< its dials, perhaps turned since
@@ -56,6 +73,17 @@ struct Preferences {
     std::int32_t volume_100 = 100;        ///< of all, 0 to 100; 0: no sound device is opened
     std::int32_t sounds_volume_100 = 80;  ///< of what happens in the level and in menus, 0 to 100
     std::int32_t music_volume_100 = 60;   ///< 0 to 100
+
+    /// That of the game that is played.
+    Light light() const { return light_of(game); }
+    Light light_of(const std::string& name) const {
+        const auto found = lights.find(name);
+        return found == lights.end() ? light_of_new(name) : found->second;
+    }
+    void set_light(const Light& light) {
+        lights[game] = light;
+        if (light == light_of_new(game)) lights.erase(game);
+    }
 
     bool operator==(const Preferences&) const = default;
 };

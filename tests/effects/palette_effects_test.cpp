@@ -192,6 +192,30 @@ TEST(Gamma, IsThePowerInDoubles) {
     }
 }
 
+// BT.1886 with a white of 1 and a black of 0.02, less that black, as sRGB.
+TEST(Tube, IsTheClosedFormInDoubles) {
+    constexpr double kBlack = 0.02, kGamma = 2.4;
+    const double root = std::pow(kBlack, 1 / kGamma), a = std::pow(1 - root, kGamma), b = root / (1 - root);
+    const GammaTable table = make_tube_table();
+    for (int value = 0; value < 256; ++value) {
+        const double light = (a * std::pow(value / 255.0 + b, kGamma) - kBlack) / (1 - kBlack);
+        const double shown = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+        ASSERT_NEAR(table[static_cast<std::size_t>(value)], 255 * shown, 0.51) << value;
+    }
+    EXPECT_EQ(table[0], 0);
+    EXPECT_EQ(table[255], 255);
+}
+
+// GLQuake's v^0.7 (v of 255 counts as (v + 1) / 256 there) and vkQuake's (1.4 v)^0.9.
+TEST(Tube, DarkColoursAreAsPortsOfQuakeShowThem) {
+    const GammaTable table = make_tube_table();
+    for (int value = 4; value <= 24; ++value) {
+        const double gl = 255 * std::pow((value + 1) / 256.0, 0.7), vk = 255 * std::pow(1.4 * value / 255, 0.9);
+        EXPECT_GT(table[static_cast<std::size_t>(value)], std::min(gl, vk) - 0.51) << value;
+        EXPECT_LT(table[static_cast<std::size_t>(value)], std::max(gl, vk) + 0.51) << value;
+    }
+}
+
 TEST(Gamma, KeepsTheOrderAndBothEnds) {
     for (std::int32_t gamma_100 = 50; gamma_100 <= 200; ++gamma_100) {
         const GammaTable table = make_gamma_table(gamma_100);

@@ -8,43 +8,19 @@
 
 #include "engine/accuracy/dials.h"
 #include "game/load.h"
-#include "game/recent_times.h"
 #include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
 
-TEST(RecentTimes, GiveTheMedianOfTwoSeconds) {
-    RecentTimes times;
-    EXPECT_FALSE(times.median_us());
-    times.add(900, 0);
-    EXPECT_EQ(times.median_us(), 900u);
-    times.add(100, 10);
-    times.add(200, 20);
-    EXPECT_EQ(times.median_us(), 200u);
-    times.add(300, 2'000'000);  // the first is just two seconds old
-    EXPECT_EQ(times.count(), 4u);
-    EXPECT_EQ(times.median_us(), 200u);
-    times.add(150, 2'000'001);
-    EXPECT_EQ(times.count(), 4u);
-    EXPECT_EQ(times.median_us(), 150u);
-    times.add(5, 9'000'000);
-    EXPECT_EQ(times.median_us(), 5u);
+// Each reading is 1 us later than the last, and 1 us more than that.
+std::int64_t now_ns = 0, step_ns = 0;
+std::int64_t slower_and_slower() {
+    return now_ns += step_ns += 1000;
 }
-
-// Each reading of the clock is 1 us later than the last, and 1 us more than that.
-class Clock final : public Platform {
-  public:
-    bool is_open() const override { return true; }
-    Controls poll() override { return {}; }
-    std::uint64_t now_us() override { return now_us_ += ++step_us_; }
-    WindowSize window_size() const override { return {}; }
-    void set_title(const char*) override {}
-    void present(Framebuffer, const Palette&, const PresentRect&) override {}
-
-  private:
-    std::uint64_t now_us_ = 0, step_us_ = 0;
-};
+std::int64_t standing() {
+    return 0;
+}
 
 class LabMeasure : public testing::Test {
   protected:
@@ -65,7 +41,7 @@ class LabMeasure : public testing::Test {
         Settings settings;
         settings.accuracy = now;
         for (int turn = 0; turn < 10; ++turn)
-            measures_.measure(view(), settings, before, *renderer_, *meter_, data_.palette, clock_);
+            measures_.measure(view(), settings, before, *renderer_, *meter_, data_.palette);
     }
     ErrorSummary errors_of(const Accuracy& accuracy) {
         Settings settings;
@@ -78,18 +54,15 @@ class LabMeasure : public testing::Test {
     GameState state_;
     std::optional<GameRenderer> renderer_;
     std::optional<ErrorMeter> meter_;
-    LabMeasures measures_;
-    Clock clock_;
+    LabMeasures measures_{standing};
 };
 
 TEST_F(LabMeasure, ARoundMeasuresEverythingOnce) {
     const Accuracy now, before = accuracy_of(Preset::Exact);
     round(now, before);
     const LabFigures& figures = measures_.figures();
-    // The clock is read before and after each timed frame: its steps are 2, 4, 6 ...
-    EXPECT_EQ(figures.now.times.median_us(), 2u);
-    EXPECT_EQ(figures.before.times.median_us(), 4u);
-    for (std::size_t i = 0; i < kPresets.size(); ++i) EXPECT_EQ(figures.presets[i].times.median_us(), 6 + 2 * i);
+    ASSERT_TRUE(figures.now.frame_ns && figures.before.frame_ns);
+    for (const TimedSetting& preset : figures.presets) EXPECT_EQ(preset.times.renderings().count(), 1u);
     EXPECT_GT(figures.operations.divisions.total(), 1000);
     EXPECT_GT(figures.frame_rates[2], figures.frame_rates[0]);
     ASSERT_TRUE(figures.errors);
@@ -102,11 +75,48 @@ TEST_F(LabMeasure, TimesStayWithTheirSettings) {
     second.shades = 32;
     round(first, accuracy_of(Preset::Exact));
     round(second, first);
-    EXPECT_EQ(measures_.figures().now.times.count(), 1u);
-    EXPECT_EQ(measures_.figures().before.times.count(), 2u);  // those of when it was the setting now
+    EXPECT_EQ(measures_.figures().now.times.renderings().count(), 1u);
+    EXPECT_EQ(measures_.figures().before.times.renderings().count(), 2u);  // those of when it was the setting now
     round(first, second);
-    EXPECT_EQ(measures_.figures().now.times.count(), 3u);
-    EXPECT_EQ(measures_.figures().before.times.count(), 2u);
+    EXPECT_EQ(measures_.figures().now.times.renderings().count(), 3u);
+    EXPECT_EQ(measures_.figures().before.times.renderings().count(), 2u);
+}
+
+TEST_F(LabMeasure, TimesAreOfTheViewThatIsShown) {
+    ViewTimes times(standing);
+    for (int i = 0; i < 3; ++i) times.time(view(), {}, *renderer_);
+    EXPECT_EQ(times.renderings().count(), 3u);
+    Settings other;
+    other.accuracy.shades = 32;
+    times.time(view(), other, *renderer_);
+    EXPECT_EQ(times.renderings().count(), 1u);
+    state_.player.yaw = state_.player.yaw + degrees_to_angle(Degrees::from_int(1));
+    times.time(view(), other, *renderer_);
+    EXPECT_EQ(times.renderings().count(), 1u);
+}
+
+// Whatever the clock says, the lines of a frame are the frame: here it runs slower and slower, so that no two
+// renderings, and no two readings within one, are alike.
+TEST_F(LabMeasure, TheLinesOfAFrameAddUpToIt) {
+    now_ns = step_ns = 0;
+    ViewTimes times(slower_and_slower);
+    for (int i = 0; i < 9; ++i) times.time(view(), {}, *renderer_);
+    const FrameCounts counts = renderer_->draw_and_count(view(), {});
+    double sum_ns = 0;
+    std::vector<std::string_view> names;
+    for (const PlanLine& line : times.renderings().pass_lines(renderer_->plan(), counts)) {
+        sum_ns += line.nanoseconds;
+        names.push_back(line.name);
+        EXPECT_GT(line.nanoseconds, 0) << line.name;
+        EXPECT_LE(line.low_ns, line.nanoseconds) << line.name;
+        EXPECT_GE(line.high_ns, line.nanoseconds) << line.name;
+    }
+    EXPECT_NEAR(sum_ns, times.renderings().frame_ns().median, 1e-3);
+    ASSERT_GE(names.size(), 4u);
+    EXPECT_EQ(names[0], "walk");
+    EXPECT_EQ(names[1], "claims");
+    EXPECT_EQ(names[2], "walls");
+    EXPECT_EQ(names.back(), "other");
 }
 
 TEST_F(LabMeasure, ErrorsAreThoseOfTheSetting) {

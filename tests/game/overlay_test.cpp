@@ -1,7 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
+#include <numeric>
+#include <set>
+#include <sstream>
+#include <tuple>
 #include <vector>
 
 #include "game/aspect_guide.h"
@@ -9,6 +14,8 @@
 #include "game/error_map.h"
 #include "game/hud.h"
 #include "game/lab_panel.h"
+#include "game/menu/menu_layout.h"
+#include "tools/common/font.h"
 
 namespace oblong {
 namespace {
@@ -67,11 +74,12 @@ class GuardedCanvas {
 // All figures as long as they get.
 LabFigures long_figures() {
     LabFigures figures;
-    for (std::size_t i = 0; i < kPresets.size(); ++i) figures.presets[i].times.add(12'345, 0);
+    for (std::size_t i = 0; i < kPresets.size(); ++i)
+        figures.presets[i].frame_ns = {12'345'000, 12'000'000, 13'000'000};
     figures.now.accuracy.reciprocal = ReciprocalMethod::Table1024Newton;
     figures.now.accuracy.texturing = Texturing::BoundedTexels;
-    figures.now.times.add(23'456, 0);
-    figures.before.times.add(34'567, 0);
+    figures.now.frame_ns = {23'456'000, 1'000'000, 29'000'000};
+    figures.before.frame_ns = {34'567'000, 30'000'000, 110'000'000};
     figures.operations.adds[Width::Bits32] = figures.operations.multiplications[Width::Bits64] =
         figures.operations.divisions[Width::Bits64] = figures.operations.lookups = 888'888;
     figures.frame_rates = {888, 888, 888};
@@ -82,9 +90,11 @@ LabFigures long_figures() {
 // Every pass and effect there is, with numbers as long as they get.
 CostText long_cost() {
     CostText cost;
-    cost.frame = "99999 us a frame, 999 frames a second";
+    cost.frame = "99999 us +-99%, 999 frames/s, 99 movers";
     cost.background.fill(kPicture);
+    for (const std::string_view name : {"walk", "claims"}) cost.passes.push_back({name, 64'000, 9'999'000});
     for (const std::string_view name : kPassNames) cost.passes.push_back({name, 64'000, 9'999'000});
+    cost.passes.push_back({"other", 0, 9'999'000});
     for (const std::string_view name : kEffectNames) cost.effects.push_back({name, 64'000, 9'999'000});
     return cost;
 }
@@ -101,14 +111,13 @@ void draw_everything(const ScreenMode& mode, const GuardedCanvas& guarded) {
     for (const std::int32_t split : {0, 1, 32'768, 65'535, 65'536}) {
         options.split_16 = split;
         draw_split(options, canvas, kColours, canvas);
-        draw_split_names(options, "bounded, 3 dials turned", "exact", canvas.height_px, kColours, canvas);
     }
     for (options.dial = 0; options.dial < all_dials().size(); ++options.dial)
-        draw_lab_panel(options, long_figures(), panel_colours_of(kPalette), canvas);
+        for (const bool is_short : {false, true})
+            draw_lab_panel(options, long_figures(), panel_colours_of(kPalette, 1), is_short, canvas);
     const std::int32_t bottom =
         ErrorMap(kPalette, ColourScheme::Standard).draw_legend(canvas.height_px, kColours, canvas);
-    draw_hud(text, messages, 0, draw_flip_names(options, {}, 0, bottom, kColours, canvas), kColours, ColourTable{},
-             canvas);
+    draw_hud(text, messages, 0, bottom, kColours, ColourTable{}, canvas);
 }
 
 TEST(Overlay, StaysInTheCanvas) {
@@ -122,30 +131,136 @@ TEST(Overlay, StaysInTheCanvas) {
     }
 }
 
-TEST(Overlay, ThePanelsTextFits320Columns) {
-    const GuardedCanvas guarded(640, 400);
-    LabOptions options;
-    for (options.dial = 0; options.dial < all_dials().size(); ++options.dial) {
-        draw_lab_panel(options, long_figures(), panel_colours_of(kPalette), guarded.canvas());
-        const Area text = guarded.box_of([](std::uint8_t colour) { return colour == kColours.bright; });
-        EXPECT_LE(text.x + text.width, 319) << all_dials()[options.dial].caption;  // and a column for the shadow
+// Whether a word stands in a canvas, whole: each pixel of its letters bright, and none between them.
+bool is_written(std::string_view word, std::int32_t scale, Framebuffer canvas) {
+    const std::int32_t width = text_width_px(word) * scale, height = kGlyphHeight_px * scale;
+    std::vector<bool> lit(pixel_count(width, height));
+    for (std::int32_t y = 0; y < height; ++y)
+        for (std::int32_t x = 0; x < width; ++x) {
+            const std::int32_t column = x / scale % kGlyphAdvance_px;
+            const Glyph& glyph = glyph_of(word[static_cast<std::size_t>(x / scale / kGlyphAdvance_px)]);
+            lit[static_cast<std::size_t>(y * width + x)] =
+                column < kGlyphWidth_px && is_drawn(glyph, y / scale, column);
+        }
+    const auto first = static_cast<std::int32_t>(std::find(lit.begin(), lit.end(), true) - lit.begin());
+    const auto stands_at = [&](std::int32_t left, std::int32_t top) {
+        for (std::int32_t i = 0; i < width * height; ++i)
+            if ((canvas.row(top + i / width)[left + i % width] == kColours.bright) != lit[static_cast<std::size_t>(i)])
+                return false;
+        return true;
+    };
+    const std::int32_t first_x = first % width, first_y = first / width;
+    for (std::int32_t top = 0; top + height <= canvas.height_px; ++top) {
+        const std::uint8_t* const row = canvas.row(top + first_y);
+        const std::uint8_t* const end = row + canvas.width_px - width + first_x + 1;
+        for (const std::uint8_t* at = row + first_x; at < end; ++at) {
+            at = static_cast<const std::uint8_t*>(std::memchr(at, kColours.bright, static_cast<std::size_t>(end - at)));
+            if (at == nullptr) break;
+            if (stands_at(static_cast<std::int32_t>(at - row) - first_x, top)) return true;
+        }
     }
-    EXPECT_LE(lab_panel_rows(guarded.canvas()), 110);  // half of the view stays open
+    return false;
 }
 
-TEST(Overlay, ThePlanFits320x200InTwoColumns) {
-    const GuardedCanvas guarded(640, 200);
-    CostText cost = long_cost();
-    draw_cost(cost, 200 - kTextMargin_px, kColours, guarded.canvas());
-    const Area all = guarded.box_of([](std::uint8_t colour) { return colour != kPicture; });
-    EXPECT_LE(all.x + all.width, 320);
-    EXPECT_GE(all.y, 20);  // messages stay free
-    const GuardedCanvas left(640, 200);
-    cost.effects.clear();
-    draw_cost(cost, 200 - kTextMargin_px, kColours, left.canvas());
-    for (std::int32_t y = 0; y < 180; ++y)
-        for (std::int32_t x = 148; x < 320; ++x) ASSERT_EQ(left.canvas().row(y)[x], kPicture) << x << ", " << y;
+void expect_written(const std::string& text, std::int32_t scale, const GuardedCanvas& guarded) {
+    std::istringstream words(text);
+    for (std::string word; words >> word;)
+        EXPECT_TRUE(is_written(word, scale, guarded.canvas()))
+            << word << " at scale " << scale << " in " << guarded.canvas().width_px << "x"
+            << guarded.canvas().height_px;
+    EXPECT_TRUE(guarded.is_border_whole());
 }
+
+// All that is written over a picture, at every mode and size of text.
+class TextOverPictures : public testing::TestWithParam<std::tuple<CanvasSize, std::int32_t>> {
+  protected:
+    GuardedCanvas fresh() const { return {size_.width_px, size_.height_px}; }
+    TextColours colours() const { return {kColours.bright, kColours.dark, scale_}; }
+
+    const CanvasSize size_ = std::get<0>(GetParam());
+    const std::int32_t times_ = std::get<1>(GetParam());
+    const std::int32_t scale_ = text_scale_in(size_.width_px, size_.height_px, times_);
+};
+
+TEST_P(TextOverPictures, IsAsLargeAsIn320x200) {
+    const double by_mode = std::min(size_.width_px / 320.0, size_.height_px / 200.0);
+    const bool is_small = size_.width_px < 320;
+    EXPECT_GE(scale_, is_small ? 1 : 0.8 * by_mode * times_ * (times_ == 2 ? 0.9 : 1));
+    EXPECT_GE(size_.width_px / scale_, 26 * kGlyphAdvance_px);
+    EXPECT_GE(size_.height_px / scale_, 9 * kLineHeight_px);
+}
+
+TEST_P(TextOverPictures, TheLabIsWholeWhicheverDialIsTurned) {
+    LabOptions options;
+    for (const bool is_short : {false, true})
+        for (options.dial = 0; options.dial<all_dials().size(); options.dial += size_.width_px> 400 ? 5 : 1) {
+            const GuardedCanvas guarded = fresh();
+            LabFigures figures = long_figures();
+            const Dial& dial = all_dials()[options.dial];
+            dial.set(figures.now.accuracy, dial.settings[dial.settings.size() / 2].value);
+            const std::int32_t top =
+                draw_lab_panel(options, figures, panel_colours_of(kPalette, scale_), is_short, guarded.canvas());
+            EXPECT_LE(size_.height_px - top, panel_room_px(guarded.canvas(), scale_));
+            const bool has_spread = !is_short || size_.width_px / scale_ >= 320;
+            if (is_idle(dial, figures.now.accuracy)) continue;  // in another colour
+            expect_written(std::string(dial.caption) + " " + value_text(dial, dial.get(figures.now.accuracy)) +
+                               (has_spread ? " now 23456+-60% before 34567+-116%" : " now 23456 before 34567"),
+                           scale_, guarded);
+            if (!is_short || size_.height_px / scale_ >= 180)
+                expect_written("Texels out of place, pixels: rms 377, worst 377", scale_, guarded);
+        }
+}
+
+// Its pages hold all; beside the lab the frame's time at least, and both leave the picture its part.
+TEST_P(TextOverPictures, TheCostOfAFrameIsWholeOnItsPages) {
+    for (const bool has_lab : {false, true}) {
+        std::set<std::string> seen;
+        const CostText cost = long_cost();
+        HudText text{{}, {}, &cost};
+        for (std::int32_t pages = 1; text.cost_page <= pages; ++text.cost_page) {
+            const GuardedCanvas guarded = fresh();
+            Messages none;
+            const std::int32_t bottom =
+                has_lab ? draw_lab_panel({}, long_figures(), panel_colours_of(kPalette, scale_), true, guarded.canvas())
+                        : size_.height_px - kTextMargin_px;
+            ColourTable same;
+            std::iota(same.begin(), same.end(), std::uint8_t{0});
+            const HudLayout layout = draw_hud(text, none, 0, bottom, colours(), same, guarded.canvas());
+            pages = layout.cost_table.pages;
+            expect_written(cost.frame, scale_, guarded);
+            EXPECT_LE(size_.height_px - layout.cost.top, panel_room_px(guarded.canvas(), scale_));
+            for (const std::vector<PlanLine>& lines : {cost.passes, cost.effects})
+                for (const PlanLine& line : lines)
+                    if (is_written(line.name, scale_, guarded.canvas())) seen.insert(std::string(line.name));
+        }
+        for (const std::vector<PlanLine>& lines : {cost.passes, cost.effects})
+            for (const PlanLine& line : lines)
+                EXPECT_TRUE(seen.contains(std::string(line.name)) || (has_lab && size_.height_px / scale_ < 180))
+                    << line.name << " at " << size_.width_px << " x" << times_;
+    }
+}
+
+TEST_P(TextOverPictures, MessagesNotesAndCaptionsAreWhole) {
+    const HudText text{{"[door, to the left]"}, {"{flip} now [bounded, 3 dials turned] before exact"}, nullptr};
+    const std::string told = "F3 Shown with square pixels: spheres 17 % too narrow";
+    const GuardedCanvas guarded = fresh();
+    Messages messages;
+    messages.show(told);
+    ColourTable same;
+    std::iota(same.begin(), same.end(), std::uint8_t{0});
+    draw_hud(text, messages, 0, size_.height_px - kTextMargin_px, colours(), same, guarded.canvas());
+    expect_written(told + " " + text.captions[0] + " " + text.notes[0], scale_, guarded);
+    const GuardedCanvas map = fresh();
+    ErrorMap(kPalette, ColourScheme::Standard).draw_legend(size_.height_px, colours(), map.canvas());
+    expect_written("0 1/8 1/4 1/2 1 2 4px", scale_, map);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Modes, TextOverPictures,
+    testing::Combine(testing::Values(CanvasSize{160, 100}, CanvasSize{320, 200}, CanvasSize{320, 240},
+                                     CanvasSize{480, 270}, CanvasSize{400, 300}, CanvasSize{320, 400},
+                                     CanvasSize{640, 400}, CanvasSize{640, 480}, CanvasSize{1280, 800}),
+                     testing::Values(1, 2)));
 
 TEST(Overlay, CountsAreShort) {
     EXPECT_EQ(short_count(0), "0");

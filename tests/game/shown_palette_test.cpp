@@ -29,7 +29,7 @@ TEST(ShownPalette, FlashesAndFadesAfterATeleporterOnly) {
     ShownPalette palette(data);
     const auto flash_at = [&](std::int64_t tick, Flashes flashes) {
         const GameState state = state_at(tick, 0);
-        return palette.effects_at({{state, state}, {}}, flashes, 100).flash.share_256;
+        return palette.effects_at({{state, state}, {}}, flashes, {}).flash.share_256;
     };
     palette.note_tick(state_at(99, 0), state_at(100, 20));
     EXPECT_EQ(flash_at(99, Flashes::Full), 0) << "walking is none";
@@ -45,9 +45,23 @@ TEST(ShownPalette, IsPlainInTheOpenAndTintedInALiquid) {
     const GameState state = state_at(0, 0);
     const GameView view{{state, state}, {}};
     const GameData open = data_in(contents::kEmpty), water = data_in(contents::kWater);
-    EXPECT_TRUE(ShownPalette(open).effects_at(view, Flashes::Full, 100).is_plain());
-    EXPECT_FALSE(ShownPalette(open).effects_at(view, Flashes::Full, 150).is_plain());
-    EXPECT_EQ(ShownPalette(water).effects_at(view, Flashes::Off, 100).liquid, (Tint{{130, 80, 50}, 128}));
+    EXPECT_TRUE(ShownPalette(open).effects_at(view, Flashes::Full, {}).is_plain());
+    EXPECT_FALSE(ShownPalette(open).effects_at(view, Flashes::Full, {100, 150}).is_plain());
+    EXPECT_EQ(ShownPalette(water).effects_at(view, Flashes::Off, {}).liquid, (Tint{{130, 80, 50}, 128}));
+}
+
+// The tube's colours, then gamma of the display; both of the light that was asked for last.
+TEST(ShownPalette, ATubesColoursComeBeforeGamma) {
+    const GameData data = data_in(contents::kEmpty);
+    const GameState state = state_at(0, 0);
+    const GameView view{{state, state}, {}};
+    ShownPalette palette(data);
+    const GammaTable tube = make_tube_table(), gamma = make_gamma_table(150);
+    EXPECT_EQ(palette.effects_at(view, Flashes::Full, {100, 100, true}).gamma, tube);
+    const auto both = palette.effects_at(view, Flashes::Full, {100, 150, true}).gamma;
+    ASSERT_TRUE(both);
+    for (std::size_t value = 0; value < 256; ++value) ASSERT_EQ((*both)[value], gamma[tube[value]]) << value;
+    EXPECT_EQ(palette.effects_at(view, Flashes::Full, {200, 100}).gamma, std::nullopt);
 }
 
 }  // namespace

@@ -12,12 +12,12 @@ std::string press(Command command, ViewOptions& options) {
 TEST(ViewOptions, KeysStepThroughBrightnessUpToItsLimits) {
     ViewOptions options;
     press(Command::Brighter, options);
-    EXPECT_EQ(options.preferences.brightness_100, 140);
+    EXPECT_EQ(options.preferences.light().brightness_100, 140);
     press(Command::Darker, options);
-    EXPECT_EQ(options.preferences.brightness_100, 100);
-    options.preferences.brightness_100 = 150;  // by --brightness, between two steps
+    EXPECT_EQ(options.preferences.light().brightness_100, 100);
+    options.preferences.set_light({150});  // by --brightness, between two steps
     press(Command::Darker, options);
-    EXPECT_EQ(options.preferences.brightness_100, 140);
+    EXPECT_EQ(options.preferences.light().brightness_100, 140);
     for (int i = 0; i < 20; ++i) press(Command::Brighter, options);
     EXPECT_EQ(settings_of(options.preferences).brightness_100, 800);
     for (int i = 0; i < 20; ++i) press(Command::Darker, options);

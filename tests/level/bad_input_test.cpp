@@ -50,6 +50,8 @@ const std::vector<Damage> kDamages = {
     {"node below itself", Lump::Nodes, 6, 2, 0, Lump::Nodes},
     {"node's faces", Lump::Nodes, 22, 2, 2, Lump::Nodes},
     {"texture axis out of its format", Lump::TexInfos, 0, 4, bits_of(256.F), Lump::TexInfos},
+    {"texture axis that overflows its format when it is rounded", Lump::TexInfos, 0, 4, bits_of(255.99998F),
+     Lump::TexInfos},
     {"NaN in a texture axis", Lump::TexInfos, 16, 4, bits_of(kNan), Lump::TexInfos},
     {"texture offset out of its format", Lump::TexInfos, 12, 4, bits_of(2e9F), Lump::TexInfos},
     {"texinfo's texture", Lump::TexInfos, 32, 4, 1, Lump::TexInfos},

@@ -6,9 +6,11 @@
 #include <fstream>
 #include <map>
 
+#include "engine/effects/palette_effects.h"
 #include "engine/platform/files.h"
 #include "engine/platform/headless/headless.h"
 #include "tests/support/folders.h"
+#include "tests/support/shared_levels.h"
 
 namespace oblong {
 namespace {
@@ -71,6 +73,7 @@ class ProgramOfTheDemo : public testing::Test {
     Options keeping() const {
         Options options;
         options.folders = {path("oblong.cfg"), path("data")};
+        options.preferences.has_set_light = true;  // the page for it is not over the title
         return options;
     }
     // Of the first walk that was saved.
@@ -106,8 +109,34 @@ TEST_F(ProgramOfTheDemo, LosingTheFocusPausesUntilThePlayerGoesOn) {
 TEST_F(ProgramOfTheDemo, RestartingKeepsTheSettings) {
     play(60, keeping(),
          {{5, pressing(Command::Brighter)}, {6, pressing(Command::Brighter)}, {20, pressing(Command::Restart)}});
-    EXPECT_EQ(PreferencesStore(path("oblong.cfg")).kept().brightness_100, 200);
+    EXPECT_EQ(PreferencesStore(path("oblong.cfg")).kept().light().brightness_100, 200);
     EXPECT_FALSE(SaveSlots(path("data")).last_walk()) << "two seconds are no walk";
+}
+
+// A Quake level looks as on a tube until the player says otherwise, and what the player says of it is not the museum's.
+TEST_F(ProgramOfTheDemo, LightIsKeptAGame) {
+    OBLONG_NEEDS_SHARED_LEVELS();
+    const auto play_dm4 = [&](Options options, std::int64_t brighter_at) {
+        options.level = (test::find_shared_folder() / "levels" / "dm4.bsp").string();
+        options.palette = (test::find_shared_folder() / "levels" / "gfx" / "palette.lmp").string();
+        Palette shown;
+        HeadlessPlatform platform(
+            20, 35, [=](std::int64_t poll) { return poll == brighter_at ? pressing(Command::Brighter) : Controls{}; },
+            [&](Framebuffer, const Palette& palette) { shown = palette; });
+        play_on(platform, options);
+        return shown;
+    };
+    const Palette quakes =
+        read_parsed((test::find_shared_folder() / "levels" / "gfx" / "palette.lmp").string(), read_palette);
+    const Palette tube = apply_palette_effects(quakes, {{}, {}, {}, make_tube_table()}, 0);
+    EXPECT_EQ(play_dm4(keeping(), 5).colours, tube.colours);
+    const Preferences kept = PreferencesStore(path("oblong.cfg")).kept();
+    EXPECT_EQ(kept.light_of(kQuake), (Light{140, 100, true}));
+    EXPECT_EQ(kept.light_of(kMuseum), Light{});
+    Options plain = keeping();
+    plain.light = {{"tube-light", "off"}};
+    EXPECT_EQ(play_dm4(plain, -1).colours, quakes.colours) << "as the command line says";
+    EXPECT_TRUE(PreferencesStore(path("oblong.cfg")).kept().light_of(kQuake).is_of_tube) << "and not the file";
 }
 
 // The folder of saves is a file here.

@@ -59,7 +59,7 @@ TEST(OptionsText, NamesBrokenLinesAndKeepsAllOthers) {
         "\t crt  =  on\r\n"
         "invert-look\n"
         "music-volume = \"20\"\n");
-    EXPECT_EQ(read.preferences.brightness_100, 200);
+    EXPECT_EQ(read.preferences.light().brightness_100, 200);
     EXPECT_EQ(read.preferences.volume_100, 30);
     EXPECT_EQ(read.preferences.music_volume_100, 20);
     EXPECT_TRUE(read.preferences.has_crt_look);
@@ -114,7 +114,7 @@ TEST(OptionsText, APresetComesBeforeItsDialsWhereverItsLineIs) {
 // What a user wrote by hand stays, byte for byte, but for the one value.
 TEST(OptionsText, ChangesOnlyTheValue) {
     Preferences now;
-    now.brightness_100 = 140;
+    now.set_light({140});
     const auto brighter = [&](const std::string& text) { return with(text, "brightness", now); };
     EXPECT_EQ(brighter("# mine\n\nunknown = 7\nbrightness=1\nfov = 90\n"),
               "# mine\n\nunknown = 7\nbrightness= 1.4\nfov = 90\n");
@@ -129,7 +129,7 @@ TEST(OptionsText, ChangesOnlyTheValue) {
     for (const char* text : {"", "# mine\n", "fov = 80"}) {
         const std::string added = brighter(text);
         EXPECT_EQ(added.rfind(text, 0), 0u);
-        EXPECT_EQ(read_preferences(added).preferences.brightness_100, 140);
+        EXPECT_EQ(read_preferences(added).preferences.light().brightness_100, 140);
     }
 }
 

@@ -30,9 +30,9 @@ const std::map<std::string, std::pair<std::string, std::string>> kEnds{{"fov", {
                                                                        {"sounds-volume", {"0", "100"}},
                                                                        {"music-volume", {"0", "100"}}};
 const std::map<std::string, std::size_t> kCounts{
-    {"aspect-projection", 2}, {"aspect-display", 3}, {"scaling", 4},     {"crt", 2},
-    {"whole-screen", 2},      {"vsync", 2},          {"accuracy", 5},    {"flashes", 3},
-    {"colours", 3},           {"captions", 2},       {"invert-look", 2}, {"always-run", 2}};
+    {"aspect-projection", 2}, {"aspect-display", 3}, {"scaling", 4},   {"crt", 2},     {"tube-light", 2},
+    {"whole-screen", 2},      {"vsync", 2},          {"accuracy", 5},  {"flashes", 3}, {"colours", 3},
+    {"captions", 2},          {"invert-look", 2},    {"always-run", 2}};
 
 bool is_dial(const Preference& row) {
     return row.name.starts_with("dial-");
@@ -172,6 +172,37 @@ TEST(PreferenceTable, StretchIsAnotherNameForFillingTheWindow) {
     test::preference_named("scaling").parse(preferences, "stretch");
     EXPECT_EQ(preferences.shown_as, ShownAs::FillWindow);
     EXPECT_EQ(preferences.scaling, Scaling::SharpBilinear);
+}
+
+// Each game's light is its own: the museum's in values of their own, all others' in one.
+TEST(PreferenceTable, LightIsKeptAGame) {
+    Preferences played;
+    EXPECT_EQ(played.light(), (Light{100, 100, false})) << "frames of the museum stay as they are";
+    test::preference_named("gamma").parse(played, "1.2");
+    played.game = kQuake;
+    EXPECT_EQ(played.light(), (Light{100, 100, true})) << "made on tubes";
+    test::preference_named("brightness").parse(played, "1.4");
+    played.game = "my_mod.2";
+    test::preference_named("tube-light").parse(played, "off");
+    Preferences read;
+    for (const KeptValue* value : all_kept_values()) value->parse(read, value->text(played));
+    EXPECT_EQ(read.lights, played.lights);
+    EXPECT_EQ(read.light_of(kMuseum), (Light{100, 120, false}));
+    EXPECT_EQ(read.light_of(kQuake), (Light{140, 100, true}));
+    EXPECT_EQ(read.light_of("my_mod.2"), (Light{100, 100, false}));
+    EXPECT_EQ(read.light_of("another"), (Light{100, 100, true}));
+}
+
+TEST(PreferenceTable, LightsOfGamesThatSayNothingAreRefusedWhole) {
+    const auto values = all_kept_values();
+    const KeptValue& lights = **std::find_if(values.begin(), values.end(),
+                                             [](const KeptValue* value) { return value->name == "game-lights"; });
+    for (const char* text : {"quake", "quake:1", "quake:1:1", "quake:1:1:maybe", "quake:9:1:on", "quake:1:3:on",
+                             "museum:1:1:on", ":1:1:on", "a:1:1:on:", "a:1:1:on b", "a:x:1:on"}) {
+        Preferences preferences;
+        EXPECT_THROW(lights.parse(preferences, text), UsageError) << text;
+        EXPECT_EQ(preferences, Preferences{}) << text;
+    }
 }
 
 }  // namespace

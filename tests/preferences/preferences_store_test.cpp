@@ -70,11 +70,11 @@ TEST_F(OptionsFile, KeepsWhatIsChangedInTheGameAlone) {
     PreferencesStore store((folder_ / "a.cfg").string());
     Preferences now = store.kept();
     now.volume_100 = 90;
-    now.gamma_100 = 150;
+    now.set_light({now.light().brightness_100, 150});
     store.begin_with(now);
     EXPECT_EQ(store.save(now), "");
     EXPECT_EQ(read_text((folder_ / "a.cfg").string()), "volume = 30\n# mine\nbrightness = 2\n");
-    now.brightness_100 = 280;
+    now.set_light({280, now.light().gamma_100});
     store.save(now);
     EXPECT_EQ(read_text((folder_ / "a.cfg").string()), "volume = 30\n# mine\nbrightness = 2.8\n");
     now.volume_100 = 80;

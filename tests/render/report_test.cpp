@@ -73,13 +73,21 @@ TEST_F(Report, GivesThePassesThatMakeUpAFrame) {
     for (const Json& frame : json.at("frames")) {
         EXPECT_GT(frame.at("microseconds"), 0);
         std::int64_t pixels = 0;
+        double sum = 0;
         for (const Json& pass : frame.at("passes")) {
+            sum += pass.at("microseconds").get<double>();
+            EXPECT_LE(pass.at("spread")[0], pass.at("spread")[1]);
+            if (pass.at("name") == "walk" || pass.at("name") == "other") continue;
             EXPECT_TRUE(owns_pixels(pass)) << pass.at("name");
             EXPECT_GT(pass.at("microseconds"), 0);
             if (std::count(kPassesOfEachPixel.begin(), kPassesOfEachPixel.end(), pass.at("name").get<std::string>()))
                 pixels += pass.at("pixels").get<std::int64_t>();
         }
         EXPECT_EQ(pixels, 320 * 200);
+        EXPECT_NEAR(sum, frame.at("microseconds").get<double>(),
+                    0.001 * static_cast<double>(frame.at("passes").size()));
+        EXPECT_LE(frame.at("spread")[0], frame.at("microseconds"));
+        EXPECT_GE(frame.at("spread")[1], frame.at("microseconds"));
         for (const Json& effect : frame.at("effects")) EXPECT_TRUE(owns_pixels(effect)) << effect.at("name");
         effects += frame.at("effects").size();
     }

@@ -8,13 +8,9 @@
 #include "tools/accuracy/configurations.h"
 #include "tools/accuracy/level_frames.h"
 #include "tools/accuracy/progress.h"
+#include "tools/common/rendering_times.h"
 
 namespace oblong {
-
-/// The median of some times with the quartiles below and above it; nanoseconds.
-struct TimeSpread {
-    double median = 0, low = 0, high = 0;
-};
 
 /// The times of one setting: medians over the rounds of each frame, then the mean over frames.
 struct SettingTimes {

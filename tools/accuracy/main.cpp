@@ -4,9 +4,11 @@
 #include <deque>
 #include <iterator>
 
+#include "engine/base/input_error.h"
 #include "engine/platform/files.h"
 #include "tools/accuracy/hard_scenes.h"
 #include "tools/accuracy/machine.h"
+#include "tools/accuracy/page_table.h"
 #include "tools/accuracy/report.h"
 #include "tools/accuracy/report_html.h"
 #include "tools/accuracy/report_json.h"
@@ -20,13 +22,16 @@ namespace {
 using namespace oblong;
 
 struct Options {
-    std::string out = ".", level, cameras, palette;
-    bool is_quick = false;
+    std::string out = ".", level, cameras, palette, page;
+    bool is_quick = false, checks_page = false;
 };
 
 void declare(CommandArguments& line, Options& options) {
     line.add("--out", options.out, "folder for accuracy.html and accuracy.json");
     line.add_flag("--quick", options.is_quick, "fewer cameras, fewer rounds: under a minute");
+    line.add("--page", options.page,
+             "measure nothing but the presets' errors and operations, and put them into this page");
+    line.add_flag("--check", options.checks_page, "leave the page as it is: fail if it says something else");
     const CommandOption level =
         line.add("LEVEL", options.level, "a level to measure besides the hard scenes and the demo");
     CommandOption cameras = line.add("--cameras", options.cameras, "its cameras, CSV: x,y,z,yaw,pitch[,roll]");
@@ -71,7 +76,24 @@ std::deque<MeasuredLevel> read_levels(const Options& options, const std::string&
     return levels;
 }
 
+/// The presets in the hard scenes and the demo level, without times.
+void report_to_page(const Options& options, const std::string& assets) {
+    const Colours demo(assets + "/palette.lmp");
+    const std::deque<MeasuredLevel> levels = read_levels({}, assets, demo.palette);
+    std::vector<MeasuredPlace> places;
+    for (const MeasuredLevel& level : levels) places.push_back({level, demo.palette, demo.colormap});
+    Progress progress(true);
+    const std::string table = preset_table(measure_all(make_configurations({}), places, {0, 1, false}, progress));
+    const std::vector<std::uint8_t> bytes = read_file(options.page);
+    const std::string page(bytes.begin(), bytes.end()), measured = with_table(page, options.page, table);
+    if (!options.checks_page) return write_file(options.page, measured);
+    if (page == measured) return;
+    std::fputs(table.c_str(), stdout);
+    throw InputError(options.page, "its table of presets is not what was measured, expected that on standard output");
+}
+
 void report_to_files(const Options& options, const std::string& assets) {
+    if (options.checks_page) throw UsageError("--check needs --page, expected a page to check");
     if (!options.level.empty() && options.cameras.empty())
         throw UsageError("LEVEL needs --cameras, expected a file of cameras in the level");
     const auto start = std::chrono::steady_clock::now();
@@ -100,5 +122,8 @@ int main(int argc, char** argv) {
     Options options;
     CommandLine line("oblong-accuracy", "Measures what each approximation costs, and writes it as a report.");
     declare(line, options);
-    return line.run(argc, argv, [&] { report_to_files(options, assets_folder(argv[0])); });
+    return line.run(argc, argv, [&] {
+        const std::string assets = assets_folder(argv[0]);
+        return options.page.empty() ? report_to_files(options, assets) : report_to_page(options, assets);
+    });
 }

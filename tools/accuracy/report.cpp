@@ -192,6 +192,8 @@ Report measure_all(const Configurations& configurations, std::span<const Measure
     for (const Configurations::DialRows& dial : configurations.dials)
         report.heat_maps.push_back(draw_heat_maps(dial, report, jobs, worst));
 
+    report.times.settings.resize(worst.size());
+    if (effort.rounds == 0) return report;
     progress.begin("times", static_cast<std::size_t>(effort.rounds), 45, 100);
     report.times = time_frames(configurations, prepared.levels, effort.rounds, progress);
     return report;

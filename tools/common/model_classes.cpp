@@ -8,8 +8,6 @@
 namespace oblong {
 namespace {
 
-constexpr std::int32_t kStays = ModelClass::kStays;
-
 /// The first that fits counts. After the game's own code, which id Software has published (QuakeC: items.qc, misc.qc).
 constexpr std::array kModelClasses{
     ModelClass{"item_armor1", "progs/armor.mdl", 0, 0, 0},

@@ -34,6 +34,20 @@ TextColours text_colours_of(const Palette& palette) {
             static_cast<std::uint8_t>(dark - palette.colours.begin())};
 }
 
+std::int32_t text_scale_in(std::int32_t width_px, std::int32_t height_px, std::int32_t times) {
+    constexpr std::int32_t kFewestColumns = 26, kFewestLines = 9;
+    const std::int32_t quarters = std::min(width_px * 4 / 320, height_px * 4 / 200);
+    const std::int32_t most =
+        std::min(width_px / (kFewestColumns * kGlyphAdvance_px), height_px / (kFewestLines * kLineHeight_px));
+    return std::max(std::min(std::max((quarters + 3) / 4, 1) * times, most), 1);
+}
+
+std::int32_t panel_room_px(Framebuffer canvas, std::int32_t scale) {
+    constexpr std::int32_t kManyLines = 18;
+    const bool has_many = canvas.height_px / (kLineHeight_px * scale) >= kManyLines;
+    return has_many ? canvas.height_px * 23 / 40 : canvas.height_px * 4 / 5;
+}
+
 std::int32_t text_width_px(std::string_view line) {
     return static_cast<std::int32_t>(line.size()) * kGlyphAdvance_px;
 }

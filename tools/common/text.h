@@ -17,6 +17,14 @@ struct TextColours {
 /// The palette's brightest and darkest.
 TextColours text_colours_of(const Palette& palette);
 
+/// How large text is drawn in a canvas: as seen in 320x200, from a quarter more columns and rows on the next larger,
+/// times the player's choice; no larger than leaves 26 columns and 9 lines, where there are as many.
+std::int32_t text_scale_in(std::int32_t width_px, std::int32_t height_px, std::int32_t times);
+
+/// The rows of a canvas, counted from its bottom, that panels over its picture may take together: a little more than
+/// half, and more where letters of that scale leave few lines.
+std::int32_t panel_room_px(Framebuffer canvas, std::int32_t scale);
+
 /// Between text and the sides of the canvas.
 inline constexpr std::int32_t kTextMargin_px = 4;
 

@@ -3,7 +3,6 @@
 #include <zlib.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "engine/screen/screen.h"
@@ -12,20 +11,22 @@ namespace oblong {
 
 namespace {
 
-std::int64_t steady_clock_ns() {
-    return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 /// Draws one view's frames into a canvas of its own.
 class ViewRenderer {
   public:
     ViewRenderer(const RenderJob& job, FrameWorkspace& work)
-        : job_(job), work_(work), pixels_(pixel_count(job.mode.width_px, job.mode.height_px)) {}
+        : job_(job),
+          work_(work),
+          pixels_(pixel_count(job.mode.width_px, job.mode.height_px)),
+          times_(static_cast<std::size_t>(job.repeat)) {}
 
     FrameReport render(const ViewSpec& view) {
         FrameReport report;
-        count(view, report);
-        report.microseconds = timed(view);
+        const std::unique_ptr<FrameCounts> counts = count(view, report);  // lights the surfaces that are timed
+        time(view);
+        report.frame_ns = times_.frame_ns();
+        report.passes = times_.pass_lines(work_.plan, *counts);
+        report.effects = times_.effect_lines(work_.plan, *counts);
         report.crc32 = static_cast<std::uint32_t>(::crc32(0, pixels_.data(), static_cast<uInt>(pixels_.size())));
         return report;
     }
@@ -43,40 +44,27 @@ class ViewRenderer {
                    {pixels_.data(), job_.mode.width_px, job_.mode.height_px, job_.mode.width_px});
     }
 
-    double timed(const ViewSpec& view) {
-        std::vector<double> microseconds;
-        for (int i = 0; i < job_.repeat; ++i) {
-            const auto start = std::chrono::steady_clock::now();
-            draw(view, i * job_.time_step_ms);
-            const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
-            microseconds.push_back(taken.count());
-        }
+    void time(const ViewSpec& view) {
+        times_.clear();
+        for (int i = 0; i < job_.repeat; ++i) times_.time(work_, [&] { draw(view, i * job_.time_step_ms); });
         if (job_.time_step_ms != 0) draw(view);  // the picture of the scene's own time
-        return summarize_times(std::move(microseconds)).median;
     }
 
-    void count(const ViewSpec& view, FrameReport& report) {
+    std::unique_ptr<FrameCounts> count(const ViewSpec& view, FrameReport& report) {
         work_.counts = std::make_unique<FrameCounts>();
         draw(view);
-        const std::unique_ptr<FrameCounts> counts = std::move(work_.counts);
+        std::unique_ptr<FrameCounts> counts = std::move(work_.counts);
         for (const std::uint8_t writes : counts->writes)
             ++(writes == 0 ? report.pixels_never : writes == 1 ? report.pixels_once : report.pixels_twice);
         report.counts = named_counts(*counts);
-        const PassTimes times = time_passes(view);
-        report.passes = pass_lines(work_.plan, *counts, times);
-        report.effects = effect_lines(work_.plan, *counts, times);
-    }
-
-    PassTimes time_passes(const ViewSpec& view) {
-        work_.times = std::make_unique<PassTimes>(PassTimes{steady_clock_ns});
-        draw(view);
-        return *std::exchange(work_.times, nullptr);
+        return counts;
     }
 
     const RenderJob& job_;
     FrameWorkspace& work_;
     std::vector<std::uint8_t> pixels_;
     std::vector<PlacedMesh> meshes_;
+    RenderingTimes times_;
 };
 
 }  // namespace

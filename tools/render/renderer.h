@@ -8,15 +8,16 @@
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "tools/common/level_models.h"
+#include "tools/common/rendering_times.h"
 
 namespace oblong {
 
 struct FrameReport {
     std::uint32_t crc32 = 0;
-    double microseconds = 0;  ///< median of the timed renderings, drawing only
+    TimeSpread frame_ns;  ///< of the timed renderings, drawing only
     std::int64_t pixels_once = 0, pixels_twice = 0, pixels_never = 0;
     std::vector<NamedCount> counts;
-    std::vector<PlanLine> passes, effects;  ///< of the frame's plan
+    std::vector<PlanLine> passes, effects;  ///< what makes up the frame, of the same renderings; the plan's effects
 };
 
 /// The median and the 99th percentile of some times (at least one).

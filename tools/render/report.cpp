@@ -22,12 +22,22 @@ double rounded(double value) {
     return std::round(value * 1000) / 1000;
 }
 
+double in_microseconds(double ns) {
+    return rounded(ns / 1000);
+}
+
+/// The quartiles.
+Json spread_json(double low_ns, double high_ns) {
+    return {in_microseconds(low_ns), in_microseconds(high_ns)};
+}
+
 Json lines_json(const std::vector<PlanLine>& lines) {
     Json json = Json::array();
     for (const PlanLine& line : lines)
         json.push_back({{"name", line.name},
                         {"pixels", line.pixels},
-                        {"microseconds", rounded(static_cast<double>(line.nanoseconds) / 1000)}});
+                        {"microseconds", in_microseconds(line.nanoseconds)},
+                        {"spread", spread_json(line.low_ns, line.high_ns)}});
     return json;
 }
 
@@ -36,7 +46,8 @@ Json frame_json(std::size_t camera, const FrameReport& frame) {
     for (const NamedCount& count : frame.counts) counts[std::string(count.name)] = count.count;
     return {{"camera", camera},
             {"crc32", hexadecimal(frame.crc32)},
-            {"microseconds", rounded(frame.microseconds)},
+            {"microseconds", in_microseconds(frame.frame_ns.median)},
+            {"spread", spread_json(frame.frame_ns.low, frame.frame_ns.high)},
             {"pixels", {{"once", frame.pixels_once}, {"twice", frame.pixels_twice}, {"never", frame.pixels_never}}},
             {"counts", counts},
             {"passes", lines_json(frame.passes)},
@@ -77,7 +88,7 @@ Json allowed_effects_json(EffectSet allowed) {
 
 TimeSummary summarize_times(const std::vector<FrameReport>& frames) {
     std::vector<double> times;
-    for (const FrameReport& frame : frames) times.push_back(frame.microseconds);
+    for (const FrameReport& frame : frames) times.push_back(frame.frame_ns.median / 1000);
     return summarize_times(std::move(times));
 }
 
@@ -85,15 +96,19 @@ std::string plan_text(const std::vector<FrameReport>& frames) {
     std::string text;
     const auto add = [&](const char* kind, const std::vector<PlanLine>& lines) {
         for (const PlanLine& line : lines) {
-            char row[96];
-            std::snprintf(row, sizeof row, "  %-6s %-18.*s %9lld pixels %9.1f us\n", kind,
+            char row[112];
+            std::snprintf(row, sizeof row, "  %-6s %-18.*s %9lld pixels %9.1f us (%.1f to %.1f)\n", kind,
                           static_cast<int>(line.name.size()), line.name.data(), static_cast<long long>(line.pixels),
-                          static_cast<double>(line.nanoseconds) / 1000);
+                          line.nanoseconds / 1000, line.low_ns / 1000, line.high_ns / 1000);
             text += row;
         }
     };
     for (std::size_t camera = 0; camera < frames.size(); ++camera) {
+        const TimeSpread& frame = frames[camera].frame_ns;
         text += "camera " + std::to_string(camera) + "\n";
+        const std::int64_t pixels =
+            frames[camera].pixels_once + frames[camera].pixels_twice + frames[camera].pixels_never;
+        add("frame", {{"", pixels, frame.median, frame.low, frame.high}});
         add("pass", frames[camera].passes);
         add("effect", frames[camera].effects);
     }

@@ -1,0 +1,55 @@
+// The page on which a player sets the light by a test picture, as it is shown here and now: no number does for all
+// displays and rooms.
+#include "game/menu/menu_pages.h"
+#include "game/preferences/preference_table.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int32_t kWidth_px = 64, kHeight_px = 48, kSteps = 16, kMarks = 4;
+
+// Sixteen greys from black to white above; below, on black, four squares: the first ones are as dark as what a level's
+// dark corners are made of.
+Rgb8 colour_at(std::int32_t x, std::int32_t y) {
+    const auto grey = [](std::int32_t value) {
+        const auto channel = static_cast<std::uint8_t>(value);
+        return Rgb8{channel, channel, channel};
+    };
+    if (y < kHeight_px / 2) return grey(x * kSteps / kWidth_px * 255 / (kSteps - 1));
+    constexpr std::int32_t kCell_px = kWidth_px / kMarks;
+    const std::int32_t mark = x / kCell_px, right = x % kCell_px, down = y - kHeight_px / 2;
+    const bool is_inside = right >= 4 && right < kCell_px - 4 && down >= 8 && down < 16;
+    return is_inside ? grey(8 << mark) : grey(0);
+}
+
+MenuPicture test_picture() {
+    MenuPicture picture{kWidth_px, kHeight_px, {}};
+    for (std::int32_t y = 0; y < kHeight_px; ++y)
+        for (std::int32_t x = 0; x < kWidth_px; ++x) picture.pixels.push_back(colour_at(x, y));
+    return picture;
+}
+
+}  // namespace
+
+void MenuPages::open_light() {
+    menu_.open([this] {
+        const auto done = [this] {
+            host_.preferences().has_set_light = true;
+            menu_.close();
+        };
+        MenuPage page{"Light", "Turn gamma until you see three of the four squares well, and the first one hardly.",
+                      {},      0,
+                      "",      false,
+                      done};
+        page.rows.push_back(
+            {"Go on", "", "Options, Light is this page. Each game keeps its own", done, nullptr, test_picture()});
+        for (const char* name : {"gamma", "brightness", "tube-light"}) {
+            const Preference& row = preference_named(name);
+            page.rows.push_back({row.label, row.shown(host_.preferences()), row.help, nullptr,
+                                 [this, &row](int steps) { row.change(host_.preferences(), steps); }, test_picture()});
+        }
+        return page;
+    });
+}
+
+}  // namespace oblong

@@ -1,0 +1,150 @@
+#include "tests/fuzz/common/entity_mutator.h"
+
+#include <algorithm>
+
+#include "engine/level/entity_classes.h"
+#include "tests/map/map_source.h"
+
+namespace oblong::fuzz {
+namespace {
+
+constexpr const char* kNames[] = {"a", "b", "c", "d"};
+constexpr const char* kTextures[] = {"wall",   "floor",  "*water", "*lava",   "sky",  "mirror", "{bars",
+                                     "+0lamp", "*slime", "clip",   "trigger", "skip", "hint",   "no_such"};
+
+int coordinate(std::minstd_rand& random) {
+    return below(16, random) == 0 ? static_cast<int>(odd_number(random) % 100'000)
+                                  : static_cast<int>(below(33, random)) * 8 - 128;
+}
+
+std::string number(std::minstd_rand& random) {
+    switch (below(8, random)) {
+        case 0:
+            return std::to_string(odd_number(random));
+        case 1:
+            return "0." + std::to_string(below(1000, random));
+        case 2:
+            return "-1";
+        default:
+            return std::to_string(below(64, random) * 4);
+    }
+}
+
+std::string numbers(std::size_t count, std::minstd_rand& random) {
+    std::string text = number(random);
+    while (--count > 0) text += " " + number(random);
+    return text;
+}
+
+std::string place(std::minstd_rand& random) {
+    std::string text;
+    for (int axis = 0; axis < 3; ++axis) text += std::to_string(coordinate(random)) + (axis < 2 ? " " : "");
+    return text;
+}
+
+std::string value_of(const EntityKey& key, std::minstd_rand& random) {
+    if (key.name == "origin") return place(random);
+    if (key.name == "model") return "*" + std::to_string(below(9, random));
+    if (below(12, random) == 0) return number(random);
+    switch (key.kind) {
+        case KeyKind::Text:
+            return below(2, random) ? "mmamm" : std::string(key.usual);
+        case KeyKind::Numbers:
+            return numbers(key.least + below(1u + key.most - key.least, random), random);
+        case KeyKind::Choice:
+        case KeyKind::Flags:
+            return key.values.empty() ? number(random) : std::string(one_of(key.values, random).value);
+        case KeyKind::Name:
+        case KeyKind::Target:
+        case KeyKind::Place:
+            return one_of(kNames, random);
+        case KeyKind::Texture:
+            return "{bars";
+        case KeyKind::Whole:
+            break;
+    }
+    return number(random);
+}
+
+std::string pair_of(const EntityClass& its_class, std::minstd_rand& random) {
+    std::vector<const EntityKey*> keys;
+    for (const EntityKey& key : keys_of_all()) keys.push_back(&key);
+    for (const auto& some : its_class.keys)
+        for (const EntityKey& key : some) keys.push_back(&key);
+    if (keys.empty()) return "";
+    const EntityKey& key = *one_of(keys, random);
+    return "\"" + std::string(key.name.substr(0, key.name.find('#'))) + "\" \"" + value_of(key, random) + "\"\n";
+}
+
+std::string box_brush(std::minstd_rand& random) {
+    test::Whole low, high;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = coordinate(random);
+        high[axis] = low[axis] + 8 + static_cast<int>(below(12, random)) * 8;
+    }
+    return test::box(low, high, one_of(kTextures, random));
+}
+
+std::string new_entity(bool has_brushes, std::minstd_rand& random) {
+    const EntityClass& its_class = one_of(entity_classes(), random);
+    std::string text = "{\n\"classname\" \"" + std::string(its_class.name) + "\"\n\"targetname\" \"" +
+                       one_of(kNames, random) + "\"\n\"target\" \"" + one_of(kNames, random) + "\"\n";
+    for (std::size_t pairs = below(5, random); pairs > 0; --pairs) text += pair_of(its_class, random);
+    const bool is_brush = its_class.shape == ClassShape::Brush;
+    if (!is_brush) text += "\"origin\" \"" + place(random) + "\"\n";
+    if (is_brush && !has_brushes) text += "\"model\" \"*" + std::to_string(1 + below(8, random)) + "\"\n";
+    if (is_brush && has_brushes) text += box_brush(random);
+    return text + "}\n";
+}
+
+// The place behind one of the lines that name a class.
+std::size_t class_line_end(const std::string& text, std::minstd_rand& random) {
+    const std::size_t found = text.find("\"classname\"", below(text.size(), random));
+    return found == std::string::npos ? found : text.find('\n', found);
+}
+
+void replace_number(std::string& text, std::minstd_rand& random) {
+    const std::size_t begin = text.find_first_of("-0123456789", below(text.size(), random));
+    if (begin == std::string::npos) return;
+    const std::size_t end = std::min(text.find_first_not_of("-.0123456789", begin), text.size());
+    text.replace(begin, end - begin, below(2, random) ? number(random) : std::to_string(coordinate(random)));
+}
+
+void replace_texture(std::string& text, std::minstd_rand& random) {
+    const std::size_t found = text.find(") wall ", below(text.size(), random));
+    if (found != std::string::npos) text.replace(found + 2, 4, one_of(kTextures, random));
+}
+
+}  // namespace
+
+void mutate_entities(std::string& text, bool has_brushes, std::minstd_rand& random) {
+    const std::size_t line_end = class_line_end(text, random);
+    switch (below(10, random)) {
+        case 0:
+        case 1:
+            text += new_entity(has_brushes, random);
+            return;
+        case 2:
+        case 3:
+            if (line_end != std::string::npos)
+                text.insert(line_end + 1, pair_of(one_of(entity_classes(), random), random));
+            return;
+        case 4:
+        case 5:
+            if (has_brushes && line_end != std::string::npos) text.insert(line_end + 1, box_brush(random));
+            return;
+        case 6:
+        case 7:
+            return replace_number(text, random);
+        case 8:
+            return replace_texture(text, random);
+        default:
+            break;
+    }
+    Bytes bytes;
+    set_text(bytes, text);
+    mutate_bytes(bytes);
+    text = text_of(bytes);
+}
+
+}  // namespace oblong::fuzz

@@ -1,0 +1,25 @@
+// WAD2 files: their textures, by the tools' reader and the compiler's, written and read again.
+
+#include "tests/fuzz/common/fuzz.h"
+#include "tools/common/wad.h"
+#include "tools/map/source/wad.h"
+
+namespace oblong::fuzz {
+
+void run(Input input) {
+    constexpr std::size_t kLongestName = 15;  // that is written
+    const map::Wad compilers(text_of(input));
+    std::vector<MipTexture> textures;
+    for (const WadTexture& texture : read_wad(input)) {
+        expect(compilers.find(lookup_name(texture.name)) != nullptr, "the texture by its name");
+        textures.push_back(parse_miptex(texture.miptex));
+        textures.back().name = textures.back().name.substr(0, kLongestName);
+    }
+    const Bytes written = write_wad(textures);
+    const std::vector<WadTexture> again = read_wad(written);
+    expect(again.size() == textures.size(), "as many textures as were written");
+    for (std::size_t i = 0; i < again.size(); ++i)
+        expect(parse_miptex(again[i].miptex) == textures[i], "the texture that was written");
+}
+
+}  // namespace oblong::fuzz
