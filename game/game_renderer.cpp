@@ -48,7 +48,8 @@ LightStyles light_styles_of(const GameState& state) {
 std::vector<std::optional<std::size_t>> models_of_items(const GameLevel& level, const LevelModels& models) {
     std::vector<std::optional<std::size_t>> found;
     for (const Item& item : level.items) {
-        const auto model = std::ranges::find(models.models, item.entity, &LevelModel::entity);
+        const auto model = std::find_if(models.models.begin(), models.models.end(),
+                                        [&](const LevelModel& one) { return one.entity == item.entity; });
         found.emplace_back();
         if (model != models.models.end()) found.back() = static_cast<std::size_t>(model - models.models.begin());
     }

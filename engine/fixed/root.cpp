@@ -27,7 +27,7 @@ constexpr auto kRootsOfHighByte = [] {
 constexpr auto kReciprocalRootsOfMiddles = [] {
     std::array<std::uint32_t, 192> table{};
     std::uint64_t root = std::uint64_t{1} << 31;  // the table falls: each search goes on from the last
-    for (std::uint64_t i = 0; i < 192; ++i) {
+    for (std::size_t i = 0; i < 192; ++i) {
         const std::uint64_t middle_9 = 2 * (i + 64) + 1;
         // root^2 m <= 2^60, on 16 bits of the root.
         while ((root >> 15) * (root >> 15) * middle_9 > std::uint64_t{1} << 39) root -= std::uint64_t{1} << 15;
@@ -89,7 +89,7 @@ std::uint32_t integer_root(std::uint64_t value) {
 ReciprocalRoot reciprocal_root(std::uint64_t value) {
     const int even_shift = std::countl_zero(value) & ~1;
     const std::uint64_t m_32 = (value << even_shift) >> 32;  // a quarter or more
-    const std::uint64_t seed = kReciprocalRootsOfMiddles[(m_32 >> 24) - 64];
+    const std::uint64_t seed = kReciprocalRootsOfMiddles[static_cast<std::size_t>((m_32 >> 24) - 64)];
     const std::uint64_t root = newton_step(m_32, newton_step(m_32, seed));
     return {static_cast<std::uint32_t>(root), 32 - even_shift / 2};
 }

@@ -86,7 +86,7 @@ void claim_face(const VisibleFace& visible, bool is_second_walk, const FrameCont
     if (claims.spans.size() == first) return;
     claims.add(list, {visible, 0, 0, work.polygon.nearest_z, work.polygon.farthest_z}, first);
     claims.effects = claims.effects | (effects & frame.settings.allowed_effects);
-    if (work.counts) count_face(effects, std::span(claims.spans).subspan(first), *work.counts);
+    if (work.counts) count_face(effects, std::span<const Span>(claims.spans).subspan(first), *work.counts);
 }
 
 /// The corners of a face that was projected; of its part within the frame's limits, if it has any.

@@ -43,7 +43,7 @@ struct Claims {
     std::vector<ClaimedFace>& list(FaceList which) { return lists[static_cast<std::size_t>(which)]; }
     const std::vector<ClaimedFace>& list(FaceList which) const { return lists[static_cast<std::size_t>(which)]; }
     std::span<const Span> spans_of(const ClaimedFace& face) const {
-        return std::span(spans).subspan(face.first_span, face.span_count);
+        return std::span<const Span>(spans).subspan(face.first_span, face.span_count);
     }
     void clear();
     /// Adds a face whose spans are the last ones, from `first_span` on.

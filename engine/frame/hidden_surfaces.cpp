@@ -74,7 +74,7 @@ void claim_runs(const ScannedFace& face, std::span<const OwnedRun> runs, const F
     const EffectSet effects = face.visible.fragment ? needs.with(Effect::BrushModels) : needs;
     claims.add(list_for(needs, allowed), {face.visible, 0, 0, face.nearest_z, face.farthest_z}, first);
     claims.effects = claims.effects | (effects & allowed);
-    if (work.counts) count_face(effects, std::span(claims.spans).subspan(first), *work.counts);
+    if (work.counts) count_face(effects, std::span<const Span>(claims.spans).subspan(first), *work.counts);
 }
 
 }  // namespace
@@ -104,7 +104,7 @@ void claim_owned(const FrameContext& frame, FrameWorkspace& work) {
     const std::vector<OwnedRun> runs = owned_runs(scratch.owners);
     for (auto run = runs.begin(); run != runs.end();) {
         const auto end = std::find_if(run, runs.end(), [&](const OwnedRun& next) { return next.face != run->face; });
-        claim_runs(at(scratch.scanned.faces, run->face), {run, end}, frame, work);
+        claim_runs(at(scratch.scanned.faces, run->face), {&*run, static_cast<std::size_t>(end - run)}, frame, work);
         run = end;
     }
 }

@@ -151,7 +151,8 @@ void draw_mirrors(const FrameContext& frame, FrameWorkspace& work) {
         const LeafIndex leaf = leaf_before(left.front(), mirror, level, work);
         const auto others = std::stable_partition(
             left.begin(), left.end(), [&](const ClaimedFace& face) { return plane_of(face, level, work) == mirror; });
-        const std::vector<Span> flipped = flipped_spans({left.begin(), others}, claims, frame.out.width_px);
+        const std::vector<Span> flipped =
+            flipped_spans({left.data(), static_cast<std::size_t>(others - left.begin())}, claims, frame.out.width_px);
         draw_mirrored_view({mirror, rectangle_around(flipped)}, leaf, flipped, frame, work);
         drawn_faces.insert(drawn_faces.end(), left.begin(), others);
         left.erase(left.begin(), others);

@@ -56,7 +56,7 @@ void DepthBuffer::want(ScreenRectangle wanted) {
 
 void DepthBuffer::allocate() {
     if (depths_) return;
-    depths_ = std::make_unique_for_overwrite<InverseDepth[]>(pixel_count(width_px_, height_px_));
+    depths_.reset(new InverseDepth[pixel_count(width_px_, height_px_)]);  // not set: what is read was cleared before
     hulls_.resize(static_cast<std::size_t>(height_px_));
 }
 

@@ -29,16 +29,16 @@ void BoxTree::add_node(std::uint32_t first, std::uint32_t end) {
     const std::size_t node = nodes_.size();
     nodes_.push_back({bounds, first, end});
     if (end - first <= kMostInLeaf) {
-        std::sort(entries_.begin() + first, entries_.begin() + end,
+        std::sort(entries_.data() + first, entries_.data() + end,
                   [](const Entry& a, const Entry& b) { return a.number < b.number; });
         return;
     }
     const Axis axis = longest_axis(bounds);
     const std::uint32_t middle = first + (end - first) / 2;
-    std::nth_element(entries_.begin() + first, entries_.begin() + middle, entries_.begin() + end,
-                     [axis](const Entry& a, const Entry& b) {
-                         return std::pair(a.box.mins.*axis, a.number) < std::pair(b.box.mins.*axis, b.number);
-                     });
+    Entry* const entries = entries_.data();
+    std::nth_element(entries + first, entries + middle, entries + end, [axis](const Entry& a, const Entry& b) {
+        return std::pair(a.box.mins.*axis, a.number) < std::pair(b.box.mins.*axis, b.number);
+    });
     add_node(first, middle);
     nodes_[node].second_child = static_cast<std::uint32_t>(nodes_.size());
     add_node(middle, end);

@@ -66,6 +66,14 @@ TEST(Architecture, CMakeLinksTheEngineByTheSameList) {
     for (std::size_t i = 0; i < linked.size(); ++i) EXPECT_EQ(linked[i], listed[i]) << linked[i].folder;
 }
 
+// What the oldest library lacks that the project is compiled with: LLVM 13's, by Debian's WebAssembly compiler.
+TEST(Architecture, NoSourceAsksForMoreThanTheOldestLibraryHas) {
+    for (const SourceFile& file : read_sources())
+        for (const char* lacking : {"std::ranges::", "std::views::", "std::bit_cast<", "make_unique_for_overwrite",
+                                    "std::format(", "std::source_location", "std::jthread"})
+            EXPECT_EQ(file.text.find(lacking), std::string::npos) << file.path << ": " << lacking;
+}
+
 TEST(Architecture, TopLevelHoldsOnlyWhatIsNamed) {
     const std::vector<std::string> paths = list_repository();
     if (paths.empty()) GTEST_SKIP() << "the project's folder is not a git repository";

@@ -1,6 +1,7 @@
 #include "tools/common/picture.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <array>
@@ -134,6 +135,21 @@ TEST(Picture, JpegIsNearItsColours) {
     ASSERT_EQ(gradient.colours.size(), 1024u);
     for (std::size_t i = 0; i < 1024; ++i)
         EXPECT_NEAR(gradient.pixel(i).colour.green, 255 - static_cast<double>(i / 32) * 255 / 31, 6) << i;
+}
+
+// What stb decodes by, tables of codes and of factors, is read even where the file has none.
+TEST(Picture, OfAJpegWithoutItsTablesNothingIsLeftToChance) {
+    for (const std::uint8_t marker : {std::uint8_t{0xc4}, std::uint8_t{0xdb}}) {
+        Bytes jpeg = bytes_of(kTwoColoursJpeg);
+        for (std::size_t i = 0; i + 1 < jpeg.size(); ++i)
+            if (jpeg[i] == 0xff && jpeg[i + 1] == marker) jpeg[i + 1] = 0xfe;  // a comment
+        mallopt(M_PERTURB, 0x41);
+        const PngImage one = decode_picture(jpeg);
+        mallopt(M_PERTURB, 0x12);
+        const PngImage other = decode_picture(jpeg);
+        mallopt(M_PERTURB, 0);
+        EXPECT_EQ(one.colours, other.colours) << int{marker};
+    }
 }
 
 TEST(Picture, APngIsReadAsEver) {

@@ -94,6 +94,20 @@ demand_same() {
         { head -n 10 "$work/$1.diff" >&2; fail "$1 draws other pictures (< reference, > $1); all are in $work/$1.diff"; }
 }
 
+# demand_same_play NAME TICKS COMMAND...: of a long play of each level the states and pictures are those of the build made before.
+demand_same_play() {
+    local name=$1 ticks=$2 level
+    shift 2
+    for level in demo ${levels:+dm4 e1m7 end}; do
+        "$build/bin/long_play" "$build/assets/palette.lmp" "$(level_path "$level")" "$ticks" >"$work/$name.wanted_play" &&
+            "$@" "$build/assets/palette.lmp" "$(level_path "$level")" "$ticks" >"$work/$name.play" ||
+            fail "$name does not play $level for $ticks ticks"
+        cmp -s "$work/$name.wanted_play" "$work/$name.play" ||
+            fail "$name plays $level otherwise: $(diff "$work/$name.wanted_play" "$work/$name.play" | sed -n 2p)"
+    done
+    echo "$ticks ticks of play in each level, the same in: reference $name"
+}
+
 # demand_same_walk NAME COMMAND...: the recorded walk leads to the states that the build made before it recorded, and the
 # games saved on the way are the same files as those of the first NAME.
 demand_same_walk() {

@@ -39,6 +39,18 @@ TEST(Consistency, EveryStateOfAGameIsConsistent) {
     EXPECT_GE(game.state.active_movers.size(), 1u);
 }
 
+// What would have fired after the end waits for ever.
+TEST(Consistency, AGameThatHasEndedIsConsistent) {
+    LogicLevel level;
+    level.add("trigger_once", {20, -50, 0, 30, 50, 64}, {{"message", "Soon"}, {"delay", "1"}});
+    level.add("trigger_changelevel", {40, -50, 0, 50, 50, 64}, {{"map", "e1m2"}});
+    LogicGame game(level);
+    game.play(200, kAhead);
+    ASSERT_TRUE(game.state.has_ended);
+    EXPECT_FALSE(game.state.delayed.empty());
+    EXPECT_EQ(find_inconsistency(game.level, game.state), "");
+}
+
 TEST(Consistency, WhatTheGameCanNotGoOnFromIsFound) {
     LogicLevel level = with_everything();
     LogicGame game(level);

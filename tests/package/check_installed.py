@@ -60,7 +60,7 @@ def run(prefix, home, *command):
     """The program's exit code, output and errors, with an empty home and nothing of the build in its environment."""
     environment = {'HOME': home, 'PATH': os.environ['PATH']}
     return subprocess.run([prefix + '/bin/' + command[0], *command[1:]], cwd=home, env=environment, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=60)
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=600)
 
 
 def check_programs(prefix, home, version):

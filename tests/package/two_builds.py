@@ -22,7 +22,7 @@ def main(source):
                        'sh -c [==[%s]==] - ${CMAKE_BINARY_DIR})\n' % STEP)
         builds = [subprocess.Popen([folder + '/tools/build'], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
                   for _ in range(3)]
-        said = [build.communicate(timeout=60)[0] for build in builds]
+        said = [build.communicate(timeout=600)[0] for build in builds]
     assert [build.returncode for build in builds] == [0, 0, 0], said
     waited = ['waiting for another tools/build in build (process ' in text for text in said]
     assert sum(waited) == 2, said

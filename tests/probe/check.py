@@ -323,7 +323,7 @@ def number_check(count):
 
 
 def ask(program, lines):
-    result = subprocess.run([program], input="\n".join(lines) + "\n", capture_output=True, text=True, timeout=300)
+    result = subprocess.run([program], input="\n".join(lines) + "\n", capture_output=True, text=True, timeout=3600)
     answers = result.stdout.split("\n")
     if result.returncode != 0 or len(answers) != len(lines) + 1:
         sys.exit(f"exit status {result.returncode}, {len(answers) - 1} answers to {len(lines)} queries\n{result.stderr}")

@@ -13,7 +13,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'window'))
 import look
 
-LONGEST_WALK_S = 120
+LONGEST_WALK_S = 1200
 STILL_S = 2  # nothing on the screen has changed for so long
 
 
@@ -35,7 +35,7 @@ def walk(display, build, recorded, picture):
     wait_until_still(display, LONGEST_WALK_S)
     display.output('import', '-window', game.window, picture)
     game.press('Escape', 'Escape', 'Up', 'Return')  # the title; leave? yes
-    return game.process.wait(timeout=20)
+    return game.process.wait(timeout=200)
 
 
 def main():

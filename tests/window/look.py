@@ -45,7 +45,7 @@ class Display:
         return self.started[-1]
 
     def output(self, *command):
-        return subprocess.run(command, env=self.environment, check=True, stdout=subprocess.PIPE, timeout=60).stdout
+        return subprocess.run(command, env=self.environment, check=True, stdout=subprocess.PIPE, timeout=600).stdout
 
     def end(self):
         for process in self.started + [self.server]:
@@ -104,13 +104,13 @@ class Game:
         return self.display.output('xdotool', *words).decode()
 
     def wait_for_window(self):
-        for _ in range(100):
+        for _ in range(1000):
             time.sleep(0.2)
             found = subprocess.run(['xdotool', 'search', '--onlyvisible', '--name', 'Oblong'],
                                    env=self.display.environment, stdout=subprocess.PIPE).stdout.split()
             if found:
                 return found[0].decode()
-        raise SystemExit('look.py: no window after 20 s')
+        raise SystemExit('look.py: no window after 200 s')
 
     def resize(self, size):
         self.tool('windowsize', self.window, str(size[0]), str(size[1]))
@@ -140,7 +140,7 @@ class Game:
 
     def leave(self):
         self.press_leave()
-        self.process.wait(timeout=10)
+        self.process.wait(timeout=100)
 
 
 class Report:

@@ -25,7 +25,7 @@ TEST(Window, WithoutADisplayTheGameEndsAndSaysSo) {
                                      "SDL_VIDEODRIVER=x11,offscreen,dummy", "SDL_VIDEODRIVER=x11"}) {
         const oblong::test::TemporaryFolder folder;
         const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY " + driver + " XDG_CONFIG_HOME='" +
-                                    folder.path() + "' XDG_DATA_HOME='" + folder.path() + "' timeout 20 '" +
+                                    folder.path() + "' XDG_DATA_HOME='" + folder.path() + "' timeout 200 '" +
                                     oblong::test::build_folder() + "/bin/oblong' --volume 0 2>'" +
                                     folder.path("error") + "'";
         const int status = std::system(command.c_str());

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "engine/base/table.h"
@@ -37,7 +38,9 @@ struct ModelFile {
     bool is_z_up = false;
     Dither dither = Dither::None;
     std::string glass = {};
-    auto operator<=>(const ModelFile&) const = default;
+    bool operator<(const ModelFile& b) const {
+        return std::tie(path, scale, is_z_up, dither, glass) < std::tie(b.path, b.scale, b.is_z_up, b.dither, b.glass);
+    }
 };
 
 std::string lower_case(std::string text) {

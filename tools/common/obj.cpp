@@ -214,7 +214,8 @@ class ObjSkins {
   private:
     int shown_for(int material) const {
         if (material < 0 || options_.glass.empty() || at(materials_, material).name != "glass") return material;
-        const auto found = std::ranges::find(materials_, options_.glass, &tinyobj::material_t::name);
+        const auto found = std::find_if(materials_.begin(), materials_.end(),
+                                        [&](const auto& one) { return one.name == options_.glass; });
         return found == materials_.end() ? material : static_cast<int>(found - materials_.begin());
     }
 

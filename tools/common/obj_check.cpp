@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <string>
 
@@ -17,11 +18,19 @@ namespace {
 constexpr int kMostCorners = 255;           ///< of a face: tinyobjloader counts them in a byte
 constexpr double kFarthestTexcoord = 1024;  ///< repetitions of a skin
 
-/// A number that is the whole of a word; charconv does not take a plus.
-template <class Number>
-std::optional<Number> parse_word(std::string_view word) {
+/// A number that is the whole of a word; charconv does not take a plus, nor everywhere doubles.
+std::optional<double> parse_double(std::string_view word) {
+    const std::string text(word);
+    if (text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
+    char* stop = nullptr;
+    const double number = std::strtod(text.c_str(), &stop);
+    if (text.empty() || *stop != '\0') return std::nullopt;
+    return number;
+}
+
+std::optional<int> parse_int(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
-    Number number{};
+    int number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
     return number;
@@ -66,7 +75,7 @@ class ObjChecker {
         ++records.count;
         int count = 0;
         for (std::string_view word = take_word(words); !word.empty(); word = take_word(words)) {
-            const std::optional<double> number = parse_word<double>(word);
+            const std::optional<double> number = parse_double(word);
             if (!number || !std::isfinite(*number))
                 fail(std::string(records.name) + " '" + std::string(word) + "', expected a number");
             if (++count <= 3 && std::abs(*number) >= limit)
@@ -104,7 +113,7 @@ class ObjChecker {
     }
 
     void check_index(std::string_view word, std::string_view text, ObjRecords& records) {
-        const std::optional<std::int32_t> index = parse_word<std::int32_t>(text);
+        const std::optional<int> index = parse_int(text);
         if (!index) fail("corner '" + std::string(word) + "', expected numbers of vertex/texture/normal");
         if (*index < 0 && -std::int64_t{*index} <= records.count) return;
         if (*index <= 0)

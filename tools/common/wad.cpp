@@ -1,6 +1,7 @@
 #include "tools/common/wad.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "engine/base/input_error.h"
 
@@ -89,7 +90,7 @@ std::string lookup_name(std::string name) {
 }
 
 std::vector<WadTexture> read_wad(std::span<const std::uint8_t> file) {
-    if (!std::ranges::equal(file.first(std::min(file.size(), sizeof kSignature)), kSignature))
+    if (file.size() < sizeof kSignature || !std::equal(std::begin(kSignature), std::end(kSignature), file.begin()))
         throw InputError("header", "not a WAD2 file, expected it to begin with 'WAD2'");
     const std::uint32_t count = u32_at(file, 4, "header"), start = u32_at(file, 8, "header");
     const ByteView directory = part_of(file, start, count * kEntryBytes, "directory");

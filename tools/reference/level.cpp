@@ -1,8 +1,8 @@
 #include "tools/reference/level.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 
@@ -41,7 +41,10 @@ class Reader {
     }
     int i32() { return static_cast<int>(number(4)); }
     double real() {
-        const double value = std::bit_cast<float>(number(4));
+        const std::uint32_t bits = number(4);
+        float value = 0;
+        static_assert(sizeof value == sizeof bits);
+        std::memcpy(&value, &bits, sizeof value);
         if (!std::isfinite(value)) fail(name_, "a number that is not finite");
         return value;
     }

@@ -16,7 +16,8 @@ std::string lens_target(std::size_t exhibit) {
 }
 
 void add_lens(Draft& draft, const Point& floor, const std::string& exhibit) {
-    const auto number = static_cast<std::size_t>(std::ranges::find(kExhibits, exhibit) - kExhibits.begin());
+    const auto number =
+        static_cast<std::size_t>(std::find(kExhibits.begin(), kExhibits.end(), exhibit) - kExhibits.begin());
     const Point place{floor.x, floor.y, floor.z + 40};
     draft.add_point("item_lens", place,
                     {{"target", lens_target(number)},

@@ -1,6 +1,6 @@
 #include "tools/map/tree/bsp_file.h"
 
-#include <bit>
+#include <cstring>
 
 #include "engine/base/input_error.h"
 
@@ -19,7 +19,12 @@ class Lump {
     void put_i16(int value) { put(value, 2, -32768, 32767); }
     void put_u16(int value) { put(value, 2, 0, 65535); }
     void put_i32(int value) { put(value, 4, INT32_MIN, INT32_MAX); }
-    void put_float(float value) { put_i32(std::bit_cast<std::int32_t>(value)); }
+    void put_float(float value) {
+        std::int32_t bits = 0;
+        static_assert(sizeof bits == sizeof value);
+        std::memcpy(&bits, &value, sizeof bits);
+        put_i32(bits);
+    }
     void put_floats(const Floats& values) {
         for (const float value : values) put_float(value);
     }
