@@ -66,7 +66,8 @@ std::array<AspectView, 4> four_aspects(const ScreenMode& mode, Ratio pixel) {
 std::string caption_of(const AspectView& view, const ScreenMode& mode) {
     const auto name = [&](bool is_corrected) { return is_corrected ? display_name(mode) : "square"; };
     const Ratio pixel = view.corrects_display ? mode.pixel() : Ratio{1, 1};
-    return "drawn " + name(view.corrects_projection) + ", shown " + name(view.corrects_display) + ":\n" +
+    const std::string drawn = name(view.corrects_projection), shown = name(view.corrects_display);
+    return (drawn == shown ? "drawn and shown " + shown : "drawn " + drawn + ", shown " + shown) + ":\n" +
            describe_shape(sphere_shape(mode, view.corrects_projection, pixel));
 }
 

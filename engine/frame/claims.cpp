@@ -3,6 +3,7 @@
 #include "engine/frame/frame_context.h"
 #include "engine/frame/shared_drawing.h"
 #include "engine/frame/surface_pass.h"
+#include "engine/frame/torn_pixels.h"
 #include "engine/frame/workspace.h"
 #include "engine/raster/scan.h"
 #include "engine/visibility/model_cutter.h"
@@ -136,6 +137,7 @@ std::optional<VisibleFace> next_face(FrontToBackWalk& walk, PassTimes* times) {
 void Claims::clear() {
     spans.clear();
     for (auto& faces : lists) faces.clear();
+    torn.clear();
     left_free.clear();
     fog_runs.clear();
     things.clear();
@@ -152,8 +154,8 @@ std::int64_t pixels_of(const Claims& claims, FaceList list) {
 void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
     const Stopwatch watch(work.times.get(), &PassTimes::claims_ns);
     BrushModels* const models = frame.allows(Effect::BrushModels) ? &work.brush_models : nullptr;
-    FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk,
-                         frame.limits);
+    FrontToBackWalk walk(frame.scene.level, frame.view, work.visible, models, work.span_buffer, work.walk, frame.limits,
+                         work.faces.torn_edges == 0);
     bool keeps_faces = !is_by_span_buffer(frame);
     const bool is_watched =
         keeps_faces || work.counts || shares_walls_at_once(frame);  // one test a face instead of three
@@ -165,7 +167,7 @@ void claim_faces(const FrameContext& frame, FrameWorkspace& work) {
         claim_face(*visible, walk.takes_all_faces(), frame, work);
     }
     if (keeps_faces) claim_owned(frame, work);
-    work.span_buffer.claim_rest(work.claims.left_free);
+    if (!work.span_buffer.is_full()) claim_torn_pixels(frame, work);
     if (work.counts) count_walk(walk.nodes_entered(), work.vertices.count(), work.counts->stages);
 }
 

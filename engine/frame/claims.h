@@ -29,13 +29,23 @@ struct ClaimedFace {
     View nearest_z, farthest_z;                    ///< of the face's part in view
 };
 
+/// Pixels that no face covers, of a wall that has none there: the texture and the light of a face go on to them.
+struct TornSpan {
+    Span span;
+    PlaneIndex plane;  ///< of the wall
+    bool is_back;      ///< the wall faces the plane's back
+    FaceIndex face;
+    Vec3<World> place;  ///< one that the span shows
+};
+
 /// What the faces, and the things among them, own of a frame: each has a place in the list of the pass that draws it,
 /// front to back.
 struct Claims {
     SpanList spans;
     std::array<std::vector<ClaimedFace>, kFaceListCount> lists;
     EffectSet effects;             ///< that these faces need and the settings allow
-    SpanList left_free;            ///< pixels that no face owns
+    std::vector<TornSpan> torn;    ///< pixels that no face covers, but walls without one
+    SpanList left_free;            ///< pixels that nothing owns: the void
     std::vector<FogRun> fog_runs;  ///< pixels in fog
     FrameThings things;            ///< what is among the faces
     bool is_under_liquid = false;  ///< the eye is in a liquid

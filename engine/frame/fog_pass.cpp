@@ -4,6 +4,7 @@
 
 #include "engine/frame/frame_context.h"
 #include "engine/frame/surface_pass.h"
+#include "engine/frame/torn_pixels.h"
 #include "engine/frame/workspace.h"
 #include "engine/geometry/view_directions.h"
 
@@ -73,6 +74,8 @@ void find_fog(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& wo
             const auto inverse_z = gradients_of(claimed.visible, FaceSurface{}, frame, work).inverse_z;
             append_runs(claims.spans_of(claimed), inverse_z, fog, claims.fog_runs);
         }
+    for (const TornSpan& torn : claims.torn)
+        append_runs({&torn.span, 1}, inverse_z_of(torn, frame), fog, claims.fog_runs);
     const std::int32_t sky_level = fog.height ? 0 : sky_fog_level(work.effects.sky_fog_256);
     for (const ClaimedFace& claimed : claims.list(FaceList::Sky))
         for (const Span& span : claims.spans_of(claimed)) claims.fog_runs.push_back({span, sky_level});

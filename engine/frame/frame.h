@@ -30,9 +30,9 @@ struct Scene {
 };
 
 /// Draws one picture of any view: a pure function of its first four arguments. Every pixel of `out` (whose size is the
-/// mode's) is written once: in the open by the world, which leaves no pixel free if its faces meet; where they do not,
-/// a free pixel takes the colour of the nearest covered one on its row. From inside a wall or behind the sky all faces
-/// that face the eye are drawn, and what none of them covers is colour 0. Fields of view are bounded by
+/// mode's) is written once: in the open by the world, which leaves no pixel free if its faces meet; where one is
+/// missing, the texture of another goes on over its wall (torn_pixels.h). From inside a wall or behind the sky all
+/// faces that face the eye are drawn, and what none of them covers is colour 0. Fields of view are bounded by
 /// make_projection() and, in modes of few pixels, by make_inverse_projection(); other views have no problem_of().
 ///
 /// A parallel view shows faces that its direction faces, wherever they are: a level seen from outside shows its rooms

@@ -11,6 +11,7 @@
 #include "engine/frame/see_through_pass.h"
 #include "engine/frame/shared_drawing.h"
 #include "engine/frame/surface_pass.h"
+#include "engine/frame/torn_pixels.h"
 #include "engine/frame/workspace.h"
 
 namespace oblong {
@@ -84,19 +85,6 @@ void run(Pass pass, const FrameContext& frame, const FrameFog& fog, FrameWorkspa
     }
 }
 
-/// Fills pixels that no face covers. From inside a wall they show the void: colour 0. From the open they are gaps
-/// between faces that do not meet: the colour of the nearest covered pixel on the row.
-void fill_free_pixels(const FrameWorkspace& work, Framebuffer out) {
-    for (const Span& span : work.claims.left_free) {
-        std::uint8_t* const row = out.row(span.y);
-        const bool has_left = work.visible.is_from_open() && span.first > 0;
-        const bool has_right = work.visible.is_from_open() && span.end < out.width_px;
-        const std::int32_t middle = !has_left ? span.first : !has_right ? span.end : (span.first + span.end + 1) / 2;
-        std::fill(row + span.first, row + middle, has_left ? row[span.first - 1] : std::uint8_t{0});
-        std::fill(row + middle, row + span.end, has_right ? row[span.end] : std::uint8_t{0});
-    }
-}
-
 /// Whether the eye is in a liquid: then the whole picture waves, but not those in mirrors.
 void find_underwater(const FrameContext& frame, FrameWorkspace& work) {
     const bool is_liquid = frame.eye_contents <= contents::kWater && frame.eye_contents >= contents::kLava;
@@ -140,7 +128,7 @@ FramePlan draw_view(const FrameContext& frame, FrameWorkspace& work) {
     const auto first_over_others = std::find_if(plan.passes.begin(), plan.passes.end(), draws_over_others);
     for (auto pass = plan.passes.begin(); pass != first_over_others; ++pass) run(*pass, frame, fog, work);
     end_sharing(frame);
-    fill_free_pixels(work, frame.out);
+    draw_torn_pixels(frame, work);
     for (auto pass = first_over_others; pass != plan.passes.end(); ++pass) run(*pass, frame, fog, work);
     return plan;
 }

@@ -48,6 +48,7 @@ void draw_in_fog(const ClaimedFace& claimed, SurfaceDrawing drawing, const Frame
                                before_meshes);
         spans = before_meshes;
     }
+    if (spans.empty()) return;
     if (!fog.tables) return draw_surface(claimed, spans, drawing, frame, work);
     std::vector<FogRun> runs;
     append_runs(spans, gradients_of(claimed.visible, FaceSurface{}, frame, work).inverse_z, fog, runs);

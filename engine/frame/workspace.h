@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/effects/sky.h"
@@ -56,6 +58,8 @@ class FrameWorkspace {
     SpanScratch span_scratch;
     FaceSurfaces surfaces;
     BrushModels brush_models;
+
+    std::map<std::pair<std::int32_t, std::int32_t>, FaceIndex> continued_faces;  ///< of torn walls, by leaf and node
 
     LevelEffects effects;                               ///< what the level calls for
     Things things;                                      ///< what is in it beside its faces

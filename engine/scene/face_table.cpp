@@ -68,16 +68,20 @@ void add_face(const Level& level, const Face& face, const TJunctions& junctions,
     table.most_corners = std::max(table.most_corners, count);
 }
 
+/// visit(from, to) for each edge of the faces that the world's nodes hold: others are never drawn.
 template <class Visit>
 void for_each_edge(const Level& level, const FaceTable& table, Visit visit) {
-    for (const FaceIndex face : level.world().faces) {
-        const std::span<const VertexIndex> corners = table.corners_of(face);
-        VertexIndex from = corners.back();
-        for (const VertexIndex to : corners) {
-            visit(from, to);
-            from = to;
+    const IndexRange<Face>& world = level.world().faces;
+    for (const Node& node : level.nodes)
+        for (const FaceIndex face : node.faces) {
+            if (face < world.first || face.number() - world.first.number() >= world.count) continue;
+            const std::span<const VertexIndex> corners = table.corners_of(face);
+            VertexIndex from = corners.back();
+            for (const VertexIndex to : corners) {
+                visit(from, to);
+                from = to;
+            }
         }
-    }
 }
 
 std::uint64_t scrambled(std::uint64_t hash) {

@@ -13,4 +13,9 @@ namespace oblong {
 /// (Quake's R_LightPoint). None where no lit face is below, or the level has no light.
 std::optional<std::int32_t> light_8_below(const Level& level, const Vec3<World>& from, const LightStyles& styles);
 
+/// The light of the sample that holds a texel of a lit face, counted from the surface's first one: from 0 to its
+/// extents.
+std::int32_t light_8_of_sample(const Level& level, const Face& face, std::int64_t u, std::int64_t v,
+                               const LightStyles& styles);
+
 }  // namespace oblong

@@ -63,8 +63,9 @@ constexpr std::size_t pixel_count(std::int32_t width_px, std::int32_t height_px)
     return static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
 }
 
-/// The rectangle around spans, one at least, sorted by row.
+/// The rectangle around spans that are sorted by row; an empty one around none.
 inline ScreenRectangle rectangle_around(std::span<const Span> spans) {
+    if (spans.empty()) return {};
     ScreenRectangle around{spans.front().first, spans.front().end, spans.front().y, spans.back().y + 1};
     for (const Span& span : spans) {
         around.first_column = std::min(around.first_column, span.first);

@@ -27,13 +27,6 @@ void add_light(const LightmapView& light, std::span<std::int32_t> sums_8) {
     }
 }
 
-/// At most the brightest light that a shade shows.
-std::int32_t brightened(std::int32_t light_8, std::int32_t brightness_100) {
-    constexpr std::int64_t kBrightest_8 = 2 * kFull_8;
-    return static_cast<std::int32_t>(
-        std::clamp<std::int64_t>(std::int64_t{light_8} * brightness_100 / 100, 0, kBrightest_8));
-}
-
 void compute_corner_shades(const LightmapView& light, std::int32_t brightness_100, std::int32_t* corner_shades) {
     const std::span<std::int32_t> corners(corner_shades, static_cast<std::size_t>(light.columns * light.rows));
     if (light.is_fullbright) return std::fill(corners.begin(), corners.end(), shade_of(kFull_8));
@@ -158,6 +151,12 @@ Build build_of(const LightQuality& quality, int mip) {
 }
 
 }  // namespace
+
+std::int32_t brightened(std::int32_t light_8, std::int32_t brightness_100) {
+    constexpr std::int64_t kBrightest_8 = 2 * kFull_8;
+    return static_cast<std::int32_t>(
+        std::clamp<std::int64_t>(std::int64_t{light_8} * brightness_100 / 100, 0, kBrightest_8));
+}
 
 std::int32_t shade_of(std::int32_t light_8) {
     constexpr std::int32_t kOwn = Colormap::kOwnShade, kBrighter_16 = (kOwn << 16) / kFull_8,

@@ -43,6 +43,9 @@ inline constexpr std::int32_t kFullLight = 128;
 /// says in reverse.
 std::int32_t shade_of(std::int32_t light_8);
 
+/// A light value, with 8 fraction bits, times hundredths; at most the brightest that a shade shows.
+std::int32_t brightened(std::int32_t light_8, std::int32_t brightness_100);
+
 /// The dials of light, and how bright it is.
 struct LightQuality {
     LightSampling sampling = LightSampling::Interpolated;

@@ -36,7 +36,7 @@ bool is_beyond(const WalkLimit& limit, const LevelBox& box) {
 
 FrontToBackWalk::FrontToBackWalk(const Level& level, const ViewContext& view, const VisibleSet& visible,
                                  BrushModels* models, const SpanBuffer& span_buffer, WalkScratch& scratch,
-                                 std::span<const WalkLimit> limits)
+                                 std::span<const WalkLimit> limits, bool is_closed)
     : level_(level),
       view_(view),
       visible_(visible),
@@ -44,7 +44,8 @@ FrontToBackWalk::FrontToBackWalk(const Level& level, const ViewContext& view, co
       span_buffer_(span_buffer),
       scratch_(scratch),
       limits_(limits),
-      culler_(view.frustum, view.eye) {
+      culler_(view.frustum, view.eye),
+      is_closed_(is_closed) {
     ++scratch_.mark;
     start();
 }
@@ -71,7 +72,7 @@ std::optional<VisibleFace> FrontToBackWalk::next() {
         if (!scratch_.steps.empty()) {
             take_step();
         } else {
-            if (takes_all_faces_ || view_.shows_void) break;
+            if (takes_all_faces_ || view_.shows_void || !is_closed_) break;
             takes_all_faces_ = true;
             start();
         }

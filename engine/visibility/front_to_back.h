@@ -61,13 +61,18 @@ struct WalkLimit {
 /// pixel is covered by a clockwise polygon, however it is rounded. But that may belong to a face which exactly computed
 /// faces away, or which is not in the visible set: those tests are right for unrounded polygons only.
 ///
+/// Where faces are missing (not `is_closed`), the second walk would show the backs of other rooms through the gaps, and
+/// still leave some pixels free: there is none, and what stands at the free pixels is asked of the tree
+/// (frame/torn_pixels.h).
+///
 /// Where the void shows (ViewContext::shows_void) there is no second walk: rays begin outside, inside walls and in the
 /// open side by side, and what is free after the first shows nothing.
 class FrontToBackWalk {
   public:
     /// The arguments must outlive it. `models` is null where none is drawn.
     FrontToBackWalk(const Level& level, const ViewContext& view, const VisibleSet& visible, BrushModels* models,
-                    const SpanBuffer& span_buffer, WalkScratch& scratch, std::span<const WalkLimit> limits = {});
+                    const SpanBuffer& span_buffer, WalkScratch& scratch, std::span<const WalkLimit> limits = {},
+                    bool is_closed = true);
 
     /// The next face; none when no pixel is free, or no face is left.
     std::optional<VisibleFace> next();
@@ -103,6 +108,7 @@ class FrontToBackWalk {
     WalkScratch& scratch_;
     std::span<const WalkLimit> limits_;
     BoxCuller culler_;
+    bool is_closed_;                                ///< the faces of the world are a closed surface
     bool takes_all_faces_ = false;                  ///< the second walk
     std::span<const Fragment* const> fragments_{};  ///< of the current leaf, still to be returned
     IndexRange<Face> faces_;                        ///< of the current node, still to be returned

@@ -48,7 +48,7 @@ Colormap effect_colours() {
     map.palette = greys();
     for (std::size_t shade = 0; shade < map.shades.size(); ++shade)
         for (std::size_t i = 0; i < 256; ++i)
-            map.shades[shade][i] = static_cast<std::uint8_t>(shade == kShadowShade ? i / 2 : i);
+            map.shades[shade][i] = static_cast<std::uint8_t>(shade == kShadowShade && i < kFirstFullbright ? i / 2 : i);
     return map;
 }
 

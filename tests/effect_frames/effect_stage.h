@@ -32,7 +32,7 @@ struct MapText {
 /// {lamp and mirror; a start where `MapText::entities` has none.
 Level compile_effects(const MapText& text);
 
-/// The palette of greys; every shade is the colour itself, but in shadows half of it.
+/// The palette of greys; every shade is the colour itself, but in shadows half of it up to 223.
 Colormap effect_colours();
 /// The same palette; a surface shows the number of its shade.
 Colormap shades_as_colours();

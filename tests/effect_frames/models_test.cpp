@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "engine/accuracy/presets.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tools/gallery/mesh_shapes.h"
 
@@ -203,6 +204,21 @@ TEST(Models, ShowInTheHolesOfAFenceBeforeThem) {
             const bool is_ball = open[i] == kBall && (x < 0 || bare[i] != kBars);
             ASSERT_EQ(picture[i], is_ball ? kBall : bare[i]);
         }
+    }
+}
+
+/// As in a level that ended the program: no span of the fence is left.
+TEST(Models, MayHideAllOfAFence) {
+    MapText text;
+    text.brushes = room({-256, -256, 0}, {256, 256, 192});
+    text.entities =
+        entity("func_wall", {}, box({0, -8, 82}, {2, 8, 98}, "{bars")) + entity_at("info_player_start", {-100, 0, 64});
+    for (const Preset preset : kPresets) {
+        EffectStage stage(text, camera_at(place(-150, 3, 90), 0, 0));
+        stage.settings.accuracy = accuracy_of(preset);
+        EXPECT_GT(count_of(stage.draw(), kBars), 0);
+        stage.meshes = {ball_at(place(-60, 0, 90))};
+        EXPECT_EQ(count_of(stage.draw(), kBars), 0);
     }
 }
 

@@ -1,6 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "tests/frame/frame_fixture.h"
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "engine/platform/worker_threads.h"
+#include "tests/frame/holes.h"
 
 namespace oblong::test {
 namespace {
@@ -12,39 +17,137 @@ Camera camera_at(std::int32_t x, std::int32_t y, std::int32_t z, std::int64_t ya
     return camera;
 }
 
-/// The colour of the nearest written pixel on the row, the left one of two; 0 where the row has none.
-std::uint8_t nearest_on_row(const std::vector<std::uint8_t>& pixels, const std::vector<std::uint8_t>& writes,
-                            std::int32_t column, std::int32_t row) {
-    const auto at = [&](std::int32_t x) { return static_cast<std::size_t>(row * 320 + x); };
-    for (std::int32_t away = 1; away < 320; ++away) {
-        if (column - away >= 0 && writes[at(column - away)]) return pixels[at(column - away)];
-        if (column + away < 320 && writes[at(column + away)]) return pixels[at(column + away)];
-    }
-    return 0;
+using Point = std::array<double, 3>;
+
+double dot(const Point& a, const Point& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The demo level with every fifth vertex moved up by some units, and the faces of every eleventh node left out.
-TEST(TornLevel, AFreePixelTakesTheColourOfItsNearestNeighbour) {
-    Stage stage = demo_stage();
-    for (auto vertex = stage.level.vertices.begin(); stage.level.vertices.end() - vertex > 5; vertex += 5)
-        vertex->z += World::from_int(6);
-    for (auto node = stage.level.nodes.begin(); stage.level.nodes.end() - node > 11; node += 11) node->faces.count = 0;
+template <class T>
+Point point_of(const Vec3<T>& p) {
+    const double one = static_cast<double>(std::int64_t{1} << T::kFractionBits);
+    return {p.x.raw / one, p.y.raw / one, p.z.raw / one};
+}
 
-    FrameWorkspace work(stage.level, stage.mode);
-    int free_pixels = 0;
-    for (const std::int64_t yaw : {0, 90, 180, 270}) {
-        work.counts = std::make_unique<FrameCounts>();
-        stage.draw(camera_at(0, 40, 70, yaw), work);
-        for (std::int32_t row = 0; row < 200; ++row)
-            for (std::int32_t column = 0; column < 320; ++column) {
-                const auto at = static_cast<std::size_t>(row * 320 + column);
-                if (work.counts->writes[at]) continue;
-                ++free_pixels;
-                ASSERT_EQ(stage.pixels[at], nearest_on_row(stage.pixels, work.counts->writes, column, row))
-                    << column << ", " << row;
-            }
+/// Where the ray through the middle of a pixel of 320x200 on 4:3, 90 degrees across, meets a plane; no pitch, no roll.
+Point meeting(const Camera& camera, int column, int row, const LevelPlane& plane) {
+    const double yaw = camera.yaw.bam * 6.283185307179586 / 65536;
+    const double right = (column + 0.5 - 160) / 160, up = -(row + 0.5 - 100) / 100 * 0.75;
+    const Point eye = point_of(camera.eye), normal = point_of(plane.normal);
+    const Point ray{std::cos(yaw) + right * std::sin(yaw), std::sin(yaw) - right * std::cos(yaw), up};
+    const double distance = static_cast<double>(plane.distance.raw) / std::pow(2.0, 42);
+    const double t = (distance - dot(normal, eye)) / dot(normal, ray);
+    return {eye[0] + t * ray[0], eye[1] + t * ray[1], eye[2] + t * ray[2]};
+}
+
+/// Whether solid begins behind a place of a wall and the open ends before it; `depth` units off it.
+bool is_wall_at(const Level& level, const Point& place, const TornSpan& torn, double depth) {
+    const Point normal = point_of(level.planes[torn.plane].normal);
+    const auto contents_off = [&](double away) {
+        const auto part = [&](std::size_t i) {
+            return World::from_raw(static_cast<std::int32_t>(std::lround((place[i] + away * normal[i]) * 4096)));
+        };
+        return level.leaves[find_leaf(level, level.world(), {part(0), part(1), part(2)})].contents;
+    };
+    const double toward_eye = torn.is_back ? -depth : depth;
+    return contents_off(-toward_eye) == contents::kSolid && contents_off(toward_eye) != contents::kSolid;
+}
+
+/// Whether a colour is a shade of the texels at a place, or next to it.
+bool is_shade_there(const Stage& stage, const Face& face, const Point& place, std::uint8_t colour) {
+    const TexInfo& texinfo = stage.level.texinfos[face.texinfo];
+    const MipTexture& texture = stage.level.texture_of(face);
+    const auto texel = [&](const Vec3<TexelAxis>& axis, Texel offset, int size, int off) {
+        const double at = dot(point_of(axis), place) + static_cast<double>(offset.raw) / 65536 + off * 0.25;
+        return static_cast<std::size_t>((static_cast<int>(std::floor(at)) % size + size) % size);
+    };
+    for (const int off_u : {-1, 0, 1})
+        for (const int off_v : {-1, 0, 1}) {
+            const std::size_t u = texel(texinfo.s, texinfo.s_offset, texture.width, off_u);
+            const std::size_t v = texel(texinfo.t, texinfo.t_offset, texture.height, off_v);
+            const std::uint8_t own = texture.mips[0][v * static_cast<std::size_t>(texture.width) + u];
+            for (const auto& shade : stage.colormap.shades)
+                if (shade[own] == colour) return true;
+        }
+    return false;
+}
+
+/// The demo level, with the last face of every twelfth node left out, by chance.
+Stage torn_stage(std::mt19937& random) {
+    Stage stage = demo_stage();
+    for (Node& node : stage.level.nodes)
+        if (node.faces.count > 0 && random() % 12 == 0) --node.faces.count;
+    stage.models.clear();
+    stage.settings.allowed_effects = EffectSet{}.with(Effect::Sky).with(Effect::Liquid);
+    stage.settings.accuracy.mip_bias = -3;
+    return stage;
+}
+
+Camera random_camera(const Level& level, std::mt19937& random) {
+    for (;;) {
+        const LevelBox& box = level.world().box;
+        const auto within = [&](std::size_t axis) {
+            return box.mins[axis] + static_cast<int>(random() % static_cast<unsigned>(box.maxs[axis] - box.mins[axis]));
+        };
+        Camera camera = camera_at(within(0), within(1), within(2), static_cast<std::int64_t>(random() % 360));
+        camera.eye.x.raw += 1234, camera.eye.y.raw += 2345, camera.eye.z.raw += 3456;
+        if (is_open(level, camera.eye)) return camera;
     }
-    EXPECT_GT(free_pixels, 100);
+}
+
+struct Tally {
+    int pixels = 0, off_walls = 0, off_textures = 0;
+};
+
+/// Holds the middle pixel of each torn span against a ray in doubles.
+void check_torn_spans(const Stage& stage, const Camera& camera, const Claims& claims, Tally& tally) {
+    for (const TornSpan& torn : claims.torn) {
+        const int column = (torn.span.first + torn.span.end) / 2, row = torn.span.y;
+        const Point place = meeting(camera, column, row, stage.level.planes[torn.plane]);
+        ++tally.pixels;
+        tally.off_walls += !is_wall_at(stage.level, place, torn, 0.125);
+        tally.off_textures += !is_shade_there(stage, stage.level.faces[torn.face], place,
+                                              stage.pixels[static_cast<std::size_t>(row * 320 + column)]);
+    }
+}
+
+/// What no face covers is a wall where the tree says that the open ends, and shows the texture that belongs there.
+TEST(TornLevel, WhereAFaceIsMissingItsWallIsDrawnWithTheTextureOfTheNextOne) {
+    std::mt19937 random(19);
+    Tally tally;
+    for (int levels = 0; levels < 20; ++levels) {
+        Stage stage = torn_stage(random);
+        const auto work = counting_workspace(stage);
+        EXPECT_GT(work->faces.torn_edges, 20u);
+        for (int frames = 0; frames < 50; ++frames) {
+            const Camera camera = random_camera(stage.level, random);
+            expect_each_pixel_once(stage, camera, *work);
+            check_torn_spans(stage, camera, work->claims, tally);
+        }
+    }
+    EXPECT_GT(tally.pixels, 10'000);
+    EXPECT_LT(tally.off_walls * 100, tally.pixels) << tally.off_walls << " of " << tally.pixels;
+    EXPECT_LT(tally.off_textures * 100, tally.pixels) << tally.off_textures << " of " << tally.pixels;
+}
+
+/// Which face goes on does not depend on what was drawn before, nor the picture on how many threads draw it.
+TEST(TornLevel, AFreshWorkspaceDrawsTheSameBytes) {
+    std::mt19937 random(20);
+    Stage stage = torn_stage(random);
+    stage.settings = {};
+    FrameWorkspace used(stage.level, stage.mode);
+    WorkerThreads workers(1);
+    FrameWorkspace shared(stage.level, stage.mode, &workers);
+    for (int frames = 0; frames < 20; ++frames) {
+        const Camera camera = random_camera(stage.level, random);
+        FrameWorkspace fresh(stage.level, stage.mode);
+        stage.draw(camera, used);
+        const std::vector<std::uint8_t> pixels = stage.pixels;
+        for (FrameWorkspace* other : {&fresh, &shared}) {
+            stage.draw(camera, *other);
+            ASSERT_EQ(stage.pixels, pixels) << describe(camera, 0, 0);
+        }
+    }
 }
 
 /// One corner of one face moved tears the two edges that meet in it: four are walked by one face alone.

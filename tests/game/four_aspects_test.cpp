@@ -40,8 +40,8 @@ TEST(FourAspects, SayWhatEachIs) {
     std::string all;
     for (const AspectView& view : four_aspects(kMode, {5, 6})) all += caption_of(view, kMode) + ";";
     EXPECT_EQ(all,
-              "drawn 4:3, shown 4:3:\nround;drawn square, shown 4:3:\n17 % too narrow;"
-              "drawn 4:3, shown square:\n17 % too flat;drawn square, shown square:\nround;");
+              "drawn and shown 4:3:\nround;drawn square, shown 4:3:\n17 % too narrow;"
+              "drawn 4:3, shown square:\n17 % too flat;drawn and shown square:\nround;");
 }
 
 }  // namespace

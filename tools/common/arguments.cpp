@@ -168,8 +168,8 @@ void print_warnings(const std::string& program, const std::string& level_file,
 void warn_of_torn_edges(const std::string& program, const std::string& level_file, std::size_t edges) {
     if (edges == 0) return;
     std::fprintf(stderr,
-                 "%s: %s: warning: the level is torn at %zu edges, expected faces that meet: pixels there may take "
-                 "the colour next to them\n",
+                 "%s: %s: warning: the level is torn at %zu edges, expected faces that meet: where one is "
+                 "missing, the texture of another goes on\n",
                  program.c_str(), level_file.c_str(), edges);
 }
 

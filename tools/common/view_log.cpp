@@ -181,6 +181,9 @@ LogLines span_lines(const LoggedFrame& frame) {
                         std::to_string(spans) + " spans, " +
                         std::to_string(pixels_of(claims, static_cast<FaceList>(list))) + " pixels");
     }
+    std::int64_t torn_px = 0;
+    for (const TornSpan& torn : claims.torn) torn_px += torn.span.end - torn.span.first;
+    lines.push_back("torn: " + std::to_string(torn_px) + " pixels");
     lines.push_back("left free: " + std::to_string(pixels_of(claims.left_free)) + " pixels");
     for (const RowSpan& found : spans_of_row(claims, frame.mode.height_px / 2))
         lines.push_back("row " + std::to_string(found.span.y) + ", columns " + std::to_string(found.span.first) +

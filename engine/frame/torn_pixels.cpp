@@ -1,0 +1,271 @@
+#include "engine/frame/torn_pixels.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/base/table.h"
+#include "engine/fixed/arithmetic.h"
+#include "engine/frame/frame_context.h"
+#include "engine/frame/passes.h"
+#include "engine/frame/workspace.h"
+#include "engine/geometry/view_directions.h"
+#include "engine/level/line_walk.h"
+#include "engine/raster/perspective.h"
+#include "engine/scene/light_below.h"
+#include "engine/surface/lit_surface.h"
+
+namespace oblong {
+
+namespace {
+
+/// Where a ray leaves the open: from a leaf, through a node's plane.
+struct OpenEnd {
+    LeafIndex from = LeafIndex::none();
+    NodeIndex node = NodeIndex::none();  ///< none: it does not
+    bool is_sky = false;
+    Vec3<World> place;
+
+    bool is_same_wall(const OpenEnd& other) const {
+        return from == other.from && node == other.node && is_sky == other.is_sky;
+    }
+};
+
+bool is_open(const Level& level, LeafIndex leaf) {
+    return level.leaves[leaf].contents != contents::kSolid && level.leaves[leaf].contents != contents::kSky;
+}
+
+/// The rays of a frame.
+class Rays {
+  public:
+    explicit Rays(const FrameContext& frame)
+        : frame_(frame),
+          level_(frame.scene.level),
+          directions_(make_view_directions(frame.view.ray_directions(), frame.view.projection)) {
+        const Vec3<World>& eye = frame.view.eye;
+        const World farthest = std::max({absolute(eye.x), absolute(eye.y), absolute(eye.z)});
+        reach_ = std::min(World::from_int(1 << 18), World::highest() - farthest);
+    }
+
+    OpenEnd end_of(std::int32_t column, std::int32_t row) const {
+        const Vec3<World> to = far_end(column, row);
+        OpenEnd end;
+        walk_line(level_, level_.world().root, start(to), to, {},
+                  [&](LeafIndex leaf, std::optional<NodeIndex> entered, const Vec3<World>& place) {
+                      if (is_open(level_, leaf)) {
+                          end.from = leaf;
+                          return false;
+                      }
+                      if (!entered || end.from == LeafIndex::none()) return false;  // from inside a mirror's wall
+                      end.node = *entered;
+                      end.is_sky = level_.leaves[leaf].contents == contents::kSky;
+                      end.place = place;
+                      return true;
+                  });
+        return end;
+    }
+
+  private:
+    Vec3<World> far_end(std::int32_t column, std::int32_t row) const {
+        const Vec3<DirectionPart> way{directions_.x.at(column, row), directions_.y.at(column, row),
+                                      directions_.z.at(column, row)};
+        const DirectionPart longest = std::max({absolute(way.x), absolute(way.y), absolute(way.z)});
+        const auto part = [&](DirectionPart along) { return product_over<World>(along, reach_, longest); };
+        return frame_.view.eye + Vec3<World>{part(way.x), part(way.y), part(way.z)};
+    }
+
+    /// The eye; in a mirror, where the ray comes out of it.
+    Vec3<World> start(const Vec3<World>& to) const {
+        Vec3<World> from = frame_.view.eye;
+        for (const WalkLimit& limit : frame_.limits) {
+            const PlaneDistance first = plane_distance(limit.plane, from - limit.offset),
+                                last = plane_distance(limit.plane, to - limit.offset);
+            if ((first < PlaneDistance{}) != (last < PlaneDistance{})) from = between(from, to, first, first - last);
+        }
+        return from;
+    }
+
+    const FrameContext& frame_;
+    const Level& level_;
+    ViewDirections directions_;
+    World reach_;
+};
+
+/// How far a face is from a place: to its nearest corner.
+WorldWide distance_of(const Level& level, const Face& face, const Vec3<World>& place) {
+    WorldWide nearest = WorldWide::highest();
+    for (const SurfEdge step : level.edges_of(face))
+        nearest = std::min(
+            nearest,
+            length(saturating_convert<World>(widening_difference(level.vertices[level.start_of(step)], place))));
+    return nearest;
+}
+
+/// Whether two planes are within 60 degrees of each other: the texture of one is then at most twice as long on the
+/// other.
+bool is_along(const LevelPlane& a, const LevelPlane& b) {
+    return absolute(dot(a.normal, b.normal)) > Sine60::from_raw(std::int64_t{1} << 59);
+}
+
+/// The face whose texture goes on where a wall has none: of those on the wall's plane the nearest to the open before
+/// it, unless one on another plane is nearer by kOtherPlane. None: no face will do.
+FaceIndex find_continued(const Level& level, const OpenEnd& end, bool is_back) {
+    constexpr WorldWide kOtherPlane = WorldWide::from_int(256);
+    const PlaneIndex plane = level.nodes[end.node].plane;
+    const LevelBox& box = level.leaves[end.from].box;
+    const auto middle = [&](std::size_t axis) { return World::from_raw((box.mins[axis] + box.maxs[axis]) * 2048); };
+    const Vec3<World> place{middle(0), middle(1), middle(2)};
+    FaceIndex best = FaceIndex::none();
+    WorldWide least = WorldWide::highest();
+    for (const FaceIndex index : level.world().faces) {
+        const Face& face = level.faces[index];
+        if (level.texinfos[face.texinfo].material != (end.is_sky ? Material::Sky : Material::Lit)) continue;
+        const bool is_on_it = face.plane == plane && face.is_back == is_back;
+        if (!is_on_it && !is_along(level.planes[face.plane], level.planes[plane])) continue;
+        WorldWide distance = distance_of(level, face, place);
+        if (!is_on_it) distance = distance + kOtherPlane;
+        if (distance >= least) continue;
+        least = distance;
+        best = index;
+    }
+    return best;
+}
+
+/// The same, looked up where it was asked for before.
+FaceIndex continued_face(const OpenEnd& end, bool is_back, const Level& level, FrameWorkspace& work) {
+    const auto [found, is_new] = work.continued_faces.try_emplace({end.from.number(), end.node.number()});
+    if (is_new) found->second = find_continued(level, end, is_back);
+    return found->second;
+}
+
+/// Gives a span to what stands behind it.
+void claim(const Span& span, const OpenEnd& end, const FrameContext& frame, FrameWorkspace& work) {
+    const Level& level = frame.scene.level;
+    Claims& claims = work.claims;
+    if (end.node == NodeIndex::none()) return claims.left_free.push_back(span);
+    const PlaneIndex plane = level.nodes[end.node].plane;
+    const bool is_back = plane_distance(level.planes[plane], frame.view.eye) < PlaneDistance{};
+    const FaceIndex face = continued_face(end, is_back, level, work);
+    if (face == FaceIndex::none()) return claims.left_free.push_back(span);
+    if (!end.is_sky) return claims.torn.push_back({span, plane, is_back, face, end.place});
+    const EffectSet needs = work.faces.faces[face].effects;
+    const std::size_t first = claims.spans.size();
+    claims.spans.push_back(span);
+    claims.add(list_for(needs, frame.settings.allowed_effects), {{face}, 0, 0, {}, {}}, first);
+    claims.effects = claims.effects | (needs & frame.settings.allowed_effects);
+    if (work.counts) count_face(needs, {&span, 1}, *work.counts);
+}
+
+/// The same of a span between whose ends, which are known, several things may stand: halves it until both ends show
+/// the same.
+void claim_between(const Span& span, const OpenEnd& first, const OpenEnd& last, const Rays& rays,
+                   const FrameContext& frame, FrameWorkspace& work) {
+    if (first.is_same_wall(last)) return claim(span, first, frame, work);
+    const std::int32_t middle = (span.first + span.end) / 2;
+    claim_between({span.y, span.first, middle}, first, rays.end_of(middle - 1, span.y), rays, frame, work);
+    claim_between({span.y, middle, span.end}, rays.end_of(middle, span.y), last, rays, frame, work);
+}
+
+/// The face whose texture goes on, on the wall's plane.
+Face wall_of(const TornSpan& torn, const Level& level) {
+    Face wall = level.faces[torn.face];
+    wall.plane = torn.plane;
+    wall.is_back = torn.is_back;
+    return wall;
+}
+
+TextureGradients gradients_of_wall(const TornSpan& torn, const FaceSurface& surface, const FrameContext& frame) {
+    const Level& level = frame.scene.level;
+    return make_face_gradients(level, wall_of(torn, level), surface, {}, frame.view, frame.inverse_projection);
+}
+
+/// A multiple of a texture's size some 32,768 texels before the place: texels from there on are positive.
+std::int32_t origin_near(const Vec3<TexelAxis>& axis, Texel offset, const Vec3<World>& place, std::int32_t size) {
+    const Texel at =
+        product<Texel>(axis.x, place.x) + product<Texel>(axis.y, place.y) + product<Texel>(axis.z, place.z) + offset;
+    return static_cast<std::int32_t>(floor_of(at) / size - 32'768 / size) * size;
+}
+
+/// Draws texels of a wall as far as they go: the texture repeats, the light at the face's border stays.
+class TornDrawing {
+  public:
+    TornDrawing(const TornSpan& torn, const FrameContext& frame, FrameWorkspace& work)
+        : level_(frame.scene.level),
+          face_(level_.faces[torn.face]),
+          texture_(level_.texture_of(face_)),
+          styles_(work.light_styles),
+          colormap_(work.surfaces.colormap()),
+          brightness_100_(frame.settings.brightness_100) {
+        const TexInfo& texinfo = level_.texinfos[face_.texinfo];
+        surface_.origin_u = origin_near(texinfo.s, texinfo.s_offset, torn.place, texture_.width);
+        surface_.origin_v = origin_near(texinfo.t, texinfo.t_offset, torn.place, texture_.height);
+        const auto inverse_z = inverse_z_of(torn, frame);
+        const InverseZ nearest = std::max({inverse_z.at(torn.span.first, torn.span.y),
+                                           inverse_z.at(torn.span.end - 1, torn.span.y), InverseZ::ulp()});
+        surface_.mip = work.surfaces.mip_level(torn.face, reciprocal<View>(nearest), frame.view.projection.x,
+                                               frame.accuracy().mip_bias);
+        gradients_ = gradients_of_wall(torn, surface_, frame);
+    }
+
+    std::uint8_t colour_at(std::int32_t column, std::int32_t row) const {
+        const Perspective at(gradients_, column, row);
+        const Depth<ReciprocalMethod::Exact, PerspectiveRange::MayOverflow> depth(at.inverse_z);
+        const std::int64_t u = floor_of(depth.times(at.u_over_z)), v = floor_of(depth.times(at.v_over_z));
+        const int mip = surface_.mip;
+        const std::int64_t width = texture_.width >> mip, height = texture_.height >> mip;
+        const std::uint8_t texel = oblong::at(oblong::at(texture_.mips, mip), v % height * width + u % width);
+        return oblong::at(oblong::at(colormap_.shades, shade_at(u << mip, v << mip)), texel);
+    }
+
+  private:
+    std::int32_t shade_at(std::int64_t u, std::int64_t v) const {
+        if (level_.lighting.empty()) return Colormap::kOwnShade;
+        const auto within = [](std::int64_t texel, std::int32_t extent) {
+            return std::clamp<std::int64_t>(texel, 0, extent);
+        };
+        const std::int32_t light_8 =
+            light_8_of_sample(level_, face_, within(u + surface_.origin_u - face_.texel_min_u, face_.texel_extent_u),
+                              within(v + surface_.origin_v - face_.texel_min_v, face_.texel_extent_v), styles_);
+        return shade_of(brightened(light_8, brightness_100_)) >> 16;
+    }
+
+    const Level& level_;
+    const Face& face_;
+    const MipTexture& texture_;
+    const LightStyles& styles_;
+    const Colormap& colormap_;
+    std::int32_t brightness_100_;
+    FaceSurface surface_;
+    TextureGradients gradients_;
+};
+
+}  // namespace
+
+void claim_torn_pixels(const FrameContext& frame, FrameWorkspace& work) {
+    SpanList free;
+    work.span_buffer.claim_rest(free);
+    const bool shows_void = frame.view.shows_void || !work.visible.is_from_open();
+    std::optional<Rays> rays;
+    if (!shows_void) rays.emplace(frame);
+    for (const Span& span : free)
+        if (shows_void)
+            work.claims.left_free.push_back(span);
+        else
+            claim_between(span, rays->end_of(span.first, span.y), rays->end_of(span.end - 1, span.y), *rays, frame,
+                          work);
+}
+
+void draw_torn_pixels(const FrameContext& frame, FrameWorkspace& work) {
+    fill_spans(work.claims.left_free, 0, frame.out);
+    for (const TornSpan& torn : work.claims.torn) {
+        note_spans({{torn.face}, 0, 0, {}, {}}, {&torn.span, 1}, frame.out, work);
+        const TornDrawing drawing(torn, frame, work);
+        std::uint8_t* const row = frame.out.row(torn.span.y);
+        for (std::int32_t x = torn.span.first; x < torn.span.end; ++x) row[x] = drawing.colour_at(x, torn.span.y);
+    }
+}
+
+LinearQuantity<InverseZ> inverse_z_of(const TornSpan& torn, const FrameContext& frame) {
+    return gradients_of_wall(torn, FaceSurface{}, frame).inverse_z;
+}
+
+}  // namespace oblong
