@@ -8,6 +8,7 @@
 #include "game/shown_view.h"
 #include "game/sign_colours.h"
 #include "game/view_sway.h"
+#include "tools/common/arguments.h"
 #include "tools/common/crosshair.h"
 
 namespace oblong {
@@ -109,11 +110,19 @@ void Session::follow_colours() {
 void Session::play_due_ticks(std::uint64_t elapsed_us) {
     for (int due = clock_.advance(elapsed_us, view_options_.preferences.game_speed_100); due > 0; --due) {
         before_ = after_;
-        input_.play_tick(level_, after_);
+        warn_of(input_.play_tick(level_, after_));
         palette_.note_tick(before_, after_);
         if (settings_.sound) settings_.sound->note_tick(before_, after_);
         show_level_message();
     }
+}
+
+// Once.
+void Session::warn_of(const TickReport& report) {
+    const std::string left = has_warned_ ? "" : report.left();
+    if (left.empty()) return;
+    has_warned_ = true;
+    print_warnings("oblong", data_.level_file, {"more happens at once than a tick may do: " + left});
 }
 
 GameView Session::shown_view() const {

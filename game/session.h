@@ -60,6 +60,7 @@ class Session final : public GameScreen {
     KeyNames key_names() const;
     Palette palette_of(const GameView& view, const PaletteEffects& effects) const;
     void play_due_ticks(std::uint64_t elapsed_us);
+    void warn_of(const TickReport& report);
     void inspect(const GameView& view);
     void show_level_message();
     void draw_over(const GameView& view, const Settings& settings);
@@ -100,6 +101,7 @@ class Session final : public GameScreen {
     CostText cost_text_;
     std::int32_t text_bottom_ = 0;  // the row above which the text at the bottom ends
     bool wants_screenshot_ = false;
+    bool has_warned_ = false;  // of what a tick left for later
 };
 
 }  // namespace oblong

@@ -140,15 +140,16 @@ TickInputSource::TickInputSource(const GameState& start, std::optional<Demo> rep
         throw InputError("start", "recorded on another level, expected this one's");
 }
 
-void TickInputSource::play_tick(const GameLevel& level, GameState& state) {
+TickReport TickInputSource::play_tick(const GameLevel& level, GameState& state) {
     was_replayed_ = is_replaying();
     last_ = was_replayed_ ? replayed_->ticks[next_].input : live_.next();
-    step(level, state, last_);
-    if (!was_replayed_ && !records_) return;
+    const TickReport report = step(level, state, last_);
+    if (!was_replayed_ && !records_) return report;
     const std::uint64_t hash = hash_of(state);
     if (records_) recorded_.ticks.push_back({last_, hash});
     if (was_replayed_ && replayed_->ticks[next_++].state_hash != hash)
         throw InputError("tick " + std::to_string(next_), "leads to another state than when it was recorded");
+    return report;
 }
 
 LookOffset TickInputSource::look_offset(std::int32_t fraction_16) const {

@@ -5,6 +5,7 @@
 #include "engine/platform/controls.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/game_level.h"
+#include "game/simulation/tick_report.h"
 
 namespace oblong {
 
@@ -53,7 +54,7 @@ class TickInputSource {
 
     /// Moves the state by a tick. Throws InputError where a replayed tick leads to another state than when it was
     /// recorded.
-    void play_tick(const GameLevel& level, GameState& state);
+    TickReport play_tick(const GameLevel& level, GameState& state);
 
     LookOffset look_offset(std::int32_t fraction_16) const;
     bool is_replaying() const { return replayed_ && next_ < replayed_->ticks.size(); }

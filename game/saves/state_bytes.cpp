@@ -28,6 +28,8 @@ class Writer {
     void operator()(const MoverState& mover) { visit_fields(mover, *this); }
     void operator()(const TriggerState& trigger) { visit_fields(trigger, *this); }
     void operator()(const DelayedFiring& delayed) { visit_fields(delayed, *this); }
+    void operator()(const WaitingFiring& waiting) { visit_fields(waiting, *this); }
+    void operator()(const Backlog& backlog) { visit_fields(backlog, *this); }
     template <class Element>
     void operator()(const std::vector<Element>& list) {
         append_little_endian(bytes_, static_cast<std::uint32_t>(list.size()));
@@ -59,6 +61,8 @@ class Reader {
     void operator()(MoverState& mover) { visit_fields(mover, *this); }
     void operator()(TriggerState& trigger) { visit_fields(trigger, *this); }
     void operator()(DelayedFiring& delayed) { visit_fields(delayed, *this); }
+    void operator()(WaitingFiring& waiting) { visit_fields(waiting, *this); }
+    void operator()(Backlog& backlog) { visit_fields(backlog, *this); }
     template <class Element>
     void operator()(std::vector<Element>& list) {
         const auto length = bytes_.next<std::uint32_t>();
@@ -83,6 +87,8 @@ class Layout {
     void operator()(const MoverState& mover) { visit_fields(mover, *this); }
     void operator()(const TriggerState& trigger) { visit_fields(trigger, *this); }
     void operator()(const DelayedFiring& delayed) { visit_fields(delayed, *this); }
+    void operator()(const WaitingFiring& waiting) { visit_fields(waiting, *this); }
+    void operator()(const Backlog& backlog) { visit_fields(backlog, *this); }
     template <class Element>
     void operator()(const std::vector<Element>&) {
         fnv_.add('[');

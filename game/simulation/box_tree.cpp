@@ -28,12 +28,17 @@ void BoxTree::add_node(std::uint32_t first, std::uint32_t end) {
     for (std::uint32_t i = first; i < end; ++i) bounds = bounds.united(entries_[i].box);
     const std::size_t node = nodes_.size();
     nodes_.push_back({bounds, first, end});
-    if (end - first <= kMostInLeaf) return;
+    if (end - first <= kMostInLeaf) {
+        std::sort(entries_.data() + first, entries_.data() + end,
+                  [](const Entry& a, const Entry& b) { return a.number < b.number; });
+        return;
+    }
     const Axis axis = longest_axis(bounds);
     const std::uint32_t middle = first + (end - first) / 2;
     Entry* const entries = entries_.data();
-    std::nth_element(entries + first, entries + middle, entries + end,
-                     [axis](const Entry& a, const Entry& b) { return a.box.mins.*axis < b.box.mins.*axis; });
+    std::nth_element(entries + first, entries + middle, entries + end, [axis](const Entry& a, const Entry& b) {
+        return std::pair(a.box.mins.*axis, a.number) < std::pair(b.box.mins.*axis, b.number);
+    });
     add_node(first, middle);
     nodes_[node].second_child = static_cast<std::uint32_t>(nodes_.size());
     add_node(middle, end);
@@ -44,6 +49,30 @@ std::vector<std::uint32_t> BoxTree::overlapping(const Box& area) const {
     if (!nodes_.empty()) collect(0, area, found);
     std::sort(found.begin(), found.end());
     return found;
+}
+
+BoxTree::Part BoxTree::part_overlapping(const Box& area, std::uint32_t from) const {
+    Part part;
+    if (!nodes_.empty()) collect_part(0, area, from, part);
+    std::sort(part.numbers.begin(), part.numbers.end());
+    return part;
+}
+
+// False where it is enough.
+bool BoxTree::collect_part(std::uint32_t index, const Box& area, std::uint32_t from, Part& part) const {
+    const Node& node = nodes_[index];
+    if (node.end <= from) return true;
+    if (part.looks >= kMostLooks || part.numbers.size() + kMostInLeaf > kMostFound) {
+        part.next = std::max(node.first, from);
+        return false;
+    }
+    ++part.looks;
+    if (!node.bounds.overlaps(area)) return true;
+    if (node.second_child != 0)
+        return collect_part(index + 1, area, from, part) && collect_part(node.second_child, area, from, part);
+    for (std::uint32_t i = std::max(node.first, from); i < node.end; ++i)
+        if (entries_[i].box.overlaps(area)) part.numbers.push_back(entries_[i].number);
+    return true;
 }
 
 void BoxTree::collect(std::uint32_t index, const Box& area, std::vector<std::uint32_t>& found) const {

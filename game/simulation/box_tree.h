@@ -22,6 +22,20 @@ class BoxTree {
     /// The numbers of the boxes that overlap an area, in ascending order.
     std::vector<std::uint32_t> overlapping(const Box& area) const;
 
+    /// Some of them, for little work: at most kMostFound, after at most kMostLooks looks at boxes.
+    struct Part {
+        std::vector<std::uint32_t> numbers;  ///< in ascending order
+        std::uint32_t next = 0;              ///< where to go on for more; 0: nothing is left
+        std::uint32_t looks = 0;
+    };
+    static constexpr std::uint32_t kMostFound = 256, kMostLooks = 2048;
+
+    /// From a place that an earlier answer's `next` gave, or from 0, the beginning. Entries have one order, whatever
+    /// the build.
+    Part part_overlapping(const Box& area, std::uint32_t from = 0) const;
+
+    std::size_t size() const { return entries_.size(); }
+
   private:
     /// Of entries [first, end). The first child is the next node.
     struct Node {
@@ -32,6 +46,7 @@ class BoxTree {
 
     void add_node(std::uint32_t first, std::uint32_t end);
     void collect(std::uint32_t node, const Box& area, std::vector<std::uint32_t>& found) const;
+    bool collect_part(std::uint32_t node, const Box& area, std::uint32_t from, Part& part) const;
 
     std::vector<Entry> entries_;
     std::vector<Node> nodes_;

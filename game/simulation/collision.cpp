@@ -1,7 +1,10 @@
 #include "game/simulation/collision.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <utility>
+#include <vector>
 
 #include "engine/level/trace.h"
 
@@ -13,7 +16,7 @@ namespace {
 template <class Visit>
 bool for_each_obstacle(const GameLevel& level, const GameState& state, const Box& area, Visit visit) {
     if (!visit(Obstacle{kWorldModel, {}})) return false;
-    for (const std::uint32_t number : level.obstacles.overlapping(area))
+    for (const std::uint32_t number : level.obstacles.part_overlapping(area).numbers)
         if (const auto obstacle = obstacle_of(level, state, number); obstacle && !visit(*obstacle)) return false;
     return true;
 }
@@ -68,6 +71,10 @@ std::optional<Obstacle> obstacle_of(const GameLevel& level, const GameState& sta
     return Obstacle{mover.model, offset_of(mover, mover_state)};
 }
 
+bool has_too_many_obstacles(const GameLevel& level, const Position& position) {
+    return level.obstacles.part_overlapping(player_box(position)).next != 0;
+}
+
 Contact move_box(const GameLevel& level, const GameState& state, const Position& from, const Position& to) {
     const Box swept = player_box(from).united(player_box(to));
     Contact first{to, false, {}, kWorldModel, false};
@@ -98,19 +105,25 @@ bool may_touch(const GameLevel& level, ModelIndex model, const Vec3<World>& offs
 }
 
 WayOut find_way_out(const GameLevel& level, const GameState& state, const Position& from) {
-    WayOut out;
-    World shortest = World::highest();
+    std::vector<std::pair<World, Position>> ways;
     for_each_obstacle(level, state, player_box(from), [&](const Obstacle& obstacle) {
         if (obstacle.model == kWorldModel || !contains(level, obstacle, from)) return true;
-        out.is_inside_model = true;
-        for (const Position& position : positions_around(level, obstacle, from)) {
-            const World way = length_of(position - from);
-            if (way >= shortest || !is_reachable(level, from, position) || !is_free(level, state, position)) continue;
-            shortest = way;
-            out.position = position;
-        }
+        for (const Position& position : positions_around(level, obstacle, from))
+            ways.emplace_back(length_of(position - from), position);
         return true;
     });
+    std::stable_sort(ways.begin(), ways.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    WayOut out{!ways.empty(), {}};
+    std::vector<Position> tried;
+    for (const auto& [length, position] : ways) {
+        if (std::find(tried.begin(), tried.end(), position) != tried.end()) continue;
+        if (is_reachable(level, from, position) && is_free(level, state, position)) {
+            out.position = position;
+            return out;
+        }
+        if (tried.size() == kMostWaysOut) return out;
+        tried.push_back(position);
+    }
     return out;
 }
 

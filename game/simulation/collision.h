@@ -17,6 +17,9 @@ struct Obstacle {
 /// The obstacle of a number in GameLevel::obstacles; nothing for one that has been removed.
 std::optional<Obstacle> obstacle_of(const GameLevel& level, const GameState& state, std::uint32_t number);
 
+/// True where so many models may be in the player's way that only the first BoxTree::kMostFound of them are solid.
+bool has_too_many_obstacles(const GameLevel& level, const Position& position);
+
 /// How far the player's box gets on a straight line.
 struct Contact {
     Position end;           ///< where it stops, clear of what it hit
@@ -36,7 +39,8 @@ bool is_free(const GameLevel& level, const GameState& state, const Position& pos
 bool may_touch(const GameLevel& level, ModelIndex model, const Vec3<World>& offset, const Box& box);
 
 /// For a player inside a brush model: the nearest free position in a straight line along an axis, not through the
-/// world's walls.
+/// world's walls; of many models only the kMostWaysOut nearest are tried.
+inline constexpr std::size_t kMostWaysOut = 48;
 struct WayOut {
     bool is_inside_model = false;
     std::optional<Position> position;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -23,11 +24,21 @@ bool is_out(const MoverState& state) {
     return state.phase == Phase::Leaving || state.phase == Phase::AtEnd;
 }
 
+// The list of active movers is put in order once a tick.
 void set_off(GameState& state, std::uint32_t i, Phase phase) {
+    if (is_at_rest(state.movers[i])) state.active_movers.push_back(i);
     state.movers[i].phase = phase;
     state.movers[i].wait_ticks = 0;
-    const auto place = std::lower_bound(state.active_movers.begin(), state.active_movers.end(), i);
-    if (place == state.active_movers.end() || *place != i) state.active_movers.insert(place, i);
+}
+
+bool is_in_order(const std::vector<std::uint32_t>& movers) {
+    return std::adjacent_find(movers.begin(), movers.end(), std::greater_equal<>()) == movers.end();
+}
+
+void find_active_movers(GameState& state) {
+    state.active_movers.clear();
+    for (std::size_t i = 0; i < state.movers.size(); ++i)
+        if (!is_at_rest(state.movers[i])) state.active_movers.push_back(static_cast<std::uint32_t>(i));
 }
 
 // --- On the way ---
@@ -90,14 +101,19 @@ bool push_player(const GameLevel& level, GameState& state, const Mover& mover, c
     return is_free(level, state, state.player.position);
 }
 
-// False where the player is in the way.
-bool move(const GameLevel& level, GameState& state, std::uint32_t i) {
+// False where the player is in the way. Counts what it looks at.
+bool move(const GameLevel& level, GameState& state, std::uint32_t i, TickReport& report) {
     const Mover& mover = level.movers[i];
     MoverState after = state.movers[i];
     travel(mover, after);
     const Vec3<World> offset = offset_of(mover, after), moved = offset - offset_of(mover, state.movers[i]);
-    const bool meets_player = state.player.ground == mover.model.number() ||
-                              may_touch(level, mover.model, offset, player_box(state.player.position));
+    const Box player = player_box(state.player.position);
+    const bool meets_player =
+        state.player.ground == mover.model.number() || may_touch(level, mover.model, offset, player);
+    constexpr std::int32_t kPositions = 4;  // of the player, at which obstacles are looked at
+    if (meets_player)
+        report.mover_steps +=
+            kPositions * static_cast<std::int32_t>(level.obstacles.part_overlapping(player).numbers.size());
     const bool was_free = meets_player && is_free(level, state, state.player.position);
     const MoverState before = std::exchange(state.movers[i], after);
     if (!was_free || push_player(level, state, mover, moved)) return true;
@@ -113,7 +129,8 @@ bool turn_back(const Mover& mover, MoverState& state) {
 }
 
 // True where the mover fires now: a button that is pressed in, a door that opens again.
-bool step_mover(const GameLevel& level, GameState& state, std::uint32_t i) {
+bool step_mover(const GameLevel& level, GameState& state, std::uint32_t i, TickReport& report) {
+    ++report.mover_steps;
     const Mover& mover = level.movers[i];
     MoverState& mover_state = state.movers[i];
     if (mover_state.phase == Phase::AtEnd) {
@@ -125,7 +142,7 @@ bool step_mover(const GameLevel& level, GameState& state, std::uint32_t i) {
         --mover_state.wait_ticks;
         return false;
     }
-    if (!move(level, state, i)) return turn_back(mover, mover_state);
+    if (!move(level, state, i, report)) return turn_back(mover, mover_state);
     return mover.kind == MoverKind::Button && mover_state.phase == Phase::AtEnd;
 }
 
@@ -220,17 +237,31 @@ void touch_mover(const GameLevel& level, GameState& state, std::uint32_t i, Acti
 
 }  // namespace
 
+// Where there are too many, the others' turn comes in the next tick.
 void step_movers(const GameLevel& level, GameState& state, Activations& activations) {
+    std::vector<std::uint32_t>& active = state.active_movers;
+    if (!is_in_order(active)) find_active_movers(state);
+    TickReport& report = activations.report();
+    std::rotate(active.begin(), std::lower_bound(active.begin(), active.end(), state.backlog.next_mover), active.end());
     std::vector<std::uint32_t> firing;
-    for (const std::uint32_t i : state.active_movers)
-        if (step_mover(level, state, i)) firing.push_back(i);
-    std::erase_if(state.active_movers, [&](std::uint32_t i) { return is_at_rest(state.movers[i]); });
+    auto next = active.begin();
+    for (; next != active.end() && report.mover_steps < TickReport::kMostMoverSteps; ++next)
+        if (step_mover(level, state, *next, report)) firing.push_back(*next);
+    report.has_left_movers = next != active.end();
+    state.backlog.next_mover = report.has_left_movers ? *next : 0;
+    std::erase_if(active, [&](std::uint32_t i) { return is_at_rest(state.movers[i]); });
     for (const std::uint32_t i : firing) activations.fire(ref_of(i));
+}
+
+void end_tick_of_movers(GameState& state) {
+    const auto is_resting = [&](std::uint32_t i) { return is_at_rest(state.movers[i]); };
+    const std::vector<std::uint32_t>& active = state.active_movers;
+    if (!is_in_order(active) || std::any_of(active.begin(), active.end(), is_resting)) find_active_movers(state);
 }
 
 void touch_movers(const GameLevel& level, GameState& state, Activations& activations) {
     const Box player = player_box(state.player.position);
-    for (const std::uint32_t i : level.touch_boxes.overlapping(player)) {
+    for (const std::uint32_t i : activations.touched(level.touch_boxes, player, state.backlog.next_touch_box)) {
         const Mover& mover = level.movers[i];
         if (mover.touch_box && mover.touch_box->overlaps(player) && !is_removed(state.movers[i]))
             touch_mover(level, state, i, activations);

@@ -22,6 +22,10 @@ struct Hash {
     void operator()(const MoverState& mover) { visit_fields(mover, *this); }
     void operator()(const TriggerState& trigger) { visit_fields(trigger, *this); }
     void operator()(const DelayedFiring& delayed) { visit_fields(delayed, *this); }
+    void operator()(const WaitingFiring& waiting) { visit_fields(waiting, *this); }
+    void operator()(const Backlog& backlog) {
+        if (!backlog.is_empty()) visit_fields(backlog, *this);
+    }
     template <class Element>
     void operator()(const std::vector<Element>& list) {
         add(static_cast<std::int64_t>(list.size()));

@@ -71,6 +71,25 @@ struct DelayedFiring {
     bool operator==(const DelayedFiring&) const = default;
 };
 
+/// A target whose entities are being activated, or removed, one after the other.
+struct WaitingFiring {
+    std::int32_t target = 0;  ///< into GameLevel::targets
+    std::uint32_t next = 0;   ///< of the target's entities, the one whose turn it is
+    bool removes = false;
+
+    bool operator==(const WaitingFiring&) const = default;
+};
+
+/// What was too much for one tick, and goes on in the next ones: tick_report.h. Empty but in levels made for it.
+struct Backlog {
+    std::vector<WaitingFiring> waiting;                                         ///< the next one last
+    std::uint32_t next_mover = 0;                                               ///< the one whose turn it is
+    std::uint32_t next_touch_box = 0, next_trigger_box = 0, next_item_box = 0;  ///< BoxTree::Part::next
+
+    bool operator==(const Backlog&) const = default;
+    bool is_empty() const { return *this == Backlog{}; }
+};
+
 /// A place where the player comes in, and the direction that they look in there.
 struct Place {
     Position position;
@@ -96,11 +115,13 @@ struct GameState {
     std::int64_t message_tick = 0;             ///< the tick that showed it
     bool has_ended = false;
     std::int32_t exit = -1;  ///< the trigger that ended the level: into GameLevel::triggers
+    Backlog backlog;
 
     bool operator==(const GameState&) const = default;
 };
 
-/// FNV-1a over the fields in order; equal states give equal hashes on every machine.
+/// FNV-1a over the fields in order, of a backlog only where there is one; equal states give equal hashes on every
+/// machine.
 std::uint64_t hash_of(const GameState& state);
 
 }  // namespace oblong

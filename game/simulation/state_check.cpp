@@ -127,7 +127,7 @@ bool is_there(const GameLevel& level, const EntityRef& entity) {
 }
 
 void check_delayed(const GameLevel& level, const GameState& state, Check& check) {
-    check.expect(state.delayed.size() <= static_cast<std::size_t>(Activations::kMost), "delayed: too many");
+    check.expect(state.delayed.size() <= Activations::kMost, "delayed: too many");
     std::int64_t earliest = state.tick;
     for (const DelayedFiring& delayed : state.delayed) {
         check.expect(is_there(level, delayed.by), "delayed: by something that the level has not");
@@ -135,6 +135,22 @@ void check_delayed(const GameLevel& level, const GameState& state, Check& check)
         check.expect(is_next && is_tick(delayed.tick), "delayed: not the earliest first");
         earliest = delayed.tick;
     }
+}
+
+void check_backlog(const GameLevel& level, const GameState& state, Check& check) {
+    const Backlog& backlog = state.backlog;
+    check.expect(backlog.waiting.size() <= Activations::kMost, "waiting: too many");
+    for (const WaitingFiring& waiting : backlog.waiting)
+        check.expect(waiting.target >= 0 && static_cast<std::size_t>(waiting.target) < level.targets.size() &&
+                         waiting.next < level.target(waiting.target).entities.size(),
+                     "waiting: for something that the level has not");
+    check.expect(backlog.next_mover == 0 || backlog.next_mover < level.movers.size(), "the next mover: unknown");
+    const auto check_place = [&](std::uint32_t place, const BoxTree& boxes) {
+        check.expect(place == 0 || place < boxes.size(), "the next box: unknown");
+    };
+    check_place(backlog.next_touch_box, level.touch_boxes);
+    check_place(backlog.next_trigger_box, level.trigger_boxes);
+    check_place(backlog.next_item_box, level.item_boxes);
 }
 
 }  // namespace
@@ -153,6 +169,7 @@ std::string find_inconsistency(const GameLevel& level, const GameState& state) {
     check_triggers(level, state, check);
     check_others(level, state, check);
     check_delayed(level, state, check);
+    check_backlog(level, state, check);
     return std::move(check).result();
 }
 

@@ -22,7 +22,7 @@ void visit_fields(State& state, Visit& visit) {
     visit_all(state.movers, state.active_movers, state.walls, state.triggers, state.items, state.delayed);
     visit_all(state.dark_styles, state.found_secrets, state.keys);
     visit_all(state.respawn.position.x, state.respawn.position.y, state.respawn.position.z, state.respawn.yaw);
-    visit_all(state.shown_message, state.message_tick, state.has_ended, state.exit);
+    visit_all(state.shown_message, state.message_tick, state.has_ended, state.exit, state.backlog);
 }
 
 /// The same of a mover: MoverState or const MoverState.
@@ -53,6 +53,26 @@ void visit_fields(Delayed& delayed, Visit& visit) {
     visit(delayed.tick);
     visit(delayed.by.kind);
     visit(delayed.by.index);
+}
+
+/// Of what waits for its turn.
+template <class Waiting, class Visit>
+requires std::is_same_v<std::remove_const_t<Waiting>, WaitingFiring>
+void visit_fields(Waiting& waiting, Visit& visit) {
+    visit(waiting.target);
+    visit(waiting.next);
+    visit(waiting.removes);
+}
+
+/// Of a backlog.
+template <class Log, class Visit>
+requires std::is_same_v<std::remove_const_t<Log>, Backlog>
+void visit_fields(Log& backlog, Visit& visit) {
+    visit(backlog.waiting);
+    visit(backlog.next_mover);
+    visit(backlog.next_touch_box);
+    visit(backlog.next_trigger_box);
+    visit(backlog.next_item_box);
 }
 
 }  // namespace oblong

@@ -1,5 +1,7 @@
 #include "game/simulation/step.h"
 
+#include "game/simulation/collision.h"
+
 namespace oblong {
 namespace {
 
@@ -20,18 +22,22 @@ void respawn_outside(GameState& state) {
 
 }  // namespace
 
-void step(const GameLevel& level, GameState& state, const TickInput& input) {
+TickReport step(const GameLevel& level, GameState& state, const TickInput& input) {
     ++state.tick;
-    if (state.has_ended) return;
+    if (state.has_ended) return {};
     Activations activations(level, state);
     if ((input.buttons & kRespawnButton) != 0) respawn(state);
-    activations.fire_delayed();
+    activations.begin_tick();
     step_movers(level, state, activations);
+    activations.report().has_left_obstacles = has_too_many_obstacles(level, state.player.position);
     step_player(level, state, input);
     respawn_outside(state);
     touch_movers(level, state, activations);
     touch_items(level, state, activations);
     touch_triggers(level, state, activations);
+    activations.end_tick();
+    end_tick_of_movers(state);
+    return activations.report();
 }
 
 }  // namespace oblong

@@ -16,13 +16,17 @@ inline constexpr std::int32_t kEyeHeight = 22;
 inline constexpr World kFarthestPlayer = World::from_int(40'000);
 
 /// Moves the game by one tick of 1/35 s. Reads nothing but its arguments: the same inputs give the same states on
-/// every machine, at every frame rate of the display.
-void step(const GameLevel& level, GameState& state, const TickInput& input);
+/// every machine, at every frame rate of the display. Its work is bounded, whatever the level; what is left goes on in
+/// the next ticks.
+TickReport step(const GameLevel& level, GameState& state, const TickInput& input);
 
 // The parts of a tick, in their order.
 
 /// Moves the active movers. They carry and push the player; one that has no room to push turns back or waits.
 void step_movers(const GameLevel& level, GameState& state, Activations& activations);
+
+/// Puts the list of active movers in order, after all that may have set some off or removed them.
+void end_tick_of_movers(GameState& state);
 
 /// Moves the player as Quake does: walks, climbs steps of up to 18 units, jumps, falls, swims.
 void step_player(const GameLevel& level, GameState& state, const TickInput& input);

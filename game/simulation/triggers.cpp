@@ -112,17 +112,21 @@ bool touch(const GameLevel& level, GameState& state, std::uint32_t i, Activation
 // In their order. One that teleports the player ends those at the old place.
 void touch_triggers(const GameLevel& level, GameState& state, Activations& activations) {
     std::uint32_t first = 0;
-    for (bool is_moved = true; is_moved;) {
+    std::int32_t teleports = 0;
+    for (bool is_moved = true; is_moved && teleports <= TickReport::kMostTeleports; ++teleports) {
         is_moved = false;
         const Box player = player_box(state.player.position);
-        for (const std::uint32_t i : level.trigger_boxes.overlapping(player)) {
+        for (const std::uint32_t i : activations.touched(level.trigger_boxes, player, state.backlog.next_trigger_box)) {
             if (i < first || is_gone(state.triggers[i]) || !level.triggers[i].box->overlaps(player)) continue;
             first = i + 1;
             is_moved = touch(level, state, i, activations);
             if (state.has_ended) return;
-            if (is_moved) break;
+            if (!is_moved) continue;
+            state.backlog.next_trigger_box = 0;
+            break;
         }
     }
+    activations.report().has_left_touches |= teleports > TickReport::kMostTeleports;
 }
 
 void activate_trigger(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {

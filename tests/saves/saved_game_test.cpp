@@ -235,7 +235,7 @@ TEST(SavedGame, StatesWithOtherNumbersAreRefusedOrPlayed) {
     Bytes state_bytes;
     append_state(state_bytes, saved.state);
     const std::size_t first = whole.size() - 8 - state_bytes.size() - 8;
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < 4000; ++i) {
         Bytes bytes = whole;
         for (std::size_t flips = 1 + random() % 3; flips > 0; --flips)
             bytes[first + 8 + random() % (bytes.size() - first - 16)] ^= static_cast<std::uint8_t>(1 << random() % 8);

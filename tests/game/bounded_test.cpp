@@ -1,0 +1,181 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/base/little_endian.h"
+#include "game/saves/state_bytes.h"
+#include "game/simulation/state_check.h"
+#include "tests/game/hostile_levels.h"
+
+namespace oblong {
+namespace {
+
+using test::HostileLevel;
+using test::kHostileLevels;
+using test::kStand;
+using test::LogicGame;
+using test::LogicLevel;
+
+constexpr int kTicks = 14;
+
+TickInput input_of(std::int64_t tick) {
+    return {static_cast<std::int8_t>(tick % 3 * 60), 0, static_cast<std::int16_t>(tick * 100), 0, 0};
+}
+
+class Hostile : public testing::TestWithParam<HostileLevel> {};
+
+INSTANTIATE_TEST_SUITE_P(Levels, Hostile, testing::ValuesIn(kHostileLevels),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+// One operation may exceed a bound: a door that activates its group, a mover that meets the player.
+constexpr std::int32_t kLargestOperation = static_cast<std::int32_t>(kMostMovers) + 2;
+constexpr std::int32_t kMostTouches =
+    static_cast<std::int32_t>(BoxTree::kMostFound) * (2 + TickReport::kMostTeleports + 1);
+
+void expect_bounded(const TickReport& report, const GameState& state) {
+    // What waits, what is delayed and what is new may each exceed theirs, and touches activate beyond them.
+    EXPECT_LE(report.activations, TickReport::kMostWaitingActivations + TickReport::kMostDelayedActivations +
+                                      TickReport::kMostNewActivations + 4 * kLargestOperation + 2 * kMostTouches);
+    EXPECT_LE(report.mover_steps, TickReport::kMostMoverSteps + kLargestOperation);
+    EXPECT_LE(report.touches, kMostTouches);
+    EXPECT_LE(state.delayed.size(), Activations::kMost);
+    EXPECT_LE(state.backlog.waiting.size(), Activations::kMost);
+}
+
+GameState saved_and_read(const GameState& state) {
+    std::vector<std::uint8_t> bytes;
+    append_state(bytes, state);
+    LittleEndianReader reader(bytes);
+    return read_state(reader);
+}
+
+// The same game goes on from saves, again and again.
+TEST_P(Hostile, NoTickDoesMoreThanItsBoundsAndSavesGoOnTheSame) {
+    LogicLevel source = GetParam().make();
+    LogicGame game(source);
+    GameState restored = game.state;
+    std::string left;
+    for (int tick = 0; tick < kTicks; ++tick) {
+        const TickReport report = step(game.level, game.state, input_of(tick));
+        expect_bounded(report, game.state);
+        left += report.left();
+        step(game.level, restored, input_of(tick));
+        ASSERT_EQ(restored, game.state) << "tick " << tick;
+        if (tick % 3 != 1) continue;
+        ASSERT_EQ(find_inconsistency(game.level, game.state), "") << "tick " << tick;
+        restored = saved_and_read(restored);
+        ASSERT_EQ(hash_of(restored), hash_of(game.state));
+    }
+    EXPECT_EQ(left.empty(), !GetParam().is_too_much) << left;
+}
+
+// Counters that say their number at their last count, one after the other: what waits keeps its order and loses
+// nothing.
+TEST(Backlog, WhatIsTooMuchForATickHappensLaterInItsOrder) {
+    constexpr int kDoors = 2000, kCounts = 40;
+    LogicLevel source;
+    source.add("trigger_once", {-50, -50, 0, 50, 50, 64}, {{"target", "all"}});
+    for (int i = 0; i < kDoors; ++i) {
+        const std::string name = "count" + std::to_string(i);
+        for (int n = 0; n < kCounts; ++n) source.add("trigger_relay", {{"targetname", "all"}, {"target", name}});
+        source.add("trigger_counter", {{"targetname", name},
+                                       {"target", "done"},
+                                       {"count", std::to_string(kCounts)},
+                                       {"message", std::to_string(i)},
+                                       {"spawnflags", "1"}});
+    }
+    LogicGame game(source);
+    const auto is_done = [&](const Trigger& trigger) {
+        return trigger.kind == TriggerKind::Counter &&
+               game.state.triggers[static_cast<std::size_t>(&trigger - game.level.triggers.data())].left == 0;
+    };
+    std::ptrdiff_t done = 0;
+    bool has_waited = false;
+    for (int tick = 0; tick < 60 && done < kDoors; ++tick) {
+        const TickReport report = step(game.level, game.state, kStand);
+        ASSERT_FALSE(report.has_dropped_firings);
+        has_waited |= report.has_left_activations;
+        const std::ptrdiff_t before = done;
+        done = std::count_if(game.level.triggers.begin(), game.level.triggers.end(), is_done);
+        if (done > before) {
+            ASSERT_EQ(game.message(), std::to_string(done - 1)) << "the last one that is done";
+        }
+        // None beyond the first that is not done is done.
+        const auto is_counter = [&](const Trigger& trigger) { return trigger.kind == TriggerKind::Counter; };
+        std::ptrdiff_t counters = 0;
+        for (const Trigger& trigger : game.level.triggers)
+            if (is_counter(trigger)) {
+                ASSERT_EQ(is_done(trigger), counters++ < done);
+            }
+    }
+    EXPECT_TRUE(has_waited);
+    EXPECT_EQ(done, kDoors);
+    EXPECT_TRUE(game.state.backlog.is_empty());
+}
+
+// More movers than a tick steps: all of them get as far, only later.
+TEST(Backlog, MoversThatWaitedArriveToo) {
+    LogicLevel source;
+    for (int i = 0; i < 10'000; ++i)
+        source.add("func_door", {1000, 1000, 0, 1010, 1010, 10 + i % 7},
+                   {{"angle", "-1"}, {"targetname", "d"}, {"wait", "-1"}, {"spawnflags", "4"}});
+    source.add("trigger_once", {-50, -50, 0, 50, 50, 64}, {{"target", "d"}});
+    LogicGame game(source);
+    bool has_waited = false;
+    for (int tick = 0; tick < 100; ++tick) has_waited |= step(game.level, game.state, kStand).has_left_movers;
+    EXPECT_TRUE(has_waited);
+    for (const MoverState& mover : game.state.movers) ASSERT_EQ(mover.phase, MoverState::Phase::AtEnd);
+    EXPECT_TRUE(game.state.backlog.is_empty());
+}
+
+// A relay that activates itself for ever holds up no button.
+TEST(Backlog, AnEndlessOneHoldsUpNothingElse) {
+    LogicLevel source;
+    source.add("trigger_once", {-50, -50, 0, 50, 50, 64}, {{"target", "loop"}});
+    source.add("trigger_relay", {{"targetname", "loop"}, {"target", "loop"}});
+    source.add("trigger_relay", {{"targetname", "loop"}, {"target", "loop"}, {"delay", "0.1"}});
+    source.add("trigger_once", {100, -50, 0, 150, 50, 64}, {{"target", "door"}});
+    source.add("func_door", {1000, 0, 0, 1010, 100, 100}, {{"angle", "-1"}, {"targetname", "door"}});
+    LogicGame game(source);
+    game.play(100, kStand);
+    EXPECT_FALSE(game.state.backlog.is_empty());
+    game.stand_at(120, 0);
+    game.play(2, kStand);
+    EXPECT_TRUE(game.has_left(0));
+}
+
+// Triggers in one place that are more than a tick looks at.
+TEST(Backlog, EachOfManyTriggersInOnePlaceIsTouched) {
+    LogicLevel source;
+    for (int i = 0; i < 3000; ++i) source.add("trigger_once", {-50, -50, 0, 50, 50, 64}, {});
+    LogicGame game(source);
+    game.play(20, kStand);
+    for (const TriggerState& trigger : game.state.triggers) ASSERT_EQ(trigger.ready_tick, TriggerState::kNever);
+}
+
+TEST(BoxTreeParts, TogetherAreTheWhole) {
+    std::vector<BoxTree::Entry> entries;
+    for (std::uint32_t i = 0; i < 5000; ++i) {
+        const auto x = static_cast<std::int32_t>(i * 7919 % 4000), y = static_cast<std::int32_t>(i * 104'729 % 4000);
+        entries.push_back({{world_vector(x, y, 0), world_vector(x + 900, y + 900, 9)}, i});
+    }
+    const BoxTree tree(entries);
+    const Box area{world_vector(1500, 1500, 0), world_vector(2500, 2500, 5)};
+    std::vector<std::uint32_t> all;
+    std::uint32_t from = 0;
+    int parts = 0;
+    do {
+        const BoxTree::Part part = tree.part_overlapping(area, from);
+        ASSERT_LE(part.numbers.size(), std::size_t{BoxTree::kMostFound});
+        ASSERT_LE(part.looks, BoxTree::kMostLooks);
+        all.insert(all.end(), part.numbers.begin(), part.numbers.end());
+        from = part.next;
+        ++parts;
+    } while (from != 0);
+    EXPECT_GT(parts, 3);
+    std::sort(all.begin(), all.end());
+    EXPECT_EQ(all, tree.overlapping(area));
+}
+
+}  // namespace
+}  // namespace oblong
