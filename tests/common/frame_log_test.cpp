@@ -153,10 +153,11 @@ TEST_F(FrameLogTest, ClipSaysOfEachCornerWhereItIsAndWhatItIsOutsideOf) {
 TEST_F(FrameLogTest, SpansAreThePixelsOfThePicture) {
     const LogLines lines = span_lines(frame());
     const auto walls = numbers_after(line_with(lines, "walls"), "walls: ");
+    const auto torn = numbers_after(line_with(lines, "torn"), "torn: ");
     const auto free = numbers_after(line_with(lines, "left free"), "left free: ");
     ASSERT_EQ(walls.size(), 3u);
     EXPECT_EQ(walls[0], 1);
-    EXPECT_EQ(walls[2] + free.at(0), 64 * 40);
+    EXPECT_EQ(walls[2] + torn.at(0) + free.at(0), 64 * 40);
     // The middle row: its columns are those whose rays meet the floor, in double.
     int first = 64, last = -1;
     for (int column = 0; column < 64; ++column) {
