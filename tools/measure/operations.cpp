@@ -65,11 +65,11 @@ constexpr EventCost kOutcode{1800, 400, 0, 0, 0, 100};
 constexpr EventCost kCorner{4069};
 /// geometry/projection.h, project_axis(), twice; geometry/project.h: rounding, snapping, keeping on the screen.
 constexpr EventCost kProjection{3300, 200, 200, 0, 2400, 800};
-/// The corners of a clipped face that have to be projected, of a hundred: those that clipping made. Others are
-/// projected already.
-constexpr std::int64_t kNewCorners_100 = 68;
+/// Further projections, of a hundred corners of clipped faces: those corners that clipping made (others are projected
+/// already), and those at which the tree cut brush models.
+constexpr std::int64_t kNewCorners_100 = 84;
 /// geometry/clip.cpp: distances of both ends of an edge to a plane, the place between them.
-constexpr EventCost kClippedCorner{7779, 1112, 71, 0, 6400, 3200};
+constexpr EventCost kClippedCorner{6557, 943, 60, 0, 6400, 3200};
 /// raster/scan.cpp: the survey of a polygon, of those too that turn out to be covered; the constructors of both
 /// walkers, for the edges that reach a row (two thirds of them).
 constexpr EventCost kExactEdge{4690, 67, 67, 0, 1600, 0}, kAccumulatedEdge{6082, 67, 67, 0, 1600, 0};
