@@ -21,6 +21,7 @@ testing::AssertionResult are_about(const Lines& faults, const Lines& parts) {
 const std::vector<Room> kHouse = {{"engine/base", {}},
                                   {"engine/math", {"engine/base"}},
                                   {"engine/frame", {"engine/math"}},
+                                  {"engine/files", {"engine/frame"}},
                                   {"game", {"engine/frame"}}};
 
 Lines faults_of(const std::string& path, const std::string& text) {
