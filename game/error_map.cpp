@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "engine/draw/font.h"
-#include "engine/surface/nearest_colour.h"
+#include "engine/surface/palette.h"
 
 namespace oblong {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/draw/text.h"
-#include "engine/platform/sdl/window.h"
+#include "engine/platform/sdl/sdl.h"
 
 namespace oblong {
 namespace {

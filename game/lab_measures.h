@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 #include "game/game_renderer.h"
 #include "game/view_times.h"
 #include "tools/measure/operations.h"

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/accuracy/accuracy.h"
 #include "engine/accuracy/dials.h"
-#include "engine/accuracy/presets.h"
 #include "engine/platform/controls.h"
 #include "engine/view/present_rect.h"
 

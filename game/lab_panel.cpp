@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/draw/font.h"
-#include "engine/surface/nearest_colour.h"
+#include "engine/surface/palette.h"
 
 namespace oblong {
 namespace {

@@ -5,7 +5,6 @@
 
 #include "engine/effects/colour_tables.h"
 #include "engine/raster/lines.h"
-#include "engine/surface/nearest_colour.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/files/files.h"
-#include "engine/files/png.h"
+#include "engine/files/picture.h"
 #include "engine/view/screen.h"
 
 namespace oblong {

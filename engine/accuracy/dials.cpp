@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdlib>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 namespace {
@@ -157,7 +159,7 @@ void turn(const Dial& dial, int steps, Accuracy& accuracy) {
         });
     const auto last = static_cast<std::ptrdiff_t>(dial.settings.size()) - 1;
     const std::ptrdiff_t next = std::clamp<std::ptrdiff_t>(nearest - dial.settings.begin() + steps, 0, last);
-    dial.set(accuracy, dial.settings[static_cast<std::size_t>(next)].value);
+    dial.set(accuracy, dial.settings[as_size(next)].value);
 }
 
 }  // namespace oblong

@@ -1,16 +1,30 @@
 #pragma once
 
+#include <cassert>
 #include <compare>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace oblong {
 
-/// An element of a list by an index of any integer or enumeration type, 0 and up.
+/// A count, a distance or an index of 0 and up as a size; builds with assertions check it.
+constexpr std::size_t as_size(auto count) {
+    if constexpr (std::is_signed_v<decltype(count)>) assert(count >= 0);
+    return static_cast<std::size_t>(count);
+}
+
+/// An element of a list by an index of any integer or enumeration type, 0 and up; builds with assertions check it.
+constexpr decltype(auto) item(auto& items, auto index) {
+    const std::size_t position = as_size(index);
+    if constexpr (requires { items.size(); }) assert(position < items.size());
+    return items[position];
+}
+/// item() by its former name.
 constexpr decltype(auto) at(auto& items, auto index) {
-    return items[static_cast<std::size_t>(index)];
+    return item(items, index);
 }
 
 /// The index of a record in a table of Records; or none.
@@ -76,8 +90,7 @@ class Table : private std::vector<Value> {
     Value& operator[](Index<Record> index) { return Base::operator[](index.position()); }
     const Value& operator[](Index<Record> index) const { return Base::operator[](index.position()); }
     std::span<const Value> operator[](const IndexRange<Record>& range) const {
-        return std::span(Base::data(), Base::size())
-            .subspan(range.first.position(), static_cast<std::size_t>(range.count));
+        return std::span(Base::data(), Base::size()).subspan(range.first.position(), as_size(range.count));
     }
 
     std::int32_t count() const { return static_cast<std::int32_t>(Base::size()); }

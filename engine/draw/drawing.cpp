@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/surface/nearest_colour.h"
+#include "engine/surface/palette.h"
 
 namespace oblong {
 

@@ -16,7 +16,7 @@ using Glyph = std::array<std::uint8_t, kGlyphHeight_px>;
 
 /// Whether a glyph's pixel is set; `column` from the left.
 constexpr bool is_drawn(const Glyph& glyph, int row, int column) {
-    return (at(glyph, row) >> (kGlyphWidth_px - 1 - column) & 1) != 0;
+    return (item(glyph, row) >> (kGlyphWidth_px - 1 - column) & 1) != 0;
 }
 
 /// The picture of a character of ASCII; a question mark for any other.

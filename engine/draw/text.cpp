@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "engine/draw/font.h"
 
@@ -53,7 +54,7 @@ std::int32_t text_width_px(std::string_view line) {
 }
 
 std::vector<std::string_view> lines_of(std::string_view text, std::int32_t width_px) {
-    const auto most = static_cast<std::size_t>(std::max(width_px / kGlyphAdvance_px, 1));
+    const auto most = as_size(std::max(width_px / kGlyphAdvance_px, 1));
     std::vector<std::string_view> lines;
     do {
         std::string_view line = text.substr(0, std::min(text.find('\n'), most + 1));

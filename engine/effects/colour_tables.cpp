@@ -25,7 +25,7 @@ std::int32_t difference(Rgb8 a, Rgb8 b) {
 class NearestColours {
   public:
     NearestColours(const Palette& palette, int count) {
-        for (int i = 0; i < count; ++i) by_green_.push_back({at(palette.colours, i), static_cast<std::uint8_t>(i)});
+        for (int i = 0; i < count; ++i) by_green_.push_back({item(palette.colours, i), static_cast<std::uint8_t>(i)});
         std::stable_sort(by_green_.begin(), by_green_.end(),
                          [](const Entry& a, const Entry& b) { return a.colour.green < b.colour.green; });
     }
@@ -99,12 +99,12 @@ BlendTable make_blend_table(const Palette& palette, std::int32_t share_256) {
     const auto blend = [&](int front, int behind) {
         if (front == behind || share == kAll) return static_cast<std::uint8_t>(front);
         if (share == 0) return static_cast<std::uint8_t>(behind);
-        return mixer.find(at(palette.colours, front), at(palette.colours, behind), share,
+        return mixer.find(item(palette.colours, front), item(palette.colours, behind), share,
                           is_fullbright(front) || is_fullbright(behind));
     };
     BlendTable table;
     for (int front = 0; front < 256; ++front)
-        for (int behind = 0; behind < 256; ++behind) at(at(table.rows, front), behind) = blend(front, behind);
+        for (int behind = 0; behind < 256; ++behind) item(item(table.rows, front), behind) = blend(front, behind);
     return table;
 }
 
@@ -112,12 +112,12 @@ FogTable make_fog_table(const Palette& palette, Rgb8 fog, std::int32_t share_256
     constexpr int kDensest = FogTable::kLevels - 1;
     const Mixer mixer(palette);
     FogTable table;
-    for (int colour = 0; colour < 256; ++colour) at(table.levels[0], colour) = static_cast<std::uint8_t>(colour);
+    for (int colour = 0; colour < 256; ++colour) item(table.levels[0], colour) = static_cast<std::uint8_t>(colour);
     for (int level = 1; level <= kDensest; ++level) {
         const Share16 share = std::clamp(share_256, 0, 256) * 256 * level / kDensest;
         for (int colour = 0; colour < 256; ++colour)
-            at(at(table.levels, level), colour) =
-                mixer.find(fog, at(palette.colours, colour), share, is_fullbright(colour));
+            item(item(table.levels, level), colour) =
+                mixer.find(fog, item(palette.colours, colour), share, is_fullbright(colour));
     }
     return table;
 }

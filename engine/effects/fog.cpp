@@ -32,10 +32,10 @@ InverseZ clamped(InverseZ inverse_z) {
 std::int64_t columns_of_level(InverseZ inverse_z, InverseZ step, std::int32_t level, const FogDepths& depths,
                               std::int64_t most) {
     const auto& greatest = depths.greatest_inverse_z;
-    if (step > InverseZ{}) return level == 0 ? most : (at(greatest, level) - inverse_z).raw / step.raw + 1;
-    if (level + 1 == FogTable::kLevels || at(greatest, level + 1) == kNowhere) return most;
+    if (step > InverseZ{}) return level == 0 ? most : (item(greatest, level) - inverse_z).raw / step.raw + 1;
+    if (level + 1 == FogTable::kLevels || item(greatest, level + 1) == kNowhere) return most;
     const InverseZ fall = -std::max(step, -kGreatestInverseZ);
-    return (inverse_z - at(greatest, level + 1) - InverseZ::ulp()).raw / fall.raw + 1;
+    return (inverse_z - item(greatest, level + 1) - InverseZ::ulp()).raw / fall.raw + 1;
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ std::int32_t FogDepths::level_at(InverseZ inverse_z) const {
     // The last of those at or above it, by halves.
     std::int32_t level = 0;
     for (std::int32_t half = FogTable::kLevels / 2; half > 0; half /= 2)
-        if (inverse_z <= at(greatest_inverse_z, level + half)) level += half;
+        if (inverse_z <= item(greatest_inverse_z, level + half)) level += half;
     return level;
 }
 
@@ -54,10 +54,10 @@ FogDepths make_fog_depths(FogDensity density, View start, View end) {
     depths.greatest_inverse_z[0] = InverseZ::highest();
     if (density <= FogDensity{}) return depths;
     for (std::int32_t level = 1; level < FogTable::kLevels; ++level) {
-        const View reach = divide<View>(FogReach::from_raw(at(kReach_28, level - 1)) * 64, density);
+        const View reach = divide<View>(FogReach::from_raw(item(kReach_28, level - 1)) * 64, density);
         const View z = View::from_raw(saturating_sum(std::max(start, View{}).raw, reach.raw));
         if (z > end || z == View::highest()) break;
-        at(depths.greatest_inverse_z, level) = reciprocal<InverseZ>(z);
+        item(depths.greatest_inverse_z, level) = reciprocal<InverseZ>(z);
     }
     return depths;
 }
@@ -85,7 +85,7 @@ void append_fog_runs(const Span& span, const LinearQuantity<InverseZ>& inverse_z
 void draw_fog(std::span<const FogRun> runs, const FogTable& table, Framebuffer out) {
     for (const FogRun& run : runs) {
         if (run.level == 0) continue;
-        const ColourRow& row = at(table.levels, run.level);
+        const ColourRow& row = item(table.levels, run.level);
         std::uint8_t* const end = out.row(run.span.y) + run.span.end;
         for (std::uint8_t* pixel = out.row(run.span.y) + run.span.first; pixel != end; ++pixel) *pixel = row[*pixel];
     }

@@ -104,7 +104,7 @@ GammaTable make_gamma_table(std::int32_t gamma_100) {
     for (std::uint32_t value = 0; value < 256; ++value) {
         const std::uint64_t shown_30 = power_30(static_cast<std::uint32_t>((std::uint64_t{value} << 30) / 255), 100,
                                                 static_cast<std::uint32_t>(gamma_100));
-        at(table, value) = static_cast<std::uint8_t>((shown_30 * 255 + (1 << 29)) >> 30);
+        item(table, value) = static_cast<std::uint8_t>((shown_30 * 255 + (1 << 29)) >> 30);
     }
     return table;
 }
@@ -117,7 +117,7 @@ GammaTable make_tube_table() {
         const std::uint64_t volts_30 = lift_30 + (kOne_30 - lift_30) * value / 255;
         const std::uint64_t light_30 =
             std::max(power_30(static_cast<std::uint32_t>(volts_30), 12, 5), kBlack_30) - kBlack_30;
-        at(table, value) = srgb_of((light_30 << 30) / (kOne_30 - kBlack_30));
+        item(table, value) = srgb_of((light_30 << 30) / (kOne_30 - kBlack_30));
     }
     return table;
 }

@@ -21,7 +21,7 @@ std::array<Vec3<World>, kCorners> corners_of_disc(const LevelPlane& plane, const
         const Angle angle = -Angle::from_bam(std::int64_t{i} * 65536 / kCorners);
         const auto x = product<World>(radius, cosine(angle)), y = product<World>(radius, sine(angle));
         const PlaneDistance fall = widening_product(x, plane.normal.x) + widening_product(y, plane.normal.y);
-        at(corners, i) =
+        item(corners, i) =
             middle + Vec3<World>{x, y, World::from_raw(static_cast<std::int32_t>(-(fall.raw / plane.normal.z.raw)))};
     }
     return corners;
@@ -49,8 +49,8 @@ void darken_spans(std::span<const Span> spans, const ScanlineExtents& rows, cons
                   Framebuffer out) {
     for (const Span& span : spans) {
         if (span.y < rows.first || span.y >= rows.end) continue;
-        const std::int32_t first = std::max(span.first, at(rows.left, span.y));
-        const std::int32_t end = std::min(span.end, at(rows.right, span.y));
+        const std::int32_t first = std::max(span.first, item(rows.left, span.y));
+        const std::int32_t end = std::min(span.end, item(rows.right, span.y));
         std::uint8_t* const row = out.row(span.y);
         for (std::int32_t x = first; x < end; ++x) row[x] = shade[row[x]];
     }

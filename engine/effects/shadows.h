@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/level/floor.h"
+#include "engine/level/trace.h"
 #include "engine/raster/scan.h"
 #include "engine/view/screen.h"
 #include "engine/view/screen_polygon.h"

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 
+#include "engine/base/table.h"
 #include "engine/fixed/root.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/view/view_directions.h"
@@ -215,7 +216,7 @@ bool is_worth_composing(std::int64_t pixels, std::int32_t size) {
 SkyNow compose_sky(const SkyTexture& texture, std::int64_t time_ms, std::int64_t pixels,
                    std::vector<std::uint8_t>& scratch) {
     if (!is_worth_composing(pixels, texture.size)) return {texture, time_ms, {}};
-    scratch.resize(static_cast<std::size_t>(texture.size) * static_cast<std::size_t>(texture.size));
+    scratch.resize(as_size(texture.size) * as_size(texture.size));
     compose_layers(texture, scroll_at(time_ms, texture.size).clouds_further, scratch.data());
     return {texture, time_ms, scratch};
 }

@@ -108,7 +108,7 @@ std::optional<ScreenSprite> project_sprite(const Sprite& sprite, const MipTextur
     const std::int64_t at_top_16 = inverse_depth_16_of(line.top_z);
     const Steps inverse_16(down, rows.first, inverse_depth_16_of(line.bottom_z) - at_top_16);
     return ScreenSprite{{columns.first, columns.end, rows.first, rows.end},
-                        at(texture.mips, mip).data(),
+                        item(texture.mips, mip).data(),
                         texture.width >> mip,
                         u.at_first,
                         u.step,

@@ -6,7 +6,7 @@
 #include "engine/effects/lanterns.h"
 #include "engine/effects/particles.h"
 #include "engine/effects/sprites.h"
-#include "engine/level/floor.h"
+#include "engine/level/trace.h"
 #include "engine/visibility/placed_box.h"
 
 namespace oblong {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/fixed/angle.h"
 #include "engine/view/present_rect.h"
 #include "engine/view/screen.h"

@@ -47,7 +47,7 @@ std::string describe_picked(const Level& level, std::span<const PlacedModel> mod
                   face.plane.number(), toward_front(plane.normal.x), toward_front(plane.normal.y),
                   toward_front(plane.normal.z), picked->model.is_none() ? "world" : "");
     if (picked->model.is_none()) return text;
-    return text + entity_text(level, at(models, picked->model.number()).model);
+    return text + entity_text(level, item(models, picked->model.number()).model);
 }
 
 void draw_crosshair(Framebuffer canvas, TextColours colours) {

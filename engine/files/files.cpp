@@ -12,6 +12,8 @@
 #include <iostream>
 #include <memory>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 namespace {
@@ -58,7 +60,7 @@ std::string write_all(int descriptor, std::span<const std::uint8_t> bytes) {
         const ssize_t count = write(descriptor, bytes.data(), bytes.size());
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return reason();
-        bytes = bytes.subspan(static_cast<std::size_t>(count));
+        bytes = bytes.subspan(as_size(count));
     }
     return {};
 }

@@ -115,7 +115,7 @@ LogLines cache_lines(const LoggedFrame& frame, CacheTotals& before) {
 
 void FrameLog::note(const LoggedFrame& frame) {
     const auto write = [&](LogChannel channel, const LogLines& lines) {
-        for (const std::string& line : lines) write_(std::string(at(kLogChannelNames, channel)) + ": " + line);
+        for (const std::string& line : lines) write_(std::string(item(kLogChannelNames, channel)) + ": " + line);
     };
     if (channels_.has(LogChannel::Level) && !has_begun_) write(LogChannel::Level, level_lines(frame));
     has_begun_ = true;

@@ -16,8 +16,8 @@
 #include "engine/files/obj.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
-#include "engine/level/floor.h"
-#include "engine/mesh/mdl_read.h"
+#include "engine/level/trace.h"
+#include "engine/mesh/mesh.h"
 
 namespace oblong {
 namespace {
@@ -274,7 +274,7 @@ class LevelModelReader {
 /// Of a model whose frames are sequences of their own.
 std::uint32_t frame_at(const LevelModel& model, const Mesh& mesh, std::int64_t time_ms) {
     const std::int64_t since = model.frames > 1 ? time_ms / kSeparateFrame_ms % model.frames : 0;
-    return shown_at(at(mesh.frame_sequences, model.first_frame + since), time_ms);
+    return shown_at(item(mesh.frame_sequences, model.first_frame + since), time_ms);
 }
 
 }  // namespace
@@ -292,7 +292,7 @@ void place_models(const LevelModels& models, std::int64_t time_ms, std::span<con
         const Mesh& mesh = *model.placed.mesh;
         PlacedMesh& now = placed.emplace_back(model.placed);
         now.frame = now.next_frame = frame_at(model, mesh, time_ms);
-        now.skin = shown_at(at(mesh.skin_sequences, model.skin), time_ms);
+        now.skin = shown_at(item(mesh.skin_sequences, model.skin), time_ms);
         if (model.turn_ms > 0) now.yaw = now.yaw + Angle::from_bam(time_ms % model.turn_ms * 65536 / model.turn_ms);
     }
 }

@@ -10,7 +10,7 @@
 #include "engine/files/files.h"
 #include "engine/files/obj_check.h"
 #include "engine/files/obj_materials.h"
-#include "engine/view/triangulate.h"
+#include "engine/mesh/triangulate.h"
 
 namespace oblong {
 namespace {
@@ -117,8 +117,8 @@ class ObjMeshBuilder {
         MeshFrame frame;
         for (const ObjVertex& vertex : vertices_.records()) {
             const Vec3<Unit> normal =
-                vertex.normal < 0 ? at(smooth, vertex.smooth).normal : at(normals_, vertex.normal);
-            frame.vertices.push_back({at(positions_, vertex.position), normal});
+                vertex.normal < 0 ? item(smooth, vertex.smooth).normal : item(normals_, vertex.normal);
+            frame.vertices.push_back({item(positions_, vertex.position), normal});
         }
         set_box(frame);
         mesh_.frames.push_back(std::move(frame));
@@ -130,13 +130,13 @@ class ObjMeshBuilder {
   private:
     std::vector<CornerTriple> triangulated(std::span<const tinyobj::index_t> corners) const {
         std::vector<Vec3<World>> polygon;
-        for (const tinyobj::index_t& corner : corners) polygon.push_back(at(positions_, corner.vertex_index));
+        for (const tinyobj::index_t& corner : corners) polygon.push_back(item(positions_, corner.vertex_index));
         return triangulate_by_diagonals(polygon);
     }
 
     void add_corner(const tinyobj::index_t& corner, std::uint32_t skin, std::int64_t smoothing) {
         const std::uint32_t smooth = smooth_vertices_.number_of({corner.vertex_index, smoothing});
-        const bool has_normal = corner.normal_index >= 0 && at(normals_, corner.normal_index) != Vec3<Unit>{};
+        const bool has_normal = corner.normal_index >= 0 && item(normals_, corner.normal_index) != Vec3<Unit>{};
         numbers_.push_back(vertices_.number_of({corner.vertex_index, corner.texcoord_index,
                                                 has_normal ? corner.normal_index : -1, has_normal ? 0 : smooth, skin}));
         smooth_numbers_.push_back(smooth);
@@ -152,29 +152,29 @@ class ObjMeshBuilder {
     std::vector<MeshVertex> smooth_vertices() const {
         std::vector<MeshVertex> smooth;
         for (const SmoothVertex& vertex : smooth_vertices_.records())
-            smooth.push_back({at(positions_, vertex.position), {}});
+            smooth.push_back({item(positions_, vertex.position), {}});
         set_normals(smooth, smooth_triangles_);
         return smooth;
     }
 
     bool has_place(const ObjVertex& vertex) const {
-        return vertex.texcoord >= 0 && at(mesh_.skins, vertex.skin).texels.size() > 1;
+        return vertex.texcoord >= 0 && item(mesh_.skins, vertex.skin).texels.size() > 1;
     }
     /// In repetitions of the skin; the file's v goes up it.
     SkinPlace place_of(const ObjVertex& vertex) const {
-        return {at(file_.texcoords, vertex.texcoord * 2), 1 - at(file_.texcoords, vertex.texcoord * 2 + 1)};
+        return {item(file_.texcoords, vertex.texcoord * 2), 1 - item(file_.texcoords, vertex.texcoord * 2 + 1)};
     }
 
     /// Sets texels from places on skins, which are repeated as often as that takes.
     void set_texels(std::vector<std::string>& warnings) {
         std::vector<PlaceRange> ranges(mesh_.skins.size());
         for (const ObjVertex& vertex : vertices_.records())
-            if (has_place(vertex)) at(ranges, vertex.skin).include(place_of(vertex));
+            if (has_place(vertex)) item(ranges, vertex.skin).include(place_of(vertex));
         std::vector<SkinScale> scales;
         for (std::size_t i = 0; i < ranges.size(); ++i)
             scales.push_back(repeat_skin(mesh_.skins[i], ranges[i], warnings));
         for (const ObjVertex& vertex : vertices_.records())
-            mesh_.texels.push_back(has_place(vertex) ? at(scales, vertex.skin).texel_at(place_of(vertex))
+            mesh_.texels.push_back(has_place(vertex) ? item(scales, vertex.skin).texel_at(place_of(vertex))
                                                      : MeshTexel{kHalfTexel, kHalfTexel});
     }
 
@@ -205,7 +205,7 @@ class ObjSkins {
         if (is_new)
             skins.push_back(material < 0
                                 ? grey_skin(palette_)
-                                : make_skin(at(materials_, material), folder_, palette_, options_.dither, warnings_));
+                                : make_skin(item(materials_, material), folder_, palette_, options_.dither, warnings_));
         return known->second;
     }
 
@@ -213,7 +213,7 @@ class ObjSkins {
 
   private:
     int shown_for(int material) const {
-        if (material < 0 || options_.glass.empty() || at(materials_, material).name != "glass") return material;
+        if (material < 0 || options_.glass.empty() || item(materials_, material).name != "glass") return material;
         const auto found = std::find_if(materials_.begin(), materials_.end(),
                                         [&](const auto& one) { return one.name == options_.glass; });
         return found == materials_.end() ? material : static_cast<int>(found - materials_.begin());

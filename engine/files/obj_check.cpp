@@ -9,6 +9,7 @@
 #include <string>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 #include "engine/level/entities.h"
 #include "engine/mesh/mesh.h"
 
@@ -49,7 +50,7 @@ class ObjChecker {
     ObjSummary check(std::string_view text) {
         while (!text.empty()) {
             const auto line_end = std::find_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; });
-            const auto end = static_cast<std::size_t>(line_end - text.begin());
+            const auto end = as_size(line_end - text.begin());
             ++line_;
             check_line(text.substr(0, end));
             const bool is_two = text.substr(end, 2) == "\r\n";

@@ -48,7 +48,7 @@ Skin repeated(const Skin& skin, std::int32_t across, std::int32_t down) {
     Skin larger{skin.name, skin.width * across, skin.height * down, {}};
     for (std::int32_t y = 0; y < larger.height; ++y)
         for (std::int32_t x = 0; x < larger.width; ++x)
-            larger.texels.push_back(at(skin.texels, y % skin.height * skin.width + x % skin.width));
+            larger.texels.push_back(item(skin.texels, y % skin.height * skin.width + x % skin.width));
     return larger;
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "engine/base/little_endian.h"
+#include "engine/base/table.h"
 
 namespace oblong {
 namespace {
@@ -50,7 +51,7 @@ void check_overlaps(std::vector<Range> ranges) {
         const bool are_entries = before.entry_offset != 0 && range.entry_offset != 0;
         if (before.end <= range.begin || (are_entries && before.is_same(range))) continue;
         const std::uint64_t offset = std::max(before.entry_offset, range.entry_offset);
-        expect_at(static_cast<std::size_t>(offset), false,
+        expect_at(as_size(offset), false,
                   "data from " + to_text(range.begin) + " on, where other data is, expected it apart");
     }
 }

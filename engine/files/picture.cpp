@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 #include "engine/view/screen.h"
 
 // stb is here alone: it reads what other readers leave, and no PNG, which libpng reads without a fault when damaged.
@@ -42,17 +43,17 @@ class Source {
     static int read(void* source, char* to, int wanted) {
         Source& self = *static_cast<Source*>(source);
         if (!self.buffer_) self.buffer_ = to;
-        const auto size = std::min(self.left_.size(), static_cast<std::size_t>(wanted));
-        std::memset(to, 0, static_cast<std::size_t>(wanted));
+        const auto size = std::min(self.left_.size(), as_size(wanted));
+        std::memset(to, 0, as_size(wanted));
         std::copy_n(self.left_.begin(), size, to);
-        self.is_short_ |= size == 0 || (to != self.buffer_ && size < static_cast<std::size_t>(wanted));
+        self.is_short_ |= size == 0 || (to != self.buffer_ && size < as_size(wanted));
         self.left_ = self.left_.subspan(size);
         return static_cast<int>(size);
     }
     static void skip(void* source, int count) {
         Source& self = *static_cast<Source*>(source);
-        const auto size = std::min(self.left_.size(), static_cast<std::size_t>(std::max(count, 0)));
-        self.is_short_ |= count < 0 || size < static_cast<std::size_t>(count);
+        const auto size = std::min(self.left_.size(), as_size(std::max(count, 0)));
+        self.is_short_ |= count < 0 || size < as_size(count);
         self.left_ = self.left_.subspan(size);
     }
     static int is_at_end(void* source) { return static_cast<Source*>(source)->left_.empty(); }

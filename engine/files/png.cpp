@@ -1,10 +1,9 @@
-#include "engine/files/png.h"
-
 #include <png.h>
 
 #include <string>
 
 #include "engine/base/input_error.h"
+#include "engine/files/picture.h"
 #include "engine/view/screen.h"
 
 namespace oblong {

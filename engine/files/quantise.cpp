@@ -19,16 +19,16 @@ constexpr Channels16 in_16(Rgb8 colour) {
 /// The errors that pixels pass on, to those after them in their row and to the row below. Pixel x is at x + 1: what
 /// leaves the picture at a side has a place too.
 struct PassedErrors {
-    explicit PassedErrors(int width_px) : here(static_cast<std::size_t>(width_px) + 2), below(here.size()) {}
+    explicit PassedErrors(int width_px) : here(as_size(width_px) + 2), below(here.size()) {}
 
     /// Of 16 parts 7 to the next pixel, and below 3, 5 and 1, the last with what rounding left: none is lost.
     void pass(int x, int step, const Channels16& errors) {
         for (std::size_t i = 0; i < errors.size(); ++i) {
             const int next = errors[i] * 7 / 16, behind = errors[i] * 3 / 16, under = errors[i] * 5 / 16;
-            at(here, x + 1 + step)[i] += next;
-            at(below, x + 1 - step)[i] += behind;
-            at(below, x + 1)[i] += under;
-            at(below, x + 1 + step)[i] += errors[i] - next - behind - under;
+            item(here, x + 1 + step)[i] += next;
+            item(below, x + 1 - step)[i] += behind;
+            item(below, x + 1)[i] += under;
+            item(below, x + 1 + step)[i] += errors[i] - next - behind - under;
         }
     }
     void end_row() {
@@ -60,8 +60,8 @@ std::vector<std::uint8_t> dithered(const PngImage& image, const Palette& palette
         const int step = y % 2 == 0 ? 1 : -1;
         for (int i = 0; i < image.width_px; ++i) {
             const int x = step > 0 ? i : image.width_px - 1 - i;
-            const auto place = pixel_count(image.width_px, y) + static_cast<std::size_t>(x);
-            const Channels16 wanted = wanted_colour(image.pixel(place).colour, at(passed.here, x + 1));
+            const auto place = pixel_count(image.width_px, y) + as_size(x);
+            const Channels16 wanted = wanted_colour(image.pixel(place).colour, item(passed.here, x + 1));
             indices[place] = nearest_colour(palette, rounded(wanted), range);
             const Channels16 taken = in_16(palette.colours[indices[place]]);
             passed.pass(x, step, {wanted[0] - taken[0], wanted[1] - taken[1], wanted[2] - taken[2]});

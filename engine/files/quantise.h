@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/files/png.h"
-#include "engine/surface/nearest_colour.h"
+#include "engine/files/picture.h"
 #include "engine/surface/palette.h"
 
 namespace oblong {

@@ -91,8 +91,8 @@ std::vector<PlanLine> RenderingTimes::pass_lines(const FramePlan& plan, const Fr
     add("claims", std::accumulate(counts.pass_pixels.begin(), end_of_faces, std::int64_t{0}),
         [](const PassTimes& times) { return times.claims_ns - walk_ns(times); });
     for (const Pass pass : plan.passes)
-        add(at(kPassNames, pass), at(counts.pass_pixels, pass),
-            [pass](const PassTimes& times) { return at(times.passes_ns, pass); });
+        add(item(kPassNames, pass), item(counts.pass_pixels, pass),
+            [pass](const PassTimes& times) { return item(times.passes_ns, pass); });
     const TimeSpread other = spread_of(rest);
     lines.push_back({"other", 0, other_ns, other.low, other.high});
     return lines;
@@ -105,7 +105,7 @@ std::vector<PlanLine> RenderingTimes::effect_lines(const FramePlan& plan, const 
         if (!plan.effects.has(effect)) continue;
         const std::optional<Pass> pass = pass_of(effect);
         const std::vector<double> times = times_of([&](const Rendering& rendering) {
-            return pass ? at(rendering.times.passes_ns, *pass) : rendering.times.effects_ns[index];
+            return pass ? item(rendering.times.passes_ns, *pass) : rendering.times.effects_ns[index];
         });
         lines.push_back(line_of(kEffectNames[index], counts.effect_pixels[index], spread_of(times)));
     }

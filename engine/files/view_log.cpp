@@ -90,7 +90,7 @@ std::vector<RowSpan> spans_of_row(const Claims& claims, std::int32_t row) {
 
 std::string face_text(const ListedFace& listed, const Level& level) {
     const FaceIndex face = listed.face.visible.face;
-    return "face " + std::to_string(face.number()) + " (" + at(kListNames, listed.list) + ", " +
+    return "face " + std::to_string(face.number()) + " (" + item(kListNames, listed.list) + ", " +
            level.texture_of(level.faces[face]).name + ")";
 }
 

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 
 namespace oblong {
 namespace {
@@ -54,8 +55,8 @@ void append_name(Bytes& bytes, const std::string& name) {
 Bytes miptex_lump(const MipTexture& texture) {
     Bytes lump;
     append_name(lump, texture.name);
-    append_u32(lump, static_cast<std::size_t>(texture.width));
-    append_u32(lump, static_cast<std::size_t>(texture.height));
+    append_u32(lump, as_size(texture.width));
+    append_u32(lump, as_size(texture.height));
     std::size_t offset = kMiptexHeaderBytes;
     for (const auto& mip : texture.mips) {
         append_u32(lump, offset);

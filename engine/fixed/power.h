@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 namespace detail {
@@ -44,7 +46,7 @@ constexpr std::uint32_t power_of_half_30(std::uint64_t exponent_22) {
     auto bits = static_cast<std::uint32_t>(exponent_22 << (32 - kLogarithmBits));  // of the fraction
     while (bits != 0) {
         const int first = std::countl_zero(bits);
-        power_31 = power_31 * kRootsOfHalf_32[static_cast<std::size_t>(first)] >> 32;
+        power_31 = power_31 * item(kRootsOfHalf_32, first) >> 32;
         bits ^= std::uint32_t{1} << 31 >> first;
     }
     return static_cast<std::uint32_t>(power_31 >> whole >> 1);

@@ -3,6 +3,8 @@
 #include <array>
 #include <bit>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 namespace {
@@ -89,7 +91,7 @@ std::uint32_t integer_root(std::uint64_t value) {
 ReciprocalRoot reciprocal_root(std::uint64_t value) {
     const int even_shift = std::countl_zero(value) & ~1;
     const std::uint64_t m_32 = (value << even_shift) >> 32;  // a quarter or more
-    const std::uint64_t seed = kReciprocalRootsOfMiddles[static_cast<std::size_t>((m_32 >> 24) - 64)];
+    const std::uint64_t seed = item(kReciprocalRootsOfMiddles, (m_32 >> 24) - 64);
     const std::uint64_t root = newton_step(m_32, newton_step(m_32, seed));
     return {static_cast<std::uint32_t>(root), 32 - even_shift / 2};
 }

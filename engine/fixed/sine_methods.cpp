@@ -19,7 +19,7 @@ constexpr auto kQuarterSines = [] {
     std::array<std::int32_t, kQuarterEntries + 1> table{};
     for (int i = 0; i <= kQuarterEntries; ++i) {
         const std::int64_t sine_62 = quarter_sine_series_62(i * (kQuarterHalves / kQuarterEntries));
-        at(table, i) = static_cast<std::int32_t>(rounded_shift(sine_62, 32, Rounding::NearestHalfUp));
+        item(table, i) = static_cast<std::int32_t>(rounded_shift(sine_62, 32, Rounding::NearestHalfUp));
     }
     return table;
 }();
@@ -32,15 +32,15 @@ constexpr auto kTurnSines = [] {
     std::array<std::int32_t, kTurnEntries> table{};
     for (int i = 0; i < kTurnEntries; ++i) {
         const int in_half = i % kHalf;
-        const std::int32_t size = at(kQuarterSines, std::min(in_half, kHalf - in_half) * kSpacing);
-        at(table, i) = i < kHalf ? size : -size;
+        const std::int32_t size = item(kQuarterSines, std::min(in_half, kHalf - in_half) * kSpacing);
+        item(table, i) = i < kHalf ? size : -size;
     }
     return table;
 }();
 
 /// Entry `index` (any whole number) of the table of 256.
 std::int32_t entry(int index) {
-    return kTurnSines[static_cast<std::size_t>(index) % kTurnEntries];
+    return kTurnSines[as_size(index) % kTurnEntries];
 }
 
 std::int32_t nearest_entry(Angle angle) {
@@ -55,7 +55,7 @@ std::int32_t between_entries(Angle angle) {
 
 std::int32_t between_quarter_entries(Angle angle) {
     const int in_half = angle.bam & 0x7fff, in_quarter = std::min(in_half, 0x8000 - in_half);
-    const auto index = static_cast<std::size_t>(in_quarter >> 4);
+    const auto index = as_size(in_quarter >> 4);
     const int along = in_quarter & 15;
     std::int32_t size = kQuarterSines[index];
     if (along != 0) size += ((kQuarterSines[index + 1] - size) * along) >> 4;
@@ -71,7 +71,7 @@ constexpr auto kArctangents = [] {
     for (int i = 1; i < kMostRotations; ++i) {
         std::int64_t radians_62 = 0;
         for (int n = 1; i * n <= 62; n += 2) radians_62 += (n % 4 == 1 ? 1 : -1) * ((kOne62 >> (i * n)) / n);
-        at(table, i) = static_cast<std::int32_t>(mul_shift(radians_62, kTurnsPerRadian64, 62 + 64 - 32));
+        item(table, i) = static_cast<std::int32_t>(mul_shift(radians_62, kTurnsPerRadian64, 62 + 64 - 32));
     }
     return table;
 }();
@@ -89,7 +89,7 @@ std::int32_t cordic_sine(Angle angle, int rotations) {
         const std::int32_t turned_x = x - sign * floor_shift(y, i);
         y += sign * floor_shift(x, i);
         x = turned_x;
-        rest -= sign * at(kArctangents, i);
+        rest -= sign * item(kArctangents, i);
     }
     const std::int32_t size = (angle.bam & kQuarterTurn.bam) == 0 ? y : x;
     return angle.bam < kHalfTurn.bam ? size : -size;

@@ -24,7 +24,7 @@ struct FineEntry {
 /// Sines of a quarter turn in 128 steps.
 constexpr auto kCoarseSines = [] {
     std::array<std::int64_t, kCoarseSteps + 1> table{};
-    for (int i = 0; i <= kCoarseSteps; ++i) at(table, i) = quarter_sine_series_62(i * kFineSteps);
+    for (int i = 0; i <= kCoarseSteps; ++i) item(table, i) = quarter_sine_series_62(i * kFineSteps);
     return table;
 }();
 
@@ -33,15 +33,15 @@ constexpr auto kFine = [] {
     std::array<FineEntry, kFineSteps> table{};
     for (int i = 0; i < kFineSteps; ++i) {
         const std::int64_t radians = radians_of_halves_62(i);
-        at(table, i) = {sine_series_62(radians), cosine_series_62(radians)};
+        item(table, i) = {sine_series_62(radians), cosine_series_62(radians)};
     }
     return table;
 }();
 
 /// sin(coarse + fine) = sin(coarse) cos(fine) + cos(coarse) sin(fine), from 0 to a quarter turn.
 std::int64_t quarter_sine_62(int halves) {
-    const auto coarse = static_cast<std::size_t>(halves / kFineSteps);
-    const FineEntry& fine = at(kFine, halves % kFineSteps);
+    const auto coarse = as_size(halves / kFineSteps);
+    const FineEntry& fine = item(kFine, halves % kFineSteps);
     return mul_shift(kCoarseSines[coarse], fine.cosine, 62) +
            mul_shift(kCoarseSines[kCoarseSteps - coarse], fine.sine, 62);
 }

@@ -5,8 +5,8 @@
 #include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/workspace.h"
-#include "engine/scene/light_below.h"
-#include "engine/visibility/box_rectangle.h"
+#include "engine/scene/light_styles.h"
+#include "engine/visibility/box_culler.h"
 
 namespace oblong {
 

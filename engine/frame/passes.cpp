@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/effects/sky.h"
-#include "engine/effects/underwater.h"
+#include "engine/effects/warp.h"
 #include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/light_pass.h"

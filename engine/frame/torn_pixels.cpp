@@ -10,7 +10,7 @@
 #include "engine/frame/workspace.h"
 #include "engine/level/line_walk.h"
 #include "engine/raster/perspective.h"
-#include "engine/scene/light_below.h"
+#include "engine/scene/light_styles.h"
 #include "engine/surface/lit_surface.h"
 #include "engine/view/view_directions.h"
 

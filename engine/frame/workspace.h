@@ -10,7 +10,6 @@
 
 #include "engine/effects/sky.h"
 #include "engine/effects/things.h"
-#include "engine/effects/underwater.h"
 #include "engine/effects/warp.h"
 #include "engine/frame/claims.h"
 #include "engine/frame/fog_pass.h"

@@ -9,7 +9,7 @@ namespace {
 
 template <class Record>
 [[noreturn]] void fail_in_record(const BspFile& file, Lump lump, Index<Record> index, const std::string& what) {
-    const std::int64_t size = at(file.format.record_sizes, lump);
+    const std::int64_t size = item(file.format.record_sizes, lump);
     fail_in_lump(lump, file.range(lump).offset + index.number() * size, what);
 }
 

@@ -14,7 +14,7 @@ BspFormat find_format(std::uint32_t version) {
 }
 
 void check_lump(Lump lump, LumpRange range, int record_size, std::int64_t file_size) {
-    const auto index = static_cast<std::size_t>(lump);
+    const auto index = as_size(lump);
     const auto table_offset = static_cast<std::int64_t>(4 + index * 8);
     const std::string found = "offset " + std::to_string(range.offset) + ", size " + std::to_string(range.size);
 
@@ -32,7 +32,7 @@ void check_lump(Lump lump, LumpRange range, int record_size, std::int64_t file_s
 }  // namespace
 
 void fail_in_lump(Lump lump, std::int64_t file_offset, const std::string& what_is_wrong) {
-    const std::string name = at(kLumpNames, lump);
+    const std::string name = item(kLumpNames, lump);
     throw InputError("lump '" + name + "', offset " + std::to_string(file_offset), what_is_wrong);
 }
 
@@ -44,7 +44,7 @@ std::string describe_bad_index(const char* what, std::int64_t index, std::int64_
 
 std::span<const std::uint8_t> BspFile::lump_bytes(Lump lump) const {
     const LumpRange where = range(lump);
-    return bytes.subspan(static_cast<std::size_t>(where.offset), static_cast<std::size_t>(where.size));
+    return bytes.subspan(as_size(where.offset), as_size(where.size));
 }
 
 BspFile open_bsp(std::span<const std::uint8_t> bytes) {

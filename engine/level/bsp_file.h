@@ -31,10 +31,10 @@ struct BspFile {
     BspFormat format;
     std::array<LumpRange, kLumpCount> lumps;
 
-    LumpRange range(Lump lump) const { return at(lumps, lump); }
+    LumpRange range(Lump lump) const { return item(lumps, lump); }
     std::span<const std::uint8_t> lump_bytes(Lump lump) const;
     /// How many records the lump holds (bytes, where it is not made of records).
-    std::int32_t count(Lump lump) const { return range(lump).size / at(format.record_sizes, lump); }
+    std::int32_t count(Lump lump) const { return range(lump).size / item(format.record_sizes, lump); }
 };
 
 /// Checks the version and that every lump lies after the header, inside the file, and holds whole records.
@@ -50,7 +50,7 @@ class LumpReader {
     std::int64_t size() const { return static_cast<std::int64_t>(bytes_.size()); }
     /// Continues reading at this byte of the lump, which may be its end.
     void seek(std::int64_t lump_offset);
-    std::span<const std::uint8_t> read_bytes(std::int64_t size) { return {take(size), static_cast<std::size_t>(size)}; }
+    std::span<const std::uint8_t> read_bytes(std::int64_t size) { return {take(size), as_size(size)}; }
     void skip(std::int64_t size) { read_bytes(size); }
 
     std::uint8_t read_u8() { return take(1)[0]; }

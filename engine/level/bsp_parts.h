@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/base/table.h"
 #include "engine/level/bsp_file.h"
 #include "engine/level/level.h"
 
@@ -31,7 +32,7 @@ template <class RecordTable, class ReadOne>
 RecordTable read_records(const BspFile& file, Lump lump, ReadOne read_one) {
     LumpReader in(file, lump);
     RecordTable records;
-    records.reserve(static_cast<std::size_t>(file.count(lump)));
+    records.reserve(as_size(file.count(lump)));
     for (std::int32_t i = 0; i < file.count(lump); ++i) records.push_back(read_one(in));
     return records;
 }

@@ -1,3 +1,4 @@
+#include "engine/base/table.h"
 #include "engine/level/bsp_parts.h"
 
 namespace oblong {
@@ -53,7 +54,7 @@ MipTexture read_texture(LumpReader& in, std::int64_t start, std::int64_t& texels
     if (offsets == std::array<std::uint32_t, 4>{}) return make_checkerboard(texture.name);
 
     for (int level = 0; level < 4; ++level) {
-        const auto i = static_cast<std::size_t>(level);
+        const auto i = as_size(level);
         const std::int64_t size = std::int64_t{texture.width >> level} * (texture.height >> level);
         in.seek(start + offsets[i]);
         const auto texels = in.read_bytes(size);

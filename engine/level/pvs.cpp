@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 namespace {
@@ -15,7 +17,7 @@ void set_all(std::span<std::uint8_t> visible, std::int32_t leaf_count) {
 }  // namespace
 
 std::size_t visible_set_size(const Level& level) {
-    return static_cast<std::size_t>(level.world().visible_leaf_count + 7) / 8;
+    return as_size(level.world().visible_leaf_count + 7) / 8;
 }
 
 void unpack_visible_set(const Level& level, LeafIndex leaf, std::span<std::uint8_t> visible) {

@@ -78,16 +78,16 @@ class VertexGrid {
         do {  // from cells of 16 units on
             ++shift_;
             for (std::size_t axis = 0; axis < 3; ++axis)
-                counts_[axis] = static_cast<std::size_t>((high[axis] - low_[axis]) >> shift_) + 1;
+                counts_[axis] = as_size((high[axis] - low_[axis]) >> shift_) + 1;
         } while (cell_count() > kMostCells * vertices_.size());
     }
 
     void sort_into_cells() {
-        starts_.resize(static_cast<std::size_t>(cell_count()) + 1);
+        starts_.resize(as_size(cell_count()) + 1);
         for (const VertexIndex vertex : vertices_) ++starts_[position_of(vertex)];
         std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());  // the ends, until each cell is filled
         std::vector<VertexIndex> sorted(vertices_.size());
-        for (const VertexIndex vertex : vertices_) at(sorted, --starts_[position_of(vertex)]) = vertex;
+        for (const VertexIndex vertex : vertices_) item(sorted, --starts_[position_of(vertex)]) = vertex;
         vertices_ = std::move(sorted);
     }
 
@@ -95,8 +95,8 @@ class VertexGrid {
     Cell cell_of(const Point& p) const {
         Cell cell{};
         for (std::size_t axis = 0; axis < 3; ++axis)
-            cell[axis] = std::min(static_cast<std::size_t>(std::max<std::int64_t>(p[axis] - low_[axis], 0) >> shift_),
-                                  counts_[axis] - 1);
+            cell[axis] =
+                std::min(as_size(std::max<std::int64_t>(p[axis] - low_[axis], 0) >> shift_), counts_[axis] - 1);
         return cell;
     }
     std::uint64_t cell_count() const { return std::uint64_t{counts_[0]} * counts_[1] * counts_[2]; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "engine/level/level.h"
 
@@ -32,5 +33,15 @@ std::int32_t hull_contents(const Level& level, const SubModel& model, Hull hull,
 /// never solid unless `from` is; from solid, the body moves out freely and is stopped by what it meets then. The line
 /// is cut at planes as in Quake's hull check, which may miss solid thinner than 1/32 unit.
 TraceResult trace_hull(const Level& level, const SubModel& model, Hull hull, Vec3<World> from, Vec3<World> to);
+
+/// The floor of the world below a point.
+struct Floor {
+    PlaneIndex plane;
+    Vec3<World> position;  ///< on the plane, straight below the point
+};
+
+/// The first solid of the world straight below `from`, at most `most` below it, through liquids. None from solid, above
+/// a sky, or where the plane is steeper than 45 degrees. Brush models are no floor.
+std::optional<Floor> find_floor(const Level& level, const Vec3<World>& from, World most);
 
 }  // namespace oblong

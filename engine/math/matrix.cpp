@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/base/table.h"
 #include "engine/math/soft_float.h"
 #include "engine/math/vec.h"
 
@@ -37,7 +38,7 @@ struct Elimination {
         const auto first = rows.begin() + static_cast<std::ptrdiff_t>(column);
         const auto largest =
             std::max_element(first, rows.end(), [&size](const auto& a, const auto& b) { return size(a) < size(b); });
-        return static_cast<std::size_t>(largest - rows.begin());
+        return as_size(largest - rows.begin());
     }
 
     void divide_row(std::size_t row, SoftFloat divisor) {
@@ -78,7 +79,7 @@ std::optional<Matrix<static_cast<int>(N)>> right_half(const Elimination<N>& done
 /// Gauss-Jordan elimination with partial pivoting.
 template <int N>
 std::optional<Matrix<N>> inverse_of(const Matrix<N>& matrix) {
-    constexpr auto kSize = static_cast<std::size_t>(N);
+    constexpr auto kSize = as_size(N);
     Elimination<kSize> elimination(matrix);
     const int smallest_pivot = largest_magnitude(matrix) - kSingularBits;
     for (std::size_t column = 0; column < kSize; ++column) {
@@ -96,12 +97,6 @@ std::array<Entry, 4> row_of(const Vec3<Unit>& axis, Entry last) {
 }
 
 }  // namespace
-
-std::optional<Vec3<Entry>> point_of(const Vec4& homogeneous) {
-    if (homogeneous.w == Entry{}) return std::nullopt;
-    return Vec3<Entry>{divide<Entry>(homogeneous.x, homogeneous.w), divide<Entry>(homogeneous.y, homogeneous.w),
-                       divide<Entry>(homogeneous.z, homogeneous.w)};
-}
 
 std::optional<Matrix3> inverse(const Matrix3& matrix) {
     return inverse_of(matrix);
@@ -127,29 +122,11 @@ Matrix4 scaling(const Vec3<Entry>& by) {
     return result;
 }
 
-Matrix3 rotation_matrix(const Basis& basis) {
-    Matrix3 result;
-    const std::array axes{basis.right, basis.up, basis.forward};
-    for (std::size_t i = 0; i < 3; ++i)
-        result.rows[i] = {convert<Entry>(axes[i].x), convert<Entry>(axes[i].y), convert<Entry>(axes[i].z)};
-    return result;
-}
-
 Matrix4 view_matrix(const Basis& basis, const Vec3<World>& world_eye) {
     const auto row = [&world_eye](const Vec3<Unit>& axis) {
         return row_of(axis, convert<Entry>(-dot(world_eye, axis)));
     };
     return {{row(basis.right), row(basis.up), row(basis.forward), Matrix4::identity().rows[3]}};
-}
-
-Matrix4 camera_matrix(const Basis& basis, const Vec3<World>& world_eye) {
-    Matrix4 columns;
-    columns.rows = {
-        row_of(basis.right, {}),
-        row_of(basis.up, {}),
-        row_of(basis.forward, {}),
-        {convert<Entry>(world_eye.x), convert<Entry>(world_eye.y), convert<Entry>(world_eye.z), Entry::from_int(1)}};
-    return columns.transposed();
 }
 
 std::optional<Matrix3> normal_matrix(const Matrix3& model_to_world) {

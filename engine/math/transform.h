@@ -1,10 +1,7 @@
 #pragma once
 
-#include <optional>
-
 #include "engine/fixed/angle.h"
 #include "engine/math/matrix.h"
-#include "engine/math/rotation.h"
 
 namespace oblong {
 
@@ -16,17 +13,10 @@ struct EulerAngles {
     constexpr bool operator==(const EulerAngles&) const = default;
 };
 
-// Rotations as matrices: columns are where the x, y and z axis go. Entries are those of the vectors that rotation.h
-// and basis.h turn, so that the three agree with them bit for bit.
-
-/// About an axis of length 1, counter-clockwise with the axis pointing at the viewer (right-handed axes).
-Matrix3 rotation_matrix(const Vec3<Unit>& axis, Angle angle);
-/// Of a quaternion of length 1.
-Matrix3 rotation_matrix(const Quaternion& rotation);
+/// The matrix whose columns are these: where the x, y and z axis go.
+Matrix3 matrix_of_columns(const Vec3<Unit>& x, const Vec3<Unit>& y, const Vec3<Unit>& z);
+/// A rotation, its entries those of view_basis(), bit for bit.
 Matrix3 rotation_matrix(const EulerAngles& angles);
-
-/// The quaternion of the same rotation: the product of three, about z, y and x.
-Quaternion quaternion_of(const EulerAngles& angles);
 
 /// A linear map as one that also moves points: by nothing.
 Matrix4 homogeneous(const Matrix3& linear);
@@ -38,10 +28,5 @@ Matrix3 linear_part(const Matrix4& matrix);
 /// 2^30.
 Matrix4 model_matrix(const Vec3<World>& world_position, const Matrix3& rotation, const Vec3<Entry>& scale);
 Matrix4 model_matrix(const Vec3<World>& world_position, const EulerAngles& angles, const Vec3<Entry>& scale);
-
-/// A model's point in the world, rounded once each coordinate; saturates.
-Vec3<World> transformed_point(const Matrix4& model_to_world, const Vec3<World>& model_point);
-/// A normal in the world, of length 1, by normal_matrix() of the model's transform.
-Vec3<Unit> transformed_normal(const Matrix3& normal_to_world, const Vec3<Unit>& model_normal);
 
 }  // namespace oblong

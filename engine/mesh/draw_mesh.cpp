@@ -36,7 +36,7 @@ bool is_whole(const Skin& skin) {
 const Skin& skin_of(const MeshTriangle& triangle, const MeshContext& mesh) {
     const std::vector<Skin>& skins = mesh.placed.mesh->skins;
     const std::uint64_t number = std::uint64_t{triangle.skin} + mesh.placed.skin;
-    return number < skins.size() && is_whole(at(skins, number)) ? at(skins, number) : mesh.plain;
+    return number < skins.size() && is_whole(item(skins, number)) ? item(skins, number) : mesh.plain;
 }
 
 /// One light for a whole triangle, that of its middle.
@@ -44,7 +44,7 @@ void set_flat_light(const MeshTriangle& triangle, const MeshContext& mesh, const
                     std::array<CornerValues, 3>& values) {
     Vec3<WorldWide> sum;
     for (const std::uint32_t vertex : triangle.vertices)
-        sum = sum + convert<WorldWide>(at(scratch.world_vertices, vertex).position);
+        sum = sum + convert<WorldWide>(item(scratch.world_vertices, vertex).position);
     const auto third = [](WorldWide whole) { return World::from_raw(static_cast<World::Raw>(whole.raw / 3)); };
     const Vec3<Unit> normal = world_normal(triangle, mesh.object_vertices, mesh.transform);
     const MeshLight& light = mesh.drawing.light;
@@ -54,10 +54,10 @@ void set_flat_light(const MeshTriangle& triangle, const MeshContext& mesh, const
 
 /// A vertex as the view sees it.
 const ViewVertex& seen_vertex(std::uint32_t number, const MeshContext& mesh, MeshScratch& scratch) {
-    ViewVertex& seen = at(scratch.view_vertices, number);
-    VertexStage& stage = at(scratch.stages, number);
+    ViewVertex& seen = item(scratch.view_vertices, number);
+    VertexStage& stage = item(scratch.stages, number);
     if (stage != VertexStage::Unknown) return seen;
-    Vec3<World>& position = at(scratch.world_vertices, number).position;
+    Vec3<World>& position = item(scratch.world_vertices, number).position;
     position = world_position(mesh.object_vertices[number].position, mesh.transform);
     seen = view_vertex(position, mesh.drawing.view);
     stage = VertexStage::Seen;
@@ -66,10 +66,10 @@ const ViewVertex& seen_vertex(std::uint32_t number, const MeshContext& mesh, Mes
 
 /// Its values. The view has seen it.
 const CornerValues& values_at(std::uint32_t number, const MeshContext& mesh, MeshScratch& scratch) {
-    CornerValues& values = at(scratch.values, number);
-    VertexStage& stage = at(scratch.stages, number);
+    CornerValues& values = item(scratch.values, number);
+    VertexStage& stage = item(scratch.stages, number);
     if (stage == VertexStage::Complete) return values;
-    WorldVertex& vertex = at(scratch.world_vertices, number);
+    WorldVertex& vertex = item(scratch.world_vertices, number);
     vertex.normal = world_normal(mesh.object_vertices[number].normal, mesh.transform);
     values = corner_values(mesh.placed, number, vertex, mesh.drawing.light);
     stage = VertexStage::Complete;
@@ -173,13 +173,6 @@ CornerValues corner_values(const PlacedMesh& placed, std::size_t number, const W
     return corner;
 }
 
-void find_corner_values(const PlacedMesh& placed, std::span<const WorldVertex> world_vertices, const MeshLight& light,
-                        std::vector<CornerValues>& values) {
-    values.clear();
-    for (std::size_t i = 0; i < world_vertices.size(); ++i)
-        values.push_back(corner_values(placed, i, world_vertices[i], light));
-}
-
 void MeshScratch::begin(std::size_t vertex_count) {
     world_vertices.resize(vertex_count);
     view_vertices.resize(vertex_count);
@@ -204,7 +197,7 @@ MeshCounts draw_mesh(const PlacedMesh& placed, const MeshDrawing& drawing, const
     find_facing(placed.mesh->triangles, mesh.object_vertices, to_object(drawing.view.eye, *transform), scratch.facing);
     scratch.begin(mesh.object_vertices.size());
     for (const std::uint32_t triangle : scratch.facing)
-        draw_polygon(at(placed.mesh->triangles, triangle), mesh, scratch, counts);
+        draw_polygon(item(placed.mesh->triangles, triangle), mesh, scratch, counts);
     counts.facing = std::ssize(scratch.facing);
     return counts;
 }

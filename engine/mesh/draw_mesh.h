@@ -47,9 +47,6 @@ struct MeshCounts {
 /// The values of a vertex that go over the screen: texels, and the light or what it is worked out from at each pixel.
 CornerValues corner_values(const PlacedMesh& placed, std::size_t number, const WorldVertex& vertex,
                            const MeshLight& light);
-/// The same of all vertices.
-void find_corner_values(const PlacedMesh& placed, std::span<const WorldVertex> world_vertices, const MeshLight& light,
-                        std::vector<CornerValues>& values);
 
 /// Draws a mesh where nothing is nearer, and sets the depth of its pixels. Any mesh and place: what cannot be drawn (no
 /// frames, a scale without inverse, numbers of missing vertices) is left out.

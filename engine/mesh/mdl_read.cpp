@@ -1,11 +1,10 @@
-#include "engine/mesh/mdl_read.h"
-
 #include <algorithm>
 #include <utility>
 
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "engine/level/bsp_floats.h"
+#include "engine/mesh/mesh.h"
 
 namespace oblong {
 
@@ -61,7 +60,7 @@ class MdlBytes {
 
     /// Throws unless so many records of this size are left: before memory is taken for them.
     void expect_records(std::int32_t count, std::size_t size, const char* what) {
-        if (static_cast<std::size_t>(count) <= left() / size) return;
+        if (as_size(count) <= left() / size) return;
         field_ = position_;
         fail(std::to_string(count) + " " + what + " of " + std::to_string(size) +
              " bytes or more, expected them in the " + std::to_string(left()) + " bytes left in the file");
@@ -138,7 +137,7 @@ class MdlReader {
     }
 
     void read_skin(std::int32_t number, std::int32_t in_group) {
-        const auto texels = in_.read_bytes(static_cast<std::size_t>(header_.skin_width * header_.skin_height));
+        const auto texels = in_.read_bytes(as_size(header_.skin_width * header_.skin_height));
         mesh_.skins.push_back({"skin " + std::to_string(number) + "." + std::to_string(in_group),
                                header_.skin_width,
                                header_.skin_height,
@@ -197,10 +196,10 @@ class MdlReader {
 
     /// The vertex as the skin's back half has it.
     std::uint32_t on_back(std::uint32_t vertex) {
-        const SkinPlace& place = at(places_, vertex);
+        const SkinPlace& place = item(places_, vertex);
         if (!place.is_on_seam) return vertex;
         back_copies_.resize(places_.size());
-        std::uint32_t& copy = at(back_copies_, vertex);
+        std::uint32_t& copy = item(back_copies_, vertex);
         if (copy == 0) {
             copy = static_cast<std::uint32_t>(source_.size());
             add_texel(place.u + header_.skin_width / 2, place.v);
@@ -234,7 +233,7 @@ class MdlReader {
         set_normals(frame.vertices, corners_);
         set_box(frame);
         for (std::size_t i = frame.vertices.size(); i < source_.size(); ++i)
-            frame.vertices.push_back(at(frame.vertices, source_[i]));
+            frame.vertices.push_back(item(frame.vertices, source_[i]));
         mesh_.frames.push_back(std::move(frame));
     }
 

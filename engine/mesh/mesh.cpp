@@ -15,8 +15,8 @@ using NormalSum = std::array<std::int64_t, 3>;  ///< of products of two World ra
 
 /// Outward, twice as long as the triangle is large: corners run clockwise.
 auto normal_of(const std::vector<MeshVertex>& vertices, const Corners& corners) {
-    const Vec3<World> a = at(vertices, corners[0]).position;
-    return cross(at(vertices, corners[2]).position - a, at(vertices, corners[1]).position - a);
+    const Vec3<World> a = item(vertices, corners[0]).position;
+    return cross(item(vertices, corners[2]).position - a, item(vertices, corners[1]).position - a);
 }
 
 std::int64_t largest_part(const NormalSum& normal) {
@@ -49,11 +49,11 @@ void set_normals(std::vector<MeshVertex>& vertices, std::span<const Corners> tri
         const NormalSum normal = raw_of(normal_of(vertices, corners));
         for (const std::uint32_t corner : corners)
             for (std::size_t axis = 0; axis < 3; ++axis)
-                at(sums, corner)[axis] += floor_shift(normal[axis], dropped_bits);
+                item(sums, corner)[axis] += floor_shift(normal[axis], dropped_bits);
     }
     for (const Corners& corners : triangles)
         for (const std::uint32_t corner : corners)
-            if (at(sums, corner) == NormalSum{}) at(sums, corner) = raw_of(normal_of(vertices, corners));
+            if (item(sums, corner) == NormalSum{}) item(sums, corner) = raw_of(normal_of(vertices, corners));
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         if (sums[i] == NormalSum{}) sums[i] = {0, 0, 1};
         const auto unit = normalised_raw(sums[i]);

@@ -57,7 +57,7 @@ HighlightTable make_highlight_table(std::int32_t brightest) {
     for (std::int64_t cosine_8 = 0; cosine_8 <= 256; ++cosine_8) {
         std::int64_t power_30 = cosine_8 << 22;
         for (int power = 1; power < kShininess; power *= 2) power_30 = floor_shift(power_30 * power_30, 30);
-        at(table, cosine_8) = static_cast<Light8>(floor_shift(power_30 * within_limits(brightest), 30));
+        item(table, cosine_8) = static_cast<Light8>(floor_shift(power_30 * within_limits(brightest), 30));
     }
     return table;
 }

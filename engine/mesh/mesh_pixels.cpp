@@ -75,7 +75,7 @@ std::uint8_t texel_at(const MeshPixel& pixel, const Skin& skin) {
     }
     u = std::clamp<std::int64_t>(u, 0, skin.width - 1);
     v = std::clamp<std::int64_t>(v, 0, skin.height - 1);
-    return at(skin.texels, v * skin.width + u);
+    return item(skin.texels, v * skin.width + u);
 }
 
 /// N . to, of length 1 at most, 8 fraction bits; `length` that of N: interpolated normals are shorter than 1.
@@ -97,7 +97,7 @@ std::int32_t phong_shade_16(const MeshPixel& pixel, const MeshPaint& paint) {
         const ReciprocalRoot over_length = reciprocal_root(static_cast<std::uint64_t>(square));
         const DirectionalLight& source = paint.light.directional;
         light += static_cast<Light8>(cosine_8(normal, over_length, source.toward) * source.strength);
-        light += at(*paint.highlight, cosine_8(normal, over_length, paint.halfway));
+        light += item(*paint.highlight, cosine_8(normal, over_length, paint.halfway));
     }
     return shade_16_of(light, paint.light.brightness_100);
 }
@@ -115,7 +115,7 @@ std::int64_t draw_span(const Span& span, const MeshGradients& gradients, const M
         depths[x] = depth;
         std::int64_t shade = floor_of(pixel.light);
         if constexpr (kTraits.is_phong) shade = phong_shade_16(pixel, paint) >> 16;
-        const std::uint8_t lit = at(paint.colormap.shades, shade)[texel_at<kTraits.is_affine>(pixel, paint.skin)];
+        const std::uint8_t lit = item(paint.colormap.shades, shade)[texel_at<kTraits.is_affine>(pixel, paint.skin)];
         pixels[x] = kTraits.has_after ? paint.after[lit] : lit;
         ++drawn;
     }
@@ -135,7 +135,7 @@ void append_few(const std::array<ScreenVertex, 3>& corners, const ScreenRectangl
         };
         Span span{y, box.end_column, box.end_column};
         for (std::int32_t x = box.end_column - 1; x >= box.first_column; --x) {
-            if ((at(0, x) | at(1, x) | at(2, x)) >= 0)
+            if ((item(0, x) | item(1, x) | item(2, x)) >= 0)
                 span.first = x;
             else if (span.first == span.end)
                 span.first = span.end = x;
@@ -152,15 +152,15 @@ DrawSpan choose_loop(const MeshTraits& traits) {
         draw_span<MeshTraits{false, true, false}>,  draw_span<MeshTraits{false, true, true}>,
         draw_span<MeshTraits{true, false, false}>,  draw_span<MeshTraits{true, false, true}>,
         draw_span<MeshTraits{true, true, false}>,   draw_span<MeshTraits{true, true, true}>};
-    return at(kLoops, traits.is_phong * 4 + traits.is_affine * 2 + traits.has_after);
+    return item(kLoops, traits.is_phong * 4 + traits.is_affine * 2 + traits.has_after);
 }
 
 }  // namespace
 
 void append_spans(const ScanlineExtents& rows, const ScreenRectangle& part, std::vector<Span>& spans) {
     for (std::int32_t y = std::max(rows.first, part.first_row); y < std::min(rows.end, part.end_row); ++y) {
-        const std::int32_t first = std::max(at(rows.left, y), part.first_column);
-        const std::int32_t end = std::min(at(rows.right, y), part.end_column);
+        const std::int32_t first = std::max(item(rows.left, y), part.first_column);
+        const std::int32_t end = std::min(item(rows.right, y), part.end_column);
         if (first < end) spans.push_back({y, first, end});
     }
 }

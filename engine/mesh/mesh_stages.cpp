@@ -199,13 +199,6 @@ Vec3<Unit> world_normal(const Vec3<Unit>& object_normal, const MeshTransform& tr
     return {rounded(x), rounded(y), rounded(z)};
 }
 
-void transform_to_world(std::span<const MeshVertex> object_vertices, const MeshTransform& transform,
-                        std::vector<WorldVertex>& world_vertices) {
-    world_vertices.clear();
-    for (const MeshVertex& vertex : object_vertices)
-        world_vertices.push_back({world_position(vertex.position, transform), world_normal(vertex.normal, transform)});
-}
-
 ViewVertex view_vertex(const Vec3<World>& world_position, const ViewContext& view) {
     ViewVertex seen;
     seen.position = to_view(world_position, view.eye, view.axes);
@@ -215,12 +208,6 @@ ViewVertex view_vertex(const Vec3<World>& world_position, const ViewContext& vie
     seen.screen = to_screen_vertex(project(seen.position, view.projection), view.projection, view.grid);
     seen.inverse_z = inverse_z_at(seen.position.z);
     return seen;
-}
-
-void transform_to_view(std::span<const WorldVertex> world_vertices, const ViewContext& view,
-                       std::vector<ViewVertex>& view_vertices) {
-    view_vertices.clear();
-    for (const WorldVertex& vertex : world_vertices) view_vertices.push_back(view_vertex(vertex.position, view));
 }
 
 void clip_and_project(const std::array<const ViewVertex*, 3>& triangle, const std::array<CornerValues, 3>& values,

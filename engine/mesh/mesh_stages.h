@@ -66,9 +66,6 @@ Vec3<World> world_position(const Vec3<World>& object_position, const MeshTransfo
 /// A normal of object space in the world, of length 1: by the inverse transpose, and brought back to that length. Where
 /// the mesh is scaled alike along its axes the rotation alone does, within 3 steps (2^-30).
 Vec3<Unit> world_normal(const Vec3<Unit>& object_normal, const MeshTransform& transform);
-/// Object space to world: both, of all vertices.
-void transform_to_world(std::span<const MeshVertex> object_vertices, const MeshTransform& transform,
-                        std::vector<WorldVertex>& world_vertices);
 
 /// The normal of a triangle in the world, of length 1: for Shading::Flat.
 Vec3<Unit> world_normal(const MeshTriangle& triangle, std::span<const MeshVertex> object_vertices,
@@ -77,9 +74,6 @@ Vec3<Unit> world_normal(const MeshTriangle& triangle, std::span<const MeshVertex
 /// World to view: the position, and the sides of the view that it is outside of; where none, also the place on the
 /// screen.
 ViewVertex view_vertex(const Vec3<World>& world_position, const ViewContext& view);
-/// The same of all vertices.
-void transform_to_view(std::span<const WorldVertex> world_vertices, const ViewContext& view,
-                       std::vector<ViewVertex>& view_vertices);
 
 /// Clips a triangle to the view and projects what is left: 3 to 7 corners, or none. `values` are those of its vertices.
 void clip_and_project(const std::array<const ViewVertex*, 3>& triangle, const std::array<CornerValues, 3>& values,

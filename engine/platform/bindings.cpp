@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 
 namespace oblong {
 namespace {
@@ -57,8 +58,7 @@ constexpr std::array<ActionNames, kActionCount> kActions{{
 
 std::size_t index_of(Action action) {
     const Move* move = std::get_if<Move>(&action);
-    return move ? static_cast<std::size_t>(*move)
-                : static_cast<std::size_t>(kMoveCount) + static_cast<std::size_t>(std::get<Command>(action));
+    return move ? as_size(*move) : as_size(kMoveCount) + as_size(std::get<Command>(action));
 }
 
 // Works a panel while one is open, and nothing else.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/base/table.h"
 #include "engine/fixed/trig.h"
 
 namespace oblong {
@@ -33,11 +34,11 @@ std::uint32_t argb(std::uint32_t row_light_256, std::int32_t x) {
 
 std::vector<std::uint32_t> make_crt_mask(std::int32_t width_px, std::int32_t height_px, std::int32_t rows) {
     std::vector<std::uint32_t> mask;
-    mask.reserve(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px));
+    mask.reserve(as_size(width_px) * as_size(height_px));
     for (std::int32_t y = 0; y < height_px; ++y) {
         const std::uint32_t light_256 = row_light_256(y, height_px, rows);
         const std::array<std::uint32_t, 3> columns{argb(light_256, 0), argb(light_256, 1), argb(light_256, 2)};
-        for (std::int32_t x = 0; x < width_px; ++x) mask.push_back(columns[static_cast<std::size_t>(x % 3)]);
+        for (std::int32_t x = 0; x < width_px; ++x) mask.push_back(item(columns, x % 3));
     }
     return mask;
 }

@@ -1,3 +1,4 @@
+#include "engine/base/table.h"
 #include "engine/platform/bindings.h"
 
 namespace oblong {
@@ -69,7 +70,7 @@ constexpr std::array<DefaultInputs, kActionCount> kDefaults{{
 Bindings default_bindings(Hands hands) {
     Bindings bindings;
     for (const DefaultInputs& row : kDefaults) {
-        const std::string_view keys = row.keys[static_cast<std::size_t>(hands)];
+        const std::string_view keys = row.keys[as_size(hands)];
         set_inputs(bindings, row.action, std::string(keys) + " " + std::string(row.common));
     }
     return bindings;

@@ -31,11 +31,11 @@ BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_
     const std::uint64_t step = std::min(detail::magnitude(inverse_z_step.raw), std::uint64_t{1} << 50);
     const std::uint64_t fall = inverse_z_step < InverseZ{} ? step : 0;
     for (int k = 1; k < kBlockSizes; ++k) {
-        const std::uint64_t product = ((step * at(rule.factor_8, k)) >> 8) + 1;
-        const std::uint64_t least = (step < at(rule.step_end, k) ? product : kMost) + (fall << k);
+        const std::uint64_t product = ((step * item(rule.factor_8, k)) >> 8) + 1;
+        const std::uint64_t least = (step < item(rule.step_end, k) ? product : kMost) + (fall << k);
         note_range<"block thresholds">(InverseZ::from_raw(static_cast<std::int64_t>(least)));
         const auto reached = InverseZ::from_raw(static_cast<std::int64_t>(std::min(least, kMost)));
-        at(thresholds.least_inverse_z, k) = k <= longest_log2 ? reached : InverseZ::highest();
+        item(thresholds.least_inverse_z, k) = k <= longest_log2 ? reached : InverseZ::highest();
     }
     thresholds.least_inverse_z.front() = InverseZ::lowest();
     thresholds.least_inverse_z.back() = InverseZ::highest();

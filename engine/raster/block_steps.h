@@ -40,7 +40,7 @@ inline std::int32_t step_by_division(std::int64_t whole, std::int32_t steps) {
 inline constexpr std::int32_t kStepReciprocals = 512;
 inline constexpr std::array<std::int64_t, kStepReciprocals> kStepReciprocal_36 = [] {
     std::array<std::int64_t, kStepReciprocals> reciprocals{};
-    for (std::int64_t n = 1; n < kStepReciprocals; ++n) at(reciprocals, n) = ((std::int64_t{1} << 36) + n - 1) / n;
+    for (std::int64_t n = 1; n < kStepReciprocals; ++n) item(reciprocals, n) = ((std::int64_t{1} << 36) + n - 1) / n;
     return reciprocals;
 }();
 
@@ -51,7 +51,7 @@ inline constexpr std::array<std::int64_t, kStepReciprocals> kStepReciprocal_36 =
     const auto beyond = static_cast<std::uint64_t>(u + kMost) | static_cast<std::uint64_t>(v + kMost);
     if (beyond >= 2 * kMost || static_cast<std::uint32_t>(steps) >= kStepReciprocals)
         return {step_by_division(u, steps), step_by_division(v, steps)};
-    const std::int64_t reciprocal_36 = at(kStepReciprocal_36, steps);
+    const std::int64_t reciprocal_36 = item(kStepReciprocal_36, steps);
     return {static_cast<std::int32_t>(floor_shift(u * reciprocal_36 + kMost, 36)),
             static_cast<std::int32_t>(floor_shift(v * reciprocal_36 + kMost, 36))};
 }

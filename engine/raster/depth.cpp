@@ -57,7 +57,7 @@ void DepthBuffer::want(ScreenRectangle wanted) {
 void DepthBuffer::allocate() {
     if (depths_) return;
     depths_.reset(new InverseDepth[pixel_count(width_px_, height_px_)]);  // not set: what is read was cleared before
-    hulls_.resize(static_cast<std::size_t>(height_px_));
+    hulls_.resize(as_size(height_px_));
 }
 
 void DepthBuffer::clear() {
@@ -66,7 +66,7 @@ void DepthBuffer::clear() {
     for (const ScreenRectangle& rectangle : rectangles_)
         for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y) {
             std::fill(row(y) + rectangle.first_column, row(y) + rectangle.end_column, InverseDepth{0});
-            Hull& hull = at(hulls_, y);
+            Hull& hull = item(hulls_, y);
             hull.first = std::min(hull.first, rectangle.first_column);
             hull.end = std::max(hull.end, rectangle.end_column);
         }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/fixed/fixed.h"
 #include "engine/view/gradients.h"
 #include "engine/view/screen.h"
@@ -56,7 +57,7 @@ class DepthBuffer {
 
     bool touches(const Span& span) const { return span.first < at_row(span.y).end && span.end > at_row(span.y).first; }
     bool is_wanted_at(std::int32_t column, std::int32_t row) const;
-    const Hull& at_row(std::int32_t y) const { return hulls_[static_cast<std::size_t>(y)]; }
+    const Hull& at_row(std::int32_t y) const { return item(hulls_, y); }
     void allocate();
 
     std::int32_t width_px_, height_px_;

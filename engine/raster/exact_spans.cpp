@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "engine/raster/block_steps.h"
-#include "engine/raster/kernels/near_borders.h"
+#include "engine/raster/kernels/kernels.h"
 #include "engine/raster/octave_row.h"
 
 namespace oblong {

@@ -176,7 +176,7 @@ class GuptaSproullWalk {
     static constexpr std::int32_t coverage_256(std::int64_t distance_60) {
         const std::int64_t sixteenths =
             rounded_shift(distance_60 < 0 ? -distance_60 : distance_60, 56, Rounding::NearestHalfUp);
-        return sixteenths < 24 ? at(kLineCoverage_256, sixteenths) : 0;
+        return sixteenths < 24 ? item(kLineCoverage_256, sixteenths) : 0;
     }
 
   private:

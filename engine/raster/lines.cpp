@@ -78,7 +78,7 @@ void draw_solid(const LinePath& path, std::uint8_t colour, Framebuffer out) {
 
 void blend_pixel(std::uint8_t& pixel, std::int64_t distance_60, const LineBlends& blends) {
     const std::int32_t covered_256 = GuptaSproullWalk<std::int64_t>::coverage_256(distance_60);
-    pixel = at(at(blends, covered_256 / 4), pixel);
+    pixel = item(item(blends, covered_256 / 4), pixel);
 }
 
 void draw_blended(const LinePath& path, const LineBlends& blends, Framebuffer out) {
@@ -100,11 +100,6 @@ void draw_blended(const LinePath& path, const LineBlends& blends, Framebuffer ou
 }
 
 }  // namespace
-
-const char* name_of(LineMethod method) {
-    constexpr std::array<const char*, kLineMethodCount> kNames{"naive", "DDA", "Bresenham", "Gupta-Sproull"};
-    return at(kNames, method);
-}
 
 void draw_line(PixelPosition from, PixelPosition to, const LineStyle& style, Framebuffer canvas) {
     const LinePath path = make_line_path(from, to, style.method == LineMethod::Naive);

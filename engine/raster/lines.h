@@ -17,7 +17,6 @@ enum class LineMethod : std::uint8_t {
     GuptaSproull  ///< Bresenham's, three pixels a step, each blended by its distance from the line
 };
 inline constexpr int kLineMethodCount = 4;
-const char* name_of(LineMethod method);
 
 /// What a line's colour makes of each colour behind it: row k where it covers k / 63 of a pixel. FogTable::levels
 /// (effects/colour_tables.h) of a fog in the line's colour.

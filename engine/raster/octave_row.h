@@ -123,7 +123,7 @@ class OctaveRow {
             : first(static_cast<std::uint64_t>(quantity.at(octave.first, row).raw) << octave.shift),
               step(static_cast<std::uint64_t>(quantity.per_column.raw) << octave.shift) {}
         std::uint64_t at(std::int32_t pixel) const { return first + step * static_cast<std::uint64_t>(pixel); }
-        std::int64_t upper_half(std::int32_t pixel) const { return static_cast<std::int64_t>(at(pixel)) >> 32; }
+        std::int64_t upper_half(std::int32_t pixel) const { return static_cast<std::int64_t>(item(pixel)) >> 32; }
     };
 
     Scaled inverse_z_, u_over_z_, v_over_z_;
@@ -141,7 +141,7 @@ class ColumnDepths {
             const InverseZ inverse_z = gradients.inverse_z.at(column, columns.first_row);
             const Octave octave = octave_from(column, column + 1, inverse_z, {});
             if (octave.shift >= 0)
-                oblong::at(depths_, column - first_) =
+                oblong::item(depths_, column - first_) =
                     OctaveRow::depth_of(shifted_up(inverse_z.raw, octave.shift) >> 32);
         }
     }

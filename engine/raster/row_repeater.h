@@ -74,7 +74,7 @@ class RowRepeater {
         std::size_t count = 0;
         const auto add = [&](std::int32_t column) {
             const FittingDepth depth(gradients_.inverse_z.at(column, span_.y));
-            at(depths_, count++) = {depth.mantissa, depth.shift};
+            item(depths_, count++) = {depth.mantissa, depth.shift};
         };
         std::int32_t column = span_.first;
         for (const TexelBlock& block : blocks_) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/accuracy/accuracy.h"
+#include "engine/base/table.h"
 #include "engine/view/screen.h"
 
 namespace oblong {
@@ -14,8 +15,7 @@ struct ScanlineExtents {
     std::vector<std::int32_t> left, right;  ///< one a row of the screen
     std::int32_t first = 0, end = 0;
 
-    explicit ScanlineExtents(std::int32_t height_px)
-        : left(static_cast<std::size_t>(height_px)), right(static_cast<std::size_t>(height_px)) {}
+    explicit ScanlineExtents(std::int32_t height_px) : left(as_size(height_px)), right(as_size(height_px)) {}
 };
 
 /// The largest magnitude of a screen coordinate in scan_convex(); larger ones are clamped.

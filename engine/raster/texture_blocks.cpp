@@ -130,8 +130,8 @@ template <class Cutter>
 [[gnu::always_inline]] inline void cut_bounded(Cutter& cutter, const BlockThresholds& thresholds, std::int64_t& log2) {
     const auto& least = thresholds.least_inverse_z;
     while (true) {
-        while (cutter.inverse_z() >= at(least, log2 + 1)) ++log2;
-        while (cutter.inverse_z() < at(least, log2)) --log2;
+        while (cutter.inverse_z() >= item(least, log2 + 1)) ++log2;
+        while (cutter.inverse_z() < item(least, log2)) --log2;
         if (cutter.left() <= 1 << log2) return cutter.cut_rest();
         cutter.cut_power(static_cast<int>(log2));
     }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/raster/block_rule.h"
 #include "engine/raster/block_steps.h"
 #include "engine/raster/kernels/kernels.h"
@@ -27,7 +28,7 @@ TexelLimits make_texel_limits(std::int32_t width, std::int32_t height, std::int3
 class BlockList {
   public:
     /// For spans of up to `longest_px` pixels.
-    explicit BlockList(std::int32_t longest_px) : blocks_(static_cast<std::size_t>(longest_px) + kBatch) {}
+    explicit BlockList(std::int32_t longest_px) : blocks_(as_size(longest_px) + kBatch) {}
 
     /// Blocks of a span that begin beyond this one might not fit.
     const TexelBlock* full() const { return blocks_.data() + kBatch; }
@@ -39,7 +40,7 @@ class BlockList {
     void add_divisions(std::int64_t count) { more_divisions_ += count; }
 
     TexelBlock* end() { return blocks_.data() + used_; }
-    void set_end(const TexelBlock* end) { used_ = static_cast<std::size_t>(end - blocks_.data()); }
+    void set_end(const TexelBlock* end) { used_ = as_size(end - blocks_.data()); }
 
   private:
     static constexpr std::size_t kBatch = 2048;

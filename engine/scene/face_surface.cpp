@@ -23,7 +23,7 @@ std::int32_t floor_to_multiple(std::int32_t value, std::int32_t size) {
 /// A whole texture as a tile. Its masks wrap it if its sizes are powers of two.
 SurfaceView tile_of(const MipTexture& texture, int mip) {
     SurfaceView tile;
-    tile.texels = at(texture.mips, mip).data();
+    tile.texels = item(texture.mips, mip).data();
     tile.width = texture.width >> mip;
     tile.height = texture.height >> mip;
     tile.stride_log2 = static_cast<int>(std::bit_width(static_cast<std::uint32_t>(tile.width))) - 1;
@@ -64,7 +64,7 @@ LightmapView light_of(const Level& level, const Face& face, const LightStyles& s
     light.samples = level.lighting.data() + face.light_offset;
     for (const std::uint8_t style : face.styles) {
         if (style == 255) break;
-        at(light.style_scale_256, light.style_count++) = styles[style % styles.size()];
+        item(light.style_scale_256, light.style_count++) = styles[style % styles.size()];
     }
     return light;
 }
@@ -80,13 +80,13 @@ std::uint64_t key_of(const LightmapView& light) {
 }
 
 std::size_t light_sample_count(const Face& face) {
-    return static_cast<std::size_t>(columns_of(face) * rows_of(face));
+    return as_size(columns_of(face) * rows_of(face));
 }
 
 /// The row stride is a power of two.
 std::size_t surface_bytes(const Face& face, int mip) {
     const SurfaceView surface = shape_of(face, mip);
-    return static_cast<std::size_t>(surface.height) << surface.stride_log2;
+    return as_size(surface.height) << surface.stride_log2;
 }
 
 std::size_t most_light_samples(const Level& level, const FaceTable& table) {
@@ -155,9 +155,8 @@ FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const SurfaceState& stat
     LightmapView light = light_of(level_, face, state.styles);
     const bool may_be_touched = !moving_lights_.is_empty() && !light.is_fullbright;
     const LightTouch touch = may_be_touched ? moving_lights_.touch(index, state.offset) : LightTouch{};
-    const SurfaceCache::Found found =
-        cache_.get(index.position() * 4 + static_cast<std::size_t>(mip), surface_bytes(face, mip),
-                   {key_of(light), state.texture.number(), touch.version});
+    const SurfaceCache::Found found = cache_.get(index.position() * 4 + as_size(mip), surface_bytes(face, mip),
+                                                 {key_of(light), state.texture.number(), touch.version});
     surface.view.texels = found.texels;
     if (found.is_valid) return surface;
     light.added_8 = moving_light(index, touch, state.offset);
@@ -177,7 +176,7 @@ void FaceSurfaces::build(FaceIndex index, const FaceSurface& surface, TextureInd
     const Face& face = level_.faces[index];
     const MipTexture& texture = level_.textures[texture_index];
     const int mip = surface.mip;
-    const TextureView source{at(texture.mips, mip).data(), texture.width >> mip, texture.height >> mip,
+    const TextureView source{item(texture.mips, mip).data(), texture.width >> mip, texture.height >> mip,
                              floor_shift(face.texel_min_u, mip), floor_shift(face.texel_min_v, mip)};
     build_lit_surface(source, light, colormap(), light_quality_, mip, 1 << surface.view.stride_log2,
                       corner_shades_.data(), texels);

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/root.h"
 #include "engine/level/t_junctions.h"
@@ -128,8 +129,7 @@ std::size_t count_torn_edges(const Level& level, const FaceTable& table) {
         else
             --balance[{place(to), place(from)}];
     });
-    return static_cast<std::size_t>(
-        std::count_if(balance.begin(), balance.end(), [](const auto& edge) { return edge.second != 0; }));
+    return as_size(std::count_if(balance.begin(), balance.end(), [](const auto& edge) { return edge.second != 0; }));
 }
 
 }  // namespace

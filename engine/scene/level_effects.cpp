@@ -89,7 +89,7 @@ void read_alpha(LiquidKind kind, const std::string& key, const std::string& valu
     const std::optional<std::int64_t> alpha_256 = parse_decimal(value, 8);
     if (!alpha_256 || !is_within(*alpha_256, 0, 256))
         return warn_of_value(effects.warnings, key, value, "an alpha from 0 to 1");
-    at(effects.liquid_alpha_256, kind) = static_cast<std::uint16_t>(*alpha_256);
+    item(effects.liquid_alpha_256, kind) = static_cast<std::uint16_t>(*alpha_256);
 }
 
 std::optional<PaletteCycle> palette_cycle_of(const Numbers& numbers) {
@@ -168,7 +168,7 @@ std::array<std::string, kLightStyleCount> own_patterns(const Level& level, Warni
         if (pattern.empty() || !entity.value("classname").starts_with("light")) continue;
         const std::int64_t style = parse_decimal(entity.value("style"), 0).value_or(-1);
         const bool is_own = is_within(style, kFirstOwnStyle, kLightStyleCount - 1);
-        std::string& of_style = is_own ? at(patterns, style) : none;
+        std::string& of_style = is_own ? item(patterns, style) : none;
         const std::string fault = fault_of_pattern(pattern, is_own ? std::to_string(style) : "", of_style);
         if (fault.empty())
             of_style = pattern;

@@ -119,10 +119,10 @@ void add_samples(const SampleGrid& grid, PlaneDistance distance, const MovingLig
     const std::int64_t height = convert<Distance>(distance).raw;
     const auto radius = convert<Distance>(light.radius);
     Vec3<OnFace> row_start = grid.first;
-    for (; !samples_8.empty(); samples_8 = samples_8.subspan(static_cast<std::size_t>(columns))) {
+    for (; !samples_8.empty(); samples_8 = samples_8.subspan(as_size(columns))) {
         Vec3<OnFace> way = row_start;
         for (std::int32_t column = 0; column < columns; ++column) {
-            at(samples_8, column) += light_at(way, height * height, radius, light.brightness_256);
+            item(samples_8, column) += light_at(way, height * height, radius, light.brightness_256);
             way = way + grid.column;
         }
         row_start = row_start + grid.row;
@@ -167,7 +167,7 @@ void MovingLights::choose(std::span<const MovingLight> lights, const Vec3<World>
             std::pop_heap(heap.begin(), heap.end());
             --count;
         }
-        at(heap, count++) = candidate;
+        item(heap, count++) = candidate;
         std::push_heap(heap.begin(), heap.begin() + static_cast<std::ptrdiff_t>(count));
     }
     chosen_.clear();
@@ -181,7 +181,7 @@ void MovingLights::keep_known() {
     std::erase_if(chosen_, [&](const MovingLight& light) {
         for (int i = 0; i < kMost; ++i) {
             const std::uint32_t bit = std::uint32_t{1} << i;
-            if ((active_ & bit) != 0 || at(known_, i).version == 0 || at(known_, i).light != light) continue;
+            if ((active_ & bit) != 0 || item(known_, i).version == 0 || item(known_, i).light != light) continue;
             active_ |= bit;
             return true;
         }
@@ -192,7 +192,7 @@ void MovingLights::keep_known() {
 void MovingLights::add_new() {
     for (const MovingLight& light : chosen_) {
         const int free = std::countr_one(active_);
-        at(known_, free) = {light, ++version_};
+        item(known_, free) = {light, ++version_};
         active_ |= std::uint32_t{1} << free;
     }
 }
@@ -219,7 +219,7 @@ LightTouch MovingLights::touch(FaceIndex index, const Vec3<World>& offset) {
     const TexelDensity density = faces_.faces[index].density + TexelDensity::ulp();
     FaceTouch now;
     for_each_bit(active_, [&](int light) {
-        const Known& known = at(known_, light);
+        const Known& known = item(known_, light);
         if (!touches(known.light, face, density, offset)) return;
         now.lights |= std::uint32_t{1} << light;
         now.newest = std::max(now.newest, known.version);
@@ -238,7 +238,7 @@ void MovingLights::add_light(FaceIndex index, const Vec3<World>& offset, std::ui
     const auto ways = texel_ways(level_.planes[face.plane], level_.texinfos[face.texinfo]);
     if (!ways) return;
     for_each_bit(lights, [&](int number) {
-        const MovingLight& light = at(known_, number).light;
+        const MovingLight& light = item(known_, number).light;
         const LightAtFace seen = light_at_face(level_, face, in_model(light.position, offset));
         if (const std::optional<SampleGrid> grid = sample_grid(*ways, seen))
             add_samples(*grid, seen.distance, light, face.texel_extent_u / kSampleStep + 1, samples_8);

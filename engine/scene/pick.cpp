@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/level/side.h"
 #include "engine/math/basis.h"
 #include "engine/math/wide_sum.h"
@@ -117,7 +118,7 @@ std::optional<PickedFace> pick_face(const Level& level, std::span<const PlacedMo
     constexpr RayDistance kFarthest = RayDistance::from_int(1 << 21);
     std::optional<PickedFace> nearest = RayWalk(level, eye, direction).first_face(level.world().root, kFarthest);
     for (std::int32_t i = 0; i < std::ssize(models); ++i) {
-        const PlacedModel& placed = models[static_cast<std::size_t>(i)];
+        const PlacedModel& placed = item(models, i);
         std::optional<PickedFace> found =
             RayWalk(level, eye_in_model(eye, placed.offset), direction)
                 .first_face(level.models[placed.model].root, nearest ? nearest->distance : kFarthest);

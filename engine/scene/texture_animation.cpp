@@ -47,7 +47,7 @@ std::map<std::string, NamedFrames> frames_by_name(const Level& level, std::vecto
             continue;
         }
         NamedFrames& frames = names[found->name];
-        TextureIndex& place = at(at(frames.of_kind, found->kind), found->frame);
+        TextureIndex& place = item(item(frames.of_kind, found->kind), found->frame);
         if (!place.is_none()) frames.fault = "'" + texture + "' is there twice, expected once";
         place = index;
     }
@@ -63,11 +63,11 @@ const MipTexture& first_of(const Level& level, const NamedFrames& frames) {
 
 /// What is wrong with the frames of one kind: a gap, or a size unlike that of the first frame. Empty: nothing.
 std::string fault_of(const Level& level, int kind, const std::string& name, const NamedFrames& frames) {
-    const auto& of_kind = at(frames.of_kind, kind);
+    const auto& of_kind = item(frames.of_kind, kind);
     const MipTexture& first = first_of(level, frames);
     const auto last = std::find_if(of_kind.rbegin(), of_kind.rend(), [](TextureIndex i) { return !i.is_none(); });
     for (int frame = 0; frame < of_kind.rend() - last; ++frame) {
-        const TextureIndex index = at(of_kind, frame);
+        const TextureIndex index = item(of_kind, frame);
         if (index.is_none()) {
             const char letter = static_cast<char>((kind == 0 ? '0' : 'a') + frame);
             return std::string("frame '+") + letter + name + "' is missing, expected no gap";
@@ -114,7 +114,7 @@ TextureIndex TextureAnimations::shown(TextureIndex texture, bool is_switched, st
     if (!is_animated(texture)) return texture;
     const Pair& pair = of_texture_[texture];
     const Sequence& frames = sequences_[is_switched ? pair.switched : pair.normal];
-    return at(frames, time_ms / kFrameMs % std::ssize(frames));
+    return item(frames, time_ms / kFrameMs % std::ssize(frames));
 }
 
 }  // namespace oblong

@@ -100,22 +100,22 @@ class NearestColour {
 void shade_colour(const std::vector<Candidate>& sorted, const NearestColour& nearest, std::size_t position,
                   Colormap& map) {
     const Candidate& own = sorted[position];
-    at(map.shades, Colormap::kOwnShade)[own.index] = own.index;
+    item(map.shades, Colormap::kOwnShade)[own.index] = own.index;
     std::size_t last = position, first = position;
     for (int shade = Colormap::kOwnShade + 1; shade < Colormap::kShades; ++shade) {
         last = nearest.find(0, last, oklab_of(lit(own.colour, light_of_shade(shade))), last);
-        at(map.shades, shade)[own.index] = sorted[last].index;
+        item(map.shades, shade)[own.index] = sorted[last].index;
     }
     for (int shade = Colormap::kOwnShade - 1; shade >= 0; --shade) {
         first = nearest.find(first, sorted.size() - 1, oklab_of(lit(own.colour, light_of_shade(shade))), first);
-        at(map.shades, shade)[own.index] = sorted[first].index;
+        item(map.shades, shade)[own.index] = sorted[first].index;
     }
 }
 
 }  // namespace
 
 Colormap make_colormap(const Palette& palette, int fullbright_count) {
-    const auto ordinary = static_cast<std::size_t>(256 - std::clamp(fullbright_count, 0, 256));
+    const auto ordinary = as_size(256 - std::clamp(fullbright_count, 0, 256));
     const std::vector<Candidate> sorted = sort_by_luminance(palette, ordinary);
     Colormap map;
     map.palette = palette;
@@ -132,8 +132,8 @@ Colormap with_shades(const Colormap& colormap, std::int32_t count) {
     Colormap fewer;
     fewer.palette = colormap.palette;
     for (std::int32_t shade = 0; shade < kOwn; ++shade) {
-        at(fewer.shades, shade) = at(colormap.shades, shade / step * step);
-        at(fewer.shades, kOwn + shade) = at(colormap.shades, kOwn + shade / step * (kOwn - 1) / most);
+        item(fewer.shades, shade) = item(colormap.shades, shade / step * step);
+        item(fewer.shades, kOwn + shade) = item(colormap.shades, kOwn + shade / step * (kOwn - 1) / most);
     }
     return fewer;
 }

@@ -22,13 +22,13 @@ void add_light(const LightmapView& light, std::span<std::int32_t> sums_8) {
         std::fill(sums_8.begin(), sums_8.end(), 0);
     const std::uint8_t* samples = light.samples;
     for (std::int32_t style = 0; style < light.style_count; ++style, samples += count) {
-        const std::int32_t scale_256 = at(light.style_scale_256, style);
+        const std::int32_t scale_256 = item(light.style_scale_256, style);
         for (std::size_t i = 0; i < count; ++i) sums_8[i] += samples[i] * scale_256;
     }
 }
 
 void compute_corner_shades(const LightmapView& light, std::int32_t brightness_100, std::int32_t* corner_shades) {
-    const std::span<std::int32_t> corners(corner_shades, static_cast<std::size_t>(light.columns * light.rows));
+    const std::span<std::int32_t> corners(corner_shades, as_size(light.columns * light.rows));
     if (light.is_fullbright) return std::fill(corners.begin(), corners.end(), shade_of(kFull_8));
     add_light(light, corners);
     for (std::int32_t& corner : corners) corner = shade_of(brightened(corner, brightness_100));
@@ -104,7 +104,7 @@ class SurfaceBuilder {
 
     std::uint32_t dithered(std::uint32_t shade_24, std::int32_t x, std::int32_t y) const {
         if constexpr (!Dithers) return shade_24;
-        const std::uint32_t up = kThresholds[static_cast<std::size_t>((y & 3) * 4 + (x & 3))] * threshold_24_;
+        const std::uint32_t up = item(kThresholds, (y & 3) * 4 + (x & 3)) * threshold_24_;
         return std::min(shade_24 + up, (std::uint32_t{Colormap::kShades} << 24) - 1);
     }
 
@@ -146,8 +146,8 @@ constexpr std::array<Build, 4> kBuildOfMip{build_mip<Sampling, Dithers, 0>, buil
 Build build_of(const LightQuality& quality, int mip) {
     constexpr auto kNearest = LightSampling::Nearest, kInterpolated = LightSampling::Interpolated;
     if (quality.sampling == kNearest)
-        return at(quality.dithers ? kBuildOfMip<kNearest, true> : kBuildOfMip<kNearest, false>, mip);
-    return at(quality.dithers ? kBuildOfMip<kInterpolated, true> : kBuildOfMip<kInterpolated, false>, mip);
+        return item(quality.dithers ? kBuildOfMip<kNearest, true> : kBuildOfMip<kNearest, false>, mip);
+    return item(quality.dithers ? kBuildOfMip<kInterpolated, true> : kBuildOfMip<kInterpolated, false>, mip);
 }
 
 }  // namespace

@@ -28,15 +28,15 @@ constexpr auto kLinear_30 = [] {
     for (std::int64_t channel = 0; channel < 256; ++channel) {
         const std::int64_t base_30 = ((channel * 1000 + 255 * 55) << 30) / (255 * 1055);
         const bool is_in_linear_part = channel * 100'000 <= 255 * 4045;
-        at(table, channel) = is_in_linear_part ? (channel << 30) * 100 / (255 * 1292)
-                                               : std::int64_t{power_30(static_cast<std::uint32_t>(base_30), 12, 5)};
+        item(table, channel) = is_in_linear_part ? (channel << 30) * 100 / (255 * 1292)
+                                                 : std::int64_t{power_30(static_cast<std::uint32_t>(base_30), 12, 5)};
     }
     table[256] = table[255];
     return table;
 }();
 
 std::int64_t linear_30(std::int32_t channel_8) {
-    const std::int64_t below = at(kLinear_30, channel_8 >> 8), above = at(kLinear_30, (channel_8 >> 8) + 1);
+    const std::int64_t below = item(kLinear_30, channel_8 >> 8), above = item(kLinear_30, (channel_8 >> 8) + 1);
     return below + ((above - below) * (channel_8 & 0xff) >> 8);
 }
 

@@ -1,8 +1,10 @@
 #include "engine/surface/palette.h"
 
+#include <limits>
 #include <string>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 
 namespace oblong {
 
@@ -15,14 +17,24 @@ Palette read_palette(std::span<const std::uint8_t> bytes) {
     return palette;
 }
 
-Palette as_shown_by_dac6(const Palette& palette) {
-    const auto through_dac = [](std::uint8_t channel) { return widen_dac6(narrow_dac6(channel)); };
-    Palette shown;
-    for (std::size_t i = 0; i < 256; ++i) {
-        const Rgb8 colour = palette.colours[i];
-        shown.colours[i] = {through_dac(colour.red), through_dac(colour.green), through_dac(colour.blue)};
+namespace {
+
+int squared_distance(Rgb8 a, Rgb8 b) {
+    const int red = a.red - b.red, green = a.green - b.green, blue = a.blue - b.blue;
+    return red * red + green * green + blue * blue;
+}
+
+}  // namespace
+
+std::uint8_t nearest_colour(const Palette& palette, Rgb8 colour, ColourRange range) {
+    int best = range.begin, best_distance = std::numeric_limits<int>::max();
+    for (int index = range.begin; index < range.end; ++index) {
+        const int distance = squared_distance(item(palette.colours, index), colour);
+        if (distance >= best_distance) continue;
+        best = index;
+        best_distance = distance;
     }
-    return shown;
+    return static_cast<std::uint8_t>(best);
 }
 
 }  // namespace oblong

@@ -22,21 +22,19 @@ struct Palette {
 /// A palette from 768 bytes of red, green, blue triples (Quake's palette.lmp). Throws InputError for any other size.
 Palette read_palette(std::span<const std::uint8_t> bytes);
 
-/// A VGA's converter (DAC) has 6 bits a channel. Widening repeats the top bits, so that 0 stays 0 and 63 becomes 255.
-constexpr std::uint8_t widen_dac6(std::uint8_t six_bits) {
-    return static_cast<std::uint8_t>(six_bits << 2 | six_bits >> 4);
-}
-/// narrow_dac6(widen_dac6(v)) == v for every v of 6 bits.
-constexpr std::uint8_t narrow_dac6(std::uint8_t eight_bits) {
-    return static_cast<std::uint8_t>(eight_bits >> 2);
-}
-
-/// The palette as a VGA shows it: each channel through 6 bits.
-Palette as_shown_by_dac6(const Palette& palette);
-
 /// Luminance of a colour times 1,000, by the weights of the standard for television (ITU-R BT.601).
 constexpr std::int32_t luminance_1000(Rgb8 colour) {
     return 299 * colour.red + 587 * colour.green + 114 * colour.blue;
 }
+
+/// A range of palette indices, `end` not included.
+struct ColourRange {
+    int begin = 0, end = 256;
+};
+inline constexpr ColourRange kOrdinaryColours{0, kFirstFullbright};
+
+/// The index in `range` whose colour is nearest (squares of the differences of red, green and blue added up); the
+/// lowest of several.
+std::uint8_t nearest_colour(const Palette& palette, Rgb8 colour, ColourRange range = {});
 
 }  // namespace oblong

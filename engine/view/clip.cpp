@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/range_probe.h"
+#include "engine/base/table.h"
 #include "engine/fixed/share.h"
 
 namespace oblong {
@@ -60,7 +61,7 @@ void PolygonClipper::clip_to_plane(const ClipPlane& plane, std::uint8_t border) 
         previous = vertex;
         was_outside = is_out;
     }
-    corners_ = kept.first(static_cast<std::size_t>(out - kept.data()));
+    corners_ = kept.first(as_size(out - kept.data()));
 }
 
 void PolygonClipper::clip(const Frustum& frustum, unsigned outcodes) {
@@ -88,15 +89,6 @@ void clip_polygon(const Frustum& frustum, unsigned outcodes, ClipScratch& scratc
     scratch.clipper.clip(frustum, outcodes);
     copy_corners(scratch.clipper, scratch.other);
     scratch.polygon.swap(scratch.other);
-}
-
-void clip_to_plane(const ClipPlane& plane, std::uint8_t border, const std::vector<ClipVertex>& in,
-                   std::vector<ClipVertex>& out) {
-    std::vector<ClipVertex> polygon = in;
-    PolygonClipper clipper;
-    start_with(polygon, clipper);
-    clipper.clip_to_plane(plane, border);
-    copy_corners(clipper, out);
 }
 
 }  // namespace oblong

@@ -69,8 +69,4 @@ struct ClipScratch {
 /// PolygonClipper::clip() for `scratch.polygon`.
 void clip_polygon(const Frustum& frustum, unsigned outcodes, ClipScratch& scratch);
 
-/// PolygonClipper::clip_to_plane() from `in` to `out`.
-void clip_to_plane(const ClipPlane& plane, std::uint8_t border, const std::vector<ClipVertex>& in,
-                   std::vector<ClipVertex>& out);
-
 }  // namespace oblong

@@ -73,7 +73,7 @@ PresentRect centred(Size size, WindowSize window) {
 
 std::string with_decimals(std::int64_t value, std::int64_t unit, int digits) {
     std::string fraction = std::to_string(value % unit);
-    fraction.insert(0, static_cast<std::size_t>(digits) - fraction.size(), '0');
+    fraction.insert(0, as_size(digits) - fraction.size(), '0');
     return std::to_string(value / unit) + "." + fraction;
 }
 
@@ -100,7 +100,7 @@ PresentRect even(Size fit, WindowSize window, const ScreenMode& mode, Ratio pixe
 
 const char* name_of(Scaling scaling) {
     constexpr std::array<const char*, kScalingCount> names{"sharp", "rows", "even", "nearest"};
-    return at(names, scaling);
+    return item(names, scaling);
 }
 
 PresentRect layout(WindowSize window, const ScreenMode& mode, ShownAs shown_as, Scaling scaling) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "engine/base/table.h"
 #include "engine/fixed/fixed.h"
 #include "engine/fixed/ratio.h"
 
@@ -60,7 +61,7 @@ struct Framebuffer {
 
 /// The pixels of a picture.
 constexpr std::size_t pixel_count(std::int32_t width_px, std::int32_t height_px) {
-    return static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
+    return as_size(width_px) * as_size(height_px);
 }
 
 /// The rectangle around spans that are sorted by row; an empty one around none.

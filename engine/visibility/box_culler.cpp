@@ -1,5 +1,7 @@
 #include "engine/visibility/box_culler.h"
 
+#include <algorithm>
+
 namespace oblong {
 
 BoxCuller::BoxCuller(const Frustum& frustum, const Vec3<World>& eye) {
@@ -12,6 +14,57 @@ BoxCuller::BoxCuller(const Frustum& frustum, const Vec3<World>& eye) {
         };
         sides_[side] = {n, {absolute(n.x), absolute(n.y), absolute(n.z)}, limit(plane.outside), limit(plane.inside)};
     }
+}
+
+namespace {
+
+/// The box's extent along one axis of the view.
+struct Extent {
+    View least, greatest;
+};
+
+Extent extent_along(const Vec3<Unit>& axis, View middle, const Vec3<WorldWide>& half) {
+    const auto part = [](Unit component, WorldWide size) { return absolute(bounded_product(component, size)); };
+    const PlaneDistance sum = part(axis.x, half.x) + part(axis.y, half.y) + part(axis.z, half.z);
+    const View reach = convert<View>(sum, Rounding::Floor) + View::from_raw(2);
+    return {middle - reach, middle + reach};
+}
+
+/// Where an extent lies on one axis of the screen: each end is farthest out where z is least, or nearest the centre
+/// where it is greatest.
+PixelRange project_extent(const ProjectionAxis& axis, const Extent& across, const Extent& z, std::int32_t size_px) {
+    const auto project_end = [&](View end, bool outward) {
+        return floor_of(axis.centre + project_axis(axis, end, outward ? z.least : z.greatest));
+    };
+    const auto within = [&](std::int64_t pixel) {
+        return static_cast<std::int32_t>(std::clamp<std::int64_t>(pixel, 0, size_px));
+    };
+    return {within(project_end(across.least, across.least < View{}) - 1),
+            within(project_end(across.greatest, across.greatest > View{}) + 2)};
+}
+
+}  // namespace
+
+std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewContext& view) {
+    constexpr View kNearest = View::from_int(4);
+    const auto middle = [](std::int32_t low, std::int32_t high) { return World::from_raw((low + high) * 2048); };
+    // Conservative by one unit, as files round boxes.
+    const auto half = [](std::int32_t low, std::int32_t high) {
+        return WorldWide::from_raw((high - low) * std::int64_t{2048} + 4096);
+    };
+    const Vec3<WorldWide> sizes{half(box.mins[0], box.maxs[0]), half(box.mins[1], box.maxs[1]),
+                                half(box.mins[2], box.maxs[2])};
+    const Vec3<View> centre =
+        to_view({middle(box.mins[0], box.maxs[0]), middle(box.mins[1], box.maxs[1]), middle(box.mins[2], box.maxs[2])},
+                view.eye, view.axes);
+
+    const Extent z = extent_along(view.axes.forward, centre.z + view.parallel_depth, sizes);
+    if (z.least < kNearest) return std::nullopt;
+    const Extent x = extent_along(view.axes.right, centre.x, sizes);
+    const Extent y = extent_along(view.axes.up, -centre.y, sizes);
+    const PixelRange columns = project_extent(view.projection.x, x, z, view.projection.width_px);
+    const PixelRange rows = project_extent(view.projection.y, y, z, view.projection.height_px);
+    return ScreenRectangle{columns.first, columns.end, rows.first, rows.end};
 }
 
 }  // namespace oblong

@@ -3,11 +3,14 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <optional>
 
 #include "engine/base/range_probe.h"
 #include "engine/base/table.h"
 #include "engine/level/level.h"
 #include "engine/view/frustum.h"
+#include "engine/view/screen.h"
+#include "engine/view/view_context.h"
 
 namespace oblong {
 
@@ -29,7 +32,7 @@ class BoxCuller {
         const auto size = [&box](std::size_t axis) { return box.maxs[axis] - box.mins[axis]; };
         const Doubled sums{sum(0), sum(1), sum(2)}, sizes{size(0), size(1), size(2)};
         for (unsigned rest = planes; rest != 0; rest &= rest - 1) {
-            const Side& plane = at(sides_, std::countr_zero(rest));
+            const Side& plane = item(sides_, std::countr_zero(rest));
             const Distance middle = along(plane.normal, sums), reach = along(plane.slope, sizes);
             note_range<"box's cull distance">(middle + reach);
             note_range<"box's cull distance">(middle - reach);
@@ -55,5 +58,9 @@ class BoxCuller {
 
     std::array<Side, 4> sides_;
 };
+
+/// A rectangle that holds every pixel where something in a box of the level may be drawn, conservative by one pixel for
+/// rounding. None if the box reaches the eye's plane or nearly: it may then be anywhere on the screen.
+std::optional<ScreenRectangle> rectangle_of(const LevelBox& box, const ViewContext& view);
 
 }  // namespace oblong

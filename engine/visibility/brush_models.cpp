@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "engine/visibility/viewpoint.h"
+#include "engine/visibility/eye.h"
 
 namespace oblong {
 

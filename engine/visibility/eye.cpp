@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/level/side.h"
 
 namespace oblong {
@@ -99,7 +100,7 @@ class NearTree {
     bool may_be_clear_and_open(const Vec3<World>& place) const {
         Child at = root_;
         while (at != Child::Solid && at != Child::Open) {
-            const NearNode& node = nodes_[static_cast<std::size_t>(at)];
+            const NearNode& node = item(nodes_, at);
             const PlaneDistance distance = plane_distance(*node.plane, place);
             if (absolute(distance) < kClearance) return false;
             at = node.children[distance > PlaneDistance{} ? 0 : 1];

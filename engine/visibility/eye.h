@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "engine/level/level.h"
+#include "engine/level/side.h"
+#include "engine/view/view_context.h"
 
 namespace oblong {
 
@@ -23,5 +25,14 @@ PlacedEye place_eye(const Level& level, Vec3<World> eye);
 /// steps to each side of the eye, 33 places an edge, in the order of x, then y, then z: for the edges of wedges so
 /// sharp that the way off one of their planes leads through the other.
 std::optional<PlacedEye> find_clear_place(const Level& level, const Vec3<World>& eye);
+
+/// How far in front of a plane the viewpoint is: normal . position - w distance. Of a direction the sign says which
+/// side of all such planes it comes from, and the size how steeply: 2^14 units where it is at right angles.
+inline PlaneDistance plane_distance(const LevelPlane& plane, const Viewpoint& viewpoint) {
+    const PlaneDistance part_of_plane = PlaneDistance::from_raw(plane.distance.raw & viewpoint.weight_mask);
+    const PlaneDistance distance = dot(viewpoint.position, plane.normal) - part_of_plane;
+    note_range<"plane distance">(distance);
+    return distance;
+}
 
 }  // namespace oblong

@@ -4,8 +4,8 @@
 
 #include "engine/base/range_probe.h"
 #include "engine/level/side.h"
-#include "engine/visibility/box_rectangle.h"
-#include "engine/visibility/viewpoint.h"
+#include "engine/visibility/box_culler.h"
+#include "engine/visibility/eye.h"
 
 namespace oblong {
 

@@ -74,7 +74,7 @@ class FaceCutter {
             const auto first = static_cast<std::uint32_t>(cut_.corners.size());
             append_part(cut_.corners, piece.first_corner, distances_, side == 0);
             const auto count = static_cast<std::uint32_t>(cut_.corners.size()) - first;
-            pieces_.push_back({at(node.children, side), first, count});
+            pieces_.push_back({item(node.children, side), first, count});
         }
     }
 

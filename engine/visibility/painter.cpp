@@ -15,7 +15,7 @@ View doubled_depth(const ScannedFace& face, SortDepth depth) {
 }
 
 void paint_face(std::int32_t index, const ScannedFaces& scanned, PixelOwners& owners) {
-    for (const Span& span : scanned.spans_of(at(scanned.faces, index))) {
+    for (const Span& span : scanned.spans_of(item(scanned.faces, index))) {
         std::fill(owners.row(span.y) + span.first, owners.row(span.y) + span.end, index);
         owners.counts.pixels_written += span.end - span.first;
     }
@@ -25,7 +25,7 @@ void paint_face(std::int32_t index, const ScannedFaces& scanned, PixelOwners& ow
 std::vector<std::int32_t> places_in(std::span<const std::int32_t> order) {
     std::vector<std::int32_t> places(order.size() + 1, PixelOwners::kNone);
     for (std::size_t place = 0; place < order.size(); ++place)
-        at(places, order[place] + 1) = static_cast<std::int32_t>(place);
+        item(places, order[place] + 1) = static_cast<std::int32_t>(place);
     return places;
 }
 
@@ -42,7 +42,7 @@ std::vector<std::int32_t> back_to_front_by_depth(const ScannedFaces& scanned, So
     std::vector<std::int32_t> order = back_to_front_by_tree(scanned);
     std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
         ++comparisons;
-        return doubled_depth(at(scanned.faces, a), depth) > doubled_depth(at(scanned.faces, b), depth);
+        return doubled_depth(item(scanned.faces, a), depth) > doubled_depth(item(scanned.faces, b), depth);
     });
     return order;
 }
@@ -50,14 +50,14 @@ std::vector<std::int32_t> back_to_front_by_depth(const ScannedFaces& scanned, So
 void find_owners_by_painting(const ScannedFaces& scanned, std::span<const std::int32_t> back_to_front,
                              PixelOwners& owners) {
     for (const std::int32_t face : back_to_front)
-        if (!at(scanned.faces, face).is_seen_through) paint_face(face, scanned, owners);
+        if (!item(scanned.faces, face).is_seen_through) paint_face(face, scanned, owners);
     const std::vector<std::int32_t> places = places_in(back_to_front);
     for (const std::int32_t index : back_to_front) {
-        const ScannedFace& face = at(scanned.faces, index);
+        const ScannedFace& face = item(scanned.faces, index);
         if (!face.is_seen_through) continue;
         for (const Span& span : scanned.spans_of(face))
             for (std::int32_t column = span.first; column < span.end; ++column)
-                if (at(places, owners.row(span.y)[column] + 1) < at(places, index + 1))
+                if (item(places, owners.row(span.y)[column] + 1) < item(places, index + 1))
                     append_pixel(index, column, span.y, owners.seen);
     }
 }

@@ -18,7 +18,7 @@ void add_face(ScannedFace face, const ScanlineExtents& rows, std::int32_t width_
               std::span<const Vec3<World>> corners, const Vec3<World>& eye, ScannedFaces& scanned) {
     face.first_span = static_cast<std::uint32_t>(scanned.spans.size());
     for (std::int32_t y = rows.first; y < rows.end; ++y) {
-        const std::int32_t first = std::max(at(rows.left, y), 0), end = std::min(at(rows.right, y), width_px);
+        const std::int32_t first = std::max(item(rows.left, y), 0), end = std::min(item(rows.right, y), width_px);
         if (first < end) scanned.spans.push_back({y, first, end});
     }
     face.span_count = static_cast<std::uint32_t>(scanned.spans.size()) - face.first_span;

@@ -23,7 +23,7 @@ struct RayHit {
 
 void add_target(std::int32_t index, const ScannedFaces& scanned, std::vector<Vec3<Unit>>& directions,
                 RayTargets& targets) {
-    const ScannedFace& face = at(scanned.faces, index);
+    const ScannedFace& face = item(scanned.faces, index);
     if (face.eye_distance <= PlaneDistance{}) return;
     directions.clear();
     for (const Vec3<WorldWide>& corner : scanned.corners_of(face)) directions.push_back(normalised(corner));

@@ -32,9 +32,9 @@ SpanBuffer::SpanBuffer(std::int32_t width_px, std::int32_t height_px)
     : width_px_(width_px),
       height_px_(height_px),
       full_{column(width_px), 0},
-      row_capacity_(static_cast<std::size_t>(width_px) / 2 + 2),
-      rows_(static_cast<std::size_t>(height_px)),
-      intervals_(row_capacity_ * static_cast<std::size_t>(height_px)) {
+      row_capacity_(as_size(width_px) / 2 + 2),
+      rows_(as_size(height_px)),
+      intervals_(row_capacity_ * as_size(height_px)) {
     reset();
 }
 
@@ -47,7 +47,7 @@ void SpanBuffer::reset_to(std::span<const Span> free) {
     std::fill(rows_.begin(), rows_.end(), Row{});
     free_spans_ = 0;
     for (const Span& span : free) {
-        Row& row = at(rows_, span.y);
+        Row& row = item(rows_, span.y);
         Interval* const list_end = list_of(span.y) + row.listed;
         if (row.listed > 0 && list_end[-1].end == span.first) {
             list_end[-1].end = column(span.end);
@@ -57,7 +57,7 @@ void SpanBuffer::reset_to(std::span<const Span> free) {
             ++free_spans_;
         }
     }
-    for (std::int32_t y = 0; y < height_px_; ++y) settle(at(rows_, y), list_of(y));
+    for (std::int32_t y = 0; y < height_px_; ++y) settle(item(rows_, y), list_of(y));
 }
 
 PixelRange SpanBuffer::rows_with_free(const ScreenRectangle& rectangle) const {
@@ -90,7 +90,7 @@ void SpanBuffer::claim_rest(SpanList& owned) {
 /// Writes the free parts of row y's pixels [first, end) to `owned`, takes them, and returns the end of what it wrote.
 [[gnu::always_inline]] inline Span* SpanBuffer::claim_row(std::int32_t y, std::int32_t first, std::int32_t end,
                                                           Span* owned) {
-    Row& row = at(rows_, y);
+    Row& row = item(rows_, y);
     first = std::max<std::int32_t>(first, row.hull.first);
     end = std::min<std::int32_t>(end, row.hull.end);
     if (first >= end) return owned;
@@ -117,7 +117,7 @@ void SpanBuffer::claim_rest(SpanList& owned) {
 /// The same in a row with a list, within its hull.
 [[gnu::always_inline]] inline Span* SpanBuffer::claim_listed(std::int32_t y, std::int32_t first, std::int32_t end,
                                                              Span* owned) {
-    Row& row = at(rows_, y);
+    Row& row = item(rows_, y);
     Interval* const list = list_of(y);
     Interval* free = list;
     while (free->end <= first) ++free;  // stops, as the hull does not end before `end`
@@ -149,7 +149,7 @@ void SpanBuffer::claim_rest(SpanList& owned) {
 
 /// The same of columns that reach beyond the first free span that they touch.
 Span* SpanBuffer::claim_several(std::int32_t y, std::int32_t first, std::int32_t end, Interval* free, Span* owned) {
-    Row& row = at(rows_, y);
+    Row& row = item(rows_, y);
     Interval* const list_end = list_of(y) + row.listed;
     if (free->first < first) {
         *owned++ = {y, first, free->end};
@@ -164,7 +164,7 @@ Span* SpanBuffer::claim_several(std::int32_t y, std::int32_t first, std::int32_t
     }
     std::copy(free, list_end, taken);
     row.listed -= static_cast<std::int32_t>(free - taken);
-    free_spans_ -= static_cast<std::size_t>(free - taken);
+    free_spans_ -= as_size(free - taken);
     settle(row, list_of(y));
     return owned;
 }
@@ -178,12 +178,12 @@ inline void SpanBuffer::settle(Row& row, const Interval* list) const {
 void SpanBuffer::find_free(const ScanlineExtents& rows, SpanList& free) const {
     Span* to = free.room_for(free_spans_);
     for (std::int32_t y = rows.first; y < rows.end; ++y) {
-        const Row& row = at(rows_, y);
+        const Row& row = item(rows_, y);
         const std::span intervals =
-            row.listed > 0 ? std::span(list_of(y), static_cast<std::size_t>(row.listed)) : std::span(&row.hull, 1);
+            row.listed > 0 ? std::span(list_of(y), as_size(row.listed)) : std::span(&row.hull, 1);
         for (const Interval& interval : intervals) {
-            const std::int32_t first = std::max<std::int32_t>(interval.first, at(rows.left, y));
-            const std::int32_t end = std::min<std::int32_t>(interval.end, at(rows.right, y));
+            const std::int32_t first = std::max<std::int32_t>(interval.first, item(rows.left, y));
+            const std::int32_t end = std::min<std::int32_t>(interval.end, item(rows.right, y));
             if (first < end) *to++ = {y, first, end};
         }
     }

@@ -38,7 +38,7 @@ class SpanBuffer {
     /// False only if no pixel of a rectangle is free.
     bool may_be_free(const ScreenRectangle& rectangle) const {
         for (std::int32_t y = rectangle.first_row; y < rectangle.end_row; ++y)
-            if (at(rows_, y).may_be_free(rectangle)) return true;
+            if (item(rows_, y).may_be_free(rectangle)) return true;
         return false;
     }
     /// A rectangle's rows, but for those at its top and its bottom that have no free pixel in it.
@@ -62,8 +62,8 @@ class SpanBuffer {
     Span* claim_listed(std::int32_t y, std::int32_t first, std::int32_t end, Span* owned);
     Span* claim_several(std::int32_t y, std::int32_t first, std::int32_t end, Interval* free, Span* owned);
     void settle(Row& row, const Interval* list) const;
-    Interval* list_of(std::int32_t y) { return &intervals_[static_cast<std::size_t>(y) * row_capacity_]; }
-    const Interval* list_of(std::int32_t y) const { return &intervals_[static_cast<std::size_t>(y) * row_capacity_]; }
+    Interval* list_of(std::int32_t y) { return &intervals_[as_size(y) * row_capacity_]; }
+    const Interval* list_of(std::int32_t y) const { return &intervals_[as_size(y) * row_capacity_]; }
 
     std::int32_t width_px_, height_px_;
     Interval full_;               ///< the hull of a row without free columns

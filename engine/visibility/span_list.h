@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/view/screen.h"
 
 namespace oblong {
@@ -25,7 +26,7 @@ class SpanList {
         if (capacity_ - used_ < count) grow(count);
         return spans_.data() + used_;
     }
-    void set_end(const Span* end) { used_ = static_cast<std::size_t>(end - spans_.data()); }
+    void set_end(const Span* end) { used_ = as_size(end - spans_.data()); }
 
     void push_back(const Span& span) {
         *room_for(1) = span;

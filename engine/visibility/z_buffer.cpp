@@ -15,13 +15,13 @@ std::vector<std::int32_t> in_file_order(const ScannedFaces& scanned) {
     std::vector<std::int32_t> order(scanned.faces.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-        return at(scanned.faces, a).visible.face < at(scanned.faces, b).visible.face;
+        return item(scanned.faces, a).visible.face < item(scanned.faces, b).visible.face;
     });
     return order;
 }
 
 void draw_face(std::int32_t index, const ScannedFaces& scanned, std::vector<InverseZ>& depths, PixelOwners& owners) {
-    const ScannedFace& face = at(scanned.faces, index);
+    const ScannedFace& face = item(scanned.faces, index);
     const FaceDepth depth(face);
     for (const Span& span : scanned.spans_of(face)) {
         std::int32_t* const owner = owners.row(span.y);
@@ -40,7 +40,7 @@ void draw_face(std::int32_t index, const ScannedFaces& scanned, std::vector<Inve
 /// Notes where a face that is seen through is nearer than the pixel's owner.
 void see_face(std::int32_t index, const ScannedFaces& scanned, const std::vector<InverseZ>& depths,
               PixelOwners& owners) {
-    const ScannedFace& face = at(scanned.faces, index);
+    const ScannedFace& face = item(scanned.faces, index);
     const FaceDepth depth(face);
     for (const Span& span : scanned.spans_of(face)) {
         const InverseZ* const nearest = depths.data() + std::int64_t{span.y} * owners.width_px;
@@ -57,7 +57,7 @@ FaceDepth::FaceDepth(const ScannedFace& face)
       farthest_(reciprocal<InverseZ>(std::max(face.farthest_z, View::ulp()))),
       nearest_(reciprocal<InverseZ>(std::max(face.nearest_z, View::ulp()))) {}
 
-InverseZ FaceDepth::at(std::int32_t column, std::int32_t row) const {
+InverseZ FaceDepth::item(std::int32_t column, std::int32_t row) const {
     return std::clamp(inverse_z_.at(column, row), farthest_, nearest_);
 }
 
@@ -65,9 +65,9 @@ void find_owners_by_z_buffer(const ScannedFaces& scanned, std::vector<InverseZ>&
     depths.assign(owners.faces.size(), InverseZ{});
     const std::vector<std::int32_t> order = in_file_order(scanned);
     for (const std::int32_t face : order)
-        if (!at(scanned.faces, face).is_seen_through) draw_face(face, scanned, depths, owners);
+        if (!item(scanned.faces, face).is_seen_through) draw_face(face, scanned, depths, owners);
     for (const std::int32_t face : order)
-        if (at(scanned.faces, face).is_seen_through) see_face(face, scanned, depths, owners);
+        if (item(scanned.faces, face).is_seen_through) see_face(face, scanned, depths, owners);
 }
 
 }  // namespace oblong

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/draw/font.h"
-#include "engine/surface/nearest_colour.h"
+#include "engine/surface/palette.h"
 
 namespace oblong {
 namespace {

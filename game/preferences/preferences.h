@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/platform/bindings.h"
 #include "engine/scene/light_styles.h"
 #include "engine/view/present_rect.h"

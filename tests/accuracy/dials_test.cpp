@@ -6,7 +6,7 @@
 #include <regex>
 #include <set>
 
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/files/arguments.h"
 #include "tests/support/folders.h"
 #include "tests/support/shared_levels.h"

@@ -9,7 +9,7 @@
 
 #include "engine/files/files.h"
 #include "engine/files/obj.h"
-#include "engine/files/png.h"
+#include "engine/files/picture.h"
 #include "tests/support/folders.h"
 #include "tools/demo_level/art/textures.h"
 #include "tools/demo_level/map/museum.h"

@@ -3,7 +3,6 @@
 #include <set>
 
 #include "engine/effects/colour_tables.h"
-#include "engine/effects/underwater.h"
 #include "engine/effects/warp.h"
 #include "engine/level/pvs.h"
 #include "tests/effect_frames/effect_stage.h"

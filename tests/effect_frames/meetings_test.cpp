@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/effects/colour_tables.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tools/gallery/mesh_shapes.h"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tools/gallery/mesh_shapes.h"
 

@@ -1,6 +1,4 @@
 // The waving picture against its formula in doubles, and what it may not do: show what is outside of the picture.
-#include "engine/effects/underwater.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 #include <numbers>
 #include <random>
 #include <tuple>
+
+#include "engine/effects/warp.h"
 
 namespace oblong::test {
 

@@ -1,10 +1,9 @@
-#include "engine/files/png.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 
 #include "engine/base/input_error.h"
+#include "engine/files/picture.h"
 #include "tests/files/png_writer.h"
 
 namespace oblong::test {

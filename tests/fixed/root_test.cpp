@@ -5,6 +5,8 @@
 #include <limits>
 #include <random>
 
+#include "engine/methods/square_root.h"
+
 namespace oblong {
 namespace {
 

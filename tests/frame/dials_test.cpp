@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/fixed/trig.h"
 #include "tests/frame/holes.h"
 

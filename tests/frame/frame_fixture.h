@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/base/input_error.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/methods/polygons.h"
 #include "engine/raster/scan.h"
 #include "tests/hard_cases/frame_outline.h"
 #include "tests/hard_cases/hard_case.h"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/methods/axes.h"
 #include "engine/view/screen_polygon.h"
 #include "tools/reference/projection.h"
 

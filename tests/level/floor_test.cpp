@@ -1,6 +1,4 @@
 // The floor below a point against what fills the level at points further and further down.
-#include "engine/level/floor.h"
-
 #include <gtest/gtest.h>
 
 #include <random>

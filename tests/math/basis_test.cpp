@@ -7,8 +7,9 @@
 #include <random>
 
 #include "engine/fixed/trig.h"
-#include "engine/math/rotation.h"
 #include "engine/math/vec.h"
+#include "engine/methods/axes.h"
+#include "engine/methods/rotation.h"
 #include "tests/math/vectors.h"
 
 namespace oblong {

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <random>
 
+#include "engine/methods/transforms.h"
+
 namespace oblong {
 namespace {
 

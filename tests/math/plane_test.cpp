@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/math/vec.h"
+#include "engine/methods/line_and_plane.h"
 #include "tests/math/vectors.h"
 
 namespace oblong {

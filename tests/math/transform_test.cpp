@@ -6,6 +6,7 @@
 #include <random>
 
 #include "engine/fixed/trig.h"
+#include "engine/methods/transforms.h"
 #include "tests/math/vectors.h"
 
 namespace oblong {

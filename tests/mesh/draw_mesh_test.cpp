@@ -9,6 +9,8 @@
 
 #include "engine/fixed/wide.h"
 #include "engine/math/transform.h"
+#include "engine/methods/mesh_stages.h"
+#include "engine/methods/transforms.h"
 #include "tests/mesh/mesh_picture.h"
 
 namespace oblong::test {

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "engine/fixed/trig.h"
+#include "engine/methods/mesh_stages.h"
 #include "tests/mesh/mesh_picture.h"
 #include "tests/support/point.h"
 

@@ -8,7 +8,7 @@
 #include "engine/files/model_classes.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
-#include "engine/level/floor.h"
+#include "engine/level/trace.h"
 #include "tests/mesh_files/mdl_writer.h"
 #include "tests/support/shared_levels.h"
 #include "tests/support/tiny_bsp.h"

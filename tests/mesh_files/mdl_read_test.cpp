@@ -1,5 +1,3 @@
-#include "engine/mesh/mdl_read.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <random>
 
 #include "engine/base/input_error.h"
+#include "engine/mesh/mesh.h"
 #include "tests/mesh_files/mdl_writer.h"
 #include "tests/support/shared_levels.h"
 

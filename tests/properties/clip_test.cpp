@@ -9,6 +9,9 @@
 #include <array>
 #include <optional>
 
+#include "engine/methods/axes.h"
+#include "engine/methods/polygons.h"
+
 namespace oblong::test {
 namespace {
 

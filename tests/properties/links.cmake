@@ -1,2 +1,2 @@
 find_package(rapidcheck REQUIRED)
-set(LINKS oblong_frame rapidcheck)
+set(LINKS oblong_methods rapidcheck)

@@ -1,9 +1,9 @@
 // Which pixels of a line are near the border of a texel, by eight against one by one.
-#include "engine/raster/kernels/near_borders.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "engine/raster/kernels/kernels.h"
 
 namespace oblong::test {
 

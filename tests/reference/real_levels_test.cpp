@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"

@@ -7,6 +7,7 @@
 
 #include "engine/math/matrix.h"
 #include "engine/math/vec.h"
+#include "engine/methods/transforms.h"
 #include "tests/seeds/seed_values.h"
 
 namespace oblong::test {

@@ -10,6 +10,9 @@
 
 #include "engine/math/matrix.h"
 #include "engine/math/vec.h"
+#include "engine/methods/axes.h"
+#include "engine/methods/polygons.h"
+#include "engine/methods/transforms.h"
 #include "engine/view/clip.h"
 #include "engine/view/frustum.h"
 #include "engine/view/project.h"

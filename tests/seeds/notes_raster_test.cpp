@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "engine/math/vec.h"
+#include "engine/methods/triangles.h"
 #include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
-#include "engine/view/triangle_gradients.h"
 #include "tests/seeds/seed_values.h"
 
 namespace oblong::test {

@@ -7,6 +7,10 @@
 #include "engine/math/matrix.h"
 #include "engine/math/plane.h"
 #include "engine/math/vec.h"
+#include "engine/methods/axes.h"
+#include "engine/methods/line_and_plane.h"
+#include "engine/methods/square_root.h"
+#include "engine/methods/transforms.h"
 #include "tools/gallery/counted.h"
 
 // What the five texts say of vectors, with the values as corrected. M: Muratori, N: the course notes, P: Princeton,

@@ -1,5 +1,3 @@
-#include "engine/platform/sdl/mixer.h"
-
 #include <gtest/gtest.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -11,6 +9,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/files/files.h"
+#include "engine/platform/sdl/sdl.h"
 #include "engine/platform/sdl/voice_filter.h"
 #include "tools/demo_level/sounds/sounds.h"
 

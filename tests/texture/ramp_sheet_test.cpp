@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/files/png.h"
+#include "engine/files/picture.h"
 #include "engine/surface/colormap.h"
 #include "tests/texture/test_palette.h"
 

@@ -9,7 +9,7 @@
 
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
-#include "engine/files/png.h"
+#include "engine/files/picture.h"
 #include "engine/files/wad.h"
 #include "engine/level/bsp_read.h"
 #include "tests/files/png_writer.h"

@@ -1,2 +1,2 @@
 find_package(rapidcheck REQUIRED)
-set(LINKS oblong_view oblong_raster rapidcheck)
+set(LINKS oblong_view rapidcheck)

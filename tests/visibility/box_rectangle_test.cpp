@@ -1,9 +1,9 @@
-#include "engine/visibility/box_rectangle.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+
+#include "engine/visibility/box_culler.h"
 
 namespace oblong::test {
 

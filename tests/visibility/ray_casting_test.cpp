@@ -6,6 +6,7 @@
 #include <random>
 
 #include "engine/math/plane.h"
+#include "engine/methods/line_and_plane.h"
 #include "engine/view/projection.h"
 #include "tests/support/point.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 
 namespace oblong {
 

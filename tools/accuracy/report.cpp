@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/files/png.h"
+#include "engine/files/picture.h"
 #include "tools/accuracy/heat_map.h"
 
 namespace oblong {

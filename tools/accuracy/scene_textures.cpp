@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/files/wad.h"
-#include "engine/surface/nearest_colour.h"
+#include "engine/surface/palette.h"
 #include "tools/texture/mipmaps.h"
 
 namespace oblong {

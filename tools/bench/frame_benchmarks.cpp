@@ -1,4 +1,4 @@
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 #include "tools/bench/benchmarks.h"
 
 namespace oblong {

@@ -1,6 +1,6 @@
 #include <memory>
 
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/frame/texture_spans.h"
 #include "engine/raster/exact_spans.h"
 #include "tools/bench/benchmarks.h"

@@ -3,7 +3,7 @@
 
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
-#include "engine/files/png.h"
+#include "engine/files/picture.h"
 #include "tools/demo_level/art/textures.h"
 #include "tools/demo_level/map/museum.h"
 #include "tools/demo_level/models/models.h"

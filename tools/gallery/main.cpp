@@ -5,7 +5,7 @@
 #include "engine/files/assets_folder.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
-#include "engine/files/png.h"
+#include "engine/files/picture.h"
 #include "engine/level/bsp_read.h"
 #include "tools/gallery/page.h"
 #include "tools/gallery/rows.h"

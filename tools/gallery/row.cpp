@@ -6,7 +6,7 @@
 
 #include "engine/draw/drawing.h"
 #include "engine/draw/font.h"
-#include "engine/surface/nearest_colour.h"
+#include "engine/surface/palette.h"
 
 namespace oblong {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "engine/draw/font.h"
+#include "engine/methods/canonical_volume.h"
 #include "engine/raster/lines.h"
 #include "engine/raster/scan.h"
-#include "engine/view/canonical_volume.h"
 #include "engine/view/views.h"
 
 namespace oblong {

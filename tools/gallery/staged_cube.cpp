@@ -5,8 +5,10 @@
 #include <cstdio>
 
 #include "engine/fixed/trig.h"
+#include "engine/methods/canonical_volume.h"
+#include "engine/methods/mesh_stages.h"
+#include "engine/methods/transforms.h"
 #include "engine/raster/scan.h"
-#include "engine/view/canonical_volume.h"
 #include "engine/view/views.h"
 
 namespace oblong {

@@ -2,6 +2,8 @@
 
 #include "engine/math/vec.h"
 #include "engine/math/wide_sum.h"
+#include "engine/methods/axes.h"
+#include "engine/methods/polygons.h"
 #include "engine/raster/scan.h"
 #include "engine/view/clip.h"
 #include "engine/view/project.h"

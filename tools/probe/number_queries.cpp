@@ -1,6 +1,7 @@
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/root.h"
 #include "engine/fixed/sine_methods.h"
+#include "engine/methods/square_root.h"
 #include "tools/probe/decimal.h"
 #include "tools/probe/queries.h"
 

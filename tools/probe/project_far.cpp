@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/fixed/sine_series.h"
+#include "engine/methods/axes.h"
 
 namespace oblong {
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "engine/math/soft_float.h"
+#include "engine/methods/axes.h"
 #include "engine/view/project.h"
 
 namespace oblong {

@@ -1,3 +1,4 @@
+#include "engine/methods/axes.h"
 #include "engine/view/frustum.h"
 #include "tools/probe/decimal.h"
 #include "tools/probe/project_far.h"

@@ -8,7 +8,7 @@
 #include "engine/files/files.h"
 #include "engine/files/frame_log.h"
 #include "engine/files/level_models.h"
-#include "engine/files/png.h"
+#include "engine/files/picture.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/worker_threads.h"
 #include "engine/raster/kernels/kernels.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 #include "tools/render/renderer.h"
 
 namespace oblong {

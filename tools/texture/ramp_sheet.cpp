@@ -1,7 +1,7 @@
 #include "tools/texture/ramp_sheet.h"
 
 #include "engine/base/table.h"
-#include "engine/files/png.h"
+#include "engine/files/picture.h"
 #include "engine/surface/colormap.h"
 
 namespace oblong {

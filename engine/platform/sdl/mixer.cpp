@@ -1,5 +1,3 @@
-#include "engine/platform/sdl/mixer.h"
-
 #include <SDL.h>
 #include <SDL_mixer.h>
 
@@ -10,6 +8,8 @@
 #include <vector>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
+#include "engine/platform/sdl/sdl.h"
 #include "engine/platform/sdl/voice_filter.h"
 
 namespace oblong {
@@ -36,7 +36,7 @@ SDL_RWops* reader_of(std::span<const std::uint8_t> bytes) {
 }
 
 void apply_filter(int, void* stream, int length_bytes, void* filter) {
-    const std::size_t count = static_cast<std::size_t>(length_bytes) / sizeof(std::int16_t);
+    const std::size_t count = as_size(length_bytes) / sizeof(std::int16_t);
     static_cast<VoiceFilter*>(filter)->apply({static_cast<std::int16_t*>(stream), count});
 }
 
@@ -111,18 +111,18 @@ SoundOutput::SoundNumber Mixer::add_sound(std::span<const std::uint8_t> wave_fil
 // The channel in which a voice is playing; -1: it has ended.
 int Mixer::channel_of(VoiceNumber voice) const {
     for (int channel = 0; channel < kVoices; ++channel)
-        if (last_voices_[static_cast<std::size_t>(channel)] == voice && Mix_Playing(channel) != 0) return channel;
+        if (item(last_voices_, channel) == voice && Mix_Playing(channel) != 0) return channel;
     return -1;
 }
 
 SoundOutput::VoiceNumber Mixer::start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) {
     for (int channel = 0; channel < kVoices; ++channel) {
         if (Mix_Playing(channel) != 0) continue;
-        const auto i = static_cast<std::size_t>(channel);
+        const auto i = as_size(channel);
         filters_[i].begin(levels, is_loop);
         // A voice that has ended has lost its filter: SDL_mixer removes it.
         Mix_RegisterEffect(channel, apply_filter, nullptr, &filters_[i]);
-        Mix_PlayChannel(channel, sounds_.at(static_cast<std::size_t>(sound)).get(), is_loop ? -1 : 0);
+        Mix_PlayChannel(channel, sounds_.at(as_size(sound)).get(), is_loop ? -1 : 0);
         return last_voices_[i] = next_voice_++;
     }
     return kNoVoice;
@@ -130,7 +130,7 @@ SoundOutput::VoiceNumber Mixer::start(SoundNumber sound, bool is_loop, const Voi
 
 void Mixer::adjust(VoiceNumber voice, const VoiceLevels& levels) {
     const int channel = channel_of(voice);
-    if (channel >= 0) filters_[static_cast<std::size_t>(channel)].set(levels);
+    if (channel >= 0) item(filters_, channel).set(levels);
 }
 
 void Mixer::stop(VoiceNumber voice) {

@@ -1,5 +1,3 @@
-#include "engine/platform/sdl/window.h"
-
 #include <SDL.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include "engine/platform/sdl/crt_look.h"
 #include "engine/platform/sdl/input.h"
 #include "engine/platform/sdl/owned.h"
+#include "engine/platform/sdl/sdl.h"
 
 namespace oblong {
 

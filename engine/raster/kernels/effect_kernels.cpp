@@ -4,13 +4,15 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 namespace {
 
 constexpr std::size_t index_of(TexelTraits traits) {
-    return static_cast<std::size_t>(traits.warps) | static_cast<std::size_t>(traits.has_holes) << 1 |
-           static_cast<std::size_t>(traits.blends) << 2 | static_cast<std::size_t>(traits.is_wrapped_by_masks) << 3;
+    return as_size(traits.warps) | as_size(traits.has_holes) << 1 | as_size(traits.blends) << 2 |
+           as_size(traits.is_wrapped_by_masks) << 3;
 }
 constexpr TexelTraits traits_of(std::size_t index) {
     return {(index & 1) != 0, (index & 2) != 0, (index & 4) != 0, (index & 8) != 0};

@@ -1,4 +1,4 @@
-#include "engine/raster/kernels/near_borders.h"
+#include "engine/raster/kernels/kernels.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>

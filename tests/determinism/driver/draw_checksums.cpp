@@ -11,8 +11,8 @@
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
-#include "engine/math/rotation.h"
-#include "engine/mesh/mdl_read.h"
+#include "engine/mesh/mesh.h"
+#include "engine/methods/rotation.h"
 #include "engine/scene/placed_models.h"
 #include "tools/render/camera_list.h"
 

@@ -1,7 +1,7 @@
 // Quake's models: read and drawn.
 
 #include "engine/base/fnv.h"
-#include "engine/mesh/mdl_read.h"
+#include "engine/mesh/mesh.h"
 #include "tests/fuzz/common/played_level.h"
 
 namespace oblong::fuzz {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/accuracy/presets.h"
+#include "engine/accuracy/accuracy.h"
 #include "engine/draw/drawing.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/frame.h"

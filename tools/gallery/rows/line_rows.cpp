@@ -134,6 +134,11 @@ std::string error_text(const LineError& error) {
     return text;
 }
 
+const char* name_of(LineMethod method) {
+    constexpr std::array<const char*, kLineMethodCount> kNames{"naive", "DDA", "Bresenham", "Gupta-Sproull"};
+    return at(kNames, method);
+}
+
 /// A quarter of the canvas: the method's name, its pixels, and the true line over them.
 void draw_method(LineMethod method, const NamedLine& line, const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;

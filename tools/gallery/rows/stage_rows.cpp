@@ -5,9 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/methods/canonical_volume.h"
+#include "engine/methods/polygons.h"
+#include "engine/methods/transforms.h"
 #include "engine/raster/lines.h"
-#include "engine/view/canonical_volume.h"
-#include "engine/view/facing.h"
 #include "tools/gallery/rows.h"
 #include "tools/gallery/sketch.h"
 #include "tools/gallery/staged_cube.h"

@@ -9,7 +9,8 @@
 #include "engine/fixed/trig.h"
 #include "engine/math/plane.h"
 #include "engine/math/transform.h"
-#include "engine/view/facing.h"
+#include "engine/methods/polygons.h"
+#include "engine/methods/transforms.h"
 #include "tools/gallery/rows.h"
 #include "tools/gallery/sketch.h"
 
@@ -237,14 +238,14 @@ std::vector<Row> transform_rows() {
         {"rotations",
          "Quaternion, Euler angles, axis",
          "2 Lab: arbitrary rotation",
-         "engine/math/rotation.h",
+         "engine/methods/rotation.h",
          kTransformTest,
          {{"yaw, degrees", 15, 345, 15, 30}, {"pitch, degrees", 0, 75, 15, 30}, {"roll, degrees", 0, 345, 15, 45}},
          draw_rotations},
         {"left-handed-cube",
          "Left-handed, clockwise: the cube",
          "3 Notes: 3D Mesh",
-         "engine/view/facing.h",
+         "engine/methods/polygons.h",
          "tests/seeds/notes_geometry_test.cpp",
          {choice_parameter("eighth triangle", {"as listed", "corrected"}, 1), {"seen from, degrees", 0, 350, 10, 60}},
          draw_left_handed_cube}};

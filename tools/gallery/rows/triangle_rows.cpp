@@ -5,7 +5,7 @@
 #include <random>
 #include <thread>
 
-#include "engine/raster/triangles.h"
+#include "engine/methods/triangles.h"
 #include "tools/gallery/pixel_grid.h"
 #include "tools/gallery/rows.h"
 
@@ -332,11 +332,11 @@ std::vector<Row> triangle_rows() {
     std::vector<std::string> methods, places;
     for (int i = 0; i < kTriangleMethodCount; ++i) methods.push_back(name_of(static_cast<TriangleMethod>(i)));
     for (const NamedPlace& place : kPlaces) places.push_back(place.name);
-    constexpr const char* kTest = "tests/raster/triangles_test.cpp";
+    constexpr const char* kTest = "tests/methods/triangles_test.cpp";
     return {{"triangles",
              "Triangles by three methods, and threads",
              "3 Notes: Triangles, Parallel acceleration",
-             "engine/raster/triangles.cpp",
+             "engine/methods/triangles.cpp",
              kTest,
              {choice_parameter("method", methods, 2),
               choice_parameter("threads", {"1", "2", "4"}, 2),
@@ -345,21 +345,21 @@ std::vector<Row> triangle_rows() {
             {"top-left-rule",
              "Top-left rule",
              "3 Notes: Parallel acceleration",
-             "engine/raster/triangles.h",
+             "engine/methods/triangles.h",
              kTest,
              {{"top corner, half columns", 13, 27, 1, 23}, {"right corner, half rows", 4, 16, 1, 11}},
              draw_top_left_rule},
             {"barycentric",
              "Barycentric coordinates",
              "3 Notes: Texture",
-             "engine/raster/triangles.h",
+             "engine/methods/triangles.h",
              kTest,
              {choice_parameter("P", places)},
              draw_barycentric},
             {"perspective-correct",
              "Textures by u/z, not by u",
              "3 Notes: Texture",
-             "engine/raster/triangles.h",
+             "engine/methods/triangles.h",
              kTest,
              {{"far depth", 2, 9, 1, 3}},
              draw_perspective}};

@@ -9,7 +9,10 @@
 #include "engine/fixed/trig.h"
 #include "engine/math/matrix.h"
 #include "engine/math/plane.h"
-#include "engine/math/rotation.h"
+#include "engine/methods/axes.h"
+#include "engine/methods/line_and_plane.h"
+#include "engine/methods/rotation.h"
+#include "engine/methods/transforms.h"
 #include "tools/gallery/counted.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/numbers.h"
@@ -343,7 +346,7 @@ std::vector<Row> vector_rows() {
             {"orthonormal-axes",
              "Orthonormal axes",
              "5 Abrash: 3-D Math; 1 Muratori",
-             "engine/math/basis.h",
+             "engine/methods/axes.h",
              "tests/math/basis_test.cpp",
              {{"angle between the axes", 30, 150, 10, 50}, choice_parameter("axes", {"as given", "made orthonormal"})},
              draw_orthonormal},
@@ -364,14 +367,14 @@ std::vector<Row> vector_rows() {
             {"rotation-by-projection",
              "Rotation by projection",
              "5 Abrash: Rotation by Projection",
-             "engine/math/rotation.h",
-             "tests/math/rotation_test.cpp",
+             "engine/methods/rotation.h",
+             "tests/methods/rotation_test.cpp",
              {{"angle of the new axes, degrees", 0, 345, 15, 30}},
              draw_rotation},
             {"line-and-plane",
              "Point and line against a plane",
              "5 Abrash: Using the Dot Product for Projection",
-             "engine/math/plane.h",
+             "engine/methods/line_and_plane.h",
              "tests/math/plane_test.cpp",
              {{"z of the line's end", 1, 9, 1, 1}},
              draw_line_and_plane}};

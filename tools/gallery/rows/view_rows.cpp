@@ -10,6 +10,7 @@
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/math/matrix.h"
+#include "engine/methods/transforms.h"
 #include "engine/view/views.h"
 #include "tools/gallery/cube_scene.h"
 #include "tools/gallery/level_scene.h"

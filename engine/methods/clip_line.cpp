@@ -1,0 +1,47 @@
+#include "engine/methods/clip_line.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "engine/base/table.h"
+#include "engine/view/clip.h"
+
+namespace oblong {
+
+namespace {
+
+constexpr ClipDistance kOnVolumePlane{};
+
+/// Cuts an outside end off at one plane after the other. A cut end counts as inside of its plane, wherever rounding put
+/// it: so each plane cuts it once at most.
+std::optional<ViewLine> clip_by_outcodes(const ViewVolume& volume, ViewLine line) {
+    std::array<Vec3<View>*, 2> ends{&line.from, &line.to};
+    std::array<unsigned, 2> outside{outcode_of(volume, line.from), outcode_of(volume, line.to)}, undecided{63, 63};
+    while ((outside[0] | outside[1]) != 0) {
+        if ((outside[0] & outside[1]) != 0) return {};
+        const int end = outside[0] != 0 ? 0 : 1;
+        const int plane = std::countr_zero(item(outside, end));
+        Vec3<View>&cut = *item(ends, end), &other = *item(ends, 1 - end);
+        const ClipPlane& side = item(volume.planes, plane);
+        const ClipDistance inside = std::max(half_distance(side, other), kOnVolumePlane);
+        cut = cross_plane(other, inside, cut, std::min(half_distance(side, cut), kOnVolumePlane - ClipDistance::ulp()));
+        item(undecided, end) &= ~(1u << plane);
+        item(outside, end) = outcode_of(volume, cut) & item(undecided, end);
+    }
+    return line;
+}
+
+}  // namespace
+
+unsigned outcode_of(const ViewVolume& volume, const Vec3<View>& p) {
+    unsigned outcode = 0;
+    for (unsigned plane = 0; plane < volume.planes.size(); ++plane)
+        outcode |= static_cast<unsigned>(volume.planes[plane].distance(p) < kOnVolumePlane) << plane;
+    return outcode;
+}
+
+std::optional<ViewLine> clip_line(const ViewVolume& volume, const ViewLine& line, LineClipping method) {
+    return method == LineClipping::CohenSutherland ? clip_by_outcodes(volume, line) : clip_line(volume, line);
+}
+
+}  // namespace oblong

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "engine/fixed/arithmetic.h"
+#include "engine/fixed/root.h"
+
+namespace oblong {
+
+/// The square root of `value` in the format To, exact before it is rounded. A negative value has the root 0.
+template <class To, class Int, int Frac>
+To square_root(Fixed<Int, Frac> value, Rounding rounding = Rounding::Floor) {
+    // One bit more than To has, for the rounding: a root is never a tie, for its square would end in a quarter.
+    constexpr int kShift = 2 * (To::kFractionBits + 1) - Frac;
+    static_assert(kShift >= 0 && kShift <= 63, "the radicand fits 128 bits");
+    if (value.raw <= 0) return To{};
+    const std::uint64_t root =
+        integer_root(portable::multiply(static_cast<std::uint64_t>(value.raw), std::uint64_t{1} << kShift));
+    const std::uint64_t rounded = rounding == Rounding::Floor ? root >> 1 : (root >> 1) + (root & 1);
+    return saturated_to<To>(detail::saturated(false, rounded));
+}
+
+}  // namespace oblong

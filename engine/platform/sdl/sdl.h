@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/platform/platform.h"
+#include "engine/platform/sound.h"
+
+namespace oblong {
+
+/// Opens a window of `size` pixels (0x0: the largest whole multiple of 320x240 with room on the desktop), and the
+/// user's keyboard and mouse with it. Throws std::runtime_error with SDL's message where there is no display.
+std::unique_ptr<Platform> open_window(const char* title, WindowSize size);
+
+/// Opens the user's audio device with SDL_mixer. Throws std::runtime_error with SDL's message where there is none. A
+/// device that is lost later only becomes silent.
+std::unique_ptr<SoundOutput> open_mixer();
+
+}  // namespace oblong

@@ -1,0 +1,125 @@
+#include "engine/methods/rotation.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "engine/fixed/trig.h"
+#include "engine/math/vec.h"
+#include "tests/math/vectors.h"
+
+namespace oblong {
+namespace {
+
+constexpr Vec3<Unit> kX{Unit::from_int(1), {}, {}}, kY{{}, Unit::from_int(1), {}}, kZ{{}, {}, Unit::from_int(1)};
+
+void expect_near(const Vec3<Unit>& got, const Vec3<Unit>& expected, int steps) {
+    ASSERT_LE(std::abs(got.x.raw - expected.x.raw), steps);
+    ASSERT_LE(std::abs(got.y.raw - expected.y.raw), steps);
+    ASSERT_LE(std::abs(got.z.raw - expected.z.raw), steps);
+}
+
+TEST(RotateAboutAxis, TurnsCounterClockwiseAboutEachAxis) {
+    EXPECT_EQ(rotate_about_axis(kX, kZ, kQuarterTurn), kY);
+    EXPECT_EQ(rotate_about_axis(kY, kX, kQuarterTurn), kZ);
+    EXPECT_EQ(rotate_about_axis(kZ, kY, kQuarterTurn), kX);
+    EXPECT_EQ(rotate_about_axis(kZ, kZ, Angle::from_bam(12'345)), kZ);
+}
+
+/// About +z it is yaw, and the engine's view basis knows yaw by other formulas.
+TEST(RotateAboutAxis, AboutUpIsYaw) {
+    const Basis unturned = view_basis({}, {}, {});
+    for (int bam = 0; bam < 65536; bam += 7) {
+        const Basis turned = rotate_about_axis(unturned, kZ, Angle::from_bam(bam));
+        const Basis yawed = view_basis(Angle::from_bam(bam), {}, {});
+        expect_near(turned.forward, yawed.forward, 1);
+        expect_near(turned.right, yawed.right, 1);
+        if (HasFatalFailure()) return;
+    }
+}
+
+/// Rodrigues in 64-bit mantissas.
+TEST(RotateAboutAxis, IsWithinAStepOfTheFormula) {
+    std::mt19937 random(1);
+    for (int i = 0; i < 20'000; ++i) {
+        const Vec3<Unit> axis = normalised(any_direction(random)), v = normalised(any_direction(random));
+        if (axis == Vec3<Unit>{} || v == Vec3<Unit>{}) continue;
+        const Angle angle = Angle::from_bam(random());
+        const long double c = std::cos(angle.bam * std::numbers::pi_v<long double> / 32768);
+        const long double s = std::sin(angle.bam * std::numbers::pi_v<long double> / 32768);
+        const auto a = exact(axis), b = exact(v), got = exact(rotate_about_axis(v, axis, angle));
+        const long double along = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const long double crossed = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+            ASSERT_LE(std::abs(got[k] - (b[k] * c + crossed * s + a[k] * along * (1 - c))), 0x1.1p-31L);
+        }
+    }
+}
+
+TEST(ProjectOntoAxes, GivesTheAxesTheirOwnCoordinates) {
+    const Basis basis = view_basis(Angle::from_bam(4'321), Angle::from_bam(999), Angle::from_bam(-50));
+    expect_near(project_onto_axes(basis.right, basis), kX, 2);
+    expect_near(project_onto_axes(basis.up, basis), kY, 2);
+    expect_near(project_onto_axes(basis.forward, basis), kZ, 2);
+}
+
+TEST(ProjectOntoAxes, IsUndoneBySummingAlongThem) {
+    std::mt19937 random(2);
+    for (int i = 0; i < 20'000; ++i) {
+        const Basis basis = view_basis(Angle::from_bam(random()), Angle::from_bam(random()), Angle::from_bam(random()));
+        const Vec3<Unit> v = normalised(any_direction(random));
+        expect_near(sum_along_axes(project_onto_axes(v, basis), basis), v, 4);
+        if (HasFatalFailure()) return;
+    }
+}
+
+constexpr std::int64_t kOne60 = std::int64_t{1} << 60;
+
+std::int64_t dot_60(const Quaternion& a, const Quaternion& b) {
+    return std::int64_t{a.w.raw} * b.w.raw + std::int64_t{a.x.raw} * b.x.raw + std::int64_t{a.y.raw} * b.y.raw +
+           std::int64_t{a.z.raw} * b.z.raw;
+}
+
+Quaternion any_rotation(std::mt19937& random) {
+    return quaternion_about_axis(normalised(any_direction(random)), Angle::from_bam(random()));
+}
+
+TEST(Quaternion, RotatesAsRodriguesFormulaDoes) {
+    std::mt19937 random(1);
+    for (int i = 0; i < 20'000; ++i) {
+        const Vec3<Unit> axis = normalised(any_direction(random)), v = normalised(any_direction(random));
+        const Angle angle = Angle::from_bam(random());
+        expect_near(rotate(v, quaternion_about_axis(axis, angle)), rotate_about_axis(v, axis, angle), 4);
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(Quaternion, ProductIsOneRotationAfterTheOther) {
+    std::mt19937 random(2);
+    for (int i = 0; i < 20'000; ++i) {
+        const Quaternion a = any_rotation(random), b = any_rotation(random);
+        const Vec3<Unit> v = normalised(any_direction(random));
+        // Half a step in each of a quaternion's components turns and stretches by up to four steps.
+        expect_near(rotate(v, a * b), rotate(rotate(v, b), a), 16);
+        expect_near(rotate(rotate(v, a), a.conjugate()), v, 16);
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(Quaternion, TurnsABasisAsAnglesDo) {
+    const Basis turned = rotate(view_basis({}, {}, {}), quaternion_about_axis(kZ, Angle::from_bam(7'777)));
+    const Basis yawed = view_basis(Angle::from_bam(7'777), {}, {});
+    expect_near(turned.forward, yawed.forward, 2);
+    expect_near(turned.right, yawed.right, 2);
+}
+
+TEST(Quaternion, NormalisedHasLengthOneAndZeroStaysZero) {
+    const Quaternion long_one{Unit::from_raw(5), Unit::from_raw(-5), Unit::from_raw(5), Unit::from_raw(5)};
+    EXPECT_LE(std::abs(dot_60(normalised(long_one), normalised(long_one)) - kOne60), std::int64_t{1} << 31);
+    const Quaternion zero{Unit{}, {}, {}, {}};
+    EXPECT_EQ(normalised(zero), zero);
+}
+
+}  // namespace
+}  // namespace oblong

@@ -1,0 +1,249 @@
+// Three ways to fill a triangle against the rule in exact integers, and weights against their definition.
+
+#include "engine/methods/triangles.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace oblong::test {
+namespace {
+
+constexpr std::array<TriangleMethod, 3> kMethods{TriangleMethod::FlatParts, TriangleMethod::EdgeWalking,
+                                                 TriangleMethod::EdgeFunctions};
+constexpr std::int32_t kWidth = 37, kHeight = 23;
+constexpr ScreenRectangle kScreen{0, kWidth, 0, kHeight};
+
+constexpr ScreenVertex vertex(std::int32_t x_256, std::int32_t y_256) {
+    return {Screen::from_raw(x_256), Screen::from_raw(y_256)};
+}
+
+/// How often each pixel was covered.
+using Picture = std::vector<int>;
+
+void add_spans(const std::vector<Span>& spans, Picture& picture) {
+    for (const Span& span : spans)
+        for (std::int32_t x = span.first; x < span.end; ++x)
+            ++picture.at(static_cast<std::size_t>(span.y * kWidth + x));
+}
+
+Picture scanned(const ScreenTriangle& triangle, TriangleMethod method, EdgeRowKernel kernel = inside_edges_sse2,
+                const ScreenRectangle& part = kScreen) {
+    TriangleScanner scanner(method, part, kernel);
+    std::vector<Span> spans;
+    scanner.scan(triangle, spans);
+    Picture picture(kWidth * kHeight);
+    add_spans(spans, picture);
+    return picture;
+}
+
+__extension__ using Wide = __int128;
+
+Wide cross2(ScreenVertex a, ScreenVertex b, ScreenVertex p) {
+    return (Wide{b.x.raw} - a.x.raw) * (Wide{p.y.raw} - a.y.raw) -
+           (Wide{b.y.raw} - a.y.raw) * (Wide{p.x.raw} - a.x.raw);
+}
+
+/// The rule as it is written: inside, or on an edge that has the triangle below it or on its right.
+bool covers(const ScreenTriangle& clockwise, ScreenVertex p) {
+    for (int i = 0; i < 3; ++i) {
+        const ScreenVertex a = clockwise.at(static_cast<std::size_t>(i)),
+                           b = clockwise.at(static_cast<std::size_t>((i + 1) % 3));
+        const Wide side = cross2(a, b, p);
+        const bool is_top = a.y == b.y && b.x > a.x, is_left = b.y < a.y;
+        if (side < 0 || (side == 0 && !is_top && !is_left)) return false;
+    }
+    return true;
+}
+
+Picture exact(ScreenTriangle triangle) {
+    Picture picture(kWidth * kHeight);
+    const Wide area = cross2(triangle[0], triangle[1], triangle[2]);
+    if (area < 0) std::swap(triangle[1], triangle[2]);
+    if (area == 0) return picture;
+    for (std::int32_t y = 0; y < kHeight; ++y)
+        for (std::int32_t x = 0; x < kWidth; ++x)
+            picture.at(static_cast<std::size_t>(y * kWidth + x)) =
+                covers(triangle, vertex(x * 256 + 128, y * 256 + 128));
+    return picture;
+}
+
+/// On and around the screen, often on pixel centres, borders and each other's rows; or anywhere in range.
+ScreenVertex any_vertex() {
+    const auto coordinate = [] {
+        return *rc::gen::oneOf(
+            rc::gen::inRange<std::int32_t>(-10 * 256, 50 * 256),
+            rc::gen::map(rc::gen::inRange<std::int32_t>(-4, 44), [](std::int32_t pixel) { return pixel * 128; }),
+            rc::gen::map(rc::gen::inRange<std::int32_t>(-2, 30), [](std::int32_t pixel) { return pixel * 256 + 128; }),
+            rc::gen::inRange<std::int32_t>(-5'000 * 256, 5'000 * 256),
+            rc::gen::inRange<std::int32_t>(-kLargestScreen.raw, kLargestScreen.raw + 1));
+    };
+    return vertex(coordinate(), coordinate());
+}
+
+ScreenTriangle any_triangle() {
+    ScreenTriangle triangle{any_vertex(), any_vertex(), any_vertex()};
+    if (*rc::gen::inRange(0, 8) == 0) triangle[2].y = triangle[1].y;
+    if (*rc::gen::inRange(0, 8) == 0) triangle[1].x = triangle[0].x;
+    if (*rc::gen::inRange(0, 16) == 0) triangle[2] = triangle[0];
+    return triangle;
+}
+
+RC_GTEST_PROP(Triangles, CoverWhatTheRuleSaysByEveryMethod, ()) {
+    const ScreenTriangle triangle = any_triangle();
+    const Picture expected = exact(triangle);
+    for (const TriangleMethod method : kMethods) RC_ASSERT(scanned(triangle, method) == expected);
+    RC_ASSERT(scanned(triangle, TriangleMethod::EdgeFunctions, inside_edges_plain) == expected);
+}
+
+TEST(Triangles, CoverWhatTheRuleSaysWithCornersOnEveryHalfPixel) {
+    constexpr std::int32_t kPlaces = 4, kAll = kPlaces * kPlaces;
+    for (std::int32_t i = 0; i < kAll * kAll * kAll; ++i) {
+        const auto at_place = [](std::int32_t place) {
+            return vertex(640 + 128 * (place % kPlaces), 384 + 128 * (place / kPlaces));
+        };
+        const ScreenTriangle triangle{at_place(i % kAll), at_place(i / kAll % kAll), at_place(i / kAll / kAll)};
+        const Picture expected = exact(triangle);
+        for (const TriangleMethod method : kMethods) ASSERT_EQ(scanned(triangle, method), expected) << i;
+    }
+}
+
+RC_GTEST_PROP(Triangles, CoverTheSameInAnyOrderOfCorners, ()) {
+    ScreenTriangle triangle = any_triangle();
+    const Picture first = scanned(triangle, TriangleMethod::FlatParts);
+    std::swap(triangle[0], triangle[1]);
+    for (const TriangleMethod method : kMethods) RC_ASSERT(scanned(triangle, method) == first);
+}
+
+RC_GTEST_PROP(Triangles, CoverTheSameInBandsOfRows, ()) {
+    const ScreenTriangle triangle = any_triangle();
+    const auto cut = *rc::gen::inRange<std::int32_t>(0, kHeight + 1),
+               across = *rc::gen::inRange<std::int32_t>(0, kWidth + 1);
+    const Picture whole = scanned(triangle, TriangleMethod::EdgeWalking);
+    for (const TriangleMethod method : kMethods) {
+        Picture sum(kWidth * kHeight);
+        for (const ScreenRectangle& part :
+             {ScreenRectangle{0, across, 0, cut}, {across, kWidth, 0, cut}, {0, kWidth, cut, kHeight}}) {
+            const Picture of_part = scanned(triangle, method, inside_edges_sse2, part);
+            std::transform(sum.begin(), sum.end(), of_part.begin(), sum.begin(), std::plus<>());
+        }
+        RC_ASSERT(sum == whole);
+    }
+}
+
+/// A net of quads whose corners are moved at random, each cut along one of its diagonals: convex ones, so that none
+/// overlap.
+RC_GTEST_PROP(Triangles, OfANetCoverEachPixelOnce, ()) {
+    constexpr std::int32_t kColumns = 6, kRows = 4, kStep = 6 * 256 + 60, kMove = 400;
+    std::vector<ScreenVertex> net;
+    for (std::int32_t row = 0; row <= kRows; ++row)
+        for (std::int32_t column = 0; column <= kColumns; ++column) {
+            const bool is_x_fixed = column == 0 || column == kColumns, is_y_fixed = row == 0 || row == kRows;
+            const auto move = [](bool is_fixed) { return is_fixed ? 0 : *rc::gen::inRange(-kMove, kMove); };
+            net.push_back(vertex(column * kStep - 100 + move(is_x_fixed), row * kStep - 100 + move(is_y_fixed)));
+        }
+    for (const TriangleMethod method : kMethods) {
+        TriangleScanner scanner(method, kScreen);
+        std::vector<Span> spans;
+        for (std::int32_t row = 0; row < kRows; ++row)
+            for (std::int32_t column = 0; column < kColumns; ++column) {
+                const auto corner = [&](std::int32_t right, std::int32_t down) {
+                    return net.at(static_cast<std::size_t>((row + down) * (kColumns + 1) + column + right));
+                };
+                scanner.scan({corner(0, 0), corner(1, 0), corner(1, 1)}, spans);
+                scanner.scan({corner(0, 0), corner(1, 1), corner(0, 1)}, spans);
+            }
+        Picture picture(kWidth * kHeight);
+        add_spans(spans, picture);
+        RC_ASSERT(std::count(picture.begin(), picture.end(), 1) == kWidth * kHeight);
+    }
+}
+
+RC_GTEST_PROP(Triangles, OfAnyCoordinatesAreThoseOfClampedOnes, ()) {
+    const auto any = [] { return *rc::gen::arbitrary<std::int32_t>(); };
+    const ScreenTriangle wild{vertex(any(), any()), vertex(any(), any()),
+                              vertex(std::numeric_limits<std::int32_t>::min(), any())};
+    ScreenTriangle tame = wild;
+    for (ScreenVertex& v : tame)
+        v = {std::clamp(v.x, -kLargestScreen, kLargestScreen), std::clamp(v.y, -kLargestScreen, kLargestScreen)};
+    for (const TriangleMethod method : kMethods) RC_ASSERT(scanned(wild, method) == exact(tame));
+    const BarycentricWeights weights = barycentric_weights(wild, wild[0]);
+    RC_ASSERT(weights.a == weights.whole);
+    quantity_over(wild, {CornerQuantity::highest(), CornerQuantity::lowest(), CornerQuantity::ulp()});
+}
+
+RC_GTEST_PROP(EdgeFunctions, AreTheSameBySse2, ()) {
+    EdgeRow row{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        row.step[i] = *rc::gen::inRange<std::int64_t>(-30'000, 30'000);
+        row.value[i] = *rc::gen::inRange<std::int64_t>(-1'000'000, 1'000'000);
+    }
+    for (std::int32_t count = 0; count <= 40; ++count) {
+        const PixelRange plain = inside_edges_plain(row, count), fast = inside_edges_sse2(row, count);
+        RC_ASSERT(plain.first == fast.first);
+        RC_ASSERT(plain.end == fast.end);
+    }
+}
+
+// The notes' alpha, with the sign that they lose (errata N4).
+TEST(BarycentricWeights, AreSignedSharesOfTheWhole) {
+    const ScreenTriangle triangle{vertex(0, 0), vertex(4 * 256, 0), vertex(0, 4 * 256)};
+    const auto pixels = [](ScreenArea area) { return std::ldexp(static_cast<double>(area.raw), -16); };
+    const BarycentricWeights inside = barycentric_weights(triangle, vertex(256, 256));
+    EXPECT_EQ(pixels(inside.whole), 16);
+    EXPECT_EQ(pixels(inside.a) / 16, 0.5);
+    EXPECT_EQ(pixels(inside.b) / 16, 0.25);
+    EXPECT_EQ(pixels(inside.c) / 16, 0.25);
+    const BarycentricWeights outside = barycentric_weights(triangle, vertex(5 * 256, 5 * 256));
+    EXPECT_EQ(pixels(outside.a) / 16, -1.5);
+    EXPECT_EQ(pixels(outside.b) / 16, 1.25);
+    EXPECT_EQ(pixels(outside.c) / 16, 1.25);
+}
+
+RC_GTEST_PROP(BarycentricWeights, AddUpAndFindThePlaceAgain, ()) {
+    const ScreenTriangle triangle = any_triangle();
+    const ScreenVertex place = any_vertex();
+    const BarycentricWeights w = barycentric_weights(triangle, place);
+    RC_ASSERT(w.a + w.b + w.c == w.whole);
+    const auto mixed = [&](auto coordinate) {
+        return Wide{w.a.raw} * coordinate(triangle[0]) + Wide{w.b.raw} * coordinate(triangle[1]) +
+               Wide{w.c.raw} * coordinate(triangle[2]);
+    };
+    RC_ASSERT(mixed([](ScreenVertex v) { return v.x.raw; }) == Wide{w.whole.raw} * place.x.raw);
+    RC_ASSERT(mixed([](ScreenVertex v) { return v.y.raw; }) == Wide{w.whole.raw} * place.y.raw);
+}
+
+RC_GTEST_PROP(QuantityOver, IsTheCornersMixedByTheirWeights, ()) {
+    const auto near = [] { return vertex(*rc::gen::inRange(0, 40 * 256), *rc::gen::inRange(0, 25 * 256)); };
+    const ScreenTriangle triangle{near(), near(), near()};
+    std::array<CornerQuantity, 3> values;
+    for (CornerQuantity& value : values)
+        value = CornerQuantity::from_raw(*rc::gen::inRange<std::int64_t>(0, std::int64_t{1} << 40));
+    const auto number = [](auto fixed) { return static_cast<long double>(fixed.raw); };
+    const LinearQuantity<CornerQuantity> quantity = quantity_over(triangle, values);
+    const Picture picture = exact(triangle);
+    for (std::int32_t y = 0; y < kHeight; ++y)
+        for (std::int32_t x = 0; x < kWidth; ++x) {
+            if (picture.at(static_cast<std::size_t>(y * kWidth + x)) == 0) continue;
+            const BarycentricWeights w = barycentric_weights(triangle, vertex(x * 256 + 128, y * 256 + 128));
+            const long double expected =
+                (number(w.a) * number(values[0]) + number(w.b) * number(values[1]) + number(w.c) * number(values[2])) /
+                number(w.whole);
+            RC_ASSERT(std::abs(number(quantity.at(x, y)) - expected) <= 1.5L * (1 + kWidth + kHeight) + 1);
+        }
+}
+
+TEST(QuantityOver, OfATriangleWithoutAreaIsNothing) {
+    const auto quantity =
+        quantity_over({vertex(0, 0), vertex(256, 256), vertex(512, 512)}, {CornerQuantity::from_int(1), {}, {}});
+    EXPECT_EQ(quantity.per_column, CornerQuantity{});
+    EXPECT_EQ(quantity.at(5, 5), CornerQuantity{});
+}
+
+}  // namespace
+}  // namespace oblong::test
