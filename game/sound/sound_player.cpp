@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "game/sound/flac.h"
 
 namespace oblong {

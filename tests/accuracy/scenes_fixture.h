@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "tests/support/folders.h"
 #include "tools/accuracy/hard_scenes.h"
 #include "tools/accuracy/level_frames.h"

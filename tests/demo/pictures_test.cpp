@@ -6,12 +6,12 @@
 #include <set>
 #include <tuple>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
 #include "tests/support/folders.h"
-#include "tools/common/obj.h"
-#include "tools/common/png.h"
+#include "engine/files/obj.h"
+#include "engine/files/png.h"
 
 namespace oblong {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "tests/support/folders.h"
 #include "tools/map/compile.h"
 #include "tools/map/source/entities.h"

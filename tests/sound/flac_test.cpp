@@ -7,7 +7,7 @@
 #include <string>
 
 #include "engine/base/input_error.h"
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "tests/sound/md5.h"
 #include "tests/support/folders.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "tests/support/folders.h"
 
 namespace oblong {

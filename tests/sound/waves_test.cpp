@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "game/sound/flac.h"
 #include "game/sound/sound_table.h"
 #include "tests/support/folders.h"
