@@ -6,12 +6,13 @@
 #include <set>
 #include <tuple>
 
+#include "engine/base/table.h"
 #include "engine/files/files.h"
+#include "engine/files/obj.h"
+#include "engine/files/png.h"
 #include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
 #include "tests/support/folders.h"
-#include "engine/files/obj.h"
-#include "engine/files/png.h"
 
 namespace oblong {
 namespace {
