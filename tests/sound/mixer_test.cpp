@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -41,15 +42,19 @@ class DiskAudio {
     struct Sides {
         double left = 0, right = 0;
     };
-    /// The root mean squares of both sides.
+    /// The root mean squares of both sides, without the silence before and after, whose length is chance.
     Sides loudness() const {
         const std::vector<std::uint8_t> bytes = read_file(file_);
         double sums[2] = {};
+        std::size_t first = bytes.size(), end = 0;
         for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
             const double sample = static_cast<std::int16_t>(bytes[i] | bytes[i + 1] << 8);
             sums[i / 2 % 2] += sample * sample;
+            if (sample == 0) continue;
+            first = std::min(first, i);
+            end = i + 2;
         }
-        const double count = static_cast<double>(bytes.size()) / 4;
+        const double count = end > first ? static_cast<double>(end - first) / 4 : 1;
         return {std::sqrt(sums[0] / count), std::sqrt(sums[1] / count)};
     }
 
