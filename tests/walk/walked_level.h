@@ -6,7 +6,7 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/platform/files.h"
-#include "game/program.h"
+#include "game/program/program.h"
 #include "game/simulation/items.h"
 #include "game/simulation/step.h"
 #include "tests/support/folders.h"
