@@ -1,6 +1,6 @@
 #include "game/level/loaded_level.h"
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 
 namespace oblong {
 

@@ -4,11 +4,11 @@
 #include <functional>
 #include <string>
 
-#include "engine/platform/present_rect.h"
+#include "engine/files/log_channels.h"
 #include "engine/raster/lines.h"
+#include "engine/view/present_rect.h"
 #include "game/options/player_folders.h"
 #include "game/options/preferences_store.h"
-#include "tools/common/log_channels.h"
 
 namespace oblong {
 

@@ -2,14 +2,14 @@
 
 #include <utility>
 
+#include "engine/files/arguments.h"
+#include "engine/files/crosshair.h"
 #include "game/input/key_names.h"
 #include "game/simulation/goal.h"
 #include "game/view/screenshot.h"
 #include "game/view/shown_view.h"
 #include "game/view/sign_colours.h"
 #include "game/view/view_sway.h"
-#include "tools/common/arguments.h"
-#include "tools/common/crosshair.h"
 
 namespace oblong {
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "engine/files/frame_log.h"
 #include "engine/platform/platform.h"
 #include "game/input/key_names.h"
 #include "game/input/tick_input_source.h"
@@ -17,7 +18,6 @@
 #include "game/view/game_renderer.h"
 #include "game/view/hud.h"
 #include "game/view/shown_palette.h"
-#include "tools/common/frame_log.h"
 
 namespace oblong {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/geometry/clip_line.h"
-#include "engine/geometry/views.h"
 #include "engine/level/side.h"
+#include "engine/view/clip_line.h"
+#include "engine/view/views.h"
 #include "game/simulation/goal.h"
 #include "game/view/sign_colours.h"
 

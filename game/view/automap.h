@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
+#include "engine/draw/drawing.h"
 #include "engine/visibility/visible_set.h"
 #include "game/options/preferences.h"
 #include "game/view/game_renderer.h"
 #include "game/view/line_overlays.h"
-#include "tools/common/drawing.h"
 
 namespace oblong {
 

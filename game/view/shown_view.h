@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "engine/geometry/views.h"
 #include "engine/level/level.h"
+#include "engine/view/views.h"
 
 namespace oblong {
 
