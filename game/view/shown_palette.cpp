@@ -1,5 +1,7 @@
 #include "game/view/shown_palette.h"
 
+#include "game/simulation/step.h"
+
 namespace oblong {
 namespace {
 
