@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/platform/present_rect.h"
-#include "engine/screen/screen.h"
-#include "tools/common/drawing.h"
-#include "tools/common/text.h"
+#include "engine/draw/drawing.h"
+#include "engine/draw/text.h"
+#include "engine/view/present_rect.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/geometry/clip_line.h"
-#include "engine/geometry/views.h"
 #include "engine/level/side.h"
+#include "engine/view/clip_line.h"
+#include "engine/view/views.h"
 #include "game/goal.h"
 #include "game/sign_colours.h"
 

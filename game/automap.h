@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
+#include "engine/draw/drawing.h"
 #include "engine/visibility/visible_set.h"
 #include "game/game_renderer.h"
 #include "game/line_overlays.h"
 #include "game/preferences/preferences.h"
-#include "tools/common/drawing.h"
 
 namespace oblong {
 

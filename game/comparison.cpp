@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "tools/common/drawing.h"
-#include "tools/common/font.h"
+#include "engine/draw/drawing.h"
+#include "engine/draw/font.h"
 
 namespace oblong {
 std::int32_t split_column(const LabOptions& options, std::int32_t width_px) {

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
+#include "engine/draw/text.h"
 #include "game/lab_options.h"
-#include "tools/common/text.h"
 
 namespace oblong {
 

@@ -3,11 +3,11 @@
 #include <array>
 #include <span>
 
-#include "engine/screen/screen.h"
+#include "engine/draw/drawing.h"
+#include "engine/draw/text.h"
 #include "engine/surface/palette.h"
+#include "engine/view/screen.h"
 #include "game/sign_colours.h"
-#include "tools/common/drawing.h"
-#include "tools/common/text.h"
 #include "tools/measure/texel_error.h"
 
 namespace oblong {

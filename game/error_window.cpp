@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "engine/draw/text.h"
 #include "engine/platform/sdl/window.h"
-#include "tools/common/text.h"
 
 namespace oblong {
 namespace {

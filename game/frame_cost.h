@@ -2,11 +2,11 @@
 
 #include <string>
 
+#include "engine/draw/drawing.h"
+#include "engine/draw/text.h"
 #include "engine/effects/palette_effects.h"
 #include "game/game_renderer.h"
 #include "game/view_times.h"
-#include "tools/common/drawing.h"
-#include "tools/common/text.h"
 
 namespace oblong {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "engine/frame/wireframe.h"
-#include "engine/geometry/views.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
+#include "engine/view/views.h"
 #include "game/simulation/items.h"
 #include "game/simulation/step.h"
 

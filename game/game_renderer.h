@@ -4,14 +4,14 @@
 #include <optional>
 #include <vector>
 
+#include "engine/files/frame_log.h"
+#include "engine/files/rendering_times.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
-#include "engine/geometry/projection.h"
 #include "engine/raster/lines.h"
+#include "engine/view/projection.h"
 #include "game/load.h"
 #include "game/tick_input_source.h"
-#include "tools/common/frame_log.h"
-#include "tools/common/rendering_times.h"
 
 namespace oblong {
 

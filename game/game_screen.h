@@ -3,9 +3,9 @@
 #include <cstdint>
 
 #include "engine/platform/controls.h"
-#include "engine/platform/present_rect.h"
-#include "engine/screen/screen.h"
 #include "engine/surface/palette.h"
+#include "engine/view/present_rect.h"
+#include "engine/view/screen.h"
 #include "game/menu/menu_look.h"
 
 namespace oblong {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "tools/common/font.h"
+#include "engine/draw/font.h"
 
 namespace oblong {
 namespace {

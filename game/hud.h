@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 #include "game/frame_cost.h"
 #include "game/messages.h"
 

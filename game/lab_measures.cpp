@@ -3,7 +3,7 @@
 #include <cmath>
 #include <exception>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 
 namespace oblong {
 namespace {

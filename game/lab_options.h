@@ -6,7 +6,7 @@
 #include "engine/accuracy/dials.h"
 #include "engine/accuracy/presets.h"
 #include "engine/platform/controls.h"
-#include "engine/platform/present_rect.h"
+#include "engine/view/present_rect.h"
 
 namespace oblong {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/common/font.h"
-#include "tools/common/nearest_colour.h"
+#include "engine/draw/font.h"
+#include "engine/surface/nearest_colour.h"
 
 namespace oblong {
 namespace {

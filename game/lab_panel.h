@@ -1,10 +1,10 @@
 #pragma once
 
+#include "engine/draw/drawing.h"
+#include "engine/draw/text.h"
 #include "engine/surface/palette.h"
 #include "game/lab_measures.h"
 #include "game/lab_options.h"
-#include "tools/common/drawing.h"
-#include "tools/common/text.h"
 
 namespace oblong {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/common/game_files.h"
+#include "engine/files/game_files.h"
 
 namespace oblong {
 
@@ -18,7 +18,7 @@ struct LevelPlaces {
 /// The game's folders: the one that is named; if none is, the current folder and id1 in it.
 std::vector<std::string> game_folders_of(const std::string& named);
 
-/// The file of a level, or its path in a pak file (tools/common/game_files.h), as load_game() takes it; nothing where
+/// The file of a level, or its path in a pak file (engine/files/game_files.h), as load_game() takes it; nothing where
 /// there is none of that name. Throws FileError for a broken pak file.
 std::optional<std::string> find_level(const std::string& name, const LevelPlaces& places);
 

@@ -5,8 +5,8 @@
 
 #include "engine/effects/colour_tables.h"
 #include "engine/raster/lines.h"
+#include "engine/surface/nearest_colour.h"
 #include "engine/surface/palette.h"
-#include "tools/common/nearest_colour.h"
 
 namespace oblong {
 

@@ -5,10 +5,10 @@
 
 #include "engine/base/fnv.h"
 #include "engine/effects/things.h"
+#include "engine/files/arguments.h"
+#include "engine/files/game_files.h"
 #include "engine/level/bsp_read.h"
 #include "game/simulation/entity_keys.h"
-#include "tools/common/arguments.h"
-#include "tools/common/game_files.h"
 
 namespace oblong {
 namespace {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "engine/files/level_models.h"
 #include "engine/level/level.h"
 #include "engine/scene/level_effects.h"
 #include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
-#include "tools/common/level_models.h"
 
 namespace oblong {
 
@@ -29,7 +29,7 @@ struct GameData {
 /// Reads the level and its palette; empty names: the demo level of `assets_folder`, and the palette.lmp in the level's
 /// folder, in gfx/ there or in the folder above, in gfx/ of the game's folders or their pak files, or in
 /// `assets_folder`. Models are looked for in `models_folder` too, if it is not empty, and in progs/ of the game's.
-/// Levels may be in pak files: see tools/common/game_files.h. Prints on standard error what of the level is not obeyed.
+/// Levels may be in pak files: see engine/files/game_files.h. Prints on standard error what of the level is not obeyed.
 /// Throws FileError.
 GameData load_game(const std::string& level_file, const std::string& palette_file, const std::string& assets_folder,
                    const std::string& models_folder = "", const std::vector<std::string>& game_folders = {});

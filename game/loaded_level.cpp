@@ -1,6 +1,6 @@
 #include "game/loaded_level.h"
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 
 namespace oblong {
 

@@ -4,20 +4,20 @@
 #include <memory>
 #include <utility>
 
-#include "engine/platform/files.h"
+#include "engine/files/arguments.h"
+#include "engine/files/assets_folder.h"
+#include "engine/files/files.h"
+#include "engine/files/png.h"
 #include "engine/platform/headless/headless.h"
 #include "engine/platform/sdl/mixer.h"
 #include "engine/platform/sdl/window.h"
 #include "engine/platform/worker_threads.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 #include "game/error_window.h"
 #include "game/options.h"
 #include "game/program.h"
 #include "game/route.h"
 #include "game/timedemo.h"
-#include "tools/common/arguments.h"
-#include "tools/common/assets_folder.h"
-#include "tools/common/png.h"
 
 namespace oblong {
 namespace {

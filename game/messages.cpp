@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "tools/common/font.h"
-#include "tools/common/text.h"
+#include "engine/draw/font.h"
+#include "engine/draw/text.h"
 
 namespace oblong {
 namespace {

@@ -7,10 +7,10 @@
 #include <map>
 #include <string_view>
 
+#include "engine/files/arguments.h"
+#include "engine/files/assets_folder.h"
+#include "engine/files/command_line.h"
 #include "game/preferences/preference_table.h"
-#include "tools/common/arguments.h"
-#include "tools/common/assets_folder.h"
-#include "tools/common/command_line.h"
 
 namespace oblong {
 namespace {

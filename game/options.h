@@ -4,11 +4,11 @@
 #include <functional>
 #include <string>
 
-#include "engine/platform/present_rect.h"
+#include "engine/files/log_channels.h"
+#include "engine/view/present_rect.h"
 #include "game/line_overlays.h"
 #include "game/preferences/player_folders.h"
 #include "game/preferences/preferences_store.h"
-#include "tools/common/log_channels.h"
 
 namespace oblong {
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "engine/platform/files.h"
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
 #include "game/level_search.h"
 #include "game/screenshot.h"
-#include "tools/common/arguments.h"
 
 namespace oblong {
 namespace {

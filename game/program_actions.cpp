@@ -4,11 +4,11 @@
 #include <optional>
 #include <utility>
 
-#include "engine/platform/files.h"
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
 #include "game/level_search.h"
 #include "game/program.h"
 #include "game/simulation/items.h"
-#include "tools/common/arguments.h"
 
 namespace oblong {
 namespace {

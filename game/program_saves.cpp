@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "game/program.h"
 #include "game/saves/saved_level.h"
 #include "game/simulation/items.h"

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "engine/platform/files.h"
-#include "engine/screen/screen.h"
-#include "tools/common/png.h"
+#include "engine/files/files.h"
+#include "engine/files/png.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "engine/platform/present_rect.h"
-#include "engine/screen/screen.h"
 #include "engine/surface/palette.h"
+#include "engine/view/present_rect.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

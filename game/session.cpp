@@ -2,14 +2,14 @@
 
 #include <utility>
 
+#include "engine/files/arguments.h"
+#include "engine/files/crosshair.h"
 #include "game/goal.h"
 #include "game/key_names.h"
 #include "game/screenshot.h"
 #include "game/shown_view.h"
 #include "game/sign_colours.h"
 #include "game/view_sway.h"
-#include "tools/common/arguments.h"
-#include "tools/common/crosshair.h"
 
 namespace oblong {
 

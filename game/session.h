@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "engine/files/frame_log.h"
 #include "engine/platform/platform.h"
 #include "game/automap.h"
 #include "game/four_aspects.h"
@@ -17,7 +18,6 @@
 #include "game/tick_clock.h"
 #include "game/tick_input_source.h"
 #include "game/view_options.h"
-#include "tools/common/frame_log.h"
 
 namespace oblong {
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "engine/geometry/views.h"
 #include "engine/level/level.h"
+#include "engine/view/views.h"
 #include "game/view_options.h"
 
 namespace oblong {

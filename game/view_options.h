@@ -2,14 +2,14 @@
 
 #include <string>
 
+#include "engine/files/log_channels.h"
 #include "engine/frame/settings.h"
 #include "engine/platform/controls.h"
 #include "engine/platform/platform.h"
-#include "engine/platform/present_rect.h"
+#include "engine/view/present_rect.h"
 #include "game/lab_options.h"
 #include "game/line_overlays.h"
 #include "game/preferences/preferences.h"
-#include "tools/common/log_channels.h"
 
 namespace oblong {
 

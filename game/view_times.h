@@ -1,7 +1,7 @@
 #pragma once
 
+#include "engine/files/rendering_times.h"
 #include "game/game_renderer.h"
-#include "tools/common/rendering_times.h"
 
 namespace oblong {
 

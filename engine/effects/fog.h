@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/effects/colour_tables.h"
-#include "engine/screen/gradients.h"
-#include "engine/screen/screen.h"
+#include "engine/view/gradients.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "engine/effects/fog.h"
-#include "engine/geometry/view_directions.h"
 #include "engine/math/vec.h"
+#include "engine/view/view_directions.h"
 
 namespace oblong {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "engine/effects/particles.h"
-#include "engine/geometry/view_context.h"
 #include "engine/raster/depth.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
+#include "engine/view/view_context.h"
 
 namespace oblong {
 

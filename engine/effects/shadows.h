@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <span>
 
-#include "engine/geometry/screen_polygon.h"
 #include "engine/level/floor.h"
 #include "engine/raster/scan.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
+#include "engine/view/screen_polygon.h"
 
 namespace oblong {
 

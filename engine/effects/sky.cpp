@@ -6,8 +6,8 @@
 #include <cstring>
 
 #include "engine/fixed/root.h"
-#include "engine/geometry/view_directions.h"
 #include "engine/raster/kernels/kernels.h"
+#include "engine/view/view_directions.h"
 
 namespace oblong {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/projection.h"
 #include "engine/math/basis.h"
-#include "engine/screen/screen.h"
+#include "engine/view/projection.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

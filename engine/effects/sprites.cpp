@@ -5,7 +5,7 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
-#include "engine/geometry/project.h"
+#include "engine/view/project.h"
 
 namespace oblong {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

@@ -7,9 +7,9 @@
 
 #include "engine/effects/fog.h"
 #include "engine/frame/frame_things.h"
-#include "engine/geometry/view_context.h"
 #include "engine/scene/effects.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
+#include "engine/view/view_context.h"
 #include "engine/visibility/front_to_back.h"
 #include "engine/visibility/span_list.h"
 

@@ -6,7 +6,7 @@
 #include "engine/frame/surface_pass.h"
 #include "engine/frame/torn_pixels.h"
 #include "engine/frame/workspace.h"
-#include "engine/geometry/view_directions.h"
+#include "engine/view/view_directions.h"
 
 namespace oblong {
 

@@ -5,7 +5,7 @@
 #include "engine/frame/frame_context.h"
 #include "engine/frame/passes.h"
 #include "engine/frame/workspace.h"
-#include "engine/geometry/views.h"
+#include "engine/view/views.h"
 #include "engine/visibility/eye.h"
 
 namespace oblong {

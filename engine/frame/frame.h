@@ -4,15 +4,15 @@
 #include <span>
 
 #include "engine/frame/settings.h"
-#include "engine/geometry/projection.h"
-#include "engine/geometry/view_spec.h"
 #include "engine/level/level.h"
 #include "engine/mesh/placed_mesh.h"
 #include "engine/scene/effects.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/placed_models.h"
-#include "engine/screen/screen.h"
 #include "engine/surface/colormap.h"
+#include "engine/view/projection.h"
+#include "engine/view/screen.h"
+#include "engine/view/view_spec.h"
 
 namespace oblong {
 

@@ -4,8 +4,8 @@
 #include "engine/frame/frame.h"
 #include "engine/frame/mirror_pass.h"
 #include "engine/frame/texture_spans.h"
-#include "engine/geometry/texture_gradients.h"
-#include "engine/geometry/view_context.h"
+#include "engine/view/texture_gradients.h"
+#include "engine/view/view_context.h"
 
 namespace oblong {
 

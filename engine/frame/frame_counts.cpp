@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

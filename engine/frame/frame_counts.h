@@ -8,11 +8,11 @@
 
 #include "engine/effects/sky.h"
 #include "engine/frame/plan.h"
-#include "engine/geometry/screen_polygon.h"
-#include "engine/geometry/vertex_cache.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/raster/scan.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
+#include "engine/view/screen_polygon.h"
+#include "engine/view/vertex_cache.h"
 #include "engine/visibility/pixel_owners.h"
 
 namespace oblong {

@@ -7,7 +7,7 @@
 #include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/placed_models.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 #include "engine/visibility/front_to_back.h"
 
 namespace oblong {

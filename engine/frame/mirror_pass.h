@@ -6,7 +6,7 @@
 
 #include "engine/level/level.h"
 #include "engine/raster/depth.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 #include "engine/visibility/visible_set.h"
 
 namespace oblong {

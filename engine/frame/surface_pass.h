@@ -2,9 +2,9 @@
 
 #include "engine/frame/claims.h"
 #include "engine/frame/texture_spans.h"
-#include "engine/geometry/texture_gradients.h"
 #include "engine/raster/kernels/effect_kernels.h"
 #include "engine/scene/face_surface.h"
+#include "engine/view/texture_gradients.h"
 
 namespace oblong {
 

@@ -5,11 +5,11 @@
 
 #include "engine/accuracy/accuracy.h"
 #include "engine/frame/claims.h"
-#include "engine/geometry/texture_gradients.h"
 #include "engine/raster/kernels/effect_kernels.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_surface.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
+#include "engine/view/texture_gradients.h"
 
 namespace oblong {
 

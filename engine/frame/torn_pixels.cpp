@@ -8,11 +8,11 @@
 #include "engine/frame/frame_context.h"
 #include "engine/frame/passes.h"
 #include "engine/frame/workspace.h"
-#include "engine/geometry/view_directions.h"
 #include "engine/level/line_walk.h"
 #include "engine/raster/perspective.h"
 #include "engine/scene/light_below.h"
 #include "engine/surface/lit_surface.h"
+#include "engine/view/view_directions.h"
 
 namespace oblong {
 

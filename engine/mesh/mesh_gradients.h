@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "engine/mesh/mesh_stages.h"
-#include "engine/screen/gradients.h"
+#include "engine/view/gradients.h"
 
 namespace oblong {
 

@@ -5,8 +5,8 @@
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
-#include "engine/geometry/project.h"
 #include "engine/math/wide_sum.h"
+#include "engine/view/project.h"
 
 namespace oblong {
 

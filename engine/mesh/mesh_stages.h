@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/clip.h"
-#include "engine/geometry/view_context.h"
 #include "engine/mesh/mesh_light.h"
 #include "engine/mesh/placed_mesh.h"
+#include "engine/view/clip.h"
+#include "engine/view/view_context.h"
 
 // The way of a mesh from its own space to the screen, a function each stage. Each reads what the one before it made,
 // and draw_mesh() (engine/mesh/draw_mesh.h) is their order.

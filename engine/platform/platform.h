@@ -5,9 +5,9 @@
 
 #include "engine/platform/bindings.h"
 #include "engine/platform/controls.h"
-#include "engine/platform/present_rect.h"
-#include "engine/screen/screen.h"
 #include "engine/surface/palette.h"
+#include "engine/view/present_rect.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

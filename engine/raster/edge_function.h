@@ -4,8 +4,8 @@
 #include <array>
 
 #include "engine/raster/scan.h"
-#include "engine/screen/gradients.h"
-#include "engine/screen/screen.h"
+#include "engine/view/gradients.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

@@ -6,7 +6,7 @@
 #include "engine/base/table.h"
 #include "engine/fixed/root.h"
 #include "engine/fixed/wide.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 
 // The four line algorithms. Each is a walk: it steps along one axis of the screen, the major one, a pixel at a time,
 // and tells the coordinate on the other, the minor one. minor_at(n) is what minor() is after n steps; it never turns

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/raster/kernels/effect_kernels.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

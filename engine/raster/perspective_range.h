@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/screen/gradients.h"
-#include "engine/screen/screen.h"
+#include "engine/view/gradients.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/accuracy/accuracy.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

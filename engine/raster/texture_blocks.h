@@ -8,8 +8,8 @@
 #include "engine/raster/block_steps.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/raster/perspective_range.h"
-#include "engine/screen/gradients.h"
-#include "engine/screen/screen.h"
+#include "engine/view/gradients.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

@@ -6,8 +6,8 @@
 
 #include "engine/raster/kernels/edge_functions.h"
 #include "engine/raster/scan.h"
-#include "engine/screen/gradients.h"
-#include "engine/screen/screen.h"
+#include "engine/view/gradients.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

@@ -5,14 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/projection.h"
-#include "engine/geometry/texture_gradients.h"
-#include "engine/geometry/view_context.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_table.h"
 #include "engine/scene/light_styles.h"
 #include "engine/scene/moving_lights.h"
 #include "engine/surface/surface_cache.h"
+#include "engine/view/projection.h"
+#include "engine/view/texture_gradients.h"
+#include "engine/view/view_context.h"
 
 namespace oblong {
 

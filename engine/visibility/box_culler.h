@@ -6,8 +6,8 @@
 
 #include "engine/base/range_probe.h"
 #include "engine/base/table.h"
-#include "engine/geometry/frustum.h"
 #include "engine/level/level.h"
+#include "engine/view/frustum.h"
 
 namespace oblong {
 

@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "engine/geometry/view_context.h"
 #include "engine/level/level.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
+#include "engine/view/view_context.h"
 
 namespace oblong {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/view_context.h"
 #include "engine/level/level.h"
 #include "engine/scene/face_table.h"
+#include "engine/view/view_context.h"
 #include "engine/visibility/box_culler.h"
 #include "engine/visibility/fragment_tree.h"
 

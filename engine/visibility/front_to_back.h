@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/view_context.h"
 #include "engine/level/level.h"
+#include "engine/view/view_context.h"
 #include "engine/visibility/box_culler.h"
 #include "engine/visibility/brush_models.h"
 #include "engine/visibility/span_buffer.h"

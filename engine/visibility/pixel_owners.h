@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "engine/fixed/fixed.h"
-#include "engine/screen/gradients.h"
-#include "engine/screen/screen.h"
+#include "engine/view/gradients.h"
+#include "engine/view/screen.h"
 #include "engine/visibility/front_to_back.h"
 
 namespace oblong {

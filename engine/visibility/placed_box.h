@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "engine/geometry/view_context.h"
 #include "engine/level/level.h"
+#include "engine/view/view_context.h"
 #include "engine/visibility/visible_set.h"
 
 namespace oblong {

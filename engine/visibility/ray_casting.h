@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/geometry/view_directions.h"
+#include "engine/view/view_directions.h"
 #include "engine/visibility/pixel_owners.h"
 
 namespace oblong {

@@ -6,7 +6,7 @@
 
 #include "engine/base/table.h"
 #include "engine/raster/scan.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 #include "engine/visibility/span_list.h"
 
 namespace oblong {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/geometry/view_context.h"
 #include "engine/level/side.h"
+#include "engine/view/view_context.h"
 
 namespace oblong {
 

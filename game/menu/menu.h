@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/platform/controls.h"
-#include "engine/platform/present_rect.h"
+#include "engine/view/present_rect.h"
 #include "game/menu/draw_menu.h"
 
 namespace oblong {

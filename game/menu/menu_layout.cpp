@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/common/font.h"
+#include "engine/draw/font.h"
 
 namespace oblong {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "engine/base/table.h"
-#include "tools/common/font.h"
-#include "tools/common/nearest_colour.h"
+#include "engine/draw/font.h"
+#include "engine/surface/nearest_colour.h"
 
 namespace oblong {
 namespace {

@@ -3,8 +3,8 @@
 #include <array>
 #include <string_view>
 
-#include "tools/common/drawing.h"
-#include "tools/common/text.h"
+#include "engine/draw/drawing.h"
+#include "engine/draw/text.h"
 
 namespace oblong {
 

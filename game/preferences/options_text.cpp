@@ -6,8 +6,8 @@
 
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
-#include "tools/common/arguments.h"
-#include "tools/common/config_line.h"
+#include "engine/files/arguments.h"
+#include "engine/files/config_line.h"
 
 namespace oblong {
 namespace {

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <utility>
 
-#include "tools/common/arguments.h"
+#include "engine/files/arguments.h"
 
 namespace oblong {
 namespace {

@@ -9,9 +9,9 @@
 #include "engine/accuracy/dials.h"
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
+#include "engine/files/arguments.h"
 #include "game/preferences/preference_kinds.h"
 #include "game/preferences/view_preferences.h"
-#include "tools/common/arguments.h"
 
 namespace oblong {
 namespace {

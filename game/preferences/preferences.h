@@ -5,11 +5,11 @@
 #include <string>
 
 #include "engine/accuracy/presets.h"
-#include "engine/geometry/projection.h"
 #include "engine/platform/bindings.h"
-#include "engine/platform/present_rect.h"
 #include "engine/scene/light_styles.h"
-#include "engine/screen/screen.h"
+#include "engine/view/present_rect.h"
+#include "engine/view/projection.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "game/preferences/options_text.h"
 
 namespace oblong {

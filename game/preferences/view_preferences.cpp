@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/common/arguments.h"
+#include "engine/files/arguments.h"
 
 namespace oblong {
 namespace {

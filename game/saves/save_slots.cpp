@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 
 namespace oblong {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/platform/file_lock.h"
+#include "engine/files/file_lock.h"
 #include "game/saves/saved_game.h"
 
 namespace oblong {

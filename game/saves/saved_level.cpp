@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "engine/base/fnv.h"
-#include "tools/common/game_files.h"
+#include "engine/files/game_files.h"
 
 namespace oblong {
 namespace {

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/screen/screen.h"
 #include "engine/surface/palette.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "engine/platform/files.h"
-#include "tools/common/arguments.h"
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
 
 namespace oblong {
 namespace {

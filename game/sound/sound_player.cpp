@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 
 namespace oblong {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "tests/accuracy/scenes_fixture.h"
 #include "tests/support/folders.h"
 #include "tools/render/camera_list.h"

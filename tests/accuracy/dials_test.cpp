@@ -7,9 +7,9 @@
 #include <set>
 
 #include "engine/accuracy/presets.h"
+#include "engine/files/arguments.h"
 #include "tests/support/folders.h"
 #include "tests/support/shared_levels.h"
-#include "tools/common/arguments.h"
 
 namespace oblong::test {
 namespace {

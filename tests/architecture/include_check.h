@@ -15,8 +15,8 @@ struct SourceFile {
 /// One line of English for every #include that breaks a rule:
 ///   - quoted names are paths from the project's root, in a room that the includer's room may include;
 ///   - only engine/platform/sdl/ includes SDL;
-///   - engine/ outside platform/ has no files, clock, threads or randomness, and no header that old WebAssembly
-///     compilers lack.
+///   - engine/ outside files/ and platform/ has no files, clock, threads or randomness, and no header that old
+///     WebAssembly compilers lack.
 std::vector<std::string> find_bad_includes(const std::vector<Room>& rooms, const std::vector<SourceFile>& files);
 
 /// One line for every path of the repository that does not belong at its top level.

@@ -1,1 +1,1 @@
-set(LINKS oblong_level oblong_tool_formats)
+set(LINKS oblong_level oblong_files)

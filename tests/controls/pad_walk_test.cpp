@@ -1,8 +1,8 @@
 #include <SDL.h>
 #include <gtest/gtest.h>
 
+#include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
 #include "engine/platform/sdl/input.h"
 #include "game/simulation/step.h"
 #include "game/tick_input_source.h"

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <set>
 
+#include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
-#include "engine/platform/files.h"
 #include "game/simulation/game_level.h"
 #include "tests/support/folders.h"
 

@@ -4,9 +4,9 @@
 #include <set>
 
 #include "engine/base/input_error.h"
+#include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/bindings.h"
-#include "engine/platform/files.h"
 #include "game/route.h"
 #include "game/simulation/items.h"
 #include "game/simulation/step.h"

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
-#include "engine/platform/files.h"
 #include "tests/support/folders.h"
 
 namespace oblong {

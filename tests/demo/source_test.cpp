@@ -7,10 +7,10 @@
 #include <set>
 #include <sstream>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
+#include "engine/files/obj.h"
+#include "engine/files/png.h"
 #include "tests/support/folders.h"
-#include "tools/common/obj.h"
-#include "tools/common/png.h"
 #include "tools/demo_level/art/textures.h"
 #include "tools/demo_level/map/museum.h"
 #include "tools/demo_level/models/models.h"

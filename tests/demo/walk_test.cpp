@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
 #include "game/simulation/step.h"
 #include "tests/support/folders.h"
 

@@ -5,8 +5,8 @@
 #include <map>
 #include <vector>
 
+#include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/step.h"
 #include "tests/support/folders.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/geometry/view_context.h"
+#include "engine/view/view_context.h"
 
 namespace oblong::test {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <random>
 
-#include "engine/geometry/views.h"
+#include "engine/view/views.h"
 #include "tests/frame/holes.h"
 
 namespace oblong::test {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-#include "engine/geometry/views.h"
+#include "engine/view/views.h"
 #include "tests/frame/frame_fixture.h"
 #include "tests/support/folders.h"
 

@@ -17,8 +17,8 @@ list(APPEND SOURCES ${CMAKE_CURRENT_LIST_DIR}/../map/map_source.cpp ${GAME}/rout
      ${GAME}/saves/state_bytes.cpp ${GAME}/preferences/options_text.cpp ${GAME}/preferences/preference_kinds.cpp
      ${GAME}/preferences/preference_table.cpp ${GAME}/preferences/view_preferences.cpp)
 add_library(fuzzed STATIC ${SOURCES})
-target_link_libraries(fuzzed PUBLIC oblong_frame oblong_platform oblong_tool_map oblong_tool_formats oblong_tool_models
-                                    oblong_tool_probe oblong_tool_cameras oblong_tool_command_line oblong_tool_log
+target_link_libraries(fuzzed PUBLIC oblong_frame oblong_platform oblong_tool_map oblong_files
+                                    oblong_tool_probe oblong_tool_cameras
                                     test_support GTest::gtest ZLIB::ZLIB)
 foreach(SOURCE ${FUZZ_TARGETS})
     get_filename_component(NAME ${SOURCE} NAME_WE)
@@ -31,5 +31,5 @@ endforeach()
 foreach(ROOM surface effects)
     target_compile_options(oblong_${ROOM} PRIVATE -fno-sanitize-coverage=trace-cmp)
 endforeach()
-set_source_files_properties(${CMAKE_SOURCE_DIR}/tools/common/config_line.cpp TARGET_DIRECTORY oblong_tool_command_line
+set_source_files_properties(${CMAKE_SOURCE_DIR}/engine/files/config_line.cpp TARGET_DIRECTORY oblong_files
                             PROPERTIES COMPILE_OPTIONS "-O1;-fno-sanitize-coverage=trace-cmp")

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/geometry/projection.h"
+#include "engine/view/projection.h"
 
 namespace oblong {
 namespace {

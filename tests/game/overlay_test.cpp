@@ -9,13 +9,13 @@
 #include <tuple>
 #include <vector>
 
+#include "engine/draw/font.h"
 #include "game/aspect_guide.h"
 #include "game/comparison.h"
 #include "game/error_map.h"
 #include "game/hud.h"
 #include "game/lab_panel.h"
 #include "game/menu/menu_layout.h"
-#include "tools/common/font.h"
 
 namespace oblong {
 namespace {

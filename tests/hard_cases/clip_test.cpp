@@ -1,4 +1,4 @@
-#include "engine/geometry/clip.h"
+#include "engine/view/clip.h"
 
 #include <gtest/gtest.h>
 

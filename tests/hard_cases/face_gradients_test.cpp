@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/geometry/texture_gradients.h"
-#include "engine/geometry/triangle_gradients.h"
 #include "engine/math/vec.h"
 #include "engine/raster/texture_blocks.h"
+#include "engine/view/texture_gradients.h"
+#include "engine/view/triangle_gradients.h"
 #include "tests/hard_cases/hard_case.h"
 
 // The gradients that a frame's faces take from their plane. Those of triangles, as outside checks ask for them, are in

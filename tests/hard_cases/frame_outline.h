@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/geometry/screen_polygon.h"
+#include "engine/view/screen_polygon.h"
 #include "tools/reference/projection.h"
 
 namespace oblong::test {

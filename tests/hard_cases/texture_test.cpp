@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "engine/geometry/triangle_gradients.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
+#include "engine/view/triangle_gradients.h"
 #include "tests/hard_cases/frame_outline.h"
 #include "tests/hard_cases/hard_case.h"
 #include "tools/reference/texel.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/files/files.h"
 #include "engine/level/entity_classes.h"
-#include "engine/platform/files.h"
 #include "tests/support/folders.h"
 
 namespace oblong::test {

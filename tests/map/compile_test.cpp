@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "engine/geometry/views.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/trace.h"
 #include "engine/scene/placed_models.h"
+#include "engine/view/views.h"
 #include "game/simulation/step.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "tests/map/map_source.h"
 #include "tests/support/folders.h"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
 #include "tests/support/shared_levels.h"

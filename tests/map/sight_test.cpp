@@ -3,10 +3,10 @@
 #include <cmath>
 #include <random>
 
+#include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/pvs.h"
 #include "engine/level/side.h"
-#include "engine/platform/files.h"
 #include "tests/map/brush_world.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "tools/common/font.h"
+#include "engine/draw/font.h"
 
 namespace oblong {
 namespace {

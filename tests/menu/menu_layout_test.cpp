@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "tools/common/font.h"
+#include "engine/draw/font.h"
 
 namespace oblong {
 namespace {

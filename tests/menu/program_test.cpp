@@ -7,7 +7,7 @@
 #include <map>
 
 #include "engine/effects/palette_effects.h"
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "engine/platform/headless/headless.h"
 #include "tests/support/folders.h"
 #include "tests/support/shared_levels.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "engine/geometry/project.h"
+#include "engine/view/project.h"
 #include "tests/mesh/mesh_picture.h"
 #include "tests/support/point.h"
 

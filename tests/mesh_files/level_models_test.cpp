@@ -1,17 +1,17 @@
-#include "tools/common/level_models.h"
+#include "engine/files/level_models.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
+#include "engine/files/files.h"
+#include "engine/files/model_classes.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
 #include "engine/level/floor.h"
-#include "engine/platform/files.h"
 #include "tests/mesh_files/mdl_writer.h"
 #include "tests/support/shared_levels.h"
 #include "tests/support/tiny_bsp.h"
-#include "tools/common/model_classes.h"
 
 namespace oblong {
 namespace {

@@ -1,1 +1,1 @@
-set(LINKS oblong_tool_models)
+set(LINKS oblong_files)

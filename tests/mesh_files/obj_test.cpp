@@ -1,4 +1,4 @@
-#include "tools/common/obj.h"
+#include "engine/files/obj.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <random>
 
-#include "engine/platform/files.h"
-#include "tools/common/obj_check.h"
+#include "engine/files/files.h"
+#include "engine/files/obj_check.h"
 
 namespace oblong {
 namespace {

@@ -22,27 +22,27 @@ SETTINGS = ["perspective=bounded", "perspective=affine", "perspective=every16", 
 PARTS = {
     ("nodes",): "visibility/front_to_back visibility/box_culler visibility/box_rectangle "
                 "visibility/visible_set level/pvs",
-    ("vertices", "projection"): "geometry/screen_polygon",
-    ("clipping",): "geometry/clip",
+    ("vertices", "projection"): "view/screen_polygon",
+    ("clipping",): "view/clip",
     ("edges", "edge rows"): "raster/scan",
     ("spans",): "visibility/span_buffer frame/frame frame/claims frame/surface_pass frame/passes frame/plan",
-    ("gradients",): "geometry/texture_gradients scene/face_surface surface/surface_cache raster/block_rule",
+    ("gradients",): "view/texture_gradients scene/face_surface surface/surface_cache raster/block_rule",
     ("blocks", "1/z", "pixels"): "raster/texture_blocks raster/perspective_range frame/texture_spans fixed/reciprocal "
                                  "raster/exact_spans raster/kernels/plain raster/kernels/near_borders",
-    ("sky",): "effects/sky geometry/view_directions fixed/root",
+    ("sky",): "effects/sky view/view_directions fixed/root",
     ("lit texels",): "surface/lit_surface",
 }
 LEFT_OUT = ("left out",)
 # What other effects, frames without the span buffer, and lines over frames need: the frames that are counted do not allow them. From the
 # libraries of the build.
-OF_EFFECTS = re.compile("engine/(effects/|mesh/|raster/(depth|lines|triangles|kernels/(?!plain))|"
+OF_EFFECTS = re.compile("engine/(draw/|effects/|files/|mesh/|raster/(depth|lines|triangles|kernels/(?!plain))|"
                         "scene/(light_styles|texture_animation|pick|"
                         "moving_lights|level_effects|light_below)|level/floor|math/(soft_float|wide_sum)|"
-                        "geometry/(canonical_volume|clip_line|facing|triangulate)|math/transform|"
+                        "view/(canonical_volume|clip_line|facing|triangulate)|math/transform|"
                         "visibility/(placed_box|pixel_owners|z_buffer|painter|ray_casting)|"
                         "frame/(fog|light|mirror|model|see_through)_pass|frame/(frame_things|hidden_surfaces|pass_times|shared_drawing|wireframe))")
-BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|surface/(palette|colormap|oklab))")
-TOOLS = ["tools/common/arguments.cpp", "tools/render/camera_list.cpp", "tools/measure/operations.cpp",
+BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|files/files|surface/(palette|colormap|oklab|nearest_colour))")
+TOOLS = ["engine/files/arguments.cpp", "tools/render/camera_list.cpp", "tools/measure/operations.cpp",
          "tests/operations/counter/count_operations.cpp"]
 LARGEST_DIFFERENCE = 0.05
 LARGEST_LEFT_OUT = 0.03  # of all additions

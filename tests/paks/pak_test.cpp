@@ -1,4 +1,4 @@
-#include "tools/common/pak.h"
+#include "engine/files/pak.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "engine/accuracy/dials.h"
+#include "engine/files/arguments.h"
 #include "tests/preferences/named.h"
-#include "tools/common/arguments.h"
 
 namespace oblong {
 namespace {

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "tests/preferences/named.h"
 
 namespace oblong {

@@ -8,7 +8,7 @@
 #include <random>
 #include <sstream>
 
-#include "tools/common/arguments.h"
+#include "engine/files/arguments.h"
 
 namespace oblong {
 namespace {

@@ -1,6 +1,6 @@
 // Clipping to the four sides of random views. One plane at a time: HardCaseC1 to HardCaseC3.
 
-#include "engine/geometry/clip.h"
+#include "engine/view/clip.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <vector>
 
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 
 namespace oblong::test {
 

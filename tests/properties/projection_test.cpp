@@ -1,13 +1,13 @@
 // Projection never turns the order of points round.
 
-#include "engine/geometry/projection.h"
+#include "engine/view/projection.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
 
-#include "engine/geometry/project.h"
+#include "engine/view/project.h"
 
 namespace oblong::test {
 namespace {

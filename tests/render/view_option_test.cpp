@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/base/input_error.h"
-#include "tools/common/arguments.h"
+#include "engine/files/arguments.h"
 
 namespace oblong {
 namespace {

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "tests/saves/saved_walk.h"
 #include "tests/support/temporary_folder.h"
 

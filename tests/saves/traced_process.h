@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 
 namespace oblong::test {
 

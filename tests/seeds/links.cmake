@@ -1,1 +1,1 @@
-set(LINKS oblong_geometry oblong_raster)
+set(LINKS oblong_view oblong_raster)

@@ -6,8 +6,8 @@
 #include <array>
 #include <numbers>
 
-#include "engine/geometry/project.h"
-#include "engine/geometry/projection.h"
+#include "engine/view/project.h"
+#include "engine/view/projection.h"
 #include "tests/seeds/seed_values.h"
 #include "tools/gallery/counted.h"
 

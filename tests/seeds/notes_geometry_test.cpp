@@ -8,11 +8,11 @@
 #include <map>
 #include <numbers>
 
-#include "engine/geometry/clip.h"
-#include "engine/geometry/frustum.h"
-#include "engine/geometry/project.h"
 #include "engine/math/matrix.h"
 #include "engine/math/vec.h"
+#include "engine/view/clip.h"
+#include "engine/view/frustum.h"
+#include "engine/view/project.h"
 #include "tests/seeds/seed_values.h"
 
 namespace oblong::test {

@@ -6,10 +6,10 @@
 #include <array>
 #include <optional>
 
-#include "engine/geometry/triangle_gradients.h"
 #include "engine/math/vec.h"
 #include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
+#include "engine/view/triangle_gradients.h"
 #include "tests/seeds/seed_values.h"
 
 namespace oblong::test {

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "engine/base/input_error.h"
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "engine/platform/sdl/voice_filter.h"
 #include "tools/demo_level/sounds/sounds.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "game/sound/game_sound.h"
 #include "game/sound/sound_player.h"
 #include "tests/sound/recorded_output.h"

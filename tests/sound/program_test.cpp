@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
 

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/files/png.h"
 #include "engine/surface/colormap.h"
 #include "tests/texture/test_palette.h"
-#include "tools/common/png.h"
 
 namespace oblong {
 namespace {

@@ -7,14 +7,14 @@
 #include <filesystem>
 #include <fstream>
 
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
+#include "engine/files/png.h"
+#include "engine/files/wad.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
-#include "tests/common/png_writer.h"
+#include "tests/files/png_writer.h"
 #include "tests/support/shared_levels.h"
 #include "tests/texture/test_palette.h"
-#include "tools/common/arguments.h"
-#include "tools/common/png.h"
-#include "tools/common/wad.h"
 #include "tools/texture/mipmaps.h"
 
 namespace oblong {

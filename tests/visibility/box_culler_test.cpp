@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-#include "engine/geometry/view_context.h"
+#include "engine/view/view_context.h"
 
 namespace oblong::test {
 

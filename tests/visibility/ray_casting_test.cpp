@@ -5,8 +5,8 @@
 #include <array>
 #include <random>
 
-#include "engine/geometry/projection.h"
 #include "engine/math/plane.h"
+#include "engine/view/projection.h"
 #include "tests/support/point.h"
 
 namespace oblong::test {

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
+#include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
 #include "game/program.h"
 #include "game/simulation/items.h"
 #include "game/simulation/step.h"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "game/simulation/demo.h"
 #include "tests/support/folders.h"
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "tests/support/folders.h"
 #include "tests/support/temporary_folder.h"
 

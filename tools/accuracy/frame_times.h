@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "engine/files/rendering_times.h"
 #include "tools/accuracy/configurations.h"
 #include "tools/accuracy/level_frames.h"
 #include "tools/accuracy/progress.h"
-#include "tools/common/rendering_times.h"
 
 namespace oblong {
 

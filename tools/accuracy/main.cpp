@@ -5,16 +5,16 @@
 #include <iterator>
 
 #include "engine/base/input_error.h"
-#include "engine/platform/files.h"
+#include "engine/files/arguments.h"
+#include "engine/files/assets_folder.h"
+#include "engine/files/command_line.h"
+#include "engine/files/files.h"
 #include "tools/accuracy/hard_scenes.h"
 #include "tools/accuracy/machine.h"
 #include "tools/accuracy/page_table.h"
 #include "tools/accuracy/report.h"
 #include "tools/accuracy/report_html.h"
 #include "tools/accuracy/report_json.h"
-#include "tools/common/arguments.h"
-#include "tools/common/assets_folder.h"
-#include "tools/common/command_line.h"
 #include "tools/render/camera_list.h"
 
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/projection.h"
 #include "engine/level/level.h"
 #include "engine/scene/placed_models.h"
+#include "engine/view/projection.h"
 #include "tools/reference/level.h"
 
 namespace oblong {

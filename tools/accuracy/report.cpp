@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/files/png.h"
 #include "tools/accuracy/heat_map.h"
-#include "tools/common/png.h"
 
 namespace oblong {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "tools/common/nearest_colour.h"
-#include "tools/common/wad.h"
+#include "engine/files/wad.h"
+#include "engine/surface/nearest_colour.h"
 #include "tools/texture/mipmaps.h"
 
 namespace oblong {

@@ -1,7 +1,7 @@
 #include "tools/bench/bench_level.h"
 
+#include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
 #include "tools/accuracy/hard_scenes.h"
 #include "tools/render/camera_list.h"
 

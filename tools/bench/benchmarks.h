@@ -2,7 +2,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 #include "tools/bench/bench_level.h"
 
 namespace oblong {

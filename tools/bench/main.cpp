@@ -1,10 +1,10 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/files/arguments.h"
+#include "engine/files/assets_folder.h"
+#include "engine/files/command_line.h"
 #include "tools/bench/benchmarks.h"
-#include "tools/common/arguments.h"
-#include "tools/common/assets_folder.h"
-#include "tools/common/command_line.h"
 
 namespace {
 

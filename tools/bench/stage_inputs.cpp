@@ -1,6 +1,6 @@
 #include "tools/bench/stage_inputs.h"
 
-#include "engine/geometry/views.h"
+#include "engine/view/views.h"
 #include "engine/visibility/eye.h"
 
 namespace oblong {

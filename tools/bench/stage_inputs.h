@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "engine/geometry/texture_gradients.h"
-#include "engine/geometry/view_context.h"
+#include "engine/view/texture_gradients.h"
+#include "engine/view/view_context.h"
 #include "tools/bench/bench_level.h"
 
 namespace oblong {

@@ -1,8 +1,8 @@
 #include <vector>
 
 #include "engine/effects/sky.h"
-#include "engine/geometry/view_spec.h"
-#include "engine/geometry/views.h"
+#include "engine/view/view_spec.h"
+#include "engine/view/views.h"
 #include "tools/bench/benchmarks.h"
 
 namespace oblong {

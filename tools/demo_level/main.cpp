@@ -1,9 +1,9 @@
 #include <filesystem>
 #include <sstream>
 
-#include "engine/platform/files.h"
-#include "tools/common/command_line.h"
-#include "tools/common/png.h"
+#include "engine/files/command_line.h"
+#include "engine/files/files.h"
+#include "engine/files/png.h"
 #include "tools/demo_level/art/textures.h"
 #include "tools/demo_level/map/museum.h"
 #include "tools/demo_level/models/models.h"

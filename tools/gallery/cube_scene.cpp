@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/geometry/project.h"
+#include "engine/draw/drawing.h"
 #include "engine/raster/lines.h"
-#include "tools/common/drawing.h"
+#include "engine/view/project.h"
 #include "tools/gallery/numbers.h"
 
 namespace oblong {

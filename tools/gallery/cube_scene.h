@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/geometry/screen_polygon.h"
-#include "engine/geometry/view_spec.h"
 #include "engine/raster/scan.h"
+#include "engine/view/screen_polygon.h"
+#include "engine/view/view_spec.h"
 #include "tools/gallery/row.h"
 
 namespace oblong {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/draw/drawing.h"
 #include "engine/raster/lines.h"
-#include "tools/common/drawing.h"
 
 namespace oblong {
 

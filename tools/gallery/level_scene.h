@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/geometry/view_spec.h"
+#include "engine/view/view_spec.h"
 #include "tools/gallery/row.h"
 
 namespace oblong {

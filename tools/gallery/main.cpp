@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "engine/files/arguments.h"
+#include "engine/files/assets_folder.h"
+#include "engine/files/command_line.h"
+#include "engine/files/files.h"
+#include "engine/files/png.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
-#include "tools/common/arguments.h"
-#include "tools/common/assets_folder.h"
-#include "tools/common/command_line.h"
-#include "tools/common/png.h"
 #include "tools/gallery/page.h"
 #include "tools/gallery/rows.h"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/base/table.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 #include "tools/gallery/numbers.h"
 
 namespace oblong {

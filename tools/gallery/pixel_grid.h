@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tools/common/drawing.h"
+#include "engine/draw/drawing.h"
 #include "tools/gallery/diagram.h"
 
 namespace oblong {

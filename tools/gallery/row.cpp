@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <span>
 
-#include "tools/common/drawing.h"
-#include "tools/common/font.h"
-#include "tools/common/nearest_colour.h"
+#include "engine/draw/drawing.h"
+#include "engine/draw/font.h"
+#include "engine/surface/nearest_colour.h"
 
 namespace oblong {
 

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/draw/text.h"
 #include "engine/frame/settings.h"
 #include "engine/level/level.h"
-#include "engine/screen/screen.h"
 #include "engine/surface/colormap.h"
-#include "tools/common/text.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/geometry/canonical_volume.h"
-#include "engine/geometry/views.h"
+#include "engine/draw/font.h"
 #include "engine/raster/lines.h"
 #include "engine/raster/scan.h"
-#include "tools/common/font.h"
+#include "engine/view/canonical_volume.h"
+#include "engine/view/views.h"
 
 namespace oblong {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <string_view>
 
-#include "engine/geometry/view_context.h"
+#include "engine/draw/drawing.h"
 #include "engine/math/matrix.h"
-#include "tools/common/drawing.h"
+#include "engine/view/view_context.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/numbers.h"
 #include "tools/gallery/row.h"

@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "engine/fixed/trig.h"
-#include "engine/geometry/canonical_volume.h"
-#include "engine/geometry/views.h"
 #include "engine/raster/scan.h"
+#include "engine/view/canonical_volume.h"
+#include "engine/view/views.h"
 
 namespace oblong {
 

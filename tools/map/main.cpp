@@ -1,8 +1,8 @@
 #include <filesystem>
 #include <iostream>
 
-#include "engine/platform/files.h"
-#include "tools/common/command_line.h"
+#include "engine/files/command_line.h"
+#include "engine/files/files.h"
 #include "tools/map/compile.h"
 #include "tools/map/source/checks.h"
 

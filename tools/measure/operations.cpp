@@ -58,17 +58,17 @@ StageOperations stage_of(std::string_view name, std::int64_t events, const Event
 constexpr EventCost kNode{26000, 1742, 68, 0, 10000, 8600};
 /// math/basis.h, to_view(): three differences, nine products, three roundings.
 constexpr EventCost kRotation{1800, 900, 0, 0, 4800, 2400};
-/// geometry/frustum.h, outcode_of(): four products, five comparisons and what joins them.
+/// view/frustum.h, outcode_of(): four products, five comparisons and what joins them.
 constexpr EventCost kOutcode{1800, 400, 0, 0, 0, 100};
-/// geometry/screen_polygon.cpp: a face's corner looked up, its outcode joined to the others', its depth compared. An
+/// view/screen_polygon.cpp: a face's corner looked up, its outcode joined to the others', its depth compared. An
 /// edge that is scanned pays for another one too, of the faces that turn out to be covered.
 constexpr EventCost kCorner{4069};
-/// geometry/projection.h, project_axis(), twice; geometry/project.h: rounding, snapping, keeping on the screen.
+/// view/projection.h, project_axis(), twice; view/project.h: rounding, snapping, keeping on the screen.
 constexpr EventCost kProjection{3300, 200, 200, 0, 2400, 800};
 /// Further projections, of a hundred corners of clipped faces: those corners that clipping made (others are projected
 /// already), and those at which the tree cut brush models.
 constexpr std::int64_t kNewCorners_100 = 84;
-/// geometry/clip.cpp: distances of both ends of an edge to a plane, the place between them.
+/// view/clip.cpp: distances of both ends of an edge to a plane, the place between them.
 constexpr EventCost kClippedCorner{6557, 943, 60, 0, 6400, 3200};
 /// raster/scan.cpp: the survey of a polygon, of those too that turn out to be covered; the constructors of both
 /// walkers, for the edges that reach a row (two thirds of them).
@@ -78,7 +78,7 @@ constexpr EventCost kExactEdgeRow{600, 0, 0, 0, 0, 400}, kAccumulatedEdgeRow{700
 /// visibility/span_buffer.cpp, claim_row(): a row's hull; claim_listed(), claim_several(): what of it is left; a span
 /// and what frame/ does with it.
 constexpr EventCost kClaimedRow{1000, 0, 0, 0, 1600, 400}, kSpan{2925, 117, 0, 0, 400, 1200};
-/// geometry/texture_gradients.cpp: three vectors rotated, the plane's distance, nine slopes, three anchors;
+/// view/texture_gradients.cpp: three vectors rotated, the plane's distance, nine slopes, three anchors;
 /// scene/face_surface.cpp: the mip level, the size of the lit surface, its place in the cache.
 constexpr EventCost kGradients{32580, 6471, 108, 0, 16000, 7200};
 /// raster/block_rule.cpp, make_block_thresholds(): ten of them, once a surface.

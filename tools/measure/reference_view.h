@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/geometry/projection.h"
 #include "engine/scene/placed_models.h"
-#include "engine/screen/screen.h"
+#include "engine/view/projection.h"
+#include "engine/view/screen.h"
 #include "tools/reference/frame.h"
 
 namespace oblong {

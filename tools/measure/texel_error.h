@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "engine/frame/frame_record.h"
-#include "engine/geometry/projection.h"
 #include "engine/scene/placed_models.h"
-#include "engine/screen/screen.h"
+#include "engine/view/projection.h"
+#include "engine/view/screen.h"
 #include "tools/measure/error_summary.h"
 #include "tools/reference/plane_view.h"
 

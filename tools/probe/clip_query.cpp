@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "engine/geometry/clip.h"
-#include "engine/geometry/project.h"
 #include "engine/math/vec.h"
 #include "engine/math/wide_sum.h"
 #include "engine/raster/scan.h"
+#include "engine/view/clip.h"
+#include "engine/view/project.h"
 #include "tools/probe/decimal.h"
 #include "tools/probe/queries.h"
 

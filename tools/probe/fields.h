@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "engine/fixed/angle.h"
-#include "engine/geometry/projection.h"
 #include "engine/math/soft_float.h"
 #include "engine/math/vec.h"
-#include "engine/screen/screen.h"
+#include "engine/view/projection.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

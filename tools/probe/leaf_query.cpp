@@ -1,8 +1,8 @@
 #include <filesystem>
 
+#include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
-#include "engine/platform/files.h"
 #include "tools/probe/queries.h"
 
 namespace oblong {

@@ -1,7 +1,7 @@
 #include <iostream>
 
-#include "tools/common/arguments.h"
-#include "tools/common/command_line.h"
+#include "engine/files/arguments.h"
+#include "engine/files/command_line.h"
 #include "tools/probe/probe.h"
 
 int main(int argc, char** argv) {

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "engine/geometry/project.h"
 #include "engine/math/soft_float.h"
+#include "engine/view/project.h"
 
 namespace oblong {
 

@@ -1,4 +1,4 @@
-#include "engine/geometry/frustum.h"
+#include "engine/view/frustum.h"
 #include "tools/probe/decimal.h"
 #include "tools/probe/project_far.h"
 #include "tools/probe/queries.h"

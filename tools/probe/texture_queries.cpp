@@ -8,9 +8,9 @@
 #include "engine/fixed/root.h"
 #include "engine/frame/frame_record.h"
 #include "engine/frame/texture_spans.h"
-#include "engine/geometry/screen_polygon.h"
-#include "engine/geometry/triangle_gradients.h"
 #include "engine/math/soft_float.h"
+#include "engine/view/screen_polygon.h"
+#include "engine/view/triangle_gradients.h"
 #include "tools/probe/decimal.h"
 #include "tools/probe/queries.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/projection.h"
+#include "engine/view/projection.h"
 
 namespace oblong {
 

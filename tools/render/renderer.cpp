@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

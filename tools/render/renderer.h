@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "engine/files/level_models.h"
+#include "engine/files/rendering_times.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
-#include "tools/common/level_models.h"
-#include "tools/common/rendering_times.h"
 
 namespace oblong {
 

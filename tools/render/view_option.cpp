@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/base/input_error.h"
+#include "engine/files/arguments.h"
 #include "engine/fixed/trig.h"
-#include "tools/common/arguments.h"
 
 namespace oblong {
 

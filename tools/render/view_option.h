@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "engine/geometry/views.h"
+#include "engine/view/views.h"
 
 namespace oblong {
 

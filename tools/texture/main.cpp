@@ -1,6 +1,6 @@
-#include "engine/platform/files.h"
-#include "tools/common/arguments.h"
-#include "tools/common/command_line.h"
+#include "engine/files/arguments.h"
+#include "engine/files/command_line.h"
+#include "engine/files/files.h"
 #include "tools/texture/ramp_sheet.h"
 #include "tools/texture/texture_files.h"
 

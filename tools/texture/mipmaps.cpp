@@ -1,7 +1,7 @@
 #include "tools/texture/mipmaps.h"
 
 #include "engine/base/table.h"
-#include "tools/common/nearest_colour.h"
+#include "engine/surface/nearest_colour.h"
 
 namespace oblong {
 

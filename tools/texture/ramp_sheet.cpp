@@ -1,8 +1,8 @@
 #include "tools/texture/ramp_sheet.h"
 
 #include "engine/base/table.h"
+#include "engine/files/png.h"
 #include "engine/surface/colormap.h"
-#include "tools/common/png.h"
 
 namespace oblong {
 

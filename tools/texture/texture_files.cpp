@@ -5,12 +5,12 @@
 #include <set>
 
 #include "engine/base/input_error.h"
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
+#include "engine/files/picture.h"
+#include "engine/files/wad.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
-#include "engine/screen/screen.h"
-#include "tools/common/arguments.h"
-#include "tools/common/picture.h"
-#include "tools/common/wad.h"
+#include "engine/view/screen.h"
 #include "tools/texture/mipmaps.h"
 
 namespace oblong {

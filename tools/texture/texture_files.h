@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/files/quantise.h"
 #include "engine/level/level.h"
 #include "engine/surface/palette.h"
-#include "tools/common/quantise.h"
 
 namespace oblong {
 

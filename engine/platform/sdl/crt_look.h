@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/platform/present_rect.h"
 #include "engine/platform/sdl/owned.h"
+#include "engine/view/present_rect.h"
 
 namespace oblong {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 
 namespace oblong {
 

@@ -6,14 +6,14 @@
 #include <cstdio>
 #include <map>
 
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
 #include "engine/math/rotation.h"
 #include "engine/mesh/mdl_read.h"
-#include "engine/platform/files.h"
 #include "engine/scene/placed_models.h"
-#include "tools/common/arguments.h"
 #include "tools/render/camera_list.h"
 
 namespace {

@@ -11,14 +11,14 @@
 #endif
 
 #include "engine/base/fnv.h"
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
 #include "engine/scene/placed_models.h"
 #include "game/simulation/collision.h"
 #include "game/simulation/step.h"
-#include "tools/common/arguments.h"
 
 namespace {
 

@@ -6,12 +6,12 @@
 #include <cstdio>
 
 #include "engine/base/fnv.h"
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
 #include "game/saves/saved_game.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/step.h"
-#include "tools/common/arguments.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <exception>
 
 #include "engine/base/input_error.h"
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* bytes, std::size_t size, std::size_t most);
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "engine/base/little_endian.h"
+#include "engine/files/files.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
 #include "game/saves/state_bytes.h"
 #include "game/simulation/state_check.h"
 #include "game/simulation/step.h"

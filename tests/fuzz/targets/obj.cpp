@@ -1,11 +1,11 @@
 // OBJ models, with the materials beside them: read and drawn.
 
-#include "tools/common/obj.h"
+#include "engine/files/obj.h"
 
 #include <filesystem>
 
 #include "engine/base/fnv.h"
-#include "engine/platform/files.h"
+#include "engine/files/files.h"
 #include "tests/fuzz/common/played_level.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,7 +1,7 @@
 // Pak files: header and directory.
 
+#include "engine/files/pak.h"
 #include "tests/fuzz/common/fuzz.h"
-#include "tools/common/pak.h"
 
 namespace oblong::fuzz {
 

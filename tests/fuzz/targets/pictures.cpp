@@ -1,7 +1,7 @@
 // TGA, BMP and JPEG files, 255 pixels a side at most: larger ones take longer and do nothing else.
 
+#include "engine/files/picture.h"
 #include "tests/fuzz/common/fuzz.h"
-#include "tools/common/picture.h"
 
 namespace oblong::fuzz {
 

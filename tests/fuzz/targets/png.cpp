@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "engine/screen/screen.h"
-#include "tests/common/png_writer.h"
+#include "engine/files/picture.h"
+#include "engine/view/screen.h"
+#include "tests/files/png_writer.h"
 #include "tests/fuzz/common/played_level.h"
-#include "tools/common/picture.h"
 
 namespace oblong::fuzz {
 namespace {

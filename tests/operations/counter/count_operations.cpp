@@ -6,13 +6,13 @@
 #include <cinttypes>
 #include <cstdio>
 
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/scene/placed_models.h"
-#include "tools/common/arguments.h"
 #include "tools/measure/operations.h"
 #include "tools/render/camera_list.h"
 

@@ -8,12 +8,12 @@
 #include <cstring>
 #include <string_view>
 
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/files.h"
 #include "engine/scene/placed_models.h"
-#include "tools/common/arguments.h"
 #include "tools/render/camera_list.h"
 
 #if !defined(OBLONG_RECORD_RANGES)

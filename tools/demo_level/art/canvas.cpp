@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "engine/base/table.h"
-#include "engine/screen/screen.h"
+#include "engine/view/screen.h"
 
 namespace oblong::art {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "tools/common/font.h"
+#include "engine/draw/font.h"
 #include "tools/demo_level/art/canvas.h"
 #include "tools/demo_level/art/textures.h"
 

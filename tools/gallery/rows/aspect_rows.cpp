@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/draw/drawing.h"
+#include "engine/draw/font.h"
 #include "engine/fixed/trig.h"
-#include "engine/geometry/project.h"
-#include "tools/common/drawing.h"
-#include "tools/common/font.h"
+#include "engine/view/project.h"
 #include "tools/gallery/counted.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/level_scene.h"
@@ -291,14 +291,14 @@ std::vector<Row> aspect_rows() {
     return {{"pixel-aspect",
              "Aspect of pixels",
              "1 Muratori: Dealing with Aspect Ratios",
-             "engine/screen/screen.h",
+             "engine/view/screen.h",
              "tests/seeds/muratori_test.cpp",
              {mode_parameter()},
              draw_pixel_aspect},
             {"field-of-view",
              "Field of view and viewplane",
              "1 Muratori: Using Field of View",
-             "engine/geometry/projection.cpp",
+             "engine/view/projection.cpp",
              "tests/seeds/muratori_test.cpp",
              {choice_parameter("field of view", {"60 degrees", "90 degrees", "120 degrees"}, 1),
               {"pixels divided by", 1, 8, 1, 1}},
@@ -306,7 +306,7 @@ std::vector<Row> aspect_rows() {
             {"two-multipliers",
              "The two multipliers",
              "1 Muratori: Using Field of View",
-             "engine/geometry/project.h",
+             "engine/view/project.h",
              "tests/seeds/muratori_test.cpp",
              {choice_parameter("pixels are", {"as on the display", "taken for square"})},
              draw_two_multipliers},

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "engine/geometry/canonical_volume.h"
-#include "engine/geometry/triangulate.h"
-#include "engine/geometry/views.h"
-#include "tools/common/font.h"
+#include "engine/draw/font.h"
+#include "engine/view/canonical_volume.h"
+#include "engine/view/triangulate.h"
+#include "engine/view/views.h"
 #include "tools/gallery/rows.h"
 #include "tools/gallery/sketch.h"
 
@@ -319,7 +319,7 @@ RowPage draw_triangulations(const RowInput& input, Framebuffer canvas) {
              "A concave polygon's fan lies partly outside, and partly twice."}};
 }
 
-constexpr std::string_view kVolumeTest = "tests/geometry/canonical_volume_test.cpp";
+constexpr std::string_view kVolumeTest = "tests/view/canonical_volume_test.cpp";
 
 }  // namespace
 
@@ -327,7 +327,7 @@ std::vector<Row> clipping_rows() {
     return {{"view-volume",
              "Six planes, the view volumes",
              "3 Notes: Clipping; 2 Lab: canonical view volume; 4 Princeton: view volumes",
-             "engine/geometry/canonical_volume.h",
+             "engine/view/canonical_volume.h",
              kVolumeTest,
              {choice_parameter("projection", {"perspective", "parallel", "oblique parallel"}),
               {"triangle moved by, units", -4, 8, 1, 1}},
@@ -335,15 +335,15 @@ std::vector<Row> clipping_rows() {
             {"two-lists",
              "A polygon cut by a plane",
              "3 Notes: clip a polygon against a plane",
-             "engine/geometry/canonical_volume.cpp",
+             "engine/view/canonical_volume.cpp",
              kVolumeTest,
              {{"plane, quarters of a unit", -3, 3, 1, 0}},
              draw_two_lists},
             {"triangulate",
              "Polygons into triangles",
              "3 Notes: Converting Polygons into triangles",
-             "engine/geometry/triangulate.h",
-             "tests/geometry/triangulate_test.cpp",
+             "engine/view/triangulate.h",
+             "tests/view/triangulate_test.cpp",
              {choice_parameter("by", {"a fan from one corner", "a point in the middle", "diagonals"}, 2),
               choice_parameter("polygon", {"convex", "concave"}, 1)},
              draw_triangulations}};

@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 
-#include "engine/geometry/facing.h"
-#include "engine/geometry/project.h"
-#include "engine/geometry/views.h"
 #include "engine/raster/scan.h"
+#include "engine/view/facing.h"
+#include "engine/view/project.h"
+#include "engine/view/views.h"
 #include "tools/gallery/rows.h"
 #include "tools/gallery/sketch.h"
 
@@ -118,8 +118,8 @@ std::vector<Row> culling_rows() {
     return {{"culling",
              "Back faces by a dot product",
              "5 Abrash: Using the Sign of the Dot Product; 3 Notes: Backface culling",
-             "engine/geometry/facing.h",
-             "tests/geometry/facing_test.cpp",
+             "engine/view/facing.h",
+             "tests/view/facing_test.cpp",
              {choice_parameter(
                   "drawn by", {"dot product in object space", "normal's z in viewspace", "sign of the screen area"}, 1),
               {"field of view, degrees", 30, 110, 10, 90}},

@@ -5,17 +5,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/draw/drawing.h"
 #include "engine/fixed/arithmetic.h"
-#include "engine/geometry/screen_polygon.h"
-#include "engine/geometry/texture_gradients.h"
-#include "engine/geometry/views.h"
 #include "engine/level/side.h"
 #include "engine/raster/scan.h"
+#include "engine/view/screen_polygon.h"
+#include "engine/view/texture_gradients.h"
+#include "engine/view/views.h"
 #include "engine/visibility/model_cutter.h"
 #include "engine/visibility/painter.h"
 #include "engine/visibility/ray_casting.h"
 #include "engine/visibility/z_buffer.h"
-#include "tools/common/drawing.h"
 #include "tools/gallery/rows.h"
 
 namespace oblong {

@@ -6,12 +6,12 @@
 #include <numeric>
 
 #include "engine/accuracy/presets.h"
+#include "engine/draw/drawing.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 #include "engine/visibility/painter.h"
-#include "tools/common/drawing.h"
 #include "tools/gallery/level_scene.h"
 #include "tools/gallery/numbers.h"
 #include "tools/gallery/rows.h"

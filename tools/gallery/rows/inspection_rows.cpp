@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "engine/draw/font.h"
+#include "engine/files/crosshair.h"
+#include "engine/files/frame_log.h"
 #include "engine/frame/workspace.h"
-#include "engine/geometry/views.h"
 #include "engine/level/side.h"
-#include "tools/common/crosshair.h"
-#include "tools/common/font.h"
-#include "tools/common/frame_log.h"
+#include "engine/view/views.h"
 #include "tools/gallery/level_scene.h"
 #include "tools/gallery/rows.h"
 #include "tools/gallery/sketch.h"
@@ -195,15 +195,15 @@ std::vector<Row> inspection_rows() {
             {"log",
              "Log channels by kind",
              "2 Lab: debugging output",
-             "tools/common/frame_log.h",
-             "tests/common/frame_log_test.cpp",
+             "engine/files/frame_log.h",
+             "tests/files/frame_log_test.cpp",
              {choice_parameter("kind", channels, 3)},
              draw_log},
             {"memory",
              "Memory, by room of the engine",
              "2 Lab: memory checking",
-             "tools/common/frame_log.cpp",
-             "tests/common/frame_log_test.cpp",
+             "engine/files/frame_log.cpp",
+             "tests/files/frame_log_test.cpp",
              {{"yaw, degrees", 0, 270, 90, 90}},
              draw_memory}};
 }

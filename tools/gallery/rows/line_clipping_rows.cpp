@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/geometry/clip_line.h"
+#include "engine/view/clip_line.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/numbers.h"
 #include "tools/gallery/rows.h"
@@ -126,8 +126,8 @@ std::vector<Row> line_clipping_rows() {
     return {{"lines-clipped",
              "Lines clipped to six planes",
              "2 Lab: Canonical View Volume; 3 Notes: Clipping",
-             "engine/geometry/clip_line.h",
-             "tests/geometry/clip_line_test.cpp",
+             "engine/view/clip_line.h",
+             "tests/view/clip_line_test.cpp",
              {choice_parameter("method", {"Cohen-Sutherland", "Liang-Barsky"}, 1), {"lines", 1, 60, 1, 24}},
              draw_clipped_lines}};
 }

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/draw/drawing.h"
 #include "engine/fixed/trig.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
-#include "tools/common/drawing.h"
 #include "tools/gallery/level_scene.h"
 #include "tools/gallery/mesh_scene.h"
 #include "tools/gallery/numbers.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/geometry/canonical_volume.h"
 #include "engine/math/plane.h"
+#include "engine/view/canonical_volume.h"
 #include "tools/gallery/rows.h"
 #include "tools/gallery/sketch.h"
 
@@ -254,7 +254,7 @@ std::vector<Row> projection_matrix_rows() {
         {"projection-matrix",
          "The projection matrix and its depth",
          "3 Notes: Projection matrix",
-         "engine/geometry/canonical_volume.h",
+         "engine/view/canonical_volume.h",
          "tests/seeds/notes_geometry_test.cpp",
          {choice_parameter("matrix", {"corrected", "as listed"}),
           {"near, tenths", 1, 20, 1, 5},
@@ -263,7 +263,7 @@ std::vector<Row> projection_matrix_rows() {
         {"opengl-quad",
          "OpenGL's polygon, stage by stage",
          "4 Princeton: Example: OpenGL",
-         "engine/geometry/canonical_volume.h",
+         "engine/view/canonical_volume.h",
          "tests/seeds/princeton_test.cpp",
          {{"seen from, degrees", -60, 60, 10, 30}},
          draw_opengl_quad}};

@@ -9,7 +9,7 @@
 #include "engine/fixed/trig.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
-#include "engine/geometry/views.h"
+#include "engine/view/views.h"
 #include "tools/gallery/cube_scene.h"
 #include "tools/gallery/numbers.h"
 #include "tools/gallery/rows.h"
@@ -211,7 +211,7 @@ RowPage draw_vanishing_points(const RowInput& input, Framebuffer canvas) {
 }  // namespace
 
 std::vector<Row> projection_rows() {
-    constexpr std::string_view kViews = "engine/geometry/views.h", kTest = "tests/geometry/views_test.cpp",
+    constexpr std::string_view kViews = "engine/view/views.h", kTest = "tests/view/views_test.cpp",
                                kFrames = "tests/frame/view_frames_test.cpp";
     return {{"orthographic",
              "Orthographic: front, top and side",
@@ -245,7 +245,7 @@ std::vector<Row> projection_rows() {
             {"vanishing-points",
              "Vanishing points: one, two, three",
              "4 Princeton: Projection",
-             "engine/geometry/project.h",
+             "engine/view/project.h",
              kTest,
              {choice_parameter("vanishing points", {"one", "two", "three"}, 1)},
              draw_vanishing_points}};

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tools/common/drawing.h"
+#include "engine/draw/drawing.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/mesh_scene.h"
 #include "tools/gallery/numbers.h"

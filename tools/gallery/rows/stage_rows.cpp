@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/geometry/canonical_volume.h"
-#include "engine/geometry/facing.h"
 #include "engine/raster/lines.h"
+#include "engine/view/canonical_volume.h"
+#include "engine/view/facing.h"
 #include "tools/gallery/rows.h"
 #include "tools/gallery/sketch.h"
 #include "tools/gallery/staged_cube.h"

@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "engine/base/table.h"
-#include "tools/common/drawing.h"
-#include "tools/common/quantise.h"
+#include "engine/draw/drawing.h"
+#include "engine/files/quantise.h"
 #include "tools/gallery/rows.h"
 
 namespace oblong {
@@ -114,7 +114,7 @@ std::vector<Row> texture_rows() {
     return {{"texture-quantise",
              "Pictures in a palette's colours",
              "3 Notes: Texture",
-             "tools/common/quantise.cpp",
+             "engine/files/quantise.cpp",
              "tests/texture/texture_files_test.cpp",
              {choice_parameter("palette", {"224 colours", "16 greys"})},
              draw_quantisation}};

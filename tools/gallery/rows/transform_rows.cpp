@@ -7,9 +7,9 @@
 #include <set>
 
 #include "engine/fixed/trig.h"
-#include "engine/geometry/facing.h"
 #include "engine/math/plane.h"
 #include "engine/math/transform.h"
+#include "engine/view/facing.h"
 #include "tools/gallery/rows.h"
 #include "tools/gallery/sketch.h"
 
@@ -244,7 +244,7 @@ std::vector<Row> transform_rows() {
         {"left-handed-cube",
          "Left-handed, clockwise: the cube",
          "3 Notes: 3D Mesh",
-         "engine/geometry/facing.h",
+         "engine/view/facing.h",
          "tests/seeds/notes_geometry_test.cpp",
          {choice_parameter("eighth triangle", {"as listed", "corrected"}, 1), {"seen from, degrees", 0, 350, 10, 60}},
          draw_left_handed_cube}};

@@ -5,11 +5,11 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/draw/drawing.h"
 #include "engine/fixed/trig.h"
 #include "engine/math/matrix.h"
 #include "engine/math/plane.h"
 #include "engine/math/rotation.h"
-#include "tools/common/drawing.h"
 #include "tools/gallery/counted.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/numbers.h"

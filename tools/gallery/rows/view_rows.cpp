@@ -6,11 +6,11 @@
 #include <cstdio>
 #include <numbers>
 
+#include "engine/draw/drawing.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
-#include "engine/geometry/views.h"
 #include "engine/math/matrix.h"
-#include "tools/common/drawing.h"
+#include "engine/view/views.h"
 #include "tools/gallery/cube_scene.h"
 #include "tools/gallery/level_scene.h"
 #include "tools/gallery/numbers.h"
@@ -261,7 +261,7 @@ Parameter lab_parameter() {
 }  // namespace
 
 std::vector<Row> view_rows() {
-    constexpr std::string_view kViews = "engine/geometry/views.h", kTest = "tests/geometry/views_test.cpp",
+    constexpr std::string_view kViews = "engine/view/views.h", kTest = "tests/view/views_test.cpp",
                                kFrames = "tests/frame/view_frames_test.cpp";
     return {{"view-window",
              "A view by VRP, VPN, VUP, COP and window",
@@ -295,7 +295,7 @@ std::vector<Row> view_rows() {
             {"camera-matrix",
              "A camera's matrix and its inverse",
              "4 Princeton: Camera; 3 Notes: Camera",
-             "engine/geometry/view_spec.cpp",
+             "engine/view/view_spec.cpp",
              kTest,
              {{"yaw", 0, 345, 15, 30}, {"pitch", -60, 60, 10, 10}},
              draw_view_matrix}};

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "engine/base/input_error.h"
-#include "tools/common/wad.h"
+#include "engine/files/wad.h"
 #include "tools/map/source/contents.h"
 
 namespace oblong::map {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/base/input_error.h"
-#include "tools/common/wad.h"
+#include "engine/files/wad.h"
 
 namespace oblong::map {
 namespace {

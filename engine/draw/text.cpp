@@ -1,0 +1,91 @@
+#include "engine/draw/text.h"
+
+#include <algorithm>
+
+#include "engine/draw/drawing.h"
+#include "engine/draw/font.h"
+
+namespace oblong {
+namespace {
+
+void draw_glyph(Framebuffer canvas, std::int32_t x, std::int32_t y, const Glyph& glyph, std::uint8_t colour,
+                std::int32_t scale) {
+    for (std::int32_t row = 0; row < kGlyphHeight_px; ++row)
+        for (std::int32_t column = 0; column < kGlyphWidth_px; ++column)
+            if (is_drawn(glyph, row, column))
+                fill_area(canvas, {x + column * scale, y + row * scale, scale, scale}, colour);
+}
+
+void draw_plain(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, std::uint8_t colour,
+                std::int32_t scale) {
+    for (const char character : line) {
+        draw_glyph(canvas, x, y, glyph_of(character), colour, scale);
+        x += kGlyphAdvance_px * scale;
+    }
+}
+
+}  // namespace
+
+TextColours text_colours_of(const Palette& palette) {
+    const auto [dark, bright] = std::minmax_element(palette.colours.begin(), palette.colours.end(), [](Rgb8 a, Rgb8 b) {
+        return luminance_1000(a) < luminance_1000(b);
+    });
+    return {static_cast<std::uint8_t>(bright - palette.colours.begin()),
+            static_cast<std::uint8_t>(dark - palette.colours.begin())};
+}
+
+std::int32_t text_scale_in(std::int32_t width_px, std::int32_t height_px, std::int32_t times) {
+    constexpr std::int32_t kFewestColumns = 26, kFewestLines = 9;
+    const std::int32_t quarters = std::min(width_px * 4 / 320, height_px * 4 / 200);
+    const std::int32_t most =
+        std::min(width_px / (kFewestColumns * kGlyphAdvance_px), height_px / (kFewestLines * kLineHeight_px));
+    return std::max(std::min(std::max((quarters + 3) / 4, 1) * times, most), 1);
+}
+
+std::int32_t panel_room_px(Framebuffer canvas, std::int32_t scale) {
+    constexpr std::int32_t kManyLines = 18;
+    const bool has_many = canvas.height_px / (kLineHeight_px * scale) >= kManyLines;
+    return has_many ? canvas.height_px * 23 / 40 : canvas.height_px * 4 / 5;
+}
+
+std::int32_t text_width_px(std::string_view line) {
+    return static_cast<std::int32_t>(line.size()) * kGlyphAdvance_px;
+}
+
+std::vector<std::string_view> lines_of(std::string_view text, std::int32_t width_px) {
+    const auto most = static_cast<std::size_t>(std::max(width_px / kGlyphAdvance_px, 1));
+    std::vector<std::string_view> lines;
+    do {
+        std::string_view line = text.substr(0, std::min(text.find('\n'), most + 1));
+        if (line.size() > most) line = line.substr(0, std::min(line.rfind(' '), most));
+        lines.push_back(line);
+        text.remove_prefix(line.size());
+        if (!text.empty() && (text.front() == ' ' || text.front() == '\n')) text.remove_prefix(1);
+    } while (!text.empty());
+    return lines;
+}
+
+void draw_text(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view line, TextColours colours) {
+    draw_plain(canvas, x + colours.scale, y + colours.scale, line, colours.dark, colours.scale);
+    draw_plain(canvas, x, y, line, colours.bright, colours.scale);
+}
+
+std::vector<std::string_view> lines_across(std::string_view text, TextColours colours, Framebuffer canvas) {
+    return lines_of(text, (canvas.width_px - 2 * kTextMargin_px) / colours.scale);
+}
+
+void draw_lines(std::int32_t y, std::string_view text, TextColours colours, Framebuffer canvas) {
+    for (const std::string_view line : lines_across(text, colours, canvas)) {
+        draw_text(canvas, kTextMargin_px, y, line, colours);
+        y += kLineHeight_px * colours.scale;
+    }
+}
+
+std::int32_t draw_lines_above(std::int32_t bottom, std::string_view text, TextColours colours, Framebuffer canvas) {
+    const std::size_t count = lines_across(text, colours, canvas).size();
+    const std::int32_t top = bottom - static_cast<std::int32_t>(count) * kLineHeight_px * colours.scale;
+    draw_lines(top, text, colours, canvas);
+    return top;
+}
+
+}  // namespace oblong

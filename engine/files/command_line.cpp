@@ -1,0 +1,117 @@
+#include "engine/files/command_line.h"
+
+#include <CLI/CLI.hpp>
+
+#include "engine/base/text.h"
+#include "engine/files/arguments.h"
+
+namespace oblong {
+
+namespace {
+constexpr const char* kNoDash = "no dash";
+}
+
+CommandOption& CommandOption::require() {
+    option_->required();
+    return *this;
+}
+
+CommandOption& CommandOption::limit(std::int64_t least, std::int64_t most) {
+    option_->check(CLI::Range(least, most));
+    return *this;
+}
+
+CommandOption& CommandOption::need(const CommandOption& other) {
+    option_->needs(other.option_);
+    return *this;
+}
+
+CommandOption& CommandOption::exclude(const CommandOption& other) {
+    option_->excludes(other.option_);
+    return *this;
+}
+
+CommandOption& CommandOption::accept_standard_output() {
+    option_->get_validator(kNoDash)->active(false);
+    return *this;
+}
+
+namespace {
+
+std::string fault_of_empty(const std::string& text) {
+    return text.empty() ? "is empty, expected a value" : "";
+}
+
+std::string fault_of_dash(const std::string& text) {
+    return text == "-" ? "'-' is neither standard input nor output here, expected a name" : "";
+}
+
+}  // namespace
+
+template <class Value>
+CommandOption CommandArguments::add(const std::string& names, Value& value, const std::string& help) {
+    CLI::Option* const option = app_->add_option(names, value, help);
+    if (value != Value{}) option->capture_default_str();
+    option->check(fault_of_empty, "");
+    option->check(fault_of_dash, "", kNoDash);
+    if (names.starts_with('-'))
+        option->allow_extra_args(false);  // --wad A --wad B, so that a positional argument may follow
+    return CommandOption(option);
+}
+
+template CommandOption CommandArguments::add(const std::string&, std::string&, const std::string&);
+template CommandOption CommandArguments::add(const std::string&, std::vector<std::string>&, const std::string&);
+template CommandOption CommandArguments::add(const std::string&, std::int64_t&, const std::string&);
+template CommandOption CommandArguments::add(const std::string&, double&, const std::string&);
+
+void CommandArguments::add_flag(const std::string& names, bool& value, const std::string& help) {
+    app_->add_flag(names, value, help);
+}
+
+void CommandArguments::add_switch(const std::string& name, std::string& value, const std::string& help) {
+    app_->add_flag("--" + name + ",!--no-" + name, value, help);
+}
+
+CommandArguments CommandArguments::add_command(const std::string& name, const std::string& help) {
+    app_->require_subcommand(1);
+    return CommandArguments(app_->add_subcommand(name, help));
+}
+
+bool CommandArguments::is_given() const {
+    return app_->parsed();
+}
+
+CommandLine::CommandLine(const std::string& program, const std::string& description)
+    : CommandLine(std::make_shared<CLI::App>(description, program)) {
+    owned_->set_version_flag("--version", program + " " + OBLONG_VERSION);
+}
+
+CommandLine::CommandLine(std::shared_ptr<CLI::App> app) : CommandArguments(app.get()), owned_(std::move(app)) {}
+
+int CommandLine::run(int argument_count, const char* const* arguments, const std::function<void()>& body) {
+    const std::string program = owned_->get_name();
+    owned_->failure_message([&](const CLI::App*, const CLI::Error& error) {
+        constexpr std::size_t kMost = 1000;  // it names all arguments that were not expected
+        return program + ": " + shortened(error.what(), kMost) + "\nRun it with --help for more information.\n";
+    });
+    try {
+        parse(argument_count, arguments);
+    } catch (const CLI::ParseError& error) {
+        constexpr int kWrongUsage = 2;
+        return owned_->exit(error) == 0 ? run_program(program, [] {}) : kWrongUsage;
+    }
+    return run_program(program, body);
+}
+
+// CLI11 looks for what is missing first; what is written wrong is more often the cause.
+void CommandLine::parse(int argument_count, const char* const* arguments) {
+    try {
+        owned_->parse(argument_count, arguments);
+    } catch (const CLI::RequiredError&) {
+        const std::vector<std::string> unknown = owned_->remaining(true);
+        if (unknown.empty()) throw;
+        throw CLI::ExtrasError(owned_->get_name(), unknown);
+    }
+}
+
+}  // namespace oblong

@@ -1,0 +1,300 @@
+#include "engine/files/level_models.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "engine/base/table.h"
+#include "engine/effects/entity_values.h"
+#include "engine/files/files.h"
+#include "engine/files/model_classes.h"
+#include "engine/files/obj.h"
+#include "engine/fixed/trig.h"
+#include "engine/level/entities.h"
+#include "engine/level/floor.h"
+#include "engine/mesh/mdl_read.h"
+
+namespace oblong {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int32_t kItemTurn_ms = 3600;  ///< Quake's items turn by 100 degrees a second
+constexpr World kLensScale = World::from_int(9), kKeyScale = World::from_int(12);  ///< units a unit of the OBJ
+constexpr std::int32_t kLeastLight = 110;               ///< of what there is to find: a lightmap value
+constexpr std::int32_t kSeparateFrame_ms = 100;         ///< Quake's game code goes to the next frame ten times a second
+constexpr World kFarthestFloor = World::from_int(256);  ///< below an item
+constexpr World kLift = World::from_int(6);             ///< by which an item is lifted before it drops
+
+/// A file, and how it is to be read.
+struct ModelFile {
+    std::string path;
+    World scale = World::from_int(1);
+    bool is_z_up = false;
+    Dither dither = Dither::None;
+    std::string glass = {};
+    bool operator<(const ModelFile& b) const {
+        return std::tie(path, scale, is_z_up, dither, glass) < std::tie(b.path, b.scale, b.is_z_up, b.dither, b.glass);
+    }
+};
+
+std::string lower_case(std::string text) {
+    for (char& letter : text)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    return text;
+}
+
+/// A file's path as a level may name it: below a folder, not elsewhere.
+bool stays_below(const fs::path& path) {
+    return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
+}
+
+/// What there is to take, as Oblong itself shows it: lenses, and keys where Quake's models of them are not.
+struct OwnItem {
+    std::string_view name, file;
+    World scale;
+    std::int32_t over_floor;
+};
+constexpr std::array kOwnItems{OwnItem{"item_lens", "lens.obj", kLensScale, ModelClass::kStays},
+                               OwnItem{"item_key1", "key_silver.obj", kKeyScale, 28},
+                               OwnItem{"item_key2", "key_gold.obj", kKeyScale, 28}};
+
+const OwnItem* own_item_of(std::string_view name) {
+    const auto found =
+        std::find_if(kOwnItems.begin(), kOwnItems.end(), [&](const OwnItem& each) { return each.name == name; });
+    return found == kOwnItems.end() ? nullptr : &*found;
+}
+
+class ModelFinder {
+  public:
+    explicit ModelFinder(const ModelFolders& folders) : game_(folders.game) {
+        const fs::path level_folder = fs::path(folders.level_file).parent_path();
+        if (!folders.named.empty()) folders_.emplace_back(folders.named);
+        folders_.push_back(level_folder);
+        folders_.push_back(level_folder / "..");
+        if (!folders.own.empty()) folders_.emplace_back(folders.own);
+    }
+
+    std::optional<std::string> find(const fs::path& path) const {
+        std::error_code ignored;
+        for (const fs::path& folder : folders_)
+            for (const fs::path& below : {path, path.filename(), "progs" / path.filename(), "models" / path.filename()})
+                if (fs::is_regular_file(folder / below, ignored)) return (folder / below).lexically_normal().string();
+        if (game_ == nullptr || path.extension() != ".mdl") return std::nullopt;
+        const std::optional<std::string> in_game = game_->find(path.generic_string());
+        return in_game ? in_game : game_->find(("progs" / path.filename()).generic_string());
+    }
+
+  private:
+    const GameFiles* game_;
+    std::vector<fs::path> folders_;
+};
+
+class LevelModelReader {
+  public:
+    LevelModelReader(const Level& level, const Palette& palette, const ModelFolders& folders)
+        : level_(level), palette_(palette), finder_(folders), shows_classes_(folders.has_quakes_models()) {}
+
+    LevelModels read() {
+        for (const Entity& entity : level_.entities)
+            if (entity.value("classname") == "worldspawn")
+                world_type_ = parse_decimal(entity.value("worldtype"), 0).value_or(0);
+        for (std::size_t i = 0; i < level_.entities.size(); ++i) read_entity(level_.entities[i], i);
+        return std::move(models_);
+    }
+
+  private:
+    void read_entity(const Entity& entity, std::size_t index) {
+        const EntityValues values(entity, index, models_.warnings);
+        const bool is_model = entity.value("classname") == "misc_model";
+        const ModelClass* its_class =
+            shows_classes_ ? model_class_of(entity, static_cast<std::int32_t>(world_type_)) : nullptr;
+        const OwnItem* own = its_class ? nullptr : own_item_of(entity.value("classname"));
+        if (!is_model && !its_class && !own) return;
+        if (models_.models.size() >= kMostLevelModels) {
+            if (is_model)
+                values.warn("the level has more than " + std::to_string(kMostLevelModels) + " models: it is left out");
+            return;
+        }
+        const std::size_t before = models_.models.size();
+        if (is_model) read_model(values);
+        if (own) read_own_item(*own, values);
+        if (its_class) read_item(*its_class, entity, index, values);
+        if (models_.models.size() > before) models_.models.back().entity = index;
+    }
+
+    void read_model(const EntityValues& values) {
+        const std::optional<Vec3<World>> origin = values.origin();
+        const fs::path path = values.text("model");
+        if (!origin) return;
+        if (path.empty() || !stays_below(path))
+            return values.warn("model is \"" + path.string() +
+                               "\", expected a path of a file below the level's folder: it is left out");
+        const std::optional<std::string> file = finder_.find(path);
+        if (!file)
+            return values.warn("there is no file " + path.string() + " for the model at " + values.text("origin") +
+                               ": it is left out");
+        LevelModel model = model_of(file_of(*file, values), values);
+        model.placed.position = *origin;
+        models_.models.push_back(model);
+    }
+
+    static ModelFile file_of(const std::string& path, const EntityValues& values) {
+        ModelFile file{path};
+        constexpr World kLeast = World::from_raw(4), kMost = World::from_int(4096);
+        file.scale = values.number("scale", {kLeast, kMost});
+        const std::string up = values.text("up"), dither = values.text("dither");
+        file.is_z_up = up == "z";
+        if (!up.empty() && up != "z" && up != "y")
+            values.warn("up is \"" + up + "\", expected y or z: it is taken as y");
+        if (values.whole_number("dither", 0, 1) == 1) file.dither = Dither::FloydSteinberg;
+        return file;
+    }
+
+    LevelModel model_of(const ModelFile& file, const EntityValues& values) {
+        LevelModel model;
+        const Mesh& mesh = mesh_of(file, values);
+        model.placed.mesh = &mesh;
+        const auto last = [](const auto& list) { return static_cast<std::int32_t>(list.size()) - 1; };
+        const std::int32_t last_frame = last(mesh.frame_sequences);
+        const std::int32_t frame = values.whole_number("frame", 0, last_frame);
+        model.first_frame = static_cast<std::uint32_t>(frame);
+        model.frames = static_cast<std::uint32_t>(values.whole_number("frames", 1, last_frame - frame + 1));
+        model.skin = static_cast<std::uint32_t>(values.whole_number("skin", 0, last(mesh.skin_sequences)));
+        if (mesh.turns) model.turn_ms = kItemTurn_ms;
+        if (!values.text("period").empty()) model.turn_ms = values.period_ms();
+        read_look(values, model.placed);
+        return model;
+    }
+
+    static void read_look(const EntityValues& values, PlacedMesh& placed) {
+        constexpr World kWhole = World::from_int(3600);
+        const auto angle = [](World degrees) { return degrees_to_angle(convert<Degrees>(degrees)); };
+        placed.yaw = angle(values.number("angle", {-kWhole, kWhole}));
+        if (const auto angles = values.vector("angles", -kWhole, kWhole)) {
+            placed.pitch = angle(angles->x);
+            placed.yaw = angle(angles->y);
+            placed.roll = angle(angles->z);
+        }
+        const std::string shading = values.text("shading");
+        if (shading == "flat") placed.shading = Shading::Flat;
+        if (shading == "phong") placed.shading = Shading::Phong;
+        if (!shading.empty() && shading != "flat" && shading != "gouraud" && shading != "phong")
+            values.warn("shading is \"" + shading + "\", expected flat, gouraud or phong: it is taken as gouraud");
+        placed.highlight = values.whole_number("highlight", 0, 255);
+        placed.least_light = values.whole_number("least_light", 0, 255);
+    }
+
+    void read_item(const ModelClass& its_class, const Entity& entity, std::size_t index, const EntityValues& values) {
+        const std::optional<Vec3<World>> origin = parse_world_vector(entity.value("origin"));
+        if (!origin) return;
+        const std::optional<std::string> file = finder_.find(fs::path(its_class.file).replace_extension(".mdl"));
+        if (!file) {
+            if (const OwnItem* own = own_item_of(its_class.name)) return read_own_item(*own, values);
+            return report_missing(its_class, entity, index);
+        }
+        const Mesh& mesh = mesh_of({*file}, values);
+        LevelModel model;
+        model.placed.mesh = &mesh;
+        model.placed.position = resting_place(*origin, its_class.over_floor);
+        model.first_frame = std::min(its_class.frame, static_cast<std::uint32_t>(mesh.frame_sequences.size() - 1));
+        model.skin = std::min(its_class.skin, static_cast<std::uint32_t>(mesh.skin_sequences.size() - 1));
+        if (mesh.turns) model.turn_ms = kItemTurn_ms;
+        models_.models.push_back(model);
+    }
+
+    /// Nothing is shown where its file is not there, as for Quake's classes without a folder of models.
+    void read_own_item(const OwnItem& item, const EntityValues& values) {
+        const std::optional<Vec3<World>> origin = values.origin();
+        const std::optional<std::string> file = finder_.find(fs::path("models") / item.file);
+        if (!origin || !file) return;
+        LevelModel model;
+        model.placed.mesh = &mesh_of({*file, item.scale, false, Dither::None, values.text("glass")}, values);
+        model.placed.position = resting_place(*origin, item.over_floor);
+        model.placed.shading = Shading::Phong;
+        model.placed.highlight = 120;
+        model.placed.least_light = kLeastLight;
+        model.turn_ms = kItemTurn_ms;
+        models_.models.push_back(model);
+    }
+
+    /// One warning a file, of the first entity that wants it; one for all models of brushes.
+    void report_missing(const ModelClass& its_class, const Entity& entity, std::size_t index) {
+        const std::string file(its_class.file);
+        const bool has_brushes = file.ends_with(".bsp");
+        if (!missing_.insert(has_brushes ? "brushes" : file).second) return;
+        const std::string what = has_brushes ? "its model " + file +
+                                                   " is made of brushes, which is not shown (an .mdl of its "
+                                                   "name would be), nor are others like it"
+                                             : "there is no file " + file + " for the model, which is not shown";
+        EntityValues(entity, index, models_.warnings).warn("at " + entity.value("origin") + ": " + what);
+    }
+
+    Vec3<World> resting_place(const Vec3<World>& origin, std::int32_t over_floor) const {
+        if (over_floor == ModelClass::kStays) return origin;
+        const Vec3<World> start{origin.x, origin.y, saturated_to<World>(std::int64_t{origin.z.raw} + kLift.raw)};
+        const std::optional<Floor> floor = find_floor(level_, start, kFarthestFloor);
+        if (!floor) return origin;
+        Vec3<World> place = floor->position;
+        place.z += World::from_int(over_floor);
+        return place;
+    }
+
+    const Mesh& mesh_of(const ModelFile& file, const EntityValues& values) {
+        const auto known = meshes_.find(file);
+        if (known != meshes_.end()) return *known->second;
+        models_.meshes.push_back(std::make_unique<const Mesh>(read_mesh(file, values)));
+        return *meshes_.emplace(file, models_.meshes.back().get()).first->second;
+    }
+
+    Mesh read_mesh(const ModelFile& file, const EntityValues& values) const {
+        if (lower_case(fs::path(file.path).extension().string()) != ".obj")
+            return read_parsed_game_file(file.path, [&](const auto& bytes) { return read_mdl(bytes, file.scale); });
+        const double scale = static_cast<double>(file.scale.raw) / World::from_int(1).raw;
+        ObjModel model = read_obj(file.path, palette_, {scale, file.is_z_up, file.dither, file.glass});
+        for (const std::string& warning : model.warnings) values.warn(file.path + ": " + warning);
+        return std::move(model.mesh);
+    }
+
+    const Level& level_;
+    const Palette& palette_;
+    ModelFinder finder_;
+    bool shows_classes_;
+    std::int64_t world_type_ = 0;
+    LevelModels models_;
+    std::map<ModelFile, const Mesh*> meshes_;
+    std::set<std::string> missing_;  ///< files of Quake's classes
+};
+
+/// Of a model whose frames are sequences of their own.
+std::uint32_t frame_at(const LevelModel& model, const Mesh& mesh, std::int64_t time_ms) {
+    const std::int64_t since = model.frames > 1 ? time_ms / kSeparateFrame_ms % model.frames : 0;
+    return shown_at(at(mesh.frame_sequences, model.first_frame + since), time_ms);
+}
+
+}  // namespace
+
+LevelModels read_level_models(const Level& level, const Palette& palette, const ModelFolders& folders) {
+    return LevelModelReader(level, palette, folders).read();
+}
+
+void place_models(const LevelModels& models, std::int64_t time_ms, std::span<const std::uint8_t> is_gone,
+                  std::vector<PlacedMesh>& placed) {
+    placed.clear();
+    for (std::size_t i = 0; i < models.models.size(); ++i) {
+        if (!is_gone.empty() && is_gone[i] != 0) continue;
+        const LevelModel& model = models.models[i];
+        const Mesh& mesh = *model.placed.mesh;
+        PlacedMesh& now = placed.emplace_back(model.placed);
+        now.frame = now.next_frame = frame_at(model, mesh, time_ms);
+        now.skin = shown_at(at(mesh.skin_sequences, model.skin), time_ms);
+        if (model.turn_ms > 0) now.yaw = now.yaw + Angle::from_bam(time_ms % model.turn_ms * 65536 / model.turn_ms);
+    }
+}
+
+}  // namespace oblong

@@ -1,0 +1,287 @@
+#include "engine/files/obj.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <unordered_map>
+
+#include "engine/base/table.h"
+#include "engine/files/files.h"
+#include "engine/files/obj_check.h"
+#include "engine/files/obj_materials.h"
+#include "engine/view/triangulate.h"
+
+namespace oblong {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+constexpr Texel kHalfTexel = Texel::from_raw(1 << (Texel::kFractionBits - 1));
+
+Vec3<World> world_position(const std::vector<double>& numbers, std::size_t vertex, const ObjOptions& options) {
+    const auto coordinate = [&](std::size_t axis) {
+        const double value = numbers[vertex * 3 + axis] * options.scale * World::from_int(1).raw;
+        return World::from_raw(static_cast<World::Raw>(std::lround(value)));
+    };
+    const World x = coordinate(0), y = coordinate(1), z = coordinate(2);
+    return options.is_z_up ? Vec3<World>{x, y, z} : Vec3<World>{z, x, y};
+}
+
+/// A normal of the file; zero if it has no direction.
+Vec3<Unit> unit_normal(const std::vector<double>& numbers, std::size_t normal, const ObjOptions& options) {
+    const double x = numbers[normal * 3], y = numbers[normal * 3 + 1], z = numbers[normal * 3 + 2];
+    const double length = std::hypot(x, y, z);
+    if (length == 0) return {};
+    const auto part = [&](double value) {
+        return Unit::from_raw(static_cast<Unit::Raw>(std::lround(value / length * Unit::from_int(1).raw)));
+    };
+    return options.is_z_up ? Vec3<Unit>{part(x), part(y), part(z)} : Vec3<Unit>{part(z), part(x), part(y)};
+}
+
+/// A vertex of the mesh: what its corners have in common.
+struct ObjVertex {
+    std::int32_t position, texcoord, normal;  ///< of the file; -1: none
+    std::uint32_t smooth;                     ///< where there is no normal: the vertex as the computed normals see it
+    std::uint32_t skin;
+    bool operator==(const ObjVertex&) const = default;
+    std::array<std::int64_t, 5> numbers() const { return {position, texcoord, normal, smooth, skin}; }
+};
+
+/// A vertex as computed normals see it: one of each smoothing group at each position.
+struct SmoothVertex {
+    std::int32_t position;
+    std::int64_t group;
+    bool operator==(const SmoothVertex&) const = default;
+    std::array<std::int64_t, 2> numbers() const { return {position, group}; }
+};
+
+/// Numbers different records, from 0 on.
+template <class Record>
+class Numbering {
+  public:
+    explicit Numbering(std::size_t expected) {
+        numbers_.reserve(expected);
+        records_.reserve(expected);
+    }
+    std::uint32_t number_of(const Record& record) {
+        const auto [known, is_new] = numbers_.emplace(record, static_cast<std::uint32_t>(records_.size()));
+        if (is_new) records_.push_back(record);
+        return known->second;
+    }
+    const std::vector<Record>& records() const { return records_; }
+
+  private:
+    struct Hash {
+        std::size_t operator()(const Record& record) const {
+            std::uint64_t hash = 0;
+            for (const std::int64_t number : record.numbers()) {
+                hash = (hash ^ static_cast<std::uint64_t>(number)) * 0x9e3779b97f4a7c15;
+                hash ^= hash >> 32;
+            }
+            return hash;
+        }
+    };
+    std::unordered_map<Record, std::uint32_t, Hash> numbers_;
+    std::vector<Record> records_;
+};
+
+/// Makes a mesh out of the faces of a file that has been checked.
+class ObjMeshBuilder {
+  public:
+    ObjMeshBuilder(const tinyobj::attrib_t& file, const ObjOptions& options)
+        : file_(file), vertices_(file.vertices.size() / 3), smooth_vertices_(file.vertices.size() / 3) {
+        for (std::size_t i = 0; i < file.vertices.size() / 3; ++i)
+            positions_.push_back(world_position(file.vertices, i, options));
+        for (std::size_t i = 0; i < file.normals.size() / 3; ++i)
+            normals_.push_back(unit_normal(file.normals, i, options));
+    }
+
+    /// `smoothing` is a group's number; faces of a group that touch have common normals.
+    void add_face(std::span<const tinyobj::index_t> corners, std::uint32_t skin, std::int64_t smoothing) {
+        const std::size_t first = numbers_.size();
+        for (const tinyobj::index_t& corner : corners) add_corner(corner, skin, smoothing);
+        if (corners.size() == 3) add_triangle(first, {0, 1, 2}, skin);
+        if (corners.size() > 3)
+            for (const CornerTriple& triple : triangulated(corners)) add_triangle(first, triple, skin);
+        numbers_.resize(first);
+        smooth_numbers_.resize(first);
+        if (mesh_.triangles.size() > kMostMeshTriangles || vertices_.records().size() > kMostMeshVertices)
+            throw InputError("faces", "more than " + std::to_string(kMostMeshTriangles) + " triangles or " +
+                                          std::to_string(kMostMeshVertices) + " vertices, expected a smaller model");
+    }
+
+    Mesh finish(std::vector<Skin> skins, std::vector<std::string>& warnings) {
+        mesh_.skins = std::move(skins);
+        set_texels(warnings);
+        const std::vector<MeshVertex> smooth = smooth_vertices();
+        MeshFrame frame;
+        for (const ObjVertex& vertex : vertices_.records()) {
+            const Vec3<Unit> normal =
+                vertex.normal < 0 ? at(smooth, vertex.smooth).normal : at(normals_, vertex.normal);
+            frame.vertices.push_back({at(positions_, vertex.position), normal});
+        }
+        set_box(frame);
+        mesh_.frames.push_back(std::move(frame));
+        mesh_.frame_sequences = {{}};
+        mesh_.skin_sequences = {{}};
+        return std::move(mesh_);
+    }
+
+  private:
+    std::vector<CornerTriple> triangulated(std::span<const tinyobj::index_t> corners) const {
+        std::vector<Vec3<World>> polygon;
+        for (const tinyobj::index_t& corner : corners) polygon.push_back(at(positions_, corner.vertex_index));
+        return triangulate_by_diagonals(polygon);
+    }
+
+    void add_corner(const tinyobj::index_t& corner, std::uint32_t skin, std::int64_t smoothing) {
+        const std::uint32_t smooth = smooth_vertices_.number_of({corner.vertex_index, smoothing});
+        const bool has_normal = corner.normal_index >= 0 && at(normals_, corner.normal_index) != Vec3<Unit>{};
+        numbers_.push_back(vertices_.number_of({corner.vertex_index, corner.texcoord_index,
+                                                has_normal ? corner.normal_index : -1, has_normal ? 0 : smooth, skin}));
+        smooth_numbers_.push_back(smooth);
+    }
+
+    /// Of corners that stand in numbers_ from `first` on: counter-clockwise in the file, clockwise in the mesh.
+    void add_triangle(std::size_t first, const CornerTriple& corners, std::uint32_t skin) {
+        const std::size_t a = first + corners[0], b = first + corners[2], c = first + corners[1];
+        mesh_.triangles.push_back({{numbers_[a], numbers_[b], numbers_[c]}, skin});
+        smooth_triangles_.push_back({smooth_numbers_[a], smooth_numbers_[b], smooth_numbers_[c]});
+    }
+
+    std::vector<MeshVertex> smooth_vertices() const {
+        std::vector<MeshVertex> smooth;
+        for (const SmoothVertex& vertex : smooth_vertices_.records())
+            smooth.push_back({at(positions_, vertex.position), {}});
+        set_normals(smooth, smooth_triangles_);
+        return smooth;
+    }
+
+    bool has_place(const ObjVertex& vertex) const {
+        return vertex.texcoord >= 0 && at(mesh_.skins, vertex.skin).texels.size() > 1;
+    }
+    /// In repetitions of the skin; the file's v goes up it.
+    SkinPlace place_of(const ObjVertex& vertex) const {
+        return {at(file_.texcoords, vertex.texcoord * 2), 1 - at(file_.texcoords, vertex.texcoord * 2 + 1)};
+    }
+
+    /// Sets texels from places on skins, which are repeated as often as that takes.
+    void set_texels(std::vector<std::string>& warnings) {
+        std::vector<PlaceRange> ranges(mesh_.skins.size());
+        for (const ObjVertex& vertex : vertices_.records())
+            if (has_place(vertex)) at(ranges, vertex.skin).include(place_of(vertex));
+        std::vector<SkinScale> scales;
+        for (std::size_t i = 0; i < ranges.size(); ++i)
+            scales.push_back(repeat_skin(mesh_.skins[i], ranges[i], warnings));
+        for (const ObjVertex& vertex : vertices_.records())
+            mesh_.texels.push_back(has_place(vertex) ? at(scales, vertex.skin).texel_at(place_of(vertex))
+                                                     : MeshTexel{kHalfTexel, kHalfTexel});
+    }
+
+    const tinyobj::attrib_t& file_;
+    std::vector<Vec3<World>> positions_;
+    std::vector<Vec3<Unit>> normals_;
+    Mesh mesh_;
+    Numbering<ObjVertex> vertices_;
+    Numbering<SmoothVertex> smooth_vertices_;
+    std::vector<Triangle> smooth_triangles_;               ///< the mesh's, of those
+    std::vector<std::uint32_t> numbers_, smooth_numbers_;  ///< of a face's corners: in the mesh, and of those
+};
+
+/// The skins of the materials that faces use, made when the first one does.
+class ObjSkins {
+  public:
+    ObjSkins(const std::vector<tinyobj::material_t>& materials, std::filesystem::path folder, const Palette& palette,
+             const ObjOptions& options, std::vector<std::string>& warnings)
+        : materials_(materials),
+          folder_(std::move(folder)),
+          palette_(palette),
+          options_(options),
+          warnings_(warnings) {}
+
+    std::uint32_t number_of(int material) {
+        material = shown_for(material);
+        const auto [known, is_new] = numbers_.emplace(material, static_cast<std::uint32_t>(skins.size()));
+        if (is_new)
+            skins.push_back(material < 0
+                                ? grey_skin(palette_)
+                                : make_skin(at(materials_, material), folder_, palette_, options_.dither, warnings_));
+        return known->second;
+    }
+
+    std::vector<Skin> skins;
+
+  private:
+    int shown_for(int material) const {
+        if (material < 0 || options_.glass.empty() || at(materials_, material).name != "glass") return material;
+        const auto found = std::find_if(materials_.begin(), materials_.end(),
+                                        [&](const auto& one) { return one.name == options_.glass; });
+        return found == materials_.end() ? material : static_cast<int>(found - materials_.begin());
+    }
+
+    const std::vector<tinyobj::material_t>& materials_;
+    std::filesystem::path folder_;
+    const Palette& palette_;
+    const ObjOptions& options_;
+    std::vector<std::string>& warnings_;
+    std::map<int, std::uint32_t> numbers_;
+};
+
+/// A file as tinyobjloader has it.
+struct ObjFile {
+    tinyobj::attrib_t numbers;
+    std::vector<tinyobj::shape_t> shapes;
+    std::vector<tinyobj::material_t> materials;
+    std::string warnings;
+};
+
+ObjFile load_obj(const std::string& text, const std::filesystem::path& folder) {
+    ObjFile file;
+    std::istringstream in(text);
+    ObjMaterialReader materials(folder);
+    std::string error;
+    if (!tinyobj::LoadObj(&file.numbers, &file.shapes, &file.materials, &file.warnings, &error, &in, &materials, false,
+                          false))
+        throw InputError("file", error + ", expected lines of OBJ (tinyobjloader)");
+    return file;
+}
+
+std::vector<std::string> lines_without_repetition(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+        if (!line.empty() && std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+    return lines;
+}
+
+ObjModel parse_obj(const std::string& text, const std::filesystem::path& folder, const Palette& palette,
+                   const ObjOptions& options) {
+    const ObjSummary summary = check_obj(text, options.scale);
+    const ObjFile file = load_obj(text, folder);
+    ObjModel model{{}, lines_without_repetition(file.warnings)};
+    ObjSkins skins(file.materials, folder, palette, options, model.warnings);
+    ObjMeshBuilder builder(file.numbers, options);
+    std::int64_t flat_faces = 0;
+    for (const tinyobj::shape_t& shape : file.shapes) {
+        std::span<const tinyobj::index_t> corners(shape.mesh.indices);
+        for (std::size_t face = 0; face < shape.mesh.num_face_vertices.size(); ++face) {
+            const std::size_t count = shape.mesh.num_face_vertices[face];
+            const std::int64_t group = summary.has_smoothing_groups ? shape.mesh.smoothing_group_ids[face] : 1;
+            builder.add_face(corners.first(count), skins.number_of(shape.mesh.material_ids[face]),
+                             group != 0 ? group : --flat_faces);
+            corners = corners.subspan(count);
+        }
+    }
+    model.mesh = builder.finish(std::move(skins.skins), model.warnings);
+    return model;
+}
+
+}  // namespace
+
+ObjModel read_obj(const std::string& path, const Palette& palette, const ObjOptions& options) {
+    const std::string text = read_text(path);
+    return naming_file(path,
+                       [&] { return parse_obj(text, std::filesystem::path(path).parent_path(), palette, options); });
+}
+
+}  // namespace oblong

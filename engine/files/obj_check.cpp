@@ -1,0 +1,151 @@
+#include "engine/files/obj_check.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "engine/base/input_error.h"
+#include "engine/level/entities.h"
+#include "engine/mesh/mesh.h"
+
+namespace oblong {
+namespace {
+
+constexpr int kMostCorners = 255;           ///< of a face: tinyobjloader counts them in a byte
+constexpr double kFarthestTexcoord = 1024;  ///< repetitions of a skin
+
+/// A number that is the whole of a word; charconv does not take a plus, nor everywhere doubles.
+std::optional<double> parse_double(std::string_view word) {
+    const std::string text(word);
+    if (text.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
+    char* stop = nullptr;
+    const double number = std::strtod(text.c_str(), &stop);
+    if (text.empty() || *stop != '\0') return std::nullopt;
+    return number;
+}
+
+std::optional<int> parse_int(std::string_view word) {
+    if (word.starts_with('+')) word.remove_prefix(1);
+    int number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    return number;
+}
+
+/// The lines v, vt or vn so far, and the largest number by which a face names one, with its line.
+struct ObjRecords {
+    const char* name;
+    std::int64_t count = 0, greatest = 0, greatest_line = 0;
+};
+
+class ObjChecker {
+  public:
+    explicit ObjChecker(double scale) : coordinate_limit_(kMeshLimit / scale) {}
+
+    ObjSummary check(std::string_view text) {
+        while (!text.empty()) {
+            const auto line_end = std::find_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; });
+            const auto end = static_cast<std::size_t>(line_end - text.begin());
+            ++line_;
+            check_line(text.substr(0, end));
+            const bool is_two = text.substr(end, 2) == "\r\n";
+            text.remove_prefix(std::min(end + (is_two ? 2 : 1), text.size()));
+        }
+        for (const ObjRecords* records : {&vertices_, &texcoords_, &normals_}) check_greatest(*records);
+        if (summary_.faces == 0) throw InputError("file", "has no faces, expected lines of f");
+        return summary_;
+    }
+
+  private:
+    void check_line(std::string_view line) {
+        const std::string_view kind = take_word(line);
+        if (kind == "v") check_numbers(line, vertices_, 3, coordinate_limit_);
+        if (kind == "vt") check_numbers(line, texcoords_, 1, kFarthestTexcoord);
+        if (kind == "vn") check_numbers(line, normals_, 3, 1e30);
+        if (kind == "f") check_face(line);
+        if (kind == "s") summary_.has_smoothing_groups = true;
+    }
+
+    /// At least `least` numbers, of which the first three stay below a limit.
+    void check_numbers(std::string_view words, ObjRecords& records, int least, double limit) {
+        ++records.count;
+        int count = 0;
+        for (std::string_view word = take_word(words); !word.empty(); word = take_word(words)) {
+            const std::optional<double> number = parse_double(word);
+            if (!number || !std::isfinite(*number))
+                fail(std::string(records.name) + " '" + std::string(word) + "', expected a number");
+            if (++count <= 3 && std::abs(*number) >= limit)
+                fail(std::string(records.name) + " " + std::string(word) + ", expected less than " +
+                     std::to_string(limit) + " either way");
+        }
+        if (count < least)
+            fail(std::string(records.name) + " of " + std::to_string(count) + " numbers, expected " +
+                 std::to_string(least) + " or more");
+    }
+
+    void check_face(std::string_view words) {
+        ++summary_.faces;
+        int corners = 0;
+        for (std::string_view word = take_word(words); !word.empty(); word = take_word(words)) {
+            check_corner(word);
+            ++corners;
+        }
+        if (corners < 3 || corners > kMostCorners)
+            fail("a face of " + std::to_string(corners) + " corners, expected 3 to " + std::to_string(kMostCorners));
+    }
+
+    /// "3", "3/1", "3//2" or "3/1/2".
+    void check_corner(std::string_view word) {
+        std::string_view rest = word;
+        const std::array<ObjRecords*, 3> kinds{&vertices_, &texcoords_, &normals_};
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            const std::size_t slash = std::min(rest.find('/'), rest.size());
+            const std::string_view number = rest.substr(0, slash);
+            if (i != 1 || !number.empty() || slash == rest.size()) check_index(word, number, *kinds[i]);
+            if (slash == rest.size()) return;
+            rest.remove_prefix(slash + 1);
+        }
+        fail("corner '" + std::string(word) + "', expected vertex/texture/normal");
+    }
+
+    void check_index(std::string_view word, std::string_view text, ObjRecords& records) {
+        const std::optional<int> index = parse_int(text);
+        if (!index) fail("corner '" + std::string(word) + "', expected numbers of vertex/texture/normal");
+        if (*index < 0 && -std::int64_t{*index} <= records.count) return;
+        if (*index <= 0)
+            fail(std::string(records.name) + " " + std::to_string(*index) + ", expected 1 and up, or -1 to -" +
+                 std::to_string(records.count));
+        if (*index <= records.greatest) return;
+        records.greatest = *index;
+        records.greatest_line = line_;
+    }
+
+    /// Faces may name what comes later in the file.
+    static void check_greatest(const ObjRecords& records) {
+        if (records.greatest <= records.count) return;
+        throw InputError("line " + std::to_string(records.greatest_line),
+                         std::string(records.name) + " " + std::to_string(records.greatest) + ", expected 1 to " +
+                             std::to_string(records.count));
+    }
+
+    [[noreturn]] void fail(const std::string& what_is_wrong) const {
+        throw InputError("line " + std::to_string(line_), what_is_wrong);
+    }
+
+    double coordinate_limit_;
+    std::int64_t line_ = 0;
+    ObjRecords vertices_{"vertex"}, texcoords_{"texture coordinate"}, normals_{"normal"};
+    ObjSummary summary_;
+};
+
+}  // namespace
+
+ObjSummary check_obj(std::string_view text, double scale) {
+    return ObjChecker(scale).check(text);
+}
+
+}  // namespace oblong

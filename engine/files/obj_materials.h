@@ -1,0 +1,56 @@
+#pragma once
+
+#include <tiny_obj_loader.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/files/quantise.h"
+#include "engine/mesh/mesh.h"
+
+namespace oblong {
+
+/// Reads the material files that an OBJ file names, beside it.
+class ObjMaterialReader : public tinyobj::MaterialReader {
+  public:
+    explicit ObjMaterialReader(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
+                    std::map<std::string, int>* numbers, std::string* warning, std::string* error) override;
+
+  private:
+    std::filesystem::path folder_;
+};
+
+/// A material's picture, or else its colour; pictures are beside the OBJ file. Adds a warning where one can't be read.
+Skin make_skin(const tinyobj::material_t& material, const std::filesystem::path& folder, const Palette& palette,
+               Dither dither, std::vector<std::string>& warnings);
+
+/// A place on a skin, in repetitions of it, v down.
+struct SkinPlace {
+    double u = 0, v = 0;
+};
+
+/// The places that vertices have.
+struct PlaceRange {
+    SkinPlace least{1e9, 1e9}, greatest{-1e9, -1e9};
+    void include(const SkinPlace& place);
+};
+
+/// From places to texels.
+struct SkinScale {
+    std::int32_t first_u = 0, first_v = 0;  ///< whole repetitions left of the skin and above it
+    double width = 1, height = 1;           ///< of one, texels
+    MeshTexel texel_at(const SkinPlace& place) const;
+};
+
+/// Repeats a skin, which is drawn once, as often as its places ask, up to 4,096 texels a side; adds a warning where
+/// that is too few.
+SkinScale repeat_skin(Skin& skin, const PlaceRange& range, std::vector<std::string>& warnings);
+
+/// Of faces without a material.
+Skin grey_skin(const Palette& palette);
+
+}  // namespace oblong

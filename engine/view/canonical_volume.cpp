@@ -1,0 +1,126 @@
+#include "engine/view/canonical_volume.h"
+
+#include <algorithm>
+#include <array>
+
+namespace oblong {
+
+namespace {
+
+constexpr std::array<VolumeSide, kVolumeSideCount> kVolumeSides{VolumeSide::Left, VolumeSide::Right, VolumeSide::Bottom,
+                                                                VolumeSide::Top,  VolumeSide::Near,  VolumeSide::Far};
+
+/// The same point with smaller numbers: sums of two coordinates, and differences of such sums, then fit.
+Vec4 with_room(const Vec4& point) {
+    constexpr Entry kRoom = Entry::from_int(1 << 29);
+    const auto fits = [&](Entry value) { return value < kRoom && value > -kRoom; };
+    if (fits(point.x) && fits(point.y) && fits(point.z) && fits(point.w)) return point;
+    return {floor_shift(point.x, 2), floor_shift(point.y, 2), floor_shift(point.z, 2), floor_shift(point.w, 2)};
+}
+
+Vec4 between(const Vec4& from, const Vec4& to, Entry part, Entry whole) {
+    return {between(from.x, to.x, part, whole), between(from.y, to.y, part, whole), between(from.z, to.z, part, whole),
+            between(from.w, to.w, part, whole)};
+}
+
+/// Where an edge crosses a side, given its end inside and its end outside. Set exactly on the side.
+Vec4 cross_side(const Vec4& inside, const Vec4& outside, VolumeSide side) {
+    const Entry from_inside = distance_inside(inside, side);
+    Vec4 crossing = between(inside, outside, from_inside, from_inside - distance_inside(outside, side));
+    switch (side) {
+        case VolumeSide::Left:
+            crossing.x = -crossing.w;
+            break;
+        case VolumeSide::Right:
+            crossing.x = crossing.w;
+            break;
+        case VolumeSide::Bottom:
+            crossing.y = -crossing.w;
+            break;
+        case VolumeSide::Top:
+            crossing.y = crossing.w;
+            break;
+        case VolumeSide::Near:
+            crossing.z = Entry{};
+            break;
+        case VolumeSide::Far:
+            crossing.z = crossing.w;
+            break;
+    }
+    return crossing;
+}
+
+}  // namespace
+
+Entry distance_inside(const Vec4& point, VolumeSide side) {
+    switch (side) {
+        case VolumeSide::Left:
+            return point.w + point.x;
+        case VolumeSide::Right:
+            return point.w - point.x;
+        case VolumeSide::Bottom:
+            return point.w + point.y;
+        case VolumeSide::Top:
+            return point.w - point.y;
+        case VolumeSide::Near:
+            return point.z;
+        default:
+            return point.w - point.z;
+    }
+}
+
+unsigned volume_outcode(const Vec4& point) {
+    const Vec4 roomy = with_room(point);
+    unsigned outcode = 0;
+    for (const VolumeSide side : kVolumeSides)
+        outcode |= static_cast<unsigned>(distance_inside(roomy, side) < Entry{}) << static_cast<unsigned>(side);
+    return outcode;
+}
+
+SplitPolygon split_polygon(const std::vector<Vec4>& polygon, VolumeSide side) {
+    SplitPolygon split;
+    if (polygon.empty()) return split;
+    Vec4 previous = polygon.back();
+    bool was_inside = distance_inside(previous, side) >= Entry{};
+    for (const Vec4& corner : polygon) {
+        const bool is_inside = distance_inside(corner, side) >= Entry{};
+        if (is_inside != was_inside) {
+            const Vec4 crossing = is_inside ? cross_side(corner, previous, side) : cross_side(previous, corner, side);
+            split.inside.push_back(crossing);
+            split.outside.push_back(crossing);
+        }
+        (is_inside ? split.inside : split.outside).push_back(corner);
+        previous = corner;
+        was_inside = is_inside;
+    }
+    return split;
+}
+
+std::vector<Vec4> clip_to_volume(const std::vector<Vec4>& polygon) {
+    std::vector<Vec4> clipped(polygon.size());
+    std::transform(polygon.begin(), polygon.end(), clipped.begin(), with_room);
+    for (const VolumeSide side : kVolumeSides) clipped = split_polygon(clipped, side).inside;
+    return clipped;
+}
+
+Matrix4 volume_matrix(const Projection& projection, Entry nearest, Entry farthest) {
+    const auto over_half = [](Multiplier multiplier, std::int32_t size_px) {
+        return divide<Entry>(multiplier + multiplier, Fixed<std::int64_t, 0>::from_int(size_px));
+    };
+    const Entry lambda = divide<Entry>(farthest, farthest - nearest);
+    Matrix4 matrix;
+    matrix.rows[0][0] = over_half(projection.x.multiplier, projection.width_px);
+    matrix.rows[1][1] = over_half(projection.y.multiplier, projection.height_px);
+    matrix.rows[2] = {Entry{}, Entry{}, lambda, -multiply(lambda, nearest)};
+    matrix.rows[3] = {Entry{}, Entry{}, Entry::from_int(1), Entry{}};
+    return matrix;
+}
+
+VolumeScreenPoint volume_to_screen(const Vec4& point, std::int32_t width_px, std::int32_t height_px) {
+    const auto along = [&point](Entry distance, std::int32_t size_px) {
+        return product_over<Entry>(distance, Entry::from_int(size_px), point.w + point.w);
+    };
+    return {along(point.w + point.x, width_px), along(point.w - point.y, height_px), divide<Entry>(point.z, point.w)};
+}
+
+}  // namespace oblong

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/fixed/fixed.h"
+#include "engine/math/basis.h"
+#include "engine/view/gradients.h"
+#include "engine/view/projection.h"
+
+namespace oblong {
+
+/// 1 / multiplier: 2.62.
+using InverseMultiplier = Fixed<std::int64_t, 62>;
+
+/// A length in the world at depth 1, units: 32.32.
+using WidthAtOne = Fixed<std::int64_t, 32>;
+
+/// Reciprocals of the multipliers, computed once a frame, and the optical centre in half pixels.
+struct InverseProjection {
+    InverseMultiplier inverse_x, inverse_y;
+    std::int32_t centre_x_1 = 0, centre_y_1 = 0;
+    /// A pixel is at least so wide on any surface, times its depth. If the surface faces the eye, z sec a away, a pixel
+    /// is cos^2 a / multiplier wide, a being 0 straight ahead and greatest in a corner. A sheared view is a part of a
+    /// larger one whose middle is straight ahead.
+    WidthAtOne least_pixel_width;
+};
+
+/// For a projection that is_drawable(). `shear` is how far straight ahead is from the middle of the screen, across and
+/// down: units at depth 1.
+InverseProjection make_inverse_projection(const Projection& projection, Unit shear_x = {}, Unit shear_y = {});
+
+/// A textured plane relative to the eye: everything that its gradients depend on, in world axes.
+struct TexturedPlane {
+    Vec3<Unit> normal;           ///< toward the eye
+    PlaneDistance eye_distance;  ///< of the eye in front of the plane, above 0 unless the view is parallel
+    Vec3<TexelAxis> s, t;        ///< texture axes
+    Texel eye_u, eye_v;          ///< texture coordinates of the eye's foot along s and t, relative to the surface
+    int mip = 0;
+};
+
+/// The same of a parallel view: 1/z is 1 / `depth` everywhere. With F along the rays, P = (X, Y, 0) on the screen's
+/// plane through the eye and D the eye's distance in front of the plane, the ray meets it after
+/// t = -(N . P depth + D) / N . F, so that u = S . P depth + eye_u + (S . F) t: linear, without a division.
+TextureGradients make_parallel_gradients(const TexturedPlane& plane, const Basis& rays, View depth,
+                                         const InverseProjection& projection);
+
+/// The screen gradients of 1/z, u/z and v/z of a plane, from the plane itself and not from its vertices: every face of
+/// one plane gets the same bits (hard case E11). With p = z (X, Y, 1) on the plane, N the normal in viewspace and D the
+/// eye's distance, 1/z = -N . (X, Y, 1) / D, and u/z = S . (X, Y, 1) + eye_u / z. (Abrash, Black Book,
+/// ch. 66, derives 1/z.) `rays` are the view's: p = X right + Y up + forward, times z.
+TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& rays,
+                                        const InverseProjection& projection);
+
+}  // namespace oblong

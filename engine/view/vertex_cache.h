@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/base/table.h"
+#include "engine/view/clip.h"
+#include "engine/view/view_context.h"
+
+namespace oblong {
+
+using VertexIndex = Index<struct Vertex>;  ///< of the level's vertices
+
+/// A vertex of the level as one frame sees it.
+struct CachedVertex : ClipVertex {
+    std::uint32_t frame = 0;  ///< the frame that this was computed in
+};
+
+/// The level's vertices in viewspace and on the screen, each computed once a frame, when a face first needs it.
+class VertexCache {
+  public:
+    /// `world_vertices` must outlive it.
+    explicit VertexCache(const Table<Vec3<World>, Vertex>& world_vertices)
+        : world_(world_vertices), vertices_(world_vertices.size()) {}
+
+    void start_frame() { ++frame_; }
+
+    /// The memory that it takes.
+    std::size_t bytes() const { return vertices_.size() * sizeof(CachedVertex); }
+
+    struct Counts {
+        std::int64_t transformed = 0, projected = 0;
+    };
+    /// What it computed in this frame, by a look at all vertices: for counting frames only.
+    Counts count() const {
+        Counts counts;
+        for (const CachedVertex& vertex : vertices_) {
+            if (vertex.frame != frame_) continue;
+            ++counts.transformed;
+            counts.projected += vertex.is_projected;
+        }
+        return counts;
+    }
+
+    template <bool AdjustsPositions>
+    CachedVertex& get(VertexIndex index, const ViewContext& view) {
+        CachedVertex& vertex = vertices_[index];
+        if (vertex.frame == frame_) return vertex;
+        vertex.position = to_view(world_[index], view.eye, view.axes);
+        if constexpr (AdjustsPositions) vertex.position = adjusted(vertex.position, view);
+        vertex.outcode = outcode_of(view.frustum, vertex.position);
+        vertex.undecided = 0;
+        vertex.is_projected = false;
+        vertex.frame = frame_;
+        return vertex;
+    }
+
+  private:
+    const Table<Vec3<World>, Vertex>& world_;
+    Table<CachedVertex, Vertex> vertices_;
+    std::uint32_t frame_ = 0;
+};
+
+}  // namespace oblong

@@ -1,0 +1,221 @@
+#include "engine/files/files.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+namespace oblong::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Bytes = std::vector<std::uint8_t>;
+
+const std::string kNoPlace = ", expected a place for a file of 65536 bytes";
+
+/// A folder of its own for each test, gone after it.
+class Files : public testing::Test {
+  protected:
+    Files() { fs::create_directories(folder_); }
+    ~Files() override { fs::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    /// What the error says after the file's name; empty if there is none.
+    template <class Work>
+    std::string complaint(const std::string& file, Work work) const {
+        try {
+            work(file);
+        } catch (const FileError& error) {
+            const std::string said = error.what();
+            return said.starts_with(file + ": ") ? said.substr(file.size() + 2) : "another file: " + said;
+        }
+        return {};
+    }
+    std::string complaint_of_reading(const std::string& file, std::size_t most_bytes = kLargestFile_bytes) const {
+        return complaint(file, [&](const std::string& name) { read_file(name, most_bytes); });
+    }
+    std::string complaint_of_writing(const std::string& file) const {
+        return complaint(file, [](const std::string& name) { write_file(name, Bytes(1 << 16, 4)); });
+    }
+
+    const fs::path folder_ = fs::temp_directory_path() / ("oblong-files-" + std::to_string(getpid()));
+};
+
+TEST_F(Files, WhatIsWrittenIsRead) {
+    // Longer than any buffer, and not by whole ones; every byte, line ends and zeros too.
+    Bytes bytes(300'001);
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * i / 7);
+    for (const Bytes& each : {bytes, Bytes{}}) {
+        write_file(path("file"), each);
+        EXPECT_EQ(fs::file_size(path("file")), each.size());
+        EXPECT_EQ(read_file(path("file")), each);
+    }
+    const std::string text("a\r\n\0\x1a\xff", 6);
+    write_file(path("text"), text);
+    EXPECT_EQ(read_text(path("text")), text);
+}
+
+TEST_F(Files, NewContentTakesTheOldOnesPlaceAndNothingElseIsLeft) {
+    const Bytes before(100, 1), after{2, 0, 3};
+    write_file(path("file"), before);
+    write_file(path("file"), after);
+    EXPECT_EQ(read_file(path("file")), after);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(Files, WritingThatFailsLeavesTheOldFile) {
+    const Bytes before{1, 2, 3};
+    write_file(path("file"), before);
+    signal(SIGXFSZ, SIG_IGN);
+    rlimit usual;
+    getrlimit(RLIMIT_FSIZE, &usual);
+    const rlimit small{1000, usual.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string complaint = complaint_of_writing(path("file"));
+    setrlimit(RLIMIT_FSIZE, &usual);
+    EXPECT_EQ(complaint, "write: File too large" + kNoPlace);
+    EXPECT_EQ(read_file(path("file")), before);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+// Each has a name of its own for what is not finished: none takes another's away, and no mixture is left.
+TEST_F(Files, ManyWritersOfOneFileDoNotDisturbEachOther) {
+    std::vector<pid_t> writers;
+    for (std::uint8_t writer = 1; writer <= 4; ++writer) {
+        const pid_t child = fork();
+        if (child != 0) {
+            writers.push_back(child);
+            continue;
+        }
+        int failures = 0;
+        for (int i = 0; i < 200; ++i)
+            failures += complaint(path("file"),
+                                  [&](const std::string& name) { write_file(name, Bytes(70'000, writer)); }) != "";
+        _exit(failures > 0);
+    }
+    for (const pid_t child : writers) {
+        int status = 0;
+        waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0);
+    }
+    const Bytes last = read_file(path("file"));
+    EXPECT_EQ(last, Bytes(70'000, last.at(0)));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(Files, WhatAProgramKeepsIsNoPipeAndNoDevice) {
+    ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+    const std::string refusal = "is a pipe or a device, expected a regular file";
+    for (const std::string& file : {path("pipe"), std::string("/dev/null"), std::string("/dev/full")}) {
+        EXPECT_EQ(complaint(file, [](const std::string& name) { read_file(name, 100, FileUse::Kept); }),
+                  "open: " + refusal);
+        EXPECT_EQ(complaint(file, [](const std::string& name) { write_file(name, Bytes(3), FileUse::Kept); }),
+                  "write: " + refusal);
+    }
+    EXPECT_TRUE(fs::is_fifo(path("pipe")));
+    write_file(path("file"), Bytes{1, 2}, FileUse::Kept);
+    EXPECT_EQ(read_file(path("file"), 2, FileUse::Kept), (Bytes{1, 2}));
+}
+
+TEST_F(Files, ADeviceIsWrittenToAndStays) {
+    EXPECT_EQ(complaint_of_writing("/dev/full"), "write: No space left on device" + kNoPlace);
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+    EXPECT_EQ(complaint_of_writing("/dev/null"), "");
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+// At its end, also over several links of other folders, and whole or not at all there.
+TEST_F(Files, ALinkStaysAndWhatItLeadsToIsReplaced) {
+    write_file(path("target"), Bytes(100, 1));
+    fs::create_hard_link(path("target"), path("as it was"));
+    fs::create_directory(path("below"));
+    fs::create_symlink("../link", path("below/link to a link"));
+    fs::create_symlink(path("target"), path("link"));
+    fs::create_symlink("later", path("below/dangling"));
+    for (const char* name : {"link", "below/link to a link", "below/dangling"}) {
+        write_file(path(name), Bytes{2, 0, 3});
+        EXPECT_TRUE(fs::is_symlink(path(name))) << name;
+    }
+    EXPECT_EQ(read_file(path("target")), (Bytes{2, 0, 3}));
+    EXPECT_EQ(read_file(path("as it was")), Bytes(100, 1));
+    EXPECT_EQ(read_file(path("below/later")), (Bytes{2, 0, 3}));
+    fs::create_symlink("b", path("a"));
+    fs::create_symlink("a", path("b"));
+    EXPECT_EQ(complaint_of_writing(path("a")), "open: its symbolic links go round, expected them to lead to a file");
+}
+
+// As a shell hands on standard output that leads to a file: what is written there follows what was.
+TEST_F(Files, AnOpenFileIsWrittenToUnderItsNumber) {
+    const int descriptor = open(path("file").c_str(), O_RDWR | O_CREAT, 0600);
+    for (const std::string folder : {"/proc/self/fd/", "/dev/fd/"}) {
+        write_file(folder + std::to_string(descriptor), Bytes{7, 8});
+        Bytes read(2);
+        EXPECT_EQ(pread(descriptor, read.data(), 2, 0), 2) << folder;
+        EXPECT_EQ(read, (Bytes{7, 8})) << folder;
+        ASSERT_EQ(ftruncate(descriptor, 0), 0);
+    }
+    close(descriptor);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(Files, PlacesThatCannotBeWritten) {
+    fs::create_directories(path("folder"));
+    EXPECT_EQ(complaint_of_writing(path("folder")), "write: Is a directory" + kNoPlace);
+    EXPECT_EQ(complaint_of_writing(path("no/such/file")), "write: No such file or directory" + kNoPlace);
+    EXPECT_NE(complaint_of_writing(""), "");
+    EXPECT_EQ(std::distance(fs::recursive_directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(Files, WhatCannotBeRead) {
+    EXPECT_EQ(complaint_of_reading(path("none")), "open: No such file or directory, expected a readable file");
+    EXPECT_EQ(complaint_of_reading(folder_.string()), "open: is a folder, expected a file");
+    fs::create_symlink(folder_, path("link"));
+    EXPECT_EQ(complaint_of_reading(path("link")), "open: is a folder, expected a file");
+    write_file(path("file"), Bytes(1));
+    EXPECT_EQ(complaint_of_reading(path("file/below")), "open: Not a directory, expected a readable file");
+    // Opens, and reads nothing from its address 0.
+    EXPECT_EQ(complaint_of_reading("/proc/self/mem"), "read: Input/output error, expected a readable file");
+    write_file(path("locked"), Bytes(1));
+    fs::permissions(path("locked"), fs::perms::none);
+    const bool may_read_all = access(path("locked").c_str(), R_OK) == 0;  // root may
+    EXPECT_EQ(complaint_of_reading(path("locked")),
+              may_read_all ? "" : "open: Permission denied, expected a readable file");
+}
+
+TEST_F(Files, AFileMayHaveAsManyBytesAsAreAllowed) {
+    write_file(path("file"), Bytes(100'000));
+    EXPECT_EQ(complaint_of_reading(path("file"), 100'000), "");
+    EXPECT_EQ(complaint_of_reading(path("file"), 99'999), "size: more than 99999 bytes, expected a smaller file");
+    // Endless: the limit ends it.
+    EXPECT_EQ(complaint_of_reading("/dev/zero", 1'000'000), "size: more than 1000000 bytes, expected a smaller file");
+}
+
+TEST_F(Files, FaultsOfTheContentNameTheFile) {
+    write_file(path("file"), Bytes{7});
+    const auto refuse = [](std::span<const std::uint8_t> bytes) -> int {
+        throw InputError("offset 0", std::to_string(bytes[0]) + ", expected 8");
+    };
+    EXPECT_EQ(complaint(path("file"), [&](const std::string& file) { read_parsed(file, refuse); }),
+              "offset 0: 7, expected 8");
+    EXPECT_EQ(read_parsed(path("file"), [](std::span<const std::uint8_t> bytes) { return bytes[0]; }), 7);
+}
+
+TEST_F(Files, FoldersAreMadeWithThoseAbove) {
+    make_folder(path("a/b/c"));
+    make_folder(path("a/b/c"));
+    EXPECT_TRUE(fs::is_directory(path("a/b/c")));
+    write_file(path("file"), Bytes(1));
+    for (const std::string& taken : {path("file"), path("file/below")})
+        EXPECT_EQ(complaint(taken, make_folder), "make folder: Not a directory, expected a place for a folder");
+}
+
+}  // namespace
+
+}  // namespace oblong::test

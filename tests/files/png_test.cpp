@@ -1,0 +1,225 @@
+#include "engine/files/png.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "engine/base/input_error.h"
+#include "tests/files/png_writer.h"
+
+namespace oblong::test {
+namespace {
+
+/// Colour i is (i, 255 - i, i xor 90): all different.
+Palette distinct_colours() {
+    Palette palette;
+    for (int i = 0; i < 256; ++i) {
+        palette.colours[static_cast<std::size_t>(i)] = {
+            static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(255 - i), static_cast<std::uint8_t>(i ^ 90)};
+    }
+    return palette;
+}
+
+/// Indices without a pattern, every one of them.
+PngBytes many_indices(int count) {
+    PngBytes pixels;
+    for (int i = 0; i < count; ++i) pixels.push_back(static_cast<std::uint8_t>(i * i / 7 + i * 37));
+    return pixels;
+}
+
+PngBytes inflated(const PngBytes& packed, std::size_t size) {
+    PngBytes bytes(size);
+    uLongf written = static_cast<uLongf>(size);
+    EXPECT_EQ(uncompress(bytes.data(), &written, packed.data(), static_cast<uLong>(packed.size())), Z_OK);
+    EXPECT_EQ(written, size);
+    return bytes;
+}
+
+// Taken apart by zlib alone.
+TEST(Png, WrittenFileHoldsTheIndicesAndThePaletteAsTheyAre) {
+    constexpr std::size_t kWidth = 61, kHeight = 37;
+    const PngBytes pixels = many_indices(kWidth * kHeight);
+    PngBytes header, palette, packed;
+    for (const PngChunk& chunk : chunks_of_png(encode_indexed_png(pixels, kWidth, kHeight, distinct_colours()))) {
+        if (chunk.letters == "IHDR") header = chunk.data;
+        if (chunk.letters == "PLTE") palette = chunk.data;
+        if (chunk.letters == "IDAT") packed.insert(packed.end(), chunk.data.begin(), chunk.data.end());
+        EXPECT_NE(chunk.letters, "tRNS");
+    }
+    EXPECT_EQ(header, png_header(kWidth, kHeight, 8, 3));
+    ASSERT_EQ(palette.size(), 768u);
+    for (std::size_t i = 0; i < 256; ++i)
+        ASSERT_EQ((Rgb8{palette[i * 3], palette[i * 3 + 1], palette[i * 3 + 2]}), distinct_colours().colours[i]);
+    const PngBytes rows = inflated(packed, (kWidth + 1) * kHeight);
+    for (std::size_t y = 0; y < kHeight; ++y) {
+        ASSERT_EQ(rows[y * (kWidth + 1)], 0) << "row " << y << " is filtered";
+        for (std::size_t x = 0; x < kWidth; ++x)
+            ASSERT_EQ(rows[y * (kWidth + 1) + 1 + x], pixels[y * kWidth + x]) << x << ' ' << y;
+    }
+}
+
+TEST(Png, WhatIsWrittenReadsTheSame) {
+    const PngBytes pixels = many_indices(48 * 5);
+    const PngImage image = decode_png(encode_indexed_png(pixels, 48, 5, distinct_colours()));
+    EXPECT_EQ(image.width_px, 48);
+    EXPECT_EQ(image.height_px, 5);
+    EXPECT_EQ(image.indices, pixels);
+    ASSERT_EQ(image.colours.size(), 256u);
+    for (std::size_t i = 0; i < 256; ++i) EXPECT_EQ(image.colours[i], (Rgba8{distinct_colours().colours[i], 255}));
+}
+
+TEST(Png, TheSameInputGivesTheSameFile) {
+    const PngBytes pixels = many_indices(64 * 64);
+    EXPECT_EQ(encode_indexed_png(pixels, 64, 64, distinct_colours()),
+              encode_indexed_png(pixels, 64, 64, distinct_colours()));
+}
+
+TEST(Png, SizesThatDoNotAgreeAreRefused) {
+    const PngBytes pixels(6);
+    EXPECT_THROW(encode_indexed_png(pixels, 4, 2, {}), InputError);
+    EXPECT_THROW(encode_indexed_png(pixels, -3, -2, {}), InputError);
+    EXPECT_THROW(encode_indexed_png({}, 0, 0, {}), InputError);
+}
+
+TEST(Png, ShortPalettesAndFewBitsAPixelAreRead) {
+    // Two bits a pixel: 0, 1, 2, 2 and 2, 1, 0, 0; the last colour is half transparent.
+    const PngBytes file = png_of_rows(png_header(4, 2, 2, 3), {0, 0b00011010, 0, 0b10010000},
+                                      {{"PLTE", {10, 20, 30, 40, 50, 60, 70, 80, 90}}, {"tRNS", {255, 255, 127}}});
+    const PngImage image = decode_png(file);
+    EXPECT_EQ(image.indices, (PngBytes{0, 1, 2, 2, 2, 1, 0, 0}));
+    EXPECT_EQ(image.colours, (std::vector<Rgba8>{{{10, 20, 30}, 255}, {{40, 50, 60}, 255}, {{70, 80, 90}, 127}}));
+    EXPECT_EQ(image.pixel(3), (Rgba8{{70, 80, 90}, 127}));
+}
+
+TEST(Png, TrueColoursAlphaGreysAnd16BitsAreRead) {
+    const auto colours_of = [](const PngBytes& file) { return decode_png(file).colours; };
+    using Colours = std::vector<Rgba8>;
+    // The second row by the filter "up": differences to the row above.
+    EXPECT_EQ(colours_of(png_of_rows(png_header(1, 2, 8, 2), {0, 1, 2, 3, 2, 9, 8, 7})),
+              (Colours{{{1, 2, 3}}, {{10, 10, 10}}}));
+    EXPECT_EQ(colours_of(png_of_rows(png_header(2, 1, 8, 6), {0, 9, 8, 7, 0, 1, 2, 3, 200})),
+              (Colours{{{9, 8, 7}, 0}, {{1, 2, 3}, 200}}));
+    EXPECT_EQ(colours_of(png_of_rows(png_header(2, 1, 8, 0), {0, 77, 200})),
+              (Colours{{{77, 77, 77}}, {{200, 200, 200}}}));
+    EXPECT_EQ(colours_of(png_of_rows(png_header(1, 1, 16, 2), {0, 128, 128, 64, 64, 255, 255})),
+              (Colours{{{128, 64, 255}}}));
+    EXPECT_TRUE(decode_png(png_of_rows(png_header(1, 1, 8, 0), {0, 1})).indices.empty());
+}
+
+std::string complaint_of(const PngBytes& file) {
+    try {
+        decode_png(file);
+        return "";
+    } catch (const InputError& error) {
+        return error.where + ": " + error.what();
+    }
+}
+
+TEST(Png, FaultsAreNamed) {
+    const PngBytes file = encode_indexed_png(many_indices(64), 8, 8, distinct_colours());
+    EXPECT_EQ(complaint_of(file), "");
+    EXPECT_TRUE(complaint_of({}).starts_with("image: not a readable PNG"));
+    EXPECT_TRUE(complaint_of({'G', 'I', 'F', '8', '9', 'a', 0, 0}).starts_with("image: not a readable PNG"));
+    EXPECT_TRUE(complaint_of(png_of_rows(png_header(4097, 1, 8, 0), {0})).starts_with("image: 4097x1 pixels"));
+    EXPECT_TRUE(complaint_of(png_of_rows(png_header(8, 8, 8, 0), {0, 1})).starts_with("image: a damaged PNG"));
+    const PngBytes beyond = png_of_rows(png_header(2, 1, 8, 3), {0, 0, 9}, {{"PLTE", {1, 2, 3}}});
+    EXPECT_EQ(complaint_of(beyond), "image: a pixel of colour 9, expected one of the palette's 1");
+}
+
+TEST(Png, NoPrefixOfAFileIsTakenForAWhole) {
+    const PngBytes file = encode_indexed_png(many_indices(64), 8, 8, distinct_colours());
+    constexpr std::size_t kLastChunkBytes = 12;  // IEND says nothing
+    for (std::size_t size = 0; size < file.size() - kLastChunkBytes; ++size)
+        EXPECT_NE(complaint_of(PngBytes(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(size))), "") << size;
+}
+
+// Bits turned over, numbers set to their ends, and parts cut out, with CRCs left wrong and with them made right again
+// (then the damage reaches what stands behind that check). A picture comes out whole, or an error.
+class DamagedPng : public testing::TestWithParam<PngBytes> {
+  protected:
+    std::uint32_t random(std::size_t limit) {
+        state_ = state_ * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<std::uint32_t>((state_ >> 33) % limit);
+    }
+    void damage(PngBytes& bytes) {
+        if (bytes.empty()) return;
+        const auto at = static_cast<std::ptrdiff_t>(random(bytes.size()));
+        const auto first = bytes.begin() + at;
+        switch (random(4)) {
+            case 0:
+                *first ^= static_cast<std::uint8_t>(1u << random(8));
+                break;
+            case 1:
+                *first = random(2) == 0 ? 0 : 255;
+                break;
+            case 2:
+                bytes.erase(first, first + 1 + random(bytes.size() - static_cast<std::size_t>(at)));
+                break;
+            default:
+                bytes.insert(first, static_cast<std::uint8_t>(random(256)));
+        }
+    }
+    void expect_whole_or_refused(const PngBytes& file) {
+        try {
+            const PngImage image = decode_png(file);
+            const auto count = static_cast<std::size_t>(image.width_px) * static_cast<std::size_t>(image.height_px);
+            ASSERT_EQ(image.indices.empty() ? image.colours.size() : image.indices.size(), count);
+            ++whole_;
+        } catch (const InputError& error) {
+            ASSERT_EQ(error.where, "image");
+            ASSERT_STRNE(error.what(), "");
+            ++refused_;
+        }
+    }
+    int whole_ = 0, refused_ = 0;
+
+  private:
+    std::uint64_t state_ = 20'261'121;
+};
+
+TEST_P(DamagedPng, IsReadWholeOrRefused) {
+    for (int round = 0; round < 2000; ++round) {
+        PngBytes file = GetParam();
+        for (std::uint32_t count = 1 + random(3); count > 0; --count) damage(file);
+        expect_whole_or_refused(file);
+    }
+    EXPECT_GT(refused_, 1000);
+}
+
+TEST_P(DamagedPng, WithChecksumsThatAgreeIsReadWholeOrRefused) {
+    for (int round = 0; round < 2000; ++round) {
+        std::vector<PngChunk> chunks = chunks_of_png(GetParam());
+        for (std::uint32_t count = 1 + random(2); count > 0; --count) {
+            PngChunk& chunk = chunks[random(chunks.size())];
+            damage(chunk.data);
+            if (random(8) == 0) chunks.erase(chunks.begin() + random(chunks.size()));
+            if (chunks.empty()) break;
+        }
+        expect_whole_or_refused(png_of_chunks(chunks));
+    }
+    EXPECT_GT(refused_, 500);
+    EXPECT_GT(whole_, 10);
+}
+
+PngBytes interlaced_true_colours() {
+    PngBytes header = png_header(1, 2, 8, 6);
+    header.back() = 1;
+    return png_of_rows(header, {1, 9, 8, 7, 0, 4, 1, 2, 3, 200}, {{"gAMA", {0, 0, 0x80, 0}}});
+}
+
+std::vector<PngBytes> kinds() {
+    return {encode_indexed_png(many_indices(256), 16, 16, distinct_colours()),
+            png_of_rows(png_header(4, 2, 2, 3), {0, 0b00011010, 0, 0b10010000},
+                        {{"PLTE", {10, 20, 30, 40, 50, 60, 70, 80, 90}}, {"tRNS", {255, 255, 127}}}),
+            interlaced_true_colours()};
+}
+
+std::string name_of_kind(const testing::TestParamInfo<PngBytes>& kind) {
+    constexpr std::array kNames{"Indexed", "FourColours", "Interlaced"};
+    return kNames[kind.index];
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, DamagedPng, testing::ValuesIn(kinds()), name_of_kind);
+
+}  // namespace
+}  // namespace oblong::test

@@ -1,0 +1,63 @@
+#include "engine/files/wad.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/base/input_error.h"
+
+namespace oblong::test {
+namespace {
+
+MipTexture texture_of(const std::string& name, std::int32_t width, std::int32_t height) {
+    MipTexture texture{name, width, height, {}};
+    for (std::size_t level = 0; level < 4; ++level) {
+        const int count = (width >> level) * (height >> level);
+        for (int i = 0; i < count; ++i)
+            texture.mips[level].push_back(static_cast<std::uint8_t>(i * 7 + static_cast<int>(level)));
+    }
+    return texture;
+}
+
+TEST(Wad, TexturesComeBackInTheirOrder) {
+    const std::vector<MipTexture> textures{texture_of("wall", 16, 32), texture_of("*Water", 64, 16)};
+    const auto file = write_wad(textures);
+    const auto read = read_wad(file);
+    ASSERT_EQ(read.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(read[i].name, textures[i].name);
+        EXPECT_EQ(parse_miptex(read[i].miptex), textures[i]);
+    }
+    EXPECT_EQ(lookup_name(read[1].name), "*water");
+}
+
+// As the format's description has it, byte by byte.
+TEST(Wad, HeaderAndDirectoryStandWhereQuakeLooksForThem) {
+    const MipTexture texture = texture_of("wall", 16, 16);
+    const auto file = write_wad(std::span(&texture, 1));
+    const std::size_t lump_size = 40 + 256 + 64 + 16 + 4;
+    ASSERT_EQ(file.size(), 12 + lump_size + 32);
+    EXPECT_EQ(std::string(file.begin(), file.begin() + 12), std::string("WAD2\1\0\0\0\x88\1\0\0", 12));
+    const std::string entry(file.end() - 32, file.end());
+    EXPECT_EQ(entry, std::string("\x0c\0\0\0\x7c\1\0\0\x7c\1\0\0D\0\0\0wall\0\0\0\0\0\0\0\0\0\0\0\0", 32));
+}
+
+TEST(Wad, NoPrefixIsTakenForAWhole) {
+    const MipTexture texture = texture_of("wall", 16, 16);
+    const auto whole = write_wad(std::span(&texture, 1));
+    for (std::size_t size = 0; size < whole.size(); ++size)
+        EXPECT_THROW(read_wad(std::span(whole).first(size)), InputError) << size;
+    const auto miptex = read_wad(whole)[0].miptex;
+    for (std::size_t size = 0; size < miptex.size(); ++size)
+        EXPECT_THROW(parse_miptex(miptex.first(size)), InputError) << size;
+}
+
+TEST(Wad, SizesThatNoTextureHasAreRefused) {
+    const MipTexture texture = texture_of("wall", 16, 16);
+    for (const int width : {0, 8, 24, 255}) {
+        auto file = write_wad(std::span(&texture, 1));
+        file[12 + 16] = static_cast<std::uint8_t>(width);
+        EXPECT_THROW(parse_miptex(read_wad(file)[0].miptex), InputError) << width;
+    }
+}
+
+}  // namespace
+}  // namespace oblong::test

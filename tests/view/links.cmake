@@ -1,0 +1,2 @@
+find_package(rapidcheck REQUIRED)
+set(LINKS oblong_view oblong_raster rapidcheck)

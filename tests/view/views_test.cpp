@@ -1,0 +1,351 @@
+// Points through every view by the engine's own way, against closed forms in doubles.
+
+#include "engine/view/views.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "engine/base/input_error.h"
+#include "engine/fixed/trig.h"
+
+namespace oblong {
+namespace {
+
+using Point = std::array<double, 3>;
+
+World units(double value) {
+    return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
+}
+Vec3<World> at(double x, double y, double z) {
+    return {units(x), units(y), units(z)};
+}
+Point point_of(const Vec3<Unit>& v) {
+    return {std::ldexp(v.x.raw, -30), std::ldexp(v.y.raw, -30), std::ldexp(v.z.raw, -30)};
+}
+double dot(const Point& a, const Point& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+struct Pixel {
+    double x, y;
+};
+Pixel shown(const ViewContext& view, const Vec3<World>& point) {
+    const ScreenPosition position = project(to_view(point, view), view.projection);
+    return {std::ldexp(position.x.raw, -8), std::ldexp(position.y.raw, -8)};
+}
+
+struct Extents {
+    double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+
+    void add(const Pixel& pixel) {
+        left = std::min(left, pixel.x), right = std::max(right, pixel.x);
+        top = std::min(top, pixel.y), bottom = std::max(bottom, pixel.y);
+    }
+};
+
+Extents extents_of_cube(const ViewContext& view, double size) {
+    Extents extents;
+    for (int corner = 0; corner < 8; ++corner)
+        extents.add(shown(view, at(corner & 1 ? size : 0, corner & 2 ? size : 0, corner & 4 ? size : 0)));
+    return extents;
+}
+
+constexpr double kTolerance_px = 0.01;
+
+void expect_extents(const ViewSpec& spec, const ScreenMode& mode, double left, double right, double bottom,
+                    double top) {
+    ASSERT_FALSE(problem_of(spec, mode)) << *problem_of(spec, mode);
+    const Extents extents = extents_of_cube(make_view_context(spec, mode), 64);
+    const double per_unit = mode.width_px / (2 * std::ldexp(spec.window.half_width.raw, -16));
+    const double pixel = 4.0 / 3 * mode.height_px / mode.width_px;  // its width to its height
+    EXPECT_NEAR(extents.left, mode.width_px / 2.0 + 64 * left * per_unit, kTolerance_px);
+    EXPECT_NEAR(extents.right, mode.width_px / 2.0 + 64 * right * per_unit, kTolerance_px);
+    EXPECT_NEAR(extents.bottom, mode.height_px / 2.0 - 64 * bottom * per_unit * pixel, kTolerance_px);
+    EXPECT_NEAR(extents.top, mode.height_px / 2.0 - 64 * top * per_unit * pixel, kTolerance_px);
+}
+
+const std::vector<ScreenMode> kModes{{320, 200, {4, 3}}, {640, 480, {4, 3}}, {320, 240, {4, 3}}};
+
+// A cube of 64 units from the origin, which is in the middle of the screen; extents in sizes of the cube.
+
+TEST(ParallelViews, ShowASideOfACubeAsASquare) {
+    for (const ScreenMode& mode : kModes)
+        for (const ViewSide side : {ViewSide::Front, ViewSide::Top, ViewSide::Side})
+            expect_extents(orthographic_view({}, side_axes(side), View::from_int(300)), mode, 0, 1, 0, 1);
+}
+
+TEST(ParallelViews, ShortenAllAxesAlikeWhereIsometric) {
+    // x goes right and up, y left and up, z up, all by the root of 2/3: at 30 degrees.
+    const double across = std::sqrt(0.5), up = std::sqrt(1 / 6.0);
+    for (const ScreenMode& mode : kModes)
+        expect_extents(orthographic_view({}, axonometric_axes(Axonometry::Isometric), View::from_int(300)), mode,
+                       -across, across, 0, 2 * up + std::sqrt(2 / 3.0));
+}
+
+double shortening(const Basis& axes, const Point& axis) {
+    return std::hypot(dot(point_of(axes.right), axis), dot(point_of(axes.up), axis));
+}
+
+/// How many of three numbers differ from each other.
+std::size_t different_of(std::array<double, 3> factors) {
+    std::sort(factors.begin(), factors.end());
+    return 1 + (factors[1] - factors[0] > 0.05) + (factors[2] - factors[1] > 0.05);
+}
+
+TEST(ParallelViews, HaveTheScalesThatTheirNamesSay) {
+    struct Named {
+        Axonometry kind;
+        std::size_t different;          ///< iso: 1, di: 2, tri: 3
+        std::array<double, 3> squares;  ///< of x, y, z: 1 less the squared part of each along the rays
+    };
+    for (const Named& named : {Named{Axonometry::Isometric, 1, {2 / 3.0, 2 / 3.0, 2 / 3.0}},
+                               Named{Axonometry::Dimetric, 2, {2 / 9.0, 8 / 9.0, 8 / 9.0}},
+                               Named{Axonometry::Trimetric, 3, {25 / 50.0, 34 / 50.0, 41 / 50.0}}})
+        for (const int quarters : {0, 1, 2, 3}) {
+            const Basis axes = axonometric_axes(named.kind, degrees_to_angle(Degrees::from_int(90 * quarters)));
+            std::array<double, 3> factors{shortening(axes, {1, 0, 0}), shortening(axes, {0, 1, 0}),
+                                          shortening(axes, {0, 0, 1})};
+            if (quarters % 2 == 1) std::swap(factors[0], factors[1]);
+            EXPECT_EQ(different_of(factors), named.different);
+            // Of three axes at right angles, whatever the view: the squares add up to 2.
+            EXPECT_NEAR(factors[0] * factors[0] + factors[1] * factors[1] + factors[2] * factors[2], 2, 1e-7);
+            for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(factors[i], std::sqrt(named.squares[i]), 1e-8);
+        }
+}
+
+TEST(ParallelViews, ShiftWhatIsFartherWhereOblique) {
+    const double length[] = {1, 0.5};
+    for (const ScreenMode& mode : kModes)
+        for (const double share : length)
+            for (const int degrees : {30, 45, 60}) {
+                const double turn = degrees * 3.141592653589793 / 180;
+                const ViewSpec view = oblique_view({}, side_axes(ViewSide::Front), View::from_int(300),
+                                                   Unit::from_raw(static_cast<std::int32_t>(std::ldexp(share, 30))),
+                                                   degrees_to_angle(Degrees::from_int(degrees)));
+                // Binary angles are within 0.003 degrees.
+                expect_extents(view, mode, 0, 1 + share * std::cos(turn), 0, 1 + share * std::sin(turn));
+            }
+}
+
+// The silhouette of a sphere under a linear map: along each screen axis it reaches as far as that axis is long.
+TEST(ParallelViews, ShowASphereAsAnEllipseOfTheLengthsOfTheirAxes) {
+    const ScreenMode mode{640, 400, {4, 3}};
+    const std::vector<ViewSpec> views{
+        orthographic_view({}, side_axes(ViewSide::Front), View::from_int(400)),
+        orthographic_view({}, axonometric_axes(Axonometry::Isometric), View::from_int(400)),
+        orthographic_view({}, axonometric_axes(Axonometry::Trimetric), View::from_int(400)),
+        oblique_view({}, side_axes(ViewSide::Front), View::from_int(400), Unit::from_int(1), Angle{0x2000}),
+        oblique_view({}, side_axes(ViewSide::Top), View::from_int(400), Unit::from_raw(1 << 29), Angle{0x1555})};
+    for (const ViewSpec& spec : views) {
+        const ViewContext view = make_view_context(spec, mode);
+        const double shear_x = std::ldexp(spec.shear_x.raw, -30), shear_y = std::ldexp(spec.shear_y.raw, -30);
+        const double across = 100 * std::hypot(1, shear_x) * 640 / 400;
+        const double down = 100 * std::hypot(1, shear_y) * 640 / 400 * (4.0 / 3 * 400 / 640);
+        Extents extents;
+        for (int i = 0; i < 400; ++i)
+            for (int j = 0; j < 200; ++j) {
+                const double yaw = i * 6.283185307179586 / 400, pitch = (j - 100) * 1.5707963267948966 / 100;
+                extents.add(shown(view, at(100 * std::cos(yaw) * std::cos(pitch), 100 * std::sin(yaw) * std::cos(pitch),
+                                           100 * std::sin(pitch))));
+            }
+        // Samples 0.9 degrees apart miss at most 1.3e-4 of the radius.
+        EXPECT_NEAR(extents.right, 320 + across, 0.05);
+        EXPECT_NEAR(extents.left, 320 - across, 0.05);
+        EXPECT_NEAR(extents.bottom, 200 + down, 0.05);
+        EXPECT_NEAR(extents.top, 200 - down, 0.05);
+    }
+}
+
+// The lab's table: 200x200 pixels; its far corners as corrected (errata L1).
+TEST(WindowViews, ShowTheLabsCubeWhereItsGeometrySays) {
+    WindowView window;
+    window.reference_point = at(0.5, 0.5, -2);
+    window.normal = at(0, 0, -1);
+    window.up = at(0, 1, 0);
+    window.centre_of_projection = at(0.5, 0.5, -4);
+    window.u_min = window.v_min = units(-0.5);
+    window.u_max = window.v_max = units(0.5);
+    const ScreenMode mode{200, 200, {1, 1}};
+    const ViewSpec spec = window_view(window);
+    ASSERT_FALSE(problem_of(spec, mode));
+    const ViewContext view = make_view_context(spec, mode);
+    for (int corner = 0; corner < 8; ++corner) {
+        const int x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
+        const Pixel pixel = shown(view, at(x, y, z));
+        EXPECT_EQ(pixel.x, z ? (x ? 60 : 140) : (x ? 50 : 150));
+        EXPECT_EQ(pixel.y, z ? (y ? 60 : 140) : (y ? 50 : 150));
+    }
+    window.normal = at(0, 0, 3);  // the other way and of another length: the eye says which way is ahead
+    EXPECT_EQ(window_view(window).axes, spec.axes);
+}
+
+struct RandomWindow {
+    WindowView window;
+    double du, dv;
+};
+RandomWindow random_window(std::mt19937& random, bool is_parallel) {
+    const auto within = [&](double reach) { return std::uniform_real_distribution<double>(-reach, reach)(random); };
+    RandomWindow made;
+    WindowView& window = made.window;
+    window.is_parallel = is_parallel;
+    window.reference_point = at(within(1000), within(1000), within(1000));
+    window.normal = at(within(1), within(1), within(1));
+    window.up = at(within(1), within(1), within(1));
+    window.centre_of_projection = window.reference_point + at(within(300), within(300), within(300));
+    made.du = 100 + within(50);
+    made.dv = made.du * 3 / 4;
+    const double u = within(100), v = within(100);
+    window.u_min = units(u), window.u_max = units(u + made.du);
+    window.v_min = units(v), window.v_max = units(v + made.dv);
+    return made;
+}
+
+// Where the parts make a view at all, the window's corners are the screen's.
+TEST(WindowViews, ShowTheirWindowOnTheWholeScreen) {
+    std::mt19937 random(2);
+    const ScreenMode mode{320, 200, {4, 3}};
+    int views = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const auto [window, du, dv] = random_window(random, i % 2 == 1);
+        ViewSpec spec;
+        try {
+            spec = window_view(window);
+        } catch (const InputError&) {
+            continue;
+        }
+        // A step of the world is more than a hundredth of a pixel there.
+        if (problem_of(spec, mode) || spec.window.distance < View::from_int(20)) continue;
+        ++views;
+        const ViewContext view = make_view_context(spec, mode);
+        const Point right = point_of(spec.axes.right), up = point_of(spec.axes.up);
+        for (int corner = 0; corner < 4; ++corner) {
+            const double u = std::ldexp((corner & 1 ? window.u_max : window.u_min).raw, -12);
+            const double v = std::ldexp((corner & 2 ? window.v_max : window.v_min).raw, -12);
+            const Pixel pixel =
+                shown(view, window.reference_point +
+                                at(u * right[0] + v * up[0], u * right[1] + v * up[1], u * right[2] + v * up[2]));
+            EXPECT_NEAR(pixel.x, corner & 1 ? 320 : 0, 0.02);
+            EXPECT_NEAR(pixel.y, corner & 2 ? 0 : 200, 0.02);
+        }
+    }
+    EXPECT_GT(views, 500);
+}
+
+TEST(WindowViews, ShowAWindowOfAnotherShapeWholeAndUndistorted) {
+    WindowView window;
+    window.normal = at(0, 1, 0);
+    window.up = at(0, 0, 1);
+    window.centre_of_projection = at(0, -100, 0);
+    window.u_min = units(-10), window.u_max = units(10);
+    window.v_min = units(-60), window.v_max = units(60);
+    const ViewContext view = make_view_context(window_view(window), {320, 200, {4, 3}});
+    EXPECT_NEAR(shown(view, at(0, 0, 60)).y, 0, 0.01);
+    EXPECT_NEAR(shown(view, at(0, 0, -60)).y, 200, 0.01);
+    EXPECT_NEAR(shown(view, at(10, 0, 0)).x, 160 + 10 * (100 / 60.0) / (5 / 6.0), 0.01);  // pixels are 5:6
+}
+
+std::string refused(const WindowView& window) {
+    try {
+        window_view(window);
+    } catch (const InputError& error) {
+        return error.where + ": " + error.what();
+    }
+    return "";
+}
+
+TEST(WindowViews, SayWhatIsWrong) {
+    WindowView good;
+    good.normal = at(0, 1, 0), good.up = at(0, 0, 1), good.centre_of_projection = at(0, -100, 0);
+    good.u_min = good.v_min = units(-10), good.u_max = good.v_max = units(10);
+    EXPECT_EQ(refused(good), "");
+    WindowView window = good;
+    window.normal = {};
+    EXPECT_EQ(refused(window), "VPN: is zero, expected a direction");
+    window = good, window.up = at(0, -2, 0);
+    EXPECT_EQ(refused(window), "VUP: is zero or along the VPN, expected another direction");
+    window = good, window.centre_of_projection = at(5, 0, 3);
+    EXPECT_EQ(refused(window), "COP: is in the view plane, expected it before or behind");
+    window = good, window.u_max = window.u_min;
+    EXPECT_EQ(refused(window), "window: is empty, expected u_min below u_max and v_min below v_max");
+    window = good, window.u_min = units(150), window.u_max = units(190);
+    EXPECT_EQ(refused(window), "window: its middle is more than 45 degrees from straight ahead, expected less");
+}
+
+TEST(Views, SayWhatKeepsThemFromBeingDrawn) {
+    const ScreenMode mode;
+    ViewSpec view = orthographic_view({}, side_axes(ViewSide::Top), View::from_raw(40));
+    EXPECT_NE(problem_of(view, mode).value_or("").find("0 units wide"), std::string::npos);
+    view = oblique_view(at(300'000, 0, 0), side_axes(ViewSide::Top), View::from_int(100), Unit::from_int(1), {});
+    EXPECT_NE(problem_of(view, mode).value_or("").find("262,144"), std::string::npos);
+    view.eye = {};
+    view.shear_y = Unit::from_raw(1 << 28);
+    EXPECT_NE(problem_of(view, mode).value_or("").find("45 degrees"), std::string::npos);
+    EXPECT_FALSE(problem_of(first_person_view({}), mode));
+}
+
+TEST(LookAt, ShowsItsTargetInTheMiddleUpright) {
+    std::mt19937 random(3);
+    const auto within = [&](double reach) { return std::uniform_real_distribution<double>(-reach, reach)(random); };
+    for (int i = 0; i < 200; ++i) {
+        const Vec3<World> target = at(within(500), within(500), within(500));
+        const Vec3<World> eye = target + at(within(200), 20 + std::abs(within(200)), within(200));
+        const ViewContext view = make_view_context(look_at_view(eye, target, Degrees::from_int(90)), {});
+        const Pixel middle = shown(view, target), above = shown(view, target + at(0, 0, 5));
+        EXPECT_NEAR(middle.x, 160, 0.01);
+        EXPECT_NEAR(middle.y, 100, 0.01);
+        EXPECT_NEAR(above.x, 160, 0.01);
+        EXPECT_LT(above.y, 100);
+    }
+}
+
+// Zoom against dolly: what is at the distance keeps its size, what is behind it does not.
+TEST(DollyZoom, KeepsTheSizeOfWhatIsAtItsDistance) {
+    Camera camera;
+    camera.eye = at(10, -20, 30);
+    camera.yaw = Angle{0x1234}, camera.pitch = Angle{0x0321};
+    const Basis axes = view_basis(camera.yaw, camera.pitch, {});
+    const auto ahead = [&](double depth, double across) {
+        const Point f = point_of(axes.forward), r = point_of(axes.right);
+        return camera.eye +
+               at(f[0] * depth + r[0] * across, f[1] * depth + r[1] * across, f[2] * depth + r[2] * across);
+    };
+    const auto size_at = [&](const Camera& from, double depth) {
+        const ViewContext view = make_view_context(first_person_view(from), {});
+        return shown(view, ahead(depth, 20)).x - shown(view, ahead(depth, -20)).x;
+    };
+    double behind_before = 1e9;
+    for (const int degrees : {20, 40, 60, 90, 110}) {
+        const Camera zoomed = dolly_zoomed(camera, World::from_int(200), Degrees::from_int(degrees));
+        EXPECT_NEAR(size_at(zoomed, 200), size_at(camera, 200), 0.02) << degrees;
+        const double behind = size_at(zoomed, 400);
+        EXPECT_LT(behind, behind_before - 0.5);
+        behind_before = behind;
+    }
+    EXPECT_EQ(dolly_zoomed(camera, World::from_int(200), camera.field_of_view).eye, camera.eye);
+}
+
+// x right + y up + z forward of the rays is back where the axes came from (P5: the matrix of a view and its inverse).
+TEST(ViewContexts, HaveRaysThatAreTheInverseOfTheirAxes) {
+    std::mt19937 random(5);
+    for (int i = 0; i < 500; ++i) {
+        ViewSpec spec =
+            first_person_view({{}, Angle::from_bam(random()), Angle::from_bam(random()), Angle::from_bam(random())});
+        spec.shear_x = Unit::from_raw(static_cast<std::int32_t>(random() % (1u << 30)) - (1 << 29));
+        spec.shear_y = Unit::from_raw(static_cast<std::int32_t>(random() % (1u << 30)) - (1 << 29));
+        const ViewContext view = make_view_context(spec, {});
+        const std::array<Point, 3> rows{point_of(view.axes.right), point_of(view.axes.up), point_of(view.axes.forward)};
+        const std::array<Point, 3> columns{point_of(view.rays.right), point_of(view.rays.up),
+                                           point_of(view.rays.forward)};
+        for (std::size_t row = 0; row < 3; ++row)
+            for (std::size_t column = 0; column < 3; ++column)
+                EXPECT_NEAR(dot(rows[row], columns[column]), row == column ? 1 : 0, 1e-8);
+    }
+}
+
+}  // namespace
+}  // namespace oblong
