@@ -6,6 +6,13 @@
 
 namespace oblong {
 
+/// accuracy.json: `dials` and `tiers` (the presets), each with settings by name, their errors and costs; then what was
+/// measured, and how. Costs are of a mean frame. Pictures of errors are PNG files in hexadecimal digits.
+std::string report_json(const Report& report);
+
+/// accuracy.html: page.html with accuracy.json in it, which its script draws. It needs no other file.
+std::string report_page(std::string json);
+
 /// A table of the presets in Markdown: errors and modelled frame rates, which are the same on every machine.
 std::string preset_table(const Report& report);
 

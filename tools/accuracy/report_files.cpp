@@ -1,11 +1,14 @@
-#include "tools/accuracy/report_json.h"
+#include "tools/accuracy/report_files.h"
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "engine/base/input_error.h"
+#include "tools/accuracy/heat_map.h"
 #include "tools/accuracy/notes.h"
+#include "tools/accuracy/page.h"
 
 namespace oblong {
 
@@ -97,6 +100,7 @@ Json levels_json(const Report& report, std::size_t index, Measure measure, bool 
 Json setting_json(const Report& report, const Configurations::Row& row, Measure measure, bool is_measured) {
     const ErrorSummaries& errors = report.results[row.index].errors;
     return {{"name", row.name},
+            {"configuration", row.index},
             {"error", error_json(summary_of(errors, measure), unit_of(measure))},
             {"alone", error_json(summary_of(report.results[row.alone].errors, measure), unit_of(measure))},
             {"cost", cost_json(report, row.index, is_measured)},
@@ -105,7 +109,30 @@ Json setting_json(const Report& report, const Configurations::Row& row, Measure 
             {"levels", levels_json(report, row.index, measure, is_measured)}};
 }
 
-Json dial_json(const Report& report, const Configurations::DialRows& rows) {
+std::string hexadecimal(std::span<const std::uint8_t> bytes) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text;
+    for (const std::uint8_t byte : bytes) {
+        text += kDigits[byte >> 4];
+        text += kDigits[byte & 15];
+    }
+    return text;
+}
+
+Json heat_maps_json(const std::vector<HeatMap>& maps, Measure measure) {
+    const HeatScale scale = heat_scale(measure);
+    Json pictures = Json::array();
+    for (const HeatMap& map : maps)
+        pictures.push_back({{"setting", map.setting},
+                            {"level", map.level},
+                            {"camera", map.camera + 1},
+                            {"rms", rounded(map.rms)},
+                            {"png", hexadecimal(map.png)}});
+    return {{"least", scale.least_text}, {"greatest", scale.greatest_text}, {"pictures", pictures}};
+}
+
+Json dial_json(const Report& report, std::size_t index) {
+    const Configurations::DialRows& rows = report.configurations.dials[index];
     const Dial& dial = *rows.dial;
     Json settings = Json::array();
     for (const Configurations::Row& row : rows.rows)
@@ -118,19 +145,27 @@ Json dial_json(const Report& report, const Configurations::DialRows& rows) {
             {"alone_stands_at", rows.is_below_bound ? "default with perspective=exact" : rows.base},
             {"floor", error_json(floor_of(report, rows), unit_of(rows.measure))},
             {"settings", settings},
-            {"notes", notes_on_order(report, rows)}};
+            {"notes", notes_on_order(report, rows)},
+            {"error_is", about(rows.measure)},
+            {"is_below_bound", rows.is_below_bound},
+            {"is_of_surfaces", rows.measure == Measure::LightColour || rows.measure == Measure::PixelColour},
+            {"heat_maps", heat_maps_json(report.heat_maps[index], rows.measure)}};
 }
 
 Json run_json(const Report& report) {
     Json levels = Json::array();
     for (const LevelSummary& level : report.levels)
         levels.push_back({{"name", level.name},
+                          {"about", level.about},
                           {"cameras", level.cameras},
                           {"faces", level.faces},
                           {"close_calls_per_mille", rounded(level.close_calls_per_mille)}});
     const SkyTimes& sky = report.times.sky;
     return {{"levels", levels},
             {"frames", report.frames},
+            {"configurations", report.results.size()},
+            {"default_configuration", report.configurations.default_index},
+            {"pixel_bound", Accuracy{}.pixel_bound_256 / 256.0},
             {"mode", std::to_string(kMeasuredMode.width_px) + "x" + std::to_string(kMeasuredMode.height_px)},
             {"rounds", report.times.rounds},
             {"rays_a_pixel", report.samples_per_axis * report.samples_per_axis},
@@ -148,13 +183,47 @@ Json run_json(const Report& report) {
 
 std::string report_json(const Report& report) {
     Json json{{"dials", Json::array()}, {"tiers", Json::array()}};
-    for (const Configurations::DialRows& dial : report.configurations.dials)
-        json["dials"].push_back(dial_json(report, dial));
+    for (std::size_t i = 0; i < report.configurations.dials.size(); ++i) json["dials"].push_back(dial_json(report, i));
     for (const Configurations::Row& preset : report.configurations.presets)
         json["tiers"].push_back(setting_json(report, preset, Measure::Displacement, true));
     json["notes"] = notes_on_presets(report);
     json["run"] = run_json(report);
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // a file's name may be no UTF-8
+}
+
+std::string report_page(std::string json) {
+    for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;)
+        json.replace(at, 1, "\\u003c");  // or "</script>" in a name would end the script
+    std::string page(kPage);
+    constexpr std::string_view kPlace = "REPORT";
+    return page.replace(page.find(kPlace), kPlace.size(), json);
+}
+
+std::string preset_table(const Report& report) {
+    std::string table =
+        "| preset | texels out of place, pixels: rms | largest | pixels of a wrong face, of 1,000 | 386 at 33 | 486 at "
+        "66 | Pentium at 90 MHz |\n|---|---|---|---|---|---|---|\n";
+    for (const Configurations::Row& preset : report.configurations.presets) {
+        const SettingResult& result = report.results[preset.index];
+        const bool is_default = preset.index == report.configurations.default_index;
+        table += is_default ? "| **" + preset.name + "** |" : "| " + preset.name + " |";
+        const auto add = [&](double value) { table += " " + number_text(value) + " |"; };
+        add(result.errors.displacement.rms);
+        add(result.errors.displacement.max);
+        add(result.errors.wrong.rms);
+        for (std::size_t i = 0; i < kProcessors.size(); ++i) add(frame_rate(kProcessors[i], result.cost.cycles[i]));
+        table += "\n";
+    }
+    return table;
+}
+
+std::string with_table(const std::string& page, const std::string& file, const std::string& table) {
+    const std::string begin = "<!-- oblong-accuracy -->\n", end = "<!-- end -->";
+    const std::size_t first = page.find(begin), last = page.find(end, first);
+    if (first == std::string::npos || last == std::string::npos)
+        throw InputError(
+            file, "lines '<!-- oblong-accuracy -->' and '<!-- end -->' are missing, expected a table between them");
+    return page.substr(0, first + begin.size()) + table + page.substr(last);
 }
 
 }  // namespace oblong
