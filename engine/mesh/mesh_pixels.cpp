@@ -135,7 +135,7 @@ void append_few(const std::array<ScreenVertex, 3>& corners, const ScreenRectangl
         };
         Span span{y, box.end_column, box.end_column};
         for (std::int32_t x = box.end_column - 1; x >= box.first_column; --x) {
-            if ((item(0, x) | item(1, x) | item(2, x)) >= 0)
+            if ((at(0, x) | at(1, x) | at(2, x)) >= 0)
                 span.first = x;
             else if (span.first == span.end)
                 span.first = span.end = x;

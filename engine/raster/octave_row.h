@@ -123,7 +123,7 @@ class OctaveRow {
             : first(static_cast<std::uint64_t>(quantity.at(octave.first, row).raw) << octave.shift),
               step(static_cast<std::uint64_t>(quantity.per_column.raw) << octave.shift) {}
         std::uint64_t at(std::int32_t pixel) const { return first + step * static_cast<std::uint64_t>(pixel); }
-        std::int64_t upper_half(std::int32_t pixel) const { return static_cast<std::int64_t>(item(pixel)) >> 32; }
+        std::int64_t upper_half(std::int32_t pixel) const { return static_cast<std::int64_t>(at(pixel)) >> 32; }
     };
 
     Scaled inverse_z_, u_over_z_, v_over_z_;

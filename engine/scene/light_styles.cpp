@@ -70,7 +70,7 @@ bool is_light_pattern(std::string_view letters) {
            std::all_of(letters.begin(), letters.end(), [](char letter) { return letter >= 'a' && letter <= 'z'; });
 }
 
-std::uint16_t StyleSteps::item(std::int64_t time_ms, Flashes flashes) const {
+std::uint16_t StyleSteps::at(std::int64_t time_ms, Flashes flashes) const {
     if (flashes == Flashes::Off || full.empty()) return mean;
     const std::vector<std::uint16_t>& steps = flashes == Flashes::Full ? full : reduced;
     return steps[static_cast<std::uint64_t>(time_ms / kPatternStepMs) % steps.size()];

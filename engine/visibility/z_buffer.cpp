@@ -57,7 +57,7 @@ FaceDepth::FaceDepth(const ScannedFace& face)
       farthest_(reciprocal<InverseZ>(std::max(face.farthest_z, View::ulp()))),
       nearest_(reciprocal<InverseZ>(std::max(face.nearest_z, View::ulp()))) {}
 
-InverseZ FaceDepth::item(std::int32_t column, std::int32_t row) const {
+InverseZ FaceDepth::at(std::int32_t column, std::int32_t row) const {
     return std::clamp(inverse_z_.at(column, row), farthest_, nearest_);
 }
 
