@@ -355,7 +355,7 @@ const EntityKey* find_entity_key(const EntityClass& its_class, std::string_view 
         if (const EntityKey* found = find_key(keys, key)) return found;
     if (key == "_light" || (key.starts_with('_') && key.ends_with("alpha")))
         return find_entity_key(its_class, key.substr(1));
-    return find_key(kOfAll, key);
+    return find_key(keys_of_all(), key);
 }
 
 std::span<const EntityKey> keys_of_all() {

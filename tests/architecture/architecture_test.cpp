@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "tests/architecture/include_check.h"
+#include "tests/architecture/unused_check.h"
 #include "tests/support/folders.h"
 
 namespace oblong::test {
@@ -55,6 +56,13 @@ TEST(Architecture, EveryIncludePointsDown) {
     const std::vector<SourceFile> files = read_sources();
     ASSERT_GT(files.size(), 100u);
     EXPECT_EQ(joined(find_bad_includes(project_rooms(), files)), "");
+}
+
+TEST(Architecture, NoFunctionOfTheEngineIsForTestsAlone) {
+    std::vector<SourceFile> files = read_sources();
+    // What can't be seen otherwise: that a voice has ended, and which parts of the depth buffer are set.
+    files.push_back({"game/seen.cpp", "is_playing, rectangles"});
+    EXPECT_EQ(joined(find_unused_functions(files)), "");
 }
 
 TEST(Architecture, CMakeLinksTheEngineByTheSameList) {

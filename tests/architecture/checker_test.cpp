@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/architecture/include_check.h"
+#include "tests/architecture/unused_check.h"
 
 // The checker itself, on projects that do not exist.
 namespace oblong::test {
@@ -73,6 +74,17 @@ TEST(IncludeChecker, EngineHasNoFilesClockThreadsOrRandomness) {
 
 TEST(IncludeChecker, TextThatIsNoIncludeIsNone) {
     EXPECT_TRUE(are_about(faults_of("engine/math/v.h", "// #include \"game/a.h\"\n#define include <game>\n#\n"), {}));
+}
+
+TEST(UnusedCheck, CallsCountAndDeclarationsAndDefinitionsDoNot) {
+    const std::vector<SourceFile> files = {
+        {"engine/a/a.h",
+         "int used(int);\nint unused(int);  // unused(1)\nclass A {\n  public:\n    const A* own(int);\n};\n"},
+        {"engine/a/a.cpp", "int used(int a) {\n    return a;\n}\nint unused(int);\nconst A* A::own(int) {}\n"},
+        {"engine/methods/m.h", "int for_tests(int);\n"},
+        {"game/g.cpp", "const int one = 2 * used(1);\nconst char* text = \"unused\";\n"},
+        {"tools/gallery/row.cpp", "const int two = unused(2);\n"}};
+    EXPECT_TRUE(are_about(find_unused_functions(files), {"engine/a/a.h: own", "engine/a/a.h: unused"}));
 }
 
 TEST(Rooms, LongestFolderWins) {

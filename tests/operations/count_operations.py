@@ -20,7 +20,7 @@ SETTINGS = ["perspective=bounded", "perspective=affine", "perspective=every16", 
 
 # The stages of the model that files do the work of. All other files do what the model leaves out.
 PARTS = {
-    ("nodes",): "visibility/front_to_back visibility/box_culler visibility/box_rectangle "
+    ("nodes",): "visibility/front_to_back visibility/box_culler "
                 "visibility/visible_set level/pvs",
     ("vertices", "projection"): "view/screen_polygon",
     ("clipping",): "view/clip",
@@ -35,13 +35,13 @@ PARTS = {
 LEFT_OUT = ("left out",)
 # What other effects, frames without the span buffer, and lines over frames need: the frames that are counted do not allow them. From the
 # libraries of the build.
-OF_EFFECTS = re.compile("engine/(draw/|effects/|files/|mesh/|raster/(depth|lines|triangles|kernels/(?!plain))|"
+OF_EFFECTS = re.compile("engine/(draw/|effects/|files/|mesh/|methods/|raster/(depth|lines|kernels/(?!plain))|"
                         "scene/(light_styles|texture_animation|pick|"
-                        "moving_lights|level_effects|light_below)|level/floor|math/(soft_float|wide_sum)|"
-                        "view/(canonical_volume|clip_line|facing|triangulate)|math/transform|"
+                        "moving_lights|level_effects)|math/(soft_float|wide_sum)|"
+                        "view/clip_line|math/transform|"
                         "visibility/(placed_box|pixel_owners|z_buffer|painter|ray_casting)|"
                         "frame/(fog|light|mirror|model|see_through)_pass|frame/(frame_things|hidden_surfaces|pass_times|shared_drawing|wireframe))")
-BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|files/files|surface/(palette|colormap|oklab|nearest_colour))")
+BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|files/files|surface/(palette|colormap|oklab))")
 TOOLS = ["engine/files/arguments.cpp", "tools/render/camera_list.cpp", "tools/measure/operations.cpp",
          "tests/operations/counter/count_operations.cpp"]
 LARGEST_DIFFERENCE = 0.05
