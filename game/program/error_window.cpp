@@ -30,7 +30,7 @@ void draw_error(const std::string& text, Framebuffer canvas) {
 
 bool is_dismissed(const Controls& controls) {
     const auto& commands = controls.commands;
-    return !controls.menu.empty() || std::find(commands.begin(), commands.end(), Command::Menu) != commands.end() ||
+    return !controls.menu.empty() || std::find(commands.begin(), commands.end(), Action::Menu) != commands.end() ||
            (controls.pointer && controls.pointer->is_pressed);
 }
 
