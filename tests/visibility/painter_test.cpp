@@ -1,11 +1,11 @@
-#include "engine/visibility/painter.h"
+#include "engine/methods/painter.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "engine/visibility/z_buffer.h"
+#include "engine/methods/z_buffer.h"
 #include "tests/visibility/scanned_scene.h"
 
 namespace oblong::test {

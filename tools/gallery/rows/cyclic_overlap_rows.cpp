@@ -13,9 +13,9 @@
 #include "engine/view/texture_gradients.h"
 #include "engine/view/views.h"
 #include "engine/visibility/model_cutter.h"
-#include "engine/visibility/painter.h"
-#include "engine/visibility/ray_casting.h"
-#include "engine/visibility/z_buffer.h"
+#include "engine/methods/painter.h"
+#include "engine/methods/ray_casting.h"
+#include "engine/methods/z_buffer.h"
 #include "tools/gallery/rows.h"
 
 namespace oblong {
@@ -237,7 +237,7 @@ std::vector<Row> cyclic_overlap_rows() {
     return {{"cyclic-overlap",
              "Cyclic overlap",
              "3 Notes: Painter's algorithm",
-             "engine/visibility/painter.cpp",
+             "engine/methods/painter.cpp",
              "tests/visibility/painter_test.cpp",
              {choice_parameter("method", {"painter by farthest z", "painter by mean z", "painter by the tree",
                                           "z-buffer", "ray casting"}),
