@@ -2,14 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
-#include "tools/accuracy/base64.h"
 #include "tools/accuracy/configurations.h"
 #include "tools/accuracy/heat_map.h"
 #include "tools/accuracy/notes.h"
-#include "tools/accuracy/numbers.h"
-#include "tools/accuracy/svg.h"
 
 namespace oblong {
 namespace {
@@ -29,16 +24,6 @@ TEST(Configurations, AreAllDialsAloneAroundTheDefaultAndThePresets) {
             if (rows.is_below_bound) expected.texturing = Texturing::Exact;
             EXPECT_EQ(all.accuracies[rows.rows[i].alone], expected) << rows.dial->name << '=' << rows.rows[i].name;
         }
-}
-
-TEST(ParetoFront, IsWhatNoOtherBeatsInBoth) {
-    // Index, error, cost.
-    const std::vector<Tradeoff> front =
-        pareto_front({{0, 5, 1}, {1, 3, 2}, {2, 4, 3}, {3, 1, 4}, {4, 1, 5}, {5, 3, 2.5}});
-    ASSERT_EQ(front.size(), 3u);
-    EXPECT_EQ(front[0].index, 0u);
-    EXPECT_EQ(front[1].index, 1u);
-    EXPECT_EQ(front[2].index, 3u);
 }
 
 /// A report of one dial whose settings have these errors.
@@ -78,47 +63,6 @@ TEST(Numbers, HaveThreeDigits) {
     EXPECT_EQ(number_text(0.000001), "below 0.00001");
     EXPECT_EQ(number_text(9.999), "10.0");
     EXPECT_EQ(number_text(999.7), "1,000");
-    EXPECT_EQ(short_number_text(0.1), "0.1");
-    EXPECT_EQ(short_number_text(10), "10");
-    EXPECT_EQ(short_number_text(300), "300");
-}
-
-/// The vectors of RFC 4648.
-TEST(Base64, IsThatOfTheStandard) {
-    const auto encoded = [](const std::string& text) {
-        return base64({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    };
-    EXPECT_EQ(encoded(""), "");
-    EXPECT_EQ(encoded("f"), "Zg==");
-    EXPECT_EQ(encoded("fo"), "Zm8=");
-    EXPECT_EQ(encoded("foo"), "Zm9v");
-    EXPECT_EQ(encoded("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(encoded("\xff\xfe\xfd"), "//79");
-}
-
-TEST(Svg, EscapesWhatIsNoText) {
-    EXPECT_EQ(escaped("a<b>&\"c\""), "a&lt;b&gt;&amp;&quot;c&quot;");
-    EXPECT_EQ(escaped("\u00b5s \u2030"), "\u00b5s \u2030");
-    EXPECT_EQ(escaped("a\xff\xc3"), "a??");
-    EXPECT_EQ(escaped("a\nb"), "a b");
-}
-
-TEST(LogAxis, PlacesPowersOfTenEvenly) {
-    const LogAxis axis(0.01, 100, 0, 400);
-    EXPECT_NEAR(axis.place(0.01), 0, 1e-9);
-    EXPECT_NEAR(axis.place(1), 200, 1e-9);
-    EXPECT_NEAR(axis.place(100), 400, 1e-9);
-    EXPECT_NEAR(axis.place(1e9), 400, 1e-9);
-    EXPECT_EQ(axis.ticks().size(), 5u);
-}
-
-TEST(LogAxis, LabelsNarrowRangesToo) {
-    for (const auto& [least, greatest] : {std::pair{290.0, 720.0}, {100.0, 103.0}, {0.5, 9.0}, {1e-5, 300.0}}) {
-        const std::vector<double> ticks = LogAxis(least, greatest, 0, 700).ticks();
-        EXPECT_GE(ticks.size(), 2u) << least;
-        EXPECT_LE(ticks.size(), 10u) << least;
-        for (const double tick : ticks) EXPECT_TRUE(tick >= least && tick <= greatest) << tick;
-    }
 }
 
 TEST(HeatMap, BrightensWithTheLogarithmOfTheError) {

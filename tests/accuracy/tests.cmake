@@ -2,3 +2,9 @@
 add_test(NAME accuracy.TheFirstPageSaysWhatIsMeasured
          COMMAND oblong-accuracy --page ${CMAKE_SOURCE_DIR}/README.md --check)
 set_tests_properties(accuracy.TheFirstPageSaysWhatIsMeasured PROPERTIES TIMEOUT 300)
+
+# What the report's page shows, by its own script.
+add_test(NAME accuracy.ThePageShowsTheReport
+         COMMAND sh -c "command -v node || exit 77; exec node \"$@\"" sh ${CMAKE_CURRENT_LIST_DIR}/page_test.js
+                 $<TARGET_FILE:oblong-accuracy>)
+set_tests_properties(accuracy.ThePageShowsTheReport PROPERTIES SKIP_RETURN_CODE 77)

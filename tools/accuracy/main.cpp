@@ -11,10 +11,8 @@
 #include "engine/files/files.h"
 #include "tools/accuracy/hard_scenes.h"
 #include "tools/accuracy/machine.h"
-#include "tools/accuracy/page_table.h"
 #include "tools/accuracy/report.h"
-#include "tools/accuracy/report_html.h"
-#include "tools/accuracy/report_json.h"
+#include "tools/accuracy/report_files.h"
 #include "tools/render/camera_list.h"
 
 namespace {
@@ -112,8 +110,9 @@ void report_to_files(const Options& options, const std::string& assets) {
     report.machine = machine_name();
     report.compiler = compiler_name();
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    write_file(options.out + "/accuracy.json", report_json(report));
-    write_file(options.out + "/accuracy.html", report_html(report));
+    const std::string json = report_json(report);
+    write_file(options.out + "/accuracy.json", json);
+    write_file(options.out + "/accuracy.html", report_page(json));
 }
 
 }  // namespace

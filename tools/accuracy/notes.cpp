@@ -1,14 +1,19 @@
 #include "tools/accuracy/notes.h"
 
-#include <algorithm>
-
-#include "tools/accuracy/numbers.h"
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace oblong {
 
 namespace {
 
 constexpr double kSameError = 1.02;
+
+std::string with_commas(std::string digits) {
+    for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+    return digits;
+}
 
 const SettingResult& result_of(const Report& report, const Configurations::Row& row) {
     return report.results[row.index];
@@ -42,44 +47,24 @@ std::string reason_for(const Report& report, Measure measure, const Configuratio
            ". Settings of this dial are not ordered by this measure.";
 }
 
-std::string cost_text(const Report& report, const Configurations::DialRows& dial, const Configurations::Row& row) {
-    if (const auto time = time_of(report, dial, row)) return microseconds_text(time->median) + " a frame here";
-    return number_text(milliseconds_of(report, dial, row)) + " ms on a 486 (modelled)";
-}
-
 }  // namespace
 
-std::vector<Tradeoff> pareto_front(std::vector<Tradeoff> all) {
-    std::sort(all.begin(), all.end(), [](const Tradeoff& a, const Tradeoff& b) {
-        return a.cost < b.cost || (a.cost == b.cost && a.error < b.error);
-    });
-    std::vector<Tradeoff> front;
-    for (const Tradeoff& next : all)
-        if (front.empty() || next.error < front.back().error) front.push_back(next);
-    return front;
-}
-
-bool is_about_surfaces(Measure measure) {
-    return measure == Measure::LightColour || measure == Measure::PixelColour;
-}
-
-std::optional<TimeSpread> time_of(const Report& report, const Configurations::DialRows& dial,
-                                  const Configurations::Row& row) {
-    if (!dial.dial->changes_work) return std::nullopt;
-    const auto& times = report.times.settings[row.index];
-    if (!times) return std::nullopt;
-    return is_about_surfaces(dial.measure) && times->unlit ? *times->unlit : times->frame;
-}
-
-double milliseconds_on(Processor processor, double cycles) {
-    return 1000 / frame_rate(processor, cycles);
-}
-
-double milliseconds_of(const Report& report, const Configurations::DialRows& dial, const Configurations::Row& row) {
-    const CountedCost& cost = result_of(report, row).cost;
-    const auto i486 = static_cast<std::size_t>(Processor::I486);
-    return milliseconds_on(Processor::I486,
-                           cost.cycles[i486] + (is_about_surfaces(dial.measure) ? cost.lighting_cycles[i486] : 0));
+std::string number_text(double value) {
+    if (value == 0) return "0";
+    const double size = std::abs(value);
+    if (size < 1e-5) return "below 0.00001";
+    char rounded[16];
+    std::snprintf(rounded, sizeof rounded, "%.2e", size);  // 9.999 has two digits before the point, not one
+    const int digits = std::atoi(rounded + 5) + 1;
+    if (digits >= 3) {
+        const double unit = std::pow(10, digits - 3);
+        const std::string whole =
+            std::to_string(static_cast<long long>(std::llround(size / unit) * std::llround(unit)));
+        return (value < 0 ? "-" : "") + with_commas(whole);
+    }
+    char text[40];
+    std::snprintf(text, sizeof text, "%.*f", 3 - digits, value);
+    return text;
 }
 
 std::vector<std::string> notes_on_order(const Report& report, const Configurations::DialRows& dial) {
@@ -100,34 +85,6 @@ const ErrorSummary& floor_of(const Report& report, const Configurations::DialRow
     if (dial.measure != Measure::Displacement)
         return summary_of(result_of(report, dial.rows.back()).errors, dial.measure);
     return result_of(report, report.configurations.presets.back()).errors.displacement;
-}
-
-std::string note_on_floor(const Report& report, const Configurations::DialRows& dial) {
-    if (dial.measure != Measure::Displacement) return "";
-    const ErrorSummary& floor = floor_of(report, dial);
-    const std::string note =
-        "With a division a pixel, and all other dials at their most exact, rms " + number_text(floor.rms) +
-        ", largest " + number_text(floor.max) +
-        " are left, and no setting goes below that: texture coordinates are rounded by up to 2^-13 texel, a tenth of a "
-        "pixel next to a wall whose texels are hundreds of pixels wide; and a pixel whose centre lies beyond its "
-        "face's "
-        "edge, by what corners are rounded by, shows the surface's last texel.";
-    if (!dial.is_below_bound) return note;
-    return "Around the default the blocks of perspective=bounded are off by more than most settings of this dial add, "
-           "one way or the other: their order there means nothing. What the dial itself adds shows alone, at a "
-           "division "
-           "a pixel. " +
-           note;
-}
-
-std::string summary_of_dial(const Report& report, const Configurations::DialRows& dial) {
-    const Configurations::Row &first = dial.rows.front(), &last = dial.rows.back();
-    const auto rms = [&](const Configurations::Row& row) {
-        return number_text(summary_of(result_of(report, row).errors, dial.measure).rms);
-    };
-    return "From " + first.name + " to " + last.name + " the rms error goes from " + rms(first) + " to " + rms(last) +
-           " (" + std::string(unit_of(dial.measure)) + "), the cost from " + cost_text(report, dial, first) + " to " +
-           cost_text(report, dial, last) + ".";
 }
 
 std::vector<std::string> notes_on_presets(const Report& report) {

@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kFront = 2, kBack = 13, kFieldOfView = 80;
 
-using Place = std::array<double, 3>;  // x right, y up, z ahead
+using ViewPlace = std::array<double, 3>;  // x right, y up, z ahead
 
 struct Segment {
-    Place from, to;
+    ViewPlace from, to;
 };
 
 /// Lines here and there around the volume: fractions of the golden ratio's multiples, which are spread evenly.
@@ -30,21 +30,21 @@ std::vector<Segment> some_lines(std::int64_t count) {
     std::vector<Segment> lines;
     for (int i = 0; i < count; ++i) {
         const auto place = [&](int first) {
-            return Place{spread(first, -13, 13), spread(first * 5 + 2, -5, 5), spread(first * 3 + 1, -2, 16)};
+            return ViewPlace{spread(first, -13, 13), spread(first * 5 + 2, -5, 5), spread(first * 3 + 1, -2, 16)};
         };
         lines.push_back({place(i * i + 3 * i), place(2 * i * i + i + 5)});
     }
     return lines;
 }
 
-Place between(const Segment& line, double along) {
-    Place place;
+ViewPlace between(const Segment& line, double along) {
+    ViewPlace place;
     for (std::size_t axis = 0; axis < 3; ++axis)
         place[axis] = line.from[axis] + (line.to[axis] - line.from[axis]) * along;
     return place;
 }
 
-double length_of(const Place& a, const Place& b) {
+double length_of(const ViewPlace& a, const ViewPlace& b) {
     return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 }
 
@@ -53,19 +53,19 @@ double length_inside(const Segment& line, double slope_x, double slope_y) {
     constexpr int kParts = 20'000;
     int inside = 0;
     for (int i = 0; i < kParts; ++i) {
-        const Place p = between(line, (i + 0.5) / kParts);
+        const ViewPlace p = between(line, (i + 0.5) / kParts);
         inside +=
             p[2] >= kFront && p[2] <= kBack && std::abs(p[0]) <= slope_x * p[2] && std::abs(p[1]) <= slope_y * p[2];
     }
     return length_of(line.from, line.to) * inside / kParts;
 }
 
-Vec3<View> view_of(const Place& place) {
+Vec3<View> view_of(const ViewPlace& place) {
     const auto part = [](double value) { return View::from_raw(std::llround(std::ldexp(value, View::kFractionBits))); };
     return {part(place[0]), part(place[1]), part(place[2])};
 }
 
-Place place_of(const Vec3<View>& position) {
+ViewPlace place_of(const Vec3<View>& position) {
     return {number_of(position.x), number_of(position.y), number_of(position.z)};
 }
 
@@ -105,7 +105,7 @@ RowPage draw_clipped_lines(const RowInput& input, Framebuffer canvas) {
         const auto part = clip_line(volume, whole, method), by_other = clip_line(volume, whole, other);
         if (!part) continue;
         ++kept;
-        const Place from = place_of(part->from), to = place_of(part->to);
+        const ViewPlace from = place_of(part->from), to = place_of(part->to);
         inside += length_of(from, to);
         if (by_other)
             apart = std::max({apart, length_of(from, place_of(by_other->from)), length_of(to, place_of(by_other->to))});

@@ -1,0 +1,79 @@
+// What the script of accuracy.html makes of a quick run: one whole page with every dial that says what is modelled.
+// usage: node page_test.js OBLONG_ACCURACY
+"use strict";
+const assert = require("assert"), { execFileSync } = require("child_process"), fs = require("fs"), os = require("os");
+const path = require("path"), vm = require("vm");
+
+function makePage() {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), "accuracy"));
+  try {
+    execFileSync(process.argv[2], ["--quick", "--out", folder], { stdio: "ignore" });
+    return ["accuracy.html", "accuracy.json"].map(name => fs.readFileSync(path.join(folder, name), "utf8"));
+  } finally {
+    fs.rmSync(folder, { recursive: true });
+  }
+}
+
+// Runs the page's script; its functions, and what it shows.
+function drawPage(file) {
+  const [, json, script] = file.match(/<script type="application\/json" id="report">([^<]*)<\/script>\n<script>(.*)<\/script>/s);
+  const elements = { report: { textContent: json }, page: {} };
+  const context = vm.createContext({ document: { getElementById: id => elements[id] }, btoa });
+  vm.runInContext(script, context);
+  return { call: code => vm.runInContext(code, context), json, page: elements.page.innerHTML };
+}
+
+// Follows tags; those that HTML leaves without an end are skipped.
+function checkTags(page) {
+  const open = [];
+  for (const [, tag] of page.matchAll(/<([^>]*)>/g)) {
+    const name = tag.split(/[ /]/, 2)[0];
+    if (tag.endsWith("/") || name === "img") continue;
+    if (tag.startsWith("/")) assert.equal("/" + open.pop(), tag);
+    else open.push(name);
+  }
+  assert.deepEqual(open, []);
+}
+
+function checkSections(page, report) {
+  const values = attribute => [...page.matchAll(new RegExp(` ${attribute}="([^"]*)"`, "g"))].map(match => match[1]);
+  const ids = values("id"), sources = values("src");
+  assert.equal(new Set(ids).size, ids.length);
+  for (const link of values("href")) assert(ids.includes(link.replace(/^#/, "")), link);
+  assert(sources.length >= 20);
+  for (const source of sources) assert(source.startsWith("data:image/png;base64,iVBORw0KGgo"), source.slice(0, 60));
+  for (const dial of report.dials) {
+    const section = page.split(`<h3 id="${dial.name}"`)[1].split("<h3")[0];
+    assert.equal(section.includes("<td>modelled</td>"), dial.settings[0].time === "modelled", dial.name);
+    assert(section.includes('<svg class="dial"'), dial.name);
+    assert.notEqual(section.includes("<img"), section.includes("off by this measure: no map"), dial.name);
+    for (const setting of dial.settings) assert(section.includes(`<td>${setting.name}</td>`), dial.name);
+  }
+  for (const level of report.run.levels) assert(page.includes(`<td>${level.name}</td>`), level.name);
+  const words = page.replace(/ src="[^"]*"/g, "");
+  for (const broken of ["NaN", "undefined", "null", "Infinity", "[object"]) assert(!words.includes(broken), broken);
+}
+
+function checkFunctions(call) {
+  const equal = (code, expected) => assert.equal(JSON.stringify(call(code)), JSON.stringify(expected), code);
+  equal("[0, 0.0213456, 0.1, 375.4, 12446, -12446789, 0.000001, 9.999, 999.7].map(number)",
+    ["0", "0.0213", "0.100", "375", "12,400", "-12,400,000", "below 0.00001", "10.0", "1,000"]);
+  equal("[0.1, 10, 300].map(shortNumber)", ["0.1", "10", "300"]);
+  equal("escaped('a<b>&\"c\"')", "a&lt;b&gt;&amp;&quot;c&quot;");
+  equal("paretoFront([[5, 1], [3, 2], [4, 3], [1, 4], [1, 5], [3, 2.5]].map(([error, cost]) => ({ error, cost })))",
+    [{ error: 5, cost: 1 }, { error: 3, cost: 2 }, { error: 1, cost: 4 }]);
+  const axis = call("logAxis(0.01, 100, 0, 400)");
+  for (const [value, place] of [[0.01, 0], [1, 200], [100, 400], [1e9, 400]]) assert(Math.abs(axis.place(value) - place) < 1e-9);
+  assert.equal(axis.ticks.length, 5);
+  for (const [least, greatest] of [[290, 720], [100, 103], [0.5, 9], [1e-5, 300]]) {
+    const ticks = call(`logTicks(${least}, ${greatest})`);
+    assert(ticks.length >= 2 && ticks.length <= 10 && ticks.every(tick => tick >= least && tick <= greatest), `${ticks}`);
+  }
+}
+
+const [file, json] = makePage(), drawn = drawPage(file);
+assert.deepEqual(JSON.parse(drawn.json), JSON.parse(json));
+for (const outside of ["http:", "https:", "url(", "@import", "<script src", "<link"]) assert(!file.includes(outside), outside);
+checkTags(drawn.page);
+checkSections(drawn.page, JSON.parse(json));
+checkFunctions(drawn.call);

@@ -1,0 +1,229 @@
+#include "tools/accuracy/report_files.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "engine/base/input_error.h"
+#include "tools/accuracy/heat_map.h"
+#include "tools/accuracy/notes.h"
+#include "tools/accuracy/page.h"
+
+namespace oblong {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// To six significant digits.
+double rounded(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return std::atof(text);
+}
+
+Json error_json(const ErrorSummary& error, std::string_view unit) {
+    return {{"unit", unit}, {"rms", rounded(error.rms)}, {"p99", rounded(error.p99)}, {"max", rounded(error.max)}};
+}
+
+Json errors_json(const ErrorSummaries& errors) {
+    return {{"displacement", error_json(errors.displacement, unit_of(Measure::Displacement))},
+            {"texels", error_json(errors.texels, "texels")},
+            {"wrong_pixels", error_json(errors.wrong, unit_of(Measure::WrongPixels))},
+            {"edge_pixels", error_json(errors.edges, unit_of(Measure::EdgePixels))},
+            {"close_calls", error_json(errors.close_calls, "close calls of another face per mille of a frame")},
+            {"free_pixels", error_json(errors.free_pixels, "pixels without a face per mille of a frame")},
+            {"light_colour", error_json(errors.light, unit_of(Measure::LightColour))},
+            {"pixel_colour", error_json(errors.colour, unit_of(Measure::PixelColour))}};
+}
+
+Json widths_json(const ByWidth& counts) {
+    Json json;
+    for (std::size_t i = 0; i < kWidthNames.size(); ++i) json[std::string(kWidthNames[i])] = counts.counts[i];
+    return json;
+}
+
+Json operations_json(const Operations& operations) {
+    return {{"adds", widths_json(operations.adds)},
+            {"multiplications", widths_json(operations.multiplications)},
+            {"divisions", widths_json(operations.divisions)},
+            {"lookups", operations.lookups},
+            {"bytes_read", operations.bytes_read},
+            {"bytes_written", operations.bytes_written}};
+}
+
+Json spread_json(const TimeSpread& times) {
+    return {{"median", std::round(times.median)},
+            {"lower_quartile", std::round(times.low)},
+            {"upper_quartile", std::round(times.high)}};
+}
+
+void add_times(const SettingTimes& times, Json& cost) {
+    cost["nanoseconds"] = std::round(times.frame.median);
+    cost["nanoseconds_spread"] = spread_json(times.frame);
+    if (times.unlit) cost["nanoseconds_all_surfaces_built"] = spread_json(*times.unlit);
+    if (times.instructions) cost["instructions"] = std::round(*times.instructions);
+}
+
+Json cost_json(const Report& report, std::size_t index, bool is_measured) {
+    const CountedCost& counted = report.results[index].cost;
+    Json cost{{"operations", operations_json(counted.operations)}};
+    constexpr std::array kNames{"386", "486", "pentium"};
+    for (std::size_t i = 0; i < kProcessors.size(); ++i) {
+        const std::string name = kNames[i];
+        cost["cycles_" + name] = std::round(counted.cycles[i]);
+        cost["frames_per_second_" + name] = rounded(frame_rate(kProcessors[i], counted.cycles[i]));
+        cost["lighting_cycles_" + name] = std::round(counted.lighting_cycles[i]);
+    }
+    cost["nanoseconds"] = nullptr;
+    if (is_measured && report.times.settings[index]) add_times(*report.times.settings[index], cost);
+    for (const StageEvents& stage : counted.stages) cost["stages"][std::string(stage.stage)] = stage.events;
+    cost["lighting_operations"] = operations_json(counted.lighting);
+    return cost;
+}
+
+Json levels_json(const Report& report, std::size_t index, Measure measure, bool is_measured) {
+    Json levels = Json::array();
+    const auto& times = report.times.settings[index];
+    for (std::size_t i = 0; i < report.levels.size(); ++i) {
+        const ErrorSummaries& errors = report.results[index].by_level[i];
+        Json level{{"name", report.levels[i].name},
+                   {"error", error_json(summary_of(errors, measure), unit_of(measure))}};
+        level["nanoseconds"] = nullptr;
+        if (is_measured && times) level["nanoseconds"] = std::round(times->by_level[i]);
+        levels.push_back(level);
+    }
+    return levels;
+}
+
+Json setting_json(const Report& report, const Configurations::Row& row, Measure measure, bool is_measured) {
+    const ErrorSummaries& errors = report.results[row.index].errors;
+    return {{"name", row.name},
+            {"configuration", row.index},
+            {"error", error_json(summary_of(errors, measure), unit_of(measure))},
+            {"alone", error_json(summary_of(report.results[row.alone].errors, measure), unit_of(measure))},
+            {"cost", cost_json(report, row.index, is_measured)},
+            {"time", is_measured ? "measured" : "modelled"},
+            {"errors", errors_json(errors)},
+            {"levels", levels_json(report, row.index, measure, is_measured)}};
+}
+
+std::string hexadecimal(std::span<const std::uint8_t> bytes) {
+    constexpr std::string_view kDigits = "0123456789abcdef";
+    std::string text;
+    for (const std::uint8_t byte : bytes) {
+        text += kDigits[byte >> 4];
+        text += kDigits[byte & 15];
+    }
+    return text;
+}
+
+Json heat_maps_json(const std::vector<HeatMap>& maps, Measure measure) {
+    const HeatScale scale = heat_scale(measure);
+    Json pictures = Json::array();
+    for (const HeatMap& map : maps)
+        pictures.push_back({{"setting", map.setting},
+                            {"level", map.level},
+                            {"camera", map.camera + 1},
+                            {"rms", rounded(map.rms)},
+                            {"png", hexadecimal(map.png)}});
+    return {{"least", scale.least_text}, {"greatest", scale.greatest_text}, {"pictures", pictures}};
+}
+
+Json dial_json(const Report& report, std::size_t index) {
+    const Configurations::DialRows& rows = report.configurations.dials[index];
+    const Dial& dial = *rows.dial;
+    Json settings = Json::array();
+    for (const Configurations::Row& row : rows.rows)
+        settings.push_back(setting_json(report, row, rows.measure, dial.changes_work));
+    return {{"name", dial.name},
+            {"about", dial.about},
+            {"unit", dial.unit},
+            {"read_in", dial.read_in},
+            {"others_stand_at", rows.base},
+            {"alone_stands_at", rows.is_below_bound ? "default with perspective=exact" : rows.base},
+            {"floor", error_json(floor_of(report, rows), unit_of(rows.measure))},
+            {"settings", settings},
+            {"notes", notes_on_order(report, rows)},
+            {"error_is", about(rows.measure)},
+            {"is_below_bound", rows.is_below_bound},
+            {"is_of_surfaces", rows.measure == Measure::LightColour || rows.measure == Measure::PixelColour},
+            {"heat_maps", heat_maps_json(report.heat_maps[index], rows.measure)}};
+}
+
+Json run_json(const Report& report) {
+    Json levels = Json::array();
+    for (const LevelSummary& level : report.levels)
+        levels.push_back({{"name", level.name},
+                          {"about", level.about},
+                          {"cameras", level.cameras},
+                          {"faces", level.faces},
+                          {"close_calls_per_mille", rounded(level.close_calls_per_mille)}});
+    const SkyTimes& sky = report.times.sky;
+    return {{"levels", levels},
+            {"frames", report.frames},
+            {"configurations", report.results.size()},
+            {"default_configuration", report.configurations.default_index},
+            {"pixel_bound", Accuracy{}.pixel_bound_256 / 256.0},
+            {"mode", std::to_string(kMeasuredMode.width_px) + "x" + std::to_string(kMeasuredMode.height_px)},
+            {"rounds", report.times.rounds},
+            {"rays_a_pixel", report.samples_per_axis * report.samples_per_axis},
+            {"quick", report.is_quick},
+            {"machine", report.machine},
+            {"compiler", report.compiler},
+            {"seconds", rounded(report.seconds)},
+            {"sky",
+             {{"frames", sky.frames},
+              {"nanoseconds_with", std::round(sky.with_sky)},
+              {"nanoseconds_without", std::round(sky.without)}}}};
+}
+
+}  // namespace
+
+std::string report_json(const Report& report) {
+    Json json{{"dials", Json::array()}, {"tiers", Json::array()}};
+    for (std::size_t i = 0; i < report.configurations.dials.size(); ++i) json["dials"].push_back(dial_json(report, i));
+    for (const Configurations::Row& preset : report.configurations.presets)
+        json["tiers"].push_back(setting_json(report, preset, Measure::Displacement, true));
+    json["notes"] = notes_on_presets(report);
+    json["run"] = run_json(report);
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";  // a file's name may be no UTF-8
+}
+
+std::string report_page(std::string json) {
+    for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;)
+        json.replace(at, 1, "\\u003c");  // or "</script>" in a name would end the script
+    std::string page(kPage);
+    constexpr std::string_view kPlace = "REPORT";
+    return page.replace(page.find(kPlace), kPlace.size(), json);
+}
+
+std::string preset_table(const Report& report) {
+    std::string table =
+        "| preset | texels out of place, pixels: rms | largest | pixels of a wrong face, of 1,000 | 386 at 33 | 486 at "
+        "66 | Pentium at 90 MHz |\n|---|---|---|---|---|---|---|\n";
+    for (const Configurations::Row& preset : report.configurations.presets) {
+        const SettingResult& result = report.results[preset.index];
+        const bool is_default = preset.index == report.configurations.default_index;
+        table += is_default ? "| **" + preset.name + "** |" : "| " + preset.name + " |";
+        const auto add = [&](double value) { table += " " + number_text(value) + " |"; };
+        add(result.errors.displacement.rms);
+        add(result.errors.displacement.max);
+        add(result.errors.wrong.rms);
+        for (std::size_t i = 0; i < kProcessors.size(); ++i) add(frame_rate(kProcessors[i], result.cost.cycles[i]));
+        table += "\n";
+    }
+    return table;
+}
+
+std::string with_table(const std::string& page, const std::string& file, const std::string& table) {
+    const std::string begin = "<!-- oblong-accuracy -->\n", end = "<!-- end -->";
+    const std::size_t first = page.find(begin), last = page.find(end, first);
+    if (first == std::string::npos || last == std::string::npos)
+        throw InputError(
+            file, "lines '<!-- oblong-accuracy -->' and '<!-- end -->' are missing, expected a table between them");
+    return page.substr(0, first + begin.size()) + table + page.substr(last);
+}
+
+}  // namespace oblong
