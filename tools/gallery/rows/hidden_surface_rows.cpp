@@ -91,8 +91,7 @@ RowPage draw_hidden_surface_methods(const RowInput& input, Framebuffer canvas) {
     page.figures.push_back(is_exact(method, input.settings.accuracy) ? count_figure(name, 0, wrong)
                                                                      : measured(name, std::to_string(wrong)));
     if (method == HiddenSurfaces::SpanBuffer) {
-        page.figures.push_back(
-            measured("rows of faces looked up", std::to_string(frame.counted.stages.claimed_rows)));
+        page.figures.push_back(measured("rows of faces looked up", std::to_string(frame.counted.stages.claimed_rows)));
         page.figures.push_back(measured("faces scanned", std::to_string(frame.counted.faces_visited)));
     } else if (method == HiddenSurfaces::RayCasting) {
         page.figures.push_back(measured("rays held against faces", std::to_string(counts.ray_face_tests)));
@@ -289,8 +288,7 @@ RowPage draw_rays(const RowInput& input, Framebuffer canvas) {
         }
     const std::int64_t rays = std::int64_t{mode.width_px} * mode.height_px;
     return {
-        {count_figure("rays x faces", rays * std::ssize(frame.by.targets().opaque),
-                      frame.counts().ray_face_tests),
+        {count_figure("rays x faces", rays * std::ssize(frame.by.targets().opaque), frame.counts().ray_face_tests),
          measured("rays", std::to_string(rays)),
          measured("pixels unlike the span buffer's", std::to_string(differences))},
         {"A ray from the eye through the middle of each pixel, held against every face in sight of the eye's leaf; the "
@@ -304,7 +302,7 @@ std::vector<Row> hidden_surface_rows() {
              "Hidden surfaces, by each method",
              "3 Notes: Z-buffering; 4 Princeton: Hidden surfaces",
              "engine/methods/hidden_surfaces.cpp",
-             "tests/effect_frames/hidden_surfaces_test.cpp",
+             "tests/methods/hidden_surfaces_test.cpp",
              {method_parameter(HiddenSurfaces::PainterSorted),
               choice_parameter("differences", {"not marked", "marked"}, 1)},
              draw_hidden_surface_methods},
@@ -312,14 +310,14 @@ std::vector<Row> hidden_surface_rows() {
              "Overdraw",
              "3 Notes: Painter's algorithm",
              "engine/methods/painter.cpp",
-             "tests/visibility/painter_test.cpp",
+             "tests/methods/painter_test.cpp",
              {choice_parameter("method", {"painter", "span buffer"})},
              draw_overdraw},
             {"z-buffer",
              "Z-buffer",
              "3 Notes: Z-buffering",
              "engine/methods/z_buffer.cpp",
-             "tests/visibility/z_buffer_test.cpp",
+             "tests/methods/z_buffer_test.cpp",
              {{"fraction bits of 1/z", 12, 44, 1, 44}},
              draw_depth},
             {"tree-order",
@@ -333,7 +331,7 @@ std::vector<Row> hidden_surface_rows() {
              "Ray casting",
              "4 Princeton: Ray Casting Revisited",
              "engine/methods/ray_casting.cpp",
-             "tests/visibility/ray_casting_test.cpp",
+             "tests/methods/ray_casting_test.cpp",
              {{"a ray every ... pixels", 2, 20, 1, 2}},
              draw_rays}};
 }

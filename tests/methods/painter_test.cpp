@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "engine/methods/z_buffer.h"
-#include "tests/visibility/scanned_scene.h"
+#include "tests/methods/scanned_scene.h"
 
 namespace oblong::test {
 namespace {

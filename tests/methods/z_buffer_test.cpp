@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/visibility/scanned_scene.h"
+#include "tests/methods/scanned_scene.h"
 
 namespace oblong::test {
 namespace {
