@@ -25,7 +25,7 @@ GalleryState start_of_gallery(const std::vector<Row>& rows);
 
 /// Carries out a command: Page Down and Page Up go to the next and the previous row, up and down arrows choose a
 /// parameter, left and right change it. The message that tells the user; empty where there is none.
-std::string apply(Command command, const std::vector<Row>& rows, WindowSize window, ViewOptions& view_options,
+std::string apply(Action command, const std::vector<Row>& rows, WindowSize window, ViewOptions& view_options,
                   GalleryState& state);
 
 /// Steps through the gallery's rows.

@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-#include "engine/platform/controls.h"
 #include "engine/surface/palette.h"
 #include "engine/view/present_rect.h"
 #include "engine/view/screen.h"
+#include "game/input/controls.h"
 #include "game/menu/menu_look.h"
 
 namespace oblong {

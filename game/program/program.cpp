@@ -35,10 +35,6 @@ ViewOptions view_options_of(const Options& options) {
     return view_options;
 }
 
-bool has(const Controls& controls, Command command) {
-    return std::find(controls.commands.begin(), controls.commands.end(), command) != controls.commands.end();
-}
-
 bool is_input(const Controls& controls) {
     const bool is_pointed = controls.pointer && (controls.pointer->has_moved || controls.pointer->is_pressed);
     return is_pointed || controls.pressed || !controls.menu.empty() || !controls.commands.empty();
@@ -104,6 +100,7 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
       settings_{workers},
       sound_(std::move(open_sound), assets_folder_),
       slots_(options.folders.data),
+      input_(view_options_.preferences.bindings),
       pages_(menu_, *this) {
     if (options_.shows_gallery)
         gallery_ = std::make_unique<Gallery>(std::move(files.loaded), settings_, view_options_, platform_);
@@ -126,7 +123,7 @@ void Program::run() {
 }
 
 void Program::show_frame() {
-    const Controls controls = platform_.poll();
+    const Controls controls = input_.take(platform_.poll(), platform_.now_us() / 1000);
     const std::size_t depth = menu_.depth();
     take(controls);
     if (has_left_) return;
@@ -141,7 +138,7 @@ void Program::show_frame() {
         return draw();
     }
     const std::uint64_t began_us = platform_.now_us();
-    platform_.wait_for_input(kLongestWait_ms);
+    platform_.wait_for_input(std::min(kLongestWait_ms, input_.longest_wait_ms()));
     // Something has happened, perhaps to the window: what it shows may be lost.
     is_stale_ |= platform_.now_us() - began_us < (kLongestWait_ms - 1) * std::uint64_t{1000};
 }
@@ -170,7 +167,7 @@ void Program::take_in_menu(const Controls& controls) {
     const Preferences& now = view_options_.preferences;
     const CanvasSize canvas{now.mode.width_px, now.mode.height_px};
     const std::size_t depth = menu_.depth();
-    wants_screenshot_ |= has(controls, Command::Screenshot) && !menu_.page().press;
+    wants_screenshot_ |= controls.has(Action::Screenshot) && !menu_.page().press;
     const MenuEvent event = menu_.handle(controls, canvas, now.text_scale, shown_rect(now, platform_.window_size()));
     if (const auto sound = sound_of(event)) sound_.play(*sound);
     if (menu_.depth() < depth) print_fault("oblong", store_.save(now));
@@ -181,20 +178,20 @@ void Program::take_in_menu(const Controls& controls) {
 }
 
 void Program::take_in_walk(const Controls& controls) {
-    if (has(controls, Command::Menu)) {
+    if (controls.has(Action::Menu)) {
         if (gallery_)
             close_gallery();
         else
             pages_.open_game();
         return screen().pause(platform_.now_us());
     }
-    if (has(controls, Command::ShowHelp)) pages_.open_keys();
-    if (gallery_ && has(controls, Command::FrameCost)) pages_.open_figures();
+    if (controls.has(Action::ShowHelp)) pages_.open_keys();
+    if (gallery_ && controls.has(Action::FrameCost)) pages_.open_figures();
     if (menu_.is_open()) return screen().pause(platform_.now_us());
     if (stage_ == Stage::Walk && !gallery_) {
-        if (has(controls, Command::QuickSave)) quick_save();
-        if (has(controls, Command::QuickLoad)) quick_load();
-        if (has(controls, Command::Restart)) pages_.open_restart();
+        if (controls.has(Action::QuickSave)) quick_save();
+        if (controls.has(Action::QuickLoad)) quick_load();
+        if (controls.has(Action::Restart)) pages_.open_restart();
     }
     screen().advance(controls, platform_.now_us());
 }
@@ -216,7 +213,6 @@ void Program::open_what_is_due() {
 
 void Program::follow_preferences() {
     platform_.change_window(window_settings_of(view_options_.preferences));
-    platform_.use_bindings(view_options_.preferences.bindings);
     print_fault("oblong", store_.save_when_settled(view_options_.preferences, platform_.now_us()));
     follow_sound();
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "game/input/input_mapper.h"
 #include "game/level/level_search.h"
 #include "game/menu/menu_pages.h"
 #include "game/options/options.h"
@@ -148,6 +149,7 @@ class Program final : private MenuHost {
     std::unique_ptr<Gallery> gallery_;       // while it is up, over the session
     std::optional<Demo> title_demo_;         // what the title shows; nothing: the level stands still
     std::unique_ptr<Demo> recorded_;         // once what was recorded has ended before the program
+    InputMapper input_;
     Menu menu_;
     MenuPages pages_;
     Stage stage_ = Stage::Walk;

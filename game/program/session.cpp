@@ -38,7 +38,7 @@ void Session::advance(const Controls& controls, std::uint64_t now_us) {
     played_us_ += elapsed_us;
     handle_commands(controls);
     Controls held = controls;
-    if (!view_options_.lab.shows_panel) walk_by_panel_keys(held);
+    if (!view_options_.lab.shows_panel) held.moves |= held.panel_moves;
     drag_split(shown_rect(view_options_.preferences, platform_.window_size()), view_options_.lab, held);
     input_.use(view_options_.preferences);
     input_.gather(held);
@@ -50,8 +50,8 @@ void Session::pause(std::uint64_t now_us) {
 }
 
 void Session::handle_commands(const Controls& controls) {
-    for (const Command command : controls.commands) {
-        wants_screenshot_ |= command == Command::Screenshot;
+    for (const Action command : controls.commands) {
+        wants_screenshot_ |= command == Action::Screenshot;
         const std::string message = apply(command, view_options_, platform_.window_size());
         if (!message.empty()) show(message);
     }

@@ -4,9 +4,9 @@
 
 #include "engine/files/log_channels.h"
 #include "engine/frame/settings.h"
-#include "engine/platform/controls.h"
 #include "engine/platform/platform.h"
 #include "engine/view/present_rect.h"
+#include "game/input/controls.h"
 #include "game/lab/lab_options.h"
 #include "game/options/preferences.h"
 #include "game/view/line_overlays.h"
@@ -36,7 +36,7 @@ WindowSettings window_settings_of(const Preferences& preferences);
 PresentRect shown_rect(const Preferences& preferences, WindowSize window);
 
 /// Carries out a command; the message that tells the user ("" where there is none), for KeyNames::in(). Ignores what
-/// the program does itself: Command::Screenshot, Command::ShowHelp.
-std::string apply(Command command, ViewOptions& options, WindowSize window);
+/// the program does itself: Action::Screenshot, Action::ShowHelp.
+std::string apply(Action command, ViewOptions& options, WindowSize window);
 
 }  // namespace oblong

@@ -1,0 +1,104 @@
+#include "game/input/bindings.h"
+
+#include <algorithm>
+
+#include "engine/base/input_error.h"
+
+namespace oblong {
+namespace {
+
+std::size_t index_of(Action action) {
+    return static_cast<std::size_t>(action);
+}
+
+bool is_apart(Action a, Action b) {
+    return (is_move(a) && is_of_panel(b)) || (is_of_panel(a) && is_move(b));
+}
+
+std::vector<Input> parsed(std::string_view text) {
+    constexpr std::string_view kSpaces = " \t";
+    std::vector<Input> inputs;
+    if (text == "none") return inputs;
+    for (std::size_t at = text.find_first_not_of(kSpaces); at != std::string_view::npos;) {
+        const std::size_t end = std::min(text.find_first_of(kSpaces, at), text.size());
+        inputs.push_back(input_named(text.substr(at, end - at)));
+        if (is_reserved(inputs.back()))
+            throw InputError("input", "'" + name_of(inputs.back()) + "' always opens the menu, expected another one");
+        at = text.find_first_not_of(kSpaces, end);
+    }
+    if (inputs.size() > Bindings::kMostInputs)
+        throw InputError("inputs", std::to_string(inputs.size()) + " of them, expected at most " +
+                                       std::to_string(Bindings::kMostInputs));
+    return inputs;
+}
+
+}  // namespace
+
+std::span<const Input> Bindings::inputs_of(Action action) const {
+    return inputs_[index_of(action)];
+}
+
+void Bindings::bind(Action action, Input input) {
+    std::vector<Input>& inputs = inputs_[index_of(action)];
+    if (is_reserved(input) || std::find(inputs.begin(), inputs.end(), input) != inputs.end()) return;
+    if (inputs.size() == kMostInputs) inputs.erase(inputs.begin());
+    inputs.push_back(input);
+}
+
+void Bindings::unbind(Action action, Input input) {
+    std::erase(inputs_[index_of(action)], input);
+}
+
+void Bindings::unbind_all(Action action) {
+    inputs_[index_of(action)].clear();
+}
+
+Bindings default_bindings(Hands hands) {
+    Bindings bindings;
+    for (const ActionRow& row : all_actions()) {
+        const std::string_view keys = hands == Hands::Left    ? row.left_hand
+                                      : hands == Hands::Right ? row.right_hand
+                                                              : row.keys;
+        set_inputs(bindings, row.action, std::string(keys) + " " + std::string(row.others));
+    }
+    return bindings;
+}
+
+std::vector<Conflict> conflicts_of(const Bindings& bindings) {
+    std::vector<Conflict> all;
+    for (const ActionRow& row : all_actions())
+        for (const Input input : bindings.inputs_of(row.action)) {
+            const auto known =
+                std::find_if(all.begin(), all.end(), [&](const Conflict& c) { return c.input == input; });
+            if (known == all.end())
+                all.push_back({input, {row.action}});
+            else
+                known->actions.push_back(row.action);
+        }
+    std::erase_if(all, [](Conflict& conflict) {
+        const auto clashes = [&](Action a) {
+            return std::any_of(conflict.actions.begin(), conflict.actions.end(),
+                               [&](Action b) { return a != b && !is_apart(a, b); });
+        };
+        return std::none_of(conflict.actions.begin(), conflict.actions.end(), clashes);
+    });
+    return all;
+}
+
+std::string inputs_to_text(const Bindings& bindings, Action action) {
+    std::string text;
+    for (const Input input : bindings.inputs_of(action)) {
+        std::string name = name_of(input);
+        std::replace(name.begin(), name.end(), ' ', '-');
+        text += (text.empty() ? "" : " ") + name;
+    }
+    return text.empty() ? "none" : text;
+}
+
+void set_inputs(Bindings& bindings, Action action, std::string_view text) {
+    const std::vector<Input> inputs = parsed(text);
+    bindings.unbind_all(action);
+    for (const Input input : inputs) bindings.bind(action, input);
+}
+
+}  // namespace oblong
