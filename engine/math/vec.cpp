@@ -69,4 +69,11 @@ Vec3<Unit> perpendicular_to(const Vec3<Unit>& direction) {
     return normalised(cross(direction, axis));
 }
 
+Vec3<World> middle_of(std::span<const Vec3<World>> points) {
+    Vec3<WorldWide> sum;
+    for (const Vec3<World>& point : points) sum = sum + convert<WorldWide>(point);
+    const auto count = WorldWide::from_int(std::ssize(points));
+    return {divide<World>(sum.x, count), divide<World>(sum.y, count), divide<World>(sum.z, count)};
+}
+
 }  // namespace oblong

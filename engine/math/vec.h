@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/fixed.h"
@@ -100,5 +101,8 @@ Fixed<std::int64_t, Frac> length(const Vec3<Fixed<Int, Frac>>& vector) {
 
 /// Some vector of length 1 at right angles to `direction`; +x for the zero vector.
 Vec3<Unit> perpendicular_to(const Vec3<Unit>& direction);
+
+/// The mean of points, rounded once. At least one.
+Vec3<World> middle_of(std::span<const Vec3<World>> points);
 
 }  // namespace oblong

@@ -15,13 +15,6 @@ std::vector<CornerTriple> triangulate_around_middle(std::size_t corner_count) {
     return triangles;
 }
 
-Vec3<World> middle_of(std::span<const Vec3<World>> corners) {
-    Vec3<WorldWide> sum;
-    for (const Vec3<World>& corner : corners) sum = sum + convert<WorldWide>(corner);
-    const auto count = WorldWide::from_int(std::ssize(corners));
-    return {divide<World>(sum.x, count), divide<World>(sum.y, count), divide<World>(sum.z, count)};
-}
-
 void clip_to_plane(const ClipPlane& plane, std::uint8_t border, const std::vector<ClipVertex>& in,
                    std::vector<ClipVertex>& out) {
     std::vector<ClipVertex> polygon = in;

@@ -14,11 +14,9 @@ namespace oblong {
 /// it has corners.
 std::vector<CornerTriple> triangulate_as_fan(std::size_t corner_count);
 
-/// The triangles of a convex polygon around a point in its middle, which becomes corner number `corner_count`: as many
-/// as it has corners, and rounder ones than a fan's.
+/// The triangles of a convex polygon around a point in its middle (middle_of), which becomes corner number
+/// `corner_count`: as many as it has corners, and rounder ones than a fan's.
 std::vector<CornerTriple> triangulate_around_middle(std::size_t corner_count);
-/// That point: the mean of the corners, rounded once. At least one corner.
-Vec3<World> middle_of(std::span<const Vec3<World>> corners);
 
 /// Whether a face turns its back to the eye, in any space that all three are given in (Abrash: before any transform, by
 /// one dot product). `normal` is of length 1 and points to the face's front; `point` is any point of it. A face seen

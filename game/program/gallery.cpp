@@ -95,6 +95,12 @@ void Gallery::advance(const Controls& controls, std::uint64_t now_us) {
     if (!controls.commands.empty() || rows_[state_.row].moves) is_drawn_ = false;
 }
 
+void Gallery::open_page(Action command, MenuPages& pages) {
+    if (command == Action::Menu) pages.open_gallery();
+    if (command == Action::ShowHelp) pages.open_keys();
+    if (command == Action::FrameCost) pages.open_figures();
+}
+
 ShownPicture Gallery::draw(bool is_behind_menu) {
     if (!is_drawn_ || drawn_with_ != view_options_.preferences) draw_picture();
     const ScreenMode& mode = drawn_with_.mode;

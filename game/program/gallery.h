@@ -36,12 +36,16 @@ class Gallery final : public GameScreen {
             Platform& platform);
 
     void advance(const Controls& controls, std::uint64_t now_us) override;
-    void pause(std::uint64_t now_us) override { now_us_ = now_us; }
+    void advance_behind_menu(std::uint64_t now_us) override { now_us_ = now_us; }
+    bool is_heard(bool) const override { return false; }
     ShownPicture draw(bool is_behind_menu) override;
     const MenuLook& menu_look() const override { return menu_look_; }
+    void open_page(Action command, MenuPages& pages) override;
+    const std::shared_ptr<const LoadedLevel>& shared_level() const override { return loaded_; }
+    std::vector<KeyHelp> key_help(const KeyNames& names) const override { return gallery_help(names); }
 
-    /// All figures and notes of the row that is up.
-    std::string figures() const;
+    /// And notes of the row that is up.
+    std::string figures() const override;
 
   private:
     void draw_picture();

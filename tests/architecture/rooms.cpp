@@ -37,8 +37,8 @@ const std::vector<Room>& project_rooms() {
         {"game/lab", {"game/view", "tools/measure"}},
         {"game/program", {"game/saves", "game/sound", "game/menu", "game/lab", "engine/platform/sdl", "tools/gallery"}},
         {"tools/reference", {}},
-        {"tools/measure", {"engine/frame", "engine/platform", "engine/files", "tools/reference"}},
-        {"tools/gallery", {"engine/methods", "tools/measure"}},
+        {"tools/measure", {"engine/frame", "engine/methods", "engine/platform", "engine/files", "tools/reference"}},
+        {"tools/gallery", {"tools/measure"}},
         {"tools", {"tools/measure", "tools/gallery"}},
     };
     return rooms;

@@ -40,7 +40,8 @@ TEST(KeyNames, StandInNoTextOfTheGame) {
         const std::string name = entry.path().filename().string();
         // The names themselves; a window of its own, whose keys are the same for all.
         if (entry.path().extension() != ".cpp" || name == "key_names.cpp" || name == "actions.cpp" ||
-            name == "error_window.cpp") continue;
+            name == "error_window.cpp")
+            continue;
         std::ifstream file(entry.path());
         for (std::string line; std::getline(file, line);) {
             if (line.find("#include") != line.npos || line.find("Alt+Enter") != line.npos)
