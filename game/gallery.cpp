@@ -6,7 +6,7 @@
 
 #include "game/key_names.h"
 #include "game/screenshot.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 

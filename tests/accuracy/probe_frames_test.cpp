@@ -11,7 +11,7 @@
 #include "tools/accuracy/scene_textures.h"
 #include "tools/demo_level/map/room.h"
 #include "tools/map/compile.h"
-#include "tools/measure/reference_view.h"
+#include "tools/measure/texel_error.h"
 #include "tools/probe/probe.h"
 
 namespace oblong::test {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tools/accuracy/hard_scenes.h"
-#include "tools/accuracy/level_frames.h"
+#include "tools/accuracy/measured_level.h"
 #include "tools/accuracy/report.h"
 #include "tools/demo_level/art/ramps.h"
 

@@ -12,7 +12,6 @@
 #include "engine/level/side.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/support/folders.h"
-#include "tests/support/shared_levels.h"
 #include "tools/render/camera_list.h"
 
 namespace oblong::test {

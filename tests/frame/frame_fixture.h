@@ -12,7 +12,6 @@
 #include "engine/level/bsp_read.h"
 #include "engine/scene/placed_models.h"
 #include "tests/support/folders.h"
-#include "tests/support/shared_levels.h"
 
 namespace oblong::test {
 

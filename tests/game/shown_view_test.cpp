@@ -7,7 +7,6 @@
 
 #include "engine/level/bsp_read.h"
 #include "tests/support/folders.h"
-#include "tests/support/shared_levels.h"
 
 namespace oblong {
 namespace {

@@ -5,8 +5,8 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
 #include "engine/level/trace.h"
+#include "tests/support/folders.h"
 #include "tests/support/point.h"
-#include "tests/support/shared_levels.h"
 
 namespace oblong {
 namespace {

@@ -10,7 +10,6 @@
 #include "engine/files/files.h"
 #include "engine/platform/headless/headless.h"
 #include "tests/support/folders.h"
-#include "tests/support/shared_levels.h"
 
 namespace oblong {
 namespace {

@@ -10,8 +10,8 @@
 #include "engine/level/entities.h"
 #include "engine/level/floor.h"
 #include "tests/mesh_files/mdl_writer.h"
-#include "tests/support/shared_levels.h"
-#include "tests/support/tiny_bsp.h"
+#include "tests/support/bsp_writer.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "engine/base/input_error.h"
 #include "tests/mesh_files/mdl_writer.h"
-#include "tests/support/shared_levels.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {

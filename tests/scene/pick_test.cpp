@@ -7,9 +7,9 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
+#include "tests/support/bsp_writer.h"
+#include "tests/support/folders.h"
 #include "tests/support/point.h"
-#include "tests/support/shared_levels.h"
-#include "tests/support/tiny_bsp.h"
 
 namespace oblong {
 namespace {

@@ -8,7 +8,6 @@
 #include "engine/math/matrix.h"
 #include "engine/view/view_context.h"
 #include "tools/gallery/diagram.h"
-#include "tools/gallery/numbers.h"
 #include "tools/gallery/row.h"
 
 namespace oblong {

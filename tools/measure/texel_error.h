@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -9,7 +10,7 @@
 #include "engine/scene/placed_models.h"
 #include "engine/view/projection.h"
 #include "engine/view/screen.h"
-#include "tools/measure/error_summary.h"
+#include "tools/reference/frame.h"
 #include "tools/reference/plane_view.h"
 
 namespace oblong {
@@ -51,5 +52,24 @@ class TexelErrorMeter {
 /// Of the pixels that were measured.
 ErrorSummary summarize_pixels(std::span<const TexelError> errors);
 ErrorSummary summarize_texels(std::span<const TexelError> errors);
+
+/// Of errors, none negative: the root of the mean square, the 99th percentile (the least error that 99 % of them do not
+/// exceed) and the largest. All 0 if there are none.
+struct ErrorSummary {
+    std::int64_t count = 0;
+    double rms = 0, p99 = 0, max = 0;
+};
+
+ErrorSummary summarize_errors(std::vector<float> errors);
+
+template <class Int, int Frac>
+double number_of(Fixed<Int, Frac> value) {
+    return std::ldexp(static_cast<double>(value.raw), -Frac);
+}
+
+/// What the reference renderer needs to see what the engine sees. `correct_aspect`: Settings::correct_aspect.
+reference::View reference_view(const Camera& camera, const ScreenMode& mode, bool correct_aspect = true);
+std::vector<reference::PlacedModel> reference_models(std::span<const PlacedModel> models);
+reference::Vec reference_vec(const Vec3<World>& world);
 
 }  // namespace oblong

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "tools/reference/level.h"
-#include "tools/reference/texel.h"
 #include "tools/reference/view.h"
 
 namespace oblong::reference {
@@ -48,5 +48,17 @@ class PlaneView {
     double eye_u_ = 0, eye_v_ = 0;
     Linear u_along_ray_, v_along_ray_, inverse_z_;
 };
+
+struct TexturedCorner {
+    Vec position;
+    double u = 0, v = 0;
+};
+
+struct Texel {
+    double u = 0, v = 0, inverse_z = 0;
+};
+
+/// What the plane of a triangle shows at a place on the screen, by barycentric weights of the ray through it.
+Texel texel_at(const std::array<TexturedCorner, 3>& corners, const Projection& projection, ScreenPoint at);
 
 }  // namespace oblong::reference

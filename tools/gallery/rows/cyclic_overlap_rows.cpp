@@ -16,7 +16,7 @@
 #include "engine/visibility/painter.h"
 #include "engine/visibility/ray_casting.h"
 #include "engine/visibility/z_buffer.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 

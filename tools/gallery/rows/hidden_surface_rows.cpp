@@ -12,9 +12,8 @@
 #include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 #include "engine/visibility/painter.h"
-#include "tools/gallery/level_scene.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/cube_scene.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 

@@ -11,8 +11,8 @@
 #include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 #include "engine/view/views.h"
-#include "tools/gallery/level_scene.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/cube_scene.h"
+#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {

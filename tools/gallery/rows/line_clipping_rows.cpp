@@ -6,8 +6,7 @@
 
 #include "engine/view/clip_line.h"
 #include "tools/gallery/diagram.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 

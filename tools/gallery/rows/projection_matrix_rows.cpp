@@ -8,7 +8,7 @@
 
 #include "engine/math/plane.h"
 #include "engine/view/canonical_volume.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {

@@ -11,8 +11,7 @@
 #include "engine/frame/workspace.h"
 #include "engine/view/views.h"
 #include "tools/gallery/cube_scene.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 

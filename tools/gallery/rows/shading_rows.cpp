@@ -7,8 +7,7 @@
 #include "engine/draw/drawing.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/mesh_scene.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 

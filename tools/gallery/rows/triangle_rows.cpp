@@ -7,7 +7,7 @@
 
 #include "engine/raster/triangles.h"
 #include "tools/gallery/pixel_grid.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 

@@ -12,9 +12,7 @@
 #include "engine/math/matrix.h"
 #include "engine/view/views.h"
 #include "tools/gallery/cube_scene.h"
-#include "tools/gallery/level_scene.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 
