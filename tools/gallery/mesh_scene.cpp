@@ -23,14 +23,6 @@ ViewContext make_scene_view(const RowInput& input, int field_of_view) {
     return view;
 }
 
-Direction cross(const Direction& a, const Direction& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-Direction operator-(const Direction& a, const Direction& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
 /// Pixels right of a place on the screen are `across`, rows below it `down`.
 double area(double across_a, double down_a, double across_b, double down_b) {
     return across_a * down_b - across_b * down_a;
@@ -72,19 +64,6 @@ Colormap shade_numbers() {
     return colormap;
 }
 
-Direction direction_of(const Vec3<Unit>& vector) {
-    return {std::ldexp(vector.x.raw, -30), std::ldexp(vector.y.raw, -30), std::ldexp(vector.z.raw, -30)};
-}
-
-double dot(const Direction& a, const Direction& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-Direction normalised(const Direction& direction) {
-    const double length = std::sqrt(dot(direction, direction));
-    return {direction.x / length, direction.y / length, direction.z / length};
-}
-
 double exact_shade(double light) {
     return light < 128 ? 32 + (128 - light) * 31 / 128 : std::max(32 - (light - 128) * 32 / 128, 0.0);
 }
@@ -99,12 +78,12 @@ std::optional<ExactHit> exact_hit(const PlacedMesh& placed, const RowInput& inpu
     const auto corner = [&](std::uint32_t number) {
         const MeshVertex& vertex = placed.mesh->frames[0].vertices[number];
         const double sx = number_of(placed.scale.x), sy = number_of(placed.scale.y), sz = number_of(placed.scale.z);
-        const Direction n = direction_of(vertex.normal);
+        const Vec n = vec_of(vertex.normal);
         ExactCorner exact;
         exact.position = {number_of(vertex.position.x) * sx + number_of(placed.position.x),
                           number_of(vertex.position.y) * sy + number_of(placed.position.y),
                           number_of(vertex.position.z) * sz + number_of(placed.position.z)};
-        exact.normal = normalised(Direction{n.x / sx, n.y / sy, n.z / sz});
+        exact.normal = normalised(Vec{n.x / sx, n.y / sy, n.z / sz});
         exact.depth = exact.position.x;
         exact.column = input.mode.width_px / 2.0 - across * exact.position.y / exact.depth;
         exact.row = input.mode.height_px / 2.0 - across * shape * exact.position.z / exact.depth;

@@ -34,28 +34,20 @@ std::uint8_t lit_colour(const GalleryAssets& assets, int red, int green, int blu
 /// A colormap by which a pixel shows the number of its shade.
 Colormap shade_numbers();
 
-/// A direction in units of length 1 as doubles.
-struct Direction {
-    double x = 0, y = 0, z = 0;
-};
-Direction direction_of(const Vec3<Unit>& vector);
-double dot(const Direction& a, const Direction& b);
-Direction normalised(const Direction& direction);
-
 /// The shade of a lightmap value of any size, by Colormap's definition.
 double exact_shade(double light);
 
 /// What a corner of a mesh has, in doubles, and its place on the screen.
 struct ExactCorner {
     double column = 0, row = 0, depth = 0;
-    Direction position, normal;
+    Vec position, normal;
 };
 /// The triangle that shows at a place of the screen, its corners' shares of that place on the screen, and its own
 /// normal.
 struct ExactHit {
     std::array<ExactCorner, 3> corners;
     std::array<double, 3> shares;
-    Direction normal;
+    Vec normal;
 };
 /// By all triangles of the mesh, in doubles; the mesh is placed and scaled, but not turned.
 std::optional<ExactHit> exact_hit(const PlacedMesh& placed, const RowInput& input, int field_of_view, double column,

@@ -12,6 +12,7 @@
 #include "engine/math/matrix.h"
 #include "engine/surface/colormap.h"
 #include "engine/view/screen.h"
+#include "tools/reference/vec.h"
 
 namespace oblong {
 
@@ -99,6 +100,13 @@ Entry entry_of(double value);
 template <class Int, int Frac>
 double number_of(Fixed<Int, Frac> value) {
     return std::ldexp(static_cast<double>(value.raw), -Frac);
+}
+
+/// A point or a direction in doubles.
+using reference::Vec;
+template <class Int, int Frac>
+Vec vec_of(const Vec3<Fixed<Int, Frac>>& v) {
+    return {number_of(v.x), number_of(v.y), number_of(v.z)};
 }
 
 /// A number as text: "%.3f" or another format.

@@ -15,6 +15,15 @@
 
 namespace oblong {
 
+/// Of errors, none negative: the root of the mean square, the 99th percentile (the least error that 99 % of them do not
+/// exceed) and the largest. All 0 if there are none.
+struct ErrorSummary {
+    std::int64_t count = 0;
+    double rms = 0, p99 = 0, max = 0;
+};
+
+ErrorSummary summarize_errors(std::vector<float> errors);
+
 /// How far the texel that one pixel shows is from where it belongs. Both are negative where there is nothing to
 /// measure: sky, one colour, no face, or a plane that is not in front of the eye there.
 struct TexelError {
@@ -52,15 +61,6 @@ class TexelErrorMeter {
 /// Of the pixels that were measured.
 ErrorSummary summarize_pixels(std::span<const TexelError> errors);
 ErrorSummary summarize_texels(std::span<const TexelError> errors);
-
-/// Of errors, none negative: the root of the mean square, the 99th percentile (the least error that 99 % of them do not
-/// exceed) and the largest. All 0 if there are none.
-struct ErrorSummary {
-    std::int64_t count = 0;
-    double rms = 0, p99 = 0, max = 0;
-};
-
-ErrorSummary summarize_errors(std::vector<float> errors);
 
 template <class Int, int Frac>
 double number_of(Fixed<Int, Frac> value) {

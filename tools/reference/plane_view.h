@@ -8,6 +8,18 @@
 
 namespace oblong::reference {
 
+struct TexturedCorner {
+    Vec position;
+    double u = 0, v = 0;
+};
+
+struct Texel {
+    double u = 0, v = 0, inverse_z = 0;
+};
+
+/// What the plane of a triangle shows at a place on the screen, by barycentric weights of the ray through it.
+Texel texel_at(const std::array<TexturedCorner, 3>& corners, const Projection& projection, ScreenPoint at);
+
 /// Change of u and v (texels) from one column, one row to the next (pixels).
 struct TexelGradient {
     double u_per_column = 0, v_per_column = 0, u_per_row = 0, v_per_row = 0;
@@ -48,17 +60,5 @@ class PlaneView {
     double eye_u_ = 0, eye_v_ = 0;
     Linear u_along_ray_, v_along_ray_, inverse_z_;
 };
-
-struct TexturedCorner {
-    Vec position;
-    double u = 0, v = 0;
-};
-
-struct Texel {
-    double u = 0, v = 0, inverse_z = 0;
-};
-
-/// What the plane of a triangle shows at a place on the screen, by barycentric weights of the ray through it.
-Texel texel_at(const std::array<TexturedCorner, 3>& corners, const Projection& projection, ScreenPoint at);
 
 }  // namespace oblong::reference

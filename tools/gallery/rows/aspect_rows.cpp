@@ -10,7 +10,6 @@
 #include "engine/fixed/trig.h"
 #include "engine/view/project.h"
 #include "tools/gallery/counted.h"
-#include "tools/gallery/cube_scene.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"

@@ -12,8 +12,8 @@
 #include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 #include "engine/visibility/painter.h"
-#include "tools/gallery/cube_scene.h"
 #include "tools/gallery/row.h"
+#include "tools/gallery/sketch.h"
 
 namespace oblong {
 

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "engine/raster/triangles.h"
-#include "tools/gallery/pixel_grid.h"
+#include "tools/gallery/diagram.h"
 #include "tools/gallery/row.h"
 
 namespace oblong {
