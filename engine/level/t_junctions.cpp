@@ -19,13 +19,13 @@ constexpr std::int64_t kLongest_12 = std::int64_t{1} << 30;
 /// are.
 constexpr std::int64_t kMostLooks = std::int64_t{1} << 28;
 
-using Point = std::array<std::int64_t, 3>;  ///< units, 12 fraction bits
+using GridPoint = std::array<std::int64_t, 3>;  ///< units, 12 fraction bits
 
-Point point_of(const Level& level, VertexIndex vertex) {
+GridPoint point_of(const Level& level, VertexIndex vertex) {
     return raw_of(level.vertices[vertex]);
 }
 
-std::int64_t dot(const Point& a, const Point& b) {
+std::int64_t dot(const GridPoint& a, const GridPoint& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
@@ -40,7 +40,7 @@ class VertexGrid {
 
     /// Calls look(vertex) for those within a box, and others near it. Returns how much it looked at.
     template <class Look>
-    std::int64_t look_within(const Point& low, const Point& high, Look look) const {
+    std::int64_t look_within(const GridPoint& low, const GridPoint& high, Look look) const {
         const Cell first = cell_of(low), last = cell_of(high);
         std::int64_t looks = 0;
         for (std::size_t z = first[2]; z <= last[2]; ++z)
@@ -67,9 +67,9 @@ class VertexGrid {
 
     void choose_cells() {
         if (vertices_.empty()) return;
-        Point high = low_ = point_of(level_, vertices_.front());
+        GridPoint high = low_ = point_of(level_, vertices_.front());
         for (const VertexIndex vertex : vertices_) {
-            const Point p = point_of(level_, vertex);
+            const GridPoint p = point_of(level_, vertex);
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 low_[axis] = std::min(low_[axis], p[axis]);
                 high[axis] = std::max(high[axis], p[axis]);
@@ -92,7 +92,7 @@ class VertexGrid {
     }
 
     /// The cell of a point, or the nearest one to it.
-    Cell cell_of(const Point& p) const {
+    Cell cell_of(const GridPoint& p) const {
         Cell cell{};
         for (std::size_t axis = 0; axis < 3; ++axis)
             cell[axis] = std::min(static_cast<std::size_t>(std::max<std::int64_t>(p[axis] - low_[axis], 0) >> shift_),
@@ -104,7 +104,7 @@ class VertexGrid {
     std::size_t position_of(VertexIndex vertex) const { return position_of(cell_of(point_of(level_, vertex))); }
 
     const Level& level_;
-    Point low_{};
+    GridPoint low_{};
     int shift_ = 15;  ///< a cell's size is 2^shift_
     Cell counts_{1, 1, 1};
     std::vector<std::uint32_t> starts_;  ///< of each cell's vertices, and the end of the last one's
@@ -114,7 +114,7 @@ class VertexGrid {
 /// One edge, and which vertices lie inside it.
 class EdgeLine {
   public:
-    EdgeLine(const Point& from, const Point& to) : from_(from) {
+    EdgeLine(const GridPoint& from, const GridPoint& to) : from_(from) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             along_[axis] = to[axis] - from[axis];
             low_[axis] = std::min(from[axis], to[axis]) - kTolerance_12;
@@ -127,16 +127,16 @@ class EdgeLine {
         return std::any_of(along_.begin(), along_.end(),
                            [](std::int64_t part) { return part > kLongest_12 || part < -kLongest_12; });
     }
-    const Point& low() const { return low_; }
-    const Point& high() const { return high_; }
+    const GridPoint& low() const { return low_; }
+    const GridPoint& high() const { return high_; }
 
     /// How far along the edge, as part of length_squared_; -1 if the vertex isn't inside it.
-    std::int64_t part_of(const Point& p) const {
+    std::int64_t part_of(const GridPoint& p) const {
         if (!is_in_box(p)) return -1;
-        const Point offset{p[0] - from_[0], p[1] - from_[1], p[2] - from_[2]};
+        const GridPoint offset{p[0] - from_[0], p[1] - from_[1], p[2] - from_[2]};
         const std::int64_t part = dot(offset, along_);
         if (part <= 0 || part >= length_squared_ || dot(offset, offset) <= kTolerance_12 * kTolerance_12) return -1;
-        Point to_end{};
+        GridPoint to_end{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::int64_t nearest = mul_div(along_[axis], part, length_squared_);
             if (offset[axis] - nearest > kTolerance_12 || nearest - offset[axis] > kTolerance_12) return -1;
@@ -146,12 +146,12 @@ class EdgeLine {
     }
 
   private:
-    bool is_in_box(const Point& p) const {
+    bool is_in_box(const GridPoint& p) const {
         return p[0] >= low_[0] && p[0] <= high_[0] && p[1] >= low_[1] && p[1] <= high_[1] && p[2] >= low_[2] &&
                p[2] <= high_[2];
     }
 
-    Point from_, along_{}, low_{}, high_{};
+    GridPoint from_, along_{}, low_{}, high_{};
     std::int64_t length_squared_ = 0;
 };
 

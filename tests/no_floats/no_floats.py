@@ -105,9 +105,18 @@ def groups_of(commands, count):
     return [group for group in groups if group]
 
 
+def commands_of(entry):
+    """Source -> its compile command, of an entry: of each file of a room where those are compiled as one."""
+    whole, command = entry["file"], entry["command"]
+    if "/Unity/" not in whole:
+        return {whole: command}
+    with open(whole) as file:
+        return {path: command.replace(whole, path) for path in re.findall(r'^#include "(.+\.cpp)"', file.read(), re.M)}
+
+
 def engine_commands(entries, source):
     """Path from the project's root -> compile command, of the files that must do without floats."""
-    commands = {os.path.relpath(entry["file"], source): entry["command"] for entry in entries}
+    commands = {os.path.relpath(path, source): command for entry in entries for path, command in commands_of(entry).items()}
     return {path: command for path, command in sorted(commands.items())
             if path.startswith("engine/") and not path.startswith(EXCEPTED)}
 

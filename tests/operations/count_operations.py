@@ -115,9 +115,10 @@ class CountingBuild:
         # Behind the profiled files, whose copies of functions of headers are then the ones that are linked.
         others = [[*self.compile, "-O0", "-c", self.write_file("others", loading + TOOLS)]]
         objects = list(self.pool.map(self.compile_one, profiled + others))
+        # Where a room is compiled as one file, its library brings again what is profiled: the first of each name is linked.
         libraries = glob.glob(f"{build}/engine/liboblong_*.a")
-        run(compiler, "-fprofile-arcs", *objects, "-Wl,--start-group", *libraries, "-Wl,--end-group", "-o",
-            "count_operations", cwd=self.work)
+        run(compiler, "-fprofile-arcs", *objects, "-Wl,--allow-multiple-definition", "-Wl,--start-group", *libraries,
+            "-Wl,--end-group", "-o", "count_operations", cwd=self.work)
 
     def write_file(self, name, files):
         """A file of all these, by its path."""

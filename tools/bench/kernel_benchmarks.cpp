@@ -8,7 +8,7 @@ namespace oblong {
 
 namespace {
 
-constexpr ScreenMode kMode;
+constexpr ScreenMode kKernelMode;
 
 /// A texture of 64x64, and a picture cut into blocks of it, all of one length.
 struct KernelInput {
@@ -19,7 +19,7 @@ struct KernelInput {
     std::vector<TexelBlock> blocks;
     std::vector<std::uint8_t> pixels;
 
-    explicit KernelInput(std::int32_t block_px) : pixels(pixel_count(kMode.width_px, kMode.height_px)) {
+    explicit KernelInput(std::int32_t block_px) : pixels(pixel_count(kKernelMode.width_px, kKernelMode.height_px)) {
         constexpr std::uint32_t kSize = 1 << kSizeLog2;
         for (std::uint32_t i = 0; i < kSize * kSize; ++i) texels.push_back(static_cast<std::uint8_t>(i * 37 % 255));
         surface = {texels.data(), kSize, kSize, kSizeLog2, kSize - 1, kSize - 1};

@@ -77,7 +77,7 @@ bool is_exact(HiddenSurfaces method, const Accuracy& accuracy) {
            accuracy.inverse_z_bits == finest.inverse_z_bits;
 }
 
-RowPage draw_methods(const RowInput& input, Framebuffer canvas) {
+RowPage draw_hidden_surface_methods(const RowInput& input, Framebuffer canvas) {
     const auto method = static_cast<HiddenSurfaces>(input.values[0]);
     const MethodFrame frame(input, method, input.mode), right(input, HiddenSurfaces::SpanBuffer, input.mode);
     const auto warning = input.values[1] == 1 ? std::optional(input.assets.colour(90, 255, 90)) : std::nullopt;
@@ -305,7 +305,7 @@ std::vector<Row> hidden_surface_rows() {
              "tests/effect_frames/hidden_surfaces_test.cpp",
              {method_parameter(HiddenSurfaces::PainterSorted),
               choice_parameter("differences", {"not marked", "marked"}, 1)},
-             draw_methods},
+             draw_hidden_surface_methods},
             {"overdraw",
              "Overdraw",
              "3 Notes: Painter's algorithm",

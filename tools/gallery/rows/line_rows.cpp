@@ -14,7 +14,7 @@ namespace oblong {
 
 namespace {
 
-struct Operations {
+struct LineOperations {
     std::int64_t additions = 0, multiplications = 0, divisions = 0;
 };
 
@@ -25,33 +25,39 @@ class CountedNumber {
 
     /// Counts from its making to its end, in this thread.
     struct Scope {
-        explicit Scope(Operations& operations) { counted = &operations; }
+        explicit Scope(LineOperations& operations) { counted = &operations; }
         ~Scope() { counted = nullptr; }
         Scope(const Scope&) = delete;
     };
 
-    CountedNumber operator+(CountedNumber other) const { return note(&Operations::additions, value_ + other.value_); }
-    CountedNumber operator-(CountedNumber other) const { return note(&Operations::additions, value_ - other.value_); }
-    CountedNumber operator*(CountedNumber other) const {
-        return note(&Operations::multiplications, value_ * other.value_);
+    CountedNumber operator+(CountedNumber other) const {
+        return note(&LineOperations::additions, value_ + other.value_);
     }
-    CountedNumber operator/(CountedNumber other) const { return note(&Operations::divisions, value_ / other.value_); }
+    CountedNumber operator-(CountedNumber other) const {
+        return note(&LineOperations::additions, value_ - other.value_);
+    }
+    CountedNumber operator*(CountedNumber other) const {
+        return note(&LineOperations::multiplications, value_ * other.value_);
+    }
+    CountedNumber operator/(CountedNumber other) const {
+        return note(&LineOperations::divisions, value_ / other.value_);
+    }
     CountedNumber operator>>(int bits) const { return {floor_shift(value_, bits)}; }
     bool operator<(CountedNumber other) const { return value_ < other.value_; }
 
   private:
-    static CountedNumber note(std::int64_t Operations::*kind, std::int64_t value) {
+    static CountedNumber note(std::int64_t LineOperations::*kind, std::int64_t value) {
         if (counted) ++(counted->*kind);
         return {value};
     }
 
-    static inline thread_local Operations* counted = nullptr;
+    static inline thread_local LineOperations* counted = nullptr;
     std::int64_t value_;
 };
 
 template <class Walk>
-Operations operations_of_walk(const LinePath& path, bool is_antialiased) {
-    Operations operations;
+LineOperations operations_of_walk(const LinePath& path, bool is_antialiased) {
+    LineOperations operations;
     const CountedNumber::Scope scope(operations);
     Walk walk(path);
     for (std::int64_t step = 0; step <= path.steps; ++step, walk.next()) {
@@ -62,7 +68,7 @@ Operations operations_of_walk(const LinePath& path, bool is_antialiased) {
     return operations;
 }
 
-Operations operations_of(LineMethod method, PixelPosition from, PixelPosition to) {
+LineOperations operations_of(LineMethod method, PixelPosition from, PixelPosition to) {
     const LinePath path = make_line_path(from, to, method == LineMethod::Naive);
     if (method == LineMethod::Naive) return operations_of_walk<NaiveWalk<CountedNumber>>(path, false);
     if (method == LineMethod::Dda) return operations_of_walk<DdaWalk<CountedNumber>>(path, false);
@@ -74,7 +80,7 @@ struct NamedLine {
     const char* name;
     PixelPosition from, to;
 };
-constexpr std::int32_t kColumns = 24, kRows = 12;
+constexpr std::int32_t kGridColumns = 24, kGridRows = 12;
 constexpr std::array<NamedLine, 5> kLines{{{"flat", {1, 3}, {22, 8}},
                                            {"steep", {9, 0}, {13, 11}},
                                            {"falling", {2, 11}, {20, 1}},
@@ -100,12 +106,12 @@ double distance_to(const NamedLine& line, double x, double y) {
 }
 
 LineError error_of(LineMethod method, const NamedLine& line) {
-    std::vector<std::uint8_t> pixels(pixel_count(kColumns, kRows), 0);
-    const Framebuffer canvas{pixels.data(), kColumns, kRows, kColumns};
+    std::vector<std::uint8_t> pixels(pixel_count(kGridColumns, kGridRows), 0);
+    const Framebuffer canvas{pixels.data(), kGridColumns, kGridRows, kGridColumns};
     draw_line(line.from, line.to, {method, 1}, canvas);
     LineError error;
-    for (std::int32_t y = 0; y < kRows; ++y)
-        for (std::int32_t x = 0; x < kColumns; ++x)
+    for (std::int32_t y = 0; y < kGridRows; ++y)
+        for (std::int32_t x = 0; x < kGridColumns; ++x)
             if (canvas.row(y)[x] != 0) error.add(distance_to(line, x, y));
     return error;
 }
@@ -123,7 +129,7 @@ LineError least_error(const NamedLine& line) {
     return error;
 }
 
-std::string counts_text(const Operations& operations) {
+std::string counts_text(const LineOperations& operations) {
     return std::to_string(operations.additions) + "+ " + std::to_string(operations.multiplications) + "* " +
            std::to_string(operations.divisions) + "/";
 }
@@ -149,7 +155,8 @@ void draw_method(LineMethod method, const NamedLine& line, const RowInput& input
     const std::uint8_t ground = assets.colour(30, 36, 52), lit = assets.colour(240, 200, 96);
     const Palette& palette = assets.colormap.palette;
     const FogTable blends = make_fog_table(palette, palette.colours[lit]);
-    PixelGrid grid(input, canvas, {quarter.x, quarter.y + kName_px, width, height - kName_px}, kColumns, kRows, ground);
+    PixelGrid grid(input, canvas, {quarter.x, quarter.y + kName_px, width, height - kName_px}, kGridColumns, kGridRows,
+                   ground);
     draw_line(line.from, line.to, {method, lit, &blends.levels}, grid.picture());
     grid.show(assets.colour(16, 18, 28));
     const auto centre = [](PixelPosition pixel) { return PlanePoint{pixel.column + 0.5, pixel.row + 0.5}; };
@@ -164,7 +171,7 @@ RowPage draw_lines_row(const RowInput& input, Framebuffer canvas) {
 
     const LineError least = least_error(line), nearest = error_of(LineMethod::Bresenham, line);
     const std::int64_t across = std::abs(line.to.column - line.from.column);
-    const Operations bresenham = operations_of(LineMethod::Bresenham, line.from, line.to);
+    const LineOperations bresenham = operations_of(LineMethod::Bresenham, line.from, line.to);
     return {
         {number_figure("Bresenham: farthest pixel from the line", least.largest, nearest.largest, 1e-12),
          count_figure("Bresenham: multiplications and divisions", 0, bresenham.multiplications + bresenham.divisions),

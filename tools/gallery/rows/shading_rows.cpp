@@ -13,8 +13,8 @@ namespace oblong {
 
 namespace {
 
-constexpr int kFieldOfView = 50;
-constexpr double kDistance = 200;
+constexpr int kBallsFieldOfView = 50;
+constexpr double kBallsDistance = 200;
 constexpr std::array kShadings{Shading::Flat, Shading::Gouraud, Shading::Phong};
 constexpr std::array kShadingNames{"flat", "Gouraud", "Phong"};
 
@@ -52,7 +52,7 @@ constexpr double kBallRadius = 27, kBallStep = 60, kBallHeight = 8;
 PlacedMesh shaded_ball(const Mesh& mesh, std::size_t kind) {
     PlacedMesh placed;
     placed.mesh = &mesh;
-    placed.position = world_point(kDistance, kBallStep * (1 - static_cast<double>(kind)), kBallHeight);
+    placed.position = world_point(kBallsDistance, kBallStep * (1 - static_cast<double>(kind)), kBallHeight);
     placed.shading = kShadings[kind];
     placed.highlight = 90;
     return placed;
@@ -90,9 +90,9 @@ RowPage draw_shadings(const RowInput& input, Framebuffer canvas) {
         ball_mesh(kBallRadius, static_cast<int>(input.values[0]), plain_skin(lit_colour(assets, 150, 90, 40)));
     const Vec toward = toward_light(input.values[1]);
     const MeshLight light{24, {unit_of(toward), 110}, {}, 100};
-    MeshScene scene(input, canvas, kFieldOfView);
+    MeshScene scene(input, canvas, kBallsFieldOfView);
     std::vector<std::uint8_t> numbers(pixel_count(canvas.width_px, canvas.height_px));
-    MeshScene numbered(input, {numbers.data(), canvas.width_px, canvas.height_px, canvas.width_px}, kFieldOfView);
+    MeshScene numbered(input, {numbers.data(), canvas.width_px, canvas.height_px, canvas.width_px}, kBallsFieldOfView);
     const Colormap by_number = shade_numbers();
     RowPage page;
     for (std::size_t kind = 0; kind < kShadings.size(); ++kind) {
@@ -100,7 +100,7 @@ RowPage draw_shadings(const RowInput& input, Framebuffer canvas) {
         scene.draw(placed, light);
         numbered.draw(placed, light, &by_number);
         const Mark mark = mark_at(scene, placed.position + world_point(-25, -3, 7));
-        const auto hit = exact_hit(placed, input, kFieldOfView, mark.column + 0.5, mark.row + 0.5);
+        const auto hit = exact_hit(placed, input, kBallsFieldOfView, mark.column + 0.5, mark.row + 0.5);
         const double found = numbers[static_cast<std::size_t>(mark.row * canvas.width_px + mark.column)];
         page.figures.push_back(number_figure(std::string("shade at the mark, ") + kShadingNames[kind],
                                              hit ? expected_shade(kind, placed, *hit, toward) : -1, found, 1.6, 1));
@@ -137,19 +137,20 @@ RowPage draw_lights(const RowInput& input, Framebuffer canvas) {
     PlacedMesh placed;
     placed.mesh = &ball;
     placed.shading = Shading::Gouraud;
-    placed.position = world_point(kDistance, 0, 8);
-    const Vec lamp = kind == Kind::Point ? Vec{kDistance + toward.x * 90, toward.y * 90, 8 + toward.z * 90} : toward;
+    placed.position = world_point(kBallsDistance, 0, 8);
+    const Vec lamp =
+        kind == Kind::Point ? Vec{kBallsDistance + toward.x * 90, toward.y * 90, 8 + toward.z * 90} : toward;
     const MovingLight point{world_point(lamp.x, lamp.y, lamp.z), World::from_int(150), 384};
     MeshLight light{kind == Kind::Ambient ? 90 : 0, {unit_of(toward), kind == Kind::Directional ? 120 : 0}, {}, 100};
     if (kind == Kind::Point) light.points = {&point, 1};
-    MeshScene scene(input, canvas, kFieldOfView);
+    MeshScene scene(input, canvas, kBallsFieldOfView);
     scene.draw(placed, light);
 
     RowPage page;
     constexpr std::array kPlaces{Vec{-0.5, -0.5, 0.7}, Vec{-0.8, 0.6, 0.2}, Vec{-0.6, -0.2, -0.78}};
     for (std::size_t i = 0; i < kPlaces.size(); ++i) {
         const Vec normal = normalised(kPlaces[i]);
-        const Vec position{kDistance + normal.x * kLitRadius, normal.y * kLitRadius, 8 + normal.z * kLitRadius};
+        const Vec position{kBallsDistance + normal.x * kLitRadius, normal.y * kLitRadius, 8 + normal.z * kLitRadius};
         const Vec3<World> on_ball = world_point(position.x, position.y, position.z);
         const double found = light_at(on_ball, unit_of(normal), light) / 256.0;
         const double expected = expected_light(kind, normal, position, lamp);

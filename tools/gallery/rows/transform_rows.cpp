@@ -23,18 +23,18 @@ constexpr int kTextColumn_320 = 204;
 constexpr std::array<std::array<int, 3>, 8> kCubeCorners{
     {{-1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {1, -1, -1}, {1, 1, 1}, {1, -1, 1}, {-1, 1, 1}, {-1, -1, 1}}};
 /// Its twelve triangles. The eighth is listed as {8, 5, 1}.
-constexpr std::array<std::array<int, 3>, 12> kCubeFaces{{{1, 2, 3},
-                                                         {1, 3, 4},
-                                                         {4, 3, 5},
-                                                         {4, 5, 6},
-                                                         {6, 5, 7},
-                                                         {6, 7, 8},
-                                                         {8, 7, 2},
-                                                         {8, 2, 1},
-                                                         {2, 7, 5},
-                                                         {2, 5, 3},
-                                                         {6, 8, 1},
-                                                         {6, 1, 4}}};
+constexpr std::array<std::array<int, 3>, 12> kCubeTriangles{{{1, 2, 3},
+                                                             {1, 3, 4},
+                                                             {4, 3, 5},
+                                                             {4, 5, 6},
+                                                             {6, 5, 7},
+                                                             {6, 7, 8},
+                                                             {8, 7, 2},
+                                                             {8, 2, 1},
+                                                             {2, 7, 5},
+                                                             {2, 5, 3},
+                                                             {6, 8, 1},
+                                                             {6, 1, 4}}};
 constexpr std::array<std::array<int, 2>, 12> kCubeEdges{
     {{1, 2}, {2, 3}, {3, 4}, {4, 1}, {8, 7}, {7, 5}, {5, 6}, {6, 8}, {1, 8}, {2, 7}, {3, 5}, {4, 6}}};
 
@@ -187,7 +187,7 @@ CubeCheck check_cube(const std::array<std::array<int, 3>, 12>& faces) {
 
 RowPage draw_left_handed_cube(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    auto faces = kCubeFaces;
+    auto faces = kCubeTriangles;
     const bool is_listed = input.values[0] == 0;
     if (is_listed) faces[7] = {8, 5, 1};
     const double turn = static_cast<double>(input.values[1]) * kDegree;

@@ -77,7 +77,7 @@ std::int64_t differing_pixels(const std::vector<std::uint8_t>& a, const std::vec
     return count;
 }
 
-RowPage draw_methods(const RowInput& input, Framebuffer canvas) {
+RowPage draw_triangle_methods(const RowInput& input, Framebuffer canvas) {
     constexpr std::array<int, 3> kThreads{1, 2, 4};
     const std::uint8_t ground = input.assets.colour(20, 24, 36);
     const auto triangles = random_triangles(input.values[2], input, canvas);
@@ -341,7 +341,7 @@ std::vector<Row> triangle_rows() {
              {choice_parameter("method", methods, 2),
               choice_parameter("threads", {"1", "2", "4"}, 2),
               {"seed", 1, 99, 1, 7}},
-             draw_methods},
+             draw_triangle_methods},
             {"top-left-rule",
              "Top-left rule",
              "3 Notes: Parallel acceleration",

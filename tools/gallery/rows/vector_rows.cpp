@@ -37,7 +37,7 @@ Angle angle_of(std::int64_t degrees) {
 Vec3<Unit> direction_at(std::int64_t degrees) {
     return {cosine(angle_of(degrees)), sine(angle_of(degrees)), {}};
 }
-PlanePoint point_of(const Vec3<Unit>& v) {
+PlanePoint plane_point(const Vec3<Unit>& v) {
     return {number_of(v.x), number_of(v.y)};
 }
 PlanePoint times(PlanePoint p, double factor) {
@@ -73,14 +73,14 @@ RowPage draw_dot_product(const RowInput& input, Framebuffer canvas) {
     diagram.fill(colours.ground);
     draw_axes(diagram, 1.12, colours.grid);
     diagram.circle({0, 0}, 1, colours.grid);
-    diagram.line(point_of(v), {product, 0}, colours.grid);
-    diagram.arrow({0, 0}, point_of(u), colours.second);
-    diagram.arrow({0, 0}, point_of(v), colours.first);
+    diagram.line(plane_point(v), {product, 0}, colours.grid);
+    diagram.arrow({0, 0}, plane_point(u), colours.second);
+    diagram.arrow({0, 0}, plane_point(v), colours.first);
     diagram.line({0, 0}, {product, 0}, colours.result);
     diagram.line({0, 0.012}, {product, 0.012}, colours.result);
     diagram.disc({product, 0}, 0.025, colours.result);
     diagram.text({1, 0}, "U", colours.second, 4, -9);
-    diagram.text(times(point_of(v), 1.08), "V", colours.first, -2, -3);
+    diagram.text(times(plane_point(v), 1.08), "V", colours.first, -2, -3);
     diagram.text({-1.95, 1.0}, std::to_string(degrees) + " degrees", colours.text);
     diagram.text({-1.95, 0.84}, "U . V = " + decimal_text(product), colours.result);
 
@@ -116,7 +116,7 @@ RowPage draw_orthonormal(const RowInput& input, Framebuffer canvas) {
     const Colours colours(input.assets);
     const Basis given = crooked_axes(input.values[0]);
     const Basis axes = input.values[1] == 1 ? orthonormalised(given) : given;
-    const PlanePoint i = point_of(axes.right), j = point_of(axes.up), a = sum(i, j);
+    const PlanePoint i = plane_point(axes.right), j = plane_point(axes.up), a = sum(i, j);
     Diagram diagram(input, canvas, {0.5, 0.55}, 2.6);
     diagram.fill(colours.ground);
     draw_lattice(diagram, i, j, colours.grid);
@@ -174,11 +174,11 @@ RowPage draw_lighting(const RowInput& input, Framebuffer canvas) {
     diagram.rectangle({foot.x - 0.55, foot.y - 0.08}, {foot.x + 0.55, foot.y},
                       input.assets.colour(40 + static_cast<int>(share * 200), 36 + static_cast<int>(share * 180),
                                           34 + static_cast<int>(share * 140)));
-    diagram.arrow(foot, sum(foot, point_of(normal)), colours.second);
-    diagram.arrow(sum(foot, times(point_of(to_light), 1.15)), sum(foot, times(point_of(to_light), 0.12)),
+    diagram.arrow(foot, sum(foot, plane_point(normal)), colours.second);
+    diagram.arrow(sum(foot, times(plane_point(to_light), 1.15)), sum(foot, times(plane_point(to_light), 0.12)),
                   colours.first);
-    diagram.text(sum(foot, point_of(normal)), "N", colours.second, -9, 2);
-    diagram.text(sum(foot, times(point_of(to_light), 1.2)), "D", colours.first, -2, -3);
+    diagram.text(sum(foot, plane_point(normal)), "N", colours.second, -9, 2);
+    diagram.text(sum(foot, times(plane_point(to_light), 1.2)), "D", colours.first, -2, -3);
     diagram.text({-1.65, -0.75}, "I = N . -D = " + decimal_text(share), colours.result);
     Operations cost;
     const auto counted = [&cost](const Vec3<Unit>& vector) {
@@ -248,7 +248,7 @@ RowPage draw_rotation(const RowInput& input, Framebuffer canvas) {
     const Vec3<Unit> point{Unit::from_raw(3 << 27), Unit::from_raw(3 << 28), {}};  // (0.375, 0.75)
     const Vec3<Unit> turned = project_onto_axes(point, axes);
     const Vec3<Unit> restored = sum_along_axes(turned, axes);
-    const PlanePoint p = point_of(point), right = point_of(axes.right), up = point_of(axes.up);
+    const PlanePoint p = plane_point(point), right = plane_point(axes.right), up = plane_point(axes.up);
     const PlanePoint on_right = times(right, number_of(turned.x)), on_up = times(up, number_of(turned.y));
     Diagram diagram(input, canvas, {0, 0}, 2.4);
     diagram.fill(colours.ground);
