@@ -11,7 +11,7 @@
 namespace oblong {
 namespace {
 
-using test::along, test::dot, test::Point, test::to_point, test::to_world;
+using test::along, test::Point, test::to_point, test::to_world;
 
 class RealTrace : public testing::TestWithParam<const char*> {
   protected:

@@ -18,7 +18,7 @@ namespace oblong {
 
 namespace {
 
-using test::along, test::dot, test::Point, test::to_point, test::to_world;
+using test::along, test::Point, test::to_point, test::to_world;
 
 struct FilePlane {
     Point normal;

@@ -5,7 +5,7 @@
 
 #include "engine/fixed/fixed.h"
 #include "engine/math/vec.h"
-#include "tools/reference/vec.h"
+#include "tools/measure/exact.h"
 
 /// The engine's points and directions in doubles, for the tests' own arithmetic. A World coordinate is exact there.
 namespace oblong::test {
@@ -24,8 +24,7 @@ inline Vec3<World> to_world(Point p) {
 }
 template <class Int, int Frac>
 Point to_point(const Vec3<Fixed<Int, Frac>>& p) {
-    const auto number = [](Fixed<Int, Frac> part) { return std::ldexp(static_cast<double>(part.raw), -Frac); };
-    return {number(p.x), number(p.y), number(p.z)};
+    return vec_of(p);
 }
 
 }  // namespace oblong::test

@@ -12,7 +12,7 @@
 #include "engine/math/matrix.h"
 #include "engine/surface/colormap.h"
 #include "engine/view/screen.h"
-#include "tools/reference/vec.h"
+#include "tools/measure/exact.h"
 
 namespace oblong {
 
@@ -96,18 +96,8 @@ Vec3<Unit> unit_vector(double x, double y, double z);
 /// A number of a matrix.
 Entry entry_of(double value);
 
-/// The value of a fixed-point number.
-template <class Int, int Frac>
-double number_of(Fixed<Int, Frac> value) {
-    return std::ldexp(static_cast<double>(value.raw), -Frac);
-}
-
 /// A point or a direction in doubles.
 using reference::Vec;
-template <class Int, int Frac>
-Vec vec_of(const Vec3<Fixed<Int, Frac>>& v) {
-    return {number_of(v.x), number_of(v.y), number_of(v.z)};
-}
 
 /// A number as text: "%.3f" or another format.
 std::string decimal_text(double value, const char* format = "%.3f");

@@ -35,7 +35,7 @@ const reference::PlaneView& TexelErrorMeter::plane_of(const PixelRecord& pixel) 
     const std::int64_t key = std::int64_t{pixel.face.number()} << 32 | (pixel.model.number() + 1);
     if (const auto known = planes_.find(key); known != planes_.end()) return known->second;
     const reference::Vec offset =
-        pixel.model.is_none() ? reference::Vec{} : reference_vec(models_[pixel.model.position()].offset);
+        pixel.model.is_none() ? reference::Vec{} : vec_of(models_[pixel.model.position()].offset);
     const reference::PlaneView plane(level_, level_.face(pixel.face.number()), offset, camera_);
     return planes_.emplace(key, plane).first->second;
 }
@@ -87,13 +87,9 @@ ErrorSummary summarize_errors(std::vector<float> errors) {
             *std::max_element(at_p99, errors.end())};
 }
 
-reference::Vec reference_vec(const Vec3<World>& world) {
-    return {number_of(world.x), number_of(world.y), number_of(world.z)};
-}
-
 reference::View reference_view(const Camera& camera, const ScreenMode& mode, bool correct_aspect) {
     reference::View view;
-    view.eye = reference_vec(camera.eye);
+    view.eye = vec_of(camera.eye);
     view.yaw = camera.yaw.bam;
     view.pitch = camera.pitch.bam;
     view.roll = camera.roll.bam;
@@ -107,7 +103,7 @@ reference::View reference_view(const Camera& camera, const ScreenMode& mode, boo
 
 std::vector<reference::PlacedModel> reference_models(std::span<const PlacedModel> models) {
     std::vector<reference::PlacedModel> placed;
-    for (const PlacedModel& model : models) placed.push_back({model.model.number(), reference_vec(model.offset)});
+    for (const PlacedModel& model : models) placed.push_back({model.model.number(), vec_of(model.offset)});
     return placed;
 }
 
