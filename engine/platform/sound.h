@@ -23,8 +23,8 @@ class SoundOutput {
 
     virtual ~SoundOutput() = default;
 
-    /// Adds the sound of a WAV file. Throws InputError for bytes that are none.
-    virtual SoundNumber add_sound(std::span<const std::uint8_t> wave_file) = 0;
+    /// Adds a sound of one channel, at least one sample.
+    virtual SoundNumber add_sound(std::span<const std::int16_t> samples, std::int32_t rate_hz) = 0;
 
     /// Begins to play a sound, once or again and again until it is stopped; kNoVoice where all voices are taken.
     virtual VoiceNumber start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) = 0;

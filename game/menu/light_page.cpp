@@ -1,7 +1,7 @@
 // The page on which a player sets the light by a test picture, as it is shown here and now: no number does for all
 // displays and rooms.
 #include "game/menu/menu_pages.h"
-#include "game/preferences/preference_table.h"
+#include "game/options/preference_table.h"
 
 namespace oblong {
 namespace {

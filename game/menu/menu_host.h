@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "engine/platform/bindings.h"
-#include "game/goal.h"
-#include "game/key_names.h"
+#include "game/input/key_names.h"
 #include "game/menu/menu_page.h"
-#include "game/preferences/preferences.h"
+#include "game/options/preferences.h"
+#include "game/simulation/goal.h"
 
 namespace oblong {
 

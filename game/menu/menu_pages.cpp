@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "game/preferences/preference_table.h"
+#include "game/options/preference_table.h"
 
 namespace oblong {
 namespace {

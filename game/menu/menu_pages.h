@@ -3,7 +3,7 @@
 #include "game/menu/key_pages.h"
 #include "game/menu/menu.h"
 #include "game/menu/menu_host.h"
-#include "game/preferences/preference_table.h"
+#include "game/options/preference_table.h"
 
 namespace oblong {
 

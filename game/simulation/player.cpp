@@ -162,6 +162,17 @@ void leave_solid(const GameLevel& level, GameState& state) {
 
 }  // namespace
 
+Position eye_of(const Player& player) {
+    return player.position + Vec3<World>{World{}, World{}, World::from_int(kEyeHeight) - player.eye_lag};
+}
+
+bool was_teleported(const Player& before, const Player& after) {
+    static constexpr World kLongestMotion = World::from_int(128);
+    const auto is_near = [](World way) { return way <= kLongestMotion && way >= -kLongestMotion; };
+    const Vec3<World> way = eye_of(after) - eye_of(before);
+    return !(is_near(way.x) && is_near(way.y) && is_near(way.z));
+}
+
 void step_player(const GameLevel& level, GameState& state, const TickInput& input) {
     Player& player = state.player;
     turn(player, input);

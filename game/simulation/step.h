@@ -11,6 +11,10 @@ namespace oblong {
 
 /// The eye above Player::position.
 inline constexpr std::int32_t kEyeHeight = 22;
+Position eye_of(const Player& player);
+
+/// Whether the player's way within a tick is too long for a motion.
+bool was_teleported(const Player& before, const Player& after);
 
 /// A player who is farther out along an axis, outside any level, comes in again.
 inline constexpr World kFarthestPlayer = World::from_int(40'000);

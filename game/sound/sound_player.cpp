@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "engine/files/files.h"
+#include "game/sound/flac.h"
 
 namespace oblong {
 namespace {
@@ -18,11 +19,11 @@ VoiceLevels at_volume(VoiceLevels levels, std::int32_t volume_256) {
 
 SoundPlayer::SoundPlayer(SoundOutput& output, const std::string& folder) : output_(output) {
     for (std::size_t i = 0; i < kSoundCount; ++i) {
-        const Sound sound = static_cast<Sound>(i);
-        for (std::int32_t variant = 0; variant < row_of(sound).variants; ++variant) {
-            const std::string path = (std::filesystem::path(folder) / file_of(sound, variant)).string();
-            const auto number =
-                read_parsed(path, [&](std::span<const std::uint8_t> bytes) { return output.add_sound(bytes); });
+        const Sound which = static_cast<Sound>(i);
+        for (std::int32_t variant = 0; variant < row_of(which).variants; ++variant) {
+            const std::string path = (std::filesystem::path(folder) / file_of(which, variant)).string();
+            const SoundSamples sound = read_parsed(path, decode_flac);
+            const auto number = output.add_sound(sound.samples, sound.rate_hz);
             if (variant == 0) first_numbers_.push_back(number);
         }
     }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "game/game_renderer.h"
+#include "game/simulation/step.h"
 
 namespace oblong {
 namespace {

@@ -66,7 +66,7 @@ const SoundRow& row_of(Sound sound) {
 
 std::string file_of(Sound sound, std::int32_t variant) {
     const SoundRow& row = row_of(sound);
-    return row.file + (row.variants > 1 ? std::to_string(variant + 1) : std::string()) + ".wav";
+    return row.file + (row.variants > 1 ? std::to_string(variant + 1) : std::string()) + ".flac";
 }
 
 }  // namespace oblong

@@ -64,7 +64,7 @@ enum class CaptionRule : std::uint8_t {
 
 /// What is known of a sound.
 struct SoundRow {
-    const char* file;       ///< of the folder of sounds, without a variant's number and ".wav"
+    const char* file;       ///< of the folder of sounds, without a variant's number and ".flac"
     std::int32_t variants;  ///< files, numbered from 1 if there are several; played by turns
     const char* caption;    ///< what is heard, in words; "" for what menus say already
     std::int32_t range;     ///< it cannot be heard from here on, in world units; 0: it is heard where the listener is
@@ -77,7 +77,7 @@ struct SoundRow {
 
 const SoundRow& row_of(Sound sound);
 
-/// "step_stone2.wav"; `variant` from 0.
+/// "step_stone2.flac"; `variant` from 0.
 std::string file_of(Sound sound, std::int32_t variant);
 
 }  // namespace oblong

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "tests/accuracy/scenes_fixture.h"
+#include "tools/accuracy/scene_map.h"
 #include "tools/accuracy/scene_textures.h"
-#include "tools/demo_level/map/room.h"
 #include "tools/map/compile.h"
 #include "tools/measure/texel_error.h"
 #include "tools/probe/probe.h"
@@ -17,7 +17,7 @@
 namespace oblong::test {
 namespace {
 
-using map_source::Point;
+using map::Point;
 using Triangle = std::array<reference::TexturedCorner, 3>;
 
 /// The rounding of a texture coordinate alone (engine/fixed/README.md): closer no texel can be to its place.
@@ -129,20 +129,14 @@ struct Wedge {
     }
 
     MeasuredLevel level(const Palette& palette) const {
-        map_source::Draft draft(std::vector<std::pair<std::string, std::string>>{{"light", "80"}});
-        build_room(draft, {{{-256, -256, 0}, {512, 256, 256}}, "tiles", "tiles", {{256, "stone"}}, {}});
-        draft.add_point("info_player_start", {-200, 0, 32});
+        SceneMap room({{-256, -256, 0}, {512, 256, 256}});
+        room.add_start({-200, 0, 32});
         const auto& [a, b, c] = corners;
         const Point back{a.x + b.x + c.x, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
         const Point inside{(a.x + b.x + c.x) * 0.4, back.y, back.z};
-        map_source::Brush brush =
-            map_source::make_solid({{a, b, c}, {a, back, b}, {b, back, c}, {c, back, a}}, inside, "stone");
-        for (auto& face : brush.faces) face.placement.scale_u = face.placement.scale_v = scale;
-        draft.add_detail(std::move(brush));
-        std::ostringstream text;
-        write_map(draft, text);
+        room.add_detail(make_solid({{a, b, c}, {a, back, b}, {b, back, c}, {c, back, a}}, inside, "stone", scale));
         const std::string bytes =
-            map::to_bytes(map::compile_map(map::parse_map(text.str()), {map::Wad(make_scene_wad(palette))}, {true}));
+            map::to_bytes(map::compile_map(room.entities(), {map::Wad(make_scene_wad(palette))}, {true}));
         Camera camera;
         camera.eye = {World::from_int(0), World::from_int(0), World::from_int(128)};
         return make_measured_level("wedge", "", std::vector<std::uint8_t>(bytes.begin(), bytes.end()), {camera});

@@ -1,15 +1,16 @@
 #pragma once
 
+#include "engine/files/files.h"
+#include "tests/support/folders.h"
 #include "tools/accuracy/hard_scenes.h"
 #include "tools/accuracy/measured_level.h"
 #include "tools/accuracy/report.h"
-#include "tools/demo_level/art/ramps.h"
 
 namespace oblong::test {
 
 /// The hard scenes with their colours.
 struct Scenes {
-    Palette palette = art::design_palette();
+    Palette palette = read_palette(read_file(source_folder() + "/assets/palette.lmp"));
     Colormap colormap = make_colormap(palette);
     std::vector<MeasuredLevel> levels;
 

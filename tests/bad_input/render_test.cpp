@@ -209,7 +209,6 @@ TEST(Programs, ADashStandsForNoFileThatIsReadOrWritten) {
     for (const std::vector<std::string>& words :
          std::vector<std::vector<std::string>>{{"oblong", "-"},
                                                {"oblong", "--record", "-"},
-                                               {"oblong-demo-level", "palette", "-o", "-"},
                                                {"oblong-map", "-", "-o", "a.bsp"},
                                                {"oblong-map", "a.map", "-o", "-"},
                                                {"oblong-render", "-", "--cameras", "a.csv"},

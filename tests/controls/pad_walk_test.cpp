@@ -4,8 +4,8 @@
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/sdl/input.h"
+#include "game/input/tick_input_source.h"
 #include "game/simulation/step.h"
-#include "game/tick_input_source.h"
 #include "tests/controls/pad_pilot.h"
 #include "tests/support/folders.h"
 

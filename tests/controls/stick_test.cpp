@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/preferences/preferences.h"
-#include "game/stick_response.h"
-#include "game/tick_input_source.h"
+#include "game/input/stick_response.h"
+#include "game/input/tick_input_source.h"
+#include "game/options/preferences.h"
 
 namespace oblong {
 namespace {

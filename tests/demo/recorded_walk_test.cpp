@@ -7,7 +7,7 @@
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/bindings.h"
-#include "game/route.h"
+#include "game/input/route.h"
 #include "game/simulation/items.h"
 #include "game/simulation/step.h"
 #include "game/sound/sound_scene.h"

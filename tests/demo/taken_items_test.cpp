@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "game/game_renderer.h"
-#include "game/load.h"
+#include "game/level/load.h"
+#include "game/view/game_renderer.h"
 #include "tests/support/folders.h"
 
 namespace oblong {

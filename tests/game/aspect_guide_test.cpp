@@ -1,4 +1,4 @@
-#include "game/aspect_guide.h"
+#include "game/lab/aspect_guide.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The map of a wall that stands on a floor, with places worked out by hand.
 
-#include "game/automap.h"
+#include "game/view/automap.h"
 
 #include <gtest/gtest.h>
 

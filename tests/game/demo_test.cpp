@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/base/input_error.h"
-#include "game/tick_input_source.h"
+#include "game/input/tick_input_source.h"
 #include "tests/game/toy_game.h"
 
 namespace oblong {

@@ -1,4 +1,4 @@
-#include "game/four_aspects.h"
+#include "game/lab/four_aspects.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "game/gallery.h"
+#include "game/program/gallery.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "game/goal.h"
+#include "game/simulation/goal.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "game/key_names.h"
+#include "game/input/key_names.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <regex>
 
 #include "engine/platform/headless/headless.h"
-#include "game/view_options.h"
+#include "game/program/view_options.h"
 #include "tests/support/folders.h"
 
 namespace oblong {

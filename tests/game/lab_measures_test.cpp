@@ -1,4 +1,4 @@
-#include "game/lab_measures.h"
+#include "game/lab/lab_measures.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "engine/accuracy/dials.h"
-#include "game/load.h"
+#include "game/level/load.h"
 #include "tests/support/folders.h"
 
 namespace oblong {

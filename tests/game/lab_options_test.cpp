@@ -1,8 +1,8 @@
-#include "game/lab_options.h"
+#include "game/lab/lab_options.h"
 
 #include <gtest/gtest.h>
 
-#include "game/view_options.h"
+#include "game/program/view_options.h"
 
 namespace oblong {
 namespace {

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "engine/draw/font.h"
-#include "game/aspect_guide.h"
-#include "game/comparison.h"
-#include "game/error_map.h"
-#include "game/hud.h"
-#include "game/lab_panel.h"
+#include "game/lab/aspect_guide.h"
+#include "game/lab/comparison.h"
+#include "game/lab/error_map.h"
+#include "game/lab/lab_panel.h"
 #include "game/menu/menu_layout.h"
+#include "game/view/hud.h"
 
 namespace oblong {
 namespace {

@@ -1,4 +1,4 @@
-#include "game/session.h"
+#include "game/program/session.h"
 
 #include <gtest/gtest.h>
 

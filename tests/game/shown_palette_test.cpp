@@ -1,4 +1,4 @@
-#include "game/shown_palette.h"
+#include "game/view/shown_palette.h"
 
 #include <gtest/gtest.h>
 

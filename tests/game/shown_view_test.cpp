@@ -1,4 +1,4 @@
-#include "game/shown_view.h"
+#include "game/view/shown_view.h"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "engine/level/bsp_read.h"
+#include "game/program/view_options.h"
 #include "tests/support/folders.h"
 
 namespace oblong {
@@ -34,14 +35,11 @@ double size_at(const ViewSpec& spec, int y) {
 }
 
 TEST(ShownView, IsTheCamerasUntilAKeyIsPressed) {
-    EXPECT_FALSE(other_view({}, camera_before_sphere(), demo_level()));
+    EXPECT_FALSE(other_view(false, 0, camera_before_sphere(), demo_level()));
 }
 
 TEST(ShownView, IsIsometricAroundThePlayerWithoutWhatIsAbove) {
-    ViewOptions options;
-    options.is_isometric = true;
-    options.zoom_degrees = 30;
-    const auto view = other_view(options, camera_before_sphere(), demo_level());
+    const auto view = other_view(true, 30, camera_before_sphere(), demo_level());
     ASSERT_TRUE(view);
     EXPECT_TRUE(view->is_parallel);
     EXPECT_EQ(view->eye, camera_before_sphere().eye);
@@ -57,9 +55,7 @@ TEST(ShownView, KeepsTheSizeOfWhatIsInTheMiddleWhileItZooms) {
     const Camera camera = camera_before_sphere();
     double far_before = 0;
     for (const std::int32_t degrees : {120, 60, 30, 10}) {
-        ViewOptions options;
-        options.zoom_degrees = degrees;
-        const auto view = other_view(options, camera, level);
+        const auto view = other_view(false, degrees, camera, level);
         ASSERT_TRUE(view);
         EXPECT_EQ(view->cuts.empty(), degrees > 90);
         double least = 1e9;

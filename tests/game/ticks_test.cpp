@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "game/game_renderer.h"
-#include "game/tick_clock.h"
-#include "game/tick_input_source.h"
+#include "game/input/tick_input_source.h"
+#include "game/simulation/tick_clock.h"
+#include "game/view/game_renderer.h"
 #include "tests/game/toy_game.h"
 
 namespace oblong {

@@ -1,4 +1,4 @@
-#include "game/view_options.h"
+#include "game/program/view_options.h"
 
 #include <gtest/gtest.h>
 

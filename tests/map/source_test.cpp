@@ -139,6 +139,36 @@ TEST(Entities, GroupsAloneAreAWorld) {
         bytes);
 }
 
+// As TrenchBroom saves them: layer by layer, each with its brushes, details and entities.
+TEST(Entities, InWhichOrderLayersAreSavedMakesNoDifference) {
+    const std::string pillar = box({160, 160, 0}, {192, 192, 64}), step = box({200, 160, 0}, {232, 192, 16});
+    const std::string group = entity("func_group", {{"_tb_type", "_tb_layer"}, {"_tb_id", "1"}}, pillar),
+                      detail = entity("func_detail", {{"_tb_layer", "1"}}, step),
+                      door = entity("func_door", {{"_tb_layer", "1"}}, box({96, 96, 0}, {112, 112, 64}));
+    const std::string bytes = bytes_of(level(plain_room(), lights_of_plain_room() + group + detail + door));
+    EXPECT_EQ(bytes_of(level(plain_room(), lights_of_plain_room() + door + detail + group)), bytes);
+    EXPECT_EQ(bytes_of(level(plain_room() + pillar, lights_of_plain_room() + detail + door)), bytes);
+}
+
+TEST(Entities, NothingOfTheSourceAloneIsInTheLevel) {
+    const std::string layer = entity("func_group", {{"_tb_type", "_tb_layer"}, {"_tb_name", "lights alone"}});
+    const std::string source = level(plain_room(), lights_of_plain_room());
+    std::string saved = source;
+    saved.insert(saved.find("\"classname\" \"worldspawn\""),
+                 "\"mapversion\" \"220\"\n\"_tb_def\" \"external:a.fgd\"\n");
+    EXPECT_EQ(bytes_of(saved + layer), bytes_of(source));
+    map::Warnings warnings;
+    find_warnings(map::parse_map(saved + layer), warnings);
+    EXPECT_TRUE(warnings.take().empty());
+}
+
+TEST(Entities, ALevelNamesItsWadsWithoutTheirFolders) {
+    std::string source = level(plain_room(), lights_of_plain_room());
+    source.insert(source.find("\"classname\" \"worldspawn\""), R"("wad" "../a/b.wad;C:\c\d.wad;e.wad")"
+                                                               "\n");
+    EXPECT_NE(compile(source).entities.find("\"wad\" \"b.wad;d.wad;e.wad\"\n"), std::string::npos);
+}
+
 TEST(Wad, UnknownTexturesAreNamed) {
     expect_complaint(level(room({0, 0, 0}, {64, 64, 64}, 16, "nothing")), "line 4: texture 'nothing' is in none");
 }

@@ -184,8 +184,9 @@ TEST(Sight, LinesThatMeetNoBrushAreInTheSets) {
 }
 
 TEST(Sight, LinesOfTheDemoLevelAreInTheSets) {
-    const std::string assets = test::build_folder() + "/assets/";
-    const Witness witness = Sight(read_text(assets + "demo.map"), read_text(assets + "demo.bsp")).test(400000, 9);
+    Sight sight(read_text(test::source_folder() + "/assets/demo.map"),
+                read_text(test::build_folder() + "/assets/demo.bsp"));
+    const Witness witness = sight.test(400000, 9);
     EXPECT_GT(witness.seen, 5000);
     EXPECT_EQ(witness.denied, 0) << "of " << witness.seen;
 }

@@ -1,4 +1,4 @@
-#include "game/hud.h"
+#include "game/view/hud.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "game/messages.h"
+#include "game/view/messages.h"
 
 #include <gtest/gtest.h>
 

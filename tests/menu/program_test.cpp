@@ -1,4 +1,4 @@
-#include "game/program.h"
+#include "game/program/program.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "game/level_search.h"
+#include "game/level/level_search.h"
 
 #include <gtest/gtest.h>
 
-#include "game/load.h"
+#include "game/level/load.h"
 #include "tests/mesh_files/mdl_writer.h"
 #include "tests/paks/pak_writer.h"
 #include "tests/support/bsp_writer.h"

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "engine/platform/headless/headless.h"
-#include "game/session.h"
+#include "game/program/session.h"
 #include "tests/preferences/named.h"
 #include "tests/support/folders.h"
 

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "game/preferences/preference_table.h"
+#include "game/options/preference_table.h"
 
 namespace oblong::test {
 

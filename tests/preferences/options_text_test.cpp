@@ -1,4 +1,4 @@
-#include "game/preferences/options_text.h"
+#include "game/options/options_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "game/preferences/preference_table.h"
+#include "game/options/preference_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "game/preferences/preferences_store.h"
+#include "game/options/preferences_store.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,4 +1,4 @@
-#include "game/view_sway.h"
+#include "game/view/view_sway.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 
 #include "engine/base/fnv.h"
 #include "engine/effects/palette_effects.h"
+#include "game/input/tick_input_source.h"
 #include "game/saves/saved_level.h"
-#include "game/tick_input_source.h"
 #include "tests/support/folders.h"
 #include "tests/walk/walked_level.h"
 

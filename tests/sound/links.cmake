@@ -1,1 +1,1 @@
-set(LINKS oblong_game oblong_tool_demo_level)
+set(LINKS oblong_game)

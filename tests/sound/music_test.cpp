@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <string>
 
-#include "tools/demo_level/sounds/module_file.h"
-#include "tools/demo_level/sounds/sounds.h"
+#include "engine/files/files.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
 
-// Read by the format's description, not by the writer's code.
-struct ReadModule {
-    explicit ReadModule(std::vector<std::uint8_t> file) : bytes(std::move(file)) {}
-
+/// assets/music/title.mod, read by the format's description.
+struct TitleModule {
     std::size_t word(std::size_t at) const { return bytes[at] * std::size_t{256} + bytes[at + 1]; }
     std::size_t sample(std::size_t i) const { return 20 + 30 * i; }
     std::size_t patterns() const { return 1 + *std::max_element(bytes.begin() + 952, bytes.begin() + 952 + 128); }
@@ -21,13 +19,13 @@ struct ReadModule {
                 bytes.begin() + static_cast<std::ptrdiff_t>(at + size)};
     }
 
-    std::vector<std::uint8_t> bytes;
+    const std::vector<std::uint8_t> bytes = read_file(test::source_folder() + "/assets/music/title.mod");
 };
 
 constexpr std::size_t kHeader = 1084, kPattern = 64 * 8 * 4;
 
 TEST(TitleMusic, HasAllPartsOfItsFile) {
-    const ReadModule module(sound_source::make_title_music());
+    const TitleModule module;
     EXPECT_EQ(module.text(1080, 4), "8CHN");
     EXPECT_EQ(module.text(0, 18), "after closing time");
     std::size_t samples = 0;
@@ -36,7 +34,7 @@ TEST(TitleMusic, HasAllPartsOfItsFile) {
 }
 
 TEST(TitleMusic, LastsAMinuteAndAQuarter) {
-    const ReadModule module(sound_source::make_title_music());
+    const TitleModule module;
     const double row_s = 6 * 2.5 / 125;  // six ticks, at the 125 beats a minute that a module begins with
     const double length_s = module.bytes[950] * 64 * row_s;
     EXPECT_GT(length_s, 60);
@@ -44,7 +42,7 @@ TEST(TitleMusic, LastsAMinuteAndAQuarter) {
 }
 
 TEST(TitleMusic, PlaysNotesThatItHasSamplesFor) {
-    const ReadModule module(sound_source::make_title_music());
+    const TitleModule module;
     int notes = 0;
     for (std::size_t at = kHeader; at < kHeader + module.patterns() * kPattern; at += 4) {
         const auto* cell = &module.bytes[at];
@@ -63,7 +61,7 @@ TEST(TitleMusic, PlaysNotesThatItHasSamplesFor) {
 }
 
 TEST(TitleMusic, LoopsOfSamplesAreInThem) {
-    const ReadModule module(sound_source::make_title_music());
+    const TitleModule module;
     int loops = 0;
     for (std::size_t i = 0; i < 31; ++i) {
         const std::size_t at = module.sample(i), length = module.word(at + 22);
@@ -73,13 +71,6 @@ TEST(TitleMusic, LoopsOfSamplesAreInThem) {
         EXPECT_LE(module.word(at + 26) + module.word(at + 28), length);
     }
     EXPECT_EQ(loops, 1);
-}
-
-TEST(Module, PeriodsAreProTrackers) {
-    EXPECT_EQ(sound_source::period_of(0), 856);
-    EXPECT_EQ(sound_source::period_of(12), 428);
-    EXPECT_EQ(sound_source::period_of(21), 254);
-    EXPECT_EQ(sound_source::period_of(35), 113);
 }
 
 }  // namespace

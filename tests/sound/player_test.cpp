@@ -102,7 +102,7 @@ TEST(GameSound, IsSilentWhereItsFilesAreMissing) {
     TestSound test("nowhere");
     test.sound.set(kOn);
     test.sound.play(Sound::MenuMove);
-    EXPECT_NE(testing::internal::GetCapturedStderr().find("nowhere/sounds/step_stone1.wav"), std::string::npos);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("nowhere/sounds/step_stone1.flac"), std::string::npos);
 }
 
 // Walks on until steps are heard.

@@ -17,7 +17,7 @@ class RecordedOutput final : public SoundOutput {
         VoiceLevels levels;
     };
 
-    SoundNumber add_sound(std::span<const std::uint8_t>) override { return sounds++; }
+    SoundNumber add_sound(std::span<const std::int16_t>, std::int32_t) override { return sounds++; }
     VoiceNumber start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) override {
         voices[++starts] = {sound, is_loop, levels};
         return starts;

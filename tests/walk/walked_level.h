@@ -6,7 +6,7 @@
 
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
-#include "game/program.h"
+#include "game/program/program.h"
 #include "game/simulation/items.h"
 #include "game/simulation/step.h"
 #include "tests/support/folders.h"

@@ -1,18 +1,19 @@
 """The demo level with the player before its sphere, which glows in a colour that nothing else there has."""
+import os
 import re
 import struct
 import subprocess
 import zlib
 
 GLOW = (240, 72, 184)  # of the palette's colours that no light changes
-SPHERE = (-112, 352, 128)  # its centre: tools/demo_level/map/aspect.cpp
+SPHERE = (-112, 352, 128)  # its centre
 DISTANCE = 300
 EYE_ABOVE_FEET, ORIGIN_ABOVE_FEET = 46, 24
 
 
 def build(build_folder, folder):
     """Compiles it into `folder`; the path of its BSP."""
-    with open(build_folder + '/assets/demo.map') as file:
+    with open(os.path.join(os.path.dirname(__file__), '../../assets/demo.map')) as file:
         text = file.read()
     with open(folder + '/sphere.map', 'w') as file:
         file.write(with_player_before_it(with_glowing_sphere(without_palette_cycles(text))))

@@ -2,20 +2,17 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 #include "tools/accuracy/loose_edges.h"
+#include "tools/accuracy/scene_map.h"
 #include "tools/accuracy/scene_textures.h"
-#include "tools/demo_level/map/room.h"
 #include "tools/map/compile.h"
 
 namespace oblong {
 
 namespace {
 
-using map_source::Brush;
-using map_source::Draft;
-using map_source::Point;
+using map::Point;
 
 /// Where a picture is seen from: world units, degrees.
 struct Eye {
@@ -25,20 +22,19 @@ struct Eye {
 
 struct HardScene {
     std::string name, about;
-    Draft draft;
+    SceneMap source;
     std::vector<Eye> eyes;
     bool has_loose_edges = false;  ///< T-junctions are left in its file
 };
 
-/// A lit room of stone, tiles on its floor, with a place to start in.
-Draft make_room(const Point& size) {
-    Draft draft(std::vector<std::pair<std::string, std::string>>{{"light", "80"}});
-    build_room(draft, {{{0, 0, 0}, size}, "tiles", "tiles", {{size.z, "stone"}}, {}});
-    draft.add_point("info_player_start", {size.x / 2, 24, 32});
+/// A lit room with a place to start in.
+SceneMap make_room(const Point& size) {
+    SceneMap room({{0, 0, 0}, size});
+    room.add_start({size.x / 2, 24, 32});
     for (const double x : {0.05, 0.2, 0.4, 0.6, 0.8, 0.95})
         for (const double y : {0.2, 0.8})
-            draft.add_light({size.x * x, size.y * y, size.z * 0.7}, static_cast<int>(200 + (size.x + size.y) / 12));
-    return draft;
+            room.add_light({size.x * x, size.y * y, size.z * 0.7}, static_cast<int>(200 + (size.x + size.y) / 12));
+    return room;
 }
 
 /// The wall y = 0, seen at an angle. Its 1/z is (X cos(-yaw) + sin(-yaw)) / y, X from -1 to 1 across the screen:
@@ -64,13 +60,11 @@ HardScene make_wall_1_to_1000() {
 
 /// Blocks are long where depth changes little: there the rounding of their steps adds up.
 HardScene make_close_wall() {
-    Draft draft = make_room({1024, 512, 256});
-    Brush coarse = map_source::make_box({{560, 0, 0}, {900, 16, 256}}, "stone");
-    for (auto& face : coarse.faces) face.placement.scale_u = face.placement.scale_v = 4;
-    draft.add(std::move(coarse));
+    SceneMap room = make_room({1024, 512, 256});
+    room.add(make_box({{560, 0, 0}, {900, 16, 256}}, "stone", 4));
     return {"wall close by",
             "A wall 1 to 16 units from the eye, on part of it texels of 4 units: a texel is up to 640 pixels wide.",
-            std::move(draft),
+            std::move(room),
             {{{103, 1, 128}, -89.76, 0, 81.3},
              {{700.5, 20, 100}, -90.21},
              {{110, 2, 100}, -75, 10},
@@ -86,24 +80,24 @@ HardScene make_horizon() {
             {{{30, 30, 48}, 33}, {{30, 30, 48}, 45, -6, 15}, {{4000, 100, 200}, 130, 4}}};
 }
 
-Brush make_ramp() {
+map::MapBrush make_ramp() {
     const Point a{200, 150, 0}, b{800, 250, 0}, c{700, 800, 0}, d{180, 700, 0}, top{850, 850, 320}, side{150, 820, 140};
-    return map_source::make_solid({{a, b, c}, {a, top, b}, {a, side, top}, {a, d, side}, {d, c, top}, {b, top, c}},
-                                  {500, 500, 40}, "stone");
+    return make_solid({{a, b, c}, {a, top, b}, {a, side, top}, {a, d, side}, {d, c, top}, {b, top, c}}, {500, 500, 40},
+                      "stone");
 }
 
 HardScene make_tilted_plane() {
-    Draft draft = make_room({1024, 1024, 512});
-    draft.add(make_ramp());
+    SceneMap room = make_room({1024, 1024, 512});
+    room.add(make_ramp());
     return {"tilted plane",
             "A slope at odds with every axis, the eye leaning too: u, v and 1/z all change along a row.",
-            std::move(draft),
+            std::move(room),
             {{{120, 100, 200}, 48, 12, 20}, {{900, 120, 260}, 120, 20, -35}, {{120, 900, 300}, -40, 25, 70}}};
 }
 
 /// Walls of one degree each around a point that they nearly reach.
 HardScene make_slivers() {
-    Draft draft = make_room({1024, 1024, 256});
+    SceneMap room = make_room({1024, 1024, 256});
     const auto corner = [](double degrees, double radius) {
         const double angle = degrees * std::numbers::pi / 180;
         const auto snapped = [](double value) { return std::round(value * 32) / 32; };
@@ -111,13 +105,12 @@ HardScene make_slivers() {
     };
     for (int i = 0; i < 40; ++i) {
         const double from = i * 9.0 + 0.3;
-        draft.add(map_source::extrude({2, {corner(from, 24), corner(from, 320), corner(from + 1, 320)}}, 0, 60.0 + i,
-                                      "stone"));
+        room.add(make_wedge({corner(from, 24), corner(from, 320), corner(from + 1, 320)}, 60.0 + i, "stone"));
     }
     return {
         "slivers",
         "A fan of forty wedges one degree wide: faces thinner than a pixel. Its file leaves T-junctions to the engine.",
-        std::move(draft),
+        std::move(room),
         {{{788.084, 281.1223, 21.3506}, 209.5697, 27.1747, 28.4271},
          {{512, 60, 130}, 90, 2},
          {{853.5051, 127.4749, 73.9897}, 61.4817, -6.0480, -23.7854},
@@ -127,24 +120,24 @@ HardScene make_slivers() {
 }
 
 HardScene make_far_tower() {
-    Draft draft = make_room({6144, 1024, 1024});
+    SceneMap room = make_room({6144, 1024, 1024});
     for (int floor = 0; floor < 12; ++floor) {
         const double half = 90 - floor * 6, low = floor * 64, centre = 512;
-        draft.add_box({{5600 - half, centre - half, low}, {5600 + half, centre + half, low + 56}},
-                      floor % 2 != 0 ? "stone" : "tiles");
-        draft.add_box({{5604 - half, centre - half + 4, low + 56}, {5596 + half, centre + half - 4, low + 64}},
-                      "tiles");
+        room.add(make_box({{5600 - half, centre - half, low}, {5600 + half, centre + half, low + 56}},
+                          floor % 2 != 0 ? "stone" : "tiles"));
+        room.add(make_box({{5604 - half, centre - half + 4, low + 56}, {5596 + half, centre + half - 4, low + 64}},
+                          "tiles"));
     }
     return {"far tower",
             "A tower of twelve storeys 5,500 units away: many edges a pixel, small texels.",
-            std::move(draft),
+            std::move(room),
             {{{80, 500, 60}, 0.3, -3}, {{80, 60, 300}, 5, 1, 10}, {{3000, 700, 90}, -4, -4}}};
 }
 
 /// The sphere does not move: the eye goes around it.
 HardScene make_rotating_sphere() {
-    Draft draft = make_room({512, 512, 256});
-    draft.add(map_source::make_sphere({256, 256, 120}, 1, "stone", "tiles"));
+    SceneMap room = make_room({512, 512, 256});
+    room.add(make_sphere({256, 256, 120}, "stone", "tiles"));
     std::vector<Eye> eyes;
     for (int i = 0; i < 5; ++i) {
         const double angle = (i * 15.7 + 7) * std::numbers::pi / 180, radius = 110 + 20 * i;
@@ -155,7 +148,7 @@ HardScene make_rotating_sphere() {
              2.0 * i,
              7.0 * i});
     }
-    return {"rotating sphere", "A sphere of 24 by 12 facets, seen from five sides.", std::move(draft), std::move(eyes)};
+    return {"rotating sphere", "A sphere of 24 by 12 facets, seen from five sides.", std::move(room), std::move(eyes)};
 }
 
 Camera camera_of(const Eye& eye) {
@@ -172,9 +165,7 @@ Camera camera_of(const Eye& eye) {
 }
 
 MeasuredLevel compiled(const HardScene& scene, const map::Wad& wad, std::size_t most_cameras) {
-    std::ostringstream text;
-    write_map(scene.draft, text);
-    map::BspFile bsp = map::compile_map(map::parse_map(text.str()), {wad}, {true});
+    map::BspFile bsp = map::compile_map(scene.source.entities(), {wad}, {true});
     if (scene.has_loose_edges) loosen_edges(bsp);
     const std::string bytes = map::to_bytes(bsp);
     std::vector<Camera> cameras;

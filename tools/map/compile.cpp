@@ -133,6 +133,7 @@ std::string points_text(const std::vector<Point>& path) {
 
 BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wads, const CompileOptions& options) {
     assign_switchable_styles(entities);
+    bring_world_forward(entities);
     split_off_fences(entities);
     LevelBrushes level = make_brushes(entities, options.warnings);
     BspFile bsp;

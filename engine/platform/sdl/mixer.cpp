@@ -4,6 +4,7 @@
 #include <SDL_mixer.h>
 
 #include <array>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -23,6 +24,12 @@ struct FreeMixer {
 };
 template <class T>
 using OwnedSound = std::unique_ptr<T, FreeMixer>;
+
+/// As the device plays it; the chunk points into the bytes.
+struct ConvertedSound {
+    std::vector<std::uint8_t> bytes;
+    OwnedSound<Mix_Chunk> chunk;
+};
 
 [[noreturn]] void fail() {
     throw std::runtime_error(std::string("no sound: ") + Mix_GetError());
@@ -79,7 +86,7 @@ class Mixer final : public SoundOutput {
         Mix_HaltMusic();
     }
 
-    SoundNumber add_sound(std::span<const std::uint8_t> wave_file) override;
+    SoundNumber add_sound(std::span<const std::int16_t> samples, std::int32_t rate_hz) override;
     VoiceNumber start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) override;
     bool is_playing(VoiceNumber voice) const override { return channel_of(voice) >= 0; }
     void adjust(VoiceNumber voice, const VoiceLevels& levels) override;
@@ -96,15 +103,26 @@ class Mixer final : public SoundOutput {
     std::array<VoiceFilter, kVoices> filters_;
     std::array<VoiceNumber, kVoices> last_voices_{};  // by channel: the last one that was started there
     VoiceNumber next_voice_ = 0;
-    std::vector<OwnedSound<Mix_Chunk>> sounds_;
+    std::vector<ConvertedSound> sounds_;
     std::vector<std::uint8_t> music_bytes_;
     OwnedSound<Mix_Music> music_;
 };
 
-SoundOutput::SoundNumber Mixer::add_sound(std::span<const std::uint8_t> wave_file) {
-    OwnedSound<Mix_Chunk> chunk(Mix_LoadWAV_RW(reader_of(wave_file), 1));
-    if (!chunk) throw InputError("offset 0", std::string(Mix_GetError()) + ", expected a WAV file");
-    sounds_.push_back(std::move(chunk));
+SoundOutput::SoundNumber Mixer::add_sound(std::span<const std::int16_t> samples, std::int32_t rate_hz) {
+    SDL_AudioCVT conversion;
+    if (SDL_BuildAudioCVT(&conversion, AUDIO_S16SYS, 1, rate_hz, AUDIO_S16SYS, VoiceFilter::kSides, kRate_hz) < 0)
+        fail();
+    const std::size_t size_bytes = samples.size_bytes();
+    ConvertedSound sound{std::vector<std::uint8_t>(size_bytes * static_cast<std::size_t>(conversion.len_mult)), {}};
+    std::memcpy(sound.bytes.data(), samples.data(), size_bytes);
+    conversion.buf = sound.bytes.data();
+    conversion.len = static_cast<int>(size_bytes);
+    if (SDL_ConvertAudio(&conversion) != 0) fail();
+    sound.bytes.resize(static_cast<std::size_t>(conversion.len_cvt));
+    sound.bytes.shrink_to_fit();
+    sound.chunk.reset(Mix_QuickLoad_RAW(sound.bytes.data(), static_cast<Uint32>(conversion.len_cvt)));
+    if (!sound.chunk) fail();
+    sounds_.push_back(std::move(sound));
     return static_cast<SoundNumber>(sounds_.size()) - 1;
 }
 
@@ -122,7 +140,7 @@ SoundOutput::VoiceNumber Mixer::start(SoundNumber sound, bool is_loop, const Voi
         filters_[i].begin(levels, is_loop);
         // A voice that has ended has lost its filter: SDL_mixer removes it.
         Mix_RegisterEffect(channel, apply_filter, nullptr, &filters_[i]);
-        Mix_PlayChannel(channel, sounds_.at(static_cast<std::size_t>(sound)).get(), is_loop ? -1 : 0);
+        Mix_PlayChannel(channel, sounds_.at(static_cast<std::size_t>(sound)).chunk.get(), is_loop ? -1 : 0);
         return last_voices_[i] = next_voice_++;
     }
     return kNoVoice;

@@ -1,6 +1,6 @@
 // Lists of cameras, and routes (CSV).
 
-#include "game/route.h"
+#include "game/input/route.h"
 #include "tests/fuzz/common/fuzz.h"
 #include "tools/render/camera_list.h"
 

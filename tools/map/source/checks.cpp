@@ -148,7 +148,8 @@ class Checker {
     }
 
     void check_shape(const MapEntity& entity, const EntityClass& its_class, const std::string& name) {
-        if (its_class.shape == ClassShape::Brush && entity.brushes.empty())
+        const bool is_layer = entity.has("_tb_type");  // TrenchBroom's: it may hold point entities alone
+        if (its_class.shape == ClassShape::Brush && entity.brushes.empty() && !is_layer)
             warnings_.add(entity.line, name + " without brushes, expected some: it is not there");
         if (its_class.shape == ClassShape::Point && entity.value("origin").empty())
             warnings_.add(entity.line, name + " without an origin, expected its place");

@@ -19,6 +19,29 @@ bool is_no_fence(const MapBrush& brush) {
                         [](const MapSide& side) { return is_fence_texture(side.texture.name); });
 }
 
+// What says something of the source alone: TrenchBroom's layers and groups, and the format.
+bool is_of_source(std::string_view key) {
+    return key.starts_with("_tb_") || key == "mapversion";
+}
+
+// "a/b.wad;C:\c.wad" as "b.wad;c.wad": a level has the same bytes wherever its source lies.
+std::string without_folders(std::string_view paths) {
+    std::string names;
+    for (const char letter : paths) {
+        if (letter == '/' || letter == '\\')
+            names.resize(names.rfind(';') + 1);  // npos + 1 is 0
+        else
+            names += letter;
+    }
+    return names;
+}
+
+std::string written_value(const MapEntity& entity, const MapPair& pair) {
+    if (pair.key == "wad" && entity.value("classname") == "worldspawn") return without_folders(pair.value);
+    const bool is_detail_to_pass = pair.key == "classname" && pair.value == "func_detail_illusionary";
+    return is_detail_to_pass ? kPassable : pair.value;
+}
+
 }  // namespace
 
 std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, std::size_t count) {
@@ -89,19 +112,22 @@ std::vector<TextureUse> shown_textures(const std::vector<MapEntity>& entities) {
     return uses;
 }
 
+void bring_world_forward(std::vector<MapEntity>& entities) {
+    const auto rank = [](const MapEntity& entity) { return !belongs_to_world(entity) ? 2 : is_detail_entity(entity); };
+    std::stable_sort(entities.begin() + 1, entities.end(),
+                     [&](const MapEntity& a, const MapEntity& b) { return rank(a) < rank(b); });
+}
+
 std::string entities_text(const std::vector<MapEntity>& entities) {
     std::string text;
     int model = 0;
     for (const MapEntity& entity : entities) {
-        if (belongs_to_world(entity) && !entity.brushes.empty() && &entity != &entities.front()) continue;
+        const bool is_of_world = belongs_to_world(entity), is_group = entity.value("classname") == "func_group";
+        if (is_of_world && (is_group || !entity.brushes.empty()) && &entity != &entities.front()) continue;
         text += "{\n";
-        for (const MapPair& pair : entity.pairs) {
-            const bool is_detail_to_pass = pair.key == "classname" && pair.value == "func_detail_illusionary";
-            const std::string& value = is_detail_to_pass ? kPassable : pair.value;
-            text += "\"" + pair.key + "\" \"" + value + "\"\n";
-        }
-        if (!belongs_to_world(entity) && !entity.brushes.empty())
-            text += "\"model\" \"*" + std::to_string(++model) + "\"\n";
+        for (const MapPair& pair : entity.pairs)
+            if (!is_of_source(pair.key)) text += "\"" + pair.key + "\" \"" + written_value(entity, pair) + "\"\n";
+        if (!is_of_world && !entity.brushes.empty()) text += "\"model\" \"*" + std::to_string(++model) + "\"\n";
         text += "}\n";
     }
     return text;

@@ -24,6 +24,10 @@ std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, st
 /// The number that is the value of a key, or `otherwise` if it is missing. Throws InputError if it is malformed.
 double number_of(const MapEntity& entity, std::string_view key, double otherwise);
 
+/// Puts what belongs to the world before all other entities, its details last: in which order an editor writes groups
+/// and layers makes no difference to the level. The first entity, the worldspawn, stays; the order is else as it was.
+void bring_world_forward(std::vector<MapEntity>& entities);
+
 /// Makes each of the world's brushes with a fence's texture (see is_fence_texture()) an entity of its own, func_wall:
 /// it hides nothing, neither from view nor from light, and stops players as before.
 void split_off_fences(std::vector<MapEntity>& entities);
@@ -31,7 +35,8 @@ void split_off_fences(std::vector<MapEntity>& entities);
 /// The textures that misc_sprite and misc_lantern name by their key "texture".
 std::vector<TextureUse> shown_textures(const std::vector<MapEntity>& entities);
 
-/// The entities lump: all pairs as written; brush entities get a "model" "*N", N counting from 1. The brushes of a
+/// The entities lump: all pairs as written, but those that speak of the source (TrenchBroom's, the format, folders of
+/// the worldspawn's WAD files); brush entities get a "model" "*N", N counting from 1. The brushes of a
 /// func_detail_illusionary, which stop nobody, become a func_illusionary.
 std::string entities_text(const std::vector<MapEntity>& entities);
 

@@ -1,0 +1,199 @@
+#include "game/input/route.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <string>
+
+#include "engine/base/input_error.h"
+#include "engine/base/text.h"
+#include "engine/fixed/trig.h"
+#include "engine/level/entities.h"
+#include "game/simulation/step.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::string_view kHeader = "x,y,z,speed,wait,yaw,pitch,jump";
+constexpr std::size_t kColumns = 8;
+constexpr std::int64_t kPatience_ticks = 40 * kTicksPerSecond;
+constexpr std::int32_t kReach = 16, kReachInPassing = 40;  // world units from a waypoint
+constexpr World kLongestMotion = World::from_int(100);     // in a tick: more is a teleporter
+constexpr std::int32_t kFeetBelow = 24;                    // Player::position
+
+// How a head turns: at most so fast, gaining and losing speed so fast, and slower the nearer it is to where it looks
+// next; 65,536 to the circle, a tick.
+struct Turning {
+    std::int32_t fastest, gain, nearness;
+};
+constexpr Turning kYawTurning{480, 52, 10}, kPitchTurning{160, 17, 10};
+
+std::string place_of(std::size_t line) {
+    return "line " + std::to_string(line);
+}
+
+std::vector<std::string> lines_of(std::span<const std::uint8_t> bytes) {
+    std::vector<std::string> lines(1);
+    for (const std::uint8_t byte : bytes) {
+        if (byte == '\n')
+            lines.emplace_back();
+        else if (byte != '\r')
+            lines.back() += static_cast<char>(byte);
+    }
+    return lines;
+}
+
+using Fields = std::array<std::optional<std::int32_t>, kColumns>;
+
+std::int32_t whole_number(const std::string& field, std::size_t line) {
+    constexpr std::int64_t kLargest = kWorldEnd;
+    const auto number = parse_decimal(field, 0);
+    if (!number || *number > kLargest || *number < -kLargest || field.find('.') != std::string::npos)
+        throw InputError(place_of(line), "'" + field + "', expected a whole number within +-32,768");
+    return static_cast<std::int32_t>(*number);
+}
+
+Fields fields_of(const std::string& text, std::size_t line) {
+    Fields fields;
+    std::size_t start = 0, column = 0;
+    for (; start <= text.size(); ++column) {
+        const std::size_t end = std::min(text.find(',', start), text.size());
+        const std::string field = text.substr(start, end - start);
+        if (column < kColumns && !field.empty()) fields[column] = whole_number(field, line);
+        start = end + 1;
+    }
+    if (column != kColumns) throw InputError(place_of(line), std::to_string(column) + " fields, expected 8");
+    return fields;
+}
+
+std::int32_t in_range(std::optional<std::int32_t> value, std::int32_t otherwise, std::int32_t most, const char* what,
+                      std::size_t line) {
+    const std::int32_t number = value.value_or(otherwise);
+    if (number >= 0 && number <= most) return number;
+    throw InputError(place_of(line),
+                     std::string(what) + " is " + std::to_string(number) + ", expected 0 to " + std::to_string(most));
+}
+
+std::int32_t bam_of(std::int32_t degrees) {
+    return degrees * 65'536 / 360;
+}
+
+Waypoint waypoint_of(const std::string& text, std::size_t line) {
+    const Fields fields = fields_of(text, line);
+    const auto& [x, y, z, speed, wait, yaw, pitch, jump] = fields;
+    if (!x || !y) throw InputError(place_of(line), "no x or no y, expected both");
+    Waypoint waypoint;
+    waypoint.x = *x;
+    waypoint.y = *y;
+    waypoint.least_feet = z;
+    waypoint.speed_100 = in_range(speed, 50, 100, "speed", line);
+    waypoint.wait_ticks = in_range(wait, 0, 600, "wait", line) * static_cast<std::int32_t>(kTicksPerSecond) / 10;
+    if (yaw) waypoint.yaw = Angle::from_bam(bam_of(*yaw));
+    if (pitch.value_or(0) > 80 || pitch.value_or(0) < -80)
+        throw InputError(place_of(line), "pitch is " + std::to_string(*pitch) + ", expected -80 to 80");
+    waypoint.pitch = bam_of(pitch.value_or(0));
+    waypoint.jumps = in_range(jump, 0, 1, "jump", line) == 1;
+    waypoint.line = line;
+    return waypoint;
+}
+
+// The rate of the next tick on the way to an angle that is `error` away.
+std::int32_t next_rate(std::int32_t rate, std::int32_t error, const Turning& turning) {
+    const std::int32_t wanted = std::clamp(error / turning.nearness, -turning.fastest, turning.fastest);
+    return rate + std::clamp(wanted - rate, -turning.gain, turning.gain);
+}
+
+// The shorter way from one direction to another, to the left positive.
+std::int32_t way_between(Angle from, Angle to) {
+    return static_cast<std::int16_t>((to - from).bam);
+}
+
+// The part of the speed that is left to who does not look where he goes: all up to 6 degrees off, none from 50 on.
+std::int32_t slowed(std::int32_t speed, std::int32_t yaw_error) {
+    constexpr std::int32_t kFull = 1092, kNone = 9102;
+    return speed * std::clamp(kNone - std::abs(yaw_error), 0, kNone - kFull) / (kNone - kFull);
+}
+
+std::string words(const Position& p) {
+    return std::to_string(floor_of(p.x)) + " " + std::to_string(floor_of(p.y)) + " " + std::to_string(floor_of(p.z));
+}
+
+}  // namespace
+
+std::vector<Waypoint> parse_route(std::span<const std::uint8_t> bytes) {
+    std::vector<std::string> lines = lines_of(bytes);
+    lines[0] = without_byte_order_mark(lines[0]);
+    if (lines[0] != kHeader) throw InputError(place_of(1), "'" + lines[0] + "', expected " + std::string(kHeader));
+    std::vector<Waypoint> route;
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        if (!lines[i].empty()) route.push_back(waypoint_of(lines[i], i + 1));
+    if (route.empty()) throw InputError(place_of(2), "no waypoint, expected at least one");
+    return route;
+}
+
+bool RouteWalker::is_stuck() const {
+    return !is_over() && ticks_ > kPatience_ticks + waypoint().wait_ticks;
+}
+
+// Goes on to the next waypoint when the time at this one is over.
+bool RouteWalker::has_arrived(const Player& player) {
+    const Waypoint& goal = waypoint();
+    const World dx = World::from_int(goal.x) - player.position.x, dy = World::from_int(goal.y) - player.position.y;
+    const bool passes = goal.wait_ticks == 0 && !goal.least_feet;
+    const World reach = World::from_int(passes ? kReachInPassing : kReach);
+    const bool was_teleported = last_ && length_of(player.position - *last_) > kLongestMotion;
+    last_ = player.position;
+    is_there_ |= was_teleported || length_of({dx, dy, World{}}) <= reach;
+    if (!is_there_) return false;
+    const bool is_up = !goal.least_feet || player.position.z >= World::from_int(*goal.least_feet + kFeetBelow);
+    return is_up && waited_++ >= goal.wait_ticks;
+}
+
+void RouteWalker::turn(std::int32_t yaw_error, std::int32_t pitch_error, TickInput& input) {
+    yaw_rate_ = next_rate(yaw_rate_, yaw_error, kYawTurning);
+    pitch_rate_ = next_rate(pitch_rate_, pitch_error, kPitchTurning);
+    input.yaw = static_cast<std::int16_t>(yaw_rate_);
+    input.pitch = static_cast<std::int16_t>(pitch_rate_);
+}
+
+TickInput RouteWalker::next(const GameState& state) {
+    const Player& player = state.player;
+    if (has_arrived(player)) {
+        ++at_;
+        ticks_ = waited_ = 0;
+        is_there_ = false;
+        if (is_over()) return {};
+    }
+    const Waypoint& goal = waypoint();
+    TickInput input;
+    Angle wanted = goal.yaw.value_or(player.yaw);
+    if (!is_there_) {
+        wanted = arctangent2(World::from_int(goal.y).raw - player.position.y.raw,
+                             World::from_int(goal.x).raw - player.position.x.raw);
+        input.forward = static_cast<std::int8_t>(slowed(goal.speed_100 * 127 / 100, way_between(player.yaw, wanted)));
+    }
+    turn(way_between(player.yaw, wanted), goal.pitch - player.pitch, input);
+    if (goal.jumps && ticks_ == 0) input.buttons = kJumpButton;
+    ++ticks_;
+    return input;
+}
+
+Demo walk_route(const GameLevel& level, std::span<const Waypoint> route) {
+    GameState state = start_of(level);
+    Demo demo;
+    demo.start_hash = hash_of(state);
+    RouteWalker walker(route);
+    while (!state.has_ended) {
+        const TickInput input = walker.next(state);
+        if (walker.is_over()) break;
+        if (walker.is_stuck())
+            throw InputError(place_of(walker.waypoint().line),
+                             "stuck at " + words(state.player.position) + ", expected to reach " +
+                                 std::to_string(walker.waypoint().x) + " " + std::to_string(walker.waypoint().y));
+        step(level, state, input);
+        demo.ticks.push_back({input, hash_of(state)});
+    }
+    return demo;
+}
+
+}  // namespace oblong

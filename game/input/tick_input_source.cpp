@@ -1,0 +1,151 @@
+#include "game/input/tick_input_source.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "engine/base/input_error.h"
+#include "game/input/stick_response.h"
+#include "game/simulation/step.h"
+
+namespace oblong {
+namespace {
+
+// Turns in a tick.
+constexpr std::int32_t kKeyYaw = 728;      // 140 degrees a second
+constexpr std::int32_t kKeyPitch = 520;    // 100 degrees a second
+constexpr std::int32_t kStickYaw = 1040;   // 200 degrees a second, the stick pushed as far as it goes
+constexpr std::int32_t kStickPitch = 624;  // 120 degrees a second
+constexpr std::int32_t kMouseTurn = 12;    // a count of the mouse: 0.066 degrees
+constexpr std::int32_t kMostCounts = 4096;
+constexpr int kFullSpeed = 127, kSlowSpeed = 56;
+
+int direction(bool positive, bool negative) {
+    return int{positive} - int{negative};
+}
+
+template <class Rule>
+HeldMoves combined(const HeldMoves& a, const HeldMoves& b, const Rule& rule) {
+    return {rule(a.forward, b.forward),     rule(a.back, b.back),
+            rule(a.left, b.left),           rule(a.right, b.right),
+            rule(a.turn_left, b.turn_left), rule(a.turn_right, b.turn_right),
+            rule(a.look_up, b.look_up),     rule(a.look_down, b.look_down),
+            rule(a.jump, b.jump),           rule(a.walk_slowly, b.walk_slowly)};
+}
+
+HeldMoves either(const HeldMoves& a, const HeldMoves& b) {
+    return combined(a, b, [](bool x, bool y) { return x || y; });
+}
+
+HeldMoves first_alone(const HeldMoves& a, const HeldMoves& b) {
+    return combined(a, b, [](bool x, bool y) { return x && !y; });
+}
+
+// Of a key that is held or not and a stick.
+std::int8_t speed_of(int key, std::int32_t stick, bool is_slow) {
+    const int most = is_slow ? kSlowSpeed : kFullSpeed;
+    return static_cast<std::int8_t>(std::clamp(key * most + stick * most / kFullAxis, -most, most));
+}
+
+std::int32_t turn_of(std::int32_t stick, std::int32_t full_turn, std::int32_t sensitivity_100) {
+    return static_cast<std::int32_t>(std::int64_t{stick} * full_turn * sensitivity_100 / (100 * kFullAxis));
+}
+
+// As much of a turn as fits a tick; the rest stays.
+std::int16_t take_turn(std::int32_t& turn) {
+    const std::int32_t taken = std::clamp<std::int32_t>(turn, -std::numeric_limits<std::int16_t>::max(),
+                                                        std::numeric_limits<std::int16_t>::max());
+    turn -= taken;
+    return static_cast<std::int16_t>(taken);
+}
+
+// Adds what the mouse turned. Bounded, so that no device makes the sum overflow; half a circle is more than a mouse
+// turns between two ticks.
+void add_turn(std::int32_t& turn, std::int32_t& rest_100, std::int32_t counts, std::int32_t sensitivity_100) {
+    constexpr std::int32_t kMost = 65'536;
+    const std::int32_t turn_100 =
+        std::clamp(counts, -kMostCounts, kMostCounts) * kMouseTurn * sensitivity_100 + rest_100;
+    turn = std::clamp(turn + turn_100 / 100, -kMost, kMost);
+    rest_100 = turn_100 % 100;
+}
+
+// The part of a tick's turn that is not yet drawn, to be taken back.
+LookOffset rest_of(std::int32_t yaw, std::int32_t pitch, std::int32_t fraction_16) {
+    const auto rest = [&](std::int32_t turn) {
+        return -static_cast<std::int32_t>(std::int64_t{turn} * (65'536 - fraction_16) / 65'536);
+    };
+    return {rest(yaw), rest(pitch)};
+}
+
+}  // namespace
+
+void LiveInput::gather(const Controls& controls) {
+    held_ = controls;
+    walk_stick_ = controls.walk_stick;
+    look_stick_ = controls.look_stick;
+    tapped_ = either(tapped_, controls);
+    wants_respawn_ |=
+        std::find(controls.commands.begin(), controls.commands.end(), Command::Respawn) != controls.commands.end();
+    add_turn(mouse_yaw_, rest_yaw_100_, -std::max(controls.mouse_x, -kMostCounts), steering_.mouse_sensitivity_100);
+    const std::int32_t down = std::max(controls.mouse_y, -kMostCounts);
+    add_turn(mouse_pitch_, rest_pitch_100_, steering_.inverts_look ? -down : down, steering_.mouse_sensitivity_100);
+}
+
+TickInput LiveInput::next() {
+    // A key that was pressed and let go between two ticks counts once.
+    const HeldMoves moves = either(held_, first_alone(std::exchange(tapped_, {}), held_before_));
+    held_before_ = held_;
+    last_turn_ = turn_by(moves);
+    mouse_yaw_ += last_turn_.yaw;
+    mouse_pitch_ += last_turn_.pitch;
+
+    const bool is_slow = moves.walk_slowly == steering_.always_runs;
+    const Stick stick = without_dead_zone(walk_stick_, steering_.gamepad_dead_zone_100);
+    TickInput input;
+    input.forward = speed_of(direction(moves.forward, moves.back), stick.y, is_slow);
+    input.right = speed_of(direction(moves.right, moves.left), stick.x, is_slow);
+    input.yaw = take_turn(mouse_yaw_);
+    input.pitch = take_turn(mouse_pitch_);
+    if (moves.jump) input.buttons |= kJumpButton;
+    if (std::exchange(wants_respawn_, false)) input.buttons |= kRespawnButton;
+    return input;
+}
+
+LookOffset LiveInput::turn_by(const HeldMoves& moves) const {
+    const Stick stick = squared(without_dead_zone(look_stick_, steering_.gamepad_dead_zone_100));
+    const std::int32_t down = steering_.inverts_look ? stick.y : -stick.y;
+    return {kKeyYaw * direction(moves.turn_left, moves.turn_right) -
+                turn_of(stick.x, kStickYaw, steering_.gamepad_sensitivity_100),
+            kKeyPitch * direction(moves.look_down, moves.look_up) +
+                turn_of(down, kStickPitch, steering_.gamepad_sensitivity_100)};
+}
+
+LookOffset LiveInput::look_offset(std::int32_t fraction_16) const {
+    const LookOffset turn = rest_of(last_turn_.yaw, last_turn_.pitch, fraction_16);
+    return {turn.yaw + mouse_yaw_, turn.pitch + mouse_pitch_};
+}
+
+TickInputSource::TickInputSource(const GameState& start, std::optional<Demo> replayed, bool records)
+    : replayed_(std::move(replayed)), records_(records) {
+    recorded_.start_hash = hash_of(start);
+    if (replayed_ && replayed_->start_hash != recorded_.start_hash)
+        throw InputError("start", "recorded on another level, expected this one's");
+}
+
+TickReport TickInputSource::play_tick(const GameLevel& level, GameState& state) {
+    was_replayed_ = is_replaying();
+    last_ = was_replayed_ ? replayed_->ticks[next_].input : live_.next();
+    const TickReport report = step(level, state, last_);
+    if (!was_replayed_ && !records_) return report;
+    const std::uint64_t hash = hash_of(state);
+    if (records_) recorded_.ticks.push_back({last_, hash});
+    if (was_replayed_ && replayed_->ticks[next_++].state_hash != hash)
+        throw InputError("tick " + std::to_string(next_), "leads to another state than when it was recorded");
+    return report;
+}
+
+LookOffset TickInputSource::look_offset(std::int32_t fraction_16) const {
+    return was_replayed_ ? rest_of(last_.yaw, last_.pitch, fraction_16) : live_.look_offset(fraction_16);
+}
+
+}  // namespace oblong

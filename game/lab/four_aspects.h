@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "game/lab/aspect_guide.h"
+#include "game/view/game_renderer.h"
+
+namespace oblong {
+
+/// One of the four combinations of F2 and F3 and its place in a picture of all four.
+struct AspectView {
+    bool corrects_projection, corrects_display;
+    Area cell;        ///< a quarter of the canvas
+    Area area;        ///< of the picture in it
+    ScreenMode mode;  ///< of that size; draws what the whole picture would show
+};
+
+/// The four, each in its own shape wherever the window's pixels are of shape `pixel` (width to height). Those with the
+/// corrected projection on the left, with the display's shape above.
+std::array<AspectView, 4> four_aspects(const ScreenMode& mode, Ratio pixel);
+
+/// "drawn 4:3, shown square:\n17 % too flat".
+std::string caption_of(const AspectView& view, const ScreenMode& mode);
+
+/// Draws the four combinations of F2 and F3 in one picture.
+class FourAspects {
+  public:
+    /// `data` and `level` outlive it.
+    FourAspects(const GameData& data, const GameLevel& level) : data_(data), level_(level) {}
+
+    void draw(const GameView& view, const Settings& settings, const ScreenMode& mode, Ratio pixel, TextColours colours,
+              Framebuffer canvas);
+
+  private:
+    void draw_view(const GameView& view, const Settings& settings, const AspectView& aspect,
+                   std::unique_ptr<GameRenderer>& renderer, Framebuffer out);
+
+    const GameData& data_;
+    const GameLevel& level_;
+    std::array<std::unique_ptr<GameRenderer>, 4> renderers_;  ///< made again where a mode has changed
+};
+
+}  // namespace oblong

@@ -1,0 +1,54 @@
+#include "game/lab/lab.h"
+
+#include "game/lab/comparison.h"
+
+namespace oblong {
+
+Lab::Lab(const GameData& data, const GameLevel& level, const ScreenMode& mode, ColourScheme scheme,
+         std::int32_t text_scale)
+    : data_(data),
+      level_(level),
+      colours_(panel_colours_of(data.palette, text_scale)),
+      renderer_(data, level, mode),
+      error_map_(data.palette, scheme) {}
+
+ErrorMeter& Lab::meter() {
+    if (!meter_) meter_.emplace(data_.level_file, level_);
+    return *meter_;
+}
+
+std::int32_t Lab::draw(const LabOptions& options, const GameView& view, const Settings& settings, std::uint64_t now_us,
+                       bool is_short, Framebuffer canvas) {
+    Settings shown = settings;
+    shown.accuracy = shown_setting(options, settings.accuracy, now_us);
+    if (options.maps_errors) draw_errors(view, shown, canvas);
+    if (options.splits) draw_exact_side(options, view, settings, canvas);
+    std::int32_t bottom = canvas.height_px;
+    if (options.shows_panel) {
+        measures_.measure(view, settings, options.before, renderer_, meter(), data_.palette);
+        bottom = draw_lab_panel(options, measures_.figures(), colours_, is_short, canvas);
+    }
+    if (options.maps_errors && meter_->problem().empty())
+        bottom = error_map_.draw_legend(bottom, colours_.bright, canvas);
+    return bottom;
+}
+
+std::vector<std::string> Lab::notes(const LabOptions& options, const Accuracy& accuracy, std::uint64_t now_us) const {
+    std::vector<std::string> notes;
+    if (options.maps_errors && !meter_->problem().empty()) notes.push_back("No error: " + meter_->problem());
+    if (options.splits) notes.push_back(split_text(setting_name(shown_setting(options, accuracy, now_us))));
+    if (options.flips) notes.push_back(flip_text(options, accuracy, now_us));
+    return notes;
+}
+
+void Lab::draw_errors(const GameView& view, const Settings& shown, Framebuffer canvas) {
+    error_map_.draw(meter().measure(view, shown, renderer_), canvas);
+}
+
+void Lab::draw_exact_side(const LabOptions& options, const GameView& view, Settings settings, Framebuffer canvas) {
+    settings.accuracy = accuracy_of(Preset::Exact);
+    renderer_.draw(view, settings);
+    draw_split(options, renderer_.canvas(), colours_.bright, canvas);
+}
+
+}  // namespace oblong

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "engine/accuracy/presets.h"
+#include "game/view/game_renderer.h"
+#include "game/view/view_times.h"
+#include "tools/measure/operations.h"
+#include "tools/measure/texel_error.h"
+#include "tools/reference/level.h"
+
+namespace oblong {
+
+/// How far the texels of a frame are off their place, by the reference's arithmetic.
+class ErrorMeter {
+  public:
+    /// Reads the level's file a second time, as the reference does. `level` outlives the meter.
+    ErrorMeter(const std::string& level_file, const GameLevel& level);
+
+    /// Of each pixel; empty where the file could not be read.
+    std::vector<TexelError> measure(const GameView& view, const Settings& settings, GameRenderer& renderer);
+    /// Why nothing can be measured; empty if it can.
+    const std::string& problem() const { return problem_; }
+
+  private:
+    const GameLevel& level_;
+    reference::Level reference_;
+    std::string problem_;
+};
+
+/// A setting and what a frame with it takes.
+struct TimedSetting {
+    Accuracy accuracy;
+    ViewTimes times;
+    std::optional<TimeSpread> frame_ns = {};  ///< of `times`; none before the first
+};
+
+/// What the lab has measured of the view shown lately.
+struct LabFigures {
+    TimedSetting now, before;
+    std::array<TimedSetting, kPresets.size()> presets;
+    Operations operations;                                 ///< of a frame with the setting now
+    std::array<double, kProcessors.size()> frame_rates{};  ///< that they allow
+    std::optional<ErrorSummary> errors;                    ///< pixels on the screen
+    std::string problem;                                   ///< why there are no errors
+    /// Of light and mip levels: how far colours are from those of exact ones at the same texels, RGB, 0 to 442; of the
+    /// pixels that differ.
+    std::optional<ErrorSummary> colour_errors;
+    std::int32_t pixels = 0;  ///< of the picture
+};
+
+/// A setting whose dials of colour (light, shades, dither, mip levels) are those of the preset `exact`.
+Accuracy with_exact_colours(Accuracy accuracy);
+/// How far the colours of two pictures are apart, RGB, where they differ.
+ErrorSummary colour_errors(std::span<const std::uint8_t> picture, std::span<const std::uint8_t> exact,
+                           const Palette& palette);
+
+/// Measures the view in turns, one of these at a frame: the time of one setting; operations; errors of places; errors
+/// of colours.
+class LabMeasures {
+  public:
+    explicit LabMeasures(FrameClock clock = steady_clock_ns);
+
+    /// Takes the next turn. A time is that of the second of two renderings, which finds its surfaces lit.
+    void measure(const GameView& view, const Settings& now, const Accuracy& before, GameRenderer& renderer,
+                 ErrorMeter& meter, const Palette& palette);
+    void note_errors(const std::vector<TexelError>& errors, const std::string& problem);
+    const LabFigures& figures() const { return figures_; }
+
+  private:
+    void follow(const Accuracy& now, const Accuracy& before);
+    void time(TimedSetting& setting, const GameView& view, Settings settings, GameRenderer& renderer);
+    void count(const GameView& view, const Settings& now, GameRenderer& renderer);
+    void compare_colours(const GameView& view, Settings settings, GameRenderer& renderer, const Palette& palette);
+
+    FrameClock clock_;
+    LabFigures figures_;
+    std::size_t turn_ = 0;
+};
+
+}  // namespace oblong

@@ -1,0 +1,49 @@
+#include "game/lab/timedemo.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <sstream>
+#include <vector>
+
+#include "game/input/tick_input_source.h"
+
+namespace oblong {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+}  // namespace
+
+TimedemoResult run_timedemo(const GameLevel& level, const Demo& demo, GameRenderer& renderer, const Settings& settings,
+                            Degrees field_of_view) {
+    GameState state = start_of(level);
+    TickInputSource input(state, demo, false);
+    std::vector<std::int64_t> times_ns;
+    while (input.is_replaying()) {
+        input.play_tick(level, state);
+        const InterpolatedState frame{state, state, 0};
+        const Clock::time_point began = Clock::now();
+        renderer.draw({frame, camera_at(frame, {}, field_of_view)}, settings);
+        times_ns.push_back(std::chrono::nanoseconds(Clock::now() - began).count());
+    }
+    TimedemoResult result;
+    result.frames = static_cast<std::int64_t>(times_ns.size());
+    if (times_ns.empty()) return result;
+    for (const std::int64_t time_ns : times_ns) result.total_us += time_ns;
+    result.total_us /= 1000;
+    std::sort(times_ns.begin(), times_ns.end());
+    result.median_us = times_ns[times_ns.size() / 2] / 1000;
+    return result;
+}
+
+std::string describe(const TimedemoResult& result) {
+    const double seconds = static_cast<double>(result.total_us) / 1e6;
+    std::ostringstream text;
+    text << std::fixed << result.frames << " frames, " << std::setprecision(3) << seconds << " seconds, "
+         << std::setprecision(1) << (seconds > 0 ? static_cast<double>(result.frames) / seconds : 0.0)
+         << " frames a second, median " << result.median_us << " microseconds";
+    return text.str();
+}
+
+}  // namespace oblong

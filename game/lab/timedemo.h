@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "engine/frame/settings.h"
+#include "game/level/load.h"
+#include "game/simulation/demo.h"
+#include "game/view/game_renderer.h"
+
+namespace oblong {
+
+/// How long the frames of a demo took to draw, one a tick. Ticks and reading are not counted.
+struct TimedemoResult {
+    std::int64_t frames = 0;
+    std::int64_t total_us = 0, median_us = 0;
+};
+
+/// Draws each tick of a demo. Throws InputError where the demo was recorded on another level.
+TimedemoResult run_timedemo(const GameLevel& level, const Demo& demo, GameRenderer& renderer, const Settings& settings,
+                            Degrees field_of_view);
+
+/// "123 frames, 0.456 seconds, 269.7 frames a second, median 3700 microseconds".
+std::string describe(const TimedemoResult& result);
+
+}  // namespace oblong

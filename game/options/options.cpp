@@ -1,0 +1,159 @@
+#include "game/options/options.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <string_view>
+
+#include "engine/files/arguments.h"
+#include "engine/files/assets_folder.h"
+#include "engine/files/command_line.h"
+#include "game/options/preference_table.h"
+
+namespace oblong {
+namespace {
+
+// The value of an option that is one of some names, from 0.
+template <class Enum, std::size_t Count>
+Enum named_value(const std::string& option, const std::string& name, const std::array<std::string_view, Count>& names) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) return static_cast<Enum>(found - names.begin());
+    std::string expected;
+    for (std::size_t i = 0; i < Count; ++i)
+        expected += (i == 0 ? "" : i + 1 == Count ? " or " : ", ") + std::string(names[i]);
+    throw UsageError(option + ": '" + name + "', expected " + expected);
+}
+constexpr std::array<std::string_view, kMapViewCount> kMapNames{"off", "player", "north"};
+constexpr std::array<std::string_view, kWireframeCount> kWireframeNames{"off", "over", "alone"};
+constexpr std::array<std::string_view, kLineMethodCount> kLineNames{"naive", "dda", "bresenham", "gupta-sproull"};
+
+bool is_dial(const Preference& preference) {
+    return preference.name.starts_with("dial-");
+}
+
+// The options that are parsed after the command line is read.
+struct OptionTexts {
+    std::map<std::string, std::string> preferences;  // by their names; empty where they are not given
+    std::vector<std::string> dials;
+    std::string window, map = "off", wireframe = "off", lines = "gupta-sproull", log, config;
+    bool is_portable = false;
+};
+
+void declare_preferences(CommandArguments& line, OptionTexts& texts) {
+    for (const Preference& preference : all_preferences()) {
+        if (is_dial(preference)) continue;  // --dial is for all of them
+        const std::string help =
+            preference.help + "; " + preference.values + "; usually " + preference.text(Preferences{});
+        if (preference.is_switch)
+            line.add_switch(preference.name, texts.preferences[preference.name], help);
+        else
+            line.add("--" + preference.name, texts.preferences[preference.name], help);
+    }
+    line.add("--dial", texts.dials, "NAME=VALUE, on top of --accuracy; may be given several times (README)");
+}
+
+void declare_runs(CommandArguments& line, Options& options) {
+    auto record = line.add("--record", options.record, "write the game played to this demo file");
+    auto replay = line.add("--replay", options.replay, "play this demo file instead of the keys");
+    auto timedemo = line.add("--timedemo", options.timedemo, "replay this demo file as fast as it goes; no window");
+    auto route = line.add("--route", options.route, "walk the waypoints of this CSV file into --record; no window");
+    auto headless = line.add("--headless", options.headless_frames,
+                             "no window: draw so many ticks of a short walk, or of --replay");
+    auto out = line.add("--out", options.out, "folder for the pictures of --headless");
+    headless.limit(1, 1'000'000).need(out);
+    out.need(headless);
+    timedemo.exclude(record).exclude(replay).exclude(headless);
+    route.need(record).exclude(headless);
+}
+
+void declare(CommandArguments& line, Options& options, OptionTexts& texts) {
+    auto level = line.add("level", options.level, "Quake BSP file to play; without one, the title");
+    line.add("--map", options.map, "level to play by its name, as e1m1: beside, in maps/ or in a pak file (README)")
+        .exclude(level);
+    line.add("--game", options.game, "folder with maps/ and pak0.pak; default: the current one, and id1 in it");
+    line.add("--palette", options.palette, "768 bytes of red, green, blue; default: the level's, else the demo's");
+    line.add("--models", options.models, "folder of Quake's models: shows a level's items (README)");
+    line.add_flag("--title", options.shows_title, "begin with the title, as without a level or another thing to do");
+    line.add_flag("--gallery", options.shows_gallery, "all that the engine can do, one thing after the other; no game");
+    line.add("--log", texts.log,
+             "once a second, lines of these kinds on standard error: " + names_of(LogChannels::all()));
+    line.add("--automap", texts.map, "off, player or north: the map, and what is up on it");
+    line.add("--wireframe", texts.wireframe, "off, over or alone: the edges that E shows");
+    line.add("--lines", texts.lines, "naive, dda, bresenham or gupta-sproull: how lines of both are drawn");
+    line.add("--threads", options.threads, "that draw; default: 1. A second one pays from about 640x480 on")
+        .limit(1, 256);
+    line.add("--window", texts.window, "WxH, size of the window; default: what the desktop has room for");
+    line.add_flag("--error-box", options.shows_error_box,
+                  "show an error in a window too; the desktop's menu asks for it");
+    declare_runs(line, options);
+    line.add("--config", texts.config, "file of options, instead of the one in the player's folder");
+    line.add_flag("--portable", texts.is_portable, "keep options and saved games beside the program (README)");
+    declare_preferences(line, texts);
+}
+
+// What the command line says of preferences, over what is kept.
+void change_by_command_line(const OptionTexts& texts, Preferences& preferences) {
+    for (const Preference& preference : all_preferences()) {
+        const auto text = texts.preferences.find(preference.name);
+        if (text != texts.preferences.end() && !text->second.empty()) preference.parse(preferences, text->second);
+    }
+    for (const std::string& dial : texts.dials) parse_dial(dial, preferences.accuracy);
+    check_view(preferences.mode, preferences.field_of_view);
+}
+
+void interpret(const OptionTexts& texts, Options& options) {
+    Preferences checked;  // what is wrong on the command line is said before anything is read
+    change_by_command_line(texts, checked);
+    for (const char* name : {"brightness", "gamma", "tube-light"})
+        if (const auto text = texts.preferences.find(name); text != texts.preferences.end() && !text->second.empty())
+            options.light.insert(*text);
+    if (!texts.window.empty()) options.window = parse_window_size(texts.window);
+    if (!texts.log.empty()) options.log = parse_log_channels(texts.log);
+    options.automap = named_value<MapView>("--automap", texts.map, kMapNames);
+    options.wireframe = named_value<Wireframe>("--wireframe", texts.wireframe, kWireframeNames);
+    options.line_method = named_value<LineMethod>("--lines", texts.lines, kLineNames);
+    const bool has_run = !(options.record + options.replay + options.timedemo).empty();
+    if (options.shows_title && (!options.timedemo.empty() || options.shows_gallery))
+        throw UsageError("--title: --timedemo and --gallery show none, expected it without them");
+    options.shows_title |=
+        (options.level + options.map).empty() && !has_run && !options.shows_gallery && options.headless_frames == 0;
+    if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))
+        throw UsageError("--error-box: nobody is there to close it, expected it without --headless or --timedemo");
+    if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())
+        throw UsageError("--gallery: there is no game to record or to replay, expected it without the other");
+}
+
+// What is measured or replayed is the same for every player: it reads no file that was not asked for.
+PlayerFolders folders_of(const OptionTexts& texts, const Options& options, const char* program) {
+    PlayerFolders folders;
+    const bool is_played = options.headless_frames == 0 && (options.timedemo + options.replay + options.record).empty();
+    if (is_played) folders = texts.is_portable ? portable_folders(program_folder(program)) : desktop_folders();
+    if (!texts.config.empty()) folders.config_file = texts.config;
+    return folders;
+}
+
+}  // namespace
+
+int run_with_options(int argument_count, const char* const* arguments,
+                     const std::function<void(const Options&, PreferencesStore&)>& body) {
+    Options options;
+    OptionTexts texts;
+    CommandLine line("oblong", "A world of 320x200 pixels in the right shape. " +
+                                   name_of(default_bindings().inputs_of(Command::ShowHelp).front()) +
+                                   " in the game lists its keys.");
+    declare(line, options, texts);
+    return line.run(argument_count, arguments, [&] {
+        interpret(texts, options);
+        options.folders = folders_of(texts, options, arguments[0]);
+        PreferencesStore store(options.folders.config_file);
+        for (const std::string& fault : store.faults()) print_fault("oblong", fault);
+        options.preferences = store.kept();
+        change_by_command_line(texts, options.preferences);
+        store.begin_with(options.preferences);
+        body(options, store);
+    });
+}
+
+}  // namespace oblong

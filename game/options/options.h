@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "engine/files/log_channels.h"
+#include "engine/raster/lines.h"
+#include "engine/view/present_rect.h"
+#include "game/options/player_folders.h"
+#include "game/options/preferences_store.h"
+
+namespace oblong {
+
+/// What a program is started with: the command line's options, over what is kept in the options file; empty strings and
+/// 0 where they are not given.
+struct Options {
+    std::string level, palette, models;
+    std::string map, game;                     ///< a level by its name, and the folder of a game like Quake's
+    Preferences preferences;                   ///< as they are kept, changed by the command line
+    std::map<std::string, std::string> light;  ///< of the first game, by preferences' names: what the command line says
+    WindowSize window;
+    LogChannels log;
+    MapView automap = MapView::Off;
+    Wireframe wireframe = Wireframe::Off;
+    LineMethod line_method = LineMethod::GuptaSproull;
+    std::string record, replay, timedemo, route;
+    std::int64_t headless_frames = 0, threads = 1;
+    std::string out;
+    PlayerFolders folders;     ///< of the player's files: empty names where they are neither read nor written
+    bool shows_title = false;  ///< also where nothing else is asked for
+    bool shows_gallery = false, shows_error_box = false;
+};
+
+/// Runs `body` with the options and the file that keeps preferences; the program's exit code: 0 also after --help and
+/// --version, 1 for what `body` throws, 2 for wrong usage, both reported on standard error.
+int run_with_options(int argument_count, const char* const* arguments,
+                     const std::function<void(const Options&, PreferencesStore&)>& body);
+
+}  // namespace oblong

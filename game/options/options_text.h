@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "game/options/preference_table.h"
+
+namespace oblong {
+
+/// The text of an options file: lines NAME = VALUE and comments. Names that this version does not know stay in it.
+
+/// A line that says nothing: all others are kept.
+struct LineFault {
+    std::size_t line;  ///< from 1
+    std::string what;  ///< what is wrong, what was expected
+};
+
+struct ReadPreferences {
+    Preferences preferences;
+    std::vector<LineFault> faults;  ///< in the order of their lines
+};
+
+/// The preferences of a text, and the defaults where it says nothing. Where a name is given twice, the later line
+/// counts. Throws InputError where this is no text.
+ReadPreferences read_preferences(const std::string& text);
+
+/// A whole text: each value with its help above.
+std::string write_preferences(const Preferences& preferences);
+
+/// The text with some values as they are now. Nothing else changes in it but that names it has not yet are added to
+/// its end.
+std::string with_values(const std::string& text, const std::vector<const KeptValue*>& changed, const Preferences& now);
+
+}  // namespace oblong

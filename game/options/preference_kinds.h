@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "game/options/preference_table.h"
+
+namespace oblong {
+
+/// What a preference is called, as in Preference.
+struct PreferenceNames {
+    std::string name, label, help;
+    PreferencePage page;
+    std::string keys = "";
+};
+
+/// The kinds of preferences: makers of the table's rows.
+
+Preference on_or_off(PreferenceNames names, bool Preferences::*field);
+
+/// A whole number from `least` to `greatest`; a menu stops at `stops`, in rising order.
+Preference whole_number(PreferenceNames names, std::int32_t Preferences::*field, std::int32_t least,
+                        std::int32_t greatest, std::vector<std::int32_t> stops, std::string unit);
+
+/// A decimal number of the light of the game that is played, kept in hundredths, likewise; all numbers here in
+/// hundredths. In the file it is the museum's: those of the other games are a value of their own.
+Preference light_in_hundredths(PreferenceNames names, std::int32_t Light::*field, std::int32_t least_100,
+                               std::int32_t greatest_100, std::vector<std::int32_t> stops_100);
+
+/// One of some names; its place among them is get()'s and set()'s number.
+Preference one_of(PreferenceNames names, std::vector<std::string> values, std::function<int(const Preferences&)> get,
+                  std::function<void(Preferences&, int)> set);
+
+/// An enumeration from 0 on.
+template <class Enum>
+Preference one_of(PreferenceNames names, std::vector<std::string> values, Enum Preferences::*field) {
+    return one_of(
+        std::move(names), std::move(values),
+        [field](const Preferences& preferences) { return static_cast<int>(preferences.*field); },
+        [field](Preferences& preferences, int value) { preferences.*field = static_cast<Enum>(value); });
+}
+
+/// The error of a text that is no value of a preference.
+[[noreturn]] void refuse(const std::string& name, const std::string& text, const std::string& expected);
+
+/// From one of `stops`, which rise, to one so many steps on; stops at the ends. A value between two is beside both.
+std::int32_t stepped(const std::vector<std::int32_t>& stops, std::int32_t value, int steps);
+
+/// 140: "1.4".
+std::string hundredths_text(std::int32_t value_100);
+
+/// "a, b or c".
+std::string listed(const std::vector<std::string>& values);
+
+}  // namespace oblong

@@ -1,0 +1,283 @@
+#include "game/options/preference_table.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "engine/accuracy/dials.h"
+#include "engine/base/input_error.h"
+#include "engine/base/table.h"
+#include "engine/files/arguments.h"
+#include "game/options/preference_kinds.h"
+#include "game/options/view_preferences.h"
+
+namespace oblong {
+namespace {
+
+using Rows = std::vector<Preference>;
+
+// "stretch" is an older name for filling the window, which is a shape and no way to scale.
+Preference scaling_preference() {
+    std::vector<std::string> names;
+    for (int i = 0; i < kScalingCount; ++i) names.emplace_back(name_of(static_cast<Scaling>(i)));
+    Preference row = one_of({"scaling", "Scaling", "how pixels of the picture become pixels of the window",
+                             PreferencePage::Picture, "{scaling}"},
+                            names, &Preferences::scaling);
+    row.values += "; stretch: aspect-display fill";
+    row.parse = [parse = row.parse](Preferences& of, const std::string& text) {
+        if (text == "stretch")
+            of.shown_as = ShownAs::FillWindow;
+        else
+            parse(of, text);
+    };
+    return row;
+}
+
+Preference tube_preference() {
+    Preference row = one_of(
+        {"tube-light", "Colours of a tube", "kept a game: dark colours as bright as a tube of Quake's time made them",
+         PreferencePage::Picture},
+        {"off", "on"}, [](const Preferences& of) { return int{of.light().is_of_tube}; },
+        [](Preferences& of, int value) {
+            Light light = of.light();
+            light.is_of_tube = value != 0;
+            of.set_light(light);
+        });
+    row.is_switch = true;
+    row.parse = [parse = row.parse](Preferences& of, const std::string& text) {
+        parse(of, text == "true" ? "on" : text == "false" ? "off" : text);
+    };
+    row.text = [](const Preferences& of) { return of.light_of(kMuseum).is_of_tube ? "on" : "off"; };
+    return row;
+}
+
+void add_picture(Rows& rows) {
+    constexpr PreferencePage kPage = PreferencePage::Picture;
+    rows.push_back(field_of_view_preference());
+    rows.push_back(mode_preference());
+    rows.push_back(display_preference());
+    rows.push_back(one_of(
+        {"aspect-projection", "Drawn for", "whether the projection is for the display's pixels or for square ones",
+         kPage, "{projection-aspect}"},
+        {"square", "display"}, [](const Preferences& of) { return int{of.corrects_projection}; },
+        [](Preferences& of, int value) { of.corrects_projection = value != 0; }));
+    rows.push_back(one_of({"aspect-display", "Shown as", "the display's shape, square pixels, or the window's shape",
+                           kPage, "{display-aspect}"},
+                          {"display", "square", "fill"}, &Preferences::shown_as));
+    rows.push_back(scaling_preference());
+    rows.push_back(
+        on_or_off({"crt", "Look of a tube", "scanlines, mask and glow of a tube, drawn by the window", kPage, "{crt}"},
+                  &Preferences::has_crt_look));
+    rows.push_back(light_in_hundredths(
+        {"brightness", "Brightness", "of the light on surfaces, kept a game", kPage, "{darker}, {brighter}"},
+        &Light::brightness_100, 25, 800, {25, 35, 50, 70, 100, 140, 200, 280, 400, 560, 800}));
+    rows.push_back(light_in_hundredths(
+        {"gamma", "Gamma", "of the display, kept a game: above 1, dark colours are brighter", kPage}, &Light::gamma_100,
+        50, 200, {50, 60, 70, 80, 90, 100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200}));
+    rows.push_back(tube_preference());
+    rows.push_back(on_or_off({"whole-screen", "Whole screen", "instead of a window (Alt+Enter)", kPage},
+                             &Preferences::fills_screen));
+    rows.push_back(on_or_off({"vsync", "Wait for display", "each picture is shown whole, where the system can", kPage},
+                             &Preferences::waits_for_display));
+    rows.push_back(whole_number(
+        {"frame-cap", "Frames at most", "pictures a second; 0: as many as the machine can", kPage},
+        &Preferences::frame_cap_hz, 0, 1000, {0, 30, 35, 60, 70, 75, 90, 120, 144, 165, 240}, " a second"));
+}
+
+// "preset" while a dial stands where its preset sets it: another preset turns it too.
+Preference dial_preference(const Dial& dial) {
+    Preference row;
+    row.name = "dial-" + std::string(dial.name);
+    row.label = dial.caption;
+    row.help = dial.about.substr(0, dial.about.find_last_not_of('.') + 1);
+    row.page = PreferencePage::Accuracy;
+    row.values = values_of(dial) + ", or preset: as --accuracy sets it";
+    row.text = [&dial](const Preferences& of) {
+        const std::int32_t value = dial.get(of.accuracy);
+        return value == dial.get(accuracy_of(of.preset)) ? "preset" : value_text(dial, value);
+    };
+    row.shown = [&dial](const Preferences& of) { return value_text(dial, dial.get(of.accuracy)); };
+    row.parse = [&dial](Preferences& of, const std::string& text) {
+        if (text == "preset") return dial.set(of.accuracy, dial.get(accuracy_of(of.preset)));
+        parse_dial(std::string(dial.name) + "=" + text, of.accuracy);
+    };
+    row.change = [&dial](Preferences& of, int steps) { turn(dial, steps, of.accuracy); };
+    return row;
+}
+
+void add_accuracy(Rows& rows) {
+    std::vector<std::string> presets;
+    for (const Preset preset : kPresets) presets.emplace_back(name_of(preset));
+    rows.push_back(one_of(
+        {"accuracy", "Accuracy", "a preset of all dials, by the year that could afford it", PreferencePage::Accuracy,
+         "{accuracy}"},
+        presets, [](const Preferences& of) { return static_cast<int>(of.preset); },
+        [](Preferences& of, int value) {
+            of.preset = static_cast<Preset>(value);
+            of.accuracy = accuracy_of(of.preset);
+        }));
+    for (const Dial& dial : all_dials()) rows.push_back(dial_preference(dial));
+}
+
+void add_comfort(Rows& rows) {
+    constexpr PreferencePage kPage = PreferencePage::Comfort;
+    rows.push_back(one_of({"flashes", "Flashes", "lights that flicker, colours that change, flashes", kPage},
+                          {"full", "reduced", "off"}, &Preferences::flashes));
+    const std::vector<std::int32_t> sways{0, 25, 50, 75, 100, 150, 200};
+    rows.push_back(
+        whole_number({"view-bob", "Bob in walking", "the view goes up and down in walking; 100: as in Quake", kPage},
+                     &Preferences::view_bob_100, 0, 200, sways, " %"));
+    rows.push_back(
+        whole_number({"view-roll", "Lean in walking", "the view leans in walking sideways; 100: as in Quake", kPage},
+                     &Preferences::view_roll_100, 0, 200, sways, " %"));
+    rows.push_back(whole_number({"game-speed", "Speed of the game",
+                                 "in per cent: below 100 everything takes longer, and happens the same", kPage},
+                                &Preferences::game_speed_100, 25, 1600, {25, 33, 50, 67, 75, 80, 90, 100}, " %"));
+    rows.push_back(whole_number({"text-size", "Text size", "1 or 2: times the size of the letters", kPage},
+                                &Preferences::text_scale, 1, 2, {1, 2}, "x"));
+    rows.push_back(one_of(
+        {"colours", "Colours of signs", "of lines, maps, keys and text; two for who confuses the colours named", kPage},
+        {"standard", "red-green", "blue-yellow"}, &Preferences::colours));
+    rows.push_back(on_or_off({"captions", "Captions of sounds", "a line of text for what is to be heard", kPage},
+                             &Preferences::shows_captions));
+}
+
+void add_controls(Rows& rows) {
+    constexpr PreferencePage kPage = PreferencePage::Controls;
+    const std::vector<std::int32_t> stops{10,  20,  30,  40,  50,  60,  70,  80,  90,  100, 120,
+                                          140, 160, 180, 200, 250, 300, 400, 500, 700, 1000};
+    rows.push_back(whole_number({"mouse-sensitivity", "Mouse sensitivity", "in per cent", kPage},
+                                &Preferences::mouse_sensitivity_100, 10, 1000, stops, " %"));
+    rows.push_back(on_or_off({"invert-look", "Invert look", "mouse or stick forward looks down", kPage},
+                             &Preferences::inverts_look));
+    rows.push_back(on_or_off({"always-run", "Always run", "off: walks slowly, and the key for it makes run", kPage},
+                             &Preferences::always_runs));
+    rows.push_back(whole_number(
+        {"gamepad-sensitivity", "Stick sensitivity", "of the gamepad's stick that turns, in per cent", kPage},
+        &Preferences::gamepad_sensitivity_100, 10, 400,
+        {10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 120, 140, 160, 180, 200, 250, 300, 400}, " %"));
+    rows.push_back(whole_number({"gamepad-dead-zone", "Stick dead zone",
+                                 "how far a stick may lie beside its middle, in per cent of its way", kPage},
+                                &Preferences::gamepad_dead_zone_100, 0, 90,
+                                {0, 5, 10, 15, 20, 25, 30, 40, 50, 60, 70, 80, 90}, " %"));
+}
+
+void add_sound(Rows& rows) {
+    constexpr PreferencePage kPage = PreferencePage::Sound;
+    const std::vector<std::int32_t> tenths{0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 100};
+    rows.push_back(whole_number({"volume", "Volume of all", "in per cent; 0: no sound device is opened", kPage},
+                                &Preferences::volume_100, 0, 100, tenths, " %"));
+    rows.push_back(whole_number({"sounds-volume", "Sounds", "in the level and in menus, in per cent", kPage},
+                                &Preferences::sounds_volume_100, 0, 100, tenths, " %"));
+    rows.push_back(whole_number({"music-volume", "Music", "in per cent", kPage}, &Preferences::music_volume_100, 0, 100,
+                                tenths, " %"));
+}
+
+// The light of all games but the museum, whose values are options of their own: "quake:1.4:1:on", a word a game.
+KeptValue lights_value() {
+    KeptValue value;
+    value.name = "game-lights";
+    value.label = "Light of games";
+    value.help = "brightness, gamma and tube-light of games that are not the museum";
+    value.values = "GAME:BRIGHTNESS:GAMMA:on or off, with spaces between games, or none";
+    value.text = [](const Preferences& of) {
+        std::string text;
+        for (const auto& [game, light] : of.lights)
+            if (game != kMuseum)
+                text += (text.empty() ? "" : " ") + game + ':' + hundredths_text(light.brightness_100) + ':' +
+                        hundredths_text(light.gamma_100) + (light.is_of_tube ? ":on" : ":off");
+        return text.empty() ? "none" : text;
+    };
+    value.parse = [values = value.values](Preferences& of, const std::string& text) {
+        Preferences read;
+        std::istringstream words(text == "none" ? "" : text);
+        for (std::string word; words >> word;) {
+            std::istringstream parts(word);
+            std::string brightness, gamma, tube;
+            const bool is_whole = std::getline(parts, read.game, ':') && std::getline(parts, brightness, ':') &&
+                                  std::getline(parts, gamma, ':') && std::getline(parts, tube, ':');
+            if (!is_whole || std::count(word.begin(), word.end(), ':') != 3 || read.game.empty() ||
+                read.game == kMuseum)
+                refuse("game-lights", word, values);
+            for (const auto& [name, part] :
+                 {std::pair("brightness", brightness), {"gamma", gamma}, {"tube-light", tube}})
+                preference_named(name).parse(read, part);
+        }
+        if (const auto museum = of.lights.find(kMuseum); museum != of.lights.end()) read.lights.insert(*museum);
+        of.lights = read.lights;
+    };
+    return value;
+}
+
+// Whether the page that helps with the light was shown.
+KeptValue light_set_value() {
+    return on_or_off({"light-set", "Light is set", "whether the page for the light was shown", PreferencePage::Picture},
+                     &Preferences::has_set_light);
+}
+
+// For each action, the keys and buttons that do it.
+std::vector<KeptValue> binding_values() {
+    std::vector<KeptValue> values;
+    for (const ActionNames& action : all_actions()) {
+        KeptValue value;
+        value.name = "bind-" + std::string(action.name);
+        value.label = action.label;
+        value.help = "the keys and buttons that do it, named after their places on a US keyboard";
+        value.values = "names with spaces between them, or none";
+        value.text = [&action](const Preferences& of) { return inputs_to_text(of.bindings, action.action); };
+        value.parse = [&action, name = value.name](Preferences& of, const std::string& text) {
+            try {
+                set_inputs(of.bindings, action.action, text);
+            } catch (const InputError& error) {
+                throw UsageError("--" + name + ": " + error.what());
+            }
+        };
+        values.push_back(value);
+    }
+    return values;
+}
+
+Rows make_rows() {
+    Rows rows;
+    add_picture(rows);
+    add_accuracy(rows);
+    add_comfort(rows);
+    add_controls(rows);
+    add_sound(rows);
+    return rows;
+}
+
+}  // namespace
+
+const char* name_of(PreferencePage page) {
+    constexpr std::array<const char*, kPreferencePageCount> kNames{"Picture", "Accuracy", "Comfort", "Controls",
+                                                                   "Sound"};
+    return at(kNames, page);
+}
+
+std::span<const Preference> all_preferences() {
+    static const Rows rows = make_rows();
+    return rows;
+}
+
+const Preference& preference_named(std::string_view name) {
+    const auto rows = all_preferences();
+    return *std::find_if(rows.begin(), rows.end(), [&](const Preference& row) { return row.name == name; });
+}
+
+std::span<const KeptValue* const> all_kept_values() {
+    static const std::vector<KeptValue> lights{lights_value(), light_set_value()};
+    static const std::vector<KeptValue> bindings = binding_values();
+    static const std::vector<const KeptValue*> values = [] {
+        std::vector<const KeptValue*> all;
+        for (const Preference& preference : all_preferences()) all.push_back(&preference);
+        for (const KeptValue& light : lights) all.push_back(&light);
+        for (const KeptValue& binding : bindings) all.push_back(&binding);
+        return all;
+    }();
+    return values;
+}
+
+}  // namespace oblong

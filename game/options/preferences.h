@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "engine/accuracy/presets.h"
+#include "engine/platform/bindings.h"
+#include "engine/scene/light_styles.h"
+#include "engine/view/present_rect.h"
+#include "engine/view/projection.h"
+#include "engine/view/screen.h"
+#include "game/input/tick_input_source.h"
+
+namespace oblong {
+
+/// The colours of what says something by its colour: text, lines of the map, the map of the error, keys.
+enum class ColourScheme : std::uint8_t {
+    Standard,
+    RedGreen,   ///< for who confuses red and green: blue, orange and white, told apart by brightness too
+    BlueYellow  ///< for who confuses blue and yellow: red, cyan and white
+};
+inline constexpr int kColourSchemeCount = 3;
+
+/// Whether the map is shown, and what is up on it.
+enum class MapView : std::uint8_t { Off, PlayerUp, NorthUp };
+inline constexpr int kMapViewCount = 3;
+
+/// Whether the edges of visible faces are drawn: over the picture, or by themselves.
+enum class Wireframe : std::uint8_t { Off, Over, Alone };
+inline constexpr int kWireframeCount = 3;
+
+/// How a game's pictures are lit.
+struct Light {
+    std::int32_t brightness_100 = 100;  ///< of the light on surfaces, 25 to 800
+    std::int32_t gamma_100 = 100;       ///< of the display, 50 to 200
+    bool is_of_tube = false;            ///< colours as a tube showed them
+    bool operator==(const Light&) const = default;
+};
+/// The games that are no folder's: Oblong's own levels, and others that no --game was named for.
+inline constexpr const char *kMuseum = "museum", *kQuake = "quake";
+/// That of a game until the player changes it: all but the museum were made on tubes.
+inline Light light_of_new(const std::string& game) {
+    return {100, 100, game != kMuseum};
+}
+
+/// All that a player sets and that is kept in a file. Changes how the game is shown and steered, never what happens in
+/// it.
+struct Preferences : Steering {
+    ScreenMode mode;  ///< of the picture, and the display that it is for
+    Degrees field_of_view = Degrees::from_int(90);
+    bool corrects_projection = true;  ///< F2: the projection knows the display's shape
+    ShownAs shown_as = ShownAs::OnDisplay;
+    Scaling scaling = Scaling::SharpBilinear;
+    bool has_crt_look = false;
+    std::map<std::string, Light> lights;  ///< by games, of those that have another one than light_of_new()
+    std::string game = kMuseum;           ///< that is played: the one that light() is of
+    bool has_set_light = false;           ///< the page that helps with it was shown
+    bool fills_screen = false;            ///< the whole screen instead of a window
+    bool waits_for_display = true;        ///< vsync, where the system offers it
+    std::int32_t frame_cap_hz = 144;      ///< at most so many frames a second, 10 to 1,000; 0: no limit
+
+    Preset preset = Preset::Bounded;  ///< the last one chosen
+    Accuracy accuracy;                ///< its dials, perhaps turned since
+
+    Flashes flashes = Flashes::Full;
+    std::int32_t view_bob_100 = 0;      ///< how far the view goes up and down in walking; 0 to 200, 100: as in Quake
+    std::int32_t view_roll_100 = 0;     ///< how far it leans in walking sideways; likewise
+    std::int32_t game_speed_100 = 100;  ///< of the game's clock against that on the wall, 25 to 1,600
+    std::int32_t text_scale = 1;        ///< 1 or 2 pixels of the picture for a pixel of a letter
+    ColourScheme colours = ColourScheme::Standard;
+    bool shows_captions = false;  ///< a line of text for each sound
+
+    Bindings bindings = default_bindings();  ///< which inputs do what
+
+    std::int32_t volume_100 = 100;        ///< of all, 0 to 100; 0: no sound device is opened
+    std::int32_t sounds_volume_100 = 80;  ///< of what happens in the level and in menus, 0 to 100
+    std::int32_t music_volume_100 = 60;   ///< 0 to 100
+
+    /// That of the game that is played.
+    Light light() const { return light_of(game); }
+    Light light_of(const std::string& name) const {
+        const auto found = lights.find(name);
+        return found == lights.end() ? light_of_new(name) : found->second;
+    }
+    void set_light(const Light& light) {
+        lights[game] = light;
+        if (light == light_of_new(game)) lights.erase(game);
+    }
+
+    bool operator==(const Preferences&) const = default;
+};
+
+}  // namespace oblong

@@ -1,0 +1,143 @@
+#include "game/program/gallery.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "game/input/key_names.h"
+#include "game/view/screenshot.h"
+#include "tools/gallery/row.h"
+
+namespace oblong {
+
+namespace {
+
+/// What is changed by the same keys as in the game.
+constexpr std::array<Command, 7> kKeysOfTheGame{
+    Command::ProjectionAspect, Command::DisplayAspect, Command::AccuracyTier, Command::ScalingMode,
+    Command::CrtLook,          Command::Darker,        Command::Brighter};
+
+void go_to_row(std::size_t row, GalleryState& state) {
+    state.row = row;
+    state.chosen = 0;
+}
+
+void change_parameter(const Row& row, std::int64_t steps, GalleryState& state) {
+    if (row.parameters.empty()) return;
+    const Parameter& parameter = row.parameters[state.chosen];
+    std::int64_t& value = state.values[state.row][state.chosen];
+    const std::int64_t count = parameter.most - parameter.least + 1;
+    if (parameter.choices.empty())
+        value = std::clamp(value + steps * parameter.step, parameter.least, parameter.most);
+    else
+        value = (value + steps + count) % count;
+}
+
+}  // namespace
+
+GalleryState start_of_gallery(const std::vector<Row>& rows) {
+    GalleryState state;
+    for (const Row& row : rows) state.values.push_back(start_values(row));
+    return state;
+}
+
+std::string apply(Command command, const std::vector<Row>& rows, WindowSize window, ViewOptions& view_options,
+                  GalleryState& state) {
+    const Row& row = rows[state.row];
+    const std::size_t count = rows.size(), parameters = std::max<std::size_t>(row.parameters.size(), 1);
+    switch (command) {
+        case Command::PageDown:
+            go_to_row((state.row + 1) % count, state);
+            return "";
+        case Command::PageUp:
+            go_to_row((state.row + count - 1) % count, state);
+            return "";
+        case Command::DialUp:
+            state.chosen = (state.chosen + parameters - 1) % parameters;
+            return "";
+        case Command::DialDown:
+            state.chosen = (state.chosen + 1) % parameters;
+            return "";
+        case Command::DialCoarser:
+        case Command::DialFiner:
+            change_parameter(row, command == Command::DialFiner ? 1 : -1, state);
+            return "";
+        default:
+            break;
+    }
+    const bool is_of_game = std::find(kKeysOfTheGame.begin(), kKeysOfTheGame.end(), command) != kKeysOfTheGame.end();
+    return is_of_game ? apply(command, view_options, window) : "";
+}
+
+Gallery::Gallery(std::shared_ptr<const LoadedLevel> loaded, const SessionSettings& settings, ViewOptions& view_options,
+                 Platform& platform)
+    : loaded_(std::move(loaded)),
+      data_(loaded_->data),
+      assets_{data_.level, data_.colormap, text_colours_of(data_.palette)},
+      menu_look_(data_.palette),
+      rows_(gallery_rows()),
+      screenshot_folder_(settings.screenshot_folder),
+      platform_(platform),
+      view_options_(view_options),
+      state_(start_of_gallery(rows_)),
+      start_us_(platform.now_us()),
+      now_us_(start_us_) {
+    show("{page-down}: next row    {help}: keys");
+}
+
+void Gallery::advance(const Controls& controls, std::uint64_t now_us) {
+    now_us_ = now_us;
+    for (const Command command : controls.commands) {
+        wants_screenshot_ |= command == Command::Screenshot;
+        const std::string message = apply(command, rows_, platform_.window_size(), view_options_, state_);
+        if (!message.empty()) show(message);
+    }
+    if (!controls.commands.empty() || rows_[state_.row].moves) is_drawn_ = false;
+}
+
+ShownPicture Gallery::draw(bool is_behind_menu) {
+    if (!is_drawn_ || drawn_with_ != view_options_.preferences) draw_picture();
+    const ScreenMode& mode = drawn_with_.mode;
+    shown_ = picture_;
+    const Framebuffer canvas{shown_.data(), mode.width_px, mode.height_px, mode.width_px};
+    if (wants_screenshot_) show(save_screenshots(screenshot_folder_, canvas, data_.palette, mode));
+    wants_screenshot_ = false;
+    if (!is_behind_menu) draw_over();
+    return {canvas, data_.palette, shown_rect(view_options_.preferences, platform_.window_size())};
+}
+
+void Gallery::draw_picture() {
+    drawn_with_ = view_options_.preferences;
+    const ScreenMode& mode = drawn_with_.mode;
+    picture_.resize(pixel_count(mode.width_px, mode.height_px));
+    const Row& row = rows_[state_.row];
+    const auto time_ms = static_cast<std::int64_t>((now_us_ - start_us_) / 1000);
+    const RowInput input{assets_, mode, settings_of(drawn_with_), state_.values[state_.row], time_ms};
+    page_ = draw_row(row, input, state_.chosen, {picture_.data(), mode.width_px, mode.height_px, mode.width_px});
+    const std::string number = std::to_string(state_.row + 1) + " of " + std::to_string(rows_.size());
+    platform_.set_title(("Oblong - the gallery, " + number + ": " + std::string(row.name)).c_str());
+    is_drawn_ = true;
+}
+
+std::string Gallery::figures() const {
+    const Row& row = rows_[state_.row];
+    std::string text = std::string(row.seeds) + "\n" + std::string(row.source) + "\n" + std::string(row.test) + "\n";
+    for (const Figure& figure : page_.figures) text += "\n" + figure_text(figure);
+    for (const std::string& note : page_.notes) text += "\n\n" + note;
+    return text;
+}
+
+void Gallery::show(const std::string& message) {
+    messages_.show(KeyNames(view_options_.preferences.bindings, platform_, view_options_.uses_pad).in(message));
+}
+
+void Gallery::draw_over() {
+    const ScreenMode& mode = drawn_with_.mode;
+    const Framebuffer canvas{shown_.data(), mode.width_px, mode.height_px, mode.width_px};
+    const TextColours colours{assets_.text.bright, assets_.text.dark,
+                              text_scale_in(mode.width_px, mode.height_px, drawn_with_.text_scale)};
+    const Framebuffer below_header = part_of(canvas, {0, kHeader_px, canvas.width_px, canvas.height_px - kHeader_px});
+    draw_hud({}, messages_, now_us_, below_header.height_px, colours, menu_look_.veil, below_header);
+}
+
+}  // namespace oblong

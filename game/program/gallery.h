@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/platform/platform.h"
+#include "game/level/loaded_level.h"
+#include "game/program/game_screen.h"
+#include "game/program/session.h"
+#include "game/view/hud.h"
+#include "tools/gallery/row.h"
+
+namespace oblong {
+
+/// Which row the gallery shows, and what its parameters are set to: what keys change.
+struct GalleryState {
+    std::size_t row = 0;
+    std::size_t chosen = 0;                         ///< of the row's parameters
+    std::vector<std::vector<std::int64_t>> values;  ///< of each row's parameters
+};
+
+GalleryState start_of_gallery(const std::vector<Row>& rows);
+
+/// Carries out a command: Page Down and Page Up go to the next and the previous row, up and down arrows choose a
+/// parameter, left and right change it. The message that tells the user; empty where there is none.
+std::string apply(Command command, const std::vector<Row>& rows, WindowSize window, ViewOptions& view_options,
+                  GalleryState& state);
+
+/// Steps through the gallery's rows.
+class Gallery final : public GameScreen {
+  public:
+    /// `view_options`, which keys change, and `platform` outlive it.
+    Gallery(std::shared_ptr<const LoadedLevel> loaded, const SessionSettings& settings, ViewOptions& view_options,
+            Platform& platform);
+
+    void advance(const Controls& controls, std::uint64_t now_us) override;
+    void pause(std::uint64_t now_us) override { now_us_ = now_us; }
+    ShownPicture draw(bool is_behind_menu) override;
+    const MenuLook& menu_look() const override { return menu_look_; }
+
+    /// All figures and notes of the row that is up.
+    std::string figures() const;
+
+  private:
+    void draw_picture();
+    void show(const std::string& message);
+    void draw_over();
+
+    std::shared_ptr<const LoadedLevel> loaded_;
+    const GameData& data_;  // of loaded_
+    const GalleryAssets assets_;
+    const MenuLook menu_look_;
+    const std::vector<Row> rows_;
+    std::string screenshot_folder_;
+    Platform& platform_;
+    ViewOptions& view_options_;
+    GalleryState state_;
+    RowPage page_;
+    Messages messages_;
+    Preferences drawn_with_;  ///< those of picture_
+    std::vector<std::uint8_t> picture_, shown_;
+    std::uint64_t start_us_, now_us_;
+    bool wants_screenshot_ = false;
+    bool is_drawn_ = false;  ///< `picture_` is that of the state
+};
+
+}  // namespace oblong

@@ -1,0 +1,308 @@
+#include "game/program/program.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
+#include "game/level/level_search.h"
+#include "game/view/screenshot.h"
+
+namespace oblong {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int32_t kLongestWait_ms = 500;
+
+// Before the game is played, not after it.
+void check_writable(const std::string& file) {
+    const fs::path folder = fs::path(file).parent_path();
+    if (fs::is_directory(file)) throw FileError(file, "write", "is a folder, expected a file");
+    if (!folder.empty() && !fs::is_directory(folder))
+        throw FileError(file, "write", folder.string() + " is no folder, expected a folder for the file");
+}
+
+ViewOptions view_options_of(const Options& options) {
+    ViewOptions view_options;
+    view_options.preferences = options.preferences;
+    view_options.log = options.log;
+    view_options.map = options.automap;
+    view_options.wireframe = options.wireframe;
+    view_options.line_method = options.line_method;
+    return view_options;
+}
+
+bool has(const Controls& controls, Command command) {
+    return std::find(controls.commands.begin(), controls.commands.end(), command) != controls.commands.end();
+}
+
+bool is_input(const Controls& controls) {
+    const bool is_pointed = controls.pointer && (controls.pointer->has_moved || controls.pointer->is_pressed);
+    return is_pointed || controls.pressed || !controls.menu.empty() || !controls.commands.empty();
+}
+
+std::optional<Sound> sound_of(MenuEvent event) {
+    switch (event) {
+        case MenuEvent::None:
+            return {};
+        case MenuEvent::Moved:
+        case MenuEvent::Changed:
+            return Sound::MenuMove;
+        case MenuEvent::Accepted:
+            return Sound::MenuAccept;
+        case MenuEvent::WentBack:
+            return Sound::MenuBack;
+    }
+    return {};
+}
+
+bool is_plain(char letter) {
+    const bool is_letter = (letter | 32) >= 'a' && (letter | 32) <= 'z';
+    return is_letter || (letter >= '0' && letter <= '9') || letter == '.' || letter == '-';
+}
+
+// As a word of the options file.
+std::string game_name(const std::string& folder) {
+    if (folder.empty()) return kQuake;
+    std::string name = fs::absolute(folder).lexically_normal().filename().string();
+    if (name.empty()) name = fs::absolute(folder).lexically_normal().parent_path().filename().string();
+    for (char& letter : name)
+        if (!is_plain(letter)) letter = '_';
+    return name == kMuseum || name.empty() ? "_" + name : name;
+}
+
+}  // namespace
+
+LevelFiles level_files_of(const Options& options, const std::string& assets_folder) {
+    LevelFiles files{options.level, options.palette, assets_folder, options.models, game_folders_of(options.game)};
+    if (!options.map.empty()) files.level = find_named_level(options.map, {"", files.game_folders});
+    return files;
+}
+
+ProgramFiles load_program_files(const Options& options, const std::string& assets_folder) {
+    auto loaded = std::make_shared<const LoadedLevel>(level_files_of(options, assets_folder));
+    std::optional<Demo> demo;
+    if (!options.replay.empty()) demo = read_parsed(options.replay, decode_demo);
+    if (!options.record.empty()) check_writable(options.record);
+    const GameState start = start_of(loaded->level);
+    return naming_file(options.replay, [&] {
+        return ProgramFiles{assets_folder, loaded, TickInputSource(start, std::move(demo), !options.record.empty())};
+    });
+}
+
+Program::Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform,
+                 Workers* workers, OpenSound open_sound)
+    : options_(options),
+      assets_folder_(files.assets_folder),
+      level_files_{"", options.palette, files.assets_folder, options.models, game_folders_of(options.game)},
+      view_options_(view_options_of(options)),
+      store_(store),
+      platform_(platform),
+      settings_{workers},
+      sound_(std::move(open_sound), assets_folder_),
+      slots_(options.folders.data),
+      pages_(menu_, *this) {
+    if (options_.shows_gallery)
+        gallery_ = std::make_unique<Gallery>(std::move(files.loaded), settings_, view_options_, platform_);
+    else if (options_.shows_title) {
+        if (!(options_.replay + options_.record).empty())
+            first_walk_ = std::make_unique<FirstWalk>(FirstWalk{files.loaded, std::move(files.input)});
+        start_title(std::move(files.loaded));
+    } else
+        start(std::move(files.loaded), std::move(files.input), options_.replay.empty() ? Stage::Walk : Stage::Replay);
+}
+
+void Program::run() {
+    naming_file(options_.replay, [&] {
+        while (platform_.is_open() && !has_left_) show_frame();
+    });
+    print_fault("oblong", save_on_leaving());
+    print_fault("oblong", store_.save(view_options_.preferences));
+    keep_recorded();
+    if (recorded_) write_file(options_.record, encode_demo(*recorded_));
+}
+
+void Program::show_frame() {
+    const Controls controls = platform_.poll();
+    const std::size_t depth = menu_.depth();
+    take(controls);
+    if (has_left_) return;
+    autosave_when_due();
+    is_stale_ |= menu_.depth() != depth;  // a page may open by itself: at the end, without the focus
+    follow_preferences();
+    const WindowSize size = platform_.window_size();
+    is_stale_ |= is_moving() || is_input(controls) || size != shown_size_;
+    if (is_stale_ && !controls.is_minimised) {
+        shown_size_ = size;
+        is_stale_ = false;
+        return draw();
+    }
+    const std::uint64_t began_us = platform_.now_us();
+    platform_.wait_for_input(kLongestWait_ms);
+    // Something has happened, perhaps to the window: what it shows may be lost.
+    is_stale_ |= platform_.now_us() - began_us < (kLongestWait_ms - 1) * std::uint64_t{1000};
+}
+
+void Program::take(const Controls& controls) {
+    if (controls.changes_full_screen) preferences().fills_screen = !preferences().fills_screen;
+    if (controls.pressed) view_options_.uses_pad = is_of_pad(*controls.pressed);
+    const bool is_left =
+        (std::exchange(had_focus_, controls.has_focus) && !controls.has_focus) || controls.is_minimised;
+    if (is_left && is_walked() && !menu_.is_open()) pages_.open_game();
+    if (menu_.is_open())
+        take_in_menu(controls);
+    else
+        take_in_walk(controls);
+    open_what_is_due();
+    const bool is_captured = is_walked() && !menu_.is_open();
+    if (std::exchange(is_mouse_captured_, is_captured) != is_captured) platform_.capture_mouse(is_captured);
+}
+
+// Whether what the player does moves the game, but for a menu.
+bool Program::is_walked() const {
+    return !gallery_ && (stage_ == Stage::Walk || (stage_ == Stage::Replay && !session_->input().is_replaying()));
+}
+
+void Program::take_in_menu(const Controls& controls) {
+    const Preferences& now = view_options_.preferences;
+    const CanvasSize canvas{now.mode.width_px, now.mode.height_px};
+    const std::size_t depth = menu_.depth();
+    wants_screenshot_ |= has(controls, Command::Screenshot) && !menu_.page().press;
+    const MenuEvent event = menu_.handle(controls, canvas, now.text_scale, shown_rect(now, platform_.window_size()));
+    if (const auto sound = sound_of(event)) sound_.play(*sound);
+    if (menu_.depth() < depth) print_fault("oblong", store_.save(now));
+    if (stage_ == Stage::Title && !gallery_)
+        play_title();
+    else
+        screen().pause(platform_.now_us());
+}
+
+void Program::take_in_walk(const Controls& controls) {
+    if (has(controls, Command::Menu)) {
+        if (gallery_)
+            close_gallery();
+        else
+            pages_.open_game();
+        return screen().pause(platform_.now_us());
+    }
+    if (has(controls, Command::ShowHelp)) pages_.open_keys();
+    if (gallery_ && has(controls, Command::FrameCost)) pages_.open_figures();
+    if (menu_.is_open()) return screen().pause(platform_.now_us());
+    if (stage_ == Stage::Walk && !gallery_) {
+        if (has(controls, Command::QuickSave)) quick_save();
+        if (has(controls, Command::QuickLoad)) quick_load();
+        if (has(controls, Command::Restart)) pages_.open_restart();
+    }
+    screen().advance(controls, platform_.now_us());
+}
+
+// Back to what it was opened from; where the program began with it, there is nothing.
+void Program::close_gallery() {
+    if (!session_) return pages_.open_gallery();
+    gallery_.reset();
+    name_window();
+    if (stage_ != Stage::Title) pages_.open_game();
+}
+
+// The title and a walk that has ended are never without a page.
+void Program::open_what_is_due() {
+    if (menu_.is_open() || gallery_ || has_left_) return;
+    if (stage_ == Stage::Title) return pages_.open_title();
+    if (session_->state().has_ended && !session_->input().is_replaying()) pages_.open_end();
+}
+
+void Program::follow_preferences() {
+    platform_.change_window(window_settings_of(view_options_.preferences));
+    platform_.use_bindings(view_options_.preferences.bindings);
+    print_fault("oblong", store_.save_when_settled(view_options_.preferences, platform_.now_us()));
+    follow_sound();
+}
+
+// A level's last sounds are heard to their end.
+void Program::follow_sound() {
+    const Preferences& now = view_options_.preferences;
+    sound_.set({now.volume_100, now.sounds_volume_100, now.music_volume_100, now.shows_captions});
+    const bool is_paused = gallery_ || (menu_.is_open() && stage_ != Stage::Title);
+    sound_.hold(is_paused && !(session_ && session_->state().has_ended));
+}
+
+GameScreen& Program::screen() {
+    return gallery_ ? static_cast<GameScreen&>(*gallery_) : *session_;
+}
+
+bool Program::is_moving() const {
+    if (!menu_.is_open()) return true;
+    return stage_ == Stage::Title && !gallery_ && session_->input().is_replaying();
+}
+
+void Program::draw() {
+    title_options_.preferences = view_options_.preferences;
+    const ShownPicture picture = screen().draw(menu_.is_open());
+    if (menu_.is_open()) draw_menu(picture);
+    platform_.present(picture.canvas, picture.palette, picture.rect);
+}
+
+void Program::draw_menu(const ShownPicture& picture) {
+    const Preferences& now = view_options_.preferences;
+    menu_.draw(now.text_scale, screen().menu_look(), picture.palette, picture.canvas);
+    if (!std::exchange(wants_screenshot_, false)) return;
+    pages_.open_message("Screenshot", key_names().in(save_screenshots(settings_.screenshot_folder, picture.canvas,
+                                                                      picture.palette, now.mode)));
+    is_stale_ = true;
+}
+
+void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, Stage stage) {
+    finish_autosave();
+    keep_recorded();
+    gallery_.reset();
+    stage_ = stage;
+    follow_game(*loaded);
+    SessionSettings settings = settings_;
+    const bool is_title = stage == Stage::Title;
+    settings.sound = is_title ? nullptr : &sound_;
+    sound_.enter(nullptr);  // before the level that is heard goes
+    session_ = std::make_unique<Session>(std::move(loaded), settings, is_title ? title_options_ : view_options_,
+                                         std::move(input), platform_);
+    if (is_title) {
+        sound_.play_music();
+    } else {
+        sound_.stop_music();
+        sound_.enter(&session_->loaded().level);
+    }
+    held_.reset();
+    saved_tick_ = autosave_tick_ = autosave_items_ = 0;
+    is_stale_ = true;
+    name_window();
+}
+
+// Light is kept a game. Frames that are written are shown by nobody's taste: as the museum's.
+void Program::follow_game(const LoadedLevel& loaded) {
+    if (options_.headless_frames > 0) return;
+    Preferences& now = view_options_.preferences;
+    const std::string museum = (fs::path(assets_folder_) / "palette.lmp").string();
+    const bool is_museum =
+        fs::exists(museum) && read_parsed(museum, read_palette).colours == loaded.data.palette.colours;
+    now.game = is_museum ? kMuseum : game_name(options_.game);
+    if (is_first_game_ && !is_museum) {
+        now.lights = store_.kept().lights;
+        for (const auto& [name, text] : options_.light) preference_named(name).parse(now, text);
+        store_.begin_with(now);
+    }
+    is_first_game_ = false;
+    title_options_.preferences = now;
+}
+
+void Program::name_window() {
+    const fs::path level = session_->loaded().data.level_file;
+    platform_.set_title(("Oblong - " + level.stem().string()).c_str());
+}
+
+void Program::start_walk(std::shared_ptr<const LoadedLevel> loaded) {
+    const GameState state = start_of(loaded->level);
+    start(std::move(loaded), TickInputSource(state, std::nullopt, false), Stage::Walk);
+}
+
+}  // namespace oblong

@@ -1,0 +1,167 @@
+#pragma once
+
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "game/level/level_search.h"
+#include "game/menu/menu_pages.h"
+#include "game/options/options.h"
+#include "game/program/gallery.h"
+#include "game/program/session.h"
+#include "game/saves/save_slots.h"
+#include "game/sound/game_sound.h"
+
+namespace oblong {
+
+/// The files of the level that the options name. Throws FileError where --map names none.
+LevelFiles level_files_of(const Options& options, const std::string& assets_folder);
+
+/// What a program reads before it opens a window.
+struct ProgramFiles {
+    std::string assets_folder;
+    std::shared_ptr<const LoadedLevel> loaded;
+    TickInputSource input;  ///< of the first game in it
+};
+
+/// Reads the level and the demo that the options name, and checks that what they record can be written. Throws
+/// FileError.
+ProgramFiles load_program_files(const Options& options, const std::string& assets_folder);
+
+/// "3:12"
+std::string time_text(std::int64_t ticks);
+
+/// The game from its start until it is left: the one loop of input, the screen that is up, and the window.
+class Program final : private MenuHost {
+  public:
+    /// `store`, which keeps what the player changes, `platform` and `workers`, which may be null, outlive the program.
+    /// `open_sound` may be empty: all is silent.
+    Program(const Options& options, ProgramFiles files, PreferencesStore& store, Platform& platform, Workers* workers,
+            OpenSound open_sound = {});
+
+    /// Until the platform closes or the player leaves. Then writes the demo that was recorded, if any. Throws
+    /// FileError.
+    void run();
+
+  private:
+    /// What is up, apart from the gallery and the menu.
+    enum class Stage { Title, Walk, Replay };
+    /// What a title that was asked for begins with: a replay, or what is recorded.
+    struct FirstWalk {
+        std::shared_ptr<const LoadedLevel> loaded;
+        TickInputSource input;
+    };
+
+    void show_frame();
+    void take(const Controls& controls);
+    void take_in_menu(const Controls& controls);
+    void take_in_walk(const Controls& controls);
+    void close_gallery();
+    void open_what_is_due();
+    bool is_walked() const;
+    void draw();
+    void draw_menu(const ShownPicture& picture);
+    bool is_moving() const;
+    GameScreen& screen();
+    void follow_preferences();
+    void follow_sound();
+
+    void start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, Stage stage);
+    void start_walk(std::shared_ptr<const LoadedLevel> loaded);
+    void start_title(std::shared_ptr<const LoadedLevel> loaded);
+    TickInputSource title_input(const GameLevel& level);
+    void play_title();
+    /// Where the levels of the game that is played are; the demo level is of none.
+    const LevelFiles& game_files() const;
+    std::shared_ptr<const LoadedLevel> loaded_as(const std::string& level);
+    void keep_recorded();
+    void follow_game(const LoadedLevel& loaded);
+    void name_window();  ///< after the session's level
+    LevelPlaces places() const;
+    /// Does something with files; where it fails, says why on a page of the menu.
+    void try_with_files(const std::string& what, const std::function<void()>& work);
+
+    bool has_saves() const { return !options_.folders.data.empty(); }
+    SavedGame saved_now();
+    /// The walk's own place for saves of a kind: its number is taken when it is saved first. Throws FileError.
+    SaveSlot own_slot(SaveKind kind);
+    bool is_own(SaveSlot slot) const;
+    void quick_save();
+    void quick_load();
+    void load_from(SaveSlot slot);
+    void go_on_with(const SlotContent& content, std::optional<HeldWalk> held);
+    bool is_autosave_due() const;
+    /// Saves the walk beside the game where that is due: a frame takes its picture, another thread writes.
+    void autosave_when_due();
+    /// Waits for that.
+    void finish_autosave();
+    /// The message if that failed, else "".
+    std::string save_on_leaving();
+    /// Saves the walk, then goes; where that fails, asks whether to go all the same.
+    void leave_walk(const std::function<void()>& go);
+
+    // What the menu's pages ask and do.
+    Preferences& preferences() override { return view_options_.preferences; }
+    KeyNames key_names() const override {
+        return {view_options_.preferences.bindings, platform_, view_options_.uses_pad};
+    }
+    std::string local_name_of(Input input) const override { return platform_.local_name_of(input); }
+    std::vector<KeyHelp> key_help() const override {
+        return gallery_ ? gallery_help(key_names()) : game_help(key_names());
+    }
+    Goal goal() const override;
+    std::vector<std::string> told() const override { return session_ ? session_->told() : std::vector<std::string>(); }
+    std::string figures() const override { return gallery_ ? gallery_->figures() : ""; }
+    std::vector<LevelEntry> levels() const override;
+    std::vector<SaveEntry> saves() const override;
+    EndFigures end_figures() const override;
+    std::string credits() const override;
+    bool can_save() const override;
+    std::optional<SaveEntry> last_walk() const override;
+    bool has_unsaved_progress() const override;
+    bool saves_on_leaving() const override { return can_save(); }
+    void walk() override;
+    void continue_walk() override;
+    void restart() override;
+    void play_level(const std::string& file) override;
+    void play_next() override;
+    void save(std::size_t entry) override;
+    void load(std::size_t entry) override { load_from(listed_.at(entry).slot); }
+    std::string remove_save(std::size_t entry) override;
+    void show_title() override;
+    void show_gallery() override;
+    void leave() override;
+
+    const Options options_;
+    const std::string assets_folder_;
+    const LevelFiles level_files_;  // that the options name, but for its `level`
+    ViewOptions view_options_;
+    ViewOptions title_options_;  // of the title's background: nothing is drawn over it
+    PreferencesStore& store_;
+    Platform& platform_;
+    SessionSettings settings_;
+    GameSound sound_;
+    SaveSlots slots_;
+    std::unique_ptr<FirstWalk> first_walk_;  // until the title's Walk starts it
+    std::unique_ptr<Session> session_;       // none only where the program began with the gallery
+    std::unique_ptr<Gallery> gallery_;       // while it is up, over the session
+    std::optional<Demo> title_demo_;         // what the title shows; nothing: the level stands still
+    std::unique_ptr<Demo> recorded_;         // once what was recorded has ended before the program
+    Menu menu_;
+    MenuPages pages_;
+    Stage stage_ = Stage::Walk;
+    std::optional<HeldWalk> held_;                         // the walk, once it has saves
+    std::future<std::string> autosave_;                    // that is being written: its fault, or ""
+    std::int64_t autosave_tick_ = 0, autosave_items_ = 0;  // when the last one began
+    std::int64_t saved_tick_ = 0;                          // of the walk, up to which it is saved
+    std::optional<SlotContent> last_walk_;                 // as the title offers it
+    mutable std::vector<SlotContent> listed_;              // as the menu showed them last
+    bool has_left_ = false, had_focus_ = false, is_mouse_captured_ = false;
+    bool is_first_game_ = true;
+    bool wants_screenshot_ = false;  // of a menu
+    bool is_stale_ = true;           // the window shows something else than what is up
+    WindowSize shown_size_;
+};
+
+}  // namespace oblong

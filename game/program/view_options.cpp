@@ -1,0 +1,155 @@
+#include "game/program/view_options.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/base/table.h"
+#include "game/lab/aspect_guide.h"
+#include "game/options/preference_table.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::array<const char*, kMapViewCount> kMapMessages{"{map} Map: off", "{map} Map: turns with you",
+                                                              "{map} Map: north is up"};
+constexpr std::array<const char*, kWireframeCount> kWireframeMessages{
+    "{wireframe} Edges: off", "{wireframe} Edges of visible faces: over the picture",
+    "{wireframe} Edges of visible faces: alone"};
+// Fields of view, degrees, between which keys step.
+constexpr std::int32_t kNarrowestZoom = 10, kUnzoomed = 90, kWidestZoom = 120, kZoomStep = 10;
+
+constexpr int kPresetCount = static_cast<int>(kPresets.size());
+
+// The next value of an enumeration of `count`, the first after the last.
+template <class Enum>
+Enum next_of(Enum value, int count) {
+    return static_cast<Enum>((static_cast<int>(value) + 1) % count);
+}
+
+// Zoom against dolly starts at 90 degrees, where it is off, and ends at its limits.
+std::string zoom(bool is_narrower, ViewOptions& options) {
+    const std::int32_t degrees = options.zoom_degrees == 0 ? kUnzoomed : options.zoom_degrees;
+    const std::int32_t changed =
+        std::clamp(degrees + (is_narrower ? -kZoomStep : kZoomStep), kNarrowestZoom, kWidestZoom);
+    options.zoom_degrees = changed == kUnzoomed ? 0 : changed;
+    if (options.zoom_degrees == 0) return "{zoom-in} {zoom-out} Zoom against dolly: off";
+    return "{zoom-in} {zoom-out} Zoom against dolly: " + std::to_string(changed) + " degrees";
+}
+
+// Switches an option on or off; the message that tells the user.
+std::string toggle(bool& is_on, const char* on = "", const char* off = "") {
+    is_on = !is_on;
+    return is_on ? on : off;
+}
+
+// How a sphere in the middle of the picture looks in the window.
+std::string describe_sphere(const Preferences& preferences, WindowSize window) {
+    const Ratio pixel = shown_pixel(shown_rect(preferences, window), preferences.mode);
+    return "spheres " + describe_shape(sphere_shape(preferences.mode, preferences.corrects_projection, pixel));
+}
+
+std::string describe_projection(const Preferences& preferences, WindowSize window) {
+    return "{projection-aspect} Drawn for " +
+           (preferences.corrects_projection ? display_name(preferences.mode) : std::string("square pixels")) + ": " +
+           describe_sphere(preferences, window);
+}
+
+std::string describe_display(const Preferences& preferences, WindowSize window) {
+    const auto shape = [&]() -> std::string {
+        if (preferences.shown_as == ShownAs::OnDisplay) return "as " + display_name(preferences.mode);
+        return preferences.shown_as == ShownAs::SquarePixels ? "with square pixels" : "in the window's shape";
+    };
+    return "{display-aspect} Shown " + shape() + ": " + describe_sphere(preferences, window);
+}
+
+std::string describe_scaling(const Preferences& preferences, WindowSize window) {
+    constexpr std::array<const char*, kScalingCount> kWords{
+        "all pixels of one size, their borders blended", "rows of one height, borders of columns blended",
+        "nothing blended, the shape as near as whole pixels allow", "nothing blended, some rows and columns are wider"};
+    return std::string("{scaling} Scaling ") + name_of(preferences.scaling) + ": " + at(kWords, preferences.scaling) +
+           " (" + describe(shown_rect(preferences, window), preferences.mode) + ")";
+}
+
+// Does a row of the options what a key does; the message that tells the user.
+std::string change(const std::string& name, int steps, Preferences& preferences) {
+    const std::span<const Preference> rows = all_preferences();
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const Preference& of) { return of.name == name; });
+    row->change(preferences, steps);
+    return row->label + " " + row->shown(preferences);
+}
+
+}  // namespace
+
+Settings settings_of(const Preferences& preferences) {
+    Settings settings;
+    settings.accuracy = preferences.accuracy;
+    settings.brightness_100 = preferences.light().brightness_100;
+    settings.flashes = preferences.flashes;
+    settings.correct_aspect = preferences.corrects_projection;
+    return settings;
+}
+
+WindowSettings window_settings_of(const Preferences& preferences) {
+    return {preferences.fills_screen, preferences.waits_for_display, preferences.frame_cap_hz};
+}
+
+PresentRect shown_rect(const Preferences& preferences, WindowSize window) {
+    PresentRect rect = layout(window, preferences.mode, preferences.shown_as, preferences.scaling);
+    rect.has_crt_look = preferences.has_crt_look;
+    return rect;
+}
+
+std::string apply(Command command, ViewOptions& options, WindowSize window) {
+    Preferences& preferences = options.preferences;
+    switch (command) {
+        case Command::FrameCost:
+            ++options.cost_page;
+            return "";
+        case Command::ProjectionAspect:
+            preferences.corrects_projection = !preferences.corrects_projection;
+            return describe_projection(preferences, window);
+        case Command::DisplayAspect:
+            preferences.shown_as = next_of(preferences.shown_as, kShownAsCount);
+            return describe_display(preferences, window);
+        case Command::AccuracyTier:
+            preferences.preset = next_of(preferences.preset, kPresetCount);
+            change_setting(accuracy_of(preferences.preset), options.lab, preferences.accuracy);
+            return "{accuracy} Accuracy: " + std::string(name_of(preferences.preset));
+        case Command::ScalingMode:
+            preferences.scaling = next_of(preferences.scaling, kScalingCount);
+            return describe_scaling(preferences, window);
+        case Command::Darker:
+        case Command::Brighter:
+            return change("brightness", command == Command::Brighter ? 1 : -1, preferences);
+        case Command::Torch:
+            return toggle(options.has_torch, "{torch} Torch: on", "{torch} Torch: off");
+        case Command::CrtLook:
+            return toggle(preferences.has_crt_look, "{crt} Look of a tube: scanlines, mask, glow",
+                          "{crt} Look of a tube: off");
+        case Command::Inspect:
+            return toggle(options.inspects);
+        case Command::Log:
+            options.log = next_channels(options.log);
+            return "{log} Log: " + names_of(options.log) + (options.log.is_empty() ? "" : ", on standard error");
+        case Command::Automap:
+            options.map = next_of(options.map, kMapViewCount);
+            return at(kMapMessages, options.map);
+        case Command::Wireframe:
+            options.wireframe = next_of(options.wireframe, kWireframeCount);
+            return at(kWireframeMessages, options.wireframe);
+        case Command::Isometric:
+            return toggle(options.is_isometric, "{isometric} From outside: you are in the middle",
+                          "{isometric} From outside: off");
+        case Command::ZoomIn:
+        case Command::ZoomOut:
+            return zoom(command == Command::ZoomIn, options);
+        case Command::AspectGuide:
+            return toggle(options.shows_aspect_guide);
+        case Command::FourAspects:
+            return toggle(options.shows_four_aspects);
+        default:
+            return apply_to_lab(command, options.lab, preferences.accuracy);
+    }
+}
+
+}  // namespace oblong

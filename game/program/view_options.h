@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+#include "engine/files/log_channels.h"
+#include "engine/frame/settings.h"
+#include "engine/platform/controls.h"
+#include "engine/platform/platform.h"
+#include "engine/view/present_rect.h"
+#include "game/lab/lab_options.h"
+#include "game/options/preferences.h"
+#include "game/view/line_overlays.h"
+
+namespace oblong {
+
+/// What keys change during a game: how it is drawn and shown, never what happens in it.
+struct ViewOptions {
+    Preferences preferences;  ///< what is kept
+    bool has_torch = false;
+    bool is_isometric = false;      ///< the level from outside, instead of from the player's eye
+    std::int32_t zoom_degrees = 0;  ///< the field of view of zoom against dolly; 0: off
+    std::int32_t cost_page = 0;     ///< of what a frame costs, from 1; 0: not shown, as after the last page
+    bool shows_aspect_guide = false, shows_four_aspects = false;
+    bool inspects = false;  ///< says what is in the middle of the picture
+    LogChannels log;        ///< written on standard error while any is on
+    MapView map = MapView::Off;
+    Wireframe wireframe = Wireframe::Off;
+    LineMethod line_method = LineMethod::GuptaSproull;  ///< of both
+    LabOptions lab;
+    bool uses_pad = false;  ///< the player's last input was a gamepad's: messages name its buttons
+};
+
+Settings settings_of(const Preferences& preferences);
+WindowSettings window_settings_of(const Preferences& preferences);
+/// Where a window shows the picture, and how.
+PresentRect shown_rect(const Preferences& preferences, WindowSize window);
+
+/// Carries out a command; the message that tells the user ("" where there is none), for KeyNames::in(). Ignores what
+/// the program does itself: Command::Screenshot, Command::ShowHelp.
+std::string apply(Command command, ViewOptions& options, WindowSize window);
+
+}  // namespace oblong

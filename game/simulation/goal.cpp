@@ -1,0 +1,69 @@
+#include "game/simulation/goal.h"
+
+#include <algorithm>
+
+#include "game/simulation/items.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int32_t kFew = 4;
+constexpr std::int64_t kTangent_12 = 29;  // 12 times that of 67.5 degrees
+
+bool is_lens(const GameLevel& level, std::size_t item) {
+    return level.items[item].item_class == ItemClass::Lens;
+}
+
+std::string name_of(const GameLevel& level, std::size_t item) {
+    const std::string name = level.bsp->entities[level.items[item].entity].value("netname");
+    return name.empty() ? "a lens" : name;
+}
+
+}  // namespace
+
+std::string direction_of(const Position& from, const Position& to) {
+    const std::int64_t east = std::int64_t{to.x.raw} - from.x.raw, north = std::int64_t{to.y.raw} - from.y.raw,
+                       up = std::int64_t{to.z.raw} - from.z.raw;
+    const std::int64_t across = std::abs(east), along = std::abs(north);
+    if (std::abs(up) > std::max(across, along)) return up > 0 ? "above" : "below";
+    const std::string first = north >= 0 ? "north" : "south", second = east >= 0 ? "east" : "west";
+    if (12 * along > kTangent_12 * across) return first;
+    return 12 * across > kTangent_12 * along ? second : first + "-" + second;
+}
+
+std::vector<std::size_t> last_lenses(const GameLevel& level, const GameState& state) {
+    const ItemCount count = count_items(level, state, ItemClass::Lens);
+    std::vector<std::size_t> missing;
+    if (count.all - count.taken > std::min(kFew, count.all / 2)) return missing;
+    for (std::size_t i = 0; i < level.items.size(); ++i)
+        if (is_lens(level, i) && is_there(state, i)) missing.push_back(i);
+    return missing;
+}
+
+Goal goal_of(const GameLevel& level, const GameState& state) {
+    const ItemCount count = count_items(level, state, ItemClass::Lens);
+    Goal goal;
+    if (count.all == 0) return goal;
+    const std::vector<std::size_t> last = last_lenses(level, state);
+    const auto where = [&](std::size_t item) {
+        return " (" + direction_of(state.player.position, level.items[item].position) + ")";
+    };
+    goal.count = std::to_string(count.taken) + " of " + std::to_string(count.all);
+    for (const std::size_t lens : last)
+        goal.hint += (goal.hint.empty() ? "Missing: " : ", ") + name_of(level, lens) + where(lens);
+    for (std::size_t i = 0; i < level.items.size(); ++i) {
+        if (!is_lens(level, i)) continue;
+        goal.list += (goal.list.empty() ? "" : "\n") + name_of(level, i);
+        goal.list += !is_there(state, i) ? ": found" : last.empty() ? ": missing" : ": missing" + where(i);
+    }
+    return goal;
+}
+
+std::string found_text(const GameLevel& level, const GameState& before, const GameState& after) {
+    const ItemCount count = count_items(level, after, ItemClass::Lens);
+    if (count.taken <= count_items(level, before, ItemClass::Lens).taken) return "";
+    const Goal goal = goal_of(level, after);
+    return "Lenses: " + goal.count + (goal.hint.empty() ? "" : ". " + goal.hint);
+}
+
+}  // namespace oblong

@@ -1,0 +1,153 @@
+#include "game/view/game_renderer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/frame/wireframe.h"
+#include "engine/view/screen.h"
+#include "engine/view/views.h"
+#include "game/simulation/items.h"
+#include "game/simulation/step.h"
+
+namespace oblong {
+namespace {
+
+constexpr World kTorchRadius = World::from_int(240);
+
+World between(World before, World after, std::int32_t fraction_16) {
+    const auto fraction = Fixed<std::int32_t, 16>::from_raw(fraction_16);
+    return before + convert<World>(bounded_product(widening_difference(after, before), fraction), Rounding::Floor);
+}
+
+Vec3<World> between(const Vec3<World>& before, const Vec3<World>& after, std::int32_t fraction_16) {
+    return {between(before.x, after.x, fraction_16), between(before.y, after.y, fraction_16),
+            between(before.z, after.z, fraction_16)};
+}
+
+LightStyles light_styles_of(const GameState& state) {
+    LightStyles styles = plain_light_styles();
+    for (std::size_t style = 0; style < styles.size(); ++style)
+        if ((state.dark_styles >> style & 1) != 0) styles[style] = 0;
+    return styles;
+}
+
+// The model that shows each item; none where its file is not there.
+std::vector<std::optional<std::size_t>> models_of_items(const GameLevel& level, const LevelModels& models) {
+    std::vector<std::optional<std::size_t>> found;
+    for (const Item& item : level.items) {
+        const auto model = std::find_if(models.models.begin(), models.models.end(),
+                                        [&](const LevelModel& one) { return one.entity == item.entity; });
+        found.emplace_back();
+        if (model != models.models.end()) found.back() = static_cast<std::size_t>(model - models.models.begin());
+    }
+    return found;
+}
+
+}  // namespace
+
+ViewSpec spec_of(const GameView& view, const Settings& settings) {
+    return view.other ? *view.other : first_person_view(view.camera, settings.accuracy.sine);
+}
+
+std::int64_t time_ms_at(const InterpolatedState& state) {
+    const std::int64_t ticks_16 = (state.before.tick << 16) + state.fraction_16;
+    return ticks_16 * 1000 / kTicksPerSecond >> 16;
+}
+
+std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state) {
+    std::vector<PlacedModel> placed;
+    for (std::size_t i = 0; i < level.movers.size(); ++i) {
+        const Mover& mover = level.movers[i];
+        if (is_removed(state.after.movers[i])) continue;
+        const Vec3<World> before = offset_of(mover, state.before.movers[i]),
+                          after = offset_of(mover, state.after.movers[i]);
+        placed.push_back(
+            {mover.model, between(before, after, state.fraction_16), shows_other_frames(mover, state.after.movers[i])});
+    }
+    for (std::size_t i = 0; i < level.walls.size(); ++i) {
+        const WallState wall = state.after.walls[i];
+        if (wall != WallState::Removed)
+            placed.push_back({level.walls[i].model, {}, wall == WallState::ShowsOtherFrames});
+    }
+    return placed;
+}
+
+Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees field_of_view) {
+    const Player& player = state.after.player;
+    const Position before = eye_of(state.before.player), after = eye_of(player);
+    Camera camera;
+    camera.eye = was_teleported(state.before.player, player) ? after : between(before, after, state.fraction_16);
+    camera.yaw = player.yaw + Angle::from_bam(offset.yaw);
+    camera.pitch =
+        Angle::from_bam(std::clamp(player.pitch + offset.pitch, -Player::kSteepestPitch, Player::kSteepestPitch));
+    camera.field_of_view = field_of_view;
+    return camera;
+}
+
+GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode, Workers* workers)
+    : data_(data), level_(level), mode_(mode), work_(data.level, mode, workers) {
+    pixels_.resize(pixel_count(mode.width_px, mode.height_px));
+    item_models_ = models_of_items(level, data.models);
+    if (!item_models_.empty()) is_gone_.resize(data.models.models.size());
+}
+
+// What is taken is no longer part of the scene, so that nothing is spent on it.
+void GameRenderer::note_taken_items(const GameState& state) {
+    for (std::size_t i = 0; i < item_models_.size(); ++i)
+        if (item_models_[i]) is_gone_[*item_models_[i]] = is_there(state, i) ? 0 : 1;
+}
+
+template <class Use>
+void GameRenderer::use_scene(const GameView& view, Use use) {
+    const std::vector<PlacedModel> models = placed_models(level_, view.state);
+    const MovingLight torch{view.camera.eye, kTorchRadius};
+    Scene scene{data_.level, data_.colormap, models, time_ms_at(view.state)};
+    scene.light_styles = light_styles_of(view.state.after);
+    if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
+    note_taken_items(view.state.after);
+    place_models(data_.models, scene.time_ms, is_gone_, meshes_);
+    scene.meshes = meshes_;
+    use(scene);
+}
+
+void GameRenderer::draw(const GameView& view, const Settings& settings) {
+    use_scene(view, [&](const Scene& scene) {
+        draw_frame(scene, spec_of(view, settings), mode_, settings, work_, canvas());
+    });
+}
+
+void GameRenderer::note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log) {
+    use_scene(view, [&](const Scene& scene) {
+        const ViewSpec spec = spec_of(view, settings);
+        log.note_each_second({scene, spec, mode_, settings, work_}, now_us);
+    });
+}
+
+void GameRenderer::draw_edges(const GameView& view, const Settings& settings, const LineStyle& style) {
+    draw_wireframe(data_.level, spec_of(view, settings), mode_, settings, work_, style, canvas());
+}
+
+FrameCounts GameRenderer::draw_and_count(const GameView& view, const Settings& settings) {
+    work_.counts = std::make_unique<FrameCounts>();
+    draw(view, settings);
+    return std::move(*std::exchange(work_.counts, nullptr));
+}
+
+FrameRecord GameRenderer::draw_and_record(const GameView& view, const Settings& settings) {
+    work_.record = std::make_unique<FrameRecord>();
+    draw(view, settings);
+    return std::move(*std::exchange(work_.record, nullptr));
+}
+
+void GameRenderer::draw_and_time(const GameView& view, const Settings& settings, RenderingTimes& times) {
+    use_scene(view, [&](const Scene& scene) {
+        const ViewSpec spec = spec_of(view, settings);
+        times.time(work_, [&] { draw_frame(scene, spec, mode_, settings, work_, canvas()); });
+    });
+}
+
+Framebuffer GameRenderer::canvas() {
+    return {pixels_.data(), mode_.width_px, mode_.height_px, mode_.width_px};
+}
+
+}  // namespace oblong

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/files/frame_log.h"
+#include "engine/files/rendering_times.h"
+#include "engine/frame/frame.h"
+#include "engine/frame/workspace.h"
+#include "engine/raster/lines.h"
+#include "engine/view/projection.h"
+#include "game/input/tick_input_source.h"
+#include "game/level/load.h"
+
+namespace oblong {
+
+/// Two states one tick apart and how far the picture is between them: 0 is the first, 65,536 the second.
+struct InterpolatedState {
+    const GameState& before;
+    const GameState& after;
+    std::int32_t fraction_16 = 0;
+};
+
+/// What a picture shows: the game at a moment, and from where.
+struct GameView {
+    InterpolatedState state;
+    Camera camera;
+    bool has_torch = false;              ///< a light at the eye
+    std::optional<ViewSpec> other = {};  ///< drawn instead of what the camera sees
+};
+
+/// How it is seen.
+ViewSpec spec_of(const GameView& view, const Settings& settings);
+
+/// The time since the level began.
+std::int64_t time_ms_at(const InterpolatedState& state);
+
+/// The brush models that are drawn, at their offsets; those of triggers are not.
+std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state);
+
+/// The player's eye, turned further by `offset`.
+Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees field_of_view);
+
+/// Draws a game into a framebuffer of its own.
+class GameRenderer {
+  public:
+    /// `data`, `level` and `workers`, who share in what draw() does if there are any, outlive the renderer.
+    GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode, Workers* workers = nullptr);
+
+    void draw(const GameView& view, const Settings& settings);
+    /// What draw() counts or records: on the same canvas, but slower.
+    FrameCounts draw_and_count(const GameView& view, const Settings& settings);
+    FrameRecord draw_and_record(const GameView& view, const Settings& settings);
+    /// Draws the edges of the faces that own pixels over the picture, which is of this view and these settings.
+    void draw_edges(const GameView& view, const Settings& settings, const LineStyle& style);
+    /// Draws, and adds what that took.
+    void draw_and_time(const GameView& view, const Settings& settings, RenderingTimes& times);
+    /// Writes what the log's channels say of the picture drawn last, of this view, at most once a second.
+    void note(const GameView& view, const Settings& settings, std::uint64_t now_us, FrameLog& log);
+    /// The plan of the picture drawn last.
+    const FramePlan& plan() const { return work_.plan; }
+    Framebuffer canvas();
+    const ScreenMode& mode() const { return mode_; }
+    /// FaceTable::torn_edges of the level.
+    std::size_t torn_edges() const { return work_.faces.torn_edges; }
+
+  private:
+    void note_taken_items(const GameState& state);
+    template <class Use>
+    void use_scene(const GameView& view, Use use);
+
+    const GameData& data_;
+    const GameLevel& level_;
+    ScreenMode mode_;
+    FrameWorkspace work_;
+    std::vector<std::uint8_t> pixels_;
+    std::vector<PlacedMesh> meshes_;
+    std::vector<std::optional<std::size_t>> item_models_;  ///< of GameLevel::items, into GameData::models
+    std::vector<std::uint8_t> is_gone_;                    ///< a model of an item that was taken; empty without items
+};
+
+}  // namespace oblong

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/effects/palette_effects.h"
+#include "game/options/preferences.h"
+#include "game/view/game_renderer.h"
+
+namespace oblong {
+
+/// The palette in which the pictures of a game are shown: cycles, the tint of a liquid, a flash after a teleporter, and
+/// gamma.
+class ShownPalette {
+  public:
+    /// `data` outlives it.
+    explicit ShownPalette(const GameData& data) : data_(data) {}
+
+    /// Notes a tick: one that teleports the player is the start of a flash.
+    void note_tick(const GameState& before, const GameState& after);
+    /// What is done to the palette. The flash is left out unless flashes are full.
+    PaletteEffects effects_at(const GameView& view, Flashes flashes, const Light& light);
+
+  private:
+    const GameData& data_;
+    Light light_;
+    std::optional<GammaTable> gamma_;          // of light_; nothing where it changes nothing
+    std::optional<std::int64_t> teleport_ms_;  // when the player was teleported last
+};
+
+}  // namespace oblong

@@ -1,0 +1,46 @@
+#include "game/view/view_sway.h"
+
+#include <algorithm>
+
+#include "engine/fixed/trig.h"
+#include "engine/math/basis.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int64_t kCycle_ticks = 21;  // 0.6 s
+static_assert(kCycle_ticks * 10 == 6 * kTicksPerSecond);
+constexpr World kHighest = World::from_int(4), kLowest = World::from_int(-7);
+constexpr World kLeanSpeed = World::from_int(200);  // at which the view leans by all of kLean
+constexpr std::int64_t kLean = 364;                 // 2 degrees, 65,536 to the circle
+
+Velocity velocity_at(const InterpolatedState& state) {
+    const Velocity &before = state.before.player.velocity, &after = state.after.player.velocity;
+    return before + scaled(after - before, state.fraction_16, 65'536);
+}
+
+// 0.02 s times the speed, of which three tenths stay and seven go round.
+World bob(World speed, const InterpolatedState& state) {
+    const std::int64_t ticks_16 = (state.before.tick % kCycle_ticks << 16) + state.fraction_16;
+    const Unit wave = sine(Angle::from_bam(ticks_16 / kCycle_ticks));
+    const World most = scaled(speed, 2, 100);
+    return std::clamp(scaled(most, 3, 10) + times(scaled(most, 7, 10), wave), kLowest, kHighest);
+}
+
+std::int64_t lean(World sideways) {
+    return std::clamp(sideways, -kLeanSpeed, kLeanSpeed).raw * kLean / kLeanSpeed.raw;
+}
+
+}  // namespace
+
+void sway(const InterpolatedState& state, const Preferences& preferences, Camera& camera) {
+    Velocity velocity = velocity_at(state);
+    velocity.z = {};
+    if (preferences.view_bob_100 != 0)
+        camera.eye.z = camera.eye.z + scaled(bob(length_of(velocity), state), preferences.view_bob_100, 100);
+    if (preferences.view_roll_100 == 0) return;
+    const World sideways = component_along(velocity, view_basis(camera.yaw, {}, {}).right);
+    camera.roll = Angle::from_bam(lean(sideways) * preferences.view_roll_100 / 100);
+}
+
+}  // namespace oblong

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "engine/files/rendering_times.h"
+#include "game/view/game_renderer.h"
+
+namespace oblong {
+
+/// Times of warm renderings of one view with one setting; those of another one are forgotten when the first of the new
+/// comes.
+class ViewTimes {
+  public:
+    explicit ViewTimes(FrameClock clock = steady_clock_ns) : times_(kMost, clock) {}
+
+    /// Draws once more, to the same picture, what the renderer drew last.
+    void time(const GameView& view, const Settings& settings, GameRenderer& renderer);
+    const RenderingTimes& renderings() const { return times_; }
+
+  private:
+    static constexpr std::size_t kMost = 31;
+
+    RenderingTimes times_;
+    ViewSpec view_;
+    Settings settings_;
+};
+
+}  // namespace oblong

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "tools/map/source/map_file.h"
+
+namespace oblong {
+
+/// A convex solid of these polygons, whose first three corners count, with `inside` in its interior. Textures lie along
+/// the world's axes, `units` a texel.
+map::MapBrush make_solid(const std::vector<std::vector<map::Point>>& polygons, const map::Point& inside,
+                         const std::string& texture, double units = 1);
+map::MapBrush make_box(const map::Box& box, const std::string& texture, double units = 1);
+/// A triangle (x, y) drawn out from the floor, z = 0, up to `height`.
+map::MapBrush make_wedge(const std::array<std::array<double, 2>, 3>& triangle, double height,
+                         const std::string& texture);
+/// A sphere of 24 by 12 facets, 112 units across, its facets of two textures in turn.
+map::MapBrush make_sphere(const map::Point& centre, const std::string& even_texture, const std::string& odd_texture);
+
+/// The source of a small level: a closed room, and what is added.
+class SceneMap {
+  public:
+    /// Walls of stone, 16 units thick, tiles on floor and ceiling.
+    explicit SceneMap(const map::Box& room);
+
+    void add(map::MapBrush brush) { entities_.front().brushes.push_back(std::move(brush)); }
+    void add_detail(map::MapBrush brush);
+    void add_start(const map::Point& origin) { add_point("info_player_start", origin, {}); }
+    void add_light(const map::Point& origin, int brightness);
+
+    const std::vector<map::MapEntity>& entities() const { return entities_; }
+
+  private:
+    void add_point(const std::string& classname, const map::Point& origin, std::vector<map::MapPair> more);
+
+    std::vector<map::MapEntity> entities_;  // the first is the world
+};
+
+}  // namespace oblong
