@@ -11,7 +11,7 @@ namespace oblong {
 namespace {
 
 using test::Bytes;
-using test::set_u32;
+using test::put_number;
 
 // "a.txt" at 12, "maps/b.bsp" at 15, the directory at 20 to 148.
 const Bytes kPak = test::write_pak({{"a.txt", {1, 2, 3}}, {"maps/b.bsp", {4, 5, 6, 7, 8}}});
