@@ -8,7 +8,7 @@
 
 #include "tests/accuracy/scenes_fixture.h"
 #include "tools/accuracy/configurations.h"
-#include "tools/accuracy/heat_map.h"
+#include "tools/accuracy/errors.h"
 #include "tools/accuracy/notes.h"
 #include "tools/accuracy/report_files.h"
 

@@ -8,7 +8,7 @@
 #include "engine/files/png.h"
 #include "engine/surface/colormap.h"
 #include "tests/texture/test_palette.h"
-#include "tools/texture/ramp_sheet.h"
+#include "tools/texture/texture_files.h"
 
 namespace oblong {
 

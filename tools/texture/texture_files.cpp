@@ -5,11 +5,14 @@
 #include <set>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
+#include "engine/files/png.h"
 #include "engine/files/wad.h"
 #include "engine/level/bsp_read.h"
+#include "engine/surface/colormap.h"
 #include "engine/view/screen.h"
 #include "tools/texture/mipmaps.h"
 
@@ -107,6 +110,16 @@ std::string file_of_texture_name(const std::string& name) {
         if (letter == '/' || letter == '\\') letter = '_';
     }
     return file + ".png";
+}
+
+std::vector<std::uint8_t> make_ramp_sheet(const Palette& palette) {
+    constexpr std::int32_t kWidth_px = Colormap::kShades * kRampCellWidth_px, kHeight_px = 256 * kRampCellHeight_px;
+    const Colormap colormap = make_colormap(palette);
+    std::vector<std::uint8_t> pixels;
+    for (std::int32_t y = 0; y < kHeight_px; ++y)
+        for (std::int32_t x = 0; x < kWidth_px; ++x)
+            pixels.push_back(at(at(colormap.shades, x / kRampCellWidth_px), y / kRampCellHeight_px));
+    return encode_indexed_png(pixels, kWidth_px, kHeight_px, palette);
 }
 
 }  // namespace oblong

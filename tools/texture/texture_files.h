@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -37,5 +38,11 @@ std::string texture_name_of_file(const std::string& path);
 
 /// "*water" -> "#water.png". Slashes, which a name in a broken file may hold, become '_'.
 std::string file_of_texture_name(const std::string& name);
+
+inline constexpr std::int32_t kRampCellWidth_px = 8, kRampCellHeight_px = 4;
+
+/// The PNG of a palette's colormap: a row of cells for each of the 256 colours, its shades from the brightest on the
+/// left to the darkest on the right.
+std::vector<std::uint8_t> make_ramp_sheet(const Palette& palette);
 
 }  // namespace oblong
