@@ -13,7 +13,8 @@ enum class Device : std::uint8_t {
     MouseButton,  ///< code: 1 left, 2 right, 3 middle, 4 and on: others
     MouseWheel,   ///< code: a WheelTurn
     PadButton,    ///< code: a PadButton
-    PadAxis       ///< code: a half of an axis, see pad_axis()
+    PadAxis,      ///< code: a half of an axis, see pad_axis()
+    Script        ///< what a program presses by itself; the code is its own
 };
 
 enum class WheelTurn : std::uint16_t { Up, Down, Left, Right };

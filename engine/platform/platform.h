@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "engine/platform/bindings.h"
-#include "engine/platform/controls.h"
+#include "engine/platform/input_events.h"
 #include "engine/surface/palette.h"
 #include "engine/view/present_rect.h"
 #include "engine/view/screen.h"
@@ -26,15 +25,13 @@ class Platform {
     virtual ~Platform() = default;
 
     virtual bool is_open() const = 0;            ///< false once the user has closed it, or the script has ended
-    virtual Controls poll() = 0;                 ///< input since the last poll
+    virtual PlatformInput poll() = 0;            ///< since the last poll
     virtual std::uint64_t now_us() = 0;          ///< a clock that never runs backwards; starts anywhere
     virtual WindowSize window_size() const = 0;  ///< of the drawable, in pixels of the device
     virtual void set_title(const char* title) = 0;
     /// Whether the mouse turns the view and can't leave the window, or points at a menu. Where that changes, keys and
     /// buttons are let go of: what was pressed in a menu does nothing in the game.
     virtual void capture_mouse(bool /*is_captured*/) {}
-    /// Which inputs do what, from the next poll on. Before the first call: default_bindings().
-    virtual void use_bindings(const Bindings&) {}
     /// What an input is called on the player's own keyboard and gamepad, in printable ASCII; without any: name_of().
     virtual std::string local_name_of(Input input) const { return name_of(input); }
     /// From the next picture on. Can be called for every frame: what is as it was costs nothing.

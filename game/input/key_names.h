@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/platform/platform.h"
+#include "game/input/bindings.h"
 
 namespace oblong {
 

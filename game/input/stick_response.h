@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/platform/controls.h"
+#include "game/input/controls.h"
 
 namespace oblong {
 

@@ -20,27 +20,6 @@ constexpr std::int32_t kMouseTurn = 12;    // a count of the mouse: 0.066 degree
 constexpr std::int32_t kMostCounts = 4096;
 constexpr int kFullSpeed = 127, kSlowSpeed = 56;
 
-int direction(bool positive, bool negative) {
-    return int{positive} - int{negative};
-}
-
-template <class Rule>
-HeldMoves combined(const HeldMoves& a, const HeldMoves& b, const Rule& rule) {
-    return {rule(a.forward, b.forward),     rule(a.back, b.back),
-            rule(a.left, b.left),           rule(a.right, b.right),
-            rule(a.turn_left, b.turn_left), rule(a.turn_right, b.turn_right),
-            rule(a.look_up, b.look_up),     rule(a.look_down, b.look_down),
-            rule(a.jump, b.jump),           rule(a.walk_slowly, b.walk_slowly)};
-}
-
-HeldMoves either(const HeldMoves& a, const HeldMoves& b) {
-    return combined(a, b, [](bool x, bool y) { return x || y; });
-}
-
-HeldMoves first_alone(const HeldMoves& a, const HeldMoves& b) {
-    return combined(a, b, [](bool x, bool y) { return x && !y; });
-}
-
 // Of a key that is held or not and a stick.
 std::int8_t speed_of(int key, std::int32_t stick, bool is_slow) {
     const int most = is_slow ? kSlowSpeed : kFullSpeed;
@@ -80,12 +59,11 @@ LookOffset rest_of(std::int32_t yaw, std::int32_t pitch, std::int32_t fraction_1
 }  // namespace
 
 void LiveInput::gather(const Controls& controls) {
-    held_ = controls;
+    held_ = controls.moves;
     walk_stick_ = controls.walk_stick;
     look_stick_ = controls.look_stick;
-    tapped_ = either(tapped_, controls);
-    wants_respawn_ |=
-        std::find(controls.commands.begin(), controls.commands.end(), Command::Respawn) != controls.commands.end();
+    tapped_ |= controls.moves;
+    wants_respawn_ |= controls.has(Action::Respawn);
     add_turn(mouse_yaw_, rest_yaw_100_, -std::max(controls.mouse_x, -kMostCounts), steering_.mouse_sensitivity_100);
     const std::int32_t down = std::max(controls.mouse_y, -kMostCounts);
     add_turn(mouse_pitch_, rest_pitch_100_, steering_.inverts_look ? -down : down, steering_.mouse_sensitivity_100);
@@ -93,30 +71,31 @@ void LiveInput::gather(const Controls& controls) {
 
 TickInput LiveInput::next() {
     // A key that was pressed and let go between two ticks counts once.
-    const HeldMoves moves = either(held_, first_alone(std::exchange(tapped_, {}), held_before_));
+    Moves moves = held_;
+    moves |= std::exchange(tapped_, {}).without(held_before_);
     held_before_ = held_;
     last_turn_ = turn_by(moves);
     mouse_yaw_ += last_turn_.yaw;
     mouse_pitch_ += last_turn_.pitch;
 
-    const bool is_slow = moves.walk_slowly == steering_.always_runs;
+    const bool is_slow = moves.has(Action::WalkSlowly) == steering_.always_runs;
     const Stick stick = without_dead_zone(walk_stick_, steering_.gamepad_dead_zone_100);
     TickInput input;
-    input.forward = speed_of(direction(moves.forward, moves.back), stick.y, is_slow);
-    input.right = speed_of(direction(moves.right, moves.left), stick.x, is_slow);
+    input.forward = speed_of(moves.direction(Action::Forward, Action::Back), stick.y, is_slow);
+    input.right = speed_of(moves.direction(Action::Right, Action::Left), stick.x, is_slow);
     input.yaw = take_turn(mouse_yaw_);
     input.pitch = take_turn(mouse_pitch_);
-    if (moves.jump) input.buttons |= kJumpButton;
+    if (moves.has(Action::Jump)) input.buttons |= kJumpButton;
     if (std::exchange(wants_respawn_, false)) input.buttons |= kRespawnButton;
     return input;
 }
 
-LookOffset LiveInput::turn_by(const HeldMoves& moves) const {
+LookOffset LiveInput::turn_by(Moves moves) const {
     const Stick stick = squared(without_dead_zone(look_stick_, steering_.gamepad_dead_zone_100));
     const std::int32_t down = steering_.inverts_look ? stick.y : -stick.y;
-    return {kKeyYaw * direction(moves.turn_left, moves.turn_right) -
+    return {kKeyYaw * moves.direction(Action::TurnLeft, Action::TurnRight) -
                 turn_of(stick.x, kStickYaw, steering_.gamepad_sensitivity_100),
-            kKeyPitch * direction(moves.look_down, moves.look_up) +
+            kKeyPitch * moves.direction(Action::LookDown, Action::LookUp) +
                 turn_of(down, kStickPitch, steering_.gamepad_sensitivity_100)};
 }
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "engine/platform/controls.h"
+#include "game/input/controls.h"
 #include "game/simulation/demo.h"
 #include "game/simulation/game_level.h"
 #include "game/simulation/tick_report.h"
@@ -36,10 +36,10 @@ class LiveInput {
     LookOffset look_offset(std::int32_t fraction_16) const;
 
   private:
-    LookOffset turn_by(const HeldMoves& moves) const;
+    LookOffset turn_by(Moves moves) const;
 
     Steering steering_;
-    HeldMoves held_, held_before_, tapped_;  // now, at the last tick, at any time since
+    Moves held_, held_before_, tapped_;  // now, at the last tick, at any time since
     Stick walk_stick_, look_stick_;
     bool wants_respawn_ = false;
     std::int32_t mouse_yaw_ = 0, mouse_pitch_ = 0;

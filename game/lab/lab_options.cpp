@@ -27,16 +27,16 @@ void turn_dial(int steps, LabOptions& options, Accuracy& accuracy) {
     change_setting(turned, options, accuracy);
 }
 
-std::string apply_to_dials(Command command, LabOptions& options, Accuracy& accuracy) {
+std::string apply_to_dials(Action command, LabOptions& options, Accuracy& accuracy) {
     switch (command) {
-        case Command::DialUp:
+        case Action::DialUp:
             return choose_dial(-1, options);
-        case Command::DialDown:
+        case Action::DialDown:
             return choose_dial(1, options);
-        case Command::DialCoarser:
+        case Action::DialCoarser:
             turn_dial(-1, options, accuracy);
             return "";
-        case Command::DialFiner:
+        case Action::DialFiner:
             turn_dial(1, options, accuracy);
             return "";
         default:
@@ -62,21 +62,21 @@ bool needs_lab(const LabOptions& options) {
     return options.shows_panel || options.maps_errors || options.splits || options.flips;
 }
 
-std::string apply_to_lab(Command command, LabOptions& options, Accuracy& accuracy) {
+std::string apply_to_lab(Action command, LabOptions& options, Accuracy& accuracy) {
     switch (command) {
-        case Command::LabPanel:
+        case Action::LabPanel:
             options.shows_panel = !options.shows_panel;
             return options.shows_panel ? "{dial-up} {dial-down} choose a dial, {dial-coarser} {dial-finer} turn it. " +
                                              describe(all_dials()[options.dial])
                                        : "";
-        case Command::ErrorMap:
+        case Action::ErrorMap:
             options.maps_errors = !options.maps_errors;
             return options.maps_errors ? "{error-map} How far each texel is off its place"
                                        : "{error-map} Map of the error: off";
-        case Command::SplitView:
+        case Action::SplitView:
             options.splits = !options.splits;
             return options.splits ? "{split} Hold a mouse button to move the line" : "{split} Split: off";
-        case Command::FlipSettings:
+        case Action::FlipSettings:
             options.flips = !options.flips;
             return options.flips ? "{flip} Twice a second: this setting, the one before" : "{flip} Flip: off";
         default:

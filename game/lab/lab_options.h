@@ -5,8 +5,8 @@
 
 #include "engine/accuracy/dials.h"
 #include "engine/accuracy/presets.h"
-#include "engine/platform/controls.h"
 #include "engine/view/present_rect.h"
+#include "game/input/controls.h"
 
 namespace oblong {
 
@@ -25,7 +25,7 @@ struct LabOptions {
 bool needs_lab(const LabOptions& options);
 
 /// Carries out a command of the lab on it and on the setting; the message that tells the user ("" where there is none).
-std::string apply_to_lab(Command command, LabOptions& options, Accuracy& accuracy);
+std::string apply_to_lab(Action command, LabOptions& options, Accuracy& accuracy);
 
 /// Changes the setting, and remembers the one before.
 void change_setting(const Accuracy& wanted, LabOptions& options, Accuracy& accuracy);

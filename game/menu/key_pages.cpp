@@ -7,10 +7,7 @@ namespace oblong {
 namespace {
 
 std::string label_of(Action action) {
-    const auto names = all_actions();
-    const auto found =
-        std::find_if(names.begin(), names.end(), [&](const ActionNames& of) { return of.action == action; });
-    return std::string(found->label);
+    return std::string(row_of(action).label);
 }
 
 // What else an input of the action does: "Jump, Map"; empty if nothing.
@@ -64,7 +61,7 @@ class KeyPages {
     MenuPage list_page() const {
         MenuPage page{"Keys", "", {}, 0, "", false, nullptr};
         page.help = host_->key_names().in("{accept} changes what is chosen");
-        for (const ActionNames& names : all_actions()) {
+        for (const ActionRow& names : all_actions()) {
             const Action action = names.action;
             const bool is_doubled = has_conflict(host_->preferences().bindings, action);
             page.rows.push_back({std::string(names.label), (is_doubled ? "! " : "") + inputs_text(*host_, action),
@@ -121,7 +118,7 @@ class KeyPages {
     MenuPage press_page(Action action) const {
         MenuPage page{label_of(action),
                       "Press a key, or a button of the mouse or gamepad, for: " + label_of(action) + ".\n\n" +
-                          host_->key_names().of(Command::Menu) + ": none.",
+                          host_->key_names().of(Action::Menu) + ": none.",
                       {},
                       0,
                       "",
@@ -148,7 +145,7 @@ class KeyPages {
         page.rows.push_back({"Take it from there", "", "",
                              [*this, action, input] {
                                  change([&](Bindings& bindings) {
-                                     for (const ActionNames& names : all_actions())
+                                     for (const ActionRow& names : all_actions())
                                          if (is_other(action, names.action, input))
                                              bindings.unbind(names.action, input);
                                      bindings.bind(action, input);

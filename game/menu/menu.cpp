@@ -32,14 +32,14 @@ MenuEvent Menu::handle(const Controls& controls, CanvasSize canvas, std::int32_t
     if (controls.pointer) note(point(*controls.pointer, canvas, text_scale, shown));
     for (const MenuAction action : controls.menu)
         if (is_open()) note(act(action, canvas, text_scale));
-    for (const Command command : controls.commands)
-        if (is_open() && (command == Command::Menu || command == page().closed_by)) note(go_back(page()));
+    for (const Action command : controls.commands)
+        if (is_open() && (command == Action::Menu || command == page().closed_by)) note(go_back(page()));
     return event;
 }
 
 MenuEvent Menu::take_press(const Controls& controls) {
     const MenuPage waiting = page();
-    if (std::find(controls.commands.begin(), controls.commands.end(), Command::Menu) != controls.commands.end())
+    if (std::find(controls.commands.begin(), controls.commands.end(), Action::Menu) != controls.commands.end())
         return go_back(waiting);
     if (!controls.pressed || is_reserved(*controls.pressed)) return MenuEvent::None;
     waiting.press(*controls.pressed);

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "engine/platform/controls.h"
 #include "engine/view/present_rect.h"
+#include "game/input/controls.h"
 #include "game/menu/draw_menu.h"
 
 namespace oblong {
@@ -21,7 +21,7 @@ class Menu {
     bool is_open() const { return !pages_.empty(); }
     std::size_t depth() const { return pages_.size(); }
 
-    /// Carries out what the player did: menu actions, Command::Menu as Back, the pointer. `shown`: where the window
+    /// Carries out what the player did: menu actions, Action::Menu as Back, the pointer. `shown`: where the window
     /// shows the canvas.
     MenuEvent handle(const Controls& controls, CanvasSize canvas, std::int32_t text_scale, const PresentRect& shown);
     void draw(std::int32_t text_scale, const MenuLook& look, const Palette& palette, Framebuffer canvas) const;

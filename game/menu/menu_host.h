@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/platform/bindings.h"
+#include "game/input/bindings.h"
 #include "game/input/key_names.h"
 #include "game/menu/menu_page.h"
 #include "game/options/preferences.h"

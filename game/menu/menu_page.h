@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/platform/controls.h"
 #include "engine/surface/palette.h"
+#include "game/input/controls.h"
 
 namespace oblong {
 
@@ -37,7 +37,7 @@ struct MenuPage {
     bool is_title = false;                  ///< the game's name, in large letters, is its title
     std::function<void()> back;             ///< instead of closing the page
     std::function<void(Input)> press = {};  ///< the page waits for any input, and nothing but it or Esc is taken
-    std::optional<Command> closed_by = {};  ///< goes back, too: the command that opened the page
+    std::optional<Action> closed_by = {};   ///< goes back, too: the command that opened the page
 };
 
 /// Makes a page as things stand: it is made anew after everything that the player does in it.

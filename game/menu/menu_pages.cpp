@@ -244,7 +244,7 @@ void MenuPages::open_save() {
     });
 }
 
-void MenuPages::open_text(std::string title, std::string text, std::optional<Command> closed_by) {
+void MenuPages::open_text(std::string title, std::string text, std::optional<Action> closed_by) {
     menu_.open([this, title = std::move(title), text = std::move(text), closed_by] {
         MenuPage page{title, text, {}, 0, "", false, nullptr};
         page.help = host_.key_names().in("{choose}: read on. {menu} or a click: back");
@@ -264,14 +264,14 @@ void MenuPages::open_told() {
 }
 
 void MenuPages::open_figures() {
-    open_text("All figures", host_.figures(), Command::FrameCost);
+    open_text("All figures", host_.figures(), Action::FrameCost);
 }
 
 void MenuPages::open_keys() {
     menu_.open([this, help = host_.key_help()] {
         MenuPage page{"Keys", "", {}, 0, "", false, nullptr};
         page.help = host_.key_names().in("{choose}: read on. {menu}: back");
-        page.closed_by = Command::ShowHelp;
+        page.closed_by = Action::ShowHelp;
         for (const KeyHelp& line : help) page.rows.push_back({line.label, line.keys, "", nullptr, nullptr});
         page.rows.push_back(row("Change them", [this] { open_key_pages(menu_, host_, key_undo_); }));
         page.rows.push_back(row("Back", [this] { menu_.close(); }));

@@ -35,7 +35,7 @@ class MenuPages {
     void open_save();
     void open_credits();
     void open_told();
-    void open_text(std::string title, std::string text, std::optional<Command> closed_by);
+    void open_text(std::string title, std::string text, std::optional<Action> closed_by);
 
     MenuPage title_page();
     MenuPage game_page();

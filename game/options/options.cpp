@@ -141,7 +141,7 @@ int run_with_options(int argument_count, const char* const* arguments,
     Options options;
     OptionTexts texts;
     CommandLine line("oblong", "A world of 320x200 pixels in the right shape. " +
-                                   name_of(default_bindings().inputs_of(Command::ShowHelp).front()) +
+                                   name_of(default_bindings().inputs_of(Action::ShowHelp).front()) +
                                    " in the game lists its keys.");
     declare(line, options, texts);
     return line.run(argument_count, arguments, [&] {

@@ -220,7 +220,7 @@ KeptValue light_set_value() {
 // For each action, the keys and buttons that do it.
 std::vector<KeptValue> binding_values() {
     std::vector<KeptValue> values;
-    for (const ActionNames& action : all_actions()) {
+    for (const ActionRow& action : all_actions()) {
         KeptValue value;
         value.name = "bind-" + std::string(action.name);
         value.label = action.label;

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "engine/accuracy/presets.h"
-#include "engine/platform/bindings.h"
 #include "engine/scene/light_styles.h"
 #include "engine/view/present_rect.h"
 #include "engine/view/projection.h"
 #include "engine/view/screen.h"
+#include "game/input/bindings.h"
 #include "game/input/tick_input_source.h"
 
 namespace oblong {

@@ -1,12 +1,12 @@
 #include "game/program/error_window.h"
 
-#include <algorithm>
 #include <exception>
 #include <memory>
 #include <vector>
 
 #include "engine/draw/text.h"
 #include "engine/platform/sdl/window.h"
+#include "game/input/input_mapper.h"
 
 namespace oblong {
 namespace {
@@ -29,9 +29,7 @@ void draw_error(const std::string& text, Framebuffer canvas) {
 }
 
 bool is_dismissed(const Controls& controls) {
-    const auto& commands = controls.commands;
-    return !controls.menu.empty() || std::find(commands.begin(), commands.end(), Command::Menu) != commands.end() ||
-           (controls.pointer && controls.pointer->is_pressed);
+    return !controls.menu.empty() || controls.has(Action::Menu) || (controls.pointer && controls.pointer->is_pressed);
 }
 
 void show_until_dismissed(const std::string& text, Platform& platform) {
@@ -40,7 +38,9 @@ void show_until_dismissed(const std::string& text, Platform& platform) {
     std::vector<std::uint8_t> pixels(pixel_count(mode.width_px, mode.height_px), kBackground);
     const Framebuffer canvas{pixels.data(), mode.width_px, mode.height_px, mode.width_px};
     draw_error(text, canvas);
-    while (platform.is_open() && !is_dismissed(platform.poll())) {
+    const Bindings bindings = default_bindings();
+    InputMapper input(bindings);
+    while (platform.is_open() && !is_dismissed(input.take(platform.poll(), platform.now_us() / 1000))) {
         platform.present(canvas, error_palette(),
                          layout(platform.window_size(), mode, ShownAs::OnDisplay, Scaling::SharpBilinear));
         platform.wait_for_input(kAnyTime_ms);

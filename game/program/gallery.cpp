@@ -13,9 +13,9 @@ namespace oblong {
 namespace {
 
 /// What is changed by the same keys as in the game.
-constexpr std::array<Command, 7> kKeysOfTheGame{
-    Command::ProjectionAspect, Command::DisplayAspect, Command::AccuracyTier, Command::ScalingMode,
-    Command::CrtLook,          Command::Darker,        Command::Brighter};
+constexpr std::array<Action, 7> kKeysOfTheGame{Action::ProjectionAspect, Action::DisplayAspect, Action::AccuracyTier,
+                                               Action::ScalingMode,      Action::CrtLook,       Action::Darker,
+                                               Action::Brighter};
 
 void go_to_row(std::size_t row, GalleryState& state) {
     state.row = row;
@@ -41,26 +41,26 @@ GalleryState start_of_gallery(const std::vector<Row>& rows) {
     return state;
 }
 
-std::string apply(Command command, const std::vector<Row>& rows, WindowSize window, ViewOptions& view_options,
+std::string apply(Action command, const std::vector<Row>& rows, WindowSize window, ViewOptions& view_options,
                   GalleryState& state) {
     const Row& row = rows[state.row];
     const std::size_t count = rows.size(), parameters = std::max<std::size_t>(row.parameters.size(), 1);
     switch (command) {
-        case Command::PageDown:
+        case Action::PageDown:
             go_to_row((state.row + 1) % count, state);
             return "";
-        case Command::PageUp:
+        case Action::PageUp:
             go_to_row((state.row + count - 1) % count, state);
             return "";
-        case Command::DialUp:
+        case Action::DialUp:
             state.chosen = (state.chosen + parameters - 1) % parameters;
             return "";
-        case Command::DialDown:
+        case Action::DialDown:
             state.chosen = (state.chosen + 1) % parameters;
             return "";
-        case Command::DialCoarser:
-        case Command::DialFiner:
-            change_parameter(row, command == Command::DialFiner ? 1 : -1, state);
+        case Action::DialCoarser:
+        case Action::DialFiner:
+            change_parameter(row, command == Action::DialFiner ? 1 : -1, state);
             return "";
         default:
             break;
@@ -87,12 +87,18 @@ Gallery::Gallery(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
 
 void Gallery::advance(const Controls& controls, std::uint64_t now_us) {
     now_us_ = now_us;
-    for (const Command command : controls.commands) {
-        wants_screenshot_ |= command == Command::Screenshot;
+    for (const Action command : controls.commands) {
+        wants_screenshot_ |= command == Action::Screenshot;
         const std::string message = apply(command, rows_, platform_.window_size(), view_options_, state_);
         if (!message.empty()) show(message);
     }
     if (!controls.commands.empty() || rows_[state_.row].moves) is_drawn_ = false;
+}
+
+void Gallery::open_page(Action command, MenuPages& pages) {
+    if (command == Action::Menu) pages.open_gallery();
+    if (command == Action::ShowHelp) pages.open_keys();
+    if (command == Action::FrameCost) pages.open_figures();
 }
 
 ShownPicture Gallery::draw(bool is_behind_menu) {

@@ -25,7 +25,7 @@ GalleryState start_of_gallery(const std::vector<Row>& rows);
 
 /// Carries out a command: Page Down and Page Up go to the next and the previous row, up and down arrows choose a
 /// parameter, left and right change it. The message that tells the user; empty where there is none.
-std::string apply(Command command, const std::vector<Row>& rows, WindowSize window, ViewOptions& view_options,
+std::string apply(Action command, const std::vector<Row>& rows, WindowSize window, ViewOptions& view_options,
                   GalleryState& state);
 
 /// Steps through the gallery's rows.
@@ -36,12 +36,16 @@ class Gallery final : public GameScreen {
             Platform& platform);
 
     void advance(const Controls& controls, std::uint64_t now_us) override;
-    void pause(std::uint64_t now_us) override { now_us_ = now_us; }
+    void advance_behind_menu(std::uint64_t now_us) override { now_us_ = now_us; }
+    bool is_heard(bool) const override { return false; }
     ShownPicture draw(bool is_behind_menu) override;
     const MenuLook& menu_look() const override { return menu_look_; }
+    void open_page(Action command, MenuPages& pages) override;
+    const std::shared_ptr<const LoadedLevel>& shared_level() const override { return loaded_; }
+    std::vector<KeyHelp> key_help(const KeyNames& names) const override { return gallery_help(names); }
 
-    /// All figures and notes of the row that is up.
-    std::string figures() const;
+    /// And notes of the row that is up.
+    std::string figures() const override;
 
   private:
     void draw_picture();

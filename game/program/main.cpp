@@ -13,6 +13,7 @@
 #include "engine/platform/sdl/window.h"
 #include "engine/platform/worker_threads.h"
 #include "engine/view/screen.h"
+#include "game/input/actions.h"
 #include "game/input/route.h"
 #include "game/lab/timedemo.h"
 #include "game/options/options.h"
@@ -36,31 +37,36 @@ HeadlessPlatform::FrameSink png_sink(const std::string& folder) {
     };
 }
 
+void hold(Action action, bool is_held, PlatformInput& input) {
+    input.events.push_back({is_held ? InputEvent::Kind::Press : InputEvent::Kind::Release, scripted(action), 0, 0});
+}
+
 // The input of --headless without a demo, in ticks: 2.5 s ahead, a quarter turn to the right, 4 s ahead with a jump, a
 // turn to the left.
-Controls short_walk(std::int64_t tick) {
+PlatformInput short_walk(std::int64_t tick) {
     constexpr std::int64_t kTurn = 87, kAhead = 110, kJump = 130, kLook = 250, kRound = 280;
     const std::int64_t at = tick % kRound;
-    Controls controls;
-    controls.forward = at < kTurn || (at >= kAhead && at < kLook);
-    controls.turn_right = at >= kTurn && at < kAhead;
-    controls.turn_left = at >= kLook;
-    controls.jump = at == kJump;
-    return controls;
+    PlatformInput input;
+    hold(Action::Forward, at < kTurn || (at >= kAhead && at < kLook), input);
+    hold(Action::TurnRight, at >= kTurn && at < kAhead, input);
+    hold(Action::TurnLeft, at >= kLook, input);
+    hold(Action::Jump, at == kJump, input);
+    return input;
 }
 
 // The input of --headless --gallery: a row a picture.
-Controls page_through(std::int64_t poll) {
-    Controls controls;
-    if (poll > 0) controls.commands.push_back(Command::PageDown);
-    return controls;
+PlatformInput page_through(std::int64_t poll) {
+    PlatformInput input;
+    if (poll > 0)
+        for (const bool is_held : {true, false}) hold(Action::PageDown, is_held, input);
+    return input;
 }
 
 std::unique_ptr<Platform> open_platform(const Options& options) {
     if (options.headless_frames == 0) return open_window("Oblong", options.window);
     const auto script = [&options](std::int64_t poll) {
         if (options.shows_gallery) return page_through(poll);
-        return options.replay.empty() ? short_walk(poll) : Controls{};
+        return options.replay.empty() ? short_walk(poll) : PlatformInput{};
     };
     return std::make_unique<HeadlessPlatform>(options.headless_frames, kTicksPerSecond, script, png_sink(options.out));
 }

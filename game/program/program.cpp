@@ -35,10 +35,6 @@ ViewOptions view_options_of(const Options& options) {
     return view_options;
 }
 
-bool has(const Controls& controls, Command command) {
-    return std::find(controls.commands.begin(), controls.commands.end(), command) != controls.commands.end();
-}
-
 bool is_input(const Controls& controls) {
     const bool is_pointed = controls.pointer && (controls.pointer->has_moved || controls.pointer->is_pressed);
     return is_pointed || controls.pressed || !controls.menu.empty() || !controls.commands.empty();
@@ -103,34 +99,36 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
       platform_(platform),
       settings_{workers},
       sound_(std::move(open_sound), assets_folder_),
-      slots_(options.folders.data),
+      saves_(options.folders.data),
+      input_(view_options_.preferences.bindings),
       pages_(menu_, *this) {
     if (options_.shows_gallery)
-        gallery_ = std::make_unique<Gallery>(std::move(files.loaded), settings_, view_options_, platform_);
+        show_only(std::make_unique<Gallery>(std::move(files.loaded), settings_, view_options_, platform_));
     else if (options_.shows_title) {
         if (!(options_.replay + options_.record).empty())
             first_walk_ = std::make_unique<FirstWalk>(FirstWalk{files.loaded, std::move(files.input)});
         start_title(std::move(files.loaded));
     } else
-        start(std::move(files.loaded), std::move(files.input), options_.replay.empty() ? Stage::Walk : Stage::Replay);
+        start(std::move(files.loaded), std::move(files.input),
+              options_.replay.empty() ? SessionKind::Walk : SessionKind::Replay);
 }
 
 void Program::run() {
     naming_file(options_.replay, [&] {
         while (platform_.is_open() && !has_left_) show_frame();
     });
-    print_fault("oblong", save_on_leaving());
+    print_fault("oblong", saves_.save_on_leaving());
     print_fault("oblong", store_.save(view_options_.preferences));
     keep_recorded();
     if (recorded_) write_file(options_.record, encode_demo(*recorded_));
 }
 
 void Program::show_frame() {
-    const Controls controls = platform_.poll();
+    const Controls controls = input_.take(platform_.poll(), platform_.now_us() / 1000);
     const std::size_t depth = menu_.depth();
     take(controls);
     if (has_left_) return;
-    autosave_when_due();
+    saves_.autosave_when_due(&screen() == walk_ && !menu_.is_open());
     is_stale_ |= menu_.depth() != depth;  // a page may open by itself: at the end, without the focus
     follow_preferences();
     const WindowSize size = platform_.window_size();
@@ -141,7 +139,7 @@ void Program::show_frame() {
         return draw();
     }
     const std::uint64_t began_us = platform_.now_us();
-    platform_.wait_for_input(kLongestWait_ms);
+    platform_.wait_for_input(std::min(kLongestWait_ms, input_.longest_wait_ms()));
     // Something has happened, perhaps to the window: what it shows may be lost.
     is_stale_ |= platform_.now_us() - began_us < (kLongestWait_ms - 1) * std::uint64_t{1000};
 }
@@ -151,95 +149,66 @@ void Program::take(const Controls& controls) {
     if (controls.pressed) view_options_.uses_pad = is_of_pad(*controls.pressed);
     const bool is_left =
         (std::exchange(had_focus_, controls.has_focus) && !controls.has_focus) || controls.is_minimised;
-    if (is_left && is_walked() && !menu_.is_open()) pages_.open_game();
+    if (is_left && screen().captures_mouse() && !menu_.is_open()) screen().open_page(Action::Menu, pages_);
     if (menu_.is_open())
         take_in_menu(controls);
     else
-        take_in_walk(controls);
-    open_what_is_due();
-    const bool is_captured = is_walked() && !menu_.is_open();
+        take_on_screen(controls);
+    // The title and a walk that has ended are never without a page.
+    if (!menu_.is_open() && !has_left_) screen().open_due_page(pages_);
+    const bool is_captured = screen().captures_mouse() && !menu_.is_open();
     if (std::exchange(is_mouse_captured_, is_captured) != is_captured) platform_.capture_mouse(is_captured);
-}
-
-// Whether what the player does moves the game, but for a menu.
-bool Program::is_walked() const {
-    return !gallery_ && (stage_ == Stage::Walk || (stage_ == Stage::Replay && !session_->input().is_replaying()));
 }
 
 void Program::take_in_menu(const Controls& controls) {
     const Preferences& now = view_options_.preferences;
     const CanvasSize canvas{now.mode.width_px, now.mode.height_px};
     const std::size_t depth = menu_.depth();
-    wants_screenshot_ |= has(controls, Command::Screenshot) && !menu_.page().press;
+    wants_screenshot_ |= controls.has(Action::Screenshot) && !menu_.page().press;
     const MenuEvent event = menu_.handle(controls, canvas, now.text_scale, shown_rect(now, platform_.window_size()));
     if (const auto sound = sound_of(event)) sound_.play(*sound);
     if (menu_.depth() < depth) print_fault("oblong", store_.save(now));
-    if (stage_ == Stage::Title && !gallery_)
-        play_title();
-    else
-        screen().pause(platform_.now_us());
+    screen().advance_behind_menu(platform_.now_us());
 }
 
-void Program::take_in_walk(const Controls& controls) {
-    if (has(controls, Command::Menu)) {
-        if (gallery_)
-            close_gallery();
-        else
-            pages_.open_game();
-        return screen().pause(platform_.now_us());
-    }
-    if (has(controls, Command::ShowHelp)) pages_.open_keys();
-    if (gallery_ && has(controls, Command::FrameCost)) pages_.open_figures();
-    if (menu_.is_open()) return screen().pause(platform_.now_us());
-    if (stage_ == Stage::Walk && !gallery_) {
-        if (has(controls, Command::QuickSave)) quick_save();
-        if (has(controls, Command::QuickLoad)) quick_load();
-        if (has(controls, Command::Restart)) pages_.open_restart();
+void Program::take_on_screen(const Controls& controls) {
+    if (controls.has(Action::Menu) && screens_.size() > 1) return close_gallery();
+    for (const Action command : {Action::Menu, Action::ShowHelp, Action::FrameCost})
+        if (!menu_.is_open() && controls.has(command)) screen().open_page(command, pages_);
+    if (menu_.is_open()) return screen().advance_behind_menu(platform_.now_us());
+    if (&screen() == walk_ && walk_->kind() == SessionKind::Walk) {
+        if (controls.has(Action::QuickSave)) quick_save();
+        if (controls.has(Action::QuickLoad)) quick_load();
+        if (controls.has(Action::Restart)) screen().open_page(Action::Restart, pages_);
     }
     screen().advance(controls, platform_.now_us());
 }
 
-// Back to what it was opened from; where the program began with it, there is nothing.
+// Back to what it was opened from.
 void Program::close_gallery() {
-    if (!session_) return pages_.open_gallery();
-    gallery_.reset();
+    screens_.pop_back();
     name_window();
-    if (stage_ != Stage::Title) pages_.open_game();
-}
-
-// The title and a walk that has ended are never without a page.
-void Program::open_what_is_due() {
-    if (menu_.is_open() || gallery_ || has_left_) return;
-    if (stage_ == Stage::Title) return pages_.open_title();
-    if (session_->state().has_ended && !session_->input().is_replaying()) pages_.open_end();
+    screen().open_page(Action::Menu, pages_);
+    screen().advance_behind_menu(platform_.now_us());
 }
 
 void Program::follow_preferences() {
     platform_.change_window(window_settings_of(view_options_.preferences));
-    platform_.use_bindings(view_options_.preferences.bindings);
     print_fault("oblong", store_.save_when_settled(view_options_.preferences, platform_.now_us()));
     follow_sound();
 }
 
-// A level's last sounds are heard to their end.
 void Program::follow_sound() {
     const Preferences& now = view_options_.preferences;
     sound_.set({now.volume_100, now.sounds_volume_100, now.music_volume_100, now.shows_captions});
-    const bool is_paused = gallery_ || (menu_.is_open() && stage_ != Stage::Title);
-    sound_.hold(is_paused && !(session_ && session_->state().has_ended));
-}
-
-GameScreen& Program::screen() {
-    return gallery_ ? static_cast<GameScreen&>(*gallery_) : *session_;
+    sound_.hold(!screen().is_heard(menu_.is_open()));
 }
 
 bool Program::is_moving() const {
-    if (!menu_.is_open()) return true;
-    return stage_ == Stage::Title && !gallery_ && session_->input().is_replaying();
+    return !menu_.is_open() || screens_.back()->moves_behind_menu();
 }
 
 void Program::draw() {
-    title_options_.preferences = view_options_.preferences;
     const ShownPicture picture = screen().draw(menu_.is_open());
     if (menu_.is_open()) draw_menu(picture);
     platform_.present(picture.canvas, picture.palette, picture.rect);
@@ -254,28 +223,47 @@ void Program::draw_menu(const ShownPicture& picture) {
     is_stale_ = true;
 }
 
-void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, Stage stage) {
-    finish_autosave();
-    keep_recorded();
-    gallery_.reset();
-    stage_ = stage;
-    follow_game(*loaded);
-    SessionSettings settings = settings_;
-    const bool is_title = stage == Stage::Title;
-    settings.sound = is_title ? nullptr : &sound_;
-    sound_.enter(nullptr);  // before the level that is heard goes
-    session_ = std::make_unique<Session>(std::move(loaded), settings, is_title ? title_options_ : view_options_,
-                                         std::move(input), platform_);
-    if (is_title) {
-        sound_.play_music();
-    } else {
-        sound_.stop_music();
-        sound_.enter(&session_->loaded().level);
-    }
-    held_.reset();
-    saved_tick_ = autosave_tick_ = autosave_items_ = 0;
+// What was up goes with all that belongs to it.
+void Program::show_only(std::unique_ptr<GameScreen> screen) {
+    saves_.begin(nullptr);
+    walk_ = nullptr;
+    screens_.clear();
+    screens_.push_back(std::move(screen));
     is_stale_ = true;
+}
+
+// The walk that was on ends.
+void Program::finish_walk(const LoadedLevel& next) {
+    saves_.finish_autosave();
+    keep_recorded();
+    follow_game(next);
+    sound_.enter(nullptr);  // before the level that is heard goes
+}
+
+void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, SessionKind kind) {
+    finish_walk(*loaded);
+    SessionSettings settings = settings_;
+    settings.kind = kind;
+    settings.sound = &sound_;
+    auto walk = std::make_unique<Session>(std::move(loaded), settings, view_options_, std::move(input), platform_);
+    Session* const session = walk.get();
+    show_only(std::move(walk));
+    walk_ = session;
+    sound_.stop_music();
+    sound_.enter(&walk_->loaded().level);
+    saves_.begin(kind == SessionKind::Walk ? walk_ : nullptr);
     name_window();
+}
+
+void Program::start_title(std::shared_ptr<const LoadedLevel> loaded) {
+    finish_walk(*loaded);
+    const std::string demo = (fs::path(assets_folder_) / "walk.demo").string();
+    show_only(std::make_unique<Title>(std::move(loaded), demo, settings_, view_options_, platform_));
+    sound_.play_music();
+    name_window();
+    last_walk_ = saves_.is_kept() ? saves_.slots().last_walk() : std::nullopt;
+    pages_.open_title();
+    if (!options_.folders.config_file.empty() && !view_options_.preferences.has_set_light) pages_.open_light();
 }
 
 // Light is kept a game. Frames that are written are shown by nobody's taste: as the museum's.
@@ -292,17 +280,16 @@ void Program::follow_game(const LoadedLevel& loaded) {
         store_.begin_with(now);
     }
     is_first_game_ = false;
-    title_options_.preferences = now;
 }
 
 void Program::name_window() {
-    const fs::path level = session_->loaded().data.level_file;
+    const fs::path level = level_below().data.level_file;
     platform_.set_title(("Oblong - " + level.stem().string()).c_str());
 }
 
 void Program::start_walk(std::shared_ptr<const LoadedLevel> loaded) {
     const GameState state = start_of(loaded->level);
-    start(std::move(loaded), TickInputSource(state, std::nullopt, false), Stage::Walk);
+    start(std::move(loaded), TickInputSource(state, std::nullopt, false), SessionKind::Walk);
 }
 
 }  // namespace oblong

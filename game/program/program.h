@@ -1,16 +1,18 @@
 #pragma once
 
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "game/input/input_mapper.h"
 #include "game/level/level_search.h"
 #include "game/menu/menu_pages.h"
 #include "game/options/options.h"
 #include "game/program/gallery.h"
 #include "game/program/session.h"
-#include "game/saves/save_slots.h"
+#include "game/program/title.h"
+#include "game/program/walk_saves.h"
 #include "game/sound/game_sound.h"
 
 namespace oblong {
@@ -45,8 +47,6 @@ class Program final : private MenuHost {
     void run();
 
   private:
-    /// What is up, apart from the gallery and the menu.
-    enum class Stage { Title, Walk, Replay };
     /// What a title that was asked for begins with: a replay, or what is recorded.
     struct FirstWalk {
         std::shared_ptr<const LoadedLevel> loaded;
@@ -56,48 +56,35 @@ class Program final : private MenuHost {
     void show_frame();
     void take(const Controls& controls);
     void take_in_menu(const Controls& controls);
-    void take_in_walk(const Controls& controls);
+    void take_on_screen(const Controls& controls);
     void close_gallery();
-    void open_what_is_due();
-    bool is_walked() const;
     void draw();
     void draw_menu(const ShownPicture& picture);
     bool is_moving() const;
-    GameScreen& screen();
+    GameScreen& screen() { return *screens_.back(); }
+    const LoadedLevel& level_below() const { return *screens_.front()->shared_level(); }
     void follow_preferences();
     void follow_sound();
 
-    void start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, Stage stage);
+    void show_only(std::unique_ptr<GameScreen> screen);
+    void finish_walk(const LoadedLevel& next);
+    void start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource input, SessionKind kind);
     void start_walk(std::shared_ptr<const LoadedLevel> loaded);
     void start_title(std::shared_ptr<const LoadedLevel> loaded);
-    TickInputSource title_input(const GameLevel& level);
-    void play_title();
     /// Where the levels of the game that is played are; the demo level is of none.
     const LevelFiles& game_files() const;
     std::shared_ptr<const LoadedLevel> loaded_as(const std::string& level);
     void keep_recorded();
     void follow_game(const LoadedLevel& loaded);
-    void name_window();  ///< after the session's level
+    void name_window();  ///< after the level
     LevelPlaces places() const;
     /// Does something with files; where it fails, says why on a page of the menu.
     void try_with_files(const std::string& what, const std::function<void()>& work);
 
-    bool has_saves() const { return !options_.folders.data.empty(); }
-    SavedGame saved_now();
-    /// The walk's own place for saves of a kind: its number is taken when it is saved first. Throws FileError.
-    SaveSlot own_slot(SaveKind kind);
-    bool is_own(SaveSlot slot) const;
     void quick_save();
     void quick_load();
     void load_from(SaveSlot slot);
     void go_on_with(const SlotContent& content, std::optional<HeldWalk> held);
-    bool is_autosave_due() const;
-    /// Saves the walk beside the game where that is due: a frame takes its picture, another thread writes.
-    void autosave_when_due();
-    /// Waits for that.
-    void finish_autosave();
-    /// The message if that failed, else "".
-    std::string save_on_leaving();
     /// Saves the walk, then goes; where that fails, asks whether to go all the same.
     void leave_walk(const std::function<void()>& go);
 
@@ -107,19 +94,17 @@ class Program final : private MenuHost {
         return {view_options_.preferences.bindings, platform_, view_options_.uses_pad};
     }
     std::string local_name_of(Input input) const override { return platform_.local_name_of(input); }
-    std::vector<KeyHelp> key_help() const override {
-        return gallery_ ? gallery_help(key_names()) : game_help(key_names());
-    }
+    std::vector<KeyHelp> key_help() const override { return screens_.back()->key_help(key_names()); }
     Goal goal() const override;
-    std::vector<std::string> told() const override { return session_ ? session_->told() : std::vector<std::string>(); }
-    std::string figures() const override { return gallery_ ? gallery_->figures() : ""; }
+    std::vector<std::string> told() const override { return walk_ ? walk_->told() : std::vector<std::string>(); }
+    std::string figures() const override { return screens_.back()->figures(); }
     std::vector<LevelEntry> levels() const override;
     std::vector<SaveEntry> saves() const override;
     EndFigures end_figures() const override;
     std::string credits() const override;
-    bool can_save() const override;
+    bool can_save() const override { return saves_.can_save(); }
     std::optional<SaveEntry> last_walk() const override;
-    bool has_unsaved_progress() const override;
+    bool has_unsaved_progress() const override { return saves_.has_unsaved_progress(); }
     bool saves_on_leaving() const override { return can_save(); }
     void walk() override;
     void continue_walk() override;
@@ -137,26 +122,20 @@ class Program final : private MenuHost {
     const std::string assets_folder_;
     const LevelFiles level_files_;  // that the options name, but for its `level`
     ViewOptions view_options_;
-    ViewOptions title_options_;  // of the title's background: nothing is drawn over it
     PreferencesStore& store_;
     Platform& platform_;
     SessionSettings settings_;
     GameSound sound_;
-    SaveSlots slots_;
-    std::unique_ptr<FirstWalk> first_walk_;  // until the title's Walk starts it
-    std::unique_ptr<Session> session_;       // none only where the program began with the gallery
-    std::unique_ptr<Gallery> gallery_;       // while it is up, over the session
-    std::optional<Demo> title_demo_;         // what the title shows; nothing: the level stands still
-    std::unique_ptr<Demo> recorded_;         // once what was recorded has ended before the program
+    WalkSaves saves_;
+    std::unique_ptr<FirstWalk> first_walk_;         // until the title's Walk starts it
+    std::vector<std::unique_ptr<GameScreen>> screens_;  // the title or a walk, and perhaps the gallery over it
+    Session* walk_ = nullptr;                       // the walk, if the first screen is one
+    std::unique_ptr<Demo> recorded_;                // once what was recorded has ended before the program
+    InputMapper input_;
     Menu menu_;
     MenuPages pages_;
-    Stage stage_ = Stage::Walk;
-    std::optional<HeldWalk> held_;                         // the walk, once it has saves
-    std::future<std::string> autosave_;                    // that is being written: its fault, or ""
-    std::int64_t autosave_tick_ = 0, autosave_items_ = 0;  // when the last one began
-    std::int64_t saved_tick_ = 0;                          // of the walk, up to which it is saved
-    std::optional<SlotContent> last_walk_;                 // as the title offers it
-    mutable std::vector<SlotContent> listed_;              // as the menu showed them last
+    std::optional<SlotContent> last_walk_;     // as the title offers it
+    mutable std::vector<SlotContent> listed_;  // as the menu showed them last
     bool has_left_ = false, had_focus_ = false, is_mouse_captured_ = false;
     bool is_first_game_ = true;
     bool wants_screenshot_ = false;  // of a menu

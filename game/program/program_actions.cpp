@@ -35,7 +35,7 @@ std::string time_text(std::int64_t ticks) {
 }
 
 LevelPlaces Program::places() const {
-    return {session_->loaded().data.level_file, game_files().game_folders};
+    return {level_below().data.level_file, game_files().game_folders};
 }
 
 std::vector<LevelEntry> Program::levels() const {
@@ -53,8 +53,8 @@ std::vector<LevelEntry> Program::levels() const {
 }
 
 EndFigures Program::end_figures() const {
-    const GameLevel& level = session_->loaded().level;
-    const GameState& state = session_->state();
+    const GameLevel& level = walk_->loaded().level;
+    const GameState& state = walk_->state();
     EndFigures figures{std::string(end_message(level, state)), time_text(state.tick), "", "", ""};
     const std::string next(next_map(level, state));
     if (!next.empty()) find_next(next, places(), figures);
@@ -63,7 +63,7 @@ EndFigures Program::end_figures() const {
 }
 
 Goal Program::goal() const {
-    return session_ ? goal_of(session_->loaded().level, session_->state()) : Goal{};
+    return walk_ ? goal_of(walk_->loaded().level, walk_->state()) : Goal{};
 }
 
 void Program::try_with_files(const std::string& what, const std::function<void()>& work) {
@@ -75,8 +75,8 @@ void Program::try_with_files(const std::string& what, const std::function<void()
 }
 
 const LevelFiles& Program::game_files() const {
-    const bool is_demo_level = !session_ || session_->loaded().files.level.empty();
-    return is_demo_level ? level_files_ : session_->loaded().files;
+    const LevelFiles& files = level_below().files;
+    return files.level.empty() ? level_files_ : files;
 }
 
 // A palette that was named for another level is none of the demo level's.
@@ -90,7 +90,7 @@ std::shared_ptr<const LoadedLevel> Program::loaded_as(const std::string& level) 
 void Program::walk() {
     if (const auto first = std::move(first_walk_))
         return start(std::move(first->loaded), std::move(first->input),
-                     options_.replay.empty() ? Stage::Walk : Stage::Replay);
+                     options_.replay.empty() ? SessionKind::Walk : SessionKind::Replay);
     try_with_files("Walk", [&] { start_walk(loaded_as("")); });
 }
 
@@ -99,17 +99,17 @@ void Program::play_level(const std::string& file) {
 }
 
 void Program::play_next() {
-    const std::string next(next_map(session_->loaded().level, session_->state()));
+    const std::string next(next_map(walk_->loaded().level, walk_->state()));
     try_with_files("Levels", [&] { start_walk(loaded_as(find_named_level(next, places()))); });
 }
 
 void Program::restart() {
-    leave_walk([this] { start_walk(session_->shared_level()); });
+    leave_walk([this] { start_walk(walk_->shared_level()); });
 }
 
 void Program::show_gallery() {
     menu_.close_all();
-    gallery_ = std::make_unique<Gallery>(session_->shared_level(), settings_, view_options_, platform_);
+    screens_.push_back(std::make_unique<Gallery>(screen().shared_level(), settings_, view_options_, platform_));
 }
 
 void Program::show_title() {
@@ -121,8 +121,7 @@ void Program::leave() {
 }
 
 void Program::keep_recorded() {
-    if (session_ && session_->input().records() && !recorded_)
-        recorded_ = std::make_unique<Demo>(session_->input().recorded());
+    if (walk_ && walk_->input().records() && !recorded_) recorded_ = std::make_unique<Demo>(walk_->input().recorded());
 }
 
 std::string Program::credits() const {

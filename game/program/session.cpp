@@ -21,6 +21,7 @@ Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
       input_(std::move(input)),
       platform_(platform),
       view_options_(view_options),
+      overlays_(settings.kind == SessionKind::Title ? no_overlays_ : view_options),
       settings_(settings),
       palette_(data_),
       text_colours_(text_colours_of(data_.palette)),
@@ -38,20 +39,31 @@ void Session::advance(const Controls& controls, std::uint64_t now_us) {
     played_us_ += elapsed_us;
     handle_commands(controls);
     Controls held = controls;
-    if (!view_options_.lab.shows_panel) walk_by_panel_keys(held);
-    drag_split(shown_rect(view_options_.preferences, platform_.window_size()), view_options_.lab, held);
+    if (!overlays_.lab.shows_panel) held.moves |= held.panel_moves;
+    drag_split(shown_rect(view_options_.preferences, platform_.window_size()), overlays_.lab, held);
     input_.use(view_options_.preferences);
     input_.gather(held);
     play_due_ticks(elapsed_us);
 }
 
-void Session::pause(std::uint64_t now_us) {
-    last_us_ = now_us;
+bool Session::captures_mouse() const {
+    return settings_.kind == SessionKind::Walk || (settings_.kind == SessionKind::Replay && !input_.is_replaying());
+}
+
+void Session::open_page(Action command, MenuPages& pages) {
+    if (command == Action::Menu) pages.open_game();
+    if (command == Action::ShowHelp) pages.open_keys();
+    if (command == Action::Restart && settings_.kind == SessionKind::Walk) pages.open_restart();
+}
+
+// A walk that has ended is never without a page.
+void Session::open_due_page(MenuPages& pages) {
+    if (after_.has_ended && !input_.is_replaying()) pages.open_end();
 }
 
 void Session::handle_commands(const Controls& controls) {
-    for (const Command command : controls.commands) {
-        wants_screenshot_ |= command == Command::Screenshot;
+    for (const Action command : controls.commands) {
+        wants_screenshot_ |= command == Action::Screenshot;
         const std::string message = apply(command, view_options_, platform_.window_size());
         if (!message.empty()) show(message);
     }
@@ -61,28 +73,28 @@ void Session::handle_commands(const Controls& controls) {
 void Session::keep_what_is_on() {
     follow_mode();
     follow_colours();
-    const bool needs_one = needs_lab(view_options_.lab);
+    const bool needs_one = needs_lab(overlays_.lab);
     if (!needs_one || lab_text_scale_ != scaled_text().scale) lab_.reset();
     lab_text_scale_ = scaled_text().scale;
     if (needs_one && !lab_)
         lab_ = std::make_unique<Lab>(data_, level_, renderer_->mode(), drawn_colours_, lab_text_scale_);
-    if (!view_options_.shows_four_aspects)
+    if (!overlays_.shows_four_aspects)
         four_aspects_.reset();
     else if (!four_aspects_)
         four_aspects_ = std::make_unique<FourAspects>(data_, level_);
-    if (view_options_.log.is_empty())
+    if (overlays_.log.is_empty())
         log_.reset();
-    else if (!log_ || log_->channels() != view_options_.log)
-        log_ = std::make_unique<FrameLog>(view_options_.log, standard_error_lines());
-    if (view_options_.map == MapView::Off)
+    else if (!log_ || log_->channels() != overlays_.log)
+        log_ = std::make_unique<FrameLog>(overlays_.log, standard_error_lines());
+    if (overlays_.map == MapView::Off)
         map_.reset();
     else if (!map_)
         map_ = std::make_unique<Automap>(data_, level_, drawn_colours_);
-    if (view_options_.wireframe == Wireframe::Off)
+    if (overlays_.wireframe == Wireframe::Off)
         wire_colour_.reset();
     else if (!wire_colour_)
         wire_colour_ = std::make_unique<LineColour>(data_.palette, sign_colours_of(drawn_colours_).edges);
-    if (view_options_.cost_page == 0) {
+    if (overlays_.cost_page == 0) {
         cost_.reset();
         cost_text_ = {};
     } else if (!cost_)
@@ -131,8 +143,8 @@ GameView Session::shown_view() const {
     const Preferences& preferences = view_options_.preferences;
     Camera camera = camera_at(state, input_.look_offset(fraction), preferences.field_of_view);
     if (preferences.view_bob_100 != 0 || preferences.view_roll_100 != 0) sway(state, preferences, camera);
-    return {state, camera, view_options_.has_torch,
-            other_view(view_options_.is_isometric, view_options_.zoom_degrees, camera, data_.level)};
+    return {state, camera, overlays_.has_torch,
+            other_view(overlays_.is_isometric, overlays_.zoom_degrees, camera, data_.level)};
 }
 
 Palette Session::palette_of(const GameView& view, const PaletteEffects& effects) const {
@@ -145,7 +157,7 @@ ShownPicture Session::draw(bool is_behind_menu) {
     const GameView view = shown_view();
     const Settings settings = settings_of(preferences);
     Settings shown_settings = settings;
-    if (lab_) shown_settings.accuracy = shown_setting(view_options_.lab, settings.accuracy, last_us_);
+    if (lab_) shown_settings.accuracy = shown_setting(overlays_.lab, settings.accuracy, last_us_);
     renderer_->draw(view, shown_settings);
     PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.light());
     if (is_behind_menu) effects.flash = {};  // it would wash the menu out
@@ -201,19 +213,19 @@ TextColours Session::scaled_text() const {
 void Session::draw_text() {
     text_.captions = settings_.sound ? settings_.sound->captions() : std::vector<std::string>();
     text_.cost = cost_ ? &cost_text_ : nullptr;
-    text_.cost_page = view_options_.cost_page;
+    text_.cost_page = overlays_.cost_page;
     const TextColours colours = scaled_text();
     const HudLayout layout =
         draw_hud(text_, messages_, played_us_, text_bottom_, colours, menu_look_.veil, renderer_->canvas());
-    if (layout.cost_table.pages < view_options_.cost_page) view_options_.cost_page = 0;  // the last one was up
+    if (layout.cost_table.pages < overlays_.cost_page) overlays_.cost_page = 0;  // the last one was up
 }
 
 // Over the picture that was drawn last.
 void Session::draw_wires(const GameView& view, const Settings& settings) {
     const Framebuffer canvas = renderer_->canvas();
-    if (view_options_.wireframe == Wireframe::Alone)
+    if (overlays_.wireframe == Wireframe::Alone)
         fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, text_colours_.dark);
-    renderer_->draw_edges(view, settings, wire_colour_->style(view_options_.line_method));
+    renderer_->draw_edges(view, settings, wire_colour_->style(overlays_.line_method));
 }
 
 void Session::draw_over(const GameView& view, const Settings& settings) {
@@ -228,15 +240,15 @@ void Session::draw_over(const GameView& view, const Settings& settings) {
         text_bottom_ = 0;  // their captions leave no room
         return;
     }
-    if (map_) map_->draw(view, view_options_.map, view_options_.line_method, mode, settings, canvas);
+    if (map_) map_->draw(view, overlays_.map, overlays_.line_method, mode, settings, canvas);
     if (lab_) {
-        const LabOptions& lab = view_options_.lab;
+        const LabOptions& lab = overlays_.lab;
         text_bottom_ = lab_->draw(lab, view, settings, last_us_, cost_ != nullptr, canvas);
         for (const std::string& note : lab_->notes(lab, settings.accuracy, last_us_))
             text_.notes.push_back(key_names().in(note));
     }
-    if (view_options_.inspects && !view.other) inspect(view);
-    if (!view_options_.shows_aspect_guide) return;
+    if (overlays_.inspects && !view.other) inspect(view);
+    if (!overlays_.shows_aspect_guide) return;
     draw_aspect_guide(mode, text_colours_, canvas);
     text_.notes.push_back(aspect_caption(mode, settings.correct_aspect, preferences.shown_as, preferences.scaling,
                                          platform_.window_size()));

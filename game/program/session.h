@@ -21,11 +21,18 @@
 
 namespace oblong {
 
+enum class SessionKind : std::uint8_t {
+    Walk,
+    Replay,  ///< of a demo, after which the player walks on; it cannot be saved
+    Title    ///< behind the title: no overlays are drawn, whatever is on
+};
+
 /// What a session is given and never changes.
 struct SessionSettings {
     Workers* workers = nullptr;  ///< who share in drawing the game's pictures; null: one thread draws
     std::string screenshot_folder = ".";
     GameSound* sound = nullptr;  ///< that is heard; null: none, not even captions
+    SessionKind kind = SessionKind::Walk;
 };
 
 /// One game in one level: ticks, what keys switch on, and the picture.
@@ -37,9 +44,16 @@ class Session final : public GameScreen {
             TickInputSource input, Platform& platform);
 
     void advance(const Controls& controls, std::uint64_t now_us) override;
-    void pause(std::uint64_t now_us) override;
+    void advance_behind_menu(std::uint64_t now_us) override { last_us_ = now_us; }
+    bool captures_mouse() const override;
+    /// A level's last sounds are heard to their end.
+    bool is_heard(bool is_behind_menu) const override { return !is_behind_menu || after_.has_ended; }
     ShownPicture draw(bool is_behind_menu) override;
     const MenuLook& menu_look() const override { return menu_look_; }
+    void open_page(Action command, MenuPages& pages) override;
+    void open_due_page(MenuPages& pages) override;
+    const std::shared_ptr<const LoadedLevel>& shared_level() const override { return loaded_; }
+    std::vector<KeyHelp> key_help(const KeyNames& names) const override { return game_help(names); }
 
     /// Goes on from another state of the level.
     void restore(const GameState& state);
@@ -51,9 +65,9 @@ class Session final : public GameScreen {
     Thumbnail thumbnail();
 
     const LoadedLevel& loaded() const { return *loaded_; }
-    const std::shared_ptr<const LoadedLevel>& shared_level() const { return loaded_; }
     const GameState& state() const { return after_; }
     const TickInputSource& input() const { return input_; }
+    SessionKind kind() const { return settings_.kind; }
 
   private:
     GameView shown_view() const;
@@ -79,6 +93,8 @@ class Session final : public GameScreen {
     TickInputSource input_;
     Platform& platform_;
     ViewOptions& view_options_;
+    Overlays no_overlays_;
+    Overlays& overlays_;  // view_options_, or none
     SessionSettings settings_;
     std::unique_ptr<GameRenderer> renderer_;               // of the mode that is chosen now
     ColourScheme drawn_colours_ = ColourScheme::Standard;  // of what is below

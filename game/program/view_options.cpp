@@ -99,53 +99,53 @@ PresentRect shown_rect(const Preferences& preferences, WindowSize window) {
     return rect;
 }
 
-std::string apply(Command command, ViewOptions& options, WindowSize window) {
+std::string apply(Action command, ViewOptions& options, WindowSize window) {
     Preferences& preferences = options.preferences;
     switch (command) {
-        case Command::FrameCost:
+        case Action::FrameCost:
             ++options.cost_page;
             return "";
-        case Command::ProjectionAspect:
+        case Action::ProjectionAspect:
             preferences.corrects_projection = !preferences.corrects_projection;
             return describe_projection(preferences, window);
-        case Command::DisplayAspect:
+        case Action::DisplayAspect:
             preferences.shown_as = next_of(preferences.shown_as, kShownAsCount);
             return describe_display(preferences, window);
-        case Command::AccuracyTier:
+        case Action::AccuracyTier:
             preferences.preset = next_of(preferences.preset, kPresetCount);
             change_setting(accuracy_of(preferences.preset), options.lab, preferences.accuracy);
             return "{accuracy} Accuracy: " + std::string(name_of(preferences.preset));
-        case Command::ScalingMode:
+        case Action::ScalingMode:
             preferences.scaling = next_of(preferences.scaling, kScalingCount);
             return describe_scaling(preferences, window);
-        case Command::Darker:
-        case Command::Brighter:
-            return change("brightness", command == Command::Brighter ? 1 : -1, preferences);
-        case Command::Torch:
+        case Action::Darker:
+        case Action::Brighter:
+            return change("brightness", command == Action::Brighter ? 1 : -1, preferences);
+        case Action::Torch:
             return toggle(options.has_torch, "{torch} Torch: on", "{torch} Torch: off");
-        case Command::CrtLook:
+        case Action::CrtLook:
             return toggle(preferences.has_crt_look, "{crt} Look of a tube: scanlines, mask, glow",
                           "{crt} Look of a tube: off");
-        case Command::Inspect:
+        case Action::Inspect:
             return toggle(options.inspects);
-        case Command::Log:
+        case Action::Log:
             options.log = next_channels(options.log);
             return "{log} Log: " + names_of(options.log) + (options.log.is_empty() ? "" : ", on standard error");
-        case Command::Automap:
+        case Action::Automap:
             options.map = next_of(options.map, kMapViewCount);
             return at(kMapMessages, options.map);
-        case Command::Wireframe:
+        case Action::Wireframe:
             options.wireframe = next_of(options.wireframe, kWireframeCount);
             return at(kWireframeMessages, options.wireframe);
-        case Command::Isometric:
+        case Action::Isometric:
             return toggle(options.is_isometric, "{isometric} From outside: you are in the middle",
                           "{isometric} From outside: off");
-        case Command::ZoomIn:
-        case Command::ZoomOut:
-            return zoom(command == Command::ZoomIn, options);
-        case Command::AspectGuide:
+        case Action::ZoomIn:
+        case Action::ZoomOut:
+            return zoom(command == Action::ZoomIn, options);
+        case Action::AspectGuide:
             return toggle(options.shows_aspect_guide);
-        case Command::FourAspects:
+        case Action::FourAspects:
             return toggle(options.shows_four_aspects);
         default:
             return apply_to_lab(command, options.lab, preferences.accuracy);

@@ -4,18 +4,17 @@
 
 #include "engine/files/log_channels.h"
 #include "engine/frame/settings.h"
-#include "engine/platform/controls.h"
 #include "engine/platform/platform.h"
 #include "engine/view/present_rect.h"
+#include "game/input/controls.h"
 #include "game/lab/lab_options.h"
 #include "game/options/preferences.h"
 #include "game/view/line_overlays.h"
 
 namespace oblong {
 
-/// What keys change during a game: how it is drawn and shown, never what happens in it.
-struct ViewOptions {
-    Preferences preferences;  ///< what is kept
+/// What keys show over a game's picture, or draw instead of it; none of it is kept.
+struct Overlays {
     bool has_torch = false;
     bool is_isometric = false;      ///< the level from outside, instead of from the player's eye
     std::int32_t zoom_degrees = 0;  ///< the field of view of zoom against dolly; 0: off
@@ -27,7 +26,12 @@ struct ViewOptions {
     Wireframe wireframe = Wireframe::Off;
     LineMethod line_method = LineMethod::GuptaSproull;  ///< of both
     LabOptions lab;
-    bool uses_pad = false;  ///< the player's last input was a gamepad's: messages name its buttons
+};
+
+/// What keys change during a game: how it is drawn and shown, never what happens in it.
+struct ViewOptions : Overlays {
+    Preferences preferences;  ///< what is kept
+    bool uses_pad = false;    ///< the player's last input was a gamepad's: messages name its buttons
 };
 
 Settings settings_of(const Preferences& preferences);
@@ -36,7 +40,7 @@ WindowSettings window_settings_of(const Preferences& preferences);
 PresentRect shown_rect(const Preferences& preferences, WindowSize window);
 
 /// Carries out a command; the message that tells the user ("" where there is none), for KeyNames::in(). Ignores what
-/// the program does itself: Command::Screenshot, Command::ShowHelp.
-std::string apply(Command command, ViewOptions& options, WindowSize window);
+/// the program does itself: Action::Screenshot, Action::ShowHelp.
+std::string apply(Action command, ViewOptions& options, WindowSize window);
 
 }  // namespace oblong

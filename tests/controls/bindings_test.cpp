@@ -1,4 +1,4 @@
-#include "engine/platform/bindings.h"
+#include "game/input/bindings.h"
 
 #include <gtest/gtest.h>
 
@@ -64,7 +64,7 @@ TEST(Input, NamesAreReadInAnyCaseAndWithHyphens) {
 TEST(Bindings, EveryActionHasOneRow) {
     std::set<Action> actions;
     std::set<std::string_view> names, labels;
-    for (const ActionNames& row : all_actions()) {
+    for (const ActionRow& row : all_actions()) {
         EXPECT_TRUE(actions.insert(row.action).second) << row.name;
         EXPECT_TRUE(names.insert(row.name).second) << row.name;
         EXPECT_TRUE(labels.insert(row.label).second) << row.label;
@@ -76,7 +76,7 @@ TEST(Bindings, EveryActionHasOneRow) {
 TEST(Bindings, DefaultsBindEveryActionAndNoInputTwice) {
     for (const Hands hands : kAllHands) {
         const Bindings bindings = default_bindings(hands);
-        for (const ActionNames& row : all_actions()) EXPECT_FALSE(bindings.inputs_of(row.action).empty()) << row.name;
+        for (const ActionRow& row : all_actions()) EXPECT_FALSE(bindings.inputs_of(row.action).empty()) << row.name;
         for (const Conflict& conflict : conflicts_of(bindings)) ADD_FAILURE() << name_of(conflict.input);
     }
 }
@@ -84,7 +84,7 @@ TEST(Bindings, DefaultsBindEveryActionAndNoInputTwice) {
 void expect_moves_by(Hands hands, const std::function<bool(Input)>& is_near) {
     const Bindings bindings = default_bindings(hands);
     for (int move = 0; move < kMoveCount; ++move)
-        for (const Input input : bindings.inputs_of(static_cast<Move>(move)))
+        for (const Input input : bindings.inputs_of(static_cast<Action>(move)))
             EXPECT_TRUE(input.device != Device::Key || is_near(input)) << name_of(input);
 }
 
@@ -102,7 +102,7 @@ TEST(Bindings, TextOfEveryActionLeadsBackToTheSameBindings) {
     for (const Hands hands : kAllHands) {
         const Bindings bindings = default_bindings(hands);
         Bindings read = default_bindings(Hands::Both);
-        for (const ActionNames& row : all_actions()) set_inputs(read, row.action, inputs_to_text(bindings, row.action));
+        for (const ActionRow& row : all_actions()) set_inputs(read, row.action, inputs_to_text(bindings, row.action));
         EXPECT_EQ(read, bindings);
     }
 }
@@ -110,43 +110,43 @@ TEST(Bindings, TextOfEveryActionLeadsBackToTheSameBindings) {
 TEST(Bindings, BrokenTextChangesNothing) {
     Bindings bindings = default_bindings();
     for (const char* wrong : {"W Nonsense", "Escape", "W,S", "A B C D E F G", "Pad-Start"})
-        EXPECT_THROW(set_inputs(bindings, Move::Forward, wrong), InputError) << wrong;
+        EXPECT_THROW(set_inputs(bindings, Action::Forward, wrong), InputError) << wrong;
     EXPECT_EQ(bindings, default_bindings());
-    set_inputs(bindings, Move::Forward, "none");
-    EXPECT_TRUE(bindings.inputs_of(Move::Forward).empty());
-    EXPECT_EQ(inputs_to_text(bindings, Move::Forward), "none");
-    set_inputs(bindings, Move::Forward, "  mouse-1\tF24 ");
-    EXPECT_EQ(inputs_to_text(bindings, Move::Forward), "Mouse-1 F24");
+    set_inputs(bindings, Action::Forward, "none");
+    EXPECT_TRUE(bindings.inputs_of(Action::Forward).empty());
+    EXPECT_EQ(inputs_to_text(bindings, Action::Forward), "none");
+    set_inputs(bindings, Action::Forward, "  mouse-1\tF24 ");
+    EXPECT_EQ(inputs_to_text(bindings, Action::Forward), "Mouse-1 F24");
 }
 
 TEST(Bindings, ConflictsNameTheInputAndAllItsActions) {
     Bindings bindings = default_bindings();
-    bindings.bind(Move::Jump, input_named("W"));
-    bindings.bind(Command::Torch, input_named("W"));
+    bindings.bind(Action::Jump, input_named("W"));
+    bindings.bind(Action::Torch, input_named("W"));
     const std::vector<Conflict> conflicts = conflicts_of(bindings);
     ASSERT_EQ(conflicts.size(), 1u);
     EXPECT_EQ(name_of(conflicts[0].input), "W");
-    EXPECT_EQ(conflicts[0].actions, (std::vector<Action>{Move::Forward, Move::Jump, Command::Torch}));
-    bindings.unbind(Move::Jump, input_named("W"));
-    bindings.unbind(Move::Forward, input_named("W"));
+    EXPECT_EQ(conflicts[0].actions, (std::vector<Action>{Action::Forward, Action::Jump, Action::Torch}));
+    bindings.unbind(Action::Jump, input_named("W"));
+    bindings.unbind(Action::Forward, input_named("W"));
     EXPECT_TRUE(conflicts_of(bindings).empty());
 }
 
 TEST(Bindings, KeysOfPanelsClashWithCommandsButNotWithMoves) {
     Bindings bindings = default_bindings();
-    bindings.bind(Move::Jump, input_named("Left"));  // turns left, too
+    bindings.bind(Action::Jump, input_named("Left"));  // turns left, too
     EXPECT_EQ(conflicts_of(bindings).size(), 1u);
     bindings = default_bindings();
-    bindings.bind(Command::Torch, input_named("Page-Up"));
+    bindings.bind(Action::Torch, input_named("Page-Up"));
     EXPECT_EQ(conflicts_of(bindings).size(), 1u);
 }
 
 TEST(Bindings, AnActionKeepsItsLastInputsAndNeverAReservedOne) {
     Bindings bindings;
-    for (std::uint16_t code = 4; code < 14; ++code) bindings.bind(Move::Jump, key(code));
-    bindings.bind(Move::Jump, key(13));
-    bindings.bind(Move::Jump, input_named("Escape"));
-    EXPECT_EQ(inputs_to_text(bindings, Move::Jump), "E F G H I J");
+    for (std::uint16_t code = 4; code < 14; ++code) bindings.bind(Action::Jump, key(code));
+    bindings.bind(Action::Jump, key(13));
+    bindings.bind(Action::Jump, input_named("Escape"));
+    EXPECT_EQ(inputs_to_text(bindings, Action::Jump), "E F G H I J");
 }
 
 }  // namespace

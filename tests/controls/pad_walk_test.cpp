@@ -4,6 +4,7 @@
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "engine/platform/sdl/input.h"
+#include "game/input/input_mapper.h"
 #include "game/input/tick_input_source.h"
 #include "game/simulation/step.h"
 #include "tests/controls/pad_pilot.h"
@@ -25,12 +26,14 @@ TEST(PadWalk, TheWholeWalkOfTheDemoLevelIsPlayedByAGamepadAlone) {
         SdlInput input(window);
         test::VirtualPad pad;
         test::PadPilot pilot(pad);
-        input.poll();
+        const Bindings bindings = default_bindings();
+        InputMapper mapper(bindings);
+        mapper.take(input.poll(), 0);
         LiveInput live;
         GameState state = start_of(game_level);
         for (const DemoTick& tick : walk.ticks) {
             pilot.steer(tick.input);
-            live.gather(input.poll());
+            live.gather(mapper.take(input.poll(), SDL_GetTicks64()));
             const TickInput played = live.next();
             ASSERT_EQ(played, tick.input) << "tick " << state.tick << ": " << int{played.forward} << ' '
                                           << int{played.right} << ' ' << played.yaw << ' ' << played.pitch;

@@ -4,13 +4,14 @@
 #include <memory>
 
 #include "engine/platform/sdl/input.h"
+#include "game/input/input_mapper.h"
 #include "tests/controls/virtual_pad.h"
 
 namespace oblong {
 namespace {
 
 using test::VirtualPad;
-using Commands = std::vector<Command>;
+using Commands = std::vector<Action>;
 
 // A window of SDL's driver that shows nothing, so that it has no focus: gamepads are heard all the same.
 class SdlInputTest : public testing::Test {
@@ -22,13 +23,16 @@ class SdlInputTest : public testing::Test {
         window_ = SDL_CreateWindow("test", 0, 0, 640, 480, 0);
         ASSERT_NE(window_, nullptr) << SDL_GetError();
         input_ = std::make_unique<SdlInput>(window_);
-        input_->poll();
+        poll();
     }
     void TearDown() override {
         input_.reset();
         SDL_DestroyWindow(window_);
         SDL_Quit();
     }
+
+    /// What the game makes of what SDL reported.
+    Controls poll() { return mapper_.take(input_->poll(), SDL_GetTicks64()); }
 
     void push_key(const char* name, bool is_down, bool is_repeat = false, std::uint16_t modifiers = 0) {
         SDL_Event event{};
@@ -73,6 +77,8 @@ class SdlInputTest : public testing::Test {
 
     SDL_Window* window_ = nullptr;
     std::unique_ptr<SdlInput> input_;
+    Bindings bindings_ = default_bindings();
+    InputMapper mapper_{bindings_};
 };
 
 TEST_F(SdlInputTest, ScancodesAreTheNumbersOfTheNames) {
@@ -89,44 +95,42 @@ TEST_F(SdlInputTest, KeysWalkAndCommand) {
     push_key("F1", true);
     push_key("F1", true, true);
     push_key("F1", false);
-    const Controls controls = input_->poll();
-    EXPECT_TRUE(controls.forward);
-    EXPECT_EQ(controls.commands, Commands{Command::ShowHelp});
+    const Controls controls = poll();
+    EXPECT_TRUE(controls.moves.has(Action::Forward));
+    EXPECT_EQ(controls.commands, Commands{Action::ShowHelp});
     push_key("W", false);
-    EXPECT_FALSE(input_->poll().forward);
+    EXPECT_FALSE(poll().moves.has(Action::Forward));
 }
 
 TEST_F(SdlInputTest, AltWithEnterOrTabIsTheWindowsOwn) {
     push_key("Enter", true, false, KMOD_LALT);
     push_key("Enter", false, false, KMOD_LALT);
     push_key("Tab", true, false, KMOD_LALT);
-    const Controls controls = input_->poll();
+    const Controls controls = poll();
     EXPECT_TRUE(controls.menu.empty());
     EXPECT_TRUE(controls.commands.empty());
     EXPECT_TRUE(controls.changes_full_screen);
-    EXPECT_FALSE(input_->poll().changes_full_screen) << "once";
+    EXPECT_FALSE(poll().changes_full_screen) << "once";
 }
 
 TEST_F(SdlInputTest, RebindingActsFromTheNextPollOn) {
-    Bindings bindings = default_bindings();
-    set_inputs(bindings, Move::Forward, "Q");
-    input_->use_bindings(bindings);
+    set_inputs(bindings_, Action::Forward, "Q");
     push_key("W", true);
-    EXPECT_FALSE(input_->poll().forward);
+    EXPECT_FALSE(poll().moves.has(Action::Forward));
     push_key("Q", true);
-    const Controls controls = input_->poll();
-    EXPECT_TRUE(controls.forward);
+    const Controls controls = poll();
+    EXPECT_TRUE(controls.moves.has(Action::Forward));
     EXPECT_EQ(controls.pressed, input_named("Q"));
 }
 
 TEST_F(SdlInputTest, AFreeMousePointsInPixelsOfTheWindow) {
-    EXPECT_FALSE(input_->poll().pointer);
+    EXPECT_FALSE(poll().pointer);
     push_motion(95, 194, 0, 0);
-    Controls controls = input_->poll();
+    Controls controls = poll();
     ASSERT_TRUE(controls.pointer);
     EXPECT_FALSE(controls.pointer->has_moved) << "it rests where the window was opened";
     push_motion(100, 200, 5, 6);
-    controls = input_->poll();
+    controls = poll();
     EXPECT_EQ(controls.pointer->x_px, 100);
     EXPECT_EQ(controls.pointer->y_px, 200);
     EXPECT_TRUE(controls.pointer->has_moved);
@@ -134,61 +138,61 @@ TEST_F(SdlInputTest, AFreeMousePointsInPixelsOfTheWindow) {
     EXPECT_EQ(controls.mouse_x, 0);
     push_button(SDL_BUTTON_LEFT, true, 110, 210);
     push_button(SDL_BUTTON_LEFT, false, 110, 210);
-    controls = input_->poll();
+    controls = poll();
     EXPECT_TRUE(controls.pointer->is_pressed);
     EXPECT_FALSE(controls.pointer->has_moved);
     EXPECT_EQ(controls.pointer->x_px, 110);
     EXPECT_EQ(controls.pressed, mouse_button(1));
-    EXPECT_FALSE(input_->poll().pointer->is_pressed);
+    EXPECT_FALSE(poll().pointer->is_pressed);
     push_window(SDL_WINDOWEVENT_LEAVE);
-    EXPECT_FALSE(input_->poll().pointer);
+    EXPECT_FALSE(poll().pointer);
 }
 
 TEST_F(SdlInputTest, ACapturedMouseTurnsAndItsButtonsAct) {
     push_motion(1, 1, 500, 500);  // before it is captured
     input_->capture_mouse(true);
     ASSERT_EQ(SDL_GetRelativeMouseMode(), SDL_TRUE);
-    EXPECT_EQ(input_->poll().mouse_x, 0);
+    EXPECT_EQ(poll().mouse_x, 0);
     push_motion(0, 0, 7, -3);
     push_motion(0, 0, 1, 1);
     push_button(SDL_BUTTON_RIGHT, true);
     push_button(SDL_BUTTON_MIDDLE, true);
     push_button(SDL_BUTTON_MIDDLE, false);
-    Controls controls = input_->poll();
+    Controls controls = poll();
     EXPECT_EQ(controls.mouse_x, 8);
     EXPECT_EQ(controls.mouse_y, -2);
-    EXPECT_TRUE(controls.forward);
-    EXPECT_TRUE(controls.jump);
+    EXPECT_TRUE(controls.moves.has(Action::Forward));
+    EXPECT_TRUE(controls.moves.has(Action::Jump));
     EXPECT_FALSE(controls.pointer);
     EXPECT_FALSE(controls.holds_button);
     push_button(SDL_BUTTON_LEFT, true);
-    EXPECT_TRUE(input_->poll().holds_button);
+    EXPECT_TRUE(poll().holds_button);
     input_->capture_mouse(false);
-    EXPECT_FALSE(input_->poll().forward);
+    EXPECT_FALSE(poll().moves.has(Action::Forward));
 }
 
 TEST_F(SdlInputTest, TheWheelGoesThroughMenusNotchByNotch) {
     push_wheel(0, 2);
     push_wheel(0, -1);
-    EXPECT_EQ(input_->poll().menu, (std::vector<MenuAction>{MenuAction::Up, MenuAction::Up, MenuAction::Down}));
+    EXPECT_EQ(poll().menu, (std::vector<MenuAction>{MenuAction::Up, MenuAction::Up, MenuAction::Down}));
     push_wheel(INT32_MIN, INT32_MIN);
-    EXPECT_LE(input_->poll().menu.size(), 16u);
+    EXPECT_LE(poll().menu.size(), 16u);
 }
 
 TEST_F(SdlInputTest, LosingTheFocusLetsGoOfAllAndFreesTheMouse) {
     VirtualPad pad;
-    input_->poll();
+    poll();
     input_->capture_mouse(true);
     push_key("W", true);
     push_button(SDL_BUTTON_RIGHT, true);
     pad.set(PadAxis::LeftX, 30'000);
     pad.press(PadButton::A);
-    Controls controls = input_->poll();
-    EXPECT_TRUE(controls.forward && controls.jump);
+    Controls controls = poll();
+    EXPECT_TRUE(controls.moves.has(Action::Forward) && controls.moves.has(Action::Jump));
     EXPECT_GT(controls.walk_stick.x, 0);
     push_window(SDL_WINDOWEVENT_FOCUS_LOST);
-    controls = input_->poll();
-    EXPECT_EQ(static_cast<const HeldMoves&>(controls), HeldMoves{});
+    controls = poll();
+    EXPECT_EQ(controls.moves, Moves{});
     EXPECT_EQ(controls.walk_stick, Stick{});
     EXPECT_EQ(SDL_GetRelativeMouseMode(), SDL_FALSE);
 }
@@ -197,65 +201,65 @@ TEST_F(SdlInputTest, APadMayComeAndGoInTheGame) {
     {
         VirtualPad pad;
         ASSERT_TRUE(pad.is_plugged_in()) << SDL_GetError();
-        EXPECT_EQ(input_->poll().walk_stick, Stick{});
+        EXPECT_EQ(poll().walk_stick, Stick{});
         pad.set(PadAxis::LeftY, -20'000);
         pad.set(PadAxis::RightX, 10'000);
         pad.press(PadButton::A);
-        const Controls controls = input_->poll();
+        const Controls controls = poll();
         EXPECT_EQ(controls.walk_stick, (Stick{0, 20'000}));
         EXPECT_EQ(controls.look_stick, (Stick{10'000, 0}));
-        EXPECT_TRUE(controls.jump);
+        EXPECT_TRUE(controls.moves.has(Action::Jump));
         EXPECT_EQ(controls.menu, (std::vector<MenuAction>{MenuAction::Up, MenuAction::Accept}));
     }
-    const Controls without = input_->poll();
+    const Controls without = poll();
     EXPECT_EQ(without.walk_stick, Stick{});
-    EXPECT_FALSE(without.jump);
+    EXPECT_FALSE(without.moves.has(Action::Jump));
     VirtualPad again;
-    input_->poll();
+    poll();
     again.press(PadButton::Start);
-    EXPECT_EQ(input_->poll().commands, Commands{Command::Menu});
+    EXPECT_EQ(poll().commands, Commands{Action::Menu});
 }
 
 TEST_F(SdlInputTest, AGentlePushOfTheOnlyPadActs) {
     VirtualPad pad;
-    input_->poll();
+    poll();
     pad.set(PadAxis::LeftX, 6'000);
-    EXPECT_EQ(input_->poll().walk_stick, (Stick{6'000, 0}));
+    EXPECT_EQ(poll().walk_stick, (Stick{6'000, 0}));
 }
 
 TEST_F(SdlInputTest, TriggersAreButtons) {
     VirtualPad pad;
-    input_->poll();
+    poll();
     pad.set(PadAxis::RightTrigger, INT16_MAX);
-    Controls controls = input_->poll();
-    EXPECT_TRUE(controls.jump);
+    Controls controls = poll();
+    EXPECT_TRUE(controls.moves.has(Action::Jump));
     EXPECT_EQ(controls.pressed, input_named("Pad Right Trigger"));
     pad.set(PadAxis::RightTrigger, INT16_MIN);
-    EXPECT_FALSE(input_->poll().jump);
+    EXPECT_FALSE(poll().moves.has(Action::Jump));
 }
 
 TEST_F(SdlInputTest, ThePadUsedLastActs) {
     VirtualPad first, second;
-    input_->poll();
+    poll();
     first.set(PadAxis::LeftX, 30'000);
-    EXPECT_EQ(input_->poll().walk_stick.x, 30'000);
+    EXPECT_EQ(poll().walk_stick.x, 30'000);
     second.set(PadAxis::LeftX, -3'000);  // lies beside, a little off its middle
-    EXPECT_EQ(input_->poll().walk_stick.x, 30'000);
+    EXPECT_EQ(poll().walk_stick.x, 30'000);
     second.set(PadAxis::LeftX, -30'000);
-    EXPECT_EQ(input_->poll().walk_stick.x, -30'000);
+    EXPECT_EQ(poll().walk_stick.x, -30'000);
     second.unplug();
-    EXPECT_EQ(input_->poll().walk_stick.x, 0);
+    EXPECT_EQ(poll().walk_stick.x, 0);
     first.press(PadButton::A);
-    EXPECT_TRUE(input_->poll().jump);
+    EXPECT_TRUE(poll().moves.has(Action::Jump));
 }
 
 TEST_F(SdlInputTest, ADeviceThatSdlDoesNotKnowIsIgnoredAndNamed) {
     testing::internal::CaptureStderr();
     VirtualPad wheel(SDL_JOYSTICK_TYPE_WHEEL);
-    input_->poll();
+    poll();
     EXPECT_NE(testing::internal::GetCapturedStderr().find("ignored"), std::string::npos);
     wheel.press(PadButton::A);
-    EXPECT_FALSE(input_->poll().jump);
+    EXPECT_FALSE(poll().moves.has(Action::Jump));
 }
 
 TEST_F(SdlInputTest, LocalNamesArePrintable) {

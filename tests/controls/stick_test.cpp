@@ -79,22 +79,22 @@ TEST(LiveInput, AStickWalksByHowFarItIsPushed) {
 
 TEST(LiveInput, KeysAndStickTogetherAreNotFasterThanOne) {
     Controls controls;
-    controls.forward = true;
+    controls.moves.set(Action::Forward);
     controls.walk_stick = {0, kFullAxis};
     EXPECT_EQ(tick_of(controls).forward, 127);
-    controls.back = true;
-    controls.forward = false;
+    controls.moves.set(Action::Back);
+    controls.moves.set(Action::Forward, false);
     EXPECT_EQ(tick_of(controls).forward, 0);
 }
 
 TEST(LiveInput, AlwaysRunsOrWalksUnlessTheKeyIsHeld) {
     Controls controls;
-    controls.forward = true;
+    controls.moves.set(Action::Forward);
     Preferences walks;
     walks.always_runs = false;
     EXPECT_EQ(tick_of(controls).forward, 127);
     EXPECT_EQ(tick_of(controls, walks).forward, 56);
-    controls.walk_slowly = true;
+    controls.moves.set(Action::WalkSlowly);
     EXPECT_EQ(tick_of(controls).forward, 56);
     EXPECT_EQ(tick_of(controls, walks).forward, 127);
 }
@@ -154,7 +154,7 @@ TEST(LiveInput, InvertedLookTurnsTheMouseOver) {
 TEST(LiveInput, AStepBetweenTwoTicksIsMade) {
     LiveInput live;
     Controls tap;
-    tap.left = tap.turn_left = true;
+    tap.moves = {Action::Left, Action::TurnLeft};
     live.gather(tap);
     live.gather({});
     const TickInput input = live.next();
@@ -166,7 +166,7 @@ TEST(LiveInput, AStepBetweenTwoTicksIsMade) {
 TEST(LiveInput, AKeyLetGoBeforeATickIsNotHeldInIt) {
     LiveInput live;
     Controls held;
-    held.turn_left = held.jump = true;
+    held.moves = {Action::TurnLeft, Action::Jump};
     live.gather(held);
     EXPECT_GT(live.next().yaw, 0);
     live.gather(held);
@@ -177,7 +177,7 @@ TEST(LiveInput, AKeyLetGoBeforeATickIsNotHeldInIt) {
 TEST(LiveInput, RespawnIsAButtonOfOneTick) {
     LiveInput live;
     Controls controls;
-    controls.commands = {Command::Respawn};
+    controls.commands = {Action::Respawn};
     live.gather(controls);
     live.gather({});
     EXPECT_EQ(live.next().buttons, kRespawnButton);

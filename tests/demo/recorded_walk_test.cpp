@@ -6,7 +6,7 @@
 #include "engine/base/input_error.h"
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
-#include "engine/platform/bindings.h"
+#include "game/input/bindings.h"
 #include "game/input/route.h"
 #include "game/simulation/items.h"
 #include "game/simulation/step.h"
@@ -126,7 +126,7 @@ TEST(DemoCaptions, AreOfOneOrTwoLinesThatFitThePicture) {
         ++count;
         for (std::size_t key = message.find('{'); key != std::string::npos; key = message.find('{')) {
             const std::string action = message.substr(key + 1, message.find('}') - key - 1);
-            EXPECT_TRUE(std::ranges::count(all_actions(), action, &ActionNames::name) == 1) << action;
+            EXPECT_TRUE(std::ranges::count(all_actions(), action, &ActionRow::name) == 1) << action;
             message.replace(key, action.size() + 2, "F11");
         }
         std::size_t lines = 1;

@@ -25,9 +25,9 @@ ToyLevel with_things() {
 // Ahead with a jump now and then, a turn, ahead again.
 Controls walk(int tick) {
     Controls controls;
-    controls.forward = tick % 100 < 80;
-    controls.turn_right = tick % 100 >= 80;
-    controls.jump = tick % 100 == 40;
+    controls.moves.set(Action::Forward, tick % 100 < 80);
+    controls.moves.set(Action::TurnRight, tick % 100 >= 80);
+    controls.moves.set(Action::Jump, tick % 100 == 40);
     return controls;
 }
 

@@ -11,8 +11,8 @@ RowPage draw_nothing(const RowInput&, Framebuffer) {
 
 class GalleryKeys : public testing::Test {
   protected:
-    void press(std::initializer_list<Command> commands) {
-        for (const Command command : commands) apply(command, rows_, {1600, 1200}, view_options_, state_);
+    void press(std::initializer_list<Action> commands) {
+        for (const Action command : commands) apply(command, rows_, {1600, 1200}, view_options_, state_);
     }
     std::int64_t value(std::size_t parameter) const { return state_.values[state_.row][parameter]; }
 
@@ -30,38 +30,38 @@ class GalleryKeys : public testing::Test {
 };
 
 TEST_F(GalleryKeys, PagesGoRoundInBothDirections) {
-    press({Command::PageUp});
+    press({Action::PageUp});
     EXPECT_EQ(state_.row, 2u);
-    press({Command::PageDown, Command::PageDown});
+    press({Action::PageDown, Action::PageDown});
     EXPECT_EQ(state_.row, 1u);
 }
 
 TEST_F(GalleryKeys, ChoicesGoRoundAndNumbersStopAtTheirEnds) {
     EXPECT_EQ(value(0), 1);
-    press({Command::DialFiner, Command::DialFiner});
+    press({Action::DialFiner, Action::DialFiner});
     EXPECT_EQ(value(0), 0);
-    press({Command::DialCoarser});
+    press({Action::DialCoarser});
     EXPECT_EQ(value(0), 2);
-    press({Command::DialDown, Command::DialCoarser, Command::DialCoarser, Command::DialCoarser});
+    press({Action::DialDown, Action::DialCoarser, Action::DialCoarser, Action::DialCoarser});
     EXPECT_EQ(value(1), -4);
-    for (int i = 0; i < 20; ++i) press({Command::DialFiner});
+    for (int i = 0; i < 20; ++i) press({Action::DialFiner});
     EXPECT_EQ(value(1), 10);
 }
 
 TEST_F(GalleryKeys, RowsKeepTheirValuesAndTheFirstParameterIsChosenAgain) {
-    press({Command::DialDown, Command::DialFiner, Command::PageDown, Command::DialFiner, Command::PageUp});
+    press({Action::DialDown, Action::DialFiner, Action::PageDown, Action::DialFiner, Action::PageUp});
     EXPECT_EQ(state_.chosen, 0u);
     EXPECT_EQ(value(0), 1);
     EXPECT_EQ(value(1), 2);
 }
 
 TEST_F(GalleryKeys, AspectAndAccuracyAreChangedAsInTheGame) {
-    EXPECT_NE(apply(Command::ProjectionAspect, rows_, {1600, 1200}, view_options_, state_), "");
+    EXPECT_NE(apply(Action::ProjectionAspect, rows_, {1600, 1200}, view_options_, state_), "");
     EXPECT_FALSE(view_options_.preferences.corrects_projection);
-    press({Command::AccuracyTier});
+    press({Action::AccuracyTier});
     EXPECT_NE(view_options_.preferences.preset, Preset::Bounded);
     const ViewOptions before = view_options_;
-    press({Command::LabPanel, Command::FourAspects, Command::Torch});
+    press({Action::LabPanel, Action::FourAspects, Action::Torch});
     EXPECT_EQ(view_options_.shows_four_aspects, before.shows_four_aspects) << "keys of the game alone do nothing";
     EXPECT_EQ(view_options_.has_torch, before.has_torch);
 }

@@ -10,7 +10,7 @@ namespace {
 constexpr ScreenMode kMode{};
 constexpr WindowSize kWindow{1600, 1200};
 
-std::string press(Command command, ViewOptions& options) {
+std::string press(Action command, ViewOptions& options) {
     return apply(command, options, kWindow);
 }
 
@@ -20,31 +20,31 @@ const Dial& chosen(const ViewOptions& options) {
 
 TEST(LabOptions, ArrowsTurnDialsWhileTheLabIsOpenOnly) {
     ViewOptions options;
-    press(Command::DialCoarser, options);
+    press(Action::DialCoarser, options);
     EXPECT_EQ(options.preferences.accuracy, Accuracy{});
-    press(Command::LabPanel, options);
+    press(Action::LabPanel, options);
     EXPECT_EQ(chosen(options).name, "perspective");
-    press(Command::DialCoarser, options);
+    press(Action::DialCoarser, options);
     EXPECT_EQ(options.preferences.accuracy.texturing, Texturing::Every8);
-    press(Command::DialFiner, options);
-    press(Command::DialFiner, options);
+    press(Action::DialFiner, options);
+    press(Action::DialFiner, options);
     EXPECT_EQ(options.preferences.accuracy.texturing, Texturing::BoundedTexels);
-    for (int i = 0; i < 20; ++i) press(Command::DialCoarser, options);
+    for (int i = 0; i < 20; ++i) press(Action::DialCoarser, options);
     EXPECT_EQ(options.preferences.accuracy.texturing, Texturing::Affine);
     EXPECT_EQ(options.lab.before.texturing, Texturing::Every32);  // a turn at the end changes nothing
 }
 
 TEST(LabOptions, EachDialIsReachedAndExplained) {
     ViewOptions options;
-    press(Command::LabPanel, options);
+    press(Action::LabPanel, options);
     const std::size_t first = options.lab.dial;
     for (std::size_t i = 0; i < all_dials().size(); ++i) {
-        const std::string said = press(Command::DialDown, options);
+        const std::string said = press(Action::DialDown, options);
         EXPECT_EQ(said.rfind(std::string(chosen(options).caption) + ": ", 0), 0u) << said;
         EXPECT_EQ(said.find("Its error is real") == std::string::npos, chosen(options).changes_work) << said;
     }
     EXPECT_EQ(options.lab.dial, first);
-    for (std::size_t i = 0; i <= first; ++i) press(Command::DialUp, options);
+    for (std::size_t i = 0; i <= first; ++i) press(Action::DialUp, options);
     EXPECT_EQ(options.lab.dial, all_dials().size() - 1);
 }
 
@@ -52,23 +52,23 @@ TEST(LabOptions, RemembersTheSettingBefore) {
     ViewOptions options;
     EXPECT_EQ(options.lab.before, accuracy_of(Preset::Exact));
     options.preferences.preset = Preset::Year1991;
-    press(Command::AccuracyTier, options);
+    press(Action::AccuracyTier, options);
     EXPECT_EQ(options.lab.before, Accuracy{});
-    press(Command::AccuracyTier, options);
+    press(Action::AccuracyTier, options);
     EXPECT_EQ(options.lab.before, accuracy_of(Preset::Year1994));
     EXPECT_EQ(options.preferences.accuracy, accuracy_of(Preset::Year1996));
 }
 
 TEST(LabOptions, FlipsEachHalfSecond) {
     ViewOptions options;
-    press(Command::FlipSettings, options);
+    press(Action::FlipSettings, options);
     const auto shown = [&](std::uint64_t now_us) {
         return shown_setting(options.lab, options.preferences.accuracy, now_us);
     };
     EXPECT_EQ(shown(499'999), options.preferences.accuracy);
     EXPECT_EQ(shown(500'000), options.lab.before);
     EXPECT_EQ(shown(1'000'000), options.preferences.accuracy);
-    press(Command::FlipSettings, options);
+    press(Action::FlipSettings, options);
     EXPECT_EQ(shown(500'000), options.preferences.accuracy);
 }
 
@@ -123,11 +123,11 @@ TEST(Split, MovesWithTheMouseWhileAButtonIsHeld) {
 
 TEST(Controls, KeysOfPanelsWalk) {
     Controls controls;
-    controls.panel_keys.forward = controls.panel_keys.turn_right = true;
-    EXPECT_FALSE(controls.forward);
-    walk_by_panel_keys(controls);
-    EXPECT_TRUE(controls.forward && controls.turn_right);
-    EXPECT_FALSE(controls.back || controls.turn_left);
+    controls.panel_moves = {Action::Forward, Action::TurnRight};
+    EXPECT_FALSE(controls.moves.has(Action::Forward));
+    controls.moves |= controls.panel_moves;
+    EXPECT_TRUE(controls.moves.has(Action::Forward) && controls.moves.has(Action::TurnRight));
+    EXPECT_FALSE(controls.moves.has(Action::Back) || controls.moves.has(Action::TurnLeft));
 }
 
 }  // namespace

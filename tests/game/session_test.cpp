@@ -13,7 +13,7 @@ namespace oblong {
 namespace {
 
 using Picture = std::vector<std::uint8_t>;
-using Presses = std::map<std::int64_t, std::vector<Command>>;
+using Presses = std::map<std::int64_t, std::vector<Action>>;
 
 constexpr std::int64_t kFrames = 40;
 
@@ -28,15 +28,14 @@ class SessionOfTheDemo : public testing::Test {
     // Walks ahead in a turn with keys pressed at some frames; the demo that it recorded is in demo_.
     std::vector<Picture> play(const Presses& presses, bool by_arrows = false) {
         std::vector<Picture> pictures;
+        const auto script = [&](std::int64_t frame) {
+            Controls controls;
+            (by_arrows ? controls.panel_moves : controls.moves) = {Action::Forward, Action::TurnRight};
+            if (const auto found = presses.find(frame); found != presses.end()) controls.commands = found->second;
+            return controls;
+        };
         HeadlessPlatform platform(
-            kFrames, 35,
-            [&](std::int64_t poll) {
-                Controls controls;
-                HeldMoves& held = by_arrows ? controls.panel_keys : controls;
-                held.forward = held.turn_right = true;
-                if (const auto found = presses.find(poll); found != presses.end()) controls.commands = found->second;
-                return controls;
-            },
+            kFrames, 35, [](std::int64_t) { return PlatformInput{}; },
             [&](Framebuffer picture, const Palette&) {
                 pictures.emplace_back(picture.pixels,
                                       picture.pixels + pixel_count(picture.width_px, picture.height_px));
@@ -44,9 +43,9 @@ class SessionOfTheDemo : public testing::Test {
         ViewOptions view_options;
         Session session(loaded_, {}, view_options, TickInputSource(start_of(loaded_->level), std::nullopt, true),
                         platform);
-        while (platform.is_open()) {
-            const Controls controls = platform.poll();
-            session.advance(controls, platform.now_us());
+        for (std::int64_t frame = 0; platform.is_open(); ++frame) {
+            platform.poll();
+            session.advance(script(frame), platform.now_us());
             const ShownPicture picture = session.draw(false);
             platform.present(picture.canvas, picture.palette, picture.rect);
         }
@@ -58,8 +57,8 @@ class SessionOfTheDemo : public testing::Test {
     std::vector<std::uint8_t> demo_;
 };
 
-constexpr Command kPanel = Command::LabPanel, kMap = Command::ErrorMap, kSplit = Command::SplitView,
-                  kFlip = Command::FlipSettings, kGuide = Command::AspectGuide, kFour = Command::FourAspects;
+constexpr Action kPanel = Action::LabPanel, kMap = Action::ErrorMap, kSplit = Action::SplitView,
+                 kFlip = Action::FlipSettings, kGuide = Action::AspectGuide, kFour = Action::FourAspects;
 
 // Messages over the picture end after 2.5 s, or longer: the pictures are compared with those of a run that shows none.
 TEST_F(SessionOfTheDemo, TheLabLeavesNoTraceInTheGame) {
@@ -84,8 +83,8 @@ TEST_F(SessionOfTheDemo, TheLabLeavesNoTraceInTheGame) {
 TEST_F(SessionOfTheDemo, CostTorchAndTubeLeaveNoTraceInTheGame) {
     const std::vector<Picture> plain = play({});
     const std::vector<std::uint8_t> plain_demo = demo_;
-    const std::vector<Picture> watched = play({{1, {Command::FrameCost, Command::Torch, Command::CrtLook}},
-                                               {30, {Command::FrameCost, Command::Torch, Command::CrtLook}}});
+    const std::vector<Picture> watched = play({{1, {Action::FrameCost, Action::Torch, Action::CrtLook}},
+                                               {30, {Action::FrameCost, Action::Torch, Action::CrtLook}}});
     EXPECT_EQ(demo_, plain_demo);
     ASSERT_EQ(watched.size(), plain.size());
     for (std::size_t frame = 1; frame < 30; ++frame) EXPECT_NE(watched[frame], plain[frame]) << frame;
@@ -99,9 +98,9 @@ TEST_F(SessionOfTheDemo, CostTorchAndTubeLeaveNoTraceInTheGame) {
 TEST_F(SessionOfTheDemo, MapAndEdgesLeaveNoTraceInTheGame) {
     const std::vector<Picture> plain = play({});
     const std::vector<std::uint8_t> plain_demo = demo_;
-    const std::vector<Picture> watched = play({{1, {Command::Automap, Command::Wireframe}},
-                                               {15, {Command::Automap, Command::Wireframe}},
-                                               {30, {Command::Automap, Command::Wireframe}}});
+    const std::vector<Picture> watched = play({{1, {Action::Automap, Action::Wireframe}},
+                                               {15, {Action::Automap, Action::Wireframe}},
+                                               {30, {Action::Automap, Action::Wireframe}}});
     EXPECT_EQ(demo_, plain_demo);
     ASSERT_EQ(watched.size(), plain.size());
     for (std::size_t frame = 1; frame < 30; ++frame) EXPECT_NE(watched[frame], plain[frame]) << frame;
@@ -115,9 +114,9 @@ TEST_F(SessionOfTheDemo, MapAndEdgesLeaveNoTraceInTheGame) {
 TEST_F(SessionOfTheDemo, OtherViewsLeaveNoTraceInTheGame) {
     const std::vector<Picture> plain = play({});
     const std::vector<std::uint8_t> plain_demo = demo_;
-    const std::vector<Picture> watched = play({{1, {Command::Isometric}},
-                                               {10, {Command::Isometric, Command::ZoomIn, Command::ZoomIn}},
-                                               {20, {Command::ZoomOut, Command::ZoomOut}}});
+    const std::vector<Picture> watched = play({{1, {Action::Isometric}},
+                                               {10, {Action::Isometric, Action::ZoomIn, Action::ZoomIn}},
+                                               {20, {Action::ZoomOut, Action::ZoomOut}}});
     EXPECT_EQ(demo_, plain_demo);
     ASSERT_EQ(watched.size(), plain.size());
     for (std::size_t frame = 1; frame < 20; ++frame) EXPECT_NE(watched[frame], plain[frame]) << frame;

@@ -70,13 +70,13 @@ TEST(ShownView, KeepsTheSizeOfWhatIsInTheMiddleWhileItZooms) {
 
 TEST(ShownView, ZoomsBetweenItsLimitsAndIsOffAt90Degrees) {
     ViewOptions options;
-    const auto press = [&](Command command) { return apply(command, options, {1600, 1200}); };
-    EXPECT_EQ(press(Command::ZoomIn), "{zoom-in} {zoom-out} Zoom against dolly: 80 degrees");
-    EXPECT_EQ(press(Command::ZoomOut), "{zoom-in} {zoom-out} Zoom against dolly: off");
+    const auto press = [&](Action command) { return apply(command, options, {1600, 1200}); };
+    EXPECT_EQ(press(Action::ZoomIn), "{zoom-in} {zoom-out} Zoom against dolly: 80 degrees");
+    EXPECT_EQ(press(Action::ZoomOut), "{zoom-in} {zoom-out} Zoom against dolly: off");
     EXPECT_EQ(options.zoom_degrees, 0);
-    for (int i = 0; i < 20; ++i) press(Command::ZoomOut);
+    for (int i = 0; i < 20; ++i) press(Action::ZoomOut);
     EXPECT_EQ(options.zoom_degrees, 120);
-    for (int i = 0; i < 20; ++i) press(Command::ZoomIn);
+    for (int i = 0; i < 20; ++i) press(Action::ZoomIn);
     EXPECT_EQ(options.zoom_degrees, 10);
 }
 

@@ -48,7 +48,7 @@ GameState played(std::uint64_t piece_us, const Controls& controls) {
 
 TEST(Ticks, OnePieceOf100MsAndHundredOf1MsLeadToTheSameState) {
     Controls controls;
-    controls.forward = controls.turn_left = controls.look_down = controls.jump = true;
+    controls.moves = {Action::Forward, Action::TurnLeft, Action::LookDown, Action::Jump};
     const GameState whole = played(100'000, controls);
     EXPECT_EQ(whole.tick, 70);
     EXPECT_EQ(whole, played(1000, controls));
@@ -73,7 +73,7 @@ TEST(LiveInput, MouseIsNeitherLostNorDoubled) {
 TEST(LiveInput, ATapBetweenTicksStillJumpsOnce) {
     LiveInput live;
     Controls tap;
-    tap.jump = true;
+    tap.moves.set(Action::Jump);
     live.gather(tap);
     live.gather(Controls{});
     EXPECT_EQ(live.next().buttons, kJumpButton);
@@ -83,7 +83,7 @@ TEST(LiveInput, ATapBetweenTicksStillJumpsOnce) {
 TEST(LiveInput, KeysTurnSmoothlyBetweenTicks) {
     LiveInput live;
     Controls controls;
-    controls.turn_left = true;
+    controls.moves.set(Action::TurnLeft);
     live.gather(controls);
     const std::int32_t whole = live.next().yaw;
     EXPECT_EQ(live.look_offset(0).yaw, -whole);

@@ -5,22 +5,22 @@
 namespace oblong {
 namespace {
 
-std::string press(Command command, ViewOptions& options) {
+std::string press(Action command, ViewOptions& options) {
     return apply(command, options, {1600, 1200});
 }
 
 TEST(ViewOptions, KeysStepThroughBrightnessUpToItsLimits) {
     ViewOptions options;
-    press(Command::Brighter, options);
+    press(Action::Brighter, options);
     EXPECT_EQ(options.preferences.light().brightness_100, 140);
-    press(Command::Darker, options);
+    press(Action::Darker, options);
     EXPECT_EQ(options.preferences.light().brightness_100, 100);
     options.preferences.set_light({150});  // by --brightness, between two steps
-    press(Command::Darker, options);
+    press(Action::Darker, options);
     EXPECT_EQ(options.preferences.light().brightness_100, 140);
-    for (int i = 0; i < 20; ++i) press(Command::Brighter, options);
+    for (int i = 0; i < 20; ++i) press(Action::Brighter, options);
     EXPECT_EQ(settings_of(options.preferences).brightness_100, 800);
-    for (int i = 0; i < 20; ++i) press(Command::Darker, options);
+    for (int i = 0; i < 20; ++i) press(Action::Darker, options);
     EXPECT_EQ(settings_of(options.preferences).brightness_100, 25);
 }
 
@@ -28,8 +28,8 @@ TEST(ViewOptions, TorchAndTubeAreOffUntilTheirKeysArePressed) {
     ViewOptions options;
     EXPECT_FALSE(options.has_torch || options.preferences.has_crt_look);
     for (const bool is_on : {true, false}) {
-        EXPECT_FALSE(press(Command::Torch, options).empty());
-        EXPECT_FALSE(press(Command::CrtLook, options).empty());
+        EXPECT_FALSE(press(Action::Torch, options).empty());
+        EXPECT_FALSE(press(Action::CrtLook, options).empty());
         EXPECT_EQ(options.has_torch, is_on);
         EXPECT_EQ(options.preferences.has_crt_look, is_on);
     }
@@ -38,11 +38,11 @@ TEST(ViewOptions, TorchAndTubeAreOffUntilTheirKeysArePressed) {
 TEST(ViewOptions, MapAndEdgesGoThroughTheirViewsAndOffAgain) {
     ViewOptions options;
     for (const MapView expected : {MapView::PlayerUp, MapView::NorthUp, MapView::Off}) {
-        EXPECT_FALSE(press(Command::Automap, options).empty());
+        EXPECT_FALSE(press(Action::Automap, options).empty());
         EXPECT_EQ(options.map, expected);
     }
     for (const Wireframe expected : {Wireframe::Over, Wireframe::Alone, Wireframe::Off}) {
-        EXPECT_FALSE(press(Command::Wireframe, options).empty());
+        EXPECT_FALSE(press(Action::Wireframe, options).empty());
         EXPECT_EQ(options.wireframe, expected);
     }
 }

@@ -82,7 +82,7 @@ TEST_F(MenuOfThree, BackAndEscapeCloseThePageOrDoWhatItSays) {
     EXPECT_EQ(menu_.depth(), 2u);
     menu_.close();
     Controls escape;
-    escape.commands = {Command::Menu};
+    escape.commands = {Action::Menu};
     EXPECT_EQ(menu_.handle(escape, kCanvas, 1, kShown), MenuEvent::WentBack);
     EXPECT_FALSE(menu_.is_open());
 }
@@ -142,7 +142,7 @@ TEST_F(MenuOfThree, APageThatWaitsForAKeyTakesAnyButEscape) {
     EXPECT_EQ(pressed, input_named("Enter"));
     EXPECT_EQ(menu_.depth(), 2u) << "what is bound is not what it does in a menu";
     controls = {};
-    controls.commands = {Command::Menu};
+    controls.commands = {Action::Menu};
     controls.pressed = input_named("Escape");
     menu_.handle(controls, kCanvas, 1, kShown);
     EXPECT_EQ(pressed, input_named("Enter"));

@@ -71,7 +71,7 @@ class Pages : public testing::Test {
     }
     void escape() {
         Controls controls;
-        controls.commands = {Command::Menu};
+        controls.commands = {Action::Menu};
         menu_.handle(controls, kCanvas, 1, {0, 0, 320, 200});
     }
     void press(const char* key) {
@@ -274,12 +274,12 @@ TEST_F(Pages, KeysAreAddedRemovedAndConflictsShown) {
     choose("Jump, swim up");
     choose("Add a key or button");
     press("J");
-    EXPECT_NE(inputs_text(host_, Move::Jump).find("J"), std::string::npos);
+    EXPECT_NE(inputs_text(host_, Action::Jump).find("J"), std::string::npos);
     choose("Add a key or button");
     press("W");  // walks ahead
     EXPECT_EQ(menu_.page().rows.size(), 3u) << menu_.page().text;
     escape();
-    EXPECT_EQ(inputs_text(host_, Move::Jump).find("W"), std::string::npos);
+    EXPECT_EQ(inputs_text(host_, Action::Jump).find("W"), std::string::npos);
     choose("Add a key or button");
     press("W");
     choose("Let it do both");
@@ -293,7 +293,7 @@ TEST_F(Pages, KeysAreAddedRemovedAndConflictsShown) {
     press("W");
     choose("Take it from there");
     EXPECT_TRUE(conflicts_of(host_.kept.bindings).empty());
-    EXPECT_EQ(inputs_text(host_, Move::Forward).find("W"), std::string::npos);
+    EXPECT_EQ(inputs_text(host_, Action::Forward).find("W"), std::string::npos);
 }
 
 // However it was made: added, removed, taken from elsewhere, all set anew.
@@ -327,11 +327,11 @@ TEST_F(Pages, TheLastChangeOfAKeyIsUndone) {
 }
 
 TEST_F(Pages, AllKeysAreSetAnewOnlyAfterAQuestion) {
-    host_.kept.bindings.unbind_all(Move::Jump);
+    host_.kept.bindings.unbind_all(Action::Jump);
     open_key_pages(menu_, host_, undo_);
     choose("All as at first");
     choose("No");
-    EXPECT_TRUE(host_.kept.bindings.inputs_of(Move::Jump).empty());
+    EXPECT_TRUE(host_.kept.bindings.inputs_of(Action::Jump).empty());
     choose("All as at first");
     choose("Yes");
     EXPECT_EQ(host_.kept.bindings, default_bindings());

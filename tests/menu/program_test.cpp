@@ -10,6 +10,7 @@
 #include "engine/files/files.h"
 #include "engine/platform/headless/headless.h"
 #include "tests/support/folders.h"
+#include "tests/support/scripted_input.h"
 
 namespace oblong {
 namespace {
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 using Script = std::map<std::int64_t, Controls>;  // by poll; in all others the player walks ahead
 
-Controls pressing(Command command) {
+Controls pressing(Action command) {
     Controls controls;
     controls.commands = {command};
     return controls;
@@ -43,7 +44,7 @@ class ProgramOfTheDemo : public testing::Test {
     static Controls at_poll(const Script& script, std::int64_t poll) {
         const auto found = script.find(poll);
         Controls controls = found == script.end() ? Controls{} : found->second;
-        controls.forward = true;
+        controls.moves.set(Action::Forward);
         return controls;
     }
     void play_on(Platform& platform, const Options& options) {
@@ -58,7 +59,7 @@ class ProgramOfTheDemo : public testing::Test {
             frames, 35,
             [&](std::int64_t poll) {
                 polls_ = static_cast<std::size_t>(poll) + 1;
-                return at_poll(script, poll);
+                return test::scripted_input(at_poll(script, poll));
             },
             [&](Framebuffer, const Palette&) { ++shown; });
         play_on(platform, options);
@@ -91,7 +92,7 @@ class ProgramOfTheDemo : public testing::Test {
 TEST_F(ProgramOfTheDemo, NothingIsSimulatedWhileTheMenuIsOpen) {
     play(60, recording(), {});
     ASSERT_EQ(recorded_ticks(), polls_);
-    play(60, recording(), {{10, pressing(Command::Menu)}, {29, pressing(Command::Menu)}});
+    play(60, recording(), {{10, pressing(Action::Menu)}, {29, pressing(Action::Menu)}});
     EXPECT_EQ(recorded_ticks(), polls_ - 20);
 }
 
@@ -107,7 +108,7 @@ TEST_F(ProgramOfTheDemo, LosingTheFocusPausesUntilThePlayerGoesOn) {
 
 TEST_F(ProgramOfTheDemo, RestartingKeepsTheSettings) {
     play(60, keeping(),
-         {{5, pressing(Command::Brighter)}, {6, pressing(Command::Brighter)}, {20, pressing(Command::Restart)}});
+         {{5, pressing(Action::Brighter)}, {6, pressing(Action::Brighter)}, {20, pressing(Action::Restart)}});
     EXPECT_EQ(PreferencesStore(path("oblong.cfg")).kept().light().brightness_100, 200);
     EXPECT_FALSE(SaveSlots(path("data")).last_walk()) << "two seconds are no walk";
 }
@@ -120,7 +121,10 @@ TEST_F(ProgramOfTheDemo, LightIsKeptAGame) {
         options.palette = (test::find_shared_folder() / "levels" / "gfx" / "palette.lmp").string();
         Palette shown;
         HeadlessPlatform platform(
-            20, 35, [=](std::int64_t poll) { return poll == brighter_at ? pressing(Command::Brighter) : Controls{}; },
+            20, 35,
+            [=](std::int64_t poll) {
+                return test::scripted_input(poll == brighter_at ? pressing(Action::Brighter) : Controls{});
+            },
             [&](Framebuffer, const Palette& palette) { shown = palette; });
         play_on(platform, options);
         return shown;
@@ -144,25 +148,25 @@ TEST_F(ProgramOfTheDemo, AWalkThatCantBeSavedIsLeftOnlyAfterAQuestion) {
     options.folders = {path("oblong.cfg"), path("no_folder/data")};
     std::ofstream(path("no_folder")) << "a file";
     const Controls leave = acting({MenuAction::Up, MenuAction::Accept});
-    Script script{{90, pressing(Command::Menu)}, {91, leave}};
+    Script script{{90, pressing(Action::Menu)}, {91, leave}};
     EXPECT_EQ(play(200, options, script), 200) << "it waits for an answer";
     script[95] = acting({MenuAction::Down, MenuAction::Accept});
     EXPECT_LT(play(200, options, script), 100);
 }
 
 TEST_F(ProgramOfTheDemo, RestartAsksOnceThereIsSomethingToLose) {
-    play(120, keeping(), {{100, pressing(Command::Restart)}, {101, acting({MenuAction::Accept})}});  // "No"
+    play(120, keeping(), {{100, pressing(Action::Restart)}, {101, acting({MenuAction::Accept})}});  // "No"
     EXPECT_GT(saved_tick(), 110) << "saved on leaving, as it was";
 }
 
 TEST_F(ProgramOfTheDemo, AWalkThatIsBegunAgainIsKept) {
-    play(300, keeping(), {{100, pressing(Command::Restart)}, {101, acting({MenuAction::Down, MenuAction::Accept})}});
+    play(300, keeping(), {{100, pressing(Action::Restart)}, {101, acting({MenuAction::Down, MenuAction::Accept})}});
     EXPECT_NEAR(static_cast<double>(saved_tick()), 100, 2);
     EXPECT_GT(SaveSlots(path("data")).load({SaveKind::Walk, 2}).game->state.tick, 190);
 }
 
 TEST_F(ProgramOfTheDemo, QuickSaveAndLoadGoBackToTheTickSaved) {
-    play(100, keeping(), {{50, pressing(Command::QuickSave)}, {90, pressing(Command::QuickLoad)}});
+    play(100, keeping(), {{50, pressing(Action::QuickSave)}, {90, pressing(Action::QuickLoad)}});
     const std::int64_t saved = saved_tick(SaveKind::Quick);
     EXPECT_NEAR(static_cast<double>(saved), 50, 1);
     constexpr std::int64_t kPollsAfterLoading = 9;
@@ -173,10 +177,10 @@ TEST_F(ProgramOfTheDemo, TheTitleLeadsToAWalkAndTheMenuBackToIt) {
     Options options = keeping();
     options.shows_title = true;
     Script script{{5, acting({MenuAction::Accept})},  // no walk yet: "Walk"
-                  {90, pressing(Command::Menu)},
+                  {90, pressing(Action::Menu)},
                   {91, acting({MenuAction::Up, MenuAction::Up, MenuAction::Accept})},  // "Title"
                   {100, acting({MenuAction::Accept})},                                 // "Continue"
-                  {120, pressing(Command::Menu)},
+                  {120, pressing(Action::Menu)},
                   {121, acting({MenuAction::Up, MenuAction::Accept})}};  // "Leave"
     EXPECT_LT(play(200, options, script), 125) << "the program is left before the script ends";
     EXPECT_NEAR(static_cast<double>(saved_tick()), 84 + 19, 3);
@@ -187,7 +191,7 @@ TEST_F(ProgramOfTheDemo, TheGalleryIsOpenedFromTheMenuAndGoesBackToIt) {
     play(60, recording(), {});
     ASSERT_EQ(recorded_ticks(), polls_);
     play(60, recording(),
-         {{10, pressing(Command::Menu)}, {11, gallery}, {20, pressing(Command::Menu)}, {29, pressing(Command::Menu)}});
+         {{10, pressing(Action::Menu)}, {11, gallery}, {20, pressing(Action::Menu)}, {29, pressing(Action::Menu)}});
     EXPECT_EQ(recorded_ticks(), polls_ - 20) << "the walk waits";
 }
 
@@ -196,10 +200,10 @@ class CountingPlatform final : public Platform {
   public:
     explicit CountingPlatform(Script script) : script_(std::move(script)) {}
     bool is_open() const override { return polls_ < 100; }
-    Controls poll() override {
+    PlatformInput poll() override {
         const auto found = script_.find(polls_++);
         now_us_ += 28'572;
-        return found == script_.end() ? Controls{} : found->second;
+        return test::scripted_input(found == script_.end() ? Controls{} : found->second);
     }
     std::uint64_t now_us() override { return now_us_; }
     WindowSize window_size() const override { return {1600, 1200}; }
@@ -218,7 +222,7 @@ class CountingPlatform final : public Platform {
 };
 
 TEST_F(ProgramOfTheDemo, NothingIsDrawnWhileNothingChanges) {
-    Script script{{20, pressing(Command::Menu)}, {40, acting({MenuAction::Down})}, {80, pressing(Command::Menu)}};
+    Script script{{20, pressing(Action::Menu)}, {40, acting({MenuAction::Down})}, {80, pressing(Action::Menu)}};
     CountingPlatform platform(script);
     play_on(platform, Options{});
     std::int64_t paused = 0;

@@ -37,20 +37,16 @@ class LivePreferences : public testing::Test {
     std::vector<Shown> play(const std::function<void(Preferences&)>& change, const ViewOptions& start = {},
                             std::int64_t frames = kFrames) const {
         ViewOptions options = start;
+        Controls controls;
+        controls.moves = {Action::Forward, Action::Right, Action::TurnLeft};
+        controls.mouse_x = mouse_x_;
         HeadlessPlatform platform(
-            frames, 35,
-            [mouse_x = mouse_x_](std::int64_t) {
-                Controls controls;
-                controls.forward = controls.right = controls.turn_left = true;
-                controls.mouse_x = mouse_x;
-                return controls;
-            },
-            [](Framebuffer, const Palette&) {});
+            frames, 35, [](std::int64_t) { return PlatformInput{}; }, [](Framebuffer, const Palette&) {});
         Session session(loaded_, {}, options, TickInputSource(start_of(loaded_->level), std::nullopt, false), platform);
         std::vector<Shown> all;
         for (std::int64_t frame = 0; platform.is_open(); ++frame) {
             if (frame == kChanged) change(options.preferences);
-            const Controls controls = platform.poll();
+            platform.poll();
             session.advance(controls, platform.now_us());
             const ShownPicture picture = session.draw(false);
             const Framebuffer canvas = picture.canvas;

@@ -18,9 +18,9 @@ class ProgramSaves : public WalkedLevel {
   protected:
     static Controls walk_controls(std::int64_t poll) {
         Controls controls;
-        controls.forward = true;
-        controls.turn_left = poll % 30 < 4;
-        controls.jump = poll % 50 == 20;
+        controls.moves.set(Action::Forward);
+        controls.moves.set(Action::TurnLeft, poll % 30 < 4);
+        controls.moves.set(Action::Jump, poll % 50 == 20);
         return controls;
     }
 
@@ -39,7 +39,7 @@ class ProgramSaves : public WalkedLevel {
         return content.game->state;
     }
 
-    using Commands = std::vector<std::pair<std::int64_t, Command>>;
+    using Commands = std::vector<std::pair<std::int64_t, Action>>;
 
     // A walk from the title, with one command at a poll each, that ends with the last poll.
     void play(std::int64_t polls, const Commands& commands) {
@@ -52,14 +52,14 @@ class ProgramSaves : public WalkedLevel {
         options.folders.data = folder_.path("saves");
         ScriptedPlatform platform(polls, [&](std::int64_t poll) {
             at_poll(poll);
-            if (poll == kAccept) return chosen(title_row);
-            if (poll < kAccept) return Controls{};
+            if (poll == kAccept) return scripted_input(chosen(title_row));
+            if (poll < kAccept) return PlatformInput{};
             Controls controls = walk_controls(poll);
             live_.gather(controls);
             inputs_.push_back(live_.next());
             for (const auto& [at, command] : commands)
                 if (at == poll) controls.commands.push_back(command);
-            return controls;
+            return scripted_input(controls);
         });
         PreferencesStore store;
         Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
@@ -86,7 +86,7 @@ class ProgramSaves : public WalkedLevel {
 TEST_F(ProgramSaves, AWalkGoesOnFromTheStateThatWasSavedAndIsSavedOnLeaving) {
     constexpr std::int64_t kSave = 120, kLoad = 200, kEnd = 290;
     live_.use(Preferences{});
-    play(kEnd, {{kSave, Command::QuickSave}, {kLoad, Command::QuickLoad}});
+    play(kEnd, {{kSave, Action::QuickSave}, {kLoad, Action::QuickLoad}});
     const GameState quick = saved({SaveKind::Quick, 1}), left = saved(kFirst);
     EXPECT_EQ(quick.tick, kSave - kAccept - 1);
     EXPECT_EQ(hash_of(quick), hash_of(stepped(start_of(level_), 0, quick.tick)));
@@ -113,7 +113,7 @@ TEST_F(ProgramSaves, AWalkNeverOverwritesAnother) {
 TEST_F(ProgramSaves, AWalkThatIsOnElsewhereGoesOnAsAnother) {
     play(200, {});
     const std::optional<HeldWalk> elsewhere = slots().hold(1);
-    play(300, {{kAccept + 1, Command::Menu}});  // the message
+    play(300, {{kAccept + 1, Action::Menu}});  // the message
     EXPECT_EQ(saved(kFirst).tick, 196);
     EXPECT_GT(saved(kSecond).tick, 400);
 }
@@ -148,7 +148,7 @@ TEST_F(ProgramSaves, AnItemThatIsTakenIsSavedAtOnce) {
     slots().save(kFirst, game);
     std::int64_t saved_tick = 0;
     constexpr std::int64_t kPolls = 400;  // time enough for what is written beside the game
-    play(kPolls, {{kAccept + 1, Command::Menu}}, 0, [&](std::int64_t poll) {
+    play(kPolls, {{kAccept + 1, Action::Menu}}, 0, [&](std::int64_t poll) {
         if (poll == kPolls - 1) saved_tick = saved(kFirst).tick;
     });
     EXPECT_GT(saved_tick, game.state.tick);
@@ -174,7 +174,7 @@ class ProgramSavesOfALevel : public ProgramSaves {
     // The colours of the last picture, as far as no effect changes them.
     std::vector<Rgb8> colours_of(Options options, std::int64_t polls) const {
         options.folders.data = folder_.path("saves");
-        Shown platform(polls, [](std::int64_t poll) { return poll == kAccept ? accept() : Controls{}; });
+        Shown platform(polls, [](std::int64_t poll) { return poll == kAccept ? accept() : PlatformInput{}; });
         PreferencesStore store;
         Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
         return {platform.last.colours.begin() + 1, platform.last.colours.begin() + 200};

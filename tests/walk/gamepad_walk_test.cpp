@@ -32,8 +32,9 @@ class GamepadWalk : public WalkedLevel {
     std::unique_ptr<SdlInput> events_;
 };
 
-bool accepts(const Controls& controls) {
-    return std::find(controls.menu.begin(), controls.menu.end(), MenuAction::Accept) != controls.menu.end();
+bool accepts(const PlatformInput& input) {
+    const InputEvent wanted{InputEvent::Kind::Press, pad_button(PadButton::A), 0, 0};
+    return std::find(input.events.begin(), input.events.end(), wanted) != input.events.end();
 }
 
 // A accepts the title's "Walk"; then sticks and A lead along the recorded walk to the end of the level. Nothing but
@@ -50,9 +51,9 @@ TEST_F(GamepadWalk, APadAloneWalksFromTheTitleToTheEnd) {
         if (poll == kPress) pad.press(PadButton::A);
         if (poll == kRelease && !has_begun) pad.release(PadButton::A);
         if (has_begun) pilot.steer(played < walk.ticks.size() ? walk.ticks[played++].input : TickInput{});
-        const Controls controls = events_->poll();
-        has_begun |= accepts(controls);
-        return controls;
+        const PlatformInput input = events_->poll();
+        has_begun |= accepts(input);
+        return input;
     });
 
     Demo recorded = record({}, platform);

@@ -5,6 +5,7 @@
 
 #include "engine/platform/platform.h"
 #include "game/simulation/tick_input.h"
+#include "tests/support/scripted_input.h"
 
 namespace oblong::test {
 
@@ -12,12 +13,12 @@ namespace oblong::test {
 /// presented is not kept.
 class ScriptedPlatform : public Platform {
   public:
-    using Script = std::function<Controls(std::int64_t poll)>;
+    using Script = std::function<PlatformInput(std::int64_t poll)>;
 
     ScriptedPlatform(std::int64_t polls, Script script) : most_polls_(polls), script_(std::move(script)) {}
 
     bool is_open() const override { return polls_ < most_polls_; }
-    Controls poll() override { return script_(polls_++); }
+    PlatformInput poll() override { return script_(polls_++); }
     // A tick is 28,571.4 us: whenever the game begins, each poll is one, until what is rounded up makes another.
     std::uint64_t now_us() override { return static_cast<std::uint64_t>(polls_) * 28'572; }
     WindowSize window_size() const override { return {640, 400}; }
@@ -31,10 +32,10 @@ class ScriptedPlatform : public Platform {
 };
 
 /// A press of Enter, or of a gamepad's A, in a menu.
-inline Controls accept() {
+inline PlatformInput accept() {
     Controls controls;
     controls.menu.push_back(MenuAction::Accept);
-    return controls;
+    return scripted_input(controls);
 }
 
 }  // namespace oblong::test

@@ -18,7 +18,8 @@ TEST_F(TitleToEnd, TheRecordedWalkGoesThroughTheWholeProgram) {
     const Demo walk = decode_demo(read_file(options.replay));
     constexpr std::int64_t kTitlePolls = 20, kEndPolls = 20;
     const auto polls = kTitlePolls + static_cast<std::int64_t>(walk.ticks.size()) / 8 + kEndPolls;
-    ScriptedPlatform platform(polls, [&](std::int64_t poll) { return poll == kTitlePolls ? accept() : Controls{}; });
+    ScriptedPlatform platform(polls,
+                              [&](std::int64_t poll) { return poll == kTitlePolls ? accept() : PlatformInput{}; });
 
     Demo recorded = record(options, platform);
     // The last frame of the walk may hold some ticks more than the demo.
@@ -32,7 +33,8 @@ TEST_F(TitleToEnd, TheRecordedWalkGoesThroughTheWholeProgram) {
 // Keeps what is presented, as a number, and the brightest that black became.
 class WatchedPlatform final : public ScriptedPlatform {
   public:
-    explicit WatchedPlatform(std::int64_t polls) : ScriptedPlatform(polls, [](std::int64_t) { return Controls{}; }) {}
+    explicit WatchedPlatform(std::int64_t polls)
+        : ScriptedPlatform(polls, [](std::int64_t) { return PlatformInput{}; }) {}
 
     void present(Framebuffer canvas, const Palette& palette, const PresentRect&) override {
         std::uint64_t hash = 0;

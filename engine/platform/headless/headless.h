@@ -11,7 +11,7 @@ namespace oblong {
 class HeadlessPlatform final : public Platform {
   public:
     /// The input at each poll; poll 0 is the first.
-    using Script = std::function<Controls(std::int64_t poll)>;
+    using Script = std::function<PlatformInput(std::int64_t poll)>;
     using FrameSink = std::function<void(Framebuffer, const Palette&)>;
 
     /// Open for `frames` pictures. Its clock advances 1/`polls_per_second` s a poll (rounded up to the microsecond, so
@@ -19,7 +19,7 @@ class HeadlessPlatform final : public Platform {
     HeadlessPlatform(std::int64_t frames, std::int64_t polls_per_second, Script script, FrameSink sink);
 
     bool is_open() const override { return presented_ < frames_; }
-    Controls poll() override { return script_(polls_++); }
+    PlatformInput poll() override { return script_(polls_++); }
     std::uint64_t now_us() override;
     WindowSize window_size() const override { return {1600, 1200}; }
     void set_title(const char*) override {}

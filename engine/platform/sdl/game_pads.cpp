@@ -16,15 +16,15 @@ static_assert(static_cast<int>(PadButton::Touchpad) == SDL_CONTROLLER_BUTTON_TOU
 static_assert(static_cast<int>(PadAxis::RightTrigger) == SDL_CONTROLLER_AXIS_TRIGGERRIGHT);
 static_assert(kFullAxis == SDL_JOYSTICK_AXIS_MAX);
 
-// What makers print on the buttons; the rest is called as it is everywhere.
+// What makers print on the buttons, in PadButton's order, then on the triggers; the rest is called as it is everywhere.
 struct MakersNames {
-    std::string_view a, b, x, y, back, start, left_stick, right_stick, left_shoulder, right_shoulder, left_trigger,
-        right_trigger;
+    std::array<std::string_view, 11> buttons;
+    std::string_view left_trigger, right_trigger;
 };
-constexpr MakersNames kXbox{"A", "B", "X", "Y", "View", "Menu", "LS", "RS", "LB", "RB", "LT", "RT"};
-constexpr MakersNames kPlayStation{"Cross", "Circle", "Square", "Triangle", "Share", "Options",
-                                   "L3",    "R3",     "L1",     "R1",       "L2",    "R2"};
-constexpr MakersNames kNintendo{"A", "B", "X", "Y", "Minus", "Plus", "LS", "RS", "L", "R", "ZL", "ZR"};
+constexpr MakersNames kXbox{{"A", "B", "X", "Y", "View", "", "Menu", "LS", "RS", "LB", "RB"}, "LT", "RT"};
+constexpr MakersNames kPlayStation{
+    {"Cross", "Circle", "Square", "Triangle", "Share", "", "Options", "L3", "R3", "L1", "R1"}, "L2", "R2"};
+constexpr MakersNames kNintendo{{"A", "B", "X", "Y", "Minus", "", "Plus", "LS", "RS", "L", "R"}, "ZL", "ZR"};
 
 const MakersNames* names_of(SDL_GameControllerType type) {
     switch (type) {
@@ -43,37 +43,11 @@ const MakersNames* names_of(SDL_GameControllerType type) {
     }
 }
 
-std::string_view button_name(const MakersNames& names, PadButton button) {
-    switch (button) {
-        case PadButton::A:
-            return names.a;
-        case PadButton::B:
-            return names.b;
-        case PadButton::X:
-            return names.x;
-        case PadButton::Y:
-            return names.y;
-        case PadButton::Back:
-            return names.back;
-        case PadButton::Start:
-            return names.start;
-        case PadButton::LeftStick:
-            return names.left_stick;
-        case PadButton::RightStick:
-            return names.right_stick;
-        case PadButton::LeftShoulder:
-            return names.left_shoulder;
-        case PadButton::RightShoulder:
-            return names.right_shoulder;
-        default:
-            return "";
-    }
-}
-
 std::string_view makers_name(const MakersNames& names, Input input) {
     if (input == pad_axis(PadAxis::LeftTrigger, true)) return names.left_trigger;
     if (input == pad_axis(PadAxis::RightTrigger, true)) return names.right_trigger;
-    return input.device == Device::PadButton ? button_name(names, static_cast<PadButton>(input.code)) : "";
+    const bool has_name = input.device == Device::PadButton && input.code < names.buttons.size();
+    return has_name ? names.buttons[input.code] : "";
 }
 
 }  // namespace
@@ -91,17 +65,17 @@ GamePads::~GamePads() {
     if (is_available_) SDL_QuitSubSystem(SDL_INIT_GAMECONTROLLER);
 }
 
-void GamePads::take(const SDL_Event& event, InputMapper& mapper) {
+void GamePads::take(const SDL_Event& event, std::vector<InputEvent>& events) {
     switch (event.type) {
         case SDL_JOYDEVICEADDED:  // also of those that are no gamepads
             return add(event.jdevice.which);
         case SDL_CONTROLLERDEVICEREMOVED:
-            return remove(event.cdevice.which, mapper);
+            return remove(event.cdevice.which, events);
         case SDL_CONTROLLERBUTTONDOWN:
         case SDL_CONTROLLERBUTTONUP:
-            return take_button(event.cbutton, mapper);
+            return take_button(event.cbutton, events);
         case SDL_CONTROLLERAXISMOTION:
-            return take_axis(event.caxis, mapper);
+            return take_axis(event.caxis, events);
         default:
             return;
     }
@@ -124,35 +98,35 @@ void GamePads::add(std::int32_t device_index) {
     pads_.push_back({id, std::unique_ptr<SDL_GameController, Close>(controller)});
 }
 
-void GamePads::remove(std::int32_t id, InputMapper& mapper) {
+void GamePads::remove(std::int32_t id, std::vector<InputEvent>& events) {
     std::erase_if(pads_, [&](const Pad& pad) { return pad.id == id; });
-    if (used_ == id) use_pad(kNone, mapper);
+    if (used_ == id) use_pad(kNone, events);
 }
 
-void GamePads::take_button(const SDL_ControllerButtonEvent& event, InputMapper& mapper) {
+void GamePads::take_button(const SDL_ControllerButtonEvent& event, std::vector<InputEvent>& events) {
     const Input button{Device::PadButton, event.button};
     if (event.state == SDL_PRESSED) {
-        use_pad(event.which, mapper);
-        mapper.press(button);
+        use_pad(event.which, events);
+        events.push_back({InputEvent::Kind::Press, button, 0, 0});
     } else if (event.which == used_) {
-        mapper.release(button);
+        events.push_back({InputEvent::Kind::Release, button, 0, 0});
     }
 }
 
-void GamePads::take_axis(const SDL_ControllerAxisEvent& event, InputMapper& mapper) {
+void GamePads::take_axis(const SDL_ControllerAxisEvent& event, std::vector<InputEvent>& events) {
     if (event.axis >= SDL_CONTROLLER_AXIS_MAX) return;
     const std::int32_t value = event.value;
     const bool is_other = used_ != kNone && event.which != used_;
     if (is_other && std::abs(value) < kFullAxis / 2) return;  // it lies beside, at rest
-    use_pad(event.which, mapper);
+    use_pad(event.which, events);
     const auto axis = static_cast<PadAxis>(event.axis);
-    mapper.move_axis(pad_axis(axis, true), value);
-    mapper.move_axis(pad_axis(axis, false), -value);
+    events.push_back({InputEvent::Kind::Axis, pad_axis(axis, true), value, 0});
+    events.push_back({InputEvent::Kind::Axis, pad_axis(axis, false), -value, 0});
 }
 
-void GamePads::use_pad(std::int32_t id, InputMapper& mapper) {
+void GamePads::use_pad(std::int32_t id, std::vector<InputEvent>& events) {
     if (used_ == id) return;
-    mapper.release_pad();
+    events.push_back({InputEvent::Kind::ReleasePad, {}, 0, 0});
     used_ = id;
 }
 

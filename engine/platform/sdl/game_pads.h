@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/platform/input_mapper.h"
+#include "engine/platform/input_events.h"
 
 struct _SDL_GameController;
 struct SDL_ControllerAxisEvent;
@@ -24,9 +24,9 @@ class GamePads {
     GamePads(const GamePads&) = delete;
     GamePads& operator=(const GamePads&) = delete;
 
-    /// Handles the events of gamepads, and no others. A pad that SDL has no description of is ignored, with a line on
-    /// standard error.
-    void take(const SDL_Event& event, InputMapper& mapper);
+    /// Adds what the events of gamepads, and no others, say. A pad that SDL has no description of is ignored, with a
+    /// line on standard error.
+    void take(const SDL_Event& event, std::vector<InputEvent>& events);
 
     /// What the pad used last calls one of its inputs ("Cross", "L1"); without a pad, name_of().
     std::string local_name_of(Input input) const;
@@ -41,10 +41,10 @@ class GamePads {
     };
 
     void add(std::int32_t device_index);
-    void remove(std::int32_t id, InputMapper& mapper);
-    void take_button(const SDL_ControllerButtonEvent& event, InputMapper& mapper);
-    void take_axis(const SDL_ControllerAxisEvent& event, InputMapper& mapper);
-    void use_pad(std::int32_t id, InputMapper& mapper);
+    void remove(std::int32_t id, std::vector<InputEvent>& events);
+    void take_button(const SDL_ControllerButtonEvent& event, std::vector<InputEvent>& events);
+    void take_axis(const SDL_ControllerAxisEvent& event, std::vector<InputEvent>& events);
+    void use_pad(std::int32_t id, std::vector<InputEvent>& events);
 
     bool is_available_ = false;
     std::vector<Pad> pads_;

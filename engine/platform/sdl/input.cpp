@@ -46,16 +46,21 @@ SdlInput::SdlInput(SDL_Window* window) : window_(window) {
     ask_for_raw_motion();
 }
 
-Controls SdlInput::poll() {
+PlatformInput SdlInput::poll() {
     for (SDL_Event event; SDL_PollEvent(&event);) take(event);
-    Controls controls = mapper_.take(SDL_GetTicks64());
+    PlatformInput input;
+    input.events = std::exchange(events_, {});
     const std::uint32_t flags = SDL_GetWindowFlags(window_);
-    controls.has_focus = (flags & SDL_WINDOW_INPUT_FOCUS) != 0;
-    controls.is_minimised = (flags & SDL_WINDOW_MINIMIZED) != 0;
-    controls.changes_full_screen = std::exchange(changes_full_screen_, false);
-    controls.pointer = pointer_;
+    input.has_focus = (flags & SDL_WINDOW_INPUT_FOCUS) != 0;
+    input.is_minimised = (flags & SDL_WINDOW_MINIMIZED) != 0;
+    input.changes_full_screen = std::exchange(changes_full_screen_, false);
+    input.pointer = pointer_;
     if (pointer_) pointer_->has_moved = pointer_->is_pressed = false;
-    return controls;
+    return input;
+}
+
+void SdlInput::note(InputEvent::Kind kind, Input input) {
+    events_.push_back({kind, input, 0, 0});
 }
 
 // A letter as the user's keyboard has it: the key W is called Z on a French one.
@@ -71,7 +76,7 @@ void SdlInput::capture_mouse(bool is_captured) {
     SDL_SetRelativeMouseMode(is_captured ? SDL_TRUE : SDL_FALSE);
     SDL_FlushEvent(SDL_MOUSEMOTION);
     SDL_GetRelativeMouseState(nullptr, nullptr);
-    mapper_.release_pressed();
+    note(InputEvent::Kind::ReleasePressed);
     pointer_.reset();
 }
 
@@ -106,7 +111,7 @@ void SdlInput::take(const SDL_Event& event) {
             are_textures_lost_ = true;
             break;
         default:
-            pads_.take(event, mapper_);
+            pads_.take(event, events_);
             break;
     }
 }
@@ -114,28 +119,31 @@ void SdlInput::take(const SDL_Event& event) {
 void SdlInput::take_key(const SDL_KeyboardEvent& key) {
     const SDL_Scancode code = key.keysym.scancode;
     const bool has_alt = (key.keysym.mod & KMOD_ALT) != 0;
-    if (key.state == SDL_RELEASED) return mapper_.release(key_of(code));
-    if (key.repeat != 0) return mapper_.repeat(key_of(code));
+    if (key.state == SDL_RELEASED) return note(InputEvent::Kind::Release, key_of(code));
+    if (key.repeat != 0) return note(InputEvent::Kind::Repeat, key_of(code));
     if (has_alt && code == SDL_SCANCODE_RETURN) {
         changes_full_screen_ = !changes_full_screen_;
         return;
     }
     if (has_alt && code == SDL_SCANCODE_TAB) return;  // to another window
-    mapper_.press(key_of(code));
+    note(InputEvent::Kind::Press, key_of(code));
 }
 
 void SdlInput::take_button(const SDL_MouseButtonEvent& button) {
     const Input input = mouse_button_of(button.button);
-    if (button.state == SDL_RELEASED) return mapper_.release(input);
-    if (is_mouse_captured()) return mapper_.press(input);
+    if (button.state == SDL_RELEASED) return note(InputEvent::Kind::Release, input);
+    if (is_mouse_captured()) return note(InputEvent::Kind::Press, input);
     point_at(button.x, button.y);
     pointer_->is_pressed |= button.button == SDL_BUTTON_LEFT;
-    mapper_.click(input);
+    note(InputEvent::Kind::Click, input);
 }
 
 // A mouse that rests where the window opens, or enters it, has not moved: it chooses nothing.
 void SdlInput::take_motion(const SDL_MouseMotionEvent& motion) {
-    if (is_mouse_captured()) return mapper_.move_mouse(motion.xrel, motion.yrel);
+    if (is_mouse_captured()) {
+        events_.push_back({InputEvent::Kind::MouseMotion, {}, motion.xrel, motion.yrel});
+        return;
+    }
     const std::optional<Pointer> before = pointer_;
     point_at(motion.x, motion.y);
     pointer_->has_moved |= before && (before->x_px != pointer_->x_px || before->y_px != pointer_->y_px);
@@ -159,8 +167,8 @@ void SdlInput::take_wheel(const SDL_MouseWheelEvent& wheel) {
         constexpr std::int32_t kMost = 16;  // more than a wheel turns between two polls
         notches = std::clamp(notches, -kMost, kMost);
         for (std::int32_t i = 0; i < std::abs(notches); ++i) {
-            mapper_.press(wheel_of(notches > 0 ? ahead : back));
-            mapper_.release(wheel_of(notches > 0 ? ahead : back));
+            note(InputEvent::Kind::Press, wheel_of(notches > 0 ? ahead : back));
+            note(InputEvent::Kind::Release, wheel_of(notches > 0 ? ahead : back));
         }
     };
     turn(wheel.y, WheelTurn::Up, WheelTurn::Down);
@@ -170,7 +178,7 @@ void SdlInput::take_wheel(const SDL_MouseWheelEvent& wheel) {
 void SdlInput::take_window_event(std::uint8_t event) {
     if (event == SDL_WINDOWEVENT_LEAVE) pointer_.reset();
     if (event != SDL_WINDOWEVENT_FOCUS_LOST) return;
-    mapper_.release_all();
+    note(InputEvent::Kind::ReleaseAll);
     capture_mouse(false);
 }
 

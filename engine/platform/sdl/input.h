@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "engine/platform/controls.h"
-#include "engine/platform/input_mapper.h"
+#include "engine/platform/input_events.h"
 #include "engine/platform/sdl/game_pads.h"
 
 struct SDL_Window;
@@ -23,15 +23,12 @@ class SdlInput {
   public:
     explicit SdlInput(SDL_Window* window);
 
-    /// Handles all pending events: motion and presses since the last poll, and what is held now.
-    Controls poll();
-    void use_bindings(const Bindings& bindings) { mapper_.use(bindings); }
+    /// All that SDL reported since the last poll.
+    PlatformInput poll();
     /// What the input is called on the user's keyboard and the pad used last.
     std::string local_name_of(Input input) const;
     /// Lets go of keys and buttons, too: what was pressed in a menu does nothing in the game.
     void capture_mouse(bool is_captured);
-    /// How long a poll may be put off: less than for ever while an input of a pad is repeated.
-    std::int32_t longest_wait_ms() const { return mapper_.longest_wait_ms(); }
     bool is_closed() const { return is_closed_; }
     /// True once after the renderer lost its textures.
     bool take_textures_lost();
@@ -43,10 +40,11 @@ class SdlInput {
     void take_wheel(const SDL_MouseWheelEvent& wheel);
     void take_motion(const SDL_MouseMotionEvent& motion);
     void take_window_event(std::uint8_t event);
+    void note(InputEvent::Kind kind, Input input = {});
     void point_at(std::int32_t x, std::int32_t y);
 
     SDL_Window* window_;
-    InputMapper mapper_;
+    std::vector<InputEvent> events_;  // since the last poll
     GamePads pads_;
     bool is_closed_ = false, are_textures_lost_ = false, changes_full_screen_ = false;
     std::optional<Pointer> pointer_;

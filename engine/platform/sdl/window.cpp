@@ -112,12 +112,11 @@ class SdlPlatform final : public Platform {
         : window_(make_window(title, size)), renderer_(make_renderer(window_.get())), input_(window_.get()) {}
 
     bool is_open() const override { return !input_.is_closed(); }
-    Controls poll() override { return input_.poll(); }
+    PlatformInput poll() override { return input_.poll(); }
     std::uint64_t now_us() override;
     WindowSize window_size() const override;
     void set_title(const char* title) override { SDL_SetWindowTitle(window_.get(), title); }
     void capture_mouse(bool is_captured) override { input_.capture_mouse(is_captured); }
-    void use_bindings(const Bindings& bindings) override { input_.use_bindings(bindings); }
     std::string local_name_of(Input input) const override { return input_.local_name_of(input); }
     void change_window(const WindowSettings& settings) override;
     void wait_for_input(std::int32_t timeout_ms) override;
@@ -181,7 +180,6 @@ void SdlPlatform::change_window(const WindowSettings& settings) {
 
 // Where there is a gamepad SDL looks at it every millisecond: 1.7 % of a processor.
 void SdlPlatform::wait_for_input(std::int32_t timeout_ms) {
-    timeout_ms = std::min(timeout_ms, input_.longest_wait_ms());
     if (SDL_NumJoysticks() <= 0) {
         SDL_WaitEventTimeout(nullptr, timeout_ms);
         return;

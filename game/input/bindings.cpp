@@ -1,4 +1,4 @@
-#include "engine/platform/bindings.h"
+#include "game/input/bindings.h"
 
 #include <algorithm>
 
@@ -7,68 +7,11 @@
 namespace oblong {
 namespace {
 
-constexpr std::array<ActionNames, kActionCount> kActions{{
-    {Move::Forward, "forward", "Walk ahead"},
-    {Move::Back, "back", "Walk back"},
-    {Move::Left, "left", "Step left"},
-    {Move::Right, "right", "Step right"},
-    {Move::TurnLeft, "turn-left", "Turn left"},
-    {Move::TurnRight, "turn-right", "Turn right"},
-    {Move::LookUp, "look-up", "Look up"},
-    {Move::LookDown, "look-down", "Look down"},
-    {Move::Jump, "jump", "Jump, swim up"},
-    {Move::WalkSlowly, "walk-slowly", "Walk slowly"},
-    {Command::Menu, "menu", "Menu, as Esc"},
-    {Command::Respawn, "respawn", "Back to the way in"},
-    {Command::Restart, "restart", "Restart the level"},
-    {Command::QuickSave, "quick-save", "Quick save"},
-    {Command::QuickLoad, "quick-load", "Quick load"},
-    {Command::Automap, "map", "Map"},
-    {Command::ShowHelp, "help", "Keys"},
-    {Command::ProjectionAspect, "projection-aspect", "Aspect: projection"},
-    {Command::DisplayAspect, "display-aspect", "Aspect: display"},
-    {Command::AccuracyTier, "accuracy", "Accuracy"},
-    {Command::ScalingMode, "scaling", "Scaling"},
-    {Command::FrameCost, "frame-cost", "Cost of a frame"},
-    {Command::LabPanel, "lab", "Lab"},
-    {Command::ErrorMap, "error-map", "Map of the error"},
-    {Command::SplitView, "split", "Split: now and exact"},
-    {Command::FlipSettings, "flip", "Flip: now and before"},
-    {Command::AspectGuide, "aspect-guide", "Circle and square"},
-    {Command::FourAspects, "four-aspects", "Four aspects"},
-    {Command::Screenshot, "screenshot", "Screenshots"},
-    {Command::Torch, "torch", "Torch"},
-    {Command::CrtLook, "crt", "Look of a tube"},
-    {Command::Inspect, "inspect", "What is ahead"},
-    {Command::Log, "log", "Log channels"},
-    {Command::Wireframe, "wireframe", "Edges of faces"},
-    {Command::Isometric, "isometric", "From outside"},
-    {Command::ZoomIn, "zoom-in", "Zoom in, move back"},
-    {Command::ZoomOut, "zoom-out", "Zoom out, move on"},
-    {Command::Darker, "darker", "Darker"},
-    {Command::Brighter, "brighter", "Brighter"},
-    {Command::DialUp, "dial-up", "Panel: row above"},
-    {Command::DialDown, "dial-down", "Panel: row below"},
-    {Command::DialCoarser, "dial-coarser", "Panel: less"},
-    {Command::DialFiner, "dial-finer", "Panel: more"},
-    {Command::PageUp, "page-up", "Gallery: row before"},
-    {Command::PageDown, "page-down", "Gallery: next row"},
-}};
-
 std::size_t index_of(Action action) {
-    const Move* move = std::get_if<Move>(&action);
-    return move ? static_cast<std::size_t>(*move)
-                : static_cast<std::size_t>(kMoveCount) + static_cast<std::size_t>(std::get<Command>(action));
-}
-
-// Works a panel while one is open, and nothing else.
-bool is_of_panel(Action action) {
-    const Command* command = std::get_if<Command>(&action);
-    return command && *command >= Command::DialUp && *command <= Command::PageDown;
+    return static_cast<std::size_t>(action);
 }
 
 bool is_apart(Action a, Action b) {
-    const auto is_move = [](Action action) { return std::holds_alternative<Move>(action); };
     return (is_move(a) && is_of_panel(b)) || (is_of_panel(a) && is_move(b));
 }
 
@@ -91,10 +34,6 @@ std::vector<Input> parsed(std::string_view text) {
 
 }  // namespace
 
-std::span<const ActionNames> all_actions() {
-    return kActions;
-}
-
 std::span<const Input> Bindings::inputs_of(Action action) const {
     return inputs_[index_of(action)];
 }
@@ -114,9 +53,20 @@ void Bindings::unbind_all(Action action) {
     inputs_[index_of(action)].clear();
 }
 
+Bindings default_bindings(Hands hands) {
+    Bindings bindings;
+    for (const ActionRow& row : all_actions()) {
+        const std::string_view keys = hands == Hands::Left    ? row.left_hand
+                                      : hands == Hands::Right ? row.right_hand
+                                                              : row.keys;
+        set_inputs(bindings, row.action, std::string(keys) + " " + std::string(row.others));
+    }
+    return bindings;
+}
+
 std::vector<Conflict> conflicts_of(const Bindings& bindings) {
     std::vector<Conflict> all;
-    for (const ActionNames& row : all_actions())
+    for (const ActionRow& row : all_actions())
         for (const Input input : bindings.inputs_of(row.action)) {
             const auto known =
                 std::find_if(all.begin(), all.end(), [&](const Conflict& c) { return c.input == input; });

@@ -1,4 +1,4 @@
-#include "engine/platform/input_mapper.h"
+#include "game/input/input_mapper.h"
 
 #include <algorithm>
 #include <array>
@@ -60,20 +60,14 @@ bool has(std::span<const Input> inputs, Input input) {
     return std::find(inputs.begin(), inputs.end(), input) != inputs.end();
 }
 
-bool is_repeating(Command command) {
-    return command >= Command::DialUp && command <= Command::PageDown;
-}
-
 bool works_panel(const Bindings& bindings, Input input) {
-    constexpr std::array<Command, 4> kDials{Command::DialUp, Command::DialDown, Command::DialCoarser,
-                                            Command::DialFiner};
-    return std::any_of(kDials.begin(), kDials.end(),
-                       [&](Command dial) { return has(bindings.inputs_of(dial), input); });
+    constexpr std::array<Action, 4> kDials{Action::DialUp, Action::DialDown, Action::DialCoarser, Action::DialFiner};
+    return std::any_of(kDials.begin(), kDials.end(), [&](Action dial) { return has(bindings.inputs_of(dial), input); });
 }
 
 // Moves that sticks make by how far they are pushed; by other inputs, and for other moves, they are on or off.
-bool is_gradual(Move move, Input input) {
-    return input.device == Device::PadAxis && move <= Move::LookDown;
+bool is_gradual(Action move, Input input) {
+    return input.device == Device::PadAxis && move <= Action::LookDown;
 }
 
 }  // namespace
@@ -82,7 +76,7 @@ void InputMapper::press(Input input) {
     if (holds(input)) return;
     held_.push_back(input);
     tapped_.push_back(input);
-    since_.pressed = input;
+    if (input.device != Device::Script) since_.pressed = input;
     if (is_of_pad(input)) {
         pad_input_ = input;
         repeat_at_ms_ = 0;
@@ -138,13 +132,21 @@ void InputMapper::move_mouse(std::int32_t x, std::int32_t y) {
 Controls InputMapper::take(std::uint64_t now_ms) {
     repeat_pad(now_ms);
     Controls controls = std::exchange(since_, {});
-    static_cast<HeldMoves&>(controls) = moves(false);
-    controls.panel_keys = moves(true);
-    controls.walk_stick = {axis_of(Move::Right) - axis_of(Move::Left), axis_of(Move::Forward) - axis_of(Move::Back)};
-    controls.look_stick = {axis_of(Move::TurnRight) - axis_of(Move::TurnLeft),
-                           axis_of(Move::LookUp) - axis_of(Move::LookDown)};
+    controls.moves = moves(false);
+    controls.panel_moves = moves(true);
+    controls.walk_stick = {axis_of(Action::Right) - axis_of(Action::Left),
+                           axis_of(Action::Forward) - axis_of(Action::Back)};
+    controls.look_stick = {axis_of(Action::TurnRight) - axis_of(Action::TurnLeft),
+                           axis_of(Action::LookUp) - axis_of(Action::LookDown)};
     controls.holds_button = holds(mouse_button(1));
     tapped_.clear();
+    return controls;
+}
+
+Controls InputMapper::take(const PlatformInput& input, std::uint64_t now_ms) {
+    for (const InputEvent& event : input.events) take(event);
+    Controls controls = take(now_ms);
+    static_cast<WindowInput&>(controls) = input;
     return controls;
 }
 
@@ -156,15 +158,39 @@ bool InputMapper::holds(Input input) const {
     return has(held_, input);
 }
 
+void InputMapper::take(const InputEvent& event) {
+    switch (event.kind) {
+        case InputEvent::Kind::Press:
+            return press(event.input);
+        case InputEvent::Kind::Repeat:
+            return repeat(event.input);
+        case InputEvent::Kind::Release:
+            return release(event.input);
+        case InputEvent::Kind::Click:
+            return click(event.input);
+        case InputEvent::Kind::Axis:
+            return move_axis(event.input, event.x);
+        case InputEvent::Kind::MouseMotion:
+            return move_mouse(event.x, event.y);
+        case InputEvent::Kind::ReleasePressed:
+            return release_pressed();
+        case InputEvent::Kind::ReleasePad:
+            return release_pad();
+        case InputEvent::Kind::ReleaseAll:
+            return release_all();
+    }
+}
+
 void InputMapper::act(Input input, bool is_repeated) {
     for (const auto& [menu_input, action] : kMenuInputs)
         if (menu_input == input && (!is_repeated || action < MenuAction::Accept)) since_.menu.push_back(action);
-    if (is_reserved(input) && !is_repeated) since_.commands.push_back(Command::Menu);
-    for (const ActionNames& row : all_actions()) {
-        const Command* command = std::get_if<Command>(&row.action);
-        if (command && (!is_repeated || is_repeating(*command)) && has(bindings_.inputs_of(*command), input))
-            since_.commands.push_back(*command);
-    }
+    if (input.device == Device::Script && input.code >= kActionCount)
+        since_.menu.push_back(static_cast<MenuAction>(input.code - kActionCount));
+    if (is_reserved(input) && !is_repeated) since_.commands.push_back(Action::Menu);
+    for (const ActionRow& row : all_actions())
+        if (!is_move(row.action) && (!is_repeated || is_of_panel(row.action)) &&
+            (scripted(row.action) == input || has(bindings_.inputs_of(row.action), input)))
+            since_.commands.push_back(row.action);
 }
 
 // Keys are repeated by the system, at the rate that the user has set there; a pad's inputs by nobody else.
@@ -176,14 +202,15 @@ void InputMapper::repeat_pad(std::uint64_t now_ms) {
     repeat_at_ms_ = now_ms + kNextRepeat_ms;
 }
 
-std::int32_t InputMapper::axis_of(Move move) const {
+std::int32_t InputMapper::axis_of(Action move) const {
     std::int32_t most = 0;
     for (const Input input : bindings_.inputs_of(move))
         if (is_gradual(move, input)) most = std::max(most, axes_[input.code]);
     return most;
 }
 
-bool InputMapper::is_on(Move move, bool by_panel_keys) const {
+bool InputMapper::is_on(Action move, bool by_panel_keys) const {
+    if (!by_panel_keys && (holds(scripted(move)) || has(tapped_, scripted(move)))) return true;
     const std::span<const Input> inputs = bindings_.inputs_of(move);
     return std::any_of(inputs.begin(), inputs.end(), [&](Input input) {
         return !is_gradual(move, input) && (holds(input) || has(tapped_, input)) &&
@@ -191,10 +218,17 @@ bool InputMapper::is_on(Move move, bool by_panel_keys) const {
     });
 }
 
-HeldMoves InputMapper::moves(bool by_panel_keys) const {
-    const auto on = [&](Move move) { return is_on(move, by_panel_keys); };
-    return {on(Move::Forward),   on(Move::Back),   on(Move::Left),     on(Move::Right), on(Move::TurnLeft),
-            on(Move::TurnRight), on(Move::LookUp), on(Move::LookDown), on(Move::Jump),  on(Move::WalkSlowly)};
+Moves InputMapper::moves(bool by_panel_keys) const {
+    Moves on;
+    for (int i = 0; i < kMoveCount; ++i) {
+        const auto move = static_cast<Action>(i);
+        on.set(move, is_on(move, by_panel_keys));
+    }
+    return on;
+}
+
+bool Controls::has(Action command) const {
+    return std::find(commands.begin(), commands.end(), command) != commands.end();
 }
 
 }  // namespace oblong

@@ -5,43 +5,11 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
-#include "engine/platform/controls.h"
-#include "engine/platform/input.h"
+#include "game/input/actions.h"
 
 namespace oblong {
-
-/// What an input does while it is held.
-enum class Move : std::uint8_t {
-    Forward,
-    Back,
-    Left,  ///< sideways
-    Right,
-    TurnLeft,
-    TurnRight,
-    LookUp,
-    LookDown,
-    Jump,
-    WalkSlowly
-};
-inline constexpr int kMoveCount = 10;
-inline constexpr int kCommandCount = static_cast<int>(Command::Restart) + 1;
-inline constexpr int kActionCount = kMoveCount + kCommandCount;
-
-/// What an input can be bound to.
-using Action = std::variant<Move, Command>;
-
-/// What an action is called.
-struct ActionNames {
-    Action action;
-    std::string_view name;   ///< in the options file, after "bind-": "turn-left"
-    std::string_view label;  ///< in a menu, at most 20 characters: "Turn left"
-};
-
-/// All actions, in the order of a menu.
-std::span<const ActionNames> all_actions();
 
 /// Which inputs do what. A value: equal where every action has the same inputs.
 class Bindings {

@@ -5,17 +5,17 @@
 #include <optional>
 #include <vector>
 
-#include "engine/platform/bindings.h"
-#include "engine/platform/controls.h"
+#include "game/input/bindings.h"
+#include "game/input/controls.h"
 
 namespace oblong {
 
 /// Turns inputs that are pressed and released into Controls, by bindings. Menus are worked by fixed inputs: arrow keys,
-/// WASD, keypad, Enter, Space, Backspace, wheel, the pad's cross and left stick, A and B. Knows no device: platforms
-/// report to it.
+/// WASD, keypad, Enter, Space, Backspace, wheel, the pad's cross and left stick, A and B.
 class InputMapper {
   public:
-    void use(const Bindings& bindings) { bindings_ = bindings; }
+    /// `bindings`, which may change, outlive the mapper.
+    explicit InputMapper(const Bindings& bindings) : bindings_(bindings) {}
 
     void press(Input input);
     /// What the system reports again and again while a key is held.
@@ -34,6 +34,8 @@ class InputMapper {
     /// What happened since the last call, and what is held. `now_ms` is of any clock: inputs of a pad are repeated by
     /// it.
     Controls take(std::uint64_t now_ms);
+    /// The same after what a platform reports.
+    Controls take(const PlatformInput& input, std::uint64_t now_ms);
 
     /// How long the next take() may be put off without a repetition being late.
     std::int32_t longest_wait_ms() const;
@@ -41,13 +43,14 @@ class InputMapper {
     bool holds(Input input) const;
 
   private:
+    void take(const InputEvent& event);
     void act(Input input, bool is_repeated);
     void repeat_pad(std::uint64_t now_ms);
-    std::int32_t axis_of(Move move) const;
-    bool is_on(Move move, bool by_panel_keys) const;
-    HeldMoves moves(bool by_panel_keys) const;
+    std::int32_t axis_of(Action move) const;
+    bool is_on(Action move, bool by_panel_keys) const;
+    Moves moves(bool by_panel_keys) const;
 
-    Bindings bindings_ = default_bindings();
+    const Bindings& bindings_;
     std::vector<Input> held_, tapped_;  // tapped: pressed since the last take()
     std::array<std::int32_t, kAxisHalfCount> axes_{};
     std::optional<Input> pad_input_;  // that was pressed last and is held

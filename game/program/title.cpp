@@ -1,0 +1,54 @@
+#include "game/program/title.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "engine/base/input_error.h"
+#include "engine/files/files.h"
+#include "game/simulation/items.h"
+
+namespace oblong {
+namespace {
+
+SessionSettings as_title(SessionSettings settings) {
+    settings.kind = SessionKind::Title;
+    settings.sound = nullptr;
+    return settings;
+}
+
+}  // namespace
+
+Title::Title(std::shared_ptr<const LoadedLevel> loaded, const std::string& demo_file, SessionSettings settings,
+             ViewOptions& view_options, Platform& platform)
+    : loaded_(std::move(loaded)),
+      settings_(as_title(std::move(settings))),
+      view_options_(view_options),
+      platform_(platform) {
+    if (std::filesystem::exists(demo_file)) demo_ = read_parsed(demo_file, decode_demo);
+    begin();
+}
+
+// A demo of another level than the one that is there is left out.
+void Title::begin() {
+    const GameState state = start_of(loaded_->level);
+    if (demo_ && demo_->start_hash != hash_of(state)) demo_.reset();
+    walk_ =
+        std::make_unique<Session>(loaded_, settings_, view_options_, TickInputSource(state, demo_, false), platform_);
+}
+
+// The demo again when it has ended, is about to show how the level ends, or leads elsewhere than when it was recorded.
+void Title::advance_behind_menu(std::uint64_t now_us) {
+    const ItemCount lenses = count_items(loaded_->level, walk_->state(), ItemClass::Lens);
+    if (!walk_->input().is_replaying() || (lenses.all > 0 && lenses.taken == lenses.all)) {
+        if (demo_) begin();
+        return walk_->advance_behind_menu(now_us);
+    }
+    try {
+        walk_->advance({}, now_us);
+    } catch (const InputError&) {
+        demo_.reset();
+        begin();
+    }
+}
+
+}  // namespace oblong

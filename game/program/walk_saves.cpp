@@ -1,0 +1,99 @@
+#include "game/program/walk_saves.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <utility>
+
+#include "engine/files/files.h"
+#include "game/saves/saved_level.h"
+#include "game/simulation/items.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int64_t kNothing_ticks = 2 * kTicksPerSecond;  // is lost in so short a time
+constexpr std::int64_t kAutosave_ticks = 60 * kTicksPerSecond;
+
+std::int64_t taken_items(const GameState& state) {
+    return std::count(state.items.begin(), state.items.end(), ItemState::Taken);
+}
+
+}  // namespace
+
+void WalkSaves::begin(Session* walk, std::optional<HeldWalk> held) {
+    walk_ = walk;
+    held_ = std::move(held);
+    saved_tick_ = autosave_tick_ = walk ? walk->state().tick : 0;
+    autosave_items_ = walk ? taken_items(walk->state()) : 0;
+}
+
+bool WalkSaves::has_unsaved_progress() const {
+    return walk_ && !walk_->state().has_ended && walk_->state().tick > saved_tick_ + kNothing_ticks;
+}
+
+SaveSlot WalkSaves::own_slot(SaveKind kind) {
+    if (!held_) held_ = slots_.hold_new();
+    return {kind, held_->number};
+}
+
+bool WalkSaves::is_own(SaveSlot slot) const {
+    return held_ && slot.kind != SaveKind::Numbered && slot.number == held_->number;
+}
+
+SavedGame WalkSaves::saved_now() {
+    const LoadedLevel& loaded = walk_->loaded();
+    const GameState& state = walk_->state();
+    return {saved_level_of(loaded), count_items(loaded.level, state, ItemClass::Lens), state, walk_->thumbnail()};
+}
+
+void WalkSaves::save(SaveSlot slot) {
+    slots_.save(slot, saved_now());
+    saved_tick_ = walk_->state().tick;
+}
+
+void WalkSaves::autosave_when_due(bool may_begin) {
+    using namespace std::chrono_literals;
+    if (autosave_.valid() && autosave_.wait_for(0s) == std::future_status::ready) finish_autosave();
+    if (autosave_.valid() || !may_begin || !can_save()) return;
+    const GameState& state = walk_->state();
+    if (taken_items(state) == autosave_items_ && state.tick < autosave_tick_ + kAutosave_ticks) return;
+    autosave_tick_ = state.tick;
+    autosave_items_ = taken_items(state);
+    try {
+        autosave_ =
+            std::async(std::launch::async, [slots = slots_, slot = own_slot(SaveKind::Walk), game = saved_now()] {
+                try {
+                    slots.save(slot, game);
+                    return std::string();
+                } catch (const FileError& error) {
+                    return std::string(error.what());
+                }
+            });
+    } catch (const std::exception& error) {
+        walk_->show(std::string("Not saved: ") + error.what());
+    }
+}
+
+void WalkSaves::finish_autosave() {
+    if (!autosave_.valid()) return;
+    const std::string fault = autosave_.get();
+    if (fault.empty())
+        saved_tick_ = std::max(saved_tick_, autosave_tick_);
+    else
+        walk_->show("Not saved: " + fault);
+}
+
+// A walk that has hardly begun is not worth a place of its own.
+std::string WalkSaves::save_on_leaving() {
+    finish_autosave();
+    if (!can_save() || walk_->state().tick <= saved_tick_ || !(held_ || has_unsaved_progress())) return "";
+    try {
+        save(own_slot(SaveKind::Walk));
+        return "";
+    } catch (const FileError& error) {
+        return error.what();
+    }
+}
+
+}  // namespace oblong
