@@ -1,4 +1,4 @@
-#include "tools/texture/mipmaps.h"
+#include "tools/texture/texture_files.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include "engine/files/png.h"
 #include "engine/surface/colormap.h"
 #include "tests/texture/test_palette.h"
-#include "tools/texture/texture_files.h"
 
 namespace oblong {
 

@@ -15,7 +15,6 @@
 #include "tests/files/png_writer.h"
 #include "tests/support/folders.h"
 #include "tests/texture/test_palette.h"
-#include "tools/texture/mipmaps.h"
 
 namespace oblong {
 namespace {

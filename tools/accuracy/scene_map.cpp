@@ -11,7 +11,7 @@
 
 #include "engine/files/wad.h"
 #include "engine/surface/nearest_colour.h"
-#include "tools/texture/mipmaps.h"
+#include "tools/texture/texture_files.h"
 
 namespace oblong {
 

@@ -16,7 +16,6 @@
 #include "engine/scene/placed_models.h"
 #include "tools/render/camera_list.h"
 #include "tools/render/renderer.h"
-#include "tools/render/view_option.h"
 
 namespace {
 
