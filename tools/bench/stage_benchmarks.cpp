@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "engine/accuracy/presets.h"
-#include "engine/frame/texture_spans.h"
+#include "engine/frame/surface_pass.h"
 #include "engine/raster/exact_spans.h"
 #include "engine/view/views.h"
 #include "engine/visibility/eye.h"
@@ -51,9 +51,10 @@ void time_walk(benchmark::State& state, const SharedFrames& stages) {
     for (auto _ : state) {
         faces = 0;
         for (const StageInputs& frame : stages->frames) {
-            work.visible.see_from(stages->level.level, frame.leaf);
-            work.span_buffer.reset();
-            FrontToBackWalk walk(stages->level.level, frame.view, work.visible, nullptr, work.span_buffer, work.walk);
+            work.view.visible.see_from(stages->level.level, frame.leaf);
+            work.view.span_buffer.reset();
+            FrontToBackWalk walk(stages->level.level, frame.view, work.view.visible, nullptr, work.view.span_buffer,
+                                 work.view.walk);
             while (walk.next() && !walk.takes_all_faces()) ++faces;
         }
     }
@@ -64,10 +65,10 @@ void time_polygons(benchmark::State& state, const SharedFrames& stages) {
     FrameWorkspace& work = stages->work;
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames) {
-            work.vertices.start_frame();
+            work.view.vertices.start_frame();
             for (const FaceIndex face : frame.visited)
                 benchmark::DoNotOptimize(
-                    project_face(work.faces.corners_of(face), frame.view, work.vertices, work.polygon));
+                    project_face(work.cache.faces.corners_of(face), frame.view, work.view.vertices, work.view.polygon));
         }
     show_time_per("face", stages->sum([](const StageInputs& frame) { return frame.visited.size(); }), state);
 }
@@ -75,12 +76,12 @@ void time_polygons(benchmark::State& state, const SharedFrames& stages) {
 void time_scan(benchmark::State& state, const SharedFrames& stages) {
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames)
-            for (const auto& polygon : frame.polygons) scan_convex(polygon, stages->work.rows);
+            for (const auto& polygon : frame.polygons) scan_convex(polygon, stages->work.view.rows);
     show_time_per("face", stages->sum([](const StageInputs& frame) { return frame.polygons.size(); }), state);
 }
 
 void time_coverage(benchmark::State& state, const SharedFrames& stages) {
-    SpanBuffer& buffer = stages->work.span_buffer;
+    SpanBuffer& buffer = stages->work.view.span_buffer;
     SpanList owned;
     std::int64_t spans = 0;
     for (auto _ : state) {
@@ -108,7 +109,7 @@ void time_spans(benchmark::State& state, const SharedFrames& stages, Preset pres
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames)
             for (const TexturedInput& wall : frame.walls)
-                draw_texture_spans(
+                draw_textured(
                     {wall.claimed, wall.surface, effect, wall.gradients, wall.least_density, frame.least_pixel_width},
                     wall.spans, {texturing, stages->out(), scratch});
     show_time_per("pixel", stages->sum([](const StageInputs& frame) { return frame.pixels; }), state);
@@ -125,18 +126,20 @@ void time_exact_spans(benchmark::State& state, const SharedFrames& stages) {
 
 /// The faces of a frame until no pixel is free, by the stages that a frame takes them through.
 void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs& inputs) {
-    work.visible.see_from(level.level, inputs.leaf);
-    work.vertices.start_frame();
-    work.span_buffer.reset();
+    work.view.visible.see_from(level.level, inputs.leaf);
+    work.view.vertices.start_frame();
+    work.view.span_buffer.reset();
     SpanList owned;
-    FrontToBackWalk walk(level.level, inputs.view, work.visible, nullptr, work.span_buffer, work.walk);
+    FrontToBackWalk walk(level.level, inputs.view, work.view.visible, nullptr, work.view.span_buffer, work.view.walk);
     while (const std::optional<VisibleFace> visible = walk.next()) {
         inputs.visited.push_back(visible->face);
-        if (!project_face(work.faces.corners_of(visible->face), inputs.view, work.vertices, work.polygon)) continue;
-        scan_convex(work.polygon.screen, work.rows);
-        work.span_buffer.claim(work.rows, owned);
-        inputs.polygons.emplace_back(work.polygon.screen.begin(), work.polygon.screen.end());
-        inputs.rows.push_back(work.rows);
+        if (!project_face(work.cache.faces.corners_of(visible->face), inputs.view, work.view.vertices,
+                          work.view.polygon))
+            continue;
+        scan_convex(work.view.polygon.screen, work.view.rows);
+        work.view.span_buffer.claim(work.view.rows, owned);
+        inputs.polygons.emplace_back(work.view.polygon.screen.begin(), work.view.polygon.screen.end());
+        inputs.rows.push_back(work.view.rows);
     }
 }
 
@@ -144,18 +147,19 @@ void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs
 void collect_walls(const BenchLevel& level, FrameWorkspace& work, StageInputs& inputs) {
     const InverseProjection inverse_projection = make_inverse_projection(inputs.view.projection);
     inputs.least_pixel_width = inverse_projection.least_pixel_width;
-    for (const ClaimedFace& claimed : work.claims.list(FaceList::Walls)) {
-        const FaceIndex face = claimed.visible.face;
-        const auto spans = work.claims.spans_of(claimed);
-        const Vec3<World> offset = work.brush_models.offset_of(claimed.visible.fragment);
-        const int mip = work.surfaces.mip_level(face, claimed.nearest_z, inputs.view.projection.x, 0);
-        const FaceSurface surface = work.surfaces.get(face, mip, {work.light_styles, TextureIndex::none(), offset});
+    for (const ClaimedFace& claimed : work.view.claims.list(FaceList::Walls)) {
+        const FaceIndex face = claimed.face;
+        const auto spans = work.view.claims.spans_of(claimed);
+        const Vec3<World> offset = work.cache.brush_models.offset_of(claimed.fragment);
+        const int mip = work.cache.surfaces.mip_level(face, claimed.nearest_z, inputs.view.projection.x, 0);
+        const FaceSurface surface =
+            work.cache.surfaces.get(face, mip, {work.view.light.styles, TextureIndex::none(), offset});
         inputs.walls.push_back({claimed,
                                 {spans.begin(), spans.end()},
                                 surface,
                                 make_face_gradients(level.level, level.level.faces[face], surface, offset, inputs.view,
                                                     inverse_projection),
-                                work.faces.faces[face].least_density});
+                                work.cache.faces.faces[face].least_density});
         for (const Span& span : spans) inputs.pixels += span.end - span.first;
     }
 }

@@ -35,7 +35,7 @@ STAGES = [
     ("coverage", r"visibility/span_buffer"),
     ("gradients and face constants", r"view/(texture_gradients|triangle_gradients)|raster/block_rule|fixed/(reciprocal|root|wide)"),
     ("surface lookup", r"scene/(face_surface|face_table)|surface/|frame/surface_pass"),
-    ("block set-up", r"raster/texture_blocks|frame/texture_spans"),
+    ("block set-up", r"raster/texture_blocks|frame/surface_pass"),
     ("block fill", r"raster/kernels"),
     ("exact spans", r"raster/exact_spans"),
     ("sky", r"effects/sky"),

@@ -141,7 +141,7 @@ std::string answer_clip(Fields& fields) {
     return format_fixed(area.raw, ScreenArea::kFractionBits + 2 * doublings + 1);
 }
 
-std::string answer_leaf(Fields& fields, LevelCache& cache) {
+std::string answer_leaf(Fields& fields, LastLevel& cache) {
     const std::string path(fields.text());
     const auto point = convert<World>(fields.point());
     fields.expect_end();

@@ -26,11 +26,11 @@ class ViewRenderer {
 
     FrameReport render(const ViewSpec& view) {
         FrameReport report;
-        const std::unique_ptr<FrameCounts> counts = count(view, report);  // lights the surfaces that are timed
+        const FrameCounts counts = count(view, report);  // lights the surfaces that are timed
         time(view);
         report.frame_ns = times_.frame_ns();
-        report.passes = times_.pass_lines(work_.plan, *counts);
-        report.effects = times_.effect_lines(work_.plan, *counts);
+        report.passes = times_.pass_lines(work_.plan, counts);
+        report.effects = times_.effect_lines(work_.plan, counts);
         report.crc32 = static_cast<std::uint32_t>(::crc32(0, pixels_.data(), static_cast<uInt>(pixels_.size())));
         return report;
     }
@@ -54,13 +54,18 @@ class ViewRenderer {
         if (job_.time_step_ms != 0) draw(view);  // the picture of the scene's own time
     }
 
-    std::unique_ptr<FrameCounts> count(const ViewSpec& view, FrameReport& report) {
-        work_.counts = std::make_unique<FrameCounts>();
+    FrameCounts count(const ViewSpec& view, FrameReport& report) {
+        FrameCounts counts;
+        work_.observers.counts = &counts;
         draw(view);
-        std::unique_ptr<FrameCounts> counts = std::move(work_.counts);
-        for (const std::uint8_t writes : counts->writes)
+        work_.observers.counts = nullptr;
+        for (const std::uint8_t writes : counts.writes)
             ++(writes == 0 ? report.pixels_never : writes == 1 ? report.pixels_once : report.pixels_twice);
-        report.counts = named_counts(*counts);
+        report.counts = named_counts(counts);
+        if (job_.hidden_surfaces) {
+            const std::vector<NamedCount> more = named_counts(job_.hidden_surfaces->counts());
+            report.counts.insert(report.counts.end(), more.begin(), more.end());
+        }
         return counts;
     }
 
@@ -205,7 +210,7 @@ std::string report_json(const ReportHead& head, const std::vector<FrameReport>& 
                 {"dials", dials_json(head.settings.accuracy, head.preset)},
                 {"texel_error", texel_error_json(head.settings.accuracy)},
                 {"allowed_effects", allowed_effects_json(head.settings.allowed_effects)},
-                {"hidden_surfaces", at(kHiddenSurfaceNames, head.settings.hidden_surfaces)},
+                {"hidden_surfaces", at(kHiddenSurfaceNames, head.hidden_surfaces)},
                 {"threads", head.threads},
                 {"load_milliseconds", rounded(head.load_milliseconds)},
                 {"microseconds", {{"median", rounded(times.median)}, {"p99", rounded(times.p99)}}},

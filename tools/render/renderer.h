@@ -11,6 +11,7 @@
 #include "engine/files/rendering_times.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
+#include "engine/methods/hidden_surfaces.h"
 
 namespace oblong {
 
@@ -36,7 +37,8 @@ struct RenderJob {
     std::span<const ViewSpec> views;
     int repeat = 1;                 ///< timed renderings of each frame
     std::int64_t time_step_ms = 0;  ///< from each of those to the next: what moves is then lit and drawn anew
-    const LevelModels* level_models = nullptr;  ///< drawn instead of the scene's; outlive the job
+    const LevelModels* level_models = nullptr;             ///< drawn instead of the scene's; outlive the job
+    const HiddenSurfaceMethod* hidden_surfaces = nullptr;  ///< the workspace's claimer
 };
 
 /// Renders every view and calls on_picture(index, pixels) with each picture. Counts are taken in a rendering of their
@@ -52,6 +54,7 @@ struct ReportHead {
     ScreenMode mode;
     Degrees field_of_view;
     Settings settings;
+    HiddenSurfaces hidden_surfaces = HiddenSurfaces::SpanBuffer;
     int threads = 1;               ///< that drew
     double load_milliseconds = 0;  ///< of the level, up to its first frame
 };
