@@ -6,7 +6,6 @@
 
 #include "engine/methods/polygons.h"
 #include "engine/raster/scan.h"
-#include "tests/hard_cases/frame_outline.h"
 #include "tests/hard_cases/hard_case.h"
 #include "tools/reference/polygon.h"
 

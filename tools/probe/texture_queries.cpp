@@ -12,7 +12,7 @@
 #include "engine/methods/axes.h"
 #include "engine/methods/triangles.h"
 #include "engine/view/screen_polygon.h"
-#include "tools/probe/decimal.h"
+#include "tools/probe/fields.h"
 #include "tools/probe/queries.h"
 
 namespace oblong {

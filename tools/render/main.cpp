@@ -15,8 +15,7 @@
 #include "engine/scene/level_effects.h"
 #include "engine/scene/placed_models.h"
 #include "tools/render/camera_list.h"
-#include "tools/render/report.h"
-#include "tools/render/view_option.h"
+#include "tools/render/renderer.h"
 
 namespace {
 

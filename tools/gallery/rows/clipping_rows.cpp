@@ -10,7 +10,7 @@
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"
 #include "engine/view/views.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {

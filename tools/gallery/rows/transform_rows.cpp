@@ -11,7 +11,7 @@
 #include "engine/math/transform.h"
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {

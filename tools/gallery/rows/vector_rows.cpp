@@ -12,11 +12,9 @@
 #include "engine/methods/axes.h"
 #include "engine/methods/line_and_plane.h"
 #include "engine/methods/rotation.h"
-#include "engine/methods/transforms.h"
 #include "tools/gallery/counted.h"
 #include "tools/gallery/diagram.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 
@@ -346,7 +344,7 @@ std::vector<Row> vector_rows() {
             {"orthonormal-axes",
              "Orthonormal axes",
              "5 Abrash: 3-D Math; 1 Muratori",
-             "engine/methods/axes.h",
+             "engine/math/basis.h",
              "tests/math/basis_test.cpp",
              {{"angle between the axes", 30, 150, 10, 50}, choice_parameter("axes", {"as given", "made orthonormal"})},
              draw_orthonormal},
@@ -374,8 +372,8 @@ std::vector<Row> vector_rows() {
             {"line-and-plane",
              "Point and line against a plane",
              "5 Abrash: Using the Dot Product for Projection",
-             "engine/methods/line_and_plane.h",
-             "tests/math/plane_test.cpp",
+             "engine/math/plane.h",
+             "tests/math/vec_test.cpp",
              {{"z of the line's end", 1, 9, 1, 1}},
              draw_line_and_plane}};
 }
