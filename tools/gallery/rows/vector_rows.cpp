@@ -12,6 +12,7 @@
 #include "engine/methods/axes.h"
 #include "engine/methods/line_and_plane.h"
 #include "engine/methods/rotation.h"
+#include "engine/methods/transforms.h"
 #include "tools/gallery/counted.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/row.h"
@@ -344,7 +345,7 @@ std::vector<Row> vector_rows() {
             {"orthonormal-axes",
              "Orthonormal axes",
              "5 Abrash: 3-D Math; 1 Muratori",
-             "engine/math/basis.h",
+             "engine/methods/axes.h",
              "tests/math/basis_test.cpp",
              {{"angle between the axes", 30, 150, 10, 50}, choice_parameter("axes", {"as given", "made orthonormal"})},
              draw_orthonormal},
