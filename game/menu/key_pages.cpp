@@ -1,7 +1,7 @@
-#include "game/menu/key_pages.h"
-
 #include <algorithm>
 #include <utility>
+
+#include "game/menu/menu_pages.h"
 
 namespace oblong {
 namespace {

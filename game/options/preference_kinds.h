@@ -53,4 +53,9 @@ std::string hundredths_text(std::int32_t value_100);
 /// "a, b or c".
 std::string listed(const std::vector<std::string>& values);
 
+/// The three that say together what is in the picture; a change leaves out what can't be drawn with the other two.
+Preference mode_preference();
+Preference display_preference();
+Preference field_of_view_preference();
+
 }  // namespace oblong

@@ -1,9 +1,8 @@
-#include "game/view/view_sway.h"
-
 #include <algorithm>
 
 #include "engine/fixed/trig.h"
 #include "engine/math/basis.h"
+#include "game/view/shown_view.h"
 
 namespace oblong {
 namespace {
