@@ -33,8 +33,8 @@ Preference one_of(PreferenceNames names, std::vector<std::string> values, std::f
                   std::function<void(Preferences&, int)> set);
 
 /// An enumeration from 0 on.
-template <class Enum>
-Preference one_of(PreferenceNames names, std::vector<std::string> values, Enum Preferences::*field) {
+template <class Part, class Enum>
+Preference one_of(PreferenceNames names, std::vector<std::string> values, Enum Part::*field) {
     return one_of(
         std::move(names), std::move(values),
         [field](const Preferences& preferences) { return static_cast<int>(preferences.*field); },

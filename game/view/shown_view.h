@@ -21,6 +21,6 @@ std::optional<ViewSpec> other_view(bool is_isometric, std::int32_t zoom_degrees,
 /// far the picture is between them. The eye goes up and down once in 0.6 s, by at most 0.02 s times the speed, between
 /// 7 units below and 4 above its place; the view leans by 2 degrees at 200 units a second sideways, and no further.
 /// Each times its preference.
-void sway(const InterpolatedState& state, const Preferences& preferences, Camera& camera);
+void sway(const InterpolatedState& state, const ComfortPreferences& preferences, Camera& camera);
 
 }  // namespace oblong
