@@ -1,7 +1,7 @@
-# The first page's figures are those that the program measures.
-add_test(NAME accuracy.TheFirstPageSaysWhatIsMeasured
-         COMMAND oblong-accuracy --page ${CMAKE_SOURCE_DIR}/README.md --check)
-set_tests_properties(accuracy.TheFirstPageSaysWhatIsMeasured PROPERTIES TIMEOUT 300)
+# The figures of the page on accuracy are those that the program measures.
+add_test(NAME accuracy.ThePageSaysWhatIsMeasured
+         COMMAND oblong-accuracy --page ${CMAKE_SOURCE_DIR}/tools/accuracy/README.md --check)
+set_tests_properties(accuracy.ThePageSaysWhatIsMeasured PROPERTIES TIMEOUT 300)
 
 # What the report's page shows, by its own script.
 add_test(NAME accuracy.ThePageShowsTheReport

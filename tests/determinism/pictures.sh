@@ -44,9 +44,10 @@ rendered_report() {
     local program=$1 level=$2 cameras=$3 report status=0
     shift 3
     report=$(mktemp "$work/report.XXXXXX")
-    "$program" "$level" --cameras "$cameras" --palette "$build/assets/palette.lmp" "$@" --json "$report" >/dev/null &&
-        cat "$report" || status=1
-    rm -f "$report"
+    # Its warnings of a level would come at every run.
+    "$program" "$level" --cameras "$cameras" --palette "$build/assets/palette.lmp" "$@" --json "$report" >/dev/null 2>"$report.log" &&
+        cat "$report" || { status=1; cat "$report.log" >&2; }
+    rm -f "$report" "$report.log"
     return "$status"
 }
 

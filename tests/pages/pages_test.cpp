@@ -1,0 +1,139 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "engine/files/files.h"
+#include "tests/pages/tables.h"
+#include "tests/support/folders.h"
+
+namespace oblong::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The project's pages: all files .md but those of builds and of hidden folders.
+std::vector<fs::path> all_pages() {
+    std::vector<fs::path> pages;
+    for (auto entry = fs::recursive_directory_iterator(source_folder()); entry != fs::end(entry); ++entry) {
+        const std::string name = entry->path().filename().string();
+        if (entry->is_directory() && (name.starts_with('.') || fs::exists(entry->path() / "CMakeCache.txt")))
+            entry.disable_recursion_pending();
+        else if (entry->path().extension() == ".md")
+            pages.push_back(entry->path());
+    }
+    std::sort(pages.begin(), pages.end());
+    return pages;
+}
+
+const std::map<std::string, std::function<std::string()>> kTables{{"actions", action_table},
+                                                                  {"options", option_table},
+                                                                  {"dials", dial_table},
+                                                                  {"classes", class_table},
+                                                                  {"entity keys", entity_key_table}};
+
+/// A page whose blocks "<!-- table NAME -->" to "<!-- end -->" are the tables of these names, which go to `found`.
+std::string with_tables(std::string page, std::set<std::string>& found) {
+    for (const auto& [name, table] : kTables) {
+        const std::string begin = "<!-- table " + name + " -->\n", end = "<!-- end -->";
+        const std::size_t first = page.find(begin);
+        if (first == std::string::npos) continue;
+        found.insert(name);
+        const std::size_t from = first + begin.size();
+        page.replace(from, page.find(end, from) - from, table());
+    }
+    return page;
+}
+
+/// OBLONG_WRITE_PAGES=1 build/bin/test_pages puts the tables into the pages.
+TEST(Pages, TablesAreThoseOfTheCode) {
+    std::set<std::string> found;
+    for (const fs::path& path : all_pages()) {
+        const std::string page = read_text(path.string()), wanted = with_tables(page, found);
+        if (page == wanted) continue;
+        if (std::getenv("OBLONG_WRITE_PAGES") != nullptr)
+            write_file(path.string(), wanted);
+        else
+            ADD_FAILURE() << path << " has other tables than the code: OBLONG_WRITE_PAGES=1 build/bin/test_pages";
+    }
+    EXPECT_EQ(found.size(), kTables.size());
+}
+
+/// What GitHub calls a heading in a link: "## Add a dial!" is "add-a-dial".
+std::set<std::string> anchors_of(const std::string& page) {
+    std::set<std::string> anchors;
+    std::istringstream lines(page);
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with('#')) continue;
+        std::string anchor;
+        for (const char letter : line.substr(line.find_first_not_of("# "))) {
+            if (letter == ' ' || letter == '-') anchor += '-';
+            if (std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_')
+                anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+        }
+        anchors.insert(anchor);
+    }
+    return anchors;
+}
+
+TEST(Pages, EveryLinkLeadsToAFileAndAHeading) {
+    const std::regex link(R"(\]\(([^)#\s]*)(#([^)\s]*))?\))");
+    int count = 0;
+    for (const fs::path& path : all_pages()) {
+        const std::string page = read_text(path.string());
+        for (std::sregex_iterator at(page.begin(), page.end(), link), end; at != end; ++at) {
+            const std::string target = (*at)[1], anchor = (*at)[3];
+            if (target.find("://") != std::string::npos) continue;
+            const fs::path file = target.empty() ? path : path.parent_path() / target;
+            EXPECT_TRUE(fs::exists(file)) << path << ": " << target;
+            const bool has_anchor =
+                anchor.empty() || (fs::exists(file) && anchors_of(read_text(file.string())).contains(anchor));
+            EXPECT_TRUE(has_anchor) << path << ": " << at->str();
+            ++count;
+        }
+    }
+    EXPECT_GT(count, 50);
+}
+
+/// Files that pages name by a path from the project's folder or from their own, as `tests/demo/walk_test.cpp`.
+TEST(Pages, EverySourceFileThatTheyNameIsThere) {
+    const std::regex name(R"(`((?!build)[a-z_]+(/[a-z0-9_]+)+\.(cpp|h|py|csv|map))`)");
+    const fs::path project = source_folder();
+    for (const fs::path& path : all_pages()) {
+        const std::string page = read_text(path.string());
+        for (std::sregex_iterator at(page.begin(), page.end(), name), end; at != end; ++at) {
+            const std::string file = (*at)[1];
+            const bool is_there = fs::exists(project / file) || fs::exists(path.parent_path() / file) ||
+                                  fs::exists(project / "engine" / file);
+            EXPECT_TRUE(is_there) << path << ": " << file;
+        }
+    }
+}
+
+/// Words of letters or digits: bars of tables are none.
+std::ptrdiff_t count_words(const std::string& page) {
+    std::istringstream text(page);
+    return std::count_if(std::istream_iterator<std::string>(text), {}, [](const std::string& word) {
+        return std::any_of(word.begin(), word.end(), [](unsigned char letter) { return std::isalnum(letter) != 0; });
+    });
+}
+
+TEST(Pages, AreShort) {
+    std::ptrdiff_t words = 0;
+    const std::regex table("<!-- table [^]*?<!-- end -->");
+    for (const fs::path& path : all_pages())
+        words += count_words(std::regex_replace(read_text(path.string()), table, ""));
+    EXPECT_LE(words, 12'000) << "beside the tables of the code";
+    const std::string first = read_text(source_folder() + "/README.md");
+    EXPECT_LE(std::count(first.begin(), first.end(), '\n'), 120);
+}
+
+}  // namespace
+}  // namespace oblong::test
