@@ -17,6 +17,12 @@ void open_key_pages(Menu& menu, MenuHost& host, KeyUndo& undo);
 /// The inputs of an action as the player's keyboard names them: "W, Up"; "none".
 std::string inputs_text(MenuHost& host, Action action);
 
+/// What a question says where leaving a walk loses something.
+inline constexpr const char* kLost = " What is not saved is lost.";
+
+/// A row that does something; its help begins with a capital.
+MenuRow menu_row(std::string label, std::function<void()> accept, std::string help = "");
+
 /// Opens the pages of the menu.
 class MenuPages {
   public:
@@ -53,6 +59,8 @@ class MenuPages {
     MenuPage options_page();
     MenuPage preferences_page(int page);
     std::string help_of(const Preference& preference);
+    MenuRow save_row(const SaveEntry& save, std::function<void()> accept) const;
+    MenuRow back_row();
 
     void ask(std::string title, std::string text, std::string yes, std::function<void()> action);
     /// Closes all pages, then does it.
