@@ -1,8 +1,9 @@
+#include "game/simulation/monster_places.h"
+
 #include <string>
 #include <string_view>
 
 #include "game/simulation/entity_keys.h"
-#include "game/simulation/entity_specs.h"
 
 namespace oblong {
 namespace {
