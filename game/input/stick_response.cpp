@@ -6,7 +6,7 @@
 namespace oblong {
 namespace {
 
-constexpr std::int64_t kReach = std::int64_t{kFullAxis} * 97 / 100;
+constexpr std::int64_t kFullReach = std::int64_t{kFullAxis} * 97 / 100;
 
 std::int64_t length_of(Stick stick) {
     const std::int64_t x = stick.x, y = stick.y;
@@ -23,8 +23,8 @@ Stick scaled(Stick stick, std::int64_t numerator, std::int64_t denominator) {
 Stick without_dead_zone(Stick stick, std::int32_t dead_zone_100) {
     const std::int64_t length = length_of(stick), dead = std::int64_t{kFullAxis} * dead_zone_100 / 100;
     if (length <= dead) return {};
-    if (length >= kReach) return scaled(stick, std::max<std::int64_t>(length, kFullAxis), length);
-    return scaled(stick, (length - dead) * kFullAxis, (kReach - dead) * length);
+    if (length >= kFullReach) return scaled(stick, std::max<std::int64_t>(length, kFullAxis), length);
+    return scaled(stick, (length - dead) * kFullAxis, (kFullReach - dead) * length);
 }
 
 Stick squared(Stick stick) {

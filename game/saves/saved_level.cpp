@@ -15,7 +15,7 @@ std::string absolute(const std::string& path) {
     return path.empty() ? "" : fs::absolute(path, ignored).lexically_normal().string();
 }
 
-bool is_there(const std::string& path) {
+bool is_at_hand(const std::string& path) {
     std::error_code ignored;
     return fs::exists(path, ignored) || path_in_pak(path);
 }
@@ -38,7 +38,7 @@ bool is_demo_level(const std::string& name, const std::string& assets) {
 SavedLevel saved_level_of(const LoadedLevel& loaded) {
     const GameData& data = loaded.data;
     SavedLevel saved;
-    saved.name = is_there(data.level_file) ? absolute(data.level_file) : data.level_file;
+    saved.name = is_at_hand(data.level_file) ? absolute(data.level_file) : data.level_file;
     saved.palette = absolute(loaded.files.palette);
     saved.models = absolute(loaded.files.models);
     if (!loaded.files.level.empty())  // the demo level is of no game
@@ -56,8 +56,8 @@ LevelFiles files_of(const SavedLevel& saved, const LevelFiles& own) {
         files.level = saved.name;
         files.game_folders = saved.game_folders;
     }
-    if (saved.palette.empty() || is_there(saved.palette)) files.palette = saved.palette;
-    if (saved.models.empty() || is_there(saved.models)) files.models = saved.models;
+    if (saved.palette.empty() || is_at_hand(saved.palette)) files.palette = saved.palette;
+    if (saved.models.empty() || is_at_hand(saved.models)) files.models = saved.models;
     return files;
 }
 

@@ -12,9 +12,9 @@
 namespace oblong {
 namespace {
 
-constexpr std::int32_t kUpwards = -1, kDownwards = -2;  // yaws that are none
-constexpr std::int32_t kLargestAngle = 3600;            // degrees
-constexpr std::int32_t kSlowest = 1, kFastest = 4000;   // units a second
+constexpr std::int32_t kUpwards = -1, kDownwards = -2;      // yaws that are none
+constexpr std::int32_t kLargestAngle = 3600;                // degrees
+constexpr std::int32_t kSlowest = 1, kFastestMover = 4000;  // units a second
 
 struct PitchYaw {
     World pitch, yaw;  // degrees, pitch down positive
@@ -80,7 +80,7 @@ World number_of(const Entity& entity, const char* key, std::int32_t largest) {
 
 World speed_per_tick_of(const Entity& entity) {
     const World speed = number_of(entity, "speed");
-    return scaled(std::clamp(speed, World::from_int(kSlowest), World::from_int(kFastest)), 1, kTicksPerSecond);
+    return scaled(std::clamp(speed, World::from_int(kSlowest), World::from_int(kFastestMover)), 1, kTicksPerSecond);
 }
 
 std::int32_t ticks_of(const Entity& entity, const char* key) {

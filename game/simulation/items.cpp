@@ -9,16 +9,16 @@
 namespace oblong {
 namespace {
 
-struct ClassRow {
+struct ItemClassRow {
     std::string_view name;
     ItemClass item_class;
     std::string_view message;
 };
 
 constexpr std::array kItemClasses{
-    ClassRow{"item_lens", ItemClass::Lens, ""},
-    ClassRow{"item_key1", ItemClass::SilverKey, "You have the silver key"},
-    ClassRow{"item_key2", ItemClass::GoldKey, "You have the gold key"},
+    ItemClassRow{"item_lens", ItemClass::Lens, ""},
+    ItemClassRow{"item_key1", ItemClass::SilverKey, "You have the silver key"},
+    ItemClassRow{"item_key2", ItemClass::GoldKey, "You have the gold key"},
 };
 
 std::uint8_t key_of(ItemClass item_class) {
@@ -30,8 +30,8 @@ std::uint8_t key_of(ItemClass item_class) {
 
 std::optional<Item> item_of(const Entity& entity) {
     const std::string name = entity.value("classname");
-    const auto row =
-        std::find_if(kItemClasses.begin(), kItemClasses.end(), [&](const ClassRow& each) { return each.name == name; });
+    const auto row = std::find_if(kItemClasses.begin(), kItemClasses.end(),
+                                  [&](const ItemClassRow& each) { return each.name == name; });
     const auto origin = row == kItemClasses.end() ? std::nullopt : origin_of(entity);
     if (!origin) return {};
     Item item;
@@ -43,7 +43,7 @@ std::optional<Item> item_of(const Entity& entity) {
 
 std::string_view default_message(ItemClass item_class) {
     const auto row = std::find_if(kItemClasses.begin(), kItemClasses.end(),
-                                  [&](const ClassRow& each) { return each.item_class == item_class; });
+                                  [&](const ItemClassRow& each) { return each.item_class == item_class; });
     return row->message;
 }
 

@@ -16,7 +16,7 @@ constexpr std::int64_t kMessageRest_ticks = 2 * kTicksPerSecond;  // likewise, o
 constexpr std::int32_t kRiderWait_ticks = kTicksPerSecond;        // of a lift after its rider left it
 constexpr std::int32_t kTurn_ticks = kTicksPerSecond;             // of a secret door between its two ways
 
-EntityRef ref_of(std::uint32_t mover) {
+EntityRef mover_ref(std::uint32_t mover) {
     return {EntityRef::Kind::Mover, mover};
 }
 
@@ -153,7 +153,7 @@ void open_door(const GameLevel& level, GameState& state, std::uint32_t i, Activa
     if (door.phase == Phase::AtEnd) door.wait_ticks = level.movers[i].wait_ticks;
     if (door.phase != Phase::AtStart && door.phase != Phase::Returning) return;
     set_off(state, i, Phase::Leaving);
-    activations.fire(ref_of(i));
+    activations.fire(mover_ref(i));
 }
 
 void activate_door(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
@@ -173,7 +173,7 @@ void touch_open_door(const GameLevel& level, GameState& state, std::uint32_t i, 
     MoverState& group = state.movers[level.movers[i].group];
     if (state.tick < group.next_touch) return;
     group.next_touch = state.tick + kDoorRest_ticks;
-    activations.activate(ref_of(i));
+    activations.activate(mover_ref(i));
 }
 
 // One that wants a key, or says something.
@@ -186,7 +186,7 @@ void touch_shut_door(const GameLevel& level, GameState& state, std::uint32_t i, 
     if (door.keys == 0) return;
     if ((state.keys & door.keys) != door.keys) return show(state, door.keys_message);
     state.keys = static_cast<std::uint8_t>(state.keys & ~door.keys);
-    activations.activate(ref_of(i));
+    activations.activate(mover_ref(i));
 }
 
 // --- Others ---
@@ -195,7 +195,7 @@ void activate_secret_door(GameState& state, std::uint32_t i, Activations& activa
     if (state.movers[i].phase != Phase::AtStart) return;
     state.movers[i].has_been_fired = true;
     set_off(state, i, Phase::Leaving);
-    activations.fire(ref_of(i));
+    activations.fire(mover_ref(i));
 }
 
 void touch_secret_door(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
@@ -203,7 +203,7 @@ void touch_secret_door(const GameLevel& level, GameState& state, std::uint32_t i
     if (state.tick < door.next_touch) return;
     door.next_touch = state.tick + kMessageRest_ticks;
     if (!door.has_been_fired) show(state, level.movers[i].touch_message);
-    if (level.movers[i].is_opened_by_touch) activations.activate(ref_of(i));
+    if (level.movers[i].is_opened_by_touch) activations.activate(mover_ref(i));
 }
 
 void press_button(GameState& state, std::uint32_t i) {
@@ -228,7 +228,7 @@ void activate_train(GameState& state, std::uint32_t i) {
 
 void touch_mover(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
     const Mover& mover = level.movers[i];
-    if (mover.kind == MoverKind::Button) return activations.activate(ref_of(i));
+    if (mover.kind == MoverKind::Button) return activations.activate(mover_ref(i));
     if (mover.kind == MoverKind::Lift) return touch_lift(state, i);
     if (mover.kind == MoverKind::SecretDoor) return touch_secret_door(level, state, i, activations);
     if (mover.is_opened_by_touch && mover.keys == 0) return touch_open_door(level, state, i, activations);
@@ -250,7 +250,7 @@ void step_movers(const GameLevel& level, GameState& state, Activations& activati
     report.has_left_movers = next != active.end();
     state.backlog.next_mover = report.has_left_movers ? *next : 0;
     std::erase_if(active, [&](std::uint32_t i) { return is_at_rest(state.movers[i]); });
-    for (const std::uint32_t i : firing) activations.fire(ref_of(i));
+    for (const std::uint32_t i : firing) activations.fire(mover_ref(i));
 }
 
 void end_tick_of_movers(GameState& state) {

@@ -10,7 +10,7 @@ namespace oblong {
 namespace {
 
 constexpr std::int64_t kLastTick = std::int64_t{1} << 40;  // a thousand years
-constexpr World kFastest = World::from_int(4096);          // along an axis; the player's own bound is half of that
+constexpr World kFastestSaved = World::from_int(4096);     // along an axis; the player's own bound is half of that
 constexpr std::int32_t kLongestWait_ticks = 2'000'000;     // above the largest number of a key
 
 // Collects the first thing that is wrong.
@@ -50,7 +50,7 @@ bool is_one_of(Enumeration value, Enumeration last) {
 
 void check_player(const GameLevel& level, const Player& player, Check& check) {
     check.expect(is_within(player.position, kFarthestPlayer), "player: a position outside the world");
-    check.expect(is_within(player.velocity, kFastest), "player: a velocity above any that the game makes");
+    check.expect(is_within(player.velocity, kFastestSaved), "player: a velocity above any that the game makes");
     check.expect(player.pitch >= -Player::kSteepestPitch && player.pitch <= Player::kSteepestPitch,
                  "player: pitch " + std::to_string(player.pitch) + ", expected -16000 to 16000");
     check.expect(is_within(player.eye_lag, World::from_int(kStepHeight)), "player: an eye more than a step too low");

@@ -16,24 +16,24 @@ constexpr World kFastestPush = World::from_int(2000);     // as fast as anything
 constexpr std::int32_t kStrokes = 3;                      // of lightning; Chthon's health at normal skill
 const Vec3<World> kShotReach = world_vector(32, 32, 64);  // from what has to be shot
 
-struct ClassRow {
+struct TriggerClassRow {
     std::string_view name;
     TriggerKind kind;
     bool has_volume;
 };
 
 constexpr std::array kTriggerClasses{
-    ClassRow{"trigger_multiple", TriggerKind::Multiple, true},
-    ClassRow{"trigger_once", TriggerKind::Multiple, true},
-    ClassRow{"trigger_secret", TriggerKind::Multiple, true},
-    ClassRow{"trigger_onlyregistered", TriggerKind::Multiple, true},
-    ClassRow{"trigger_relay", TriggerKind::Relay, false},
-    ClassRow{"trigger_counter", TriggerKind::Counter, false},
-    ClassRow{"trigger_teleport", TriggerKind::Teleport, true},
-    ClassRow{"trigger_push", TriggerKind::Push, true},
-    ClassRow{"trigger_changelevel", TriggerKind::Exit, true},
-    ClassRow{"info_checkpoint", TriggerKind::Checkpoint, false},
-    ClassRow{"event_lightning", TriggerKind::Lightning, false},
+    TriggerClassRow{"trigger_multiple", TriggerKind::Multiple, true},
+    TriggerClassRow{"trigger_once", TriggerKind::Multiple, true},
+    TriggerClassRow{"trigger_secret", TriggerKind::Multiple, true},
+    TriggerClassRow{"trigger_onlyregistered", TriggerKind::Multiple, true},
+    TriggerClassRow{"trigger_relay", TriggerKind::Relay, false},
+    TriggerClassRow{"trigger_counter", TriggerKind::Counter, false},
+    TriggerClassRow{"trigger_teleport", TriggerKind::Teleport, true},
+    TriggerClassRow{"trigger_push", TriggerKind::Push, true},
+    TriggerClassRow{"trigger_changelevel", TriggerKind::Exit, true},
+    TriggerClassRow{"info_checkpoint", TriggerKind::Checkpoint, false},
+    TriggerClassRow{"event_lightning", TriggerKind::Lightning, false},
 };
 
 void read_multiple(const Entity& entity, const std::string& name, Trigger& trigger) {
@@ -78,7 +78,7 @@ bool read_checkpoint(const Entity& entity, Trigger& trigger) {
 std::optional<Trigger> trigger_of(const Entity& entity, const Level& bsp) {
     const std::string name = entity.value("classname");
     const auto row = std::find_if(kTriggerClasses.begin(), kTriggerClasses.end(),
-                                  [&](const ClassRow& each) { return each.name == name; });
+                                  [&](const TriggerClassRow& each) { return each.name == name; });
     if (row == kTriggerClasses.end()) return {};
     Trigger trigger;
     trigger.kind = row->kind;

@@ -11,7 +11,7 @@ using Phase = MoverState::Phase;
 constexpr World kExitSpeed = World::from_int(300);
 constexpr std::int64_t kTeleporterTicks = kTicksPerSecond / 5;
 
-EntityRef ref_of(std::uint32_t trigger) {
+EntityRef trigger_ref(std::uint32_t trigger) {
     return {EntityRef::Kind::Trigger, trigger};
 }
 
@@ -28,7 +28,7 @@ void fire_unless_waiting(const Trigger& trigger, GameState& state, std::uint32_t
     if (state.tick < state.triggers[i].ready_tick) return;
     begin_wait(trigger, state, i);
     state.found_secrets += trigger.is_secret;
-    activations.fire(ref_of(i));
+    activations.fire(trigger_ref(i));
 }
 
 void count_down(const GameLevel& level, GameState& state, std::uint32_t i, Activations& activations) {
@@ -47,7 +47,7 @@ void strike(const GameLevel& level, GameState& state, std::uint32_t i, Activatio
     if (trigger.electrodes.size() < 2 || state.triggers[i].left == 0) return;
     for (const std::uint32_t electrode : trigger.electrodes)
         if (state.movers[electrode].phase != Phase::AtEnd) return;
-    if (--state.triggers[i].left == 0) activations.fire(ref_of(i));
+    if (--state.triggers[i].left == 0) activations.fire(trigger_ref(i));
 }
 
 bool looks_along(const Player& player, const Vec3<Unit>& direction) {
@@ -86,7 +86,7 @@ bool touch(const GameLevel& level, GameState& state, std::uint32_t i, Activation
             return false;
         case TriggerKind::Teleport:
             if (trigger.needs_activation && state.tick >= state.triggers[i].open_until) return false;
-            activations.fire(ref_of(i));
+            activations.fire(trigger_ref(i));
             teleport(state, trigger.place);
             return true;
         case TriggerKind::Push:
@@ -96,7 +96,7 @@ bool touch(const GameLevel& level, GameState& state, std::uint32_t i, Activation
             state.respawn = trigger.place;
             return false;
         case TriggerKind::Exit:
-            activations.fire(ref_of(i));
+            activations.fire(trigger_ref(i));
             end_level(state, i);
             return false;
         case TriggerKind::Relay:
@@ -136,7 +136,7 @@ void activate_trigger(const GameLevel& level, GameState& state, std::uint32_t i,
         case TriggerKind::Multiple:
             return fire_unless_waiting(trigger, state, i, activations);
         case TriggerKind::Relay:
-            return activations.fire(ref_of(i));
+            return activations.fire(trigger_ref(i));
         case TriggerKind::Counter:
             return count_down(level, state, i, activations);
         case TriggerKind::Lightning:

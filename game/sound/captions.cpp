@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int64_t kShown_ticks = 3 * kTicksPerSecond;
 constexpr std::int64_t kSilence_ticks = 15 * kTicksPerSecond;  // after it, what goes on and on is named again
-constexpr std::int32_t kFaintest_256 = 24;                     // both sides together: quieter loops are not named
+constexpr std::int32_t kFaintestNamed_256 = 24;                // both sides together: quieter loops are not named
 
 }  // namespace
 
@@ -37,7 +37,7 @@ bool Captions::is_due(const AudibleSound& sound) {
     const bool is_new = sound.serial > last_serial_;
     if (!row.is_loop() && !is_new) return false;
     if (row.caption_rule == CaptionRule::Always) return true;
-    if (row.is_loop() && sound.levels.left_256 + sound.levels.right_256 < kFaintest_256) return false;
+    if (row.is_loop() && sound.levels.left_256 + sound.levels.right_256 < kFaintestNamed_256) return false;
     std::int64_t& until = heard_until_[static_cast<std::size_t>(sound.sound)];
     const bool was_silent = until == 0 || tick_ > until + kSilence_ticks;
     until = tick_;

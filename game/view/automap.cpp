@@ -13,7 +13,7 @@ namespace oblong {
 
 namespace {
 
-constexpr View kMapWidth = View::from_int(2048), kFarthest = View::from_int(1 << 21);
+constexpr View kMapWidth = View::from_int(2048), kMapFarthest = View::from_int(1 << 21);
 constexpr int kPictureBrightness = 56;  // of 256, behind the map
 constexpr World kBeside = World::from_int(2), kStepHeight = World::from_int(18), kFlatWithin = World::from_int(1);
 constexpr World kRim = World::from_int(700), kMark = World::from_int(36);  // of missing lenses
@@ -75,7 +75,7 @@ class Automap::Plotter {
         const Angle up = orientation == MapView::PlayerUp ? camera.yaw : kQuarterTurn;
         const ViewSpec above = orthographic_view(camera.eye, view_basis(up, kQuarterTurn, {}), kMapWidth);
         view_ = make_view_context(above, mode, {.corrects_aspect = settings.correct_aspect});
-        volume_ = make_view_volume(view_.frustum, View::ulp(), kFarthest);
+        volume_ = make_view_volume(view_.frustum, View::ulp(), kMapFarthest);
     }
 
     void draw(const Vec3<World>& from, const Vec3<World>& to, const LineColour& colour) const {

@@ -19,7 +19,8 @@ NEEDED = (['bin/' + name for name in PROGRAMS]
           + ['share/icons/hicolor/%dx%d/apps/oblong.png' % (size, size) for size in (16, 32, 48, 64, 128, 256)]
           + ['share/icons/hicolor/scalable/apps/oblong.svg', 'share/applications/oblong.desktop',
              'share/metainfo/org.oblong_game.oblong.metainfo.xml', 'share/doc/oblong/copyright',
-             'share/doc/oblong/changelog', 'share/oblong/demo.bsp', 'share/oblong/palette.lmp'])
+             'share/doc/oblong/changelog', 'share/oblong/demo.bsp', 'share/oblong/palette.lmp',
+             'share/oblong/demo.map', 'share/oblong/demo.wad', 'share/oblong/walk.demo'])
 
 
 def main(build, version):

@@ -49,7 +49,7 @@ def with_player_before_it(text):
     start = lines.index('"classname" "info_player_start"')
     origin = next(i for i in range(start, len(lines)) if lines[i].startswith('"origin"'))
     lines[origin] = '"origin" "%d %d %d"' % (x, y, feet_z + ORIGIN_ABOVE_FEET)
-    first_brush = lines.index('{', lines.index('"classname" "worldspawn"'))
+    first_brush = lines.index('// brush 0')  # of the first layer, which is part of the world
     lines.insert(first_brush, block((x - 20, y - 20, feet_z - 8), (x + 20, y + 20, feet_z)))
     return '\n'.join(lines)
 
