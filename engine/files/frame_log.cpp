@@ -47,21 +47,21 @@ struct MemoryUse {
 std::vector<MemoryUse> memory_of(const LoggedFrame& frame) {
     const Level& level = frame.scene.level;
     const FrameWorkspace& work = frame.work;
-    const SurfaceCache& cache = work.surfaces.cache();
+    const SurfaceCache& cache = work.cache.surfaces.cache();
     return {{"level", "geometry", geometry_bytes(level)},
             {"level", "tree", tree_bytes(level)},
             {"level", "light", level.lighting.size()},
             {"level", "visible sets", level.visibility.size()},
             {"level", "textures", texture_bytes(level)},
-            {"scene", "face table", bytes_of(work.faces.faces) + bytes_of(work.faces.corners)},
-            {"geometry", "vertex cache", work.vertices.bytes()},
-            {"visibility", "span buffer", work.span_buffer.bytes()},
-            {"visibility", "walk", bytes_of(work.walk.face_marks) + bytes_of(work.walk.steps)},
+            {"scene", "face table", bytes_of(work.cache.faces.faces) + bytes_of(work.cache.faces.corners)},
+            {"geometry", "vertex cache", work.view.vertices.bytes()},
+            {"visibility", "span buffer", work.view.span_buffer.bytes()},
+            {"visibility", "walk", bytes_of(work.view.walk.face_marks) + bytes_of(work.view.walk.steps)},
             {"surface", "colormap", sizeof frame.scene.colormap},
             {"surface", "lit surfaces", cache.used_bytes()},
             {"surface", "table of lit surfaces", cache.bytes() - cache.arena_bytes()},
-            {"effects", "sky", bytes_of(work.sky_layers)},
-            {"frame", "claims", claim_bytes(work.claims)},
+            {"effects", "sky", bytes_of(work.cache.sky_layers)},
+            {"frame", "claims", claim_bytes(work.view.claims)},
             {"frame", "workspace", sizeof work},
             {"screen", "framebuffer", pixel_count(frame.mode.width_px, frame.mode.height_px)}};
 }
@@ -82,8 +82,8 @@ LogLines level_lines(const LoggedFrame& frame) {
                    counted(level.entities.size(), "entities"),
                    counted(level.lighting.size(), "bytes of light"),
                    counted(level.visibility.size(), "bytes of visible sets")};
-    lines.push_back(counted(frame.work.faces.torn_edges, "torn edges"));
-    for (const auto* warnings : {&frame.work.effects.warnings, &frame.work.things.warnings})
+    lines.push_back(counted(frame.work.cache.faces.torn_edges, "torn edges"));
+    for (const auto* warnings : {&frame.work.cache.effects.warnings, &frame.work.cache.things.warnings})
         for (const std::string& warning : *warnings) lines.push_back("warning: " + warning);
     return lines;
 }
@@ -100,9 +100,9 @@ LogLines memory_lines(const LoggedFrame& frame) {
 }
 
 LogLines cache_lines(const LoggedFrame& frame, CacheTotals& before) {
-    const FaceSurfaces& surfaces = frame.work.surfaces;
+    const FaceSurfaces& surfaces = frame.work.cache.surfaces;
     const CacheTotals now{surfaces.built_surfaces(), surfaces.built_texels(), surfaces.cache().evicted_surfaces()};
-    const std::size_t asked = frame.work.claims.list(FaceList::Walls).size();
+    const std::size_t asked = frame.work.view.claims.list(FaceList::Walls).size();
     LogLines lines{
         counted(asked, "lit faces in this frame"),
         std::to_string(now.surfaces - before.surfaces) + " surfaces built since the last line, of " +

@@ -3,34 +3,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
-
-#include "engine/base/table.h"
+#include <functional>
 
 namespace oblong {
 
 namespace {
 
-/// The pass that an effect has for itself.
-std::optional<Pass> pass_of(Effect effect) {
-    switch (effect) {
-        case Effect::Sky:
-            return Pass::Sky;
-        case Effect::Liquid:
-            return Pass::Liquid;
-        case Effect::Mirror:
-            return Pass::Mirror;
-        case Effect::Shadows:
-            return Pass::Shadows;
-        case Effect::Models:
-            return Pass::Models;
-        case Effect::Fog:
-            return Pass::Fog;
-        case Effect::Underwater:
-            return Pass::Underwater;
-        default:
-            return std::nullopt;
-    }
+/// The number of the pass that an effect has for itself, of the same name; kPassCount: none.
+std::size_t pass_of(std::string_view effect) {
+    const auto pass = std::find_if(kPasses.begin(), kPasses.end(), [&](const Pass& one) { return one.name == effect; });
+    return static_cast<std::size_t>(pass - kPasses.begin());
 }
 
 /// The part of the claims that is the walk: sampled, so that chance may make it a little less than nothing.
@@ -86,13 +68,14 @@ std::vector<PlanLine> RenderingTimes::pass_lines(const FramePlan& plan, const Fr
         lines.push_back(line_of(name, pixels, spread_of(times)));
         other_ns -= lines.back().nanoseconds;
     };
-    const auto end_of_faces = counts.pass_pixels.begin() + static_cast<int>(Pass::Shadows);
+    std::int64_t owned_pixels = 0;
+    for (std::size_t i = 0; i < kPassCount; ++i)
+        if (kPasses[i].owns_pixels) owned_pixels += counts.pass_pixels[i];
     add("walk", 0, walk_ns);
-    add("claims", std::accumulate(counts.pass_pixels.begin(), end_of_faces, std::int64_t{0}),
-        [](const PassTimes& times) { return times.claims_ns - walk_ns(times); });
-    for (const Pass pass : plan.passes)
-        add(at(kPassNames, pass), at(counts.pass_pixels, pass),
-            [pass](const PassTimes& times) { return at(times.passes_ns, pass); });
+    add("claims", owned_pixels, [](const PassTimes& times) { return times.claims_ns - walk_ns(times); });
+    for (std::size_t i = 0; i < kPassCount; ++i)
+        if (plan.passes[i])
+            add(kPasses[i].name, counts.pass_pixels[i], [i](const PassTimes& times) { return times.passes_ns[i]; });
     const TimeSpread other = spread_of(rest);
     lines.push_back({"other", 0, other_ns, other.low, other.high});
     return lines;
@@ -103,9 +86,9 @@ std::vector<PlanLine> RenderingTimes::effect_lines(const FramePlan& plan, const 
     for (std::size_t index = 0; index < kEffectCount; ++index) {
         const auto effect = static_cast<Effect>(index);
         if (!plan.effects.has(effect)) continue;
-        const std::optional<Pass> pass = pass_of(effect);
+        const std::size_t pass = pass_of(kEffectNames[index]);
         const std::vector<double> times = times_of([&](const Rendering& rendering) {
-            return pass ? at(rendering.times.passes_ns, *pass) : rendering.times.effects_ns[index];
+            return pass < kPassCount ? rendering.times.passes_ns[pass] : rendering.times.effects_ns[index];
         });
         lines.push_back(line_of(kEffectNames[index], counts.effect_pixels[index], spread_of(times)));
     }

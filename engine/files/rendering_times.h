@@ -47,11 +47,11 @@ class RenderingTimes {
     /// Times draw(), which draws one frame with this workspace.
     template <class Draw>
     void time(FrameWorkspace& work, Draw draw) {
-        work.times = std::make_unique<PassTimes>(watch_);
+        work.observers.times = &watch_;
         const std::int64_t began_ns = watch_.clock();
         draw();
         const std::int64_t taken_ns = watch_.clock() - began_ns;
-        watch_ = *std::exchange(work.times, nullptr);
+        work.observers.times = nullptr;
         add(taken_ns);
     }
     void clear() { renderings_.clear(); }

@@ -57,11 +57,11 @@ void for_claimed_faces(const Claims& claims, Take take) {
 
 std::vector<Vec3<World>> world_corners(const VisibleFace& visible, const LoggedFrame& frame) {
     if (visible.fragment) {
-        const auto corners = frame.work.brush_models.corners_of(*visible.fragment);
+        const auto corners = frame.work.cache.brush_models.corners_of(*visible.fragment);
         return {corners.begin(), corners.end()};
     }
     std::vector<Vec3<World>> corners;
-    for (const VertexIndex corner : frame.work.faces.corners_of(visible.face))
+    for (const VertexIndex corner : frame.work.cache.faces.corners_of(visible.face))
         corners.push_back(frame.scene.level.vertices[corner]);
     return corners;
 }
@@ -89,14 +89,14 @@ std::vector<RowSpan> spans_of_row(const Claims& claims, std::int32_t row) {
 }
 
 std::string face_text(const ListedFace& listed, const Level& level) {
-    const FaceIndex face = listed.face.visible.face;
+    const FaceIndex face = listed.face.face;
     return "face " + std::to_string(face.number()) + " (" + at(kListNames, listed.list) + ", " +
            level.texture_of(level.faces[face]).name + ")";
 }
 
 /// Corners of a face, and what clipping leaves of it.
 LogLines lines_of_face(const ListedFace& listed, const LoggedFrame& frame, const ViewContext& view) {
-    const std::vector<Vec3<View>> corners = view_corners(listed.face.visible, frame, view);
+    const std::vector<Vec3<View>> corners = view_corners(listed.face, frame, view);
     LogLines lines{face_text(listed, frame.scene.level) +
                    " in the middle of the picture: " + std::to_string(corners.size()) + " corners"};
     ClipScratch scratch;
@@ -149,9 +149,9 @@ LogLines clip_lines(const LoggedFrame& frame) {
     const ViewContext view = view_of(frame);
     std::array<int, kClipPlaneCount> crossing{};
     int faces = 0, inside = 0;
-    for_claimed_faces(frame.work.claims, [&](const ListedFace& listed) {
+    for_claimed_faces(frame.work.view.claims, [&](const ListedFace& listed) {
         unsigned crossed = 0;
-        for (const Vec3<View>& corner : view_corners(listed.face.visible, frame, view))
+        for (const Vec3<View>& corner : view_corners(listed.face, frame, view))
             crossed |= outcode_of(view.frustum, corner);
         ++faces;
         inside += (crossed & 15) == 0;
@@ -163,7 +163,7 @@ LogLines clip_lines(const LoggedFrame& frame) {
     LogLines lines{std::to_string(faces) + " faces own pixels: " + std::to_string(inside) +
                    " inside the view, the others cross " + sides};
     const std::int32_t column = frame.mode.width_px / 2;
-    for (const RowSpan& found : spans_of_row(frame.work.claims, frame.mode.height_px / 2)) {
+    for (const RowSpan& found : spans_of_row(frame.work.view.claims, frame.mode.height_px / 2)) {
         if (found.span.first > column || found.span.end <= column) continue;
         for (std::string& line : lines_of_face(found.face, frame, view)) lines.push_back(std::move(line));
         break;
@@ -172,7 +172,7 @@ LogLines clip_lines(const LoggedFrame& frame) {
 }
 
 LogLines span_lines(const LoggedFrame& frame) {
-    const Claims& claims = frame.work.claims;
+    const Claims& claims = frame.work.view.claims;
     LogLines lines;
     for (std::size_t list = 0; list < kFaceListCount; ++list) {
         std::size_t spans = 0;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,16 +16,16 @@
 
 namespace oblong {
 
+struct CornerScratch;
 struct FrameContext;
-class FrameWorkspace;
+struct ViewScratch;
 
 /// The passes that draw faces, each the faces of one list.
 enum class FaceList : std::uint8_t { Walls, Flat, Liquid, Sky, Mirror, SeeThrough };
 inline constexpr std::size_t kFaceListCount = 6;
 
 /// A face that owns pixels of a frame, or sees through to those behind it.
-struct ClaimedFace {
-    VisibleFace visible;
+struct ClaimedFace : VisibleFace {
     std::uint32_t first_span = 0, span_count = 0;  ///< in Claims
     View nearest_z, farthest_z;                    ///< of the face's part in view
 };
@@ -48,6 +49,7 @@ struct Claims {
     SpanList left_free;            ///< pixels that nothing owns: the void
     std::vector<FogRun> fog_runs;  ///< pixels in fog
     FrameThings things;            ///< what is among the faces
+    std::size_t walls_drawn = 0;   ///< the first ones of their list
     bool is_under_liquid = false;  ///< the eye is in a liquid
 
     std::vector<ClaimedFace>& list(FaceList which) { return lists[static_cast<std::size_t>(which)]; }
@@ -56,11 +58,10 @@ struct Claims {
         return std::span<const Span>(spans).subspan(face.first_span, face.span_count);
     }
     void clear();
-    /// Adds a face whose spans are the last ones, from `first_span` on.
-    void add(FaceList which, ClaimedFace face, std::size_t first_span) {
-        face.first_span = static_cast<std::uint32_t>(first_span);
-        face.span_count = static_cast<std::uint32_t>(spans.size() - first_span);
-        list(which).push_back(face);
+    /// The eye is in a liquid: the whole picture waves.
+    void add_waves() {
+        is_under_liquid = true;
+        effects = effects.with(Effect::Underwater);
     }
 };
 
@@ -77,8 +78,48 @@ inline FaceList list_for(EffectSet needs, EffectSet allowed) {
 /// The pixels of a list's faces.
 std::int64_t pixels_of(const Claims& claims, FaceList list);
 
-/// Takes the faces front to back and lets each claim its pixels; draws nothing. Faces that are seen through get the
-/// pixels that were free when the walk came to them, and leave them free.
-void claim_faces(const FrameContext& frame, FrameWorkspace& work);
+/// The corners of a face in the world, those at T-junctions only if the settings mend them: in `scratch.world`.
+std::span<const Vec3<World>> world_corners(const VisibleFace& face, const FrameContext& frame, CornerScratch& scratch);
+
+/// The faces that may own pixels of a view, front to back: each is projected into scratch.polygon and scanned into
+/// scratch.rows.
+class FaceScan {
+  public:
+    /// The arguments outlive it.
+    FaceScan(const FrameContext& frame, ViewScratch& scratch);
+    FaceScan(const FaceScan&) = delete;
+    ~FaceScan();
+
+    /// The next face that covers pixels which may be free; none if there is no other.
+    std::optional<VisibleFace> next();
+    /// Whether the walk comes to all faces for the second time (FrontToBackWalk).
+    bool is_second_walk() const { return walk_.takes_all_faces(); }
+
+  private:
+    bool project(const VisibleFace& visible);
+    bool keep_within_limits(const VisibleFace& visible);
+    bool scan();
+
+    const FrameContext& frame_;
+    ViewScratch& scratch_;
+    FrontToBackWalk walk_;
+};
+
+/// Lets a scanned face claim the pixels of its rows that are free. One that is seen through gets them and leaves them
+/// free, in the first walk: in the second it has them.
+void claim_face(const VisibleFace& face, bool is_second_walk, const FrameContext& frame, ViewScratch& scratch);
+
+/// Adds a face whose spans are the last ones, from `first_span` on, to its list; none without spans.
+void add_claimed(ClaimedFace face, std::size_t first_span, const FrameContext& frame, Claims& claims);
+
+/// Takes the faces front to back and lets each claim its pixels; draws nothing.
+void claim_faces(const FrameContext& frame, ViewScratch& scratch);
+
+/// Another way to find out which face owns which pixel, to be compared with claim_faces(): engine/methods.
+class FaceClaimer {
+  public:
+    virtual ~FaceClaimer() = default;
+    virtual void claim(const FrameContext& frame, ViewScratch& scratch) = 0;
+};
 
 }  // namespace oblong

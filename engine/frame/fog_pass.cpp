@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "engine/frame/frame_context.h"
-#include "engine/frame/surface_pass.h"
+#include "engine/frame/frame_counts.h"
 #include "engine/frame/torn_pixels.h"
-#include "engine/frame/workspace.h"
+#include "engine/frame/view_scratch.h"
 #include "engine/view/view_directions.h"
 
 namespace oblong {
@@ -18,28 +18,22 @@ LevelFogTables make_tables(const LevelFog& fog, const Palette& palette) {
 }
 
 /// Whether a face may be in fog: it, or the eye, reaches below the top.
-bool may_have_fog(const ClaimedFace& claimed, const FrameContext& frame, const FrameFog& fog,
-                  const FrameWorkspace& work) {
+bool may_have_fog(const VisibleFace& face, const FrameContext& frame, CornerScratch& scratch) {
+    const FrameFog& fog = frame.fog;
     if (!fog.height || frame.view.eye.z < fog.top) return true;
-    const auto is_low = [&](const Vec3<World>& corner) { return corner.z < fog.top; };
-    if (const Fragment* const fragment = claimed.visible.fragment) {
-        const auto corners = work.brush_models.corners_of(*fragment);
-        return std::any_of(corners.begin(), corners.end(), is_low);
-    }
-    const auto corners = work.faces.corners_of(claimed.visible.face);
-    return std::any_of(corners.begin(), corners.end(),
-                       [&](VertexIndex corner) { return is_low(frame.scene.level.vertices[corner]); });
+    const auto corners = world_corners(face, frame, scratch);
+    return std::any_of(corners.begin(), corners.end(), [&](const Vec3<World>& corner) { return corner.z < fog.top; });
 }
 
 }  // namespace
 
-FrameFog make_frame_fog(const FrameContext& frame, FrameWorkspace& work) {
-    const std::optional<LevelFog>& fog = work.effects.fog;
+FrameFog make_frame_fog(const FrameContext& frame) {
+    const std::optional<LevelFog>& fog = frame.cache.effects.fog;
     if (!fog || !frame.allows(Effect::Fog)) return {};
-    if (!work.fog_tables)
-        work.fog_tables = std::make_unique<LevelFogTables>(make_tables(*fog, frame.scene.colormap.palette));
+    if (!frame.cache.fog_tables)
+        frame.cache.fog_tables = std::make_unique<LevelFogTables>(make_tables(*fog, frame.scene.colormap.palette));
     FrameFog found;
-    found.tables = work.fog_tables.get();
+    found.tables = frame.cache.fog_tables.get();
     if (!fog->has_top) return found;
     found.top = fog->top;
     found.height = make_height_fog_view({fog->top, fog->fade_depth}, frame.view.eye,
@@ -58,28 +52,32 @@ void append_runs(std::span<const Span> spans, const LinearQuantity<InverseZ>& in
 }
 
 const ColourRow& fog_colours(std::int32_t column, std::int32_t row, InverseZ inverse_z, const FrameFog& fog,
-                             FrameWorkspace& work) {
-    work.thing_runs.clear();
+                             std::vector<FogRun>& runs) {
+    runs.clear();
     const Span pixel{row, column, column + 1};
-    append_runs(std::span(&pixel, 1), {inverse_z, {}, {}}, fog, work.thing_runs);
-    return fog.tables->colours.levels[static_cast<std::size_t>(work.thing_runs.front().level)];
+    append_runs(std::span(&pixel, 1), {inverse_z, {}, {}}, fog, runs);
+    return fog.tables->colours.levels[static_cast<std::size_t>(runs.front().level)];
 }
 
-void find_fog(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work) {
+void find_fog(const FrameContext& frame, ViewScratch& scratch) {
+    const FrameFog& fog = frame.fog;
     if (!fog.tables) return;
-    Claims& claims = work.claims;
+    Claims& claims = scratch.claims;
     for (const FaceList list : {FaceList::Walls, FaceList::Liquid, FaceList::Flat})
         for (const ClaimedFace& claimed : claims.list(list)) {
-            if (!may_have_fog(claimed, frame, fog, work)) continue;
-            const auto inverse_z = gradients_of(claimed.visible, FaceSurface{}, frame, work).inverse_z;
+            if (!may_have_fog(claimed, frame, scratch.corners)) continue;
+            const auto inverse_z = inverse_z_of(claimed, frame);
             append_runs(claims.spans_of(claimed), inverse_z, fog, claims.fog_runs);
         }
     for (const TornSpan& torn : claims.torn)
         append_runs({&torn.span, 1}, inverse_z_of(torn, frame), fog, claims.fog_runs);
-    const std::int32_t sky_level = fog.height ? 0 : sky_fog_level(work.effects.sky_fog_256);
+    const std::int32_t sky_level = fog.height ? 0 : sky_fog_level(frame.cache.effects.sky_fog_256);
     for (const ClaimedFace& claimed : claims.list(FaceList::Sky))
         for (const Span& span : claims.spans_of(claimed)) claims.fog_runs.push_back({span, sky_level});
     std::erase_if(claims.fog_runs, [](const FogRun& run) { return run.level == 0; });
+    if (frame.observers.counts)
+        for (const FogRun& run : claims.fog_runs)
+            frame.observers.counts->of(Effect::Fog) += run.span.end - run.span.first;
     if (!claims.fog_runs.empty()) claims.effects = claims.effects.with(Effect::Fog);
 }
 

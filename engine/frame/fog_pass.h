@@ -24,17 +24,17 @@ struct FrameFog {
 };
 
 /// The fog from this view, if the level has one and the settings allow it.
-FrameFog make_frame_fog(const FrameContext& frame, FrameWorkspace& work);
+FrameFog make_frame_fog(const FrameContext& frame);
 
 /// Appends the runs of spans of a face, clear ones too.
 void append_runs(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z, const FrameFog& fog,
                  std::vector<FogRun>& runs);
 
-/// The row of colours for a thing at one pixel and depth.
+/// The row of colours for a thing at one pixel and depth. `runs` is scratch.
 const ColourRow& fog_colours(std::int32_t column, std::int32_t row, InverseZ inverse_z, const FrameFog& fog,
-                             FrameWorkspace& work);
+                             std::vector<FogRun>& runs);
 
 /// Finds the pixels of opaque faces that fog covers. Fog that lies low leaves the sky clear.
-void find_fog(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work);
+void find_fog(const FrameContext& frame, ViewScratch& scratch);
 
 }  // namespace oblong

@@ -1,9 +1,8 @@
 #include "engine/frame/frame.h"
 
-#include <algorithm>
-
 #include "engine/frame/frame_context.h"
-#include "engine/frame/passes.h"
+#include "engine/frame/light_pass.h"
+#include "engine/frame/torn_pixels.h"
 #include "engine/frame/workspace.h"
 #include "engine/view/views.h"
 #include "engine/visibility/eye.h"
@@ -12,14 +11,13 @@ namespace oblong {
 
 namespace {
 
-/// What has a meaning in this view. Depth among things and for hidden surfaces is 1/z, fog and the water before the eye
-/// are measured from the eye: a parallel view has neither, and is drawn without them; mirrors in it are walls.
+/// What has a meaning in this view. Depth among things is 1/z, fog and the water before the eye are measured from the
+/// eye: a parallel view has neither, and is drawn without them; mirrors in it are walls.
 Settings settings_in(const ViewSpec& view, Settings settings) {
     if (!view.is_parallel) return settings;
     for (const Effect effect :
          {Effect::Particles, Effect::Sprites, Effect::Models, Effect::Fog, Effect::Underwater, Effect::Mirror})
         settings.allowed_effects = settings.allowed_effects.without(effect);
-    settings.hidden_surfaces = HiddenSurfaces::SpanBuffer;
     return settings;
 }
 
@@ -37,59 +35,88 @@ PlacedEye place_viewer(const Level& level, const ViewSpec& view) {
     return {eye.position, view.cuts.empty() ? eye.leaf : kSolidOutside};
 }
 
-/// Who draws a frame, if it is more than one thread. What is counted or recorded is drawn by one: in an order.
-SharedDrawing* shared_drawing_of(const FrameWorkspace& work) {
-    return work.counts || work.record ? nullptr : work.shared.get();
-}
-
-/// Finds what may be seen, and starts everything that lasts for a frame.
-FrameContext begin_frame(const Scene& scene, ViewSpec spec, const ScreenMode& mode, const Settings& settings,
-                         FrameWorkspace& work, Framebuffer out) {
-    if (work.times) *work.times = {work.times->clock, work.times->faces_walked};
-    const PlacedEye eye = place_viewer(scene.level, spec);
-    spec.eye = eye.position;
-    work.visible.see_from(scene.level, eye.leaf);
-    {
-        const Stopwatch watch(work.times.get(), Effect::BrushModels);
-        work.brush_models.start_frame(scene.level, scene.models, work.faces);
-    }
-    work.vertices.start_frame();
-    work.surfaces.start_frame(settings.accuracy, settings.brightness_100, scene.colormap);
-    work.span_buffer.reset();
-    work.claims.clear();
-    if (work.counts) *work.counts = make_frame_counts(out);
-    if (work.record) work.record->pixels.assign(pixel_count(out.pitch, out.height_px), {});
-
+FrameContext make_context(const Scene& scene, const ViewSpec& spec, const ScreenMode& mode, const Settings& settings,
+                          FrameWorkspace& work, Framebuffer out) {
     const Accuracy& accuracy = settings.accuracy;
     const ViewContext view = make_view_context(
         spec, mode, {accuracy.matrix_bits, accuracy.view_bits, accuracy.subpixel_bits, settings.correct_aspect});
-    return {scene,
-            settings,
-            view,
-            make_inverse_projection(view.projection, spec.shear_x, spec.shear_y),
-            make_span_texturing(settings.accuracy),
-            out,
-            scene.level.leaves[eye.leaf].contents,
-            nullptr,
-            limits_of(spec),
-            shared_drawing_of(work)};
+    FrameContext frame{scene,
+                       settings,
+                       work.cache,
+                       work.observers,
+                       view,
+                       make_inverse_projection(view.projection, spec.shear_x, spec.shear_y),
+                       make_span_texturing(accuracy),
+                       out,
+                       limits_of(spec)};
+    frame.fog = make_frame_fog(frame);
+    frame.claimer = work.claimer;
+    const bool is_in_order = frame.observers.counts || frame.observers.record;
+    if (!is_in_order) frame.shared = work.view.shared.get();
+    return frame;
 }
 
-/// Adds what is known at the end of a frame only.
-void count_frame(std::int64_t texels_before, FrameWorkspace& work) {
-    work.counts->stages.lit_texels = work.surfaces.built_texels() - texels_before;
+void start_observers(const FrameObservers& observers, Framebuffer out) {
+    if (observers.counts) *observers.counts = make_frame_counts(out);
+    if (observers.record) observers.record->pixels.assign(pixel_count(out.pitch, out.height_px), {});
+    if (observers.times) *observers.times = {observers.times->clock, observers.times->faces_walked};
+}
+
+/// Whether the whole picture waves, seen from a leaf.
+bool is_under_liquid(const FrameContext& frame, LeafIndex leaf) {
+    const std::int32_t inside = frame.scene.level.leaves[leaf].contents;
+    return inside <= contents::kWater && inside >= contents::kLava && frame.allows(Effect::Underwater);
+}
+
+/// Finds out which face owns each pixel.
+void claim_pixels(const FrameContext& frame, ViewScratch& scratch) {
+    const Stopwatch watch(frame.observers.times, &PassTimes::claims_ns);
+    if (frame.claimer)
+        frame.claimer->claim(frame, scratch);
+    else
+        claim_faces(frame, scratch);
+    if (!scratch.span_buffer.is_full()) claim_torn_pixels(frame, scratch);
 }
 
 }  // namespace
 
+void start_view(const FrameContext& frame, LeafIndex leaf, ViewScratch& scratch) {
+    const Scene& scene = frame.scene;
+    scratch.visible.see_from(scene.level, leaf);
+    scratch.vertices.start_frame();
+    scratch.claims.clear();
+    const Stopwatch watch(frame.observers.times, Effect::BrushModels);
+    frame.cache.brush_models.start_frame(scene.level, scene.models, frame.cache.faces);
+}
+
+FramePlan draw_view(const FrameContext& frame, ViewScratch& scratch) {
+    claim_pixels(frame, scratch);
+    find_things(frame, scratch);
+    find_fog(frame, scratch);
+    find_light(frame, scratch);
+    const FramePlan plan = plan_frame(scratch.claims);
+    run_passes(plan, frame, scratch);
+    return plan;
+}
+
 void draw_frame(const Scene& scene, const ViewSpec& view, const ScreenMode& mode, const Settings& settings,
                 FrameWorkspace& work, Framebuffer out) {
+    start_observers(work.observers, out);
+    const PlacedEye eye = place_viewer(scene.level, view);
+    ViewSpec placed = view;
+    placed.eye = eye.position;
     const Settings in_view = settings_in(view, settings);
-    const FrameContext frame = begin_frame(scene, view, mode, in_view, work, out);
-    const std::int64_t texels_before = work.surfaces.built_texels();
-    if (frame.shared) frame.shared->begin(frame, work);
-    work.plan = draw_view(frame, work);
-    if (work.counts) count_frame(texels_before, work);
+    const FrameContext frame = make_context(scene, placed, mode, in_view, work, out);
+
+    work.cache.surfaces.start_frame(settings.accuracy, settings.brightness_100, scene.colormap);
+    start_view(frame, eye.leaf, work.view);
+    work.view.span_buffer.reset();
+    if (is_under_liquid(frame, eye.leaf)) work.view.claims.add_waves();
+    if (frame.shared) frame.shared->begin(frame, find_light_beforehand(frame, work.view));
+    const std::int64_t texels_before = work.cache.surfaces.built_texels();
+    work.plan = draw_view(frame, work.view);
+    if (work.observers.counts)
+        work.observers.counts->stages.lit_texels = work.cache.surfaces.built_texels() - texels_before;
 }
 
 void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,

@@ -16,7 +16,7 @@
 
 namespace oblong {
 
-class FrameWorkspace;  // engine/frame/workspace.h: scratch and caches, owned by the caller, never part of the picture
+struct FrameWorkspace;  // engine/frame/workspace.h: scratch and caches, owned by the caller, never part of the picture
 
 /// Everything that a frame shows. Level and colormap are the same in all frames of a workspace, and outlive it.
 struct Scene {

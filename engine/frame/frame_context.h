@@ -1,31 +1,49 @@
 #pragma once
 
+#include <vector>
+
 #include "engine/accuracy/accuracy.h"
+#include "engine/frame/fog_pass.h"
 #include "engine/frame/frame.h"
-#include "engine/frame/mirror_pass.h"
-#include "engine/frame/texture_spans.h"
+#include "engine/frame/level_cache.h"
+#include "engine/frame/observers.h"
+#include "engine/frame/surface_pass.h"
 #include "engine/view/texture_gradients.h"
 #include "engine/view/view_context.h"
+#include "engine/visibility/front_to_back.h"
 
 namespace oblong {
 
+class FaceClaimer;
 class SharedDrawing;
+struct MirrorView;
 
-/// Everything that is constant while a frame is drawn.
+/// Everything that is constant while a view is drawn, beside the cache of its level. What changes is its ViewScratch.
 struct FrameContext {
     const Scene& scene;
     const Settings& settings;
+    LevelCache& cache;
+    FrameObservers observers;
     ViewContext view;
     InverseProjection inverse_projection;
     SpanTexturing texturing;
     Framebuffer out;
-    std::int32_t eye_contents = contents::kEmpty;  ///< of the leaf that the eye is in
-    const MirrorView* mirror = nullptr;            ///< the frame is what this mirror shows
-    std::vector<WalkLimit> limits;                 ///< parts of the level beyond them are left out
-    SharedDrawing* shared = nullptr;               ///< draws it by several threads; null: one
+    std::vector<WalkLimit> limits;  ///< parts of the level beyond them are left out
+    FrameFog fog = {};
+    const MirrorView* mirror = nullptr;  ///< the picture is what this mirror shows
+    SharedDrawing* shared = nullptr;     ///< draws it by several threads; null: one
+    FaceClaimer* claimer = nullptr;      ///< FrameWorkspace::claimer
 
     const Accuracy& accuracy() const { return settings.accuracy; }
     bool allows(Effect effect) const { return settings.allowed_effects.has(effect); }
+    /// How far a face's model has moved.
+    Vec3<World> offset_of(const VisibleFace& face) const { return cache.brush_models.offset_of(face.fragment); }
 };
+
+/// Starts to draw a view from a leaf: what may be seen from there, and nothing claimed yet.
+void start_view(const FrameContext& frame, LeafIndex leaf, ViewScratch& scratch);
+
+/// Draws a view that was started: lets faces claim its free pixels, plans, and runs the plan. Returns it.
+FramePlan draw_view(const FrameContext& frame, ViewScratch& scratch);
 
 }  // namespace oblong

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/view/screen.h"
+#include "engine/base/table.h"
 
 namespace oblong {
 
@@ -21,9 +21,14 @@ void count_runs(std::span<const Span> spans, std::int32_t pitch, std::vector<std
 
 }  // namespace
 
+std::int64_t FrameCounts::of(std::string_view pass) const {
+    const auto found =
+        std::find_if(kPasses.begin(), kPasses.end(), [pass](const Pass& one) { return one.name == pass; });
+    return at(pass_pixels, found - kPasses.begin());
+}
+
 std::vector<NamedCount> named_counts(const FrameCounts& counts) {
     const StageCounts& stages = counts.stages;
-    const HiddenSurfaceCounts& hidden = counts.hidden_surfaces;
     return {{"faces_visited", counts.faces_visited},
             {"faces_drawn", counts.faces_drawn},
             {"spans", counts.spans},
@@ -47,12 +52,7 @@ std::vector<NamedCount> named_counts(const FrameCounts& counts) {
             {"sky_directions", stages.sky_directions},
             {"sky_texels", stages.sky_texels},
             {"particles", stages.particles},
-            {"lit_texels", stages.lit_texels},
-            {"faces_scanned", hidden.faces_scanned},
-            {"pixels_tested", hidden.pixels_tested},
-            {"pixels_written", hidden.pixels_written},
-            {"order_comparisons", hidden.order_comparisons},
-            {"ray_face_tests", hidden.ray_face_tests}};
+            {"lit_texels", stages.lit_texels}};
 }
 
 std::int64_t pixels_of(std::span<const Span> spans) {
@@ -90,13 +90,15 @@ void count_divided_pixels(std::span<const Span> spans, std::int64_t divisions, s
     counts.divisions += pixels;
 }
 
-void count_writes(std::span<const TexelBlock> blocks, FrameCounts& counts) {
-    for (const TexelBlock& block : blocks) {
+void count_blocks(std::span<const Span> spans, const TextureGradients& gradients, const BlockList& blocks,
+                  FrameCounts& counts) {
+    counts.divisions += divisions_of(spans, gradients, blocks);
+    for (const TexelBlock& block : blocks.waiting()) {
         count_run(block.pixel, static_cast<std::uint32_t>(block.count), counts.writes);
         counts.stages.textured_pixels += block.count;
         counts.stages.last_blocks += (block.count & (block.count - 1)) != 0;
     }
-    counts.stages.blocks += static_cast<std::int64_t>(blocks.size());
+    counts.stages.blocks += std::ssize(blocks.waiting());
 }
 
 void count_sky(std::span<const Span> spans, std::int64_t blocks, const SkyNow& sky, StageCounts& stages) {

@@ -7,13 +7,12 @@
 #include <vector>
 
 #include "engine/effects/sky.h"
-#include "engine/frame/plan.h"
-#include "engine/raster/kernels/kernels.h"
+#include "engine/frame/passes.h"
 #include "engine/raster/scan.h"
+#include "engine/raster/texture_blocks.h"
 #include "engine/view/screen.h"
 #include "engine/view/screen_polygon.h"
 #include "engine/view/vertex_cache.h"
-#include "engine/visibility/pixel_owners.h"
 
 namespace oblong {
 
@@ -38,17 +37,18 @@ struct StageCounts {
     std::int64_t lit_texels = 0;       ///< built because the cache did not have them
 };
 
-/// Statistics of a frame, collected only on request (FrameWorkspace::counts).
+/// Statistics of a frame, collected only on request (FrameObservers): of each frame anew.
 struct FrameCounts {
     std::int64_t faces_visited = 0, faces_drawn = 0, spans = 0, divisions = 0;
     StageCounts stages;
-    HiddenSurfaceCounts hidden_surfaces;  ///< of other methods than the span buffer
-    std::vector<std::uint8_t> writes;     ///< of each pixel, by faces, those of the sky too; at most 255
+    std::vector<std::uint8_t> writes;  ///< of each pixel, by faces, those of the sky too; at most 255
     std::array<std::int64_t, kEffectCount> effect_pixels{};  ///< of each Effect: of what needs it
-    std::array<std::int64_t, kPassCount> pass_pixels{};      ///< of each Pass
+    std::array<std::int64_t, kPassCount> pass_pixels{};      ///< of each of kPasses
 
     std::int64_t& of(Effect effect) { return effect_pixels[static_cast<std::size_t>(effect)]; }
-    std::int64_t& of(Pass pass) { return pass_pixels[static_cast<std::size_t>(pass)]; }
+    std::int64_t of(Effect effect) const { return effect_pixels[static_cast<std::size_t>(effect)]; }
+    /// Of the pass of this name, one of kPasses.
+    std::int64_t of(std::string_view pass) const;
 };
 
 /// A count and its name, for reports.
@@ -66,9 +66,11 @@ FrameCounts make_frame_counts(const Framebuffer& out);
 
 /// Adds a face that owns `spans`, and their pixels to the effects that it needs.
 void count_face(EffectSet effects, std::span<const Span> spans, FrameCounts& counts);
-/// Adds a write to each pixel of spans or blocks. `pitch` is the framebuffer's.
+/// Adds a write to each pixel of spans that are drawn without a surface. `pitch` is the framebuffer's.
 void count_writes(std::span<const Span> spans, std::int32_t pitch, FrameCounts& counts);
-void count_writes(std::span<const TexelBlock> blocks, FrameCounts& counts);
+/// Adds spans that were cut into these blocks, which are drawn.
+void count_blocks(std::span<const Span> spans, const TextureGradients& gradients, const BlockList& blocks,
+                  FrameCounts& counts);
 /// Adds spans drawn by raster/exact_spans.h, which made so many divisions.
 void count_divided_pixels(std::span<const Span> spans, std::int64_t divisions, std::int32_t pitch, FrameCounts& counts);
 /// Moves these spans, all of the sky's, from the pixels of one colour to those of the sky, drawn in so many blocks.

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/frame/observers.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/placed_models.h"
@@ -20,10 +21,13 @@ struct PixelRecord {
     Texel u, v;  ///< s . p + s_offset, t . p + t_offset that is sampled: texels of mip level 0
 };
 
-/// What each pixel of a frame shows, recorded only on request (FrameWorkspace::record): for measuring errors.
+/// What each pixel of a frame shows, recorded only on request (FrameObservers): for measuring errors.
 struct FrameRecord {
     std::vector<PixelRecord> pixels;  ///< one a pixel of the framebuffer, its pitch included
 };
+
+/// Counts and records spans of a face that are drawn without a surface, if anyone asks.
+void note_spans(const VisibleFace& face, std::span<const Span> spans, Framebuffer out, const FrameObservers& observers);
 
 /// A pixel of a face, without texels.
 PixelRecord record_of(const VisibleFace& visible);

@@ -4,9 +4,9 @@
 
 #include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
+#include "engine/frame/frame_counts.h"
 #include "engine/frame/model_pass.h"
-#include "engine/frame/surface_pass.h"
-#include "engine/frame/workspace.h"
+#include "engine/frame/view_scratch.h"
 
 namespace oblong {
 
@@ -21,13 +21,13 @@ std::span<ParticleDot> dots_of(FrameThings& things, std::size_t first, std::size
 }
 
 /// Sets the depth of all pixels that things may cover.
-void fill_depth(const FrameContext& frame, FrameWorkspace& work) {
-    work.depth.clear();
+void fill_depth(const FrameContext& frame, ViewScratch& scratch) {
+    scratch.depth.clear();
     for (const FaceList list : {FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror})
-        for (const ClaimedFace& claimed : work.claims.list(list)) {
-            const std::span<const Span> spans = work.claims.spans_of(claimed);
-            if (!work.depth.touches(spans)) continue;
-            work.depth.fill(spans, gradients_of(claimed.visible, FaceSurface{}, frame, work).inverse_z);
+        for (const ClaimedFace& claimed : scratch.claims.list(list)) {
+            const std::span<const Span> spans = scratch.claims.spans_of(claimed);
+            if (!scratch.depth.touches(spans)) continue;
+            scratch.depth.fill(spans, inverse_z_of(claimed, frame));
         }
 }
 
@@ -56,14 +56,14 @@ InverseZ inverse_z_of(InverseDepth depth) {
 }
 
 /// Keeps what faces do not wholly hide, and counts its pixels.
-void keep_visible(const FrameContext& frame, FrameWorkspace& work) {
-    FrameThings& things = work.claims.things;
+void keep_visible(const FrameContext& frame, ViewScratch& scratch) {
+    FrameThings& things = scratch.claims.things;
     std::int64_t dot_pixels = 0, sprite_pixels = 0;
     for (const EmitterInView& emitter : things.in_view.emitters) {
         std::int64_t pixels = 0;
         if (frame.mirror && is_behind(*frame.mirror, emitter.middle, frame.scene.level)) continue;
         for (const ParticleDot& dot : dots_of(things, emitter.first_dot, emitter.dot_count))
-            pixels += visible_pixels(dot, work.depth);
+            pixels += visible_pixels(dot, scratch.depth);
         dot_pixels += pixels;
         if (pixels > 0)
             things.owning.push_back({emitter.middle, emitter.first_dot, emitter.dot_count, nullptr, nullptr});
@@ -71,29 +71,30 @@ void keep_visible(const FrameContext& frame, FrameWorkspace& work) {
     const std::uint8_t* const own_colours = frame.scene.colormap.shades[Colormap::kOwnShade].data();
     for (const SpriteInView& sprite : things.in_view.sprites) {
         if (frame.mirror && is_behind(*frame.mirror, sprite.position, frame.scene.level)) continue;
-        const std::int64_t pixels = visible_pixels(sprite.screen.pixels, middle_depth(sprite.screen), work.depth);
+        const std::int64_t pixels = visible_pixels(sprite.screen.pixels, middle_depth(sprite.screen), scratch.depth);
         sprite_pixels += pixels;
         if (pixels > 0) things.owning.push_back({sprite.position, 0, 0, &sprite.screen, own_colours});
     }
-    EffectSet& effects = work.claims.effects;
+    EffectSet& effects = scratch.claims.effects;
     if (dot_pixels > 0) effects = effects.with(Effect::Particles);
     if (sprite_pixels > 0) effects = effects.with(Effect::Sprites);
-    if (!work.counts) return;
-    work.counts->of(Effect::Particles) = dot_pixels;
-    work.counts->of(Effect::Sprites) = sprite_pixels;
+    if (!frame.observers.counts) return;
+    frame.observers.counts->of(Effect::Particles) = dot_pixels;
+    frame.observers.counts->of(Effect::Sprites) = sprite_pixels;
 }
 
-void colour_by_fog(const FrameFog& fog, FrameWorkspace& work) {
-    FrameThings& things = work.claims.things;
+void colour_by_fog(const FrameFog& fog, ViewScratch& scratch) {
+    std::vector<FogRun>& runs = scratch.effects.thing_runs;
+    FrameThings& things = scratch.claims.things;
     for (OwningThing& thing : things.owning) {
         for (ParticleDot& dot : dots_of(things, thing.first_dot, thing.dot_count))
             dot.colour =
-                fog_colours(dot.first_column, dot.first_row, inverse_z_of(dot.inverse_depth), fog, work)[dot.colour];
+                fog_colours(dot.first_column, dot.first_row, inverse_z_of(dot.inverse_depth), fog, runs)[dot.colour];
         if (!thing.sprite) continue;
         const ScreenRectangle& pixels = thing.sprite->pixels;
         thing.colours =
             fog_colours((pixels.first_column + pixels.end_column) / 2, (pixels.first_row + pixels.end_row) / 2,
-                        inverse_z_of(middle_depth(*thing.sprite)), fog, work)
+                        inverse_z_of(middle_depth(*thing.sprite)), fog, runs)
                 .data();
     }
 }
@@ -110,23 +111,23 @@ std::int64_t pixels_within(std::span<const Span> spans, const ScanlineExtents& r
 }
 
 /// Whether a pixel of a shadow's floor is in it.
-bool is_seen(const Shadow& shadow, const FrameContext& frame, FrameWorkspace& work) {
-    if (!scan_shadow(shadow, kWholeRadius_8, frame.scene.level, frame.view, work.shadows)) return false;
+bool is_seen(const Shadow& shadow, const FrameContext& frame, ViewScratch& scratch) {
+    if (!scan_shadow(shadow, kWholeRadius_8, frame.scene.level, frame.view, scratch.effects.shadows)) return false;
     std::int64_t pixels = 0;
-    for (const ClaimedFace& claimed : work.claims.list(FaceList::Walls))
-        if (frame.scene.level.faces[claimed.visible.face].plane == shadow.floor.plane && !claimed.visible.fragment)
-            pixels += pixels_within(work.claims.spans_of(claimed), work.shadows.rows);
-    if (work.counts) work.counts->of(Effect::Shadows) += pixels;
+    for (const ClaimedFace& claimed : scratch.claims.list(FaceList::Walls))
+        if (frame.scene.level.faces[claimed.face].plane == shadow.floor.plane && !claimed.fragment)
+            pixels += pixels_within(scratch.claims.spans_of(claimed), scratch.effects.shadows.rows);
+    if (frame.observers.counts) frame.observers.counts->of(Effect::Shadows) += pixels;
     return pixels > 0;
 }
 
-void find_seen_shadows(const FrameContext& frame, FrameWorkspace& work) {
-    ThingsInView& in_view = work.claims.things.in_view;
-    find_shadows(work.things, {work.visible, frame.view}, in_view);
-    std::vector<Shadow>& shadows = work.claims.things.shadows;
+void find_seen_shadows(const FrameContext& frame, ViewScratch& scratch) {
+    ThingsInView& in_view = scratch.claims.things.in_view;
+    find_shadows(frame.cache.things, {scratch.visible, frame.view}, in_view);
+    std::vector<Shadow>& shadows = scratch.claims.things.shadows;
     for (const Shadow& shadow : in_view.shadows)
-        if (is_seen(shadow, frame, work)) shadows.push_back(shadow);
-    if (!shadows.empty()) work.claims.effects = work.claims.effects.with(Effect::Shadows);
+        if (is_seen(shadow, frame, scratch)) shadows.push_back(shadow);
+    if (!shadows.empty()) scratch.claims.effects = scratch.claims.effects.with(Effect::Shadows);
 }
 
 }  // namespace
@@ -138,39 +139,39 @@ void FrameThings::clear() {
     meshes.clear();
 }
 
-void find_things(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work) {
-    ThingsInView& in_view = work.claims.things.in_view;
-    const Sight sight{work.visible, frame.view, frame.mirror ? &frame.mirror->pixels : nullptr};
+void find_things(const FrameContext& frame, ViewScratch& scratch) {
+    ThingsInView& in_view = scratch.claims.things.in_view;
+    const Sight sight{scratch.visible, frame.view, frame.mirror ? &frame.mirror->pixels : nullptr};
     const std::int64_t time_ms = frame.scene.time_ms;
-    work.depth.start_frame();
-    if (frame.allows(Effect::Particles)) find_particles(work.things, time_ms, sight, in_view, work.depth);
-    if (work.counts) work.counts->stages.particles = in_view.particles_computed;
+    scratch.depth.start_frame();
+    if (frame.allows(Effect::Particles)) find_particles(frame.cache.things, time_ms, sight, in_view, scratch.depth);
+    if (frame.observers.counts) frame.observers.counts->stages.particles = in_view.particles_computed;
     if (frame.allows(Effect::Sprites))
-        find_sprites(work.things, time_ms, frame.scene.level, sight, in_view, work.depth);
-    if (!frame.scene.meshes.empty() && frame.allows(Effect::Models)) find_meshes(frame, sight, work);
-    if (frame.allows(Effect::Shadows)) find_seen_shadows(frame, work);
-    if (!work.depth.is_wanted()) return;
-    fill_depth(frame, work);
-    keep_visible(frame, work);
-    if (!work.claims.things.meshes.empty()) keep_visible_meshes(work);
-    if (fog.tables) colour_by_fog(fog, work);
+        find_sprites(frame.cache.things, time_ms, frame.scene.level, sight, in_view, scratch.depth);
+    if (!frame.scene.meshes.empty() && frame.allows(Effect::Models)) find_meshes(frame, sight, scratch);
+    if (frame.allows(Effect::Shadows)) find_seen_shadows(frame, scratch);
+    if (!scratch.depth.is_wanted()) return;
+    fill_depth(frame, scratch);
+    keep_visible(frame, scratch);
+    if (!scratch.claims.things.meshes.empty()) keep_visible_meshes(scratch);
+    if (frame.fog.tables) colour_by_fog(frame.fog, scratch);
 }
 
-void draw_thing(const OwningThing& thing, const FrameContext& frame, FrameWorkspace& work) {
-    const Stopwatch watch(work.times.get(), thing.sprite ? Effect::Sprites : Effect::Particles);
-    if (thing.sprite) return draw_sprite(*thing.sprite, thing.colours, work.depth, frame.out);
-    draw_dots(dots_of(work.claims.things, thing.first_dot, thing.dot_count), work.depth, frame.out);
+void draw_thing(const OwningThing& thing, const FrameContext& frame, ViewScratch& scratch) {
+    const Stopwatch watch(frame.observers.times, thing.sprite ? Effect::Sprites : Effect::Particles);
+    if (thing.sprite) return draw_sprite(*thing.sprite, thing.colours, scratch.depth, frame.out);
+    draw_dots(dots_of(scratch.claims.things, thing.first_dot, thing.dot_count), scratch.depth, frame.out);
 }
 
-void draw_shadows(const FrameContext& frame, FrameWorkspace& work) {
+void draw_shadows(const FrameContext& frame, ViewScratch& scratch) {
     const Level& level = frame.scene.level;
     const std::uint8_t* const shade = frame.scene.colormap.shades[kShadowShade].data();
-    for (const Shadow& shadow : work.claims.things.shadows)
+    for (const Shadow& shadow : scratch.claims.things.shadows)
         for (const std::int32_t share_8 : {kWholeRadius_8, kCoreRadius_8}) {
-            if (!scan_shadow(shadow, share_8, level, frame.view, work.shadows)) continue;
-            for (const ClaimedFace& claimed : work.claims.list(FaceList::Walls))
-                if (level.faces[claimed.visible.face].plane == shadow.floor.plane && !claimed.visible.fragment)
-                    darken_spans(work.claims.spans_of(claimed), work.shadows.rows, shade, frame.out);
+            if (!scan_shadow(shadow, share_8, level, frame.view, scratch.effects.shadows)) continue;
+            for (const ClaimedFace& claimed : scratch.claims.list(FaceList::Walls))
+                if (level.faces[claimed.face].plane == shadow.floor.plane && !claimed.fragment)
+                    darken_spans(scratch.claims.spans_of(claimed), scratch.effects.shadows.rows, shade, frame.out);
         }
 }
 

@@ -8,8 +8,7 @@
 namespace oblong {
 
 struct FrameContext;
-struct FrameFog;
-class FrameWorkspace;
+struct ViewScratch;
 
 /// The dots of an emitter, or a sprite, that owns pixels.
 struct OwningThing {
@@ -39,12 +38,12 @@ struct FrameThings {
 
 /// Finds the particles, sprites, shadows and meshes that own pixels of the frame whose faces are claimed: what is in
 /// view, and not wholly behind faces.
-void find_things(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work);
+void find_things(const FrameContext& frame, ViewScratch& scratch);
 
 /// Draws one of them where no face is nearer.
-void draw_thing(const OwningThing& thing, const FrameContext& frame, FrameWorkspace& work);
+void draw_thing(const OwningThing& thing, const FrameContext& frame, ViewScratch& scratch);
 
 /// Darkens the pixels of floors that shadows fall on.
-void draw_shadows(const FrameContext& frame, FrameWorkspace& work);
+void draw_shadows(const FrameContext& frame, ViewScratch& scratch);
 
 }  // namespace oblong

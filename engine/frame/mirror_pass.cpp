@@ -1,24 +1,23 @@
 #include "engine/frame/mirror_pass.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/frame_context.h"
+#include "engine/frame/frame_record.h"
 #include "engine/frame/light_pass.h"
-#include "engine/frame/passes.h"
-#include "engine/frame/surface_pass.h"
-#include "engine/frame/workspace.h"
+#include "engine/frame/view_scratch.h"
 #include "engine/level/side.h"
+#include "engine/view/triangulate.h"
 #include "engine/visibility/eye.h"
 
 namespace oblong {
 
 namespace {
 
-MirrorPlane plane_of(const ClaimedFace& claimed, const Level& level, const FrameWorkspace& work) {
-    const Face& face = level.faces[claimed.visible.face];
-    return {face.plane, face.is_back, work.brush_models.offset_of(claimed.visible.fragment)};
+MirrorPlane plane_of(const ClaimedFace& claimed, const FrameContext& frame) {
+    const Face& face = frame.scene.level.faces[claimed.face];
+    return {face.plane, face.is_back, frame.offset_of(claimed)};
 }
 
 /// v - 2 (v . n) n: within 2 steps of 2^-30.
@@ -54,28 +53,13 @@ ViewContext mirrored(const ViewContext& view, const MirrorView& mirror, const Le
     return turned;
 }
 
-Vec3<World> middle_of(std::span<const Vec3<World>> corners) {
-    Vec3<WorldWide> sum;
-    for (const Vec3<World>& corner : corners) sum = sum + convert<WorldWide>(corner);
-    const auto part = [&](WorldWide whole) {
-        return World::from_raw(static_cast<World::Raw>(whole.raw / static_cast<std::int64_t>(corners.size())));
-    };
-    return {part(sum.x), part(sum.y), part(sum.z)};
-}
-
 /// The leaf before the middle of a mirror: what it shows can be seen from there.
-LeafIndex leaf_before(const ClaimedFace& claimed, const MirrorPlane& mirror, const Level& level, FrameWorkspace& work) {
-    std::vector<Vec3<World>> corners;
-    if (claimed.visible.fragment) {
-        const auto own = work.brush_models.corners_of(*claimed.visible.fragment);
-        corners.assign(own.begin(), own.end());
-    } else {
-        for (const VertexIndex corner : work.faces.corners_of(claimed.visible.face))
-            corners.push_back(level.vertices[corner]);
-    }
+LeafIndex leaf_before(const ClaimedFace& claimed, const MirrorPlane& mirror, const FrameContext& frame,
+                      CornerScratch& scratch) {
+    const Level& level = frame.scene.level;
     const Vec3<Unit>& normal = level.planes[mirror.plane].normal;
     const auto step = convert<World>(mirror.is_back ? -normal : normal);
-    return find_leaf(level, level.world(), middle_of(corners) + step);
+    return find_leaf(level, level.world(), middle_of(world_corners(claimed, frame, scratch)) + step);
 }
 
 /// The spans of all faces of one mirror, with columns from the right, sorted.
@@ -103,27 +87,26 @@ std::vector<WalkLimit> limits_of(const MirrorView& mirror, const FrameContext& f
     return limits;
 }
 
-/// Draws the mirrored view where `flipped` are free. Uses the workspace's scratch, but not its claims.
+/// Draws the mirrored view where `flipped` are free.
 void draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span<const Span> flipped,
-                        const FrameContext& frame, FrameWorkspace& work) {
+                        const FrameContext& frame, MirrorScratch& scratch) {
     Settings settings = frame.settings;
     settings.allowed_effects = settings.allowed_effects.without(Effect::Mirror);
-    const FrameContext mirrored_frame{
-        frame.scene,
-        settings,
-        mirrored(frame.view, mirror, frame.scene.level),
-        frame.inverse_projection,
-        frame.texturing,
-        {work.mirror.pixels.data(), frame.out.width_px, frame.out.height_px, frame.out.width_px},
-        contents::kEmpty,
-        &mirror,
-        limits_of(mirror, frame)};
-    work.visible.see_from(frame.scene.level, leaf);
-    work.brush_models.start_frame(frame.scene.level, frame.scene.models, work.faces);
-    work.vertices.start_frame();
-    work.span_buffer.reset_to(flipped);
-    work.claims.clear();
-    draw_view(mirrored_frame, work);
+    FrameContext mirrored_frame{frame.scene,
+                                settings,
+                                frame.cache,
+                                {},
+                                mirrored(frame.view, mirror, frame.scene.level),
+                                frame.inverse_projection,
+                                frame.texturing,
+                                {scratch.picture.data(), frame.out.width_px, frame.out.height_px, frame.out.width_px},
+                                limits_of(mirror, frame)};
+    mirrored_frame.fog = make_frame_fog(mirrored_frame);
+    mirrored_frame.mirror = &mirror;
+    mirrored_frame.claimer = frame.claimer;
+    start_view(mirrored_frame, leaf, *scratch.view);
+    scratch.view->span_buffer.reset_to(flipped);
+    draw_view(mirrored_frame, *scratch.view);
     copy_flipped(flipped, mirrored_frame.out, frame.out);
 }
 
@@ -134,40 +117,29 @@ bool is_behind(const MirrorView& mirror, const Vec3<World>& place, const Level& 
     return (plane_distance(level.planes[plane.plane], place - plane.offset) > PlaneDistance{}) == plane.is_back;
 }
 
-void draw_mirrors(const FrameContext& frame, FrameWorkspace& work) {
-    const Level& level = frame.scene.level;
-    Claims claims = std::exchange(work.claims, {});
-    auto counts = std::exchange(work.counts, nullptr);
-    auto record = std::exchange(work.record, nullptr);
-    auto times = std::exchange(work.times, nullptr);
-    if (!work.mirror.visible) work.mirror.visible = std::make_unique<VisibleSet>(level);
-    std::swap(work.visible, *work.mirror.visible);
-    std::swap(work.depth, work.mirror.depth);
-    work.mirror.pixels.assign(pixel_count(frame.out.width_px, frame.out.height_px), 0);
+void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
+    if (frame.shared) frame.shared->end();  // what a mirror shows is drawn by one thread
+    const Framebuffer& out = frame.out;
+    MirrorScratch& mirrors = scratch.mirror;
+    if (!mirrors.view)
+        mirrors.view = std::make_unique<ViewScratch>(frame.scene.level, frame.cache.faces,
+                                                     ScreenMode{out.width_px, out.height_px});
+    mirrors.picture.assign(pixel_count(out.width_px, out.height_px), 0);
 
-    std::vector<ClaimedFace> left = claims.list(FaceList::Mirror), drawn_faces;
+    std::vector<ClaimedFace> left = scratch.claims.list(FaceList::Mirror);
     for (std::size_t drawn = 0; drawn < kMostMirrors && !left.empty(); ++drawn) {
-        const MirrorPlane mirror = plane_of(left.front(), level, work);
-        const LeafIndex leaf = leaf_before(left.front(), mirror, level, work);
+        const MirrorPlane mirror = plane_of(left.front(), frame);
+        const LeafIndex leaf = leaf_before(left.front(), mirror, frame, scratch.corners);
         const auto others = std::stable_partition(
-            left.begin(), left.end(), [&](const ClaimedFace& face) { return plane_of(face, level, work) == mirror; });
-        const std::vector<Span> flipped =
-            flipped_spans({left.data(), static_cast<std::size_t>(others - left.begin())}, claims, frame.out.width_px);
-        draw_mirrored_view({mirror, rectangle_around(flipped)}, leaf, flipped, frame, work);
-        drawn_faces.insert(drawn_faces.end(), left.begin(), others);
+            left.begin(), left.end(), [&](const ClaimedFace& face) { return plane_of(face, frame) == mirror; });
+        const std::span<const ClaimedFace> faces(left.begin(), others);
+        const std::vector<Span> flipped = flipped_spans(faces, scratch.claims, out.width_px);
+        draw_mirrored_view({mirror, rectangle_around(flipped)}, leaf, flipped, frame, mirrors);
+        for (const ClaimedFace& face : faces) note_spans(face, scratch.claims.spans_of(face), out, frame.observers);
         left.erase(left.begin(), others);
     }
-
-    work.claims = std::move(claims);
-    std::swap(work.visible, *work.mirror.visible);
-    std::swap(work.depth, work.mirror.depth);
-    find_light(frame, work);  // the frame's own again, counted before
-    work.counts = std::move(counts);
-    work.record = std::move(record);
-    work.times = std::move(times);
-    work.claims.list(FaceList::Mirror) = std::move(left);
-    for (const ClaimedFace& face : drawn_faces) note_spans(face, work.claims.spans_of(face), frame.out, work);
-    draw_surfaces(FaceList::Mirror, {}, frame, work);
+    restore_light(frame, scratch);
+    draw_surfaces(left, {}, frame, scratch);
 }
 
 }  // namespace oblong

@@ -5,14 +5,12 @@
 #include <vector>
 
 #include "engine/level/level.h"
-#include "engine/raster/depth.h"
 #include "engine/view/screen.h"
-#include "engine/visibility/visible_set.h"
 
 namespace oblong {
 
 struct FrameContext;
-class FrameWorkspace;
+struct ViewScratch;
 
 /// The plane of a mirror, moved by `offset` with its brush model. The picture in it shows what is on the side that it
 /// faces.
@@ -32,13 +30,10 @@ struct MirrorView {
 /// Whether a place is behind a mirror, so that it does not show it.
 bool is_behind(const MirrorView& mirror, const Vec3<World>& place, const Level& level);
 
-/// Scratch of mirrors; empty until a frame shows one.
+/// What views in mirrors are drawn with; empty until a frame shows one.
 struct MirrorScratch {
-    std::vector<std::uint8_t> pixels;      ///< the flipped picture
-    std::vector<Vec3<World>> corners;      ///< of a face, then of its part before the mirror
-    std::vector<PlaneDistance> distances;  ///< of the corners
-    DepthBuffer depth;                     ///< of the picture
-    std::unique_ptr<VisibleSet> visible;   ///< from before the mirror
+    std::unique_ptr<ViewScratch> view;
+    std::vector<std::uint8_t> picture;  ///< flipped
 };
 
 /// The most mirror planes of a frame: of more, the farther ones are drawn as walls.
@@ -47,6 +42,6 @@ inline constexpr std::size_t kMostMirrors = 4;
 /// Draws what the frame's mirrors show, one level deep: mirrors in a mirror are walls. Each plane takes a picture of
 /// its own from the mirrored eye, of which only the pixels that its faces own are drawn. Mirrored axes are left-handed
 /// where the view's are right-handed; with `right` turned round they are a camera again, whose picture is flipped.
-void draw_mirrors(const FrameContext& frame, FrameWorkspace& work);
+void draw_mirrors(const FrameContext& frame, ViewScratch& scratch);
 
 }  // namespace oblong

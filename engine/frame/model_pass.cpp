@@ -4,7 +4,8 @@
 
 #include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
-#include "engine/frame/workspace.h"
+#include "engine/frame/frame_counts.h"
+#include "engine/frame/view_scratch.h"
 #include "engine/scene/light_below.h"
 #include "engine/visibility/box_rectangle.h"
 
@@ -18,11 +19,6 @@ constexpr Vec3<WorldWide> kTowardLight{WorldWide::from_int(2), WorldWide::from_i
 ScreenRectangle intersection(const ScreenRectangle& a, const ScreenRectangle& b) {
     return {std::max(a.first_column, b.first_column), std::min(a.end_column, b.end_column),
             std::max(a.first_row, b.first_row), std::min(a.end_row, b.end_row)};
-}
-
-Vec3<World> middle_of(const LevelBox& box) {
-    const auto middle = [&box](std::size_t axis) { return World::from_raw((box.mins[axis] + box.maxs[axis]) * 2048); };
-    return {middle(0), middle(1), middle(2)};
 }
 
 /// 1/z of the corner of a box that is nearest along the view.
@@ -63,44 +59,43 @@ WorldWide reach_of(const LevelBox& box) {
 }
 
 /// The frame's lights that reach a mesh's box.
-void gather_mesh_lights(const MeshInView& mesh, FrameWorkspace& work) {
+void gather_mesh_lights(const MeshInView& mesh, ViewScratch& scratch) {
     const Vec3<World> middle = middle_of(mesh.box);
     const WorldWide reach = reach_of(mesh.box);
-    work.mesh_lights.clear();
-    for (const MovingLight& light : work.lights) {
+    scratch.effects.mesh_lights.clear();
+    for (const MovingLight& light : scratch.light.moving) {
         const auto way = saturating_convert<World>(widening_difference(light.position, middle));
-        if (length(way) < convert<WorldWide>(light.radius) + reach) work.mesh_lights.push_back(light);
+        if (length(way) < convert<WorldWide>(light.radius) + reach) scratch.effects.mesh_lights.push_back(light);
     }
 }
 
 /// The light at a mesh's place: of the floor below it, a half from everywhere and a good half from above; and of what
 /// moves.
-MeshLight light_on(const MeshInView& mesh, const FrameContext& frame, const FrameWorkspace& work) {
+MeshLight light_on(const MeshInView& mesh, const FrameContext& frame, const ViewScratch& scratch) {
     const std::optional<std::int32_t> below_8 =
-        light_8_below(frame.scene.level, middle_of(mesh.box), work.light_styles);
+        light_8_below(frame.scene.level, middle_of(mesh.box), scratch.light.styles);
     const std::int32_t level = std::min(below_8.value_or(kFullLight * 256) / 256, MeshLight::kMostLight);
     MeshLight light;
     light.ambient = std::max(level * 5 / 8, mesh.placed->least_light);
     light.directional = {normalised(kTowardLight), level * 5 / 8};
-    light.points = work.mesh_lights;
+    light.points = scratch.effects.mesh_lights;
     light.brightness_100 = frame.settings.brightness_100;
     return light;
 }
 
 /// The colours of fog over a mesh, all of it as in its middle; null: none.
-const std::uint8_t* fog_over(const MeshInView& mesh, const FrameContext& frame, const FrameFog& fog,
-                             FrameWorkspace& work) {
-    if (!fog.tables) return nullptr;
+const std::uint8_t* fog_over(const MeshInView& mesh, const FrameContext& frame, ViewScratch& scratch) {
+    if (!frame.fog.tables) return nullptr;
     const View z = to_view(middle_of(mesh.box), frame.view.eye, frame.view.axes).z;
     const ScreenRectangle& pixels = mesh.pixels;
     return fog_colours((pixels.first_column + pixels.end_column) / 2, (pixels.first_row + pixels.end_row) / 2,
-                       reciprocal<InverseZ>(std::max(z, View::from_int(1))), fog, work)
+                       reciprocal<InverseZ>(std::max(z, View::from_int(1))), frame.fog, scratch.effects.thing_runs)
         .data();
 }
 
 }  // namespace
 
-void find_meshes(const FrameContext& frame, const Sight& sight, FrameWorkspace& work) {
+void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scratch) {
     for (const PlacedMesh& placed : frame.scene.meshes) {
         if (!placed.mesh || placed.mesh->frames.empty()) continue;
         if (frame.mirror && is_behind(*frame.mirror, placed.position, frame.scene.level)) continue;
@@ -108,30 +103,29 @@ void find_meshes(const FrameContext& frame, const Sight& sight, FrameWorkspace& 
         if (!may_be_seen(frame.scene.level, box, sight.visible, sight.view)) continue;
         const ScreenRectangle pixels = pixels_of(box, sight.view, sight.part);
         if (pixels.first_column >= pixels.end_column || pixels.first_row >= pixels.end_row) continue;
-        work.depth.want(pixels);
-        work.claims.things.meshes.push_back({&placed, pixels, box, nearest_depth_of(box, sight.view)});
+        scratch.depth.want(pixels);
+        scratch.claims.things.meshes.push_back({&placed, pixels, box, nearest_depth_of(box, sight.view)});
     }
 }
 
-void keep_visible_meshes(FrameWorkspace& work) {
-    std::vector<MeshInView>& meshes = work.claims.things.meshes;
-    std::erase_if(meshes, [&work](const MeshInView& mesh) { return is_hidden(mesh, work.depth); });
-    if (!meshes.empty()) work.claims.effects = work.claims.effects.with(Effect::Models);
+void keep_visible_meshes(ViewScratch& scratch) {
+    std::vector<MeshInView>& meshes = scratch.claims.things.meshes;
+    std::erase_if(meshes, [&scratch](const MeshInView& mesh) { return is_hidden(mesh, scratch.depth); });
+    if (!meshes.empty()) scratch.claims.effects = scratch.claims.effects.with(Effect::Models);
 }
 
-void draw_meshes(const FrameContext& frame, const FrameFog& fog, FrameWorkspace& work) {
-    if (!work.meshes) work.meshes = std::make_unique<MeshScratch>(frame.out.height_px);
+void draw_meshes(const FrameContext& frame, ViewScratch& scratch) {
+    if (!scratch.effects.meshes) scratch.effects.meshes = std::make_unique<MeshScratch>(frame.out.height_px);
     std::int64_t pixels = 0;
-    for (const MeshInView& mesh : work.claims.things.meshes) {
-        if (is_hidden(mesh, work.depth)) continue;  // behind the meshes before it
-        gather_mesh_lights(mesh, work);
-        const MeshDrawing drawing{frame.view, work.surfaces.colormap(), light_on(mesh, frame, work),
-                                  fog_over(mesh, frame, fog, work), frame.accuracy().texturing == Texturing::Affine};
-        pixels += draw_mesh(*mesh.placed, drawing, {work.depth, frame.out, mesh.pixels}, *work.meshes).pixels;
+    for (const MeshInView& mesh : scratch.claims.things.meshes) {
+        if (is_hidden(mesh, scratch.depth)) continue;  // behind the meshes before it
+        gather_mesh_lights(mesh, scratch);
+        const MeshDrawing drawing{frame.view, frame.cache.surfaces.colormap(), light_on(mesh, frame, scratch),
+                                  fog_over(mesh, frame, scratch), frame.accuracy().texturing == Texturing::Affine};
+        pixels +=
+            draw_mesh(*mesh.placed, drawing, {scratch.depth, frame.out, mesh.pixels}, *scratch.effects.meshes).pixels;
     }
-    if (!work.counts) return;
-    work.counts->of(Effect::Models) += pixels;
-    work.counts->of(Pass::Models) += pixels;
+    if (frame.observers.counts) frame.observers.counts->of(Effect::Models) += pixels;
 }
 
 }  // namespace oblong

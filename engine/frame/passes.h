@@ -1,16 +1,44 @@
 #pragma once
 
-#include "engine/frame/plan.h"
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <string_view>
+
+#include "engine/scene/effects.h"
 
 namespace oblong {
 
+struct Claims;
 struct FrameContext;
-class FrameWorkspace;
+struct FrameCounts;
+struct ViewScratch;
 
-/// Counts and records spans of a face that are drawn without a surface.
-void note_spans(const ClaimedFace& claimed, std::span<const Span> spans, Framebuffer out, FrameWorkspace& work);
+/// A step of a frame that writes pixels.
+struct Pass {
+    std::string_view name;
+    bool owns_pixels;                                           ///< false: reads or covers what others have drawn
+    bool (*has_work)(const Claims&);                            ///< a pass without does not run
+    std::int64_t (*pixels)(const Claims&, const FrameCounts&);  ///< that it has drawn, of a frame that is counted
+    void (*run)(const FrameContext& frame, ViewScratch& scratch);
+};
 
-/// Claims the pixels that are free, plans, and runs the plan. Returns it.
-FramePlan draw_view(const FrameContext& frame, FrameWorkspace& work);
+/// All passes, in the order in which they run: those that own their pixels first.
+inline constexpr std::size_t kPassCount = 11;
+extern const std::array<Pass, kPassCount> kPasses;
+
+/// What a frame runs: nothing else does. A pass is on it if something that owns pixels needs it.
+struct FramePlan {
+    std::bitset<kPassCount> passes;  ///< by their numbers in kPasses
+    EffectSet effects;               ///< those that own pixels
+
+    /// Whether the pass of this name is on it; false for names of none.
+    bool has(std::string_view pass) const;
+};
+
+/// The plan for these claims.
+FramePlan plan_frame(const Claims& claims);
+/// Runs the passes of a plan.
+void run_passes(const FramePlan& plan, const FrameContext& frame, ViewScratch& scratch);
 
 }  // namespace oblong

@@ -1,7 +1,6 @@
 #include "engine/frame/shared_drawing.h"
 
-#include "engine/frame/surface_pass.h"
-#include "engine/frame/workspace.h"
+#include "engine/base/table.h"
 
 namespace oblong {
 
@@ -20,10 +19,9 @@ SharedDrawing::SharedDrawing(Workers& workers, std::int32_t longest_px)
       spans_(kMostSpans),
       scratches_(static_cast<std::size_t>(workers.count()), SpanScratch(longest_px)) {}
 
-void SharedDrawing::begin(const FrameContext& frame, const FrameWorkspace& work) {
+void SharedDrawing::begin(const FrameContext& frame, bool takes_walls) {
     frame_ = &frame;
-    work_ = &work;
-    face_counts_ = {};
+    takes_walls_at_once = takes_walls;
     item_count_ = span_count_ = 0;
     first_item_ = 0;
     workers_.begin(*this);
@@ -83,8 +81,8 @@ void SharedDrawing::do_item(std::uint32_t number, int worker) {
         draw_sky(item.spans, sky_, frame.view.ray_directions(), frame.view.projection, frame.out);
         return;
     }
-    draw_with_surface(item.claimed, item.surface, item.effect, item.spans, frame, *work_,
-                      {frame.texturing, frame.out, scratches_[static_cast<std::size_t>(worker)]});
+    draw_textured(textured_face(item.claimed, item.surface, item.effect, frame), item.spans,
+                  {frame.texturing, frame.out, at(scratches_, worker)});
 }
 
 }  // namespace oblong

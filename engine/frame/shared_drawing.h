@@ -1,15 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "engine/base/table.h"
 #include "engine/base/workers.h"
 #include "engine/effects/sky.h"
 #include "engine/frame/frame_context.h"
-#include "engine/frame/texture_spans.h"
+#include "engine/frame/surface_pass.h"
 
 namespace oblong {
 
@@ -21,8 +19,8 @@ class SharedDrawing final : public SharedWork {
     /// `workers` outlive it. For spans of up to `longest_px` pixels.
     SharedDrawing(Workers& workers, std::int32_t longest_px);
 
-    /// Begins to draw a frame. The arguments outlive end().
-    void begin(const FrameContext& frame, const FrameWorkspace& work);
+    /// Begins to draw a frame, which outlives end().
+    void begin(const FrameContext& frame, bool takes_walls);
     /// Hands over spans of a face with its surface.
     void add(const ClaimedFace& claimed, const FaceSurface& surface, const SurfaceEffect& effect,
              std::span<const Span> spans);
@@ -32,8 +30,6 @@ class SharedDrawing final : public SharedWork {
     void end();
 
     bool is_on() const { return frame_ != nullptr; }  ///< from begin() to end()
-    /// How many faces of a list were handed over.
-    std::size_t& face_count(FaceList list) { return at(face_counts_, list); }
     /// Whether walls are handed over while the walk goes on: their light is known. Else it is found out first.
     bool takes_walls_at_once = false;
 
@@ -55,11 +51,9 @@ class SharedDrawing final : public SharedWork {
 
     Workers& workers_;
     const FrameContext* frame_ = nullptr;
-    const FrameWorkspace* work_ = nullptr;
     std::vector<Item> items_;  ///< as many as may wait: others read some while one more is written
     std::vector<Span> spans_;  ///< likewise
     SkyNow sky_{};
-    std::array<std::size_t, kFaceListCount> face_counts_{};
     std::size_t item_count_ = 0, span_count_ = 0;
     std::uint32_t first_item_ = 0;        ///< the number of items_[0]
     std::vector<SpanScratch> scratches_;  ///< of each worker

@@ -1,136 +1,259 @@
 #include "engine/frame/surface_pass.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/frame_context.h"
-#include "engine/frame/shared_drawing.h"
-#include "engine/frame/texture_spans.h"
-#include "engine/frame/workspace.h"
-#include "engine/scene/face_surface.h"
+#include "engine/frame/frame_counts.h"
+#include "engine/frame/frame_record.h"
+#include "engine/frame/view_scratch.h"
+#include "engine/raster/exact_spans.h"
 
 namespace oblong {
 
 namespace {
 
 /// The texture that a face shows now; none: its own.
-TextureIndex texture_now(const VisibleFace& visible, const FrameContext& frame, const FrameWorkspace& work) {
-    if (!work.faces.faces[visible.face].effects.has(Effect::AnimatedTextures)) return TextureIndex::none();
+TextureIndex texture_now(const VisibleFace& face, const FrameContext& frame) {
+    const LevelCache& cache = frame.cache;
+    if (!cache.faces.faces[face.face].effects.has(Effect::AnimatedTextures)) return TextureIndex::none();
     if (!frame.allows(Effect::AnimatedTextures)) return TextureIndex::none();
     const Level& level = frame.scene.level;
-    const bool is_switched = visible.fragment && work.brush_models.is_switched(*visible.fragment);
-    return work.effects.animations.shown(level.texinfos[level.faces[visible.face].texinfo].texture, is_switched,
-                                         frame.scene.time_ms);
+    const bool is_switched = face.fragment && cache.brush_models.is_switched(*face.fragment);
+    return cache.effects.animations.shown(level.texinfos[level.faces[face.face].texinfo].texture, is_switched,
+                                          frame.scene.time_ms);
 }
 
 /// The effect that building a face's surface is for; none for faces whose surface stays.
-std::optional<Effect> reason_to_build(const VisibleFace& visible, FrameWorkspace& work) {
-    const EffectSet effects = work.faces.faces[visible.face].effects & work.claims.effects;
-    const Vec3<World> offset = work.brush_models.offset_of(visible.fragment);
-    if (work.claims.effects.has(Effect::Lights) && work.surfaces.is_touched(visible.face, offset))
+std::optional<Effect> reason_to_build(const VisibleFace& face, const FrameContext& frame, const Claims& claims) {
+    LevelCache& cache = frame.cache;
+    const EffectSet effects = cache.faces.faces[face.face].effects & claims.effects;
+    if (claims.effects.has(Effect::Lights) && cache.surfaces.is_touched(face.face, frame.offset_of(face)))
         return Effect::Lights;
     if (effects.has(Effect::Styles)) return Effect::Styles;
     if (effects.has(Effect::AnimatedTextures)) return Effect::AnimatedTextures;
     return std::nullopt;
 }
 
-FaceSurface surface_of(const VisibleFace& visible, int mip, const FrameContext& frame, FrameWorkspace& work) {
-    const std::optional<Effect> reason = work.times ? reason_to_build(visible, work) : std::nullopt;
-    const Stopwatch of_effect(reason ? work.times.get() : nullptr, reason.value_or(Effect::Styles));
-    const Vec3<World> offset = work.brush_models.offset_of(visible.fragment);
-    return work.surfaces.get(visible.face, mip, {work.light_styles, texture_now(visible, frame, work), offset});
+FaceSurface surface_of(const VisibleFace& face, int mip, const FrameContext& frame, const ViewScratch& scratch) {
+    PassTimes* const times = frame.observers.times;
+    const std::optional<Effect> reason = times ? reason_to_build(face, frame, scratch.claims) : std::nullopt;
+    const Stopwatch of_effect(reason ? times : nullptr, reason.value_or(Effect::Styles));
+    return frame.cache.surfaces.get(face.face, mip,
+                                    {scratch.light.styles, texture_now(face, frame), frame.offset_of(face)});
 }
 
 /// The kernel of a drawing that is not plain, and what it needs.
-SurfaceEffect effect_of(const SurfaceDrawing& drawing, const FaceSurface& surface, const FrameContext& frame,
-                        FrameWorkspace& work) {
+SurfaceEffect effect_of(const SurfaceDrawing& drawing, const FaceSurface& surface, const FrameContext& frame) {
+    LevelCache& cache = frame.cache;
     TexelTraits traits = drawing.traits;
     traits.is_wrapped_by_masks = surface.is_wrapped_by_masks;
-    if (traits.warps && work.warp_time_ms != frame.scene.time_ms) {
-        work.warp = make_warp_tables(frame.scene.time_ms);
-        work.warp_time_ms = frame.scene.time_ms;
+    if (traits.warps && cache.warp_time_ms != frame.scene.time_ms) {
+        cache.warp = make_warp_tables(frame.scene.time_ms);
+        cache.warp_time_ms = frame.scene.time_ms;
     }
     return {effect_kernel(traits),
-            {surface.view, &at(work.warp, surface.mip), drawing.colours, drawing.blend},
+            {surface.view, &at(cache.warp, surface.mip), drawing.colours, drawing.blend},
             traits.warps && !traits.has_holes && !traits.blends};
 }
 
-/// Draws spans of a face with its texture of one mip level.
-void draw_textured(const ClaimedFace& claimed, int mip, std::span<const Span> spans, const SurfaceDrawing& drawing,
-                   const FrameContext& frame, FrameWorkspace& work) {
-    const FaceSurface surface = surface_of(claimed.visible, mip, frame, work);
-    const SurfaceEffect effect = drawing.is_plain ? SurfaceEffect{} : effect_of(drawing, surface, frame, work);
-    if (is_shared(frame)) return frame.shared->add(claimed, surface, effect, spans);
-    if (work.counts) ++work.counts->stages.surfaces;
-    draw_with_surface(claimed, surface, effect, spans, frame, work,
-                      {frame.texturing, frame.out, work.span_scratch, work.counts.get(), work.record.get()});
+/// The mip level of a face for pixels no nearer than this.
+int mip_level(FaceIndex face, View nearest_z, const FrameContext& frame) {
+    return frame.cache.surfaces.mip_level(face, nearest_z, frame.view.projection.x, frame.accuracy().mip_bias);
 }
 
-/// The mip level of a face for pixels no nearer than this.
-int mip_level(FaceIndex face, View nearest_z, const FrameContext& frame, const FrameWorkspace& work) {
-    return work.surfaces.mip_level(face, nearest_z, frame.view.projection.x, frame.accuracy().mip_bias);
+/// Draws spans of a face with its texture of one mip level.
+void draw_mip(const ClaimedFace& claimed, int mip, std::span<const Span> spans, const SurfaceDrawing& drawing,
+              const FrameContext& frame, ViewScratch& scratch) {
+    const FaceSurface surface = surface_of(claimed, mip, frame, scratch);
+    const SurfaceEffect effect = drawing.is_plain ? SurfaceEffect{} : effect_of(drawing, surface, frame);
+    if (is_shared(frame)) return frame.shared->add(claimed, surface, effect, spans);
+    const FrameObservers observers = drawing.is_noted ? frame.observers : FrameObservers{};
+    if (observers.counts) ++observers.counts->stages.surfaces;
+    draw_textured(textured_face(claimed, surface, effect, frame), spans,
+                  {frame.texturing, frame.out, scratch.surfaces.spans, observers});
 }
 
 /// Draws each span with the mip level of its nearest pixel.
 void draw_by_span_mips(const ClaimedFace& claimed, std::span<const Span> whole, const SurfaceDrawing& drawing,
-                       const FrameContext& frame, FrameWorkspace& work) {
-    const FaceSurface no_surface;  // 1/z does not depend on it
-    const auto inverse_z = gradients_of(claimed.visible, no_surface, frame, work).inverse_z;
-    for (std::vector<Span>& spans : work.of_mip) spans.clear();
+                       const FrameContext& frame, ViewScratch& scratch) {
+    const auto inverse_z = inverse_z_of(claimed, frame);
+    auto& of_mip = scratch.surfaces.of_mip;
+    for (std::vector<Span>& spans : of_mip) spans.clear();
     for (const Span& span : whole) {
         const InverseZ first = inverse_z.at(span.first, span.y), last = inverse_z.at(span.end - 1, span.y);
         const auto nearest_z = reciprocal<View>(std::max({first, last, InverseZ::ulp()}));
-        at(work.of_mip, mip_level(claimed.visible.face, nearest_z, frame, work)).push_back(span);
+        at(of_mip, mip_level(claimed.face, nearest_z, frame)).push_back(span);
     }
     for (int mip = 0; mip < 4; ++mip)
-        if (!at(work.of_mip, mip).empty()) draw_textured(claimed, mip, at(work.of_mip, mip), drawing, frame, work);
+        if (!at(of_mip, mip).empty()) draw_mip(claimed, mip, at(of_mip, mip), drawing, frame, scratch);
+}
+
+/// Blocks shorter than 2^3 pixels take longer than a division at each of their pixels.
+constexpr int kLeastBlockLog2 = 3;
+
+/// Cuts spans into blocks, then draws them, as many at a time as there is room for.
+void draw_blocks(const TexturedFace& face, std::span<const Span> spans, BlockCutter cut_blocks,
+                 const BlockCutting& cutting, const SpanDrawing& drawing) {
+    const auto [counts, record, times] = drawing.observers;
+    BlockList& blocks = drawing.scratch.blocks;
+    while (!spans.empty()) {
+        const std::span<const Span> left = cut_blocks(spans, drawing.out.pitch, cutting, blocks);
+        if (face.effect.kernel)
+            face.effect.kernel(blocks.waiting(), face.effect.texels, drawing.out.pixels);
+        else
+            face.surface.kernel(blocks.waiting(), face.surface.view, drawing.out.pixels);
+        if (counts) count_blocks(spans.first(spans.size() - left.size()), face.gradients, blocks, *counts);
+        if (record) record_blocks(record_of(face.claimed), blocks.waiting(), face.surface, *record);
+        blocks.clear();
+        spans = left;
+    }
+}
+
+/// What draws pixels that lie on lines, if it is worth looking for those: among pixels for which bounded blocks would
+/// be too short it is only where they are many, near to a wall.
+BlockKernel line_kernel(std::span<const Span> spans, const TexturedFace& face, const SpanDrawing& drawing) {
+    constexpr std::int64_t kMany = 8192;
+    const bool is_worth_it = drawing.texturing.texturing == Texturing::Exact || pixels_of(spans) >= kMany;
+    return is_worth_it ? face.surface.kernel : nullptr;
+}
+
+/// Without blocks, where surface and effect allow that.
+void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
+    const FaceSurface& surface = face.surface;
+    BlockCutting cutting{face.gradients, surface.limits, {}};
+    cutting.limits.least = {};  // without steps nothing drifts
+    if (!surface.is_wrapped_by_masks || (face.effect.kernel && !face.effect.warps_alone))
+        return draw_blocks(face, spans, drawing.texturing.cut_pixels, cutting, drawing);
+    const std::int64_t divisions =
+        face.effect.warps_alone
+            ? draw_exact_warped_spans(spans, face.gradients, cutting.limits, face.effect.texels, drawing.out)
+            : draw_exact_spans(spans, face.gradients, cutting.limits, surface.view, line_kernel(spans, face, drawing),
+                               drawing.out);
+    const auto [counts, record, times] = drawing.observers;
+    if (counts) count_divided_pixels(spans, divisions, drawing.out.pitch, *counts);
+    if (record) record_divided_pixels(record_of(face.claimed), spans, cutting, surface, drawing.out, *record);
+}
+
+/// The longest block of a face that rounding allows (longest_block_log2).
+int longest_block_of(const TexturedFace& face, View nearest_z, const BlockRule& rule) {
+    const auto nearest_width = product<WidthAtOne>(nearest_z, face.least_pixel_width, Rounding::Floor);
+    const auto texels = product<TexelDensity>(nearest_width, face.least_density, Rounding::Floor);
+    return longest_block_log2(rule, floor_shift(texels, face.surface.mip));
+}
+
+BlockCutting bounded_cutting(const TexturedFace& face, std::span<const Span> spans, const BlockRule& rule) {
+    const int longest = longest_block_of(face, face.claimed.nearest_z, rule);
+    BlockCutting cutting{face.gradients, face.surface.limits,
+                         make_block_thresholds(rule, face.gradients.inverse_z.per_column, longest)};
+    cutting.limits.least = std::min(cutting.limits.least, Texel::from_raw(std::int64_t{1} << longest));
+    cutting.fits_range = fits_range(face.gradients, rectangle_around(spans));
+    return cutting;
+}
+
+/// Whether 1/z falls below `least` nowhere on the face.
+bool is_above(InverseZ least, View farthest_z) {
+    return product<InverseZ>(least, farthest_z) < InverseZ::from_int(1);
+}
+
+/// Splits a span where 1/z, which is linear along it, crosses `least`.
+void split_at(InverseZ least, const Span& span, const LinearQuantity<InverseZ>& inverse_z, std::vector<Span>& above,
+              std::vector<Span>& below) {
+    const InverseZ first = inverse_z.at(span.first, span.y), last = inverse_z.at(span.end - 1, span.y);
+    const bool begins_above = first >= least;
+    std::vector<Span>& beginning = begins_above ? above : below;
+    if (begins_above == (last >= least)) return beginning.push_back(span);
+    const InverseZ way = begins_above ? first - least : least - std::max(first, InverseZ{}) - InverseZ::ulp();
+    const std::int64_t steps = way.raw / absolute(inverse_z.per_column).raw;
+    const auto middle = static_cast<std::int32_t>(std::min<std::int64_t>(span.first + steps + 1, span.end - 1));
+    beginning.push_back({span.y, span.first, middle});
+    (begins_above ? below : above).push_back({span.y, middle, span.end});
+}
+
+/// Blocks where they are long enough to be worth it.
+void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
+    const SpanTexturing& texturing = drawing.texturing;
+    const BlockCutting cutting = bounded_cutting(face, spans, texturing.rule);
+    const InverseZ least = at(cutting.thresholds.least_inverse_z, kLeastBlockLog2);
+    if (!texturing.divides_exactly || is_above(least, face.claimed.farthest_z))
+        return draw_blocks(face, spans, texturing.cut_blocks, cutting, drawing);
+    std::vector<Span>&long_blocks = drawing.scratch.long_blocks, &short_blocks = drawing.scratch.short_blocks;
+    long_blocks.clear();
+    short_blocks.clear();
+    for (const Span& span : spans) split_at(least, span, face.gradients.inverse_z, long_blocks, short_blocks);
+    draw_blocks(face, long_blocks, texturing.cut_blocks, cutting, drawing);
+    divide_at_each_pixel(face, short_blocks, drawing);
 }
 
 }  // namespace
 
-TextureGradients gradients_of(const VisibleFace& visible, const FaceSurface& surface, const FrameContext& frame,
-                              const FrameWorkspace& work) {
-    const Level& level = frame.scene.level;
-    const Vec3<World> offset = work.brush_models.offset_of(visible.fragment);
-    const TextureGradients gradients =
-        make_face_gradients(level, level.faces[visible.face], surface, offset, frame.view, frame.inverse_projection);
-    const Accuracy& accuracy = frame.accuracy();
-    if (accuracy.inverse_z_bits == InverseZ::kFractionBits && accuracy.over_z_bits == TexelOverZ::kFractionBits)
-        return gradients;
-    return rounded_to(gradients, accuracy.inverse_z_bits, accuracy.over_z_bits);
+SpanTexturing make_span_texturing(const Accuracy& accuracy) {
+    Accuracy pixels = accuracy;
+    pixels.texturing = Texturing::Exact;
+    return {accuracy.texturing, make_block_rule(accuracy), block_cutter(accuracy), block_cutter(pixels),
+            accuracy.reciprocal == ReciprocalMethod::Exact};
 }
 
-void draw_with_surface(const ClaimedFace& claimed, const FaceSurface& surface, const SurfaceEffect& effect,
-                       std::span<const Span> spans, const FrameContext& frame, const FrameWorkspace& work,
-                       const SpanDrawing& drawing) {
-    const TextureGradients gradients = gradients_of(claimed.visible, surface, frame, work);
-    draw_texture_spans({claimed, surface, effect, gradients, work.faces.faces[claimed.visible.face].least_density,
-                        frame.inverse_projection.least_pixel_width},
-                       spans, drawing);
+TexturedFace textured_face(const ClaimedFace& claimed, const FaceSurface& surface, const SurfaceEffect& effect,
+                           const FrameContext& frame) {
+    const Level& level = frame.scene.level;
+    TexturedFace face{claimed,
+                      surface,
+                      effect,
+                      make_face_gradients(level, level.faces[claimed.face], surface, frame.offset_of(claimed),
+                                          frame.view, frame.inverse_projection),
+                      frame.cache.faces.faces[claimed.face].least_density,
+                      frame.inverse_projection.least_pixel_width};
+    const Accuracy& accuracy = frame.accuracy();
+    if (accuracy.inverse_z_bits != InverseZ::kFractionBits || accuracy.over_z_bits != TexelOverZ::kFractionBits)
+        face.gradients = rounded_to(face.gradients, accuracy.inverse_z_bits, accuracy.over_z_bits);
+    return face;
+}
+
+void draw_textured(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
+    const SpanTexturing& texturing = drawing.texturing;
+    if (texturing.texturing == Texturing::Bounded) return draw_bounded(face, spans, drawing);
+    if (texturing.texturing == Texturing::Exact && texturing.divides_exactly)
+        return divide_at_each_pixel(face, spans, drawing);
+    const BlockCutting cutting{face.gradients,
+                               face.surface.limits,
+                               {},
+                               texturing.rule.texel_bound_256,
+                               fits_range(face.gradients, rectangle_around(spans))};
+    draw_blocks(face, spans, texturing.cut_blocks, cutting, drawing);
 }
 
 void draw_surface(const ClaimedFace& claimed, std::span<const Span> spans, const SurfaceDrawing& drawing,
-                  const FrameContext& frame, FrameWorkspace& work) {
+                  const FrameContext& frame, ViewScratch& scratch) {
     const MipSelection selection = frame.accuracy().mip;
-    if (selection == MipSelection::Span) return draw_by_span_mips(claimed, spans, drawing, frame, work);
+    if (selection == MipSelection::Span) return draw_by_span_mips(claimed, spans, drawing, frame, scratch);
     const bool is_chosen = selection == MipSelection::Face;
-    const int mip = is_chosen ? mip_level(claimed.visible.face, claimed.nearest_z, frame, work) : 0;
-    draw_textured(claimed, mip, spans, drawing, frame, work);
+    const int mip = is_chosen ? mip_level(claimed.face, claimed.nearest_z, frame) : 0;
+    draw_mip(claimed, mip, spans, drawing, frame, scratch);
 }
 
-void draw_surfaces(FaceList list, const SurfaceDrawing& drawing, const FrameContext& frame, FrameWorkspace& work) {
-    if (is_shared(frame)) return share_surfaces(list, drawing, frame, work);
-    for (const ClaimedFace& claimed : work.claims.list(list)) {
-        const Stopwatch of_models(claimed.visible.fragment ? work.times.get() : nullptr, Effect::BrushModels);
-        draw_surface(claimed, work.claims.spans_of(claimed), drawing, frame, work);
+void draw_surfaces(std::span<const ClaimedFace> faces, const SurfaceDrawing& drawing, const FrameContext& frame,
+                   ViewScratch& scratch) {
+    for (const ClaimedFace& claimed : faces) {
+        const Stopwatch of_models(claimed.fragment ? frame.observers.times : nullptr, Effect::BrushModels);
+        draw_surface(claimed, scratch.claims.spans_of(claimed), drawing, frame, scratch);
     }
 }
 
-void share_surfaces(FaceList list, const SurfaceDrawing& drawing, const FrameContext& frame, FrameWorkspace& work) {
-    const std::vector<ClaimedFace>& faces = work.claims.list(list);
-    for (std::size_t& shared = frame.shared->face_count(list); shared < faces.size(); ++shared)
-        draw_surface(faces[shared], work.claims.spans_of(faces[shared]), drawing, frame, work);
+void draw_walls(const FrameContext& frame, ViewScratch& scratch) {
+    Claims& claims = scratch.claims;
+    const std::span<const ClaimedFace> walls = claims.list(FaceList::Walls);
+    draw_surfaces(walls.subspan(std::exchange(claims.walls_drawn, walls.size())), {}, frame, scratch);
+}
+
+LinearQuantity<InverseZ> inverse_z_of(const VisibleFace& face, const FrameContext& frame) {
+    const Level& level = frame.scene.level;
+    const auto inverse_z =
+        make_face_inverse_z(level, level.faces[face.face], frame.offset_of(face), frame.view, frame.inverse_projection);
+    const std::int32_t bits = frame.accuracy().inverse_z_bits;
+    return bits == InverseZ::kFractionBits ? inverse_z : rounded_to(inverse_z, bits);
 }
 
 }  // namespace oblong

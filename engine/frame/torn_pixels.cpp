@@ -6,8 +6,8 @@
 #include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/frame_context.h"
-#include "engine/frame/passes.h"
-#include "engine/frame/workspace.h"
+#include "engine/frame/frame_record.h"
+#include "engine/frame/view_scratch.h"
 #include "engine/level/line_walk.h"
 #include "engine/raster/perspective.h"
 #include "engine/scene/light_below.h"
@@ -111,9 +111,7 @@ bool is_along(const LevelPlane& a, const LevelPlane& b) {
 FaceIndex find_continued(const Level& level, const OpenEnd& end, bool is_back) {
     constexpr WorldWide kOtherPlane = WorldWide::from_int(256);
     const PlaneIndex plane = level.nodes[end.node].plane;
-    const LevelBox& box = level.leaves[end.from].box;
-    const auto middle = [&](std::size_t axis) { return World::from_raw((box.mins[axis] + box.maxs[axis]) * 2048); };
-    const Vec3<World> place{middle(0), middle(1), middle(2)};
+    const Vec3<World> place = middle_of(level.leaves[end.from].box);
     FaceIndex best = FaceIndex::none();
     WorldWide least = WorldWide::highest();
     for (const FaceIndex index : level.world().faces) {
@@ -131,38 +129,34 @@ FaceIndex find_continued(const Level& level, const OpenEnd& end, bool is_back) {
 }
 
 /// The same, looked up where it was asked for before.
-FaceIndex continued_face(const OpenEnd& end, bool is_back, const Level& level, FrameWorkspace& work) {
-    const auto [found, is_new] = work.continued_faces.try_emplace({end.from.number(), end.node.number()});
-    if (is_new) found->second = find_continued(level, end, is_back);
+FaceIndex continued_face(const OpenEnd& end, bool is_back, const FrameContext& frame) {
+    const auto [found, is_new] = frame.cache.continued_faces.try_emplace({end.from.number(), end.node.number()});
+    if (is_new) found->second = find_continued(frame.scene.level, end, is_back);
     return found->second;
 }
 
 /// Gives a span to what stands behind it.
-void claim(const Span& span, const OpenEnd& end, const FrameContext& frame, FrameWorkspace& work) {
+void claim(const Span& span, const OpenEnd& end, const FrameContext& frame, ViewScratch& scratch) {
     const Level& level = frame.scene.level;
-    Claims& claims = work.claims;
+    Claims& claims = scratch.claims;
     if (end.node == NodeIndex::none()) return claims.left_free.push_back(span);
     const PlaneIndex plane = level.nodes[end.node].plane;
     const bool is_back = plane_distance(level.planes[plane], frame.view.eye) < PlaneDistance{};
-    const FaceIndex face = continued_face(end, is_back, level, work);
+    const FaceIndex face = continued_face(end, is_back, frame);
     if (face == FaceIndex::none()) return claims.left_free.push_back(span);
     if (!end.is_sky) return claims.torn.push_back({span, plane, is_back, face, end.place});
-    const EffectSet needs = work.faces.faces[face].effects;
-    const std::size_t first = claims.spans.size();
     claims.spans.push_back(span);
-    claims.add(list_for(needs, frame.settings.allowed_effects), {{face}, 0, 0, {}, {}}, first);
-    claims.effects = claims.effects | (needs & frame.settings.allowed_effects);
-    if (work.counts) count_face(needs, {&span, 1}, *work.counts);
+    add_claimed({{face}, 0, 0, {}, {}}, claims.spans.size() - 1, frame, claims);
 }
 
 /// The same of a span between whose ends, which are known, several things may stand: halves it until both ends show
 /// the same.
 void claim_between(const Span& span, const OpenEnd& first, const OpenEnd& last, const Rays& rays,
-                   const FrameContext& frame, FrameWorkspace& work) {
-    if (first.is_same_wall(last)) return claim(span, first, frame, work);
+                   const FrameContext& frame, ViewScratch& scratch) {
+    if (first.is_same_wall(last)) return claim(span, first, frame, scratch);
     const std::int32_t middle = (span.first + span.end) / 2;
-    claim_between({span.y, span.first, middle}, first, rays.end_of(middle - 1, span.y), rays, frame, work);
-    claim_between({span.y, middle, span.end}, rays.end_of(middle, span.y), last, rays, frame, work);
+    claim_between({span.y, span.first, middle}, first, rays.end_of(middle - 1, span.y), rays, frame, scratch);
+    claim_between({span.y, middle, span.end}, rays.end_of(middle, span.y), last, rays, frame, scratch);
 }
 
 /// The face whose texture goes on, on the wall's plane.
@@ -188,12 +182,12 @@ std::int32_t origin_near(const Vec3<TexelAxis>& axis, Texel offset, const Vec3<W
 /// Draws texels of a wall as far as they go: the texture repeats, the light at the face's border stays.
 class TornDrawing {
   public:
-    TornDrawing(const TornSpan& torn, const FrameContext& frame, FrameWorkspace& work)
+    TornDrawing(const TornSpan& torn, const FrameContext& frame, const ViewScratch& scratch)
         : level_(frame.scene.level),
           face_(level_.faces[torn.face]),
           texture_(level_.texture_of(face_)),
-          styles_(work.light_styles),
-          colormap_(work.surfaces.colormap()),
+          styles_(scratch.light.styles),
+          colormap_(frame.cache.surfaces.colormap()),
           brightness_100_(frame.settings.brightness_100) {
         const TexInfo& texinfo = level_.texinfos[face_.texinfo];
         surface_.origin_u = origin_near(texinfo.s, texinfo.s_offset, torn.place, texture_.width);
@@ -201,8 +195,8 @@ class TornDrawing {
         const auto inverse_z = inverse_z_of(torn, frame);
         const InverseZ nearest = std::max({inverse_z.at(torn.span.first, torn.span.y),
                                            inverse_z.at(torn.span.end - 1, torn.span.y), InverseZ::ulp()});
-        surface_.mip = work.surfaces.mip_level(torn.face, reciprocal<View>(nearest), frame.view.projection.x,
-                                               frame.accuracy().mip_bias);
+        surface_.mip = frame.cache.surfaces.mip_level(torn.face, reciprocal<View>(nearest), frame.view.projection.x,
+                                                      frame.accuracy().mip_bias);
         gradients_ = gradients_of_wall(torn, surface_, frame);
     }
 
@@ -240,25 +234,25 @@ class TornDrawing {
 
 }  // namespace
 
-void claim_torn_pixels(const FrameContext& frame, FrameWorkspace& work) {
+void claim_torn_pixels(const FrameContext& frame, ViewScratch& scratch) {
     SpanList free;
-    work.span_buffer.claim_rest(free);
-    const bool shows_void = frame.view.shows_void || !work.visible.is_from_open();
+    scratch.span_buffer.claim_rest(free);
+    const bool shows_void = frame.view.shows_void || !scratch.visible.is_from_open();
     std::optional<Rays> rays;
     if (!shows_void) rays.emplace(frame);
     for (const Span& span : free)
         if (shows_void)
-            work.claims.left_free.push_back(span);
+            scratch.claims.left_free.push_back(span);
         else
             claim_between(span, rays->end_of(span.first, span.y), rays->end_of(span.end - 1, span.y), *rays, frame,
-                          work);
+                          scratch);
 }
 
-void draw_torn_pixels(const FrameContext& frame, FrameWorkspace& work) {
-    fill_spans(work.claims.left_free, 0, frame.out);
-    for (const TornSpan& torn : work.claims.torn) {
-        note_spans({{torn.face}, 0, 0, {}, {}}, {&torn.span, 1}, frame.out, work);
-        const TornDrawing drawing(torn, frame, work);
+void draw_torn_pixels(const FrameContext& frame, ViewScratch& scratch) {
+    fill_spans(scratch.claims.left_free, 0, frame.out);
+    for (const TornSpan& torn : scratch.claims.torn) {
+        note_spans({torn.face}, {&torn.span, 1}, frame.out, frame.observers);
+        const TornDrawing drawing(torn, frame, scratch);
         std::uint8_t* const row = frame.out.row(torn.span.y);
         for (std::int32_t x = torn.span.first; x < torn.span.end; ++x) row[x] = drawing.colour_at(x, torn.span.y);
     }

@@ -20,11 +20,10 @@ struct WireEdge {
 /// Two faces share most edges: each is returned once.
 std::vector<WireEdge> edges_of_claims(const Level& level, const FrameWorkspace& work) {
     std::vector<WireEdge> edges;
-    for (const auto& list : work.claims.lists)
+    for (const auto& list : work.view.claims.lists)
         for (const ClaimedFace& claimed : list) {
-            const Vec3<World> offset = work.brush_models.offset_of(claimed.visible.fragment);
-            for (const SurfEdge& step : level.edges_of(level.faces[claimed.visible.face]))
-                edges.push_back({step.edge, offset});
+            const Vec3<World> offset = work.cache.brush_models.offset_of(claimed.fragment);
+            for (const SurfEdge& step : level.edges_of(level.faces[claimed.face])) edges.push_back({step.edge, offset});
         }
     std::sort(edges.begin(), edges.end(), [](const WireEdge& a, const WireEdge& b) { return a.edge < b.edge; });
     const auto end =

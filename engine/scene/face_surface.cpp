@@ -105,6 +105,18 @@ Texel eye_texel(const Vec3<TexelAxis>& axis, Texel offset, const Vec3<World>& ey
     return texel;
 }
 
+/// Edge-on, or turned round by rounding to the screen: for such a sliver any steep view of the plane will do.
+constexpr auto kLeastDistance = PlaneDistance::from_raw(std::int64_t{1} << 30);
+
+/// A plane from the side that its face faces, without its texture.
+TexturedPlane facing_plane(const LevelPlane& plane, bool is_back, const Vec3<World>& eye) {
+    const PlaneDistance distance = plane_distance(plane, eye);
+    TexturedPlane facing;
+    facing.normal = is_back ? -plane.normal : plane.normal;
+    facing.eye_distance = is_back ? -distance : distance;
+    return facing;
+}
+
 }  // namespace
 
 FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, std::int32_t longest_px)
@@ -201,15 +213,9 @@ FaceSurface FaceSurfaces::tiled(const Face& face, int mip, const MipTexture& tex
 TextureGradients make_face_gradients(const Level& level, const Face& face, const FaceSurface& surface,
                                      const Vec3<World>& offset, const ViewContext& view,
                                      const InverseProjection& inverse_projection) {
-    const LevelPlane& plane = level.planes[face.plane];
     const TexInfo& texinfo = level.texinfos[face.texinfo];
     const Vec3<World> eye = view.eye - offset;
-    const PlaneDistance distance = plane_distance(plane, eye);
-    TexturedPlane textured;
-    textured.normal = face.is_back ? -plane.normal : plane.normal;
-    // Edge-on, or turned round by rounding to the screen: for such a sliver any steep view of the plane will do.
-    constexpr auto kLeastDistance = PlaneDistance::from_raw(std::int64_t{1} << 30);
-    textured.eye_distance = face.is_back ? -distance : distance;
+    TexturedPlane textured = facing_plane(level.planes[face.plane], face.is_back, eye);
     textured.s = texinfo.s;
     textured.t = texinfo.t;
     textured.eye_u = eye_texel(texinfo.s, texinfo.s_offset, eye) - Texel::from_int(surface.origin_u);
@@ -219,6 +225,13 @@ TextureGradients make_face_gradients(const Level& level, const Face& face, const
         return make_parallel_gradients(textured, view.rays, view.parallel_depth, inverse_projection);
     textured.eye_distance = std::max(textured.eye_distance, kLeastDistance);
     return make_texture_gradients(textured, view.rays, inverse_projection);
+}
+
+LinearQuantity<InverseZ> make_face_inverse_z(const Level& level, const Face& face, const Vec3<World>& offset,
+                                             const ViewContext& view, const InverseProjection& inverse_projection) {
+    if (view.is_parallel()) return {reciprocal<InverseZ>(view.parallel_depth), {}, {}};
+    const TexturedPlane plane = facing_plane(level.planes[face.plane], face.is_back, view.eye - offset);
+    return make_inverse_z(plane.normal, std::max(plane.eye_distance, kLeastDistance), view.rays, inverse_projection);
 }
 
 }  // namespace oblong

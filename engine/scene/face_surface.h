@@ -91,4 +91,8 @@ TextureGradients make_face_gradients(const Level& level, const Face& face, const
                                      const Vec3<World>& offset, const ViewContext& view,
                                      const InverseProjection& inverse_projection);
 
+/// 1/z of the same alone: the first of those gradients, which depends on no surface.
+LinearQuantity<InverseZ> make_face_inverse_z(const Level& level, const Face& face, const Vec3<World>& offset,
+                                             const ViewContext& view, const InverseProjection& inverse_projection);
+
 }  // namespace oblong

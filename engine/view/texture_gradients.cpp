@@ -52,6 +52,14 @@ struct DistanceReciprocal {
     }
 };
 
+ViewSlope<InverseZ> inverse_z_slope(const Vec3<Unit>& world_normal, PlaneDistance eye_distance, const Basis& rays,
+                                    const InverseProjection& projection) {
+    const auto normal = rotate_to_view<"normal in view axes">(world_normal, rays);
+    const DistanceReciprocal over_distance(eye_distance);
+    return {over_distance.times(-product<Sine60>(normal.x, projection.inverse_x)),
+            over_distance.times(product<Sine60>(normal.y, projection.inverse_y)), over_distance.times(-normal.ahead)};
+}
+
 LinearQuantity<TexelOverZ> texel_quantity(const Vec3<TexelAxis>& world_axis, Texel eye_texel,
                                           const ViewSlope<InverseZ>& inverse_z, const Basis& axes,
                                           const InverseProjection& projection, int mip) {
@@ -123,14 +131,16 @@ TextureGradients make_parallel_gradients(const TexturedPlane& plane, const Basis
 
 TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& rays,
                                         const InverseProjection& projection) {
-    const auto normal = rotate_to_view<"normal in view axes">(plane.normal, rays);
-    const DistanceReciprocal over_distance(plane.eye_distance);
-    const ViewSlope<InverseZ> inverse_z{over_distance.times(-product<Sine60>(normal.x, projection.inverse_x)),
-                                        over_distance.times(product<Sine60>(normal.y, projection.inverse_y)),
-                                        over_distance.times(-normal.ahead)};
+    const ViewSlope<InverseZ> inverse_z = inverse_z_slope(plane.normal, plane.eye_distance, rays, projection);
     return {anchor_at_centre(inverse_z.ahead, inverse_z.x, inverse_z.y, projection),
             texel_quantity(plane.s, plane.eye_u, inverse_z, rays, projection, plane.mip),
             texel_quantity(plane.t, plane.eye_v, inverse_z, rays, projection, plane.mip)};
+}
+
+LinearQuantity<InverseZ> make_inverse_z(const Vec3<Unit>& normal, PlaneDistance eye_distance, const Basis& rays,
+                                        const InverseProjection& projection) {
+    const ViewSlope<InverseZ> inverse_z = inverse_z_slope(normal, eye_distance, rays, projection);
+    return anchor_at_centre(inverse_z.ahead, inverse_z.x, inverse_z.y, projection);
 }
 
 }  // namespace oblong

@@ -51,4 +51,8 @@ TextureGradients make_parallel_gradients(const TexturedPlane& plane, const Basis
 TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& rays,
                                         const InverseProjection& projection);
 
+/// 1/z of such a plane alone.
+LinearQuantity<InverseZ> make_inverse_z(const Vec3<Unit>& normal, PlaneDistance eye_distance, const Basis& rays,
+                                        const InverseProjection& projection);
+
 }  // namespace oblong

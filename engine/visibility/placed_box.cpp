@@ -17,18 +17,22 @@ struct Sides {
 };
 
 Sides sides_of(const LevelPlane& plane, const LevelBox& box) {
-    const auto middle = [&](std::size_t axis) { return World::from_raw((box.mins[axis] + box.maxs[axis]) * 2048); };
     const auto half = [&](std::size_t axis, Unit normal) {
         const auto size = WorldWide::from_raw((std::int64_t{box.maxs[axis]} - box.mins[axis]) * 2048);
         return absolute(bounded_product(normal, size));
     };
     const PlaneDistance reach =
         half(0, plane.normal.x) + half(1, plane.normal.y) + half(2, plane.normal.z) + PlaneDistance::from_int(1);
-    const PlaneDistance distance = plane_distance(plane, Vec3<World>{middle(0), middle(1), middle(2)});
+    const PlaneDistance distance = plane_distance(plane, middle_of(box));
     return {distance > -reach, distance < reach};
 }
 
 }  // namespace
+
+Vec3<World> middle_of(const LevelBox& box) {
+    const auto middle = [&](std::size_t axis) { return World::from_raw((box.mins[axis] + box.maxs[axis]) * 2048); };
+    return {middle(0), middle(1), middle(2)};
+}
 
 PlacedBox place_box(const Level& level, const LevelBox& box) {
     PlacedBox placed{box, {}, false};

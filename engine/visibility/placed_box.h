@@ -8,6 +8,8 @@
 
 namespace oblong {
 
+Vec3<World> middle_of(const LevelBox& box);
+
 /// A box of the level that something stays in, with the world's open leaves that it reaches into.
 struct PlacedBox {
     LevelBox box;

@@ -128,15 +128,19 @@ void GameRenderer::draw_edges(const GameView& view, const Settings& settings, co
 }
 
 FrameCounts GameRenderer::draw_and_count(const GameView& view, const Settings& settings) {
-    work_.counts = std::make_unique<FrameCounts>();
+    FrameCounts counts;
+    work_.observers.counts = &counts;
     draw(view, settings);
-    return std::move(*std::exchange(work_.counts, nullptr));
+    work_.observers.counts = nullptr;
+    return counts;
 }
 
 FrameRecord GameRenderer::draw_and_record(const GameView& view, const Settings& settings) {
-    work_.record = std::make_unique<FrameRecord>();
+    FrameRecord record;
+    work_.observers.record = &record;
     draw(view, settings);
-    return std::move(*std::exchange(work_.record, nullptr));
+    work_.observers.record = nullptr;
+    return record;
 }
 
 void GameRenderer::draw_and_time(const GameView& view, const Settings& settings, RenderingTimes& times) {

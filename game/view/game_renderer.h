@@ -63,7 +63,7 @@ class GameRenderer {
     Framebuffer canvas();
     const ScreenMode& mode() const { return mode_; }
     /// FaceTable::torn_edges of the level.
-    std::size_t torn_edges() const { return work_.faces.torn_edges; }
+    std::size_t torn_edges() const { return work_.cache.faces.torn_edges; }
 
   private:
     void note_taken_items(const GameState& state);

@@ -22,6 +22,7 @@ const std::vector<Room>& project_rooms() {
         {"engine/effects", {"engine/visibility"}},
         {"engine/mesh", {"engine/scene"}},
         {"engine/frame", {"engine/visibility", "engine/effects", "engine/mesh"}},
+        {"engine/methods", {"engine/frame"}},
         {"engine/files", {"engine/frame", "engine/draw"}},
         {"engine/platform", {"engine/view", "engine/surface"}},
         {"engine/platform/sdl", {"engine/platform"}},
@@ -36,7 +37,7 @@ const std::vector<Room>& project_rooms() {
         {"game/lab", {"game/view", "tools/measure"}},
         {"game/program", {"game/saves", "game/sound", "game/menu", "game/lab", "engine/platform/sdl", "tools/gallery"}},
         {"tools/reference", {}},
-        {"tools/measure", {"engine/frame", "engine/platform", "engine/files", "tools/reference"}},
+        {"tools/measure", {"engine/frame", "engine/methods", "engine/platform", "engine/files", "tools/reference"}},
         {"tools/gallery", {"tools/measure"}},
         {"tools", {"tools/measure", "tools/gallery"}},
     };

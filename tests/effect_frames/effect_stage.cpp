@@ -84,8 +84,8 @@ EffectStage::EffectStage(Level its_level, const Camera& its_camera, Colormap col
       meshes(std::move(its_meshes)),
       camera(its_camera),
       work(level, {}) {
-    work.counts = std::make_unique<FrameCounts>();
-    work.record = std::make_unique<FrameRecord>();
+    work.count();
+    work.keep_record();
 }
 
 Picture EffectStage::draw_in(FrameWorkspace& in, std::int64_t time_ms) const {
@@ -111,12 +111,8 @@ Picture EffectStage::draw_without(Effect effect, std::int64_t time_ms) {
     return picture;
 }
 
-bool EffectStage::has(Pass pass) const {
-    return std::find(work.plan.passes.begin(), work.plan.passes.end(), pass) != work.plan.passes.end();
-}
-
 const Face* EffectStage::face_at(std::size_t pixel) const {
-    const FaceIndex face = work.record->pixels[pixel].face;
+    const FaceIndex face = work.record.pixels[pixel].face;
     return face.is_none() ? nullptr : &level.faces[face];
 }
 

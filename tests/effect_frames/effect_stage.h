@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "engine/frame/frame.h"
-#include "engine/frame/workspace.h"
 #include "tests/map/map_source.h"
+#include "tests/support/observed_workspace.h"
 
 /// Frames of small levels that call for effects, compiled on the spot.
 namespace oblong::test {
@@ -60,9 +60,9 @@ class EffectStage {
     Picture draw_without(Effect effect, std::int64_t time_ms = 0);
     /// Of the frame drawn last, in `work`.
     bool has(Effect effect) const { return work.plan.effects.has(effect); }
-    bool has(Pass pass) const;
-    std::int64_t pixels(Effect effect) const { return work.counts->of(effect); }
-    std::int64_t pixels(Pass pass) const { return work.counts->of(pass); }
+    bool has(std::string_view pass) const { return work.plan.has(pass); }
+    std::int64_t pixels(Effect effect) const { return work.counts.of(effect); }
+    std::int64_t pixels(std::string_view pass) const { return work.counts.of(pass); }
     /// The face that a pixel showed, behind what is seen through; none: the void.
     const Face* face_at(std::size_t pixel) const;
     const std::string& texture_at(std::size_t pixel) const;
@@ -74,7 +74,7 @@ class EffectStage {
     std::vector<PlacedMesh> meshes;
     Settings settings;
     Camera camera;
-    FrameWorkspace work;
+    ObservedWorkspace work;
 };
 
 /// How many pixels differ.

@@ -43,7 +43,7 @@ double expected_grey(double depth) {
 TEST(FogFrames, ShareOfFogIsThatOfTheDepthAndNeverFallsWithIt) {
     EffectStage stage(corridor("0.1 0.784 0.784 0.784"), along_corridor());
     const Picture picture = stage.draw();
-    EXPECT_TRUE(stage.has(Pass::Fog));
+    EXPECT_TRUE(stage.has("fog"));
     std::vector<std::pair<double, int>> by_depth;
     constexpr double kStep = (kFogGrey - kWall) / 63.0;
     for (std::size_t i = 0; i < picture.size(); ++i) {
@@ -76,12 +76,12 @@ TEST(FogFrames, NeverFallsTowardTheFarEndOfAFloor) {
 TEST(FogFrames, NotAllowedOrAskedForThereIsNone) {
     EffectStage clear(corridor(""), along_corridor()), fog(corridor("0.1 0.784 0.784 0.784"), along_corridor());
     const Picture expected = clear.draw();
-    EXPECT_FALSE(clear.has(Pass::Fog));
-    EXPECT_EQ(clear.work.fog_tables, nullptr);
+    EXPECT_FALSE(clear.has("fog"));
+    EXPECT_EQ(clear.work.cache.fog_tables, nullptr);
     EXPECT_EQ(fog.draw_without(Effect::Fog), expected);
-    EXPECT_FALSE(fog.has(Pass::Fog));
+    EXPECT_FALSE(fog.has("fog"));
     EXPECT_EQ(fog.pixels(Effect::Fog), 0);
-    EXPECT_EQ(fog.work.fog_tables, nullptr);
+    EXPECT_EQ(fog.work.cache.fog_tables, nullptr);
     EXPECT_NE(fog.draw(), expected);
     const std::int64_t owned = fog.pixels(Effect::Fog);
     EXPECT_LE(changed_pixels(fog.draw(), expected), owned);

@@ -55,7 +55,7 @@ TEST(Coplanar, HardCaseE11_TheFaceOfAModelInTheWallsPlaneIsShownAlikeFromEverywh
                 // What is at the model's place: its middle and points near its corners, by the record of the plane.
                 for (std::size_t i = 0; i < picture.size(); ++i) {
                     const Face* const face = stage.face_at(i);
-                    if (face && stage.work.record->pixels[i].model == PlacedIndex(0)) shown.insert(picture[i]);
+                    if (face && stage.work.record.pixels[i].model == PlacedIndex(0)) shown.insert(picture[i]);
                 }
                 EXPECT_EQ(stage.draw_afresh(), picture);
                 EXPECT_GT(count_of(picture, kOther), 0) << x << ' ' << y << ' ' << z;
@@ -68,9 +68,9 @@ TEST(Coplanar, HardCaseE11_TheFaceOfAModelInTheWallsPlaneIsShownAlikeFromEverywh
 /// All that a frame counts, in which an effect that ran would show.
 std::vector<std::int64_t> counts_of(const EffectStage& stage) {
     std::vector<std::int64_t> counts;
-    for (const NamedCount& count : named_counts(*stage.work.counts)) counts.push_back(count.count);
-    counts.insert(counts.end(), stage.work.counts->effect_pixels.begin(), stage.work.counts->effect_pixels.end());
-    counts.insert(counts.end(), stage.work.counts->pass_pixels.begin(), stage.work.counts->pass_pixels.end());
+    for (const NamedCount& count : named_counts(stage.work.counts)) counts.push_back(count.count);
+    counts.insert(counts.end(), stage.work.counts.effect_pixels.begin(), stage.work.counts.effect_pixels.end());
+    counts.insert(counts.end(), stage.work.counts.pass_pixels.begin(), stage.work.counts.pass_pixels.end());
     return counts;
 }
 

@@ -66,8 +66,8 @@ TEST(Hostile, TooManyLanterns) {
                                                        {"radius", "4096"},
                                                        {"period", "0.05"}})),
                       in_room());
-    EXPECT_EQ(stage.work.things.lanterns.size(), kMostLanterns);
-    EXPECT_EQ(warnings_with(stage.work.things.warnings, "more than 64"), 10'000 - 64);
+    EXPECT_EQ(stage.work.cache.things.lanterns.size(), kMostLanterns);
+    EXPECT_EQ(warnings_with(stage.work.cache.things.warnings, "more than 64"), 10'000 - 64);
     expect_same_afresh(stage);
 }
 
@@ -79,10 +79,10 @@ TEST(Hostile, AHundredThousandParticlesAndTooMany) {
                                                              {"count", count}})),
                           in_room());
         std::int64_t kept = 0;
-        for (const PlacedEmitter& placed : stage.work.things.emitters) kept += placed.emitter.count;
+        for (const PlacedEmitter& placed : stage.work.cache.things.emitters) kept += placed.emitter.count;
         EXPECT_EQ(kept, std::min<std::int64_t>(std::int64_t{emitters} * std::stoi(count),
                                                emitters == 2'000 ? 102'400 : kMostParticles));
-        EXPECT_EQ(stage.work.things.warnings.empty(), emitters == 100);
+        EXPECT_EQ(stage.work.cache.things.warnings.empty(), emitters == 100);
         expect_same_afresh(stage);
         EXPECT_GT(stage.pixels(Effect::Particles), 10'000);
     }
@@ -97,9 +97,9 @@ TEST(Hostile, TooManySpritesAndSpritesWithoutATexture) {
     const Entity without = entity_of({{"classname", "misc_sprite"}, {"origin", "0 0 80"}, {"texture", "no_such"}});
     level.entities.insert(level.entities.begin(), 10, without);
     EffectStage stage(std::move(level), in_room());
-    EXPECT_EQ(stage.work.things.sprites.size(), kMostSprites);
-    EXPECT_EQ(warnings_with(stage.work.things.warnings, "no_such"), 10);
-    EXPECT_EQ(warnings_with(stage.work.things.warnings, "more than 4096"), 5'000 - 4'096);
+    EXPECT_EQ(stage.work.cache.things.sprites.size(), kMostSprites);
+    EXPECT_EQ(warnings_with(stage.work.cache.things.warnings, "no_such"), 10);
+    EXPECT_EQ(warnings_with(stage.work.cache.things.warnings, "more than 4096"), 5'000 - 4'096);
     expect_same_afresh(stage);
 }
 
@@ -130,13 +130,13 @@ TEST(Hostile, LightPatternsOfAKilobyteAndOfTooMuch) {
     std::string letters;
     for (int i = 0; i < 1'024; ++i) letters += static_cast<char>('a' + i * i % 26);
     EffectStage kilobyte(lit(letters), in_room(), shades_as_colours());
-    EXPECT_TRUE(kilobyte.work.effects.warnings.empty());
+    EXPECT_TRUE(kilobyte.work.cache.effects.warnings.empty());
     EXPECT_EQ(kilobyte.draw(1'500), kilobyte.draw(1'500 + 102'400));
     EXPECT_TRUE(kilobyte.has(Effect::Styles));
     expect_same_afresh(kilobyte);
     for (const std::string& bad : {std::string(65'537, 'a'), std::string("abcABC"), std::string("a b")}) {
         EffectStage stage(lit(bad), in_room(), shades_as_colours());
-        EXPECT_EQ(warnings_with(stage.work.effects.warnings, "65536"), 1);
+        EXPECT_EQ(warnings_with(stage.work.cache.effects.warnings, "65536"), 1);
         stage.draw(1'500);
         EXPECT_FALSE(stage.has(Effect::Styles));
     }
@@ -154,7 +154,7 @@ TEST(Hostile, FogThatIsNone) {
         Level level = compile_effects(text);
         level.entities[0].pairs.emplace_back("fog", fog);
         EffectStage stage(std::move(level), in_room());
-        EXPECT_EQ(warnings_with(stage.work.effects.warnings, "worldspawn key 'fog'"), 1);
+        EXPECT_EQ(warnings_with(stage.work.cache.effects.warnings, "worldspawn key 'fog'"), 1);
         EXPECT_EQ(stage.draw(), expected);
         EXPECT_FALSE(stage.has(Effect::Fog));
     }
@@ -168,7 +168,7 @@ TEST(Hostile, FogAtTheEndsOfItsRange) {
         Level level = compile_effects(plain_box());
         level.entities[0].pairs.emplace_back("fog", fog);
         EffectStage stage(std::move(level), in_room());
-        EXPECT_TRUE(stage.work.effects.warnings.empty());
+        EXPECT_TRUE(stage.work.cache.effects.warnings.empty());
         expect_same_afresh(stage);
     }
 }
@@ -194,7 +194,7 @@ TEST(Hostile, AThousandFacesThatAreSeenThrough) {
     EffectStage stage(text, in_room());
     EXPECT_EQ(stage.models.size(), 500u);
     expect_same_afresh(stage);
-    EXPECT_GT(stage.pixels(Pass::SeeThrough), 1'000'000);
+    EXPECT_GT(stage.pixels("see_through"), 1'000'000);
 }
 
 TEST(Hostile, EyesInThePlaneOfAMirrorAndOfASheetOfWater) {

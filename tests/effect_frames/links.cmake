@@ -1,5 +1,5 @@
 find_package(rapidcheck REQUIRED)
-set(LINKS oblong_gallery oblong_tool_map oblong_tool_cameras rapidcheck)
+set(LINKS oblong_gallery oblong_platform oblong_tool_map oblong_tool_cameras rapidcheck)
 # Levels are compiled as in the tests of the map compiler.
 list(APPEND SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/map/map_source.cpp)
 # Looks at every pixel of thousands of pictures.

@@ -35,7 +35,7 @@ TEST(Liquids, MoveOnTheirOwnPixelsAndRepeat) {
     EffectStage stage(pool("*water"), above());
     const Picture start = stage.draw(0);
     EXPECT_GT(stage.pixels(Effect::Liquid), 10'000);
-    EXPECT_EQ(stage.pixels(Pass::Liquid), stage.pixels(Effect::Liquid));
+    EXPECT_EQ(stage.pixels("liquid"), stage.pixels(Effect::Liquid));
     for (const std::int64_t time_ms : {std::int64_t{100}, std::int64_t{1'600}, std::int64_t{4'711}}) {
         const Picture later = stage.draw(time_ms);
         EXPECT_GT(changed_pixels(later, start), 500) << time_ms;
@@ -55,9 +55,9 @@ TEST(Liquids, NotAllowedAreOneColourInPlace) {
     const Picture with = stage.draw();
     const std::int64_t owned = stage.pixels(Effect::Liquid);
     const Picture without = stage.draw_without(Effect::Liquid);
-    EXPECT_FALSE(stage.has(Pass::Liquid));
+    EXPECT_FALSE(stage.has("liquid"));
     EXPECT_FALSE(stage.has(Effect::Liquid));
-    EXPECT_EQ(stage.pixels(Pass::Flat), owned);
+    EXPECT_EQ(stage.pixels("flat"), owned);
     std::set<std::uint8_t> colours;
     for (std::size_t i = 0; i < with.size(); ++i) {
         if (stage.texture_at(i) == "*water")
@@ -123,23 +123,23 @@ TEST(Translucency, OfOneIsOpaqueAndOfZeroNothing) {
 TEST(Translucency, NotAllowedIsOpaque) {
     EffectStage opaque(pool("*water"), above()), half(pool("*water", {{"wateralpha", "0.5"}}), above());
     EXPECT_EQ(half.draw_without(Effect::Translucency, 777), opaque.draw(777));
-    EXPECT_FALSE(half.has(Pass::SeeThrough));
+    EXPECT_FALSE(half.has("see_through"));
     EXPECT_EQ(half.pixels(Effect::Liquid), opaque.pixels(Effect::Liquid));
 }
 
 TEST(Underwater, OnlyWhereTheEyeIsInALiquid) {
     EffectStage stage(pool("*water"), camera_at(place(-200, 3, 33), 0, 10));
     stage.draw();
-    EXPECT_FALSE(stage.has(Pass::Underwater));
+    EXPECT_FALSE(stage.has("underwater"));
     EXPECT_EQ(stage.pixels(Effect::Underwater), 0);
     stage.camera.eye = place(-200, 3, 31);
     const Picture start = stage.draw();
-    EXPECT_TRUE(stage.has(Pass::Underwater));
+    EXPECT_TRUE(stage.has("underwater"));
     EXPECT_EQ(stage.pixels(Effect::Underwater), kPicturePixels);
     EXPECT_NE(stage.draw(1'000), start);
     EXPECT_EQ(stage.draw(kUnderwaterPeriod_ms * kWarpPeriod_ms), start);
     EXPECT_NE(stage.draw_without(Effect::Underwater), start);
-    EXPECT_FALSE(stage.has(Pass::Underwater));
+    EXPECT_FALSE(stage.has("underwater"));
 }
 
 /// Waves move pixels by a few, and invent no colour.
@@ -165,7 +165,7 @@ TEST(Sky, DriftsOnItsOwnPixelsAndRepeats) {
                    box({-256, -272, 0}, {256, -256, 192}) + box({-256, 256, 0}, {256, 272, 192});
     EffectStage stage(text, camera_at(place(-200, 3, 100), 0, -20));
     const Picture start = stage.draw(0), later = stage.draw(1'500);
-    EXPECT_GT(stage.pixels(Pass::Sky), 5'000);
+    EXPECT_GT(stage.pixels("sky"), 5'000);
     EXPECT_GT(changed_pixels(start, later), 200);
     for (std::size_t i = 0; i < later.size(); ++i) {
         if (later[i] != start[i]) {
@@ -175,7 +175,7 @@ TEST(Sky, DriftsOnItsOwnPixelsAndRepeats) {
     EXPECT_EQ(stage.draw(1'500 + 16'000), later);
     EXPECT_EQ(stage.draw(1'500 + periods_past_huge(16'000)), later);
     const Picture flat = stage.draw_without(Effect::Sky);
-    EXPECT_FALSE(stage.has(Pass::Sky));
+    EXPECT_FALSE(stage.has("sky"));
     for (std::size_t i = 0; i < flat.size(); ++i) {
         if (flat[i] != start[i]) {
             ASSERT_EQ(stage.texture_at(i), "sky");

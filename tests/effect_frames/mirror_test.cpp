@@ -23,7 +23,7 @@ TEST(Mirrors, ShowWhatIsBehindTheEye) {
     const std::string lamp = entity_at("misc_sprite", {-200, 30, 90}, {{"texture", "{lamp"}, {"scale", "2"}});
     EffectStage stage(mirror_room(lamp), toward_mirror());
     const Picture with = stage.draw();
-    EXPECT_TRUE(stage.has(Pass::Mirror));
+    EXPECT_TRUE(stage.has("mirror"));
     const std::int64_t owned = stage.pixels(Effect::Mirror);
     EXPECT_FALSE(stage.has(Effect::Sprites)) << "none of the frame's own";
     std::int64_t left = 0, right = 0;
@@ -32,7 +32,7 @@ TEST(Mirrors, ShowWhatIsBehindTheEye) {
     EXPECT_GT(left, 50) << "on the side of +y, as a mirror shows it";
     EXPECT_GT(left, right);
     const Picture without = stage.draw_without(Effect::Mirror);
-    EXPECT_FALSE(stage.has(Pass::Mirror));
+    EXPECT_FALSE(stage.has("mirror"));
     EXPECT_EQ(count_of(without, kLamp), 0);
     EXPECT_LE(changed_pixels(with, without), owned);
     EXPECT_EQ(count_of(without, kMirror), owned) << "a wall";
@@ -64,13 +64,13 @@ TEST(Mirrors, BuildNoSurfaceAgainAndCountLightOnce) {
         entity_at("misc_lantern", {100, 0, 80}, {{"texture", "{lamp"}, {"light", "300"}, {"scale", "0.25"}});
     EffectStage stage(mirror_room(lantern), toward_mirror(), shades_as_colours());
     const Picture first = stage.draw(1'000);
-    EXPECT_GT(stage.work.counts->stages.lit_texels, 0);
+    EXPECT_GT(stage.work.counts.stages.lit_texels, 0);
     EXPECT_TRUE(stage.has(Effect::Lights));
     EXPECT_LE(stage.pixels(Effect::Lights), kPicturePixels);
     EXPECT_EQ(stage.draw(1'000), first);
-    EXPECT_EQ(stage.work.counts->stages.lit_texels, 0) << "nothing has moved";
+    EXPECT_EQ(stage.work.counts.stages.lit_texels, 0) << "nothing has moved";
     stage.draw(2'000);
-    EXPECT_GT(stage.work.counts->stages.lit_texels, 0);
+    EXPECT_GT(stage.work.counts.stages.lit_texels, 0);
     EXPECT_EQ(stage.draw(1'000), first);
 }
 
@@ -82,7 +82,7 @@ TEST(Mirrors, WithLightsOnOneSideOnlyBuildNoSurfaceAgain) {
         EffectStage stage(mirror_room(lantern), toward_mirror(), shades_as_colours());
         const Picture first = stage.draw();
         EXPECT_EQ(stage.draw(), first);
-        EXPECT_EQ(stage.work.counts->stages.lit_texels, 0);
+        EXPECT_EQ(stage.work.counts.stages.lit_texels, 0);
         EXPECT_EQ(stage.draw_afresh(), first);
     }
 }

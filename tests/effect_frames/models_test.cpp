@@ -131,13 +131,13 @@ TEST(Models, BehindAWallAreNotOnThePlan) {
     stage.meshes[0].scale = {Entry::from_raw(1 << 28), Entry::from_raw(1 << 28), Entry::from_raw(1 << 28)};
     const Picture picture = stage.draw();
     EXPECT_FALSE(stage.has(Effect::Models));
-    EXPECT_FALSE(stage.has(Pass::Models));
+    EXPECT_FALSE(stage.has("models"));
     stage.meshes.clear();
     EXPECT_EQ(stage.draw(), picture);
     for (const Vec3<World>& place_of_ball : {place(-400, 0, 90), place(60, 0, 5000), place(0, 600, 90)}) {
         stage.meshes = {ball_at(place_of_ball)};
         EXPECT_EQ(stage.draw(), picture);
-        EXPECT_FALSE(stage.has(Pass::Models));
+        EXPECT_FALSE(stage.has("models"));
     }
 }
 
@@ -148,7 +148,7 @@ TEST(Models, NotAllowedAreNotDrawn) {
     EXPECT_NE(stage.draw(), bare);
     EXPECT_TRUE(stage.has(Effect::Models));
     EXPECT_GT(stage.pixels(Effect::Models), 1000);
-    EXPECT_EQ(stage.pixels(Effect::Models), stage.pixels(Pass::Models));
+    EXPECT_EQ(stage.pixels(Effect::Models), stage.pixels("models"));
     EXPECT_EQ(stage.draw_without(Effect::Models), bare);
 }
 

@@ -29,7 +29,7 @@ TEST(Fence, ShowsWhatIsBehindItsHoles) {
     EXPECT_TRUE(stage.has(Effect::Fence));
     stage.models.clear();
     const Picture open = stage.draw();
-    EXPECT_FALSE(stage.has(Pass::SeeThrough));
+    EXPECT_FALSE(stage.has("see_through"));
     std::int64_t bars = 0, holes = 0;
     for (std::size_t i = 0; i < fenced.size(); ++i) {
         ASSERT_TRUE(fenced[i] == kBars || fenced[i] == open[i]);
@@ -42,7 +42,7 @@ TEST(Fence, ShowsWhatIsBehindItsHoles) {
 TEST(Fence, NotAllowedIsAWallWithItsHolesFilled) {
     EffectStage stage(fenced_room(), before_fence());
     stage.draw_without(Effect::Fence);
-    EXPECT_FALSE(stage.has(Pass::SeeThrough));
+    EXPECT_FALSE(stage.has("see_through"));
     EXPECT_EQ(stage.pixels(Effect::Fence), stage.pixels(Effect::BrushModels)) << "counted as what needs it";
     for (std::size_t i = 0; i < kPicturePixels; ++i) ASSERT_NE(stage.texture_at(i), "other") << "is behind the fence";
 }
@@ -126,11 +126,11 @@ TEST(Shadows, FallOnTheirFloorAndOnNothingElse) {
                     entity_at("info_player_start", {-100, 0, 64});
     EffectStage stage(text, camera_at(place(-150, 3, 120), 0, 30));
     const Picture with = stage.draw();
-    EXPECT_TRUE(stage.has(Pass::Shadows));
+    EXPECT_TRUE(stage.has("shadows"));
     EXPECT_TRUE(stage.has(Effect::Shadows));
     const std::int64_t owned = stage.pixels(Effect::Shadows);
     const Picture without = stage.draw_without(Effect::Shadows);
-    EXPECT_FALSE(stage.has(Pass::Shadows));
+    EXPECT_FALSE(stage.has("shadows"));
     std::int64_t dark = 0;
     for (std::size_t i = 0; i < with.size(); ++i) {
         if (with[i] == without[i]) continue;

@@ -59,12 +59,12 @@ bool has_style(const Face* face) {
 TEST(LightStyles, RelightOnlyFacesThatHaveThem) {
     EffectStage stage(lit_room("aazz"), camera_at(place(200, 3, 100), 180), shades_as_colours());
     const Picture dark = stage.draw(0);
-    const std::int64_t all = stage.work.counts->stages.lit_texels;
+    const std::int64_t all = stage.work.counts.stages.lit_texels;
     EXPECT_TRUE(stage.has(Effect::Styles));
     EXPECT_EQ(stage.draw(100), dark);
-    EXPECT_EQ(stage.work.counts->stages.lit_texels, 0) << "the pattern has not changed";
+    EXPECT_EQ(stage.work.counts.stages.lit_texels, 0) << "the pattern has not changed";
     const Picture bright = stage.draw(200);
-    const std::int64_t relit = stage.work.counts->stages.lit_texels;
+    const std::int64_t relit = stage.work.counts.stages.lit_texels;
     EXPECT_GT(relit, 0);
     EXPECT_LT(relit, all);
     EXPECT_EQ(stage.draw_afresh(200), bright);
@@ -87,7 +87,7 @@ TEST(LightStyles, OutOfSightCostNothing) {
     const Picture away = stage.draw(0);
     EXPECT_FALSE(stage.has(Effect::Styles));
     EXPECT_EQ(stage.draw(200), away);
-    EXPECT_EQ(stage.work.counts->stages.lit_texels, 0);
+    EXPECT_EQ(stage.work.counts.stages.lit_texels, 0);
     EXPECT_EQ(stage.pixels(Effect::Styles), 0);
 }
 

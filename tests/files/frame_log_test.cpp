@@ -208,7 +208,7 @@ TEST_F(FrameLogTest, CacheSaysWhatWasBuiltSinceTheLastLine) {
     EXPECT_GE(numbers_after(first.at(2), "").at(0), texels) << "rows are padded";
     draw();
     EXPECT_TRUE(cache_lines(frame(), totals).at(1).starts_with("0 surfaces built since the last line, of 0 texels"));
-    work_.surfaces.clear();
+    work_.cache.surfaces.clear();
     draw();
     EXPECT_EQ(cache_lines(frame(), totals).at(1), "1 surfaces built since the last line, of " +
                                                       std::to_string(static_cast<int>(texels)) + " texels; 0 evicted");

@@ -25,7 +25,7 @@ std::vector<Camera> cameras() {
 }
 
 /// The pictures of all cameras, one after the other.
-std::vector<std::uint8_t> draw_all(Stage& stage, const Accuracy& accuracy, FrameWorkspace& work) {
+std::vector<std::uint8_t> draw_all(Stage& stage, const Accuracy& accuracy, ObservedWorkspace& work) {
     stage.settings.accuracy = accuracy;
     std::vector<std::uint8_t> all;
     for (const Camera& camera : cameras()) {
@@ -44,13 +44,13 @@ Accuracy with(std::string_view name, std::int32_t value) {
 
 TEST(Dials, ChangeThePictureAndNoneIsRememberedByTheWorkspace) {
     Stage stage = demo_stage();
-    FrameWorkspace used(stage.level, stage.mode);
+    ObservedWorkspace used(stage.level, stage.mode);
     for (const Dial& dial : all_dials()) {
         SCOPED_TRACE(dial.name);
         std::set<std::vector<std::uint8_t>> pictures;
         for (const DialSetting& setting : dial.settings) {
             const Accuracy accuracy = with(dial.name, setting.value);
-            FrameWorkspace fresh(stage.level, stage.mode);
+            ObservedWorkspace fresh(stage.level, stage.mode);
             pictures.insert(draw_all(stage, accuracy, used));
             EXPECT_TRUE(pictures.contains(draw_all(stage, accuracy, fresh))) << setting.name;
         }
@@ -62,14 +62,14 @@ TEST(Dials, ChangeThePictureAndNoneIsRememberedByTheWorkspace) {
 
 TEST(Dials, MipLevelsAreThoseThatAreAskedFor) {
     Stage stage = demo_stage();
-    FrameWorkspace work(stage.level, stage.mode);
-    work.record = std::make_unique<FrameRecord>();
+    ObservedWorkspace work(stage.level, stage.mode);
+    work.keep_record();
     const auto greatest_mip = [&](const Accuracy& accuracy) {
         int greatest = -1;
         stage.settings.accuracy = accuracy;
         for (const Camera& camera : cameras()) {
             stage.draw(camera, work);
-            for (const PixelRecord& pixel : work.record->pixels) greatest = std::max<int>(greatest, pixel.mip);
+            for (const PixelRecord& pixel : work.record.pixels) greatest = std::max<int>(greatest, pixel.mip);
         }
         return greatest;
     };
@@ -82,12 +82,12 @@ TEST(Dials, MipLevelsAreThoseThatAreAskedFor) {
 /// By span, pixels may only get smaller levels than the face's nearest corner asks for.
 TEST(Dials, MipLevelsOfSpansAreNeverFinerThanThoseOfTheirFaces) {
     Stage stage = demo_stage();
-    FrameWorkspace work(stage.level, stage.mode);
+    ObservedWorkspace work(stage.level, stage.mode);
     const auto record_by = [&](MipSelection selection) {
         stage.settings.accuracy = with("mip", static_cast<std::int32_t>(selection));
-        work.record = std::make_unique<FrameRecord>();
+        work.keep_record();
         stage.draw(cameras()[0], work);
-        return work.record->pixels;
+        return work.record.pixels;
     };
     const auto by_face = record_by(MipSelection::Face), by_span = record_by(MipSelection::Span);
     int coarser = 0;
@@ -102,8 +102,8 @@ TEST(Dials, MipLevelsOfSpansAreNeverFinerThanThoseOfTheirFaces) {
 /// Neighbours step along the edge that they share in the same way, whatever its error.
 TEST(Dials, AccumulatedEdgesLeaveNoHole) {
     Stage stage = demo_stage();
-    FrameWorkspace work(stage.level, stage.mode);
-    work.counts = std::make_unique<FrameCounts>();
+    ObservedWorkspace work(stage.level, stage.mode);
+    work.count();
     stage.settings.accuracy = with("edges", static_cast<std::int32_t>(EdgeStepping::Accumulated));
     for (const Camera& camera : cameras()) expect_each_pixel_once(stage, camera, work);
 }
@@ -112,14 +112,14 @@ TEST(Dials, AccumulatedEdgesLeaveNoHole) {
 TEST(Dials, WithoutCornersAtTJunctionsCracksOpen) {
     OBLONG_NEEDS_SHARED_LEVELS();
     Stage stage = real_stage("e1m7");
-    FrameWorkspace work(stage.level, stage.mode);
-    work.record = std::make_unique<FrameRecord>();
+    ObservedWorkspace work(stage.level, stage.mode);
+    work.keep_record();
     const auto faces_shown = [&](const Camera& camera, bool mends) {
         stage.settings.accuracy = accuracy_of(Preset::Year1991);
         stage.settings.accuracy.mends_t_junctions = mends;
         stage.draw(camera, work);
         std::vector<FaceIndex> faces;
-        for (const PixelRecord& pixel : work.record->pixels) faces.push_back(pixel.face);
+        for (const PixelRecord& pixel : work.record.pixels) faces.push_back(pixel.face);
         return faces;
     };
     int through_cracks = 0;
@@ -141,14 +141,14 @@ TEST(Dials, WithoutCornersAtTJunctionsCracksOpen) {
 
 TEST(Dials, CountsAddUp) {
     Stage stage = demo_stage();
-    FrameWorkspace work(stage.level, stage.mode);
-    work.counts = std::make_unique<FrameCounts>();
+    ObservedWorkspace work(stage.level, stage.mode);
+    work.count();
     for (const Texturing texturing : {Texturing::Affine, Texturing::Every16, Texturing::Exact}) {
         stage.settings.accuracy = with("perspective", static_cast<std::int32_t>(texturing));
         stage.draw(cameras()[0], work);
-        const StageCounts& stages = work.counts->stages;
+        const StageCounts& stages = work.counts.stages;
         EXPECT_EQ(stages.textured_pixels + stages.flat_pixels + stages.sky_pixels, 64000);
-        EXPECT_GE(stages.blocks, (work.counts->divisions - stages.divided_pixels) / 2);
+        EXPECT_GE(stages.blocks, (work.counts.divisions - stages.divided_pixels) / 2);
         EXPECT_LE(stages.last_blocks, stages.blocks);
         EXPECT_LE(stages.projected, stages.vertices);
         if (texturing == Texturing::Exact) {
@@ -156,7 +156,7 @@ TEST(Dials, CountsAddUp) {
             EXPECT_LT(stages.exact_divisions, stages.divided_pixels);
         }
         if (texturing == Texturing::Affine) {
-            EXPECT_LE(stages.blocks, work.counts->spans);
+            EXPECT_LE(stages.blocks, work.counts.spans);
         }
     }
 }

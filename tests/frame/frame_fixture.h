@@ -8,10 +8,10 @@
 #include "engine/accuracy/presets.h"
 #include "engine/base/input_error.h"
 #include "engine/frame/frame.h"
-#include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
 #include "engine/scene/placed_models.h"
 #include "tests/support/folders.h"
+#include "tests/support/observed_workspace.h"
 #include "tests/support/shared_levels.h"
 
 namespace oblong::test {

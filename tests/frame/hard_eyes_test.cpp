@@ -71,7 +71,7 @@ TEST_P(HardEyes, HardCaseV13_NoHoleFromCornersEdgesAndFaces) {
     std::mt19937 random(13);
     for (int i = 0; i < 2000 && !HasFailure(); ++i) {
         const On on = std::array{On::Corner, On::Edge, On::Face}[static_cast<std::size_t>(i % 3)];
-        const Vec3<World> eye = point_on_a_face(stage.level, work->faces, on, random);
+        const Vec3<World> eye = point_on_a_face(stage.level, work->cache.faces, on, random);
         stage.settings.accuracy = accuracy_of(i % 2 ? Preset::Bounded : Preset::Year1991);
         if (is_place_open(stage.level, eye)) expect_each_pixel_once(stage, random_view_from(eye, random), *work);
     }
@@ -109,7 +109,7 @@ TEST_P(HardEyes, NoHoleWithModelsAtAnyOffset) {
         constexpr std::array<std::int32_t, 6> kOffsets{0, 0, 1024, 4096 * 17, -4096 * 32, 4096 * 64 + 77};
         const auto offset = [&] { return World::from_raw(kOffsets[random() % kOffsets.size()]); };
         for (PlacedModel& model : stage.models) model.offset = {offset(), offset(), offset()};
-        const Vec3<World> eye = point_on_a_face(stage.level, work->faces, On::Face, random);
+        const Vec3<World> eye = point_on_a_face(stage.level, work->cache.faces, On::Face, random);
         stage.settings.accuracy = accuracy_of(i % 2 ? Preset::Bounded : Preset::Year1991);
         if (is_place_open(stage.level, eye)) expect_each_pixel_once(stage, random_view_from(eye, random), *work);
     }

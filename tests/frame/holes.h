@@ -34,21 +34,21 @@ inline std::string first_wrong_pixels(const Stage& stage, const FrameCounts& cou
     return text;
 }
 
-inline void expect_each_pixel_once(Stage& stage, const Camera& camera, FrameWorkspace& work) {
+inline void expect_each_pixel_once(Stage& stage, const Camera& camera, ObservedWorkspace& work) {
     stage.draw(camera, work);
     std::int64_t never = 0, twice = 0;
-    for (const std::uint8_t writes : work.counts->writes) {
+    for (const std::uint8_t writes : work.counts.writes) {
         never += writes == 0;
         twice += writes > 1;
     }
     if (never != 0 || twice != 0)
-        ADD_FAILURE() << describe(camera, never, twice) << first_wrong_pixels(stage, *work.counts);
+        ADD_FAILURE() << describe(camera, never, twice) << first_wrong_pixels(stage, work.counts);
 }
 
 /// A workspace that counts.
-inline std::unique_ptr<FrameWorkspace> counting_workspace(const Stage& stage) {
-    auto work = std::make_unique<FrameWorkspace>(stage.level, stage.mode);
-    work->counts = std::make_unique<FrameCounts>();
+inline std::unique_ptr<ObservedWorkspace> counting_workspace(const Stage& stage) {
+    auto work = std::make_unique<ObservedWorkspace>(stage.level, stage.mode);
+    work->count();
     return work;
 }
 

@@ -29,7 +29,7 @@ std::vector<Camera> cameras_of(const Level& level) {
 }
 
 std::vector<std::uint8_t> drawn_afresh(Stage& stage, const Camera& camera) {
-    FrameWorkspace work(stage.level, stage.mode);
+    ObservedWorkspace work(stage.level, stage.mode);
     stage.draw(camera, work);
     return stage.pixels;
 }
@@ -61,7 +61,7 @@ bool shows_texture(const FrameRecord& record, const Level& level, const char* st
 
 TEST(Purity, WhatWasDrawnBeforeMakesNoDifference) {
     Stage stage = demo_stage();
-    FrameWorkspace used(stage.level, stage.mode);
+    ObservedWorkspace used(stage.level, stage.mode);
     for (const Camera& camera : cameras_of(stage.level)) {
         stage.draw(camera, used);
         const std::vector<std::uint8_t> in_used = stage.pixels;
@@ -72,12 +72,12 @@ TEST(Purity, WhatWasDrawnBeforeMakesNoDifference) {
 
 TEST(Purity, CountingMakesNoDifference) {
     Stage stage = demo_stage();
-    FrameWorkspace work(stage.level, stage.mode);
+    ObservedWorkspace work(stage.level, stage.mode);
     for (const Camera& camera : cameras_of(stage.level)) {
-        work.counts = nullptr;
+        work.observers.counts = nullptr;
         stage.draw(camera, work);
         const std::vector<std::uint8_t> uncounted = stage.pixels;
-        work.counts = std::make_unique<FrameCounts>();
+        work.count();
         stage.draw(camera, work);
         EXPECT_EQ(stage.pixels, uncounted);
     }
@@ -115,8 +115,8 @@ std::int64_t any_time_ns() {
 TEST(Purity, WhatIsWatchedTakesThePathThatIsDrawn) {
     Stage stage = demo_stage();
     stage.settings.allowed_effects = {};  // which have kernels of their own
-    FrameWorkspace work(stage.level, stage.mode);
-    work.surfaces.kernel = draw_and_note;
+    ObservedWorkspace work(stage.level, stage.mode);
+    work.cache.surfaces.kernel = draw_and_note;
     for (const Preset preset : kPresets) {
         stage.settings.accuracy = accuracy_of(preset);
         for (const Camera& camera : cameras_of(stage.level)) {
@@ -128,33 +128,34 @@ TEST(Purity, WhatIsWatchedTakesThePathThatIsDrawn) {
             };
             drawn();  // lights surfaces
             const DrawnBlocks unwatched = drawn();
-            work.counts = std::make_unique<FrameCounts>();
+            work.count();
             EXPECT_EQ(drawn(), unwatched) << "counted";
             if (divides_no_pixel(stage.settings.accuracy)) {
-                EXPECT_EQ(work.counts->stages.blocks, unwatched.blocks);
+                EXPECT_EQ(work.counts.stages.blocks, unwatched.blocks);
             }
-            work.counts = nullptr;
-            work.record = std::make_unique<FrameRecord>();
+            work.observers.counts = nullptr;
+            work.keep_record();
             EXPECT_EQ(drawn(), unwatched) << "recorded";
-            work.record = nullptr;
-            work.times = std::make_unique<PassTimes>(PassTimes{any_time_ns});
+            work.observers.record = nullptr;
+            PassTimes times{any_time_ns};
+            work.observers.times = &times;
             EXPECT_EQ(drawn(), unwatched) << "timed";
-            work.times = nullptr;
+            work.observers.times = nullptr;
         }
     }
 }
 
 TEST(Purity, EveryKernelDrawsTheSameFrame) {
     Stage stage = demo_stage();
-    FrameWorkspace work(stage.level, stage.mode);
+    ObservedWorkspace work(stage.level, stage.mode);
     for (const Camera& camera : cameras_of(stage.level)) {
-        work.surfaces.kernel = draw_blocks_plain;
+        work.cache.surfaces.kernel = draw_blocks_plain;
         stage.draw(camera, work);
         const std::vector<std::uint8_t> plain = stage.pixels;
-        work.surfaces.kernel = draw_blocks_packed;
+        work.cache.surfaces.kernel = draw_blocks_packed;
         stage.draw(camera, work);
         EXPECT_EQ(stage.pixels, plain);
-        work.surfaces.kernel = best_block_kernel();
+        work.cache.surfaces.kernel = best_block_kernel();
         stage.draw(camera, work);
         EXPECT_EQ(stage.pixels, plain);
     }
@@ -163,7 +164,7 @@ TEST(Purity, EveryKernelDrawsTheSameFrame) {
 TEST(Purity, AModelThatMovedIsDrawnWhereItIs) {
     Stage stage = demo_stage();
     ASSERT_FALSE(stage.models.empty());
-    FrameWorkspace used(stage.level, stage.mode);
+    ObservedWorkspace used(stage.level, stage.mode);
     bool any_differs = false;
     for (const Camera& camera : cameras_of(stage.level)) {
         for (PlacedModel& model : stage.models) model.offset = {};
@@ -183,13 +184,13 @@ TEST(Plan, HardCaseP5_HoldsWhatOwnsPixelsAndIsAllowed) {
     int with_sky = 0, without_sky = 0, not_shown = 0;
     for (const char* name : kRealLevels) {
         Stage stage = real_stage(name);
-        FrameWorkspace work(stage.level, stage.mode);
-        work.record = std::make_unique<FrameRecord>();
+        ObservedWorkspace work(stage.level, stage.mode);
+        work.keep_record();
         for (const Camera& camera : cameras_of(stage.level)) {
             stage.draw(camera, work);
             const bool has_sky = work.plan.effects.has(Effect::Sky), has_liquid = work.plan.effects.has(Effect::Liquid);
-            EXPECT_EQ(has_sky, shows_texture(*work.record, stage.level, "sky"));
-            EXPECT_EQ(has_liquid, shows_texture(*work.record, stage.level, "*"));
+            EXPECT_EQ(has_sky, shows_texture(work.record, stage.level, "sky"));
+            EXPECT_EQ(has_liquid, shows_texture(work.record, stage.level, "*"));
             not_shown += !has_liquid && sees_texture(stage.level, place_eye(stage.level, camera.eye).leaf, "*");
             ++(has_sky ? with_sky : without_sky);
         }
@@ -204,17 +205,17 @@ TEST(Plan, HardCaseP5_HoldsWhatOwnsPixelsAndIsAllowed) {
 
 TEST(Plan, WhatIsLeftOutIsOneColourAndStillClosesTheWorld) {
     Stage stage = demo_stage();
-    FrameWorkspace work(stage.level, stage.mode);
+    ObservedWorkspace work(stage.level, stage.mode);
     std::size_t changed = 0;
     for (const Camera& camera : cameras_of(stage.level)) {
         stage.settings.allowed_effects = EffectSet::all();
         stage.draw(camera, work);
         const std::vector<std::uint8_t> with_all = stage.pixels;
         stage.settings.allowed_effects = {};
-        work.counts = std::make_unique<FrameCounts>();
+        work.count();
         stage.draw(camera, work);
-        EXPECT_EQ(std::count(work.counts->writes.begin(), work.counts->writes.end(), 1), 320 * 200);
-        work.counts = nullptr;
+        EXPECT_EQ(std::count(work.counts.writes.begin(), work.counts.writes.end(), 1), 320 * 200);
+        work.observers.counts = nullptr;
         changed += stage.pixels != with_all;
     }
     EXPECT_GT(changed, 0u);
@@ -267,10 +268,10 @@ TEST(Eye, HardCaseV11_InASurfaceOfWaterIsAStepBelowIt) {
             Camera below = in_surface;
             below.eye.z.raw -= 2;
             if (stage.level.leaves[place_eye(stage.level, below.eye).leaf].contents == contents::kSolid) continue;
-            FrameWorkspace work(stage.level, stage.mode);
-            work.counts = std::make_unique<FrameCounts>();
+            ObservedWorkspace work(stage.level, stage.mode);
+            work.count();
             stage.draw(in_surface, work);
-            EXPECT_EQ(std::count(work.counts->writes.begin(), work.counts->writes.end(), 1), 320 * 200) << i;
+            EXPECT_EQ(std::count(work.counts.writes.begin(), work.counts.writes.end(), 1), 320 * 200) << i;
             const std::vector<std::uint8_t> pixels = stage.pixels;
             EXPECT_EQ(pixels, drawn_afresh(stage, below)) << i;
             ++compared;

@@ -37,11 +37,11 @@ void expect_same_bytes(Stage& stage, std::size_t camera_count) {
     for (const int threads : {2, 3, 8}) {
         WorkerThreads workers(threads);
         FrameWorkspace shared(stage.level, stage.mode, &workers);
-        ASSERT_TRUE(shared.shared);
+        ASSERT_TRUE(shared.view.shared);
         for (std::size_t i = 0; i < cameras.size(); ++i) {
             std::fill(stage.pixels.begin(), stage.pixels.end(), std::uint8_t{0x5a});
             stage.draw(cameras[i], shared);
-            EXPECT_FALSE(shared.shared->is_on());
+            EXPECT_FALSE(shared.view.shared->is_on());
             ASSERT_EQ(stage.pixels, pictures[i]) << threads << " threads, camera " << i;
         }
     }
@@ -50,8 +50,8 @@ void expect_same_bytes(Stage& stage, std::size_t camera_count) {
 TEST(SharedDrawing, OfOneThreadIsNone) {
     const Stage stage = demo_stage();
     WorkerThreads alone(1);
-    EXPECT_FALSE(FrameWorkspace(stage.level, stage.mode, &alone).shared);
-    EXPECT_FALSE(FrameWorkspace(stage.level, stage.mode).shared);
+    EXPECT_FALSE(FrameWorkspace(stage.level, stage.mode, &alone).view.shared);
+    EXPECT_FALSE(FrameWorkspace(stage.level, stage.mode).view.shared);
 }
 
 TEST(SharedDrawing, OfTheDemoLevelHasTheSameBytesInEveryPreset) {
@@ -76,14 +76,6 @@ TEST(SharedDrawing, OfRealLevelsHasTheSameBytes) {
 TEST(SharedDrawing, OfALargeModeHasTheSameBytes) {
     Stage stage = demo_stage({1600, 1200});
     expect_same_bytes(stage, 6);
-}
-
-TEST(SharedDrawing, OfOtherWaysToHiddenSurfacesHasTheSameBytes) {
-    Stage stage = demo_stage({160, 100});
-    for (const HiddenSurfaces method : {HiddenSurfaces::ZBuffer, HiddenSurfaces::Painter}) {
-        stage.settings.hidden_surfaces = method;
-        expect_same_bytes(stage, 4);
-    }
 }
 
 /// Does items only when it is asked to, in whatever order: the last ones first.

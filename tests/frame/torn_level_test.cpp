@@ -118,11 +118,11 @@ TEST(TornLevel, WhereAFaceIsMissingItsWallIsDrawnWithTheTextureOfTheNextOne) {
     for (int levels = 0; levels < 20; ++levels) {
         Stage stage = torn_stage(random);
         const auto work = counting_workspace(stage);
-        EXPECT_GT(work->faces.torn_edges, 20u);
+        EXPECT_GT(work->cache.faces.torn_edges, 20u);
         for (int frames = 0; frames < 50; ++frames) {
             const Camera camera = random_camera(stage.level, random);
             expect_each_pixel_once(stage, camera, *work);
-            check_torn_spans(stage, camera, work->claims, tally);
+            check_torn_spans(stage, camera, work->view.claims, tally);
         }
     }
     EXPECT_GT(tally.pixels, 10'000);

@@ -137,7 +137,7 @@ double texel(const Vec3<TexelAxis>& axis, Texel offset, const Point& p) {
 class ViewFrames {
   public:
     explicit ViewFrames(Stage& stage)
-        : stage_(stage), work_(stage.level, stage.mode), faces_(true_faces(stage.level, work_.faces)) {
+        : stage_(stage), work_(stage.level, stage.mode), faces_(true_faces(stage.level, work_.cache.faces)) {
         stage.models.clear();
         stage.settings.allowed_effects = EffectSet{}.with(Effect::Sky).with(Effect::Liquid);
     }
@@ -149,7 +149,7 @@ class ViewFrames {
             const int column = static_cast<int>(random() % 320), row = static_cast<int>(random() % 200);
             const std::optional<Hit> hit = surely_hit(faces_, truth, view, column, row);
             if (hit)
-                compare(*hit, work_.record->pixels[static_cast<std::size_t>(row * 320 + column)], column, row, tally);
+                compare(*hit, work_.record.pixels[static_cast<std::size_t>(row * 320 + column)], column, row, tally);
             else
                 ++tally.doubtful;
         }
@@ -157,14 +157,14 @@ class ViewFrames {
 
   private:
     void draw(const ViewSpec& view) {
-        work_.counts = std::make_unique<FrameCounts>();
-        work_.record = std::make_unique<FrameRecord>();
+        work_.count();
+        work_.keep_record();
         std::fill(stage_.pixels.begin(), stage_.pixels.end(), std::uint8_t{77});
         draw_frame(stage_.scene(), view, stage_.mode, stage_.settings, work_, {stage_.pixels.data(), 320, 200, 320});
         for (std::size_t i = 0; i < stage_.pixels.size(); ++i) {
-            ASSERT_LE(work_.counts->writes[i], 1);
+            ASSERT_LE(work_.counts.writes[i], 1);
             if (view.is_parallel || !view.cuts.empty()) {
-                ASSERT_TRUE(work_.counts->writes[i] == 1 || stage_.pixels[i] == 0);
+                ASSERT_TRUE(work_.counts.writes[i] == 1 || stage_.pixels[i] == 0);
             }
         }
     }
@@ -186,7 +186,7 @@ class ViewFrames {
     }
 
     Stage& stage_;
-    FrameWorkspace work_;
+    ObservedWorkspace work_;
     std::vector<TrueFace> faces_;
 };
 
@@ -308,9 +308,9 @@ TEST_P(ViewFramesOfLevels, CutOnesShowWhatIsBetweenTheirPlanes) {
 TEST_P(ViewFramesOfLevels, OffCentreOnesArePartsOfLargerPictures) {
     OBLONG_NEEDS_SHARED_LEVELS();
     Stage whole = real_stage(GetParam(), {640, 400, {4, 3}}), part = real_stage(GetParam());
-    FrameWorkspace whole_work(whole.level, whole.mode), part_work(part.level, part.mode);
-    whole_work.record = std::make_unique<FrameRecord>();
-    part_work.record = std::make_unique<FrameRecord>();
+    ObservedWorkspace whole_work(whole.level, whole.mode), part_work(part.level, part.mode);
+    whole_work.keep_record();
+    part_work.keep_record();
     std::mt19937 random(11);
     std::size_t other = 0;
     constexpr int kViews = 40;
@@ -327,8 +327,8 @@ TEST_P(ViewFramesOfLevels, OffCentreOnesArePartsOfLargerPictures) {
         for (int row = 0; row < 200; ++row)
             for (int column = 0; column < 320; ++column) {
                 const int whole_row = row + (i % 4 < 2 ? 0 : 200), whole_column = column + (i % 2 ? 320 : 0);
-                other += whole_work.record->pixels[static_cast<std::size_t>(whole_row * 640 + whole_column)].face !=
-                         part_work.record->pixels[static_cast<std::size_t>(row * 320 + column)].face;
+                other += whole_work.record.pixels[static_cast<std::size_t>(whole_row * 640 + whole_column)].face !=
+                         part_work.record.pixels[static_cast<std::size_t>(row * 320 + column)].face;
             }
     }
     EXPECT_LT(other, std::size_t{kViews} * 64000 / 1000);

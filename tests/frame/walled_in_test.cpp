@@ -96,20 +96,20 @@ struct Tally {
 };
 
 /// Draws over a buffer of rubbish, and asks 60 pixels.
-void check_picture(Stage& stage, const Camera& camera, FrameWorkspace& work, std::mt19937& random, Tally& tally) {
+void check_picture(Stage& stage, const Camera& camera, ObservedWorkspace& work, std::mt19937& random, Tally& tally) {
     std::fill(stage.pixels.begin(), stage.pixels.end(), static_cast<std::uint8_t>(random()));
     stage.draw(camera, work);
     for (std::size_t i = 0; i < stage.pixels.size(); ++i) {
-        ASSERT_LE(work.counts->writes[i], 1);
-        ASSERT_TRUE(work.counts->writes[i] == 1 || stage.pixels[i] == 0);
+        ASSERT_LE(work.counts.writes[i], 1);
+        ASSERT_TRUE(work.counts.writes[i] == 1 || stage.pixels[i] == 0);
     }
     for (int i = 0; i < 60; ++i) {
         const int column = static_cast<int>(random() % 320), row = static_cast<int>(random() % 200);
         const Surely before =
-            what_is_before(stage.level, work.faces, point_of(camera.eye), ray_through(camera, column, row));
+            what_is_before(stage.level, work.cache.faces, point_of(camera.eye), ray_through(camera, column, row));
         if (before == Surely::InDoubt) continue;
         ++(before == Surely::Something ? tally.something : tally.nothing);
-        ASSERT_EQ(work.counts->writes[static_cast<std::size_t>(row * 320 + column)], before == Surely::Something)
+        ASSERT_EQ(work.counts.writes[static_cast<std::size_t>(row * 320 + column)], before == Surely::Something)
             << describe(camera, 0, 0) << " at " << column << ", " << row;
     }
 }
@@ -148,7 +148,7 @@ TEST(BehindTheSky, HardCaseV14_AllThatFacesTheEyeIsDrawn) {
 
 TEST(OutOfTheWorld, LookingAwayIsColour0FromEdgeToEdge) {
     Stage stage = demo_stage();
-    FrameWorkspace work(stage.level, stage.mode);
+    ObservedWorkspace work(stage.level, stage.mode);
     Camera camera;
     camera.eye = {World::from_int(-9000), World::from_int(0), World::from_int(0)};
     camera.yaw = Angle::from_bam(32768);

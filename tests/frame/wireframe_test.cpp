@@ -45,22 +45,22 @@ class WireframeOfTheDemo : public testing::Test {
 TEST_F(WireframeOfTheDemo, IsTheEdgesOfFacesThatOwnPixels) {
     Stage stage = demo_stage();
     stage.models.clear();
-    FrameWorkspace work(stage.level, stage.mode);
+    ObservedWorkspace work(stage.level, stage.mode);
     for (const int degrees : {0, 77, 180, 200, 301}) {
         Camera camera;
         camera.eye = {World::from_int(0), World::from_int(-368), World::from_int(70)};
         camera.yaw = degrees_to_angle(Degrees::from_int(degrees));
         camera.pitch = Angle::from_bam(degrees * 8);
-        work.record = std::make_unique<FrameRecord>();
+        work.keep_record();
         stage.draw(camera, work);
-        const auto record = std::exchange(work.record, nullptr);
+        const FrameRecord& record = work.record;
         std::fill(stage.pixels.begin(), stage.pixels.end(), std::uint8_t{0});
         draw_wireframe(stage.level, first_person_view(camera), stage.mode, stage.settings, work,
                        {LineMethod::Bresenham, kLine},
                        {stage.pixels.data(), stage.mode.width_px, stage.mode.height_px, stage.mode.width_px});
 
         std::set<FaceIndex> faces;
-        for (const PixelRecord& pixel : record->pixels)
+        for (const PixelRecord& pixel : record.pixels)
             if (!pixel.face.is_none()) faces.insert(pixel.face);
         const auto is_line = [&](std::int32_t x, std::int32_t y) {
             return x >= 0 && y >= 0 && x < 320 && y < 200 &&

@@ -93,7 +93,7 @@ CostText long_cost() {
     cost.frame = "99999 us +-99%, 999 frames/s, 99 movers";
     cost.background.fill(kPicture);
     for (const std::string_view name : {"walk", "claims"}) cost.passes.push_back({name, 64'000, 9'999'000});
-    for (const std::string_view name : kPassNames) cost.passes.push_back({name, 64'000, 9'999'000});
+    for (const Pass& pass : kPasses) cost.passes.push_back({pass.name, 64'000, 9'999'000});
     cost.passes.push_back({"other", 0, 9'999'000});
     for (const std::string_view name : kEffectNames) cost.effects.push_back({name, 64'000, 9'999'000});
     return cost;

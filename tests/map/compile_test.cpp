@@ -54,7 +54,7 @@ std::int64_t faulty_pixels(const map::BspFile& bsp, const std::vector<Camera>& c
     for (const Camera& camera : cameras) views.push_back(first_person_view(camera));
     std::int64_t faulty = 0;
     FrameWorkspace work(level, {});
-    EXPECT_EQ(work.faces.torn_edges, 0u);
+    EXPECT_EQ(work.cache.faces.torn_edges, 0u);
     for (const FrameReport& frame : render_views({{level, colormap, models}, {}, {}, views}, work, [](auto, auto) {}))
         faulty += frame.pixels_never + frame.pixels_twice;
     return faulty;

@@ -24,15 +24,15 @@ struct MeasuredStage {
 constexpr float kRounding_texels = 1.0f / 4096;
 
 /// The largest error of a frame that is more than rounding, pixels.
-double largest_error(MeasuredStage& measured, Camera camera, std::int32_t bound_256, FrameWorkspace& work) {
+double largest_error(MeasuredStage& measured, Camera camera, std::int32_t bound_256, ObservedWorkspace& work) {
     Stage& stage = measured.stage;
     stage.settings.accuracy.pixel_bound_256 = bound_256;
-    work.record = std::make_unique<FrameRecord>();
+    work.keep_record();
     stage.draw(camera, work);
     camera.eye = place_eye(stage.level, camera.eye).position;
     TexelErrorMeter meter(measured.level, stage.models, camera, stage.mode);
     float largest = 0;
-    for (const TexelError& error : meter.measure(*work.record))
+    for (const TexelError& error : meter.measure(work.record))
         if (error.texels > kRounding_texels) largest = std::max(largest, error.pixels);
     return largest;
 }
@@ -70,7 +70,7 @@ std::optional<Camera> camera_near_a_wall(const Level& level, std::mt19937& rando
 constexpr double kMeasuring_px = 1e-3;
 
 void expect_within_the_bound(MeasuredStage measured, int frames) {
-    FrameWorkspace work(measured.stage.level, measured.stage.mode);
+    ObservedWorkspace work(measured.stage.level, measured.stage.mode);
     std::mt19937 random(7);
     double largest_part = 0;
     while (frames > 0) {

@@ -25,9 +25,9 @@ PARTS = {
     ("vertices", "projection"): "view/screen_polygon",
     ("clipping",): "view/clip",
     ("edges", "edge rows"): "raster/scan",
-    ("spans",): "visibility/span_buffer frame/frame frame/claims frame/surface_pass frame/passes frame/plan",
+    ("spans",): "visibility/span_buffer frame/frame frame/claims frame/passes",
     ("gradients",): "view/texture_gradients scene/face_surface surface/surface_cache raster/block_rule",
-    ("blocks", "1/z", "pixels"): "raster/texture_blocks raster/perspective_range frame/texture_spans fixed/reciprocal "
+    ("blocks", "1/z", "pixels"): "raster/texture_blocks raster/perspective_range frame/surface_pass fixed/reciprocal "
                                  "raster/exact_spans raster/kernels/plain raster/kernels/near_borders",
     ("sky",): "effects/sky view/view_directions fixed/root",
     ("lit texels",): "surface/lit_surface",
@@ -39,8 +39,8 @@ OF_EFFECTS = re.compile("engine/(draw/|effects/|files/|mesh/|raster/(depth|lines
                         "scene/(light_styles|texture_animation|pick|"
                         "moving_lights|level_effects|light_below)|level/floor|math/(soft_float|wide_sum)|"
                         "view/(canonical_volume|clip_line|facing|triangulate)|math/transform|"
-                        "visibility/(placed_box|pixel_owners|z_buffer|painter|ray_casting)|"
-                        "frame/(fog|light|mirror|model|see_through)_pass|frame/(frame_things|hidden_surfaces|pass_times|shared_drawing|wireframe))")
+                        "methods/|visibility/placed_box|"
+                        "frame/(fog|light|mirror|model|see_through)_pass|frame/(frame_things|shared_drawing|wireframe))")
 BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|files/files|surface/(palette|colormap|oklab|nearest_colour))")
 TOOLS = ["engine/files/arguments.cpp", "tools/render/camera_list.cpp", "tools/measure/operations.cpp",
          "tests/operations/counter/count_operations.cpp"]

@@ -28,22 +28,24 @@ void LevelFrames::draw(const Camera& camera, const Accuracy& accuracy, EffectSet
 }
 
 void LevelFrames::forget_surfaces(const Accuracy& accuracy) {
-    workspace_for(accuracy).surfaces.clear();
+    workspace_for(accuracy).cache.surfaces.clear();
 }
 
 const FrameRecord& LevelFrames::record(const Camera& camera, const Accuracy& accuracy) {
     FrameWorkspace& work = workspace_for(accuracy);
-    work.record = std::make_unique<FrameRecord>(std::move(record_));
+    work.observers.record = &record_;
     draw(camera, accuracy);
-    record_ = std::move(*std::exchange(work.record, nullptr));
+    work.observers.record = nullptr;
     return record_;
 }
 
 FrameCounts LevelFrames::count(const Camera& camera, const Accuracy& accuracy) {
     FrameWorkspace& work = workspace_for(accuracy);
-    work.counts = std::make_unique<FrameCounts>();
+    FrameCounts counts;
+    work.observers.counts = &counts;
     draw(camera, accuracy);
-    return std::move(*std::exchange(work.counts, nullptr));
+    work.observers.counts = nullptr;
+    return counts;
 }
 
 }  // namespace oblong

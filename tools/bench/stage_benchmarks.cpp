@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "engine/accuracy/presets.h"
-#include "engine/frame/texture_spans.h"
+#include "engine/frame/surface_pass.h"
 #include "engine/raster/exact_spans.h"
 #include "tools/bench/benchmarks.h"
 #include "tools/bench/stage_inputs.h"
@@ -48,9 +48,9 @@ void time_walk(benchmark::State& state, const SharedFrames& stages) {
     for (auto _ : state) {
         faces = 0;
         for (const StageInputs& frame : stages->frames) {
-            work.visible.see_from(stages->level.level, frame.leaf);
-            work.span_buffer.reset();
-            FrontToBackWalk walk(stages->level.level, frame.view, work.visible, nullptr, work.span_buffer, work.walk);
+            work.view.visible.see_from(stages->level.level, frame.leaf);
+            work.view.span_buffer.reset();
+            FrontToBackWalk walk(stages->level.level, frame.view, work.view.visible, nullptr, work.view.span_buffer, work.view.walk);
             while (walk.next() && !walk.takes_all_faces()) ++faces;
         }
     }
@@ -61,10 +61,10 @@ void time_polygons(benchmark::State& state, const SharedFrames& stages) {
     FrameWorkspace& work = stages->work;
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames) {
-            work.vertices.start_frame();
+            work.view.vertices.start_frame();
             for (const FaceIndex face : frame.visited)
                 benchmark::DoNotOptimize(
-                    project_face(work.faces.corners_of(face), frame.view, work.vertices, work.polygon));
+                    project_face(work.cache.faces.corners_of(face), frame.view, work.view.vertices, work.view.polygon));
         }
     show_time_per("face", stages->sum([](const StageInputs& frame) { return frame.visited.size(); }), state);
 }
@@ -72,12 +72,12 @@ void time_polygons(benchmark::State& state, const SharedFrames& stages) {
 void time_scan(benchmark::State& state, const SharedFrames& stages) {
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames)
-            for (const auto& polygon : frame.polygons) scan_convex(polygon, stages->work.rows);
+            for (const auto& polygon : frame.polygons) scan_convex(polygon, stages->work.view.rows);
     show_time_per("face", stages->sum([](const StageInputs& frame) { return frame.polygons.size(); }), state);
 }
 
 void time_coverage(benchmark::State& state, const SharedFrames& stages) {
-    SpanBuffer& buffer = stages->work.span_buffer;
+    SpanBuffer& buffer = stages->work.view.span_buffer;
     SpanList owned;
     std::int64_t spans = 0;
     for (auto _ : state) {
@@ -105,7 +105,7 @@ void time_spans(benchmark::State& state, const SharedFrames& stages, Preset pres
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames)
             for (const TexturedInput& wall : frame.walls)
-                draw_texture_spans(
+                draw_textured(
                     {wall.claimed, wall.surface, effect, wall.gradients, wall.least_density, frame.least_pixel_width},
                     wall.spans, {texturing, stages->out(), scratch});
     show_time_per("pixel", stages->sum([](const StageInputs& frame) { return frame.pixels; }), state);

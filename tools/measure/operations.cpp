@@ -83,7 +83,7 @@ constexpr EventCost kClaimedRow{1000, 0, 0, 0, 1600, 400}, kSpan{2925, 117, 0, 0
 constexpr EventCost kGradients{32580, 6471, 108, 0, 16000, 7200};
 /// raster/block_rule.cpp, make_block_thresholds(): ten of them, once a surface.
 constexpr EventCost kThresholds{9932, 1000, 0, 0, 8000, 8000};
-/// frame/texture_spans.cpp, a surface: the rectangle around its spans, whether all in it fits; and, before its blocks
+/// frame/surface_pass.cpp, a surface: the rectangle around its spans, whether all in it fits; and, before its blocks
 /// are as long as the bound allows, whether all of it is near enough for those.
 constexpr EventCost kSurfaceBlocks{16900, 1800}, kSurfaceBound{3570, 810};
 /// raster/texture_blocks.cpp, a span (nineteen of twenty are textured): 1/z, u/z and v/z at its first pixel, u and v.

@@ -24,7 +24,7 @@ bool read_level(const std::string& path, Level& level) {
 
 }  // namespace
 
-std::string answer_leaf(Fields& fields, LevelCache& cache) {
+std::string answer_leaf(Fields& fields, LastLevel& cache) {
     const std::string path(fields.text());
     const auto point = convert<World>(fields.point());
     fields.expect_end();

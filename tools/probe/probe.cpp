@@ -27,7 +27,7 @@ constexpr std::array kDialQueries = {
     NamedDialQuery{"texspan", answer_texspan},   NamedDialQuery{"texspanq", answer_texspanq},
     NamedDialQuery{"sin", answer_sine},          NamedDialQuery{"cos", answer_cosine}};
 
-std::string answer_fields(Fields& fields, const Accuracy& accuracy, LevelCache& levels) {
+std::string answer_fields(Fields& fields, const Accuracy& accuracy, LastLevel& levels) {
     const std::string_view name = fields.text();
     if (name == "leaf") return answer_leaf(fields, levels);
     for (const NamedQuery& query : kQueries)

@@ -19,7 +19,7 @@ class Probe {
 
   private:
     Accuracy accuracy_;
-    LevelCache levels_;
+    LastLevel levels_;
 };
 
 /// Answers every line of `in` by a line on `out`, in order.

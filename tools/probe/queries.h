@@ -25,12 +25,12 @@ std::string answer_root(Fields& fields);
 std::string answer_reciprocal(Fields& fields);
 
 /// The level of the last query: queries for many points of one level read it once.
-struct LevelCache {
+struct LastLevel {
     std::string path;
     Level level;
     bool is_readable = false;
 };
 
-std::string answer_leaf(Fields& fields, LevelCache& cache);
+std::string answer_leaf(Fields& fields, LastLevel& cache);
 
 }  // namespace oblong

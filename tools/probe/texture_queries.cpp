@@ -7,7 +7,7 @@
 #include "engine/base/table.h"
 #include "engine/fixed/root.h"
 #include "engine/frame/frame_record.h"
-#include "engine/frame/texture_spans.h"
+#include "engine/frame/surface_pass.h"
 #include "engine/math/soft_float.h"
 #include "engine/view/screen_polygon.h"
 #include "engine/view/triangle_gradients.h"
@@ -137,8 +137,8 @@ class RowSampler {
         SpanScratch scratch(part.end - part.first);
         // With a pitch of 0 every row is the one that is recorded.
         const Framebuffer out{nullptr, query_.view.mode.width_px, query_.view.mode.height_px, 0};
-        draw_texture_spans({claimed_, surface_, {}, gradients, density_, pixel_width_}, {&part, 1},
-                           {make_span_texturing(accuracy_), out, scratch, nullptr, &record_});
+        draw_textured({claimed_, surface_, {}, gradients, density_, pixel_width_}, {&part, 1},
+                      {make_span_texturing(accuracy_), out, scratch, {nullptr, &record_, nullptr}});
     }
 
     std::string text() const {

@@ -114,7 +114,6 @@ Settings make_settings(const Options& options, Preset preset) {
     settings.accuracy = parse_accuracy(preset, options.dials);
     settings.brightness_100 = parse_brightness(options.brightness);
     settings.allowed_effects = parse_effects(options.effects);
-    settings.hidden_surfaces = parse_hidden_surfaces(options.hidden_surfaces);
     if (options.texel_error.empty()) return settings;
     if (settings.accuracy.texturing != Texturing::Bounded)
         throw UsageError("--texel-error: is the bound of --accuracy bounded, expected no --accuracy " + options.preset);
@@ -169,11 +168,11 @@ std::vector<ViewSpec> views_of(std::span<const Camera> cameras, const std::strin
     return views;
 }
 
-void check_hidden_surfaces(const Settings& settings, std::span<const ViewSpec> views) {
+void check_hidden_surfaces(HiddenSurfaces method, std::span<const ViewSpec> views) {
     const auto is_parallel = [](const ViewSpec& view) { return view.is_parallel; };
-    if (serves_parallel_views(settings.hidden_surfaces) || std::none_of(views.begin(), views.end(), is_parallel))
+    if (serves_parallel_views(method) || std::none_of(views.begin(), views.end(), is_parallel))
         return;
-    throw UsageError("--hidden-surfaces: " + std::string(at(kHiddenSurfaceNames, settings.hidden_surfaces)) +
+    throw UsageError("--hidden-surfaces: " + std::string(at(kHiddenSurfaceNames, method)) +
                      " of a parallel view, expected span-buffer or painter");
 }
 
@@ -194,6 +193,7 @@ void render(const Options& options) {
     check_view(mode, field_of_view);
     const Preset preset = parse_preset(options.preset);
     const Settings settings = make_settings(options, preset);
+    HiddenSurfaceMethod hidden_surfaces(parse_hidden_surfaces(options.hidden_surfaces));
     const BlockKernel kernel = parse_kernel(options.kernel);
     const LogChannels channels = options.log.empty() ? LogChannels{} : parse_log_channels(options.log);
     const std::int64_t time_ms = parse_time_ms("--time", options.seconds),
@@ -204,7 +204,7 @@ void render(const Options& options) {
     const std::vector<Camera> cameras =
         read_parsed(options.cameras, [&](const auto& bytes) { return parse_cameras(bytes, field_of_view); });
     const std::vector<ViewSpec> views = views_of(cameras, options.view, mode, settings.accuracy.sine);
-    check_hidden_surfaces(settings, views);
+    check_hidden_surfaces(hidden_surfaces.method(), views);
 
     const auto start = std::chrono::steady_clock::now();
     const Level level = read_parsed(options.level, read_bsp);
@@ -212,25 +212,27 @@ void render(const Options& options) {
     const LevelModels level_models = read_level_models(level, palette, {options.level, options.models});
     WorkerThreads workers(static_cast<int>(options.threads));
     FrameWorkspace work(level, mode, &workers);
-    work.surfaces.kernel = kernel;
+    work.cache.surfaces.kernel = kernel;
+    work.claimer = &hidden_surfaces;
     const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
 
     if (!options.out.empty()) make_folder(options.out);
     const RenderJob job{{level, colormap, models, time_ms}, mode,    settings,     views,
-                        static_cast<int>(options.repeat),   step_ms, &level_models};
-    print_warnings("oblong-render", options.level, work.effects.warnings);
-    print_warnings("oblong-render", options.level, work.things.warnings);
+                        static_cast<int>(options.repeat),   step_ms, &level_models, &hidden_surfaces};
+    print_warnings("oblong-render", options.level, work.cache.effects.warnings);
+    print_warnings("oblong-render", options.level, work.cache.things.warnings);
     print_warnings("oblong-render", options.level, level_models.warnings);
-    warn_of_torn_edges("oblong-render", options.level, work.faces.torn_edges);
+    warn_of_torn_edges("oblong-render", options.level, work.cache.faces.torn_edges);
     FrameLog log(channels, standard_error_lines());
     const auto frames = render_views(job, work, [&](std::size_t index, std::span<const std::uint8_t> pixels) {
         if (!channels.is_empty()) log.note({job.scene, views[index], mode, settings, work});
         if (options.out.empty()) return;
-        const Palette shown = shown_palette(palette, job, work.effects, views[index]);
+        const Palette shown = shown_palette(palette, job, work.cache.effects, views[index]);
         const auto png = encode_indexed_png(pixels, mode.width_px, mode.height_px, shown);
         write_file(picture_path(options.out, index), png);
     });
-    report({options.level, preset, mode, field_of_view, settings, workers.count(), load.count()}, frames, options);
+    report({options.level, preset, mode, field_of_view, settings, hidden_surfaces.method(), workers.count(), load.count()},
+           frames, options);
 }
 
 }  // namespace

@@ -22,11 +22,11 @@ class ViewRenderer {
 
     FrameReport render(const ViewSpec& view) {
         FrameReport report;
-        const std::unique_ptr<FrameCounts> counts = count(view, report);  // lights the surfaces that are timed
+        const FrameCounts counts = count(view, report);  // lights the surfaces that are timed
         time(view);
         report.frame_ns = times_.frame_ns();
-        report.passes = times_.pass_lines(work_.plan, *counts);
-        report.effects = times_.effect_lines(work_.plan, *counts);
+        report.passes = times_.pass_lines(work_.plan, counts);
+        report.effects = times_.effect_lines(work_.plan, counts);
         report.crc32 = static_cast<std::uint32_t>(::crc32(0, pixels_.data(), static_cast<uInt>(pixels_.size())));
         return report;
     }
@@ -50,13 +50,18 @@ class ViewRenderer {
         if (job_.time_step_ms != 0) draw(view);  // the picture of the scene's own time
     }
 
-    std::unique_ptr<FrameCounts> count(const ViewSpec& view, FrameReport& report) {
-        work_.counts = std::make_unique<FrameCounts>();
+    FrameCounts count(const ViewSpec& view, FrameReport& report) {
+        FrameCounts counts;
+        work_.observers.counts = &counts;
         draw(view);
-        std::unique_ptr<FrameCounts> counts = std::move(work_.counts);
-        for (const std::uint8_t writes : counts->writes)
+        work_.observers.counts = nullptr;
+        for (const std::uint8_t writes : counts.writes)
             ++(writes == 0 ? report.pixels_never : writes == 1 ? report.pixels_once : report.pixels_twice);
-        report.counts = named_counts(*counts);
+        report.counts = named_counts(counts);
+        if (job_.hidden_surfaces) {
+            const std::vector<NamedCount> more = named_counts(job_.hidden_surfaces->counts());
+            report.counts.insert(report.counts.end(), more.begin(), more.end());
+        }
         return counts;
     }
 

@@ -9,6 +9,7 @@
 #include "engine/files/rendering_times.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
+#include "engine/methods/hidden_surfaces.h"
 
 namespace oblong {
 
@@ -35,6 +36,7 @@ struct RenderJob {
     int repeat = 1;                 ///< timed renderings of each frame
     std::int64_t time_step_ms = 0;  ///< from each of those to the next: what moves is then lit and drawn anew
     const LevelModels* level_models = nullptr;  ///< drawn instead of the scene's; outlive the job
+    const HiddenSurfaceMethod* hidden_surfaces = nullptr;  ///< the workspace's claimer
 };
 
 /// Renders every view and calls on_picture(index, pixels) with each picture. Counts are taken in a rendering of their

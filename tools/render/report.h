@@ -15,6 +15,7 @@ struct ReportHead {
     ScreenMode mode;
     Degrees field_of_view;
     Settings settings;
+    HiddenSurfaces hidden_surfaces = HiddenSurfaces::SpanBuffer;
     int threads = 1;               ///< that drew
     double load_milliseconds = 0;  ///< of the level, up to its first frame
 };

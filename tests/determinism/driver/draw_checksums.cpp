@@ -99,12 +99,13 @@ void draw(const std::string& palette_path, const std::string& level_path, const 
         std::vector<PlacedMesh> meshes;
         if (mesh) meshes = meshes_before(camera, *mesh);
         scene.meshes = meshes;
-        work.counts = std::make_unique<FrameCounts>();
+        FrameCounts counts;
+        work.observers.counts = &counts;
         draw_frame(scene, camera, mode, settings, work, out);
-        const std::unique_ptr<FrameCounts> counts = std::move(work.counts);
+        work.observers.counts = nullptr;
         draw_frame(scene, camera, mode, settings, work, out);
         std::printf("%08lx", static_cast<unsigned long>(crc32(pixels)));
-        for (const NamedCount& count : named_counts(*counts)) std::printf(" %lld", static_cast<long long>(count.count));
+        for (const NamedCount& count : named_counts(counts)) std::printf(" %lld", static_cast<long long>(count.count));
         std::printf("\n");
     }
 }

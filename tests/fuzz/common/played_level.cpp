@@ -44,12 +44,13 @@ Camera eye_of(const GameState& state) {
 void draw_twice(const Scene& scene, const Camera& camera, FrameWorkspace& work) {
     const ScreenMode mode{kWidth, kHeight};
     std::vector<std::uint8_t> counted(kWidth * kHeight, 0x5a), plain(kWidth * kHeight, 0xa5);
-    work.counts = std::make_unique<FrameCounts>();
+    FrameCounts counts;
+    work.observers.counts = &counts;
     draw_frame(scene, camera, mode, {}, work, {counted.data(), kWidth, kHeight, kWidth});
-    const bool is_once = std::all_of(work.counts->writes.begin(), work.counts->writes.end(),
-                                     [](std::uint8_t writes) { return writes <= 1; });
+    const bool is_once =
+        std::all_of(counts.writes.begin(), counts.writes.end(), [](std::uint8_t writes) { return writes <= 1; });
     expect(is_once, "every pixel of one face at most");
-    work.counts.reset();
+    work.observers.counts = nullptr;
     draw_frame(scene, camera, mode, {}, work, {plain.data(), kWidth, kHeight, kWidth});
     expect(counted == plain, "the same picture when it is drawn again");
 }

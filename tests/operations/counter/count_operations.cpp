@@ -49,7 +49,7 @@ void draw(const Scene& scene, const std::vector<Camera>& cameras, const Accuracy
     std::vector<std::uint8_t> pixels(pixel_count(mode.width_px, mode.height_px));
     for (const Camera& camera : cameras) {
         draw_frame(scene, camera, mode, settings, work, {pixels.data(), mode.width_px, mode.height_px, mode.width_px});
-        if (work.counts) print_stages(*work.counts, accuracy);
+        if (work.observers.counts) print_stages(*work.observers.counts, accuracy);
     }
 }
 
@@ -65,7 +65,8 @@ void count(const std::string& palette_path, const std::string& level_path, const
     const Scene scene{level, colormap, models};
 
     FrameWorkspace counting(level, {}), plain(level, {});
-    counting.counts = std::make_unique<FrameCounts>();
+    FrameCounts counts;
+    counting.observers.counts = &counts;
     draw(scene, cameras, accuracy, counting);
     __gcov_reset();
     draw(scene, cameras, accuracy, plain);

@@ -8,14 +8,14 @@
 #include "engine/draw/drawing.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/level/side.h"
+#include "engine/methods/painter.h"
+#include "engine/methods/ray_casting.h"
+#include "engine/methods/z_buffer.h"
 #include "engine/raster/scan.h"
 #include "engine/view/screen_polygon.h"
 #include "engine/view/texture_gradients.h"
 #include "engine/view/views.h"
 #include "engine/visibility/model_cutter.h"
-#include "engine/visibility/painter.h"
-#include "engine/visibility/ray_casting.h"
-#include "engine/visibility/z_buffer.h"
 #include "tools/gallery/rows.h"
 
 namespace oblong {
@@ -237,8 +237,8 @@ std::vector<Row> cyclic_overlap_rows() {
     return {{"cyclic-overlap",
              "Cyclic overlap",
              "3 Notes: Painter's algorithm",
-             "engine/visibility/painter.cpp",
-             "tests/visibility/painter_test.cpp",
+             "engine/methods/painter.cpp",
+             "tests/methods/painter_test.cpp",
              {choice_parameter("method", {"painter by farthest z", "painter by mean z", "painter by the tree",
                                           "z-buffer", "ray casting"}),
               {"rise of a plank, units", 20, 100, 10, 60}},

@@ -11,7 +11,7 @@
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/side.h"
-#include "engine/visibility/painter.h"
+#include "engine/methods/hidden_surfaces.h"
 #include "tools/gallery/level_scene.h"
 #include "tools/gallery/numbers.h"
 #include "tools/gallery/rows.h"
@@ -29,20 +29,21 @@ Camera camera_in_hall() {
 class MethodFrame {
   public:
     MethodFrame(const RowInput& input, HiddenSurfaces method, const ScreenMode& mode)
-        : pixels(pixel_count(mode.width_px, mode.height_px)), work(input.assets.demo_level, mode) {
+        : pixels(pixel_count(mode.width_px, mode.height_px)), by(method), work(input.assets.demo_level, mode) {
         const std::vector<PlacedModel> models = models_at_rest(input.assets.demo_level);
-        Settings settings = input.settings;
-        settings.hidden_surfaces = method;
-        work.counts = std::make_unique<FrameCounts>();
+        work.observers.counts = &counted;
+        work.claimer = &by;
         draw_frame({input.assets.demo_level, input.assets.colormap, models, input.time_ms}, camera_in_hall(), mode,
-                   settings, work, {pixels.data(), mode.width_px, mode.height_px, mode.width_px});
+                   input.settings, work, {pixels.data(), mode.width_px, mode.height_px, mode.width_px});
     }
 
-    const HiddenSurfaceCounts& counts() const { return work.counts->hidden_surfaces; }
-    const PixelOwners& owners() const { return work.hidden_surfaces->owners; }
-    const ScannedFaces& scanned() const { return work.hidden_surfaces->scanned; }
+    const HiddenSurfaceCounts& counts() const { return by.counts(); }
+    const PixelOwners& owners() const { return by.owners(); }
+    const ScannedFaces& scanned() const { return by.scanned(); }
 
     std::vector<std::uint8_t> pixels;
+    HiddenSurfaceMethod by;
+    FrameCounts counted;
     FrameWorkspace work;
 };
 
@@ -90,9 +91,8 @@ RowPage draw_hidden_surface_methods(const RowInput& input, Framebuffer canvas) {
     page.figures.push_back(is_exact(method, input.settings.accuracy) ? count_figure(name, 0, wrong)
                                                                      : measured(name, std::to_string(wrong)));
     if (method == HiddenSurfaces::SpanBuffer) {
-        page.figures.push_back(
-            measured("rows of faces looked up", std::to_string(frame.work.counts->stages.claimed_rows)));
-        page.figures.push_back(measured("faces scanned", std::to_string(frame.work.counts->faces_visited)));
+        page.figures.push_back(measured("rows of faces looked up", std::to_string(frame.counted.stages.claimed_rows)));
+        page.figures.push_back(measured("faces scanned", std::to_string(frame.counted.faces_visited)));
     } else if (method == HiddenSurfaces::RayCasting) {
         page.figures.push_back(measured("rays held against faces", std::to_string(counts.ray_face_tests)));
         page.figures.push_back(measured("faces for each ray", std::to_string(counts.faces_scanned)));
@@ -128,7 +128,7 @@ void draw_legend(std::span<const std::uint8_t> colours, const GalleryAssets& ass
 RowPage draw_overdraw(const RowInput& input, Framebuffer canvas) {
     const bool is_painter = input.values[0] == 0;
     const MethodFrame frame(input, is_painter ? HiddenSurfaces::Painter : HiddenSurfaces::SpanBuffer, input.mode);
-    std::vector<std::int64_t> writes(frame.work.counts->writes.begin(), frame.work.counts->writes.end());
+    std::vector<std::int64_t> writes(frame.counted.writes.begin(), frame.counted.writes.end());
     if (is_painter) {
         std::fill(writes.begin(), writes.end(), 0);
         for (const Span& span : frame.scanned().spans)
@@ -203,11 +203,11 @@ RowPage draw_depth(const RowInput& input, Framebuffer canvas) {
             const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
             const bool differs = frame.owners().faces[pixel] != right.owners().faces[pixel];
             wrong += differs;
-            canvas.row(y)[x] = differs ? warning : depth_colour(frame.work.hidden_surfaces->depths[pixel], greys);
+            canvas.row(y)[x] = differs ? warning : depth_colour(frame.by.depths()[pixel], greys);
         }
     const Pixel checked{canvas.width_px / 8, canvas.height_px / 4};
     const InverseZ inverse_z =
-        frame.work.hidden_surfaces->depths[static_cast<std::size_t>(checked.row * canvas.width_px + checked.column)];
+        frame.by.depths()[static_cast<std::size_t>(checked.row * canvas.width_px + checked.column)];
     const double z = std::ldexp(1.0, InverseZ::kFractionBits) / static_cast<double>(inverse_z.raw);
     const double by_tree = depth_by_tree(input.assets.demo_level, camera_in_hall(), input.mode, checked);
     RowPage page;
@@ -288,8 +288,7 @@ RowPage draw_rays(const RowInput& input, Framebuffer canvas) {
         }
     const std::int64_t rays = std::int64_t{mode.width_px} * mode.height_px;
     return {
-        {count_figure("rays x faces", rays * std::ssize(frame.work.hidden_surfaces->targets.opaque),
-                      frame.counts().ray_face_tests),
+        {count_figure("rays x faces", rays * std::ssize(frame.by.targets().opaque), frame.counts().ray_face_tests),
          measured("rays", std::to_string(rays)),
          measured("pixels unlike the span buffer's", std::to_string(differences))},
         {"A ray from the eye through the middle of each pixel, held against every face in sight of the eye's leaf; the "
@@ -302,23 +301,23 @@ std::vector<Row> hidden_surface_rows() {
     return {{"hidden-surfaces",
              "Hidden surfaces, by each method",
              "3 Notes: Z-buffering; 4 Princeton: Hidden surfaces",
-             "engine/frame/hidden_surfaces.cpp",
-             "tests/effect_frames/hidden_surfaces_test.cpp",
+             "engine/methods/hidden_surfaces.cpp",
+             "tests/methods/hidden_surfaces_test.cpp",
              {method_parameter(HiddenSurfaces::PainterSorted),
               choice_parameter("differences", {"not marked", "marked"}, 1)},
              draw_hidden_surface_methods},
             {"overdraw",
              "Overdraw",
              "3 Notes: Painter's algorithm",
-             "engine/visibility/painter.cpp",
-             "tests/visibility/painter_test.cpp",
+             "engine/methods/painter.cpp",
+             "tests/methods/painter_test.cpp",
              {choice_parameter("method", {"painter", "span buffer"})},
              draw_overdraw},
             {"z-buffer",
              "Z-buffer",
              "3 Notes: Z-buffering",
-             "engine/visibility/z_buffer.cpp",
-             "tests/visibility/z_buffer_test.cpp",
+             "engine/methods/z_buffer.cpp",
+             "tests/methods/z_buffer_test.cpp",
              {{"fraction bits of 1/z", 12, 44, 1, 44}},
              draw_depth},
             {"tree-order",
@@ -331,8 +330,8 @@ std::vector<Row> hidden_surface_rows() {
             {"ray-casting",
              "Ray casting",
              "4 Princeton: Ray Casting Revisited",
-             "engine/visibility/ray_casting.cpp",
-             "tests/visibility/ray_casting_test.cpp",
+             "engine/methods/ray_casting.cpp",
+             "tests/methods/ray_casting_test.cpp",
              {{"a ray every ... pixels", 2, 20, 1, 2}},
              draw_rays}};
 }

@@ -76,7 +76,8 @@ RowPage draw_in_level(const RowInput& input, Framebuffer canvas) {
     placed.yaw = Angle::from_bam(input.time_ms * 8);
     const std::vector<PlacedModel> models = models_at_rest(level);
     FrameWorkspace work(level, input.mode);
-    work.counts = std::make_unique<FrameCounts>();
+    FrameCounts counts;
+    work.observers.counts = &counts;
     Scene scene{level, assets.colormap, models, input.time_ms};
     const Camera camera = camera_at(0, 120, 70, 90, 0, 70);
     std::vector<std::uint8_t> without(pixel_count(canvas.width_px, canvas.height_px));
@@ -84,7 +85,7 @@ RowPage draw_in_level(const RowInput& input, Framebuffer canvas) {
                {without.data(), canvas.width_px, canvas.height_px, canvas.width_px});
     const auto wanted = [&work] {
         std::int64_t pixels = 0;
-        for (const ScreenRectangle& part : work.depth.rectangles())
+        for (const ScreenRectangle& part : work.view.depth.rectangles())
             pixels += std::int64_t{part.end_column - part.first_column} * (part.end_row - part.first_row);
         return pixels;
     };
@@ -94,7 +95,7 @@ RowPage draw_in_level(const RowInput& input, Framebuffer canvas) {
     return {
         {count_figure("pixels with depth in a frame without it", 0, before),
          measured("pixels with depth: the rectangle around it", std::to_string(wanted())),
-         measured("pixels that it owns", std::to_string(work.counts->of(Effect::Models)))},
+         measured("pixels that it owns", std::to_string(counts.of(Effect::Models)))},
         {"The level's faces need no depth: front to back, each pixel goes to the first. Where a model may be, 1/z of "
          "the faces that own the pixels is written down, and each pixel of the model compared with it.",
          "It is lit as the floor below it is."}};

@@ -139,17 +139,18 @@ RowPage draw_level_from_outside(const RowInput& input, Framebuffer canvas) {
     cut_above(view, World::from_int(static_cast<std::int32_t>(input.values[1])));
     const std::vector<PlacedModel> models = models_at_rest(level);
     FrameWorkspace work(level, input.mode);
-    work.counts = std::make_unique<FrameCounts>();
+    FrameCounts counts;
+    work.observers.counts = &counts;
     draw_frame({level, input.assets.colormap, models, input.time_ms}, view, input.mode, input.settings, work, canvas);
     std::int64_t twice = 0, never = 0;
-    for (const std::uint8_t writes : work.counts->writes) {
+    for (const std::uint8_t writes : counts.writes) {
         twice += writes > 1;
         never += writes == 0;
     }
     return {
         {count_figure("pixels that faces draw twice", 0, twice),
          measured("pixels that show nothing", std::to_string(never)),
-         measured("faces that own pixels", std::to_string(work.counts->faces_drawn))},
+         measured("faces that own pixels", std::to_string(counts.faces_drawn))},
         {"Seen from outside, a level's walls and ceilings on this side face away and are culled: its rooms are open. "
          "A section takes off what is above a height.",
          "Order and culling ask for sides of a direction instead of a point, in homogeneous coordinates: w = 0."}};

@@ -100,7 +100,8 @@ RowPage draw_lab_cube(const RowInput& input, Framebuffer canvas) {
 double draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer canvas) {
     const Level& level = input.assets.demo_level;
     FrameWorkspace work(level, input.mode);
-    work.record = std::make_unique<FrameRecord>();
+    FrameRecord record;
+    work.observers.record = &record;
     draw_frame({level, input.assets.colormap, {}, input.time_ms}, view, input.mode, input.settings, work, canvas);
     const double per_column =
         2 * std::ldexp(static_cast<double>(view.window.half_width.raw), -16) / input.mode.width_px;
@@ -109,7 +110,7 @@ double draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer canvas
     double highest = -1e9;
     for (std::int32_t row = 0; row < input.mode.height_px; ++row)
         for (std::int32_t column = 0; column < input.mode.width_px; ++column) {
-            const PixelRecord& shows = at(work.record->pixels, row * canvas.pitch + column);
+            const PixelRecord& shows = at(record.pixels, row * canvas.pitch + column);
             if (shows.face.is_none()) continue;
             const LevelPlane& plane = level.planes[level.faces[shows.face].plane];
             const double x = std::ldexp(view.eye.x.raw, -12) + (column + 0.5 - input.mode.width_px / 2.0) * per_column;

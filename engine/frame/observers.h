@@ -3,21 +3,24 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/frame/plan.h"
+#include "engine/frame/passes.h"
 #include "engine/scene/effects.h"
 
 namespace oblong {
 
+struct FrameCounts;  // engine/frame/frame_counts.h
+struct FrameRecord;  // engine/frame/frame_record.h
+
 /// A clock that a program hands in: nanoseconds since any moment.
 using FrameClock = std::int64_t (*)();
 
-/// Where the time of a frame went, measured only on request (FrameWorkspace::times).
+/// Where the time of a frame went, measured only on request.
 struct PassTimes {
     FrameClock clock = nullptr;
     std::uint32_t faces_walked = 0;                       ///< of this frame and those before
     std::int64_t walk_ns = 0;                             ///< a sample of it: 0, or more than it was, in short walks
     std::int64_t claims_ns = 0;                           ///< the walk, polygons, scan, span buffer
-    std::array<std::int64_t, kPassCount> passes_ns{};     ///< of each Pass
+    std::array<std::int64_t, kPassCount> passes_ns{};     ///< of each of kPasses
     std::array<std::int64_t, kEffectCount> effects_ns{};  ///< of each Effect that has no pass of its own
 };
 
@@ -25,10 +28,10 @@ struct PassTimes {
 class Stopwatch {
   public:
     Stopwatch(PassTimes* times, std::int64_t PassTimes::*sum) : Stopwatch(times, times ? &(times->*sum) : nullptr) {}
-    Stopwatch(PassTimes* times, Pass pass)
-        : Stopwatch(times, times ? &times->passes_ns[static_cast<std::size_t>(pass)] : nullptr) {}
     Stopwatch(PassTimes* times, Effect effect)
         : Stopwatch(times, times ? &times->effects_ns[static_cast<std::size_t>(effect)] : nullptr) {}
+    /// Of a pass, by its number in kPasses.
+    Stopwatch(PassTimes* times, std::size_t pass) : Stopwatch(times, times ? &times->passes_ns[pass] : nullptr) {}
     Stopwatch(const Stopwatch&) = delete;
     ~Stopwatch() {
         if (clock_) *sum_ += clock_() - began_ns_;
@@ -42,6 +45,14 @@ class Stopwatch {
     FrameClock clock_;
     std::int64_t* sum_;
     std::int64_t began_ns_ = 0;
+};
+
+/// Who watches a frame while it is drawn; null: nobody. None of them changes the picture. What is counted or recorded
+/// is drawn by one thread, since it has an order.
+struct FrameObservers {
+    FrameCounts* counts = nullptr;
+    FrameRecord* record = nullptr;
+    PassTimes* times = nullptr;
 };
 
 }  // namespace oblong

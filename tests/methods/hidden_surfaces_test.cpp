@@ -1,7 +1,7 @@
 // The methods of hidden-surface removal, held against each other on the same scenes: small random worlds, a door,
 // glass.
 
-#include "engine/frame/hidden_surfaces.h"
+#include "engine/methods/hidden_surfaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
+#include "engine/platform/worker_threads.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/support/folders.h"
 #include "tests/support/shared_levels.h"
@@ -121,15 +122,18 @@ Camera random_camera(const Level& level, std::mt19937& random) {
     }
 }
 
-/// A picture and which face each of its pixels shows.
+/// A picture, which face each of its pixels shows, and what that took.
 struct Drawn {
     Picture picture;
     std::vector<PixelRecord> records;
+    HiddenSurfaceCounts counts;
 };
 Drawn draw_by(HiddenSurfaces method, EffectStage& stage) {
-    stage.settings.hidden_surfaces = method;
-    Drawn drawn{stage.draw(), {}};
-    drawn.records = stage.work.record->pixels;
+    HiddenSurfaceMethod by(method);
+    stage.work.claimer = &by;
+    Drawn drawn{stage.draw(), {}, by.counts()};
+    stage.work.claimer = nullptr;
+    drawn.records = stage.work.record.pixels;
     return drawn;
 }
 bool is_same(const PixelRecord& a, const PixelRecord& b) {
@@ -252,16 +256,24 @@ TEST_F(DemoFrames, RaysDifferOnlyWithinTheRoundingOfAnEdge) {
 TEST_F(DemoFrames, ThePainterSortedByOneDepthAFaceIsWrong) {
     stage.camera = cameras(1)[18];  // down the hall over lava
     const Picture right = draw_by(HiddenSurfaces::SpanBuffer, stage).picture;
-    EXPECT_GT(changed_pixels(right, draw_by(HiddenSurfaces::PainterSorted, stage).picture), 1000);
-    EXPECT_GT(changed_pixels(right, draw_by(HiddenSurfaces::PainterMean, stage).picture), 1000);
-    EXPECT_GT(stage.work.counts->hidden_surfaces.order_comparisons, 0);
+    for (const HiddenSurfaces method : {HiddenSurfaces::PainterSorted, HiddenSurfaces::PainterMean}) {
+        const Drawn sorted = draw_by(method, stage);
+        EXPECT_GT(changed_pixels(right, sorted.picture), 1000);
+        EXPECT_GT(sorted.counts.order_comparisons, 0);
+    }
 }
 
-TEST_F(DemoFrames, AFrameWithTheSpanBufferKeepsNothingForTheOthers) {
-    stage.camera = cameras(1)[0];
-    stage.draw();
-    EXPECT_EQ(stage.work.hidden_surfaces, nullptr);
-    EXPECT_EQ(stage.work.counts->hidden_surfaces.faces_scanned, 0);
+TEST_F(DemoFrames, OfSeveralThreadsAreThoseOfOne) {
+    WorkerThreads workers(3);
+    FrameWorkspace shared(stage.level, {}, &workers);
+    for (const HiddenSurfaces method : {HiddenSurfaces::ZBuffer, HiddenSurfaces::Painter}) {
+        HiddenSurfaceMethod by(method);
+        shared.claimer = &by;
+        for (const Camera& camera : cameras(9)) {
+            stage.camera = camera;
+            EXPECT_EQ(stage.draw_in(shared, 0), draw_by(method, stage).picture);
+        }
+    }
 }
 
 /// Every so many of the cameras of a real level.

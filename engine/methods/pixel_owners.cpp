@@ -1,4 +1,4 @@
-#include "engine/visibility/pixel_owners.h"
+#include "engine/methods/pixel_owners.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/visibility/pixel_owners.h"
+#include "engine/methods/pixel_owners.h"
 
 namespace oblong {
 

@@ -1,4 +1,4 @@
-#include "engine/visibility/painter.h"
+#include "engine/methods/painter.h"
 
 #include <algorithm>
 #include <numeric>

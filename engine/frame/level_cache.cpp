@@ -1,6 +1,4 @@
-#include "engine/frame/workspace.h"
-
-#include <algorithm>
+#include "engine/frame/level_cache.h"
 
 namespace oblong {
 
@@ -25,27 +23,13 @@ void add_effects(const Level& level, const LevelEffects& effects, FaceTable& tab
 
 }  // namespace
 
-FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode, Workers* workers)
+LevelCache::LevelCache(const Level& level, std::int32_t longest_px)
     : faces(make_face_table(level)),
-      vertices(level.vertices),
-      visible(level),
-      span_buffer(mode.width_px, mode.height_px),
-      rows(mode.height_px),
-      span_scratch(mode.width_px),
-      surfaces(level, faces, mode.width_px),
-      brush_models(level),
       effects(read_level_effects(level)),
       things(read_things(level)),
-      depth(mode.width_px, mode.height_px),
-      shadows(mode.height_px),
-      mirror{{}, {}, {}, DepthBuffer(mode.width_px, mode.height_px), nullptr} {
+      surfaces(level, faces, longest_px),
+      brush_models(level) {
     add_effects(level, effects, faces);
-    if (workers && workers->count() > 1) shared = std::make_unique<SharedDrawing>(*workers, mode.width_px);
-    walk.face_marks.resize(level.faces.size());
-    walk.steps.reserve(level.nodes.size());
-    claims.spans.room_for(static_cast<std::size_t>(mode.height_px) * 16);
-    polygon.clipper.reserve(faces.most_corners + kClipPlaneCount);
-    polygon.projected.take(faces.most_corners + kClipPlaneCount);
 }
 
 }  // namespace oblong

@@ -1,12 +1,12 @@
-#include "engine/visibility/painter.h"
+#include "engine/methods/painter.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "engine/visibility/z_buffer.h"
-#include "tests/visibility/scanned_scene.h"
+#include "engine/methods/z_buffer.h"
+#include "tests/methods/scanned_scene.h"
 
 namespace oblong::test {
 namespace {

@@ -1,8 +1,8 @@
-#include "engine/visibility/z_buffer.h"
+#include "engine/methods/z_buffer.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/visibility/scanned_scene.h"
+#include "tests/methods/scanned_scene.h"
 
 namespace oblong::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/visibility/z_buffer.h"
+#include "engine/methods/z_buffer.h"
 
 #include <algorithm>
 #include <numeric>

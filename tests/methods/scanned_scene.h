@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/visibility/pixel_owners.h"
+#include "engine/methods/pixel_owners.h"
 
 namespace oblong::test {
 

@@ -1,4 +1,4 @@
-#include "engine/visibility/ray_casting.h"
+#include "engine/methods/ray_casting.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "engine/effects/things.h"
+#include "engine/effects/warp.h"
+#include "engine/frame/fog_pass.h"
+#include "engine/scene/face_surface.h"
+#include "engine/scene/face_table.h"
+#include "engine/scene/level_effects.h"
+#include "engine/visibility/brush_models.h"
+
+namespace oblong {
+
+/// What frames of one level with one colormap keep: made once, or when a frame first calls for it. None of it is part
+/// of a picture: with a new one the same bytes are drawn.
+struct LevelCache {
+    /// The level outlives it. `longest_px`: of any span.
+    LevelCache(const Level& level, std::int32_t longest_px);
+    LevelCache(const LevelCache&) = delete;  // its parts refer to each other
+
+    FaceTable faces;
+    LevelEffects effects;  ///< what the level calls for
+    Things things;         ///< what is in it beside its faces
+    FaceSurfaces surfaces;
+    BrushModels brush_models;
+    std::map<std::pair<std::int32_t, std::int32_t>, FaceIndex> continued_faces;  ///< of torn walls, by leaf and node
+    std::unique_ptr<LevelFogTables> fog_tables;                                  ///< null until a frame shows fog
+    std::array<std::unique_ptr<BlendTable>, 4> blends;  ///< by LiquidKind; null until a frame sees through one
+    WarpTables warp{};                                  ///< of liquids
+    std::int64_t warp_time_ms = -1;                     ///< the time of `warp`
+    std::vector<std::uint8_t> sky_layers;               ///< both layers of the sky as one
+};
+
+}  // namespace oblong

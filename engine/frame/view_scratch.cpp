@@ -1,0 +1,27 @@
+#include "engine/frame/workspace.h"
+
+namespace oblong {
+
+ViewScratch::ViewScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode)
+    : visible(level),
+      vertices(level.vertices),
+      rows(mode.height_px),
+      span_buffer(mode.width_px, mode.height_px),
+      depth(mode.width_px, mode.height_px),
+      surfaces(mode.width_px),
+      effects(mode.height_px) {
+    walk.face_marks.resize(level.faces.size());
+    walk.steps.reserve(level.nodes.size());
+    claims.spans.room_for(static_cast<std::size_t>(mode.height_px) * 16);
+    polygon.clipper.reserve(faces.most_corners + kClipPlaneCount);
+    polygon.projected.take(faces.most_corners + kClipPlaneCount);
+}
+
+ViewScratch::~ViewScratch() = default;
+
+FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode, Workers* workers)
+    : cache(level, mode.width_px), view(level, cache.faces, mode) {
+    if (workers && workers->count() > 1) view.shared = std::make_unique<SharedDrawing>(*workers, mode.width_px);
+}
+
+}  // namespace oblong

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/effects/shadows.h"
+#include "engine/effects/underwater.h"
+#include "engine/frame/claims.h"
+#include "engine/frame/light_pass.h"
+#include "engine/frame/mirror_pass.h"
+#include "engine/frame/shared_drawing.h"
+#include "engine/frame/surface_pass.h"
+#include "engine/mesh/draw_mesh.h"
+#include "engine/raster/depth.h"
+#include "engine/raster/scan.h"
+#include "engine/view/screen_polygon.h"
+#include "engine/visibility/front_to_back.h"
+#include "engine/visibility/span_buffer.h"
+#include "engine/visibility/visible_set.h"
+
+namespace oblong {
+
+/// Corners of the current face.
+struct CornerScratch {
+    std::vector<VertexIndex> own;          ///< without those at T-junctions
+    std::vector<Vec3<World>> world;        ///< all of them; then those of its part within the frame's limits
+    std::vector<PlaneDistance> distances;  ///< of those from a limit
+};
+
+/// What effects work with; untouched by frames without them.
+struct EffectScratch {
+    explicit EffectScratch(std::int32_t height_px) : shadows(height_px) {}
+
+    ShadowScratch shadows;
+    std::unique_ptr<MeshScratch> meshes;   ///< null until a frame shows one
+    std::vector<MovingLight> mesh_lights;  ///< those that reach the current mesh
+    std::vector<FogRun> thing_runs;        ///< of the fog on a thing
+    std::vector<Span> sky_spans;
+    UnderwaterScratch underwater;
+};
+
+/// What drawing one view of a level in one mode works with. A mirror's view has one of its own.
+struct ViewScratch {
+    /// Level and faces outlive it.
+    ViewScratch(const Level& level, const FaceTable& faces, const ScreenMode& mode);
+    ViewScratch(const ViewScratch&) = delete;
+    ~ViewScratch();
+
+    VisibleSet visible;  ///< from the eye's leaf
+    WalkScratch walk;
+    VertexCache vertices;
+    CornerScratch corners;
+    ScreenPolygon polygon;  ///< the current face's
+    ScanlineExtents rows;   ///< of the polygon
+    SpanBuffer span_buffer;
+    Claims claims;      ///< of the view's faces
+    DepthBuffer depth;  ///< around the things in view
+    FrameLight light;
+    SurfaceScratch surfaces;
+    EffectScratch effects;
+    MirrorScratch mirror;
+    std::unique_ptr<SharedDrawing> shared;  ///< null: one thread draws
+};
+
+}  // namespace oblong
