@@ -3,7 +3,7 @@ file(GLOB FUZZ_TARGETS CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/targets/*.cpp
 foreach(SOURCE ${FUZZ_TARGETS})
     get_filename_component(NAME ${SOURCE} NAME_WE)
     add_test(NAME fuzz.${NAME} COMMAND ${CMAKE_SOURCE_DIR}/tools/fuzz ${NAME} 60)
-    set_tests_properties(fuzz.${NAME} PROPERTIES LABELS slow COST 100 TIMEOUT 7200)
+    set_tests_properties(fuzz.${NAME} PROPERTIES LABELS slow COST 100 TIMEOUT 36000)
 endforeach()
 if(NOT OBLONG_FUZZ)
     return()
