@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """What each stage of a frame costs: instructions a pixel, counted by callgrind.
 
 Two runs of oblong-render with more and with fewer repeats of each frame are subtracted, so that loading and building
@@ -6,7 +5,7 @@ surfaces cancel. A function belongs to the stage of the source file that it is c
 tables: a release build needs no debug information for that. Fails if a function with more than 1 % of the instructions
 belongs to no stage.
 
-usage: tools/stage-costs [OPTIONS] [BUILD] [LEVEL CAMERAS [PALETTE]]
+usage: tools/measure-frames stages [OPTIONS] [BUILD] [LEVEL CAMERAS [PALETTE]]
   BUILD              a folder built before (default: build)
   LEVEL CAMERAS      (default: the demo level, and the real levels where a folder shared/ is there)
   --mode WxH         pixels (default: 320x200)
@@ -25,8 +24,6 @@ import re
 import subprocess
 import sys
 
-sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "bench"))
 import runs
 
 # The stage of a source file of engine/, by the first pattern that fits; and of functions that several files share.
@@ -188,7 +185,3 @@ def main():
     with open(options.json or os.path.join(folder, "stage_costs.json"), "w") as out:
         json.dump({"mode": options.mode, "options": options.render_options,
                    "levels": {cost.name: {"all": cost.total, "stages": cost.stages} for cost in costs}}, out, indent=1)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """What each effect costs: nothing where a scene does not call for it, and where it does, the pixels that it covers.
 
 1. For each effect, oblong-render is linked once more without the effect's files: whatever calls them ends there. It
@@ -7,7 +6,7 @@
 2. Time against covered pixels, from cameras that turn and approach, with a line through them: a chart for each effect.
 3. The time of frames in which all effects own pixels, while everything moves.
 
-usage: tools/effect-costs [BUILD]     BUILD: a folder built before, with demo_level (default: build)
+usage: tools/measure-frames effects [BUILD]     BUILD: a folder built before, with demo_level (default: build)
 Writes BUILD/effects/effect_costs.svg and .json. Needs valgrind. Takes some minutes.
 """
 import json
@@ -19,8 +18,9 @@ import statistics
 import subprocess
 import sys
 
-ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-MAP = os.path.join(ROOT, "tools/effect_costs/all_effects.map")
+import runs
+
+MAP = os.path.join(runs.ROOT, "tools/effect_costs/all_effects.map")
 LARGEST_DIFFERENCE = 0.001
 
 
@@ -94,7 +94,7 @@ class Costs:
         for change in changes:
             changed = change(text)
             if changed == text:
-                sys.exit("effect-costs: nothing in %s calls for what %s leaves out" % (MAP, name))
+                runs.fail("nothing in %s calls for what %s leaves out" % (MAP, name))
             text = changed
         with open(self.path(name + ".map"), "w") as out:
             out.write(text)
@@ -121,7 +121,7 @@ class Costs:
                               *self.arguments(level, cameras, repeat)], capture_output=True, text=True)
         found = re.search(r"Collected : (\d+)", run.stderr)
         if run.returncode != 0 or not found:
-            sys.exit("effect-costs: %s stopped (status %d): it runs code of the effect that it was built without"
+            runs.fail("%s stopped (status %d): it runs code of the effect that it was built without"
                      % (program, run.returncode))
         return int(found.group(1))
 
@@ -140,7 +140,7 @@ class Costs:
             room = file.split("/")[0]
             whole = os.path.join(self.build, "engine/CMakeFiles/oblong_%s.dir/%s.cpp.o" % (room, file))
             if not os.path.exists(whole):
-                sys.exit("effect-costs: no %s: it needs a build of files one by one (cmake -D CMAKE_UNITY_BUILD=OFF)" % whole)
+                runs.fail("no %s: it needs a build of files one by one (cmake -D CMAKE_UNITY_BUILD=OFF)" % whole)
             listing = subprocess.run(["nm", "--defined-only", "-g", whole], capture_output=True, text=True, check=True)
             symbols = [line.split()[2] for line in listing.stdout.splitlines() if line.split()[1] == "T"]
             plain = subprocess.run(["c++filt"], input="\n".join(symbols), capture_output=True, text=True).stdout
@@ -173,7 +173,7 @@ def table_of_files(costs):
         for frame in costs.frames(level, cameras, 1)["frames"]:
             planned = {line["name"] for line in frame["effects"]}
             if planned & set(effects):
-                sys.exit("effect-costs: %s on the plan of a scene that does not call for it" % (planned & set(effects)))
+                runs.fail("%s on the plan of a scene that does not call for it" % (planned & set(effects)))
         program, functions = costs.link_without(name, files, kept)
         whole = costs.instructions_a_frame(costs.render, level, cameras, len(OUTSIDE))
         without = costs.instructions_a_frame(program, level, cameras, len(OUTSIDE))
@@ -183,7 +183,7 @@ def table_of_files(costs):
         print("%-34s %-52s %9d %14.0f %14.0f %9.4f%%" % (" ".join(effects), files, functions, whole, without,
                                                          100 * difference), flush=True)
         if difference > LARGEST_DIFFERENCE:
-            sys.exit("effect-costs: the difference is more than %g %%" % (100 * LARGEST_DIFFERENCE))
+            runs.fail("the difference is more than %g %%" % (100 * LARGEST_DIFFERENCE))
     return rows
 
 
@@ -276,14 +276,10 @@ def time_all(costs, level):
 def main():
     if len(sys.argv) > 2 or sys.argv[1:] in (["-h"], ["--help"]):
         sys.exit(__doc__)
-    costs = Costs(sys.argv[1] if len(sys.argv) > 1 else os.path.join(ROOT, "build"))
+    costs = Costs(sys.argv[1] if len(sys.argv) > 1 else os.path.join(runs.ROOT, "build"))
     subprocess.run(["cmake", "--build", costs.build, "--target", "oblong-render", "oblong-map", "demo_level"],
                    check=True, stdout=subprocess.DEVNULL)
     level = costs.compile("all_effects", [])
     found = {"all": time_all(costs, level), "files": table_of_files(costs), "areas": report_times(costs, level)}
     with open(costs.path("effect_costs.json"), "w") as out:
         json.dump(found, out, indent=1)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """How the time of a frame grows with what there is to draw: pixels, faces out of sight, models in sight.
 
 1. A level in modes from 320x200 to 3840x2400.
@@ -7,7 +6,7 @@
 3. A hall with 1 to 1,000 models made of triangles, and one with as many brush models, all in view.
 Every round takes all of them in turn; of a frame's times the least of the rounds counts, as other programs only add to it.
 
-usage: tools/scale-chart [OPTIONS] [BUILD] [LEVEL CAMERAS [PALETTE]]
+usage: tools/measure-frames scale [OPTIONS] [BUILD] [LEVEL CAMERAS [PALETTE]]
   BUILD              a folder built before (default: build)
   LEVEL CAMERAS      (default: the largest real level where a folder shared/ is there, else the demo level)
   --rounds N         (default: 5)
@@ -25,8 +24,6 @@ import statistics
 import subprocess
 import sys
 
-sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "bench"))
 import copied_level
 import runs
 
@@ -281,7 +278,3 @@ def main():
     write_chart(os.path.join(out, "scale.svg"), found)
     with open(os.path.join(out, "scale.json"), "w") as file:
         json.dump(found, file, indent=1)
-
-
-if __name__ == "__main__":
-    main()
