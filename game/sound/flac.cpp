@@ -52,8 +52,13 @@ class BitReader {
     /// The next bits from the top on, 57 of them or more; zeros behind the file's end.
     std::uint64_t window() const {
         std::uint64_t bits = 0;
-        for (std::size_t i = 0; i < 8; ++i)
-            bits = bits << 8 | (offset() + i < bytes_.size() ? bytes_[offset() + i] : 0);
+        if (offset() + 8 <= bytes_.size()) {
+            const std::uint8_t* const next = &bytes_[offset()];
+            for (std::size_t i = 0; i < 8; ++i) bits = bits << 8 | next[i];
+        } else {
+            for (std::size_t i = 0; i < 8; ++i)
+                bits = bits << 8 | (offset() + i < bytes_.size() ? bytes_[offset() + i] : 0);
+        }
         return bits << position_ % 8;
     }
 
@@ -65,13 +70,21 @@ bool is_of_16_bits(std::int64_t sample) {
     return sample == static_cast<std::int16_t>(sample);
 }
 
-/// The checksum at the end of a frame: x^16 + x^15 + x^2 + 1, the highest bit first.
+/// What each value of the highest byte adds to a checksum of x^16 + x^15 + x^2 + 1.
+constexpr std::array<std::uint16_t, 256> kCrcOfByte = [] {
+    std::array<std::uint16_t, 256> table{};
+    for (std::uint32_t byte = 0; byte < 256; ++byte) {
+        std::uint32_t crc = byte << 8;
+        for (int bit = 0; bit < 8; ++bit) crc = crc << 1 ^ ((crc & 0x8000) != 0 ? 0x8005u : 0);
+        table[byte] = static_cast<std::uint16_t>(crc);
+    }
+    return table;
+}();
+
+/// The checksum at the end of a frame.
 std::uint16_t crc16(std::span<const std::uint8_t> bytes) {
     std::uint32_t crc = 0;
-    for (const std::uint8_t byte : bytes) {
-        crc ^= std::uint32_t{byte} << 8;
-        for (int bit = 0; bit < 8; ++bit) crc = (crc << 1 ^ ((crc & 0x8000) != 0 ? 0x8005u : 0)) & 0xffff;
-    }
+    for (const std::uint8_t byte : bytes) crc = (crc << 8 & 0xffff) ^ kCrcOfByte[crc >> 8 ^ byte];
     return static_cast<std::uint16_t>(crc);
 }
 

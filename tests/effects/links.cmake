@@ -1,1 +1,2 @@
 set(LINKS oblong_effects)
+set(APART ALL)

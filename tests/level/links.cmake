@@ -1,1 +1,2 @@
 set(LINKS oblong_level)
+set(APART ALL)

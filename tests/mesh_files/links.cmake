@@ -1,1 +1,2 @@
 set(LINKS oblong_files)
+set(APART obj_test.cpp)

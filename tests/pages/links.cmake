@@ -1,1 +1,2 @@
 set(LINKS oblong_game_options)
+set(APART tables.cpp)

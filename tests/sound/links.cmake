@@ -1,1 +1,2 @@
 set(LINKS oblong_game)
+set(APART waves_test.cpp)

@@ -39,6 +39,13 @@ class DiskAudio {
     }
     ~DiskAudio() { fs::remove(file_); }
 
+    /// Until a tenth of a second has been written, five minutes at most.
+    void wait_for_sound() const {
+        const std::uintmax_t least_bytes = kRate_hz / 10 * 2 * sizeof(std::int16_t);
+        for (int i = 0; i < 300'000 && (!fs::exists(file_) || fs::file_size(file_) < least_bytes); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+
     struct Sides {
         double left = 0, right = 0;
     };
@@ -63,7 +70,7 @@ class DiskAudio {
 };
 
 void wait_until_silent(const SoundOutput& output, SoundOutput::VoiceNumber voice) {
-    for (int i = 0; i < 5'000 && output.is_playing(voice); ++i)
+    for (int i = 0; i < 300'000 && output.is_playing(voice); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     EXPECT_FALSE(output.is_playing(voice));
 }
@@ -121,6 +128,7 @@ TEST(Mixer, PlaysTheTitlesMusic) {
         const auto output = open_mixer();
         output->play_music(read_file(test::source_folder() + "/assets/music/title.mod"), 256);
         std::this_thread::sleep_for(std::chrono::milliseconds(150));
+        disk.wait_for_sound();
     }
     const DiskAudio::Sides sides = disk.loudness();
     EXPECT_GT(sides.left, 200);

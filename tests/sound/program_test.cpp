@@ -20,16 +20,26 @@ struct Outcome {
 };
 
 // The game for some seconds, in a window that nobody sees, until it is asked to end.
-Outcome run_game(const std::string& driver, const std::string& seconds, const std::string& arguments) {
+Outcome run_game_for(int seconds, const std::string& driver, const std::string& arguments) {
     const test::TemporaryFolder folder;
     const std::string line = "env SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=" + driver + " SDL_DISKAUDIOFILE='" +
                              folder.path("played") + "' XDG_CONFIG_HOME='" + folder.path() + "' XDG_DATA_HOME='" +
-                             folder.path() + "' timeout --preserve-status -s TERM " + seconds + " '" +
+                             folder.path() + "' timeout --preserve-status -s TERM " + std::to_string(seconds) + " '" +
                              test::build_folder() + "/bin/oblong' --frame-cap 20 --window 320x240 " + arguments +
                              " 2>'" + folder.path("error") + "'";
     const int status = std::system(line.c_str());
     Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(folder.path("error")), {}};
     if (fs::exists(folder.path("played"))) outcome.played = read_file(folder.path("played"));
+    return outcome;
+}
+
+// For longer and longer, where a busy machine has not played enough of it by then: up to four minutes at a time.
+Outcome run_game(const std::string& driver, std::size_t least_played_bytes, const std::string& arguments) {
+    Outcome outcome;
+    for (int seconds = 2; seconds < 300; seconds *= 5) {
+        outcome = run_game_for(seconds, driver, arguments);
+        if (outcome.exit_code == 0 && outcome.played.size() >= least_played_bytes) break;
+    }
     return outcome;
 }
 
@@ -41,20 +51,20 @@ double loudness(const std::vector<std::uint8_t>& bytes) {
 }
 
 TEST(ProgramSound, GoesOnInSilenceWhereThereIsNoDevice) {
-    const Outcome outcome = run_game("nonsense", "2", "--title");
+    const Outcome outcome = run_game("nonsense", 0, "--title");
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.error, "oblong: no sound: Audio target 'nonsense' not available\n");
 }
 
 TEST(ProgramSound, PlaysMusicOnTheTitle) {
-    const Outcome outcome = run_game("disk", "3", "--title");
+    const Outcome outcome = run_game("disk", 44'100, "--title");
     EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_GT(outcome.played.size(), 44'100u);
+    EXPECT_GE(outcome.played.size(), 44'100u);
     EXPECT_GT(loudness(outcome.played), 100);
 }
 
 TEST(ProgramSound, OpensNoDeviceAtVolume0) {
-    const Outcome outcome = run_game("disk", "2", "--title --volume 0");
+    const Outcome outcome = run_game("disk", 0, "--title --volume 0");
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_TRUE(outcome.played.empty());
     EXPECT_EQ(outcome.error, "");

@@ -13,8 +13,8 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', 'window'))
 import look
 
-LONGEST_WALK_S = 1200
-STILL_S = 2  # nothing on the screen has changed for so long
+LONGEST_WALK_S = 12000
+STILL_S = 5  # nothing on the screen has changed for so long
 
 
 def wait_until_still(display, seconds):

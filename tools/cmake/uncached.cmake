@@ -12,6 +12,15 @@ if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
                               <map> <memory> <optional> <span> <string> <string_view> <vector>)
 endif()
 
+# optimise_less(TARGETS): what runs once, or a few times a frame. Takes a quarter off the time it takes to compile.
+function(optimise_less)
+    foreach(NAME ${ARGN})
+        if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
+            target_compile_options(${NAME} PRIVATE $<$<CONFIG:Release>:-O1>)
+        endif()
+    endforeach()
+endfunction()
+
 # reuse_precompiled_headers(FOLDER): in every library and program of FOLDER and below.
 function(reuse_precompiled_headers FOLDER)
     get_property(TARGETS DIRECTORY ${FOLDER} PROPERTY BUILDSYSTEM_TARGETS)
