@@ -19,6 +19,44 @@ std::span<const VertexIndex> corners_of(FaceIndex index, const FrameContext& fra
     return scratch.own;
 }
 
+/// Whether the part of a projected face that is within the frame's limits is in view; projects that part alone. Faces
+/// in the plane of a limit are left out: so is a mirror from its own picture.
+bool keep_within_limits(const VisibleFace& face, const FrameContext& frame, ViewScratch& scratch) {
+    std::vector<Vec3<World>>& corners = scratch.corners.world;
+    world_corners(face, frame, scratch.corners);
+    bool is_cut = false;
+    for (const WalkLimit& limit : frame.limits) {
+        const PolygonSide side = polygon_side(limit.plane, limit.offset, corners, scratch.corners.distances);
+        if (side == (limit.is_back ? PolygonSide::Back : PolygonSide::Front)) continue;
+        if (side != PolygonSide::Both) return false;
+        const auto count = static_cast<std::ptrdiff_t>(corners.size());
+        append_part(corners, 0, scratch.corners.distances, !limit.is_back);
+        corners.erase(corners.begin(), corners.begin() + count);
+        is_cut = true;
+    }
+    return !is_cut || project_polygon(corners, frame.view, scratch.polygon);
+}
+
+/// Transforms, clips and projects the corners. False if nothing of the face is in view.
+bool project(const VisibleFace& face, const FrameContext& frame, ViewScratch& scratch) {
+    if (frame.observers.counts) ++frame.observers.counts->faces_visited;
+    const bool is_in_view = face.fragment ? project_polygon(frame.cache.brush_models.corners_of(*face.fragment),
+                                                            frame.view, scratch.polygon)
+                                          : project_face(corners_of(face.face, frame, scratch.corners), frame.view,
+                                                         scratch.vertices, scratch.polygon);
+    return is_in_view && (frame.limits.empty() || keep_within_limits(face, frame, scratch));
+}
+
+/// Scans the projected face, but for rows at its top and its bottom that have nothing free. False if none are left.
+bool scan(const FrameContext& frame, ViewScratch& scratch) {
+    const std::span<const ScreenVertex> corners = scratch.polygon.screen;
+    const PolygonShape shape = shape_of(corners, frame.out.height_px, frame.accuracy().edges);
+    const PixelRange rows = scratch.span_buffer.rows_with_free(shape.bounds);
+    if (rows.first >= rows.end) return false;
+    scan_convex(corners, shape, rows, scratch.rows);
+    return true;
+}
+
 /// The next face of the walk. One in 16 is timed, less what reading the clock takes: to read it at every face would
 /// take about as long as the walk.
 std::optional<VisibleFace> next_face(FrontToBackWalk& walk, PassTimes* times) {
@@ -79,49 +117,11 @@ std::optional<VisibleFace> FaceScan::next() {
     const FrameObservers& observers = frame_.observers;
     while (const std::optional<VisibleFace> face = next_face(walk_, observers.times)) {
         const Stopwatch of_models(face->fragment ? observers.times : nullptr, Effect::BrushModels);
-        if (!project(*face) || !scan()) continue;
+        if (!project(*face, frame_, scratch_) || !scan(frame_, scratch_)) continue;
         if (observers.counts) count_polygon(scratch_.polygon, scratch_.rows, observers.counts->stages);
         return face;
     }
     return std::nullopt;
-}
-
-/// Transforms, clips and projects the corners. False if nothing of the face is in view.
-bool FaceScan::project(const VisibleFace& face) {
-    if (frame_.observers.counts) ++frame_.observers.counts->faces_visited;
-    const bool is_in_view = face.fragment ? project_polygon(frame_.cache.brush_models.corners_of(*face.fragment),
-                                                            frame_.view, scratch_.polygon)
-                                          : project_face(corners_of(face.face, frame_, scratch_.corners), frame_.view,
-                                                         scratch_.vertices, scratch_.polygon);
-    return is_in_view && (frame_.limits.empty() || keep_within_limits(face));
-}
-
-/// Whether the part of a projected face that is within the frame's limits is in view; projects that part alone. Faces
-/// in the plane of a limit are left out: so is a mirror from its own picture.
-bool FaceScan::keep_within_limits(const VisibleFace& face) {
-    std::vector<Vec3<World>>& corners = scratch_.corners.world;
-    world_corners(face, frame_, scratch_.corners);
-    bool is_cut = false;
-    for (const WalkLimit& limit : frame_.limits) {
-        const PolygonSide side = polygon_side(limit.plane, limit.offset, corners, scratch_.corners.distances);
-        if (side == (limit.is_back ? PolygonSide::Back : PolygonSide::Front)) continue;
-        if (side != PolygonSide::Both) return false;
-        const auto count = static_cast<std::ptrdiff_t>(corners.size());
-        append_part(corners, 0, scratch_.corners.distances, !limit.is_back);
-        corners.erase(corners.begin(), corners.begin() + count);
-        is_cut = true;
-    }
-    return !is_cut || project_polygon(corners, frame_.view, scratch_.polygon);
-}
-
-/// Scans the projected face, but for rows at its top and its bottom that have nothing free. False if none are left.
-bool FaceScan::scan() {
-    const std::span<const ScreenVertex> corners = scratch_.polygon.screen;
-    const PolygonShape shape = shape_of(corners, frame_.out.height_px, frame_.accuracy().edges);
-    const PixelRange rows = scratch_.span_buffer.rows_with_free(shape.bounds);
-    if (rows.first >= rows.end) return false;
-    scan_convex(corners, shape, rows, scratch_.rows);
-    return true;
 }
 
 void claim_face(const VisibleFace& face, bool is_second_walk, const FrameContext& frame, ViewScratch& scratch) {

@@ -96,10 +96,6 @@ class FaceScan {
     bool is_second_walk() const { return walk_.takes_all_faces(); }
 
   private:
-    bool project(const VisibleFace& visible);
-    bool keep_within_limits(const VisibleFace& visible);
-    bool scan();
-
     const FrameContext& frame_;
     ViewScratch& scratch_;
     FrontToBackWalk walk_;

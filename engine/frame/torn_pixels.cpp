@@ -130,7 +130,10 @@ FaceIndex find_continued(const Level& level, const OpenEnd& end, bool is_back) {
 
 /// The same, looked up where it was asked for before.
 FaceIndex continued_face(const OpenEnd& end, bool is_back, const FrameContext& frame) {
-    const auto [found, is_new] = frame.cache.continued_faces.try_emplace({end.from.number(), end.node.number()});
+    constexpr std::size_t kMostKept = 4096;  // pairs of leaves and nodes are many more
+    auto& kept = frame.cache.continued_faces;
+    if (kept.size() >= kMostKept) kept.clear();
+    const auto [found, is_new] = kept.try_emplace({end.from.number(), end.node.number()});
     if (is_new) found->second = find_continued(frame.scene.level, end, is_back);
     return found->second;
 }

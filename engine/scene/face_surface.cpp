@@ -108,13 +108,14 @@ Texel eye_texel(const Vec3<TexelAxis>& axis, Texel offset, const Vec3<World>& ey
 /// Edge-on, or turned round by rounding to the screen: for such a sliver any steep view of the plane will do.
 constexpr auto kLeastDistance = PlaneDistance::from_raw(std::int64_t{1} << 30);
 
-/// A plane from the side that its face faces, without its texture.
-TexturedPlane facing_plane(const LevelPlane& plane, bool is_back, const Vec3<World>& eye) {
+/// A face's plane, turned to where the face faces.
+Vec3<Unit> normal_of(const LevelPlane& plane, bool is_back) {
+    return is_back ? -plane.normal : plane.normal;
+}
+
+PlaneDistance distance_before(const LevelPlane& plane, bool is_back, const Vec3<World>& eye) {
     const PlaneDistance distance = plane_distance(plane, eye);
-    TexturedPlane facing;
-    facing.normal = is_back ? -plane.normal : plane.normal;
-    facing.eye_distance = is_back ? -distance : distance;
-    return facing;
+    return is_back ? -distance : distance;
 }
 
 }  // namespace
@@ -215,7 +216,10 @@ TextureGradients make_face_gradients(const Level& level, const Face& face, const
                                      const InverseProjection& inverse_projection) {
     const TexInfo& texinfo = level.texinfos[face.texinfo];
     const Vec3<World> eye = view.eye - offset;
-    TexturedPlane textured = facing_plane(level.planes[face.plane], face.is_back, eye);
+    const LevelPlane& plane = level.planes[face.plane];
+    TexturedPlane textured;
+    textured.normal = normal_of(plane, face.is_back);
+    textured.eye_distance = distance_before(plane, face.is_back, eye);
     textured.s = texinfo.s;
     textured.t = texinfo.t;
     textured.eye_u = eye_texel(texinfo.s, texinfo.s_offset, eye) - Texel::from_int(surface.origin_u);
@@ -230,8 +234,10 @@ TextureGradients make_face_gradients(const Level& level, const Face& face, const
 LinearQuantity<InverseZ> make_face_inverse_z(const Level& level, const Face& face, const Vec3<World>& offset,
                                              const ViewContext& view, const InverseProjection& inverse_projection) {
     if (view.is_parallel()) return {reciprocal<InverseZ>(view.parallel_depth), {}, {}};
-    const TexturedPlane plane = facing_plane(level.planes[face.plane], face.is_back, view.eye - offset);
-    return make_inverse_z(plane.normal, std::max(plane.eye_distance, kLeastDistance), view.rays, inverse_projection);
+    const LevelPlane& plane = level.planes[face.plane];
+    const PlaneDistance distance = distance_before(plane, face.is_back, view.eye - offset);
+    return make_inverse_z(normal_of(plane, face.is_back), std::max(distance, kLeastDistance), view.rays,
+                          inverse_projection);
 }
 
 }  // namespace oblong

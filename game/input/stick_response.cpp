@@ -1,8 +1,7 @@
-#include "game/input/stick_response.h"
-
 #include <algorithm>
 
 #include "engine/fixed/root.h"
+#include "game/input/controls.h"
 
 namespace oblong {
 namespace {

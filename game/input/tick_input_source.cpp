@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/base/input_error.h"
-#include "game/input/stick_response.h"
+#include "game/input/controls.h"
 #include "game/simulation/step.h"
 
 namespace oblong {

@@ -1,9 +1,8 @@
-#include "game/menu/draw_menu.h"
-
 #include <algorithm>
 
 #include "engine/draw/font.h"
 #include "engine/surface/nearest_colour.h"
+#include "game/menu/menu_layout.h"
 
 namespace oblong {
 namespace {

@@ -1,7 +1,7 @@
-#include "game/menu/key_pages.h"
-
 #include <algorithm>
 #include <utility>
+
+#include "game/menu/menu_pages.h"
 
 namespace oblong {
 namespace {
@@ -54,24 +54,22 @@ class KeyPages {
     void add_undo(MenuPage& page) const {
         if (!*undo_ || **undo_ == host_->preferences().bindings) return;
         page.rows.push_back({"Undo the last change", "", "Of the keys, whichever it was",
-                             [*this] { change([before = **undo_](Bindings& bindings) { bindings = before; }); },
-                             nullptr});
+                             [*this] { change([before = **undo_](Bindings& bindings) { bindings = before; }); }});
     }
 
     MenuPage list_page() const {
-        MenuPage page{"Keys", "", {}, 0, "", false, nullptr};
+        MenuPage page{"Keys"};
         page.help = host_->key_names().in("{accept} changes what is chosen");
         for (const ActionRow& names : all_actions()) {
             const Action action = names.action;
             const bool is_doubled = has_conflict(host_->preferences().bindings, action);
             page.rows.push_back({std::string(names.label), (is_doubled ? "! " : "") + inputs_text(*host_, action),
                                  is_doubled ? "! A key here does something else, too" : "",
-                                 [*this, action] { menu_->open([*this, action] { return action_page(action); }); },
-                                 nullptr});
+                                 [*this, action] { menu_->open([*this, action] { return action_page(action); }); }});
         }
         add_undo(page);
         add_sets(page);
-        page.rows.push_back({"Back", "", "", [*this] { menu_->close(); }, nullptr});
+        page.rows.push_back({"Back", "", "", [*this] { menu_->close(); }});
         return page;
     }
 
@@ -82,48 +80,38 @@ class KeyPages {
              {Hands::Right, "All for the right hand"}}};
         for (const auto& [hands, label] : kSets)
             page.rows.push_back({label, "", "Sets all keys anew",
-                                 [*this, of = hands] { menu_->open([*this, of] { return set_page(of); }); }, nullptr});
+                                 [*this, of = hands] { menu_->open([*this, of] { return set_page(of); }); }});
     }
 
     MenuPage set_page(Hands hands) const {
-        MenuPage page{"Keys", "Set all keys anew? What you changed is lost.", {}, 0, "", false, nullptr};
-        page.rows.push_back({"No", "", "", [*this] { menu_->close(); }, nullptr});
-        page.rows.push_back({"Yes", "", "",
-                             [*this, hands] {
+        MenuPage page{"Keys", "Set all keys anew? What you changed is lost."};
+        page.rows.push_back({"No", "", "", [*this] { menu_->close(); }});
+        page.rows.push_back({"Yes", "", "", [*this, hands] {
                                  change([&](Bindings& bindings) { bindings = default_bindings(hands); });
                                  menu_->close();
-                             },
-                             nullptr});
+                             }});
         return page;
     }
 
     MenuPage action_page(Action action) const {
-        MenuPage page{label_of(action), "", {}, 0, "", false, nullptr};
+        MenuPage page{label_of(action)};
         for (const Input input : host_->preferences().bindings.inputs_of(action)) {
             const std::string others = others_of(host_->preferences().bindings, action, input);
             page.rows.push_back(
                 {host_->local_name_of(input), "remove", others.empty() ? "" : "Does this, too: " + others,
-                 [*this, action, input] { change([&](Bindings& bindings) { bindings.unbind(action, input); }); },
-                 nullptr});
+                 [*this, action, input] { change([&](Bindings& bindings) { bindings.unbind(action, input); }); }});
         }
         page.rows.push_back({"Add a key or button", "", "",
-                             [*this, action] { menu_->open([*this, action] { return press_page(action); }); },
-                             nullptr});
+                             [*this, action] { menu_->open([*this, action] { return press_page(action); }); }});
         page.first_chosen = page.rows.size() - 1;
         add_undo(page);
-        page.rows.push_back({"Done", "", "", [*this] { menu_->close(); }, nullptr});
+        page.rows.push_back({"Done", "", "", [*this] { menu_->close(); }});
         return page;
     }
 
     MenuPage press_page(Action action) const {
-        MenuPage page{label_of(action),
-                      "Press a key, or a button of the mouse or gamepad, for: " + label_of(action) + ".\n\n" +
-                          host_->key_names().of(Action::Menu) + ": none.",
-                      {},
-                      0,
-                      "",
-                      false,
-                      nullptr};
+        MenuPage page{label_of(action), "Press a key, or a button of the mouse or gamepad, for: " + label_of(action) +
+                                            ".\n\n" + host_->key_names().of(Action::Menu) + ": none."};
         page.press = [*this, action](Input input) {
             menu_->close();
             const std::string others = others_if_bound(action, input);
@@ -141,9 +129,8 @@ class KeyPages {
 
     MenuPage conflict_page(Action action, Input input, const std::string& others) const {
         const std::string name = host_->local_name_of(input);
-        MenuPage page{label_of(action), name + " does something already: " + others + ".", {}, 0, "", false, nullptr};
-        page.rows.push_back({"Take it from there", "", "",
-                             [*this, action, input] {
+        MenuPage page{label_of(action), name + " does something already: " + others + "."};
+        page.rows.push_back({"Take it from there", "", "", [*this, action, input] {
                                  change([&](Bindings& bindings) {
                                      for (const ActionRow& names : all_actions())
                                          if (is_other(action, names.action, input))
@@ -151,15 +138,12 @@ class KeyPages {
                                      bindings.bind(action, input);
                                  });
                                  menu_->close();
-                             },
-                             nullptr});
-        page.rows.push_back({"Let it do both", "", "",
-                             [*this, action, input] {
+                             }});
+        page.rows.push_back({"Let it do both", "", "", [*this, action, input] {
                                  bind(action, input);
                                  menu_->close();
-                             },
-                             nullptr});
-        page.rows.push_back({"Leave it as it was", "", "", [*this] { menu_->close(); }, nullptr});
+                             }});
+        page.rows.push_back({"Leave it as it was", "", "", [*this] { menu_->close(); }});
         return page;
     }
 

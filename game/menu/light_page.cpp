@@ -37,10 +37,8 @@ void MenuPages::open_light() {
             host_.preferences().has_set_light = true;
             menu_.close();
         };
-        MenuPage page{"Light", "Turn gamma until you see three of the four squares well, and the first one hardly.",
-                      {},      0,
-                      "",      false,
-                      done};
+        MenuPage page{"Light", "Turn gamma until you see three of the four squares well, and the first one hardly."};
+        page.back = done;
         page.rows.push_back(
             {"Go on", "", "Options, Light is this page. Each game keeps its own", done, nullptr, test_picture()});
         for (const char* name : {"gamma", "brightness", "tube-light"}) {

@@ -4,7 +4,7 @@
 
 #include "engine/view/present_rect.h"
 #include "game/input/controls.h"
-#include "game/menu/draw_menu.h"
+#include "game/menu/menu_layout.h"
 
 namespace oblong {
 

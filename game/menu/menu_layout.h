@@ -48,4 +48,8 @@ MenuLayout lay_out(const MenuPage& page, const MenuView& view, CanvasSize canvas
 /// A line, cut to so many columns: ".." stands for what is left out.
 std::string cut_to(const std::string& line, std::int32_t columns);
 
+/// Draws a page over a canvas whose picture becomes dark behind it.
+void draw_menu(const MenuPage& page, const MenuView& view, const MenuLook& look, const Palette& palette,
+               Framebuffer canvas);
+
 }  // namespace oblong

@@ -19,23 +19,23 @@ struct MenuPicture {
 
 /// A line of a menu that can be chosen.
 struct MenuRow {
-    std::string label;
-    std::string value;                      ///< at the right; may be empty
-    std::string help;                       ///< at the foot of the page while the row is chosen
-    std::function<void()> accept;           ///< nothing: accepting is a step of `change`
-    std::function<void(int steps)> change;  ///< right: 1, left: -1; nothing: the row has no value to change
+    std::string label = {};
+    std::string value = {};                      ///< at the right; may be empty
+    std::string help = {};                       ///< at the foot of the page while the row is chosen
+    std::function<void()> accept = {};           ///< nothing: accepting is a step of `change`
+    std::function<void(int steps)> change = {};  ///< right: 1, left: -1; nothing: the row has no value to change
     std::optional<MenuPicture> picture = {};
 };
 
 /// What a menu shows: a title, a text, rows below it.
 struct MenuPage {
-    std::string title;
-    std::string text;                       ///< may be empty, and longer than the page
-    std::vector<MenuRow> rows;              ///< without any, the page is a text to read
+    std::string title = {};
+    std::string text = {};                  ///< may be empty, and longer than the page
+    std::vector<MenuRow> rows = {};         ///< without any, the page is a text to read
     std::size_t first_chosen = 0;           ///< the row that is chosen when the page opens
-    std::string help;                       ///< at the foot where the chosen row has none
+    std::string help = {};                  ///< at the foot where the chosen row has none
     bool is_title = false;                  ///< the game's name, in large letters, is its title
-    std::function<void()> back;             ///< instead of closing the page
+    std::function<void()> back = {};        ///< instead of closing the page
     std::function<void(Input)> press = {};  ///< the page waits for any input, and nothing but it or Esc is taken
     std::optional<Action> closed_by = {};   ///< goes back, too: the command that opened the page
 };

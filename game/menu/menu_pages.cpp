@@ -12,12 +12,6 @@ std::string with_capital(std::string text) {
     return text;
 }
 
-MenuRow row(std::string label, std::function<void()> accept, std::string help = "") {
-    return {std::move(label), "", with_capital(std::move(help)), std::move(accept), nullptr, std::nullopt};
-}
-
-constexpr const char* kLost = " What is not saved is lost.";
-
 std::string text_of_end(const EndFigures& figures) {
     std::string text =
         (figures.message.empty() ? "You have reached the end." : figures.message) + "\n\nTime: " + figures.time;
@@ -27,6 +21,10 @@ std::string text_of_end(const EndFigures& figures) {
 }
 
 }  // namespace
+
+MenuRow menu_row(std::string label, std::function<void()> accept, std::string help) {
+    return {std::move(label), "", with_capital(std::move(help)), std::move(accept)};
+}
 
 void MenuPages::open_title() {
     menu_.open([this] { return title_page(); });
@@ -38,10 +36,10 @@ void MenuPages::open_game() {
 
 void MenuPages::open_gallery() {
     menu_.open([this] {
-        MenuPage page{"Gallery", "", {}, 0, "", false, nullptr};
-        page.rows.push_back(row("Go on", [this] { menu_.close_all(); }));
-        page.rows.push_back(row("Title", closing([this] { host_.show_title(); })));
-        page.rows.push_back(row("Leave", [this] { host_.leave(); }));
+        MenuPage page{"Gallery"};
+        page.rows.push_back(menu_row("Go on", [this] { menu_.close_all(); }));
+        page.rows.push_back(menu_row("Title", closing([this] { host_.show_title(); })));
+        page.rows.push_back(menu_row("Leave", [this] { host_.leave(); }));
         return page;
     });
 }
@@ -59,68 +57,71 @@ void MenuPages::open_restart() {
 
 void MenuPages::open_message(std::string title, std::string text) {
     menu_.open([this, title = std::move(title), text = std::move(text)] {
-        MenuPage page{title, text, {}, 0, "", false, nullptr};
-        page.rows.push_back(row("Go on", [this] { menu_.close(); }));
+        MenuPage page{title, text};
+        page.rows.push_back(menu_row("Go on", [this] { menu_.close(); }));
         return page;
     });
 }
 
 MenuPage MenuPages::title_page() {
-    MenuPage page{"OBLONG", "", {}, 0, "", true, [this] { ask_to_leave(); }};
+    MenuPage page{"OBLONG"};
+    page.is_title = true;
+    page.back = [this] { ask_to_leave(); };
     if (const auto last = host_.last_walk())
-        page.rows.push_back(row(
+        page.rows.push_back(menu_row(
             "Continue", closing([this] { host_.continue_walk(); }),
             last->has_game ? "go on in " + last->content : last->content + ". " + host_.key_names().in(last->help)));
-    page.rows.push_back(row("Walk", closing([this] { host_.walk(); }), "through the museum, from its entrance"));
-    page.rows.push_back(row(
+    page.rows.push_back(menu_row("Walk", closing([this] { host_.walk(); }), "through the museum, from its entrance"));
+    page.rows.push_back(menu_row(
         "Levels", [this] { open_levels(); }, "others to walk through"));
-    page.rows.push_back(row(
+    page.rows.push_back(menu_row(
         "Load", [this] { open_load(); }, "a walk that was saved"));
-    page.rows.push_back(row("Options", [this] { open_options(); }));
-    page.rows.push_back(row(
+    page.rows.push_back(menu_row("Options", [this] { open_options(); }));
+    page.rows.push_back(menu_row(
         "Gallery", [this] { host_.show_gallery(); }, "all that the engine can do, a thing a page"));
-    page.rows.push_back(row("Credits", [this] { open_credits(); }));
-    page.rows.push_back(row("Leave", [this] { host_.leave(); }));
+    page.rows.push_back(menu_row("Credits", [this] { open_credits(); }));
+    page.rows.push_back(menu_row("Leave", [this] { host_.leave(); }));
     page.help = host_.key_names().in("{choose} choose, {accept} accepts, {menu} goes back");
     return page;
 }
 
 MenuPage MenuPages::game_page() {
-    MenuPage page{"Paused", "", {}, 0, "", false, nullptr};
+    MenuPage page{"Paused"};
     page.help = host_.key_names().in("{choose} choose, {accept} accepts, {menu} goes on");
-    page.rows.push_back(row("Go on", [this] { menu_.close_all(); }));
-    if (host_.can_save()) page.rows.push_back(row("Save", [this] { open_save(); }));
-    page.rows.push_back(row("Load", [this] { open_load(); }));
+    page.rows.push_back(menu_row("Go on", [this] { menu_.close_all(); }));
+    if (host_.can_save()) page.rows.push_back(menu_row("Save", [this] { open_save(); }));
+    page.rows.push_back(menu_row("Load", [this] { open_load(); }));
     if (const Goal goal = host_.goal(); !goal.count.empty()) {
-        page.rows.push_back(row(
+        page.rows.push_back(menu_row(
             "Lenses", [this, goal] { open_text("Lenses", goal.list, {}); },
             goal.hint.empty() ? "which are found, and which are missing" : goal.hint));
         page.rows.back().value = goal.count;
     }
     if (!host_.told().empty())
-        page.rows.push_back(row(
+        page.rows.push_back(menu_row(
             "Messages", [this] { open_told(); }, "what you were told in this walk"));
-    page.rows.push_back(row("Options", [this] { open_options(); }));
-    page.rows.push_back(row("Restart level", [this] { open_restart(); }));
-    page.rows.push_back(row("Levels", [this] { open_levels(); }));
-    page.rows.push_back(row(
+    page.rows.push_back(menu_row("Options", [this] { open_options(); }));
+    page.rows.push_back(menu_row("Restart level", [this] { open_restart(); }));
+    page.rows.push_back(menu_row("Levels", [this] { open_levels(); }));
+    page.rows.push_back(menu_row(
         "Gallery", [this] { host_.show_gallery(); }, "the walk waits"));
-    page.rows.push_back(row(
+    page.rows.push_back(menu_row(
         "Title", [this] { leave_walk("Leave this walk?", closing([this] { host_.show_title(); })); },
         host_.saves_on_leaving() ? "The walk is saved: Continue goes on with it" : ""));
-    page.rows.push_back(row(
+    page.rows.push_back(menu_row(
         "Leave", [this] { leave_walk("Leave the game?", [this] { host_.leave(); }); },
         host_.saves_on_leaving() ? "The walk is saved: Continue goes on with it" : ""));
     return page;
 }
 
 MenuPage MenuPages::end_page(const EndFigures& figures) {
-    MenuPage page{"The end", text_of_end(figures), {}, 0, "", false, closing([this] { host_.show_title(); })};
+    MenuPage page{"The end", text_of_end(figures)};
+    page.back = closing([this] { host_.show_title(); });
     if (!figures.next_level.empty())
-        page.rows.push_back(row("On to " + figures.next_level, closing([this] { host_.play_next(); })));
-    page.rows.push_back(row("Again", closing([this] { host_.restart(); })));
-    page.rows.push_back(row("Another level", [this] { open_levels(); }));
-    page.rows.push_back(row("Title", closing([this] { host_.show_title(); })));
+        page.rows.push_back(menu_row("On to " + figures.next_level, closing([this] { host_.play_next(); })));
+    page.rows.push_back(menu_row("Again", closing([this] { host_.restart(); })));
+    page.rows.push_back(menu_row("Another level", [this] { open_levels(); }));
+    page.rows.push_back(menu_row("Title", closing([this] { host_.show_title(); })));
     return page;
 }
 
@@ -129,14 +130,15 @@ void MenuPages::open_options() {
 }
 
 MenuPage MenuPages::options_page() {
-    MenuPage page{"Options", "", {}, 0, "Changes are seen at once and kept", false, nullptr};
+    MenuPage page{"Options"};
+    page.help = "Changes are seen at once and kept";
     for (int i = 0; i < kPreferencePageCount; ++i)
-        page.rows.push_back(row(name_of(static_cast<PreferencePage>(i)), [this, i] { open_preferences(i); }));
-    page.rows.push_back(row(
+        page.rows.push_back(menu_row(name_of(static_cast<PreferencePage>(i)), [this, i] { open_preferences(i); }));
+    page.rows.push_back(menu_row(
         "Light", [this] { open_light(); }, "set by a test picture"));
-    page.rows.push_back(row(
+    page.rows.push_back(menu_row(
         "Keys", [this] { open_key_pages(menu_, host_, key_undo_); }, "which key or button does what"));
-    page.rows.push_back(row("Back", [this] { menu_.close(); }));
+    page.rows.push_back(back_row());
     return page;
 }
 
@@ -151,102 +153,40 @@ std::string MenuPages::help_of(const Preference& preference) {
 
 MenuPage MenuPages::preferences_page(int page) {
     const auto shown_page = static_cast<PreferencePage>(page);
-    MenuPage shown{name_of(shown_page), "", {}, 0, "", false, nullptr};
+    MenuPage shown{name_of(shown_page)};
     for (const Preference& preference : all_preferences()) {
         if (preference.page != shown_page) continue;
         shown.rows.push_back(
             {with_capital(preference.label), preference.shown(host_.preferences()), help_of(preference), nullptr,
              [this, &preference](int steps) { preference.change(host_.preferences(), steps); }, std::nullopt});
     }
-    shown.rows.push_back(row("Back", [this] { menu_.close(); }));
+    shown.rows.push_back(back_row());
     return shown;
 }
 
 void MenuPages::open_levels() {
     menu_.open([this, levels = host_.levels()] {
-        MenuPage page{"Levels", "", {}, 0, "", false, nullptr};
+        MenuPage page{"Levels"};
         for (const LevelEntry& level : levels) {
-            MenuRow entry = row(level.name, [this, name = level.name, file = level.file] {
+            MenuRow entry = menu_row(level.name, [this, name = level.name, file = level.file] {
                 leave_walk("Leave this walk and go to " + name + "?",
                            closing([this, file] { host_.play_level(file); }));
             });
             entry.value = level.title;
             page.rows.push_back(std::move(entry));
         }
-        page.rows.push_back(row("Back", [this] { menu_.close(); }));
+        page.rows.push_back(back_row());
         return page;
     });
 }
 
-void MenuPages::open_load() {
-    menu_.open([this, saves = host_.saves()] {
-        MenuPage page{"Load", "", {}, 0, "", false, nullptr};
-        for (std::size_t i = 0; i < saves.size(); ++i) {
-            const SaveEntry& save = saves[i];
-            const auto load = [this, i, save] {
-                const std::string question = "Leave this walk and load " + save.name + "?";
-                const auto action = closing([this, i] { host_.load(i); });
-                if (!save.has_game) return action();  // which says why
-                if (save.is_of_this_walk && host_.has_unsaved_progress())
-                    return ask("Load", question + kLost, "Yes", action);
-                leave_walk(question, action);
-            };
-            page.rows.push_back({save.name, save.content, host_.key_names().in(save.help),
-                                 save.is_empty ? nullptr : std::function<void()>(load), nullptr, save.picture});
-        }
-        page.rows.push_back(row(
-            "Delete", [this] { open_delete(); }, "a saved walk"));
-        page.rows.push_back(row("Back", [this] { menu_.close(); }));
-        return page;
-    });
-}
-
-void MenuPages::open_delete() {
-    menu_.open([this, saves = host_.saves()] {
-        MenuPage page{"Delete", "", {}, 0, "", false, nullptr};
-        for (std::size_t i = 0; i < saves.size(); ++i) {
-            const SaveEntry& save = saves[i];
-            if (save.is_empty) continue;
-            const auto remove = [this, i] {
-                const std::string fault = host_.remove_save(i);
-                for (int pages = 3; pages > 0; --pages)
-                    menu_.close();  // the question, this one, and the list before it
-                open_load();
-                if (!fault.empty()) open_message("Delete", fault);
-            };
-            const auto accept = [this, name = save.name, remove] {
-                ask("Delete", "Delete " + name + " for good?", "Delete it", remove);
-            };
-            page.rows.push_back(
-                {save.name, save.content, host_.key_names().in(save.help), accept, nullptr, save.picture});
-        }
-        page.rows.push_back(row("Back", [this] { menu_.close(); }));
-        return page;
-    });
-}
-
-void MenuPages::open_save() {
-    menu_.open([this, saves = host_.saves()] {
-        MenuPage page{"Save", "", {}, 0, "", false, nullptr};
-        for (std::size_t i = 0; i < saves.size(); ++i) {
-            const SaveEntry& save = saves[i];
-            if (!save.is_saved_to_by_player) continue;
-            const auto write = closing([this, i] { host_.save(i); });
-            const auto accept = [this, write, name = save.name, is_empty = save.is_empty] {
-                if (is_empty) return write();
-                ask("Save", "Replace what is in " + name + "?", "Replace it", write);
-            };
-            page.rows.push_back(
-                {save.name, save.content, host_.key_names().in(save.help), accept, nullptr, save.picture});
-        }
-        page.rows.push_back(row("Back", [this] { menu_.close(); }));
-        return page;
-    });
+MenuRow MenuPages::back_row() {
+    return menu_row("Back", [this] { menu_.close(); });
 }
 
 void MenuPages::open_text(std::string title, std::string text, std::optional<Action> closed_by) {
     menu_.open([this, title = std::move(title), text = std::move(text), closed_by] {
-        MenuPage page{title, text, {}, 0, "", false, nullptr};
+        MenuPage page{title, text};
         page.help = host_.key_names().in("{choose}: read on. {menu} or a click: back");
         page.closed_by = closed_by;
         return page;
@@ -269,12 +209,12 @@ void MenuPages::open_figures() {
 
 void MenuPages::open_keys() {
     menu_.open([this, help = host_.key_help()] {
-        MenuPage page{"Keys", "", {}, 0, "", false, nullptr};
+        MenuPage page{"Keys"};
         page.help = host_.key_names().in("{choose}: read on. {menu}: back");
         page.closed_by = Action::ShowHelp;
-        for (const KeyHelp& line : help) page.rows.push_back({line.label, line.keys, "", nullptr, nullptr});
-        page.rows.push_back(row("Change them", [this] { open_key_pages(menu_, host_, key_undo_); }));
-        page.rows.push_back(row("Back", [this] { menu_.close(); }));
+        for (const KeyHelp& line : help) page.rows.push_back({line.label, line.keys});
+        page.rows.push_back(menu_row("Change them", [this] { open_key_pages(menu_, host_, key_undo_); }));
+        page.rows.push_back(back_row());
         return page;
     });
 }
@@ -297,9 +237,9 @@ void MenuPages::ask_to_leave() {
 void MenuPages::ask(std::string title, std::string text, std::string yes, std::function<void()> action) {
     menu_.open(
         [this, title = std::move(title), text = std::move(text), yes = std::move(yes), action = std::move(action)] {
-            MenuPage page{title, text, {}, 0, "", false, nullptr};
-            page.rows.push_back(row("No", [this] { menu_.close(); }));
-            page.rows.push_back(row(yes, action));
+            MenuPage page{title, text};
+            page.rows.push_back(menu_row("No", [this] { menu_.close(); }));
+            page.rows.push_back(menu_row(yes, action));
             return page;
         });
 }

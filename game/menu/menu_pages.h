@@ -1,11 +1,27 @@
 #pragma once
 
-#include "game/menu/key_pages.h"
+#include <optional>
+
 #include "game/menu/menu.h"
 #include "game/menu/menu_host.h"
 #include "game/options/preference_table.h"
 
 namespace oblong {
+
+/// The bindings before the last change of them; nothing if there was none.
+using KeyUndo = std::optional<Bindings>;
+
+/// Opens the page that lists what each key does; each row opens one that changes it. All outlive the pages.
+void open_key_pages(Menu& menu, MenuHost& host, KeyUndo& undo);
+
+/// The inputs of an action as the player's keyboard names them: "W, Up"; "none".
+std::string inputs_text(MenuHost& host, Action action);
+
+/// What a question says where leaving a walk loses something.
+inline constexpr const char* kLost = " What is not saved is lost.";
+
+/// A row that does something; its help begins with a capital.
+MenuRow menu_row(std::string label, std::function<void()> accept, std::string help = "");
 
 /// Opens the pages of the menu.
 class MenuPages {
@@ -43,6 +59,8 @@ class MenuPages {
     MenuPage options_page();
     MenuPage preferences_page(int page);
     std::string help_of(const Preference& preference);
+    MenuRow save_row(const SaveEntry& save, std::function<void()> accept) const;
+    MenuRow back_row();
 
     void ask(std::string title, std::string text, std::string yes, std::function<void()> action);
     /// Closes all pages, then does it.

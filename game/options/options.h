@@ -12,11 +12,22 @@
 
 namespace oblong {
 
-/// What a program is started with: the command line's options, over what is kept in the options file; empty strings and
-/// 0 where they are not given.
-struct Options {
+/// The level that is asked for; empty strings where nothing is.
+struct LevelOptions {
     std::string level, palette, models;
-    std::string map, game;                     ///< a level by its name, and the folder of a game like Quake's
+    std::string map, game;  ///< a level by its name, and the folder of a game like Quake's
+};
+
+/// What is done with a game instead of, or besides, playing it; empty strings and 0 where nothing is.
+struct RunOptions {
+    std::string record, replay, timedemo, route;
+    std::int64_t headless_frames = 0;
+    std::string out;
+    std::int64_t threads = 1;
+};
+
+/// What a program is started with: the command line's options, over what is kept in the options file.
+struct Options : LevelOptions, RunOptions {
     Preferences preferences;                   ///< as they are kept, changed by the command line
     std::map<std::string, std::string> light;  ///< of the first game, by preferences' names: what the command line says
     WindowSize window;
@@ -24,9 +35,6 @@ struct Options {
     MapView automap = MapView::Off;
     Wireframe wireframe = Wireframe::Off;
     LineMethod line_method = LineMethod::GuptaSproull;
-    std::string record, replay, timedemo, route;
-    std::int64_t headless_frames = 0, threads = 1;
-    std::string out;
     PlayerFolders folders;     ///< of the player's files: empty names where they are neither read nor written
     bool shows_title = false;  ///< also where nothing else is asked for
     bool shows_gallery = false, shows_error_box = false;

@@ -33,8 +33,8 @@ Preference one_of(PreferenceNames names, std::vector<std::string> values, std::f
                   std::function<void(Preferences&, int)> set);
 
 /// An enumeration from 0 on.
-template <class Enum>
-Preference one_of(PreferenceNames names, std::vector<std::string> values, Enum Preferences::*field) {
+template <class Part, class Enum>
+Preference one_of(PreferenceNames names, std::vector<std::string> values, Enum Part::*field) {
     return one_of(
         std::move(names), std::move(values),
         [field](const Preferences& preferences) { return static_cast<int>(preferences.*field); },
@@ -52,5 +52,10 @@ std::string hundredths_text(std::int32_t value_100);
 
 /// "a, b or c".
 std::string listed(const std::vector<std::string>& values);
+
+/// The three that say together what is in the picture; a change leaves out what can't be drawn with the other two.
+Preference mode_preference();
+Preference display_preference();
+Preference field_of_view_preference();
 
 }  // namespace oblong

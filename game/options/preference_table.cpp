@@ -11,7 +11,6 @@
 #include "engine/base/table.h"
 #include "engine/files/arguments.h"
 #include "game/options/preference_kinds.h"
-#include "game/options/view_preferences.h"
 
 namespace oblong {
 namespace {

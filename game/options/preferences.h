@@ -44,38 +44,22 @@ inline Light light_of_new(const std::string& game) {
     return {100, 100, game != kMuseum};
 }
 
-/// All that a player sets and that is kept in a file. Changes how the game is shown and steered, never what happens in
-/// it.
-struct Preferences : Steering {
+/// The picture, and how a window shows it.
+struct PicturePreferences {
     ScreenMode mode;  ///< of the picture, and the display that it is for
     Degrees field_of_view = Degrees::from_int(90);
-    bool corrects_projection = true;  ///< F2: the projection knows the display's shape
+    bool corrects_projection = true;  ///< the projection knows the display's shape
     ShownAs shown_as = ShownAs::OnDisplay;
     Scaling scaling = Scaling::SharpBilinear;
     bool has_crt_look = false;
+    bool operator==(const PicturePreferences&) const = default;
+};
+
+/// How games are lit.
+struct LightPreferences {
     std::map<std::string, Light> lights;  ///< by games, of those that have another one than light_of_new()
     std::string game = kMuseum;           ///< that is played: the one that light() is of
     bool has_set_light = false;           ///< the page that helps with it was shown
-    bool fills_screen = false;            ///< the whole screen instead of a window
-    bool waits_for_display = true;        ///< vsync, where the system offers it
-    std::int32_t frame_cap_hz = 144;      ///< at most so many frames a second, 10 to 1,000; 0: no limit
-
-    Preset preset = Preset::Bounded;  ///< the last one chosen
-    Accuracy accuracy;                ///< its dials, perhaps turned since
-
-    Flashes flashes = Flashes::Full;
-    std::int32_t view_bob_100 = 0;      ///< how far the view goes up and down in walking; 0 to 200, 100: as in Quake
-    std::int32_t view_roll_100 = 0;     ///< how far it leans in walking sideways; likewise
-    std::int32_t game_speed_100 = 100;  ///< of the game's clock against that on the wall, 25 to 1,600
-    std::int32_t text_scale = 1;        ///< 1 or 2 pixels of the picture for a pixel of a letter
-    ColourScheme colours = ColourScheme::Standard;
-    bool shows_captions = false;  ///< a line of text for each sound
-
-    Bindings bindings = default_bindings();  ///< which inputs do what
-
-    std::int32_t volume_100 = 100;        ///< of all, 0 to 100; 0: no sound device is opened
-    std::int32_t sounds_volume_100 = 80;  ///< of what happens in the level and in menus, 0 to 100
-    std::int32_t music_volume_100 = 60;   ///< 0 to 100
 
     /// That of the game that is played.
     Light light() const { return light_of(game); }
@@ -87,6 +71,45 @@ struct Preferences : Steering {
         lights[game] = light;
         if (light == light_of_new(game)) lights.erase(game);
     }
+    bool operator==(const LightPreferences&) const = default;
+};
+
+struct WindowPreferences {
+    bool fills_screen = false;        ///< the whole screen instead of a window
+    bool waits_for_display = true;    ///< vsync, where the system offers it
+    std::int32_t frame_cap_hz = 144;  ///< at most so many frames a second, 10 to 1,000; 0: no limit
+    bool operator==(const WindowPreferences&) const = default;
+};
+
+struct ComfortPreferences {
+    Flashes flashes = Flashes::Full;
+    std::int32_t view_bob_100 = 0;      ///< how far the view goes up and down in walking; 0 to 200, 100: as in Quake
+    std::int32_t view_roll_100 = 0;     ///< how far it leans in walking sideways; likewise
+    std::int32_t game_speed_100 = 100;  ///< of the game's clock against that on the wall, 25 to 1,600
+    std::int32_t text_scale = 1;        ///< 1 or 2 pixels of the picture for a pixel of a letter
+    ColourScheme colours = ColourScheme::Standard;
+    bool shows_captions = false;  ///< a line of text for each sound
+    bool operator==(const ComfortPreferences&) const = default;
+};
+
+struct SoundPreferences {
+    std::int32_t volume_100 = 100;        ///< of all, 0 to 100; 0: no sound device is opened
+    std::int32_t sounds_volume_100 = 80;  ///< of what happens in the level and in menus, 0 to 100
+    std::int32_t music_volume_100 = 60;   ///< 0 to 100
+    bool operator==(const SoundPreferences&) const = default;
+};
+
+/// All that a player sets and that is kept in a file. Changes how the game is shown and steered, never what happens in
+/// it.
+struct Preferences : PicturePreferences,
+                     LightPreferences,
+                     WindowPreferences,
+                     ComfortPreferences,
+                     Steering,
+                     SoundPreferences {
+    Preset preset = Preset::Bounded;         ///< the last one chosen
+    Accuracy accuracy;                       ///< its dials, perhaps turned since
+    Bindings bindings = default_bindings();  ///< which inputs do what
 
     bool operator==(const Preferences&) const = default;
 };

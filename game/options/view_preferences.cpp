@@ -1,10 +1,9 @@
-#include "game/options/view_preferences.h"
-
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "engine/files/arguments.h"
+#include "game/options/preference_kinds.h"
 
 namespace oblong {
 namespace {

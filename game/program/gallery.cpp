@@ -6,7 +6,7 @@
 
 #include "game/input/key_names.h"
 #include "game/view/screenshot.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 

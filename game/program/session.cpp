@@ -9,7 +9,6 @@
 #include "game/view/screenshot.h"
 #include "game/view/shown_view.h"
 #include "game/view/sign_colours.h"
-#include "game/view/view_sway.h"
 
 namespace oblong {
 

@@ -89,11 +89,11 @@ Settings settings_of(const Preferences& preferences) {
     return settings;
 }
 
-WindowSettings window_settings_of(const Preferences& preferences) {
+WindowSettings window_settings_of(const WindowPreferences& preferences) {
     return {preferences.fills_screen, preferences.waits_for_display, preferences.frame_cap_hz};
 }
 
-PresentRect shown_rect(const Preferences& preferences, WindowSize window) {
+PresentRect shown_rect(const PicturePreferences& preferences, WindowSize window) {
     PresentRect rect = layout(window, preferences.mode, preferences.shown_as, preferences.scaling);
     rect.has_crt_look = preferences.has_crt_look;
     return rect;

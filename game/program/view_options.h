@@ -35,9 +35,9 @@ struct ViewOptions : Overlays {
 };
 
 Settings settings_of(const Preferences& preferences);
-WindowSettings window_settings_of(const Preferences& preferences);
+WindowSettings window_settings_of(const WindowPreferences& preferences);
 /// Where a window shows the picture, and how.
-PresentRect shown_rect(const Preferences& preferences, WindowSize window);
+PresentRect shown_rect(const PicturePreferences& preferences, WindowSize window);
 
 /// Carries out a command; the message that tells the user ("" where there is none), for KeyNames::in(). Ignores what
 /// the program does itself: Action::Screenshot, Action::ShowHelp.

@@ -1,10 +1,8 @@
-#include "game/simulation/door_links.h"
-
 #include <algorithm>
 #include <numeric>
 
 #include "game/simulation/entity_keys.h"
-#include "game/simulation/mover_specs.h"
+#include "game/simulation/entity_specs.h"
 
 namespace oblong {
 namespace {

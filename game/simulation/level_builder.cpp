@@ -7,12 +7,10 @@
 #include "engine/level/entities.h"
 #include "engine/scene/light_styles.h"
 #include "game/simulation/collision.h"
-#include "game/simulation/door_links.h"
 #include "game/simulation/entity_keys.h"
+#include "game/simulation/entity_specs.h"
 #include "game/simulation/items.h"
 #include "game/simulation/monster_places.h"
-#include "game/simulation/mover_specs.h"
-#include "game/simulation/trigger_specs.h"
 
 namespace oblong {
 namespace {

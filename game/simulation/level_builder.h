@@ -5,8 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "game/simulation/entity_specs.h"
 #include "game/simulation/game_level.h"
-#include "game/simulation/train_paths.h"
 
 namespace oblong {
 

@@ -1,10 +1,9 @@
-#include "game/simulation/mover_specs.h"
-
 #include <algorithm>
 #include <string>
 
 #include "engine/fixed/trig.h"
 #include "game/simulation/entity_keys.h"
+#include "game/simulation/entity_specs.h"
 #include "game/simulation/tick_input.h"
 
 namespace oblong {

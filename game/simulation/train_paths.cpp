@@ -1,8 +1,7 @@
-#include "game/simulation/train_paths.h"
-
 #include <vector>
 
 #include "game/simulation/entity_keys.h"
+#include "game/simulation/entity_specs.h"
 #include "game/simulation/tick_input.h"
 
 namespace oblong {

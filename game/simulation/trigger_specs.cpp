@@ -1,5 +1,3 @@
-#include "game/simulation/trigger_specs.h"
-
 #include <algorithm>
 #include <array>
 #include <string>
@@ -7,7 +5,7 @@
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "game/simulation/entity_keys.h"
-#include "game/simulation/mover_specs.h"
+#include "game/simulation/entity_specs.h"
 
 namespace oblong {
 namespace {

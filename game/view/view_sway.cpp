@@ -1,9 +1,8 @@
-#include "game/view/view_sway.h"
-
 #include <algorithm>
 
 #include "engine/fixed/trig.h"
 #include "engine/math/basis.h"
+#include "game/view/shown_view.h"
 
 namespace oblong {
 namespace {
@@ -33,7 +32,7 @@ std::int64_t lean(World sideways) {
 
 }  // namespace
 
-void sway(const InterpolatedState& state, const Preferences& preferences, Camera& camera) {
+void sway(const InterpolatedState& state, const ComfortPreferences& preferences, Camera& camera) {
     Velocity velocity = velocity_at(state);
     velocity.z = {};
     if (preferences.view_bob_100 != 0)

@@ -9,7 +9,6 @@
 #include "engine/accuracy/presets.h"
 #include "engine/files/arguments.h"
 #include "tests/support/folders.h"
-#include "tests/support/shared_levels.h"
 
 namespace oblong::test {
 namespace {

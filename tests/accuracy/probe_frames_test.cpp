@@ -9,9 +9,8 @@
 
 #include "tests/accuracy/scenes_fixture.h"
 #include "tools/accuracy/scene_map.h"
-#include "tools/accuracy/scene_textures.h"
 #include "tools/map/compile.h"
-#include "tools/measure/reference_view.h"
+#include "tools/measure/texel_error.h"
 #include "tools/probe/probe.h"
 
 namespace oblong::test {

@@ -10,7 +10,6 @@
 #include <sstream>
 
 #include "tests/accuracy/scenes_fixture.h"
-#include "tools/measure/reference_view.h"
 #include "tools/measure/texel_error.h"
 
 namespace oblong::test {

@@ -3,7 +3,7 @@
 #include "engine/files/files.h"
 #include "tests/support/folders.h"
 #include "tools/accuracy/hard_scenes.h"
-#include "tools/accuracy/level_frames.h"
+#include "tools/accuracy/measured_level.h"
 #include "tools/accuracy/report.h"
 
 namespace oblong::test {

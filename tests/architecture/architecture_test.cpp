@@ -66,6 +66,20 @@ TEST(Architecture, CMakeLinksTheEngineByTheSameList) {
     for (std::size_t i = 0; i < linked.size(); ++i) EXPECT_EQ(linked[i], listed[i]) << linked[i].folder;
 }
 
+// But for what they link of the engine and the tools.
+TEST(Architecture, CMakeLinksTheGameByTheSameList) {
+    const auto of_game = [](Room room) {
+        std::erase_if(room.depends, [](const std::string& folder) { return !folder.starts_with("game/"); });
+        return room;
+    };
+    std::vector<Room> listed;
+    for (const Room& room : project_rooms())
+        if (room.folder.starts_with("game/")) listed.push_back(of_game(room));
+    const std::vector<Room> linked = parse_cmake_rooms(read_text(kRoot / "game/CMakeLists.txt"), "game/");
+    ASSERT_EQ(linked.size(), listed.size());
+    for (std::size_t i = 0; i < linked.size(); ++i) EXPECT_EQ(of_game(linked[i]), listed[i]) << linked[i].folder;
+}
+
 // What the oldest library lacks that the project is compiled with: LLVM 13's, by Debian's WebAssembly compiler.
 TEST(Architecture, NoSourceAsksForMoreThanTheOldestLibraryHas) {
     for (const SourceFile& file : read_sources())

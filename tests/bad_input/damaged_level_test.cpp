@@ -1,7 +1,7 @@
 #include <ostream>
 
 #include "tests/bad_input/run_program.h"
-#include "tests/support/bsp_fault.h"
+#include "tests/support/bsp_writer.h"
 #include "tests/support/folders.h"
 
 // Whole levels with a part gone or moved, through the program. What the reader takes, the renderer must draw:

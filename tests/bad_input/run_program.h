@@ -9,8 +9,6 @@
 
 #include "tests/support/bsp_writer.h"
 #include "tests/support/folders.h"
-#include "tests/support/shared_levels.h"
-#include "tests/support/temporary_folder.h"
 
 namespace oblong::test {
 

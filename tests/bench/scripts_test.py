@@ -1,10 +1,9 @@
 """The measuring scripts on the demo level: their tables account for all that was counted, and they say what is missing.
 
-usage: scripts_test.py ROOT BUILD OBLONG_RENDER stage-costs|compare-peer|scale-chart
+usage: scripts_test.py ROOT BUILD OBLONG_RENDER stages|peer|scale
 Exit code 77: skipped.
 """
-import importlib.machinery
-import importlib.util
+import importlib
 import json
 import os
 import shutil
@@ -15,23 +14,12 @@ import tempfile
 
 sys.dont_write_bytecode = True
 ROOT, BUILD, RENDER = sys.argv[1:4]
+sys.path.insert(0, os.path.join(ROOT, "tools/bench"))
 
 
 def check(condition, message):
     if not condition:
         sys.exit("scripts_test: " + message)
-
-
-def script(name):
-    return os.path.join(ROOT, "tools", name)
-
-
-def load(name):
-    """A script as a module, for its functions alone."""
-    loader = importlib.machinery.SourceFileLoader(name.replace("-", "_"), script(name))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
-    loader.exec_module(module)
-    return module
 
 
 def demo(folder, cameras=2):
@@ -45,7 +33,7 @@ def demo(folder, cameras=2):
 
 
 def run(name, *arguments, **environment):
-    return subprocess.run([script(name), *arguments], capture_output=True, text=True,
+    return subprocess.run([os.path.join(ROOT, "tools", name), *arguments], capture_output=True, text=True,
                           env={**{k: v for k, v in os.environ.items() if k != "OBLONG_PEER"}, **environment})
 
 
@@ -54,8 +42,8 @@ def check_stage_costs(folder):
         print("no valgrind")
         sys.exit(77)
     path = os.path.join(folder, "costs.json")
-    ran = run("stage-costs", "--render", RENDER, "--json", path, *demo(folder))
-    check(ran.returncode == 0, "stage-costs: " + ran.stderr)
+    ran = run("measure-frames", "stages", "--render", RENDER, "--json", path, *demo(folder))
+    check(ran.returncode == 0, "stages: " + ran.stderr)
     with open(path) as file:
         costs = json.load(file)["levels"]["demo"]
     check(abs(sum(costs["stages"].values()) - costs["all"]) < 1e-6 * costs["all"], "the stages do not add up")
@@ -63,7 +51,7 @@ def check_stage_costs(folder):
         check(costs["stages"][stage] > 0.1, "%s costs %g instructions a pixel" % (stage, costs["stages"][stage]))
     check(costs["stages"]["other"] < 0.2 * costs["all"], "a fifth of the instructions is of no stage")
 
-    module, place = load("stage-costs"), type("Place", (), {"name": "here"})
+    module, place = importlib.import_module("stage_costs"), type("Place", (), {"name": "here"})
     costs = module.Costs(place, {"f": 900, "g": 95, "h": 5}, {"f": {"raster/scan.cpp"}, "g": {"effects/sky.cpp"}}, 10)
     check(costs.stages["edge scan"] == 90 and costs.stages["sky"] == 9.5 and costs.stages["other"] == 0.5, "stages of files")
     try:
@@ -99,13 +87,13 @@ def check_compare_peer(folder):
         check(abs(row["ratio_median"] * row["median_us"] - 1000000) < 1, "a ratio is not peer / Oblong: %s" % row)
         parts = list(row["ratio_quantiles"].values())
         check(parts == sorted(parts) and parts[0] > 1, "quantiles of the ratio: %s" % parts)
-    slower = load("compare-peer").compare([10, 20, 30], [20, 20, 10])
+    slower = importlib.import_module("compare_peer").compare([10, 20, 30], [20, 20, 10])
     check(slower["slower"] == 1 and slower["ratio_mean"] == 60 / 50, "a slower frame: %s" % slower)
 
 
 def check_scale_chart(folder):
-    ran = run("scale-chart", "--quick", "--render", RENDER, "--out", folder, *demo(folder))
-    check(ran.returncode == 0, "scale-chart: " + ran.stderr)
+    ran = run("measure-frames", "scale", "--quick", "--render", RENDER, "--out", folder, *demo(folder))
+    check(ran.returncode == 0, "scale: " + ran.stderr)
     with open(os.path.join(folder, "scale.json")) as file:
         found = json.load(file)
     check([row["pixels"] for row in found["modes"]] == [320 * 200, 3840 * 2400], "modes: %s" % found["modes"])
@@ -119,8 +107,7 @@ def check_scale_chart(folder):
 
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        {"stage-costs": check_stage_costs, "compare-peer": check_compare_peer,
-         "scale-chart": check_scale_chart}[sys.argv[4]](folder)
+        {"stages": check_stage_costs, "peer": check_compare_peer, "scale": check_scale_chart}[sys.argv[4]](folder)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/input/stick_response.h"
+#include "game/input/controls.h"
 #include "game/input/tick_input_source.h"
 #include "game/options/preferences.h"
 

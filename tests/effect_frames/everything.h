@@ -3,8 +3,7 @@
 #include "engine/level/bsp_read.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/support/folders.h"
-#include "tests/support/shared_levels.h"
-#include "tools/gallery/mesh_shapes.h"
+#include "tools/gallery/mesh_scene.h"
 
 /// A room that calls for every effect at once (tools/effect_costs/all_effects.map).
 namespace oblong::test {

@@ -1,7 +1,7 @@
 // Mirrors: what is in them, and what they leave of the frame around them. Rays through one are in tests/map.
 
 #include "tests/effect_frames/effect_stage.h"
-#include "tools/gallery/mesh_shapes.h"
+#include "tools/gallery/mesh_scene.h"
 
 namespace oblong::test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "engine/accuracy/presets.h"
 #include "tests/effect_frames/effect_stage.h"
-#include "tools/gallery/mesh_shapes.h"
+#include "tools/gallery/mesh_scene.h"
 
 namespace oblong::test {
 namespace {

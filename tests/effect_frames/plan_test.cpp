@@ -7,7 +7,7 @@
 #include "engine/level/side.h"
 #include "engine/visibility/eye.h"
 #include "tests/effect_frames/effect_stage.h"
-#include "tests/support/shared_levels.h"
+#include "tests/support/folders.h"
 #include "tools/render/camera_list.h"
 
 namespace oblong::test {

@@ -10,8 +10,8 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
 #include "tests/effects/view.h"
+#include "tests/support/bsp_writer.h"
 #include "tests/support/point.h"
-#include "tests/support/tiny_bsp.h"
 
 namespace oblong::test {
 

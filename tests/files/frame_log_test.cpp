@@ -12,7 +12,7 @@
 #include "engine/fixed/trig.h"
 #include "engine/level/bsp_read.h"
 #include "engine/view/views.h"
-#include "tests/support/tiny_bsp.h"
+#include "tests/support/bsp_writer.h"
 
 namespace oblong {
 namespace {

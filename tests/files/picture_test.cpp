@@ -9,11 +9,10 @@
 
 #include "engine/base/input_error.h"
 #include "tests/files/png_writer.h"
+#include "tests/support/bsp_writer.h"
 
 namespace oblong::test {
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
 
 // 16x16, the left half (200, 40, 60), the right one (20, 120, 220); baseline.
 constexpr std::string_view kTwoColoursJpeg =
@@ -39,11 +38,6 @@ Bytes bytes_of(std::string_view digits) {
     return bytes;
 }
 
-void append_16(Bytes& bytes, int value) {
-    bytes.push_back(static_cast<std::uint8_t>(value & 255));
-    bytes.push_back(static_cast<std::uint8_t>(value >> 8));
-}
-
 /// Texel (x, y) of the files below: every one another colour.
 Rgb8 colour_at(int x, int y) {
     return {static_cast<std::uint8_t>(x * 7 + 3), static_cast<std::uint8_t>(y * 11 + 1),
@@ -53,8 +47,8 @@ Rgb8 colour_at(int x, int y) {
 /// As the specification of Truevision (1989) has it: header of 18 bytes, here rows from the top, then blue, green, red.
 Bytes tga_header(int kind, int width, int height, int bits) {
     Bytes file{0, 0, static_cast<std::uint8_t>(kind), 0, 0, 0, 0, 0, 0, 0, 0, 0};
-    append_16(file, width);
-    append_16(file, height);
+    ByteWriter(file).i16(width);
+    ByteWriter(file).i16(height);
     file.push_back(static_cast<std::uint8_t>(bits));
     file.push_back(0x20);
     return file;
@@ -80,11 +74,10 @@ Bytes packed_tga() {
 /// Microsoft's BITMAPINFOHEADER: rows from the bottom, each of a multiple of 4 bytes.
 Bytes bmp(int width, int height) {
     Bytes file{'B', 'M'};
-    const auto append_32 = [&](int value) { append_16(file, value & 0xffff), append_16(file, value >> 16); };
-    for (const int value : {0, 0, 54, 40, width, height}) append_32(value);
-    append_16(file, 1);
-    append_16(file, 24);
-    for (int i = 0; i < 6; ++i) append_32(0);
+    ByteWriter out(file);
+    for (const int value : {0, 0, 54, 40, width, height}) out.i32(value);
+    out.i16(1).i16(24);
+    for (int i = 0; i < 6; ++i) out.i32(0);
     for (int y = height - 1; y >= 0; --y) {
         for (int x = 0; x < width; ++x) {
             const Rgb8 colour = colour_at(x, y);

@@ -6,6 +6,8 @@
 
 #include "engine/base/input_error.h"
 #include "tests/files/png_writer.h"
+#include "tests/support/folders.h"
+#include "tests/support/pictures.h"
 
 namespace oblong::test {
 namespace {
@@ -220,6 +222,25 @@ std::string name_of_kind(const testing::TestParamInfo<PngBytes>& kind) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, DamagedPng, testing::ValuesIn(kinds()), name_of_kind);
+
+// What the tests themselves show of a picture that is not as expected (tests/support/pictures.h).
+TEST(SamePicture, SaysWhereItDiffersAndWritesBothPictures) {
+    const PngBytes found{1, 2, 3, 4, 5, 6, 7, 8}, expected{1, 9, 3, 4, 5, 6, 7, 9};
+    EXPECT_TRUE(same_picture(found, found, 4));
+    EXPECT_FALSE(same_picture(found, PngBytes{1, 2, 3, 4}, 4));
+    const testing::AssertionResult result = same_picture(found, expected, 4);
+    EXPECT_FALSE(result);
+    const std::string message = result.message(), part = "2 pixels differ, first column 1, row 0: 2, expected 9. ";
+    EXPECT_TRUE(message.starts_with(part)) << message;
+    const std::string place =
+        build_folder() + "/failed_pictures/SamePicture.SaysWhereItDiffersAndWritesBothPictures-1-";
+    const std::vector<std::pair<std::string, PngBytes>> written{
+        {"found", found}, {"expected", expected}, {"difference", {0, 255, 0, 0, 0, 0, 0, 255}}};
+    for (const auto& [name, pixels] : written) {
+        EXPECT_EQ(decode_png(read_file_bytes(place + name + ".png")).indices, pixels) << name;
+        std::filesystem::remove(place + name + ".png");
+    }
+}
 
 }  // namespace
 }  // namespace oblong::test

@@ -4,8 +4,14 @@
 #include <rapidcheck/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <random>
+
+#include "engine/fixed/reciprocal.h"
+#include "engine/fixed/share.h"
 
 namespace oblong {
+
 namespace {
 
 __extension__ using Int128 = __int128;
@@ -130,5 +136,103 @@ TEST(Log2Floor, AroundEveryPowerOfTwo) {
     EXPECT_EQ(log2_floor(1), 0);
 }
 
+// All 2^31 mantissas are tried in tests/exhaustive; here a dense set of them.
+
+TEST(HardCaseA4, ErrorOfEachMethodStaysBelowWhatItsNameStates) {
+    // In the order of kReciprocalMethods: powers of two that the worst errors stay below.
+    constexpr std::array kErrorBits = {9, 18, 21, 30, 31};
+    for (std::size_t i = 0; i < kReciprocalMethods.size(); ++i)
+        for (std::uint64_t m = std::uint64_t{1} << 31; m < std::uint64_t{1} << 32; m += 65'521) {
+            const std::uint64_t r = mantissa_reciprocal(static_cast<std::uint32_t>(m), kReciprocalMethods[i]);
+            const auto error_62 = static_cast<std::int64_t>(r * m - (std::uint64_t{1} << 62));
+            ASSERT_LE(std::abs(error_62), std::int64_t{1} << (62 - kErrorBits[i])) << "method " << i << ", " << m;
+        }
+}
+
+/// A step of Newton's from 256 entries does rise where an entry begins: by what its comment says.
+constexpr std::uint32_t allowed_rise(ReciprocalMethod method) {
+    return method == ReciprocalMethod::Table256Newton ? 1 << 6 : 0;
+}
+
+TEST(HardCaseA5, ReciprocalNeverRisesWithDepth) {
+    for (const ReciprocalMethod method : kReciprocalMethods) {
+        std::uint32_t before = mantissa_reciprocal(0x80000000, method);
+        for (std::uint64_t m = 0x80000001; m < 0x100000000; m += 7'919) {
+            const std::uint32_t r = mantissa_reciprocal(static_cast<std::uint32_t>(m), method);
+            ASSERT_LE(r, before + allowed_rise(method)) << static_cast<int>(method) << " " << m;
+            before = r;
+        }
+    }
+}
+
+TEST(HardCaseA5, ReciprocalNeverRisesWhereAPartOfTheTableEnds) {
+    for (const ReciprocalMethod method : kReciprocalMethods)
+        for (std::uint32_t part = 1; part < 1024; ++part) {
+            const std::uint32_t first = 0x80000000 + (part << 21);
+            ASSERT_LE(mantissa_reciprocal(first, method), mantissa_reciprocal(first - 1, method) + allowed_rise(method))
+                << static_cast<int>(method) << " " << part;
+        }
+}
+
 }  // namespace
+
 }  // namespace oblong
+
+namespace oblong::test {
+
+namespace {
+
+using Number = Fixed<std::int64_t, 41>;
+
+std::int64_t share_of(std::int64_t size, std::int64_t part, std::int64_t whole) {
+    return Share(Number::from_raw(part), Number::from_raw(whole)).of(size);
+}
+
+/// Of any number of bits up to `bits`, so that small ones are tried too.
+std::int64_t random_up_to(int bits, std::mt19937_64& random) {
+    const int shift = 64 - static_cast<int>(1 + random() % static_cast<std::uint64_t>(bits));
+    return static_cast<std::int64_t>(random() >> shift);
+}
+
+/// Shares by wide arithmetic, of numbers up to so many bits.
+void expect_exact(int size_bits, int whole_bits, int trials) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(size_bits * 64 + whole_bits));
+    for (int trial = 0; trial < trials; ++trial) {
+        const std::int64_t whole = std::max<std::int64_t>(random_up_to(whole_bits, random), 1);
+        const std::int64_t part = trial % 3 == 0 ? whole - random_up_to(whole_bits, random) % whole
+                                                 : random_up_to(whole_bits, random) % (whole + 1);
+        const std::int64_t size = random_up_to(size_bits, random) * (trial % 2 ? 1 : -1);
+        ASSERT_EQ(share_of(size, part, whole), mul_div(size, part, whole)) << size << " * " << part << " / " << whole;
+    }
+}
+
+}  // namespace
+
+TEST(Share, IsThatOfWideArithmetic) {
+    expect_exact(33, 57, 500'000);
+    expect_exact(40, 62, 100'000);
+    expect_exact(20, 20, 100'000);
+}
+
+/// A quotient of 30 bits is farthest off where the part is just below a multiple of 2^-30 of the whole.
+TEST(Share, IsExactWhereTheQuotientIsFarthestOff) {
+    std::mt19937_64 random(1);
+    for (int trial = 0; trial < 200'000; ++trial) {
+        const std::int64_t whole = (std::int64_t{1} << 56) + random_up_to(56, random);
+        const std::int64_t step = (whole >> 30) * static_cast<std::int64_t>(random() % (std::uint64_t{1} << 30));
+        const std::int64_t part = std::clamp<std::int64_t>(step - 3 + trial % 7, 0, whole);
+        const std::int64_t size = (std::int64_t{1} << 33) - trial % 5;
+        ASSERT_EQ(share_of(size, part, whole), mul_div(size, part, whole));
+        ASSERT_EQ(share_of(-size, part, whole), mul_div(-size, part, whole));
+    }
+}
+
+TEST(Share, OfATieIsTheUpperStep) {
+    EXPECT_EQ(share_of(1, 1, 2), 1);
+    EXPECT_EQ(share_of(-1, 1, 2), 0);
+    EXPECT_EQ(share_of(-3, 1, 2), -1);
+    EXPECT_EQ(share_of(7, 0, 5), 0);
+    EXPECT_EQ(share_of(-7, 5, 5), -7);
+}
+
+}  // namespace oblong::test

@@ -12,7 +12,6 @@
 #include "engine/scene/placed_models.h"
 #include "tests/support/folders.h"
 #include "tests/support/observed_workspace.h"
-#include "tests/support/shared_levels.h"
 
 namespace oblong::test {
 

@@ -37,6 +37,10 @@ inline std::string first_wrong_pixels(const Stage& stage, const FrameCounts& cou
 inline void expect_each_pixel_once(Stage& stage, const Camera& camera, ObservedWorkspace& work) {
     stage.draw(camera, work);
     std::int64_t never = 0, twice = 0;
+    std::int64_t owned = 0;
+    for (std::size_t i = 0; i < kPassCount; ++i)
+        if (kPasses[i].owns_pixels) owned += work.counts.pass_pixels[i];
+    EXPECT_EQ(owned, std::ssize(work.counts.writes)) << "pixels of the passes that own theirs";
     for (const std::uint8_t writes : work.counts.writes) {
         never += writes == 0;
         twice += writes > 1;

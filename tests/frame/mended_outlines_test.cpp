@@ -12,29 +12,24 @@
 #include "engine/level/t_junctions.h"
 #include "engine/scene/face_table.h"
 #include "tests/frame/frame_fixture.h"
+#include "tests/support/point.h"
 
 namespace oblong::test {
 
 namespace {
 
-struct Point {
-    double x, y, z;
-};
-
 Point point_of(const Level& level, VertexIndex vertex) {
-    const Vec3<World>& p = level.vertices[vertex];
-    return {p.x.raw / 4096.0, p.y.raw / 4096.0, p.z.raw / 4096.0};
+    return to_point(level.vertices[vertex]);
 }
 
 /// Whether p lies on the edge from a to b, nearer than 1/600 unit to it and farther than 1/100 from its ends.
 bool is_inside_edge(const Point& a, const Point& b, const Point& p) {
-    const Point along{b.x - a.x, b.y - a.y, b.z - a.z}, offset{p.x - a.x, p.y - a.y, p.z - a.z};
-    const double length = std::hypot(along.x, along.y, along.z);
-    if (length == 0) return false;
-    const double part = (offset.x * along.x + offset.y * along.y + offset.z * along.z) / length;
-    if (part < 0.01 || part > length - 0.01) return false;
-    const double scale = part / length;
-    return std::hypot(offset.x - along.x * scale, offset.y - along.y * scale, offset.z - along.z * scale) < 1.0 / 600;
+    const Point along = b - a, offset = p - a;
+    const double size = length(along);
+    if (size == 0) return false;
+    const double part = dot(offset, along) / size;
+    if (part < 0.01 || part > size - 0.01) return false;
+    return length(offset - along * (part / size)) < 1.0 / 600;
 }
 
 bool has_vertex_inside(const Level& level, const std::vector<VertexIndex>& by_x, VertexIndex from, VertexIndex to) {

@@ -11,30 +11,11 @@
 
 #include "engine/view/views.h"
 #include "tests/frame/holes.h"
+#include "tests/support/point.h"
 
 namespace oblong::test {
 
 namespace {
-
-using Point = std::array<double, 3>;
-
-Point point_of(const Vec3<World>& p) {
-    return {p.x.raw / 4096.0, p.y.raw / 4096.0, p.z.raw / 4096.0};
-}
-Point sum(const Point& a, const Point& b, double times = 1) {
-    return {a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]};
-}
-Point cross(const Point& a, const Point& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Point& a, const Point& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-template <class Component>
-Point direction(const Vec3<Component>& v) {
-    return {std::ldexp(v.x.raw, -Component::kFractionBits), std::ldexp(v.y.raw, -Component::kFractionBits),
-            std::ldexp(v.z.raw, -Component::kFractionBits)};
-}
 
 /// A face of the world, in doubles; normal . p = distance.
 struct TrueFace {
@@ -51,10 +32,10 @@ std::vector<TrueFace> true_faces(const Level& level, const FaceTable& table) {
         const LevelPlane& plane = level.planes[face.plane];
         TrueFace& made = faces.emplace_back();
         made.index = index;
-        made.normal = direction(face.is_back ? -plane.normal : plane.normal);
+        made.normal = to_point(face.is_back ? -plane.normal : plane.normal);
         made.distance = std::ldexp(face.is_back ? -plane.distance.raw : plane.distance.raw, -42);
         for (const VertexIndex corner : table.corners_of(index))
-            made.corners.push_back(point_of(level.vertices[corner]));
+            made.corners.push_back(to_point(level.vertices[corner]));
     }
     return faces;
 }
@@ -73,22 +54,22 @@ struct TrueView {
 
     Ray through(double x_px, double y_px) const {
         const double x = (x_px - 160) / 160 * half_width, y = (100 - y_px) / 100 * 0.75 * half_width;
-        const Point across = sum({x * right[0], x * right[1], x * right[2]}, up, y);
-        if (is_parallel) return {sum(eye, across), middle, -std::numeric_limits<double>::infinity()};
-        return {eye, sum(middle, across), 0};
+        const Point across = right * x + up * y;
+        if (is_parallel) return {eye + across, middle, -std::numeric_limits<double>::infinity()};
+        return {eye, middle + across, 0};
     }
 };
 
 bool is_kept(const ViewSpec& view, const Point& p) {
     for (const ViewCut& cut : view.cuts)
-        if (dot(direction(cut.normal), p) < std::ldexp(cut.distance.raw, -42)) return false;
+        if (dot(to_point(cut.normal), p) < std::ldexp(cut.distance.raw, -42)) return false;
     return true;
 }
 
 bool contains(const TrueFace& face, const Point& p) {
     for (std::size_t i = 0; i < face.corners.size(); ++i) {
         const Point &a = face.corners[i], &b = face.corners[(i + 1) % face.corners.size()];
-        if (dot(cross(sum(b, a, -1), sum(p, a, -1)), face.normal) > 0) return false;  // clockwise
+        if (dot(cross(b - a, p - a), face.normal) > 0) return false;  // clockwise
     }
     return true;
 }
@@ -106,7 +87,7 @@ Hit first_hit(const std::vector<TrueFace>& faces, const Ray& ray, const ViewSpec
         if (facing >= 0) continue;
         const double way = (face.distance - dot(face.normal, ray.from)) / facing;
         if (way <= ray.start || way >= nearest) continue;
-        const Point at = sum(ray.from, ray.along, way);
+        const Point at = ray.from + ray.along * way;
         if (!is_kept(view, at) || !contains(face, at)) continue;
         nearest = way;
         hit = {&face, at};
@@ -131,7 +112,7 @@ std::optional<Hit> surely_hit(const std::vector<TrueFace>& faces, const TrueView
 }
 
 double texel(const Vec3<TexelAxis>& axis, Texel offset, const Point& p) {
-    return dot(direction(axis), p) + std::ldexp(offset.raw, -16);
+    return dot(to_point(axis), p) + std::ldexp(offset.raw, -16);
 }
 
 class ViewFrames {
@@ -217,8 +198,8 @@ void check_parallel(ViewFrames& frames, const ParallelCase& which, const Vec3<Wo
     view.shear_x = Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(which.shear_x, 30))));
     view.shear_y = Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(which.shear_y, 30))));
     if (is_cut) cut_front(view, centre, World::from_raw(-37));
-    const Point middle = sum(sum(which.ahead, which.right, which.shear_x), which.up, which.shear_y);
-    frames.check(view, {true, point_of(centre), which.right, which.up, middle, width / 2.0}, 40, random, tally);
+    const Point middle = which.ahead + which.right * which.shear_x + which.up * which.shear_y;
+    frames.check(view, {true, to_point(centre), which.right, which.up, middle, width / 2.0}, 40, random, tally);
 }
 
 Vec3<World> random_place(const Level& level, std::mt19937& random) {
@@ -264,10 +245,10 @@ Tally check_windows(Stage& stage, int places, bool is_cut) {
         view.shear_y = Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(within(0.7), 30))));
         if (is_cut) cut_front(view, camera.eye, World::from_int(32 << random() % 4));
         if (is_cut) cut_back(view, camera.eye, World::from_int(512));
-        const Point right = direction(view.axes.right), up = direction(view.axes.up);
-        const Point middle = sum(sum(direction(view.axes.forward), right, std::ldexp(view.shear_x.raw, -30)), up,
-                                 std::ldexp(view.shear_y.raw, -30));
-        frames.check(view, {false, point_of(camera.eye), right, up, middle, 1}, 40, random, tally);
+        const Point right = to_point(view.axes.right), up = to_point(view.axes.up);
+        const Point middle = to_point(view.axes.forward) + right * std::ldexp(view.shear_x.raw, -30) +
+                             up * std::ldexp(view.shear_y.raw, -30);
+        frames.check(view, {false, to_point(camera.eye), right, up, middle, 1}, 40, random, tally);
     }
     return tally;
 }

@@ -8,28 +8,11 @@
 #include <random>
 
 #include "tests/frame/holes.h"
+#include "tests/support/point.h"
 
 namespace oblong::test {
 
 namespace {
-
-using Point = std::array<double, 3>;
-
-Point point_of(const Vec3<World>& p) {
-    return {p.x.raw / 4096.0, p.y.raw / 4096.0, p.z.raw / 4096.0};
-}
-
-Point minus(const Point& a, const Point& b) {
-    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-Point cross(const Point& a, const Point& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot(const Point& a, const Point& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// From the eye through the middle of a pixel of 320x200 on 4:3, 90 degrees across; no roll.
 Point ray_through(const Camera& camera, int column, int row) {
@@ -37,9 +20,7 @@ Point ray_through(const Camera& camera, int column, int row) {
     const double right = (column + 0.5 - 160) / 160, up = -(row + 0.5 - 100) / 100 * 0.75;
     const Point ahead{std::cos(yaw) * std::cos(pitch), std::sin(yaw) * std::cos(pitch), -std::sin(pitch)};
     const Point rightward{std::sin(yaw), -std::cos(yaw), 0}, upward = cross(rightward, ahead);
-    Point ray{};
-    for (std::size_t i = 0; i < 3; ++i) ray[i] = ahead[i] + right * rightward[i] + up * upward[i];
-    return ray;
+    return ahead + rightward * right + upward * up;
 }
 
 /// Whether a ray passes through a face from its front, well inside (1) or in doubt (0); -1: surely not.
@@ -48,10 +29,10 @@ int passes(const Level& level, const FaceTable& table, FaceIndex face, const Poi
     constexpr double kDoubt = 1e-2;
     int verdict = 1;
     double volume = 0;  // above 0 from the front
-    const Point start = minus(point_of(level.vertices[corners[0]]), eye);
+    const Point start = to_point(level.vertices[corners[0]]) - eye;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point a = minus(point_of(level.vertices[corners[i]]), eye);
-        const Point b = minus(point_of(level.vertices[corners[(i + 1) % corners.size()]]), eye);
+        const Point a = to_point(level.vertices[corners[i]]) - eye;
+        const Point b = to_point(level.vertices[corners[(i + 1) % corners.size()]]) - eye;
         const Point normal = cross(a, b);  // inward, as corners run clockwise
         volume += dot(normal, start);
         const double distance = dot(normal, ray) / (std::sqrt(dot(normal, normal) * dot(ray, ray)) + 1e-30);
@@ -106,7 +87,7 @@ void check_picture(Stage& stage, const Camera& camera, ObservedWorkspace& work, 
     for (int i = 0; i < 60; ++i) {
         const int column = static_cast<int>(random() % 320), row = static_cast<int>(random() % 200);
         const Surely before =
-            what_is_before(stage.level, work.cache.faces, point_of(camera.eye), ray_through(camera, column, row));
+            what_is_before(stage.level, work.cache.faces, to_point(camera.eye), ray_through(camera, column, row));
         if (before == Surely::InDoubt) continue;
         ++(before == Surely::Something ? tally.something : tally.nothing);
         ASSERT_EQ(work.counts.writes[static_cast<std::size_t>(row * 320 + column)], before == Surely::Something)

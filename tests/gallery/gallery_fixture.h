@@ -8,7 +8,6 @@
 
 #include "engine/level/bsp_read.h"
 #include "tests/support/folders.h"
-#include "tests/support/shared_levels.h"
 #include "tools/gallery/row.h"
 
 namespace oblong::test {

@@ -1,12 +1,11 @@
 // What holds for every row of the gallery. What a row shows is tested beside what it shows: Row::test.
 
-#include "tools/gallery/rows.h"
-
 #include <set>
 
 #include "tests/gallery/gallery_fixture.h"
 #include "tests/support/folders.h"
 #include "tools/gallery/page.h"
+#include "tools/gallery/row.h"
 
 namespace oblong::test {
 namespace {

@@ -3,7 +3,7 @@
 #include "engine/level/bsp_read.h"
 #include "game/simulation/collision.h"
 #include "game/simulation/step.h"
-#include "tests/support/shared_levels.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "tests/support/folders.h"
-#include "tests/support/shared_levels.h"
 
 namespace oblong {
 namespace {

@@ -4,7 +4,7 @@
 #include "game/simulation/collision.h"
 #include "game/simulation/state_check.h"
 #include "game/simulation/step.h"
-#include "tests/support/shared_levels.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {

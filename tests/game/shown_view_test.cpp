@@ -8,7 +8,6 @@
 #include "engine/level/bsp_read.h"
 #include "game/program/view_options.h"
 #include "tests/support/folders.h"
-#include "tests/support/shared_levels.h"
 
 namespace oblong {
 namespace {

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "engine/raster/scan.h"
-#include "tests/hard_cases/frame_outline.h"
 #include "tests/hard_cases/hard_case.h"
 #include "tools/reference/polygon.h"
 

@@ -1,5 +1,3 @@
-#include "tools/reference/coverage.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "engine/raster/scan.h"
 #include "tests/hard_cases/hard_case.h"
+#include "tools/reference/polygon.h"
 
 namespace oblong {
 namespace {

@@ -1,5 +1,3 @@
-#include "tools/reference/projection.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "engine/math/vec.h"
 #include "engine/raster/scan.h"
 #include "tests/hard_cases/hard_case.h"
+#include "tools/reference/view.h"
 
 namespace oblong {
 namespace {

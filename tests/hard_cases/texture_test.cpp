@@ -6,9 +6,8 @@
 #include "engine/raster/scan.h"
 #include "engine/raster/texture_blocks.h"
 #include "engine/view/triangle_gradients.h"
-#include "tests/hard_cases/frame_outline.h"
 #include "tests/hard_cases/hard_case.h"
-#include "tools/reference/texel.h"
+#include "tools/reference/plane_view.h"
 
 namespace oblong {
 namespace {

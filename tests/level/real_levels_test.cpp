@@ -5,7 +5,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/pvs.h"
 #include "tests/support/bsp_writer.h"
-#include "tests/support/shared_levels.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {

@@ -5,13 +5,13 @@
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
 #include "engine/level/trace.h"
+#include "tests/support/folders.h"
 #include "tests/support/point.h"
-#include "tests/support/shared_levels.h"
 
 namespace oblong {
 namespace {
 
-using test::along, test::dot, test::Point, test::to_point, test::to_world;
+using test::along, test::Point, test::to_point, test::to_world;
 
 class RealTrace : public testing::TestWithParam<const char*> {
   protected:

@@ -8,8 +8,7 @@
 
 #include "engine/level/bsp_read.h"
 #include "tests/support/bsp_writer.h"
-#include "tests/support/shared_levels.h"
-#include "tests/support/tiny_bsp.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {

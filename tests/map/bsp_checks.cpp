@@ -1,7 +1,11 @@
 #include "tests/map/bsp_checks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <random>
+#include <sstream>
 
 #include "engine/level/level.h"
 
@@ -97,6 +101,193 @@ std::vector<bool> visible_leaves(const BspFile& bsp, int leaf) {
         ++byte;
     }
     return seen;
+}
+
+using map::BspFile;
+using map::cross;
+using map::dot;
+using map::length;
+using map::Point;
+using map::scaled;
+
+namespace {
+
+constexpr double kTooNear = 1.0 / 64;  // of points: what is welded or rounded
+constexpr double kFar = 100000;
+
+struct Polygon {
+    FacingPlane plane;
+    std::vector<Point> corners;
+    bool is_liquid = false;
+};
+
+struct Ray {
+    Point from, direction;
+    Point at(double distance) const { return from + scaled(direction, distance); }
+};
+
+// The stretch of a ray in one leaf, up to `end`.
+struct Stretch {
+    int leaf = 0;
+    double end = 0;
+};
+
+class Level {
+  public:
+    explicit Level(const BspFile& bsp) : bsp_(bsp), marked_(bsp.leaves.size()) {
+        const auto& world = bsp.models.front();
+        for (int i = 0; i < world.face_count; ++i) {
+            const auto& face = bsp.faces[static_cast<std::size_t>(i)];
+            const auto& texinfo = bsp.texinfos[static_cast<std::size_t>(face.texinfo)];
+            const bool is_liquid = bsp.textures[static_cast<std::size_t>(texinfo.texture)][0] == '*';
+            polygons_.push_back({facing_plane(bsp, face), corners_of(bsp, face), is_liquid});
+        }
+        for (std::size_t leaf = 0; leaf < bsp.leaves.size(); ++leaf) {
+            for (int i = 0; i < bsp.leaves[leaf].mark_face_count; ++i)
+                marked_[leaf].push_back(bsp.mark_faces[static_cast<std::size_t>(bsp.leaves[leaf].first_mark_face + i)]);
+        }
+    }
+
+    const BspFile& bsp() const { return bsp_; }
+
+    bool is_blocking(int leaf) const {
+        const int contents = bsp_.leaves[static_cast<std::size_t>(leaf)].contents;
+        return contents == contents::kSolid || contents == contents::kSky;
+    }
+
+    // The leaves along a ray until the first that blocks, that one included.
+    std::vector<Stretch> walk(const Ray& ray) const {
+        std::vector<Stretch> stretches;
+        walk(bsp_.models.front().head_nodes[0], ray, 0, kFar, stretches);
+        return stretches;
+    }
+
+    // The first distance at which the ray meets the front of a face that is no liquid's, and the face. `slack`: how far
+    // beyond its edges a face still counts as met.
+    std::pair<double, int> first_face(const Ray& ray, double slack) const {
+        std::pair<double, int> first{kFar, -1};
+        for (std::size_t i = 0; i < polygons_.size(); ++i) {
+            const auto distance = meets(polygons_[i], ray, slack);
+            if (distance && *distance < first.first) first = {*distance, static_cast<int>(i)};
+        }
+        return first;
+    }
+
+    bool is_marked_in(int face, const std::vector<bool>& leaves) const {
+        for (std::size_t leaf = 1; leaf < leaves.size(); ++leaf) {
+            if (leaves[leaf] && std::find(marked_[leaf].begin(), marked_[leaf].end(), face) != marked_[leaf].end())
+                return true;
+        }
+        return false;
+    }
+
+  private:
+    bool walk(int child, const Ray& ray, double begin, double end, std::vector<Stretch>& stretches) const {
+        if (child < 0) {
+            stretches.push_back({-1 - child, end});
+            return is_blocking(-1 - child);
+        }
+        const auto& node = bsp_.nodes[static_cast<std::size_t>(child)];
+        const FacingPlane plane = facing_plane(bsp_, {node.plane, 0, 0, 0, 0, {}, -1});
+        const double begin_height = dot(plane.normal, ray.at(begin)) - plane.distance;
+        const double end_height = dot(plane.normal, ray.at(end)) - plane.distance;
+        const std::size_t near = begin_height < 0 ? 1 : 0, far = end_height < 0 ? 1 : 0;
+        if (near == far) return walk(node.children[near], ray, begin, end, stretches);
+        const double middle = begin + (end - begin) * begin_height / (begin_height - end_height);
+        return walk(node.children[near], ray, begin, middle, stretches) ||
+               walk(node.children[far], ray, middle, end, stretches);
+    }
+
+    static std::optional<double> meets(const Polygon& polygon, const Ray& ray, double slack) {
+        const double approach = -dot(polygon.plane.normal, ray.direction);
+        if (polygon.is_liquid || approach <= 0) return std::nullopt;
+        const double distance = (dot(polygon.plane.normal, ray.from) - polygon.plane.distance) / approach;
+        if (distance < -kTooNear) return std::nullopt;
+        const Point hit = ray.at(distance);
+        for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
+            const Point& from = polygon.corners[i];
+            const Point edge = polygon.corners[(i + 1) % polygon.corners.size()] - from;
+            if (dot(polygon.plane.normal, cross(edge, hit - from)) > slack * length(edge)) return std::nullopt;
+        }
+        return distance;
+    }
+
+    const BspFile& bsp_;
+    std::vector<Polygon> polygons_;
+    std::vector<std::vector<int>> marked_;
+};
+
+double random_unit(std::mt19937& random) {
+    return static_cast<double>(random()) / 4294967296.0;
+}
+
+Point random_direction(std::mt19937& random) {
+    while (true) {
+        const Point p{2 * random_unit(random) - 1, 2 * random_unit(random) - 1, 2 * random_unit(random) - 1};
+        if (length(p) > 0.1 && length(p) < 1) return scaled(p, 1 / length(p));
+    }
+}
+
+// A point of a random leaf; nothing if the box of the leaf did not yield one.
+std::optional<Point> random_open_point(const Level& level, std::mt19937& random) {
+    const auto count = static_cast<unsigned>(level.bsp().models.front().visible_leaf_count);
+    const int index = 1 + static_cast<int>(random() % count);
+    const auto& box = level.bsp().leaves[static_cast<std::size_t>(index)].box;
+    if (level.is_blocking(index)) return std::nullopt;
+    for (int tries = 0; tries < 50; ++tries) {
+        std::array<double, 3> p{};
+        for (std::size_t i = 0; i < 3; ++i) p[i] = box.mins[i] + (box.maxs[i] - box.mins[i]) * random_unit(random);
+        const Point point{p[0], p[1], p[2]};
+        if (leaf_at(level.bsp(), point) == index) return point;
+    }
+    return std::nullopt;
+}
+
+std::string described(const char* fault, const Ray& ray, double distance) {
+    std::ostringstream text;
+    text.precision(10);
+    text << fault << " from " << ray.from.x << ' ' << ray.from.y << ' ' << ray.from.z << " towards " << ray.direction.x
+         << ' ' << ray.direction.y << ' ' << ray.direction.z << " at distance " << distance;
+    return text.str();
+}
+
+// At a grazing angle the rounding of a corner shifts the meeting point along the ray.
+double shift_at(const Level& level, const Ray& ray, int face) {
+    if (face < 0) return 0;
+    const FacingPlane plane = facing_plane(level.bsp(), level.bsp().faces[static_cast<std::size_t>(face)]);
+    return 0.02 + 2 * kTooNear / std::abs(dot(ray.direction, plane.normal));
+}
+
+std::string fault_of(const Level& level, const Ray& ray) {
+    const std::vector<Stretch> stretches = level.walk(ray);
+    const double open_until = stretches.size() < 2 ? 0 : stretches[stretches.size() - 2].end;
+    if (!level.is_blocking(stretches.back().leaf)) return described("the ray leaves the level", ray, kFar);
+    const auto [distance, face] = level.first_face(ray, kTooNear);
+    if (distance > open_until + shift_at(level, ray, face)) return described("hole", ray, open_until);
+    const auto [sure_distance, sure_face] = level.first_face(ray, -kTooNear);
+    if (sure_distance < open_until - shift_at(level, ray, sure_face))
+        return described("a wall in the air", ray, sure_distance);
+    const std::vector<bool> seen = visible_leaves(level.bsp(), stretches.front().leaf);
+    for (std::size_t i = 0; i + 1 < stretches.size(); ++i) {
+        const double begin = i == 0 ? 0 : stretches[i - 1].end;
+        if (stretches[i].end - begin > kTooNear && !seen[static_cast<std::size_t>(stretches[i].leaf)])
+            return described("a leaf in sight is not in the visible set", ray, begin);
+    }
+    return level.is_marked_in(face, seen) ? "" : described("the face is in no visible leaf", ray, distance);
+}
+
+}  // namespace
+
+std::string first_fault_of_rays(const BspFile& bsp, int ray_count, unsigned seed) {
+    const Level level(bsp);
+    std::mt19937 random(seed);
+    for (int i = 0; i < ray_count; ++i) {
+        const auto from = random_open_point(level, random);
+        if (!from) continue;
+        const std::string fault = fault_of(level, {*from, random_direction(random)});
+        if (!fault.empty()) return fault;
+    }
+    return "";
 }
 
 }  // namespace oblong::test

@@ -9,6 +9,7 @@
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
 #include "tests/map/map_source.h"
+#include "tools/reference/vec.h"
 
 // Pictures of brush models that stand in each other, held against rays through the boxes themselves.
 namespace oblong::test {
@@ -23,7 +24,7 @@ struct TexturedBox {
 constexpr Whole kRoomMins{-256, -256, -256}, kRoomMaxs{256, 256, 256};
 constexpr std::uint8_t kRoomColour = 1;
 
-using Direction = std::array<double, 3>;
+using Direction = reference::Vec;
 
 /// Where a ray from outside enters a box; nothing if it misses.
 std::optional<double> entry_of(const TexturedBox& box, const Direction& eye, const Direction& ray) {

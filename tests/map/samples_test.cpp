@@ -1,5 +1,3 @@
-#include "tools/map/light/samples.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include "engine/level/bsp_read.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
+#include "tools/map/light/sources.h"
 
 namespace oblong::test {
 namespace {

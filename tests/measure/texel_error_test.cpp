@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "engine/fixed/trig.h"
-#include "tests/support/tiny_bsp.h"
+#include "tests/support/bsp_writer.h"
 
 namespace oblong {
 namespace {

@@ -19,12 +19,11 @@ std::string random_text(std::mt19937& random, int longest) {
 }
 
 MenuPage random_page(std::mt19937& random) {
-    MenuPage page{
-        random_text(random, 12), random() % 3 == 0 ? random_text(random, 300) : "", {}, 0, "", false, nullptr};
+    MenuPage page{random_text(random, 12), random() % 3 == 0 ? random_text(random, 300) : ""};
     page.is_title = random() % 4 == 0;
     const auto rows = random() % 30;
     for (std::size_t i = 0; i < rows; ++i) {
-        MenuRow row{random_text(random, 40), random_text(random, 30), random_text(random, 120), [] {}, nullptr};
+        MenuRow row{random_text(random, 40), random_text(random, 30), random_text(random, 120), [] {}};
         if (random() % 6 == 0) row.picture = MenuPicture{8, 5, std::vector<Rgb8>(40)};
         page.rows.push_back(row);
     }
@@ -84,9 +83,7 @@ TEST(MenuLayout, EveryRowCanBeSeen) {
 
 // The text above the rows too, where it fits.
 TEST(MenuLayout, AShortTextIsSeenWithTheFirstRow) {
-    MenuPage page{
-        "Leave", "Leave the game?", {{"No", "", "", [] {}, nullptr}, {"Yes", "", "", [] {}, nullptr}}, 0, "", false,
-        nullptr};
+    MenuPage page{"Leave", "Leave the game?", {{"No", "", "", [] {}}, {"Yes", "", "", [] {}}}};
     for (const std::int32_t text_scale : {1, 2}) {
         const MenuLayout layout = lay_out(page, {0, 0, text_scale}, {320, 200});
         EXPECT_EQ(layout.items.front().text, "Leave the game?");
@@ -96,7 +93,7 @@ TEST(MenuLayout, AShortTextIsSeenWithTheFirstRow) {
 }
 
 TEST(MenuLayout, LargeTextIsTwiceAsLargeAndSmallModesKeepTheirColumns) {
-    const MenuPage page{"Page", "", {{"Row", "", "", [] {}, nullptr}}, 0, "", false, nullptr};
+    const MenuPage page{"Page", "", {{"Row", "", "", [] {}}}};
     EXPECT_EQ(lay_out(page, {0, 0, 1}, {320, 200}).scale, 1);
     EXPECT_EQ(lay_out(page, {0, 0, 2}, {320, 200}).scale, 2);
     EXPECT_EQ(lay_out(page, {0, 0, 1}, {640, 480}).scale, 2);

@@ -16,11 +16,11 @@ class MenuOfThree : public testing::Test {
   protected:
     void SetUp() override {
         menu_.open([this] {
-            MenuPage page{"Three", "", {}, 0, "", false, nullptr};
-            page.rows.push_back({"First", "", "", [this] { ++accepted_; }, nullptr});
+            MenuPage page{"Three"};
+            page.rows.push_back({"First", "", "", [this] { ++accepted_; }});
             page.rows.push_back(
                 {"Second", std::to_string(value_), "", nullptr, [this](int steps) { value_ += steps; }});
-            page.rows.push_back({"Third", "", "", [this] { menu_.close(); }, nullptr});
+            page.rows.push_back({"Third", "", "", [this] { menu_.close(); }});
             return page;
         });
     }
@@ -118,7 +118,7 @@ TEST_F(MenuOfThree, APressOutsideTheRowsDoesNothing) {
 }
 
 TEST_F(MenuOfThree, APressAnywhereClosesATextWithoutRows) {
-    menu_.open([] { return MenuPage{"Text", "to read", {}, 0, "", false, nullptr}; });
+    menu_.open([] { return MenuPage{"Text", "to read"}; });
     Controls controls;
     controls.pointer = Pointer{3, 3, true, false};
     menu_.handle(controls, kCanvas, 1, kShown);
@@ -131,7 +131,7 @@ TEST_F(MenuOfThree, APressAnywhereClosesATextWithoutRows) {
 TEST_F(MenuOfThree, APageThatWaitsForAKeyTakesAnyButEscape) {
     std::optional<Input> pressed;
     menu_.open([&] {
-        MenuPage page{"Key", "Press a key", {}, 0, "", false, nullptr};
+        MenuPage page{"Key", "Press a key"};
         page.press = [&](Input input) { pressed = input; };
         return page;
     });
@@ -152,7 +152,7 @@ TEST_F(MenuOfThree, APageThatWaitsForAKeyTakesAnyButEscape) {
 TEST_F(MenuOfThree, ATextTooLongForAPageIsReadToItsEnd) {
     std::string text;
     for (int i = 0; i < 60; ++i) text += "line " + std::to_string(i) + "\n";
-    menu_.open([=] { return MenuPage{"Text", text + "end", {}, 0, "", false, nullptr}; });
+    menu_.open([=] { return MenuPage{"Text", text + "end"}; });
     int steps = 0;
     while (act(MenuAction::Down) == MenuEvent::Moved) ASSERT_LT(++steps, 100);
     EXPECT_GT(steps, 20);

@@ -3,7 +3,6 @@
 #include <set>
 
 #include "engine/platform/headless/headless.h"
-#include "game/menu/key_pages.h"
 #include "game/menu/menu_pages.h"
 
 namespace oblong {

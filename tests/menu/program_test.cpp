@@ -11,7 +11,6 @@
 #include "engine/platform/headless/headless.h"
 #include "tests/support/folders.h"
 #include "tests/support/scripted_input.h"
-#include "tests/support/shared_levels.h"
 
 namespace oblong {
 namespace {

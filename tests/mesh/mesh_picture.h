@@ -5,8 +5,8 @@
 
 #include "engine/mesh/draw_mesh.h"
 #include "tests/effects/view.h"
-#include "tools/gallery/mesh_shapes.h"
-#include "tools/gallery/numbers.h"
+#include "tools/gallery/mesh_scene.h"
+#include "tools/gallery/row.h"
 
 namespace oblong::test {
 

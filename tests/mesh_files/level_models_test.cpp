@@ -10,8 +10,8 @@
 #include "engine/level/entities.h"
 #include "engine/level/floor.h"
 #include "tests/mesh_files/mdl_writer.h"
-#include "tests/support/shared_levels.h"
-#include "tests/support/tiny_bsp.h"
+#include "tests/support/bsp_writer.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -35,7 +35,7 @@ class ModelFolder : public ::testing::Test {
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
     void write_model(const std::string& name, std::int32_t flags = 0) const {
         MdlFile file = write_mdl(tetrahedron_model());
-        set_i32(file, kMdlFrames + 8, flags);
+        put_number(file, kMdlFrames + 8, 4, flags);
         write_file(path(name), file);
     }
     LevelModels read(const std::string& entities, const std::string& named = "") const {

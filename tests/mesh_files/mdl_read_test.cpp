@@ -8,7 +8,7 @@
 
 #include "engine/base/input_error.h"
 #include "tests/mesh_files/mdl_writer.h"
-#include "tests/support/shared_levels.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -128,7 +128,7 @@ TEST(MdlRead, LyingCountsAreRefusedAtTheirPlace) {
         for (const std::int64_t count :
              {std::int64_t{0}, std::int64_t{-1}, std::int64_t{1} << 30, std::int64_t{1} << 31}) {
             MdlFile file = good;
-            set_i32(file, offset, count);
+            put_number(file, offset, 4, count);
             EXPECT_EQ(fault_of(file), "header, offset " + std::to_string(offset)) << count;
         }
     for (const auto& [offset, count] : {std::pair{kMdlVertices, 5},
@@ -138,7 +138,7 @@ TEST(MdlRead, LyingCountsAreRefusedAtTheirPlace) {
                                         {kMdlTriangles, 1 << 20},
                                         {kMdlVertices, 1 << 20}}) {
         MdlFile file = good;
-        set_i32(file, offset, count);
+        put_number(file, offset, 4, count);
         EXPECT_NE(fault_of(file), "") << offset << " " << count;
     }
 }
@@ -149,7 +149,7 @@ TEST(MdlRead, NumbersThatAreNoneOrTooLargeAreRefused) {
     for (std::size_t offset = kMdlScale; offset < kMdlOrigin + 12; offset += 4)
         for (const float value : {kNan, kInfinity, -kInfinity, 1e30F, -32768.F}) {
             MdlFile file = good;
-            set_i32(file, offset, std::bit_cast<std::uint32_t>(value));
+            put_number(file, offset, 4, std::bit_cast<std::uint32_t>(value));
             EXPECT_EQ(fault_of(file), "header, offset " + std::to_string(offset)) << value;
         }
     MdlModel model = tetrahedron_model();

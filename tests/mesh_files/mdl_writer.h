@@ -1,26 +1,15 @@
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "tests/support/bsp_writer.h"
 
 /// MDL files as Quake's modelgen writes them, field by field.
 namespace oblong::test {
 
 using MdlFile = std::vector<std::uint8_t>;
-
-inline void put_i32(MdlFile& file, std::int64_t value) {
-    for (int shift = 0; shift < 32; shift += 8)
-        file.push_back(static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> shift));
-}
-inline void put_float(MdlFile& file, float value) {
-    put_i32(file, std::bit_cast<std::uint32_t>(value));
-}
-inline void set_i32(MdlFile& file, std::size_t offset, std::int64_t value) {
-    for (std::size_t i = 0; i < 4; ++i)
-        file[offset + i] = static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> (8 * i));
-}
 
 struct MdlPlace {
     std::int32_t on_seam, s, t;
@@ -51,29 +40,29 @@ struct MdlModel {
 };
 
 inline void put_frame(MdlFile& file, const std::vector<MdlStep>& steps) {
-    put_i32(file, 0);
-    put_i32(file, 0);
+    ByteWriter(file).i32(0);
+    ByteWriter(file).i32(0);
     const std::string name = "stand1";
     for (std::size_t i = 0; i < 16; ++i) file.push_back(i < name.size() ? static_cast<std::uint8_t>(name[i]) : 0);
     for (const MdlStep& step : steps) file.insert(file.end(), {step.x, step.y, step.z, 0});
 }
 
 inline void put_skins(MdlFile& file, const MdlModel& model, const MdlSkins& skins) {
-    put_i32(file, skins.times.empty() ? 0 : 1);
-    if (!skins.times.empty()) put_i32(file, static_cast<std::int64_t>(skins.times.size()));
-    for (const float time : skins.times) put_float(file, time);
+    ByteWriter(file).i32(skins.times.empty() ? 0 : 1);
+    if (!skins.times.empty()) ByteWriter(file).i32(static_cast<std::int64_t>(skins.times.size()));
+    for (const float time : skins.times) ByteWriter(file).f32(time);
     for (const std::uint8_t fill : skins.fills)
         file.insert(file.end(), static_cast<std::size_t>(model.skin_width * model.skin_height), fill);
 }
 
 inline void put_frames(MdlFile& file, const MdlFrames& frames) {
-    put_i32(file, frames.times.empty() ? 0 : 1);
+    ByteWriter(file).i32(frames.times.empty() ? 0 : 1);
     if (!frames.times.empty()) {
-        put_i32(file, static_cast<std::int64_t>(frames.times.size()));
-        put_i32(file, 0);
-        put_i32(file, 0);
+        ByteWriter(file).i32(static_cast<std::int64_t>(frames.times.size()));
+        ByteWriter(file).i32(0);
+        ByteWriter(file).i32(0);
     }
-    for (const float time : frames.times) put_float(file, time);
+    for (const float time : frames.times) ByteWriter(file).f32(time);
     for (const auto& steps : frames.frames) put_frame(file, steps);
 }
 
@@ -84,22 +73,22 @@ inline constexpr std::size_t kMdlVersion = 4, kMdlScale = 8, kMdlOrigin = 20, kM
 
 inline MdlFile write_mdl(const MdlModel& model) {
     MdlFile file = {'I', 'D', 'P', 'O'};
-    put_i32(file, 6);
-    for (const float part : model.scale) put_float(file, part);
-    for (const float part : model.origin) put_float(file, part);
-    for (int i = 0; i < 4; ++i) put_float(file, 0);
-    put_i32(file, static_cast<std::int64_t>(model.skins.size()));
-    put_i32(file, model.skin_width);
-    put_i32(file, model.skin_height);
-    put_i32(file, static_cast<std::int64_t>(model.places.size()));
-    put_i32(file, static_cast<std::int64_t>(model.triangles.size()));
-    put_i32(file, static_cast<std::int64_t>(model.frames.size()));
-    for (int i = 0; i < 3; ++i) put_i32(file, 0);
+    ByteWriter(file).i32(6);
+    for (const float part : model.scale) ByteWriter(file).f32(part);
+    for (const float part : model.origin) ByteWriter(file).f32(part);
+    for (int i = 0; i < 4; ++i) ByteWriter(file).f32(0);
+    ByteWriter(file).i32(static_cast<std::int64_t>(model.skins.size()));
+    ByteWriter(file).i32(model.skin_width);
+    ByteWriter(file).i32(model.skin_height);
+    ByteWriter(file).i32(static_cast<std::int64_t>(model.places.size()));
+    ByteWriter(file).i32(static_cast<std::int64_t>(model.triangles.size()));
+    ByteWriter(file).i32(static_cast<std::int64_t>(model.frames.size()));
+    for (int i = 0; i < 3; ++i) ByteWriter(file).i32(0);
     for (const MdlSkins& skins : model.skins) put_skins(file, model, skins);
     for (const MdlPlace& place : model.places)
-        for (const std::int32_t part : {place.on_seam, place.s, place.t}) put_i32(file, part);
+        for (const std::int32_t part : {place.on_seam, place.s, place.t}) ByteWriter(file).i32(part);
     for (const MdlTriangle& triangle : model.triangles)
-        for (const std::int32_t part : {triangle.is_front, triangle.a, triangle.b, triangle.c}) put_i32(file, part);
+        for (const std::int32_t part : {triangle.is_front, triangle.a, triangle.b, triangle.c}) ByteWriter(file).i32(part);
     for (const MdlFrames& frames : model.frames) put_frames(file, frames);
     return file;
 }

@@ -13,7 +13,6 @@
 #include "engine/platform/worker_threads.h"
 #include "tests/effect_frames/effect_stage.h"
 #include "tests/support/folders.h"
-#include "tests/support/shared_levels.h"
 #include "tools/render/camera_list.h"
 
 namespace oblong::test {

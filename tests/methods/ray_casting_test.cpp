@@ -53,13 +53,6 @@ std::array<Point, 4> square(double x, double half, double left = 0) {
     return {{{x, left + half, half}, {x, left - half, half}, {x, left - half, -half}, {x, left + half, -half}}};
 }
 
-Point minus(Point a, Point b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Point cross(Point a, Point b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 TEST(RayCasting, HitsASquareExactlyWhereTheRayPassesInside) {
     Scene scene;
     scene.add(square(100, 40.3));
@@ -128,7 +121,7 @@ TEST(RayCasting, AgreesWithDoublesOnRandomTriangles) {
         for (int k = 0; k < 6; ++k) {
             std::array<Point, 3> corners;
             for (Point& corner : corners) corner = {between(20, 200), between(-120, 120), between(-80, 80)};
-            const Point normal = cross(minus(corners[2], corners[0]), minus(corners[1], corners[0]));
+            const Point normal = cross(corners[2] - corners[0], corners[1] - corners[0]);
             if (dot(normal, corners[0]) > 0) std::swap(corners[1], corners[2]);
             for (Point& corner : corners) corner = to_point(to_world(corner));
             triangles.push_back(corners);
@@ -144,7 +137,7 @@ TEST(RayCasting, AgreesWithDoublesOnRandomTriangles) {
                 const auto& [a, b, c] = triangles[k];
                 const double inside = std::min({dot(cross(a, b), ray), dot(cross(b, c), ray), dot(cross(c, a), ray)});
                 is_doubtful |= std::abs(inside) < 1e-3;
-                const Point normal = cross(minus(c, a), minus(b, a));
+                const Point normal = cross(c - a, b - a);
                 const double along = dot(normal, a) / dot(normal, ray);
                 is_doubtful |= inside > 0 && std::abs(along - nearest) < 1e-3;
                 if (inside <= 0 || along >= nearest) continue;

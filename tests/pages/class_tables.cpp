@@ -10,10 +10,6 @@
 namespace oblong::test {
 namespace {
 
-std::string code(std::string_view text) {
-    return "`" + std::string(text) + "`";
-}
-
 std::string shape_of(const EntityClass& row) {
     const std::array names{"the world", "point", "brushes", "any"};
     return names.at(static_cast<std::size_t>(row.shape));

@@ -9,10 +9,6 @@
 namespace oblong::test {
 namespace {
 
-std::string code(std::string_view text) {
-    return "`" + std::string(text) + "`";
-}
-
 /// "W Up Page-Down" as "W, Up, Page Down".
 std::string listed(std::string_view inputs) {
     std::string text;

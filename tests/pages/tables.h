@@ -1,8 +1,13 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace oblong::test {
+
+inline std::string code(std::string_view text) {
+    return "`" + std::string(text) + "`";
+}
 
 /// Tables in Markdown, made from the tables that the code itself reads.
 std::string action_table();

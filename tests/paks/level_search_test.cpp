@@ -5,8 +5,8 @@
 #include "game/level/load.h"
 #include "tests/mesh_files/mdl_writer.h"
 #include "tests/paks/pak_writer.h"
-#include "tests/support/temporary_folder.h"
-#include "tests/support/tiny_bsp.h"
+#include "tests/support/bsp_writer.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {

@@ -11,7 +11,7 @@ namespace oblong {
 namespace {
 
 using test::Bytes;
-using test::set_u32;
+using test::put_number;
 
 // "a.txt" at 12, "maps/b.bsp" at 15, the directory at 20 to 148.
 const Bytes kPak = test::write_pak({{"a.txt", {1, 2, 3}}, {"maps/b.bsp", {4, 5, 6, 7, 8}}});
@@ -47,7 +47,7 @@ TEST(Pak, IsReadAsItWasWritten) {
 TEST(Pak, EachCutAndEachLieOfTheHeaderIsNamed) {
     const auto altered = [](std::size_t offset, std::uint32_t number) {
         Bytes bytes = kPak;
-        set_u32(bytes, offset, number);
+        put_number(bytes, offset, 4, number);
         return fault_of(bytes);
     };
     for (std::size_t size = 0; size < kPak.size(); ++size)
@@ -64,7 +64,7 @@ TEST(Pak, EachCutAndEachLieOfTheHeaderIsNamed) {
 TEST(Pak, EachLieOfTheDirectoryIsNamed) {
     const auto altered = [](std::size_t offset, std::uint32_t number) {
         Bytes bytes = kPak;
-        set_u32(bytes, offset, number);
+        put_number(bytes, offset, 4, number);
         return fault_of(bytes);
     };
     EXPECT_EQ(altered(20 + 60, 200), "offset 76: a.txt has 200 bytes from 12 on, expected them in the file's 148");
@@ -78,8 +78,8 @@ TEST(Pak, EachLieOfTheDirectoryIsNamed) {
     std::fill_n(endless.begin() + 20, 56, std::uint8_t{'x'});
     EXPECT_EQ(fault_of(endless), "offset 20: a name without an end, expected a zero byte among its 56");
     Bytes same = kPak;
-    set_u32(same, 84 + 56, 12);
-    set_u32(same, 84 + 60, 3);
+    put_number(same, 84 + 56, 4, 12);
+    put_number(same, 84 + 60, 4, 3);
     EXPECT_EQ(fault_of(same), "") << "two names of the same data";
 }
 

@@ -9,8 +9,6 @@
 
 namespace oblong::test {
 
-using Bytes = std::vector<std::uint8_t>;
-
 struct PakFile {
     std::string name;
     Bytes data;
@@ -32,12 +30,6 @@ inline Bytes write_pak(const std::vector<PakFile>& files) {
         offset += static_cast<std::int32_t>(file.data.size());
     }
     return bytes;
-}
-
-/// Overwrites four bytes.
-inline void set_u32(Bytes& bytes, std::size_t offset, std::uint32_t number) {
-    for (int byte = 0; byte < 4; ++byte)
-        bytes.at(offset + static_cast<std::size_t>(byte)) = static_cast<std::uint8_t>(number >> (8 * byte));
 }
 
 }  // namespace oblong::test

@@ -1,10 +1,10 @@
-#include "game/view/view_sway.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "game/view/shown_view.h"
 
 namespace oblong {
 namespace {

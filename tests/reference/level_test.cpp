@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/tiny_bsp.h"
-#include "tools/reference/t_junctions.h"
+#include "tests/support/bsp_writer.h"
+#include "tools/reference/polygon.h"
 
 namespace oblong {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <random>
 
-#include "tools/reference/coverage.h"
 #include "tools/reference/polygon.h"
 
 namespace oblong {

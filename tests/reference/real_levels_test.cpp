@@ -9,7 +9,7 @@
 #include "engine/level/bsp_read.h"
 #include "engine/scene/placed_models.h"
 #include "engine/visibility/eye.h"
-#include "tests/support/shared_levels.h"
+#include "tests/support/folders.h"
 #include "tools/reference/frame.h"
 #include "tools/render/camera_list.h"
 

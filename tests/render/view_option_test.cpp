@@ -1,4 +1,4 @@
-#include "tools/render/view_option.h"
+#include "tools/render/camera_list.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "tests/saves/forgetful_disk.h"
 #include "tests/saves/saved_walk.h"
 #include "tests/saves/traced_process.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/folders.h"
 
 // Saves by a process of their own that is stopped on the way.
 namespace oblong::test {

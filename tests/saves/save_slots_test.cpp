@@ -8,7 +8,7 @@
 
 #include "engine/files/files.h"
 #include "tests/saves/saved_walk.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/folders.h"
 
 namespace oblong::test {
 namespace {

@@ -7,23 +7,13 @@
 #include <random>
 
 #include "tests/scene/scene_fixture.h"
+#include "tests/support/point.h"
 
 namespace oblong::test {
 namespace {
 
-using Vector = std::array<double, 3>;
-
 double value_of(auto fixed) {
     return static_cast<double>(fixed.raw) / static_cast<double>(std::int64_t{1} << fixed.kFractionBits);
-}
-Vector vector_of(const auto& v) {
-    return {value_of(v.x), value_of(v.y), value_of(v.z)};
-}
-double dot_of(const Vector& a, const Vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vector cross_of(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// The tiny level's floor, turned and textured in other ways.
@@ -40,23 +30,19 @@ struct OneFace {
     void finish() { table = make_face_table(level); }
 
     /// Where a light sample is in the world: the point of the plane with those texture coordinates, by Cramer's rule.
-    Vector sample(int column, int row) {
-        const Vector n = vector_of(plane().normal), s = vector_of(texinfo().s), t = vector_of(texinfo().t);
+    Point sample(int column, int row) {
+        const Point n = to_point(plane().normal), s = to_point(texinfo().s), t = to_point(texinfo().t);
         const double u = face().texel_min_u + 16 * column - value_of(texinfo().s_offset);
         const double v = face().texel_min_v + 16 * row - value_of(texinfo().t_offset);
-        const Vector a = cross_of(t, n), b = cross_of(n, s), c = cross_of(s, t);
-        const double volume = dot_of(s, a);
-        Vector p;
-        for (std::size_t i = 0; i < 3; ++i) p[i] = (u * a[i] + v * b[i] + value_of(plane().distance) * c[i]) / volume;
-        return p;
+        const Point a = cross(t, n), b = cross(n, s), c = cross(s, t);
+        const double volume = dot(s, a);
+        return (a * u + b * v + c * value_of(plane().distance)) * (1 / volume);
     }
 };
 
-double expected_light(const Vector& sample, const MovingLight& light, const Vec3<World>& offset) {
-    const Vector at = vector_of(light.position), moved = vector_of(offset);
-    Vector way;
-    for (std::size_t i = 0; i < 3; ++i) way[i] = sample[i] + moved[i] - at[i];
-    return std::max(value_of(light.radius) - std::sqrt(dot_of(way, way)), 0.0) * light.brightness_256 / 256;
+double expected_light(const Point& sample, const MovingLight& light, const Vec3<World>& offset) {
+    const Point at = to_point(light.position), moved = to_point(offset);
+    return std::max(value_of(light.radius) - length(sample + moved - at), 0.0) * light.brightness_256 / 256;
 }
 
 World random_world(std::mt19937& random, double reach) {
@@ -69,25 +55,21 @@ OneFace random_face(std::mt19937& random) {
     std::normal_distribution<double> normal;
     std::uniform_real_distribution<double> density(-3, 2), coordinate(-2000, 2000);
     OneFace scene;
-    const auto direction = [&] {
-        const Vector v{normal(random), normal(random), normal(random)};
-        const double size = std::sqrt(dot_of(v, v));
-        return Vector{v[0] / size, v[1] / size, v[2] / size};
-    };
-    Vector n, s, t;
+    const auto direction = [&] { return normalised(Point{normal(random), normal(random), normal(random)}); };
+    Point n, s, t;
     do {
         n = direction(), s = direction(), t = direction();
-    } while (std::abs(dot_of(s, cross_of(t, n))) < 0.3);
+    } while (std::abs(dot(s, cross(t, n))) < 0.3);
     const auto unit = [](double part) {
         return Unit::from_raw(static_cast<std::int32_t>(std::lround(part * (1 << 30))));
     };
-    scene.plane() = {{unit(n[0]), unit(n[1]), unit(n[2])},
+    scene.plane() = {{unit(n.x), unit(n.y), unit(n.z)},
                      PlaneDistance::from_raw(std::llround(coordinate(random) * std::pow(2.0, 42)))};
-    const auto axis = [&](const Vector& v, double scale) {
+    const auto axis = [&](const Point& v, double scale) {
         const auto part = [&](double p) {
             return TexelAxis::from_raw(static_cast<std::int32_t>(std::lround(p * scale * (1 << 23))));
         };
-        return Vec3<TexelAxis>{part(v[0]), part(v[1]), part(v[2])};
+        return Vec3<TexelAxis>{part(v.x), part(v.y), part(v.z)};
     };
     scene.texinfo().s = axis(s, std::pow(2.0, density(random)));
     scene.texinfo().t = axis(t, std::pow(2.0, density(random)));
@@ -103,7 +85,7 @@ OneFace random_face(std::mt19937& random) {
 
 /// A light around the middle of the face.
 MovingLight random_light(std::mt19937& random, OneFace& scene, const Vec3<World>& offset) {
-    const Vector middle = scene.sample(scene.columns() / 2, scene.rows() / 2), moved = vector_of(offset);
+    const Point middle = scene.sample(scene.columns() / 2, scene.rows() / 2), moved = to_point(offset);
     std::uniform_real_distribution<double> size(20, 400);
     const double radius = size(random), reach = radius * 0.7;
     std::uniform_real_distribution<double> part(-reach, reach);
@@ -116,8 +98,8 @@ MovingLight random_light(std::mt19937& random, OneFace& scene, const Vec3<World>
 }
 
 bool is_in_front(OneFace& scene, const MovingLight& light, const Vec3<World>& offset) {
-    const Vector at = vector_of(light.position - offset);
-    const double distance = dot_of(at, vector_of(scene.plane().normal)) - value_of(scene.plane().distance);
+    const Point at = to_point(light.position - offset);
+    const double distance = dot(at, to_point(scene.plane().normal)) - value_of(scene.plane().distance);
     return scene.face().is_back ? distance < -0.01 : distance > 0.01;
 }
 
@@ -232,8 +214,8 @@ TEST(MovingLights, ExtremePositionsAreNoFault) {
 /// What the nearest 32 of a list add to the first sample, found by sorting.
 std::vector<MovingLight> nearest_by_sorting(std::vector<MovingLight> lights, const Vec3<World>& eye) {
     const auto distance = [&eye](const MovingLight& light) {
-        const Vector way = vector_of(light.position - eye);
-        return std::floor(std::sqrt(dot_of(way, way)) * 256) - std::floor(value_of(light.radius) * 256);
+        const Point way = to_point(light.position - eye);
+        return std::floor(length(way) * 256) - std::floor(value_of(light.radius) * 256);
     };
     std::stable_sort(lights.begin(), lights.end(),
                      [&](const MovingLight& a, const MovingLight& b) { return distance(a) < distance(b); });

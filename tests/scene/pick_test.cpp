@@ -7,24 +7,14 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
+#include "tests/support/bsp_writer.h"
+#include "tests/support/folders.h"
 #include "tests/support/point.h"
-#include "tests/support/shared_levels.h"
-#include "tests/support/tiny_bsp.h"
 
 namespace oblong {
 namespace {
 
-using test::dot, test::Point, test::to_point, test::to_world;
-
-Point minus(Point a, Point b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Point crossed(Point a, Point b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Point to_point(const Vec3<Unit>& v) {
-    return {std::ldexp(v.x.raw, -30), std::ldexp(v.y.raw, -30), std::ldexp(v.z.raw, -30)};
-}
+using test::Point, test::to_point, test::to_world;
 
 /// What a ray meets, by a look at all faces in double precision.
 struct Met {
@@ -40,9 +30,9 @@ double depth_in(const Level& level, const Face& face, Point normal, Point p) {
         const Edge& edge = level.edges[step.edge];
         const Point a = test::to_point(level.vertices[step.is_reversed ? edge.to : edge.from]);
         const Point b = test::to_point(level.vertices[step.is_reversed ? edge.from : edge.to]);
-        const Point along = minus(b, a), inward = crossed(along, normal);  // clockwise: the inside is on the right
+        const Point along = b - a, inward = cross(along, normal);  // clockwise: the inside is on the right
         const double size = std::sqrt(dot(inward, inward));
-        if (size > 0) least = std::min(least, dot(minus(p, a), inward) / size);
+        if (size > 0) least = std::min(least, dot(p - a, inward) / size);
     }
     return least;
 }
@@ -68,8 +58,7 @@ Met look_at_all(const Level& level, std::span<const PlacedModel> models, const V
         look_at_face(level, face, test::to_point(eye), to_point(direction), best);
     for (const PlacedModel& placed : models)
         for (const FaceIndex face : level.models[placed.model].faces)
-            look_at_face(level, face, minus(test::to_point(eye), test::to_point(placed.offset)), to_point(direction),
-                         best);
+            look_at_face(level, face, test::to_point(eye) - test::to_point(placed.offset), to_point(direction), best);
     return best;
 }
 

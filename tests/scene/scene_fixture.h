@@ -4,7 +4,7 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/scene/face_surface.h"
-#include "tests/support/tiny_bsp.h"
+#include "tests/support/bsp_writer.h"
 
 namespace oblong::test {
 

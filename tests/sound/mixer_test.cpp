@@ -20,12 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int32_t kRate_hz = 22'050;
+constexpr std::int32_t kSineRate_hz = 22'050;
 
 std::vector<std::int16_t> sine(double hz, double seconds) {
     std::vector<std::int16_t> wave;
-    for (int i = 0; i < seconds * kRate_hz; ++i)
-        wave.push_back(static_cast<std::int16_t>(16'000 * std::sin(2 * M_PI * hz * i / kRate_hz)));
+    for (int i = 0; i < seconds * kSineRate_hz; ++i)
+        wave.push_back(static_cast<std::int16_t>(16'000 * std::sin(2 * M_PI * hz * i / kSineRate_hz)));
     return wave;
 }
 
@@ -41,7 +41,7 @@ class DiskAudio {
 
     /// Until a tenth of a second has been written, five minutes at most.
     void wait_for_sound() const {
-        const std::uintmax_t least_bytes = kRate_hz / 10 * 2 * sizeof(std::int16_t);
+        const std::uintmax_t least_bytes = kSineRate_hz / 10 * 2 * sizeof(std::int16_t);
         for (int i = 0; i < 300'000 && (!fs::exists(file_) || fs::file_size(file_) < least_bytes); ++i)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -79,7 +79,7 @@ DiskAudio::Sides played(double hz, const VoiceLevels& levels) {
     DiskAudio disk;
     {
         const auto output = open_mixer();
-        const auto sound = output->add_sound(sine(hz, 0.4), kRate_hz);
+        const auto sound = output->add_sound(sine(hz, 0.4), kSineRate_hz);
         wait_until_silent(*output, output->start(sound, false, levels));
     }
     return disk.loudness();
@@ -102,7 +102,7 @@ TEST(Mixer, MufflesHighToneMoreThanLowOnes) {
 TEST(Mixer, LoopsUntilItIsStopped) {
     DiskAudio disk;
     const auto output = open_mixer();
-    const auto sound = output->add_sound(sine(440, 0.02), kRate_hz);
+    const auto sound = output->add_sound(sine(440, 0.02), kSineRate_hz);
     const auto voice = output->start(sound, true, {100, 100, false});
     std::this_thread::sleep_for(std::chrono::milliseconds(60));
     EXPECT_TRUE(output->is_playing(voice));
@@ -117,7 +117,7 @@ TEST(Mixer, LoopsUntilItIsStopped) {
 TEST(Mixer, HasAnEndOfVoices) {
     DiskAudio disk;
     const auto output = open_mixer();
-    const auto sound = output->add_sound(sine(440, 1), kRate_hz);
+    const auto sound = output->add_sound(sine(440, 1), kSineRate_hz);
     for (int i = 0; i < 32; ++i) EXPECT_NE(output->start(sound, true, {1, 1, false}), SoundOutput::kNoVoice);
     EXPECT_EQ(output->start(sound, true, {1, 1, false}), SoundOutput::kNoVoice);
 }

@@ -6,7 +6,6 @@
 
 #include "engine/files/files.h"
 #include "tests/support/folders.h"
-#include "tests/support/temporary_folder.h"
 
 namespace oblong {
 namespace {

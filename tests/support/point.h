@@ -5,18 +5,14 @@
 
 #include "engine/fixed/fixed.h"
 #include "engine/math/vec.h"
+#include "tools/measure/exact.h"
 
-/// World points in double, for the tests' own arithmetic. A World coordinate is exact in double.
+/// The engine's points and directions in doubles, for the tests' own arithmetic. A World coordinate is exact there.
 namespace oblong::test {
 
-struct Point {
-    double x = 0, y = 0, z = 0;
-};
+using Point = reference::Vec;
 
-inline double dot(Point a, Point b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline Point along(Point a, Point b, double t) {
+inline Point along(const Point& a, const Point& b, double t) {
     return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t};
 }
 
@@ -26,8 +22,9 @@ inline Vec3<World> to_world(Point p) {
     };
     return {part(p.x), part(p.y), part(p.z)};
 }
-inline Point to_point(Vec3<World> p) {
-    return {p.x.raw / 4096., p.y.raw / 4096., p.z.raw / 4096.};
+template <class Int, int Frac>
+Point to_point(const Vec3<Fixed<Int, Frac>>& p) {
+    return vec_of(p);
 }
 
 }  // namespace oblong::test

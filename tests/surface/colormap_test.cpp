@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "tests/support/shared_levels.h"
+#include "tests/support/folders.h"
 #include "tests/surface/true_oklab.h"
 
 namespace oblong::test {

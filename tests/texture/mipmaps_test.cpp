@@ -1,13 +1,16 @@
-#include "tools/texture/mipmaps.h"
+#include "tools/texture/texture_files.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "engine/files/png.h"
+#include "engine/surface/colormap.h"
 #include "tests/texture/test_palette.h"
 
 namespace oblong {
+
 namespace {
 
 /// Mean of the 2^level square at mip texel (x, y), in doubles.
@@ -81,5 +84,17 @@ TEST(Mipmaps, AFlatTextureStaysWhatItIs) {
     }
 }
 
+TEST(RampSheet, EachCellIsOneShadeOfOneColour) {
+    const Palette palette = test::scattered_palette();
+    const Colormap colormap = make_colormap(palette);
+    const PngImage sheet = decode_png(make_ramp_sheet(palette));
+    ASSERT_EQ(sheet.width_px, 64 * 8);
+    ASSERT_EQ(sheet.height_px, 256 * 4);
+    for (std::size_t y = 0; y < 256 * 4; ++y)
+        for (std::size_t x = 0; x < 64 * 8; ++x)
+            ASSERT_EQ(sheet.indices[y * 512 + x], colormap.shades[x / 8][y / 4]) << x << ", " << y;
+}
+
 }  // namespace
+
 }  // namespace oblong

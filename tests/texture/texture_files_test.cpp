@@ -13,9 +13,8 @@
 #include "engine/files/wad.h"
 #include "engine/level/bsp_read.h"
 #include "tests/files/png_writer.h"
-#include "tests/support/shared_levels.h"
+#include "tests/support/folders.h"
 #include "tests/texture/test_palette.h"
-#include "tools/texture/mipmaps.h"
 
 namespace oblong {
 namespace {

@@ -12,23 +12,18 @@
 
 #include "engine/base/input_error.h"
 #include "engine/fixed/trig.h"
+#include "tests/support/point.h"
 
 namespace oblong {
 namespace {
 
-using Point = std::array<double, 3>;
+using test::Point;
 
 World units(double value) {
     return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
 }
 Vec3<World> at(double x, double y, double z) {
     return {units(x), units(y), units(z)};
-}
-Point point_of(const Vec3<Unit>& v) {
-    return {std::ldexp(v.x.raw, -30), std::ldexp(v.y.raw, -30), std::ldexp(v.z.raw, -30)};
-}
-double dot(const Point& a, const Point& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 struct Pixel {
@@ -88,7 +83,7 @@ TEST(ParallelViews, ShortenAllAxesAlikeWhereIsometric) {
 }
 
 double shortening(const Basis& axes, const Point& axis) {
-    return std::hypot(dot(point_of(axes.right), axis), dot(point_of(axes.up), axis));
+    return std::hypot(dot(test::to_point(axes.right), axis), dot(test::to_point(axes.up), axis));
 }
 
 /// How many of three numbers differ from each other.
@@ -222,13 +217,11 @@ TEST(WindowViews, ShowTheirWindowOnTheWholeScreen) {
         if (problem_of(spec, mode) || spec.window.distance < View::from_int(20)) continue;
         ++views;
         const ViewContext view = make_view_context(spec, mode);
-        const Point right = point_of(spec.axes.right), up = point_of(spec.axes.up);
+        const Point right = test::to_point(spec.axes.right), up = test::to_point(spec.axes.up);
         for (int corner = 0; corner < 4; ++corner) {
             const double u = std::ldexp((corner & 1 ? window.u_max : window.u_min).raw, -12);
             const double v = std::ldexp((corner & 2 ? window.v_max : window.v_min).raw, -12);
-            const Pixel pixel =
-                shown(view, window.reference_point +
-                                at(u * right[0] + v * up[0], u * right[1] + v * up[1], u * right[2] + v * up[2]));
+            const Pixel pixel = shown(view, window.reference_point + test::to_world(right * u + up * v));
             EXPECT_NEAR(pixel.x, corner & 1 ? 320 : 0, 0.02);
             EXPECT_NEAR(pixel.y, corner & 2 ? 0 : 200, 0.02);
         }
@@ -310,9 +303,8 @@ TEST(DollyZoom, KeepsTheSizeOfWhatIsAtItsDistance) {
     camera.yaw = Angle{0x1234}, camera.pitch = Angle{0x0321};
     const Basis axes = view_basis(camera.yaw, camera.pitch, {});
     const auto ahead = [&](double depth, double across) {
-        const Point f = point_of(axes.forward), r = point_of(axes.right);
-        return camera.eye +
-               at(f[0] * depth + r[0] * across, f[1] * depth + r[1] * across, f[2] * depth + r[2] * across);
+        const Point f = test::to_point(axes.forward), r = test::to_point(axes.right);
+        return camera.eye + test::to_world(f * depth + r * across);
     };
     const auto size_at = [&](const Camera& from, double depth) {
         const ViewContext view = make_view_context(first_person_view(from), {});
@@ -338,9 +330,10 @@ TEST(ViewContexts, HaveRaysThatAreTheInverseOfTheirAxes) {
         spec.shear_x = Unit::from_raw(static_cast<std::int32_t>(random() % (1u << 30)) - (1 << 29));
         spec.shear_y = Unit::from_raw(static_cast<std::int32_t>(random() % (1u << 30)) - (1 << 29));
         const ViewContext view = make_view_context(spec, {});
-        const std::array<Point, 3> rows{point_of(view.axes.right), point_of(view.axes.up), point_of(view.axes.forward)};
-        const std::array<Point, 3> columns{point_of(view.rays.right), point_of(view.rays.up),
-                                           point_of(view.rays.forward)};
+        const std::array<Point, 3> rows{test::to_point(view.axes.right), test::to_point(view.axes.up),
+                                        test::to_point(view.axes.forward)};
+        const std::array<Point, 3> columns{test::to_point(view.rays.right), test::to_point(view.rays.up),
+                                           test::to_point(view.rays.forward)};
         for (std::size_t row = 0; row < 3; ++row)
             for (std::size_t column = 0; column < 3; ++column)
                 EXPECT_NEAR(dot(rows[row], columns[column]), row == column ? 1 : 0, 1e-8);

@@ -41,9 +41,9 @@ int is_inside(std::span<const Point> corners, Point p) {
     const Point normal = doubled_area(corners);
     int verdict = 1;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point edge = minus(corners[(i + 1) % corners.size()], corners[i]);
+        const Point edge = corners[(i + 1) % corners.size()] - corners[i];
         if (length(edge) < 1e-6) continue;
-        const double distance = dot(cross(edge, minus(p, corners[i])), normal) / (length(edge) * length(normal));
+        const double distance = dot(cross(edge, p - corners[i]), normal) / (length(edge) * length(normal));
         if (distance < -1.0 / 256) return -1;
         if (distance < 1.0 / 256) verdict = 0;
     }
@@ -134,9 +134,9 @@ void check_order(const BrushModels& models, std::span<const Fragment* const> fra
         std::vector<Point>& outline = outlines.emplace_back();
         for (const Vec3<World>& corner : models.corners_of(*fragments[i])) outline.push_back(to_point(corner));
         // Clockwise from the front: the normal by the corners' order points away from the eye.
-        EXPECT_GT(dot(doubled_area(outline), minus(outline[0], eye)), 0);
+        EXPECT_GT(dot(doubled_area(outline), outline[0] - eye), 0);
         ++tally.fragments;
-        const Point ray = minus(middle_of(outline), eye);
+        const Point ray = middle_of(outline) - eye;
         for (std::size_t before = 0; before < i; ++before) {
             const Passage passage = pass_through(outlines[before], eye, ray);
             if (passage.meeting != Meeting::Hit || fragments[before]->placed != fragments[i]->placed) continue;

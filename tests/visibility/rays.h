@@ -9,21 +9,11 @@
 /// Rays and polygons in doubles.
 namespace oblong::test {
 
-inline Point minus(Point a, Point b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline Point cross(Point a, Point b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-inline double length(Point a) {
-    return std::sqrt(dot(a, a));
-}
-
 /// Twice a polygon's area, along its normal.
 inline Point doubled_area(std::span<const Point> corners) {
     Point sum;
     for (std::size_t i = 2; i < corners.size(); ++i) {
-        const Point part = cross(minus(corners[i - 1], corners[0]), minus(corners[i], corners[0]));
+        const Point part = cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
         sum = {sum.x + part.x, sum.y + part.y, sum.z + part.z};
     }
     return sum;
@@ -41,14 +31,14 @@ struct Passage {
 inline Passage pass_through(std::span<const Point> corners, Point eye, Point ray) {
     int sides[3] = {0, 0, 0};  // edges that the ray passes to the left of, close by, to the right of
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Point from = minus(corners[i], eye), to = minus(corners[(i + 1) % corners.size()], eye);
+        const Point from = corners[i] - eye, to = corners[(i + 1) % corners.size()] - eye;
         const Point across = cross(from, to);
         const double distance = dot(across, ray) / (length(across) * length(ray) + 1e-30);
         ++sides[distance > 1e-4 ? 2 : distance < -1e-4 ? 0 : 1];
     }
     if (sides[0] && sides[2]) return {};
     const Point normal = doubled_area(corners);
-    const double along = dot(normal, minus(corners[0], eye)) / dot(normal, ray);
+    const double along = dot(normal, corners[0] - eye) / dot(normal, ray);
     if (along < 0) return {};
     return {sides[1] ? Meeting::Doubtful : Meeting::Hit, along, dot(normal, ray) > 0};
 }

@@ -11,7 +11,6 @@
 #include "engine/scene/placed_models.h"
 #include "tests/support/folders.h"
 #include "tests/support/point.h"
-#include "tests/support/shared_levels.h"
 
 namespace oblong::test {
 

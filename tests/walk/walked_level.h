@@ -10,7 +10,6 @@
 #include "game/simulation/items.h"
 #include "game/simulation/step.h"
 #include "tests/support/folders.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/walk/scripted_platform.h"
 
 namespace oblong::test {

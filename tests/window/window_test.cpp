@@ -6,7 +6,6 @@
 
 #include "engine/files/files.h"
 #include "tests/support/folders.h"
-#include "tests/support/temporary_folder.h"
 
 // A real window on a display of its own (Xvfb), looked at from outside: tests/window/look.py says what it checks.
 TEST(Window, ASphereIsRoundOnScreenAndTheKeysSpoilAndMendIt) {

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "engine/surface/palette.h"
 #include "tools/accuracy/configurations.h"
 #include "tools/accuracy/frame_errors.h"
 
@@ -40,5 +44,17 @@ class ErrorCollector {
 const std::vector<float>& pixels_by(const PixelErrors& errors, Measure measure);
 /// The root of the mean square of the values that are not negative.
 double rms_of(const std::vector<float>& values);
+
+/// The values at the ends of a heat map's colours, and how their captions read.
+struct HeatScale {
+    double least = 0, greatest = 0;
+    std::string least_text, greatest_text;
+};
+HeatScale heat_scale(Measure measure);
+
+/// Dark blue to yellow, by logarithm from the least value to the greatest; what has no value is grey.
+Palette heat_palette();
+/// The palette index of each value.
+std::vector<std::uint8_t> heat_pixels(const std::vector<float>& values, Measure measure);
 
 }  // namespace oblong

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "tools/accuracy/configurations.h"
-#include "tools/measure/reference_view.h"
 #include "tools/measure/texel_error.h"
 
 namespace oblong {

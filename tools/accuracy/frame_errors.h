@@ -6,9 +6,8 @@
 
 #include "engine/frame/frame_record.h"
 #include "engine/surface/palette.h"
-#include "tools/accuracy/level_frames.h"
 #include "tools/accuracy/measured_level.h"
-#include "tools/measure/error_summary.h"
+#include "tools/measure/texel_error.h"
 #include "tools/reference/colour.h"
 
 namespace oblong {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "tools/accuracy/instructions.h"
+#include "tools/accuracy/machine.h"
 
 namespace oblong {
 

@@ -7,7 +7,7 @@
 
 #include "engine/files/rendering_times.h"
 #include "tools/accuracy/configurations.h"
-#include "tools/accuracy/level_frames.h"
+#include "tools/accuracy/measured_level.h"
 #include "tools/accuracy/progress.h"
 
 namespace oblong {

@@ -3,9 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tools/accuracy/loose_edges.h"
 #include "tools/accuracy/scene_map.h"
-#include "tools/accuracy/scene_textures.h"
 #include "tools/map/compile.h"
 
 namespace oblong {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace oblong {
@@ -8,5 +10,22 @@ namespace oblong {
 std::string machine_name();
 /// The compiler that built this program.
 std::string compiler_name();
+
+/// Counts the instructions that this thread executes, where the machine has a counter and lets a program read it
+/// (Linux: perf_event_open). Many virtual machines have none.
+class InstructionCounter {
+  public:
+    InstructionCounter();
+    ~InstructionCounter();
+    InstructionCounter(const InstructionCounter&) = delete;
+
+    bool is_available() const { return file_ >= 0; }
+    void start();
+    /// Since start(); none where they cannot be counted.
+    std::optional<std::int64_t> stop();
+
+  private:
+    int file_ = -1;
+};
 
 }  // namespace oblong

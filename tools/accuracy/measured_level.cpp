@@ -1,10 +1,13 @@
 #include "tools/accuracy/measured_level.h"
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/base/input_error.h"
 #include "engine/level/bsp_read.h"
 #include "engine/visibility/eye.h"
+#include "tools/accuracy/configurations.h"
 
 namespace oblong {
 
@@ -24,6 +27,47 @@ MeasuredLevel make_measured_level(const std::string& name, const std::string& ab
         measured.cameras[i].eye = eye.position;
     }
     return measured;
+}
+
+LevelFrames::LevelFrames(const MeasuredLevel& level, const Colormap& colormap)
+    : level_(level), colormap_(colormap), pixels_(pixel_count(kMeasuredMode.width_px, kMeasuredMode.height_px)) {}
+
+FrameWorkspace& LevelFrames::workspace_for(const Accuracy& accuracy) {
+    const auto known = std::find_if(lightings_.begin(), lightings_.end(), [&](const Lighting& lighting) {
+        return has_same_surfaces(lighting.accuracy, accuracy);
+    });
+    if (known != lightings_.end()) return *known->work;
+    lightings_.push_back({accuracy, std::make_unique<FrameWorkspace>(level_.level, kMeasuredMode)});
+    return *lightings_.back().work;
+}
+
+void LevelFrames::draw(const Camera& camera, const Accuracy& accuracy, EffectSet effects) {
+    Settings settings;
+    settings.accuracy = accuracy;
+    settings.allowed_effects = effects;
+    const Framebuffer out{pixels_.data(), kMeasuredMode.width_px, kMeasuredMode.height_px, kMeasuredMode.width_px};
+    draw_frame({level_.level, colormap_, level_.models}, camera, kMeasuredMode, settings, workspace_for(accuracy), out);
+}
+
+void LevelFrames::forget_surfaces(const Accuracy& accuracy) {
+    workspace_for(accuracy).cache.surfaces.clear();
+}
+
+const FrameRecord& LevelFrames::record(const Camera& camera, const Accuracy& accuracy) {
+    FrameWorkspace& work = workspace_for(accuracy);
+    work.observers.record = &record_;
+    draw(camera, accuracy);
+    work.observers.record = nullptr;
+    return record_;
+}
+
+FrameCounts LevelFrames::count(const Camera& camera, const Accuracy& accuracy) {
+    FrameWorkspace& work = workspace_for(accuracy);
+    FrameCounts counts;
+    work.observers.counts = &counts;
+    draw(camera, accuracy);
+    work.observers.counts = nullptr;
+    return counts;
 }
 
 }  // namespace oblong

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/files/png.h"
-#include "tools/accuracy/heat_map.h"
+#include "tools/accuracy/errors.h"
 
 namespace oblong {
 
@@ -38,19 +38,6 @@ struct Preparation {
     }
 };
 
-void add(const ByWidth& more, ByWidth& sum) {
-    for (std::size_t i = 0; i < sum.counts.size(); ++i) sum.counts[i] += more.counts[i];
-}
-
-void add(const Operations& more, Operations& sum) {
-    add(more.adds, sum.adds);
-    add(more.multiplications, sum.multiplications);
-    add(more.divisions, sum.divisions);
-    sum.lookups += more.lookups;
-    sum.bytes_read += more.bytes_read;
-    sum.bytes_written += more.bytes_written;
-}
-
 /// Each count divided and rounded to the nearest.
 Operations divided(const Operations& sum, std::int64_t count) {
     const auto mean = [count](std::int64_t value) { return (value + count / 2) / count; };
@@ -73,9 +60,9 @@ CountedCost count_cost(const Accuracy& accuracy, std::span<const FrameJob> jobs)
     CountedCost cost;
     for (const FrameJob& job : jobs) {
         job.frames.forget_surfaces(accuracy);
-        add(lighting_of(operations_by_stage(job.frames.count(job.view(), accuracy), accuracy)), cost.lighting);
+        cost.lighting += lighting_of(operations_by_stage(job.frames.count(job.view(), accuracy), accuracy));
         const auto stages = operations_by_stage(job.frames.count(job.view(), accuracy), accuracy);
-        add(sum_of(stages), cost.operations);
+        cost.operations += sum_of(stages);
         for (std::size_t i = 0; i < stages.size(); ++i)
             cost.stages[i] = {stages[i].stage, cost.stages[i].events + stages[i].events};
     }

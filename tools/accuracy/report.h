@@ -8,7 +8,7 @@
 #include "tools/accuracy/configurations.h"
 #include "tools/accuracy/errors.h"
 #include "tools/accuracy/frame_times.h"
-#include "tools/accuracy/level_frames.h"
+#include "tools/accuracy/measured_level.h"
 #include "tools/measure/operations.h"
 
 namespace oblong {

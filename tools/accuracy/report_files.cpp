@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/base/input_error.h"
-#include "tools/accuracy/heat_map.h"
+#include "tools/accuracy/errors.h"
 #include "tools/accuracy/notes.h"
 #include "tools/accuracy/page.h"
 

@@ -1,11 +1,20 @@
 #include "tools/accuracy/scene_map.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <numbers>
 #include <sstream>
+#include <vector>
+
+#include "engine/files/wad.h"
+#include "engine/surface/nearest_colour.h"
+#include "tools/texture/texture_files.h"
 
 namespace oblong {
+
 namespace {
 
 using map::MapBrush;
@@ -72,6 +81,70 @@ Point ring_point(const Point& centre, const Ring& ring, std::size_t corner) {
     return centre + Point{part(std::cos(angle)), part(std::sin(angle)), ring.height};
 }
 
+constexpr std::int32_t kSize = 64;
+
+/// 0 to 31, as if by chance.
+int grain(std::int32_t u, std::int32_t v) {
+    auto bits = static_cast<std::uint32_t>(u * 7919 + v * 104729);
+    bits = (bits ^ bits >> 13) * 1274126177u;
+    return static_cast<int>(bits >> 27);
+}
+
+std::uint8_t channel(int value) {
+    return static_cast<std::uint8_t>(value < 0 ? 0 : value > 255 ? 255 : value);
+}
+
+/// Blocks `block_width` by `block_height` texels in two shades in turn, a dark joint around each.
+MipTexture make_texture(const std::string& name, std::int32_t block_width, std::int32_t block_height, Rgb8 light,
+                        const Palette& palette) {
+    std::vector<std::uint8_t> texels;
+    for (std::int32_t v = 0; v < kSize; ++v)
+        for (std::int32_t u = 0; u < kSize; ++u) {
+            const bool is_joint = u % block_width == 0 || v % block_height == 0;
+            const bool is_dark = (u / block_width + v / block_height) % 2 != 0;
+            const int change = grain(u, v) - (is_joint ? 140 : is_dark ? 70 : 0);
+            const Rgb8 colour{channel(light.red + change), channel(light.green + change), channel(light.blue + change)};
+            texels.push_back(nearest_colour(palette, colour, kOrdinaryColours));
+        }
+    return make_mip_texture(name, kSize, kSize, std::move(texels), palette);
+}
+
+using map::Point;
+
+constexpr double kOnEdge_units = 1.0 / 256;
+
+int start_of(const map::BspFile& bsp, int surf_edge) {
+    const auto& ends = bsp.edges[static_cast<std::size_t>(std::abs(surf_edge))];
+    return ends[surf_edge < 0 ? 1 : 0];
+}
+
+Point place_of(const map::BspFile& bsp, int vertex) {
+    return map::to_point(bsp.vertices[static_cast<std::size_t>(vertex)]);
+}
+
+/// Whether a corner lies on the line from the one before to the next.
+bool is_within_edge(const Point& before, const Point& corner, const Point& next) {
+    const Point whole = next - before;
+    return map::length(map::cross(whole, corner - before)) <= kOnEdge_units * map::length(whole);
+}
+
+std::vector<int> corners_of(const map::BspFile& bsp, const map::FileFace& face) {
+    std::vector<int> corners;
+    for (int i = 0; i < face.edge_count; ++i)
+        corners.push_back(start_of(bsp, bsp.surf_edges[static_cast<std::size_t>(face.first_surf_edge + i)]));
+    return corners;
+}
+
+std::vector<int> without_those_within_edges(const map::BspFile& bsp, const std::vector<int>& corners) {
+    std::vector<int> kept;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const int before = kept.empty() ? corners.back() : kept.back(), next = corners[(i + 1) % corners.size()];
+        if (!is_within_edge(place_of(bsp, before), place_of(bsp, corners[i]), place_of(bsp, next)))
+            kept.push_back(corners[i]);
+    }
+    return kept;
+}
+
 }  // namespace
 
 MapBrush make_solid(const std::vector<std::vector<Point>>& polygons, const Point& inside, const std::string& texture,
@@ -132,6 +205,29 @@ void SceneMap::add_point(const std::string& classname, const Point& origin, std:
     place << origin.x << ' ' << origin.y << ' ' << origin.z;
     more.insert(more.begin(), {{"classname", classname}, {"origin", place.str()}});
     entities_.push_back({std::move(more), {}});
+}
+
+std::string make_scene_wad(const Palette& palette) {
+    const std::array<MipTexture, 2> textures{make_texture("stone", 16, 8, {200, 180, 150}, palette),
+                                             make_texture("tiles", 8, 8, {150, 180, 200}, palette)};
+    const std::vector<std::uint8_t> bytes = write_wad(textures);
+    return {bytes.begin(), bytes.end()};
+}
+
+void loosen_edges(map::BspFile& bsp) {
+    std::vector<std::array<int, 2>> edges{{0, 0}};  // edge 0 has no negative
+    std::vector<int> surf_edges;
+    for (map::FileFace& face : bsp.faces) {
+        const std::vector<int> corners = without_those_within_edges(bsp, corners_of(bsp, face));
+        face.first_surf_edge = static_cast<int>(surf_edges.size());
+        face.edge_count = static_cast<int>(corners.size());
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            surf_edges.push_back(static_cast<int>(edges.size()));
+            edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
+        }
+    }
+    bsp.edges = std::move(edges);
+    bsp.surf_edges = std::move(surf_edges);
 }
 
 }  // namespace oblong

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/surface/palette.h"
 #include "tools/map/source/map_file.h"
+#include "tools/map/tree/bsp_file.h"
 
 namespace oblong {
 
@@ -37,5 +39,13 @@ class SceneMap {
 
     std::vector<map::MapEntity> entities_;  // the first is the world
 };
+
+/// The bytes of a WAD with the hard scenes' textures, `stone` and `tiles`: grain and joints of high contrast, so that a
+/// texel out of place shows.
+std::string make_scene_wad(const Palette& palette);
+
+/// Takes from every face the corners that lie within its edges, which the compiler put where corners of other faces
+/// touch: the level as a compiler without that step writes it, with T-junctions for the engine to mend.
+void loosen_edges(map::BspFile& bsp);
 
 }  // namespace oblong

@@ -8,7 +8,7 @@
 #include "engine/files/png.h"
 #include "engine/level/bsp_read.h"
 #include "tools/gallery/page.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace {
 

@@ -1,9 +1,14 @@
 #include "tools/gallery/mesh_scene.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
-#include "tools/gallery/numbers.h"
+#include "engine/base/table.h"
+#include "engine/view/screen.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 
@@ -16,14 +21,6 @@ ViewContext make_scene_view(const RowInput& input, int field_of_view) {
     view.frustum = make_frustum(view.axes, view.projection);
     view.grid = SubpixelGrid::of_bits(input.settings.accuracy.subpixel_bits);
     return view;
-}
-
-Direction cross(const Direction& a, const Direction& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-Direction operator-(const Direction& a, const Direction& b) {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
 /// Pixels right of a place on the screen are `across`, rows below it `down`.
@@ -67,19 +64,6 @@ Colormap shade_numbers() {
     return colormap;
 }
 
-Direction direction_of(const Vec3<Unit>& vector) {
-    return {std::ldexp(vector.x.raw, -30), std::ldexp(vector.y.raw, -30), std::ldexp(vector.z.raw, -30)};
-}
-
-double dot(const Direction& a, const Direction& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-Direction normalised(const Direction& direction) {
-    const double length = std::sqrt(dot(direction, direction));
-    return {direction.x / length, direction.y / length, direction.z / length};
-}
-
 double exact_shade(double light) {
     return light < 128 ? 32 + (128 - light) * 31 / 128 : std::max(32 - (light - 128) * 32 / 128, 0.0);
 }
@@ -94,12 +78,12 @@ std::optional<ExactHit> exact_hit(const PlacedMesh& placed, const RowInput& inpu
     const auto corner = [&](std::uint32_t number) {
         const MeshVertex& vertex = placed.mesh->frames[0].vertices[number];
         const double sx = number_of(placed.scale.x), sy = number_of(placed.scale.y), sz = number_of(placed.scale.z);
-        const Direction n = direction_of(vertex.normal);
+        const Vec n = vec_of(vertex.normal);
         ExactCorner exact;
         exact.position = {number_of(vertex.position.x) * sx + number_of(placed.position.x),
                           number_of(vertex.position.y) * sy + number_of(placed.position.y),
                           number_of(vertex.position.z) * sz + number_of(placed.position.z)};
-        exact.normal = normalised(Direction{n.x / sx, n.y / sy, n.z / sz});
+        exact.normal = normalised(Vec{n.x / sx, n.y / sy, n.z / sz});
         exact.depth = exact.position.x;
         exact.column = input.mode.width_px / 2.0 - across * exact.position.y / exact.depth;
         exact.row = input.mode.height_px / 2.0 - across * shape * exact.position.z / exact.depth;
@@ -122,6 +106,73 @@ std::optional<ExactHit> exact_hit(const PlacedMesh& placed, const RowInput& inpu
                            normalised(cross(c.position - a.position, b.position - a.position))};
     }
     return nearest;
+}
+
+Skin checkered_skin(std::int32_t size, std::uint8_t one, std::uint8_t other) {
+    Skin skin{"checkered", size, size, std::vector<std::uint8_t>(pixel_count(size, size))};
+    for (std::int32_t v = 0; v < size; ++v)
+        for (std::int32_t u = 0; u < size; ++u) at(skin.texels, v * size + u) = (u / 8 + v / 8) % 2 == 0 ? one : other;
+    return skin;
+}
+
+Skin plain_skin(std::uint8_t colour) {
+    return {"plain", 1, 1, {colour}};
+}
+
+Mesh ball_mesh(double radius, int rings, Skin skin) {
+    Mesh mesh;
+    const int around = 2 * rings;
+    MeshFrame frame{"ball", {}, {}, {}};
+    for (int ring = 0; ring <= rings; ++ring)
+        for (int step = 0; step <= around; ++step) {
+            const double down = std::numbers::pi * ring / rings, turn = 2 * std::numbers::pi * step / around;
+            const double x = std::sin(down) * std::cos(turn), y = std::sin(down) * std::sin(turn), z = std::cos(down);
+            frame.vertices.push_back({world_point(radius * x, radius * y, radius * z), unit_vector(x, y, z)});
+            mesh.texels.push_back({Texel::from_raw(std::int64_t{skin.width - 1} * 65536 * step / around),
+                                   Texel::from_raw(std::int64_t{skin.height - 1} * 65536 * ring / rings)});
+        }
+    for (int ring = 0; ring < rings; ++ring)
+        for (int step = 0; step < around; ++step) {
+            const auto upper = static_cast<std::uint32_t>(ring * (around + 1) + step),
+                       lower = upper + static_cast<std::uint32_t>(around) + 1;
+            if (ring > 0) mesh.triangles.push_back({{upper, upper + 1, lower}, 0});
+            if (ring < rings - 1) mesh.triangles.push_back({{upper + 1, lower + 1, lower}, 0});
+        }
+    set_box(frame);
+    mesh.frames.push_back(frame);
+    mesh.skins.push_back(std::move(skin));
+    return mesh;
+}
+
+Mesh cube_mesh(double half_size, Skin skin) {
+    Mesh mesh;
+    MeshFrame frame{"cube", {}, {}, {}};
+    const double w = skin.width, h = skin.height;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int sign : {-1, 1}) {
+            const auto first = static_cast<std::uint32_t>(frame.vertices.size());
+            for (const auto& [a, b] : {std::pair{-1, -1}, std::pair{1, -1}, std::pair{1, 1}, std::pair{-1, 1}}) {
+                double p[3] = {}, n[3] = {};
+                p[axis] = sign * half_size;
+                n[axis] = sign;
+                p[(axis + 1) % 3] = a * half_size;
+                p[(axis + 2) % 3] = b * half_size;
+                frame.vertices.push_back({world_point(p[0], p[1], p[2]), unit_vector(n[0], n[1], n[2])});
+                mesh.texels.push_back({Texel::from_raw(std::lround((a + 1) * w * 32768)),
+                                       Texel::from_raw(std::lround((1 - b) * h * 32768))});
+            }
+            if (sign > 0) {
+                mesh.triangles.push_back({{first, first + 2, first + 1}, 0});
+                mesh.triangles.push_back({{first, first + 3, first + 2}, 0});
+            } else {
+                mesh.triangles.push_back({{first, first + 1, first + 2}, 0});
+                mesh.triangles.push_back({{first, first + 2, first + 3}, 0});
+            }
+        }
+    set_box(frame);
+    mesh.frames.push_back(frame);
+    mesh.skins.push_back(std::move(skin));
+    return mesh;
 }
 
 }  // namespace oblong

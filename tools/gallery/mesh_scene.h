@@ -1,10 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "engine/mesh/draw_mesh.h"
-#include "tools/gallery/mesh_shapes.h"
+#include "engine/mesh/mesh.h"
 #include "tools/gallery/row.h"
 
 namespace oblong {
@@ -33,31 +34,34 @@ std::uint8_t lit_colour(const GalleryAssets& assets, int red, int green, int blu
 /// A colormap by which a pixel shows the number of its shade.
 Colormap shade_numbers();
 
-/// A direction in units of length 1 as doubles.
-struct Direction {
-    double x = 0, y = 0, z = 0;
-};
-Direction direction_of(const Vec3<Unit>& vector);
-double dot(const Direction& a, const Direction& b);
-Direction normalised(const Direction& direction);
-
 /// The shade of a lightmap value of any size, by Colormap's definition.
 double exact_shade(double light);
 
 /// What a corner of a mesh has, in doubles, and its place on the screen.
 struct ExactCorner {
     double column = 0, row = 0, depth = 0;
-    Direction position, normal;
+    Vec position, normal;
 };
 /// The triangle that shows at a place of the screen, its corners' shares of that place on the screen, and its own
 /// normal.
 struct ExactHit {
     std::array<ExactCorner, 3> corners;
     std::array<double, 3> shares;
-    Direction normal;
+    Vec normal;
 };
 /// By all triangles of the mesh, in doubles; the mesh is placed and scaled, but not turned.
 std::optional<ExactHit> exact_hit(const PlacedMesh& placed, const RowInput& input, int field_of_view, double column,
                                   double row);
+
+/// Squares of 8 texels in two colours, `size` texels a side.
+Skin checkered_skin(std::int32_t size, std::uint8_t one, std::uint8_t other);
+/// One texel.
+Skin plain_skin(std::uint8_t colour);
+
+/// A ball around the origin: `rings` from pole to pole, twice as many sectors around. The skin goes around once.
+Mesh ball_mesh(double radius, int rings, Skin skin);
+
+/// A cube around the origin, each side with the whole skin and normals of its own.
+Mesh cube_mesh(double half_size, Skin skin);
 
 }  // namespace oblong

@@ -1,5 +1,6 @@
 #include "tools/gallery/row.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <span>
@@ -89,6 +90,44 @@ std::uint8_t GalleryAssets::colour(int red, int green, int blue) const {
     const Rgb8 wanted{static_cast<std::uint8_t>(red), static_cast<std::uint8_t>(green),
                       static_cast<std::uint8_t>(blue)};
     return nearest_colour(colormap.palette, wanted);
+}
+
+Vec3<World> world_point(double x, double y, double z) {
+    const auto part = [](double value) {
+        return World::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(value, World::kFractionBits))));
+    };
+    return {part(x), part(y), part(z)};
+}
+
+Vec3<Unit> unit_vector(double x, double y, double z) {
+    const double length = std::hypot(x, y, z);
+    const auto part = [length](double value) {
+        return Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(value / length, Unit::kFractionBits))));
+    };
+    return {part(x), part(y), part(z)};
+}
+
+Entry entry_of(double value) {
+    return Entry::from_raw(std::llround(std::ldexp(value, Entry::kFractionBits)));
+}
+
+std::string decimal_text(double value, const char* format) {
+    char text[48];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::vector<Row> gallery_rows() {
+    std::vector<Row> rows;
+    for (const auto subject :
+         {aspect_rows, clipping_rows, culling_rows, cyclic_overlap_rows, hidden_surface_rows, inspection_rows,
+          line_clipping_rows, line_rows, mesh_rows, projection_matrix_rows, projection_rows, shading_rows, stage_rows,
+          texture_rows, transform_rows, triangle_rows, vector_rows, view_rows})
+        for (Row& row : subject()) rows.push_back(std::move(row));
+    const auto first_seed = [](const Row& row) { return row.seeds.front(); };
+    std::stable_sort(rows.begin(), rows.end(),
+                     [&](const Row& a, const Row& b) { return first_seed(a) < first_seed(b); });
+    return rows;
 }
 
 }  // namespace oblong

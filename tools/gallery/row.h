@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -8,8 +9,10 @@
 #include "engine/draw/text.h"
 #include "engine/frame/settings.h"
 #include "engine/level/level.h"
+#include "engine/math/matrix.h"
 #include "engine/surface/colormap.h"
 #include "engine/view/screen.h"
+#include "tools/measure/exact.h"
 
 namespace oblong {
 
@@ -83,5 +86,43 @@ inline constexpr std::int32_t kHeader_px = 12, kFooter_px = 34;
 RowPage draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer canvas);
 /// A figure in one line: "140  column of the far face's corner".
 std::string figure_text(const Figure& figure);
+
+// The engine's numbers from doubles and back: what rows draw is worked out in doubles.
+
+/// A point of the world, from units.
+Vec3<World> world_point(double x, double y, double z);
+/// The direction of (x, y, z), of length 1; not of the zero vector.
+Vec3<Unit> unit_vector(double x, double y, double z);
+/// A number of a matrix.
+Entry entry_of(double value);
+
+/// A point or a direction in doubles.
+using reference::Vec;
+
+/// A number as text: "%.3f" or another format.
+std::string decimal_text(double value, const char* format = "%.3f");
+
+/// All rows, in the order of the seeds.
+std::vector<Row> gallery_rows();
+
+// The rows of each subject, a file each in tools/gallery/rows/.
+std::vector<Row> aspect_rows();
+std::vector<Row> clipping_rows();
+std::vector<Row> culling_rows();
+std::vector<Row> cyclic_overlap_rows();
+std::vector<Row> hidden_surface_rows();
+std::vector<Row> inspection_rows();
+std::vector<Row> line_clipping_rows();
+std::vector<Row> line_rows();
+std::vector<Row> mesh_rows();
+std::vector<Row> projection_matrix_rows();
+std::vector<Row> projection_rows();
+std::vector<Row> shading_rows();
+std::vector<Row> stage_rows();
+std::vector<Row> texture_rows();
+std::vector<Row> transform_rows();
+std::vector<Row> triangle_rows();
+std::vector<Row> vector_rows();
+std::vector<Row> view_rows();
 
 }  // namespace oblong

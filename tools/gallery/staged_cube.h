@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "engine/mesh/draw_mesh.h"
-#include "tools/gallery/numbers.h"
 #include "tools/gallery/row.h"
 
 namespace oblong {

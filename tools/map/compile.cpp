@@ -7,7 +7,7 @@
 #include "tools/map/light/sources.h"
 #include "tools/map/source/entities.h"
 #include "tools/map/tree/emit.h"
-#include "tools/map/tree/model.h"
+#include "tools/map/tree/mesh.h"
 #include "tools/map/vis/visibility.h"
 
 namespace oblong::map {

@@ -3,7 +3,7 @@
 #include "engine/base/input_error.h"
 #include "tools/map/source/checks.h"
 #include "tools/map/source/map_file.h"
-#include "tools/map/source/wad.h"
+#include "tools/map/source/textures.h"
 #include "tools/map/tree/bsp_file.h"
 
 namespace oblong::map {

@@ -248,10 +248,6 @@ StageOperations surfaces_of(const StageCounts& stages, const Accuracy& accuracy,
     return stage;
 }
 
-void add_to(ByWidth& sum, const ByWidth& more) {
-    for (std::size_t i = 0; i < sum.counts.size(); ++i) sum.counts[i] += more.counts[i];
-}
-
 /// Cycles of one operation of 16, 32 and 64 bits.
 struct InstructionTimes {
     std::string_view name;
@@ -299,16 +295,24 @@ std::array<StageOperations, kStageCount> operations_by_stage(const FrameCounts& 
             lit_texels_of(stages, accuracy)};
 }
 
+ByWidth& ByWidth::operator+=(const ByWidth& more) {
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += more.counts[i];
+    return *this;
+}
+
+Operations& Operations::operator+=(const Operations& more) {
+    adds += more.adds;
+    multiplications += more.multiplications;
+    divisions += more.divisions;
+    lookups += more.lookups;
+    bytes_read += more.bytes_read;
+    bytes_written += more.bytes_written;
+    return *this;
+}
+
 Operations sum_of(const std::array<StageOperations, kStageCount>& stages) {
     Operations sum;
-    for (const StageOperations& stage : stages) {
-        add_to(sum.adds, stage.operations.adds);
-        add_to(sum.multiplications, stage.operations.multiplications);
-        add_to(sum.divisions, stage.operations.divisions);
-        sum.lookups += stage.operations.lookups;
-        sum.bytes_read += stage.operations.bytes_read;
-        sum.bytes_written += stage.operations.bytes_written;
-    }
+    for (const StageOperations& stage : stages) sum += stage.operations;
     return sum;
 }
 

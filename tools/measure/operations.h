@@ -20,6 +20,7 @@ struct ByWidth {
     std::int64_t& operator[](Width width) { return counts[static_cast<std::size_t>(width)]; }
     std::int64_t operator[](Width width) const { return counts[static_cast<std::size_t>(width)]; }
     std::int64_t total() const { return counts[0] + counts[1] + counts[2]; }
+    ByWidth& operator+=(const ByWidth& more);
     bool operator==(const ByWidth&) const = default;
 };
 
@@ -31,6 +32,7 @@ struct Operations {
     std::int64_t lookups = 0;                        ///< of a table or a texel, at an address computed from data
     std::int64_t bytes_read = 0, bytes_written = 0;  ///< lookups included
 
+    Operations& operator+=(const Operations& more);
     bool operator==(const Operations&) const = default;
 };
 

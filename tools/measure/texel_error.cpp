@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/measure/reference_view.h"
-
 namespace oblong {
 
 namespace {
@@ -37,7 +35,7 @@ const reference::PlaneView& TexelErrorMeter::plane_of(const PixelRecord& pixel) 
     const std::int64_t key = std::int64_t{pixel.face.number()} << 32 | (pixel.model.number() + 1);
     if (const auto known = planes_.find(key); known != planes_.end()) return known->second;
     const reference::Vec offset =
-        pixel.model.is_none() ? reference::Vec{} : reference_vec(models_[pixel.model.position()].offset);
+        pixel.model.is_none() ? reference::Vec{} : vec_of(models_[pixel.model.position()].offset);
     const reference::PlaneView plane(level_, level_.face(pixel.face.number()), offset, camera_);
     return planes_.emplace(key, plane).first->second;
 }
@@ -77,6 +75,36 @@ ErrorSummary summarize_pixels(std::span<const TexelError> errors) {
 
 ErrorSummary summarize_texels(std::span<const TexelError> errors) {
     return summarize(errors, &TexelError::texels);
+}
+
+ErrorSummary summarize_errors(std::vector<float> errors) {
+    if (errors.empty()) return {};
+    double squares = 0;
+    for (const float error : errors) squares += static_cast<double>(error) * error;
+    const auto at_p99 = errors.begin() + static_cast<std::ptrdiff_t>((errors.size() * 99 + 99) / 100 - 1);
+    std::nth_element(errors.begin(), at_p99, errors.end());
+    return {static_cast<std::int64_t>(errors.size()), std::sqrt(squares / static_cast<double>(errors.size())), *at_p99,
+            *std::max_element(at_p99, errors.end())};
+}
+
+reference::View reference_view(const Camera& camera, const ScreenMode& mode, bool correct_aspect) {
+    reference::View view;
+    view.eye = vec_of(camera.eye);
+    view.yaw = camera.yaw.bam;
+    view.pitch = camera.pitch.bam;
+    view.roll = camera.roll.bam;
+    view.field_of_view = number_of(camera.field_of_view);
+    view.width_px = mode.width_px;
+    view.height_px = mode.height_px;
+    view.display = static_cast<double>(mode.display.numerator) / static_cast<double>(mode.display.denominator);
+    view.correct_aspect = correct_aspect;
+    return view;
+}
+
+std::vector<reference::PlacedModel> reference_models(std::span<const PlacedModel> models) {
+    std::vector<reference::PlacedModel> placed;
+    for (const PlacedModel& model : models) placed.push_back({model.model.number(), vec_of(model.offset)});
+    return placed;
 }
 
 }  // namespace oblong

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <unordered_map>
@@ -9,10 +10,20 @@
 #include "engine/scene/placed_models.h"
 #include "engine/view/projection.h"
 #include "engine/view/screen.h"
-#include "tools/measure/error_summary.h"
+#include "tools/measure/exact.h"
+#include "tools/reference/frame.h"
 #include "tools/reference/plane_view.h"
 
 namespace oblong {
+
+/// Of errors, none negative: the root of the mean square, the 99th percentile (the least error that 99 % of them do not
+/// exceed) and the largest. All 0 if there are none.
+struct ErrorSummary {
+    std::int64_t count = 0;
+    double rms = 0, p99 = 0, max = 0;
+};
+
+ErrorSummary summarize_errors(std::vector<float> errors);
 
 /// How far the texel that one pixel shows is from where it belongs. Both are negative where there is nothing to
 /// measure: sky, one colour, no face, or a plane that is not in front of the eye there.
@@ -51,5 +62,9 @@ class TexelErrorMeter {
 /// Of the pixels that were measured.
 ErrorSummary summarize_pixels(std::span<const TexelError> errors);
 ErrorSummary summarize_texels(std::span<const TexelError> errors);
+
+/// What the reference renderer needs to see what the engine sees. `correct_aspect`: Settings::correct_aspect.
+reference::View reference_view(const Camera& camera, const ScreenMode& mode, bool correct_aspect = true);
+std::vector<reference::PlacedModel> reference_models(std::span<const PlacedModel> models);
 
 }  // namespace oblong

@@ -11,7 +11,7 @@
 #include "engine/math/soft_float.h"
 #include "engine/view/screen_polygon.h"
 #include "engine/view/triangle_gradients.h"
-#include "tools/probe/decimal.h"
+#include "tools/probe/fields.h"
 #include "tools/probe/queries.h"
 
 namespace oblong {

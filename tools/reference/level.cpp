@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tools/reference/t_junctions.h"
+#include "tools/reference/polygon.h"
 
 namespace oblong::reference {
 

@@ -1,8 +1,28 @@
 #include "tools/reference/polygon.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace oblong::reference {
+
+namespace {
+
+/// Above 0 right of the edge as one walks it (y down), 0 on it.
+std::int64_t edge_function(const GridPoint& from, const GridPoint& to, const GridPoint& p) {
+    return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+}
+
+/// Of an edge of a triangle that runs clockwise.
+bool is_top_or_left(const GridPoint& from, const GridPoint& to) {
+    const bool is_top = from.y == to.y && to.x > from.x;
+    const bool is_left = to.y < from.y;
+    return is_top || is_left;
+}
+
+constexpr double kTolerance = 1.0 / 512;  ///< units; compilers leave about 1e-5
+
+}  // namespace
 
 std::vector<Vec> clip(const std::vector<Vec>& polygon, const Plane& plane) {
     std::vector<Vec> result;
@@ -40,6 +60,79 @@ double visible_area(const std::vector<Vec>& polygon, double near, double far, co
     for (const Vec& corner : clip_to_view(polygon, near, far, projection))
         screen.push_back(project(corner, projection));
     return area(screen);
+}
+
+bool covers(const std::array<GridPoint, 3>& corners, std::int32_t column, std::int32_t row) {
+    std::array<GridPoint, 3> clockwise = corners;
+    const std::int64_t area = edge_function(corners[0], corners[1], corners[2]);
+    if (area == 0) return false;
+    if (area < 0) std::swap(clockwise[1], clockwise[2]);
+    const GridPoint centre{column * std::int64_t{256} + 128, row * std::int64_t{256} + 128};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const GridPoint &from = clockwise[i], &to = clockwise[(i + 1) % 3];
+        const std::int64_t side = edge_function(from, to, centre);
+        if (side < 0 || (side == 0 && !is_top_or_left(from, to))) return false;
+    }
+    return true;
+}
+
+void add_triangle(const std::array<GridPoint, 3>& corners, CoverageMap& map) {
+    for (std::int32_t row = 0; row < map.height_px; ++row)
+        for (std::int32_t column = 0; column < map.width_px; ++column)
+            map.at(column, row) += covers(corners, column, row);
+}
+
+std::string picture_of_difference(const CoverageMap& expected, const CoverageMap& found) {
+    const auto different = std::mismatch(expected.counts.begin(), expected.counts.end(), found.counts.begin());
+    if (different.first == expected.counts.end()) return "";
+    const auto index = static_cast<std::int32_t>(different.first - expected.counts.begin());
+    const std::int32_t left = std::max(index % expected.width_px - 30, 0), top = index / expected.width_px;
+    std::string text = "from column " + std::to_string(left) + ", row " + std::to_string(top) + "\n";
+    for (std::int32_t row = top; row < std::min(top + 20, expected.height_px); ++row, text += '\n')
+        for (std::int32_t column = left; column < std::min(left + 60, expected.width_px); ++column) {
+            const auto at = static_cast<std::size_t>(row * expected.width_px + column);
+            const std::int32_t missing = expected.counts[at] - found.counts[at];
+            text += missing > 0 ? '|' : missing < 0 ? '-' : expected.counts[at] > 0 ? '+' : '.';
+        }
+    return text;
+}
+
+EdgeMender::EdgeMender(const std::vector<Vec>& vertices, const std::vector<int>& used)
+    : vertices_(vertices), by_x_(used) {
+    std::sort(by_x_.begin(), by_x_.end(), [&](int a, int b) { return at(a).x < at(b).x; });
+    by_x_.erase(std::unique(by_x_.begin(), by_x_.end()), by_x_.end());
+}
+
+std::vector<int> EdgeMender::inside(int from, int to) const {
+    const Vec start = at(from), edge = at(to) - start;
+    const double length_squared = dot(edge, edge);
+    std::vector<std::pair<double, int>> found;  // place on the edge, 0 to 1, and vertex
+    const double low = std::min(start.x, at(to).x) - kTolerance, high = std::max(start.x, at(to).x) + kTolerance;
+    const auto first = std::partition_point(by_x_.begin(), by_x_.end(), [&](int vertex) { return at(vertex).x < low; });
+    for (auto vertex = first; vertex != by_x_.end() && at(*vertex).x <= high; ++vertex) {
+        const Vec step = at(*vertex) - start;
+        const double place = dot(step, edge) / length_squared;
+        const Vec beside = step - edge * place;
+        if (place > 0 && place < 1 && dot(beside, beside) < kTolerance * kTolerance && *vertex != from && *vertex != to)
+            found.emplace_back(place, *vertex);
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<int> result;
+    for (const auto& [place, vertex] : found) result.push_back(vertex);
+    return result;
+}
+
+std::vector<int> EdgeMender::mended(const std::vector<int>& corners) const {
+    std::vector<int> result;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const int from = corners[i], to = corners[(i + 1) % corners.size()];
+        result.push_back(from);
+        // From the same end for both faces of an edge, so that both find the same.
+        std::vector<int> between = inside(std::min(from, to), std::max(from, to));
+        if (from > to) std::reverse(between.begin(), between.end());
+        result.insert(result.end(), between.begin(), between.end());
+    }
+    return result;
 }
 
 }  // namespace oblong::reference

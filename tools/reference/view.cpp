@@ -27,4 +27,28 @@ Camera make_camera(const View& view) {
     return {view.eye, make_world_axes(view), projection};
 }
 
+Projection make_projection(double width_px, double height_px, double display, double field_of_view) {
+    const double d = width_px / 2 / std::tan(field_of_view * std::numbers::pi / 360);
+    return {width_px, height_px, d, d * display * height_px / width_px};
+}
+
+ScreenPoint project(const Vec& view, const Projection& projection) {
+    return {projection.width_px / 2 + projection.multiplier_x * view.x / view.z,
+            projection.height_px / 2 - projection.multiplier_y * view.y / view.z};
+}
+
+Axes make_axes(double yaw, double pitch, double roll) {
+    const double a = yaw * std::numbers::pi / 32768, b = pitch * std::numbers::pi / 32768,
+                 g = roll * std::numbers::pi / 32768;
+    const Vec level_forward{std::sin(a), 0, std::cos(a)}, level_right{std::cos(a), 0, -std::sin(a)}, vertical{0, 1, 0};
+    const Vec forward = level_forward * std::cos(b) + vertical * std::sin(b);
+    const Vec up = vertical * std::cos(b) - level_forward * std::sin(b);
+    return {level_right * std::cos(g) + up * std::sin(g), up * std::cos(g) - level_right * std::sin(g), forward};
+}
+
+Vec to_view(const Vec& world_point, const Vec& world_eye, const Axes& axes) {
+    const Vec offset = world_point - world_eye;
+    return {dot(offset, axes.right), dot(offset, axes.up), dot(offset, axes.forward)};
+}
+
 }  // namespace oblong::reference

@@ -1,8 +1,35 @@
 #pragma once
 
-#include "tools/reference/projection.h"
+#include "tools/reference/vec.h"
 
 namespace oblong::reference {
+
+/// screen = centre + multiplier * view / z (y turned): Muratori's projection.
+struct Projection {
+    double width_px = 320, height_px = 200;
+    double multiplier_x = 160, multiplier_y = 400.0 / 3;
+};
+
+/// Field of view in degrees across the width; `display` is width to height of the whole picture as shown.
+Projection make_projection(double width_px, double height_px, double display, double field_of_view);
+
+struct ScreenPoint {
+    double x = 0, y = 0;
+};
+
+/// z above 0.
+ScreenPoint project(const Vec& view, const Projection& projection);
+
+/// Left-handed axes, y up: yaw turns forward toward right, then pitch turns forward toward up, then roll turns right
+/// toward up.
+struct Axes {
+    Vec right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, 1};
+};
+
+/// Angles in 1/65536 of a turn.
+Axes make_axes(double yaw, double pitch, double roll);
+
+Vec to_view(const Vec& world_point, const Vec& world_eye, const Axes& axes);
 
 /// Where a picture is seen from. The world is Quake's: x east, y north, z up.
 struct View {

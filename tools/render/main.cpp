@@ -15,8 +15,7 @@
 #include "engine/scene/level_effects.h"
 #include "engine/scene/placed_models.h"
 #include "tools/render/camera_list.h"
-#include "tools/render/report.h"
-#include "tools/render/view_option.h"
+#include "tools/render/renderer.h"
 
 namespace {
 
@@ -170,8 +169,7 @@ std::vector<ViewSpec> views_of(std::span<const Camera> cameras, const std::strin
 
 void check_hidden_surfaces(HiddenSurfaces method, std::span<const ViewSpec> views) {
     const auto is_parallel = [](const ViewSpec& view) { return view.is_parallel; };
-    if (serves_parallel_views(method) || std::none_of(views.begin(), views.end(), is_parallel))
-        return;
+    if (serves_parallel_views(method) || std::none_of(views.begin(), views.end(), is_parallel)) return;
     throw UsageError("--hidden-surfaces: " + std::string(at(kHiddenSurfaceNames, method)) +
                      " of a parallel view, expected span-buffer or painter");
 }
@@ -217,7 +215,7 @@ void render(const Options& options) {
     const std::chrono::duration<double, std::milli> load = std::chrono::steady_clock::now() - start;
 
     if (!options.out.empty()) make_folder(options.out);
-    const RenderJob job{{level, colormap, models, time_ms}, mode,    settings,     views,
+    const RenderJob job{{level, colormap, models, time_ms}, mode,    settings,      views,
                         static_cast<int>(options.repeat),   step_ms, &level_models, &hidden_surfaces};
     print_warnings("oblong-render", options.level, work.cache.effects.warnings);
     print_warnings("oblong-render", options.level, work.cache.things.warnings);
@@ -231,8 +229,9 @@ void render(const Options& options) {
         const auto png = encode_indexed_png(pixels, mode.width_px, mode.height_px, shown);
         write_file(picture_path(options.out, index), png);
     });
-    report({options.level, preset, mode, field_of_view, settings, hidden_surfaces.method(), workers.count(), load.count()},
-           frames, options);
+    report(
+        {options.level, preset, mode, field_of_view, settings, hidden_surfaces.method(), workers.count(), load.count()},
+        frames, options);
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "engine/accuracy/presets.h"
 #include "engine/files/level_models.h"
 #include "engine/files/rendering_times.h"
 #include "engine/frame/frame.h"
@@ -35,7 +37,7 @@ struct RenderJob {
     std::span<const ViewSpec> views;
     int repeat = 1;                 ///< timed renderings of each frame
     std::int64_t time_step_ms = 0;  ///< from each of those to the next: what moves is then lit and drawn anew
-    const LevelModels* level_models = nullptr;  ///< drawn instead of the scene's; outlive the job
+    const LevelModels* level_models = nullptr;             ///< drawn instead of the scene's; outlive the job
     const HiddenSurfaceMethod* hidden_surfaces = nullptr;  ///< the workspace's claimer
 };
 
@@ -44,5 +46,25 @@ struct RenderJob {
 std::vector<FrameReport> render_views(
     const RenderJob& job, FrameWorkspace& work,
     const std::function<void(std::size_t, std::span<const std::uint8_t>)>& on_picture);
+
+/// The contents of a report besides its frames.
+struct ReportHead {
+    std::string level;
+    Preset preset = Preset::Bounded;
+    ScreenMode mode;
+    Degrees field_of_view;
+    Settings settings;
+    HiddenSurfaces hidden_surfaces = HiddenSurfaces::SpanBuffer;
+    int threads = 1;               ///< that drew
+    double load_milliseconds = 0;  ///< of the level, up to its first frame
+};
+
+TimeSummary summarize_times(const std::vector<FrameReport>& frames);
+
+/// The plan of each frame for reading: what `oblong-render --plan` prints.
+std::string plan_text(const std::vector<FrameReport>& frames);
+
+/// The JSON that `oblong-render --json` writes.
+std::string report_json(const ReportHead& head, const std::vector<FrameReport>& frames);
 
 }  // namespace oblong

@@ -1,5 +1,3 @@
-#include "tools/render/view_option.h"
-
 #include <algorithm>
 #include <array>
 #include <map>
@@ -9,6 +7,7 @@
 #include "engine/base/input_error.h"
 #include "engine/files/arguments.h"
 #include "engine/fixed/trig.h"
+#include "tools/render/camera_list.h"
 
 namespace oblong {
 

@@ -1,7 +1,6 @@
 #include "engine/files/arguments.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
-#include "tools/texture/ramp_sheet.h"
 #include "tools/texture/texture_files.h"
 
 namespace {

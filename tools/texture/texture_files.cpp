@@ -5,13 +5,16 @@
 #include <set>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
+#include "engine/files/png.h"
 #include "engine/files/wad.h"
 #include "engine/level/bsp_read.h"
+#include "engine/surface/colormap.h"
+#include "engine/surface/nearest_colour.h"
 #include "engine/view/screen.h"
-#include "tools/texture/mipmaps.h"
 
 namespace oblong {
 
@@ -50,6 +53,52 @@ std::vector<MipTexture> read_textures(std::span<const std::uint8_t> file) {
     std::vector<MipTexture> textures;
     for (const WadTexture& texture : read_wad(file)) textures.push_back(parse_miptex(texture.miptex));
     return textures;
+}
+
+/// The sums over a block of texels. Holes have no colour.
+struct BlockSum {
+    int red = 0, green = 0, blue = 0, coloured = 0, fullbright = 0, holes = 0;
+
+    void add(std::uint8_t index, const Palette& palette) {
+        const Rgb8 colour = palette.colours[index];
+        red += colour.red;
+        green += colour.green;
+        blue += colour.blue;
+        ++coloured;
+        if (index >= kFirstFullbright) ++fullbright;
+    }
+    std::uint8_t mean(int sum) const { return static_cast<std::uint8_t>((sum + coloured / 2) / coloured); }
+    Rgb8 mean_colour() const { return {mean(red), mean(green), mean(blue)}; }
+    bool glows() const { return 2 * fullbright >= coloured; }
+    bool is_hole() const { return holes >= coloured; }
+};
+
+BlockSum sum_block(const MipTexture& texture, const Palette& palette, int left, int top, int size) {
+    BlockSum sum;
+    for (int y = top; y < top + size; ++y) {
+        for (int x = left; x < left + size; ++x) {
+            const std::uint8_t index = at(texture.mips[0], y * texture.width + x);
+            if (index == kHole && has_holes(texture.name))
+                ++sum.holes;
+            else
+                sum.add(index, palette);
+        }
+    }
+    return sum;
+}
+
+std::vector<std::uint8_t> shrink(const MipTexture& texture, const Palette& palette, int level) {
+    const int size = 1 << level;
+    const ColourRange fullbright{kFirstFullbright, has_holes(texture.name) ? kHole : 256};
+    std::vector<std::uint8_t> texels;
+    for (int top = 0; top < texture.height; top += size) {
+        for (int left = 0; left < texture.width; left += size) {
+            const BlockSum sum = sum_block(texture, palette, left, top, size);
+            const ColourRange range = sum.glows() ? fullbright : kOrdinaryColours;
+            texels.push_back(sum.is_hole() ? kHole : nearest_colour(palette, sum.mean_colour(), range));
+        }
+    }
+    return texels;
 }
 
 }  // namespace
@@ -107,6 +156,29 @@ std::string file_of_texture_name(const std::string& name) {
         if (letter == '/' || letter == '\\') letter = '_';
     }
     return file + ".png";
+}
+
+std::vector<std::uint8_t> make_ramp_sheet(const Palette& palette) {
+    constexpr std::int32_t kWidth_px = Colormap::kShades * kRampCellWidth_px, kHeight_px = 256 * kRampCellHeight_px;
+    const Colormap colormap = make_colormap(palette);
+    std::vector<std::uint8_t> pixels;
+    for (std::int32_t y = 0; y < kHeight_px; ++y)
+        for (std::int32_t x = 0; x < kWidth_px; ++x)
+            pixels.push_back(at(at(colormap.shades, x / kRampCellWidth_px), y / kRampCellHeight_px));
+    return encode_indexed_png(pixels, kWidth_px, kHeight_px, palette);
+}
+
+MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::int32_t height,
+                            std::vector<std::uint8_t> texels, const Palette& palette) {
+    MipTexture texture;
+    texture.name = name;
+    texture.width = width;
+    texture.height = height;
+    texture.mips[0] = std::move(texels);
+    for (int level = 1; level < 4; ++level) {
+        at(texture.mips, level) = shrink(texture, palette, level);
+    }
+    return texture;
 }
 
 }  // namespace oblong

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/files/quantise.h"
@@ -37,5 +39,24 @@ std::string texture_name_of_file(const std::string& path);
 
 /// "*water" -> "#water.png". Slashes, which a name in a broken file may hold, become '_'.
 std::string file_of_texture_name(const std::string& name);
+
+inline constexpr std::int32_t kRampCellWidth_px = 8, kRampCellHeight_px = 4;
+
+/// The PNG of a palette's colormap: a row of cells for each of the 256 colours, its shades from the brightest on the
+/// left to the darkest on the right.
+std::vector<std::uint8_t> make_ramp_sheet(const Palette& palette);
+
+/// A texture with its four mip levels. A texel of level n is the palette colour nearest to the mean of the 2^n x 2^n
+/// texels of level 0 under it: a glowing colour if half of them or more glow, and else an ordinary one, so that
+/// nothing starts to glow with distance. Where the texture has holes, such a texel is one if half of those under it
+/// are, and else the mean of the others. `texels` are width * height; both sizes are multiples of 16.
+MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::int32_t height,
+                            std::vector<std::uint8_t> texels, const Palette& palette);
+
+/// In textures whose names begin with '{' the last colour is not drawn: a hole.
+inline constexpr std::uint8_t kHole = 255;
+inline bool has_holes(std::string_view texture_name) {
+    return texture_name.starts_with('{');
+}
 
 }  // namespace oblong

@@ -7,7 +7,7 @@
 #include "engine/base/fnv.h"
 #include "engine/files/files.h"
 #include "tests/fuzz/common/played_level.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/folders.h"
 
 namespace oblong::fuzz {
 

@@ -2,7 +2,7 @@
 
 #include "engine/files/wad.h"
 #include "tests/fuzz/common/fuzz.h"
-#include "tools/map/source/wad.h"
+#include "tools/map/source/textures.h"
 
 namespace oblong::fuzz {
 

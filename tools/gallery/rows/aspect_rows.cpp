@@ -11,9 +11,7 @@
 #include "engine/view/project.h"
 #include "tools/gallery/counted.h"
 #include "tools/gallery/diagram.h"
-#include "tools/gallery/level_scene.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {

@@ -8,7 +8,7 @@
 #include "engine/view/canonical_volume.h"
 #include "engine/view/triangulate.h"
 #include "engine/view/views.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {

@@ -7,7 +7,7 @@
 #include "engine/view/facing.h"
 #include "engine/view/project.h"
 #include "engine/view/views.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {
@@ -119,7 +119,7 @@ std::vector<Row> culling_rows() {
              "Back faces by a dot product",
              "5 Abrash: Using the Sign of the Dot Product; 3 Notes: Backface culling",
              "engine/view/facing.h",
-             "tests/view/facing_test.cpp",
+             "tests/view/projection_test.cpp",
              {choice_parameter(
                   "drawn by", {"dot product in object space", "normal's z in viewspace", "sign of the screen area"}, 1),
               {"field of view, degrees", 30, 110, 10, 90}},

@@ -16,7 +16,7 @@
 #include "engine/view/texture_gradients.h"
 #include "engine/view/views.h"
 #include "engine/visibility/model_cutter.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 

@@ -12,9 +12,8 @@
 #include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 #include "engine/methods/hidden_surfaces.h"
-#include "tools/gallery/level_scene.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
+#include "tools/gallery/sketch.h"
 
 namespace oblong {
 

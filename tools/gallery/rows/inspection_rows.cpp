@@ -11,40 +11,26 @@
 #include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 #include "engine/view/views.h"
-#include "tools/gallery/level_scene.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {
 
 namespace {
 
-using ExactPoint = std::array<double, 3>;
-
-ExactPoint exact_point(const Vec3<World>& p) {
-    return {number_of(p.x), number_of(p.y), number_of(p.z)};
-}
-
 /// How far along a ray it goes through a face, in double precision; below 0 where it does not.
-double distance_in_double(const Level& level, const Face& face, const ExactPoint& eye, const ExactPoint& direction) {
+double distance_in_double(const Level& level, const Face& face, const Vec& eye, const Vec& direction) {
     const LevelPlane& plane = level.planes[face.plane];
     const double sign = face.is_back ? -1 : 1;
-    const ExactPoint n{sign * number_of(plane.normal.x), sign * number_of(plane.normal.y),
-                       sign * number_of(plane.normal.z)};
-    const auto along = [](const ExactPoint& a, const ExactPoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-    const double above = along(eye, n) - sign * number_of(plane.distance), approach = -along(direction, n);
+    const Vec n = vec_of(plane.normal) * sign;
+    const double above = dot(eye, n) - sign * number_of(plane.distance), approach = -dot(direction, n);
     if (above <= 0 || approach <= 0) return -1;
     const double t = above / approach;
     for (const SurfEdge step : level.edges_of(face)) {
         const Edge& edge = level.edges[step.edge];
-        const ExactPoint a = exact_point(level.vertices[step.is_reversed ? edge.to : edge.from]);
-        const ExactPoint b = exact_point(level.vertices[step.is_reversed ? edge.from : edge.to]);
-        const ExactPoint way{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-        const ExactPoint inward{way[1] * n[2] - way[2] * n[1], way[2] * n[0] - way[0] * n[2],
-                                way[0] * n[1] - way[1] * n[0]};
-        const ExactPoint from_a{eye[0] + t * direction[0] - a[0], eye[1] + t * direction[1] - a[1],
-                                eye[2] + t * direction[2] - a[2]};
-        if (along(from_a, inward) < 0) return -1;
+        const Vec a = vec_of(level.vertices[step.is_reversed ? edge.to : edge.from]);
+        const Vec b = vec_of(level.vertices[step.is_reversed ? edge.from : edge.to]);
+        if (dot(eye + direction * t - a, cross(b - a, n)) < 0) return -1;
     }
     return t;
 }
@@ -52,17 +38,16 @@ double distance_in_double(const Level& level, const Face& face, const ExactPoint
 /// The nearest of all faces along a camera's middle ray.
 double nearest_in_double(const Level& level, std::span<const PlacedModel> models, const Camera& camera) {
     const Vec3<Unit> forward = view_basis(camera.yaw, camera.pitch, camera.roll).forward;
-    const ExactPoint direction{number_of(forward.x), number_of(forward.y), number_of(forward.z)};
+    const Vec direction = vec_of(forward);
     double nearest = 1e9;
-    const auto look = [&](IndexRange<Face> faces, const ExactPoint& eye) {
+    const auto look = [&](IndexRange<Face> faces, const Vec& eye) {
         for (const FaceIndex face : faces) {
             const double t = distance_in_double(level, level.faces[face], eye, direction);
             if (t >= 0) nearest = std::min(nearest, t);
         }
     };
-    look(level.world().faces, exact_point(camera.eye));
-    for (const PlacedModel& placed : models)
-        look(level.models[placed.model].faces, exact_point(camera.eye - placed.offset));
+    look(level.world().faces, vec_of(camera.eye));
+    for (const PlacedModel& placed : models) look(level.models[placed.model].faces, vec_of(camera.eye - placed.offset));
     return nearest;
 }
 

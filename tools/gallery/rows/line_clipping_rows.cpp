@@ -6,8 +6,7 @@
 
 #include "engine/view/clip_line.h"
 #include "tools/gallery/diagram.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 
@@ -15,10 +14,9 @@ namespace {
 
 constexpr double kFront = 2, kBack = 13, kFieldOfView = 80;
 
-using ViewPlace = std::array<double, 3>;  // x right, y up, z ahead
-
+/// x right, y up, z ahead.
 struct Segment {
-    ViewPlace from, to;
+    Vec from, to;
 };
 
 /// Lines here and there around the volume: fractions of the golden ratio's multiples, which are spread evenly.
@@ -30,22 +28,11 @@ std::vector<Segment> some_lines(std::int64_t count) {
     std::vector<Segment> lines;
     for (int i = 0; i < count; ++i) {
         const auto place = [&](int first) {
-            return ViewPlace{spread(first, -13, 13), spread(first * 5 + 2, -5, 5), spread(first * 3 + 1, -2, 16)};
+            return Vec{spread(first, -13, 13), spread(first * 5 + 2, -5, 5), spread(first * 3 + 1, -2, 16)};
         };
         lines.push_back({place(i * i + 3 * i), place(2 * i * i + i + 5)});
     }
     return lines;
-}
-
-ViewPlace between(const Segment& line, double along) {
-    ViewPlace place;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        place[axis] = line.from[axis] + (line.to[axis] - line.from[axis]) * along;
-    return place;
-}
-
-double length_of(const ViewPlace& a, const ViewPlace& b) {
-    return std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
 }
 
 /// How much of a line is inside, by its middles of 20,000 parts.
@@ -53,20 +40,15 @@ double length_inside(const Segment& line, double slope_x, double slope_y) {
     constexpr int kParts = 20'000;
     int inside = 0;
     for (int i = 0; i < kParts; ++i) {
-        const ViewPlace p = between(line, (i + 0.5) / kParts);
-        inside +=
-            p[2] >= kFront && p[2] <= kBack && std::abs(p[0]) <= slope_x * p[2] && std::abs(p[1]) <= slope_y * p[2];
+        const Vec p = line.from + (line.to - line.from) * ((i + 0.5) / kParts);
+        inside += p.z >= kFront && p.z <= kBack && std::abs(p.x) <= slope_x * p.z && std::abs(p.y) <= slope_y * p.z;
     }
-    return length_of(line.from, line.to) * inside / kParts;
+    return length(line.to - line.from) * inside / kParts;
 }
 
-Vec3<View> view_of(const ViewPlace& place) {
+Vec3<View> view_of(const Vec& place) {
     const auto part = [](double value) { return View::from_raw(std::llround(std::ldexp(value, View::kFractionBits))); };
-    return {part(place[0]), part(place[1]), part(place[2])};
-}
-
-ViewPlace place_of(const Vec3<View>& position) {
-    return {number_of(position.x), number_of(position.y), number_of(position.z)};
+    return {part(place.x), part(place.y), part(place.z)};
 }
 
 void draw_volume(Diagram& diagram, double slope, std::uint8_t colour, std::uint8_t faint) {
@@ -99,17 +81,17 @@ RowPage draw_clipped_lines(const RowInput& input, Framebuffer canvas) {
     std::int64_t kept = 0;
     const std::vector<Segment> lines = some_lines(input.values[1]);
     for (const Segment& line : lines) {
-        diagram.line({line.from[0], line.from[2]}, {line.to[0], line.to[2]}, assets.colour(120, 60, 60));
+        diagram.line({line.from.x, line.from.z}, {line.to.x, line.to.z}, assets.colour(120, 60, 60));
         expected += length_inside(line, slope_x, slope_y);
         const ViewLine whole{view_of(line.from), view_of(line.to)};
         const auto part = clip_line(volume, whole, method), by_other = clip_line(volume, whole, other);
         if (!part) continue;
         ++kept;
-        const ViewPlace from = place_of(part->from), to = place_of(part->to);
-        inside += length_of(from, to);
+        const Vec from = vec_of(part->from), to = vec_of(part->to);
+        inside += length(to - from);
         if (by_other)
-            apart = std::max({apart, length_of(from, place_of(by_other->from)), length_of(to, place_of(by_other->to))});
-        diagram.line({from[0], from[2]}, {to[0], to[2]}, assets.colour(250, 200, 110));
+            apart = std::max({apart, length(vec_of(by_other->from) - from), length(vec_of(by_other->to) - to)});
+        diagram.line({from.x, from.z}, {to.x, to.z}, assets.colour(250, 200, 110));
     }
     const auto count = static_cast<double>(lines.size());
     return {{number_figure("length inside, units, by 20,000 points a line", expected, inside, 1e-3 * count),

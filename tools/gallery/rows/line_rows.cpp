@@ -7,8 +7,8 @@
 #include "engine/effects/colour_tables.h"
 #include "engine/raster/line_walks.h"
 #include "engine/raster/lines.h"
-#include "tools/gallery/pixel_grid.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/diagram.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 

@@ -9,10 +9,9 @@
 #include "engine/fixed/trig.h"
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
-#include "tools/gallery/level_scene.h"
 #include "tools/gallery/mesh_scene.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
+#include "tools/gallery/sketch.h"
 
 namespace oblong {
 

@@ -8,7 +8,7 @@
 
 #include "engine/math/plane.h"
 #include "engine/view/canonical_volume.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {
@@ -147,33 +147,19 @@ RowPage draw_projection_matrix(const RowInput& input, Framebuffer canvas) {
          "far plane comes to 1 - near."}};
 }
 
-using Point3 = std::array<double, 3>;
-
-double dot(const Point3& a, const Point3& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Point3 cross(const Point3& a, const Point3& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Point3 direction(const Point3& a) {
-    const double length = std::sqrt(dot(a, a));
-    return {a[0] / length, a[1] / length, a[2] / length};
-}
-
-constexpr std::array<Point3, 4> kQuad{{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 1}}};
-constexpr Point3 kQuadTarget{0.5, 0.5, 0.5};
+constexpr std::array<Vec, 4> kQuad{{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 1}}};
+constexpr Vec kQuadTarget{0.5, 0.5, 0.5};
 constexpr int kQuadView = 32;
 
 /// OpenGL's axes, x right, y up, z toward the viewer, in the engine's: x east, y north, z up.
-Vec3<World> from_gl(const Point3& p) {
-    return world_point(p[0], -p[2], p[1]);
+Vec3<World> from_gl(const Vec& p) {
+    return world_point(p.x, -p.z, p.y);
 }
 
 /// Where a point is in a part of the picture, in doubles.
-PlanePoint pixel_in_double(const Point3& p, const Point3& eye, const RowInput& input, const Area& area) {
-    const auto minus = [](const Point3& a, const Point3& b) { return Point3{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
-    const Point3 forward = direction(minus(kQuadTarget, eye)), right = direction(cross(forward, {0, 1, 0})),
-                 up = cross(right, forward), way = minus(p, eye);
+PlanePoint pixel_in_double(const Vec& p, const Vec& eye, const RowInput& input, const Area& area) {
+    const Vec forward = normalised(kQuadTarget - eye), right = normalised(cross(forward, {0, 1, 0})),
+              up = cross(right, forward), way = p - eye;
     const Ratio pixel = input.mode.pixel();
     const double shape = static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator);
     const double d = area.width / 2.0 / std::tan(kQuadView * std::numbers::pi / 360);
@@ -185,12 +171,12 @@ RowPage draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
     const double turn = static_cast<double>(input.values[0]) * std::numbers::pi / 180;
-    const Point3 eye{0.5 + 4 * std::sin(turn), 1.6, 0.5 + 4 * std::cos(turn)};
+    const Vec eye{0.5 + 4 * std::sin(turn), 1.6, 0.5 + 4 * std::cos(turn)};
     const Area area = scene_area(canvas, 180);
     Sketch sketch(input, canvas, area, {from_gl(eye), from_gl(kQuadTarget), kQuadView});
     const std::array<std::uint8_t, 3> colours{assets.colour(200, 80, 70), assets.colour(90, 170, 80),
                                               assets.colour(90, 130, 220)};
-    constexpr std::array<Point3, 3> kAxes{{{1.3, 0, 0}, {0, 1.3, 0}, {0, 0, 1.3}}};
+    constexpr std::array<Vec, 3> kAxes{{{1.3, 0, 0}, {0, 1.3, 0}, {0, 0, 1.3}}};
     std::array<Vec3<World>, 4> corners;
     std::transform(kQuad.begin(), kQuad.end(), corners.begin(), from_gl);
     const std::uint8_t fill = assets.colour(200, 150, 60);
@@ -211,9 +197,9 @@ RowPage draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
         const PlanePoint found = sketch.place_of(corners[i]).value_or(PlanePoint{-1, -1});
         worst_px = std::max(worst_px, std::hypot(found.x - expected.x, found.y - expected.y));
         shoelace += (expected.x * next.y - next.x * expected.y) / 2;
-        const Point3& p = kQuad[i];
-        lines.push_back("glVertex3f(" + decimal_text(p[0], "%.0f") + ", " + decimal_text(p[1], "%.0f") + ", " +
-                        decimal_text(p[2], "%.0f") + ")");
+        const Vec& p = kQuad[i];
+        lines.push_back("glVertex3f(" + decimal_text(p.x, "%.0f") + ", " + decimal_text(p.y, "%.0f") + ", " +
+                        decimal_text(p.z, "%.0f") + ")");
         const Vec3<World>& w = corners[i];
         const Vec3<Entry> divided =
             *point_of(sketch.world_to_volume() * Vec4{convert<Entry>(w.x), convert<Entry>(w.y), convert<Entry>(w.z)});

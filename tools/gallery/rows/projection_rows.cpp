@@ -10,16 +10,15 @@
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/view/views.h"
-#include "tools/gallery/cube_scene.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
+#include "tools/gallery/sketch.h"
 
 namespace oblong {
 
 namespace {
 
 /// How long a line is on the display, in columns.
-double length_on_display(const Place& from, const Place& to, const ViewContext& view, const ScreenMode& mode) {
+double length_on_display(const Vec& from, const Vec& to, const ViewContext& view, const ScreenMode& mode) {
     const PixelPlace a = shown(from, view), b = shown(to, view);
     const Ratio pixel = mode.pixel();
     const double shape = static_cast<double>(pixel.denominator) / static_cast<double>(pixel.numerator);
@@ -48,13 +47,13 @@ ViewContext context_of(const RowInput& input, const ViewSpec& view) {
     return make_view_context(view, input.mode);
 }
 
-const Place kX{50, -50, -50}, kY{-50, 50, -50}, kZ{-50, -50, 50};
+const Vec kX{50, -50, -50}, kY{-50, 50, -50}, kZ{-50, -50, 50};
 
 /// How long the cube's edges along x, y and z are in the picture, against factors of their true length.
 std::vector<Figure> edge_figures(const RowInput& input, const ViewSpec& view, const std::array<double, 3>& factors) {
     const ViewContext context = context_of(input, view);
     const double true_length = 100 * input.mode.width_px / kCubeWidth;
-    const std::array<const Place*, 3> ends{&kX, &kY, &kZ};
+    const std::array<const Vec*, 3> ends{&kX, &kY, &kZ};
     constexpr std::array<const char*, 3> kNames{"edge along x / its true length", "along y", "along z"};
     std::vector<Figure> figures;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -158,7 +157,7 @@ RowPage draw_level_from_outside(const RowInput& input, Framebuffer canvas) {
 
 /// A camera whose picture of the cube has so many vanishing points.
 Camera camera_with_points(int points) {
-    constexpr std::array<Place, 3> kEyes{{{110, -310, 100}, {-160, -160, 15}, {-140, -140, 150}}};
+    constexpr std::array<Vec, 3> kEyes{{{110, -310, 100}, {-160, -160, 15}, {-140, -140, 150}}};
     Camera camera;
     camera.eye = in_world(at(kEyes, points - 1));
     camera.yaw = degrees_to_angle(Degrees::from_int(points == 1 ? 90 : 45));
@@ -195,8 +194,8 @@ RowPage draw_vanishing_points(const RowInput& input, Framebuffer canvas) {
         for (int corner = 0; corner < 8; ++corner)
             scene.line(shown(kCube.corner(corner), scene.view()), *point, colours[axis]);
         // As the engine projects a place 2^18 units from the eye, ahead of it.
-        Place far{std::ldexp(camera.eye.x.raw, -12), std::ldexp(camera.eye.y.raw, -12),
-                  std::ldexp(camera.eye.z.raw, -12)};
+        Vec far{std::ldexp(camera.eye.x.raw, -12), std::ldexp(camera.eye.y.raw, -12),
+                std::ldexp(camera.eye.z.raw, -12)};
         const double way = dot(axes[axis], scene.view().axes.forward) > Sine60{} ? 262144 : -262144;
         (axis == 0 ? far.x : axis == 1 ? far.y : far.z) += way;
         const PixelPlace seen = shown(far, scene.view());

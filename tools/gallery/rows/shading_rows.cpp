@@ -7,8 +7,7 @@
 #include "engine/draw/drawing.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/mesh_scene.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 
@@ -20,12 +19,12 @@ constexpr std::array kShadings{Shading::Flat, Shading::Gouraud, Shading::Phong};
 constexpr std::array kShadingNames{"flat", "Gouraud", "Phong"};
 
 /// Toward a light that goes around what it shines on, seen from the eye's side: 0 is right, 90 above.
-Direction toward_light(std::int64_t degrees) {
+Vec toward_light(std::int64_t degrees) {
     const double angle = static_cast<double>(degrees) * std::numbers::pi / 180;
-    return normalised(Direction{-0.8, -std::cos(angle), std::sin(angle)});
+    return normalised(Vec{-0.8, -std::cos(angle), std::sin(angle)});
 }
 
-Vec3<Unit> unit_of(const Direction& direction) {
+Vec3<Unit> unit_of(const Vec& direction) {
     return unit_vector(direction.x, direction.y, direction.z);
 }
 
@@ -60,22 +59,21 @@ PlacedMesh shaded_ball(const Mesh& mesh, std::size_t kind) {
 }
 
 /// The light of Phong's reflection: ambient, diffuse and a highlight about the direction halfway to the eye.
-double reflected(const Direction& normal, const Direction& toward, const Direction& eye, double highlight) {
-    const Direction half = normalised(Direction{toward.x + eye.x, toward.y + eye.y, toward.z + eye.z});
+double reflected(const Vec& normal, const Vec& toward, const Vec& eye, double highlight) {
+    const Vec half = normalised(toward + eye);
     return 24 + 110 * std::max(dot(normal, toward), 0.0) +
            highlight * std::pow(std::max(dot(normal, half), 0.0), kShininess);
 }
 
 /// The shade that the mark should have, from the corners of the triangle that is there.
-double expected_shade(std::size_t kind, const PlacedMesh& placed, const ExactHit& hit, const Direction& toward) {
-    const Direction place{placed.position.x.raw / 4096.0, placed.position.y.raw / 4096.0,
-                          placed.position.z.raw / 4096.0};
-    const Direction eye = normalised(Direction{-place.x, -place.y, -place.z});
+double expected_shade(std::size_t kind, const PlacedMesh& placed, const ExactHit& hit, const Vec& toward) {
+    const Vec place = vec_of(placed.position);
+    const Vec eye = normalised(Vec{-place.x, -place.y, -place.z});
     if (kShadings[kind] == Shading::Flat) return exact_shade(reflected(hit.normal, toward, eye, 0));
     double shade = 0;
-    Direction normal;
+    Vec normal;
     for (std::size_t i = 0; i < 3; ++i) {
-        const Direction& corner = hit.corners[i].normal;
+        const Vec& corner = hit.corners[i].normal;
         shade += hit.shares[i] * exact_shade(reflected(corner, toward, eye, 0));
         normal.x += hit.shares[i] * corner.x;
         normal.y += hit.shares[i] * corner.y;
@@ -90,7 +88,7 @@ RowPage draw_shadings(const RowInput& input, Framebuffer canvas) {
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
     const Mesh ball =
         ball_mesh(kBallRadius, static_cast<int>(input.values[0]), plain_skin(lit_colour(assets, 150, 90, 40)));
-    const Direction toward = toward_light(input.values[1]);
+    const Vec toward = toward_light(input.values[1]);
     const MeshLight light{24, {unit_of(toward), 110}, {}, 100};
     MeshScene scene(input, canvas, kBallsFieldOfView);
     std::vector<std::uint8_t> numbers(pixel_count(canvas.width_px, canvas.height_px));
@@ -122,10 +120,9 @@ enum class Kind : std::uint8_t { Ambient, Directional, Point };
 constexpr double kLitRadius = 46;
 
 /// The light that a place of the ball should get.
-double expected_light(Kind kind, const Direction& normal, const Direction& position, const Direction& lamp) {
+double expected_light(Kind kind, const Vec& normal, const Vec& position, const Vec& lamp) {
     if (kind == Kind::Ambient) return 90;
-    const Direction way =
-        kind == Kind::Point ? Direction{lamp.x - position.x, lamp.y - position.y, lamp.z - position.z} : lamp;
+    const Vec way = kind == Kind::Point ? Vec{lamp.x - position.x, lamp.y - position.y, lamp.z - position.z} : lamp;
     const double distance = kind == Kind::Point ? std::sqrt(dot(way, way)) : 0;
     return std::max(dot(normal, normalised(way)), 0.0) *
            (kind == Kind::Point ? std::max(150 - distance, 0.0) * 1.5 : 120);
@@ -135,14 +132,14 @@ RowPage draw_lights(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
     const auto kind = static_cast<Kind>(input.values[0]);
-    const Direction toward = toward_light(input.values[1]);
+    const Vec toward = toward_light(input.values[1]);
     const Mesh ball = ball_mesh(kLitRadius, 24, plain_skin(lit_colour(assets, 130, 130, 140)));
     PlacedMesh placed;
     placed.mesh = &ball;
     placed.shading = Shading::Gouraud;
     placed.position = world_point(kBallsDistance, 0, 8);
-    const Direction lamp =
-        kind == Kind::Point ? Direction{kBallsDistance + toward.x * 90, toward.y * 90, 8 + toward.z * 90} : toward;
+    const Vec lamp =
+        kind == Kind::Point ? Vec{kBallsDistance + toward.x * 90, toward.y * 90, 8 + toward.z * 90} : toward;
     const MovingLight point{world_point(lamp.x, lamp.y, lamp.z), World::from_int(150), 384};
     MeshLight light{kind == Kind::Ambient ? 90 : 0, {unit_of(toward), kind == Kind::Directional ? 120 : 0}, {}, 100};
     if (kind == Kind::Point) light.points = {&point, 1};
@@ -150,11 +147,10 @@ RowPage draw_lights(const RowInput& input, Framebuffer canvas) {
     scene.draw(placed, light);
 
     RowPage page;
-    constexpr std::array kPlaces{Direction{-0.5, -0.5, 0.7}, Direction{-0.8, 0.6, 0.2}, Direction{-0.6, -0.2, -0.78}};
+    constexpr std::array kPlaces{Vec{-0.5, -0.5, 0.7}, Vec{-0.8, 0.6, 0.2}, Vec{-0.6, -0.2, -0.78}};
     for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-        const Direction normal = normalised(kPlaces[i]);
-        const Direction position{kBallsDistance + normal.x * kLitRadius, normal.y * kLitRadius,
-                                 8 + normal.z * kLitRadius};
+        const Vec normal = normalised(kPlaces[i]);
+        const Vec position{kBallsDistance + normal.x * kLitRadius, normal.y * kLitRadius, 8 + normal.z * kLitRadius};
         const Vec3<World> on_ball = world_point(position.x, position.y, position.z);
         const double found = light_at(on_ball, unit_of(normal), light) / 256.0;
         const double expected = expected_light(kind, normal, position, lamp);

@@ -8,7 +8,7 @@
 #include "engine/raster/lines.h"
 #include "engine/view/canonical_volume.h"
 #include "engine/view/facing.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 #include "tools/gallery/staged_cube.h"
 
@@ -263,7 +263,7 @@ std::vector<Row> stage_rows() {
              "Step through the pipeline",
              "3 Notes: 3D Pipeline; 4 Princeton: pipeline; 5 Abrash: spaces",
              "engine/mesh/mesh_stages.h",
-             "tests/gallery/stages_test.cpp",
+             "tests/gallery/table_test.cpp",
              {choice_parameter("stage", kStageNames, 4),
               {"yaw, degrees", 0, 85, 5, 60},
               {"to the left, quarters of a unit", -10, 10, 1, 7}},

@@ -8,7 +8,7 @@
 #include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "engine/files/quantise.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 

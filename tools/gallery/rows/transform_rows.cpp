@@ -10,7 +10,7 @@
 #include "engine/math/plane.h"
 #include "engine/math/transform.h"
 #include "engine/view/facing.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
 
 namespace oblong {

@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "engine/raster/triangles.h"
-#include "tools/gallery/pixel_grid.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/diagram.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 

@@ -12,8 +12,7 @@
 #include "engine/math/rotation.h"
 #include "tools/gallery/counted.h"
 #include "tools/gallery/diagram.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
 
 namespace oblong {
 
@@ -372,7 +371,7 @@ std::vector<Row> vector_rows() {
              "Point and line against a plane",
              "5 Abrash: Using the Dot Product for Projection",
              "engine/math/plane.h",
-             "tests/math/plane_test.cpp",
+             "tests/math/vec_test.cpp",
              {{"z of the line's end", 1, 9, 1, 1}},
              draw_line_and_plane}};
 }

@@ -11,10 +11,8 @@
 #include "engine/frame/workspace.h"
 #include "engine/math/matrix.h"
 #include "engine/view/views.h"
-#include "tools/gallery/cube_scene.h"
-#include "tools/gallery/level_scene.h"
-#include "tools/gallery/numbers.h"
-#include "tools/gallery/rows.h"
+#include "tools/gallery/row.h"
+#include "tools/gallery/sketch.h"
 
 namespace oblong {
 
@@ -57,9 +55,9 @@ RowPage draw_lab_cube(const RowInput& input, Framebuffer canvas) {
     WireScene scene(input, spec, canvas);
     scene.fill_background();
     const Cube cube{{0, 0, 0}, 1};
-    const auto on_plane = [&](double u, double v) { return Place{0.5 - u, 0.5 + v, -2}; };
-    const std::array<Place, 4> window{on_plane(moved - half, -half), on_plane(moved - half, half),
-                                      on_plane(moved + half, half), on_plane(moved + half, -half)};
+    const auto on_plane = [&](double u, double v) { return Vec{0.5 - u, 0.5 + v, -2}; };
+    const std::array<Vec, 4> window{on_plane(moved - half, -half), on_plane(moved - half, half),
+                                    on_plane(moved + half, half), on_plane(moved + half, -half)};
     draw_cube(cube, input.assets, scene);
     for (std::size_t i = 0; i < 4; ++i) scene.line(window[i], window[(i + 1) % 4], input.assets.colour(120, 150, 90));
     draw_axes({0, 0, 0}, 1.3, input.assets, scene);
@@ -181,10 +179,10 @@ void draw_cross(const PixelPlace& at, std::uint8_t colour, std::uint8_t dark, Fr
 RowPage draw_cameras(const RowInput& input, Framebuffer canvas) {
     const bool looks_at = input.values[0] == 0;
     const double yaw = static_cast<double>(input.values[1]) * std::numbers::pi / 180;
-    const Place sphere{-112, 352, 128};
-    const Place eye = looks_at ? Place{sphere.x - 150 * std::cos(yaw), sphere.y - 150 * std::sin(yaw), sphere.z + 30}
-                               : Place{-112, 202, 128};
-    const Place target = looks_at ? sphere : Place{eye.x + 100 * std::cos(yaw), eye.y + 100 * std::sin(yaw), eye.z};
+    const Vec sphere{-112, 352, 128};
+    const Vec eye = looks_at ? Vec{sphere.x - 150 * std::cos(yaw), sphere.y - 150 * std::sin(yaw), sphere.z + 30}
+                             : Vec{-112, 202, 128};
+    const Vec target = looks_at ? sphere : Vec{eye.x + 100 * std::cos(yaw), eye.y + 100 * std::sin(yaw), eye.z};
     ViewSpec view = look_at_view(in_world(eye), in_world(target), Degrees::from_int(90));
     if (!looks_at) view = first_person_view(camera_at(-112, 202, 128, static_cast<int>(input.values[1]), 0));
     draw_demo_level(input, view, canvas);

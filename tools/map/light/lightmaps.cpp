@@ -4,13 +4,12 @@
 #include <map>
 #include <numeric>
 
-#include "tools/map/light/samples.h"
 #include "tools/map/light/sources.h"
-#include "tools/map/light/trace.h"
-#include "tools/map/source/contents.h"
+#include "tools/map/source/brush.h"
 #include "tools/map/vis/visibility.h"
 
 namespace oblong::map {
+
 namespace {
 
 constexpr double kRangeScale = 0.5;
@@ -210,6 +209,40 @@ void add_light(BspFile& bsp, const std::vector<MapEntity>& entities, bool is_fas
             store(bsp, face, styles);
         }
     }
+}
+
+Tracer::Tracer(const BspFile& bsp) : root_(bsp.models.front().head_nodes[0]) {
+    for (const FileNode& node : bsp.nodes) {
+        const FilePlane& plane = at(bsp.planes, node.plane);
+        nodes_.push_back({to_point(plane.normal), static_cast<double>(plane.distance), node.children});
+    }
+    for (const FileLeaf& leaf : bsp.leaves) opaque_.push_back(is_opaque(leaf.contents) ? leaf.contents : 0);
+}
+
+int Tracer::leaf_at(const Point& point) const {
+    int child = root_;
+    while (child >= 0) {
+        const TraceNode& node = at(nodes_, child);
+        child = node.children[dot(node.normal, point) < node.distance ? 1 : 0];
+    }
+    return -1 - child;
+}
+
+int Tracer::follow(int child, const Point& from, const Point& to, bool stops_at_sky) const {
+    while (child >= 0) {
+        const TraceNode& node = at(nodes_, child);
+        const double from_height = dot(node.normal, from) - node.distance;
+        const double to_height = dot(node.normal, to) - node.distance;
+        const std::size_t near = from_height < 0 ? 1 : 0, far = to_height < 0 ? 1 : 0;
+        if (near != far) {
+            const Point at = from + scaled(to - from, from_height / (from_height - to_height));
+            const int hit = follow(node.children[near], from, at, stops_at_sky);
+            return hit != 0 ? hit : follow(node.children[far], at, to, stops_at_sky);
+        }
+        child = node.children[near];
+    }
+    const int met = at(opaque_, -1 - child);
+    return met == contents::kSky && !stops_at_sky ? 0 : met;
 }
 
 }  // namespace oblong::map

@@ -3,7 +3,9 @@
 #include <array>
 #include <optional>
 
+#include "tools/map/light/lightmaps.h"
 #include "tools/map/source/map_file.h"
+#include "tools/map/tree/bsp_file.h"
 
 namespace oblong::map {
 
@@ -59,5 +61,41 @@ Lights lights_of(const std::vector<MapEntity>& entities);
 
 /// Gives each light that can be switched (has a targetname, but no style) the style of its name, from 32 on, as a key.
 void assign_switchable_styles(std::vector<MapEntity>& entities);
+
+/// The samples of a face's lightmap: at every 16th texel, from the multiple of 16 at or below the least texel of its
+/// corners to the one at or above the greatest.
+struct LightGrid {
+    static constexpr int kStep = 16;
+    std::array<int, 2> first{};  ///< in steps: texel / kStep
+    std::array<int, 2> count{};
+};
+
+/// Where light is measured for the samples of a face's lightmap.
+class FaceSampler {
+  public:
+    FaceSampler(const BspFile& bsp, const FileFace& face, const Tracer& tracer);
+
+    const Point& normal() const { return normal_; }
+    const LightGrid& grid() const { return grid_; }
+    const Point& centre() const { return centre_; }
+    double radius() const { return radius_; }
+
+    /// The point, kLift over the face, at sample (u, v) of the grid (fractions lie between samples). One that is
+    /// inside of a wall or beyond it moves to the nearest point over the face itself.
+    Point point_at(double u, double v) const;
+
+  private:
+    static constexpr double kLift = 1, kInset = 1;
+
+    Point nearest_over_face(const Point& point) const;
+
+    const Tracer& tracer_;
+    LightGrid grid_;
+    Point normal_;
+    std::vector<Point> corners_;  // lifted
+    Point centre_;                // of the lifted corners
+    double radius_ = 0;
+    Point base_, step_u_, step_v_;
+};
 
 }  // namespace oblong::map

@@ -6,7 +6,7 @@
 
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
-#include "tools/map/source/contents.h"
+#include "tools/map/source/brush.h"
 #include "tools/map/source/entities.h"
 
 namespace oblong::map {

@@ -7,7 +7,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/files/wad.h"
-#include "tools/map/source/contents.h"
+#include "tools/map/source/brush.h"
 
 namespace oblong::map {
 namespace {

@@ -1,8 +1,10 @@
 #include "tools/map/source/geometry.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace oblong::map {
+
 namespace {
 
 // Ties (a normal at 45 degrees) go to the first axis, whatever the rounding of the last bits.
@@ -34,6 +36,117 @@ bool is_same(const Plane& a, const Plane& b) {
            std::max({std::abs(apart.x), std::abs(apart.y), std::abs(apart.z)}) < PlaneList::kNormalEpsilon;
 }
 
+std::vector<double> heights_over(const Winding& winding, const Plane& plane) {
+    std::vector<double> heights;
+    heights.reserve(winding.size());
+    for (const Point& point : winding) {
+        const double height = plane.height_of(point);
+        heights.push_back(std::abs(height) <= kOnEpsilon ? 0 : height);
+    }
+    return heights;
+}
+
+// Always from the point in front to the one behind.
+Point crossing(const Point& front, double front_height, const Point& back, double back_height, const Plane& plane) {
+    Point at = front + scaled(back - front, front_height / (front_height - back_height));
+    for (int axis = 0; axis < 3; ++axis) {
+        const double facing = component(plane.normal, axis);
+        if (facing == 1.0 || facing == -1.0) component(at, axis) = facing * plane.distance;
+    }
+    return at;
+}
+
+void add_crossing(SplitWinding& parts, const Point& a, double a_height, const Point& b, double b_height,
+                  const Plane& plane) {
+    if (a_height * b_height >= 0) return;
+    const Point at =
+        a_height > 0 ? crossing(a, a_height, b, b_height, plane) : crossing(b, b_height, a, a_height, plane);
+    parts.front.push_back(at);
+    parts.back.push_back(at);
+}
+
+SplitWinding cut(const Winding& winding, const Plane& plane, const std::vector<double>& heights) {
+    SplitWinding parts;
+    for (std::size_t i = 0; i < winding.size(); ++i) {
+        const std::size_t next = (i + 1) % winding.size();
+        if (heights[i] >= 0) parts.front.push_back(winding[i]);
+        if (heights[i] <= 0) parts.back.push_back(winding[i]);
+        add_crossing(parts, winding[i], heights[i], winding[next], heights[next], plane);
+    }
+    return parts;
+}
+
+// Corners nearer than this are the same; an angle that bends less is straight.
+constexpr double kSameEpsilon = 1.0 / 512;
+
+bool is_same(const Point& a, const Point& b) {
+    return std::abs(a.x - b.x) < kSameEpsilon && std::abs(a.y - b.y) < kSameEpsilon &&
+           std::abs(a.z - b.z) < kSameEpsilon;
+}
+
+const Point& corner_at(const Winding& winding, std::size_t index) {
+    return winding[index % winding.size()];
+}
+
+// How far the corner sticks out of the line from `before` to `after`; negative: inward, the polygon is not convex.
+double bulge(const Point& before, const Point& corner, const Point& after, const Point& normal) {
+    const double chord = length(after - before);
+    if (chord == 0) return -1;
+    return -dot(normal, cross(corner - before, after - corner)) / chord;
+}
+
+// The union if edge i of `a` is edge j of `b` the other way.
+std::optional<Winding> joined_at(const Winding& a, std::size_t i, const Winding& b, std::size_t j,
+                                 const Point& normal) {
+    const double first_bulge = bulge(corner_at(a, i + a.size() - 1), corner_at(a, i), corner_at(b, j + 2), normal);
+    const double second_bulge = bulge(corner_at(b, j + b.size() - 1), corner_at(a, i + 1), corner_at(a, i + 2), normal);
+    if (first_bulge < -kOnEpsilon || second_bulge < -kOnEpsilon) return std::nullopt;
+    Winding joined;
+    if (second_bulge > kOnEpsilon) joined.push_back(corner_at(a, i + 1));
+    for (std::size_t k = 2; k < a.size(); ++k) joined.push_back(corner_at(a, i + k));
+    if (first_bulge > kOnEpsilon) joined.push_back(corner_at(a, i));
+    for (std::size_t k = 2; k < b.size(); ++k) joined.push_back(corner_at(b, j + k));
+    return joined;
+}
+
+std::optional<Winding> joined(const Winding& a, const Winding& b, const Point& normal) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            if (!is_same(corner_at(a, i), corner_at(b, j + 1)) || !is_same(corner_at(a, i + 1), corner_at(b, j)))
+                continue;
+            return joined_at(a, i, b, j, normal);
+        }
+    }
+    return std::nullopt;
+}
+
+Point facing(const std::vector<Winding>& windings) {
+    Point sum;
+    for (const Winding& winding : windings) sum = sum + area_vector(winding);
+    const double size = length(sum);
+    return size == 0 ? Point{} : scaled(sum, -1 / size);
+}
+
+struct Boxed {
+    Winding winding;
+    Box box;
+};
+
+// Joins `piece` to what is done, and the union again, until nothing fits.
+void add(std::vector<Boxed>& done, Winding piece, const Point& normal) {
+    Box box = box_of(piece);
+    for (std::size_t i = done.size(); i-- > 0;) {
+        if (!done[i].box.touches(box, kSameEpsilon)) continue;
+        std::optional<Winding> both = joined(done[i].winding, piece, normal);
+        if (!both) continue;
+        piece = std::move(*both);
+        box = box_of(piece);
+        done.erase(done.begin() + static_cast<std::ptrdiff_t>(i));
+        i = done.size();
+    }
+    done.push_back({std::move(piece), box});
+}
+
 }  // namespace
 
 int plane_type(const Plane& plane) {
@@ -61,6 +174,82 @@ int PlaneList::find(const Plane& plane) const {
         }
     }
     return -1;
+}
+
+Winding whole_plane(const Plane& plane) {
+    const int type = plane_type(plane);
+    const bool is_level = type == 2 || type == 5;
+    const Point rough_up = axis_vector(is_level ? 0 : 2);
+    Point up = rough_up - scaled(plane.normal, dot(rough_up, plane.normal));
+    up = scaled(up, kHuge / length(up));
+    const Point right = cross(up, plane.normal);
+    const Point centre = scaled(plane.normal, plane.distance);
+    return {centre - right + up, centre + right + up, centre + right - up, centre - right - up};
+}
+
+SplitWinding split(const Winding& winding, const Plane& plane) {
+    const std::vector<double> heights = heights_over(winding, plane);
+    const bool has_front = std::any_of(heights.begin(), heights.end(), [](double height) { return height > 0; });
+    const bool has_back = std::any_of(heights.begin(), heights.end(), [](double height) { return height < 0; });
+    if (!has_front && !has_back) return {{}, {}, true};
+    if (!has_back) return {winding, {}, false};
+    if (!has_front) return {{}, winding, false};
+    return cut(winding, plane, heights);
+}
+
+Winding clipped_to_front(const Winding& winding, const Plane& plane) {
+    SplitWinding parts = split(winding, plane);
+    return parts.is_on ? winding : std::move(parts.front);
+}
+
+Reach reach(const Winding& winding, const Plane& plane) {
+    Reach result;
+    for (const Point& point : winding) {
+        const double height = plane.height_of(point);
+        result.front = std::max(result.front, height);
+        result.back = std::max(result.back, -height);
+    }
+    return result;
+}
+
+Winding reversed(const Winding& winding) {
+    return {winding.rbegin(), winding.rend()};
+}
+
+Point area_vector(const Winding& winding) {
+    Point sum;
+    for (std::size_t i = 2; i < winding.size(); ++i)
+        sum = sum + cross(winding[i - 1] - winding[0], winding[i] - winding[0]);
+    return sum;
+}
+
+double least_width(const Winding& winding) {
+    double least = 2 * kHuge;
+    for (std::size_t i = 0; i < winding.size(); ++i) {
+        const Point edge = winding[(i + 1) % winding.size()] - winding[i];
+        const double size = length(edge);
+        if (size <= kOnEpsilon) continue;
+        double farthest = 0;
+        for (const Point& point : winding)
+            farthest = std::max(farthest, length(cross(edge, point - winding[i])) / size);
+        least = std::min(least, farthest);
+    }
+    return least;
+}
+
+Point middle(const Winding& winding) {
+    Point sum;
+    for (const Point& point : winding) sum = sum + point;
+    return scaled(sum, 1.0 / static_cast<double>(winding.size()));
+}
+
+std::vector<Winding> merged(std::vector<Winding> windings) {
+    const Point normal = facing(windings);
+    std::vector<Boxed> done;
+    for (Winding& winding : windings) add(done, std::move(winding), normal);
+    std::vector<Winding> result;
+    for (Boxed& boxed : done) result.push_back(std::move(boxed.winding));
+    return result;
 }
 
 }  // namespace oblong::map

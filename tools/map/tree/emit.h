@@ -1,7 +1,7 @@
 #pragma once
 
 #include "tools/map/tree/bsp_file.h"
-#include "tools/map/tree/model.h"
+#include "tools/map/tree/mesh.h"
 
 namespace oblong::map {
 

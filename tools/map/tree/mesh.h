@@ -2,9 +2,12 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "tools/map/source/geometry.h"
+#include "tools/map/tree/portals.h"
+#include "tools/map/tree/surfaces.h"
 
 namespace oblong::map {
 
@@ -38,5 +41,28 @@ using Loop = std::vector<int>;
 /// Puts a vertex into every edge on which one lies (within the weld distance), so that no vertex is in the interior of
 /// an edge. Loops that enclose nothing come out empty; as their neighbours run through the same vertices, no gap opens.
 void fix_t_junctions(std::vector<Loop>& loops, const VertexPool& pool);
+
+/// The world, or a brush entity, compiled: before its numbering for the file.
+struct CompiledModel {
+    Box box;
+    Tree tree;
+    Portals portals;
+    std::vector<Surface> surfaces;  ///< grouped by node
+    std::vector<Loop> loops;        ///< of each surface, the corners in `vertices`
+    VertexPool vertices;
+    std::array<Tree, 2> hulls;  ///< for kPlayerBox and kLargeBox; leaves are solid or empty
+};
+
+/// Where a sealed level must not be open to the void, or nothing for a model that needs no seal.
+using SealStarts = std::optional<std::vector<Point>>;
+
+struct ModelResult {
+    CompiledModel model;
+    std::optional<Leak> leak;  ///< then the model is not complete
+};
+
+/// Compiles brushes into a model. With `starts`, fills what is outside of the level.
+ModelResult compile_model(const std::vector<Brush>& brushes, PlaneList& planes, const std::vector<TexInfo>& texinfos,
+                          const SealStarts& starts);
 
 }  // namespace oblong::map

@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "engine/base/input_error.h"
-#include "tools/map/source/winding.h"
+#include "tools/map/source/geometry.h"
 
 namespace oblong::map {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tools/map/source/winding.h"
-#include "tools/map/vis/portal_graph.h"
+#include "tools/map/source/geometry.h"
+#include "tools/map/vis/visibility.h"
 
 namespace oblong::map {
 

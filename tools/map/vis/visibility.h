@@ -1,10 +1,13 @@
 #pragma once
 
+#include <bit>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "tools/map/tree/bsp_file.h"
-#include "tools/map/tree/model.h"
+#include "tools/map/tree/mesh.h"
 
 namespace oblong::map {
 
@@ -19,5 +22,89 @@ std::vector<bool> unpacked_row(const std::string& visibility, int offset, std::s
 /// without cutting lines of sight, so more is thought to be seen.
 void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<int>& leaf_indices,
                     const PlaneList& planes, bool is_fast);
+
+/// A set of small numbers, for fast unions and intersections of sets of one size.
+class BitSet {
+  public:
+    explicit BitSet(std::size_t size = 0) : words_((size + 63) / 64, 0) {}
+
+    bool has(std::size_t i) const { return (words_[i / 64] >> (i % 64) & 1) != 0; }
+    void add(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
+    void remove(std::size_t i) { words_[i / 64] &= ~(std::uint64_t{1} << (i % 64)); }
+
+    void add_all(const BitSet& other) {
+        for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
+    }
+
+    /// Becomes the intersection of both sets; returns whether that holds anything that `known` does not.
+    bool set_common(const BitSet& a, const BitSet& b, const BitSet& known) {
+        std::uint64_t news = 0;
+        for (std::size_t i = 0; i < words_.size(); ++i) {
+            words_[i] = a.words_[i] & b.words_[i];
+            news |= words_[i] & ~known.words_[i];
+        }
+        return news != 0;
+    }
+
+    int count() const {
+        int sum = 0;
+        for (const std::uint64_t word : words_) sum += std::popcount(word);
+        return sum;
+    }
+
+  private:
+    std::vector<std::uint64_t> words_;
+};
+
+/// Leaves that are told apart by details only are a cluster: visible sets are found for clusters.
+struct Clusters {
+    std::vector<int> of_leaf;  ///< by leaf of the tree; -1: solid
+    std::size_t count = 0;
+};
+
+/// `is_numbered`: for each leaf of the tree, whether it has a place in the visible sets.
+Clusters cluster_leaves(const Tree& tree, const std::vector<bool>& is_numbered);
+
+/// A portal: the polygon through which a cluster is seen.
+struct VisPortal {
+    Winding winding;
+    Plane plane;  ///< faces into the cluster
+    int cluster = 0;
+    Point centre;  ///< the polygon lies within `radius` of it
+    double radius = 0;
+    BitSet might_see;  ///< the portals that may be seen through this one
+};
+
+/// The clusters, and the ways between them.
+struct VisGraph {
+    std::vector<VisPortal> portals;                    ///< i and i ^ 1 are the two ways through one polygon
+    std::vector<std::vector<int>> portals_of_cluster;  ///< those that lead out of each
+};
+
+/// Adds to `found` what can be reached out of `cluster`, passing only portals i of which may_pass(i) is true.
+template <class MayPass>
+void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass may_pass) {
+    std::vector<bool> is_reached(graph.portals_of_cluster.size(), false);
+    std::vector<int> clusters{cluster};
+    at(is_reached, cluster) = true;
+    for (std::size_t done = 0; done < clusters.size(); ++done) {
+        for (const int index : at(graph.portals_of_cluster, clusters[done])) {
+            const auto i = static_cast<std::size_t>(index);
+            const int behind = graph.portals[i].cluster;
+            if ((found.has(i) && at(is_reached, behind)) || !may_pass(i)) continue;
+            found.add(i);
+            if (at(is_reached, behind)) continue;
+            at(is_reached, behind) = true;
+            clusters.push_back(behind);
+        }
+    }
+}
+
+/// Portals lead each way between clusters whose leaves touch, if both leaves are not opaque.
+VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, const Clusters& clusters);
+
+/// Sets might_see of all portals: those that can be reached through portals which lie in front of this one and face
+/// away from it. A superset of what can be seen.
+void find_might_see(VisGraph& graph);
 
 }  // namespace oblong::map

@@ -1,0 +1,75 @@
+// The pages on which saved walks are listed: to load one, to delete one, to save to a place.
+#include <utility>
+
+#include "game/menu/menu_pages.h"
+
+namespace oblong {
+
+MenuRow MenuPages::save_row(const SaveEntry& save, std::function<void()> accept) const {
+    return {save.name, save.content, host_.key_names().in(save.help), std::move(accept), nullptr, save.picture};
+}
+
+void MenuPages::open_load() {
+    menu_.open([this, saves = host_.saves()] {
+        MenuPage page{"Load"};
+        for (std::size_t i = 0; i < saves.size(); ++i) {
+            const SaveEntry& save = saves[i];
+            const auto load = [this, i, save] {
+                const std::string question = "Leave this walk and load " + save.name + "?";
+                const auto action = closing([this, i] { host_.load(i); });
+                if (!save.has_game) return action();  // which says why
+                if (save.is_of_this_walk && host_.has_unsaved_progress())
+                    return ask("Load", question + kLost, "Yes", action);
+                leave_walk(question, action);
+            };
+            page.rows.push_back(save_row(save, save.is_empty ? nullptr : std::function<void()>(load)));
+        }
+        page.rows.push_back(menu_row(
+            "Delete", [this] { open_delete(); }, "a saved walk"));
+        page.rows.push_back(back_row());
+        return page;
+    });
+}
+
+void MenuPages::open_delete() {
+    menu_.open([this, saves = host_.saves()] {
+        MenuPage page{"Delete"};
+        for (std::size_t i = 0; i < saves.size(); ++i) {
+            const SaveEntry& save = saves[i];
+            if (save.is_empty) continue;
+            const auto remove = [this, i] {
+                const std::string fault = host_.remove_save(i);
+                for (int pages = 3; pages > 0; --pages)
+                    menu_.close();  // the question, this one, and the list before it
+                open_load();
+                if (!fault.empty()) open_message("Delete", fault);
+            };
+            const auto accept = [this, name = save.name, remove] {
+                ask("Delete", "Delete " + name + " for good?", "Delete it", remove);
+            };
+            page.rows.push_back(save_row(save, accept));
+        }
+        page.rows.push_back(back_row());
+        return page;
+    });
+}
+
+void MenuPages::open_save() {
+    menu_.open([this, saves = host_.saves()] {
+        MenuPage page{"Save"};
+        for (std::size_t i = 0; i < saves.size(); ++i) {
+            const SaveEntry& save = saves[i];
+            if (!save.is_saved_to_by_player) continue;
+            const auto write = closing([this, i] { host_.save(i); });
+            const auto accept = [this, write, name = save.name, is_empty = save.is_empty] {
+                if (is_empty) return write();
+                ask("Save", "Replace what is in " + name + "?", "Replace it", write);
+            };
+            page.rows.push_back(save_row(save, accept));
+        }
+        page.rows.push_back(back_row());
+        return page;
+    });
+}
+
+}  // namespace oblong

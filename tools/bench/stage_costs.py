@@ -1,0 +1,187 @@
+"""What each stage of a frame costs: instructions a pixel, counted by callgrind.
+
+Two runs of oblong-render with more and with fewer repeats of each frame are subtracted, so that loading and building
+surfaces cancel. A function belongs to the stage of the source file that it is compiled from, by the object files' symbol
+tables: a release build needs no debug information for that. Fails if a function with more than 1 % of the instructions
+belongs to no stage.
+
+usage: tools/measure-frames stages [OPTIONS] [BUILD] [LEVEL CAMERAS [PALETTE]]
+  BUILD              a folder built before (default: build)
+  LEVEL CAMERAS      (default: the demo level, and the real levels where a folder shared/ is there)
+  --mode WxH         pixels (default: 320x200)
+  --render PROGRAM   that oblong-render of BUILD, as it is (default: built anew if sources changed)
+  --most N           cameras of each level (default: 35)
+  --functions        also the functions of each stage
+  --json FILE        (default: BUILD/bench/stage_costs.json)
+  -- OPTION...       further options of oblong-render: -- --accuracy exact
+Needs valgrind.
+"""
+import argparse
+import collections
+import json
+import os
+import re
+import subprocess
+import sys
+
+import runs
+
+# The stage of a source file of engine/, by the first pattern that fits; and of functions that several files share.
+STAGES = [
+    ("walk and boxes", r"visibility/(front_to_back|box_rectangle|visible_set|brush_models|fragment_tree|model_cutter|eye|placed_box)|"
+                       r"level/(side|pvs|bsp_tree|level)|frame/claims"),
+    ("transform, clip, project", r"view/(screen_polygon|clip|project|frustum|canonical|view|facing)|math/"),
+    ("edge scan", r"raster/(scan|edge)"),
+    ("coverage", r"visibility/span_buffer"),
+    ("gradients and face constants", r"view/(texture_gradients|triangle_gradients)|raster/block_rule|fixed/(reciprocal|root|wide)"),
+    ("surface lookup", r"scene/(face_surface|face_table)|surface/|frame/surface_pass"),
+    ("block set-up", r"raster/texture_blocks|frame/surface_pass"),
+    ("block fill", r"raster/kernels"),
+    ("exact spans", r"raster/exact_spans"),
+    ("sky", r"effects/sky"),
+    ("effects, things, models", r"effects/|mesh/|scene/|raster/(depth|triangles)|"
+                                r"frame/(fog|light|mirror|model|see_through|frame_things)"),
+    ("other", r"frame/|raster/|accuracy/|fixed/|visibility/|^tools/"),
+]
+SHARED_FUNCTIONS = [
+    ("gradients and face constants", r"make_face_gradients|gradients_of|make_block_thresholds|make_texel_limits"),
+    ("walk and boxes", r"BrushModels|VisibleSet|FrontToBack"),
+    ("transform, clip, project", r"ClipVertex|VertexCache|ScreenPolygon|to_screen_vertex|Vec3.*View"),
+    ("coverage", r"SpanBuffer"),
+    ("block set-up", r"SpanDrawing|BlockList|TexelBlock"),
+    ("other", r"^(__)?(mem(cpy|set|move)|(u?div|u?mod|mul)(mod)?ti)|clock_gettime|^operator (new|delete)|malloc|free|^std::"),
+]
+# Of a throw-away renderer of this design, on another Quake level (e1m1) at 320x200; some stages were counted together.
+PROTOTYPE = {
+    ("walk and boxes",): 0.50,
+    ("transform, clip, project", "edge scan"): 1.18,
+    ("coverage",): 1.47,
+    ("gradients and face constants", "surface lookup"): 0.22,
+    ("block set-up",): 3.58,
+    ("block fill",): 5.32,
+}
+PROTOTYPE_TOTAL = 12.35
+HOT_SHARE = 0.01
+
+
+def symbol_sources(build):
+    """Symbol -> the source files, below engine/ or the root, whose objects define it."""
+    sources = collections.defaultdict(set)
+    for top in ("engine", "tools/render"):
+        for folder, _, files in os.walk(os.path.join(build, top)):
+            for name in files:
+                if not name.endswith(".cpp.o"):
+                    continue
+                path = os.path.join(folder, name)
+                source = re.sub(r".*\.dir/", "" if top == "engine" else "tools/render/", path)[:-2]
+                if source.startswith(("draw/", "files/")):
+                    continue  # does no stage's work
+                listing = subprocess.run(["nm", "--defined-only", path], capture_output=True, text=True, check=True)
+                for line in listing.stdout.splitlines():
+                    words = line.split()
+                    if len(words) == 3 and words[1] in "TtWwiu":
+                        sources[words[2]].add(source)
+    if not sources:
+        runs.fail("no object files in %s: build it first" % build)
+    return sources
+
+
+def plain_names(symbols):
+    plain = subprocess.run(["c++filt"], input="\n".join(symbols), capture_output=True, text=True, check=True)
+    return dict(zip(symbols, plain.stdout.splitlines()))
+
+
+def stage_of(plain, files):
+    """The stage of a function, None if there is none. One that files of several stages define comes from a header."""
+    short = plain.replace("oblong::", "").replace("(anonymous namespace)::", "")
+    for stage, pattern in SHARED_FUNCTIONS[:1]:  # of a file that is mostly of another stage
+        if re.search(pattern, short):
+            return stage
+    of_files = {next((stage for stage, pattern in STAGES if re.search(pattern, file)), None) for file in files}
+    if len(of_files) == 1:
+        return of_files.pop()
+    return next((stage for stage, pattern in SHARED_FUNCTIONS if re.search(pattern, short)), None)
+
+
+class Costs:
+    """Instructions a pixel of a level, by stage and by function."""
+
+    def __init__(self, place, instructions, sources, pixels):
+        self.name = place.name
+        self.total = sum(instructions.values()) / pixels
+        self.stages = {stage: 0.0 for stage, _ in STAGES}
+        self.functions = {stage: [] for stage, _ in STAGES}
+        plain = plain_names(list(instructions))
+        for symbol, cost in sorted(instructions.items(), key=lambda item: -item[1]):
+            stage = stage_of(plain[symbol], sources.get(symbol, ()))
+            if stage is None and cost / pixels > HOT_SHARE * self.total:
+                runs.fail("%s has %.1f %% of the instructions on %s and belongs to no stage: name its file in STAGES" %
+                          (plain[symbol], 100 * cost / pixels / self.total, place.name))
+            self.stages[stage or "other"] += cost / pixels
+            self.functions[stage or "other"].append((cost / pixels, plain[symbol]))
+
+
+def mean_of(costs, stage):
+    return sum(cost.stages[stage] for cost in costs) / len(costs)
+
+
+def print_table(costs, shows_prototype):
+    """A row a stage, a column a level; where several real levels are counted, their mean beside the prototype."""
+    real = [cost for cost in costs if cost.name != "demo"] or costs
+    print("%-30s %s %9s%s" % ("instructions a pixel", "".join("%9s" % cost.name[:8] for cost in costs), "mean",
+                              "   prototype" if shows_prototype else ""))
+    for stage, _ in STAGES:
+        group, figure = next(((group, figure) for group, figure in PROTOTYPE.items() if stage in group), ((), None))
+        beside = "" if figure is None else "%12.2f" % figure if stage == group[0] else "           \""
+        print("%-30s %s %9.2f%s" % (stage, "".join("%9.2f" % cost.stages[stage] for cost in costs), mean_of(real, stage),
+                                    beside if shows_prototype else ""))
+    print("%-30s %s %9.2f%s" % ("all", "".join("%9.2f" % cost.total for cost in costs),
+                                sum(cost.total for cost in real) / len(real),
+                                "%12.2f" % PROTOTYPE_TOTAL if shows_prototype else ""))
+
+
+def print_functions(cost):
+    print("\n%s" % cost.name)
+    for stage, functions in cost.functions.items():
+        for instructions, name in functions:
+            if instructions > 0.02:
+                print("  %8.3f  %-28s %s" % (instructions, stage, name[:110]))
+
+
+def parse_arguments():
+    own = sys.argv[1:]
+    own, render_options = (own[:own.index("--")], own[own.index("--") + 1:]) if "--" in own else (own, [])
+    parser = argparse.ArgumentParser(usage=__doc__, add_help=False)
+    parser.add_argument("places", nargs="*")
+    parser.add_argument("--mode", default="320x200")
+    parser.add_argument("--render")
+    parser.add_argument("--json")
+    parser.add_argument("--most", type=int, default=35)
+    parser.add_argument("--functions", action="store_true")
+    if "-h" in own or "--help" in own:
+        print(__doc__)
+        sys.exit(0)
+    options = parser.parse_args(own)
+    options.build, options.level_paths = runs.build_and_level(options.places)
+    options.render_options = render_options
+    return options
+
+
+def main():
+    options = parse_arguments()
+    build = options.build
+    places = runs.places(build, options.level_paths, with_demo=True)
+    program = options.render or runs.built_render(build)
+    folder, sources = runs.work_folder(build), symbol_sources(build)
+    costs = []
+    for place in places:
+        some = place.thinned(options.most, folder)
+        instructions = runs.instructions_by_function(program, some, options.mode, options.render_options, folder)
+        pixels = runs.pixels_of(options.mode) * some.camera_count()
+        costs.append(Costs(some, instructions, sources, pixels))
+    print_table(costs, options.mode == "320x200" and not options.render_options)
+    for cost in costs if options.functions else ():
+        print_functions(cost)
+    with open(options.json or os.path.join(folder, "stage_costs.json"), "w") as out:
+        json.dump({"mode": options.mode, "options": options.render_options,
+                   "levels": {cost.name: {"all": cost.total, "stages": cost.stages} for cost in costs}}, out, indent=1)
