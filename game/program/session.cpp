@@ -128,12 +128,12 @@ void Session::play_due_ticks(std::uint64_t elapsed_us) {
     }
 }
 
-// Once.
+// Of each kind once.
 void Session::warn_of(const TickReport& report) {
-    const std::string left = has_warned_ ? "" : report.left();
-    if (left.empty()) return;
-    has_warned_ = true;
-    print_warnings("oblong", data_.level_file, {"more happens at once than a tick may do: " + left});
+    for (const std::string_view left : report.left())
+        if (warned_of_.insert(left).second)
+            print_warnings("oblong", data_.level_file,
+                           {"more happens at once than a tick may do: " + std::string(left)});
 }
 
 GameView Session::shown_view() const {

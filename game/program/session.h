@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <set>
+#include <string_view>
 
 #include "engine/files/frame_log.h"
 #include "engine/platform/platform.h"
@@ -117,7 +119,7 @@ class Session final : public GameScreen {
     CostText cost_text_;
     std::int32_t text_bottom_ = 0;  // the row above which the text at the bottom ends
     bool wants_screenshot_ = false;
-    bool has_warned_ = false;  // of what a tick left for later
+    std::set<std::string_view> warned_of_;  // what a tick left for later
 };
 
 }  // namespace oblong

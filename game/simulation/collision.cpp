@@ -72,7 +72,9 @@ std::optional<Obstacle> obstacle_of(const GameLevel& level, const GameState& sta
 }
 
 bool has_too_many_obstacles(const GameLevel& level, const Position& position) {
-    return level.obstacles.part_overlapping(player_box(position)).next != 0;
+    constexpr std::int32_t kFarthest = 48;  // in a tick: 2000 units a second, and a step
+    const Box reached = player_box(position).grown(world_vector(kFarthest, kFarthest, kFarthest));
+    return level.obstacles.part_overlapping(reached).next != 0;
 }
 
 Contact move_box(const GameLevel& level, const GameState& state, const Position& from, const Position& to) {

@@ -17,7 +17,8 @@ struct Obstacle {
 /// The obstacle of a number in GameLevel::obstacles; nothing for one that has been removed.
 std::optional<Obstacle> obstacle_of(const GameLevel& level, const GameState& state, std::uint32_t number);
 
-/// True where so many models may be in the player's way that only the first BoxTree::kMostFound of them are solid.
+/// True where so many models may be in the player's way in a tick that only the first BoxTree::kMostFound of them are
+/// solid.
 bool has_too_many_obstacles(const GameLevel& level, const Position& position);
 
 /// How far the player's box gets on a straight line.

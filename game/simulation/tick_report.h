@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <string_view>
+#include <vector>
 
 namespace oblong {
 
@@ -26,8 +27,8 @@ struct TickReport {
     static constexpr std::int32_t kMostMoverSteps = 8192;
     static constexpr std::int32_t kMostTeleports = 16;
 
-    /// What was left, as "activations, movers"; empty if nothing was.
-    std::string left() const;
+    /// What was left, each kind in words for a warning; empty if nothing was.
+    std::vector<std::string_view> left() const;
 };
 
 }  // namespace oblong

@@ -57,6 +57,7 @@ void SoundStarts::add(Sound sound, std::vector<SoundSource>& sources) {
 void SoundStarts::add_at(Sound sound, std::uint32_t mover, const GameState& after, std::vector<SoundSource>& sources) {
     const ModelIndex model = level_.movers[mover].model;
     const Box box = box_of(level_.model(model).box).moved(offset_in(level_, after, mover));
+    if (sources.size() >= kMost) return;
     const auto same = std::find_if(sources.begin(), sources.end(), [&](const SoundSource& other) {
         return other.sound == sound && other.box.grown(kTouching).overlaps(box);
     });

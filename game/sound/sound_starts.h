@@ -12,6 +12,9 @@ namespace oblong {
 /// What begins to sound in a tick, worked out from the state before it and the state after it.
 class SoundStarts {
   public:
+    /// The most that movers begin in a tick, as each is held against the others; what comes on top has no sound.
+    static constexpr std::size_t kMost = 64;
+
     /// The level outlives it.
     explicit SoundStarts(const GameLevel& level);
 

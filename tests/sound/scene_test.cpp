@@ -6,6 +6,7 @@
 #include "game/sound/captions.h"
 #include "game/sound/sound_scene.h"
 #include "game/sound/surfaces.h"
+#include "tests/game/logic_level.h"
 #include "tests/sound/walled_level.h"
 
 namespace oblong {
@@ -53,6 +54,26 @@ ToyLevel with_door(const char* class_name = "func_door") {
     ToyLevel toy = plain();
     toy.add_model({{200, -64, 0, 216, 64, 128}});
     return toy.add_entity({{"classname", class_name}, {"model", "*1"}, {"angle", "-1"}, {"wait", "1"}});
+}
+
+// Each is held against the others, so that they are bounded.
+TEST(Starts, OfVeryManyMoversAreAFew) {
+    test::LogicLevel source;
+    source.add("trigger_once", {-50, -50, 0, 50, 50, 64}, {{"target", "d"}});
+    for (int i = 0; i < 400; ++i)
+        source.add("func_door", {i * 50 - 10'000, 500, 0, i * 50 - 9990, 510, 10},
+                   {{"angle", "-1"}, {"targetname", "d"}, {"spawnflags", "4"}});
+    test::LogicGame game(source);
+    SoundStarts starts(game.level);
+    std::size_t most = 0;
+    for (int tick = 0; tick < 5; ++tick) {
+        const GameState before = game.state;
+        step(game.level, game.state, kStand);
+        std::vector<SoundSource> sources;
+        starts.note_tick(before, game.state, sources);
+        most = std::max(most, sources.size());
+    }
+    EXPECT_EQ(most, SoundStarts::kMost);
 }
 
 TEST(Steps, FollowTheWay) {

@@ -85,6 +85,20 @@ std::string box_brush(std::minstd_rand& random) {
     return test::box(low, high, one_of(kTextures, random));
 }
 
+// Of the kinds that a map's source can have.
+std::string any_brush(std::minstd_rand& random) {
+    const test::Whole middle{coordinate(random), coordinate(random), coordinate(random)};
+    const int size = 8 + static_cast<int>(below(10, random)) * 8, sides = 3 + static_cast<int>(below(6, random));
+    switch (below(6, random)) {
+        case 0:
+            return test::prism(middle, size, size, sides, one_of(kTextures, random));
+        case 1:
+            return test::ball(middle, size, 3, sides, one_of(kTextures, random));
+        default:
+            return box_brush(random);
+    }
+}
+
 std::string new_entity(bool has_brushes, std::minstd_rand& random) {
     const EntityClass& its_class = one_of(entity_classes(), random);
     std::string text = "{\n\"classname\" \"" + std::string(its_class.name) + "\"\n\"targetname\" \"" +
@@ -103,7 +117,7 @@ std::size_t class_line_end(const std::string& text, std::minstd_rand& random) {
     return found == std::string::npos ? found : text.find('\n', found);
 }
 
-void replace_number(std::string& text, std::minstd_rand& random) {
+void replace_coordinate(std::string& text, std::minstd_rand& random) {
     const std::size_t begin = text.find_first_of("-0123456789", below(text.size(), random));
     if (begin == std::string::npos) return;
     const std::size_t end = std::min(text.find_first_not_of("-.0123456789", begin), text.size());
@@ -135,7 +149,7 @@ void mutate_entities(std::string& text, bool has_brushes, std::minstd_rand& rand
             return;
         case 6:
         case 7:
-            return replace_number(text, random);
+            return replace_coordinate(text, random);
         case 8:
             return replace_texture(text, random);
         default:
@@ -145,6 +159,21 @@ void mutate_entities(std::string& text, bool has_brushes, std::minstd_rand& rand
     set_text(bytes, text);
     mutate_bytes(bytes);
     text = text_of(bytes);
+}
+
+std::string made_map(Input seeds) {
+    constexpr std::size_t kSeed = 4, kMost = 24;
+    std::string brushes = test::room({-128, -128, -128}, {128, 128, 128}), entities;
+    for (std::size_t at = 0; at + kSeed <= std::min(seeds.size(), kSeed * kMost); at += kSeed) {
+        std::uint32_t seed = 0;
+        for (const std::uint8_t byte : seeds.subspan(at, kSeed)) seed = seed << 8 | byte;
+        std::minstd_rand random(seed / 2 + 1);
+        if (seed % 2 == 0)
+            brushes += any_brush(random);
+        else
+            entities += new_entity(true, random);
+    }
+    return test::level(brushes, test::entity_at("info_player_start", {0, 0, -100}) + entities);
 }
 
 }  // namespace oblong::fuzz

@@ -19,11 +19,35 @@ struct Tally {
     ~Tally() { std::fprintf(stderr, "stat::inputs_read: %lld of %lld\n", 0LL + read, 0LL + inputs); }
 };
 
+bool is_read(const Bytes& input) {
+    try {
+        read(input);
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+// Beside the counters of instrumented code, libFuzzer looks at what is in this section.
+__attribute__((section("__libfuzzer_extra_counters"))) std::uint8_t places_reached[1024];
+
 }  // namespace
+
+void note_reached(std::string_view where) {
+    std::uint32_t hash = 0;
+    bool is_quoted = false;
+    for (const char letter : where) {
+        if (letter == '\'') is_quoted = !is_quoted;
+        if (!is_quoted && (letter < '0' || letter > '9')) hash = hash * 31 + static_cast<std::uint8_t>(letter);
+    }
+    places_reached[(hash ^ hash >> 16) % std::size(places_reached)] = 1;
+}
 
 __attribute__((weak)) void mutate(Bytes& input, std::minstd_rand&) {
     mutate_bytes(input);
 }
+
+__attribute__((weak)) void read(Input) {}
 
 void mutate_bytes(Bytes& bytes, std::size_t growth) {
     const std::size_t size = bytes.size();
@@ -55,6 +79,19 @@ std::int64_t odd_number(std::minstd_rand& random) {
     }
 }
 
+std::string number_text(std::minstd_rand& random) {
+    std::string text = std::to_string(odd_number(random) >> below(32, random));
+    if (below(3, random) == 0) text += "." + std::to_string(below(100'000, random));
+    return text;
+}
+
+void replace_number(std::string& text, std::minstd_rand& random) {
+    const std::size_t begin = text.find_first_of("-0123456789", below(text.size(), random));
+    if (begin == std::string::npos) return;
+    const std::size_t end = std::min(text.find_first_not_of("-.0123456789", begin), text.size());
+    text.replace(begin, end - begin, number_text(random));
+}
+
 std::string text_of(Input input) {
     return {input.begin(), input.end()};
 }
@@ -74,6 +111,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
         ++tally.read;
     } catch (const InputError& error) {
         fuzz::expect(!error.where.empty() && *error.what() != 0, "an error with a place and a reason");
+        fuzz::note_reached(error.what());
     } catch (const FileError& error) {
         fuzz::expect(std::string(error.what()).find(": ") != std::string::npos, "an error with a place");
     }
@@ -82,8 +120,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* bytes, std::size_t size, std::size_t most, unsigned seed) {
     std::minstd_rand random(seed);
-    oblong::fuzz::Bytes input(bytes, bytes + size);
+    const oblong::fuzz::Bytes before(bytes, bytes + size);
+    oblong::fuzz::Bytes input = before;
     oblong::fuzz::mutate(input, random);
+    const int tries = oblong::fuzz::below(8, random) == 0 ? 1 : 8;
+    for (int i = 1; i < tries && !oblong::fuzz::is_read(input); ++i) {
+        input = before;
+        oblong::fuzz::mutate(input, random);
+    }
     const std::size_t kept = std::min(input.size(), most);
     std::copy_n(input.begin(), kept, bytes);
     return kept;

@@ -6,8 +6,25 @@
 
 namespace oblong::fuzz {
 
+constexpr std::string_view kRoute = "x,y,z,speed";
+
+void mutate(Bytes& input, std::minstd_rand& random) {
+    if (below(2, random) == 0) return mutate_bytes(input);
+    std::string text = text_of(input);
+    const std::size_t line = text.rfind('\n', below(text.size(), random));
+    if (line != std::string::npos && below(4, random) == 0) text += text.substr(line);
+    replace_number(text, random);
+    set_text(input, text);
+}
+
+void read(Input input) {
+    if (text_of(input).starts_with(kRoute))
+        parse_route(input);
+    else
+        parse_cameras(input, Degrees::from_int(90));
+}
+
 void run(Input input) {
-    constexpr std::string_view kRoute = "x,y,z,speed";
     if (text_of(input).starts_with(kRoute))
         expect(!parse_route(input).empty(), "a place to go to");
     else

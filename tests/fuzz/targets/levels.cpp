@@ -64,13 +64,10 @@ void alter_records(Bytes& lump, std::size_t record, std::minstd_rand& random) {
         lump.erase(at, at + static_cast<std::ptrdiff_t>(record));
 }
 
-}  // namespace
-
 // A lump changes, and the table of lumps with it: what is behind the first checks is reached.
-void mutate(Bytes& input, std::minstd_rand& random) {
-    if (!has_lumps(input) || below(20, random) == 0) return mutate_bytes(input);
-    const std::size_t version = version_of(input);
-    test::Lumps lumps = test::split_lumps(input);
+Bytes altered(const Bytes& file, std::minstd_rand& random) {
+    const std::size_t version = version_of(file);
+    test::Lumps lumps = test::split_lumps(file);
     for (std::size_t changes = 1 + below(3, random); changes > 0; --changes) {
         const std::size_t number = below(kLumpCount, random);
         const auto record = static_cast<std::size_t>(kBspFormats[version].record_sizes[number]);
@@ -87,7 +84,18 @@ void mutate(Bytes& input, std::minstd_rand& random) {
             alter_field(lump, std::min(std::max<std::size_t>(record, 4), lump.size()), random);
         }
     }
-    input = test::join_lumps(kBspFormats[version].version, lumps);
+    return test::join_lumps(kBspFormats[version].version, lumps);
+}
+
+}  // namespace
+
+void mutate(Bytes& input, std::minstd_rand& random) {
+    if (!has_lumps(input) || below(20, random) == 0) return mutate_bytes(input);
+    input = altered(input, random);
+}
+
+void read(Input input) {
+    read_bsp(input);
 }
 
 void run(Input input) {

@@ -11,6 +11,13 @@
 
 namespace oblong::fuzz {
 
+void mutate(Bytes& input, std::minstd_rand& random) {
+    if (below(2, random) == 0) return mutate_bytes(input);
+    std::string text = text_of(input);
+    replace_number(text, random);
+    set_text(input, text);
+}
+
 // The model; behind a zero byte, if there is one, its materials.
 void run(Input input) {
     static const test::TemporaryFolder folder;

@@ -22,6 +22,10 @@ void mutate(Bytes& input, std::minstd_rand&) {
             for (const std::size_t high : {5u, 7u}) clear(at + high);
 }
 
+void read(Input input) {
+    decode_picture(input);
+}
+
 void run(Input input) {
     const PngImage image = decode_picture(input);
     expect(image.width_px > 0 && image.height_px > 0, "a picture of some size");

@@ -10,22 +10,11 @@ namespace {
 constexpr const char* kQueries[] = {"project", "view", "coverage", "mesh", "texspan", "texspanq", "modes",
                                     "clip",    "sin",  "cos",      "sqrt", "recip",   "leaf"};
 
-std::string number(std::minstd_rand& random) {
-    std::string text = std::to_string(odd_number(random) >> below(32, random));
-    if (below(3, random) == 0) text += "." + std::to_string(below(100'000, random));
-    return text;
-}
-
 // Another number in the place of one, or a query of its own.
 void alter(std::string& text, std::minstd_rand& random) {
-    const std::size_t begin = text.find_first_of("-0123456789", below(text.size(), random));
-    if (begin != std::string::npos && below(3, random) != 0) {
-        const std::size_t end = std::min(text.find(' ', begin), text.size());
-        text.replace(begin, end - begin, number(random));
-        return;
-    }
+    if (below(3, random) != 0) return replace_number(text, random);
     text += std::string("\n") + one_of(kQueries, random);
-    for (std::size_t numbers = 1 + below(20, random); numbers > 0; --numbers) text += " " + number(random);
+    for (std::size_t numbers = 1 + below(20, random); numbers > 0; --numbers) text += " " + number_text(random);
 }
 
 }  // namespace

@@ -6,6 +6,10 @@
 
 namespace oblong::fuzz {
 
+void read(Input input) {
+    read_wad(input);
+}
+
 void run(Input input) {
     constexpr std::size_t kLongestName = 15;  // that is written
     const map::Wad compilers(text_of(input));
