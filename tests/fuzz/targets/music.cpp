@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "engine/base/input_error.h"
-#include "engine/platform/sdl/mixer.h"
+#include "engine/platform/sdl/sdl.h"
 #include "tests/fuzz/common/fuzz.h"
 
 namespace oblong::fuzz {
