@@ -64,23 +64,51 @@ PROTOTYPE_TOTAL = 12.35
 HOT_SHARE = 0.01
 
 
+def symbols_of(path):
+    listing = subprocess.run(["nm", "--defined-only", path], capture_output=True, text=True, check=True)
+    words = [line.split() for line in listing.stdout.splitlines()]
+    return [word[2] for word in words if len(word) == 3 and word[1] in "TtWwiu"]
+
+
+def joined_files(path, root):
+    """{file below engine/ or the root: its text} of the files that a unity object is made of."""
+    with open(path[:-2]) as unity:
+        names = re.findall(r'#include "(.*)"', unity.read())
+    texts = {}
+    for name in names:
+        with open(name) as file:
+            texts[re.sub("^engine/", "", os.path.relpath(name, root))] = file.read()
+    return texts
+
+
+def defining_files(plain, texts):
+    """The files that define a function, by its name: that before the arguments, of the outermost function for a lambda."""
+    outer = re.sub(r"\(anonymous namespace\)::|\[abi:\w+\]", "", plain).split("::{lambda")[0]
+    while re.search(r"<[^<>]*>", outer):
+        outer = re.sub(r"<[^<>]*>", "", outer)
+    name = re.escape(outer.split("(")[0].split("::")[-1].split(" ")[-1])
+    defines = re.compile(r"^[ \t]*(?!return\b|else\b)[\w:<>,&*\[\] \t]*\b%s\((?:[^;{}]|\{\})*\{" % name, re.MULTILINE)
+    return {file for file, text in texts.items() if defines.search(text)}
+
+
 def symbol_sources(build):
     """Symbol -> the source files, below engine/ or the root, whose objects define it."""
     sources = collections.defaultdict(set)
+    root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../..")
     for top in ("engine", "tools/render"):
         for folder, _, files in os.walk(os.path.join(build, top)):
-            for name in files:
-                if not name.endswith(".cpp.o"):
+            for path in (os.path.join(folder, name) for name in files):
+                if path.endswith(".cxx.o"):
+                    texts = joined_files(path, root)
+                    plain = plain_names(symbols_of(path))
+                    found = {symbol: defining_files(name, texts) for symbol, name in plain.items()}
+                elif path.endswith(".cpp.o"):
+                    source = re.sub(r".*\.dir/", "" if top == "engine" else "tools/render/", path)[:-2]
+                    found = {symbol: {source} for symbol in symbols_of(path)}
+                else:
                     continue
-                path = os.path.join(folder, name)
-                source = re.sub(r".*\.dir/", "" if top == "engine" else "tools/render/", path)[:-2]
-                if source.startswith(("draw/", "files/", "methods/")):
-                    continue  # does no stage's work
-                listing = subprocess.run(["nm", "--defined-only", path], capture_output=True, text=True, check=True)
-                for line in listing.stdout.splitlines():
-                    words = line.split()
-                    if len(words) == 3 and words[1] in "TtWwiu":
-                        sources[words[2]].add(source)
+                for symbol, names in found.items():  # these rooms do no stage's work
+                    sources[symbol] |= {name for name in names if not name.startswith(("draw/", "files/", "methods/"))}
     if not sources:
         runs.fail("no object files in %s: build it first" % build)
     return sources
