@@ -12,6 +12,7 @@
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
 #include "engine/mesh/mesh.h"
+#include "engine/methods/hidden_surfaces.h"
 #include "engine/methods/rotation.h"
 #include "engine/scene/placed_models.h"
 #include "tools/render/camera_list.h"
@@ -105,7 +106,11 @@ void draw(const std::string& palette_path, const std::string& level_path, const 
         work.observers.counts = nullptr;
         draw_frame(scene, camera, mode, settings, work, out);
         std::printf("%08lx", static_cast<unsigned long>(crc32(pixels)));
-        for (const NamedCount& count : named_counts(counts)) std::printf(" %lld", static_cast<long long>(count.count));
+        std::vector<NamedCount> all = named_counts(counts);
+        // Of methods that no frame runs by itself: those of the span buffer, as oblong-render reports them.
+        const std::vector<NamedCount> methods = named_counts(HiddenSurfaceCounts{});
+        all.insert(all.end(), methods.begin(), methods.end());
+        for (const NamedCount& count : all) std::printf(" %lld", static_cast<long long>(count.count));
         std::printf("\n");
     }
 }
