@@ -3,10 +3,11 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
-// CLI11 takes long to compile, so that only this file's and config_line's sources include it.
+// CLI11 takes long to compile, so that only this file's source includes it.
 namespace CLI {
 class App;
 class Option;
@@ -67,5 +68,15 @@ class CommandLine : public CommandArguments {
 
     std::shared_ptr<CLI::App> owned_;
 };
+
+/// NAME = VALUE of an options file. A NAME alone has the value "true", as a flag on a command line.
+struct ConfigLine {
+    std::string name, value;
+};
+
+/// Reads one line of an options file, as CLI11 does: a comment begins with # or, at the beginning of a line, with ;
+/// quotes around name and value fall away. Nothing for an empty line or a comment. Throws InputError without a place
+/// for what is neither.
+std::optional<ConfigLine> parse_config_line(const std::string& line);
 
 }  // namespace oblong

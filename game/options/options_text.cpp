@@ -7,7 +7,7 @@
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
 #include "engine/files/arguments.h"
-#include "engine/files/config_line.h"
+#include "engine/files/command_line.h"
 
 namespace oblong {
 namespace {

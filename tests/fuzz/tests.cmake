@@ -34,5 +34,5 @@ endforeach()
 foreach(ROOM surface effects)
     target_compile_options(oblong_${ROOM} PRIVATE -fno-sanitize-coverage=trace-cmp)
 endforeach()
-set_source_files_properties(${CMAKE_SOURCE_DIR}/engine/files/config_line.cpp TARGET_DIRECTORY oblong_files
+set_source_files_properties(${CMAKE_SOURCE_DIR}/engine/files/command_line.cpp TARGET_DIRECTORY oblong_files
                             PROPERTIES COMPILE_OPTIONS "-O1;-fno-sanitize-coverage=trace-cmp")
