@@ -132,7 +132,7 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
         const LeafIndex leaf = leaf_before(left.front(), mirror, frame, scratch.corners);
         const auto others = std::stable_partition(
             left.begin(), left.end(), [&](const ClaimedFace& face) { return plane_of(face, frame) == mirror; });
-        const std::span<const ClaimedFace> faces(left.begin(), others);
+        const auto faces = std::span<const ClaimedFace>(left).first(static_cast<std::size_t>(others - left.begin()));
         const std::vector<Span> flipped = flipped_spans(faces, scratch.claims, out.width_px);
         draw_mirrored_view({mirror, rectangle_around(flipped)}, leaf, flipped, frame, mirrors);
         for (const ClaimedFace& face : faces) note_spans(face, scratch.claims.spans_of(face), out, frame.observers);
