@@ -127,10 +127,10 @@ class Program final : private MenuHost {
     SessionSettings settings_;
     GameSound sound_;
     WalkSaves saves_;
-    std::unique_ptr<FirstWalk> first_walk_;         // until the title's Walk starts it
+    std::unique_ptr<FirstWalk> first_walk_;             // until the title's Walk starts it
     std::vector<std::unique_ptr<GameScreen>> screens_;  // the title or a walk, and perhaps the gallery over it
-    Session* walk_ = nullptr;                       // the walk, if the first screen is one
-    std::unique_ptr<Demo> recorded_;                // once what was recorded has ended before the program
+    Session* walk_ = nullptr;                           // the walk, if the first screen is one
+    std::unique_ptr<Demo> recorded_;                    // once what was recorded has ended before the program
     InputMapper input_;
     Menu menu_;
     MenuPages pages_;

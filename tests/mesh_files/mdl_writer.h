@@ -88,7 +88,8 @@ inline MdlFile write_mdl(const MdlModel& model) {
     for (const MdlPlace& place : model.places)
         for (const std::int32_t part : {place.on_seam, place.s, place.t}) ByteWriter(file).i32(part);
     for (const MdlTriangle& triangle : model.triangles)
-        for (const std::int32_t part : {triangle.is_front, triangle.a, triangle.b, triangle.c}) ByteWriter(file).i32(part);
+        for (const std::int32_t part : {triangle.is_front, triangle.a, triangle.b, triangle.c})
+            ByteWriter(file).i32(part);
     for (const MdlFrames& frames : model.frames) put_frames(file, frames);
     return file;
 }

@@ -1,11 +1,10 @@
-#include "tools/render/camera_list.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "engine/base/input_error.h"
 #include "engine/files/arguments.h"
+#include "tools/render/camera_list.h"
 
 namespace oblong {
 namespace {
