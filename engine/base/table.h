@@ -22,10 +22,6 @@ constexpr decltype(auto) item(auto& items, auto index) {
     if constexpr (requires { items.size(); }) assert(position < items.size());
     return items[position];
 }
-/// item() by its former name.
-constexpr decltype(auto) at(auto& items, auto index) {
-    return item(items, index);
-}
 
 /// The index of a record in a table of Records; or none.
 template <class Record>

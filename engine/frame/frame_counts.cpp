@@ -24,7 +24,7 @@ void count_runs(std::span<const Span> spans, std::int32_t pitch, std::vector<std
 std::int64_t FrameCounts::of(std::string_view pass) const {
     const auto found =
         std::find_if(kPasses.begin(), kPasses.end(), [pass](const Pass& one) { return one.name == pass; });
-    return at(pass_pixels, found - kPasses.begin());
+    return item(pass_pixels, found - kPasses.begin());
 }
 
 std::vector<NamedCount> named_counts(const FrameCounts& counts) {

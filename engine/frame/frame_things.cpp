@@ -104,8 +104,8 @@ std::int64_t pixels_within(std::span<const Span> spans, const ScanlineExtents& r
     std::int64_t pixels = 0;
     for (const Span& span : spans) {
         if (span.y < rows.first || span.y >= rows.end) continue;
-        const std::int32_t first = std::max(span.first, at(rows.left, span.y));
-        pixels += std::max(std::min(span.end, at(rows.right, span.y)) - first, 0);
+        const std::int32_t first = std::max(span.first, item(rows.left, span.y));
+        pixels += std::max(std::min(span.end, item(rows.right, span.y)) - first, 0);
     }
     return pixels;
 }

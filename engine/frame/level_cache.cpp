@@ -14,7 +14,7 @@ void add_effects(const Level& level, const LevelEffects& effects, FaceTable& tab
             needs = needs.with(Effect::AnimatedTextures);
         if (needs.has(Effect::Liquid)) {
             const LiquidKind kind = liquid_kind_of_texture(level.texture_of(face).name);
-            if (at(effects.liquid_alpha_256, static_cast<int>(kind)) < 256) needs = needs.with(Effect::Translucency);
+            if (item(effects.liquid_alpha_256, static_cast<int>(kind)) < 256) needs = needs.with(Effect::Translucency);
         } else if (effects.light_patterns.is_called_for_by(face)) {
             needs = needs.with(Effect::Styles);
         }

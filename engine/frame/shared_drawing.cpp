@@ -76,13 +76,13 @@ void SharedDrawing::end() {
 
 void SharedDrawing::do_item(std::uint32_t number, int worker) {
     const FrameContext& frame = *frame_;
-    const Item& item = items_[number - first_item_];
-    if (item.is_sky) {
-        draw_sky(item.spans, sky_, frame.view.ray_directions(), frame.view.projection, frame.out);
+    const Item& work = items_[number - first_item_];
+    if (work.is_sky) {
+        draw_sky(work.spans, sky_, frame.view.ray_directions(), frame.view.projection, frame.out);
         return;
     }
-    draw_textured(textured_face(item.claimed, item.surface, item.effect, frame), item.spans,
-                  {frame.texturing, frame.out, at(scratches_, worker)});
+    draw_textured(textured_face(work.claimed, work.surface, work.effect, frame), work.spans,
+                  {frame.texturing, frame.out, item(scratches_, worker)});
 }
 
 }  // namespace oblong

@@ -55,7 +55,7 @@ SurfaceEffect effect_of(const SurfaceDrawing& drawing, const FaceSurface& surfac
         cache.warp_time_ms = frame.scene.time_ms;
     }
     return {effect_kernel(traits),
-            {surface.view, &at(cache.warp, surface.mip), drawing.colours, drawing.blend},
+            {surface.view, &item(cache.warp, surface.mip), drawing.colours, drawing.blend},
             traits.warps && !traits.has_holes && !traits.blends};
 }
 
@@ -85,10 +85,10 @@ void draw_by_span_mips(const ClaimedFace& claimed, std::span<const Span> whole, 
     for (const Span& span : whole) {
         const InverseZ first = inverse_z.at(span.first, span.y), last = inverse_z.at(span.end - 1, span.y);
         const auto nearest_z = reciprocal<View>(std::max({first, last, InverseZ::ulp()}));
-        at(of_mip, mip_level(claimed.face, nearest_z, frame)).push_back(span);
+        item(of_mip, mip_level(claimed.face, nearest_z, frame)).push_back(span);
     }
     for (int mip = 0; mip < 4; ++mip)
-        if (!at(of_mip, mip).empty()) draw_mip(claimed, mip, at(of_mip, mip), drawing, frame, scratch);
+        if (!item(of_mip, mip).empty()) draw_mip(claimed, mip, item(of_mip, mip), drawing, frame, scratch);
 }
 
 /// Blocks shorter than 2^3 pixels take longer than a division at each of their pixels.
@@ -176,7 +176,7 @@ void split_at(InverseZ least, const Span& span, const LinearQuantity<InverseZ>& 
 void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
     const SpanTexturing& texturing = drawing.texturing;
     const BlockCutting cutting = bounded_cutting(face, spans, texturing.rule);
-    const InverseZ least = at(cutting.thresholds.least_inverse_z, kLeastBlockLog2);
+    const InverseZ least = item(cutting.thresholds.least_inverse_z, kLeastBlockLog2);
     if (!texturing.divides_exactly || is_above(least, face.claimed.farthest_z))
         return draw_blocks(face, spans, texturing.cut_blocks, cutting, drawing);
     std::vector<Span>&long_blocks = drawing.scratch.long_blocks, &short_blocks = drawing.scratch.short_blocks;

@@ -209,8 +209,8 @@ class TornDrawing {
         const std::int64_t u = floor_of(depth.times(at.u_over_z)), v = floor_of(depth.times(at.v_over_z));
         const int mip = surface_.mip;
         const std::int64_t width = texture_.width >> mip, height = texture_.height >> mip;
-        const std::uint8_t texel = oblong::at(oblong::at(texture_.mips, mip), v % height * width + u % width);
-        return oblong::at(oblong::at(colormap_.shades, shade_at(u << mip, v << mip)), texel);
+        const std::uint8_t texel = oblong::item(oblong::item(texture_.mips, mip), v % height * width + u % width);
+        return oblong::item(oblong::item(colormap_.shades, shade_at(u << mip, v << mip)), texel);
     }
 
   private:

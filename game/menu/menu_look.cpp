@@ -58,8 +58,8 @@ void draw_lettering(Framebuffer canvas, std::int32_t x, std::int32_t y, std::str
         fill_area(canvas, {x + left + shadow_x, y + top + shadow_y, cell.width_px, cell.height_px}, look.text.dark);
     });
     for_each_cell(line, cell, [&](std::int32_t left, std::int32_t top, int row) {
-        const std::uint8_t colour = at(look.ramp, std::min(row, kLetteringRamp - 1));
-        draw_cell(canvas, x + left, y + top, cell, colour, at(look.ramp, std::clamp(row - 2, 0, kLetteringRamp - 1)));
+        const std::uint8_t colour = item(look.ramp, std::min(row, kLetteringRamp - 1));
+        draw_cell(canvas, x + left, y + top, cell, colour, item(look.ramp, std::clamp(row - 2, 0, kLetteringRamp - 1)));
     });
 }
 

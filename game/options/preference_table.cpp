@@ -253,7 +253,7 @@ Rows make_rows() {
 const char* name_of(PreferencePage page) {
     constexpr std::array<const char*, kPreferencePageCount> kNames{"Picture", "Accuracy", "Comfort", "Controls",
                                                                    "Sound"};
-    return at(kNames, page);
+    return item(kNames, page);
 }
 
 std::span<const Preference> all_preferences() {

@@ -197,7 +197,7 @@ void Session::show(const std::string& message) {
 void Session::show_level_message() {
     const bool is_new = after_.shown_message != before_.shown_message || after_.message_tick != before_.message_tick;
     std::string text;
-    if (is_new && after_.shown_message >= 0) text = at(level_.messages, after_.shown_message);
+    if (is_new && after_.shown_message >= 0) text = item(level_.messages, after_.shown_message);
     if (after_.items != before_.items) text += (text.empty() ? "" : "\n") + found_text(level_, before_, after_);
     if (!text.empty()) show(text);
 }

@@ -66,7 +66,7 @@ std::string describe_scaling(const Preferences& preferences, WindowSize window) 
     constexpr std::array<const char*, kScalingCount> kWords{
         "all pixels of one size, their borders blended", "rows of one height, borders of columns blended",
         "nothing blended, the shape as near as whole pixels allow", "nothing blended, some rows and columns are wider"};
-    return std::string("{scaling} Scaling ") + name_of(preferences.scaling) + ": " + at(kWords, preferences.scaling) +
+    return std::string("{scaling} Scaling ") + name_of(preferences.scaling) + ": " + item(kWords, preferences.scaling) +
            " (" + describe(shown_rect(preferences, window), preferences.mode) + ")";
 }
 
@@ -133,10 +133,10 @@ std::string apply(Action command, ViewOptions& options, WindowSize window) {
             return "{log} Log: " + names_of(options.log) + (options.log.is_empty() ? "" : ", on standard error");
         case Action::Automap:
             options.map = next_of(options.map, kMapViewCount);
-            return at(kMapMessages, options.map);
+            return item(kMapMessages, options.map);
         case Action::Wireframe:
             options.wireframe = next_of(options.wireframe, kWireframeCount);
-            return at(kWireframeMessages, options.wireframe);
+            return item(kWireframeMessages, options.wireframe);
         case Action::Isometric:
             return toggle(options.is_isometric, "{isometric} From outside: you are in the middle",
                           "{isometric} From outside: off");

@@ -18,7 +18,7 @@ Rgb8 mean_colour(Framebuffer picture, const Palette& palette, PixelRange columns
     std::int64_t red = 0, green = 0, blue = 0;
     for (std::int32_t y = rows.first; y < rows.end; ++y)
         for (std::int32_t x = columns.first; x < columns.end; ++x) {
-            const Rgb8 colour = at(palette.colours, picture.row(y)[x]);
+            const Rgb8 colour = item(palette.colours, picture.row(y)[x]);
             red += colour.red, green += colour.green, blue += colour.blue;
         }
     const std::int64_t count = std::int64_t{columns.end - columns.first} * (rows.end - rows.first);

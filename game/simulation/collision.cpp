@@ -46,8 +46,8 @@ std::array<Position, 6> positions_around(const GameLevel& level, const Obstacle&
 Vec3<World> way_in_direction(std::int32_t direction, World length) {
     constexpr std::array<std::int32_t, 3> kSteps{0, 1, -1};
     constexpr std::array<std::int32_t, 4> kShares_12{0, 4096, 2896, 2365};  // of an axis, of two at once, of three
-    const std::int32_t z = 1 - direction / 9, x = at(kSteps, direction / 3 % 3), y = at(kSteps, direction % 3);
-    const World along = scaled(length, at(kShares_12, std::abs(x) + std::abs(y) + std::abs(z)), 4096);
+    const std::int32_t z = 1 - direction / 9, x = item(kSteps, direction / 3 % 3), y = item(kSteps, direction % 3);
+    const World along = scaled(length, item(kShares_12, std::abs(x) + std::abs(y) + std::abs(z)), 4096);
     return {along * x, along * y, along * z};
 }
 

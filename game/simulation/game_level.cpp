@@ -45,12 +45,12 @@ GameState start_of(const GameLevel& level) {
 
 std::string_view next_map(const GameLevel& level, const GameState& state) {
     if (state.exit < 0) return {};
-    return at(level.triggers, state.exit).next_map;
+    return item(level.triggers, state.exit).next_map;
 }
 
 std::string_view end_message(const GameLevel& level, const GameState& state) {
-    const MessageIndex message = state.exit < 0 ? kNoMessage : at(level.triggers, state.exit).fires.message;
-    return message == kNoMessage ? std::string_view{} : at(level.messages, message);
+    const MessageIndex message = state.exit < 0 ? kNoMessage : item(level.triggers, state.exit).fires.message;
+    return message == kNoMessage ? std::string_view{} : item(level.messages, message);
 }
 
 Box obstacle_box(const GameLevel& level, ModelIndex model, const Vec3<World>& offset) {

@@ -146,7 +146,7 @@ struct GameLevel {
     Position player_start;
     Angle player_yaw;
 
-    const Target& target(TargetIndex index) const { return at(targets, index); }
+    const Target& target(TargetIndex index) const { return item(targets, index); }
     const SubModel& model(ModelIndex index) const { return bsp->models[index]; }
 };
 

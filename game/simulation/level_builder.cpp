@@ -198,7 +198,7 @@ void LevelBuilder::connect_doors() {
 std::vector<bool> LevelBuilder::activated_movers() const {
     std::vector<bool> is_used(level_.targets.size());
     const auto use = [&](const Firing& fires) {
-        if (fires.target != kNoTarget) at(is_used, fires.target) = true;
+        if (fires.target != kNoTarget) item(is_used, fires.target) = true;
     };
     for (const Mover& mover : level_.movers) use(mover.fires);
     for (const Trigger& trigger : level_.triggers) use(trigger.fires);
@@ -249,7 +249,7 @@ void LevelBuilder::make_trees() {
 Target& LevelBuilder::target_named(const std::string& its_name) {
     const auto [found, is_new] = target_of_.emplace(its_name, static_cast<TargetIndex>(level_.targets.size()));
     if (is_new) level_.targets.emplace_back();
-    return at(level_.targets, found->second);
+    return item(level_.targets, found->second);
 }
 
 // Puts the last of `count` things of a kind under an entity's name.

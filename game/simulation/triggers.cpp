@@ -36,7 +36,7 @@ void count_down(const GameLevel& level, GameState& state, std::uint32_t i, Activ
     const std::int32_t left = --state.triggers[i].left;
     if (!trigger.is_quiet) {
         const auto most = static_cast<std::int32_t>(level.counter_messages.size()) - 1;
-        show(state, at(level.counter_messages, std::min(left, most)));
+        show(state, item(level.counter_messages, std::min(left, most)));
     }
     if (left == 0) fire_unless_waiting(trigger, state, i, activations);
 }

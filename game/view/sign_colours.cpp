@@ -46,7 +46,7 @@ static_assert(kSchemes.size() == kColourSchemeCount);
 }  // namespace
 
 const SignColours& sign_colours_of(ColourScheme scheme) {
-    return at(kSchemes, scheme);
+    return item(kSchemes, scheme);
 }
 
 }  // namespace oblong

@@ -68,7 +68,7 @@ TEST(DemoPalette, DarkeningABrightColourTakesManySmallSteps) {
 double mean_luma(const std::vector<std::uint8_t>& indices, const Colormap& colormap, int shade) {
     double sum = 0;
     for (const std::uint8_t index : indices)
-        sum += luma_1000(colormap.palette.colours[at(colormap.shades, shade)[index]]);
+        sum += luma_1000(colormap.palette.colours[item(colormap.shades, shade)[index]]);
     return sum / static_cast<double>(indices.size());
 }
 

@@ -21,7 +21,7 @@ Colormap grey_colormap() {
     Palette palette;
     for (int i = 0; i < 256; ++i) {
         const auto grey = static_cast<std::uint8_t>(i);
-        at(palette.colours, i) = {grey, grey, grey};
+        item(palette.colours, i) = {grey, grey, grey};
     }
     return make_colormap(palette);
 }

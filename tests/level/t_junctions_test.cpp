@@ -28,7 +28,7 @@ struct Scatter {
         std::shuffle(places.begin(), places.end(), random);
         for (const Place& place : places) {
             const auto part = [&](int axis) {
-                return World::from_raw((at(place, axis) + origin) * 4096 + below(7) - 3);
+                return World::from_raw((item(place, axis) + origin) * 4096 + below(7) - 3);
             };
             const World x = part(0), y = part(1), z = part(2);
             level.vertices.push_back({x, y, z});
@@ -50,7 +50,7 @@ struct Scatter {
     /// Looks at every vertex, in whole numbers.
     std::vector<VertexIndex> inside(const Edge& edge) const {
         const auto difference = [&](VertexIndex a, VertexIndex b, int axis) {
-            return at(places[a.position()], axis) - at(places[b.position()], axis);
+            return item(places[a.position()], axis) - item(places[b.position()], axis);
         };
         std::vector<std::pair<int, VertexIndex>> found;
         for (const VertexIndex vertex : level.vertices.indices()) {

@@ -156,7 +156,7 @@ std::vector<Difference> differences_of(HiddenSurfaces method, const Camera& came
     const Drawn expected = draw_by(HiddenSurfaces::SpanBuffer, stage), found = draw_by(method, stage);
     std::vector<Difference> differences;
     for (int pixel = 0; pixel < kPicturePixels; ++pixel) {
-        const PixelRecord &a = at(expected.records, pixel), &b = at(found.records, pixel);
+        const PixelRecord &a = item(expected.records, pixel), &b = item(found.records, pixel);
         if (is_same(a, b)) continue;
         differences.push_back({TrueFace(stage, a), TrueFace(stage, b), TrueView(camera), pixel % kPictureWidth + 0.5,
                                pixel / kPictureWidth + 0.5});

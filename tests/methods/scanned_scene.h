@@ -34,8 +34,8 @@ struct ScannedScene {
         rows.first = first_row;
         rows.end = first_row + static_cast<std::int32_t>(columns.size());
         for (std::int32_t y = rows.first; y < rows.end; ++y) {
-            at(rows.left, y) = at(columns, y - first_row).first;
-            at(rows.right, y) = at(columns, y - first_row).end;
+            item(rows.left, y) = item(columns, y - first_row).first;
+            item(rows.right, y) = item(columns, y - first_row).end;
         }
         add_face(made, rows, kWidth, {}, {}, scanned);
     }

@@ -193,7 +193,7 @@ std::uint8_t plain_texel(const TextureView& texture, const LightmapView& light, 
         const std::int32_t index = r * light.columns + c;
         std::int64_t light_8 = light.added_8 ? light.added_8[index] : 0;
         for (std::int32_t style = 0; style < light.style_count; ++style)
-            light_8 += light.samples[style * light.columns * light.rows + index] * at(light.style_scale_256, style);
+            light_8 += light.samples[style * light.columns * light.rows + index] * item(light.style_scale_256, style);
         light_8 = std::clamp<std::int64_t>(light_8 * quality.brightness_100 / 100, 0, 2 * kFullLight * 256);
         return std::int64_t{oblong::shade_of(static_cast<std::int32_t>(light_8))};
     };
@@ -211,7 +211,7 @@ std::uint8_t plain_texel(const TextureView& texture, const LightmapView& light, 
     }
     const auto wrapped = [](std::int32_t place, std::int32_t size) { return ((place % size) + size) % size; };
     const std::int32_t u = wrapped(texture.min_u + x, texture.width), v = wrapped(texture.min_v + y, texture.height);
-    return at(map.shades, shade_24 >> 24)[texture.texels[v * texture.width + u]];
+    return item(map.shades, shade_24 >> 24)[texture.texels[v * texture.width + u]];
 }
 
 TEST(LitSurface, EachTexelIsWhatTheFormulaSays) {
@@ -244,7 +244,7 @@ TEST(LitSurface, EachTexelIsWhatTheFormulaSays) {
         build_lit_surface(texture, light, map, quality, mip, stride, patch.scratch.data(), out.data());
         for (std::int32_t y = 0; y < height; ++y)
             for (std::int32_t x = 0; x < stride; ++x)
-                ASSERT_EQ(at(out, y * stride + x),
+                ASSERT_EQ(item(out, y * stride + x),
                           x < width ? plain_texel(texture, light, map, quality, mip, x, y) : 77)
                     << x << "," << y << " of round " << round;
     }

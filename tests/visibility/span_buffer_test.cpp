@@ -69,7 +69,7 @@ ScanlineExtents random_rows(std::mt19937& random, std::int32_t longest) {
 std::vector<PixelRun> expected_runs(const ScanlineExtents& rows, bool takes_them, FreePixels& reference) {
     std::vector<PixelRun> runs;
     for (std::int32_t y = rows.first; y < rows.end; ++y)
-        reference.find(y, at(rows.left, y), at(rows.right, y), takes_them, runs);
+        reference.find(y, item(rows.left, y), item(rows.right, y), takes_them, runs);
     return runs;
 }
 

@@ -60,15 +60,15 @@ std::uint8_t mixed(std::uint8_t from, std::uint8_t to, double part) {
 }  // namespace
 
 const ErrorSummary& summary_of(const ErrorSummaries& errors, Measure measure) {
-    return errors.*at(kMeasures, measure).summary;
+    return errors.*item(kMeasures, measure).summary;
 }
 
 std::string_view unit_of(Measure measure) {
-    return at(kMeasures, measure).unit;
+    return item(kMeasures, measure).unit;
 }
 
 std::string_view about(Measure measure) {
-    return at(kMeasures, measure).about;
+    return item(kMeasures, measure).about;
 }
 
 void ErrorCollector::add(const PixelErrors& frame) {
@@ -91,7 +91,7 @@ ErrorSummaries ErrorCollector::summarize() const {
 }
 
 const std::vector<float>& pixels_by(const PixelErrors& errors, Measure measure) {
-    return errors.*at(kMeasures, measure).pixels;
+    return errors.*item(kMeasures, measure).pixels;
 }
 
 double rms_of(const std::vector<float>& values) {

@@ -111,7 +111,8 @@ std::optional<ExactHit> exact_hit(const PlacedMesh& placed, const RowInput& inpu
 Skin checkered_skin(std::int32_t size, std::uint8_t one, std::uint8_t other) {
     Skin skin{"checkered", size, size, std::vector<std::uint8_t>(pixel_count(size, size))};
     for (std::int32_t v = 0; v < size; ++v)
-        for (std::int32_t u = 0; u < size; ++u) at(skin.texels, v * size + u) = (u / 8 + v / 8) % 2 == 0 ? one : other;
+        for (std::int32_t u = 0; u < size; ++u)
+            item(skin.texels, v * size + u) = (u / 8 + v / 8) % 2 == 0 ? one : other;
     return skin;
 }
 

@@ -92,8 +92,8 @@ void Sketch::polygon(std::span<const Vec3<World>> corners, std::uint8_t colour) 
     ScanlineExtents rows(part_.height_px);
     scan_convex(screen, rows);
     for (std::int32_t y = rows.first; y < rows.end; ++y)
-        if (at(rows.left, y) < at(rows.right, y))
-            fill_area(part_, {at(rows.left, y), y, at(rows.right, y) - at(rows.left, y), 1}, colour);
+        if (item(rows.left, y) < item(rows.right, y))
+            fill_area(part_, {item(rows.left, y), y, item(rows.right, y) - item(rows.left, y), 1}, colour);
 }
 
 void Sketch::label(const Vec3<World>& at, std::string_view text, std::uint8_t colour) {
@@ -164,7 +164,7 @@ bool WireScene::polygon(std::span<const Vec> corners, std::uint8_t colour) {
     if (!project_polygon(world, view_, polygon_) || doubled_area(polygon_.screen) <= ScreenArea{}) return false;
     scan_convex(polygon_.screen, rows_);
     for (std::int32_t y = rows_.first; y < rows_.end; ++y)
-        for (std::int32_t x = std::max(at(rows_.left, y), 0); x < at(rows_.right, y); ++x)
+        for (std::int32_t x = std::max(item(rows_.left, y), 0); x < item(rows_.right, y); ++x)
             set_pixel(canvas_, x, y, colour);
     return true;
 }

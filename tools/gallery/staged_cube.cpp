@@ -122,14 +122,15 @@ StagedCube::StagedCube(const RowInput& input, Framebuffer part) : mesh(make_cube
     find_corner_values(placed, scratch.world_vertices, {}, scratch.values);
     for (const std::uint32_t number : scratch.facing) {
         std::array<const ViewVertex*, 3> corners{};
-        for (std::size_t i = 0; i < 3; ++i) corners[i] = &at(scratch.view_vertices, mesh.triangles[number].vertices[i]);
+        for (std::size_t i = 0; i < 3; ++i)
+            corners[i] = &item(scratch.view_vertices, mesh.triangles[number].vertices[i]);
         ShownTriangle shown;
         shown.number = number;
         shown.world_normal = world_normal(mesh.triangles[number], object, transform);
         shown.light = light_at(placed.position, shown.world_normal, light) / 256.0;
         std::vector<Vec4> polygon_4;
         for (const std::uint32_t vertex : mesh.triangles[number].vertices) {
-            const Vec3<World>& p = at(scratch.world_vertices, vertex).position;
+            const Vec3<World>& p = item(scratch.world_vertices, vertex).position;
             polygon_4.push_back(to_volume() * Vec4{convert<Entry>(p.x), convert<Entry>(p.y), convert<Entry>(p.z)});
         }
         for (const Vec4& corner : clip_to_volume(polygon_4)) shown.divided.push_back(*point_of(corner));
@@ -154,7 +155,7 @@ Matrix4 StagedCube::to_volume() const {
 }
 
 std::vector<std::string> StagedCube::lines_of(Stage stage) const {
-    std::vector<std::string> lines{at(kCaptions, stage)};
+    std::vector<std::string> lines{item(kCaptions, stage)};
     const std::vector<MeshVertex>& object = mesh.frames[0].vertices;
     if (stage == Stage::Object)
         for (const MeshVertex& vertex : object) lines.push_back(place_text(vertex.position));

@@ -317,11 +317,11 @@ Operations sum_of(const std::array<StageOperations, kStageCount>& stages) {
 }
 
 std::string_view name_of(Processor processor) {
-    return at(kTimes, processor).name;
+    return item(kTimes, processor).name;
 }
 
 double cycles_on(Processor processor, const Operations& operations) {
-    const InstructionTimes& times = at(kTimes, processor);
+    const InstructionTimes& times = item(kTimes, processor);
     return weighted(operations.adds, times.add) + weighted(operations.multiplications, times.multiply) +
            weighted(operations.divisions, times.divide) + static_cast<double>(operations.lookups) * times.lookup +
            static_cast<double>(operations.bytes_read) * times.byte_read +
@@ -329,7 +329,7 @@ double cycles_on(Processor processor, const Operations& operations) {
 }
 
 double frame_rate(Processor processor, double cycles) {
-    return at(kTimes, processor).megahertz * 1e6 / cycles;
+    return item(kTimes, processor).megahertz * 1e6 / cycles;
 }
 
 }  // namespace oblong

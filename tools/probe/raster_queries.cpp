@@ -42,8 +42,8 @@ template <class Visit>
 void for_each_covered_row(const Triangle& triangle, EdgeStepping edges, ScanlineExtents& rows, Visit visit) {
     if (!scan_triangle(triangle, edges, rows)) return;
     for (std::int32_t row = rows.first; row < rows.end; ++row) {
-        const std::int32_t first = std::max(at(rows.left, row), 0);
-        const std::int32_t end = std::min(at(rows.right, row), kWidth_px);
+        const std::int32_t first = std::max(item(rows.left, row), 0);
+        const std::int32_t end = std::min(item(rows.right, row), kWidth_px);
         if (first < end) visit(row, first, end);
     }
 }
@@ -55,8 +55,8 @@ class OverlapCounter {
     OverlapCounter() : changes_(static_cast<std::size_t>(kHeight_px * kPitch)) {}
 
     void add_row(std::int32_t row, std::int32_t first, std::int32_t end) {
-        ++at(changes_, row * kPitch + first);
-        --at(changes_, row * kPitch + end);
+        ++item(changes_, row * kPitch + first);
+        --item(changes_, row * kPitch + end);
     }
 
     /// Pixels covered by no, one, and more triangles.
@@ -65,8 +65,8 @@ class OverlapCounter {
         for (std::int32_t row = 0; row < kHeight_px; ++row) {
             std::int32_t triangles = 0;
             for (std::int32_t column = 0; column < kWidth_px; ++column) {
-                triangles += at(changes_, row * kPitch + column);
-                ++at(counts, std::min(triangles, 2));
+                triangles += item(changes_, row * kPitch + column);
+                ++item(counts, std::min(triangles, 2));
             }
         }
         return counts;
@@ -88,7 +88,7 @@ std::vector<Triangle> read_triangles(Fields& fields, const std::vector<ScreenVer
     const std::int64_t count = fields.integer(0, static_cast<std::int64_t>(fields.left()) / 3);
     const auto corner = [&] {
         const std::int64_t index = fields.integer(0, static_cast<std::int64_t>(vertices.size()) - 1);
-        return at(vertices, index);
+        return item(vertices, index);
     };
     std::vector<Triangle> triangles;
     for (std::int64_t i = 0; i < count; ++i) {

@@ -145,7 +145,7 @@ class RowSampler {
     std::string text() const {
         std::string text;
         for (std::int32_t column = query_.span.first; column < query_.span.end; ++column) {
-            const PixelRecord& pixel = at(record_.pixels, column);
+            const PixelRecord& pixel = item(record_.pixels, column);
             text += (text.empty() ? "" : " ") + format_fixed(pixel.u) + ' ' + format_fixed(pixel.v);
         }
         return text;

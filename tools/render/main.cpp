@@ -170,7 +170,7 @@ std::vector<ViewSpec> views_of(std::span<const Camera> cameras, const std::strin
 void check_hidden_surfaces(HiddenSurfaces method, std::span<const ViewSpec> views) {
     const auto is_parallel = [](const ViewSpec& view) { return view.is_parallel; };
     if (serves_parallel_views(method) || std::none_of(views.begin(), views.end(), is_parallel)) return;
-    throw UsageError("--hidden-surfaces: " + std::string(at(kHiddenSurfaceNames, method)) +
+    throw UsageError("--hidden-surfaces: " + std::string(item(kHiddenSurfaceNames, method)) +
                      " of a parallel view, expected span-buffer or painter");
 }
 

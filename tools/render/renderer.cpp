@@ -210,7 +210,7 @@ std::string report_json(const ReportHead& head, const std::vector<FrameReport>& 
                 {"dials", dials_json(head.settings.accuracy, head.preset)},
                 {"texel_error", texel_error_json(head.settings.accuracy)},
                 {"allowed_effects", allowed_effects_json(head.settings.allowed_effects)},
-                {"hidden_surfaces", at(kHiddenSurfaceNames, head.hidden_surfaces)},
+                {"hidden_surfaces", item(kHiddenSurfaceNames, head.hidden_surfaces)},
                 {"threads", head.threads},
                 {"load_milliseconds", rounded(head.load_milliseconds)},
                 {"microseconds", {{"median", rounded(times.median)}, {"p99", rounded(times.p99)}}},

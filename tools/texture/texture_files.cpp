@@ -76,7 +76,7 @@ BlockSum sum_block(const MipTexture& texture, const Palette& palette, int left, 
     BlockSum sum;
     for (int y = top; y < top + size; ++y) {
         for (int x = left; x < left + size; ++x) {
-            const std::uint8_t index = at(texture.mips[0], y * texture.width + x);
+            const std::uint8_t index = item(texture.mips[0], y * texture.width + x);
             if (index == kHole && has_holes(texture.name))
                 ++sum.holes;
             else
@@ -163,7 +163,7 @@ std::vector<std::uint8_t> make_ramp_sheet(const Palette& palette) {
     std::vector<std::uint8_t> pixels;
     for (std::int32_t y = 0; y < kHeight_px; ++y)
         for (std::int32_t x = 0; x < kWidth_px; ++x)
-            pixels.push_back(at(at(colormap.shades, x / kRampCellWidth_px), y / kRampCellHeight_px));
+            pixels.push_back(item(item(colormap.shades, x / kRampCellWidth_px), y / kRampCellHeight_px));
     return encode_indexed_png(pixels, kWidth_px, kHeight_px, palette);
 }
 
@@ -175,7 +175,7 @@ MipTexture make_mip_texture(const std::string& name, std::int32_t width, std::in
     texture.height = height;
     texture.mips[0] = std::move(texels);
     for (int level = 1; level < 4; ++level) {
-        at(texture.mips, level) = shrink(texture, palette, level);
+        item(texture.mips, level) = shrink(texture, palette, level);
     }
     return texture;
 }

@@ -40,7 +40,7 @@ Parameter mode_parameter() {
 }
 
 const NamedMode& mode_of(const RowInput& input, std::size_t parameter) {
-    return at(kModes, input.values[parameter]);
+    return item(kModes, input.values[parameter]);
 }
 
 /// The display's outline, and in it a disc of so few pixels that their shape is seen.

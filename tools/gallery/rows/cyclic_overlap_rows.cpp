@@ -183,7 +183,7 @@ std::vector<int> nearest_planks(const ScannedFaces& scanned, std::span<const Pie
 /// A shade for each of the pieces that a plank is cut into.
 std::uint8_t colour_of(const Piece& piece, std::span<const Piece> before, const GalleryAssets& assets) {
     constexpr std::array<std::array<int, 3>, kPlanks> kColours{{{214, 150, 70}, {90, 130, 190}, {150, 110, 90}}};
-    const auto& [red, green, blue] = at(kColours, piece.plank);
+    const auto& [red, green, blue] = item(kColours, piece.plank);
     const auto number =
         std::count_if(before.begin(), before.end(), [&](const Piece& other) { return other.plank == piece.plank; });
     const int percent = 100 - 22 * static_cast<int>(number);
@@ -210,7 +210,7 @@ RowPage draw_cycle(const RowInput& input, Framebuffer canvas) {
         for (std::int32_t x = 0; x < canvas.width_px; ++x) {
             const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
             const std::int32_t owner = owners.faces[pixel];
-            const auto piece = owner < 0 ? std::size_t{0} : at(scanned.faces, owner).visible.face.position();
+            const auto piece = owner < 0 ? std::size_t{0} : item(scanned.faces, owner).visible.face.position();
             const int plank = owner < 0 ? -1 : pieces[piece].plank;
             const bool is_edge = (plank < 0) != (nearest[pixel] < 0);
             uncovered += is_edge;

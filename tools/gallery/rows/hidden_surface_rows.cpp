@@ -138,7 +138,7 @@ RowPage draw_overdraw(const RowInput& input, Framebuffer canvas) {
     for (std::int32_t y = 0; y < canvas.height_px; ++y)
         for (std::int32_t x = 0; x < canvas.width_px; ++x) {
             const std::int64_t count = writes[static_cast<std::size_t>(y * canvas.width_px + x)];
-            canvas.row(y)[x] = at(colours, std::min<std::int64_t>(count, std::ssize(colours) - 1));
+            canvas.row(y)[x] = item(colours, std::min<std::int64_t>(count, std::ssize(colours) - 1));
         }
     draw_legend(colours, input.assets, canvas);
     const std::int64_t sum = std::accumulate(writes.begin(), writes.end(), std::int64_t{0});
@@ -254,7 +254,7 @@ RowPage draw_tree_order(const RowInput& input, Framebuffer canvas) {
     const auto painted = static_cast<std::size_t>(input.values[0]) * order.size() / 16;
     for (std::size_t place = 0; place < painted; ++place) {
         const std::uint8_t colour = colours[(order.size() - 1 - place) * colours.size() / order.size()];
-        for (const Span& span : scanned.spans_of(at(scanned.faces, order[place]))) {
+        for (const Span& span : scanned.spans_of(item(scanned.faces, order[place]))) {
             std::fill(canvas.row(span.y) + span.first, canvas.row(span.y) + span.end, colour);
             set_pixel(canvas, span.first, span.y, input.assets.colour(14, 16, 24));
         }

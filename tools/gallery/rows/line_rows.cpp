@@ -142,7 +142,7 @@ std::string error_text(const LineError& error) {
 
 const char* name_of(LineMethod method) {
     constexpr std::array<const char*, kLineMethodCount> kNames{"naive", "DDA", "Bresenham", "Gupta-Sproull"};
-    return at(kNames, method);
+    return item(kNames, method);
 }
 
 /// A quarter of the canvas: the method's name, its pixels, and the true line over them.
@@ -169,7 +169,7 @@ void draw_method(LineMethod method, const NamedLine& line, const RowInput& input
 }
 
 RowPage draw_lines_row(const RowInput& input, Framebuffer canvas) {
-    const NamedLine& line = at(kLines, input.values[0]);
+    const NamedLine& line = item(kLines, input.values[0]);
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(16, 18, 28));
     for (int method = 0; method < kLineMethodCount; ++method)
         draw_method(static_cast<LineMethod>(method), line, input, canvas);

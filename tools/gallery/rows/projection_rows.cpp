@@ -68,7 +68,7 @@ RowPage draw_orthographic(const RowInput& input, Framebuffer canvas) {
     const ViewSpec view = orthographic_view({}, side_axes(side), View::from_int(static_cast<std::int64_t>(kCubeWidth)));
     draw_cube_scene(input, view, canvas);
     constexpr std::array<std::array<double, 3>, 3> kFactors{{{1, 0, 1}, {1, 1, 0}, {0, 1, 1}}};
-    return {edge_figures(input, view, at(kFactors, static_cast<std::int32_t>(input.values[0]))),
+    return {edge_figures(input, view, item(kFactors, static_cast<std::int32_t>(input.values[0]))),
             {"The direction of projection is at right angles to the view plane: a coordinate is thrown away, and the "
              "others keep their lengths.",
              "1/z is the same everywhere, so that a texture needs one division a row."}};
@@ -86,7 +86,7 @@ RowPage draw_axonometric(const RowInput& input, Framebuffer canvas) {
         {{equal, equal, equal},
          {root2 / 3, 2 * root2 / 3, 2 * root2 / 3},
          {std::sqrt(25 / 50.0), std::sqrt(34 / 50.0), std::sqrt(41 / 50.0)}}};
-    std::array<double, 3> here = at(factors, static_cast<std::int32_t>(input.values[0]));
+    std::array<double, 3> here = item(factors, static_cast<std::int32_t>(input.values[0]));
     if (input.values[1] % 2 == 1) std::swap(here[0], here[1]);
     std::vector<Figure> figures = edge_figures(input, view, here);
     std::array<double, 3> found{};
@@ -159,7 +159,7 @@ RowPage draw_level_from_outside(const RowInput& input, Framebuffer canvas) {
 Camera camera_with_points(int points) {
     constexpr std::array<Vec, 3> kEyes{{{110, -310, 100}, {-160, -160, 15}, {-140, -140, 150}}};
     Camera camera;
-    camera.eye = in_world(at(kEyes, points - 1));
+    camera.eye = in_world(item(kEyes, points - 1));
     camera.yaw = degrees_to_angle(Degrees::from_int(points == 1 ? 90 : 45));
     camera.pitch = degrees_to_angle(Degrees::from_int(points == 3 ? 38 : 0));
     camera.field_of_view = Degrees::from_int(100);

@@ -34,7 +34,8 @@ void draw_sides(const StagedCube& cube, Stage stage, std::span<const Vec3<World>
     for (const bool is_front : {false, true})
         for (const ShownTriangle& shown : cube.triangles) {
             std::array<Vec3<World>, 3> corners;
-            for (std::size_t i = 0; i < 3; ++i) corners[i] = at(places, cube.mesh.triangles[shown.number].vertices[i]);
+            for (std::size_t i = 0; i < 3; ++i)
+                corners[i] = item(places, cube.mesh.triangles[shown.number].vertices[i]);
             const Vec3<Unit> normal = normalised(cross(corners[2] - corners[0], corners[1] - corners[0]));
             if (faces_away(corners[0], normal, from) == is_front) continue;
             const auto part = [&](int full) { return static_cast<int>(full * std::min(shown.light / 150, 1.0)); };
@@ -125,7 +126,7 @@ void draw_from_eye(const StagedCube& cube, Stage stage, const RowInput& input, F
         for (const Span& span : triangle.spans) {
             if (stage == Stage::Spans && span.y % 2 == 0) continue;  // so that one is told from the next
             if (stage == Stage::Spans)
-                fill_area(part, {span.first, span.y, span.end - span.first, 1}, at(colours, triangle.number % 2));
+                fill_area(part, {span.first, span.y, span.end - span.first, 1}, item(colours, triangle.number % 2));
             if (stage != Stage::Scanned) continue;
             set_pixel(part, span.first, span.y, assets.colour(110, 200, 110));
             set_pixel(part, span.end - 1, span.y, assets.colour(220, 90, 80));

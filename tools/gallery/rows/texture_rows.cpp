@@ -63,8 +63,8 @@ double block_error(const PngImage& image, const std::vector<std::uint8_t>& indic
             Channels off{};
             for (std::int32_t i = 0; i < kBlock * kBlock; ++i) {
                 const std::int32_t place = (top + i / kBlock) * image.width_px + left + i % kBlock;
-                const Channels is = channels_of(at(palette.colours, at(indices, place))),
-                               was = channels_of(at(image.colours, place).colour);
+                const Channels is = channels_of(item(palette.colours, item(indices, place))),
+                               was = channels_of(item(image.colours, place).colour);
                 for (std::size_t channel = 0; channel < 3; ++channel) off[channel] += is[channel] - was[channel];
             }
             for (const double channel : off) sum += std::abs(channel) / (kBlock * kBlock);
@@ -94,7 +94,7 @@ RowPage draw_quantisation(const RowInput& input, Framebuffer canvas) {
         const std::int32_t x = is_right ? canvas.width_px - 4 - width : left.x;
         const std::vector<std::uint8_t> indices = indices_of(image, palette, range, dither);
         for (std::int32_t i = 0; i < image.width_px * image.height_px; ++i)
-            set_pixel(canvas, x + i % width, top + i / width, at(indices, i));
+            set_pixel(canvas, x + i % width, top + i / width, item(indices, i));
         errors[is_right] = block_error(image, indices, palette);
         draw_text(canvas, x, top + left.height + 4, is_right ? "Floyd-Steinberg" : "nearest colour", input.assets.text);
     }

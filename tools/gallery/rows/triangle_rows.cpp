@@ -87,7 +87,7 @@ RowPage draw_triangle_methods(const RowInput& input, Framebuffer canvas) {
                         {pixels.data(), canvas.width_px, canvas.height_px, canvas.width_px});
         return pixels;
     };
-    const int shown_threads = at(kThreads, input.values[1]);
+    const int shown_threads = item(kThreads, input.values[1]);
     const auto shown = picture(static_cast<int>(input.values[0]), shown_threads);
     for (std::int32_t y = 0; y < canvas.height_px; ++y)
         std::copy_n(shown.data() + std::int64_t{y} * canvas.width_px, canvas.width_px, canvas.row(y));
@@ -150,7 +150,7 @@ RowPage draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
     grid.show(assets.colour(16, 18, 28));
     const std::uint8_t line = assets.colour(240, 236, 220);
     for (const auto& [from, to] : {std::pair{0, 1}, {1, 2}, {2, 3}, {3, 0}, {1, 3}})
-        grid.line(at(corners, from), at(corners, to), line);
+        grid.line(item(corners, from), item(corners, to), line);
     for (std::int32_t row = 0; row < kRows; ++row)
         for (std::int32_t column = 0; column < kColumns; ++column)
             grid.dot({column + 0.5, row + 0.5}, assets.colour(12, 12, 20));
@@ -191,7 +191,7 @@ void fill_with_gradient(const ScreenTriangle& triangle, const RowInput& input, F
         for (std::int32_t x = span.first; x < span.end; ++x) {
             const int dither = kBayer[static_cast<std::size_t>(span.y & 3)][static_cast<std::size_t>(x & 3)] * 4 - 30;
             const auto channel = [&](int i) {
-                return std::clamp(static_cast<int>(floor_of(at(channels, i).at(x, span.y))) + dither, 0, 255);
+                return std::clamp(static_cast<int>(floor_of(item(channels, i).at(x, span.y))) + dither, 0, 255);
             };
             canvas.row(span.y)[x] = input.assets.colour(channel(0), channel(1), channel(2));
         }
@@ -199,20 +199,20 @@ void fill_with_gradient(const ScreenTriangle& triangle, const RowInput& input, F
 
 RowPage draw_barycentric(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    const NamedPlace& place = at(kPlaces, input.values[0]);
+    const NamedPlace& place = item(kPlaces, input.values[0]);
     Diagram diagram(input, canvas, {2.5, 2.5}, 6.4);
     diagram.fill(assets.colour(16, 18, 28));
     const std::array<PlanePoint, 3> corners{{{0, 0}, {4, 0}, {0, 4}}};
     ScreenTriangle on_canvas, in_plane;
     for (int i = 0; i < 3; ++i) {
-        at(on_canvas, i) = vertex_at(diagram.on_canvas(at(corners, i)));
-        at(in_plane, i) = vertex_at(at(corners, i));
+        item(on_canvas, i) = vertex_at(diagram.on_canvas(item(corners, i)));
+        item(in_plane, i) = vertex_at(item(corners, i));
     }
     fill_with_gradient(on_canvas, input, canvas);
     const std::uint8_t white = assets.colour(250, 250, 250), grey = assets.colour(150, 160, 180);
     for (int i = 0; i < 3; ++i) {
-        diagram.line(at(corners, i), at(corners, (i + 1) % 3), grey);
-        diagram.line(at(corners, i), place.at, white);
+        diagram.line(item(corners, i), item(corners, (i + 1) % 3), grey);
+        diagram.line(item(corners, i), place.at, white);
     }
     diagram.text(corners[0], "A (0, 0)", grey, -54);
     diagram.text(corners[1], "B (4, 0)", grey);
@@ -224,9 +224,9 @@ RowPage draw_barycentric(const RowInput& input, Framebuffer canvas) {
     RowPage page;
     const std::array<const char*, 3> names{"alpha = PBC / ABC", "beta = PCA / ABC", "gamma = PAB / ABC"};
     for (int i = 0; i < 3; ++i) {
-        page.figures.push_back(number_figure(at(names, i), at(place.weights, i), at(found, i), 1e-12, 2));
+        page.figures.push_back(number_figure(item(names, i), item(place.weights, i), item(found, i), 1e-12, 2));
         diagram.text({4.9, 2.6 - 0.5 * i},
-                     std::string(at(names, i)).substr(0, std::string_view(at(names, i)).find(' ')) + " = " +
+                     std::string(item(names, i)).substr(0, std::string_view(item(names, i)).find(' ')) + " = " +
                          page.figures.back().found,
                      white);
     }
@@ -255,12 +255,12 @@ class TileTexture {
     TileTexture(const Tile& tile, const std::array<int, 3>& corners, bool is_perspective) {
         std::array<CornerQuantity, 3> u, v, inverse_z;
         for (int i = 0; i < 3; ++i) {
-            const int corner = at(corners, i);
-            at(triangle, i) = vertex_at(at(tile.corners, corner));
+            const int corner = item(corners, i);
+            item(triangle, i) = vertex_at(item(tile.corners, corner));
             const double over = is_perspective && corner >= 2 ? 1 / tile.far_depth : 1;
-            at(u, i) = quantity(at(kTexels, corner).x * over);
-            at(v, i) = quantity(at(kTexels, corner).y * over);
-            at(inverse_z, i) = quantity(over);
+            item(u, i) = quantity(item(kTexels, corner).x * over);
+            item(v, i) = quantity(item(kTexels, corner).y * over);
+            item(inverse_z, i) = quantity(over);
         }
         u_ = quantity_over(triangle, u);
         v_ = quantity_over(triangle, v);
@@ -291,7 +291,7 @@ void draw_tile(const Tile& tile, bool is_perspective, const RowInput& input, Fra
                 const PlanePoint texel = texture.at_pixel(x, span.y);
                 const int square =
                     static_cast<int>(std::floor(texel.x * 8)) + static_cast<int>(std::floor(texel.y * 8));
-                canvas.row(span.y)[x] = at(colours, square & 1);
+                canvas.row(span.y)[x] = item(colours, square & 1);
             }
     }
 }

@@ -49,7 +49,7 @@ double near_over_far(const LabView& lab) {
 }
 
 RowPage draw_lab_cube(const RowInput& input, Framebuffer canvas) {
-    const LabView& shows = at(kLabViews, static_cast<std::int32_t>(input.values[0]));
+    const LabView& shows = item(kLabViews, static_cast<std::int32_t>(input.values[0]));
     const double distance = shows.distance, half = shows.size / 2,
                  moved = static_cast<double>(input.values[1]) / 10 * shows.size;
     const ViewSpec spec = window_view(lab_window(shows, moved));
@@ -109,7 +109,7 @@ double draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer canvas
     double highest = -1e9;
     for (std::int32_t row = 0; row < input.mode.height_px; ++row)
         for (std::int32_t column = 0; column < input.mode.width_px; ++column) {
-            const PixelRecord& shows = at(record.pixels, row * canvas.pitch + column);
+            const PixelRecord& shows = item(record.pixels, row * canvas.pitch + column);
             if (shows.face.is_none()) continue;
             const LevelPlane& plane = level.planes[level.faces[shows.face].plane];
             const double x = std::ldexp(view.eye.x.raw, -12) + (column + 0.5 - input.mode.width_px / 2.0) * per_column;
@@ -142,7 +142,7 @@ constexpr double kSphereDistance = 300;
 RowPage draw_dolly_zoom(const RowInput& input, Framebuffer canvas) {
     const bool moves = input.values[1] == 0;
     constexpr std::array<int, 4> kDegrees{20, 40, 60, 90};
-    const int degrees = at(kDegrees, static_cast<std::int32_t>(input.values[0]));
+    const int degrees = item(kDegrees, static_cast<std::int32_t>(input.values[0]));
     const Degrees field_of_view = Degrees::from_int(degrees);
     const Camera before = camera_at(-112, 352 - 300, 128, 90, 0, 60);
     Camera camera = before;

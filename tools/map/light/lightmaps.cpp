@@ -113,8 +113,8 @@ void store(BspFile& bsp, FileFace& face, const StyleSamples& styles) {
 }
 
 bool is_sky(const BspFile& bsp, const FileFace& face) {
-    const FileTexInfo& texinfo = at(bsp.texinfos, face.texinfo);
-    return texinfo.flags != 0 && contents_of_texture(at(bsp.textures, texinfo.texture)) == contents::kSky;
+    const FileTexInfo& texinfo = item(bsp.texinfos, face.texinfo);
+    return texinfo.flags != 0 && contents_of_texture(item(bsp.textures, texinfo.texture)) == contents::kSky;
 }
 
 // Which faces of the world each source may light, by the sets of potentially visible leaves: spares most rays.
@@ -137,16 +137,16 @@ LightReach::LightReach(const BspFile& bsp, const Tracer& tracer, const std::vect
     const auto leaf_count = static_cast<std::size_t>(bsp.models.front().visible_leaf_count);
     for (const LightSource& source : sources) {
         auto& reached = reached_.emplace_back(world_face_count_, false);
-        const FileLeaf& home = at(bsp.leaves, tracer.leaf_at(source.origin));
+        const FileLeaf& home = item(bsp.leaves, tracer.leaf_at(source.origin));
         bool sees_sky = home.contents == contents::kSky;
         const std::vector<bool> seen = unpacked_row(bsp.visibility, home.visibility_offset, leaf_count);
         for (std::size_t leaf = 0; leaf < leaf_count; ++leaf) {
             if (!seen[leaf]) continue;
             const FileLeaf& marks = bsp.leaves[leaf + 1];
             for (int i = 0; i < marks.mark_face_count; ++i) {
-                const int face = at(bsp.mark_faces, marks.first_mark_face + i);
-                at(reached, face) = true;
-                sees_sky = sees_sky || is_sky(bsp, at(bsp.faces, face));
+                const int face = item(bsp.mark_faces, marks.first_mark_face + i);
+                item(reached, face) = true;
+                sees_sky = sees_sky || is_sky(bsp, item(bsp.faces, face));
             }
         }
         if (sees_sky) reached.assign(world_face_count_, true);  // what is behind a sky is in no set
@@ -200,8 +200,8 @@ void add_light(BspFile& bsp, const std::vector<MapEntity>& entities, bool is_fas
     for (std::size_t model = 0; model < bsp.models.size(); ++model) {
         const int first = bsp.models[model].first_face, end = first + bsp.models[model].face_count;
         for (int i = first; i < end; ++i) {
-            FileFace& face = at(bsp.faces, i);
-            if (at(bsp.texinfos, face.texinfo).flags != 0) continue;
+            FileFace& face = item(bsp.faces, i);
+            if (item(bsp.texinfos, face.texinfo).flags != 0) continue;
             const FaceSampler sampler(bsp, face, tracer);
             const auto sources = sources_near(lights, reach, static_cast<std::size_t>(i), sampler);
             StyleSamples styles = light_face(sampler, sources, lights.sun, lights.least[model], tracer, is_fast);
@@ -213,7 +213,7 @@ void add_light(BspFile& bsp, const std::vector<MapEntity>& entities, bool is_fas
 
 Tracer::Tracer(const BspFile& bsp) : root_(bsp.models.front().head_nodes[0]) {
     for (const FileNode& node : bsp.nodes) {
-        const FilePlane& plane = at(bsp.planes, node.plane);
+        const FilePlane& plane = item(bsp.planes, node.plane);
         nodes_.push_back({to_point(plane.normal), static_cast<double>(plane.distance), node.children});
     }
     for (const FileLeaf& leaf : bsp.leaves) opaque_.push_back(is_opaque(leaf.contents) ? leaf.contents : 0);
@@ -222,7 +222,7 @@ Tracer::Tracer(const BspFile& bsp) : root_(bsp.models.front().head_nodes[0]) {
 int Tracer::leaf_at(const Point& point) const {
     int child = root_;
     while (child >= 0) {
-        const TraceNode& node = at(nodes_, child);
+        const TraceNode& node = item(nodes_, child);
         child = node.children[dot(node.normal, point) < node.distance ? 1 : 0];
     }
     return -1 - child;
@@ -230,7 +230,7 @@ int Tracer::leaf_at(const Point& point) const {
 
 int Tracer::follow(int child, const Point& from, const Point& to, bool stops_at_sky) const {
     while (child >= 0) {
-        const TraceNode& node = at(nodes_, child);
+        const TraceNode& node = item(nodes_, child);
         const double from_height = dot(node.normal, from) - node.distance;
         const double to_height = dot(node.normal, to) - node.distance;
         const std::size_t near = from_height < 0 ? 1 : 0, far = to_height < 0 ? 1 : 0;
@@ -241,7 +241,7 @@ int Tracer::follow(int child, const Point& from, const Point& to, bool stops_at_
         }
         child = node.children[near];
     }
-    const int met = at(opaque_, -1 - child);
+    const int met = item(opaque_, -1 - child);
     return met == contents::kSky && !stops_at_sky ? 0 : met;
 }
 

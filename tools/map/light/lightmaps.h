@@ -30,7 +30,7 @@ class Tracer {
 
     /// The index of the leaf that a point is in.
     int leaf_at(const Point& point) const;
-    bool is_solid(const Point& point) const { return at(opaque_, leaf_at(point)) == contents::kSolid; }
+    bool is_solid(const Point& point) const { return item(opaque_, leaf_at(point)) == contents::kSolid; }
 
   private:
     struct TraceNode {

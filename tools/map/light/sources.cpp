@@ -124,9 +124,9 @@ Point nearest_on_segment(const Point& point, const Point& from, const Point& to)
 std::vector<Floats> face_corners(const BspFile& bsp, const FileFace& face) {
     std::vector<Floats> corners;
     for (int i = 0; i < face.edge_count; ++i) {
-        const int edge = at(bsp.surf_edges, face.first_surf_edge + i);
-        const auto& ends = at(bsp.edges, std::abs(edge));
-        corners.push_back(at(bsp.vertices, ends[edge < 0 ? 1 : 0]));
+        const int edge = item(bsp.surf_edges, face.first_surf_edge + i);
+        const auto& ends = item(bsp.edges, std::abs(edge));
+        corners.push_back(item(bsp.vertices, ends[edge < 0 ? 1 : 0]));
     }
     return corners;
 }
@@ -134,7 +134,7 @@ std::vector<Floats> face_corners(const BspFile& bsp, const FileFace& face) {
 // Worked out from the numbers in the file, as a reader does.
 LightGrid light_grid(const BspFile& bsp, const FileFace& face) {
     const auto corners = face_corners(bsp, face);
-    const FileTexInfo& texinfo = at(bsp.texinfos, face.texinfo);
+    const FileTexInfo& texinfo = item(bsp.texinfos, face.texinfo);
     LightGrid grid;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         float low = texel_at(texinfo.axes[axis], corners[0]), high = low;
@@ -226,7 +226,7 @@ void assign_switchable_styles(std::vector<MapEntity>& entities) {
 
 FaceSampler::FaceSampler(const BspFile& bsp, const FileFace& face, const Tracer& tracer)
     : tracer_(tracer), grid_(light_grid(bsp, face)) {
-    const FilePlane& plane = at(bsp.planes, face.plane);
+    const FilePlane& plane = item(bsp.planes, face.plane);
     const Point plane_normal = to_point(plane.normal);
     normal_ = face.is_back != 0 ? -plane_normal : plane_normal;
     for (const auto& corner : face_corners(bsp, face)) {
@@ -237,7 +237,7 @@ FaceSampler::FaceSampler(const BspFile& bsp, const FileFace& face, const Tracer&
     for (const Point& corner : corners_) radius_ = std::max(radius_, length(corner - centre_));
 
     // u = s . p + s0, v = t . p + t0, distance = n . p, solved for p by Cramer's rule.
-    const FileTexInfo& texinfo = at(bsp.texinfos, face.texinfo);
+    const FileTexInfo& texinfo = item(bsp.texinfos, face.texinfo);
     const Point s = to_point(texinfo.axes[0].direction), t = to_point(texinfo.axes[1].direction);
     const double determinant = dot(s, cross(t, plane_normal));
     const Point per_u = scaled(cross(t, plane_normal), 1 / determinant);

@@ -124,7 +124,7 @@ class PlaneList {
     /// their nearly whole distances whole.
     PlaneSide find_or_add(const Plane& plane);
 
-    const Plane& operator[](int index) const { return at(planes_, index); }
+    const Plane& operator[](int index) const { return item(planes_, index); }
     Plane facing(PlaneSide side) const { return side.is_back ? (*this)[side.plane].flipped() : (*this)[side.plane]; }
     int count() const { return static_cast<int>(planes_.size()); }
 

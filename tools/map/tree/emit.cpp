@@ -86,7 +86,7 @@ void Emitter::add_texinfos(const std::vector<TexInfo>& texinfos) {
 int Emitter::plane_index(int plane) {
     if (plane_indices_.size() <= static_cast<std::size_t>(plane))
         plane_indices_.resize(static_cast<std::size_t>(planes_.count()), -1);
-    int& index = at(plane_indices_, plane);
+    int& index = item(plane_indices_, plane);
     if (index >= 0) return index;
     index = count(bsp_.planes);
     const Plane& numbers = planes_[plane];
@@ -133,7 +133,7 @@ void Emitter::mark_faces(const CompiledModel& model, Numbering& numbering) {
         const int child = model.tree.node(surface.node).children[surface.plane.is_back ? 1 : 0];
         for (const LeafPiece& piece :
              pieces_in_leaves(model.tree, planes_, child, surface.winding, planes_.facing(surface.plane))) {
-            auto& marked = at(numbering.faces_of_leaf, piece.leaf);
+            auto& marked = item(numbering.faces_of_leaf, piece.leaf);
             if (marked.empty() || marked.back() != face) marked.push_back(face);
         }
         auto& [first, faces] = numbering.faces_of_node.try_emplace(surface.node, face, 0).first->second;
@@ -162,10 +162,10 @@ int Emitter::add_node(const CompiledModel& model, int child, Numbering& numberin
     for (std::size_t side = 0; side < 2; ++side) {
         Box part;
         const int added = add_child(model, node.children[side], numbering, part);
-        at(bsp_.nodes, index).children[side] = added;
+        item(bsp_.nodes, index).children[side] = added;
         box.add(part);
     }
-    at(bsp_.nodes, index).box = outward_box(box);
+    item(bsp_.nodes, index).box = outward_box(box);
     return index;
 }
 
@@ -188,7 +188,7 @@ int Emitter::add_clip_child(const Tree& hull, int child) {
     bsp_.clip_nodes.push_back({plane_index(node.plane), {}});
     for (std::size_t side = 0; side < 2; ++side) {
         const int added = add_clip_child(hull, node.children[side]);
-        at(bsp_.clip_nodes, index).children[side] = added;
+        item(bsp_.clip_nodes, index).children[side] = added;
     }
     return index;
 }

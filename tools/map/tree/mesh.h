@@ -21,7 +21,7 @@ class VertexPool {
     int find_or_add(const Point& point);
 
     const std::vector<Point>& points() const { return points_; }
-    const Point& operator[](int index) const { return at(points_, index); }
+    const Point& operator[](int index) const { return item(points_, index); }
 
     /// The vertices in the box, and perhaps some around it; in ascending order.
     std::vector<int> near_box(const Box& box) const;

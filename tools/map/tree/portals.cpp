@@ -76,7 +76,7 @@ struct Flood {
 std::vector<std::vector<int>> portals_by_leaf(const Tree& tree, const std::vector<Portal>& portals) {
     std::vector<std::vector<int>> by_leaf(tree.leaves.size());
     for (std::size_t i = 0; i < portals.size(); ++i) {
-        for (const int leaf : portals[i].leaves) at(by_leaf, leaf).push_back(static_cast<int>(i));
+        for (const int leaf : portals[i].leaves) item(by_leaf, leaf).push_back(static_cast<int>(i));
     }
     return by_leaf;
 }
@@ -86,7 +86,7 @@ int other_leaf(const Portal& portal, int leaf) {
 }
 
 void reach_leaf(Flood& flood, const Tree& tree, int leaf, int through) {
-    int& known = at(flood.through, leaf);
+    int& known = item(flood.through, leaf);
     if (known != kUnreached || is_opaque(tree.leaf(leaf).contents)) return;
     known = through;
     flood.order.push_back(leaf);
@@ -98,8 +98,8 @@ Flood flood_from_void(const Tree& tree, const Portals& portals) {
     for (const LeafPiece& piece : portals.outer) reach_leaf(flood, tree, piece.leaf, kVoid);
     for (std::size_t next = 0; next < flood.order.size(); ++next) {
         const int leaf = flood.order[next];
-        for (const int through : at(by_leaf, leaf)) {
-            const Portal& portal = at(portals.portals, through);
+        for (const int through : item(by_leaf, leaf)) {
+            const Portal& portal = item(portals.portals, through);
             if (least_width(portal.winding) >= kLeastGap) reach_leaf(flood, tree, other_leaf(portal, leaf), through);
         }
     }
@@ -116,9 +116,9 @@ Touched touched_at(const Tree& tree, const PlaneList& planes, const Flood& flood
     Touched touched;
     for (const int leaf : leaves_at(tree, planes, point)) {
         const bool is_wall = is_opaque(tree.leaf(leaf).contents);
-        if (at(flood.through, leaf) != kUnreached) touched.reached = leaf;
+        if (item(flood.through, leaf) != kUnreached) touched.reached = leaf;
         touched.has_wall = touched.has_wall || is_wall;
-        touched.has_inside = touched.has_inside || (!is_wall && at(flood.through, leaf) == kUnreached);
+        touched.has_inside = touched.has_inside || (!is_wall && item(flood.through, leaf) == kUnreached);
     }
     return touched;
 }
@@ -126,8 +126,8 @@ Touched touched_at(const Tree& tree, const PlaneList& planes, const Flood& flood
 std::vector<Point> path_to_void(const Tree& tree, const Portals& portals, const Flood& flood, const Point& start,
                                 int leaf) {
     std::vector<Point> path{start};
-    for (int through = at(flood.through, leaf); through != kVoid; through = at(flood.through, leaf)) {
-        const Portal& portal = at(portals.portals, through);
+    for (int through = item(flood.through, leaf); through != kVoid; through = item(flood.through, leaf)) {
+        const Portal& portal = item(portals.portals, through);
         path.push_back(middle(portal.winding));
         leaf = other_leaf(portal, leaf);
     }
@@ -164,7 +164,7 @@ void fill_leaves(Tree& tree, const Portals& portals, const std::function<int(con
         TreeLeaf& grown = tree.leaf(leaf);
         grown.box.add(winding);
         for (const Point& point : winding) grown.inside = grown.inside + point;
-        at(counts, leaf) += static_cast<double>(winding.size());
+        item(counts, leaf) += static_cast<double>(winding.size());
     };
     for (const Portal& portal : portals.portals) {
         for (const int leaf : portal.leaves) add(leaf, portal.winding);

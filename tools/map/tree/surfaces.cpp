@@ -222,7 +222,7 @@ std::vector<Surface> make_surfaces(const Tree& tree, const PlaneList& planes, co
 std::vector<Surface> subdivided(std::vector<Surface> surfaces, const std::vector<TexInfo>& texinfos) {
     std::vector<Surface> result;
     for (Surface& surface : surfaces) {
-        const TexInfo& texinfo = at(texinfos, surface.texinfo);
+        const TexInfo& texinfo = item(texinfos, surface.texinfo);
         if (texinfo.is_special) {
             result.push_back(std::move(surface));
             continue;

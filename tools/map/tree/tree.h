@@ -37,10 +37,10 @@ struct Tree {
     std::vector<TreeNode> nodes;
     std::vector<TreeLeaf> leaves;
 
-    const TreeNode& node(int child) const { return at(nodes, child); }
+    const TreeNode& node(int child) const { return item(nodes, child); }
     static int leaf_of(int child) { return -1 - child; }
-    TreeLeaf& leaf(int index) { return at(leaves, index); }
-    const TreeLeaf& leaf(int index) const { return at(leaves, index); }
+    TreeLeaf& leaf(int index) { return item(leaves, index); }
+    const TreeLeaf& leaf(int index) const { return item(leaves, index); }
 };
 
 /// Cuts space by the planes of the pieces until none crosses a leaf. Prefers planes that cut few pieces, leave as many

@@ -19,7 +19,7 @@ BitSet narrowed(const VisGraph& graph, const VisPortal& base) {
     BitSet found(graph.portals.size());
     SightCutter cutter;
     std::vector<Plane> frustum;
-    for (const int index : at(graph.portals_of_cluster, base.cluster)) {
+    for (const int index : item(graph.portals_of_cluster, base.cluster)) {
         const auto i = static_cast<std::size_t>(index);
         if (!base.might_see.has(i)) continue;
         const VisPortal& next = graph.portals[i];
@@ -76,7 +76,7 @@ class Flow {
     void pass_cluster(int cluster, std::size_t depth) {
         Link& next = link(depth + 1);
         const Link& here = links_[depth];
-        for (const int index : at(graph_.portals_of_cluster, cluster)) {
+        for (const int index : item(graph_.portals_of_cluster, cluster)) {
             const auto i = static_cast<std::size_t>(index);
             if (!here.might_see.has(i)) continue;
             const BitSet& beyond = is_done_[i] ? seen_[i] : graph_.portals[i].might_see;

@@ -15,14 +15,14 @@ constexpr int kNarrowingRounds = 3;  // each starts from the last one's sets; a 
 
 std::vector<bool> clusters_seen_from(int cluster, const VisGraph& graph, const std::vector<BitSet>& seen) {
     std::vector<bool> clusters(graph.portals_of_cluster.size(), false);
-    at(clusters, cluster) = true;
+    item(clusters, cluster) = true;
     BitSet portals(graph.portals.size());
-    for (const int out : at(graph.portals_of_cluster, cluster)) {
+    for (const int out : item(graph.portals_of_cluster, cluster)) {
         portals.add(static_cast<std::size_t>(out));
-        portals.add_all(at(seen, out));
+        portals.add_all(item(seen, out));
     }
     for (std::size_t i = 0; i < graph.portals.size(); ++i) {
-        if (portals.has(i)) at(clusters, graph.portals[i].cluster) = true;
+        if (portals.has(i)) item(clusters, graph.portals[i].cluster) = true;
     }
     return clusters;
 }
@@ -43,7 +43,7 @@ std::vector<int> clusters_in_file_order(const Clusters& clusters, const std::vec
                                         std::size_t leaf_count) {
     std::vector<int> in_order(leaf_count, 0);
     for (std::size_t i = 0; i < leaf_indices.size(); ++i) {
-        if (leaf_indices[i] > 0) at(in_order, leaf_indices[i] - 1) = clusters.of_leaf[i];
+        if (leaf_indices[i] > 0) item(in_order, leaf_indices[i] - 1) = clusters.of_leaf[i];
     }
     return in_order;
 }
@@ -52,7 +52,7 @@ std::string row_of(int cluster, const VisGraph& graph, const std::vector<BitSet>
                    const std::vector<int>& cluster_of_leaf) {
     const std::vector<bool> clusters = clusters_seen_from(cluster, graph, seen);
     std::vector<bool> leaves;
-    for (const int of_leaf : cluster_of_leaf) leaves.push_back(at(clusters, of_leaf));
+    for (const int of_leaf : cluster_of_leaf) leaves.push_back(item(clusters, of_leaf));
     return packed_row(leaves);
 }
 
@@ -87,8 +87,8 @@ std::map<std::tuple<int, int, int>, std::vector<Winding>> openings(const Compile
                                                                    const Clusters& clusters) {
     std::map<std::tuple<int, int, int>, std::vector<Winding>> found;
     for (const Portal& portal : world.portals.portals) {
-        const int front = at(clusters.of_leaf, portal.leaves[0]);
-        const int back = at(clusters.of_leaf, portal.leaves[1]);
+        const int front = item(clusters.of_leaf, portal.leaves[0]);
+        const int back = item(clusters.of_leaf, portal.leaves[1]);
         if (front < 0 || back < 0 || front == back) continue;
         if (is_opaque(world.tree.leaf(portal.leaves[0]).contents)) continue;
         if (is_opaque(world.tree.leaf(portal.leaves[1]).contents)) continue;
@@ -148,7 +148,7 @@ void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<
     const std::vector<int> cluster_of_leaf = clusters_in_file_order(clusters, leaf_indices, leaf_count);
     std::vector<int> offsets(clusters.count, -1);  // leaves of a cluster share a row
     for (std::size_t leaf = 0; leaf < leaf_count; ++leaf) {
-        int& offset = at(offsets, cluster_of_leaf[leaf]);
+        int& offset = item(offsets, cluster_of_leaf[leaf]);
         if (offset < 0) {
             offset = static_cast<int>(bsp.visibility.size());
             bsp.visibility += row_of(cluster_of_leaf[leaf], graph, seen, cluster_of_leaf);
@@ -171,9 +171,9 @@ VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, con
         const Plane& plane = planes[world.tree.node(node).plane];
         for (const Winding& winding : merged(std::move(windings))) {
             const int index = static_cast<int>(graph.portals.size());
-            at(graph.portals_of_cluster, back).push_back(index);
+            item(graph.portals_of_cluster, back).push_back(index);
             graph.portals.push_back(make_portal(winding, plane, front));
-            at(graph.portals_of_cluster, front).push_back(index + 1);
+            item(graph.portals_of_cluster, front).push_back(index + 1);
             graph.portals.push_back(make_portal(winding, plane.flipped(), back));
         }
     }

@@ -86,15 +86,15 @@ template <class MayPass>
 void flood_portals(const VisGraph& graph, int cluster, BitSet& found, MayPass may_pass) {
     std::vector<bool> is_reached(graph.portals_of_cluster.size(), false);
     std::vector<int> clusters{cluster};
-    at(is_reached, cluster) = true;
+    item(is_reached, cluster) = true;
     for (std::size_t done = 0; done < clusters.size(); ++done) {
-        for (const int index : at(graph.portals_of_cluster, clusters[done])) {
+        for (const int index : item(graph.portals_of_cluster, clusters[done])) {
             const auto i = static_cast<std::size_t>(index);
             const int behind = graph.portals[i].cluster;
-            if ((found.has(i) && at(is_reached, behind)) || !may_pass(i)) continue;
+            if ((found.has(i) && item(is_reached, behind)) || !may_pass(i)) continue;
             found.add(i);
-            if (at(is_reached, behind)) continue;
-            at(is_reached, behind) = true;
+            if (item(is_reached, behind)) continue;
+            item(is_reached, behind) = true;
             clusters.push_back(behind);
         }
     }
