@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <span>
 
 #include "engine/base/table.h"
@@ -9,6 +10,8 @@
 namespace oblong {
 
 namespace {
+
+constexpr std::int32_t kCopied_px = 16;
 
 /// One axis of a picture, of which `usual_px` are what 320x200 has.
 struct Axis {
@@ -32,22 +35,30 @@ std::int32_t shift_at(Angle angle, const Axis& axis) {
 }
 
 void copy_picture(Framebuffer picture, std::vector<std::uint8_t>& out) {
-    out.resize(pixel_count(picture.width_px, picture.height_px));
+    out.resize(pixel_count(picture.width_px, picture.height_px) + kCopied_px);  // the last run may read further
     for (std::int32_t y = 0; y < picture.height_px; ++y)
         std::copy_n(picture.row(y), picture.width_px, out.data() + std::ptrdiff_t{y} * picture.width_px);
 }
 
-/// Four pixels a round: the loop itself would take as long as what it does.
-void gather(const std::uint8_t* from, std::span<const std::uint32_t> columns, std::uint8_t* to) {
-    const std::uint32_t* column = columns.data();
-    const std::uint32_t* const end = column + columns.size();
-    for (; end - column >= 4; column += 4, to += 4) {
-        to[0] = from[column[0]];
-        to[1] = from[column[1]];
-        to[2] = from[column[2]];
-        to[3] = from[column[3]];
+/// Where neighbouring pixels of a row come from neighbours: the waves along columns move in steps of a whole pixel.
+void find_runs(Angle phase, const Axis& across, const Axis& down, std::vector<WaveRun>& runs) {
+    runs.clear();
+    std::uint32_t next = 0;
+    for (std::int32_t x = 0; x < across.size_px; ++x, ++next) {
+        const auto from =
+            static_cast<std::uint32_t>(shift_at(phase + across.angle_at(x), down) * across.size_px + across.shrunk(x));
+        if (runs.empty() || from != next || runs.back().count == kCopied_px) runs.push_back({next = from, x, 0});
+        ++runs.back().count;
     }
-    while (column != end) *to++ = from[*column++];
+}
+
+/// Copies sixteen pixels a run: what that writes too much, the next run overwrites. Only those near to the end of the
+/// row, after which others' pixels may lie, are copied as long as they are.
+void copy_runs(const std::uint8_t* from, std::span<const WaveRun> runs, std::int32_t width_px, std::uint8_t* row) {
+    std::size_t i = 0;
+    for (; i < runs.size() && runs[i].first <= width_px - kCopied_px; ++i)
+        std::memcpy(row + runs[i].first, from + runs[i].from, kCopied_px);
+    for (; i < runs.size(); ++i) std::copy_n(from + runs[i].from, runs[i].count, row + runs[i].first);
 }
 
 }  // namespace
@@ -56,14 +67,11 @@ void draw_underwater(std::int64_t time_ms, UnderwaterScratch& scratch, Framebuff
     const Axis across{out.width_px, 320}, down{out.height_px, 200};
     const Angle phase = Angle::from_bam(time_ms % kUnderwaterPeriod_ms * 65536 / kUnderwaterPeriod_ms);
     copy_picture(out, scratch.picture);
-    scratch.columns.resize(as_size(out.width_px));
-    for (std::int32_t x = 0; x < out.width_px; ++x)
-        item(scratch.columns, x) =
-            static_cast<std::uint32_t>(shift_at(phase + across.angle_at(x), down) * out.width_px + across.shrunk(x));
+    find_runs(phase, across, down, scratch.runs);
     for (std::int32_t y = 0; y < out.height_px; ++y) {
         const std::uint8_t* const from = scratch.picture.data() + std::ptrdiff_t{down.shrunk(y)} * out.width_px +
                                          shift_at(phase + down.angle_at(y), across);
-        gather(from, scratch.columns, out.row(y));
+        copy_runs(from, scratch.runs, out.width_px, out.row(y));
     }
 }
 

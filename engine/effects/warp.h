@@ -23,9 +23,15 @@ WarpTables make_warp_tables(std::int64_t time_ms);
 inline constexpr std::int64_t kUnderwaterPeriod_ms = 6'400;
 
 /// What the underwater pass keeps while a frame is drawn: a copy of the picture, and where each column comes from.
+/// Neighbouring pixels of a row that show neighbours.
+struct WaveRun {
+    std::uint32_t from;         ///< the first one's place, from the row that is shown on
+    std::int32_t first, count;  ///< columns
+};
+
 struct UnderwaterScratch {
     std::vector<std::uint8_t> picture;
-    std::vector<std::uint32_t> columns;
+    std::vector<WaveRun> runs;
 };
 
 /// Moves the whole picture in waves, as Quake does: a pixel shows another one, moved along its row by a sine of the row
