@@ -47,7 +47,8 @@ void HiddenSurfaceMethod::claim(const FrameContext& frame, ViewScratch& scratch)
 /// Adds a face that is scanned.
 void HiddenSurfaceMethod::keep(const VisibleFace& face, const FrameContext& frame, ViewScratch& scratch) {
     const EffectSet needs = frame.cache.faces.faces[face.face].effects;
-    ScannedFace scanned{face};
+    ScannedFace scanned;
+    static_cast<VisibleFace&>(scanned) = face;
     scanned.nearest_z = scratch.polygon.nearest_z;
     scanned.farthest_z = scratch.polygon.farthest_z;
     scanned.is_seen_through = list_for(needs, frame.settings.allowed_effects) == FaceList::SeeThrough;
