@@ -84,7 +84,7 @@ void Claims::clear() {
 
 std::int64_t pixels_of(const Claims& claims, FaceList list) {
     std::int64_t pixels = 0;
-    for (const ClaimedFace& face : claims.list(list)) pixels += pixels_of(claims.spans_of(face));
+    for (const VisibleFace& face : claims.list(list)) pixels += pixels_of(claims.spans_of(face));
     return pixels;
 }
 
@@ -134,13 +134,18 @@ void claim_face(const VisibleFace& face, bool is_second_walk, const FrameContext
         scratch.span_buffer.find_free(scratch.rows, claims.spans);
     else
         scratch.span_buffer.claim(scratch.rows, claims.spans);
-    add_claimed({face, 0, 0, scratch.polygon.nearest_z, scratch.polygon.farthest_z}, first, frame, claims);
+    VisibleFace claimed = face;
+    claimed.nearest_z = scratch.polygon.nearest_z;
+    claimed.farthest_z = scratch.polygon.farthest_z;
+    add_claimed(claimed, first, frame, claims);
 }
 
-void add_claimed(ClaimedFace face, std::size_t first_span, const FrameContext& frame, Claims& claims) {
+void add_claimed(VisibleFace face, std::size_t first_span, const FrameContext& frame, Claims& claims) {
     if (claims.spans.size() == first_span) return;
     face.first_span = static_cast<std::uint32_t>(first_span);
     face.span_count = static_cast<std::uint32_t>(claims.spans.size() - first_span);
+    face.inverse_z = make_face_inverse_z(frame.scene.level, frame.scene.level.faces[face.face], frame.offset_of(face),
+                                         frame.view, frame.inverse_projection);
     const EffectSet needs = frame.cache.faces.faces[face.face].effects, allowed = frame.settings.allowed_effects;
     const EffectSet effects = face.fragment ? needs.with(Effect::BrushModels) : needs;
     claims.list(list_for(needs, allowed)).push_back(face);

@@ -60,13 +60,13 @@ std::optional<VisibleFace> FrontToBackWalk::next() {
         if (!fragments_.empty()) {
             const Fragment* const fragment = fragments_.front();
             fragments_ = fragments_.subspan(1);
-            return VisibleFace{fragment->face, fragment};
+            return VisibleFace{.face = fragment->face, .fragment = fragment};
         }
         for (IndexRange<Face> rest = faces_; rest.count > 0;) {
             const FaceIndex face = rest.take_first();
             if (!is_wanted(face)) continue;
             faces_ = rest;
-            return VisibleFace{face, nullptr};
+            return VisibleFace{.face = face};
         }
         faces_.count = 0;
         if (!scratch_.steps.empty()) {

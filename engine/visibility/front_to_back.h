@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/level/level.h"
+#include "engine/view/gradients.h"
 #include "engine/view/view_context.h"
 #include "engine/visibility/box_culler.h"
 #include "engine/visibility/brush_models.h"
@@ -32,10 +33,14 @@ struct WalkScratch {
     std::uint32_t mark = 0;
 };
 
-/// A face that a walk has come to.
+/// A face that a walk has come to. The rest is known where it owns pixels, or sees through to those behind it
+/// (frame/claims.h).
 struct VisibleFace {
     FaceIndex face;
     const Fragment* fragment = nullptr;  ///< the part of a brush model's face that it is; null: a face of the world
+    std::uint32_t first_span = 0, span_count = 0;  ///< in Claims
+    View nearest_z{}, farthest_z{};                ///< of the face's part in view
+    LinearQuantity<InverseZ> inverse_z{};          ///< over the screen
 };
 
 /// One side of a plane, beyond which a walk does not go: what a mirror shows is before it, and what a cut keeps.
