@@ -36,6 +36,8 @@ struct Things {
     std::vector<PlacedSprite> sprites;
     std::vector<PlacedLantern> lanterns;
     std::vector<std::string> warnings;  ///< what is wrong with them, and what is done about it
+
+    bool is_empty() const { return emitters.empty() && sprites.empty() && lanterns.empty(); }
 };
 
 inline constexpr std::int32_t kMostParticles = 131'072;  ///< of a level: further ones are left out

@@ -21,10 +21,17 @@ void keep_dots_in(const ScreenRectangle& part, std::size_t first, std::vector<Pa
     dots.erase(std::remove_if(dots.begin() + static_cast<std::ptrdiff_t>(first), dots.end(), is_outside), dots.end());
 }
 
+InverseDepth nearest_depth(const ScreenSprite& sprite) {
+    const std::int64_t rows = sprite.pixels.end_row - sprite.pixels.first_row;
+    const std::int64_t last_16 = sprite.inverse_depth_16 + rows * sprite.inverse_depth_step_16;
+    return static_cast<InverseDepth>(std::max(sprite.inverse_depth_16, last_16) >> 16);
+}
+
 void add_sprite(const Sprite& sprite, const Level& level, const Sight& sight, ThingsInView& in_view,
                 DepthBuffer& depth) {
     const std::optional<ScreenSprite> screen = project_sprite(sprite, level.textures[sprite.texture], sight.view);
     if (!screen || (sight.part && !overlap(screen->pixels, *sight.part))) return;
+    if (!sight.may_show(screen->pixels, nearest_depth(*screen))) return;
     in_view.sprites.push_back({*screen, sprite.position});
     depth.want(screen->pixels);
 }
@@ -34,7 +41,7 @@ void add_sprite(const Sprite& sprite, const Level& level, const Sight& sight, Th
 void find_particles(const Things& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
                     DepthBuffer& depth) {
     for (const PlacedEmitter& placed : things.emitters) {
-        if (!may_be_seen(placed.place, sight.visible, sight.view)) continue;
+        if (!sight.may_show(placed.place)) continue;
         const std::size_t first = in_view.dots.size();
         append_dots(placed.emitter, time_ms, sight.view, in_view.dots);
         in_view.particles_computed += placed.emitter.count;
@@ -49,16 +56,14 @@ void find_particles(const Things& things, std::int64_t time_ms, const Sight& sig
 void find_sprites(const Things& things, std::int64_t time_ms, const Level& level, const Sight& sight,
                   ThingsInView& in_view, DepthBuffer& depth) {
     for (const PlacedSprite& placed : things.sprites)
-        if (may_be_seen(placed.place, sight.visible, sight.view))
-            add_sprite(placed.sprite, level, sight, in_view, depth);
+        if (sight.may_show(placed.place)) add_sprite(placed.sprite, level, sight, in_view, depth);
     for (const PlacedLantern& placed : things.lanterns)
-        if (may_be_seen(placed.place, sight.visible, sight.view))
-            add_sprite(lantern_at(placed.lantern, time_ms), level, sight, in_view, depth);
+        if (sight.may_show(placed.place)) add_sprite(lantern_at(placed.lantern, time_ms), level, sight, in_view, depth);
 }
 
 void find_shadows(const Things& things, const Sight& sight, ThingsInView& in_view) {
     for (const PlacedSprite& placed : things.sprites)
-        if (placed.floor && may_be_seen(placed.place, sight.visible, sight.view))
+        if (placed.floor && sight.may_show(placed.place))
             in_view.shadows.push_back(make_shadow(*placed.floor, placed.sprite.position, placed.shadow_radius));
 }
 

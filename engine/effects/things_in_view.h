@@ -39,15 +39,34 @@ struct ThingsInView {
     }
 };
 
+/// Tells what faces hide.
+class Cover {
+  public:
+    virtual ~Cover() = default;
+    /// Whether all of what stays in a box is surely hidden.
+    virtual bool hides(const PlacedBox& place) const = 0;
+    /// Whether each pixel of a rectangle shows a face that is nearer than this depth.
+    virtual bool hides(const ScreenRectangle& pixels, InverseDepth nearest) const = 0;
+};
+
 /// What a frame sees from where.
 struct Sight {
     const VisibleSet& visible;
     const ViewContext& view;
     const ScreenRectangle* part = nullptr;  ///< of the screen that is drawn; null: all of it
+    const Cover* cover = nullptr;           ///< null: none
+    BoxCuller culler{view.frustum, view.eye};
+
+    bool may_show(const PlacedBox& place) const {
+        return may_be_seen(place, visible, culler) && !(cover && cover->hides(place));
+    }
+    bool may_show(const ScreenRectangle& pixels, InverseDepth nearest) const {
+        return !(cover && cover->hides(pixels, nearest));
+    }
 };
 
 // Each adds those things that may be seen at a time of 0 and more, and wants depth where they are. Those whose place is
-// out of view, or in no leaf of the visible set, are not computed at all.
+// out of view, in no leaf of the visible set, or covered, are not computed at all.
 
 void find_particles(const Things& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
                     DepthBuffer& depth);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/frame/face_cover.h"
 #include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
@@ -121,9 +122,9 @@ bool is_seen(const Shadow& shadow, const FrameContext& frame, ViewScratch& scrat
     return pixels > 0;
 }
 
-void find_seen_shadows(const FrameContext& frame, ViewScratch& scratch) {
+void find_seen_shadows(const FrameContext& frame, const Sight& sight, ViewScratch& scratch) {
     ThingsInView& in_view = scratch.claims.things.in_view;
-    find_shadows(frame.cache.things, {scratch.visible, frame.view}, in_view);
+    find_shadows(frame.cache.things, sight, in_view);
     std::vector<Shadow>& shadows = scratch.claims.things.shadows;
     for (const Shadow& shadow : in_view.shadows)
         if (is_seen(shadow, frame, scratch)) shadows.push_back(shadow);
@@ -140,20 +141,21 @@ void FrameThings::clear() {
 }
 
 void find_things(const FrameContext& frame, ViewScratch& scratch) {
-    ThingsInView& in_view = scratch.claims.things.in_view;
-    const Sight sight{scratch.visible, frame.view, frame.mirror ? &frame.mirror->pixels : nullptr};
-    const std::int64_t time_ms = frame.scene.time_ms;
     scratch.depth.start_frame();
+    if (frame.cache.things.is_empty() && frame.scene.meshes.empty()) return;
+    ThingsInView& in_view = scratch.claims.things.in_view;
+    const FaceCover cover(frame, scratch);
+    const Sight sight{scratch.visible, frame.view, frame.mirror ? &frame.mirror->pixels : nullptr, &cover};
+    const std::int64_t time_ms = frame.scene.time_ms;
     if (frame.allows(Effect::Particles)) find_particles(frame.cache.things, time_ms, sight, in_view, scratch.depth);
     if (frame.observers.counts) frame.observers.counts->stages.particles = in_view.particles_computed;
     if (frame.allows(Effect::Sprites))
         find_sprites(frame.cache.things, time_ms, frame.scene.level, sight, in_view, scratch.depth);
     if (!frame.scene.meshes.empty() && frame.allows(Effect::Models)) find_meshes(frame, sight, scratch);
-    if (frame.allows(Effect::Shadows)) find_seen_shadows(frame, scratch);
+    if (frame.allows(Effect::Shadows)) find_seen_shadows(frame, sight, scratch);
     if (!scratch.depth.is_wanted()) return;
     fill_depth(frame, scratch);
     keep_visible(frame, scratch);
-    if (!scratch.claims.things.meshes.empty()) keep_visible_meshes(scratch);
     if (frame.fog.tables) colour_by_fog(frame.fog, scratch);
 }
 

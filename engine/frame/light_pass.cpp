@@ -27,8 +27,10 @@ void find_styles(bool are_wanted, const FrameContext& frame, ViewScratch& scratc
 void gather_lights(const FrameContext& frame, ViewScratch& scratch) {
     const bool has_mirrors = frame.mirror || !scratch.claims.list(FaceList::Mirror).empty();
     scratch.light.moving.assign(frame.scene.moving_lights.begin(), frame.scene.moving_lights.end());
+    if (frame.cache.things.lanterns.empty()) return;
+    const BoxCuller culler(frame.view.frustum, frame.view.eye);
     for (const PlacedLantern& placed : frame.cache.things.lanterns) {
-        if (!has_mirrors && !may_be_seen(placed.lit, scratch.visible, frame.view)) continue;
+        if (!has_mirrors && !may_be_seen(placed.lit, scratch.visible, culler)) continue;
         const Sprite lantern = lantern_at(placed.lantern, frame.scene.time_ms);
         scratch.light.moving.push_back({lantern.position, placed.lantern.light_radius});
     }

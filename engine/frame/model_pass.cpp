@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/frame/face_cover.h"
 #include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
@@ -19,17 +20,6 @@ constexpr Vec3<WorldWide> kTowardLight{WorldWide::from_int(2), WorldWide::from_i
 ScreenRectangle intersection(const ScreenRectangle& a, const ScreenRectangle& b) {
     return {std::max(a.first_column, b.first_column), std::min(a.end_column, b.end_column),
             std::max(a.first_row, b.first_row), std::min(a.end_row, b.end_row)};
-}
-
-/// 1/z of the corner of a box that is nearest along the view.
-InverseDepth nearest_depth_of(const LevelBox& box, const ViewContext& view) {
-    const auto nearest = [&box](std::size_t axis, Unit forward) {
-        return World::from_int(forward > Unit{} ? box.mins[axis] : box.maxs[axis]);
-    };
-    const Vec3<Unit>& forward = view.axes.forward;
-    const View z =
-        to_view({nearest(0, forward.x), nearest(1, forward.y), nearest(2, forward.z)}, view.eye, view.axes).z;
-    return to_inverse_depth(reciprocal<InverseZ>(std::max(z, View::from_int(1))));
 }
 
 /// The pixels that a box may take, of those that are drawn.
@@ -99,19 +89,18 @@ void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scr
     for (const PlacedMesh& placed : frame.scene.meshes) {
         if (!placed.mesh || placed.mesh->frames.empty()) continue;
         if (frame.mirror && is_behind(*frame.mirror, placed.position, frame.scene.level)) continue;
+        if (!may_be_seen(frame.scene.level, turning_box(placed), sight.visible, sight.culler)) continue;
         const LevelBox box = world_box(placed);
-        if (!may_be_seen(frame.scene.level, box, sight.visible, sight.view)) continue;
+        if (sight.culler.planes_crossed(box, kAllSides) == kOutside) continue;
         const ScreenRectangle pixels = pixels_of(box, sight.view, sight.part);
         if (pixels.first_column >= pixels.end_column || pixels.first_row >= pixels.end_row) continue;
+        const InverseDepth nearest = nearest_depth_of(box, sight.view);
+        if (!sight.may_show(pixels, nearest)) continue;
         scratch.depth.want(pixels);
-        scratch.claims.things.meshes.push_back({&placed, pixels, box, nearest_depth_of(box, sight.view)});
+        scratch.claims.things.meshes.push_back({&placed, pixels, box, nearest});
     }
-}
-
-void keep_visible_meshes(ViewScratch& scratch) {
-    std::vector<MeshInView>& meshes = scratch.claims.things.meshes;
-    std::erase_if(meshes, [&scratch](const MeshInView& mesh) { return is_hidden(mesh, scratch.depth); });
-    if (!meshes.empty()) scratch.claims.effects = scratch.claims.effects.with(Effect::Models);
+    EffectSet& effects = scratch.claims.effects;
+    if (!scratch.claims.things.meshes.empty()) effects = effects.with(Effect::Models);
 }
 
 void draw_meshes(const FrameContext& frame, ViewScratch& scratch) {

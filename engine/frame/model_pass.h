@@ -7,12 +7,10 @@ namespace oblong {
 struct FrameContext;
 struct ViewScratch;
 
-/// Finds the meshes that may be seen, and wants depth where they are. Those out of view, or in no leaf of the visible
-/// set, are not looked at further; nor are those behind a mirror, by their place, in its picture.
+/// Finds the meshes that may be seen, and wants depth where they are. Those out of view, in no leaf of the visible set,
+/// or whose whole rectangle faces nearer than their box cover, are not looked at further; nor are those behind a
+/// mirror, by their place, in its picture.
 void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scratch);
-
-/// Leaves out those whose whole rectangle is covered by what is nearer than their box. The faces' depth is known.
-void keep_visible_meshes(ViewScratch& scratch);
 
 /// Draws the meshes that are left, in the level's light and fog.
 void draw_meshes(const FrameContext& frame, ViewScratch& scratch);

@@ -96,4 +96,26 @@ LevelBox world_box(const PlacedMesh& placed) {
     return box;
 }
 
+/// The corner of its frames that is farthest along all axes together is farther than any from the mesh's origin.
+LevelBox turning_box(const PlacedMesh& placed) {
+    const MeshFrame &from = frame_of(placed), &to = next_frame_of(placed);
+    const auto farthest = [](World a, World b, World c, World d) {
+        return std::max({WorldWide{}, convert<WorldWide>(absolute(a)), convert<WorldWide>(absolute(b)),
+                         convert<WorldWide>(absolute(c)), convert<WorldWide>(absolute(d))});
+    };
+    const WorldWide sum = farthest(from.mins.x, from.maxs.x, to.mins.x, to.maxs.x) +
+                          farthest(from.mins.y, from.maxs.y, to.mins.y, to.maxs.y) +
+                          farthest(from.mins.z, from.maxs.z, to.mins.z, to.maxs.z);
+    const Entry scale = std::max({placed.scale.x, placed.scale.y, placed.scale.z});
+    const std::int64_t reach = whole_units(multiply(scale, convert<Entry>(sum)).raw) + 3;
+    const std::array position{placed.position.x, placed.position.y, placed.position.z};
+    LevelBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::int64_t middle = floor_of(position[axis]);
+        box.mins[axis] = static_cast<std::int32_t>(std::max(middle - reach, -kMostUnits - 1));
+        box.maxs[axis] = static_cast<std::int32_t>(std::min(middle + reach + 1, kMostUnits + 2));
+    }
+    return box;
+}
+
 }  // namespace oblong

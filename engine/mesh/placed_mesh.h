@@ -47,6 +47,9 @@ std::optional<MeshTransform> make_mesh_transform(const PlacedMesh& placed);
 /// The box in the world of one frame, or of two blended ones: whole units, rounded outward, one unit more.
 LevelBox world_box(const PlacedMesh& placed);
 
+/// A box that holds world_box(), however it is turned, and takes little time: for those that are out of view.
+LevelBox turning_box(const PlacedMesh& placed);
+
 /// The frames that it shows. The mesh has at least one.
 const MeshFrame& frame_of(const PlacedMesh& placed);
 const MeshFrame& next_frame_of(const PlacedMesh& placed);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/level/side.h"
-#include "engine/visibility/box_culler.h"
 
 namespace oblong {
 
@@ -53,15 +52,14 @@ PlacedBox place_box(const Level& level, const LevelBox& box) {
     return placed;
 }
 
-bool may_be_seen(const PlacedBox& placed, const VisibleSet& visible, const ViewContext& view) {
-    const bool is_in_set =
-        placed.has_many_leaves || std::any_of(placed.leaves.begin(), placed.leaves.end(),
-                                              [&visible](LeafIndex leaf) { return visible.has_leaf(leaf); });
-    return is_in_set && BoxCuller(view.frustum, view.eye).planes_crossed(placed.box, kAllSides) != kOutside;
+bool may_be_seen(const PlacedBox& placed, const VisibleSet& visible, const BoxCuller& culler) {
+    if (culler.planes_crossed(placed.box, kAllSides) == kOutside) return false;
+    return placed.has_many_leaves || std::any_of(placed.leaves.begin(), placed.leaves.end(),
+                                                 [&visible](LeafIndex leaf) { return visible.has_leaf(leaf); });
 }
 
-bool may_be_seen(const Level& level, const LevelBox& box, const VisibleSet& visible, const ViewContext& view) {
-    if (BoxCuller(view.frustum, view.eye).planes_crossed(box, kAllSides) == kOutside) return false;
+bool may_be_seen(const Level& level, const LevelBox& box, const VisibleSet& visible, const BoxCuller& culler) {
+    if (culler.planes_crossed(box, kAllSides) == kOutside) return false;
     std::vector<NodeChild> pending{level.world().root};
     while (!pending.empty()) {
         const NodeChild at = pending.back();

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/level/level.h"
-#include "engine/view/view_context.h"
+#include "engine/visibility/box_culler.h"
 #include "engine/visibility/visible_set.h"
 
 namespace oblong {
@@ -22,9 +22,9 @@ PlacedBox place_box(const Level& level, const LevelBox& box);
 
 /// Whether something in the box may be seen: false where the box is outside the view, or where none of its leaves is in
 /// the visible set.
-bool may_be_seen(const PlacedBox& placed, const VisibleSet& visible, const ViewContext& view);
+bool may_be_seen(const PlacedBox& placed, const VisibleSet& visible, const BoxCuller& culler);
 
 /// The same for a box that moves, by descending the visible part of the tree.
-bool may_be_seen(const Level& level, const LevelBox& box, const VisibleSet& visible, const ViewContext& view);
+bool may_be_seen(const Level& level, const LevelBox& box, const VisibleSet& visible, const BoxCuller& culler);
 
 }  // namespace oblong

@@ -22,6 +22,10 @@ ViewContext view_from(const Vec3<World>& eye, Angle yaw) {
     return view;
 }
 
+BoxCuller culler_of(const ViewContext& view) {
+    return {view.frustum, view.eye};
+}
+
 LevelBox box_around(const Vec3<World>& middle, std::int32_t half) {
     const std::array at{floor_of(middle.x), floor_of(middle.y), floor_of(middle.z)};
     return {{at[0] - half, at[1] - half, at[2] - half}, {at[0] + half, at[1] + half, at[2] + half}};
@@ -69,7 +73,7 @@ TEST_P(PlacedBoxOf, MayBeSeenIfAPointOfItIsInViewInAVisibleLeaf) {
         visible.see_from(level, find_leaf(level, level.world(), eye));
         const ViewContext view = view_from(eye, Angle::from_bam(random()));
         const PlacedBox placed = place_box(level, box_around(random_open_point(level, random), 40));
-        const bool may_be = may_be_seen(placed, visible, view);
+        const bool may_be = may_be_seen(placed, visible, culler_of(view));
         (may_be ? seen : unseen) += 1;
         if (may_be) continue;
         for (int i = 0; i < 20; ++i) {
@@ -91,7 +95,7 @@ TEST_P(PlacedBoxOf, HasNoListWhereItHoldsTheWholeLevel) {
     std::mt19937 random(3);
     const Vec3<World> eye = random_open_point(level, random);
     visible.see_from(level, find_leaf(level, level.world(), eye));
-    EXPECT_TRUE(may_be_seen(placed, visible, view_from(eye, {})));
+    EXPECT_TRUE(may_be_seen(placed, visible, culler_of(view_from(eye, {}))));
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, PlacedBoxOf, testing::ValuesIn(kRealLevels));
