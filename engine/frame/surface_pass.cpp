@@ -246,7 +246,8 @@ void draw_walls(const FrameContext& frame, ViewScratch& scratch) {
 
 LinearQuantity<InverseZ> inverse_z_of(const VisibleFace& face, const FrameContext& frame) {
     const std::int32_t bits = frame.accuracy().inverse_z_bits;
-    return bits == InverseZ::kFractionBits ? face.inverse_z : rounded_to(face.inverse_z, bits);
+    const LinearQuantity<InverseZ>& inverse_z = face.inverse_z;
+    return bits == InverseZ::kFractionBits ? inverse_z : rounded_to(inverse_z, bits);
 }
 
 }  // namespace oblong

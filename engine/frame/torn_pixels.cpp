@@ -149,7 +149,8 @@ void claim(const Span& span, const OpenEnd& end, const FrameContext& frame, View
     if (face == FaceIndex::none()) return claims.left_free.push_back(span);
     if (!end.is_sky) return claims.torn.push_back({span, plane, is_back, face, end.place});
     claims.spans.push_back(span);
-    add_claimed({.face = face}, claims.spans.size() - 1, frame, claims);
+    VisibleFace sky{.face = face};
+    add_claimed(sky, claims.spans.size() - 1, frame, claims);
 }
 
 /// The same of a span between whose ends, which are known, several things may stand: halves it until both ends show
@@ -190,7 +191,7 @@ class TornDrawing {
         const TexInfo& texinfo = level_.texinfos[face_.texinfo];
         surface_.origin_u = origin_near(texinfo.s, texinfo.s_offset, torn.place, texture_.width);
         surface_.origin_v = origin_near(texinfo.t, texinfo.t_offset, torn.place, texture_.height);
-        const auto inverse_z = inverse_z_of(torn, frame);
+        const PlaneInverseZ inverse_z = inverse_z_of(torn, frame);
         const InverseZ nearest = std::max({inverse_z.at(torn.span.first, torn.span.y),
                                            inverse_z.at(torn.span.end - 1, torn.span.y), InverseZ::ulp()});
         surface_.mip = frame.cache.surfaces.mip_level(torn.face, reciprocal<View>(nearest), frame.view.projection.x,
@@ -257,7 +258,7 @@ void draw_torn_pixels(const FrameContext& frame, ViewScratch& scratch) {
     }
 }
 
-LinearQuantity<InverseZ> inverse_z_of(const TornSpan& torn, const FrameContext& frame) {
+PlaneInverseZ inverse_z_of(const TornSpan& torn, const FrameContext& frame) {
     const Level& level = frame.scene.level;
     return make_face_inverse_z(level, wall_of(torn, level), {}, frame.view, frame.inverse_projection);
 }

@@ -21,7 +21,7 @@ void set_plane(const FrameContext& frame, ScannedFace& scanned) {
     scanned.eye_distance = face.is_back ? -distance : distance;
     scanned.inverse_z =
         make_face_inverse_z(level, face, frame.offset_of(scanned), frame.view, frame.inverse_projection);
-    scanned.inverse_z = inverse_z_of(scanned, frame);
+    scanned.inverse_z = {inverse_z_of(scanned, frame), {}};
 }
 
 }  // namespace
@@ -32,14 +32,15 @@ void HiddenSurfaceMethod::claim(const FrameContext& frame, ViewScratch& scratch)
     scanned_.clear();
     bool are_kept = true;
     FaceScan faces(frame, scratch);
-    while (const std::optional<VisibleFace> face = faces.next()) {
+    VisibleFace face;
+    while (faces.next(face)) {
         if (!faces.is_second_walk()) {
-            keep(*face, frame, scratch);
+            keep(face, frame, scratch);
             continue;
         }
         if (are_kept) claim_owned(frame, scratch);
         are_kept = false;
-        claim_face(*face, true, frame, scratch);
+        claim_face(face, true, frame, scratch);
     }
     if (are_kept) claim_owned(frame, scratch);
 }
@@ -94,7 +95,8 @@ void HiddenSurfaceMethod::claim_runs(const ScannedFace& face, std::span<const Ow
         else
             scratch.span_buffer.claim(span.y, span.first, span.end, claims.spans);
     }
-    add_claimed(face, first, frame, claims);
+    VisibleFace claimed = face;
+    add_claimed(claimed, first, frame, claims);
 }
 
 /// Claims each pixel for the face that owns it. What has no owner stays free in the span buffer.
