@@ -64,6 +64,20 @@ TEST_F(GalleryRows, FiguresAreAsExpectedWhateverTheParameters) {
         }
 }
 
+TEST_F(GalleryRows, FiguresAreAsExpectedAtTheCoarsestAccuracy) {
+    Settings settings;
+    settings.accuracy = accuracy_of(Preset::Year1991);
+    for (const Row& row : gallery_rows()) {
+        std::vector<std::int64_t> values = start_values(row);
+        const std::int64_t choices = row.parameters[0].choices.empty() ? 1 : row.parameters[0].most + 1;
+        for (std::int64_t choice = 0; choice < choices; ++choice) {
+            if (choices > 1) values[0] = choice;
+            for (const Figure& figure : draw(row, values, {}, settings).page.figures)
+                EXPECT_TRUE(figure.agrees) << row.id << ": " << figure_text(figure);
+        }
+    }
+}
+
 TEST_F(GalleryRows, EveryParameterChangesSomething) {
     for (const Row& row : gallery_rows())
         for (std::size_t i = 0; i < row.parameters.size(); ++i) {

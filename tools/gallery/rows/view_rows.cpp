@@ -50,8 +50,9 @@ double near_over_far(const LabView& lab) {
 
 RowPage draw_lab_cube(const RowInput& input, Framebuffer canvas) {
     const LabView& shows = item(kLabViews, static_cast<std::int32_t>(input.values[0]));
+    // The window's sides are places of the world: rounded to its 4096ths.
     const double distance = shows.distance, half = shows.size / 2,
-                 moved = static_cast<double>(input.values[1]) / 10 * shows.size;
+                 moved = number_of(world_point(static_cast<double>(input.values[1]) / 10 * shows.size, 0, 0).x);
     const ViewSpec spec = window_view(lab_window(shows, moved));
     WireScene scene(input, spec, canvas);
     scene.fill_background();
@@ -95,8 +96,14 @@ RowPage draw_lab_cube(const RowInput& input, Framebuffer canvas) {
          "Right-handed axes, VPN toward the viewer: u = VUP x VPN points along -x."}};
 }
 
-/// The highest place that a plan of the demo level shows, and draws the plan.
-double draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer canvas) {
+/// The highest place that a plan shows, and the highest if each pixel is taken where its face is lowest within what
+/// corners are rounded by: on a face as steep as a wall that is many units.
+struct PlanHeights {
+    double highest = -1e9, lowest_possible = -1e9;
+};
+
+/// Draws a plan of the demo level.
+PlanHeights draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer canvas) {
     const Level& level = input.assets.demo_level;
     FrameWorkspace work(level, input.mode);
     FrameRecord record;
@@ -106,7 +113,8 @@ double draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer canvas
         2 * std::ldexp(static_cast<double>(view.window.half_width.raw), -16) / input.mode.width_px;
     const Ratio pixel = input.mode.pixel();
     const double per_row = per_column * static_cast<double>(pixel.denominator) / static_cast<double>(pixel.numerator);
-    double highest = -1e9;
+    const double rounded_px = std::ldexp(0.5, -input.settings.accuracy.subpixel_bits);
+    PlanHeights heights;
     for (std::int32_t row = 0; row < input.mode.height_px; ++row)
         for (std::int32_t column = 0; column < input.mode.width_px; ++column) {
             const PixelRecord& shows = item(record.pixels, row * canvas.pitch + column);
@@ -116,9 +124,14 @@ double draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer canvas
             const double y = std::ldexp(view.eye.y.raw, -12) - (row + 0.5 - input.mode.height_px / 2.0) * per_row;
             const double way = std::ldexp(static_cast<double>(plane.distance.raw), -42) -
                                number_of(plane.normal.x) * x - number_of(plane.normal.y) * y;
-            if (std::abs(number_of(plane.normal.z)) > 0.1) highest = std::max(highest, way / number_of(plane.normal.z));
+            const Vec normal = vec_of(plane.normal);
+            if (std::abs(normal.z) <= 0.1) continue;
+            const double rise_per_px =
+                (std::abs(normal.x) * per_column + std::abs(normal.y) * per_row) / std::abs(normal.z);
+            heights.highest = std::max(heights.highest, way / normal.z);
+            heights.lowest_possible = std::max(heights.lowest_possible, way / normal.z - rounded_px * rise_per_px);
         }
-    return highest;
+    return heights;
 }
 
 RowPage draw_front_plane(const RowInput& input, Framebuffer canvas) {
@@ -127,13 +140,15 @@ RowPage draw_front_plane(const RowInput& input, Framebuffer canvas) {
     cut_front(view, middle_of_demo_level(), middle_of_demo_level().z - World::from_int(height));
     RowInput with_pixels = input;
     with_pixels.settings.correct_aspect = true;
-    const double highest = draw_plan(with_pixels, view, canvas);
-    return {{{"highest place shown", "at most " + std::to_string(height), decimal_text(highest, "%.1f"),
-              highest <= height + 0.5},
-             measured("front plane, units below the reference point", std::to_string(40 - height))},
-            {"What is before the front plane is cut off in the world, before it is projected: from above that makes a "
-             "floor plan. So is what is behind a back plane.",
-             "Views without these planes have no near plane: the sides of the view meet in the eye."}};
+    const PlanHeights heights = draw_plan(with_pixels, view, canvas);
+    const bool is_rounded = input.settings.accuracy.subpixel_bits < Screen::kFractionBits;
+    return {
+        {{"highest place shown", "at most " + std::to_string(height) + (is_rounded ? ", but for rounded corners" : ""),
+          decimal_text(heights.highest, "%.1f"), heights.lowest_possible <= height + 0.5},
+         measured("front plane, units below the reference point", std::to_string(40 - height))},
+        {"What is before the front plane is cut off in the world, before it is projected: from above that makes a "
+         "floor plan. So is what is behind a back plane.",
+         "Views without these planes have no near plane: the sides of the view meet in the eye."}};
 }
 
 constexpr double kSphereDistance = 300;
