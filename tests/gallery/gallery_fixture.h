@@ -33,7 +33,7 @@ class GalleryTest : public testing::Test {
     static constexpr std::int32_t kBorder_px = 16;
 
     struct Drawn {
-        RowPage page;
+        Figures figures;
         std::vector<std::uint8_t> pixels;  ///< with the border
         bool is_border_whole = false;
     };
@@ -46,7 +46,7 @@ class GalleryTest : public testing::Test {
         drawn.pixels.assign(pixel_count(pitch, mode.height_px + 2 * kBorder_px), kGuard);
         const Framebuffer canvas{drawn.pixels.data() + kBorder_px * pitch + kBorder_px, mode.width_px, mode.height_px,
                                  pitch};
-        drawn.page = draw_row(row, {assets, mode, settings, values}, 0, canvas);
+        drawn.figures = draw_row(row, {assets, mode, settings, values}, 0, canvas);
         std::vector<std::uint8_t> border = drawn.pixels;
         const Framebuffer inside{border.data() + kBorder_px * pitch + kBorder_px, mode.width_px, mode.height_px, pitch};
         for (std::int32_t y = 0; y < mode.height_px; ++y) std::fill_n(inside.row(y), mode.width_px, kGuard);

@@ -190,7 +190,7 @@ std::uint8_t colour_of(const Piece& piece, std::span<const Piece> before, const 
     return assets.colour(red * percent / 100, green * percent / 100, blue * percent / 100);
 }
 
-RowPage draw_cycle(const RowInput& input, Framebuffer canvas) {
+Figures draw_cycle(const RowInput& input, Framebuffer canvas) {
     const auto method = static_cast<Method>(input.values[0]);
     const ViewContext view = view_of_planks(input, input.settings.accuracy.subpixel_bits);
     std::vector<Piece> pieces;
@@ -224,28 +224,18 @@ RowPage draw_cycle(const RowInput& input, Framebuffer canvas) {
     const bool is_sorted = method == Method::SortedByFarthest || method == Method::SortedByMean;
     const Figure wrong_pixels = is_sorted ? Figure{"wrong pixels", "more than 0", std::to_string(wrong), wrong > 0}
                                           : count_figure("wrong pixels", 0, wrong);
-    return {
-        {wrong_pixels, measured("polygons", std::to_string(pieces.size())),
-         measured("pixels at outlines that only one of two methods covers", std::to_string(uncovered))},
-        {"Each plank lies over the next, and the last over the first: whichever the painter draws last, it is wrong at "
-         "one end (green). The tree cuts planks where another's plane crosses them (shades), and then has an order.",
-         "Wrong is what is not the nearest plank at the pixel by doubles: of exact outlines for rays, of rounded ones "
-         "for "
-         "the others."}};
+    return {wrong_pixels, measured("polygons", std::to_string(pieces.size())),
+            measured("pixels at outlines that only one of two methods covers", std::to_string(uncovered))};
 }
 
 }  // namespace
 
 std::vector<Row> cyclic_overlap_rows() {
     return {{"cyclic-overlap",
-             "Cyclic overlap",
-             "3 Notes: Painter's algorithm",
-             "engine/methods/painter.cpp",
-             "tests/methods/painter_test.cpp",
+             draw_cycle,
              {choice_parameter("method", {"painter by farthest z", "painter by mean z", "painter by the tree",
                                           "z-buffer", "ray casting"}),
-              {"rise of a plank, units", 20, 100, 10, 60}},
-             draw_cycle}};
+              {"rise of a plank, units", 20, 100, 10, 60}}}};
 }
 
 }  // namespace oblong
