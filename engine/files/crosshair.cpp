@@ -10,11 +10,6 @@ namespace oblong {
 
 namespace {
 
-template <class Int, int Frac>
-double number_of(Fixed<Int, Frac> value) {
-    return std::ldexp(static_cast<double>(value.raw), -Frac);
-}
-
 std::string entity_text(const Level& level, ModelIndex model) {
     std::string text = "model " + std::to_string(model.number());
     const Entity* entity = entity_of(level, model);

@@ -60,8 +60,7 @@ void PlaceRange::include(const SkinPlace& place) {
 }
 
 MeshTexel SkinScale::texel_at(const SkinPlace& place) const {
-    const auto texel = [](double value) { return Texel::from_raw(std::llround(value * Texel::from_int(1).raw)); };
-    return {texel((place.u - first_u) * width), texel((place.v - first_v) * height)};
+    return {nearest_to<Texel>((place.u - first_u) * width), nearest_to<Texel>((place.v - first_v) * height)};
 }
 
 SkinScale repeat_skin(Skin& skin, const PlaceRange& range, std::vector<std::string>& warnings) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/base/table.h"
 #include "engine/files/files.h"
 
 namespace oblong {
@@ -49,14 +50,14 @@ std::string number_text(SaveSlot slot) {
 }
 
 std::string file_name_of(SaveSlot slot) {
-    return std::string(kPrefixes[static_cast<std::size_t>(slot.kind)]) + number_text(slot) + std::string(kExtension);
+    return std::string(item(kPrefixes, slot.kind)) + number_text(slot) + std::string(kExtension);
 }
 
 // The slot whose file, or the one before it, has this name; nothing for any other file.
 std::optional<SaveSlot> slot_of(const std::string& file_name) {
     const std::string_view name(file_name);
     for (const SaveKind kind : {SaveKind::Walk, SaveKind::Quick, SaveKind::Numbered}) {
-        const std::string_view prefix = kPrefixes[static_cast<std::size_t>(kind)];
+        const std::string_view prefix = item(kPrefixes, kind);
         SaveSlot slot{kind, 0};
         if (!name.starts_with(prefix)) continue;
         std::from_chars(name.data() + prefix.size(), name.data() + name.size(), slot.number);
@@ -85,7 +86,7 @@ std::vector<fs::path> files_in(const std::string& folder) {
 std::string name_of(SaveSlot slot) {
     static constexpr std::array<const char*, 3> kNames{"Walk", "Quick save", "Slot"};
     const std::string number = number_text(slot);
-    return kNames[static_cast<std::size_t>(slot.kind)] + (number.empty() ? "" : " " + number);
+    return item(kNames, slot.kind) + (number.empty() ? "" : " " + number);
 }
 
 // At the end of links: so a save may be kept elsewhere, and the one before it is there too.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "engine/draw/font.h"
 #include "engine/fixed/trig.h"
@@ -73,7 +74,7 @@ void Sketch::line(const Vec3<World>& from, const Vec3<World>& to, std::uint8_t c
     // Crossings come twice, once for each way along the edge.
     const auto farthest = [&](const ScreenVertex& a, const ScreenVertex& b) {
         const auto way = [&](const ScreenVertex& v) {
-            return std::abs(v.x.raw - ends.front().x.raw) + std::abs(v.y.raw - ends.front().y.raw);
+            return absolute(v.x - ends.front().x) + absolute(v.y - ends.front().y);
         };
         return way(a) < way(b);
     };
@@ -118,7 +119,7 @@ Area scene_area(Framebuffer canvas, std::int32_t width_of_320) {
 
 void draw_column(Framebuffer canvas, std::int32_t x, std::int32_t y, std::span<const std::string> lines,
                  TextColours colours) {
-    const auto room = static_cast<std::size_t>(std::max(canvas.height_px - kFooter_px - y, 0) / kLineHeight_px);
+    const auto room = as_size(std::max(canvas.height_px - kFooter_px - y, 0) / kLineHeight_px);
     for (std::size_t i = 0; i < std::min(room, lines.size()); ++i) {
         const bool is_cut = i + 1 == room && room < lines.size();
         draw_text(canvas, x, y, is_cut ? "and " + std::to_string(lines.size() - i) + " more" : lines[i], colours);
@@ -132,7 +133,7 @@ Vec3<World> in_world(const Vec& place) {
 
 PixelPlace shown(const Vec& place, const ViewContext& view) {
     const ScreenPosition position = project(to_view(in_world(place), view), view.projection);
-    return {std::ldexp(position.x.raw, -8), std::ldexp(position.y.raw, -8)};
+    return {number_of(position.x), number_of(position.y)};
 }
 
 double across(const Vec& from, const Vec& to, const ViewContext& view) {

@@ -125,7 +125,7 @@ std::string joined(std::int64_t first, char between, std::int64_t second) {
 }
 
 double in_degrees(Degrees angle) {
-    return std::ldexp(static_cast<double>(angle.raw), -Degrees::kFractionBits);
+    return number_of(angle);
 }
 
 /// The dials that were turned on top of the preset.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "engine/draw/font.h"
 #include "engine/fixed/trig.h"
@@ -88,12 +89,12 @@ void enlarge(std::span<const std::uint8_t> pixels, const ScreenMode& mode, Frame
         for (std::int32_t x = 0; x < canvas.width_px; ++x) {
             const std::int64_t column = std::int64_t{x} * mode.width_px / canvas.width_px;
             const std::int64_t row = std::int64_t{y} * mode.height_px / canvas.height_px;
-            canvas.row(y)[x] = pixels[static_cast<std::size_t>(row * mode.width_px + column)];
+            canvas.row(y)[x] = item(pixels, row * mode.width_px + column);
         }
 }
 
 Figures draw_field_of_view(const RowInput& input, Framebuffer canvas) {
-    const auto choice = static_cast<std::size_t>(input.values[0]);
+    const auto choice = as_size(input.values[0]);
     const auto divisor = static_cast<std::int32_t>(input.values[1]);
     const ScreenMode mode{std::max(input.mode.width_px / divisor, 40), std::max(input.mode.height_px / divisor, 25),
                           input.mode.display};

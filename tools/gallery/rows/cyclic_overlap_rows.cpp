@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/level/side.h"
@@ -169,7 +170,7 @@ std::vector<int> nearest_planks(const ScannedFaces& scanned, std::span<const Pie
                 const double right = (column + 0.5 - mode.width_px / 2.0) / number(view.projection.x.multiplier, 32);
                 const double up = (mode.height_px / 2.0 - span.y - 0.5) / number(view.projection.y.multiplier, 32);
                 const double depth = distance / (right * x + y + up * z);
-                const auto pixel = static_cast<std::size_t>(span.y * mode.width_px + column);
+                const auto pixel = as_size(span.y * mode.width_px + column);
                 if (depth < depths[pixel]) {
                     depths[pixel] = depth;
                     nearest[pixel] = piece.plank;
@@ -210,7 +211,7 @@ Figures draw_cycle(const RowInput& input, Framebuffer canvas) {
     std::int64_t wrong = 0, uncovered = 0;
     for (std::int32_t y = 0; y < canvas.height_px; ++y)
         for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
+            const auto pixel = as_size(y * canvas.width_px + x);
             const std::int32_t owner = owners.faces[pixel];
             const auto piece = owner < 0 ? std::size_t{0} : item(scanned.faces, owner).face.position();
             const int plank = owner < 0 ? -1 : pieces[piece].plank;

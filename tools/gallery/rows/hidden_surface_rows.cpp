@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "engine/accuracy/accuracy.h"
+#include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/frame.h"
@@ -61,7 +62,7 @@ std::int64_t show_differences(std::span<const std::uint8_t> shown, std::span<con
     std::int64_t differences = 0;
     for (std::int32_t y = 0; y < canvas.height_px; ++y)
         for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
+            const auto pixel = as_size(y * canvas.width_px + x);
             const bool differs = shown[pixel] != right[pixel];
             differences += differs;
             canvas.row(y)[x] = differs && warning && (x + y) % 2 == 0 ? *warning : shown[pixel];
@@ -128,13 +129,12 @@ Figures draw_overdraw(const RowInput& input, Framebuffer canvas) {
     if (is_painter) {
         std::fill(writes.begin(), writes.end(), 0);
         for (const Span& span : frame.scanned().spans)
-            for (std::int32_t x = span.first; x < span.end; ++x)
-                ++writes[static_cast<std::size_t>(span.y * canvas.width_px + x)];
+            for (std::int32_t x = span.first; x < span.end; ++x) ++item(writes, span.y * canvas.width_px + x);
     }
     const std::vector<std::uint8_t> colours = heat_colours(input.assets);
     for (std::int32_t y = 0; y < canvas.height_px; ++y)
         for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const std::int64_t count = writes[static_cast<std::size_t>(y * canvas.width_px + x)];
+            const std::int64_t count = item(writes, y * canvas.width_px + x);
             canvas.row(y)[x] = item(colours, std::min<std::int64_t>(count, std::ssize(colours) - 1));
         }
     draw_legend(colours, input.assets, canvas);
@@ -148,8 +148,7 @@ Figures draw_overdraw(const RowInput& input, Framebuffer canvas) {
 
 /// Steps of 1/z to greys: equal steps of log z, near is bright.
 std::uint8_t depth_colour(InverseZ inverse_z, std::span<const std::uint8_t> greys) {
-    const double z =
-        std::ldexp(1.0, InverseZ::kFractionBits) / static_cast<double>(std::max<std::int64_t>(inverse_z.raw, 1));
+    const double z = 1 / number_of(std::max(inverse_z, InverseZ::ulp()));
     const double share = std::clamp((std::log2(1200.0) - std::log2(std::max(z, 1.0))) / 4.5, 0.0, 1.0);
     return greys[static_cast<std::size_t>(share * static_cast<double>(greys.size() - 1))];
 }
@@ -171,8 +170,8 @@ double depth_by_tree(const Level& level, const Camera& camera, const ScreenMode&
     const ViewDirections directions = make_view_directions(axes, make_projection(mode, camera.field_of_view));
     const auto is_open = [&](double z) {
         const auto moved = [&](World from, const LinearQuantity<DirectionPart>& direction) {
-            const double step = std::ldexp(static_cast<double>(direction.at(pixel.column, pixel.row).raw), -30);
-            return World::from_raw(from.raw + static_cast<std::int32_t>(std::lround(step * z * 4096)));
+            const double step = number_of(direction.at(pixel.column, pixel.row));
+            return from + nearest_to<World>(step * z);
         };
         const Vec3<World> place{moved(camera.eye.x, directions.x), moved(camera.eye.y, directions.y),
                                 moved(camera.eye.z, directions.z)};
@@ -194,15 +193,14 @@ Figures draw_depth(const RowInput& input, Framebuffer canvas) {
     std::int64_t wrong = 0;
     for (std::int32_t y = 0; y < canvas.height_px; ++y)
         for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
+            const auto pixel = as_size(y * canvas.width_px + x);
             const bool differs = frame.owners().faces[pixel] != right.owners().faces[pixel];
             wrong += differs;
             canvas.row(y)[x] = differs ? warning : depth_colour(frame.by.depths()[pixel], greys);
         }
     const Pixel checked{canvas.width_px / 8, canvas.height_px / 4};
-    const InverseZ inverse_z =
-        frame.by.depths()[static_cast<std::size_t>(checked.row * canvas.width_px + checked.column)];
-    const double z = std::ldexp(1.0, InverseZ::kFractionBits) / static_cast<double>(inverse_z.raw);
+    const InverseZ inverse_z = item(frame.by.depths(), checked.row * canvas.width_px + checked.column);
+    const double z = 1 / number_of(inverse_z);
     const double by_tree = depth_by_tree(input.assets.demo_level, camera_in_hall(), input.mode, checked);
     Figures figures;
     const std::string name = "pixels that go to another face than by the tree";
@@ -243,7 +241,7 @@ Figures draw_tree_order(const RowInput& input, Framebuffer canvas) {
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(14, 16, 24));
     std::vector<std::int32_t> order = back_to_front_by_tree(scanned);
     std::erase_if(order, [&](std::int32_t face) { return !owns_pixel(frame.owners(), face); });
-    const auto painted = static_cast<std::size_t>(input.values[0]) * order.size() / 16;
+    const auto painted = as_size(input.values[0]) * order.size() / 16;
     for (std::size_t place = 0; place < painted; ++place) {
         const std::uint8_t colour = colours[(order.size() - 1 - place) * colours.size() / order.size()];
         for (const Span& span : scanned.spans_of(item(scanned.faces, order[place]))) {
@@ -272,7 +270,7 @@ Figures draw_rays(const RowInput& input, Framebuffer canvas) {
         for (std::int32_t x = 0; x < canvas.width_px; ++x) {
             const std::int32_t column = x * mode.width_px / canvas.width_px,
                                row = y * mode.height_px / canvas.height_px;
-            canvas.row(y)[x] = frame.pixels[static_cast<std::size_t>(row * mode.width_px + column)];
+            canvas.row(y)[x] = item(frame.pixels, row * mode.width_px + column);
         }
     const std::int64_t rays = std::int64_t{mode.width_px} * mode.height_px;
     return {count_figure("rays x faces", rays * std::ssize(frame.by.targets().opaque), frame.counts().ray_face_tests),

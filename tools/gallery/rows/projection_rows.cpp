@@ -155,10 +155,10 @@ Camera camera_with_points(int points) {
 
 /// Where lines along an axis meet: the picture of a direction, x m / z; none for lines along the view plane.
 std::optional<PixelPlace> vanishing_point(const Vec3<Unit>& axis, const ViewContext& view) {
-    const auto part = [&](const Vec3<Unit>& of_view) { return std::ldexp(dot(axis, of_view).raw, -60); };
+    const auto part = [&](const Vec3<Unit>& of_view) { return number_of(dot(axis, of_view)); };
     const double z = part(view.axes.forward);
     if (std::abs(z) < 1e-6) return std::nullopt;
-    const auto pixels = [](Multiplier multiplier) { return std::ldexp(static_cast<double>(multiplier.raw), -32); };
+    const auto pixels = [](Multiplier multiplier) { return number_of(multiplier); };
     return PixelPlace{view.projection.width_px / 2.0 + pixels(view.projection.x.multiplier) * part(view.axes.right) / z,
                       view.projection.height_px / 2.0 - pixels(view.projection.y.multiplier) * part(view.axes.up) / z};
 }
@@ -181,8 +181,7 @@ Figures draw_vanishing_points(const RowInput& input, Framebuffer canvas) {
         for (int corner = 0; corner < 8; ++corner)
             scene.line(shown(kCube.corner(corner), scene.view()), *point, colours[axis]);
         // As the engine projects a place 2^18 units from the eye, ahead of it.
-        Vec far{std::ldexp(camera.eye.x.raw, -12), std::ldexp(camera.eye.y.raw, -12),
-                std::ldexp(camera.eye.z.raw, -12)};
+        Vec far{number_of(camera.eye.x), number_of(camera.eye.y), number_of(camera.eye.z)};
         const double way = dot(axes[axis], scene.view().axes.forward) > Sine60{} ? 262144 : -262144;
         (axis == 0 ? far.x : axis == 1 ? far.y : far.z) += way;
         const PixelPlace seen = shown(far, scene.view());

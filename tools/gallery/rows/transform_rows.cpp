@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "engine/base/table.h"
 #include "engine/fixed/trig.h"
 #include "engine/math/plane.h"
 #include "engine/math/transform.h"
@@ -41,7 +42,7 @@ constexpr std::array<std::array<int, 2>, 12> kCubeEdges{
 
 /// A corner in the world: the notes' axes are x right, y up, z ahead; the engine's x east, y north, z up.
 Vec3<World> cube_corner(int number) {
-    const auto& [x, y, z] = kCubeCorners[static_cast<std::size_t>(number - 1)];
+    const auto& [x, y, z] = item(kCubeCorners, number - 1);
     return world_point(x, z, y);
 }
 
@@ -170,7 +171,7 @@ CubeCheck check_cube(const std::array<std::array<int, 3>, 12>& faces) {
         std::array<std::array<int, 3>, 3> p{};
         for (std::size_t i = 0; i < 3; ++i) {
             ++uses[{face[i], face[(i + 1) % 3]}];
-            p[i] = kCubeCorners[static_cast<std::size_t>(face[i] - 1)];
+            p[i] = item(kCubeCorners, face[i] - 1);
         }
         check.volume +=
             (p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) - p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +

@@ -5,6 +5,7 @@
 #include <random>
 #include <thread>
 
+#include "engine/base/table.h"
 #include "engine/methods/triangles.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/row.h"
@@ -135,7 +136,7 @@ Figures draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
     std::int64_t twice = 0, neither = 0, on_common_side = 0;
     for (std::int32_t row = 0; row < kRows; ++row)
         for (std::int32_t column = 0; column < kColumns; ++column) {
-            const auto pixel = static_cast<std::size_t>(row * kColumns + column);
+            const auto pixel = as_size(row * kColumns + column);
             const double across = corners[3].x - corners[1].x, down = corners[3].y - corners[1].y;
             const double beside = across * (row + 0.5 - corners[1].y) - down * (column + 0.5 - corners[1].x);
             const bool is_on_side = beside == 0 && row + 0.5 > corners[1].y && row + 0.5 < corners[3].y;
@@ -166,7 +167,7 @@ constexpr std::array<NamedPlace, 4> kPlaces{{{"(1, 1)", {1, 1}, {0.5, 0.25, 0.25
                                              {"(0, 4), a corner", {0, 4}, {0, 0, 1}}}};
 
 double share_of(ScreenArea part, ScreenArea whole) {
-    return static_cast<double>(part.raw) / static_cast<double>(whole.raw);
+    return number_of(part) / number_of(whole);
 }
 
 constexpr std::array<std::array<int, 4>, 4> kBayer{{{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
@@ -182,7 +183,7 @@ void fill_with_gradient(const ScreenTriangle& triangle, const RowInput& input, F
     scanner.scan(triangle, spans);
     for (const Span& span : spans)
         for (std::int32_t x = span.first; x < span.end; ++x) {
-            const int dither = kBayer[static_cast<std::size_t>(span.y & 3)][static_cast<std::size_t>(x & 3)] * 4 - 30;
+            const int dither = item(item(kBayer, span.y & 3), x & 3) * 4 - 30;
             const auto channel = [&](int i) {
                 return std::clamp(static_cast<int>(floor_of(item(channels, i).at(x, span.y))) + dither, 0, 255);
             };
@@ -235,7 +236,7 @@ struct Tile {
 constexpr std::array<PlanePoint, 4> kTexels{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
 CornerQuantity quantity(double value) {
-    return CornerQuantity::from_raw(std::llround(std::ldexp(value, 32)));
+    return nearest_to<CornerQuantity>(value);
 }
 
 /// Both coordinates at a pixel: interpolated themselves, or over z and divided by 1/z.
@@ -256,7 +257,7 @@ class TileTexture {
         inverse_z_ = quantity_over(triangle, inverse_z);
     }
     PlanePoint at_pixel(std::int32_t x, std::int32_t y) const {
-        const auto over_z = [&](const auto& linear) { return static_cast<double>(linear.at(x, y).raw); };
+        const auto over_z = [&](const auto& linear) { return number_of(linear.at(x, y)); };
         return {over_z(u_) / over_z(inverse_z_), over_z(v_) / over_z(inverse_z_)};
     }
 

@@ -103,8 +103,7 @@ PlanHeights draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer c
     FrameRecord record;
     work.observers.record = &record;
     draw_frame({level, input.assets.colormap, {}, input.time_ms}, view, input.mode, input.settings, work, canvas);
-    const double per_column =
-        2 * std::ldexp(static_cast<double>(view.window.half_width.raw), -16) / input.mode.width_px;
+    const double per_column = 2 * number_of(view.window.half_width) / input.mode.width_px;
     const Ratio pixel = input.mode.pixel();
     const double per_row = per_column * static_cast<double>(pixel.denominator) / static_cast<double>(pixel.numerator);
     const double rounded_px = std::ldexp(0.5, -input.settings.accuracy.subpixel_bits);
@@ -114,10 +113,10 @@ PlanHeights draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer c
             const PixelRecord& shows = item(record.pixels, row * canvas.pitch + column);
             if (shows.face.is_none()) continue;
             const LevelPlane& plane = level.planes[level.faces[shows.face].plane];
-            const double x = std::ldexp(view.eye.x.raw, -12) + (column + 0.5 - input.mode.width_px / 2.0) * per_column;
-            const double y = std::ldexp(view.eye.y.raw, -12) - (row + 0.5 - input.mode.height_px / 2.0) * per_row;
-            const double way = std::ldexp(static_cast<double>(plane.distance.raw), -42) -
-                               number_of(plane.normal.x) * x - number_of(plane.normal.y) * y;
+            const double x = number_of(view.eye.x) + (column + 0.5 - input.mode.width_px / 2.0) * per_column;
+            const double y = number_of(view.eye.y) - (row + 0.5 - input.mode.height_px / 2.0) * per_row;
+            const double way =
+                number_of(plane.distance) - number_of(plane.normal.x) * x - number_of(plane.normal.y) * y;
             const Vec normal = vec_of(plane.normal);
             if (std::abs(normal.z) <= 0.1) continue;
             const double rise_per_px =
