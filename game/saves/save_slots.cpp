@@ -31,18 +31,22 @@ bool is_there(const std::string& file) {
     return fs::symlink_status(file, ignored).type() != fs::file_type::not_found;
 }
 
-SavedGame read_save(const std::string& file) {
-    return naming_file(file, [&] { return decode_save(read_file(file, kLargestSave_bytes, FileUse::Kept)); });
+std::vector<std::uint8_t> bytes_of(const std::string& file) {
+    return read_file(file, kLargestSave_bytes, FileUse::Kept);
 }
 
-// Why a file is no save that can be loaded; empty if it is one.
-std::string refusal_of(const std::string& file) {
+SavedGame read_save(const std::string& file) {
+    return naming_file(file, [&] { return decode_save(bytes_of(file)); });
+}
+
+// Whether a file is a save that is worth keeping: its checksum says so, what is in it need not be read.
+bool is_whole_save(const std::string& file) {
     try {
-        read_save(file);
-    } catch (const FileError& error) {
-        return error.what();
+        naming_file(file, [&] { expect_whole_save(bytes_of(file)); });
+    } catch (const FileError&) {
+        return false;
     }
-    return {};
+    return true;
 }
 
 std::string number_text(SaveSlot slot) {
@@ -112,7 +116,7 @@ std::unique_ptr<FileLock> SaveSlots::lock_folder() const {
 void SaveSlots::save(SaveSlot slot, const SavedGame& game) const {
     const auto held = lock_folder();
     const std::string file = file_of(slot);
-    if (is_there(file) && refusal_of(file).empty())
+    if (is_there(file) && is_whole_save(file))
         replace_file(file, former_of(file), encode_save(game));
     else
         write_file(file, encode_save(game), FileUse::Kept);
