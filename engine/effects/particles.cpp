@@ -54,15 +54,15 @@ Vec3<World> rain_at(const Vec3<World>& half_size, const Chance& chance, std::uin
     constexpr std::uint32_t kFall_16 = 7 * 8192;
     const World x = part_of(half_size.x, chance.signed_15(0), 15), y = part_of(half_size.y, chance.signed_15(1), 15);
     const std::uint32_t phase_16 = phase >> 16;
-    const WorldWide half_height = convert<WorldWide>(half_size.z);
-    if (phase_16 < kFall_16) return {x, y, convert<World>(half_height - half_height * 2 * phase_16 / kFall_16)};
+    const auto half_height = convert<WorldWide>(half_size.z), height = half_height * 2;
+    if (phase_16 < kFall_16) return {x, y, convert<World>(half_height - height * phase_16 / kFall_16)};
     const std::int64_t age_13 = phase_16 - kFall_16;
     const auto inward = [age_13](World place, World half) {
         const World way = part_of(std::min(half, World::from_int(2)), age_13, 13);
         return place > World{} ? place - way : place + way;
     };
     const std::int64_t hop_24 = age_13 * (8192 - age_13);
-    const World most_hop = World::from_raw(static_cast<std::int32_t>(std::min<std::int64_t>(height, 3 * 4096)));
+    const World most_hop = convert<World>(std::min(height, WorldWide::from_int(3)));
     return {inward(x, half_size.x), inward(y, half_size.y), part_of(most_hop, hop_24, 24) - half_size.z};
 }
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "engine/draw/drawing.h"
+#include "engine/files/doubles.h"
 #include "engine/math/basis.h"
 
 namespace oblong {

@@ -11,9 +11,11 @@
 
 #include "engine/base/table.h"
 #include "engine/effects/entity_values.h"
+#include "engine/files/doubles.h"
 #include "engine/files/files.h"
 #include "engine/files/model_classes.h"
 #include "engine/files/obj.h"
+#include "engine/fixed/arithmetic.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
 #include "engine/level/trace.h"

@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "engine/base/table.h"
+#include "engine/files/doubles.h"
 #include "engine/files/files.h"
 #include "engine/files/obj_check.h"
 #include "engine/files/obj_materials.h"

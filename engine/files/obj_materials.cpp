@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "engine/base/table.h"
+#include "engine/files/doubles.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/files/doubles.h"
 #include "engine/files/frame_log.h"
 #include "engine/math/matrix.h"
 #include "engine/view/screen_polygon.h"

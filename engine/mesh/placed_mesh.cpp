@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/base/table.h"
+#include "engine/fixed/arithmetic.h"
 #include "engine/math/transform.h"
 
 namespace oblong {

@@ -5,6 +5,7 @@
 
 #include "engine/base/range_probe.h"
 #include "engine/base/table.h"
+#include "engine/fixed/arithmetic.h"
 #include "engine/fixed/wide.h"
 
 namespace oblong {

@@ -26,8 +26,8 @@ std::string direction_of(const Position& from, const Position& to) {
     const WorldWide across = absolute(east), along = absolute(north);
     if (absolute(up) > std::max(across, along)) return up > WorldWide{} ? "above" : "below";
     const std::string first = north >= WorldWide{} ? "north" : "south", second = east >= WorldWide{} ? "east" : "west";
-    if (12 * along > kTangent_12 * across) return first;
-    return 12 * across > kTangent_12 * along ? second : first + "-" + second;
+    if (along * 12 > across * kTangent_12) return first;
+    return across * 12 > along * kTangent_12 ? second : first + "-" + second;
 }
 
 std::vector<std::size_t> last_lenses(const GameLevel& level, const GameState& state) {

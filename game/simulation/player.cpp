@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/fixed/arithmetic.h"
 #include "engine/fixed/trig.h"
 #include "game/simulation/collision.h"
 #include "game/simulation/slide_move.h"

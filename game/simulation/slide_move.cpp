@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "engine/fixed/arithmetic.h"
 #include "game/simulation/tick_input.h"
 
 namespace oblong {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/accuracy/dials.h"
+#include "engine/files/doubles.h"
 #include "engine/view/screen.h"
 
 namespace oblong {
