@@ -122,8 +122,8 @@ TEST_F(LabMeasure, TheLinesOfAFrameAddUpToIt) {
     EXPECT_EQ(names.back(), "other");
 }
 
-// Between any two readings of this clock lies 1 us. No line's own is what lies before the first reading of brush models,
-// which are made ready first, between their two, before the claims, before each pass, and behind the last one.
+// Between any two readings of this clock lies 1 us. No line's own is what lies before the first reading of brush
+// models, which are made ready first, between their two, before the claims, before each pass, and behind the last one.
 TEST_F(LabMeasure, NoTimeOfAFrameIsLostOrCountedTwice) {
     now_ns = 0;
     ViewTimes times(by_steps);
