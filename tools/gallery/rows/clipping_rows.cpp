@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "engine/draw/font.h"
 #include "engine/mesh/triangulate.h"
@@ -37,7 +38,7 @@ struct ShownView {
 
     /// Half of the volume's width at a distance; its height is three quarters of its width.
     double half_width(double ahead) const {
-        return kind == VolumeKind::Perspective ? ahead * std::tan(30 * 3.141592653589793 / 180) : kHalfWidth;
+        return kind == VolumeKind::Perspective ? ahead * std::tan(30 * std::numbers::pi / 180) : kHalfWidth;
     }
     double lean() const { return kind == VolumeKind::Oblique ? kLean : 0; }
 };
@@ -131,14 +132,10 @@ double share_inside(const std::array<Vec3<World>, 3>& triangle, const ShownView&
 }
 
 double area_of(std::span<const Vec3<World>> corners) {
-    std::array<double, 3> sum{};
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vec3<World>&p = corners[i], &q = corners[(i + 1) % corners.size()];
-        sum[0] += number_of(p.y) * number_of(q.z) - number_of(p.z) * number_of(q.y);
-        sum[1] += number_of(p.z) * number_of(q.x) - number_of(p.x) * number_of(q.z);
-        sum[2] += number_of(p.x) * number_of(q.y) - number_of(p.y) * number_of(q.x);
-    }
-    return std::hypot(sum[0], sum[1], sum[2]) / 2;
+    Vec doubled;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        doubled = doubled + cross(vec_of(corners[i]), vec_of(corners[(i + 1) % corners.size()]));
+    return length(doubled) / 2;
 }
 
 /// The volume that all views become, with what is left of the polygon in it: x right, y up, depth away from the viewer.
@@ -190,9 +187,9 @@ void draw_volume(const ShownView& shown, const GalleryAssets& assets, Sketch& sk
 
 Figures draw_view_volume(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+    fill(canvas, assets.colour(18, 22, 34));
     const ShownView shown = make_shown_view(static_cast<VolumeKind>(input.values[0]));
-    const auto move = static_cast<double>(input.values[1]);
+    const auto move = input.number(1);
     const std::array triangle{world_point(2 + move, 5, -2), world_point(9 + move, -8, 1), world_point(10 + move, 4, 7)};
     std::vector<Vec4> corners;
     for (const Vec3<World>& p : triangle)
@@ -228,7 +225,7 @@ Figures draw_view_volume(const RowInput& input, Framebuffer canvas) {
 /// Seed 3's pentagon against one plane, with both lists.
 Figures draw_two_lists(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    const double height = -1 + static_cast<double>(input.values[0]) / 4;
+    const double height = -1 + input.number(0) / 4;
     const auto corner = [&](double x, double y) {
         // The plane is the volume's bottom side, y = -1.
         return Vec4{entry_of(x), entry_of(y - height - 1), entry_of(0.5), entry_of(1)};
@@ -278,7 +275,7 @@ Figures draw_triangulations(const RowInput& input, Framebuffer canvas) {
     const bool is_concave = input.values[1] == 1;
     std::vector<Vec3<World>> corners;
     for (int i = 0; i < 8; ++i) {
-        const double angle = -i * 3.141592653589793 / 4 + 0.3, size = is_concave && i % 2 == 1 ? 0.7 : 2;
+        const double angle = -i * std::numbers::pi / 4 + 0.3, size = is_concave && i % 2 == 1 ? 0.7 : 2;
         corners.push_back(world_point(size * std::cos(angle) * 1.3, size * std::sin(angle), 0));
     }
     const std::size_t count = corners.size();

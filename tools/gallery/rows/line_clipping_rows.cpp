@@ -48,8 +48,7 @@ double length_inside(const Segment& line, double slope_x, double slope_y) {
 }
 
 Vec3<View> view_of(const Vec& place) {
-    const auto part = [](double value) { return View::from_raw(std::llround(std::ldexp(value, View::kFractionBits))); };
-    return {part(place.x), part(place.y), part(place.z)};
+    return {fixed_of<View>(place.x), fixed_of<View>(place.y), fixed_of<View>(place.z)};
 }
 
 void draw_volume(Diagram& diagram, double slope, std::uint8_t colour, std::uint8_t faint) {
@@ -96,7 +95,7 @@ Figures draw_clipped_lines(const RowInput& input, Framebuffer canvas) {
     }
     const auto count = static_cast<double>(lines.size());
     return {number_figure("length inside, units, by 20,000 points a line", expected, inside, 1e-3 * count),
-            measured("lines of which a part is kept", std::to_string(kept)),
+            measured("lines of which a part is kept", kept),
             number_figure("units between the ends by both methods", 0, apart, 1e-3, 5)};
 }
 

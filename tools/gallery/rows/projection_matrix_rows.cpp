@@ -28,8 +28,7 @@ Matrix4 perspective(double distance) {
 /// toward the viewer; with D above 0, as listed, its picture is behind the eye and stands on its head.
 Figures draw_homogeneous(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    const double sign = input.values[0] == 0 ? 1 : -1,
-                 distance = static_cast<double>(input.values[1]) * (input.values[0] == 1 ? -1 : 1);
+    const double sign = input.values[0] == 0 ? 1 : -1, distance = input.number(1) * (input.values[0] == 1 ? -1 : 1);
     Diagram diagram(input, canvas, {2.5, 1.1}, 8);
     diagram.fill(assets.colour(18, 22, 34));
     const std::uint8_t grey = assets.colour(110, 118, 140), bright = assets.colour(240, 190, 90),
@@ -111,9 +110,9 @@ void draw_depths(const std::array<const Matrix4*, 2>& matrices, double nearest, 
 
 Figures draw_projection_matrix(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+    fill(canvas, assets.colour(18, 22, 34));
     const bool is_listed = input.values[0] == 1;
-    const double nearest = static_cast<double>(input.values[1]) / 10, farthest = static_cast<double>(input.values[2]);
+    const double nearest = input.number(1) / 10, farthest = input.number(2);
     const Matrix4 corrected = volume_matrix(make_projection({320, 200, {4, 3}}, Degrees::from_int(90)),
                                             entry_of(nearest), entry_of(farthest)),
                   listed = listed_matrix(nearest, farthest);
@@ -155,8 +154,7 @@ Vec3<World> from_gl(const Vec& p) {
 PlanePoint pixel_in_double(const Vec& p, const Vec& eye, const RowInput& input, const Area& area) {
     const Vec forward = normalised(kQuadTarget - eye), right = normalised(cross(forward, {0, 1, 0})),
               up = cross(right, forward), way = p - eye;
-    const Ratio pixel = input.mode.pixel();
-    const double shape = static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator);
+    const double shape = number_of(input.mode.pixel());
     const double d = area.width / 2.0 / std::tan(kQuadView * std::numbers::pi / 360);
     return {area.width / 2.0 + d * dot(way, right) / dot(way, forward),
             area.height / 2.0 - d * shape * dot(way, up) / dot(way, forward)};
@@ -164,14 +162,11 @@ PlanePoint pixel_in_double(const Vec& p, const Vec& eye, const RowInput& input, 
 
 Figures draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
-    const double turn = static_cast<double>(input.values[0]) * std::numbers::pi / 180;
+    fill(canvas, assets.colour(18, 22, 34));
+    const double turn = input.radians(0);
     const Vec eye{0.5 + 4 * std::sin(turn), 1.6, 0.5 + 4 * std::cos(turn)};
     const Area area = scene_area(canvas, 180);
     Sketch sketch(input, canvas, area, {from_gl(eye), from_gl(kQuadTarget), kQuadView});
-    const std::array<std::uint8_t, 3> colours{assets.colour(200, 80, 70), assets.colour(90, 170, 80),
-                                              assets.colour(90, 130, 220)};
-    constexpr std::array<Vec, 3> kAxes{{{1.3, 0, 0}, {0, 1.3, 0}, {0, 0, 1.3}}};
     std::array<Vec3<World>, 4> corners;
     std::transform(kQuad.begin(), kQuad.end(), corners.begin(), from_gl);
     const std::uint8_t fill = assets.colour(200, 150, 60);
@@ -180,10 +175,7 @@ Figures draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
     for (std::int32_t y = 0; y < area.height; ++y)
         pixels += std::count(canvas.row(area.y + y), canvas.row(area.y + y) + area.width, fill);
     sketch.outline(corners, assets.colour(250, 225, 150));
-    for (std::size_t i = 0; i < 3; ++i) {
-        sketch.line(from_gl({0, 0, 0}), from_gl(kAxes[i]), colours[i]);
-        sketch.label(from_gl(kAxes[i]), std::string(1, static_cast<char>('x' + i)), colours[i]);
-    }
+    sketch.axes({from_gl({1.3, 0, 0}), from_gl({0, 1.3, 0}), from_gl({0, 0, 1.3})}, assets);
     double worst_px = 0, shoelace = 0;
     std::vector<std::string> lines{"glBegin(GL_POLYGON)"};
     for (std::size_t i = 0; i < 4; ++i) {

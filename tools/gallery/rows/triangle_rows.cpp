@@ -13,11 +13,8 @@ namespace oblong {
 
 namespace {
 
-Screen screen_of(double pixels) {
-    return Screen::from_raw(static_cast<std::int32_t>(std::lround(pixels * 256)));
-}
 ScreenVertex vertex_at(PlanePoint at) {
-    return {screen_of(at.x), screen_of(at.y)};
+    return {fixed_of<Screen>(at.x), fixed_of<Screen>(at.y)};
 }
 
 struct ColouredTriangle {
@@ -112,11 +109,11 @@ Figures draw_triangle_methods(const RowInput& input, Framebuffer canvas) {
 Figures draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
     constexpr std::int32_t kColumns = 16, kRows = 9;
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(16, 18, 28));
+    fill(canvas, assets.colour(16, 18, 28));
     const std::uint8_t ground = assets.colour(36, 42, 58);
     PixelGrid grid(input, canvas, {0, kHeader_px, canvas.width_px, canvas.height_px - kHeader_px - kFooter_px},
                    kColumns, kRows, ground);
-    const double x = static_cast<double>(input.values[0]) / 2, y = static_cast<double>(input.values[1]) / 2;
+    const double x = input.number(0) / 2, y = input.number(1) / 2;
     const std::array<PlanePoint, 4> corners{{{1.5, 1.5}, {x, 1.5}, {13.5, y}, {3.5, 7.5}}};
     const ScreenTriangle first{vertex_at(corners[0]), vertex_at(corners[1]), vertex_at(corners[3])},
         second{vertex_at(corners[1]), vertex_at(corners[2]), vertex_at(corners[3])};
@@ -152,7 +149,7 @@ Figures draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
             grid.dot({column + 0.5, row + 0.5}, assets.colour(12, 12, 20));
     return {count_figure("pixels that both triangles own", 0, twice),
             count_figure("centres on the common side that neither owns", 0, neither),
-            measured("centres on the common side", std::to_string(on_common_side))};
+            measured("centres on the common side", on_common_side)};
 }
 
 struct NamedPlace {
@@ -234,10 +231,6 @@ struct Tile {
 };
 constexpr std::array<PlanePoint, 4> kTexels{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
-CornerQuantity quantity(double value) {
-    return CornerQuantity::from_raw(std::llround(std::ldexp(value, 32)));
-}
-
 /// Both coordinates at a pixel: interpolated themselves, or over z and divided by 1/z.
 class TileTexture {
   public:
@@ -247,9 +240,9 @@ class TileTexture {
             const int corner = item(corners, i);
             item(triangle, i) = vertex_at(item(tile.corners, corner));
             const double over = is_perspective && corner >= 2 ? 1 / tile.far_depth : 1;
-            item(u, i) = quantity(item(kTexels, corner).x * over);
-            item(v, i) = quantity(item(kTexels, corner).y * over);
-            item(inverse_z, i) = quantity(over);
+            item(u, i) = fixed_of<CornerQuantity>(item(kTexels, corner).x * over);
+            item(v, i) = fixed_of<CornerQuantity>(item(kTexels, corner).y * over);
+            item(inverse_z, i) = fixed_of<CornerQuantity>(over);
         }
         u_ = quantity_over(triangle, u);
         v_ = quantity_over(triangle, v);
@@ -292,8 +285,8 @@ double middle_of_side(double far_depth, bool is_perspective) {
 }
 
 Figures draw_perspective(const RowInput& input, Framebuffer canvas) {
-    const auto far_depth = static_cast<double>(input.values[0]);
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(16, 18, 28));
+    const auto far_depth = input.number(0);
+    fill(canvas, input.assets.colour(16, 18, 28));
     const double half = canvas.width_px / 2.0, near_y = canvas.height_px - kFooter_px - 4, horizon = kHeader_px + 6,
                  far_y = horizon + (near_y - horizon) / far_depth;
     for (const bool is_perspective : {false, true}) {
