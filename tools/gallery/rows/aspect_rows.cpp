@@ -46,10 +46,9 @@ const NamedMode& mode_of(const RowInput& input, std::size_t parameter) {
 /// The display's outline, and in it a disc of so few pixels that their shape is seen.
 Figures draw_pixel_aspect(const RowInput& input, Framebuffer canvas) {
     const NamedMode& named = mode_of(input, 0);
-    const GalleryAssets& assets = input.assets;
     const double wide = number_of(named.mode.display), shape = number_of(named.mode.pixel());
     Diagram diagram(input, canvas, {0, 0}, 1.12);
-    diagram.fill(assets.colour(20, 24, 36));
+    diagram.fill(input.colour(20, 24, 36));
     constexpr int kRows = 15;
     const double high = 1.0 / kRows, across = high * shape;
     const int columns = static_cast<int>(wide / across / 2) + 1;
@@ -58,12 +57,12 @@ Figures draw_pixel_aspect(const RowInput& input, Framebuffer canvas) {
             const PlanePoint middle{column * across, row * high};
             if (std::abs(middle.x) + across / 2 > wide / 2 + 1e-9) continue;
             const bool is_in_disc = std::hypot(middle.x, middle.y) < 0.4;
-            const std::uint8_t colour = is_in_disc ? assets.colour(220, 150, 60) : assets.colour(44, 54, 76);
+            const std::uint8_t colour = is_in_disc ? input.colour(220, 150, 60) : input.colour(44, 54, 76);
             diagram.rectangle({middle.x - across * 0.44, middle.y - high * 0.44},
                               {middle.x + across * 0.44, middle.y + high * 0.44}, colour);
         }
-    diagram.circle({0, 0}, 0.4, assets.colour(240, 230, 200));
-    diagram.outline({-wide / 2, -0.5}, {wide / 2, 0.5}, assets.colour(150, 160, 180));
+    diagram.circle({0, 0}, 0.4, input.colour(240, 230, 200));
+    diagram.outline({-wide / 2, -0.5}, {wide / 2, 0.5}, input.colour(150, 160, 180));
     const double a = number_of(named.a);
     const Projection projection = make_projection(named.mode, Degrees::from_int(90));
     return {number_figure("a = w / (r h): pixel's height to width", a, 1 / shape, 1e-12, 6),

@@ -140,7 +140,6 @@ double area_of(std::span<const Vec3<World>> corners) {
 
 /// The volume that all views become, with what is left of the polygon in it: x right, y up, depth away from the viewer.
 void draw_canonical_volume(std::span<const Vec4> polygon, const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     const std::int32_t x = canvas.width_px * 206 / 320, y = kHeader_px + 5 * kLineHeight_px;
     const Area area{x, y, canvas.width_px - x, std::max(canvas.height_px - kFooter_px - y, 8)};
     Sketch sketch(input, canvas, area, {world_point(-3.2, -6, 3), world_point(0, 1, 0), 46});
@@ -151,7 +150,7 @@ void draw_canonical_volume(std::span<const Vec4> polygon, const RowInput& input,
         return std::array{place(-1, -1, z), place(-1, 1, z), place(1, 1, z), place(1, -1, z)};
     };
     const auto near = end(0), far = end(1);
-    const std::uint8_t blue = assets.colour(90, 130, 220), dim = assets.colour(50, 70, 120);
+    const std::uint8_t blue = input.colour(90, 130, 220), dim = input.colour(50, 70, 120);
     sketch.outline(far, dim);
     for (std::size_t i = 0; i < 4; ++i) sketch.line(near[i], far[i], dim);
     std::vector<Vec3<World>> corners;
@@ -159,8 +158,8 @@ void draw_canonical_volume(std::span<const Vec4> polygon, const RowInput& input,
         const Vec3<Entry> p = *point_of(corner);
         corners.push_back(place(number_of(p.x), number_of(p.y), number_of(p.z)));
     }
-    sketch.polygon(corners, assets.colour(200, 150, 60));
-    sketch.outline(corners, assets.colour(250, 225, 150));
+    sketch.polygon(corners, input.colour(200, 150, 60));
+    sketch.outline(corners, input.colour(250, 225, 150));
     sketch.outline(near, blue);
     sketch.label(near[0], "-1 -1 0", blue);
     sketch.label(far[2], "1 1 1", blue);
@@ -224,7 +223,6 @@ Figures draw_view_volume(const RowInput& input, Framebuffer canvas) {
 
 /// Seed 3's pentagon against one plane, with both lists.
 Figures draw_two_lists(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     const double height = -1 + input.number(0) / 4;
     const auto corner = [&](double x, double y) {
         // The plane is the volume's bottom side, y = -1.
@@ -242,26 +240,26 @@ Figures draw_two_lists(const RowInput& input, Framebuffer canvas) {
         return sum;
     };
     Diagram diagram(input, canvas, {0, 0}, 4.8);
-    diagram.fill(assets.colour(18, 22, 34));
-    const std::uint8_t blue = assets.colour(90, 130, 220);
+    diagram.fill(input.colour(18, 22, 34));
+    const std::uint8_t blue = input.colour(90, 130, 220);
     diagram.line({-5, height}, {5, height}, blue);
     diagram.arrow({-3, height}, {-3, height + 0.7}, blue);
     const auto outline = [&](const std::vector<Vec4>& polygon, std::uint8_t colour) {
         for (std::size_t i = 0; i < polygon.size(); ++i)
             diagram.line(flat(polygon[i]), flat(polygon[(i + 1) % polygon.size()]), colour);
     };
-    outline(split.outside, assets.colour(220, 90, 80));
-    outline(split.inside, assets.colour(240, 190, 90));
+    outline(split.outside, input.colour(220, 90, 80));
+    outline(split.inside, input.colour(240, 190, 90));
     for (std::size_t i = 0; i < pentagon.size(); ++i) {
         const PlanePoint place = flat(pentagon[i]);
-        diagram.text(place, "Q" + std::to_string(i + 1), assets.colour(235, 235, 225), place.x < 0 ? -16 : 4);
+        diagram.text(place, "Q" + std::to_string(i + 1), input.colour(235, 235, 225), place.x < 0 ? -16 : 4);
     }
     std::vector<PlanePoint> crossings;
     for (const Vec4& v : split.inside)
         if (distance_inside(v, VolumeSide::Bottom) == Entry{}) crossings.push_back(flat(v));
     for (std::size_t i = 0; i < crossings.size(); ++i) {
-        diagram.disc(crossings[i], 0.07, assets.colour(110, 200, 110));
-        diagram.text(crossings[i], "I" + std::to_string(i + 1), assets.colour(110, 200, 110), 4, 3);
+        diagram.disc(crossings[i], 0.07, input.colour(110, 200, 110));
+        diagram.text(crossings[i], "I" + std::to_string(i + 1), input.colour(110, 200, 110), 4, 3);
     }
     return {number_figure("area inside + area outside = the pentagon's", area(pentagon),
                           area(split.inside) + area(split.outside), 1e-8, 6),
@@ -270,7 +268,6 @@ Figures draw_two_lists(const RowInput& input, Framebuffer canvas) {
 }
 
 Figures draw_triangulations(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     const auto method = input.values[0];
     const bool is_concave = input.values[1] == 1;
     std::vector<Vec3<World>> corners;
@@ -286,7 +283,7 @@ Figures draw_triangulations(const RowInput& input, Framebuffer canvas) {
     corners.push_back(middle_of(corners));
 
     Diagram diagram(input, canvas, {0, 0}, 4.4);
-    diagram.fill(assets.colour(18, 22, 34));
+    diagram.fill(input.colour(18, 22, 34));
     const auto flat = [&](std::size_t i) { return PlanePoint{number_of(corners[i].x), number_of(corners[i].y)}; };
     double sum = 0, turned_over = 0;
     for (const CornerTriple& triangle : triangles) {
@@ -296,11 +293,11 @@ Figures draw_triangulations(const RowInput& input, Framebuffer canvas) {
         turned_over += area < 0;
         for (std::size_t i = 0; i < 3; ++i)
             diagram.line(flat(triangle[i]), flat(triangle[(i + 1) % 3]),
-                         area < 0 ? assets.colour(220, 60, 50) : assets.colour(90, 130, 220));
+                         area < 0 ? input.colour(220, 60, 50) : input.colour(90, 130, 220));
     }
     for (std::size_t i = 0; i < count; ++i) {
-        diagram.line(flat(i), flat((i + 1) % count), assets.colour(240, 190, 90));
-        diagram.text(flat(i), std::to_string(i), assets.colour(235, 235, 225), flat(i).x < 0 ? -9 : 4);
+        diagram.line(flat(i), flat((i + 1) % count), input.colour(240, 190, 90));
+        diagram.text(flat(i), std::to_string(i), input.colour(235, 235, 225), flat(i).x < 0 ? -9 : 4);
     }
     const bool tiles = !is_concave || method != 0;
     return {count_figure("triangles", method == 1 ? 8 : 6, std::ssize(triangles)),

@@ -66,13 +66,12 @@ bool faces_eye_in_double(const BallFace& face, const Vec3<World>& eye) {
 }
 
 Figures draw_culling(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    fill(canvas, assets.colour(18, 22, 34));
+    fill(canvas, input.colour(18, 22, 34));
     const auto rule = static_cast<CullRule>(input.values[0]);
     const SketchEye from{world_point(0, 0, 0), world_point(100, 0, 0), static_cast<int>(input.values[1])};
     Sketch sketch(input, canvas, scene_area(canvas), from);
-    const std::uint8_t right = assets.colour(90, 110, 150), edge = assets.colour(30, 34, 50);
-    const std::uint8_t kept = assets.colour(220, 60, 50), missing = assets.colour(240, 200, 60);
+    const std::uint8_t right = input.colour(90, 110, 150), edge = input.colour(30, 34, 50);
+    const std::uint8_t kept = input.colour(220, 60, 50), missing = input.colour(240, 200, 60);
     int faces = 0, wrong_by_dot = 0, wrong_by_normal = 0, wrong_on_screen = 0;
     for (int column = -2; column <= 2; ++column)
         for (int row = -1; row <= 1; ++row)

@@ -27,12 +27,11 @@ Matrix4 perspective(double distance) {
 /// Points and directions in four coordinates, from the side: ahead is right, up is up. By seed 4's convention z grows
 /// toward the viewer; with D above 0, as listed, its picture is behind the eye and stands on its head.
 Figures draw_homogeneous(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     const double sign = input.values[0] == 0 ? 1 : -1, distance = input.number(1) * (input.values[0] == 1 ? -1 : 1);
     Diagram diagram(input, canvas, {2.5, 1.1}, 8);
-    diagram.fill(assets.colour(18, 22, 34));
-    const std::uint8_t grey = assets.colour(110, 118, 140), bright = assets.colour(240, 190, 90),
-                       blue = assets.colour(90, 130, 220);
+    diagram.fill(input.colour(18, 22, 34));
+    const std::uint8_t grey = input.colour(110, 118, 140), bright = input.colour(240, 190, 90),
+                       blue = input.colour(90, 130, 220);
     diagram.line({-4.4, 0}, {9, 0}, grey);
     diagram.line({sign * distance, -2.4}, {sign * distance, 3.6}, blue);
     diagram.text({sign * distance, -1.9}, "z = " + decimal_text(distance, "%.0f"), blue);
@@ -45,7 +44,7 @@ Figures draw_homogeneous(const RowInput& input, Framebuffer canvas) {
         diagram.line(picture, {ahead, 3}, grey);
         diagram.line({0, 0}, {ahead, 3}, grey);
         diagram.disc({ahead, 3}, 0.09, bright);
-        diagram.disc(picture, 0.09, assets.colour(110, 200, 110));
+        diagram.disc(picture, 0.09, input.colour(110, 200, 110));
         diagram.text({ahead, 3}, "w " + decimal_text(number_of(clip.w), "%.2f"), bright, -12, -12);
         found = number_of(point.y);
     }
@@ -85,11 +84,10 @@ double depth_of(const Matrix4& matrix, double z) {
 /// Depth over z: the near plane's, the far plane's, and what is between.
 void draw_depths(const std::array<const Matrix4*, 2>& matrices, double nearest, double farthest, const RowInput& input,
                  Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     const std::int32_t left = canvas.width_px * 200 / 320;
     Diagram diagram(input, part_of(canvas, {left, 0, canvas.width_px - left, canvas.height_px}), {0.36, 0.5}, 1.5);
-    const std::uint8_t grey = assets.colour(90, 98, 124);
-    const std::array<std::uint8_t, 2> colours{assets.colour(220, 70, 60), assets.colour(110, 220, 120)};
+    const std::uint8_t grey = input.colour(90, 98, 124);
+    const std::array<std::uint8_t, 2> colours{input.colour(220, 70, 60), input.colour(110, 220, 120)};
     constexpr double kWide = 0.75;
     diagram.line({0, 0}, {kWide, 0}, grey);
     diagram.line({0, 1}, {kWide, 1}, grey);

@@ -187,12 +187,11 @@ ScaledNormals scaled_normals(const Matrix3& matrix, const Matrix3& normals, doub
 /// Seed 5 says that scaling leaves normals normals; its erratum A7 works out that it does not. The cross product of two
 /// edges, its other way to a normal, needs no rule.
 Figures draw_normals(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     const double scale = input.number(0) / 4;
     Diagram diagram(input, canvas, {0, 0}, 4.4);
-    diagram.fill(assets.colour(20, 24, 36));
-    const std::uint8_t wrong = assets.colour(220, 70, 60), right = assets.colour(90, 210, 110),
-                       edges = assets.colour(250, 230, 120);
+    diagram.fill(input.colour(20, 24, 36));
+    const std::uint8_t wrong = input.colour(220, 70, 60), right = input.colour(90, 210, 110),
+                       edges = input.colour(250, 230, 120);
     Matrix3 matrix = Matrix3::identity();
     matrix.rows[0][0] = Entry::from_raw(input.values[0] * (std::int64_t{1} << 30));
     const std::optional<Matrix3> normals = normal_matrix(matrix);
@@ -200,7 +199,7 @@ Figures draw_normals(const RowInput& input, Framebuffer canvas) {
     const auto on_ellipse = [scale](double angle) { return PlanePoint{scale * std::cos(angle), std::sin(angle)}; };
     for (int step = 0; step < 96; ++step)
         diagram.line(on_ellipse(step * std::numbers::pi / 48), on_ellipse((step + 1) * std::numbers::pi / 48),
-                     assets.colour(150, 160, 180));
+                     input.colour(150, 160, 180));
     double worst_normal = 0, worst_point = 0, expected_point = 0;
     for (int step = 0; step < 12; ++step) {
         const double angle = (step + 0.5) * std::numbers::pi / 6, c = std::cos(angle), s = std::sin(angle);

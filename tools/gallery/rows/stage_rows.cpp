@@ -139,20 +139,19 @@ void draw_from_eye(const StagedCube& cube, Stage stage, const RowInput& input, F
 /// The canonical volume from its front, -1 to 1 across and up, whatever the screen's shape: what is left of the
 /// triangles after the perspective divide.
 void draw_divided(const StagedCube& cube, const RowInput& input, Framebuffer canvas, const Area& area) {
-    const GalleryAssets& assets = input.assets;
     Diagram diagram(input, part_of(canvas, {0, 0, area.width, canvas.height_px}), {0, 0}, 2.5);
-    const std::uint8_t grey = assets.colour(80, 88, 110);
+    const std::uint8_t grey = input.colour(80, 88, 110);
     diagram.line({-1.2, 0}, {1.2, 0}, grey);
     diagram.line({0, -1.2}, {0, 1.2}, grey);
-    diagram.outline({-1, -1}, {1, 1}, assets.colour(90, 130, 220));
-    diagram.text({-1, -1}, "-1", assets.colour(90, 130, 220), -14, 0);
-    diagram.text({1, 1}, "1", assets.colour(90, 130, 220), 3, -4);
+    diagram.outline({-1, -1}, {1, 1}, input.colour(90, 130, 220));
+    diagram.text({-1, -1}, "-1", input.colour(90, 130, 220), -14, 0);
+    diagram.text({1, 1}, "1", input.colour(90, 130, 220), 3, -4);
     const auto flat = [](const Vec3<Entry>& corner) { return PlanePoint{number_of(corner.x), number_of(corner.y)}; };
     for (const ShownTriangle& triangle : cube.triangles)
         for (std::size_t i = 0; i < triangle.divided.size(); ++i) {
             diagram.line(flat(triangle.divided[i]), flat(triangle.divided[(i + 1) % triangle.divided.size()]),
-                         assets.colour(240, 190, 90));
-            diagram.disc(flat(triangle.divided[i]), 0.03, assets.colour(110, 200, 110));
+                         input.colour(240, 190, 90));
+            diagram.disc(flat(triangle.divided[i]), 0.03, input.colour(110, 200, 110));
         }
 }
 

@@ -169,16 +169,15 @@ CubeCheck check_cube(const std::array<std::array<int, 3>, 12>& faces) {
 }
 
 Figures draw_left_handed_cube(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     auto faces = kCubeTriangles;
     const bool is_listed = input.values[0] == 0;
     if (is_listed) faces[7] = {8, 5, 1};
     const double turn = input.radians(1);
     const Vec3<World> eye = world_point(-8 * std::cos(turn), -8 * std::sin(turn), 4);
     Sketch sketch(input, canvas, fill_scene(input, canvas, 320), {eye, world_point(0, 0, 0), 40});
-    const std::array<std::uint8_t, 6> colours{assets.colour(200, 80, 70),   assets.colour(90, 170, 80),
-                                              assets.colour(90, 130, 220),  assets.colour(220, 190, 90),
-                                              assets.colour(190, 110, 200), assets.colour(90, 190, 190)};
+    const std::array<std::uint8_t, 6> colours{input.colour(200, 80, 70),   input.colour(90, 170, 80),
+                                              input.colour(90, 130, 220),  input.colour(220, 190, 90),
+                                              input.colour(190, 110, 200), input.colour(90, 190, 190)};
     int drawn = 0;
     std::set<int> seen;
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -189,10 +188,10 @@ Figures draw_left_handed_cube(const RowInput& input, Framebuffer canvas) {
         ++drawn;
         seen.insert(faces[i].begin(), faces[i].end());
         sketch.polygon(corners, colours[i / 2]);
-        sketch.outline(corners, assets.colour(20, 20, 24));
+        sketch.outline(corners, input.colour(20, 20, 24));
     }
     for (const int number : seen)
-        sketch.label(cube_corner(number), std::to_string(number), assets.colour(235, 235, 225));
+        sketch.label(cube_corner(number), std::to_string(number), input.colour(235, 235, 225));
     const CubeCheck check = check_cube(faces);
     // Two for each side beyond whose plane the eye is; as listed, one of them may be gone, or face elsewhere.
     const int facing = 2 * ((std::abs(number_of(eye.x)) > 1) + (std::abs(number_of(eye.y)) > 1) + 1);
