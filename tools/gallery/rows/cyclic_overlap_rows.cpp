@@ -105,13 +105,12 @@ ScannedFaces scan(std::span<const Piece> pieces, const ViewContext& view, const 
         if (!project_polygon(pieces[i].corners, view, polygon)) continue;
         scan_convex(polygon.screen, rows);
         ScannedFace face;
-        face.visible.face = FaceIndex(static_cast<std::int32_t>(i));
+        face.face = FaceIndex(static_cast<std::int32_t>(i));
         face.nearest_z = polygon.nearest_z;
         face.farthest_z = polygon.farthest_z;
         face.normal = pieces[i].plane.normal;
         face.eye_distance = plane_distance(pieces[i].plane, view.eye);
-        face.inverse_z =
-            make_texture_gradients({face.normal, face.eye_distance, {}, {}, {}, {}, 0}, view.axes, inverse).inverse_z;
+        face.inverse_z = make_inverse_z(face.normal, face.eye_distance, view.axes, inverse);
         add_face(face, rows, mode.width_px, pieces[i].corners, view.eye, scanned);
     }
     return scanned;
@@ -153,7 +152,7 @@ std::vector<int> nearest_planks(const ScannedFaces& scanned, std::span<const Pie
     std::vector<int> nearest(pixel_count(mode.width_px, mode.height_px), -1);
     std::vector<double> depths(nearest.size(), 1e9);
     for (const ScannedFace& face : scanned.faces) {
-        const Piece& piece = pieces[face.visible.face.position()];
+        const Piece& piece = pieces[face.face.position()];
         const Vec normal = vec_of(piece.plane.normal);
         const double distance = number_of(piece.plane.distance);
         for (const Span& span : scanned.spans_of(face))
@@ -202,7 +201,7 @@ Figures draw_cycle(const RowInput& input, Framebuffer canvas) {
     paint(canvas, [&](std::int32_t x, std::int32_t y) {
         const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
         const std::int32_t owner = owners.faces[pixel];
-        const auto piece = owner < 0 ? std::size_t{0} : item(scanned.faces, owner).visible.face.position();
+        const auto piece = owner < 0 ? std::size_t{0} : item(scanned.faces, owner).face.position();
         const int plank = owner < 0 ? -1 : pieces[piece].plank;
         const bool is_edge = (plank < 0) != (nearest[pixel] < 0);
         uncovered += is_edge;
