@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "game/simulation/activations.h"
 #include "tests/game/logic_level.h"
 
 namespace oblong {
@@ -80,6 +81,20 @@ TEST(Consistency, WhatTheGameCanNotGoOnFromIsFound) {
         [](GameState& state) {
             state.delayed.insert(state.delayed.begin(), {state.delayed[0].tick + 1, {}});
         },
+        [](GameState& state) { state.delayed.resize(Activations::kMost + 1, state.delayed[0]); },
+        [](GameState& state) {
+            state.backlog.waiting.resize(Activations::kMost + 1, {0, 0, false});
+        },
+        [](GameState& state) {
+            state.backlog.waiting = {{99, 0, false}};
+        },
+        [](GameState& state) {
+            state.backlog.waiting = {{0, 99, false}};
+        },
+        [](GameState& state) { state.backlog.next_mover = 99; },
+        [](GameState& state) { state.backlog.next_touch_box = 99; },
+        [](GameState& state) { state.backlog.next_trigger_box = 99; },
+        [](GameState& state) { state.backlog.next_item_box = 99; },
         [](GameState& state) { state.shown_message = 9; },
         [](GameState& state) { state.shown_message = -2; },
         [](GameState& state) { state.exit = 9; },
@@ -94,6 +109,9 @@ TEST(Consistency, WhatTheGameCanNotGoOnFromIsFound) {
         [](GameState& state) { state.player.ground = 99; },
         [](GameState& state) { state.player.depth = static_cast<Depth>(4); },
     };
+    GameState waits = game.state;
+    waits.backlog.waiting = {{0, 0, false}};
+    ASSERT_TRUE(is_consistent(game.level, waits));
     ASSERT_TRUE(is_consistent(game.level, game.state));
     for (std::size_t i = 0; i < spoilers.size(); ++i) {
         GameState spoilt = game.state;
