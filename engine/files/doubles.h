@@ -14,7 +14,7 @@ double number_of(Fixed<Int, Frac> value) {
 
 /// The nearest number of a format.
 template <class To>
-To nearest_to(double value) {
+To fixed_of(double value) {
     return To::from_raw(static_cast<typename To::Raw>(std::llround(std::ldexp(value, To::kFractionBits))));
 }
 

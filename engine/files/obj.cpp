@@ -21,7 +21,7 @@ constexpr Texel kHalfTexel = Texel::from_raw(1 << (Texel::kFractionBits - 1));
 
 Vec3<World> world_position(const std::vector<double>& numbers, std::size_t vertex, const ObjOptions& options) {
     const auto coordinate = [&](std::size_t axis) {
-        return nearest_to<World>(numbers[vertex * 3 + axis] * options.scale);
+        return fixed_of<World>(numbers[vertex * 3 + axis] * options.scale);
     };
     const World x = coordinate(0), y = coordinate(1), z = coordinate(2);
     return options.is_z_up ? Vec3<World>{x, y, z} : Vec3<World>{z, x, y};
@@ -32,7 +32,7 @@ Vec3<Unit> unit_normal(const std::vector<double>& numbers, std::size_t normal, c
     const double x = numbers[normal * 3], y = numbers[normal * 3 + 1], z = numbers[normal * 3 + 2];
     const double length = std::hypot(x, y, z);
     if (length == 0) return {};
-    const auto part = [&](double value) { return nearest_to<Unit>(value / length); };
+    const auto part = [&](double value) { return fixed_of<Unit>(value / length); };
     return options.is_z_up ? Vec3<Unit>{part(x), part(y), part(z)} : Vec3<Unit>{part(z), part(x), part(y)};
 }
 

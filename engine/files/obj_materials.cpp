@@ -61,7 +61,7 @@ void PlaceRange::include(const SkinPlace& place) {
 }
 
 MeshTexel SkinScale::texel_at(const SkinPlace& place) const {
-    return {nearest_to<Texel>((place.u - first_u) * width), nearest_to<Texel>((place.v - first_v) * height)};
+    return {fixed_of<Texel>((place.u - first_u) * width), fixed_of<Texel>((place.v - first_v) * height)};
 }
 
 SkinScale repeat_skin(Skin& skin, const PlaceRange& range, std::vector<std::string>& warnings) {

@@ -1,11 +1,16 @@
 #pragma once
 
 #include "engine/files/doubles.h"
+#include "engine/fixed/ratio.h"
 #include "engine/math/vec.h"
 #include "tools/reference/vec.h"
 
 /// The engine's numbers in doubles, for what is compared with doubles.
 namespace oblong {
+
+inline double number_of(Ratio ratio) {
+    return static_cast<double>(ratio.numerator) / static_cast<double>(ratio.denominator);
+}
 
 template <class Int, int Frac>
 reference::Vec vec_of(const Vec3<Fixed<Int, Frac>>& v) {

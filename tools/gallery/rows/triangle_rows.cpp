@@ -5,7 +5,6 @@
 #include <random>
 #include <thread>
 
-#include "engine/base/table.h"
 #include "engine/methods/triangles.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/row.h"
@@ -14,11 +13,8 @@ namespace oblong {
 
 namespace {
 
-Screen screen_of(double pixels) {
-    return Screen::from_raw(static_cast<std::int32_t>(std::lround(pixels * 256)));
-}
 ScreenVertex vertex_at(PlanePoint at) {
-    return {screen_of(at.x), screen_of(at.y)};
+    return {fixed_of<Screen>(at.x), fixed_of<Screen>(at.y)};
 }
 
 struct ColouredTriangle {
@@ -112,12 +108,11 @@ Figures draw_triangle_methods(const RowInput& input, Framebuffer canvas) {
 /// Two triangles with a common side on a grid whose pixel centres the corners hit, as the rule decides.
 Figures draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
     constexpr std::int32_t kColumns = 16, kRows = 9;
-    const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(16, 18, 28));
-    const std::uint8_t ground = assets.colour(36, 42, 58);
+    fill(canvas, input.colour(16, 18, 28));
+    const std::uint8_t ground = input.colour(36, 42, 58);
     PixelGrid grid(input, canvas, {0, kHeader_px, canvas.width_px, canvas.height_px - kHeader_px - kFooter_px},
                    kColumns, kRows, ground);
-    const double x = static_cast<double>(input.values[0]) / 2, y = static_cast<double>(input.values[1]) / 2;
+    const double x = input.number(0) / 2, y = input.number(1) / 2;
     const std::array<PlanePoint, 4> corners{{{1.5, 1.5}, {x, 1.5}, {13.5, y}, {3.5, 7.5}}};
     const ScreenTriangle first{vertex_at(corners[0]), vertex_at(corners[1]), vertex_at(corners[3])},
         second{vertex_at(corners[1]), vertex_at(corners[2]), vertex_at(corners[3])};
@@ -131,12 +126,12 @@ Figures draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
         fill_spans(spans, colour, grid.picture());
         return covered;
     };
-    const auto by_first = cover(first, assets.colour(200, 120, 48)),
-               by_second = cover(second, assets.colour(56, 120, 184));
+    const auto by_first = cover(first, input.colour(200, 120, 48)),
+               by_second = cover(second, input.colour(56, 120, 184));
     std::int64_t twice = 0, neither = 0, on_common_side = 0;
     for (std::int32_t row = 0; row < kRows; ++row)
         for (std::int32_t column = 0; column < kColumns; ++column) {
-            const auto pixel = as_size(row * kColumns + column);
+            const auto pixel = static_cast<std::size_t>(row * kColumns + column);
             const double across = corners[3].x - corners[1].x, down = corners[3].y - corners[1].y;
             const double beside = across * (row + 0.5 - corners[1].y) - down * (column + 0.5 - corners[1].x);
             const bool is_on_side = beside == 0 && row + 0.5 > corners[1].y && row + 0.5 < corners[3].y;
@@ -144,16 +139,16 @@ Figures draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
             on_common_side += is_on_side;
             neither += is_on_side && by_first[pixel] == 0 && by_second[pixel] == 0;
         }
-    grid.show(assets.colour(16, 18, 28));
-    const std::uint8_t line = assets.colour(240, 236, 220);
+    grid.show(input.colour(16, 18, 28));
+    const std::uint8_t line = input.colour(240, 236, 220);
     for (const auto& [from, to] : {std::pair{0, 1}, {1, 2}, {2, 3}, {3, 0}, {1, 3}})
         grid.line(item(corners, from), item(corners, to), line);
     for (std::int32_t row = 0; row < kRows; ++row)
         for (std::int32_t column = 0; column < kColumns; ++column)
-            grid.dot({column + 0.5, row + 0.5}, assets.colour(12, 12, 20));
+            grid.dot({column + 0.5, row + 0.5}, input.colour(12, 12, 20));
     return {count_figure("pixels that both triangles own", 0, twice),
             count_figure("centres on the common side that neither owns", 0, neither),
-            measured("centres on the common side", std::to_string(on_common_side))};
+            measured("centres on the common side", on_common_side)};
 }
 
 struct NamedPlace {
@@ -167,7 +162,7 @@ constexpr std::array<NamedPlace, 4> kPlaces{{{"(1, 1)", {1, 1}, {0.5, 0.25, 0.25
                                              {"(0, 4), a corner", {0, 4}, {0, 0, 1}}}};
 
 double share_of(ScreenArea part, ScreenArea whole) {
-    return number_of(part) / number_of(whole);
+    return static_cast<double>(part.raw) / static_cast<double>(whole.raw);
 }
 
 constexpr std::array<std::array<int, 4>, 4> kBayer{{{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
@@ -183,7 +178,7 @@ void fill_with_gradient(const ScreenTriangle& triangle, const RowInput& input, F
     scanner.scan(triangle, spans);
     for (const Span& span : spans)
         for (std::int32_t x = span.first; x < span.end; ++x) {
-            const int dither = item(item(kBayer, span.y & 3), x & 3) * 4 - 30;
+            const int dither = kBayer[static_cast<std::size_t>(span.y & 3)][static_cast<std::size_t>(x & 3)] * 4 - 30;
             const auto channel = [&](int i) {
                 return std::clamp(static_cast<int>(floor_of(item(channels, i).at(x, span.y))) + dither, 0, 255);
             };
@@ -192,10 +187,9 @@ void fill_with_gradient(const ScreenTriangle& triangle, const RowInput& input, F
 }
 
 Figures draw_barycentric(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     const NamedPlace& place = item(kPlaces, input.values[0]);
     Diagram diagram(input, canvas, {2.5, 2.5}, 6.4);
-    diagram.fill(assets.colour(16, 18, 28));
+    diagram.fill(input.colour(16, 18, 28));
     const std::array<PlanePoint, 3> corners{{{0, 0}, {4, 0}, {0, 4}}};
     ScreenTriangle on_canvas, in_plane;
     for (int i = 0; i < 3; ++i) {
@@ -203,7 +197,7 @@ Figures draw_barycentric(const RowInput& input, Framebuffer canvas) {
         item(in_plane, i) = vertex_at(item(corners, i));
     }
     fill_with_gradient(on_canvas, input, canvas);
-    const std::uint8_t white = assets.colour(250, 250, 250), grey = assets.colour(150, 160, 180);
+    const std::uint8_t white = input.colour(250, 250, 250), grey = input.colour(150, 160, 180);
     for (int i = 0; i < 3; ++i) {
         diagram.line(item(corners, i), item(corners, (i + 1) % 3), grey);
         diagram.line(item(corners, i), place.at, white);
@@ -235,10 +229,6 @@ struct Tile {
 };
 constexpr std::array<PlanePoint, 4> kTexels{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
-CornerQuantity quantity(double value) {
-    return nearest_to<CornerQuantity>(value);
-}
-
 /// Both coordinates at a pixel: interpolated themselves, or over z and divided by 1/z.
 class TileTexture {
   public:
@@ -248,16 +238,16 @@ class TileTexture {
             const int corner = item(corners, i);
             item(triangle, i) = vertex_at(item(tile.corners, corner));
             const double over = is_perspective && corner >= 2 ? 1 / tile.far_depth : 1;
-            item(u, i) = quantity(item(kTexels, corner).x * over);
-            item(v, i) = quantity(item(kTexels, corner).y * over);
-            item(inverse_z, i) = quantity(over);
+            item(u, i) = fixed_of<CornerQuantity>(item(kTexels, corner).x * over);
+            item(v, i) = fixed_of<CornerQuantity>(item(kTexels, corner).y * over);
+            item(inverse_z, i) = fixed_of<CornerQuantity>(over);
         }
         u_ = quantity_over(triangle, u);
         v_ = quantity_over(triangle, v);
         inverse_z_ = quantity_over(triangle, inverse_z);
     }
     PlanePoint at_pixel(std::int32_t x, std::int32_t y) const {
-        const auto over_z = [&](const auto& linear) { return number_of(linear.at(x, y)); };
+        const auto over_z = [&](const auto& linear) { return static_cast<double>(linear.at(x, y).raw); };
         return {over_z(u_) / over_z(inverse_z_), over_z(v_) / over_z(inverse_z_)};
     }
 
@@ -293,8 +283,8 @@ double middle_of_side(double far_depth, bool is_perspective) {
 }
 
 Figures draw_perspective(const RowInput& input, Framebuffer canvas) {
-    const auto far_depth = static_cast<double>(input.values[0]);
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(16, 18, 28));
+    const auto far_depth = input.number(0);
+    fill(canvas, input.assets.colour(16, 18, 28));
     const double half = canvas.width_px / 2.0, near_y = canvas.height_px - kFooter_px - 4, horizon = kHeader_px + 6,
                  far_y = horizon + (near_y - horizon) / far_depth;
     for (const bool is_perspective : {false, true}) {
