@@ -40,6 +40,7 @@ class LogicLevel {
 /// A game in such a level, with words for what its tests ask.
 struct LogicGame : ToyGame {
     explicit LogicGame(LogicLevel& source) : ToyGame(source.take()) {}
+    explicit LogicGame(ToyLevel of_toys) : ToyGame(std::move(of_toys)) {}
 
     /// Puts the player somewhere, feet on the floor unless they are said to be higher, and plays a tick.
     void stand_at(std::int32_t x, std::int32_t y, std::int32_t feet_z = 0) {
