@@ -149,7 +149,8 @@ void claim(const Span& span, const OpenEnd& end, const FrameContext& frame, View
     if (face == FaceIndex::none()) return claims.left_free.push_back(span);
     if (!end.is_sky) return claims.torn.push_back({span, plane, is_back, face, end.place});
     claims.spans.push_back(span);
-    add_claimed({{face}, 0, 0, {}, {}}, claims.spans.size() - 1, frame, claims);
+    VisibleFace sky{.face = face};
+    add_claimed(sky, claims.spans.size() - 1, frame, claims);
 }
 
 /// The same of a span between whose ends, which are known, several things may stand: halves it until both ends show
@@ -168,11 +169,6 @@ Face wall_of(const TornSpan& torn, const Level& level) {
     wall.plane = torn.plane;
     wall.is_back = torn.is_back;
     return wall;
-}
-
-TextureGradients gradients_of_wall(const TornSpan& torn, const FaceSurface& surface, const FrameContext& frame) {
-    const Level& level = frame.scene.level;
-    return make_face_gradients(level, wall_of(torn, level), surface, {}, frame.view, frame.inverse_projection);
 }
 
 /// A multiple of a texture's size some 32,768 texels before the place: texels from there on are positive.
@@ -195,12 +191,13 @@ class TornDrawing {
         const TexInfo& texinfo = level_.texinfos[face_.texinfo];
         surface_.origin_u = origin_near(texinfo.s, texinfo.s_offset, torn.place, texture_.width);
         surface_.origin_v = origin_near(texinfo.t, texinfo.t_offset, torn.place, texture_.height);
-        const auto inverse_z = inverse_z_of(torn, frame);
+        const PlaneInverseZ inverse_z = inverse_z_of(torn, frame);
         const InverseZ nearest = std::max({inverse_z.at(torn.span.first, torn.span.y),
                                            inverse_z.at(torn.span.end - 1, torn.span.y), InverseZ::ulp()});
         surface_.mip = frame.cache.surfaces.mip_level(torn.face, reciprocal<View>(nearest), frame.view.projection.x,
                                                       frame.accuracy().mip_bias);
-        gradients_ = gradients_of_wall(torn, surface_, frame);
+        gradients_ = make_face_gradients(level_, wall_of(torn, level_), surface_, {}, inverse_z, frame.view,
+                                         frame.inverse_projection);
     }
 
     std::uint8_t colour_at(std::int32_t column, std::int32_t row) const {
@@ -254,15 +251,16 @@ void claim_torn_pixels(const FrameContext& frame, ViewScratch& scratch) {
 void draw_torn_pixels(const FrameContext& frame, ViewScratch& scratch) {
     fill_spans(scratch.claims.left_free, 0, frame.out);
     for (const TornSpan& torn : scratch.claims.torn) {
-        note_spans({torn.face}, {&torn.span, 1}, frame.out, frame.observers);
+        note_spans({.face = torn.face}, {&torn.span, 1}, frame.out, frame.observers);
         const TornDrawing drawing(torn, frame, scratch);
         std::uint8_t* const row = frame.out.row(torn.span.y);
         for (std::int32_t x = torn.span.first; x < torn.span.end; ++x) row[x] = drawing.colour_at(x, torn.span.y);
     }
 }
 
-LinearQuantity<InverseZ> inverse_z_of(const TornSpan& torn, const FrameContext& frame) {
-    return gradients_of_wall(torn, FaceSurface{}, frame).inverse_z;
+PlaneInverseZ inverse_z_of(const TornSpan& torn, const FrameContext& frame) {
+    const Level& level = frame.scene.level;
+    return make_face_inverse_z(level, wall_of(torn, level), {}, frame.view, frame.inverse_projection);
 }
 
 }  // namespace oblong

@@ -56,23 +56,21 @@ struct RowInput {
     std::int64_t time_ms = 0;
 };
 
-/// What a row says beside its picture.
-struct RowPage {
-    std::vector<Figure> figures;     ///< the first three are shown below the picture, all are in the index page
-    std::vector<std::string> notes;  ///< short sentences
-};
+/// The first three are shown below the picture, all are in the index page.
+using Figures = std::vector<Figure>;
 
 /// One thing that the seeds name, with its scene. `draw` fills the whole canvas (of the mode's size); the gallery then
 /// writes the name over the top kHeader_px rows and figures over the lowest kFooter_px.
 struct Row {
-    std::string_view id;      ///< of its files: "lines-bresenham"
-    std::string_view name;    ///< in the field's terms
-    std::string_view seeds;   ///< "2 Lab", "3 Notes: Lines; 4 Princeton: Projection"
-    std::string_view source;  ///< the file that does it: "engine/raster/lines.h"
-    std::string_view test;    ///< the file that tests it: "tests/raster/lines_test.cpp"
+    std::string_view id;  ///< of its files: "lines-bresenham"
+    Figures (*draw)(const RowInput& input, Framebuffer canvas);
     std::vector<Parameter> parameters;
-    RowPage (*draw)(const RowInput& input, Framebuffer canvas);
-    bool moves = false;  ///< the picture changes with time
+    // From rows.txt.
+    std::string_view name = {};                ///< in the field's terms
+    std::string_view seeds = {};               ///< "2 Lab", "3 Notes: Lines; 4 Princeton: Projection"
+    std::string_view source = {};              ///< the file that does it: "engine/raster/lines.h"
+    std::string_view test = {};                ///< the file that tests it: "tests/raster/lines_test.cpp"
+    std::vector<std::string_view> notes = {};  ///< short sentences
 };
 
 /// The values that a row's parameters start with.
@@ -83,7 +81,7 @@ std::string value_text(const Parameter& parameter, std::int64_t value);
 inline constexpr std::int32_t kHeader_px = 12, kFooter_px = 34;
 
 /// Draws a row with its name above and its figures below; of its parameters, the one numbered `chosen` is named.
-RowPage draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer canvas);
+Figures draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer canvas);
 /// A figure in one line: "140  column of the far face's corner".
 std::string figure_text(const Figure& figure);
 
@@ -102,10 +100,10 @@ using reference::Vec;
 /// A number as text: "%.3f" or another format.
 std::string decimal_text(double value, const char* format = "%.3f");
 
-/// All rows, in the order of the seeds.
+/// All rows, in the order of the seeds, with their texts.
 std::vector<Row> gallery_rows();
 
-// The rows of each subject, a file each in tools/gallery/rows/.
+// The rows of each subject without their texts, a file each in tools/gallery/rows/.
 std::vector<Row> aspect_rows();
 std::vector<Row> clipping_rows();
 std::vector<Row> culling_rows();

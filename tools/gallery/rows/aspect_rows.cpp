@@ -44,7 +44,7 @@ const NamedMode& mode_of(const RowInput& input, std::size_t parameter) {
 }
 
 /// The display's outline, and in it a disc of so few pixels that their shape is seen.
-RowPage draw_pixel_aspect(const RowInput& input, Framebuffer canvas) {
+Figures draw_pixel_aspect(const RowInput& input, Framebuffer canvas) {
     const NamedMode& named = mode_of(input, 0);
     const GalleryAssets& assets = input.assets;
     const Ratio display = named.mode.display, pixel = named.mode.pixel();
@@ -68,14 +68,9 @@ RowPage draw_pixel_aspect(const RowInput& input, Framebuffer canvas) {
     diagram.outline({-wide / 2, -0.5}, {wide / 2, 0.5}, assets.colour(150, 160, 180));
     const double a = static_cast<double>(named.a.numerator) / static_cast<double>(named.a.denominator);
     const Projection projection = make_projection(named.mode, Degrees::from_int(90));
-    return {
-        {number_figure("a = w / (r h): pixel's height to width", a, 1 / shape, 1e-12, 6),
-         number_figure("multiplier of y / multiplier of x = 1 / a", 1 / a,
-                       number_of(projection.y.multiplier) / number_of(projection.x.multiplier), 1e-8, 6)},
-        {"One in " + std::to_string(named.mode.height_px / kRows) +
-             " rows of pixels is drawn, in the shape that the display gives them. The circle is round; so is a disc "
-             "of these pixels whose rows were counted with a.",
-         "The seed's prose has it the other way round: a pixel is a times as high as it is wide."}};
+    return {number_figure("a = w / (r h): pixel's height to width", a, 1 / shape, 1e-12, 6),
+            number_figure("multiplier of y / multiplier of x = 1 / a", 1 / a,
+                          number_of(projection.y.multiplier) / number_of(projection.x.multiplier), 1e-8, 6)};
 }
 
 constexpr std::array<int, 3> kFieldsOfView{60, 90, 120};
@@ -97,7 +92,7 @@ void enlarge(std::span<const std::uint8_t> pixels, const ScreenMode& mode, Frame
         }
 }
 
-RowPage draw_field_of_view(const RowInput& input, Framebuffer canvas) {
+Figures draw_field_of_view(const RowInput& input, Framebuffer canvas) {
     const auto choice = static_cast<std::size_t>(input.values[0]);
     const auto divisor = static_cast<std::int32_t>(input.values[1]);
     const ScreenMode mode{std::max(input.mode.width_px / divisor, 40), std::max(input.mode.height_px / divisor, 25),
@@ -110,13 +105,12 @@ RowPage draw_field_of_view(const RowInput& input, Framebuffer canvas) {
     const Projection at_320 = make_projection({320, 200, {4, 3}}, Degrees::from_int(degrees));
     const Projection here = make_projection(mode, Degrees::from_int(degrees));
     const double vertical = 2 * std::atan(100 / number_of(at_320.y.multiplier)) * 180 / std::numbers::pi;
-    return {{number_figure("distance of the viewplane for 320 columns, pixels", kExpectedViews[choice].distance_px,
-                           number_of(at_320.x.multiplier), 1e-6),
-             number_figure("field of view from top to bottom, degrees", kExpectedViews[choice].vertical_degrees,
-                           vertical, 1e-6),
-             number_figure("distance / columns, the same in every mode", kExpectedViews[choice].distance_px / 320,
-                           number_of(here.x.multiplier) / mode.width_px, 1e-8, 6)},
-            {"d = (w / 2) / tan(angle / 2): with fewer columns d shrinks as they do, and the view stays the same."}};
+    return {number_figure("distance of the viewplane for 320 columns, pixels", kExpectedViews[choice].distance_px,
+                          number_of(at_320.x.multiplier), 1e-6),
+            number_figure("field of view from top to bottom, degrees", kExpectedViews[choice].vertical_degrees,
+                          vertical, 1e-6),
+            number_figure("distance / columns, the same in every mode", kExpectedViews[choice].distance_px / 320,
+                          number_of(here.x.multiplier) / mode.width_px, 1e-8, 6)};
 }
 
 /// The demo level's sphere, from far enough that perspective does not stretch it by a hundredth.
@@ -160,7 +154,7 @@ void draw_costs(const ProjectionCosts& costs, const GalleryAssets& assets, Frame
                 assets.text);
 }
 
-RowPage draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
+Figures draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
     RowInput square = input;
     square.settings.correct_aspect = input.values[0] == 0;
     draw_demo_level(square, camera_before_sphere(), input.mode, canvas);
@@ -176,19 +170,15 @@ RowPage draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
     const double right_shape = square.settings.correct_aspect ? 1 : shape;
     const ProjectionCosts costs = projection_costs();
     if (canvas.width_px >= 320) draw_costs(costs, input.assets, canvas);
-    return {{{"a point by two multipliers, as naive", costs.naive.text(), costs.by_multipliers.text(),
-              costs.by_multipliers == costs.naive},
-             number_figure("width to height of a square as shown", right_shape, columns / rows * shape, 0.005),
-             {"a point by the whole formula", "4 * 3 / 2 +", costs.by_formula.text(),
-              costs.by_formula == Operations{4, 3, 2}},
-             number_figure("rows that 1.33 for 4/3 is off by, at the top", 100 - 100 * 1.33 / (4.0 / 3),
-                           error_of_rounded_aspect_px(), 1.0 / 512),
-             measured("multiplier of x, pixels", decimal_text(number_of(projection.x.multiplier))),
-             measured("multiplier of y, pixels", decimal_text(number_of(projection.y.multiplier)))},
-            {"Aspect and field of view are in the two multipliers, computed once for a mode. A point costs a "
-             "multiplication, a division and an addition for each axis, in both pictures: they are drawn by the same "
-             "code with other numbers.",
-             "Operations are counted while the seed's formulas run, on a number that counts."}};
+    return {{"a point by two multipliers, as naive", costs.naive.text(), costs.by_multipliers.text(),
+             costs.by_multipliers == costs.naive},
+            number_figure("width to height of a square as shown", right_shape, columns / rows * shape, 0.005),
+            {"a point by the whole formula", "4 * 3 / 2 +", costs.by_formula.text(),
+             costs.by_formula == Operations{4, 3, 2}},
+            number_figure("rows that 1.33 for 4/3 is off by, at the top", 100 - 100 * 1.33 / (4.0 / 3),
+                          error_of_rounded_aspect_px(), 1.0 / 512),
+            measured("multiplier of x, pixels", decimal_text(number_of(projection.x.multiplier))),
+            measured("multiplier of y, pixels", decimal_text(number_of(projection.y.multiplier)))};
 }
 
 using Dots = std::array<std::array<double, 3>, 3>;
@@ -222,7 +212,7 @@ void draw_nine_terms(const Vec3<double>& u, const Vec3<double>& v, const Dots& d
 }
 
 /// The seven equations of the seed, each with both sides' numbers; what follows from them, and what it costs.
-RowPage draw_seven_steps(const RowInput& input, Framebuffer canvas) {
+Figures draw_seven_steps(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
     const Vec3<double> u{1, 2, 3}, v{4, -5, 6}, w{2, 1, -1};
@@ -271,50 +261,25 @@ RowPage draw_seven_steps(const RowInput& input, Framebuffer canvas) {
     const std::array<std::array<Counted, 3>, 3> some{{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}}};
     dot_by_nine_terms(counted(u, nine), counted(v, nine), some);
     const bool is_orthonormal = input.values[0] == 90;
-    return {
-        {count_figure("of the seven hold", is_orthonormal ? 7 : 6, holding),
-         number_figure("nine terms; by lengths of u, v, u - v", defined, product(u, v), 1e-4),
-         number_figure("the three terms alone miss by", 3 * std::cos(angle), product(u, v) - dot_by_components(u, v),
-                       1e-4),
-         measured("three terms cost", three.text()), measured("nine terms cost", nine.text())},
-        {"What a dot product shall do (1), where (2, 3, 4: axes at right angles, of length 1), and how (5 commutes, "
-         "6 distributes, 7 takes scalars out): from these follows how it is computed.",
-         "u = (1 2 3), v = (4 -5 6), w = (2 1 -1). Six of nine terms are 0 and three dot products of axes 1; in "
-         "crooked axes 3 fails, and the three terms are no dot product."}};
+    return {count_figure("of the seven hold", is_orthonormal ? 7 : 6, holding),
+            number_figure("nine terms; by lengths of u, v, u - v", defined, product(u, v), 1e-4),
+            number_figure("the three terms alone miss by", 3 * std::cos(angle), product(u, v) - dot_by_components(u, v),
+                          1e-4),
+            measured("three terms cost", three.text()), measured("nine terms cost", nine.text())};
 }
 
 }  // namespace
 
 std::vector<Row> aspect_rows() {
-    return {{"pixel-aspect",
-             "Aspect of pixels",
-             "1 Muratori: Dealing with Aspect Ratios",
-             "engine/view/screen.h",
-             "tests/seeds/muratori_test.cpp",
-             {mode_parameter()},
-             draw_pixel_aspect},
+    return {{"pixel-aspect", draw_pixel_aspect, {mode_parameter()}},
             {"field-of-view",
-             "Field of view and viewplane",
-             "1 Muratori: Using Field of View",
-             "engine/view/projection.cpp",
-             "tests/seeds/muratori_test.cpp",
+             draw_field_of_view,
              {choice_parameter("field of view", {"60 degrees", "90 degrees", "120 degrees"}, 1),
-              {"pixels divided by", 1, 8, 1, 1}},
-             draw_field_of_view},
+              {"pixels divided by", 1, 8, 1, 1}}},
             {"two-multipliers",
-             "The two multipliers",
-             "1 Muratori: Using Field of View",
-             "engine/view/project.h",
-             "tests/seeds/muratori_test.cpp",
-             {choice_parameter("pixels are", {"as on the display", "taken for square"})},
-             draw_two_multipliers},
-            {"dot-product-steps",
-             "The dot product in seven steps",
-             "1 Muratori: Understanding the Dot Product",
-             "engine/math/vec.h",
-             "tests/seeds/muratori_test.cpp",
-             {{"degrees from i to j", 60, 120, 10, 90}},
-             draw_seven_steps}};
+             draw_two_multipliers,
+             {choice_parameter("pixels are", {"as on the display", "taken for square"})}},
+            {"dot-product-steps", draw_seven_steps, {{"degrees from i to j", 60, 120, 10, 90}}}};
 }
 
 }  // namespace oblong

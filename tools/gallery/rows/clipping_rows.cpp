@@ -188,7 +188,7 @@ void draw_volume(const ShownView& shown, const GalleryAssets& assets, Sketch& sk
     sketch.label(near[1], "near", blue);
 }
 
-RowPage draw_view_volume(const RowInput& input, Framebuffer canvas) {
+Figures draw_view_volume(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
     const ShownView shown = make_shown_view(static_cast<VolumeKind>(input.values[0]));
@@ -216,22 +216,17 @@ RowPage draw_view_volume(const RowInput& input, Framebuffer canvas) {
     const bool is_parallel = shown.kind != VolumeKind::Perspective;
     const double whole = area_of(triangle), wide = 2 * shown.half_width(ShownView::kFar);
     const Vec4 middle = shown.to_volume * Vec4{entry_of(9), Entry{}, Entry{}};
-    return {
-        {number_figure("area inside, by the edges that nine half-planes leave each other",
-                       share_inside(triangle, shown) * whole, area_of(inside), 2e-3),
-         number_figure(is_parallel ? "width of the far side, the near side's" : "width of the far side: 2 z tan(30)",
-                       wide, number_of(far[0].y - far[3].y), 2e-3),
-         number_figure("its height: 3/4 of that", wide * 3 / 4, number_of(far[1].z - far[0].z), 2e-3),
-         number_figure(is_parallel ? "depth half way: even" : "depth half way: f / (f - n) (1 - n / z)",
-                       is_parallel ? 0.5 : 14 / 10.0 * (1 - 4 / 9.0), number_of(point_of(middle)->z), 1e-6, 6)},
-        {"Left the volume in the world, right the canonical volume that a matrix makes of it: a pyramid's frustum, a "
-         "box, or what leans along an oblique direction of projection. What clips needs to know none of them.",
-         "Each corner's w and x, y, z are compared: -w <= x <= w, -w <= y <= w, 0 <= z <= w. By one side after the "
-         "other (Sutherland and Hodgman), in homogeneous coordinates, before any division."}};
+    return {number_figure("area inside, by the edges that nine half-planes leave each other",
+                          share_inside(triangle, shown) * whole, area_of(inside), 2e-3),
+            number_figure(is_parallel ? "width of the far side, the near side's" : "width of the far side: 2 z tan(30)",
+                          wide, number_of(far[0].y - far[3].y), 2e-3),
+            number_figure("its height: 3/4 of that", wide * 3 / 4, number_of(far[1].z - far[0].z), 2e-3),
+            number_figure(is_parallel ? "depth half way: even" : "depth half way: f / (f - n) (1 - n / z)",
+                          is_parallel ? 0.5 : 14 / 10.0 * (1 - 4 / 9.0), number_of(point_of(middle)->z), 1e-6, 6)};
 }
 
 /// Seed 3's pentagon against one plane, with both lists.
-RowPage draw_two_lists(const RowInput& input, Framebuffer canvas) {
+Figures draw_two_lists(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     const double height = -1 + static_cast<double>(input.values[0]) / 4;
     const auto corner = [&](double x, double y) {
@@ -271,14 +266,13 @@ RowPage draw_two_lists(const RowInput& input, Framebuffer canvas) {
         diagram.disc(crossings[i], 0.07, assets.colour(110, 200, 110));
         diagram.text(crossings[i], "I" + std::to_string(i + 1), assets.colour(110, 200, 110), 4, 3);
     }
-    return {{number_figure("area inside + area outside = the pentagon's", area(pentagon),
-                           area(split.inside) + area(split.outside), 1e-8, 6),
-             number_figure("area of the pentagon", 9, area(pentagon), 1e-8),
-             count_figure("crossings in each list", 2, std::ssize(crossings))},
-            {"Outside: Q1, I1, I2, Q5. The seed lists {Q1, I2, I2, Q5}, whose area does not add up."}};
+    return {number_figure("area inside + area outside = the pentagon's", area(pentagon),
+                          area(split.inside) + area(split.outside), 1e-8, 6),
+            number_figure("area of the pentagon", 9, area(pentagon), 1e-8),
+            count_figure("crossings in each list", 2, std::ssize(crossings))};
 }
 
-RowPage draw_triangulations(const RowInput& input, Framebuffer canvas) {
+Figures draw_triangulations(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     const auto method = input.values[0];
     const bool is_concave = input.values[1] == 1;
@@ -312,43 +306,25 @@ RowPage draw_triangulations(const RowInput& input, Framebuffer canvas) {
         diagram.text(flat(i), std::to_string(i), assets.colour(235, 235, 225), flat(i).x < 0 ? -9 : 4);
     }
     const bool tiles = !is_concave || method != 0;
-    return {{count_figure("triangles", method == 1 ? 8 : 6, std::ssize(triangles)),
-             tiles ? number_figure("sum of their areas = the polygon's", whole, sum, 2e-3)
-                   : measured("sum of their areas, which overlap",
-                              decimal_text(sum) + ", the polygon's " + decimal_text(whole)),
-             measured("triangles turned over", decimal_text(turned_over, "%.0f"))},
-            {"A fan and a middle point are for convex polygons; diagonals, ear by ear, for concave ones too.",
-             "A concave polygon's fan lies partly outside, and partly twice."}};
+    return {count_figure("triangles", method == 1 ? 8 : 6, std::ssize(triangles)),
+            tiles ? number_figure("sum of their areas = the polygon's", whole, sum, 2e-3)
+                  : measured("sum of their areas, which overlap",
+                             decimal_text(sum) + ", the polygon's " + decimal_text(whole)),
+            measured("triangles turned over", decimal_text(turned_over, "%.0f"))};
 }
-
-constexpr std::string_view kVolumeTest = "tests/methods/canonical_volume_test.cpp";
 
 }  // namespace
 
 std::vector<Row> clipping_rows() {
     return {{"view-volume",
-             "Six planes, the view volumes",
-             "3 Notes: Clipping; 2 Lab: canonical view volume; 4 Princeton: view volumes",
-             "engine/methods/canonical_volume.h",
-             kVolumeTest,
+             draw_view_volume,
              {choice_parameter("projection", {"perspective", "parallel", "oblique parallel"}),
-              {"triangle moved by, units", -4, 8, 1, 1}},
-             draw_view_volume},
-            {"two-lists",
-             "A polygon cut by a plane",
-             "3 Notes: clip a polygon against a plane",
-             "engine/methods/canonical_volume.cpp",
-             kVolumeTest,
-             {{"plane, quarters of a unit", -3, 3, 1, 0}},
-             draw_two_lists},
+              {"triangle moved by, units", -4, 8, 1, 1}}},
+            {"two-lists", draw_two_lists, {{"plane, quarters of a unit", -3, 3, 1, 0}}},
             {"triangulate",
-             "Polygons into triangles",
-             "3 Notes: Converting Polygons into triangles",
-             "engine/mesh/triangulate.h",
-             "tests/methods/triangulate_test.cpp",
+             draw_triangulations,
              {choice_parameter("by", {"a fan from one corner", "a point in the middle", "diagonals"}, 2),
-              choice_parameter("polygon", {"convex", "concave"}, 1)},
-             draw_triangulations}};
+              choice_parameter("polygon", {"convex", "concave"}, 1)}}};
 }
 
 }  // namespace oblong

@@ -70,7 +70,7 @@ bool faces_eye_in_double(const BallFace& face, const Vec3<World>& eye) {
            0;
 }
 
-RowPage draw_culling(const RowInput& input, Framebuffer canvas) {
+Figures draw_culling(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
     const auto rule = static_cast<CullRule>(input.values[0]);
@@ -98,32 +98,26 @@ RowPage draw_culling(const RowInput& input, Framebuffer canvas) {
     // Errata A9: (10, 0, 10), (11, 0, 12), (10, 1, 10) in viewspace has the normal (-2, 0, 1) and faces the eye.
     const Vec3<World> a = world_point(10, 0, 10), b = world_point(11, 0, 12), c = world_point(10, 1, 10);
     const auto normal = cross(b - a, c - a);
-    return {{count_figure("wrong by normal . (vertex - eye), in object space", 0, wrong_by_dot),
-             measured("wrong by the normal's z in viewspace",
-                      std::to_string(wrong_by_normal) + " of " + std::to_string(faces)),
-             count_figure("wrong by the sign of the area on the screen", 0, wrong_on_screen),
-             number_figure(
-                 "normal . vertex of the seed's triangle, below 0: faces the eye", -10,
-                 number_of(dot(convert<WorldWide>(a), Vec3<Unit>{Unit::from_int(1), {}, {}})) * number_of(normal.x) +
-                     number_of(a.z) * number_of(normal.z),
-                 1e-9),
-             number_figure("its normal's z, above 0: points away", 1, number_of(normal.z), 1e-9)},
-            {"Red outlines: back faces that are drawn. Yellow: faces that are missing.",
-             "In perspective each face is seen along a ray of its own; the normal's z asks for one ray only."}};
+    return {count_figure("wrong by normal . (vertex - eye), in object space", 0, wrong_by_dot),
+            measured("wrong by the normal's z in viewspace",
+                     std::to_string(wrong_by_normal) + " of " + std::to_string(faces)),
+            count_figure("wrong by the sign of the area on the screen", 0, wrong_on_screen),
+            number_figure(
+                "normal . vertex of the seed's triangle, below 0: faces the eye", -10,
+                number_of(dot(convert<WorldWide>(a), Vec3<Unit>{Unit::from_int(1), {}, {}})) * number_of(normal.x) +
+                    number_of(a.z) * number_of(normal.z),
+                1e-9),
+            number_figure("its normal's z, above 0: points away", 1, number_of(normal.z), 1e-9)};
 }
 
 }  // namespace
 
 std::vector<Row> culling_rows() {
     return {{"culling",
-             "Back faces by a dot product",
-             "5 Abrash: Using the Sign of the Dot Product; 3 Notes: Backface culling",
-             "engine/methods/polygons.h",
-             "tests/view/projection_test.cpp",
+             draw_culling,
              {choice_parameter(
                   "drawn by", {"dot product in object space", "normal's z in viewspace", "sign of the screen area"}, 1),
-              {"field of view, degrees", 30, 110, 10, 90}},
-             draw_culling}};
+              {"field of view, degrees", 30, 110, 10, 90}}}};
 }
 
 }  // namespace oblong

@@ -65,12 +65,12 @@ Piece make_plank(int number, double rise) {
     return plank;
 }
 
-ViewContext view_of_planks(const RowInput& input) {
+ViewContext view_of_planks(const RowInput& input, std::int32_t subpixel_bits) {
     Camera camera;
     camera.yaw = degrees_to_angle(Degrees::from_int(90));
     camera.field_of_view = Degrees::from_int(50);
     ViewPrecision precision;
-    precision.subpixel_bits = input.settings.accuracy.subpixel_bits;
+    precision.subpixel_bits = subpixel_bits;
     precision.corrects_aspect = input.settings.correct_aspect;
     return make_view_context(first_person_view(camera), input.mode, precision);
 }
@@ -112,13 +112,12 @@ ScannedFaces scan(std::span<const Piece> pieces, const ViewContext& view, const 
         if (!project_polygon(pieces[i].corners, view, polygon)) continue;
         scan_convex(polygon.screen, rows);
         ScannedFace face;
-        face.visible.face = FaceIndex(static_cast<std::int32_t>(i));
+        face.face = FaceIndex(static_cast<std::int32_t>(i));
         face.nearest_z = polygon.nearest_z;
         face.farthest_z = polygon.farthest_z;
         face.normal = pieces[i].plane.normal;
         face.eye_distance = plane_distance(pieces[i].plane, view.eye);
-        face.inverse_z =
-            make_texture_gradients({face.normal, face.eye_distance, {}, {}, {}, {}, 0}, view.axes, inverse).inverse_z;
+        face.inverse_z = make_inverse_z(face.normal, face.eye_distance, view.axes, inverse);
         add_face(face, rows, mode.width_px, pieces[i].corners, view.eye, scanned);
     }
     return scanned;
@@ -161,7 +160,7 @@ std::vector<int> nearest_planks(const ScannedFaces& scanned, std::span<const Pie
     std::vector<double> depths(nearest.size(), 1e9);
     const auto number = [](auto value, int bits) { return std::ldexp(static_cast<double>(value.raw), -bits); };
     for (const ScannedFace& face : scanned.faces) {
-        const Piece& piece = pieces[face.visible.face.position()];
+        const Piece& piece = pieces[face.face.position()];
         const double x = number(piece.plane.normal.x, 30), y = number(piece.plane.normal.y, 30),
                      z = number(piece.plane.normal.z, 30);
         const double distance = number(piece.plane.distance, 42);
@@ -190,16 +189,19 @@ std::uint8_t colour_of(const Piece& piece, std::span<const Piece> before, const 
     return assets.colour(red * percent / 100, green * percent / 100, blue * percent / 100);
 }
 
-RowPage draw_cycle(const RowInput& input, Framebuffer canvas) {
+Figures draw_cycle(const RowInput& input, Framebuffer canvas) {
     const auto method = static_cast<Method>(input.values[0]);
-    const ViewContext view = view_of_planks(input);
+    const ViewContext view = view_of_planks(input, input.settings.accuracy.subpixel_bits);
     std::vector<Piece> pieces;
     for (int plank = 0; plank < kPlanks; ++plank)
         pieces.push_back(make_plank(plank, static_cast<double>(input.values[1])));
     if (method == Method::Tree) pieces = front_to_back(pieces, view.eye);
     const ScannedFaces scanned = scan(pieces, view, input.mode);
     const PixelOwners owners = owners_by(method, scanned, view, input.mode);
-    const std::vector<int> nearest = nearest_planks(scanned, pieces, view, input.mode);
+    const ViewContext finest = view_of_planks(input, Screen::kFractionBits);
+    const std::vector<int> nearest = method == Method::Rays
+                                         ? nearest_planks(scan(pieces, finest, input.mode), pieces, finest, input.mode)
+                                         : nearest_planks(scanned, pieces, view, input.mode);
 
     std::vector<std::uint8_t> colours;
     for (std::size_t i = 0; i < pieces.size(); ++i)
@@ -210,7 +212,7 @@ RowPage draw_cycle(const RowInput& input, Framebuffer canvas) {
         for (std::int32_t x = 0; x < canvas.width_px; ++x) {
             const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
             const std::int32_t owner = owners.faces[pixel];
-            const auto piece = owner < 0 ? std::size_t{0} : item(scanned.faces, owner).visible.face.position();
+            const auto piece = owner < 0 ? std::size_t{0} : item(scanned.faces, owner).face.position();
             const int plank = owner < 0 ? -1 : pieces[piece].plank;
             const bool is_edge = (plank < 0) != (nearest[pixel] < 0);
             uncovered += is_edge;
@@ -221,28 +223,18 @@ RowPage draw_cycle(const RowInput& input, Framebuffer canvas) {
     const bool is_sorted = method == Method::SortedByFarthest || method == Method::SortedByMean;
     const Figure wrong_pixels = is_sorted ? Figure{"wrong pixels", "more than 0", std::to_string(wrong), wrong > 0}
                                           : count_figure("wrong pixels", 0, wrong);
-    return {
-        {wrong_pixels, measured("polygons", std::to_string(pieces.size())),
-         measured("pixels at outlines that only one of two methods covers", std::to_string(uncovered))},
-        {"Each plank lies over the next, and the last over the first: whichever the painter draws last, it is wrong at "
-         "one "
-         "end (green). The tree cuts planks where another's plane crosses them (shades), and then has an order.",
-         "Wrong is what is not the nearest plank at the pixel by doubles. Rays look at exact outlines, the others at "
-         "rounded ones."}};
+    return {wrong_pixels, measured("polygons", std::to_string(pieces.size())),
+            measured("pixels at outlines that only one of two methods covers", std::to_string(uncovered))};
 }
 
 }  // namespace
 
 std::vector<Row> cyclic_overlap_rows() {
     return {{"cyclic-overlap",
-             "Cyclic overlap",
-             "3 Notes: Painter's algorithm",
-             "engine/methods/painter.cpp",
-             "tests/methods/painter_test.cpp",
+             draw_cycle,
              {choice_parameter("method", {"painter by farthest z", "painter by mean z", "painter by the tree",
                                           "z-buffer", "ray casting"}),
-              {"rise of a plank, units", 20, 100, 10, 60}},
-             draw_cycle}};
+              {"rise of a plank, units", 20, 100, 10, 60}}}};
 }
 
 }  // namespace oblong

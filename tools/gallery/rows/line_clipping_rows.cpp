@@ -64,7 +64,7 @@ void draw_volume(Diagram& diagram, double slope, std::uint8_t colour, std::uint8
     diagram.text({slope * kBack, kBack}, "back", colour);
 }
 
-RowPage draw_clipped_lines(const RowInput& input, Framebuffer canvas) {
+Figures draw_clipped_lines(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     const auto method = static_cast<LineClipping>(input.values[0]);
     const LineClipping other =
@@ -95,24 +95,17 @@ RowPage draw_clipped_lines(const RowInput& input, Framebuffer canvas) {
         diagram.line({from.x, from.z}, {to.x, to.z}, assets.colour(250, 200, 110));
     }
     const auto count = static_cast<double>(lines.size());
-    return {{number_figure("length inside, units, by 20,000 points a line", expected, inside, 1e-3 * count),
-             measured("lines of which a part is kept", std::to_string(kept)),
-             number_figure("units between the ends by both methods", 0, apart, 1e-3, 5)},
-            {"Seen from above; they also end above and below the volume. Cohen and Sutherland cut at one plane after "
-             "the other "
-             "where outcodes say so; Liang and Barsky find where the line enters and leaves all six, and round once."}};
+    return {number_figure("length inside, units, by 20,000 points a line", expected, inside, 1e-3 * count),
+            measured("lines of which a part is kept", std::to_string(kept)),
+            number_figure("units between the ends by both methods", 0, apart, 1e-3, 5)};
 }
 
 }  // namespace
 
 std::vector<Row> line_clipping_rows() {
     return {{"lines-clipped",
-             "Lines clipped to six planes",
-             "2 Lab: Canonical View Volume; 3 Notes: Clipping",
-             "engine/methods/clip_line.h",
-             "tests/methods/clip_line_test.cpp",
-             {choice_parameter("method", {"Cohen-Sutherland", "Liang-Barsky"}, 1), {"lines", 1, 60, 1, 24}},
-             draw_clipped_lines}};
+             draw_clipped_lines,
+             {choice_parameter("method", {"Cohen-Sutherland", "Liang-Barsky"}, 1), {"lines", 1, 60, 1, 24}}}};
 }
 
 }  // namespace oblong

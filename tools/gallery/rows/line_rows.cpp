@@ -168,7 +168,7 @@ void draw_method(LineMethod method, const NamedLine& line, const RowInput& input
     grid.line(centre(line.from), centre(line.to), assets.colour(220, 72, 64));
 }
 
-RowPage draw_lines_row(const RowInput& input, Framebuffer canvas) {
+Figures draw_lines_row(const RowInput& input, Framebuffer canvas) {
     const NamedLine& line = item(kLines, input.values[0]);
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(16, 18, 28));
     for (int method = 0; method < kLineMethodCount; ++method)
@@ -178,19 +178,13 @@ RowPage draw_lines_row(const RowInput& input, Framebuffer canvas) {
     const std::int64_t across = std::abs(line.to.column - line.from.column);
     const LineOperations bresenham = operations_of(LineMethod::Bresenham, line.from, line.to);
     return {
-        {number_figure("Bresenham: farthest pixel from the line", least.largest, nearest.largest, 1e-12),
-         count_figure("Bresenham: multiplications and divisions", 0, bresenham.multiplications + bresenham.divisions),
-         count_figure("naive: pixels, one a column", across + 1, error_of(LineMethod::Naive, line).pixels),
-         count_figure("Bresenham: pixels, one a step", least.pixels, nearest.pixels),
-         number_figure("Bresenham: rms distance from the line", least.rms(), nearest.rms(), 1e-12),
-         measured("DDA: farthest pixel, rms", error_text(error_of(LineMethod::Dda, line))),
-         measured("naive: farthest pixel, rms", error_text(error_of(LineMethod::Naive, line)))},
-        {"The red line is the true one. Counted are the operations on coordinates by the engine's own code, run "
-         "with numbers that count; shifts and comparisons are free.",
-         "The naive line has a pixel a column: steep ones have gaps, and of an upright one there is one pixel.",
-         "DDA's division is once a line; Bresenham's needs none. Gupta and Sproull blend three pixels a step "
-         "through the translucency table, by their distance from the line; a root and two divisions a line "
-         "before that are not counted."}};
+        number_figure("Bresenham: farthest pixel from the line", least.largest, nearest.largest, 1e-12),
+        count_figure("Bresenham: multiplications and divisions", 0, bresenham.multiplications + bresenham.divisions),
+        count_figure("naive: pixels, one a column", across + 1, error_of(LineMethod::Naive, line).pixels),
+        count_figure("Bresenham: pixels, one a step", least.pixels, nearest.pixels),
+        number_figure("Bresenham: rms distance from the line", least.rms(), nearest.rms(), 1e-12),
+        measured("DDA: farthest pixel, rms", error_text(error_of(LineMethod::Dda, line))),
+        measured("naive: farthest pixel, rms", error_text(error_of(LineMethod::Naive, line)))};
 }
 
 }  // namespace
@@ -198,13 +192,7 @@ RowPage draw_lines_row(const RowInput& input, Framebuffer canvas) {
 std::vector<Row> line_rows() {
     std::vector<std::string> names;
     for (const NamedLine& line : kLines) names.push_back(line.name);
-    return {{"lines",
-             "Lines by four methods",
-             "3 Notes: Lines",
-             "engine/raster/line_walks.h",
-             "tests/raster/lines_test.cpp",
-             {choice_parameter("line", names)},
-             draw_lines_row}};
+    return {{"lines", draw_lines_row, {choice_parameter("line", names)}}};
 }
 
 }  // namespace oblong

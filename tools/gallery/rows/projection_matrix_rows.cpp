@@ -26,7 +26,7 @@ Matrix4 perspective(double distance) {
 
 /// Points and directions in four coordinates, from the side: ahead is right, up is up. By seed 4's convention z grows
 /// toward the viewer; with D above 0, as listed, its picture is behind the eye and stands on its head.
-RowPage draw_homogeneous(const RowInput& input, Framebuffer canvas) {
+Figures draw_homogeneous(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     const double sign = input.values[0] == 0 ? 1 : -1,
                  distance = static_cast<double>(input.values[1]) * (input.values[0] == 1 ? -1 : 1);
@@ -56,15 +56,12 @@ RowPage draw_homogeneous(const RowInput& input, Framebuffer canvas) {
     const Matrix4 move = translation({entry_of(5), {}, {}});
     const Vec4 direction = move * Vec4{entry_of(1), {}, {}, {}}, point = move * Vec4{entry_of(1), {}, {}};
     const auto halved = *point_of({entry_of(2), entry_of(-4), entry_of(6), entry_of(2)});
-    return {{number_figure("y of (0, 3, z, 1) on the viewplane: 3 D / z", 3 * distance / (sign * 8), found, 1e-8),
-             number_figure("x of (1, 0, -2) with D = -1", 0.5, x_of(-1, 1, -2), 1e-8),
-             number_figure("x of (1, 0, -2) with D = 1, as listed: mirrored", -0.5, x_of(1, 1, -2), 1e-8),
-             number_figure("x of the point (1, 0, 0, 1) moved by 5", 6, number_of(point.x), 0),
-             number_figure("x of the direction (1, 0, 0, 0) moved by 5", 1, number_of(direction.x), 0),
-             number_figure("y of (2, -4, 6, 2) as a point", -2, number_of(halved.y), 0)},
-            {"The projection matrix puts z / D into w; dividing by w is the perspective divide.",
-             "Who looks down -z needs D below 0. With D above 0 the view plane is behind the eye, as the film of a "
-             "pinhole camera: the picture is mirrored in x and y, and w is negative."}};
+    return {number_figure("y of (0, 3, z, 1) on the viewplane: 3 D / z", 3 * distance / (sign * 8), found, 1e-8),
+            number_figure("x of (1, 0, -2) with D = -1", 0.5, x_of(-1, 1, -2), 1e-8),
+            number_figure("x of (1, 0, -2) with D = 1, as listed: mirrored", -0.5, x_of(1, 1, -2), 1e-8),
+            number_figure("x of the point (1, 0, 0, 1) moved by 5", 6, number_of(point.x), 0),
+            number_figure("x of the direction (1, 0, 0, 0) moved by 5", 1, number_of(direction.x), 0),
+            number_figure("y of (2, -4, 6, 2) as a point", -2, number_of(halved.y), 0)};
 }
 
 /// The course notes' view: 90 degrees across a display of 4:3.
@@ -112,7 +109,7 @@ void draw_depths(const std::array<const Matrix4*, 2>& matrices, double nearest, 
         }
 }
 
-RowPage draw_projection_matrix(const RowInput& input, Framebuffer canvas) {
+Figures draw_projection_matrix(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
     const bool is_listed = input.values[0] == 1;
@@ -137,16 +134,12 @@ RowPage draw_projection_matrix(const RowInput& input, Framebuffer canvas) {
     const double lambda = farthest / (farthest - nearest);
     const double harmonic = 2 * nearest * farthest / (nearest + farthest);
     return {
-        {number_figure("depth of the far plane", is_listed ? 1 - nearest : 1, depth_of(shown, farthest), 1e-6, 6),
-         number_figure("depth of the near plane", 0, depth_of(shown, nearest), 1e-6, 6),
-         number_figure("right edge of the view: x", is_listed ? 16.0 / 9 : 1, edge, 1e-8, 6),
-         number_figure("lambda", is_listed ? lambda - lambda * nearest : lambda, number_of(shown.rows[2][2]), 1e-8, 6),
-         number_figure("depth at 2 n f / (n + f)", is_listed ? (1 - nearest) / 2 : 0.5, depth_of(shown, harmonic), 1e-6,
-                       6)},
-        {"[a f, f, lambda, -lambda near]: w takes z, so that the divide makes x and y smaller with distance and depth "
-         "runs from 0 to 1, half of it before the harmonic mean of both planes.",
-         "The notes have a upside down (the right edge would be at 1.778) and subtract the offset within lambda: the "
-         "far plane comes to 1 - near."}};
+        number_figure("depth of the far plane", is_listed ? 1 - nearest : 1, depth_of(shown, farthest), 1e-6, 6),
+        number_figure("depth of the near plane", 0, depth_of(shown, nearest), 1e-6, 6),
+        number_figure("right edge of the view: x", is_listed ? 16.0 / 9 : 1, edge, 1e-8, 6),
+        number_figure("lambda", is_listed ? lambda - lambda * nearest : lambda, number_of(shown.rows[2][2]), 1e-8, 6),
+        number_figure("depth at 2 n f / (n + f)", is_listed ? (1 - nearest) / 2 : 0.5, depth_of(shown, harmonic), 1e-6,
+                      6)};
 }
 
 constexpr std::array<Vec, 4> kQuad{{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 1}}};
@@ -169,7 +162,7 @@ PlanePoint pixel_in_double(const Vec& p, const Vec& eye, const RowInput& input, 
             area.height / 2.0 - d * shape * dot(way, up) / dot(way, forward)};
 }
 
-RowPage draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
+Figures draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
     const double turn = static_cast<double>(input.values[0]) * std::numbers::pi / 180;
@@ -215,16 +208,13 @@ RowPage draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
     const Vec3<Unit> normal = normalised(oblong::cross(corners[1] - corners[0], corners[3] - corners[0]));
     const Plane plane = plane_through(corners[0], normal);
     const auto doubled = oblong::cross(corners[2] - corners[0], corners[3] - corners[1]);  // of its diagonals
-    return {{number_figure("area of the polygon: root 2", std::numbers::sqrt2,
-                           std::hypot(number_of(doubled.x), number_of(doubled.y), number_of(doubled.z)) / 2, 1e-9, 6),
-             number_figure("its fourth corner's distance from the others' plane", 0,
-                           number_of(distance_to_plane(corners[2], plane)), 1e-6, 6),
-             number_figure("pixels from the closed form: worst corner", 0, worst_px, 0.01),
-             number_figure("pixels drawn: the area of its picture", std::abs(shoelace), static_cast<double>(pixels),
-                           static_cast<double>(area.width + area.height) / 16, 0)},
-            {"The polygon of the slides' OpenGL example takes each step of the pipeline: model, view, six planes, "
-             "perspective divide (x, y and depth below each vertex), viewport (column and row), scan conversion.",
-             "In OpenGL's axes z grows toward the viewer: y = z on all of it."}};
+    return {number_figure("area of the polygon: root 2", std::numbers::sqrt2,
+                          std::hypot(number_of(doubled.x), number_of(doubled.y), number_of(doubled.z)) / 2, 1e-9, 6),
+            number_figure("its fourth corner's distance from the others' plane", 0,
+                          number_of(distance_to_plane(corners[2], plane)), 1e-6, 6),
+            number_figure("pixels from the closed form: worst corner", 0, worst_px, 0.01),
+            number_figure("pixels drawn: the area of its picture", std::abs(shoelace), static_cast<double>(pixels),
+                          static_cast<double>(area.width + area.height) / 16, 0)};
 }
 
 }  // namespace
@@ -232,29 +222,15 @@ RowPage draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
 std::vector<Row> projection_matrix_rows() {
     return {
         {"homogeneous",
-         "Homogeneous coordinates",
-         "2 Lab: 4-vectors; 3 Notes: Homogeneous coordinates; 4 Princeton: Perspective",
-         "engine/math/matrix.h",
-         "tests/seeds/princeton_test.cpp",
+         draw_homogeneous,
          {choice_parameter("axes", {"z ahead, D > 0", "looking down -z, D < 0", "looking down -z, D > 0 as listed"}),
-          {"distance of the viewplane", 1, 4, 1, 2}},
-         draw_homogeneous},
+          {"distance of the viewplane", 1, 4, 1, 2}}},
         {"projection-matrix",
-         "The projection matrix and its depth",
-         "3 Notes: Projection matrix",
-         "engine/methods/canonical_volume.h",
-         "tests/seeds/notes_geometry_test.cpp",
+         draw_projection_matrix,
          {choice_parameter("matrix", {"corrected", "as listed"}),
           {"near, tenths", 1, 20, 1, 5},
-          {"far", 5, 100, 5, 10}},
-         draw_projection_matrix},
-        {"opengl-quad",
-         "OpenGL's polygon, stage by stage",
-         "4 Princeton: Example: OpenGL",
-         "engine/methods/canonical_volume.h",
-         "tests/seeds/princeton_test.cpp",
-         {{"seen from, degrees", -60, 60, 10, 30}},
-         draw_opengl_quad}};
+          {"far", 5, 100, 5, 10}}},
+        {"opengl-quad", draw_opengl_quad, {{"seen from, degrees", -60, 60, 10, 30}}}};
 }
 
 }  // namespace oblong

@@ -210,7 +210,7 @@ double light_in_double(const RowInput& input) {
     return light;
 }
 
-RowPage draw_stages(const RowInput& input, Framebuffer canvas) {
+Figures draw_stages(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
     const auto stage = static_cast<Stage>(input.values[0]);
@@ -238,38 +238,29 @@ RowPage draw_stages(const RowInput& input, Framebuffer canvas) {
         *point_of(cube.to_volume() * Vec4{convert<Entry>(first.x), convert<Entry>(first.y), convert<Entry>(first.z)});
     const double ahead = world[0] * kLevel - world[2] * kDown;
     return {
-        {count_figure("triangles that face the eye", facing_in_double(input), std::ssize(cube.triangles)),
-         number_figure("vertex 0 in the world: y", world[1], number_of(cube.scratch.world_vertices[0].position.y),
-                       1e-3),
-         number_figure("vertex 0 in view space: x, to the right", -world[1], number_of(vertex.position.x), 2e-3),
-         number_figure("vertex 0 in view space: y, up", world[0] * kDown + world[2] * kLevel,
-                       number_of(vertex.position.y), 2e-3),
-         number_figure("vertex 0 in view space: z, ahead", ahead, number_of(vertex.position.z), 2e-3),
-         number_figure("light of all that face it, by cosines", light_in_double(input), light, 0.1, 1),
-         number_figure("vertex 0 divided: x / (z tan 30)", -world[1] / (ahead * std::tan(std::numbers::pi / 6)),
-                       number_of(divided.x), 1e-3),
-         number_figure("its depth: f / (f - n) (1 - n / z)",
-                       kVolumeFar / (kVolumeFar - kVolumeNear) * (1 - kVolumeNear / ahead), number_of(divided.z), 1e-4),
-         number_figure("pixels from there to the screen's corners", 0, viewport_error_px(cube, part), 0.01),
-         measured("pixels of all spans", std::to_string(span_pixels))},
-        {"The functions that draw models, in their order: engine/mesh/mesh_stages.h.",
-         "Outcodes: L left, R right, B bottom, T top, Z behind. Light is worked out in the world, for the triangles "
-         "that "
-         "face the eye. A convex shape covers no pixel twice."}};
+        count_figure("triangles that face the eye", facing_in_double(input), std::ssize(cube.triangles)),
+        number_figure("vertex 0 in the world: y", world[1], number_of(cube.scratch.world_vertices[0].position.y), 1e-3),
+        number_figure("vertex 0 in view space: x, to the right", -world[1], number_of(vertex.position.x), 2e-3),
+        number_figure("vertex 0 in view space: y, up", world[0] * kDown + world[2] * kLevel,
+                      number_of(vertex.position.y), 2e-3),
+        number_figure("vertex 0 in view space: z, ahead", ahead, number_of(vertex.position.z), 2e-3),
+        number_figure("light of all that face it, by cosines", light_in_double(input), light, 0.1, 1),
+        number_figure("vertex 0 divided: x / (z tan 30)", -world[1] / (ahead * std::tan(std::numbers::pi / 6)),
+                      number_of(divided.x), 1e-3),
+        number_figure("its depth: f / (f - n) (1 - n / z)",
+                      kVolumeFar / (kVolumeFar - kVolumeNear) * (1 - kVolumeNear / ahead), number_of(divided.z), 1e-4),
+        number_figure("pixels from there to the screen's corners", 0, viewport_error_px(cube, part), 0.01),
+        measured("pixels of all spans", std::to_string(span_pixels))};
 }
 
 }  // namespace
 
 std::vector<Row> stage_rows() {
     return {{"pipeline",
-             "Step through the pipeline",
-             "3 Notes: 3D Pipeline; 4 Princeton: pipeline; 5 Abrash: spaces",
-             "engine/mesh/mesh_stages.h",
-             "tests/gallery/table_test.cpp",
+             draw_stages,
              {choice_parameter("stage", kStageNames, 4),
               {"yaw, degrees", 0, 85, 5, 60},
-              {"to the left, quarters of a unit", -10, 10, 1, 7}},
-             draw_stages}};
+              {"to the left, quarters of a unit", -10, 10, 1, 7}}}};
 }
 
 }  // namespace oblong

@@ -80,7 +80,7 @@ std::string two_decimals(double value) {
 }
 
 /// The same picture with the nearest colours and dithered, side by side.
-RowPage draw_quantisation(const RowInput& input, Framebuffer canvas) {
+Figures draw_quantisation(const RowInput& input, Framebuffer canvas) {
     const Palette& palette = input.assets.colormap.palette;
     const bool is_grey = input.values[0] == 1;
     const ColourRange range = is_grey ? kGreys : kOrdinaryColours;
@@ -99,25 +99,15 @@ RowPage draw_quantisation(const RowInput& input, Framebuffer canvas) {
         draw_text(canvas, x, top + left.height + 4, is_right ? "Floyd-Steinberg" : "nearest colour", input.assets.text);
     }
     const double nearest = errors[0], dithered = errors[1];
-    return {{{"mean error, dithered", "below half of " + two_decimals(nearest), two_decimals(dithered),
-              dithered < nearest / 2},
-             measured("mean error, nearest colours", two_decimals(nearest))},
-            {"How far the means of 8x8 pixels are off. The error that a pixel makes goes to its neighbours, which make "
-             "the opposite one: the mean of a few "
-             "pixels is right where the palette lacks a colour. Textures and skins take either (oblong-texture pack "
-             "--dither)."}};
+    return {{"mean error, dithered", "below half of " + two_decimals(nearest), two_decimals(dithered),
+             dithered < nearest / 2},
+            measured("mean error, nearest colours", two_decimals(nearest))};
 }
 
 }  // namespace
 
 std::vector<Row> texture_rows() {
-    return {{"texture-quantise",
-             "Pictures in a palette's colours",
-             "3 Notes: Texture",
-             "engine/files/quantise.cpp",
-             "tests/texture/texture_files_test.cpp",
-             {choice_parameter("palette", {"224 colours", "16 greys"})},
-             draw_quantisation}};
+    return {{"texture-quantise", draw_quantisation, {choice_parameter("palette", {"224 colours", "16 greys"})}}};
 }
 
 }  // namespace oblong

@@ -79,7 +79,7 @@ Area fill_scene(const RowInput& input, Framebuffer canvas, std::int32_t width_of
 constexpr double kDegree = std::numbers::pi / 180;
 
 /// Scale, then turn, then move: after each step.
-RowPage draw_model_to_world(const RowInput& input, Framebuffer canvas) {
+Figures draw_model_to_world(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     const auto step = input.values[0];
     const int yaw = static_cast<int>(input.values[1]);
@@ -104,13 +104,11 @@ RowPage draw_model_to_world(const RowInput& input, Framebuffer canvas) {
     const Matrix3 stretch = linear_part(scaling({entry_of(2), entry_of(1), entry_of(1)}));
     const Vec3<Entry> normal = *normal_matrix(stretch) * Vec3<Entry>{entry_of(1), entry_of(1), {}};
     const Vec3<Entry> along = stretch * Vec3<Entry>{entry_of(1), entry_of(-1), {}};
-    return {{number_figure("x of the corner (1, 1, 1)", x, number_of(corner.x), 1e-3),
-             number_figure("y of the corner (1, 1, 1)", y, number_of(corner.y), 1e-3),
-             number_figure("stretched normal . surface, by the inverse transpose", 0,
-                           number_of(normal.x) * number_of(along.x) + number_of(normal.y) * number_of(along.y), 1e-9),
-             number_figure("x of that normal, of (1, 1, 0) under (2, 1, 1)", 0.5, number_of(normal.x), 1e-9)},
-            {"Scale (1.5, 0.5, 0.5), rotation about z, translation (2, 1.5, 0.5): the product is one matrix.",
-             "A normal that went by the same matrix would have 3 for that dot product."}};
+    return {number_figure("x of the corner (1, 1, 1)", x, number_of(corner.x), 1e-3),
+            number_figure("y of the corner (1, 1, 1)", y, number_of(corner.y), 1e-3),
+            number_figure("stretched normal . surface, by the inverse transpose", 0,
+                          number_of(normal.x) * number_of(along.x) + number_of(normal.y) * number_of(along.y), 1e-9),
+            number_figure("x of that normal, of (1, 1, 0) under (2, 1, 1)", 0.5, number_of(normal.x), 1e-9)};
 }
 
 double largest_difference(const Matrix3& a, const Matrix3& b) {
@@ -122,7 +120,7 @@ double largest_difference(const Matrix3& a, const Matrix3& b) {
 }
 
 /// One orientation by Euler angles, by a quaternion, and about an axis.
-RowPage draw_rotations(const RowInput& input, Framebuffer canvas) {
+Figures draw_rotations(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     const auto angle = [&](std::size_t i) { return degrees_to_angle(Degrees::from_int(input.values[i])); };
     const EulerAngles angles{angle(0), angle(1), angle(2)};
@@ -154,12 +152,10 @@ RowPage draw_rotations(const RowInput& input, Framebuffer canvas) {
     draw_column(canvas, canvas.width_px * kTextColumn_320 / 320, kHeader_px + 8, lines, assets.text);
     const double yaw = static_cast<double>(input.values[0]) * kDegree,
                  pitch = static_cast<double>(input.values[1]) * kDegree;
-    return {{number_figure("quaternion - Euler angles", 0, largest_difference(by_angles, by_quaternion), 1e-7, 6),
-             number_figure("axis - Euler angles", 0, largest_difference(by_angles, about_axis), 2e-4, 6),
-             number_figure("x of the turned x axis: cos yaw cos pitch", std::cos(yaw) * std::cos(pitch),
-                           number_of(by_quaternion.rows[0][0]), 1e-4, 6)},
-            {"Yaw about z, pitch about y, roll about x; the cube is turned by roll first, then pitch, then yaw.",
-             "The angle about the axis is rounded to a 65,536th of a turn, the quaternion is not."}};
+    return {number_figure("quaternion - Euler angles", 0, largest_difference(by_angles, by_quaternion), 1e-7, 6),
+            number_figure("axis - Euler angles", 0, largest_difference(by_angles, about_axis), 2e-4, 6),
+            number_figure("x of the turned x axis: cos yaw cos pitch", std::cos(yaw) * std::cos(pitch),
+                          number_of(by_quaternion.rows[0][0]), 1e-4, 6)};
 }
 
 /// How often each directed edge is used, and six times the signed volume.
@@ -186,7 +182,7 @@ CubeCheck check_cube(const std::array<std::array<int, 3>, 12>& faces) {
     return check;
 }
 
-RowPage draw_left_handed_cube(const RowInput& input, Framebuffer canvas) {
+Figures draw_left_handed_cube(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     auto faces = kCubeTriangles;
     const bool is_listed = input.values[0] == 0;
@@ -214,41 +210,25 @@ RowPage draw_left_handed_cube(const RowInput& input, Framebuffer canvas) {
     const CubeCheck check = check_cube(faces);
     // Two for each side beyond whose plane the eye is; as listed, one of them may be gone, or face elsewhere.
     const int facing = 2 * ((std::abs(number_of(eye.x)) > 1) + (std::abs(number_of(eye.y)) > 1) + 1);
-    return {{count_figure("edges used once in each direction, of 18", is_listed ? 16 : 18, check.matched_edges),
-             number_figure("signed volume", is_listed ? 22.0 / 3 : 8, check.volume, 1e-9),
-             is_listed ? measured("triangles that face the eye", std::to_string(drawn))
-                       : count_figure("triangles that face the eye", facing, drawn)},
-            {"Clockwise seen from outside: with z into the screen, (B - A) x (C - A) points outward.",
-             "The listed eighth triangle {8, 5, 1} lies inside of the cube; {8, 2, 1} closes it."}};
+    return {count_figure("edges used once in each direction, of 18", is_listed ? 16 : 18, check.matched_edges),
+            number_figure("signed volume", is_listed ? 22.0 / 3 : 8, check.volume, 1e-9),
+            is_listed ? measured("triangles that face the eye", std::to_string(drawn))
+                      : count_figure("triangles that face the eye", facing, drawn)};
 }
-
-constexpr std::string_view kTransformTest = "tests/math/transform_test.cpp";
 
 }  // namespace
 
 std::vector<Row> transform_rows() {
     return {
         {"model-to-world",
-         "Scale, rotate, translate",
-         "3 Notes: Using matrix to represent 3D transformations; 5 Abrash: normals",
-         "engine/math/transform.h",
-         kTransformTest,
-         {choice_parameter("after", {"scale", "rotation", "translation"}, 2), {"yaw, degrees", 0, 345, 15, 30}},
-         draw_model_to_world},
+         draw_model_to_world,
+         {choice_parameter("after", {"scale", "rotation", "translation"}, 2), {"yaw, degrees", 0, 345, 15, 30}}},
         {"rotations",
-         "Quaternion, Euler angles, axis",
-         "2 Lab: arbitrary rotation",
-         "engine/methods/rotation.h",
-         kTransformTest,
-         {{"yaw, degrees", 15, 345, 15, 30}, {"pitch, degrees", 0, 75, 15, 30}, {"roll, degrees", 0, 345, 15, 45}},
-         draw_rotations},
+         draw_rotations,
+         {{"yaw, degrees", 15, 345, 15, 30}, {"pitch, degrees", 0, 75, 15, 30}, {"roll, degrees", 0, 345, 15, 45}}},
         {"left-handed-cube",
-         "Left-handed, clockwise: the cube",
-         "3 Notes: 3D Mesh",
-         "engine/methods/polygons.h",
-         "tests/seeds/notes_geometry_test.cpp",
-         {choice_parameter("eighth triangle", {"as listed", "corrected"}, 1), {"seen from, degrees", 0, 350, 10, 60}},
-         draw_left_handed_cube}};
+         draw_left_handed_cube,
+         {choice_parameter("eighth triangle", {"as listed", "corrected"}, 1), {"seen from, degrees", 0, 350, 10, 60}}}};
 }
 
 }  // namespace oblong

@@ -67,7 +67,7 @@ void draw_axes(Diagram& diagram, double length, std::uint8_t colour) {
     diagram.line({0, -length}, {0, length}, colour);
 }
 
-RowPage draw_dot_product(const RowInput& input, Framebuffer canvas) {
+Figures draw_dot_product(const RowInput& input, Framebuffer canvas) {
     const std::int64_t degrees = input.values[0];
     const Colours colours(input.assets);
     const Vec3<Unit> u = direction_at(0), v = direction_at(degrees);
@@ -90,17 +90,11 @@ RowPage draw_dot_product(const RowInput& input, Framebuffer canvas) {
     const auto a = whole(1, 2, 3), b = whole(4, -5, 6);
     const std::int64_t by_cosines = (dot(a, a).raw + dot(b, b).raw - dot(a - b, a - b).raw) / 2;
     const Angle between = arctangent2(cross(u, v).z.raw, dot(u, v).raw);
-    return {
-        {number_figure("U . V of unit vectors: cos", std::cos(radians(degrees)), product, 1e-4),
-         number_figure("the angle, from both products, degrees", static_cast<double>(degrees),
-                       between.bam * 360.0 / 65536, 0.006, 2),
-         count_figure("(1 2 3) . (4 -5 6) by the law of cosines", by_cosines, dot(a, b).raw),
-         number_figure("length of (5 0 5)", 5 * std::numbers::sqrt2, number_of(length(place(5, 0, 5))), 1.0 / 4096)},
-        {"u1 v1 + u2 v2 + u3 v3 is |U| |V| cos of the angle: three multiplications and two additions. With a unit "
-         "vector "
-         "it is the length of the other's shadow on it; its sign says whether the angle is below 90 degrees.",
-         "The law of cosines takes squared lengths, without roots (seed 1); 5 root 2 lost its root in seed 5's "
-         "print."}};
+    return {number_figure("U . V of unit vectors: cos", std::cos(radians(degrees)), product, 1e-4),
+            number_figure("the angle, from both products, degrees", static_cast<double>(degrees),
+                          between.bam * 360.0 / 65536, 0.006, 2),
+            count_figure("(1 2 3) . (4 -5 6) by the law of cosines", by_cosines, dot(a, b).raw),
+            number_figure("length of (5 0 5)", 5 * std::numbers::sqrt2, number_of(length(place(5, 0, 5))), 1.0 / 4096)};
 }
 
 /// Axes of length 1 in a plane, the second so many degrees from the first.
@@ -115,7 +109,7 @@ void draw_lattice(Diagram& diagram, PlanePoint i, PlanePoint j, std::uint8_t col
     }
 }
 
-RowPage draw_orthonormal(const RowInput& input, Framebuffer canvas) {
+Figures draw_orthonormal(const RowInput& input, Framebuffer canvas) {
     const Colours colours(input.assets);
     const Basis given = crooked_axes(input.values[0]);
     const Basis axes = input.values[1] == 1 ? orthonormalised(given) : given;
@@ -132,16 +126,11 @@ RowPage draw_orthonormal(const RowInput& input, Framebuffer canvas) {
     const double true_square = a.x * a.x + a.y * a.y;
     const double cosine_of_axes = input.values[1] == 1 ? 0 : std::abs(std::cos(radians(input.values[0])));
     const auto r = whole(1, 0, 0), s = whole(1, 1, 0);
-    return {{number_figure("flaw: i . j", cosine_of_axes, number_of(orthonormal_flaw(axes)), 1e-4),
-             number_figure("|a| |a| is 2 + 2 i . j; its components say 2", 2 + 2 * (i.x * j.x + i.y * j.y), true_square,
-                           1e-6),
-             count_figure("axes are orthonormal", input.values[0] == 90 || input.values[1] == 1, is_orthonormal(axes)),
-             count_figure("|i + j|^2 with i = (1 0), j = (1 1): not 2", 5, dot(r + s, r + s).raw)},
-            {"Multiplying components gives a dot product only in axes of length 1 at right angles. In others a is as "
-             "long as it "
-             "is, but its components (1, 1) do not say so.",
-             "Gram and Schmidt make axes right again: forward stays, up loses its part along it, right follows from "
-             "both."}};
+    return {number_figure("flaw: i . j", cosine_of_axes, number_of(orthonormal_flaw(axes)), 1e-4),
+            number_figure("|a| |a| is 2 + 2 i . j; its components say 2", 2 + 2 * (i.x * j.x + i.y * j.y), true_square,
+                          1e-6),
+            count_figure("axes are orthonormal", input.values[0] == 90 || input.values[1] == 1, is_orthonormal(axes)),
+            count_figure("|i + j|^2 with i = (1 0), j = (1 1): not 2", 5, dot(r + s, r + s).raw)};
 }
 
 /// A ball lit from the side: each pixel's normal times the direction of the light.
@@ -164,7 +153,7 @@ void draw_lit_ball(const RowInput& input, Diagram& diagram, PlanePoint centre, d
         }
 }
 
-RowPage draw_lighting(const RowInput& input, Framebuffer canvas) {
+Figures draw_lighting(const RowInput& input, Framebuffer canvas) {
     const std::int64_t degrees = input.values[0];
     const Colours colours(input.assets);
     Diagram diagram(input, canvas, {0, 0}, 2.2);
@@ -188,14 +177,9 @@ RowPage draw_lighting(const RowInput& input, Framebuffer canvas) {
         return Vec3<Counted>{{number_of(vector.x), cost}, {number_of(vector.y), cost}, {number_of(vector.z), cost}};
     };
     lit(counted(normal), counted(to_light), Counted(200, cost));
-    return {
-        {number_figure("share of the light: cos, 0 or more", std::max(std::cos(radians(degrees)), 0.0), share, 1e-4),
-         number_figure("of a light of 200", 200 * std::max(std::cos(radians(degrees)), 0.0), 200 * share, 0.02, 2),
-         {"counted: four multiplications, two additions", "4 * 0 / 2 +", cost.text(), cost == Operations{4, 0, 2}}},
-        {"A surface takes of the light what the cosine of the angle between its normal and the way to the light "
-         "says: the "
-         "same light falls on more of it. Three multiplications and two additions for N . -D, one for the light.",
-         "The ball has a normal of its own at each pixel."}};
+    return {number_figure("share of the light: cos, 0 or more", std::max(std::cos(radians(degrees)), 0.0), share, 1e-4),
+            number_figure("of a light of 200", 200 * std::max(std::cos(radians(degrees)), 0.0), 200 * share, 0.02, 2),
+            {"counted: four multiplications, two additions", "4 * 0 / 2 +", cost.text(), cost == Operations{4, 0, 2}}};
 }
 
 /// Where a point of space is on the diagram: x right, y up, z toward the viewer's left and down.
@@ -203,7 +187,7 @@ PlanePoint seen(const Vec3<Unit>& v) {
     return {number_of(v.x) - 0.5 * number_of(v.z), number_of(v.y) - 0.35 * number_of(v.z)};
 }
 
-RowPage draw_cross_product(const RowInput& input, Framebuffer canvas) {
+Figures draw_cross_product(const RowInput& input, Framebuffer canvas) {
     const std::int64_t degrees = input.values[0];
     const Colours colours(input.assets);
     // In the plane of x and z, so that the product is along y.
@@ -226,25 +210,21 @@ RowPage draw_cross_product(const RowInput& input, Framebuffer canvas) {
     const Basis axes{v, third, u};
     const auto listed = cross(whole(1, 2, 3), whole(4, 5, 6));
     const bool is_listed = listed == decltype(listed){{-3}, {6}, {-3}};
-    return {{number_figure("|U x V|, the area between them: sin", std::sin(radians(degrees)),
-                           std::sqrt(std::pow(number_of(product.x), 2) + std::pow(number_of(product.y), 2) +
-                                     std::pow(number_of(product.z), 2)),
-                           1e-4),
-             count_figure("at right angles to U and V: both dot products", 0, dot(third, u).raw + dot(third, v).raw),
-             count_figure("U, V, U x V made of length 1 are axes", degrees == 90, is_orthonormal(axes)),
-             {"(1 2 3) x (4 5 6)", "-3 6 -3",
-              decimal_text(number_of(listed.x), "%.0f") + " " + decimal_text(number_of(listed.y), "%.0f") + " " +
-                  decimal_text(number_of(listed.z), "%.0f"),
-              is_listed},
-             count_figure("parallel vectors give a normal", 0,
-                          normalised(cross(whole(1, 2, 3), whole(-2, -4, -6))) != Vec3<Unit>{})},
-            {"Two axes at right angles give the third: their cross product, of length 1 without a root. Other vectors "
-             "have to be "
-             "made of length 1 afterwards, and parallel ones have no normal.",
-             "It is the cross product that cannot give a normal of a line; seed 5's text says dot product there."}};
+    return {number_figure("|U x V|, the area between them: sin", std::sin(radians(degrees)),
+                          std::sqrt(std::pow(number_of(product.x), 2) + std::pow(number_of(product.y), 2) +
+                                    std::pow(number_of(product.z), 2)),
+                          1e-4),
+            count_figure("at right angles to U and V: both dot products", 0, dot(third, u).raw + dot(third, v).raw),
+            count_figure("U, V, U x V made of length 1 are axes", degrees == 90, is_orthonormal(axes)),
+            {"(1 2 3) x (4 5 6)", "-3 6 -3",
+             decimal_text(number_of(listed.x), "%.0f") + " " + decimal_text(number_of(listed.y), "%.0f") + " " +
+                 decimal_text(number_of(listed.z), "%.0f"),
+             is_listed},
+            count_figure("parallel vectors give a normal", 0,
+                         normalised(cross(whole(1, 2, 3), whole(-2, -4, -6))) != Vec3<Unit>{})};
 }
 
-RowPage draw_rotation(const RowInput& input, Framebuffer canvas) {
+Figures draw_rotation(const RowInput& input, Framebuffer canvas) {
     const std::int64_t degrees = input.values[0];
     const Colours colours(input.assets);
     const Basis axes{direction_at(degrees), direction_at(degrees + 90), {{}, {}, Unit::from_int(1)}};
@@ -270,18 +250,14 @@ RowPage draw_rotation(const RowInput& input, Framebuffer canvas) {
     diagram.text({-1.9, 0.84}, "P . y' = " + decimal_text(number_of(turned.y)), colours.result);
     const double cos = std::cos(radians(degrees)), sin = std::sin(radians(degrees));
     const Vec3<Entry> by_matrix = rotation_matrix(axes) * convert<Entry>(point);
-    return {{number_figure("x' by cos and sin", 0.375 * cos + 0.75 * sin, number_of(turned.x), 1e-4),
-             number_figure("y' by cos and sin", 0.75 * cos - 0.375 * sin, number_of(turned.y), 1e-4),
-             number_figure("x' by the matrix whose rows are the axes", number_of(by_matrix.x), number_of(turned.x),
-                           1e-8, 6),
-             number_figure("x again, the sum along the axes", 0.375, number_of(restored.x), 1e-8, 6)},
-            {"To rotate is to look from new axes: the dot product with each is the coordinate along it. A matrix whose "
-             "rows are "
-             "the axes does the same multiplications.",
-             "The sum of the axes, each times its coordinate, leads back: the inverse is the transpose."}};
+    return {
+        number_figure("x' by cos and sin", 0.375 * cos + 0.75 * sin, number_of(turned.x), 1e-4),
+        number_figure("y' by cos and sin", 0.75 * cos - 0.375 * sin, number_of(turned.y), 1e-4),
+        number_figure("x' by the matrix whose rows are the axes", number_of(by_matrix.x), number_of(turned.x), 1e-8, 6),
+        number_figure("x again, the sum along the axes", 0.375, number_of(restored.x), 1e-8, 6)};
 }
 
-RowPage draw_line_and_plane(const RowInput& input, Framebuffer canvas) {
+Figures draw_line_and_plane(const RowInput& input, Framebuffer canvas) {
     const auto end_z = static_cast<std::int32_t>(input.values[0]);
     const Colours colours(input.assets);
     const Plane plane = plane_through(place(0, 0, 5), {{}, {}, Unit::from_int(1)});
@@ -305,78 +281,37 @@ RowPage draw_line_and_plane(const RowInput& input, Framebuffer canvas) {
     diagram.text(on_diagram(end), "end", colours.first, 5, -4);
     if (segment) diagram.disc(on_diagram(segment->world_point), 0.2, colours.result);
     const double t = 4.0 / (9 - end_z);
-    RowPage page;
-    page.figures = {number_figure("distance of P = (1 2 10) from z = 5", 5,
-                                  number_of(distance_to_plane(place(1, 2, 10), plane)), 0),
-                    count_figure("the segment meets the plane", end_z <= 5, segment.has_value())};
+    Figures figures;
+    figures = {number_figure("distance of P = (1 2 10) from z = 5", 5,
+                             number_of(distance_to_plane(place(1, 2, 10), plane)), 0),
+               count_figure("the segment meets the plane", end_z <= 5, segment.has_value())};
     if (end_z == 9)
-        page.figures.push_back(count_figure("a parallel line meets it", 0, line.has_value()));
+        figures.push_back(count_figure("a parallel line meets it", 0, line.has_value()));
     else
-        page.figures.push_back(
+        figures.push_back(
             number_figure("t along the line: D1 / (D1 - D2)", t, line ? number_of(line->along) : 0, 1e-9));
     if (line)
-        page.figures.push_back({"where the line meets it", decimal_text(4 * t) + " " + decimal_text(2 * t) + " 5.000",
-                                decimal_text(number_of(line->world_point.x)) + " " +
-                                    decimal_text(number_of(line->world_point.y)) + " " +
-                                    decimal_text(number_of(line->world_point.z)),
-                                std::abs(number_of(line->world_point.x) - 4 * t) <= 0.5 / 4096 &&
-                                    line->world_point.z == World::from_int(5)});
-    page.notes = {
-        "A distance is a dot product with the normal; the quotient of two of them says how far along a line its "
-        "meeting point "
-        "is. A start in the plane is the answer itself, and a parallel line has none: seed 5's listing divides by zero "
-        "there.",
-        "Ends on one side meet nothing: both in front is kept by a clipper, both behind is rejected. An end on the "
-        "plane counts as inside."};
-    return page;
+        figures.push_back({"where the line meets it", decimal_text(4 * t) + " " + decimal_text(2 * t) + " 5.000",
+                           decimal_text(number_of(line->world_point.x)) + " " +
+                               decimal_text(number_of(line->world_point.y)) + " " +
+                               decimal_text(number_of(line->world_point.z)),
+                           std::abs(number_of(line->world_point.x) - 4 * t) <= 0.5 / 4096 &&
+                               line->world_point.z == World::from_int(5)});
+    return figures;
 }
 
 }  // namespace
 
 std::vector<Row> vector_rows() {
     const Parameter angle{"angle, degrees", 0, 345, 15, 60};
-    return {{"dot-product",
-             "Dot product",
-             "5 Abrash: The Dot Product; 1 Muratori",
-             "engine/math/vec.h",
-             "tests/seeds/vectors_test.cpp",
-             {angle},
-             draw_dot_product},
+    return {{"dot-product", draw_dot_product, {angle}},
             {"orthonormal-axes",
-             "Orthonormal axes",
-             "5 Abrash: 3-D Math; 1 Muratori",
-             "engine/methods/axes.h",
-             "tests/math/basis_test.cpp",
-             {{"angle between the axes", 30, 150, 10, 50}, choice_parameter("axes", {"as given", "made orthonormal"})},
-             draw_orthonormal},
-            {"lighting-by-dot-product",
-             "Lighting by a dot product",
-             "5 Abrash: Dot Products of Unit Vectors",
-             "engine/math/vec.h",
-             "tests/seeds/vectors_test.cpp",
-             {{"angle of the light, degrees", -90, 90, 15, 45}},
-             draw_lighting},
-            {"cross-product",
-             "Cross product",
-             "5 Abrash: A Brief Aside on Cross Products",
-             "engine/math/vec.h",
-             "tests/seeds/vectors_test.cpp",
-             {{"angle from U to V, degrees", 15, 165, 15, 90}},
-             draw_cross_product},
-            {"rotation-by-projection",
-             "Rotation by projection",
-             "5 Abrash: Rotation by Projection",
-             "engine/methods/rotation.h",
-             "tests/methods/rotation_test.cpp",
-             {{"angle of the new axes, degrees", 0, 345, 15, 30}},
-             draw_rotation},
-            {"line-and-plane",
-             "Point and line against a plane",
-             "5 Abrash: Using the Dot Product for Projection",
-             "engine/math/plane.h",
-             "tests/math/vec_test.cpp",
-             {{"z of the line's end", 1, 9, 1, 1}},
-             draw_line_and_plane}};
+             draw_orthonormal,
+             {{"angle between the axes", 30, 150, 10, 50}, choice_parameter("axes", {"as given", "made orthonormal"})}},
+            {"lighting-by-dot-product", draw_lighting, {{"angle of the light, degrees", -90, 90, 15, 45}}},
+            {"cross-product", draw_cross_product, {{"angle from U to V, degrees", 15, 165, 15, 90}}},
+            {"rotation-by-projection", draw_rotation, {{"angle of the new axes, degrees", 0, 345, 15, 30}}},
+            {"line-and-plane", draw_line_and_plane, {{"z of the line's end", 1, 9, 1, 1}}}};
 }
 
 }  // namespace oblong
