@@ -117,9 +117,9 @@ constexpr test::Scenario kDoors[] = {
     {"FireWheneverTheySetOutToOpen", R"(
         + func_door 200 -64 0 216 64 128 angle=-1 target=light wait=1
         + light targetname=light style=32
-        stand 150 0: dark = 1
+        stand 150 0: dark = 32
         wait 97: phase0 = returning
-        stand 150 0: phase0 = leaving, dark = 0
+        stand 150 0: phase0 = leaving, dark = ""
     )"},
     {"ThatNeverReturnWaitForWhoIsInTheirWay", R"(
         + func_door 200 -64 128 264 64 192 angle=-2 lip=-56 wait=-1 targetname=press
@@ -135,8 +135,8 @@ constexpr test::Scenario kButtons[] = {
         + func_button 200 -64 0 244 64 64 angle=0 target=light      # 40 units
         + light targetname=light style=32
         stand 183 0: phase0 = leaving, frame0 = 0
-        wait 34: dark = 0
-        wait 2: dark = 1, frame0 = 1
+        wait 34: dark = ""
+        wait 2: dark = 32, frame0 = 1
         wait 34: phase0 = end
         wait 2: phase0 = returning, frame0 = 0
         wait 36: phase0 = start, travelled0 = 0

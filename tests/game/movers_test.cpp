@@ -5,7 +5,7 @@
 #include "engine/base/input_error.h"
 #include "game/simulation/collision.h"
 #include "game/simulation/step.h"
-#include "tests/game/toy_game.h"
+#include "tests/game/logic_level.h"
 
 namespace oblong {
 namespace {
@@ -101,31 +101,25 @@ TEST(Mover, WhoIsInsideOneWithoutAWayOutStartsAgain) {
 
 // Doors, lifts and teleporters close together, with exits where doors and lifts pass.
 ToyLevel crowded_room() {
-    ToyLevel toy;
-    toy.add_model(floor_and({{400, -400, 0, 420, 400, 400},
-                             {-420, -400, 0, -400, 400, 400},
-                             {-400, 400, 0, 400, 420, 400},
-                             {-400, -420, 0, 400, -400, 400},
-                             {-420, -420, 400, 420, 420, 440}}));
-    int model = 0;
-    const auto add = [&](const Solid& box, std::vector<std::pair<std::string, std::string>> pairs) {
-        toy.add_model({box});
-        pairs.emplace_back("model", "*" + std::to_string(++model));
-        toy.add_entity(pairs);
-    };
+    test::LogicLevel level({{400, -400, 0, 420, 400, 400},
+                            {-420, -400, 0, -400, 400, 400},
+                            {-400, 400, 0, 400, 420, 400},
+                            {-400, -420, 0, 400, -400, 400},
+                            {-420, -420, 400, 420, 420, 440}});
     for (const int side : {-1, 1}) {
         const int x = side * 200;
-        add({x - 60, 100, 0, x + 60, 220, 64}, {{"classname", "func_plat"}, {"height", "56"}});
-        add({x - 60, -220, 0, x + 60, -100, 96}, {{"classname", "func_door"}, {"angle", "-1"}, {"wait", "1"}});
-        add({x - 20, -40, 0, x + 20, 40, 128},
-            {{"classname", "func_door"}, {"angle", side < 0 ? "0" : "180"}, {"lip", "-60"}, {"wait", "0"}});
+        level.add("func_plat", {x - 60, 100, 0, x + 60, 220, 64}, {{"height", "56"}});
+        level.add("func_door", {x - 60, -220, 0, x + 60, -100, 96}, {{"angle", "-1"}, {"wait", "1"}});
+        level.add("func_door", {x - 20, -40, 0, x + 20, 40, 128},
+                  {{"angle", side < 0 ? "0" : "180"}, {"lip", "-60"}, {"wait", "0"}});
     }
+    int x = -140;
     for (const char* exit : {"200 160 10", "-200 -160 20", "180 0 0"}) {
-        const int x = model * 60 - 500;
-        add({x, 300, 0, x + 30, 380, 64}, {{"classname", "trigger_teleport"}, {"target", exit}});
-        toy.add_entity({{"classname", "info_teleport_destination"}, {"targetname", exit}, {"origin", exit}});
+        level.add("trigger_teleport", {x, 300, 0, x + 30, 380, 64}, {{"target", exit}});
+        level.add("info_teleport_destination", {{"targetname", exit}, {"origin", exit}});
+        x += 60;
     }
-    return toy;
+    return level.take();
 }
 
 TEST(Mover, HoldsThePlayerInNoneOfManyTicks) {

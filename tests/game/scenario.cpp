@@ -1,16 +1,21 @@
 #include "tests/game/scenario.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <stdexcept>
 
 #include "engine/fixed/trig.h"
+#include "engine/level/bsp_read.h"
 #include "game/simulation/collision.h"
 #include "game/simulation/items.h"
+#include "game/simulation/state_check.h"
 #include "tests/game/logic_level.h"
+#include "tests/support/folders.h"
 
 namespace oblong::test {
 namespace {
@@ -101,6 +106,10 @@ ToyLevel level_of(const std::vector<EntityLine>& lines) {
         if (line.its_class == "solid") world.push_back(line.box());
     }
     ToyLevel toy(water_z);
+    if (!lines.empty() && lines[0].its_class.ends_with(".bsp")) {
+        toy.level = read_bsp(read_shared_file(lines[0].its_class));
+        return toy;
+    }
     toy.add_model(world);
     for (const EntityLine& line : lines) {
         if (line.its_class == "water" || line.its_class == "no_floor" || line.its_class == "solid") continue;
@@ -132,6 +141,21 @@ double counted(const LogicGame& game) {
     throw std::invalid_argument("no counter");
 }
 
+/// The mover of a brush model; none if it has none.
+std::optional<std::size_t> mover_of(const LogicGame& game, std::size_t model) {
+    for (std::size_t i = 0; i < game.level.movers.size(); ++i)
+        if (game.level.movers[i].model == ModelIndex(static_cast<std::int32_t>(model))) return i;
+    return {};
+}
+bool has_wall(const LogicGame& game, std::size_t model) {
+    return std::any_of(game.level.walls.begin(), game.level.walls.end(),
+                       [&](const Wall& wall) { return wall.model == ModelIndex(static_cast<std::int32_t>(model)); });
+}
+std::ptrdiff_t opened(const GameState& state) {
+    return std::count_if(state.triggers.begin(), state.triggers.end(),
+                         [](const TriggerState& trigger) { return trigger.open_until > 0; });
+}
+
 using Number = std::function<double(const LogicGame&, std::size_t which)>;
 const std::map<std::string, Number> kNumbers{
     {"x", [](const LogicGame& game, std::size_t) { return game.x(); }},
@@ -150,7 +174,6 @@ const std::map<std::string, Number> kNumbers{
     {"secrets", [](const LogicGame& game, std::size_t) { return game.state.found_secrets; }},
     {"ended", [](const LogicGame& game, std::size_t) { return game.state.has_ended; }},
     {"said_at", [](const LogicGame& game, std::size_t) { return static_cast<double>(game.state.message_tick); }},
-    {"dark", [](const LogicGame& game, std::size_t) { return game.state.dark_styles != 0; }},
     {"counted", [](const LogicGame& game, std::size_t) { return counted(game); }},
     {"delayed", [](const LogicGame& game, std::size_t) { return game.state.delayed.size(); }},
     {"active", [](const LogicGame& game, std::size_t) { return game.state.active_movers.size(); }},
@@ -167,6 +190,10 @@ const std::map<std::string, Number> kNumbers{
      [](const LogicGame& game, std::size_t mover) {
          return shows_other_frames(game.level.movers.at(mover), game.state.movers.at(mover));
      }},
+    {"z", [](const LogicGame& game, std::size_t) { return units(game.state.player.position.z); }},
+    {"opened", [](const LogicGame& game, std::size_t) { return opened(game.state); }},
+    {"has_mover", [](const LogicGame& game, std::size_t model) { return mover_of(game, model).has_value(); }},
+    {"has_wall", has_wall},
     {"model", [](const LogicGame& game, std::size_t wall) { return game.level.walls.at(wall).model.number(); }},
 };
 
@@ -179,11 +206,22 @@ std::string name_in(std::span<const char* const> names, Enum value) {
     return names[static_cast<std::size_t>(value)];
 }
 
+/// The numbers of the styles of lights that are out.
+std::string dark_styles(std::uint64_t bits) {
+    Words numbers;
+    for (int style = 0; style < 64; ++style)
+        if (bits >> style & 1) numbers.push_back(std::to_string(style));
+    return joined(numbers);
+}
+
 using Text = std::function<std::string(const LogicGame&, std::size_t which)>;
 const std::map<std::string, Text> kTexts{
     {"message", [](const LogicGame& game, std::size_t) { return game.message(); }},
     {"next", [](const LogicGame& game, std::size_t) { return std::string(next_map(game.level, game.state)); }},
+    {"dark", [](const LogicGame& game, std::size_t) { return dark_styles(game.state.dark_styles); }},
     {"phase", [](const LogicGame& game, std::size_t mover) { return name_in(kPhases, game.phase(mover)); }},
+    {"phase_of_model",
+     [](const LogicGame& game, std::size_t model) { return name_in(kPhases, game.phase(*mover_of(game, model))); }},
     {"wall", [](const LogicGame& game, std::size_t wall) { return name_in(kWalls, game.state.walls.at(wall)); }},
     {"item", [](const LogicGame& game, std::size_t item) { return name_in(kItems, game.state.items.at(item)); }},
 };
@@ -205,6 +243,7 @@ class Run {
         SCOPED_TRACE(line.text);
         for (const Words& action : line.actions) act(action, line.checks);
         check_all(line.checks);
+        EXPECT_EQ(find_inconsistency(game_.level, game_.state), "");
     }
     int checks() const { return checks_; }
 
@@ -243,6 +282,10 @@ class Run {
                 const Position place =
                     world_vector(std::stoi(words.at(1)), std::stoi(words.at(2)), std::stoi(words.at(3)));
                 EXPECT_EQ(is_free(game_.level, game_.state, place), words[0] == "free") << joined(words);
+            } else if (words[0] == "near") {
+                const double off = std::hypot(game_.x() - std::stoi(words.at(1)), game_.y() - std::stoi(words.at(2)),
+                                              game_.feet() - std::stoi(words.at(3)));
+                EXPECT_LT(off, 40) << joined(words);
             } else if (const Name name(words.at(0)); kTexts.contains(name.word)) {
                 const std::string found = kTexts.at(name.word)(game_, name.which);
                 EXPECT_EQ(found == words.at(2), words.at(1) == "=") << joined(words) << ": is " << found;
@@ -288,6 +331,7 @@ void play(const Scenario& scenario) {
             entities.emplace_back(words_of(line.text));
         else
             steps.push_back(line);
+    if (!entities.empty() && entities[0].its_class.ends_with(".bsp")) OBLONG_NEEDS_SHARED_LEVELS();
     Run run(level_of(entities));
     for (const ScriptLine& step : steps) run.do_line(step);
     EXPECT_GT(run.checks(), 0) << "nothing is asked";

@@ -126,7 +126,7 @@ constexpr test::Scenario kTriggers[] = {
         + trigger_changelevel 100 -50 0 150 50 64 map=e1m2 target=light
         + light targetname=light style=32
         : next = ""
-        stand 120 0: ended = 1, next = e1m2, dark = 1
+        stand 120 0: ended = 1, next = e1m2, dark = 32
     )"},
     {"NothingMovesAfterTheExit", R"(
         + trigger_changelevel 300 -64 0 316 64 128
@@ -146,8 +146,8 @@ constexpr test::Scenario kTriggers[] = {
         + item_key1 origin="900 0 24"
         + light targetname=light style=32
         stand 267 0: lenses = 0, item0 = there
-        at 268 0; play 70: lenses = 1, item0 = taken, item1 = there, message = "A lens", said_at = 2, dark = 1
-        stand 600 0: dark = 0, message = "A lens"       # the second says nothing
+        at 268 0; play 70: lenses = 1, item0 = taken, item1 = there, message = "A lens", said_at = 2, dark = 32
+        stand 600 0: dark = "", message = "A lens"       # the second says nothing
     )"},
     {"KeysAreKept", R"(
         + item_key1 origin="300 0 24"
