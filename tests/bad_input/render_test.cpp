@@ -132,8 +132,9 @@ TEST_F(BadRender, FileNamesOfNoUtf8AreReported) {
 
 TEST_F(BadRender, PlacesThatCannotBeWritten) {
     const std::string file = folder_.write("file", std::string("in the way"));
-    EXPECT_TRUE(names_fault(render(kLevel, {"--json", "/dev/full"}), kProgram, "/dev/full", "No space left"));
-    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+    const std::string full = device_for_writing(folder_.path(), "full");
+    EXPECT_TRUE(names_fault(render(kLevel, {"--json", full}), kProgram, full, "No space left"));
+    EXPECT_TRUE(std::filesystem::is_character_file(full));
     EXPECT_TRUE(names_fault(render(kLevel, {"--json", folder_.path("no/such/a.json")}), kProgram,
                             folder_.path("no/such/a.json"), "No such file or directory"));
     EXPECT_TRUE(names_fault(render(kLevel, {"--out", file}), kProgram, file, "make folder"));

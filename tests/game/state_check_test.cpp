@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "game/simulation/activations.h"
 #include "tests/game/logic_level.h"
 
 namespace oblong {
@@ -113,7 +114,28 @@ TEST(Consistency, WhatTheGameCanNotGoOnFromIsFound) {
         {"an item too many", [](GameState& state) { state.items.emplace_back(); }},
         {"a message of later", [](GameState& state) { state.message_tick = state.tick + 1; }},
         {"just above the world", [](GameState& state) { state.player.position.z = World::from_int(40'001); }},
+        {"more delayed than there may be",
+         [](GameState& state) { state.delayed.resize(Activations::kMost + 1, state.delayed[0]); }},
+        {"more waiting than there may be",
+         [](GameState& state) {
+             state.backlog.waiting.resize(Activations::kMost + 1, {0, 0, false});
+         }},
+        {"waiting by none",
+         [](GameState& state) {
+             state.backlog.waiting = {{99, 0, false}};
+         }},
+        {"waiting for no target",
+         [](GameState& state) {
+             state.backlog.waiting = {{0, 99, false}};
+         }},
+        {"a next mover that is none", [](GameState& state) { state.backlog.next_mover = 99; }},
+        {"a next touch box that is none", [](GameState& state) { state.backlog.next_touch_box = 99; }},
+        {"a next trigger box that is none", [](GameState& state) { state.backlog.next_trigger_box = 99; }},
+        {"a next item box that is none", [](GameState& state) { state.backlog.next_item_box = 99; }},
     };
+    GameState waits = game.state;
+    waits.backlog.waiting = {{0, 0, false}};
+    ASSERT_TRUE(is_consistent(game.level, waits));
     ASSERT_TRUE(is_consistent(game.level, game.state));
     for (const auto& [what, spoil] : spoilers) {
         GameState spoilt = game.state;

@@ -79,5 +79,15 @@ TEST(Train, CornersInHostileOrderAreHarmless) {
     EXPECT_EQ(game.state.tick, 500);
 }
 
+TEST(Train, GoesAsFarAsThe4096thCornerOfAnEndlessChain) {
+    test::LogicLevel source;
+    source.add("func_train", {-600, -600, 100, -472, -472, 116}, {{"target", "c0"}});
+    for (int i = 0; i < 5000; ++i)
+        source.add("path_corner", {{"targetname", "c" + std::to_string(i)},
+                                   {"target", "c" + std::to_string(i + 1)},
+                                   {"origin", std::to_string(i % 100) + " 0 100"}});
+    EXPECT_EQ(test::LogicGame(source).level.movers[0].legs.size(), 4095u);
+}
+
 }  // namespace
 }  // namespace oblong

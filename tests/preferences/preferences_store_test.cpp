@@ -100,7 +100,8 @@ TEST_F(OptionsFile, ThatCannotBeReadIsNamedAndLeftAlone) {
     const std::string binary = (folder_ / "binary.cfg").string(), huge = (folder_ / "huge.cfg").string();
     write_file(binary, std::string(500, '\1'));
     write_file(huge, std::string(300 * 1024, '\n') + "volume = 1\n");
-    for (const std::string& file : {binary, huge, folder_.string(), std::string("/dev/zero")}) {
+    for (const std::string& file :
+         {binary, huge, folder_.string(), test::device_for_writing(folder_.string(), "zero")}) {
         const bool is_file = fs::is_regular_file(file);
         const std::string before = is_file ? read_text(file) : "";
         PreferencesStore store(file);
