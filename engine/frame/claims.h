@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/effects/fog.h"
 #include "engine/frame/frame_things.h"
 #include "engine/scene/effects.h"
@@ -46,8 +46,8 @@ struct Claims {
     std::size_t walls_drawn = 0;   ///< the first ones of their list
     bool is_under_liquid = false;  ///< the eye is in a liquid
 
-    std::vector<VisibleFace>& list(FaceList which) { return lists[static_cast<std::size_t>(which)]; }
-    const std::vector<VisibleFace>& list(FaceList which) const { return lists[static_cast<std::size_t>(which)]; }
+    std::vector<VisibleFace>& list(FaceList which) { return item(lists, which); }
+    const std::vector<VisibleFace>& list(FaceList which) const { return item(lists, which); }
     std::span<const Span> spans_of(const VisibleFace& face) const {
         return std::span<const Span>(spans).subspan(face.first_span, face.span_count);
     }
@@ -84,8 +84,9 @@ class FaceScan {
     FaceScan(const FaceScan&) = delete;
     ~FaceScan();
 
-    /// The next face that covers pixels which may be free; none if there is no other.
-    std::optional<VisibleFace> next();
+    /// Sets `found` to the next face that covers pixels which may be free: which it is, and nothing else. False if
+    /// there is no other.
+    bool next(VisibleFace& found);
     /// Whether the walk comes to all faces for the second time (FrontToBackWalk).
     bool is_second_walk() const { return walk_.takes_all_faces(); }
 
@@ -97,10 +98,11 @@ class FaceScan {
 
 /// Lets a scanned face claim the pixels of its rows that are free. One that is seen through gets them and leaves them
 /// free, in the first walk: in the second it has them.
-void claim_face(const VisibleFace& face, bool is_second_walk, const FrameContext& frame, ViewScratch& scratch);
+void claim_face(VisibleFace& face, bool is_second_walk, const FrameContext& frame, ViewScratch& scratch);
 
-/// Adds a face whose spans are the last ones, from `first_span` on, to its list, with its 1/z; none without spans.
-void add_claimed(VisibleFace face, std::size_t first_span, const FrameContext& frame, Claims& claims);
+/// Adds a face whose spans are the last ones, from `first_span` on, to its list, with its 1/z where anything may
+/// need that; none without spans.
+void add_claimed(VisibleFace& face, std::size_t first_span, const FrameContext& frame, Claims& claims);
 
 /// Takes the faces front to back and lets each claim its pixels; draws nothing.
 void claim_faces(const FrameContext& frame, ViewScratch& scratch);

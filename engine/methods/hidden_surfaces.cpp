@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/view_scratch.h"
 #include "engine/level/side.h"
@@ -21,7 +22,7 @@ void set_plane(const FrameContext& frame, ScannedFace& scanned) {
     scanned.eye_distance = face.is_back ? -distance : distance;
     scanned.inverse_z =
         make_face_inverse_z(level, face, frame.offset_of(scanned), frame.view, frame.inverse_projection);
-    scanned.inverse_z = inverse_z_of(scanned, frame);
+    scanned.inverse_z = {inverse_z_of(scanned, frame), {}};
 }
 
 }  // namespace
@@ -32,14 +33,15 @@ void HiddenSurfaceMethod::claim(const FrameContext& frame, ViewScratch& scratch)
     scanned_.clear();
     bool are_kept = true;
     FaceScan faces(frame, scratch);
-    while (const std::optional<VisibleFace> face = faces.next()) {
+    VisibleFace face;
+    while (faces.next(face)) {
         if (!faces.is_second_walk()) {
-            keep(*face, frame, scratch);
+            keep(face, frame, scratch);
             continue;
         }
         if (are_kept) claim_owned(frame, scratch);
         are_kept = false;
-        claim_face(*face, true, frame, scratch);
+        claim_face(face, true, frame, scratch);
     }
     if (are_kept) claim_owned(frame, scratch);
 }
@@ -94,7 +96,8 @@ void HiddenSurfaceMethod::claim_runs(const ScannedFace& face, std::span<const Ow
         else
             scratch.span_buffer.claim(span.y, span.first, span.end, claims.spans);
     }
-    add_claimed(face, first, frame, claims);
+    VisibleFace claimed = face;
+    add_claimed(claimed, first, frame, claims);
 }
 
 /// Claims each pixel for the face that owns it. What has no owner stays free in the span buffer.
@@ -105,7 +108,7 @@ void HiddenSurfaceMethod::claim_owned(const FrameContext& frame, ViewScratch& sc
     const std::vector<OwnedRun> runs = owned_runs(owners_);
     for (auto run = runs.begin(); run != runs.end();) {
         const auto end = std::find_if(run, runs.end(), [&](const OwnedRun& next) { return next.face != run->face; });
-        claim_runs(item(scanned_.faces, run->face), {&*run, static_cast<std::size_t>(end - run)}, frame, scratch);
+        claim_runs(item(scanned_.faces, run->face), {&*run, as_size(end - run)}, frame, scratch);
         run = end;
     }
 }

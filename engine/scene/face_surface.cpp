@@ -210,9 +210,9 @@ FaceSurface FaceSurfaces::tiled(const Face& face, int mip, const MipTexture& tex
     return surface;
 }
 
-LinearQuantity<InverseZ> make_face_inverse_z(const Level& level, const Face& face, const Vec3<World>& offset,
-                                             const ViewContext& view, const InverseProjection& inverse_projection) {
-    if (view.is_parallel()) return {reciprocal<InverseZ>(view.parallel_depth), {}, {}};
+PlaneInverseZ make_face_inverse_z(const Level& level, const Face& face, const Vec3<World>& offset,
+                                  const ViewContext& view, const InverseProjection& inverse_projection) {
+    if (view.is_parallel()) return {{reciprocal<InverseZ>(view.parallel_depth), {}, {}}, {}};
     const LevelPlane& plane = level.planes[face.plane];
     const PlaneDistance distance = distance_before(plane, face.is_back, view.eye - offset);
     return make_inverse_z(normal_of(plane, face.is_back), std::max(distance, kLeastDistance), view.rays,
@@ -220,8 +220,8 @@ LinearQuantity<InverseZ> make_face_inverse_z(const Level& level, const Face& fac
 }
 
 TextureGradients make_face_gradients(const Level& level, const Face& face, const FaceSurface& surface,
-                                     const Vec3<World>& offset, const LinearQuantity<InverseZ>& inverse_z,
-                                     const ViewContext& view, const InverseProjection& inverse_projection) {
+                                     const Vec3<World>& offset, const PlaneInverseZ& inverse_z, const ViewContext& view,
+                                     const InverseProjection& inverse_projection) {
     const TexInfo& texinfo = level.texinfos[face.texinfo];
     const Vec3<World> eye = view.eye - offset;
     const TextureAxes axes{

@@ -87,12 +87,12 @@ class FaceSurfaces {
 };
 
 /// 1/z of a face over the screen, its model moved by `offset`.
-LinearQuantity<InverseZ> make_face_inverse_z(const Level& level, const Face& face, const Vec3<World>& offset,
-                                             const ViewContext& view, const InverseProjection& inverse_projection);
+PlaneInverseZ make_face_inverse_z(const Level& level, const Face& face, const Vec3<World>& offset,
+                                  const ViewContext& view, const InverseProjection& inverse_projection);
 
 /// The screen gradients of the same face's surface; `inverse_z` is make_face_inverse_z().
 TextureGradients make_face_gradients(const Level& level, const Face& face, const FaceSurface& surface,
-                                     const Vec3<World>& offset, const LinearQuantity<InverseZ>& inverse_z,
-                                     const ViewContext& view, const InverseProjection& inverse_projection);
+                                     const Vec3<World>& offset, const PlaneInverseZ& inverse_z, const ViewContext& view,
+                                     const InverseProjection& inverse_projection);
 
 }  // namespace oblong

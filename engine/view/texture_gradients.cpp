@@ -25,25 +25,14 @@ auto rotate_to_view(const Vec3<Fixed<std::int32_t, Frac>>& world, const Basis& a
     return ViewSlope<Fixed<std::int64_t, Frac + 30>>{along(axes.right), along(axes.up), along(axes.forward)};
 }
 
-/// From the optical centre to the centre of pixel (0, 0), whose own centre is one half-pixel in.
 template <class Value>
-Value way_to_first_pixel(Value per_column, Value per_row, const InverseProjection& projection) {
+LinearQuantity<Value> anchor_at_centre(const ViewSlope<Value>& slope, const InverseProjection& projection) {
+    // Half-pixel steps from the optical centre to the centre of pixel (0, 0), whose own centre is one half-pixel in.
     const auto halves = [](Value step, std::int32_t centre_1) {
         return product<Value>(step, Fixed<std::int32_t, 1>::from_raw(1 - centre_1), Rounding::Floor);
     };
-    return stepped(halves(per_column, projection.centre_x_1), halves(per_row, projection.centre_y_1), 1);
-}
-
-template <class Value>
-LinearQuantity<Value> anchor_at_centre(const ViewSlope<Value>& slope, const InverseProjection& projection) {
-    return {stepped(slope.ahead, way_to_first_pixel(slope.x, slope.y, projection), 1), slope.x, slope.y};
-}
-
-/// What anchor_at_centre() has made a quantity of.
-template <class Value>
-ViewSlope<Value> slope_of(const LinearQuantity<Value>& quantity, const InverseProjection& projection) {
-    const Value way = way_to_first_pixel(quantity.per_column, quantity.per_row, projection);
-    return {quantity.per_column, quantity.per_row, stepped(quantity.origin, way, -1)};
+    const Value at_first_column = stepped(slope.ahead, halves(slope.x, projection.centre_x_1), 1);
+    return {stepped(at_first_column, halves(slope.y, projection.centre_y_1), 1), slope.x, slope.y};
 }
 
 /// 1 / D as a number of 63 bits and a scale.
@@ -133,19 +122,19 @@ InverseProjection make_inverse_projection(const Projection& projection, Unit she
     return inverse;
 }
 
-LinearQuantity<InverseZ> make_inverse_z(const Vec3<Unit>& normal, PlaneDistance eye_distance, const Basis& rays,
-                                        const InverseProjection& projection) {
+PlaneInverseZ make_inverse_z(const Vec3<Unit>& normal, PlaneDistance eye_distance, const Basis& rays,
+                             const InverseProjection& projection) {
     const auto in_view = rotate_to_view<"normal in view axes">(normal, rays);
     const DistanceReciprocal over_distance(eye_distance);
     const ViewSlope<InverseZ> slope{over_distance.times(-product<Sine60>(in_view.x, projection.inverse_x)),
                                     over_distance.times(product<Sine60>(in_view.y, projection.inverse_y)),
                                     over_distance.times(-in_view.ahead)};
-    return anchor_at_centre(slope, projection);
+    return {anchor_at_centre(slope, projection), slope.ahead};
 }
 
-TextureGradients make_texture_gradients(const TextureAxes& axes, const LinearQuantity<InverseZ>& inverse_z,
-                                        const Basis& rays, const InverseProjection& projection) {
-    const ViewSlope<InverseZ> slope = slope_of(inverse_z, projection);
+TextureGradients make_texture_gradients(const TextureAxes& axes, const PlaneInverseZ& inverse_z, const Basis& rays,
+                                        const InverseProjection& projection) {
+    const ViewSlope<InverseZ> slope{inverse_z.per_column, inverse_z.per_row, inverse_z.ahead};
     return {inverse_z, texel_quantity(axes.s, axes.eye_u, slope, rays, projection, axes.mip),
             texel_quantity(axes.t, axes.eye_v, slope, rays, projection, axes.mip)};
 }

@@ -36,16 +36,21 @@ struct TextureAxes {
     int mip = 0;
 };
 
-/// 1/z of a plane over the screen, from the plane itself and not from its vertices: every face of one plane gets the
+/// 1/z of a plane over the screen.
+struct PlaneInverseZ : LinearQuantity<InverseZ> {
+    InverseZ ahead{};  ///< at the optical centre
+};
+
+/// 1/z of a plane, from the plane itself and not from its vertices: every face of one plane gets the
 /// same bits (hard case E11). With p = z (X, Y, 1) on the plane, N the normal in viewspace and D the eye's distance in
 /// front of it, above 0, 1/z = -N . (X, Y, 1) / D. (Abrash, Black Book, ch. 66.) `rays` are the view's: p = X right +
 /// Y up + forward, times z.
-LinearQuantity<InverseZ> make_inverse_z(const Vec3<Unit>& normal, PlaneDistance eye_distance, const Basis& rays,
-                                        const InverseProjection& projection);
+PlaneInverseZ make_inverse_z(const Vec3<Unit>& normal, PlaneDistance eye_distance, const Basis& rays,
+                             const InverseProjection& projection);
 
 /// The screen gradients of such a plane whose 1/z is known: u/z = S . (X, Y, 1) + eye_u / z.
-TextureGradients make_texture_gradients(const TextureAxes& axes, const LinearQuantity<InverseZ>& inverse_z,
-                                        const Basis& rays, const InverseProjection& projection);
+TextureGradients make_texture_gradients(const TextureAxes& axes, const PlaneInverseZ& inverse_z, const Basis& rays,
+                                        const InverseProjection& projection);
 
 /// The same of a parallel view, where 1/z is 1 / `depth` everywhere. With F along the rays, P = (X, Y, 0) on the
 /// screen's plane through the eye and D the eye's distance in front of the plane, the ray meets it after

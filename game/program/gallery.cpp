@@ -92,7 +92,7 @@ void Gallery::advance(const Controls& controls, std::uint64_t now_us) {
         const std::string message = apply(command, rows_, platform_.window_size(), view_options_, state_);
         if (!message.empty()) show(message);
     }
-    if (!controls.commands.empty() || rows_[state_.row].moves) is_drawn_ = false;
+    if (!controls.commands.empty()) is_drawn_ = false;
 }
 
 void Gallery::open_page(Action command, MenuPages& pages) {
@@ -119,7 +119,7 @@ void Gallery::draw_picture() {
     const Row& row = rows_[state_.row];
     const auto time_ms = static_cast<std::int64_t>((now_us_ - start_us_) / 1000);
     const RowInput input{assets_, mode, settings_of(drawn_with_), state_.values[state_.row], time_ms};
-    page_ = draw_row(row, input, state_.chosen, {picture_.data(), mode.width_px, mode.height_px, mode.width_px});
+    figures_ = draw_row(row, input, state_.chosen, {picture_.data(), mode.width_px, mode.height_px, mode.width_px});
     const std::string number = std::to_string(state_.row + 1) + " of " + std::to_string(rows_.size());
     platform_.set_title(("Oblong - the gallery, " + number + ": " + std::string(row.name)).c_str());
     is_drawn_ = true;
@@ -128,8 +128,8 @@ void Gallery::draw_picture() {
 std::string Gallery::figures() const {
     const Row& row = rows_[state_.row];
     std::string text = std::string(row.seeds) + "\n" + std::string(row.source) + "\n" + std::string(row.test) + "\n";
-    for (const Figure& figure : page_.figures) text += "\n" + figure_text(figure);
-    for (const std::string& note : page_.notes) text += "\n\n" + note;
+    for (const Figure& figure : figures_) text += "\n" + figure_text(figure);
+    for (const std::string_view note : row.notes) text += "\n\n" + std::string(note);
     return text;
 }
 

@@ -61,7 +61,7 @@ class Gallery final : public GameScreen {
     Platform& platform_;
     ViewOptions& view_options_;
     GalleryState state_;
-    RowPage page_;
+    Figures figures_;
     Messages messages_;
     Preferences drawn_with_;  ///< those of picture_
     std::vector<std::uint8_t> picture_, shown_;

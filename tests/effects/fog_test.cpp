@@ -6,18 +6,14 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/point.h"
+
 namespace oblong::test {
 
 namespace {
 
-FogDensity density_of(double density) {
-    return FogDensity::from_raw(std::llround(std::ldexp(density, 32)));
-}
-View units(double z) {
-    return View::from_raw(std::llround(std::ldexp(z, 16)));
-}
 InverseZ inverse_of(double z) {
-    return InverseZ::from_raw(std::llround(std::ldexp(1 / z, 44)));
+    return nearest<InverseZ>(1 / z);
 }
 
 /// Parts of 63 that fog hides, before rounding.
@@ -44,13 +40,13 @@ TEST(Fog, HidesWhatFitzQuakesFormulaSays) {
         const double z = std::exp2(static_cast<double>(random() % 1300) / 100);
         const double hidden = hidden_63(density, z, start);
         if (std::abs(hidden - std::floor(hidden) - 0.5) < 0.001) continue;  // where the depths' rounding decides
-        const FogDepths depths = make_fog_depths(density_of(density), units(start));
+        const FogDepths depths = make_fog_depths(nearest<FogDensity>(density), nearest<View>(start));
         ASSERT_EQ(depths.level_at(inverse_of(z)), std::lround(hidden)) << density << ", " << start << ", " << z;
     }
 }
 
 TEST(Fog, GrowsWithDepthUpToItsEnd) {
-    const FogDepths depths = make_fog_depths(density_of(0.2), units(100), units(400));
+    const FogDepths depths = make_fog_depths(nearest<FogDensity>(0.2), nearest<View>(100), nearest<View>(400));
     std::int32_t before = 0;
     for (int z = 1; z < 5000; ++z) {
         const std::int32_t level = depths.level_at(inverse_of(z));
@@ -66,16 +62,17 @@ TEST(Fog, GrowsWithDepthUpToItsEnd) {
 }
 
 TEST(Fog, DensitiesThatMeanNothingAreClear) {
-    for (const FogDensity density : {FogDensity{}, density_of(-1), FogDensity::lowest()}) {
+    for (const FogDensity density : {FogDensity{}, nearest<FogDensity>(-1), FogDensity::lowest()}) {
         const FogDepths depths = make_fog_depths(density);
         for (const double z : {0.01, 1.0, 1e5}) EXPECT_EQ(depths.level_at(inverse_of(z)), 0);
     }
     const FogDepths thin = make_fog_depths(FogDensity::ulp()), thick = make_fog_depths(FogDensity::highest());
     EXPECT_EQ(thin.level_at(inverse_of(1e6)), 0);
     EXPECT_EQ(thick.level_at(inverse_of(1)), 63);
-    const FogDepths before_eye = make_fog_depths(density_of(0.1), units(-500), units(1000));
-    EXPECT_EQ(before_eye.greatest_inverse_z, make_fog_depths(density_of(0.1), {}, units(1000)).greatest_inverse_z);
-    const FogDepths reversed = make_fog_depths(density_of(0.1), units(500), units(100));
+    const FogDepths before_eye = make_fog_depths(nearest<FogDensity>(0.1), nearest<View>(-500), nearest<View>(1000));
+    EXPECT_EQ(before_eye.greatest_inverse_z,
+              make_fog_depths(nearest<FogDensity>(0.1), {}, nearest<View>(1000)).greatest_inverse_z);
+    const FogDepths reversed = make_fog_depths(nearest<FogDensity>(0.1), nearest<View>(500), nearest<View>(100));
     EXPECT_EQ(reversed.level_at(inverse_of(1e4)), 0);
 }
 
@@ -103,7 +100,7 @@ TEST(Fog, RunsHaveTheLevelOfEachPixelAndLeaveNoGap) {
 }
 
 TEST(Fog, ARunOfOneLevelIsNotCut) {
-    const FogDepths depths = make_fog_depths(density_of(0.05));
+    const FogDepths depths = make_fog_depths(nearest<FogDensity>(0.05));
     std::vector<FogRun> runs;
     const LinearQuantity<InverseZ> wall{inverse_of(500), {}, {}};
     append_fog_runs({7, 10, 200}, wall, depths, runs);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/random.h"
+
 namespace oblong::test {
 
 namespace {
@@ -14,10 +16,7 @@ namespace {
 constexpr double kDensity = 0.1;
 
 FogDepths depths() {
-    return make_fog_depths(FogDensity::from_raw(std::llround(std::ldexp(kDensity, 32))));
-}
-World world(double units) {
-    return World::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(units, 12))));
+    return make_fog_depths(nearest<FogDensity>(kDensity));
 }
 
 /// A plane in a view, and low fog.
@@ -28,10 +27,9 @@ struct FoggyView {
 
     /// 63 parts of what fog hides at a pixel: the density at 1,000 points of the ray, added up.
     double hidden_63(std::int32_t column, std::int32_t row) const {
-        const double z = 1 / std::ldexp(static_cast<double>(inverse_z.at(column, row).raw), -44);
+        const double z = 1 / number_of(inverse_z.at(column, row));
         const double right = (column + 0.5 - 160) / 160, up = -(row + 0.5 - 100) / 100 * 0.75;
-        const double rise =
-            std::ldexp(axes.right.z.raw * right + axes.up.z.raw * up + static_cast<double>(axes.forward.z.raw), -30);
+        const double rise = number_of(axes.right.z) * right + number_of(axes.up.z) * up + number_of(axes.forward.z);
         constexpr int kPoints = 1000;
         double sum = 0;
         for (int i = 0; i < kPoints; ++i) {
@@ -45,7 +43,7 @@ struct FoggyView {
         const ViewDirections directions =
             make_view_directions(axes, make_projection(ScreenMode{}, Degrees::from_int(90)));
         const HeightFogView view =
-            make_height_fog_view({world(top), world(fade)}, {{}, {}, world(eye_height)}, directions);
+            make_height_fog_view({nearest<World>(top), nearest<World>(fade)}, point_at(0, 0, eye_height), directions);
         std::vector<FogRun> found;
         append_height_fog_runs(span, inverse_z, view, depths(), found);
         return found;
@@ -62,9 +60,8 @@ FoggyView random_view(std::mt19937& random) {
     const double left = inverse(), right = random() % 3 == 0 ? left : inverse();
     const auto per_column = static_cast<std::int64_t>((right - left) / 320);
     FoggyView view;
-    const Angle yaw = Angle::from_bam(random());
-    const Angle pitch = Angle::from_bam(static_cast<std::int32_t>(random() % 16000) - 8000);
-    view.axes = view_basis(yaw, pitch, random() % 2 ? Angle{} : Angle::from_bam(random()));
+    const Angle pitch = Angle::from_bam(random_below(random, 16000) - 8000);
+    view.axes = view_basis(random_angle(random), pitch, random() % 2 ? Angle{} : random_angle(random));
     view.inverse_z = {InverseZ::from_raw(static_cast<std::int64_t>(left)), InverseZ::from_raw(per_column), {}};
     view.eye_height = up_to(400) - 200;
     view.top = up_to(400) - 200;

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/effects/view.h"
-#include "tests/support/point.h"
+#include "tests/support/views.h"
 
 namespace oblong::test {
 
@@ -44,8 +43,8 @@ class Picture {
 }  // namespace
 
 TEST(ParticleDots, LieWhereTheProjectionPutsThem) {
-    const ViewContext view = view_from(at_units(10, 20, 30));
-    const ParticleEmitter emitter = cloud(ParticleKind::Bubbles, at_units(300, 20, 30), at_units(200, 100, 60), 2000);
+    const ViewContext view = view_from(point_at(10, 20, 30));
+    const ParticleEmitter emitter = cloud(ParticleKind::Bubbles, point_at(300, 20, 30), point_at(200, 100, 60), 2000);
     const std::vector<ParticleDot> dots = dots_of(emitter, view);
     std::size_t next = 0;
     for (std::int32_t i = 0; i < emitter.count; ++i) {
@@ -73,7 +72,7 @@ TEST(ParticleDots, AreAsWideAsHighOnARealScreen) {
     // Pixels are 1.2 times as high as wide.
     for (const ScreenMode mode : {ScreenMode{320, 200, {4, 3}}, ScreenMode{1280, 800, {4, 3}}}) {
         const ViewContext view = view_from({}, {}, {}, mode);
-        const std::vector<ParticleDot> dots = dots_of(cloud(ParticleKind::Bubbles, at_units(20, 0, 0), {}, 1), view);
+        const std::vector<ParticleDot> dots = dots_of(cloud(ParticleKind::Bubbles, point_at(20, 0, 0), {}, 1), view);
         ASSERT_EQ(dots.size(), 1u);
         const double width = dots[0].end_column - dots[0].first_column, height = dots[0].end_row - dots[0].first_row;
         EXPECT_NEAR(width, height * 1.2, 1.1);
@@ -85,7 +84,7 @@ TEST(ParticleDots, AreWithinTheScreenAndInFrontOfTheEye) {
     for (const ParticleKind kind : {ParticleKind::Rain, ParticleKind::Bubbles, ParticleKind::Sparks})
         for (std::int32_t turn = 0; turn < 16; ++turn) {
             const ViewContext view = view_from({}, Angle::from_bam(turn * 4096), Angle::from_bam(turn * 1111));
-            const auto dots = dots_of(cloud(kind, at_units(3, 2, 1), at_units(60, 60, 60), 3000), view, turn * 10);
+            const auto dots = dots_of(cloud(kind, point_at(3, 2, 1), point_at(60, 60, 60), 3000), view, turn * 10);
             EXPECT_FALSE(dots.empty());
             for (const ParticleDot& dot : dots) {
                 ASSERT_TRUE(dot.first_column >= 0 && dot.first_column < dot.end_column && dot.end_column <= 320);
@@ -99,12 +98,12 @@ TEST(ParticleDots, AreWithinTheScreenAndInFrontOfTheEye) {
 
 TEST(ParticleDots, OfHugeBoxesAndNarrowFieldsOfViewAreSound) {
     for (const std::int32_t degrees : {1, 90, 179}) {
-        ViewContext view = view_from(at_units(-65000, 300, 0));
+        ViewContext view = view_from(point_at(-65000, 300, 0));
         view.projection = make_projection({4096, 4096, {4, 3}}, Degrees::from_int(degrees));
         view.frustum = make_frustum(view.axes, view.projection);
         for (const ParticleKind kind : {ParticleKind::Rain, ParticleKind::Dust, ParticleKind::Sparks})
             for (const ParticleDot& dot :
-                 dots_of(cloud(kind, at_units(65536, 65536, -65536), at_units(32768, 32768, 32768)), view))
+                 dots_of(cloud(kind, point_at(65536, 65536, -65536), point_at(32768, 32768, 32768)), view))
                 ASSERT_TRUE(dot.first_column >= 0 && dot.end_column <= 4096 && dot.first_row >= 0 &&
                             dot.end_row <= 4096);
     }
@@ -112,8 +111,8 @@ TEST(ParticleDots, OfHugeBoxesAndNarrowFieldsOfViewAreSound) {
 
 TEST(ParticleDots, HideBehindWalls) {
     const ViewContext view = view_from({});
-    const auto behind = dots_of(cloud(ParticleKind::Dust, at_units(300, 0, 0), at_units(90, 50, 50)), view);
-    const auto before = dots_of(cloud(ParticleKind::Dust, at_units(150, 0, 0), at_units(40, 20, 20)), view);
+    const auto behind = dots_of(cloud(ParticleKind::Dust, point_at(300, 0, 0), point_at(90, 50, 50)), view);
+    const auto before = dots_of(cloud(ParticleKind::Dust, point_at(150, 0, 0), point_at(40, 20, 20)), view);
     Picture picture(200);
     picture.draw(behind);
     EXPECT_EQ(picture.count(10), 0);
@@ -121,7 +120,7 @@ TEST(ParticleDots, HideBehindWalls) {
     EXPECT_GT(picture.count(10), 300);
     // Some of a cloud that the wall cuts in two.
     Picture cut(200);
-    const auto across = dots_of(cloud(ParticleKind::Dust, at_units(200, 0, 0), at_units(90, 60, 40)), view);
+    const auto across = dots_of(cloud(ParticleKind::Dust, point_at(200, 0, 0), point_at(90, 60, 40)), view);
     cut.draw(across);
     const auto is_nearer = [](const ParticleDot& dot) { return dot.inverse_depth >= (1ll << 32) / 200; };
     const auto nearer = std::count_if(across.begin(), across.end(), is_nearer);
@@ -132,7 +131,7 @@ TEST(ParticleDots, HideBehindWalls) {
 TEST(ParticleDots, MayBeDrawnInAnyOrder) {
     const ViewContext view = view_from({});
     std::vector<ParticleDot> dots =
-        dots_of(cloud(ParticleKind::Bubbles, at_units(80, 0, 0), at_units(40, 30, 30)), view);
+        dots_of(cloud(ParticleKind::Bubbles, point_at(80, 0, 0), point_at(40, 30, 30)), view);
     std::sort(dots.begin(), dots.end(), [](const auto& a, const auto& b) { return a.inverse_depth < b.inverse_depth; });
     for (std::size_t i = 0; i < dots.size(); ++i)
         dots[i].colour = static_cast<std::uint8_t>(1 + dots[i].inverse_depth % 255);
@@ -144,7 +143,7 @@ TEST(ParticleDots, MayBeDrawnInAnyOrder) {
 }
 
 TEST(ParticleDots, ARectangleHoldsThemAll) {
-    const auto dots = dots_of(cloud(ParticleKind::Rain, at_units(200, 30, 0), at_units(20, 20, 20)), view_from({}));
+    const auto dots = dots_of(cloud(ParticleKind::Rain, point_at(200, 30, 0), point_at(20, 20, 20)), view_from({}));
     ASSERT_FALSE(dots.empty());
     const ScreenRectangle around = rectangle_around(dots);
     const auto touches = [&](auto of_dot, std::int32_t border) {

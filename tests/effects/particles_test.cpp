@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "tests/effects/view.h"
+#include "tests/support/views.h"
 
 namespace oblong::test {
 
@@ -19,8 +19,8 @@ constexpr std::array kKinds{ParticleKind::Rain, ParticleKind::Dust, ParticleKind
 ParticleEmitter emitter_of(ParticleKind kind) {
     ParticleEmitter emitter;
     emitter.kind = kind;
-    emitter.middle = at_units(1000, -2000, 300);
-    emitter.half_size = at_units(100, 50, 80);
+    emitter.middle = point_at(1000, -2000, 300);
+    emitter.half_size = point_at(100, 50, 80);
     emitter.count = 200;
     emitter.first_colour = 40;
     emitter.last_colour = 47;

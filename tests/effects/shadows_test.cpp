@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/effects/view.h"
+#include "tests/support/views.h"
 
 namespace oblong::test {
 
@@ -17,9 +17,7 @@ Level level_of_slope(double slope_x) {
     Level level;
     const double length = std::hypot(slope_x, 1);
     LevelPlane plane;
-    plane.normal = {Unit::from_raw(static_cast<std::int32_t>(std::ldexp(-slope_x / length, 30))),
-                    {},
-                    Unit::from_raw(static_cast<std::int32_t>(std::ldexp(1 / length, 30)))};
+    plane.normal = {nearest<Unit>(-slope_x / length), {}, nearest<Unit>(1 / length)};
     level.planes.push_back(plane);
     return level;
 }
@@ -37,7 +35,7 @@ constexpr std::int32_t kWhole = 256;
 TEST(Shadows, CoverTheirDiscOnALevelAndOnASlopedFloor) {
     for (const double slope : {0., 0.5}) {
         const Level level = level_of_slope(slope);
-        const ViewContext view = view_from(at_units(-100, 0, 90), {}, degrees_to_angle(Degrees::from_int(35)));
+        const ViewContext view = view_from(point_at(-100, 0, 90), {}, degrees_to_angle(Degrees::from_int(35)));
         const Shadow shadow{{PlaneIndex(0), {}}, World::from_int(40)};
         ShadowScratch scratch(200);
         ASSERT_TRUE(scan_shadow(shadow, kWhole, level, view, scratch));
@@ -45,16 +43,14 @@ TEST(Shadows, CoverTheirDiscOnALevelAndOnASlopedFloor) {
         std::vector<Span> spans;
         for (std::int32_t y = 0; y < 200; ++y) spans.push_back({y, 0, 320});
         darken_spans(spans, scratch.rows, one_brighter().data(), {pixels.data(), 320, 200, 320});
-        const double pitch = 35 * M_PI / 180;
+        const TrueCamera camera({view.eye, {}, degrees_to_angle(Degrees::from_int(35)), {}});
         int inside = 0;
         for (std::int32_t y = 0; y < 200; ++y)
             for (std::int32_t x = 0; x < 320; ++x) {
-                const double right = (x + 0.5 - 160) / 160, up = -(y + 0.5 - 100) / 160 * 1.2;
-                const double ray_x = std::cos(pitch) + up * std::sin(pitch),
-                             ray_z = -std::sin(pitch) + up * std::cos(pitch);
-                // -100 + t ray_x, -t right, 90 + t ray_z lies on z = slope x
-                const double t = (90 + slope * 100) / (slope * ray_x - ray_z);
-                const double radius = std::hypot(-100 + t * ray_x, t * right);
+                const Point ray = camera.through_pixel(x, y);
+                // -100 + t ray.x, t ray.y, 90 + t ray.z lies on z = slope x
+                const double t = (90 + slope * 100) / (slope * ray.x - ray.z);
+                const double radius = std::hypot(-100 + t * ray.x, t * ray.y);
                 if (t > 0 && radius < 40 * std::cos(M_PI / 16) - 0.5) {
                     ASSERT_EQ(pixels[static_cast<std::size_t>(y * 320 + x)], 1) << x << ", " << y;
                     ++inside;
@@ -69,7 +65,7 @@ TEST(Shadows, CoverTheirDiscOnALevelAndOnASlopedFloor) {
 
 TEST(Shadows, FallOnNothingButTheSpansOfTheirPlane) {
     const Level level = level_of_slope(0);
-    const ViewContext view = view_from(at_units(-100, 0, 90), {}, degrees_to_angle(Degrees::from_int(35)));
+    const ViewContext view = view_from(point_at(-100, 0, 90), {}, degrees_to_angle(Degrees::from_int(35)));
     ShadowScratch scratch(200);
     ASSERT_TRUE(scan_shadow({{PlaneIndex(0), {}}, World::from_int(40)}, kWhole, level, view, scratch));
     const std::int32_t y = (scratch.rows.first + scratch.rows.end) / 2;
@@ -86,9 +82,9 @@ TEST(Shadows, FallOnNothingButTheSpansOfTheirPlane) {
 }
 
 TEST(Shadows, BecomeSmallerWithHeightAndEndAt128Units) {
-    const Floor floor{PlaneIndex(0), at_units(5, 6, 7)};
+    const Floor floor{PlaneIndex(0), point_at(5, 6, 7)};
     const auto radius_at = [&](std::int32_t height) {
-        return make_shadow(floor, at_units(5, 6, 7 + height), World::from_int(60)).radius;
+        return make_shadow(floor, point_at(5, 6, 7 + height), World::from_int(60)).radius;
     };
     EXPECT_EQ(radius_at(0), World::from_int(60));
     EXPECT_EQ(radius_at(64), World::from_int(30));
@@ -96,13 +92,13 @@ TEST(Shadows, BecomeSmallerWithHeightAndEndAt128Units) {
     EXPECT_EQ(radius_at(1000), World{});
     EXPECT_EQ(radius_at(-10), World::from_int(60)) << "rounding may put it below";
     ShadowScratch scratch(200);
-    EXPECT_FALSE(scan_shadow(make_shadow(floor, at_units(5, 6, 200), World::from_int(60)), kWhole, level_of_slope(0),
+    EXPECT_FALSE(scan_shadow(make_shadow(floor, point_at(5, 6, 200), World::from_int(60)), kWhole, level_of_slope(0),
                              view_from({}), scratch));
 }
 
 TEST(Shadows, OutOfViewHaveNoPixels) {
     ShadowScratch scratch(200);
-    const Shadow shadow{{PlaneIndex(0), at_units(-200, 0, -50)}, World::from_int(40)};
+    const Shadow shadow{{PlaneIndex(0), point_at(-200, 0, -50)}, World::from_int(40)};
     EXPECT_FALSE(scan_shadow(shadow, kWhole, level_of_slope(0), view_from({}), scratch));
 }
 

@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <span>
 #include <tuple>
 #include <vector>
+
+#include "tests/support/random.h"
 
 namespace oblong::test {
 
@@ -61,11 +62,8 @@ class SkyPicture {
     /// In texels from the zenith, by the formula.
     double dome(std::int32_t column, std::int32_t row, Axis axis) const {
         const double right = (column + 0.5 - 160) / 160, up = -(row + 0.5 - 100) / 100 * 0.75;
-        const auto along = [&](Unit r, Unit u, Unit f) { return std::ldexp(r.raw * right + u.raw * up + f.raw, -30); };
-        const double x = along(axes_.right.x, axes_.up.x, axes_.forward.x);
-        const double y = along(axes_.right.y, axes_.up.y, axes_.forward.y);
-        const double z = along(axes_.right.z, axes_.up.z, axes_.forward.z);
-        return 378 * (axis == Axis::U ? x : y) / std::hypot(x, y, 3 * z);
+        const Point ray = to_point(axes_.right) * right + to_point(axes_.up) * up + to_point(axes_.forward);
+        return 378 * (axis == Axis::U ? ray.x : ray.y) / std::hypot(ray.x, ray.y, 3 * ray.z);
     }
 
   private:
@@ -78,11 +76,6 @@ class SkyPicture {
 double distance_to_texel(double place, std::int32_t index) {
     const double past = place - index - kSize * std::floor((place - index) / kSize);
     return past < 1 ? 0 : std::min(past - 1, kSize - past);
-}
-
-std::int32_t steps_between(std::uint8_t a, std::uint8_t b) {
-    const std::int32_t apart = std::abs(a - b);
-    return std::min(apart, kSize - apart);
 }
 
 /// A 128-texel sky with each texel repeated: the same picture, by more texels than are worth composing.
@@ -101,10 +94,6 @@ std::vector<std::uint8_t> random_sky(std::mt19937& random) {
     return texels;
 }
 
-Basis random_axes(std::mt19937& random) {
-    return view_basis(Angle::from_bam(random()), Angle::from_bam(random()), Angle::from_bam(random()));
-}
-
 }  // namespace
 
 TEST(Sky, IsTheDomeWhereAStepBeginsAndNearItBetween) {
@@ -119,41 +108,6 @@ TEST(Sky, IsTheDomeWhereAStepBeginsAndNearItBetween) {
                     ASSERT_LE(off, column % kLongestLine_px == 0 ? 0.01 : kLineError_texels) << column << ", " << row;
                 }
         }
-}
-
-TEST(Sky, DoesNotJumpFromStepToStep) {
-    // A pixel is 1/160 of the view's unit, and the dome's slope at most 378 * 3 texels a unit where heights are
-    // tripled.
-    constexpr std::int32_t kMost_texels = 378 * 3 / 160 + 1;
-    std::mt19937 random(2);
-    for (int trial = 0; trial < 40; ++trial)
-        for (const Axis axis : {Axis::U, Axis::V}) {
-            SkyPicture picture(random_axes(random));
-            picture.draw(numbered_clouds(axis));
-            for (std::int32_t row = 0; row < 200; row += 3)
-                for (std::int32_t column = 1; column < 320; ++column)
-                    ASSERT_LE(steps_between(picture.at(column - 1, row), picture.at(column, row)), kMost_texels + 1)
-                        << column << ", " << row;
-        }
-}
-
-TEST(Sky, AQuarterTurnOfTheEyeTurnsIt) {
-    std::mt19937 random(3);
-    for (int trial = 0; trial < 40; ++trial) {
-        const auto yaw = static_cast<std::uint16_t>(random());
-        const Angle pitch = Angle::from_bam(random()), roll = Angle::from_bam(random());
-        SkyPicture before(view_basis(Angle::from_bam(yaw), pitch, roll));
-        SkyPicture after(view_basis(Angle::from_bam(yaw + 16384u), pitch, roll));
-        before.draw(numbered_clouds(Axis::U));
-        after.draw(numbered_clouds(Axis::V));
-        int different = 0;
-        for (std::int32_t row = 0; row < 200; ++row)
-            for (std::int32_t column = 0; column < 320; ++column) {
-                ASSERT_LE(steps_between(before.at(column, row), after.at(column, row)), 1) << column << ", " << row;
-                different += before.at(column, row) != after.at(column, row);
-            }
-        EXPECT_LT(different, 320 * 200 / 100) << "more than what rounding does at the texels' edges";
-    }
 }
 
 TEST(Sky, TheBackgroundShowsWhereCloudsAreColour0) {

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "engine/surface/palette.h"
-#include "tests/effects/view.h"
-#include "tests/support/point.h"
+#include "tests/support/views.h"
 
 namespace oblong::test {
 
@@ -56,7 +55,7 @@ struct Picture {
 
 TEST(Sprites, CoverTheRectangleOfTheProjection) {
     const MipTexture texture = numbered_texture();
-    const auto sprite = project_sprite(sprite_at(at_units(80, 16, 10)), texture, view_from({}));
+    const auto sprite = project_sprite(sprite_at(point_at(80, 16, 10)), texture, view_from({}));
     ASSERT_TRUE(sprite);
     // 64 units wide and 32 high at a depth of 80: 2 pixels a unit across, and 1/1.2 of that down.
     const double left = 160 - 32 - 64, right = left + 128, top = 100 - 2 / 1.2 * 26, bottom = 100 + 2 / 1.2 * 6;
@@ -70,7 +69,7 @@ TEST(Sprites, CoverTheRectangleOfTheProjection) {
 
 TEST(Sprites, AreClippedAtTheScreensBorders) {
     const MipTexture texture = numbered_texture();
-    const auto sprite = project_sprite(sprite_at(at_units(20, 30, 12)), texture, view_from({}));
+    const auto sprite = project_sprite(sprite_at(point_at(20, 30, 12)), texture, view_from({}));
     ASSERT_TRUE(sprite);
     EXPECT_EQ(sprite->pixels.first_column, 0);
     EXPECT_EQ(sprite->pixels.first_row, 0);
@@ -81,19 +80,17 @@ TEST(Sprites, AreClippedAtTheScreensBorders) {
 TEST(Sprites, AreNotDrawnBehindNearOrBeside) {
     const MipTexture texture = numbered_texture();
     const ViewContext view = view_from({});
-    EXPECT_FALSE(project_sprite(sprite_at(at_units(-80, 0, 0)), texture, view));
-    EXPECT_FALSE(project_sprite(sprite_at({}), texture, view));
-    EXPECT_FALSE(project_sprite(sprite_at(at_units(3, 0, 0)), texture, view));
-    EXPECT_TRUE(project_sprite(sprite_at(at_units(4, 0, 0)), texture, view));
-    EXPECT_FALSE(project_sprite(sprite_at(at_units(80, 200, 0)), texture, view));
-    EXPECT_FALSE(project_sprite(sprite_at(at_units(80, 0, 200)), texture, view));
+    for (const Vec3<World>& at :
+         {point_at(-80, 0, 0), point_at(0, 0, 0), point_at(3, 0, 0), point_at(80, 200, 0), point_at(80, 0, 200)})
+        EXPECT_FALSE(project_sprite(sprite_at(at), texture, view)) << number_of(at.x);
+    EXPECT_TRUE(project_sprite(sprite_at(point_at(4, 0, 0)), texture, view));
 }
 
 TEST(Sprites, HideBehindNearerThingsOnly) {
     const MipTexture texture = numbered_texture();
     const ViewContext view = view_from({});
-    const auto far_one = project_sprite(sprite_at(at_units(80, 0, 0)), texture, view);
-    const auto near_one = project_sprite(sprite_at(at_units(60, 50, 0)), texture, view);
+    const auto far_one = project_sprite(sprite_at(point_at(80, 0, 0)), texture, view);
+    const auto near_one = project_sprite(sprite_at(point_at(60, 50, 0)), texture, view);
     ASSERT_TRUE(far_one && near_one);
     Picture far_first(*far_one), near_first(*near_one);
     far_first.draw(*near_one);
@@ -107,7 +104,7 @@ TEST(Sprites, HideBehindNearerThingsOnly) {
 TEST(Sprites, ShowWhatIsBehindTheirTransparentTexels) {
     MipTexture texture = numbered_texture();
     for (std::size_t i = 0; i < texture.mips[0].size(); i += 2) texture.mips[0][i] = 255;
-    const auto sprite = project_sprite(sprite_at(at_units(80, 0, 0)), texture, view_from({}));
+    const auto sprite = project_sprite(sprite_at(point_at(80, 0, 0)), texture, view_from({}));
     ASSERT_TRUE(sprite);
     Picture picture(*sprite);
     for (std::int32_t x = 100; x < 200; ++x)
@@ -118,7 +115,7 @@ TEST(Sprites, ShowWhatIsBehindTheirTransparentTexels) {
 TEST(Sprites, UseSmallerTexturesFarAway) {
     const MipTexture texture = numbered_texture();
     const auto colour_at = [&](std::int32_t z) {
-        const auto sprite = project_sprite(sprite_at(at_units(z, 0, 0)), texture, view_from({}));
+        const auto sprite = project_sprite(sprite_at(point_at(z, 0, 0)), texture, view_from({}));
         return sprite ? Picture(*sprite).at(160, 100) : std::uint8_t{0};
     };
     // 1.2 z / 160 texels a pixel, down.
@@ -134,7 +131,7 @@ TEST(Sprites, StandUprightHoweverTheViewIsTurned) {
     for (const int degrees : {-30, -10, 20, 40}) {
         const double pitch = degrees * M_PI / 180;
         const ViewContext view = view_from({}, {}, degrees_to_angle(Degrees::from_int(degrees)));
-        const auto sprite = project_sprite(sprite_at(at_units(100, 0, -20)), texture, view);
+        const auto sprite = project_sprite(sprite_at(point_at(100, 0, -20)), texture, view);
         ASSERT_TRUE(sprite);
         Picture picture(*sprite);
         for (std::int32_t y = sprite->pixels.first_row; y < sprite->pixels.end_row; ++y) {

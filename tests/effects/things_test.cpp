@@ -9,9 +9,8 @@
 #include "engine/effects/things_in_view.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
-#include "tests/effects/view.h"
 #include "tests/support/bsp_writer.h"
-#include "tests/support/point.h"
+#include "tests/support/views.h"
 
 namespace oblong::test {
 
@@ -35,7 +34,7 @@ ThingsInView seen_from(const Level& level, Angle yaw, std::int64_t time_ms = 0) 
     visible.see_from(level, LeafIndex(1));
     ThingsInView in_view;
     DepthBuffer depth(320, 200);
-    const ViewContext view = view_from(at_units(-100, 8, 40), yaw);
+    const ViewContext view = view_from(point_at(-100, 8, 40), yaw);
     const Sight sight{visible, view};
     find_particles(things, time_ms, sight, in_view, depth);
     EXPECT_EQ(depth.is_wanted(), !in_view.dots.empty());
@@ -61,8 +60,8 @@ TEST(Things, AreReadFromEntities) {
     ASSERT_EQ(things.emitters.size(), 3u);
     const ParticleEmitter& rain = things.emitters[0].emitter;
     EXPECT_EQ(rain.kind, ParticleKind::Rain);
-    EXPECT_EQ(rain.middle, at_units(16, 8, 40));
-    EXPECT_EQ(rain.half_size, at_units(10, 15, 20));
+    EXPECT_EQ(rain.middle, point_at(16, 8, 40));
+    EXPECT_EQ(rain.half_size, point_at(10, 15, 20));
     EXPECT_EQ(rain.count, 77);
     EXPECT_EQ(rain.first_colour, 12);
     EXPECT_EQ(rain.last_colour, 12);
@@ -74,7 +73,7 @@ TEST(Things, AreReadFromEntities) {
     ASSERT_EQ(things.sprites.size(), 1u);
     EXPECT_EQ(things.sprites[0].sprite.scale, World::from_raw(2048));
     ASSERT_TRUE(things.sprites[0].floor);
-    EXPECT_EQ(things.sprites[0].floor->position, at_units(16, 8, 8));
+    EXPECT_EQ(things.sprites[0].floor->position, point_at(16, 8, 8));
     ASSERT_EQ(things.lanterns.size(), 1u);
     EXPECT_EQ(things.lanterns[0].lantern.radius, World::from_int(32));
     EXPECT_EQ(things.lanterns[0].lantern.period_ms, 4000);
@@ -167,14 +166,14 @@ TEST(Things, SpritesBringTheirShadowsAndLanternsMove) {
     ASSERT_EQ(now.sprites.size(), 2u);
     ASSERT_EQ(later.sprites.size(), 2u);
     EXPECT_EQ(now.sprites[0].position, later.sprites[0].position);
-    EXPECT_EQ(now.sprites[1].position, at_units(24, 8, 40));
-    EXPECT_EQ(later.sprites[1].position, at_units(16, 16, 40)) << "a quarter turn, and many whole ones";
+    EXPECT_EQ(now.sprites[1].position, point_at(24, 8, 40));
+    EXPECT_EQ(later.sprites[1].position, point_at(16, 16, 40)) << "a quarter turn, and many whole ones";
     ASSERT_EQ(now.shadows.size(), 1u);
     EXPECT_EQ(now.shadows[0].radius, World::from_int(10)) << "64 units up: half";
 }
 
 TEST(Lanterns, StayOnTheirCircleAndReturnAfterTheirPeriod) {
-    Lantern lantern{at_units(100, 200, 50), World::from_int(64), 3000, {}, TextureIndex(0), World::from_int(1)};
+    Lantern lantern{point_at(100, 200, 50), World::from_int(64), 3000, {}, TextureIndex(0), World::from_int(1)};
     for (std::int64_t time_ms = 0; time_ms < 3000; time_ms += 7) {
         const Point p = to_point(lantern_at(lantern, time_ms).position);
         const double angle = 2 * M_PI * static_cast<double>(time_ms) / 3000;

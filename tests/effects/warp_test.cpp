@@ -9,7 +9,8 @@
 namespace oblong::test {
 
 TEST(Warp, IsQuakesWaveAtEachMipLevel) {
-    for (const std::int64_t time_ms : {0, 1, 50, 999, 3'200, 6'399, 1'234'567}) {
+    for (const std::int64_t time_ms : {std::int64_t{0}, std::int64_t{1}, std::int64_t{999}, std::int64_t{3'200},
+                                       std::int64_t{6'399}, (std::int64_t{1} << 40) + 50}) {
         const WarpTables tables = make_warp_tables(time_ms);
         for (std::size_t mip = 0; mip < 4; ++mip)
             for (std::size_t i = 0; i < WarpTable::kEntries; ++i) {
@@ -19,17 +20,6 @@ TEST(Warp, IsQuakesWaveAtEachMipLevel) {
                 // Within a step of the angle, 8 * 2 pi / 65536 texels, and one of the table.
                 ASSERT_NEAR(tables[mip].shift_16[i] / 65536.0, texels, 0.0008) << time_ms << ", " << mip << ", " << i;
             }
-    }
-}
-
-TEST(Warp, MovesAndRepeatsAfterItsPeriod) {
-    const auto entries_at = [](std::int64_t time_ms) { return make_warp_tables(time_ms)[1].shift_16; };
-    const std::int64_t late_ms = (std::int64_t{1} << 40) / kWarpPeriod_ms * kWarpPeriod_ms;
-    for (const std::int64_t time_ms : {0, 17, 1'600, 6'399}) {
-        EXPECT_EQ(entries_at(time_ms), entries_at(time_ms + kWarpPeriod_ms));
-        EXPECT_EQ(entries_at(time_ms), entries_at(time_ms + late_ms));
-        EXPECT_NE(entries_at(time_ms), entries_at(time_ms + kWarpPeriod_ms / 2));
-        EXPECT_NE(entries_at(time_ms), entries_at(time_ms + 10)) << "waves move evenly, not 20 times a second";
     }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <optional>
 
@@ -24,6 +26,12 @@ std::optional<std::uint64_t> first_rise_or_far(std::uint64_t first, std::uint64_
         before = value;
         return falls && is_near(input, value);
     });
+}
+
+/// Expects `holds` of all the inputs first, ..., end - 1.
+template <class Predicate>
+void expect_all(std::uint64_t first, std::uint64_t end, Predicate holds) {
+    EXPECT_EQ(first_failure(first, end, holds), std::nullopt);
 }
 
 inline constexpr std::uint64_t kAll32 = std::uint64_t{1} << 32;

@@ -7,7 +7,7 @@
 #include "engine/methods/rotation.h"
 #include "tests/math/vectors.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
 
 /// The worst flaw of a basis that turns `count` times by one degree about an axis.
@@ -30,4 +30,4 @@ TEST(HardCaseT2, TenMillionRotationsStayOrthonormal) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

@@ -20,9 +20,8 @@ Int128 floor_quotient(Int128 n, Int128 d) {
     return q * d > n ? q - 1 : q;
 }
 
-/// a * b / c, rounded as the rule says: nearest with ties up is the floor of (2 n + d) / (2 d).
-std::int64_t expected_quotient(std::int64_t a, std::int64_t b, std::int64_t c, Rounding rounding) {
-    Int128 n = Int128{a} * b, d = c;
+/// n / d, rounded as the rule says: nearest with ties up is the floor of (2 n + d) / (2 d).
+std::int64_t expected_quotient(Int128 n, Int128 d, Rounding rounding) {
     if (d == 0) return n > 0 ? kHighest : n < 0 ? kLowest : 0;
     if (d < 0) {
         n = -n;
@@ -48,24 +47,15 @@ std::int64_t any_number(std::mt19937_64& random) {
 
 void expect_all_quotients_equal(std::int64_t a, std::int64_t b, std::int64_t c) {
     for (const Rounding rounding : {Rounding::Floor, Rounding::NearestHalfUp}) {
-        const std::int64_t expected = expected_quotient(a, b, c, rounding);
+        const std::int64_t expected = expected_quotient(Int128{a} * b, c, rounding);
         ASSERT_EQ(mul_div(a, b, c, rounding), expected) << a << " * " << b << " / " << c;
         ASSERT_EQ(portable::mul_div(a, b, c, rounding), expected) << a << " * " << b << " / " << c;
     }
 }
 
-/// a * b / 2^shift, where 2^shift fits 127 bits.
-std::int64_t expected_shifted(std::int64_t a, std::int64_t b, int shift, Rounding rounding) {
-    const Int128 n = Int128{a} * b, d = Int128{1} << shift;
-    const Int128 q = floor_quotient(n, d);
-    const bool up = rounding == Rounding::NearestHalfUp && n - q * d >= d - (n - q * d);
-    const Int128 rounded = up ? q + 1 : q;
-    return rounded > kHighest ? kHighest : rounded < kLowest ? kLowest : static_cast<std::int64_t>(rounded);
-}
-
 void expect_all_shifts_equal(std::int64_t a, std::int64_t b, int shift) {
     for (const Rounding rounding : {Rounding::Floor, Rounding::NearestHalfUp}) {
-        const std::int64_t expected = expected_shifted(a, b, shift, rounding);
+        const std::int64_t expected = expected_quotient(Int128{a} * b, Int128{1} << shift, rounding);
         ASSERT_EQ(mul_shift(a, b, shift, rounding), expected) << a << " * " << b << " >> " << shift;
         ASSERT_EQ(portable::mul_shift(a, b, shift, rounding), expected) << a << " * " << b << " >> " << shift;
     }

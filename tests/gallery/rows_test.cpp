@@ -57,11 +57,25 @@ TEST_F(GalleryRows, FiguresAreAsExpectedWhateverTheParameters) {
     for (const Row& row : gallery_rows())
         for (const auto& values : ends_of_parameters(row)) {
             const Drawn drawn = draw(row, values);
-            EXPECT_FALSE(drawn.page.figures.empty()) << row.id;
+            EXPECT_FALSE(drawn.figures.empty()) << row.id;
             EXPECT_TRUE(drawn.is_border_whole) << row.id;
-            for (const Figure& figure : drawn.page.figures)
+            for (const Figure& figure : drawn.figures)
                 EXPECT_TRUE(figure.agrees) << row.id << ": " << figure_text(figure);
         }
+}
+
+TEST_F(GalleryRows, FiguresAreAsExpectedAtTheCoarsestAccuracy) {
+    Settings settings;
+    settings.accuracy = accuracy_of(Preset::Year1991);
+    for (const Row& row : gallery_rows()) {
+        std::vector<std::int64_t> values = start_values(row);
+        const std::int64_t choices = row.parameters[0].choices.empty() ? 1 : row.parameters[0].most + 1;
+        for (std::int64_t choice = 0; choice < choices; ++choice) {
+            if (choices > 1) values[0] = choice;
+            for (const Figure& figure : draw(row, values, {}, settings).figures)
+                EXPECT_TRUE(figure.agrees) << row.id << ": " << figure_text(figure);
+        }
+    }
 }
 
 TEST_F(GalleryRows, EveryParameterChangesSomething) {
@@ -80,7 +94,7 @@ TEST_F(GalleryRows, PicturesAreTheSameEachTimeAndStayRightInCanvasesOfOtherSizes
         for (const ScreenMode& mode : {ScreenMode{160, 100, {4, 3}}, ScreenMode{480, 270, {16, 9}}}) {
             const Drawn drawn = draw(row, start_values(row), mode);
             EXPECT_TRUE(drawn.is_border_whole) << row.id << " in " << mode.width_px << "x" << mode.height_px;
-            for (const Figure& figure : drawn.page.figures)
+            for (const Figure& figure : drawn.figures)
                 EXPECT_TRUE(figure.agrees) << row.id << " in " << mode.width_px << ": " << figure_text(figure);
         }
     }
@@ -117,12 +131,11 @@ TEST_F(GalleryRows, LinesOfFiguresAreWrappedNotCut) {
     Row row = gallery_rows().front();
     row.parameters.clear();
     row.draw = [](const RowInput&, Framebuffer) {
-        return RowPage{{measured("a figure whose name is longer than a line of the canvas has room for, by far", "1")},
-                       {}};
+        return Figures{measured("a figure whose name is longer than a line of the canvas has room for, by far", "1")};
     };
     const Drawn whole = draw(row, {});
     row.draw = [](const RowInput&, Framebuffer) {
-        return RowPage{{measured("a figure whose name is longer than a line of the canvas has room for, by", "1")}, {}};
+        return Figures{measured("a figure whose name is longer than a line of the canvas has room for, by", "1")};
     };
     EXPECT_NE(draw(row, {}).pixels, whole.pixels) << "the last word shows";
 }

@@ -102,10 +102,10 @@ std::int64_t drawn_pixels(const std::vector<std::uint8_t>& pixels, std::int32_t 
     return count;
 }
 
-std::int64_t span_pixels_of(const RowPage& page) {
-    const auto found = std::find_if(page.figures.begin(), page.figures.end(),
+std::int64_t span_pixels_of(const Figures& figures) {
+    const auto found = std::find_if(figures.begin(), figures.end(),
                                     [](const Figure& figure) { return figure.name == "pixels of all spans"; });
-    return found == page.figures.end() ? -1 : std::stoll(found->found);
+    return found == figures.end() ? -1 : std::stoll(found->found);
 }
 
 TEST_F(PipelineRow, PixelsAreThoseOfTheSpansEachOnce) {
@@ -113,8 +113,8 @@ TEST_F(PipelineRow, PixelsAreThoseOfTheSpansEachOnce) {
     for (const std::int64_t yaw : {0, 20, 60})
         for (const std::int64_t left : {-10, -3, 0, 5, 10}) {
             const Drawn drawn = draw(row, {kPixels, yaw, left});
-            EXPECT_GT(span_pixels_of(drawn.page), 1000);
-            EXPECT_EQ(drawn_pixels(drawn.pixels, 320 + 2 * kBorder_px, kBorder_px), span_pixels_of(drawn.page))
+            EXPECT_GT(span_pixels_of(drawn.figures), 1000);
+            EXPECT_EQ(drawn_pixels(drawn.pixels, 320 + 2 * kBorder_px, kBorder_px), span_pixels_of(drawn.figures))
                 << yaw << " " << left;
         }
 }
@@ -129,7 +129,7 @@ TEST_F(PipelineRow, EveryStageHasAPictureOfItsOwn) {
 /// Every second row is left out, so that one span is told from the next.
 TEST_F(PipelineRow, SpansAreHalfOfThePixels) {
     const Drawn drawn = draw(stage_rows().front(), {kSpans, 30, 7});
-    const double half = static_cast<double>(span_pixels_of(drawn.page)) / 2;
+    const double half = static_cast<double>(span_pixels_of(drawn.figures)) / 2;
     EXPECT_NEAR(static_cast<double>(drawn_pixels(drawn.pixels, 320 + 2 * kBorder_px, kBorder_px)), half, 120);
 }
 

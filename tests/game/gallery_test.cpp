@@ -5,7 +5,7 @@
 namespace oblong {
 namespace {
 
-RowPage draw_nothing(const RowInput&, Framebuffer) {
+Figures draw_nothing(const RowInput&, Framebuffer) {
     return {};
 }
 
@@ -16,15 +16,10 @@ class GalleryKeys : public testing::Test {
     }
     std::int64_t value(std::size_t parameter) const { return state_.values[state_.row][parameter]; }
 
-    const std::vector<Row> rows_{{"a",
-                                  "A",
-                                  "1",
-                                  "",
-                                  "",
-                                  {choice_parameter("colour", {"red", "green", "blue"}, 1), {"size", -4, 10, 2, 0}},
-                                  draw_nothing},
-                                 {"b", "B", "2", "", "", {}, draw_nothing},
-                                 {"c", "C", "3", "", "", {{"angle", 0, 90, 15, 45}}, draw_nothing}};
+    const std::vector<Row> rows_{
+        {"a", draw_nothing, {choice_parameter("colour", {"red", "green", "blue"}, 1), {"size", -4, 10, 2, 0}}},
+        {"b", draw_nothing, {}},
+        {"c", draw_nothing, {{"angle", 0, 90, 15, 45}}}};
     ViewOptions view_options_;
     GalleryState state_ = start_of_gallery(rows_);
 };

@@ -9,7 +9,7 @@
 #include "engine/methods/transforms.h"
 #include "tests/math/vectors.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
 
 using Real = long double;
@@ -49,19 +49,23 @@ void expect_matrix(const Matrix3& got, const Real3& expected, Real tolerance) {
             ASSERT_LE(std::abs(number(got.rows[i][j]) - expected[i][j]), tolerance) << i << " " << j;
 }
 
-Angle any_angle(std::mt19937& random) {
-    return Angle::from_bam(random());
+EulerAngles any_angles(std::mt19937& random) {
+    const Angle yaw = random_angle(random), pitch = random_angle(random);
+    return {yaw, pitch, random_angle(random)};
+}
+/// Roll, then pitch, then yaw.
+Real3 product_of(const EulerAngles& angles) {
+    return product(about(2, angles.yaw), product(about(1, angles.pitch), about(0, angles.roll)));
 }
 
 constexpr Real kStep = 0x1p-30L;
 
 TEST(RotationMatrix, AboutEachAxisIsTheCourseNotesMatrix) {
-    constexpr Unit kOne = Unit::from_int(1);
-    const std::array<Vec3<Unit>, 3> axes{{{kOne, {}, {}}, {{}, kOne, {}}, {{}, {}, kOne}}};
+    const std::array axes{kX, kY, kZ};
     std::mt19937 random(1);
     for (int i = 0; i < 2'000; ++i)
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Angle angle = any_angle(random);
+            const Angle angle = random_angle(random);
             ASSERT_NO_FATAL_FAILURE(expect_matrix(rotation_matrix(axes[axis], angle), about(axis, angle), kStep));
         }
 }
@@ -69,16 +73,15 @@ TEST(RotationMatrix, AboutEachAxisIsTheCourseNotesMatrix) {
 TEST(RotationMatrix, EulerAnglesAreRollThenPitchThenYaw) {
     std::mt19937 random(2);
     for (int i = 0; i < 2'000; ++i) {
-        const EulerAngles angles{any_angle(random), any_angle(random), any_angle(random)};
-        const Real3 expected = product(about(2, angles.yaw), product(about(1, angles.pitch), about(0, angles.roll)));
-        ASSERT_NO_FATAL_FAILURE(expect_matrix(rotation_matrix(angles), expected, kStep));
+        const EulerAngles angles = any_angles(random);
+        ASSERT_NO_FATAL_FAILURE(expect_matrix(rotation_matrix(angles), product_of(angles), kStep));
     }
 }
 
 TEST(RotationMatrix, QuaternionOfEulerAnglesTurnsAsTheyDo) {
     std::mt19937 random(3);
     for (int i = 0; i < 2'000; ++i) {
-        const EulerAngles angles{any_angle(random), any_angle(random), any_angle(random)};
+        const EulerAngles angles = any_angles(random);
         const Matrix3 by_angles = rotation_matrix(angles), by_quaternion = rotation_matrix(quaternion_of(angles));
         for (std::size_t row = 0; row < 3; ++row)
             for (std::size_t column = 0; column < 3; ++column)
@@ -88,22 +91,21 @@ TEST(RotationMatrix, QuaternionOfEulerAnglesTurnsAsTheyDo) {
 
 TEST(ModelMatrix, ScalesThenTurnsThenMoves) {
     const Vec3<Entry> scale{Entry::from_int(2), Entry::from_int(3), Entry::from_int(4)};
-    const Vec3<World> position{World::from_int(100), World::from_int(-50), World::from_int(7)};
+    const Vec3<World> position = point_at(100, -50, 7);
     const Matrix4 model = model_matrix(position, EulerAngles{kQuarterTurn, {}, {}}, scale);
     // (1, 1, 1) -> (2, 3, 4) -> a quarter turn about z: (-3, 2, 4) -> moved.
-    const Vec3<World> got = transformed_point(model, {World::from_int(1), World::from_int(1), World::from_int(1)});
-    EXPECT_EQ(got, (Vec3<World>{World::from_int(97), World::from_int(-48), World::from_int(11)}));
+    const Vec3<World> got = transformed_point(model, point_at(1, 1, 1));
+    EXPECT_EQ(got, point_at(97, -48, 11));
 }
 
 TEST(ModelMatrix, PointsAreRoundedOnceAndSaturate) {
     std::mt19937 random(4);
     for (int i = 0; i < 2'000; ++i) {
-        const EulerAngles angles{any_angle(random), any_angle(random), any_angle(random)};
-        const auto any = [&random] { return World::from_raw(static_cast<std::int32_t>(random()) / 64); };
-        const Vec3<World> at{any(), any(), any()}, p{any(), any(), any()};
+        const EulerAngles angles = any_angles(random);
+        const Vec3<World> at = random_world(random, 6), p = random_world(random, 6);
         const Vec3<World> got = transformed_point(
             model_matrix(at, angles, {Entry::from_int(1), Entry::from_int(1), Entry::from_int(1)}), p);
-        const Real3 turn = product(about(2, angles.yaw), product(about(1, angles.pitch), about(0, angles.roll)));
+        const Real3 turn = product_of(angles);
         const Real x = turn[0][0] * p.x.raw + turn[0][1] * p.y.raw + turn[0][2] * p.z.raw + at.x.raw;
         // Entries are off by half a step of 2^-30, coordinates have at most 25 bits.
         ASSERT_LE(std::abs(x - got.x.raw), 0.5L + 3 * 0x1p-31L * 0x1p25L);
@@ -116,7 +118,7 @@ TEST(ModelMatrix, PointsAreRoundedOnceAndSaturate) {
 TEST(TransformedNormal, StaysAtRightAnglesToAStretchedSurface) {
     std::mt19937 random(5);
     for (int i = 0; i < 2'000; ++i) {
-        const EulerAngles angles{any_angle(random), any_angle(random), any_angle(random)};
+        const EulerAngles angles = any_angles(random);
         const auto any_scale = [&random] { return Entry::from_raw((std::int64_t{1} << 30) + random()); };
         const Matrix4 model = model_matrix({}, angles, {any_scale(), any_scale(), any_scale()});
         const Vec3<Unit> normal = normalised(any_direction(random));
@@ -133,4 +135,4 @@ TEST(LinearPart, OfAHomogeneousMatrixIsTheMatrix) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

@@ -7,7 +7,7 @@
 #include "engine/methods/line_and_plane.h"
 #include "tests/math/vectors.h"
 
-namespace oblong {
+namespace oblong::test {
 
 namespace {
 
@@ -105,38 +105,32 @@ TEST(PerpendicularTo, IsAUnitVectorAtRightAnglesToEveryDirection) {
     }
 }
 
-constexpr Vec3<Unit> kZ{{}, {}, Unit::from_int(1)};
-
-Vec3<World> at(std::int32_t x, std::int32_t y, std::int32_t z) {
-    return {World::from_int(x), World::from_int(y), World::from_int(z)};
-}
-
-const Plane kFloorAt5 = plane_through(at(0, 0, 5), kZ);
+const Plane kFloorAt5 = plane_through(point_at(0, 0, 5), kZ);
 
 TEST(DistanceToPlane, IsPositiveInFront) {
-    EXPECT_EQ(distance_to_plane(at(1, 2, 10), kFloorAt5), PlaneDistance::from_int(5));
-    EXPECT_EQ(distance_to_plane(at(1, 2, -10), kFloorAt5), PlaneDistance::from_int(-15));
-    EXPECT_EQ(distance_to_plane(at(1, 2, 5), kFloorAt5), PlaneDistance{});
+    EXPECT_EQ(distance_to_plane(point_at(1, 2, 10), kFloorAt5), PlaneDistance::from_int(5));
+    EXPECT_EQ(distance_to_plane(point_at(1, 2, -10), kFloorAt5), PlaneDistance::from_int(-15));
+    EXPECT_EQ(distance_to_plane(point_at(1, 2, 5), kFloorAt5), PlaneDistance{});
 }
 
 TEST(IntersectLine, GoesOnBeyondItsEnds) {
-    const auto hit = intersect_line(at(0, 0, 7), at(0, 4, 6), kFloorAt5);
+    const auto hit = intersect_line(point_at(0, 0, 7), point_at(0, 4, 6), kFloorAt5);
     ASSERT_TRUE(hit);
-    EXPECT_EQ(hit->world_point, at(0, 8, 5));
+    EXPECT_EQ(hit->world_point, point_at(0, 8, 5));
     EXPECT_EQ(hit->along, (Fixed<std::int64_t, 32>::from_int(2)));
-    EXPECT_FALSE(intersect_segment(at(0, 0, 7), at(0, 4, 6), kFloorAt5)) << "ends before it";
+    EXPECT_FALSE(intersect_segment(point_at(0, 0, 7), point_at(0, 4, 6), kFloorAt5)) << "ends before it";
 }
 
 TEST(IntersectSegment, EndsInThePlaneCountAsMet) {
     const auto met = [](const Vec3<World>& start, const Vec3<World>& end) {
         const auto hit = intersect_segment(start, end, kFloorAt5);
-        return hit && hit->world_point == at(3, 3, 5);
+        return hit && hit->world_point == point_at(3, 3, 5);
     };
-    for (const Vec3<World>& other : {at(0, 0, 9), at(0, 0, 1)}) {
-        EXPECT_TRUE(met(other, at(3, 3, 5)));
-        EXPECT_TRUE(met(at(3, 3, 5), other));
+    for (const Vec3<World>& other : {point_at(0, 0, 9), point_at(0, 0, 1)}) {
+        EXPECT_TRUE(met(other, point_at(3, 3, 5)));
+        EXPECT_TRUE(met(point_at(3, 3, 5), other));
     }
-    EXPECT_TRUE(met(at(3, 3, 5), at(0, 0, 5))) << "lies in it";
+    EXPECT_TRUE(met(point_at(3, 3, 5), point_at(0, 0, 5))) << "lies in it";
 }
 
 /// n . p = d at the answer, as exactly as a point of half a step can satisfy it.
@@ -144,9 +138,8 @@ TEST(IntersectSegment, PointLiesInThePlane) {
     std::mt19937 random(1);
     int met = 0;
     for (int i = 0; i < 50'000; ++i) {
-        const auto any = [&random] { return World::from_raw(static_cast<std::int32_t>(random())); };
-        const Plane plane = plane_through({any(), any(), any()}, normalised(any_direction(random)));
-        const auto hit = intersect_segment({any(), any(), any()}, {any(), any(), any()}, plane);
+        const Plane plane = plane_through(random_world(random), normalised(any_direction(random)));
+        const auto hit = intersect_segment(random_world(random), random_world(random), plane);
         if (!hit || plane.normal == Vec3<Unit>{}) continue;
         ++met;
         // Half a step of 2^-12 in each of three coordinates: at most sqrt(3) / 2 steps along the normal.
@@ -161,9 +154,8 @@ TEST(IntersectSegment, PointLiesInThePlane) {
 TEST(IntersectRay, IsTheDistanceInFrontOverTheApproach) {
     std::mt19937 random(2);
     for (int i = 0; i < 20'000; ++i) {
-        const auto any = [&random] { return World::from_raw(static_cast<std::int32_t>(random()) / 4); };
-        const Plane plane = plane_through({any(), any(), any()}, normalised(any_direction(random)));
-        const Vec3<World> origin{any(), any(), any()};
+        const Plane plane = plane_through(random_world(random, 2), normalised(any_direction(random)));
+        const Vec3<World> origin = random_world(random, 2);
         const Vec3<Unit> direction = normalised(any_direction(random));
         const long double above = std::ldexp(static_cast<long double>(distance_to_plane(origin, plane).raw), -42);
         const long double approach = -std::ldexp(static_cast<long double>(dot(direction, plane.normal).raw), -60);
@@ -175,14 +167,13 @@ TEST(IntersectRay, IsTheDistanceInFrontOverTheApproach) {
 }
 
 TEST(IntersectRay, IsBelow0BehindTheOriginAndNoneForAParallelRay) {
-    const Vec3<Unit> up{{}, {}, Unit::from_int(1)}, along{Unit::from_int(1), {}, {}};
-    EXPECT_EQ(intersect_ray(at(1, 2, 7), -up, kFloorAt5), RayDistance::from_int(2));
-    EXPECT_EQ(intersect_ray(at(1, 2, 7), up, kFloorAt5), RayDistance::from_int(-2));
-    EXPECT_FALSE(intersect_ray(at(1, 2, 7), along, kFloorAt5));
-    EXPECT_EQ(point_on_ray(at(1, 2, 7), -up, RayDistance::from_int(2)), at(1, 2, 5));
-    EXPECT_EQ(point_on_ray(at(1, 2, 7), up, RayDistance::highest()).z, World::highest());
+    EXPECT_EQ(intersect_ray(point_at(1, 2, 7), -kZ, kFloorAt5), RayDistance::from_int(2));
+    EXPECT_EQ(intersect_ray(point_at(1, 2, 7), kZ, kFloorAt5), RayDistance::from_int(-2));
+    EXPECT_FALSE(intersect_ray(point_at(1, 2, 7), kX, kFloorAt5));
+    EXPECT_EQ(point_on_ray(point_at(1, 2, 7), -kZ, RayDistance::from_int(2)), point_at(1, 2, 5));
+    EXPECT_EQ(point_on_ray(point_at(1, 2, 7), kZ, RayDistance::highest()).z, World::highest());
 }
 
 }  // namespace
 
-}  // namespace oblong
+}  // namespace oblong::test

@@ -1,14 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
-#include <random>
 
-#include "engine/math/basis.h"
-#include "engine/math/vec.h"
+#include "tests/support/random.h"
 
-namespace oblong {
+namespace oblong::test {
 
 /// Directions of every kind: each component any number of 30 bits, now and then short or zero.
 inline Vec3<Unit> any_direction(std::mt19937& random) {
@@ -19,11 +17,7 @@ inline Vec3<Unit> any_direction(std::mt19937& random) {
     return {any(), any(), any()};
 }
 
-/// A direction as numbers of 64 bits' precision, for references.
-inline std::array<long double, 3> exact(const Vec3<Unit>& v) {
-    const auto value = [](Unit component) { return std::ldexp(static_cast<long double>(component.raw), -30); };
-    return {value(v.x), value(v.y), value(v.z)};
-}
+inline constexpr Vec3<Unit> kX{Unit::from_int(1), {}, {}}, kY{{}, Unit::from_int(1), {}}, kZ{{}, {}, Unit::from_int(1)};
 
 /// The largest |r_i . r_j - d_ij| of a basis, in steps of 2^-60.
 inline std::int64_t worst_flaw_60(const Basis& basis) {
@@ -36,8 +30,7 @@ inline std::int64_t worst_flaw_60(const Basis& basis) {
         }
     return worst;
 }
-
 /// 2^-26, the bound that every basis keeps, in steps of 2^-60.
 inline constexpr std::int64_t kOrthonormal60 = std::int64_t{1} << 34;
 
-}  // namespace oblong
+}  // namespace oblong::test

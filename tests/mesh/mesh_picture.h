@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "engine/mesh/draw_mesh.h"
-#include "tests/effects/view.h"
+#include "tests/support/views.h"
 #include "tools/gallery/mesh_scene.h"
 #include "tools/gallery/row.h"
 

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
+
+#include "tests/support/random.h"
 
 namespace oblong::test {
 
@@ -19,8 +20,7 @@ struct Slope {
     double origin = 0.004, per_column = 0.00001, per_row = 0.00002;
 
     LinearQuantity<InverseZ> quantity() const {
-        const auto fixed = [](double value) { return InverseZ::from_raw(std::llround(std::ldexp(value, 44))); };
-        return {fixed(origin), fixed(per_column), fixed(per_row)};
+        return {nearest<InverseZ>(origin), nearest<InverseZ>(per_column), nearest<InverseZ>(per_row)};
     }
     double steps(std::int32_t column, std::int32_t row) const {
         return std::ldexp(origin + per_column * column + per_row * row, 32);
@@ -90,15 +90,12 @@ TEST(DepthBuffer, IsNotWantedWithoutARectangle) {
 
 TEST(DepthBuffer, CoversWhatIsWantedByFewRectangles) {
     std::mt19937 random(1);
-    const auto below = [&random](std::int32_t end) {
-        return static_cast<std::int32_t>(random() % static_cast<unsigned>(end));
-    };
     for (int trial = 0; trial < 50; ++trial) {
         DepthBuffer depth(kWidth, kHeight);
         std::vector<ScreenRectangle> wanted;
         for (int i = 0; i < 200; ++i) {
-            const std::int32_t x = below(310), y = below(190);
-            wanted.push_back({x, x + 1 + below(10), y, y + 1 + below(10)});
+            const std::int32_t x = random_below(random, 310), y = random_below(random, 190);
+            wanted.push_back({x, x + 1 + random_below(random, 10), y, y + 1 + random_below(random, 10)});
             depth.want(wanted.back());
         }
         EXPECT_LE(depth.rectangles().size(), 16u);
@@ -124,12 +121,9 @@ TEST(DepthBuffer, SpansTouchItOnlyWhereTheyReachIntoItsRows) {
     depth.want({100, 110, 50, 60});
     depth.clear();
     const auto touches = [&depth](Span span) { return depth.touches(std::vector<Span>{{0, 0, 320}, span}); };
-    EXPECT_TRUE(touches({50, 0, 101}));
-    EXPECT_TRUE(touches({59, 109, 320}));
-    EXPECT_FALSE(touches({50, 0, 100}));
-    EXPECT_FALSE(touches({59, 110, 320}));
-    EXPECT_FALSE(touches({49, 0, 320}));
-    EXPECT_FALSE(touches({60, 0, 320}));
+    for (const Span& span : {Span{50, 0, 101}, {59, 109, 320}}) EXPECT_TRUE(touches(span)) << span.y;
+    for (const Span& span : {Span{50, 0, 100}, {59, 110, 320}, {49, 0, 320}, {60, 0, 320}})
+        EXPECT_FALSE(touches(span)) << span.y << ", " << span.first;
 }
 
 }  // namespace oblong::test

@@ -3,17 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <random>
 #include <vector>
+
+#include "tests/support/random.h"
 
 namespace oblong::test {
 
 namespace {
-
-std::uint8_t random_byte(std::mt19937& random) {
-    return static_cast<std::uint8_t>(random());
-}
 
 /// Everything that a kernel may need, at random. A third of the texels are holes.
 struct RandomTexels {
@@ -28,8 +24,8 @@ struct RandomTexels {
         for (std::uint8_t& texel : texels) texel = random() % 3 == 0 ? kHoleTexel : random_byte(random);
         for (std::uint32_t& shift_16 : warp.shift_16)
             shift_16 = static_cast<std::uint32_t>(random() % (16 * 65536 + 1));
-        for (std::uint8_t& shade : shades) shade = random_byte(random);
-        for (auto& row : blend.rows) std::generate(row.begin(), row.end(), [&] { return random_byte(random); });
+        fill_at_random(shades, random);
+        for (auto& row : blend.rows) fill_at_random(row, random);
         const auto u_mask = static_cast<std::uint32_t>(width - 1), v_mask = static_cast<std::uint32_t>(height - 1);
         all = {{texels.data(), width, height, stride_log2, u_mask, v_mask}, &warp, &shades, &blend};
     }
@@ -65,7 +61,7 @@ std::uint8_t defined(const EffectTexels& texels, TexelTraits traits, std::int64_
 void expect_the_definition(std::mt19937& random, const RandomTexels& texels, TexelTraits traits) {
     const std::vector<TexelBlock> blocks = random_blocks(random, 3000);
     std::vector<std::uint8_t> behind(3100);
-    for (std::uint8_t& pixel : behind) pixel = random_byte(random);
+    fill_at_random(behind, random);
     std::vector<std::uint8_t> expected = behind;
     for (const TexelBlock& block : blocks)
         for (std::int64_t i = 0; i < block.count; ++i) {

@@ -6,9 +6,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <random>
 #include <utility>
 #include <vector>
+
+#include "tests/support/random.h"
 
 #if __has_include(<sys/mman.h>)
 #include <sys/mman.h>
@@ -34,7 +35,7 @@ struct RandomSurface {
 
     RandomSurface(std::mt19937& random, int width_log2, int height_log2) : view(view_of(width_log2, height_log2)) {
         texels.resize(std::size_t{1} << (width_log2 + height_log2));
-        for (std::uint8_t& texel : texels) texel = static_cast<std::uint8_t>(random());
+        fill_at_random(texels, random);
         view.texels = texels.data();
     }
 };
@@ -192,7 +193,7 @@ TEST(Kernels, HardCaseX8_SizesThatAreNoPowersOfTwo) {
     std::mt19937 random(2);
     for (const auto& [width, height] : {std::pair{300, 7}, {48, 80}, {1, 1}, {513, 3}}) {
         std::vector<std::uint8_t> texels(static_cast<std::size_t>(width * height));
-        for (std::uint8_t& texel : texels) texel = static_cast<std::uint8_t>(random());
+        fill_at_random(texels, random);
         SurfaceView surface;
         surface.texels = texels.data();
         surface.width = width;

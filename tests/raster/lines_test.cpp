@@ -119,15 +119,6 @@ TEST(Bresenham, SetsTheNearestPixelsOfEveryShortLine) {
     }
 }
 
-TEST(Bresenham, TakesTheLargerOfTwoPixelsEquallyNear) {
-    Picture rising = drawn({0, 0}, {2, 1}, LineMethod::Bresenham, 3, 3);
-    EXPECT_EQ(rising.at(1, 1), 1);
-    Picture falling = drawn({0, 1}, {2, 0}, LineMethod::Bresenham, 3, 3);
-    EXPECT_EQ(falling.at(1, 1), 1);
-    Picture steep = drawn({1, 0}, {0, 2}, LineMethod::Bresenham, 3, 3);
-    EXPECT_EQ(steep.at(1, 1), 1);
-}
-
 RC_GTEST_PROP(Bresenham, IsExactFromAnyPositionToAny, ()) {
     const PixelPosition from = any_position(), to = any_position();
     RC_ASSERT(drawn(from, to, LineMethod::Bresenham, 41, 23) == exact_line(from, to, 41, 23));

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <utility>
 
 #include "engine/raster/edge_walker.h"
+#include "tests/support/random.h"
 
 namespace oblong::test {
 
@@ -44,7 +44,7 @@ ScreenVertex at_8(std::int32_t x_8, std::int32_t y_8) {
 /// A coordinate on a screen of `size_8`: anywhere, on a pixel's centre or border, a step beside, or at the screen's
 /// end.
 std::int32_t hard_coordinate(std::mt19937& random, std::int32_t size_8) {
-    const auto any = static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(size_8 + 1));
+    const auto any = random_below(random, size_8 + 1);
     const std::int32_t chosen[]{any, any & ~127, (any & ~127) + 1, (any & ~127) - 1, size_8, 0};
     return std::clamp(chosen[random() % 6], 0, size_8);
 }
@@ -71,9 +71,7 @@ std::vector<ScreenVertex> moved(std::vector<ScreenVertex> polygon, std::int32_t 
 /// Points around an ellipse, clockwise as seen; `bend_8` moves each by up to as much.
 std::vector<ScreenVertex> random_polygon(std::mt19937& random, std::int32_t width, std::int32_t height,
                                          std::int32_t bend_8) {
-    const auto up_to = [&](std::int32_t most) {
-        return static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(most + 1));
-    };
+    const auto up_to = [&](std::int32_t most) { return random_below(random, most + 1); };
     std::vector<double> turns(3 + random() % 8);
     for (double& turn : turns) turn = up_to(1 << 20) * 6.283185307179586 / (1 << 20);
     std::sort(turns.begin(), turns.end());
@@ -202,9 +200,7 @@ TEST(Scan, OfSomeRowsHasTheSameColumns) {
             scan_convex(polygon, all, stepping);
             if (all.first >= all.end) continue;
             const std::int32_t rows = all.end - all.first;
-            const auto any = [&] {
-                return all.first + static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(rows));
-            };
+            const auto any = [&] { return all.first + random_below(random, rows); };
             const auto [first, last] = std::minmax({any(), any()});
             scan_convex(polygon, shape_of(polygon, 200, stepping), {first, last + 1}, some);
             ASSERT_NO_FATAL_FAILURE(expect_same_rows(all, some, {first, last + 1}, 0)) << i;

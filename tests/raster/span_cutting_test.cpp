@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <tuple>
 
 #include "engine/raster/texture_blocks.h"
+#include "tests/support/random.h"
 
 namespace oblong::test {
 
@@ -15,22 +15,14 @@ namespace {
 
 constexpr std::int32_t kWidth = 320, kHeight = 200;
 
-template <class Number>
-Number nearest(double value) {
-    return Number::from_raw(std::llround(std::ldexp(value, Number::kFractionBits)));
-}
-
 template <class Value>
 double value_at(const LinearQuantity<Value>& quantity, std::int32_t column, std::int32_t row) {
-    const auto of = [](Value value) { return std::ldexp(static_cast<double>(value.raw), -Value::kFractionBits); };
-    return of(quantity.origin) + of(quantity.per_column) * column + of(quantity.per_row) * row;
+    return number_of(quantity.origin) + number_of(quantity.per_column) * column + number_of(quantity.per_row) * row;
 }
 
 /// A plane at a random slope, and texels from far outside its surface to far inside.
 TextureGradients random_plane(std::mt19937& random) {
-    const auto part = [&random](double least, double greatest) {
-        return std::uniform_real_distribution<double>(least, greatest)(random);
-    };
+    const auto part = [&](double least, double greatest) { return random_between(random, least, greatest); };
     const double w = std::exp2(part(-14, 1)), texels = std::exp2(part(0, 17));
     const auto slope = [&](double of) { return of * part(-1, 1) * std::exp2(part(-8, 2)) / kWidth; };
     TextureGradients plane;
@@ -42,9 +34,7 @@ TextureGradients random_plane(std::mt19937& random) {
 }
 
 std::vector<Span> random_spans(std::mt19937& random) {
-    const auto below = [&random](std::int32_t end) {
-        return std::uniform_int_distribution<std::int32_t>(0, end - 1)(random);
-    };
+    const auto below = [&](std::int32_t end) { return random_below(random, end); };
     std::vector<Span> spans;
     for (std::int32_t row = below(100); row < kHeight; row += 1 + below(30)) {
         const std::int32_t first = below(kWidth);

@@ -7,20 +7,26 @@
 #include "engine/math/vec.h"
 #include "tools/measure/exact.h"
 
-/// The engine's points and directions in doubles, for the tests' own arithmetic. A World coordinate is exact there.
+/// The engine's numbers, points and directions in doubles, for the tests' own arithmetic. A World coordinate is exact
+/// there.
 namespace oblong::test {
 
 using Point = reference::Vec;
 
 inline Point along(const Point& a, const Point& b, double t) {
-    return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t, a.z + (b.z - a.z) * t};
+    return a + (b - a) * t;
 }
 
+/// The engine's number nearest to a value.
+template <class Number>
+Number nearest(double value) {
+    return Number::from_raw(static_cast<typename Number::Raw>(std::llround(std::ldexp(value, Number::kFractionBits))));
+}
 inline Vec3<World> to_world(Point p) {
-    const auto part = [](double value) {
-        return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
-    };
-    return {part(p.x), part(p.y), part(p.z)};
+    return {nearest<World>(p.x), nearest<World>(p.y), nearest<World>(p.z)};
+}
+inline Vec3<World> point_at(double x, double y, double z) {
+    return to_world({x, y, z});
 }
 template <class Int, int Frac>
 Point to_point(const Vec3<Fixed<Int, Frac>>& p) {

@@ -72,24 +72,23 @@ TEST(Layout, NoPairWithinTenPercentShowsItsError) {
     }
 }
 
-TEST(Layout, SquarePixelsAndFillAreAskedForByName) {
-    expect_size(size_of(layout({1600, 1200}, kMode, ShownAs::SquarePixels, Scaling::SharpBilinear)), {1600, 1000},
-                {1600, 1200}, Scaling::SharpBilinear);
-    // A real 4:3 tube run at 640x400 or 1280x1024 must be filled.
-    expect_size(size_of(layout({640, 400}, kMode, ShownAs::FillWindow, Scaling::SharpBilinear)), {640, 400}, {640, 400},
-                Scaling::SharpBilinear);
-    expect_size(size_of(layout({1280, 1024}, kMode, ShownAs::FillWindow, Scaling::SharpBilinear)), {1280, 1024},
-                {1280, 1024}, Scaling::SharpBilinear);
-}
-
-TEST(Layout, OtherModesAndDisplays) {
+/// A real 4:3 tube run at 640x400 or 1280x1024 must be filled.
+TEST(Layout, OtherModesDisplaysAndWaysToShow) {
     const ScreenMode vga{640, 480, {4, 3}}, projector{640, 480, {37, 20}}, tube{640, 400, {4, 3}};
-    expect_size(size_of(layout({1920, 1080}, vga, ShownAs::OnDisplay, Scaling::SharpBilinear)), {1440, 1080},
-                {1920, 1080}, Scaling::SharpBilinear);
-    expect_size(size_of(layout({1850, 1200}, projector, ShownAs::OnDisplay, Scaling::SharpBilinear)), {1850, 1000},
-                {1850, 1200}, Scaling::SharpBilinear);
-    expect_size(size_of(layout({1600, 1200}, tube, ShownAs::OnDisplay, Scaling::Even)), {1280, 1200}, {1600, 1200},
-                Scaling::Even);  // 2:3 of 5:6: -20 %, as 2.5 columns are none
+    struct Row {
+        ScreenMode mode;
+        ShownAs shown;
+        Scaling scaling;
+        WindowSize window, wanted;
+    };
+    for (const Row& row : {Row{kMode, ShownAs::SquarePixels, Scaling::SharpBilinear, {1600, 1200}, {1600, 1000}},
+                           {kMode, ShownAs::FillWindow, Scaling::SharpBilinear, {640, 400}, {640, 400}},
+                           {kMode, ShownAs::FillWindow, Scaling::SharpBilinear, {1280, 1024}, {1280, 1024}},
+                           {vga, ShownAs::OnDisplay, Scaling::SharpBilinear, {1920, 1080}, {1440, 1080}},
+                           {projector, ShownAs::OnDisplay, Scaling::SharpBilinear, {1850, 1200}, {1850, 1000}},
+                           // 2:3 of 5:6: -20 %, as 2.5 columns are none
+                           {tube, ShownAs::OnDisplay, Scaling::Even, {1600, 1200}, {1280, 1200}}})
+        expect_size(size_of(layout(row.window, row.mode, row.shown, row.scaling)), row.wanted, row.window, row.scaling);
 }
 
 bool is_inside(const PresentRect& rect, WindowSize window) {

@@ -2,16 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "engine/math/transform.h"
 #include "engine/methods/polygons.h"
 #include "engine/methods/transforms.h"
 #include "engine/raster/scan.h"
 #include "engine/view/project.h"
 #include "engine/view/texture_gradients.h"
+#include "tests/support/random.h"
 
-namespace oblong {
+namespace oblong::test {
 
 namespace {
 
@@ -57,15 +56,10 @@ TEST(DrawableLens, BeginsAtHalfAPixel) {
     EXPECT_TRUE(is_drawable(projection_of(1, 1, 89)));
 }
 
-Vec3<World> at(double x, double y, double z) {
-    const auto world = [](double value) { return World::from_raw(static_cast<std::int32_t>(value * 4096)); };
-    return {world(x), world(y), world(z)};
-}
-
 /// Errata A9: the triangle faces the eye though its normal's z in viewspace points away.
 TEST(SeedA9, NormalAloneIsWrongWhereTheDotProductIsRight) {
     // In viewspace (x right, y up, z forward): (10, 0, 10), (11, 0, 12), (10, 1, 10), its normal (-2, 0, 1).
-    const Vec3<World> a = at(10, 0, 10), b = at(11, 0, 12), c = at(10, 1, 10);
+    const Vec3<World> a = point_at(10, 0, 10), b = point_at(11, 0, 12), c = point_at(10, 1, 10);
     const Vec3<Unit> normal = normalised(cross(b - a, c - a));
     const Vec3<Unit> forward{{}, {}, Unit::from_int(1)};
     EXPECT_TRUE(normal_points_away(normal, forward));
@@ -75,13 +69,13 @@ TEST(SeedA9, NormalAloneIsWrongWhereTheDotProductIsRight) {
 /// The sign of the projected area decides on the screen what the dot product decides in the object's own space.
 TEST(FacesAway, InObjectSpaceAgreesWithTheProjectedAreaAndTheNormalAloneDoesNotAlways) {
     std::mt19937 random(1);
-    std::uniform_real_distribution<double> any(-1, 1);
+    const auto any = [&] { return random_between(random, -1, 1); };
     const Projection projection = make_projection({}, Degrees::from_int(90));
     int wrong_by_normal = 0, compared = 0;
     for (int i = 0; i < 5'000; ++i) {
-        const Vec3<World> a = at(90 + 60 * any(random), 80 * any(random), 60 * any(random));
-        const Vec3<World> b = a + at(20 * any(random), 20 * any(random), 20 * any(random));
-        const Vec3<World> c = a + at(20 * any(random), 20 * any(random), 20 * any(random));
+        const Vec3<World> a = point_at(90 + 60 * any(), 80 * any(), 60 * any());
+        const Vec3<World> b = a + point_at(20 * any(), 20 * any(), 20 * any());
+        const Vec3<World> c = a + point_at(20 * any(), 20 * any(), 20 * any());
         const Basis axes = view_basis({}, {}, {});
         std::array<ScreenVertex, 3> screen;
         const std::array corners{a, b, c};
@@ -105,15 +99,15 @@ TEST(FacesAway, InObjectSpaceAgreesWithTheProjectedAreaAndTheNormalAloneDoesNotA
 /// The eye is brought into the object's space instead of the object into the eye's.
 TEST(FacesAway, InObjectSpaceIsTheSameAsInTheWorld) {
     std::mt19937 random(2);
-    std::uniform_real_distribution<double> any(-1, 1);
+    const auto any = [&] { return random_between(random, -1, 1); };
     int differ = 0;
     for (int i = 0; i < 2'000; ++i) {
-        const EulerAngles angles{Angle::from_bam(random()), Angle::from_bam(random()), Angle::from_bam(random())};
-        const Matrix4 model = model_matrix(at(100 * any(random), 100 * any(random), 0), angles,
+        const EulerAngles angles{random_angle(random), random_angle(random), random_angle(random)};
+        const Matrix4 model = model_matrix(point_at(100 * any(), 100 * any(), 0), angles,
                                            {Entry::from_int(2), Entry::from_int(2), Entry::from_int(2)});
-        const Vec3<World> corner = at(5 * any(random), 5 * any(random), 5 * any(random));
-        const Vec3<Unit> normal = normalised(at(any(random), any(random), any(random)));
-        const Vec3<World> eye = at(200 * any(random), 200 * any(random), 50);
+        const Vec3<World> corner = point_at(5 * any(), 5 * any(), 5 * any());
+        const Vec3<Unit> normal = normalised(point_at(any(), any(), any()));
+        const Vec3<World> eye = point_at(200 * any(), 200 * any(), 50);
         const bool in_object = faces_away(corner, normal, transformed_point(*inverse(model), eye));
         const bool in_world = faces_away(transformed_point(model, corner),
                                          transformed_normal(*normal_matrix(linear_part(model)), normal), eye);
@@ -123,7 +117,7 @@ TEST(FacesAway, InObjectSpaceIsTheSameAsInTheWorld) {
 }
 
 TEST(FacesAway, EdgeOnIsAwayAndTheWholeWorldFits) {
-    EXPECT_TRUE(faces_away(at(1, 0, 0), {{}, {}, Unit::from_int(1)}, {}));
+    EXPECT_TRUE(faces_away(point_at(1, 0, 0), {{}, {}, Unit::from_int(1)}, {}));
     const Vec3<World> low{World::lowest(), World::lowest(), World::lowest()};
     const Vec3<World> high{World::highest(), World::highest(), World::highest()};
     const Vec3<Unit> diagonal = normalised(widening_difference(high, low));
@@ -133,4 +127,4 @@ TEST(FacesAway, EdgeOnIsAwayAndTheWholeWorldFits) {
 
 }  // namespace
 
-}  // namespace oblong
+}  // namespace oblong::test

@@ -7,31 +7,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include "engine/base/input_error.h"
 #include "engine/fixed/trig.h"
-#include "tests/support/point.h"
+#include "tests/support/random.h"
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using test::Point;
-
-World units(double value) {
-    return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
-}
-Vec3<World> at(double x, double y, double z) {
-    return {units(x), units(y), units(z)};
-}
 
 struct Pixel {
     double x, y;
 };
 Pixel shown(const ViewContext& view, const Vec3<World>& point) {
     const ScreenPosition position = project(to_view(point, view), view.projection);
-    return {std::ldexp(position.x.raw, -8), std::ldexp(position.y.raw, -8)};
+    return {number_of(position.x), number_of(position.y)};
 }
 
 struct Extents {
@@ -46,7 +36,7 @@ struct Extents {
 Extents extents_of_cube(const ViewContext& view, double size) {
     Extents extents;
     for (int corner = 0; corner < 8; ++corner)
-        extents.add(shown(view, at(corner & 1 ? size : 0, corner & 2 ? size : 0, corner & 4 ? size : 0)));
+        extents.add(shown(view, point_at(corner & 1 ? size : 0, corner & 2 ? size : 0, corner & 4 ? size : 0)));
     return extents;
 }
 
@@ -56,7 +46,7 @@ void expect_extents(const ViewSpec& spec, const ScreenMode& mode, double left, d
                     double top) {
     ASSERT_FALSE(problem_of(spec, mode)) << *problem_of(spec, mode);
     const Extents extents = extents_of_cube(make_view_context(spec, mode), 64);
-    const double per_unit = mode.width_px / (2 * std::ldexp(spec.window.half_width.raw, -16));
+    const double per_unit = mode.width_px / (2 * number_of(spec.window.half_width));
     const double pixel = 4.0 / 3 * mode.height_px / mode.width_px;  // its width to its height
     EXPECT_NEAR(extents.left, mode.width_px / 2.0 + 64 * left * per_unit, kTolerance_px);
     EXPECT_NEAR(extents.right, mode.width_px / 2.0 + 64 * right * per_unit, kTolerance_px);
@@ -83,7 +73,7 @@ TEST(ParallelViews, ShortenAllAxesAlikeWhereIsometric) {
 }
 
 double shortening(const Basis& axes, const Point& axis) {
-    return std::hypot(dot(test::to_point(axes.right), axis), dot(test::to_point(axes.up), axis));
+    return std::hypot(dot(to_point(axes.right), axis), dot(to_point(axes.up), axis));
 }
 
 /// How many of three numbers differ from each other.
@@ -120,8 +110,7 @@ TEST(ParallelViews, ShiftWhatIsFartherWhereOblique) {
             for (const int degrees : {30, 45, 60}) {
                 const double turn = degrees * 3.141592653589793 / 180;
                 const ViewSpec view = oblique_view({}, side_axes(ViewSide::Front), View::from_int(300),
-                                                   Unit::from_raw(static_cast<std::int32_t>(std::ldexp(share, 30))),
-                                                   degrees_to_angle(Degrees::from_int(degrees)));
+                                                   nearest<Unit>(share), degrees_to_angle(Degrees::from_int(degrees)));
                 // Binary angles are within 0.003 degrees.
                 expect_extents(view, mode, 0, 1 + share * std::cos(turn), 0, 1 + share * std::sin(turn));
             }
@@ -138,15 +127,15 @@ TEST(ParallelViews, ShowASphereAsAnEllipseOfTheLengthsOfTheirAxes) {
         oblique_view({}, side_axes(ViewSide::Top), View::from_int(400), Unit::from_raw(1 << 29), Angle{0x1555})};
     for (const ViewSpec& spec : views) {
         const ViewContext view = make_view_context(spec, mode);
-        const double shear_x = std::ldexp(spec.shear_x.raw, -30), shear_y = std::ldexp(spec.shear_y.raw, -30);
+        const double shear_x = number_of(spec.shear_x), shear_y = number_of(spec.shear_y);
         const double across = 100 * std::hypot(1, shear_x) * 640 / 400;
         const double down = 100 * std::hypot(1, shear_y) * 640 / 400 * (4.0 / 3 * 400 / 640);
         Extents extents;
         for (int i = 0; i < 400; ++i)
             for (int j = 0; j < 200; ++j) {
                 const double yaw = i * 6.283185307179586 / 400, pitch = (j - 100) * 1.5707963267948966 / 100;
-                extents.add(shown(view, at(100 * std::cos(yaw) * std::cos(pitch), 100 * std::sin(yaw) * std::cos(pitch),
-                                           100 * std::sin(pitch))));
+                extents.add(shown(view, point_at(100 * std::cos(yaw) * std::cos(pitch),
+                                                 100 * std::sin(yaw) * std::cos(pitch), 100 * std::sin(pitch))));
             }
         // Samples 0.9 degrees apart miss at most 1.3e-4 of the radius.
         EXPECT_NEAR(extents.right, 320 + across, 0.05);
@@ -159,23 +148,23 @@ TEST(ParallelViews, ShowASphereAsAnEllipseOfTheLengthsOfTheirAxes) {
 // The lab's table: 200x200 pixels; its far corners as corrected (errata L1).
 TEST(WindowViews, ShowTheLabsCubeWhereItsGeometrySays) {
     WindowView window;
-    window.reference_point = at(0.5, 0.5, -2);
-    window.normal = at(0, 0, -1);
-    window.up = at(0, 1, 0);
-    window.centre_of_projection = at(0.5, 0.5, -4);
-    window.u_min = window.v_min = units(-0.5);
-    window.u_max = window.v_max = units(0.5);
+    window.reference_point = point_at(0.5, 0.5, -2);
+    window.normal = point_at(0, 0, -1);
+    window.up = point_at(0, 1, 0);
+    window.centre_of_projection = point_at(0.5, 0.5, -4);
+    window.u_min = window.v_min = nearest<World>(-0.5);
+    window.u_max = window.v_max = nearest<World>(0.5);
     const ScreenMode mode{200, 200, {1, 1}};
     const ViewSpec spec = window_view(window);
     ASSERT_FALSE(problem_of(spec, mode));
     const ViewContext view = make_view_context(spec, mode);
     for (int corner = 0; corner < 8; ++corner) {
         const int x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
-        const Pixel pixel = shown(view, at(x, y, z));
+        const Pixel pixel = shown(view, point_at(x, y, z));
         EXPECT_EQ(pixel.x, z ? (x ? 60 : 140) : (x ? 50 : 150));
         EXPECT_EQ(pixel.y, z ? (y ? 60 : 140) : (y ? 50 : 150));
     }
-    window.normal = at(0, 0, 3);  // the other way and of another length: the eye says which way is ahead
+    window.normal = point_at(0, 0, 3);  // the other way and of another length: the eye says which way is ahead
     EXPECT_EQ(window_view(window).axes, spec.axes);
 }
 
@@ -184,19 +173,19 @@ struct RandomWindow {
     double du, dv;
 };
 RandomWindow random_window(std::mt19937& random, bool is_parallel) {
-    const auto within = [&](double reach) { return std::uniform_real_distribution<double>(-reach, reach)(random); };
+    const auto within = [&](double reach) { return random_between(random, -reach, reach); };
     RandomWindow made;
     WindowView& window = made.window;
     window.is_parallel = is_parallel;
-    window.reference_point = at(within(1000), within(1000), within(1000));
-    window.normal = at(within(1), within(1), within(1));
-    window.up = at(within(1), within(1), within(1));
-    window.centre_of_projection = window.reference_point + at(within(300), within(300), within(300));
+    window.reference_point = point_at(within(1000), within(1000), within(1000));
+    window.normal = point_at(within(1), within(1), within(1));
+    window.up = point_at(within(1), within(1), within(1));
+    window.centre_of_projection = window.reference_point + point_at(within(300), within(300), within(300));
     made.du = 100 + within(50);
     made.dv = made.du * 3 / 4;
     const double u = within(100), v = within(100);
-    window.u_min = units(u), window.u_max = units(u + made.du);
-    window.v_min = units(v), window.v_max = units(v + made.dv);
+    window.u_min = nearest<World>(u), window.u_max = nearest<World>(u + made.du);
+    window.v_min = nearest<World>(v), window.v_max = nearest<World>(v + made.dv);
     return made;
 }
 
@@ -217,11 +206,11 @@ TEST(WindowViews, ShowTheirWindowOnTheWholeScreen) {
         if (problem_of(spec, mode) || spec.window.distance < View::from_int(20)) continue;
         ++views;
         const ViewContext view = make_view_context(spec, mode);
-        const Point right = test::to_point(spec.axes.right), up = test::to_point(spec.axes.up);
+        const Point right = to_point(spec.axes.right), up = to_point(spec.axes.up);
         for (int corner = 0; corner < 4; ++corner) {
-            const double u = std::ldexp((corner & 1 ? window.u_max : window.u_min).raw, -12);
-            const double v = std::ldexp((corner & 2 ? window.v_max : window.v_min).raw, -12);
-            const Pixel pixel = shown(view, window.reference_point + test::to_world(right * u + up * v));
+            const double u = number_of(corner & 1 ? window.u_max : window.u_min);
+            const double v = number_of(corner & 2 ? window.v_max : window.v_min);
+            const Pixel pixel = shown(view, window.reference_point + to_world(right * u + up * v));
             EXPECT_NEAR(pixel.x, corner & 1 ? 320 : 0, 0.02);
             EXPECT_NEAR(pixel.y, corner & 2 ? 0 : 200, 0.02);
         }
@@ -231,15 +220,15 @@ TEST(WindowViews, ShowTheirWindowOnTheWholeScreen) {
 
 TEST(WindowViews, ShowAWindowOfAnotherShapeWholeAndUndistorted) {
     WindowView window;
-    window.normal = at(0, 1, 0);
-    window.up = at(0, 0, 1);
-    window.centre_of_projection = at(0, -100, 0);
-    window.u_min = units(-10), window.u_max = units(10);
-    window.v_min = units(-60), window.v_max = units(60);
+    window.normal = point_at(0, 1, 0);
+    window.up = point_at(0, 0, 1);
+    window.centre_of_projection = point_at(0, -100, 0);
+    window.u_min = nearest<World>(-10), window.u_max = nearest<World>(10);
+    window.v_min = nearest<World>(-60), window.v_max = nearest<World>(60);
     const ViewContext view = make_view_context(window_view(window), {320, 200, {4, 3}});
-    EXPECT_NEAR(shown(view, at(0, 0, 60)).y, 0, 0.01);
-    EXPECT_NEAR(shown(view, at(0, 0, -60)).y, 200, 0.01);
-    EXPECT_NEAR(shown(view, at(10, 0, 0)).x, 160 + 10 * (100 / 60.0) / (5 / 6.0), 0.01);  // pixels are 5:6
+    EXPECT_NEAR(shown(view, point_at(0, 0, 60)).y, 0, 0.01);
+    EXPECT_NEAR(shown(view, point_at(0, 0, -60)).y, 200, 0.01);
+    EXPECT_NEAR(shown(view, point_at(10, 0, 0)).x, 160 + 10 * (100 / 60.0) / (5 / 6.0), 0.01);  // pixels are 5:6
 }
 
 std::string refused(const WindowView& window) {
@@ -253,27 +242,30 @@ std::string refused(const WindowView& window) {
 
 TEST(WindowViews, SayWhatIsWrong) {
     WindowView good;
-    good.normal = at(0, 1, 0), good.up = at(0, 0, 1), good.centre_of_projection = at(0, -100, 0);
-    good.u_min = good.v_min = units(-10), good.u_max = good.v_max = units(10);
+    good.normal = point_at(0, 1, 0), good.up = point_at(0, 0, 1), good.centre_of_projection = point_at(0, -100, 0);
+    good.u_min = good.v_min = nearest<World>(-10), good.u_max = good.v_max = nearest<World>(10);
     EXPECT_EQ(refused(good), "");
-    WindowView window = good;
-    window.normal = {};
-    EXPECT_EQ(refused(window), "VPN: is zero, expected a direction");
-    window = good, window.up = at(0, -2, 0);
-    EXPECT_EQ(refused(window), "VUP: is zero or along the VPN, expected another direction");
-    window = good, window.centre_of_projection = at(5, 0, 3);
-    EXPECT_EQ(refused(window), "COP: is in the view plane, expected it before or behind");
-    window = good, window.u_max = window.u_min;
-    EXPECT_EQ(refused(window), "window: is empty, expected u_min below u_max and v_min below v_max");
-    window = good, window.u_min = units(150), window.u_max = units(190);
-    EXPECT_EQ(refused(window), "window: its middle is more than 45 degrees from straight ahead, expected less");
+    const std::vector<std::pair<void (*)(WindowView&), const char*>> cases{
+        {[](WindowView& w) { w.normal = {}; }, "VPN: is zero, expected a direction"},
+        {[](WindowView& w) { w.up = point_at(0, -2, 0); }, "VUP: is zero or along the VPN, expected another direction"},
+        {[](WindowView& w) { w.centre_of_projection = point_at(5, 0, 3); },
+         "COP: is in the view plane, expected it before or behind"},
+        {[](WindowView& w) { w.u_max = w.u_min; },
+         "window: is empty, expected u_min below u_max and v_min below v_max"},
+        {[](WindowView& w) { w.u_min = nearest<World>(150), w.u_max = nearest<World>(190); },
+         "window: its middle is more than 45 degrees from straight ahead, expected less"}};
+    for (const auto& [spoil, message] : cases) {
+        WindowView window = good;
+        spoil(window);
+        EXPECT_EQ(refused(window), message);
+    }
 }
 
 TEST(Views, SayWhatKeepsThemFromBeingDrawn) {
     const ScreenMode mode;
     ViewSpec view = orthographic_view({}, side_axes(ViewSide::Top), View::from_raw(40));
     EXPECT_NE(problem_of(view, mode).value_or("").find("0 units wide"), std::string::npos);
-    view = oblique_view(at(300'000, 0, 0), side_axes(ViewSide::Top), View::from_int(100), Unit::from_int(1), {});
+    view = oblique_view(point_at(300'000, 0, 0), side_axes(ViewSide::Top), View::from_int(100), Unit::from_int(1), {});
     EXPECT_NE(problem_of(view, mode).value_or("").find("262,144"), std::string::npos);
     view.eye = {};
     view.shear_y = Unit::from_raw(1 << 28);
@@ -283,12 +275,12 @@ TEST(Views, SayWhatKeepsThemFromBeingDrawn) {
 
 TEST(LookAt, ShowsItsTargetInTheMiddleUpright) {
     std::mt19937 random(3);
-    const auto within = [&](double reach) { return std::uniform_real_distribution<double>(-reach, reach)(random); };
+    const auto within = [&](double reach) { return random_between(random, -reach, reach); };
     for (int i = 0; i < 200; ++i) {
-        const Vec3<World> target = at(within(500), within(500), within(500));
-        const Vec3<World> eye = target + at(within(200), 20 + std::abs(within(200)), within(200));
+        const Vec3<World> target = point_at(within(500), within(500), within(500));
+        const Vec3<World> eye = target + point_at(within(200), 20 + std::abs(within(200)), within(200));
         const ViewContext view = make_view_context(look_at_view(eye, target, Degrees::from_int(90)), {});
-        const Pixel middle = shown(view, target), above = shown(view, target + at(0, 0, 5));
+        const Pixel middle = shown(view, target), above = shown(view, target + point_at(0, 0, 5));
         EXPECT_NEAR(middle.x, 160, 0.01);
         EXPECT_NEAR(middle.y, 100, 0.01);
         EXPECT_NEAR(above.x, 160, 0.01);
@@ -299,12 +291,12 @@ TEST(LookAt, ShowsItsTargetInTheMiddleUpright) {
 // Zoom against dolly: what is at the distance keeps its size, what is behind it does not.
 TEST(DollyZoom, KeepsTheSizeOfWhatIsAtItsDistance) {
     Camera camera;
-    camera.eye = at(10, -20, 30);
+    camera.eye = point_at(10, -20, 30);
     camera.yaw = Angle{0x1234}, camera.pitch = Angle{0x0321};
     const Basis axes = view_basis(camera.yaw, camera.pitch, {});
     const auto ahead = [&](double depth, double across) {
-        const Point f = test::to_point(axes.forward), r = test::to_point(axes.right);
-        return camera.eye + test::to_world(f * depth + r * across);
+        const Point f = to_point(axes.forward), r = to_point(axes.right);
+        return camera.eye + to_world(f * depth + r * across);
     };
     const auto size_at = [&](const Camera& from, double depth) {
         const ViewContext view = make_view_context(first_person_view(from), {});
@@ -325,15 +317,13 @@ TEST(DollyZoom, KeepsTheSizeOfWhatIsAtItsDistance) {
 TEST(ViewContexts, HaveRaysThatAreTheInverseOfTheirAxes) {
     std::mt19937 random(5);
     for (int i = 0; i < 500; ++i) {
-        ViewSpec spec =
-            first_person_view({{}, Angle::from_bam(random()), Angle::from_bam(random()), Angle::from_bam(random())});
-        spec.shear_x = Unit::from_raw(static_cast<std::int32_t>(random() % (1u << 30)) - (1 << 29));
-        spec.shear_y = Unit::from_raw(static_cast<std::int32_t>(random() % (1u << 30)) - (1 << 29));
+        ViewSpec spec = first_person_view({{}, random_angle(random), random_angle(random), random_angle(random)});
+        spec.shear_x = nearest<Unit>(random_between(random, -0.5, 0.5));
+        spec.shear_y = nearest<Unit>(random_between(random, -0.5, 0.5));
         const ViewContext view = make_view_context(spec, {});
-        const std::array<Point, 3> rows{test::to_point(view.axes.right), test::to_point(view.axes.up),
-                                        test::to_point(view.axes.forward)};
-        const std::array<Point, 3> columns{test::to_point(view.rays.right), test::to_point(view.rays.up),
-                                           test::to_point(view.rays.forward)};
+        const std::array<Point, 3> rows{to_point(view.axes.right), to_point(view.axes.up), to_point(view.axes.forward)};
+        const std::array<Point, 3> columns{to_point(view.rays.right), to_point(view.rays.up),
+                                           to_point(view.rays.forward)};
         for (std::size_t row = 0; row < 3; ++row)
             for (std::size_t column = 0; column < 3; ++column)
                 EXPECT_NEAR(dot(rows[row], columns[column]), row == column ? 1 : 0, 1e-8);
@@ -341,4 +331,4 @@ TEST(ViewContexts, HaveRaysThatAreTheInverseOfTheirAxes) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

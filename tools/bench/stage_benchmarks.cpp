@@ -54,7 +54,8 @@ void time_walk(benchmark::State& state, const SharedFrames& stages) {
             work.view.span_buffer.reset();
             FrontToBackWalk walk(stages->level.level, frame.view, work.view.visible, nullptr, work.view.span_buffer,
                                  work.view.walk);
-            while (walk.next() && !walk.takes_all_faces()) ++faces;
+            VisibleFace face;
+            while (walk.next(face) && !walk.takes_all_faces()) ++faces;
         }
     }
     show_time_per("face", faces, state);
@@ -131,9 +132,10 @@ void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs
     work.view.span_buffer.reset();
     SpanList owned;
     FrontToBackWalk walk(level.level, inputs.view, work.view.visible, nullptr, work.view.span_buffer, work.view.walk);
-    while (const std::optional<VisibleFace> visible = walk.next()) {
-        inputs.visited.push_back(visible->face);
-        if (!project_face(work.cache.faces.corners_of(visible->face), inputs.view, work.view.vertices,
+    VisibleFace visible;
+    while (walk.next(visible)) {
+        inputs.visited.push_back(visible.face);
+        if (!project_face(work.cache.faces.corners_of(visible.face), inputs.view, work.view.vertices,
                           work.view.polygon))
             continue;
         scan_convex(work.view.polygon.screen, work.view.rows);

@@ -64,7 +64,7 @@ class PictureWriter {
         for (const auto& values : values_of_pictures(row)) {
             const std::string number = shown.pictures.empty() ? "" : "-" + std::to_string(shown.pictures.size());
             const std::string file = std::string(row.id) + number + ".png";
-            shown.pages.push_back(draw_row(row, {assets_, mode_, settings_, values}, 0, canvas()));
+            shown.figures.push_back(draw_row(row, {assets_, mode_, settings_, values}, 0, canvas()));
             shown.pictures.push_back({file, values.empty() ? "" : value_text(row.parameters[0], values[0])});
             write_file(options_.out + "/" + file,
                        encode_indexed_png(pixels_, mode_.width_px, mode_.height_px, assets_.colormap.palette));
@@ -88,8 +88,8 @@ class PictureWriter {
 /// Prints the figures that differ from what is expected; how many.
 std::size_t report_wrong(const PageRow& shown) {
     std::size_t wrong = 0;
-    for (const RowPage& page : shown.pages)
-        for (const Figure& figure : page.figures) {
+    for (const Figures& figures : shown.figures)
+        for (const Figure& figure : figures) {
             if (figure.agrees) continue;
             ++wrong;
             std::fprintf(stderr, "oblong-gallery: %s: %s\n", std::string(shown.row.id).c_str(),

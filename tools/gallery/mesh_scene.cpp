@@ -47,7 +47,7 @@ MeshCounts MeshScene::draw(const PlacedMesh& placed, const MeshLight& light, con
 
 std::uint8_t lit_colour(const GalleryAssets& assets, int red, int green, int blue) {
     const auto distance = [&](int colour) {
-        const Rgb8 rgb = assets.colormap.palette.colours[static_cast<std::size_t>(colour)];
+        const Rgb8 rgb = item(assets.colormap.palette.colours, colour);
         return (rgb.red - red) * (rgb.red - red) + (rgb.green - green) * (rgb.green - green) +
                (rgb.blue - blue) * (rgb.blue - blue);
     };
@@ -71,10 +71,7 @@ double exact_shade(double light) {
 std::optional<ExactHit> exact_hit(const PlacedMesh& placed, const RowInput& input, int field_of_view, double column,
                                   double row) {
     const double across = input.mode.width_px / 2.0 / std::tan(field_of_view * std::numbers::pi / 360);
-    const Ratio pixel = input.mode.pixel();
-    const double shape = input.settings.correct_aspect
-                             ? static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator)
-                             : 1;
+    const double shape = input.settings.correct_aspect ? number_of(input.mode.pixel()) : 1;
     const auto corner = [&](std::uint32_t number) {
         const MeshVertex& vertex = placed.mesh->frames[0].vertices[number];
         const double sx = number_of(placed.scale.x), sy = number_of(placed.scale.y), sz = number_of(placed.scale.z);

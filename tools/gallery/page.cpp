@@ -68,10 +68,10 @@ std::string picture_html(const PagePicture& picture, const std::string& id, cons
     return html + "</figure>\n";
 }
 
-std::string figures_html(const RowPage& page) {
-    if (page.figures.empty()) return "";
+std::string figures_html(const Figures& figures) {
+    if (figures.empty()) return "";
     std::string html = "<table><tr><th>figure</th><th>expected</th><th>found</th></tr>\n";
-    for (const Figure& figure : page.figures)
+    for (const Figure& figure : figures)
         html += "<tr><td>" + escaped(figure.name) + "</td><td>" + escaped(figure.expected) + "</td><td" +
                 (figure.agrees ? "" : " class=\"wrong\"") + ">" + escaped(figure.found) + "</td></tr>\n";
     return html + "</table>\n";
@@ -82,10 +82,10 @@ std::string text_html(const PageRow& shown) {
     std::string html = "<h3>" + escaped(row.name) + "</h3>\n<p class=\"soft\">" + escaped(row.seeds) +
                        "<br>source <code>" + escaped(row.source) + "</code><br>test <code>" + escaped(row.test) +
                        "</code></p>\n";
-    for (const std::string& note : shown.pages.front().notes) html += "<p>" + escaped(note) + "</p>\n";
-    html += figures_html(shown.pages.front());
-    for (std::size_t i = 1; i < shown.pages.size(); ++i) {
-        const std::string figures = figures_html(shown.pages[i]);
+    for (const std::string_view note : row.notes) html += "<p>" + escaped(note) + "</p>\n";
+    html += figures_html(shown.figures.front());
+    for (std::size_t i = 1; i < shown.figures.size(); ++i) {
+        const std::string figures = figures_html(shown.figures[i]);
         if (figures.empty()) continue;
         html += "<details><summary class=\"soft\">" + escaped(shown.pictures[i].caption) + "</summary>" + figures +
                 "</details>\n";
@@ -124,7 +124,7 @@ std::string index_page(const std::vector<PageRow>& rows, const ScreenMode& mode)
         }
         contents += link_of(shown.row);
         body += row_html(shown, mode);
-        for (const RowPage& page : shown.pages) figures += page.figures.size();
+        for (const Figures& of_picture : shown.figures) figures += of_picture.size();
     }
     return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
            "content=\"width=device-width\"><title>Oblong: the gallery</title><style>" +

@@ -17,7 +17,7 @@ struct PagePicture {
 struct PageRow {
     const Row& row;
     std::vector<PagePicture> pictures;  ///< the first is with the values that parameters start with
-    std::vector<RowPage> pages;         ///< what the row said for each of them
+    std::vector<Figures> figures;       ///< what the row said for each of them
 };
 
 /// The gallery's index page, which needs no other file but the pictures: each row with its seeds, source file, test,

@@ -3,20 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <span>
+#include <stdexcept>
 
+#include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "engine/draw/font.h"
 #include "engine/surface/palette.h"
+#include "tools/gallery/row_texts.h"
 
 namespace oblong {
 
 namespace {
 
 std::string with_decimals(double value, int decimals) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
+    return decimal_text(value, ("%." + std::to_string(decimals) + "f").c_str());
 }
 
 std::string parameter_text(const Row& row, std::span<const std::int64_t> values, std::size_t chosen) {
@@ -25,6 +27,28 @@ std::string parameter_text(const Row& row, std::span<const std::int64_t> values,
     if (row.parameters.size() > 1)
         text += "  (" + std::to_string(chosen + 1) + " of " + std::to_string(row.parameters.size()) + ")";
     return text;
+}
+
+/// The lines of a text up to an empty one, which are taken from it.
+std::vector<std::string_view> take_paragraph(std::string_view& text) {
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+        if (line.empty()) break;
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+/// The row whose id a paragraph begins with, taken from those without a text.
+Row with_text(const std::vector<std::string_view>& lines, std::map<std::string_view, Row>& rows) {
+    auto found = rows.extract(lines.front());
+    if (!found || lines.size() < 5) throw std::logic_error("no row for the text of " + std::string(lines.front()));
+    Row& row = found.mapped();
+    row.name = lines[1], row.seeds = lines[2], row.source = lines[3], row.test = lines[4];
+    row.notes.assign(lines.begin() + 5, lines.end());
+    return row;
 }
 
 }  // namespace
@@ -47,6 +71,10 @@ Parameter choice_parameter(std::string name, std::vector<std::string> choices, s
     return {std::move(name), 0, most, 1, start, std::move(choices)};
 }
 
+Figure measured(std::string name, std::int64_t found) {
+    return measured(std::move(name), std::to_string(found));
+}
+
 std::vector<std::int64_t> start_values(const Row& row) {
     std::vector<std::int64_t> values;
     for (const Parameter& parameter : row.parameters) values.push_back(parameter.start);
@@ -54,7 +82,7 @@ std::vector<std::int64_t> start_values(const Row& row) {
 }
 
 std::string value_text(const Parameter& parameter, std::int64_t value) {
-    return parameter.choices.empty() ? std::to_string(value) : parameter.choices[static_cast<std::size_t>(value)];
+    return parameter.choices.empty() ? std::to_string(value) : item(parameter.choices, value);
 }
 
 std::string figure_text(const Figure& figure) {
@@ -66,8 +94,8 @@ std::string figure_text(const Figure& figure) {
     return text + "  " + figure.name;
 }
 
-RowPage draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer canvas) {
-    const RowPage page = row.draw(input, canvas);
+Figures draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer canvas) {
+    Figures figures = row.draw(input, canvas);
     const TextColours colours = input.assets.text;
     fill_area(canvas, {0, 0, canvas.width_px, kHeader_px}, colours.dark);
     fill_area(canvas, {0, canvas.height_px - kFooter_px, canvas.width_px, kFooter_px}, colours.dark);
@@ -75,15 +103,15 @@ RowPage draw_row(const Row& row, const RowInput& input, std::size_t chosen, Fram
     draw_text(canvas, kTextMargin_px, 2, row.name, colours);
     std::vector<std::string> texts;
     if (!row.parameters.empty()) texts.push_back(parameter_text(row, input.values, chosen));
-    for (const Figure& figure : page.figures) texts.push_back(figure_text(figure));
+    for (const Figure& figure : figures) texts.push_back(figure_text(figure));
     std::int32_t y = canvas.height_px - kFooter_px + 2;
     for (const std::string& text : texts)
         for (const std::string_view line : lines_of(text, width_px)) {
-            if (y + kLineHeight_px > canvas.height_px) return page;
+            if (y + kLineHeight_px > canvas.height_px) return figures;
             draw_text(canvas, kTextMargin_px, y, line, colours);
             y += kLineHeight_px;
         }
-    return page;
+    return figures;
 }
 
 std::uint8_t GalleryAssets::colour(int red, int green, int blue) const {
@@ -92,41 +120,44 @@ std::uint8_t GalleryAssets::colour(int red, int green, int blue) const {
     return nearest_colour(colormap.palette, wanted);
 }
 
+void fill(Framebuffer canvas, std::uint8_t colour) {
+    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, colour);
+}
+
 Vec3<World> world_point(double x, double y, double z) {
-    const auto part = [](double value) {
-        return World::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(value, World::kFractionBits))));
-    };
-    return {part(x), part(y), part(z)};
+    return {fixed_of<World>(x), fixed_of<World>(y), fixed_of<World>(z)};
+}
+
+Vec3<World> world_point(const Vec& place) {
+    return world_point(place.x, place.y, place.z);
 }
 
 Vec3<Unit> unit_vector(double x, double y, double z) {
     const double length = std::hypot(x, y, z);
-    const auto part = [length](double value) {
-        return Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(value / length, Unit::kFractionBits))));
-    };
-    return {part(x), part(y), part(z)};
+    return {fixed_of<Unit>(x / length), fixed_of<Unit>(y / length), fixed_of<Unit>(z / length)};
 }
 
 Entry entry_of(double value) {
-    return Entry::from_raw(std::llround(std::ldexp(value, Entry::kFractionBits)));
+    return fixed_of<Entry>(value);
 }
 
 std::string decimal_text(double value, const char* format) {
-    char text[48];
+    char text[64];
     std::snprintf(text, sizeof text, format, value);
     return text;
 }
 
 std::vector<Row> gallery_rows() {
-    std::vector<Row> rows;
+    std::map<std::string_view, Row> without_text;
     for (const auto subject :
          {aspect_rows, clipping_rows, culling_rows, cyclic_overlap_rows, hidden_surface_rows, inspection_rows,
           line_clipping_rows, line_rows, mesh_rows, projection_matrix_rows, projection_rows, shading_rows, stage_rows,
           texture_rows, transform_rows, triangle_rows, vector_rows, view_rows})
-        for (Row& row : subject()) rows.push_back(std::move(row));
-    const auto first_seed = [](const Row& row) { return row.seeds.front(); };
-    std::stable_sort(rows.begin(), rows.end(),
-                     [&](const Row& a, const Row& b) { return first_seed(a) < first_seed(b); });
+        for (Row& row : subject()) without_text.emplace(row.id, std::move(row));
+    std::vector<Row> rows;
+    std::string_view text = kRowTexts;
+    for (take_paragraph(text); !text.empty();) rows.push_back(with_text(take_paragraph(text), without_text));
+    if (!without_text.empty()) throw std::logic_error("no text for " + std::string(without_text.begin()->first));
     return rows;
 }
 

@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/draw/text.h"
+#include "engine/fixed/trig.h"
 #include "engine/frame/settings.h"
 #include "engine/level/level.h"
 #include "engine/math/matrix.h"
@@ -29,6 +31,7 @@ Figure number_figure(std::string name, double expected, double found, double tol
 Figure count_figure(std::string name, std::int64_t expected, std::int64_t found);
 /// A measurement that nothing is compared with: a time, a count of operations.
 Figure measured(std::string name, std::string found);
+Figure measured(std::string name, std::int64_t found);
 
 /// A number of a row that keys change; with `choices`, one of these names (from 0).
 struct Parameter {
@@ -54,25 +57,29 @@ struct RowInput {
     Settings settings;                 ///< accuracy, and whether the projection corrects the aspect
     std::vector<std::int64_t> values;  ///< of the row's parameters, in their order
     std::int64_t time_ms = 0;
+
+    double number(std::size_t parameter) const { return static_cast<double>(values[parameter]); }
+    /// Of a parameter in degrees.
+    double radians(std::size_t parameter) const { return number(parameter) * std::numbers::pi / 180; }
+    Angle angle(std::size_t parameter) const { return degrees_to_angle(Degrees::from_int(values[parameter])); }
+    std::uint8_t colour(int red, int green, int blue) const { return assets.colour(red, green, blue); }
 };
 
-/// What a row says beside its picture.
-struct RowPage {
-    std::vector<Figure> figures;     ///< the first three are shown below the picture, all are in the index page
-    std::vector<std::string> notes;  ///< short sentences
-};
+/// The first three are shown below the picture, all are in the index page.
+using Figures = std::vector<Figure>;
 
 /// One thing that the seeds name, with its scene. `draw` fills the whole canvas (of the mode's size); the gallery then
 /// writes the name over the top kHeader_px rows and figures over the lowest kFooter_px.
 struct Row {
-    std::string_view id;      ///< of its files: "lines-bresenham"
-    std::string_view name;    ///< in the field's terms
-    std::string_view seeds;   ///< "2 Lab", "3 Notes: Lines; 4 Princeton: Projection"
-    std::string_view source;  ///< the file that does it: "engine/raster/lines.h"
-    std::string_view test;    ///< the file that tests it: "tests/raster/lines_test.cpp"
+    std::string_view id;  ///< of its files: "lines-bresenham"
+    Figures (*draw)(const RowInput& input, Framebuffer canvas);
     std::vector<Parameter> parameters;
-    RowPage (*draw)(const RowInput& input, Framebuffer canvas);
-    bool moves = false;  ///< the picture changes with time
+    // From rows.txt.
+    std::string_view name = {};                ///< in the field's terms
+    std::string_view seeds = {};               ///< "2 Lab", "3 Notes: Lines; 4 Princeton: Projection"
+    std::string_view source = {};              ///< the file that does it: "engine/raster/lines.h"
+    std::string_view test = {};                ///< the file that tests it: "tests/raster/lines_test.cpp"
+    std::vector<std::string_view> notes = {};  ///< short sentences
 };
 
 /// The values that a row's parameters start with.
@@ -83,29 +90,37 @@ std::string value_text(const Parameter& parameter, std::int64_t value);
 inline constexpr std::int32_t kHeader_px = 12, kFooter_px = 34;
 
 /// Draws a row with its name above and its figures below; of its parameters, the one numbered `chosen` is named.
-RowPage draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer canvas);
+Figures draw_row(const Row& row, const RowInput& input, std::size_t chosen, Framebuffer canvas);
 /// A figure in one line: "140  column of the far face's corner".
 std::string figure_text(const Figure& figure);
 
 // The engine's numbers from doubles and back: what rows draw is worked out in doubles.
 
+/// A point or a direction in doubles.
+using reference::Vec;
 /// A point of the world, from units.
 Vec3<World> world_point(double x, double y, double z);
+Vec3<World> world_point(const Vec& place);
 /// The direction of (x, y, z), of length 1; not of the zero vector.
 Vec3<Unit> unit_vector(double x, double y, double z);
 /// A number of a matrix.
 Entry entry_of(double value);
 
-/// A point or a direction in doubles.
-using reference::Vec;
-
 /// A number as text: "%.3f" or another format.
 std::string decimal_text(double value, const char* format = "%.3f");
 
-/// All rows, in the order of the seeds.
+void fill(Framebuffer canvas, std::uint8_t colour);
+/// Each pixel has the colour that colour_at(column, row) gives.
+template <class ColourAt>
+void paint(Framebuffer canvas, const ColourAt& colour_at) {
+    for (std::int32_t y = 0; y < canvas.height_px; ++y)
+        for (std::int32_t x = 0; x < canvas.width_px; ++x) canvas.row(y)[x] = colour_at(x, y);
+}
+
+/// All rows, in the order of the seeds, with their texts.
 std::vector<Row> gallery_rows();
 
-// The rows of each subject, a file each in tools/gallery/rows/.
+// The rows of each subject without their texts, a file each in tools/gallery/rows/.
 std::vector<Row> aspect_rows();
 std::vector<Row> clipping_rows();
 std::vector<Row> culling_rows();

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "engine/methods/polygons.h"
 #include "engine/raster/scan.h"
@@ -23,7 +24,7 @@ struct BallFace {
 std::vector<BallFace> make_ball(double x, double y, double z, double radius) {
     constexpr int kAcross = 16, kUp = 8;
     const auto at = [&](int column, int row) {
-        const double a = column * 2 * 3.141592653589793 / kAcross, b = (row - kUp / 2) * 3.141592653589793 / kUp;
+        const double a = column * 2 * std::numbers::pi / kAcross, b = (row - kUp / 2) * std::numbers::pi / kUp;
         return world_point(x + radius * std::cos(a) * std::cos(b), y + radius * std::sin(a) * std::cos(b),
                            z + radius * std::sin(b));
     };
@@ -60,24 +61,17 @@ bool is_drawn(const BallFace& face, CullRule rule, const ViewContext& view) {
 
 /// Whether a face faces the eye, in double precision.
 bool faces_eye_in_double(const BallFace& face, const Vec3<World>& eye) {
-    const auto vector = [](const Vec3<World>& a, const Vec3<World>& b) {
-        return std::array{number_of(b.x - a.x), number_of(b.y - a.y), number_of(b.z - a.z)};
-    };
-    const auto a = vector(face.corners[1], face.corners[3]), b = vector(face.corners[0], face.corners[2]),
-               way = vector(eye, face.corners[1]);
-    return (a[1] * b[2] - a[2] * b[1]) * way[0] + (a[2] * b[0] - a[0] * b[2]) * way[1] +
-               (a[0] * b[1] - a[1] * b[0]) * way[2] <
-           0;
+    const auto& [a, b, c, d] = face.corners;
+    return dot(cross(vec_of(d - b), vec_of(c - a)), vec_of(b - eye)) < 0;
 }
 
-RowPage draw_culling(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+Figures draw_culling(const RowInput& input, Framebuffer canvas) {
+    fill(canvas, input.colour(18, 22, 34));
     const auto rule = static_cast<CullRule>(input.values[0]);
     const SketchEye from{world_point(0, 0, 0), world_point(100, 0, 0), static_cast<int>(input.values[1])};
     Sketch sketch(input, canvas, scene_area(canvas), from);
-    const std::uint8_t right = assets.colour(90, 110, 150), edge = assets.colour(30, 34, 50);
-    const std::uint8_t kept = assets.colour(220, 60, 50), missing = assets.colour(240, 200, 60);
+    const std::uint8_t right = input.colour(90, 110, 150), edge = input.colour(30, 34, 50);
+    const std::uint8_t kept = input.colour(220, 60, 50), missing = input.colour(240, 200, 60);
     int faces = 0, wrong_by_dot = 0, wrong_by_normal = 0, wrong_on_screen = 0;
     for (int column = -2; column <= 2; ++column)
         for (int row = -1; row <= 1; ++row)
@@ -98,32 +92,26 @@ RowPage draw_culling(const RowInput& input, Framebuffer canvas) {
     // Errata A9: (10, 0, 10), (11, 0, 12), (10, 1, 10) in viewspace has the normal (-2, 0, 1) and faces the eye.
     const Vec3<World> a = world_point(10, 0, 10), b = world_point(11, 0, 12), c = world_point(10, 1, 10);
     const auto normal = cross(b - a, c - a);
-    return {{count_figure("wrong by normal . (vertex - eye), in object space", 0, wrong_by_dot),
-             measured("wrong by the normal's z in viewspace",
-                      std::to_string(wrong_by_normal) + " of " + std::to_string(faces)),
-             count_figure("wrong by the sign of the area on the screen", 0, wrong_on_screen),
-             number_figure(
-                 "normal . vertex of the seed's triangle, below 0: faces the eye", -10,
-                 number_of(dot(convert<WorldWide>(a), Vec3<Unit>{Unit::from_int(1), {}, {}})) * number_of(normal.x) +
-                     number_of(a.z) * number_of(normal.z),
-                 1e-9),
-             number_figure("its normal's z, above 0: points away", 1, number_of(normal.z), 1e-9)},
-            {"Red outlines: back faces that are drawn. Yellow: faces that are missing.",
-             "In perspective each face is seen along a ray of its own; the normal's z asks for one ray only."}};
+    return {count_figure("wrong by normal . (vertex - eye), in object space", 0, wrong_by_dot),
+            measured("wrong by the normal's z in viewspace",
+                     std::to_string(wrong_by_normal) + " of " + std::to_string(faces)),
+            count_figure("wrong by the sign of the area on the screen", 0, wrong_on_screen),
+            number_figure(
+                "normal . vertex of the seed's triangle, below 0: faces the eye", -10,
+                number_of(dot(convert<WorldWide>(a), Vec3<Unit>{Unit::from_int(1), {}, {}})) * number_of(normal.x) +
+                    number_of(a.z) * number_of(normal.z),
+                1e-9),
+            number_figure("its normal's z, above 0: points away", 1, number_of(normal.z), 1e-9)};
 }
 
 }  // namespace
 
 std::vector<Row> culling_rows() {
     return {{"culling",
-             "Back faces by a dot product",
-             "5 Abrash: Using the Sign of the Dot Product; 3 Notes: Backface culling",
-             "engine/methods/polygons.h",
-             "tests/view/projection_test.cpp",
+             draw_culling,
              {choice_parameter(
                   "drawn by", {"dot product in object space", "normal's z in viewspace", "sign of the screen area"}, 1),
-              {"field of view, degrees", 30, 110, 10, 90}},
-             draw_culling}};
+              {"field of view, degrees", 30, 110, 10, 90}}}};
 }
 
 }  // namespace oblong

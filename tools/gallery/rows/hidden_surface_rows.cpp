@@ -59,13 +59,12 @@ std::string per_pixel(std::int64_t count, std::size_t pixels) {
 std::int64_t show_differences(std::span<const std::uint8_t> shown, std::span<const std::uint8_t> right,
                               std::optional<std::uint8_t> warning, Framebuffer canvas) {
     std::int64_t differences = 0;
-    for (std::int32_t y = 0; y < canvas.height_px; ++y)
-        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
-            const bool differs = shown[pixel] != right[pixel];
-            differences += differs;
-            canvas.row(y)[x] = differs && warning && (x + y) % 2 == 0 ? *warning : shown[pixel];
-        }
+    paint(canvas, [&](std::int32_t x, std::int32_t y) {
+        const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
+        const bool differs = shown[pixel] != right[pixel];
+        differences += differs;
+        return differs && warning && (x + y) % 2 == 0 ? *warning : shown[pixel];
+    });
     return differences;
 }
 
@@ -78,7 +77,7 @@ bool is_exact(HiddenSurfaces method, const Accuracy& accuracy) {
            accuracy.inverse_z_bits == finest.inverse_z_bits;
 }
 
-RowPage draw_hidden_surface_methods(const RowInput& input, Framebuffer canvas) {
+Figures draw_hidden_surface_methods(const RowInput& input, Framebuffer canvas) {
     const auto method = static_cast<HiddenSurfaces>(input.values[0]);
     const MethodFrame frame(input, method, input.mode), right(input, HiddenSurfaces::SpanBuffer, input.mode);
     const auto warning = input.values[1] == 1 ? std::optional(input.assets.colour(90, 255, 90)) : std::nullopt;
@@ -86,24 +85,20 @@ RowPage draw_hidden_surface_methods(const RowInput& input, Framebuffer canvas) {
     const HiddenSurfaceCounts& counts = frame.counts();
     const std::string name = "pixels unlike the span buffer's";
     const std::size_t pixels = frame.pixels.size();
-    RowPage page;
-    page.figures.push_back(is_exact(method, input.settings.accuracy) ? count_figure(name, 0, wrong)
-                                                                     : measured(name, std::to_string(wrong)));
+    Figures figures;
+    figures.push_back(is_exact(method, input.settings.accuracy) ? count_figure(name, 0, wrong) : measured(name, wrong));
     if (method == HiddenSurfaces::SpanBuffer) {
-        page.figures.push_back(measured("rows of faces looked up", std::to_string(frame.counted.stages.claimed_rows)));
-        page.figures.push_back(measured("faces scanned", std::to_string(frame.counted.faces_visited)));
+        figures.push_back(measured("rows of faces looked up", frame.counted.stages.claimed_rows));
+        figures.push_back(measured("faces scanned", frame.counted.faces_visited));
     } else if (method == HiddenSurfaces::RayCasting) {
-        page.figures.push_back(measured("rays held against faces", std::to_string(counts.ray_face_tests)));
-        page.figures.push_back(measured("faces for each ray", std::to_string(counts.faces_scanned)));
+        figures.push_back(measured("rays held against faces", counts.ray_face_tests));
+        figures.push_back(measured("faces for each ray", counts.faces_scanned));
     } else {
-        page.figures.push_back(measured("writes for each pixel", per_pixel(counts.pixels_written, pixels)));
-        page.figures.push_back(measured("depths compared for each pixel", per_pixel(counts.pixels_tested, pixels)));
-        page.figures.push_back(measured("faces compared to sort them", std::to_string(counts.order_comparisons)));
+        figures.push_back(measured("writes for each pixel", per_pixel(counts.pixels_written, pixels)));
+        figures.push_back(measured("depths compared for each pixel", per_pixel(counts.pixels_tested, pixels)));
+        figures.push_back(measured("faces compared to sort them", counts.order_comparisons));
     }
-    page.notes = {"The same view by each method; pixels that differ from the engine's are green.",
-                  "Sorted by one depth a face, the painter is wrong wherever a large face reaches behind a small one: "
-                  "here the lava is painted over. Times: oblong-render --hidden-surfaces METHOD."};
-    return page;
+    return figures;
 }
 
 /// Colours of a count of 0, 1, 2 ... and more.
@@ -124,7 +119,7 @@ void draw_legend(std::span<const std::uint8_t> colours, const GalleryAssets& ass
     }
 }
 
-RowPage draw_overdraw(const RowInput& input, Framebuffer canvas) {
+Figures draw_overdraw(const RowInput& input, Framebuffer canvas) {
     const bool is_painter = input.values[0] == 0;
     const MethodFrame frame(input, is_painter ? HiddenSurfaces::Painter : HiddenSurfaces::SpanBuffer, input.mode);
     std::vector<std::int64_t> writes(frame.counted.writes.begin(), frame.counted.writes.end());
@@ -135,20 +130,17 @@ RowPage draw_overdraw(const RowInput& input, Framebuffer canvas) {
                 ++writes[static_cast<std::size_t>(span.y * canvas.width_px + x)];
     }
     const std::vector<std::uint8_t> colours = heat_colours(input.assets);
-    for (std::int32_t y = 0; y < canvas.height_px; ++y)
-        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const std::int64_t count = writes[static_cast<std::size_t>(y * canvas.width_px + x)];
-            canvas.row(y)[x] = item(colours, std::min<std::int64_t>(count, std::ssize(colours) - 1));
-        }
+    paint(canvas, [&](std::int32_t x, std::int32_t y) {
+        const std::int64_t count = writes[static_cast<std::size_t>(y * canvas.width_px + x)];
+        return item(colours, std::min<std::int64_t>(count, std::ssize(colours) - 1));
+    });
     draw_legend(colours, input.assets, canvas);
     const std::int64_t sum = std::accumulate(writes.begin(), writes.end(), std::int64_t{0});
     const std::int64_t expected =
         is_painter ? frame.counts().pixels_written : std::int64_t{canvas.width_px} * canvas.height_px;
-    return {{count_figure(is_painter ? "pixels that the painter wrote" : "pixels written, each once", expected, sum),
-             measured("writes for each pixel", per_pixel(sum, writes.size())),
-             measured("most at one pixel", std::to_string(*std::max_element(writes.begin(), writes.end())))},
-            {"How often each pixel is written. The painter writes all pixels of all faces in sight of the eye's leaf; "
-             "of the span buffer each pixel is written once."}};
+    return {count_figure(is_painter ? "pixels that the painter wrote" : "pixels written, each once", expected, sum),
+            measured("writes for each pixel", per_pixel(sum, writes.size())),
+            measured("most at one pixel", *std::max_element(writes.begin(), writes.end()))};
 }
 
 /// Steps of 1/z to greys: equal steps of log z, near is bright.
@@ -176,7 +168,7 @@ double depth_by_tree(const Level& level, const Camera& camera, const ScreenMode&
     const ViewDirections directions = make_view_directions(axes, make_projection(mode, camera.field_of_view));
     const auto is_open = [&](double z) {
         const auto moved = [&](World from, const LinearQuantity<DirectionPart>& direction) {
-            const double step = std::ldexp(static_cast<double>(direction.at(pixel.column, pixel.row).raw), -30);
+            const double step = number_of(direction.at(pixel.column, pixel.row));
             return World::from_raw(from.raw + static_cast<std::int32_t>(std::lround(step * z * 4096)));
         };
         const Vec3<World> place{moved(camera.eye.x, directions.x), moved(camera.eye.y, directions.y),
@@ -189,7 +181,7 @@ double depth_by_tree(const Level& level, const Camera& camera, const ScreenMode&
     return open;
 }
 
-RowPage draw_depth(const RowInput& input, Framebuffer canvas) {
+Figures draw_depth(const RowInput& input, Framebuffer canvas) {
     RowInput rounded = input;
     rounded.settings.accuracy.inverse_z_bits = static_cast<std::int32_t>(input.values[0]);
     const MethodFrame frame(rounded, HiddenSurfaces::ZBuffer, input.mode),
@@ -197,32 +189,26 @@ RowPage draw_depth(const RowInput& input, Framebuffer canvas) {
     const std::vector<std::uint8_t> greys = depth_greys(input.assets);
     const std::uint8_t warning = input.assets.colour(90, 255, 90);
     std::int64_t wrong = 0;
-    for (std::int32_t y = 0; y < canvas.height_px; ++y)
-        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
-            const bool differs = frame.owners().faces[pixel] != right.owners().faces[pixel];
-            wrong += differs;
-            canvas.row(y)[x] = differs ? warning : depth_colour(frame.by.depths()[pixel], greys);
-        }
+    paint(canvas, [&](std::int32_t x, std::int32_t y) {
+        const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
+        const bool differs = frame.owners().faces[pixel] != right.owners().faces[pixel];
+        wrong += differs;
+        return differs ? warning : depth_colour(frame.by.depths()[pixel], greys);
+    });
     const Pixel checked{canvas.width_px / 8, canvas.height_px / 4};
     const InverseZ inverse_z =
         frame.by.depths()[static_cast<std::size_t>(checked.row * canvas.width_px + checked.column)];
     const double z = std::ldexp(1.0, InverseZ::kFractionBits) / static_cast<double>(inverse_z.raw);
     const double by_tree = depth_by_tree(input.assets.demo_level, camera_in_hall(), input.mode, checked);
-    RowPage page;
+    Figures figures;
     const std::string name = "pixels that go to another face than by the tree";
     const bool is_whole = input.values[0] == InverseZ::kFractionBits;
-    page.figures = {is_whole && is_exact(HiddenSurfaces::ZBuffer, rounded.settings.accuracy)
-                        ? count_figure(name, 0, wrong)
-                        : measured(name, std::to_string(wrong)),
-                    is_whole ? number_figure("z on the left wall, units", by_tree, z, 0.01, 2)
-                             : measured("z on the left wall, units", decimal_text(z, "%.2f")),
-                    measured("pixels written and then hidden",
-                             std::to_string(frame.counts().pixels_written - std::ssize(frame.pixels)))};
-    page.notes = {
-        "The depths that the z-buffer ends with, bright is near. 1/z is kept, which is linear on the screen: it costs "
-        "an addition a pixel. With few bits of it faces that are nearly as deep fight for pixels: green."};
-    return page;
+    figures = {is_whole && is_exact(HiddenSurfaces::ZBuffer, rounded.settings.accuracy) ? count_figure(name, 0, wrong)
+                                                                                        : measured(name, wrong),
+               is_whole ? number_figure("z on the left wall, units", by_tree, z, 0.01, 2)
+                        : measured("z on the left wall, units", decimal_text(z, "%.2f")),
+               measured("pixels written and then hidden", frame.counts().pixels_written - std::ssize(frame.pixels))};
+    return figures;
 }
 
 /// From near to far.
@@ -243,12 +229,12 @@ bool owns_pixel(const PixelOwners& owners, std::int32_t face) {
     return std::find(owners.faces.begin(), owners.faces.end(), face) != owners.faces.end();
 }
 
-RowPage draw_tree_order(const RowInput& input, Framebuffer canvas) {
+Figures draw_tree_order(const RowInput& input, Framebuffer canvas) {
     const MethodFrame frame(input, HiddenSurfaces::Painter, input.mode),
         depths(input, HiddenSurfaces::ZBuffer, input.mode);
     const ScannedFaces& scanned = frame.scanned();
     const std::vector<std::uint8_t> colours = order_colours(input.assets);
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(14, 16, 24));
+    fill(canvas, input.assets.colour(14, 16, 24));
     std::vector<std::int32_t> order = back_to_front_by_tree(scanned);
     std::erase_if(order, [&](std::int32_t face) { return !owns_pixel(frame.owners(), face); });
     const auto painted = static_cast<std::size_t>(input.values[0]) * order.size() / 16;
@@ -263,15 +249,12 @@ RowPage draw_tree_order(const RowInput& input, Framebuffer canvas) {
     for (std::size_t pixel = 0; pixel < frame.owners().faces.size(); ++pixel)
         wrong += frame.owners().faces[pixel] != depths.owners().faces[pixel];
     const std::string name = "pixels whose last face is not the nearest";
-    return {{is_exact(HiddenSurfaces::ZBuffer, input.settings.accuracy) ? count_figure(name, 0, wrong)
-                                                                        : measured(name, std::to_string(wrong)),
-             measured("faces painted", std::to_string(painted)), measured("of", std::to_string(order.size()))},
-            {"The faces in view in the order of the BSP tree, back to front. At each node the "
-             "side away from the eye is painted first, then the faces on its plane, then the near side: nothing is "
-             "sorted."}};
+    return {is_exact(HiddenSurfaces::ZBuffer, input.settings.accuracy) ? count_figure(name, 0, wrong)
+                                                                       : measured(name, wrong),
+            measured("faces painted", painted), measured("of", order.size())};
 }
 
-RowPage draw_rays(const RowInput& input, Framebuffer canvas) {
+Figures draw_rays(const RowInput& input, Framebuffer canvas) {
     const auto step = static_cast<std::int32_t>(input.values[0]);
     const ScreenMode mode{std::max(input.mode.width_px / step, 16), std::max(input.mode.height_px / step, 10),
                           input.mode.display};
@@ -279,60 +262,23 @@ RowPage draw_rays(const RowInput& input, Framebuffer canvas) {
     std::int64_t differences = 0;
     for (std::size_t pixel = 0; pixel < frame.pixels.size(); ++pixel)
         differences += frame.pixels[pixel] != right.pixels[pixel];
-    for (std::int32_t y = 0; y < canvas.height_px; ++y)
-        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const std::int32_t column = x * mode.width_px / canvas.width_px,
-                               row = y * mode.height_px / canvas.height_px;
-            canvas.row(y)[x] = frame.pixels[static_cast<std::size_t>(row * mode.width_px + column)];
-        }
+    enlarge(frame.pixels, mode, canvas);
     const std::int64_t rays = std::int64_t{mode.width_px} * mode.height_px;
-    return {
-        {count_figure("rays x faces", rays * std::ssize(frame.by.targets().opaque), frame.counts().ray_face_tests),
-         measured("rays", std::to_string(rays)),
-         measured("pixels unlike the span buffer's", std::to_string(differences))},
-        {"A ray from the eye through the middle of each pixel, held against every face in sight of the eye's leaf; the "
-         "first that it hits is seen. The rays know nothing of each other: what the other methods save is coherence."}};
+    return {count_figure("rays x faces", rays * std::ssize(frame.by.targets().opaque), frame.counts().ray_face_tests),
+            measured("rays", rays), measured("pixels unlike the span buffer's", differences)};
 }
 
 }  // namespace
 
 std::vector<Row> hidden_surface_rows() {
     return {{"hidden-surfaces",
-             "Hidden surfaces, by each method",
-             "3 Notes: Z-buffering; 4 Princeton: Hidden surfaces",
-             "engine/methods/hidden_surfaces.cpp",
-             "tests/methods/hidden_surfaces_test.cpp",
+             draw_hidden_surface_methods,
              {method_parameter(HiddenSurfaces::PainterSorted),
-              choice_parameter("differences", {"not marked", "marked"}, 1)},
-             draw_hidden_surface_methods},
-            {"overdraw",
-             "Overdraw",
-             "3 Notes: Painter's algorithm",
-             "engine/methods/painter.cpp",
-             "tests/methods/painter_test.cpp",
-             {choice_parameter("method", {"painter", "span buffer"})},
-             draw_overdraw},
-            {"z-buffer",
-             "Z-buffer",
-             "3 Notes: Z-buffering",
-             "engine/methods/z_buffer.cpp",
-             "tests/methods/z_buffer_test.cpp",
-             {{"fraction bits of 1/z", 12, 44, 1, 44}},
-             draw_depth},
-            {"tree-order",
-             "The tree's order, back to front",
-             "5 Abrash: BSP trees",
-             "engine/visibility/front_to_back.cpp",
-             "tests/visibility/front_to_back_test.cpp",
-             {{"sixteenths of the faces painted", 1, 16, 1, 16}},
-             draw_tree_order},
-            {"ray-casting",
-             "Ray casting",
-             "4 Princeton: Ray Casting Revisited",
-             "engine/methods/ray_casting.cpp",
-             "tests/methods/ray_casting_test.cpp",
-             {{"a ray every ... pixels", 2, 20, 1, 2}},
-             draw_rays}};
+              choice_parameter("differences", {"not marked", "marked"}, 1)}},
+            {"overdraw", draw_overdraw, {choice_parameter("method", {"painter", "span buffer"})}},
+            {"z-buffer", draw_depth, {{"fraction bits of 1/z", 12, 44, 1, 44}}},
+            {"tree-order", draw_tree_order, {{"sixteenths of the faces painted", 1, 16, 1, 16}}},
+            {"ray-casting", draw_rays, {{"a ray every ... pixels", 2, 20, 1, 2}}}};
 }
 
 }  // namespace oblong

@@ -51,7 +51,7 @@ double nearest_in_double(const Level& level, std::span<const PlacedModel> models
     return nearest;
 }
 
-RowPage draw_picking(const RowInput& input, Framebuffer canvas) {
+Figures draw_picking(const RowInput& input, Framebuffer canvas) {
     const Level& level = input.assets.demo_level;
     const Camera camera = camera_at(0, -368, 70, static_cast<int>(input.values[0]), static_cast<int>(input.values[1]));
     draw_demo_level(input, camera, input.mode, canvas);
@@ -60,15 +60,14 @@ RowPage draw_picking(const RowInput& input, Framebuffer canvas) {
     draw_crosshair(canvas, input.assets.text);
     draw_lines_above(canvas.height_px - kFooter_px - 2, describe_picked(level, models, picked), input.assets.text,
                      canvas);
-    if (!picked) return {{count_figure("faces ahead", 0, 0)}, {}};
+    if (!picked) return {count_figure("faces ahead", 0, 0)};
     const Face& face = level.faces[picked->face];
     const double off_plane = number_of(plane_distance(level.planes[face.plane], picked->world_point));
     const double expected = nearest_in_double(level, models, camera);
     return {
-        {number_figure("distance ahead, by a look at all faces in double", expected, number_of(picked->distance), 1e-3),
-         number_figure("the point's distance from the face's plane", 0, off_plane, 1e-3, 6),
-         measured("face, of " + std::to_string(level.faces.size()), std::to_string(picked->face.number()))},
-        {"The ray goes down the tree: at each node a point's distance from a plane, and a line against it."}};
+        number_figure("distance ahead, by a look at all faces in double", expected, number_of(picked->distance), 1e-3),
+        number_figure("the point's distance from the face's plane", 0, off_plane, 1e-3, 6),
+        measured("face, of " + std::to_string(level.faces.size()), std::to_string(picked->face.number()))};
 }
 
 /// A frame of the demo level that was drawn for its log.
@@ -90,7 +89,7 @@ struct LoggedScene {
     const RowInput& input;
 };
 
-RowPage draw_log(const RowInput& input, Framebuffer canvas) {
+Figures draw_log(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     LoggedScene logged(input, camera_at(0, -368, 70, 90, -4));
     logged.draw(canvas);
@@ -110,12 +109,10 @@ RowPage draw_log(const RowInput& input, Framebuffer canvas) {
         spans_px += pixels_of(logged.work.view.claims, list);
     std::vector<std::string> when_off;
     FrameLog({}, [&when_off](const std::string& line) { when_off.push_back(line); }).note(logged.frame());
-    return {{count_figure("pixels of all spans: each one once",
-                          std::int64_t{input.mode.width_px} * input.mode.height_px, spans_px),
-             measured("lines of this kind", std::to_string(lines.size())),
-             count_figure("lines with no channel on", 0, std::ssize(when_off))},
-            {"--log KIND,KIND in oblong and oblong-render; O in the game. Lines are worked out after the frame, from "
-             "what it left behind: off, the frame spends nothing on them."}};
+    return {count_figure("pixels of all spans: each one once", std::int64_t{input.mode.width_px} * input.mode.height_px,
+                         spans_px),
+            measured("lines of this kind", lines.size()),
+            count_figure("lines with no channel on", 0, std::ssize(when_off))};
 }
 
 std::size_t first_digit_of(const std::string& line) {
@@ -132,12 +129,12 @@ double bytes_of(std::string_view what, const LogLines& memory) {
         *std::find_if(memory.begin(), memory.end(), [what](const auto& line) { return line.starts_with(what); }));
 }
 
-RowPage draw_memory(const RowInput& input, Framebuffer canvas) {
+Figures draw_memory(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     LoggedScene logged(input, camera_at(0, -368, 70, static_cast<int>(input.values[0]), -4));
     logged.draw(canvas);
     const LogLines lines = memory_lines(logged.frame());
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+    fill(canvas, assets.colour(18, 22, 34));
     std::vector<std::string> labels;
     std::int32_t bars_x = 0;
     for (const std::string& line : lines) {
@@ -160,39 +157,19 @@ RowPage draw_memory(const RowInput& input, Framebuffer canvas) {
     double texels = 0;
     for (const MipTexture& texture : assets.demo_level.textures)
         texels += texture.width * texture.height * (1 + 1 / 4.0 + 1 / 16.0 + 1 / 64.0);
-    return {{number_figure("bytes of the framebuffer", input.mode.width_px * input.mode.height_px,
-                           bytes_of("screen: framebuffer", lines), 0, 0),
-             number_figure("bytes of textures: four mip levels each", texels, bytes_of("level: textures", lines), 0, 0),
-             number_figure("bytes in all", sum, bytes_in(lines.back()), 0, 0)},
-            {"Bars are logarithmic. Misused memory is found by tools/build asan: address and undefined-behaviour "
-             "sanitizers, with which all tests run."}};
+    return {number_figure("bytes of the framebuffer", input.mode.width_px * input.mode.height_px,
+                          bytes_of("screen: framebuffer", lines), 0, 0),
+            number_figure("bytes of textures: four mip levels each", texels, bytes_of("level: textures", lines), 0, 0),
+            number_figure("bytes in all", sum, bytes_in(lines.back()), 0, 0)};
 }
 
 }  // namespace
 
 std::vector<Row> inspection_rows() {
     std::vector<std::string> channels(kLogChannelNames.begin(), kLogChannelNames.end());
-    return {{"picking",
-             "What is under the crosshair",
-             "5 Abrash: Using the Dot Product for Projection",
-             "engine/scene/pick.h",
-             "tests/scene/pick_test.cpp",
-             {{"yaw, degrees", 0, 350, 10, 90}, {"pitch, degrees", -30, 30, 5, 0}},
-             draw_picking},
-            {"log",
-             "Log channels by kind",
-             "2 Lab: debugging output",
-             "engine/files/frame_log.h",
-             "tests/files/frame_log_test.cpp",
-             {choice_parameter("kind", channels, 3)},
-             draw_log},
-            {"memory",
-             "Memory, by room of the engine",
-             "2 Lab: memory checking",
-             "engine/files/frame_log.cpp",
-             "tests/files/frame_log_test.cpp",
-             {{"yaw, degrees", 0, 270, 90, 90}},
-             draw_memory}};
+    return {{"picking", draw_picking, {{"yaw, degrees", 0, 350, 10, 90}, {"pitch, degrees", -30, 30, 5, 0}}},
+            {"log", draw_log, {choice_parameter("kind", channels, 3)}},
+            {"memory", draw_memory, {{"yaw, degrees", 0, 270, 90, 90}}}};
 }
 
 }  // namespace oblong

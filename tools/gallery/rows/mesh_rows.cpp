@@ -32,16 +32,16 @@ std::int64_t sides_in_front(double distance, double yaw, double pitch) {
                          [distance](double x) { return distance * std::abs(x) > kHalfCube; });
 }
 
-RowPage draw_cube(const RowInput& input, Framebuffer canvas) {
+Figures draw_cube(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
+    fill(canvas, assets.colour(20, 24, 36));
     const Mesh cube =
         cube_mesh(kHalfCube, checkered_skin(64, lit_colour(assets, 190, 150, 90), lit_colour(assets, 120, 60, 40)));
     PlacedMesh placed;
     placed.mesh = &cube;
     placed.shading = Shading::Flat;
-    placed.position = world_point(static_cast<double>(input.values[1]), 0, 0);
-    placed.yaw = degrees_to_angle(Degrees::from_int(input.values[0]));
+    placed.position = world_point(input.number(1), 0, 0);
+    placed.yaw = input.angle(0);
     placed.pitch = degrees_to_angle(Degrees::from_int(-kPitchDegrees));
     std::vector<std::uint8_t> covered(pixel_count(canvas.width_px, canvas.height_px), 255);
     MeshScene scene(input, canvas),
@@ -49,20 +49,15 @@ RowPage draw_cube(const RowInput& input, Framebuffer canvas) {
     scene.draw(placed, light_from_above());
     const Colormap numbers = shade_numbers();
     const MeshCounts counts = counted.draw(placed, light_from_above(), &numbers);
-    const double degree = std::numbers::pi / 180;
-    const std::int64_t sides = sides_in_front(static_cast<double>(input.values[1]),
-                                              static_cast<double>(input.values[0]) * degree, -kPitchDegrees * degree);
-    return {
-        {count_figure("triangles that face the eye, of 12", 2 * sides, counts.facing),
-         count_figure("pixels drawn: each once", std::ssize(covered) - std::count(covered.begin(), covered.end(), 255),
-                      counts.pixels),
-         measured("triangles with pixels, after clipping to the view", std::to_string(counts.triangles))},
-        {"Object space, facing (a dot product in object space), world, view, clipped, projected, scanned into spans, "
-         "pixels: u/z, v/z and 1/z go evenly over the screen, and a division a pixel brings the texel back.",
-         "Near the eye the cube is clipped to the four sides of the view. There is no near plane."}};
+    const std::int64_t sides =
+        sides_in_front(input.number(1), input.radians(0), -kPitchDegrees * std::numbers::pi / 180);
+    return {count_figure("triangles that face the eye, of 12", 2 * sides, counts.facing),
+            count_figure("pixels drawn: each once",
+                         std::ssize(covered) - std::count(covered.begin(), covered.end(), 255), counts.pixels),
+            measured("triangles with pixels, after clipping to the view", counts.triangles)};
 }
 
-RowPage draw_in_level(const RowInput& input, Framebuffer canvas) {
+Figures draw_in_level(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     const Level& level = assets.demo_level;
     const Mesh ball =
@@ -71,7 +66,7 @@ RowPage draw_in_level(const RowInput& input, Framebuffer canvas) {
     placed.mesh = &ball;
     placed.shading = static_cast<Shading>(input.values[1]);
     placed.highlight = 60;
-    placed.position = world_point(static_cast<double>(input.values[0]), 420, 60);
+    placed.position = world_point(input.number(0), 420, 60);
     placed.yaw = Angle::from_bam(input.time_ms * 8);
     const std::vector<PlacedModel> models = models_at_rest(level);
     FrameWorkspace work(level, input.mode);
@@ -91,32 +86,18 @@ RowPage draw_in_level(const RowInput& input, Framebuffer canvas) {
     const std::int64_t before = wanted();
     scene.meshes = {&placed, 1};
     draw_frame(scene, camera, input.mode, input.settings, work, canvas);
-    return {
-        {count_figure("pixels with depth in a frame without it", 0, before),
-         measured("pixels with depth: the rectangle around it", std::to_string(wanted())),
-         measured("pixels that it owns", std::to_string(counts.of(Effect::Models)))},
-        {"The level's faces need no depth: front to back, each pixel goes to the first. Where a model may be, 1/z of "
-         "the faces that own the pixels is written down, and each pixel of the model compared with it.",
-         "It is lit as the floor below it is."}};
+    return {count_figure("pixels with depth in a frame without it", 0, before),
+            measured("pixels with depth: the rectangle around it", wanted()),
+            measured("pixels that it owns", counts.of(Effect::Models))};
 }
 
 }  // namespace
 
 std::vector<Row> mesh_rows() {
-    return {{"mesh-pipeline",
-             "A textured cube through the pipeline",
-             "3 Notes: Rendering pipeline; 5 Abrash: back-face culling",
-             "engine/mesh/draw_mesh.cpp",
-             "tests/mesh/mesh_pixels_test.cpp",
-             {{"turn, degrees", 0, 355, 5, 30}, {"distance", 32, 400, 8, 160}},
-             draw_cube},
+    return {{"mesh-pipeline", draw_cube, {{"turn, degrees", 0, 355, 5, 30}, {"distance", 32, 400, 8, 160}}},
             {"mesh-in-level",
-             "A model among a level's surfaces",
-             "3 Notes: z-buffer; 5 Abrash: BSP renderer",
-             "engine/frame/model_pass.cpp",
-             "tests/effect_frames/models_test.cpp",
-             {{"x", -200, 200, 10, -70}, choice_parameter("shading", {"flat", "Gouraud", "Phong"}, 1)},
-             draw_in_level}};
+             draw_in_level,
+             {{"x", -200, 200, 10, -70}, choice_parameter("shading", {"flat", "Gouraud", "Phong"}, 1)}}};
 }
 
 }  // namespace oblong

@@ -26,14 +26,12 @@ Matrix4 perspective(double distance) {
 
 /// Points and directions in four coordinates, from the side: ahead is right, up is up. By seed 4's convention z grows
 /// toward the viewer; with D above 0, as listed, its picture is behind the eye and stands on its head.
-RowPage draw_homogeneous(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    const double sign = input.values[0] == 0 ? 1 : -1,
-                 distance = static_cast<double>(input.values[1]) * (input.values[0] == 1 ? -1 : 1);
+Figures draw_homogeneous(const RowInput& input, Framebuffer canvas) {
+    const double sign = input.values[0] == 0 ? 1 : -1, distance = input.number(1) * (input.values[0] == 1 ? -1 : 1);
     Diagram diagram(input, canvas, {2.5, 1.1}, 8);
-    diagram.fill(assets.colour(18, 22, 34));
-    const std::uint8_t grey = assets.colour(110, 118, 140), bright = assets.colour(240, 190, 90),
-                       blue = assets.colour(90, 130, 220);
+    diagram.fill(input.colour(18, 22, 34));
+    const std::uint8_t grey = input.colour(110, 118, 140), bright = input.colour(240, 190, 90),
+                       blue = input.colour(90, 130, 220);
     diagram.line({-4.4, 0}, {9, 0}, grey);
     diagram.line({sign * distance, -2.4}, {sign * distance, 3.6}, blue);
     diagram.text({sign * distance, -1.9}, "z = " + decimal_text(distance, "%.0f"), blue);
@@ -46,7 +44,7 @@ RowPage draw_homogeneous(const RowInput& input, Framebuffer canvas) {
         diagram.line(picture, {ahead, 3}, grey);
         diagram.line({0, 0}, {ahead, 3}, grey);
         diagram.disc({ahead, 3}, 0.09, bright);
-        diagram.disc(picture, 0.09, assets.colour(110, 200, 110));
+        diagram.disc(picture, 0.09, input.colour(110, 200, 110));
         diagram.text({ahead, 3}, "w " + decimal_text(number_of(clip.w), "%.2f"), bright, -12, -12);
         found = number_of(point.y);
     }
@@ -56,15 +54,12 @@ RowPage draw_homogeneous(const RowInput& input, Framebuffer canvas) {
     const Matrix4 move = translation({entry_of(5), {}, {}});
     const Vec4 direction = move * Vec4{entry_of(1), {}, {}, {}}, point = move * Vec4{entry_of(1), {}, {}};
     const auto halved = *point_of({entry_of(2), entry_of(-4), entry_of(6), entry_of(2)});
-    return {{number_figure("y of (0, 3, z, 1) on the viewplane: 3 D / z", 3 * distance / (sign * 8), found, 1e-8),
-             number_figure("x of (1, 0, -2) with D = -1", 0.5, x_of(-1, 1, -2), 1e-8),
-             number_figure("x of (1, 0, -2) with D = 1, as listed: mirrored", -0.5, x_of(1, 1, -2), 1e-8),
-             number_figure("x of the point (1, 0, 0, 1) moved by 5", 6, number_of(point.x), 0),
-             number_figure("x of the direction (1, 0, 0, 0) moved by 5", 1, number_of(direction.x), 0),
-             number_figure("y of (2, -4, 6, 2) as a point", -2, number_of(halved.y), 0)},
-            {"The projection matrix puts z / D into w; dividing by w is the perspective divide.",
-             "Who looks down -z needs D below 0. With D above 0 the view plane is behind the eye, as the film of a "
-             "pinhole camera: the picture is mirrored in x and y, and w is negative."}};
+    return {number_figure("y of (0, 3, z, 1) on the viewplane: 3 D / z", 3 * distance / (sign * 8), found, 1e-8),
+            number_figure("x of (1, 0, -2) with D = -1", 0.5, x_of(-1, 1, -2), 1e-8),
+            number_figure("x of (1, 0, -2) with D = 1, as listed: mirrored", -0.5, x_of(1, 1, -2), 1e-8),
+            number_figure("x of the point (1, 0, 0, 1) moved by 5", 6, number_of(point.x), 0),
+            number_figure("x of the direction (1, 0, 0, 0) moved by 5", 1, number_of(direction.x), 0),
+            number_figure("y of (2, -4, 6, 2) as a point", -2, number_of(halved.y), 0)};
 }
 
 /// The course notes' view: 90 degrees across a display of 4:3.
@@ -89,11 +84,10 @@ double depth_of(const Matrix4& matrix, double z) {
 /// Depth over z: the near plane's, the far plane's, and what is between.
 void draw_depths(const std::array<const Matrix4*, 2>& matrices, double nearest, double farthest, const RowInput& input,
                  Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     const std::int32_t left = canvas.width_px * 200 / 320;
     Diagram diagram(input, part_of(canvas, {left, 0, canvas.width_px - left, canvas.height_px}), {0.36, 0.5}, 1.5);
-    const std::uint8_t grey = assets.colour(90, 98, 124);
-    const std::array<std::uint8_t, 2> colours{assets.colour(220, 70, 60), assets.colour(110, 220, 120)};
+    const std::uint8_t grey = input.colour(90, 98, 124);
+    const std::array<std::uint8_t, 2> colours{input.colour(220, 70, 60), input.colour(110, 220, 120)};
     constexpr double kWide = 0.75;
     diagram.line({0, 0}, {kWide, 0}, grey);
     diagram.line({0, 1}, {kWide, 1}, grey);
@@ -112,11 +106,11 @@ void draw_depths(const std::array<const Matrix4*, 2>& matrices, double nearest, 
         }
 }
 
-RowPage draw_projection_matrix(const RowInput& input, Framebuffer canvas) {
+Figures draw_projection_matrix(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+    fill(canvas, assets.colour(18, 22, 34));
     const bool is_listed = input.values[0] == 1;
-    const double nearest = static_cast<double>(input.values[1]) / 10, farthest = static_cast<double>(input.values[2]);
+    const double nearest = input.number(1) / 10, farthest = input.number(2);
     const Matrix4 corrected = volume_matrix(make_projection({320, 200, {4, 3}}, Degrees::from_int(90)),
                                             entry_of(nearest), entry_of(farthest)),
                   listed = listed_matrix(nearest, farthest);
@@ -137,16 +131,12 @@ RowPage draw_projection_matrix(const RowInput& input, Framebuffer canvas) {
     const double lambda = farthest / (farthest - nearest);
     const double harmonic = 2 * nearest * farthest / (nearest + farthest);
     return {
-        {number_figure("depth of the far plane", is_listed ? 1 - nearest : 1, depth_of(shown, farthest), 1e-6, 6),
-         number_figure("depth of the near plane", 0, depth_of(shown, nearest), 1e-6, 6),
-         number_figure("right edge of the view: x", is_listed ? 16.0 / 9 : 1, edge, 1e-8, 6),
-         number_figure("lambda", is_listed ? lambda - lambda * nearest : lambda, number_of(shown.rows[2][2]), 1e-8, 6),
-         number_figure("depth at 2 n f / (n + f)", is_listed ? (1 - nearest) / 2 : 0.5, depth_of(shown, harmonic), 1e-6,
-                       6)},
-        {"[a f, f, lambda, -lambda near]: w takes z, so that the divide makes x and y smaller with distance and depth "
-         "runs from 0 to 1, half of it before the harmonic mean of both planes.",
-         "The notes have a upside down (the right edge would be at 1.778) and subtract the offset within lambda: the "
-         "far plane comes to 1 - near."}};
+        number_figure("depth of the far plane", is_listed ? 1 - nearest : 1, depth_of(shown, farthest), 1e-6, 6),
+        number_figure("depth of the near plane", 0, depth_of(shown, nearest), 1e-6, 6),
+        number_figure("right edge of the view: x", is_listed ? 16.0 / 9 : 1, edge, 1e-8, 6),
+        number_figure("lambda", is_listed ? lambda - lambda * nearest : lambda, number_of(shown.rows[2][2]), 1e-8, 6),
+        number_figure("depth at 2 n f / (n + f)", is_listed ? (1 - nearest) / 2 : 0.5, depth_of(shown, harmonic), 1e-6,
+                      6)};
 }
 
 constexpr std::array<Vec, 4> kQuad{{{0, 0, 0}, {1, 0, 0}, {1, 1, 1}, {0, 1, 1}}};
@@ -162,23 +152,19 @@ Vec3<World> from_gl(const Vec& p) {
 PlanePoint pixel_in_double(const Vec& p, const Vec& eye, const RowInput& input, const Area& area) {
     const Vec forward = normalised(kQuadTarget - eye), right = normalised(cross(forward, {0, 1, 0})),
               up = cross(right, forward), way = p - eye;
-    const Ratio pixel = input.mode.pixel();
-    const double shape = static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator);
+    const double shape = number_of(input.mode.pixel());
     const double d = area.width / 2.0 / std::tan(kQuadView * std::numbers::pi / 360);
     return {area.width / 2.0 + d * dot(way, right) / dot(way, forward),
             area.height / 2.0 - d * shape * dot(way, up) / dot(way, forward)};
 }
 
-RowPage draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
+Figures draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
-    const double turn = static_cast<double>(input.values[0]) * std::numbers::pi / 180;
+    fill(canvas, assets.colour(18, 22, 34));
+    const double turn = input.radians(0);
     const Vec eye{0.5 + 4 * std::sin(turn), 1.6, 0.5 + 4 * std::cos(turn)};
     const Area area = scene_area(canvas, 180);
     Sketch sketch(input, canvas, area, {from_gl(eye), from_gl(kQuadTarget), kQuadView});
-    const std::array<std::uint8_t, 3> colours{assets.colour(200, 80, 70), assets.colour(90, 170, 80),
-                                              assets.colour(90, 130, 220)};
-    constexpr std::array<Vec, 3> kAxes{{{1.3, 0, 0}, {0, 1.3, 0}, {0, 0, 1.3}}};
     std::array<Vec3<World>, 4> corners;
     std::transform(kQuad.begin(), kQuad.end(), corners.begin(), from_gl);
     const std::uint8_t fill = assets.colour(200, 150, 60);
@@ -187,10 +173,7 @@ RowPage draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
     for (std::int32_t y = 0; y < area.height; ++y)
         pixels += std::count(canvas.row(area.y + y), canvas.row(area.y + y) + area.width, fill);
     sketch.outline(corners, assets.colour(250, 225, 150));
-    for (std::size_t i = 0; i < 3; ++i) {
-        sketch.line(from_gl({0, 0, 0}), from_gl(kAxes[i]), colours[i]);
-        sketch.label(from_gl(kAxes[i]), std::string(1, static_cast<char>('x' + i)), colours[i]);
-    }
+    sketch.axes({from_gl({1.3, 0, 0}), from_gl({0, 1.3, 0}), from_gl({0, 0, 1.3})}, assets);
     double worst_px = 0, shoelace = 0;
     std::vector<std::string> lines{"glBegin(GL_POLYGON)"};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -215,16 +198,13 @@ RowPage draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
     const Vec3<Unit> normal = normalised(oblong::cross(corners[1] - corners[0], corners[3] - corners[0]));
     const Plane plane = plane_through(corners[0], normal);
     const auto doubled = oblong::cross(corners[2] - corners[0], corners[3] - corners[1]);  // of its diagonals
-    return {{number_figure("area of the polygon: root 2", std::numbers::sqrt2,
-                           std::hypot(number_of(doubled.x), number_of(doubled.y), number_of(doubled.z)) / 2, 1e-9, 6),
-             number_figure("its fourth corner's distance from the others' plane", 0,
-                           number_of(distance_to_plane(corners[2], plane)), 1e-6, 6),
-             number_figure("pixels from the closed form: worst corner", 0, worst_px, 0.01),
-             number_figure("pixels drawn: the area of its picture", std::abs(shoelace), static_cast<double>(pixels),
-                           static_cast<double>(area.width + area.height) / 16, 0)},
-            {"The polygon of the slides' OpenGL example takes each step of the pipeline: model, view, six planes, "
-             "perspective divide (x, y and depth below each vertex), viewport (column and row), scan conversion.",
-             "In OpenGL's axes z grows toward the viewer: y = z on all of it."}};
+    return {number_figure("area of the polygon: root 2", std::numbers::sqrt2,
+                          std::hypot(number_of(doubled.x), number_of(doubled.y), number_of(doubled.z)) / 2, 1e-9, 6),
+            number_figure("its fourth corner's distance from the others' plane", 0,
+                          number_of(distance_to_plane(corners[2], plane)), 1e-6, 6),
+            number_figure("pixels from the closed form: worst corner", 0, worst_px, 0.01),
+            number_figure("pixels drawn: the area of its picture", std::abs(shoelace), static_cast<double>(pixels),
+                          static_cast<double>(area.width + area.height) / 16, 0)};
 }
 
 }  // namespace
@@ -232,29 +212,15 @@ RowPage draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
 std::vector<Row> projection_matrix_rows() {
     return {
         {"homogeneous",
-         "Homogeneous coordinates",
-         "2 Lab: 4-vectors; 3 Notes: Homogeneous coordinates; 4 Princeton: Perspective",
-         "engine/math/matrix.h",
-         "tests/seeds/princeton_test.cpp",
+         draw_homogeneous,
          {choice_parameter("axes", {"z ahead, D > 0", "looking down -z, D < 0", "looking down -z, D > 0 as listed"}),
-          {"distance of the viewplane", 1, 4, 1, 2}},
-         draw_homogeneous},
+          {"distance of the viewplane", 1, 4, 1, 2}}},
         {"projection-matrix",
-         "The projection matrix and its depth",
-         "3 Notes: Projection matrix",
-         "engine/methods/canonical_volume.h",
-         "tests/seeds/notes_geometry_test.cpp",
+         draw_projection_matrix,
          {choice_parameter("matrix", {"corrected", "as listed"}),
           {"near, tenths", 1, 20, 1, 5},
-          {"far", 5, 100, 5, 10}},
-         draw_projection_matrix},
-        {"opengl-quad",
-         "OpenGL's polygon, stage by stage",
-         "4 Princeton: Example: OpenGL",
-         "engine/methods/canonical_volume.h",
-         "tests/seeds/princeton_test.cpp",
-         {{"seen from, degrees", -60, 60, 10, 30}},
-         draw_opengl_quad}};
+          {"far", 5, 100, 5, 10}}},
+        {"opengl-quad", draw_opengl_quad, {{"seen from, degrees", -60, 60, 10, 30}}}};
 }
 
 }  // namespace oblong

@@ -19,10 +19,8 @@ namespace {
 
 /// How long a line is on the display, in columns.
 double length_on_display(const Vec& from, const Vec& to, const ViewContext& view, const ScreenMode& mode) {
-    const PixelPlace a = shown(from, view), b = shown(to, view);
-    const Ratio pixel = mode.pixel();
-    const double shape = static_cast<double>(pixel.denominator) / static_cast<double>(pixel.numerator);
-    return std::hypot(b.x - a.x, (b.y - a.y) * shape);
+    const PlanePoint a = shown(from, view), b = shown(to, view);
+    return std::hypot(b.x - a.x, (b.y - a.y) * number_of(mode.pixel().inverse()));
 }
 
 constexpr Cube kCube{{-50, -50, -50}, 100};
@@ -30,13 +28,10 @@ constexpr double kCubeWidth = 340;  ///< units across the screen
 
 /// The cube in the middle of what header and footer leave.
 void draw_cube_scene(const RowInput& input, const ViewSpec& view, Framebuffer canvas) {
-    const Ratio pixel = input.mode.pixel();
-    const double unit_px = input.mode.width_px / kCubeWidth * static_cast<double>(pixel.numerator) /
-                           static_cast<double>(pixel.denominator);
+    const double unit_px = input.mode.width_px / kCubeWidth * number_of(input.mode.pixel());
     const double down = (kFooter_px - kHeader_px) / 2.0 / unit_px;
     ViewSpec moved = view;
-    moved.eye = in_world(
-        {-down * number_of(view.axes.up.x), -down * number_of(view.axes.up.y), -down * number_of(view.axes.up.z)});
+    moved.eye = world_point(vec_of(view.axes.up) * -down);
     WireScene scene(input, moved, canvas);
     scene.fill_background();
     draw_cube(kCube, input.assets, scene);
@@ -63,18 +58,15 @@ std::vector<Figure> edge_figures(const RowInput& input, const ViewSpec& view, co
     return figures;
 }
 
-RowPage draw_orthographic(const RowInput& input, Framebuffer canvas) {
+Figures draw_orthographic(const RowInput& input, Framebuffer canvas) {
     const auto side = static_cast<ViewSide>(input.values[0]);
     const ViewSpec view = orthographic_view({}, side_axes(side), View::from_int(static_cast<std::int64_t>(kCubeWidth)));
     draw_cube_scene(input, view, canvas);
     constexpr std::array<std::array<double, 3>, 3> kFactors{{{1, 0, 1}, {1, 1, 0}, {0, 1, 1}}};
-    return {edge_figures(input, view, item(kFactors, static_cast<std::int32_t>(input.values[0]))),
-            {"The direction of projection is at right angles to the view plane: a coordinate is thrown away, and the "
-             "others keep their lengths.",
-             "1/z is the same everywhere, so that a texture needs one division a row."}};
+    return edge_figures(input, view, item(kFactors, static_cast<std::int32_t>(input.values[0])));
 }
 
-RowPage draw_axonometric(const RowInput& input, Framebuffer canvas) {
+Figures draw_axonometric(const RowInput& input, Framebuffer canvas) {
     const auto kind = static_cast<Axonometry>(input.values[0]);
     const Angle turn = degrees_to_angle(Degrees::from_int(90 * input.values[1]));
     const ViewSpec view =
@@ -95,20 +87,16 @@ RowPage draw_axonometric(const RowInput& input, Framebuffer canvas) {
     const int different = 1 + (found[1] - found[0] > 0.02) + (found[2] - found[1] > 0.02);
     figures.push_back(count_figure("different factors: iso 1, di 2, tri 3", input.values[0] + 1, different));
     std::rotate(figures.begin(), figures.end() - 1, figures.end());
-    return {
-        std::move(figures),
-        {"Orthographic, but along no axis: all three are seen. Isometric shortens them alike, dimetric two of them, "
-         "trimetric each by a factor of its own."}};
+    return figures;
 }
 
 ViewSpec oblique_cube_view(double length, std::int64_t degrees) {
     return oblique_view({}, side_axes(ViewSide::Front), View::from_int(static_cast<std::int64_t>(kCubeWidth)),
-                        Unit::from_raw(static_cast<std::int32_t>(std::ldexp(length, 30))),
-                        degrees_to_angle(Degrees::from_int(degrees)));
+                        fixed_of<Unit>(length), degrees_to_angle(Degrees::from_int(degrees)));
 }
 
-RowPage draw_oblique(const RowInput& input, Framebuffer canvas) {
-    const double length = input.values[0] == 0 ? 1 : 0.5, degrees = static_cast<double>(input.values[1]);
+Figures draw_oblique(const RowInput& input, Framebuffer canvas) {
+    const double length = input.values[0] == 0 ? 1 : 0.5, degrees = input.number(1);
     const ViewSpec view = oblique_cube_view(length, input.values[1]);
     draw_cube_scene(input, view, canvas);
     std::vector<Figure> figures = edge_figures(input, view, {1, length, 1});
@@ -116,10 +104,7 @@ RowPage draw_oblique(const RowInput& input, Framebuffer canvas) {
     figures.push_back(number_figure("right per unit of depth, L cos a",
                                     length * std::cos(degrees * std::numbers::pi / 180),
                                     across(kCube.low, kY, context) / across(kCube.low, kX, context), 0.001));
-    return {std::move(figures),
-            {"The direction of projection is not at right angles to the view plane. The front keeps its shape; what is "
-             "farther is shifted by L of its depth: 1 in a cavalier projection, 1/2 in a cabinet one.",
-             "It is a shear, as is an off-centre window: the view's axes lose it, and the rest is as always."}};
+    return figures;
 }
 
 /// Views of the demo level from outside.
@@ -132,7 +117,7 @@ ViewSpec level_view(std::int64_t choice) {
                         Unit::from_raw(choice == 3 ? 1 << 30 : 1 << 29), Angle{0xa000});
 }
 
-RowPage draw_level_from_outside(const RowInput& input, Framebuffer canvas) {
+Figures draw_level_from_outside(const RowInput& input, Framebuffer canvas) {
     const Level& level = input.assets.demo_level;
     ViewSpec view = level_view(input.values[0]);
     cut_above(view, World::from_int(static_cast<std::int32_t>(input.values[1])));
@@ -146,20 +131,15 @@ RowPage draw_level_from_outside(const RowInput& input, Framebuffer canvas) {
         twice += writes > 1;
         never += writes == 0;
     }
-    return {
-        {count_figure("pixels that faces draw twice", 0, twice),
-         measured("pixels that show nothing", std::to_string(never)),
-         measured("faces that own pixels", std::to_string(counts.faces_drawn))},
-        {"Seen from outside, a level's walls and ceilings on this side face away and are culled: its rooms are open. "
-         "A section takes off what is above a height.",
-         "Order and culling ask for sides of a direction instead of a point, in homogeneous coordinates: w = 0."}};
+    return {count_figure("pixels that faces draw twice", 0, twice), measured("pixels that show nothing", never),
+            measured("faces that own pixels", counts.faces_drawn)};
 }
 
 /// A camera whose picture of the cube has so many vanishing points.
 Camera camera_with_points(int points) {
     constexpr std::array<Vec, 3> kEyes{{{110, -310, 100}, {-160, -160, 15}, {-140, -140, 150}}};
     Camera camera;
-    camera.eye = in_world(item(kEyes, points - 1));
+    camera.eye = world_point(item(kEyes, points - 1));
     camera.yaw = degrees_to_angle(Degrees::from_int(points == 1 ? 90 : 45));
     camera.pitch = degrees_to_angle(Degrees::from_int(points == 3 ? 38 : 0));
     camera.field_of_view = Degrees::from_int(100);
@@ -167,16 +147,16 @@ Camera camera_with_points(int points) {
 }
 
 /// Where lines along an axis meet: the picture of a direction, x m / z; none for lines along the view plane.
-std::optional<PixelPlace> vanishing_point(const Vec3<Unit>& axis, const ViewContext& view) {
-    const auto part = [&](const Vec3<Unit>& of_view) { return std::ldexp(dot(axis, of_view).raw, -60); };
+std::optional<PlanePoint> vanishing_point(const Vec3<Unit>& axis, const ViewContext& view) {
+    const auto part = [&](const Vec3<Unit>& of_view) { return number_of(dot(axis, of_view)); };
     const double z = part(view.axes.forward);
     if (std::abs(z) < 1e-6) return std::nullopt;
-    const auto pixels = [](Multiplier multiplier) { return std::ldexp(static_cast<double>(multiplier.raw), -32); };
-    return PixelPlace{view.projection.width_px / 2.0 + pixels(view.projection.x.multiplier) * part(view.axes.right) / z,
-                      view.projection.height_px / 2.0 - pixels(view.projection.y.multiplier) * part(view.axes.up) / z};
+    return PlanePoint{
+        view.projection.width_px / 2.0 + number_of(view.projection.x.multiplier) * part(view.axes.right) / z,
+        view.projection.height_px / 2.0 - number_of(view.projection.y.multiplier) * part(view.axes.up) / z};
 }
 
-RowPage draw_vanishing_points(const RowInput& input, Framebuffer canvas) {
+Figures draw_vanishing_points(const RowInput& input, Framebuffer canvas) {
     const auto points = static_cast<int>(input.values[0]) + 1;
     const Camera camera = camera_with_points(points);
     WireScene scene(input, first_person_view(camera), canvas);
@@ -188,67 +168,38 @@ RowPage draw_vanishing_points(const RowInput& input, Framebuffer canvas) {
     int found = 0;
     double worst_px = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::optional<PixelPlace> point = vanishing_point(axes[axis], scene.view());
+        const std::optional<PlanePoint> point = vanishing_point(axes[axis], scene.view());
         if (!point) continue;
         ++found;
         for (int corner = 0; corner < 8; ++corner)
             scene.line(shown(kCube.corner(corner), scene.view()), *point, colours[axis]);
         // As the engine projects a place 2^18 units from the eye, ahead of it.
-        Vec far{std::ldexp(camera.eye.x.raw, -12), std::ldexp(camera.eye.y.raw, -12),
-                std::ldexp(camera.eye.z.raw, -12)};
+        Vec far = vec_of(camera.eye);
         const double way = dot(axes[axis], scene.view().axes.forward) > Sine60{} ? 262144 : -262144;
-        (axis == 0 ? far.x : axis == 1 ? far.y : far.z) += way;
-        const PixelPlace seen = shown(far, scene.view());
+        far[axis] += way;
+        const PlanePoint seen = shown(far, scene.view());
         worst_px = std::max(worst_px, std::hypot(seen.x - point->x, seen.y - point->y));
     }
     draw_cube(kCube, input.assets, scene);
-    return {{count_figure("axes that have a vanishing point", points, found),
-             number_figure("pixels to what is 2^18 units along", 0, worst_px, 0.02)},
-            {"Lines along an axis meet in the picture of its direction: centre + m (axis . right) / (axis . forward). "
-             "An axis along the view plane has none: its lines stay parallel."}};
+    return {count_figure("axes that have a vanishing point", points, found),
+            number_figure("pixels to what is 2^18 units along", 0, worst_px, 0.02)};
 }
 
 }  // namespace
 
 std::vector<Row> projection_rows() {
-    constexpr std::string_view kViews = "engine/view/views.h", kTest = "tests/view/views_test.cpp",
-                               kFrames = "tests/frame/view_frames_test.cpp";
-    return {{"orthographic",
-             "Orthographic: front, top and side",
-             "4 Princeton: Projection; 2 Lab",
-             kViews,
-             kTest,
-             {choice_parameter("view", {"front", "top", "side"})},
-             draw_orthographic},
+    return {{"orthographic", draw_orthographic, {choice_parameter("view", {"front", "top", "side"})}},
             {"axonometric",
-             "Isometric, dimetric, trimetric",
-             "4 Princeton: Projection",
-             kViews,
-             kTest,
-             {choice_parameter("view", {"isometric", "dimetric", "trimetric"}), {"quarters turned", 0, 3, 1, 0}},
-             draw_axonometric},
-            {"oblique",
-             "Oblique: cavalier and cabinet",
-             "4 Princeton: Projection",
-             kViews,
-             kTest,
-             {choice_parameter("view", {"cavalier", "cabinet"}), {"angle", 0, 90, 15, 45}},
-             draw_oblique},
+             draw_axonometric,
+             {choice_parameter("view", {"isometric", "dimetric", "trimetric"}), {"quarters turned", 0, 3, 1, 0}}},
+            {"oblique", draw_oblique, {choice_parameter("view", {"cavalier", "cabinet"}), {"angle", 0, 90, 15, 45}}},
             {"level-from-outside",
-             "A level from outside",
-             "4 Princeton: Projection",
-             kViews,
-             kFrames,
+             draw_level_from_outside,
              {choice_parameter("view", {"isometric", "dimetric", "trimetric", "cavalier plan", "cabinet plan"}),
-              {"cut off above", 0, 640, 80, 80}},
-             draw_level_from_outside},
+              {"cut off above", 0, 640, 80, 80}}},
             {"vanishing-points",
-             "Vanishing points: one, two, three",
-             "4 Princeton: Projection",
-             "engine/view/project.h",
-             kTest,
-             {choice_parameter("vanishing points", {"one", "two", "three"}, 1)},
-             draw_vanishing_points}};
+             draw_vanishing_points,
+             {choice_parameter("vanishing points", {"one", "two", "three"}, 1)}}};
 }
 
 }  // namespace oblong

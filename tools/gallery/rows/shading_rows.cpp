@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/mesh_scene.h"
@@ -67,25 +68,22 @@ double reflected(const Vec& normal, const Vec& toward, const Vec& eye, double hi
 
 /// The shade that the mark should have, from the corners of the triangle that is there.
 double expected_shade(std::size_t kind, const PlacedMesh& placed, const ExactHit& hit, const Vec& toward) {
-    const Vec place = vec_of(placed.position);
-    const Vec eye = normalised(Vec{-place.x, -place.y, -place.z});
+    const Vec eye = normalised(vec_of(placed.position) * -1);
     if (kShadings[kind] == Shading::Flat) return exact_shade(reflected(hit.normal, toward, eye, 0));
     double shade = 0;
     Vec normal;
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec& corner = hit.corners[i].normal;
         shade += hit.shares[i] * exact_shade(reflected(corner, toward, eye, 0));
-        normal.x += hit.shares[i] * corner.x;
-        normal.y += hit.shares[i] * corner.y;
-        normal.z += hit.shares[i] * corner.z;
+        normal = normal + corner * hit.shares[i];
     }
     if (kShadings[kind] == Shading::Gouraud) return shade;
     return exact_shade(reflected(normalised(normal), toward, eye, placed.highlight));
 }
 
-RowPage draw_shadings(const RowInput& input, Framebuffer canvas) {
+Figures draw_shadings(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
+    fill(canvas, assets.colour(20, 24, 36));
     const Mesh ball =
         ball_mesh(kBallRadius, static_cast<int>(input.values[0]), plain_skin(lit_colour(assets, 150, 90, 40)));
     const Vec toward = toward_light(input.values[1]);
@@ -94,26 +92,22 @@ RowPage draw_shadings(const RowInput& input, Framebuffer canvas) {
     std::vector<std::uint8_t> numbers(pixel_count(canvas.width_px, canvas.height_px));
     MeshScene numbered(input, {numbers.data(), canvas.width_px, canvas.height_px, canvas.width_px}, kBallsFieldOfView);
     const Colormap by_number = shade_numbers();
-    RowPage page;
+    Figures figures;
     for (std::size_t kind = 0; kind < kShadings.size(); ++kind) {
         const PlacedMesh placed = shaded_ball(ball, kind);
         scene.draw(placed, light);
         numbered.draw(placed, light, &by_number);
         const Mark mark = mark_at(scene, placed.position + world_point(-25, -3, 7));
         const auto hit = exact_hit(placed, input, kBallsFieldOfView, mark.column + 0.5, mark.row + 0.5);
-        const double found = numbers[static_cast<std::size_t>(mark.row * canvas.width_px + mark.column)];
-        page.figures.push_back(number_figure(std::string("shade at the mark, ") + kShadingNames[kind],
-                                             hit ? expected_shade(kind, placed, *hit, toward) : -1, found, 1.6, 1));
+        const double found = item(numbers, mark.row * canvas.width_px + mark.column);
+        figures.push_back(number_figure(std::string("shade at the mark, ") + kShadingNames[kind],
+                                        hit ? expected_shade(kind, placed, *hit, toward) : -1, found, 1.6, 1));
         draw_mark(canvas, mark, assets.colour(255, 255, 255));
         const Mark label = mark_at(scene, placed.position + world_point(0, 0, -kBallRadius - 6));
         draw_text(canvas, label.column - text_width_px(kShadingNames[kind]) / 2, label.row, kShadingNames[kind],
                   assets.text);
     }
-    page.notes = {
-        "The same ball, light and normals. Flat: one dot product a triangle. Gouraud: one a vertex, and shades that go "
-        "evenly over the screen. Phong: normals that go evenly, made of length 1 again at each pixel, and a highlight.",
-        "Light becomes one of the colormap's 64 shades: 32 is the colour itself, 0 twice as bright, 63 black."};
-    return page;
+    return figures;
 }
 
 enum class Kind : std::uint8_t { Ambient, Directional, Point };
@@ -122,15 +116,15 @@ constexpr double kLitRadius = 46;
 /// The light that a place of the ball should get.
 double expected_light(Kind kind, const Vec& normal, const Vec& position, const Vec& lamp) {
     if (kind == Kind::Ambient) return 90;
-    const Vec way = kind == Kind::Point ? Vec{lamp.x - position.x, lamp.y - position.y, lamp.z - position.z} : lamp;
+    const Vec way = kind == Kind::Point ? lamp - position : lamp;
     const double distance = kind == Kind::Point ? std::sqrt(dot(way, way)) : 0;
     return std::max(dot(normal, normalised(way)), 0.0) *
            (kind == Kind::Point ? std::max(150 - distance, 0.0) * 1.5 : 120);
 }
 
-RowPage draw_lights(const RowInput& input, Framebuffer canvas) {
+Figures draw_lights(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
+    fill(canvas, assets.colour(20, 24, 36));
     const auto kind = static_cast<Kind>(input.values[0]);
     const Vec toward = toward_light(input.values[1]);
     const Mesh ball = ball_mesh(kLitRadius, 24, plain_skin(lit_colour(assets, 130, 130, 140)));
@@ -146,7 +140,7 @@ RowPage draw_lights(const RowInput& input, Framebuffer canvas) {
     MeshScene scene(input, canvas, kBallsFieldOfView);
     scene.draw(placed, light);
 
-    RowPage page;
+    Figures figures;
     constexpr std::array kPlaces{Vec{-0.5, -0.5, 0.7}, Vec{-0.8, 0.6, 0.2}, Vec{-0.6, -0.2, -0.78}};
     for (std::size_t i = 0; i < kPlaces.size(); ++i) {
         const Vec normal = normalised(kPlaces[i]);
@@ -155,7 +149,7 @@ RowPage draw_lights(const RowInput& input, Framebuffer canvas) {
         const double found = light_at(on_ball, unit_of(normal), light) / 256.0;
         const double expected = expected_light(kind, normal, position, lamp);
         const std::string name(1, static_cast<char>('A' + i));
-        page.figures.push_back(number_figure("light at " + name, expected, found, 0.05, 2));
+        figures.push_back(number_figure("light at " + name, expected, found, 0.05, 2));
         const Mark mark = mark_at(scene, on_ball);
         draw_mark(canvas, mark, assets.colour(255, 255, 255));
         const bool is_left = normal.y > 0;
@@ -168,11 +162,7 @@ RowPage draw_lights(const RowInput& input, Framebuffer canvas) {
         fill_area(canvas, {mark.column - 2, mark.row - 2, 5, 5}, assets.colour(255, 240, 150));
         draw_text(canvas, mark.column + 6, mark.row - 4, "lamp", assets.text);
     }
-    page.notes = {
-        "Ambient light is the same everywhere. Of a directional light a surface gets strength max(0, N . L); of "
-        "a point's (radius - distance) brightness max(0, N . L), L being the way to it.",
-        "Light 128 shows the ball's own colour."};
-    return page;
+    return figures;
 }
 
 /// The angle between two directions of the plane, degrees.
@@ -197,13 +187,12 @@ ScaledNormals scaled_normals(const Matrix3& matrix, const Matrix3& normals, doub
 
 /// Seed 5 says that scaling leaves normals normals; its erratum A7 works out that it does not. The cross product of two
 /// edges, its other way to a normal, needs no rule.
-RowPage draw_normals(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    const double scale = static_cast<double>(input.values[0]) / 4;
+Figures draw_normals(const RowInput& input, Framebuffer canvas) {
+    const double scale = input.number(0) / 4;
     Diagram diagram(input, canvas, {0, 0}, 4.4);
-    diagram.fill(assets.colour(20, 24, 36));
-    const std::uint8_t wrong = assets.colour(220, 70, 60), right = assets.colour(90, 210, 110),
-                       edges = assets.colour(250, 230, 120);
+    diagram.fill(input.colour(20, 24, 36));
+    const std::uint8_t wrong = input.colour(220, 70, 60), right = input.colour(90, 210, 110),
+                       edges = input.colour(250, 230, 120);
     Matrix3 matrix = Matrix3::identity();
     matrix.rows[0][0] = Entry::from_raw(input.values[0] * (std::int64_t{1} << 30));
     const std::optional<Matrix3> normals = normal_matrix(matrix);
@@ -211,7 +200,7 @@ RowPage draw_normals(const RowInput& input, Framebuffer canvas) {
     const auto on_ellipse = [scale](double angle) { return PlanePoint{scale * std::cos(angle), std::sin(angle)}; };
     for (int step = 0; step < 96; ++step)
         diagram.line(on_ellipse(step * std::numbers::pi / 48), on_ellipse((step + 1) * std::numbers::pi / 48),
-                     assets.colour(150, 160, 180));
+                     input.colour(150, 160, 180));
     double worst_normal = 0, worst_point = 0, expected_point = 0;
     for (int step = 0; step < 12; ++step) {
         const double angle = (step + 0.5) * std::numbers::pi / 6, c = std::cos(angle), s = std::sin(angle);
@@ -236,43 +225,22 @@ RowPage draw_normals(const RowInput& input, Framebuffer canvas) {
         return number_of(a.x) * number_of(b.x) + number_of(a.y) * number_of(b.y) + number_of(a.z) * number_of(b.z);
     };
     const Vec3<Entry> tangent = matrix * whole(1, -1);
-    return {
-        {number_figure("degrees from M^-T n to M e0 x M e1, worst", 0, worst_normal, 0.05),
-         number_figure("degrees from M n to M e0 x M e1, worst", expected_point, worst_point, 0.05),
-         number_figure("M n . M t of n (1, 1, 0), t (1, -1, 0)", scale * scale - 1,
-                       product(matrix * whole(1, 1), tangent), 1e-9, 4),
-         number_figure("M^-T n . M t", 0, product(*normals * whole(1, 1), tangent), 1e-6, 4)},
-        {"M scales x. A normal that is transformed as a point leans over; by the inverse transpose it stays at right "
-         "angles to the surface. With 2 the two products are the erratum's 3 and 0.",
-         "The cross product of two edges is a normal of whatever became of them, after a projection too: there its "
-         "third part alone, the area on the screen, says which way a face looks."}};
+    return {number_figure("degrees from M^-T n to M e0 x M e1, worst", 0, worst_normal, 0.05),
+            number_figure("degrees from M n to M e0 x M e1, worst", expected_point, worst_point, 0.05),
+            number_figure("M n . M t of n (1, 1, 0), t (1, -1, 0)", scale * scale - 1,
+                          product(matrix * whole(1, 1), tangent), 1e-9, 4),
+            number_figure("M^-T n . M t", 0, product(*normals * whole(1, 1), tangent), 1e-6, 4)};
 }
 
 }  // namespace
 
 std::vector<Row> shading_rows() {
     return {
-        {"shading",
-         "Flat, Gouraud and Phong shading",
-         "3 Notes: Shading; 5 Abrash: lighting",
-         "engine/mesh/mesh_pixels.cpp",
-         "tests/mesh/mesh_light_test.cpp",
-         {{"rings of the ball", 4, 24, 1, 7}, {"light from, degrees", 0, 345, 15, 60}},
-         draw_shadings},
+        {"shading", draw_shadings, {{"rings of the ball", 4, 24, 1, 7}, {"light from, degrees", 0, 345, 15, 60}}},
         {"lights",
-         "Ambient, directional and point light",
-         "5 Abrash: lighting; 4 Princeton: Lighting",
-         "engine/mesh/mesh_light.cpp",
-         "tests/mesh/mesh_light_test.cpp",
-         {choice_parameter("light", {"ambient", "directional", "point"}, 1), {"light from, degrees", 0, 345, 15, 60}},
-         draw_lights},
-        {"normals",
-         "Normals: transformed, by cross product",
-         "5 Abrash: A Brief Aside on Cross Products; 4 Princeton: Transformations",
-         "engine/math/matrix.cpp",
-         "tests/mesh/mesh_stages_test.cpp",
-         {{"scale of x, quarters", 1, 12, 1, 8}},
-         draw_normals}};
+         draw_lights,
+         {choice_parameter("light", {"ambient", "directional", "point"}, 1), {"light from, degrees", 0, 345, 15, 60}}},
+        {"normals", draw_normals, {{"scale of x, quarters", 1, 12, 1, 8}}}};
 }
 
 }  // namespace oblong

@@ -13,11 +13,8 @@ namespace oblong {
 
 namespace {
 
-Screen screen_of(double pixels) {
-    return Screen::from_raw(static_cast<std::int32_t>(std::lround(pixels * 256)));
-}
 ScreenVertex vertex_at(PlanePoint at) {
-    return {screen_of(at.x), screen_of(at.y)};
+    return {fixed_of<Screen>(at.x), fixed_of<Screen>(at.y)};
 }
 
 struct ColouredTriangle {
@@ -77,7 +74,7 @@ std::int64_t differing_pixels(const std::vector<std::uint8_t>& a, const std::vec
     return count;
 }
 
-RowPage draw_triangle_methods(const RowInput& input, Framebuffer canvas) {
+Figures draw_triangle_methods(const RowInput& input, Framebuffer canvas) {
     constexpr std::array<int, 3> kThreads{1, 2, 4};
     const std::uint8_t ground = input.assets.colour(20, 24, 36);
     const auto triangles = random_triangles(input.values[2], input, canvas);
@@ -95,32 +92,27 @@ RowPage draw_triangle_methods(const RowInput& input, Framebuffer canvas) {
         fill_area(canvas, {0, band_of(canvas, i, shown_threads).first_row, canvas.width_px, 1},
                   input.assets.colour(240, 240, 240));
 
-    RowPage page;
+    Figures figures;
     for (int method = 1; method < kTriangleMethodCount; ++method)
-        page.figures.push_back(count_figure(
+        figures.push_back(count_figure(
             std::string(name_of(static_cast<TriangleMethod>(method))) + ": pixels unlike those of flat parts", 0,
             differing_pixels(picture(method, 1), picture(0, 1))));
     for (int method = 0; method < kTriangleMethodCount; ++method)
-        page.figures.push_back(count_figure(
+        figures.push_back(count_figure(
             std::string(name_of(static_cast<TriangleMethod>(method))) + " by 2 and 4 threads: pixels unlike by 1", 0,
             differing_pixels(picture(method, 2), picture(method, 1)) +
                 differing_pixels(picture(method, 4), picture(method, 1))));
-    page.notes = {
-        "60 triangles, in either order of corners, some beyond the borders. Each thread draws all of them in a band "
-        "of rows (white lines between bands).",
-        "Edge functions test eight pixels at a time with SSE2."};
-    return page;
+    return figures;
 }
 
 /// Two triangles with a common side on a grid whose pixel centres the corners hit, as the rule decides.
-RowPage draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
+Figures draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
     constexpr std::int32_t kColumns = 16, kRows = 9;
-    const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(16, 18, 28));
-    const std::uint8_t ground = assets.colour(36, 42, 58);
+    fill(canvas, input.colour(16, 18, 28));
+    const std::uint8_t ground = input.colour(36, 42, 58);
     PixelGrid grid(input, canvas, {0, kHeader_px, canvas.width_px, canvas.height_px - kHeader_px - kFooter_px},
                    kColumns, kRows, ground);
-    const double x = static_cast<double>(input.values[0]) / 2, y = static_cast<double>(input.values[1]) / 2;
+    const double x = input.number(0) / 2, y = input.number(1) / 2;
     const std::array<PlanePoint, 4> corners{{{1.5, 1.5}, {x, 1.5}, {13.5, y}, {3.5, 7.5}}};
     const ScreenTriangle first{vertex_at(corners[0]), vertex_at(corners[1]), vertex_at(corners[3])},
         second{vertex_at(corners[1]), vertex_at(corners[2]), vertex_at(corners[3])};
@@ -134,8 +126,8 @@ RowPage draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
         fill_spans(spans, colour, grid.picture());
         return covered;
     };
-    const auto by_first = cover(first, assets.colour(200, 120, 48)),
-               by_second = cover(second, assets.colour(56, 120, 184));
+    const auto by_first = cover(first, input.colour(200, 120, 48)),
+               by_second = cover(second, input.colour(56, 120, 184));
     std::int64_t twice = 0, neither = 0, on_common_side = 0;
     for (std::int32_t row = 0; row < kRows; ++row)
         for (std::int32_t column = 0; column < kColumns; ++column) {
@@ -147,19 +139,16 @@ RowPage draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
             on_common_side += is_on_side;
             neither += is_on_side && by_first[pixel] == 0 && by_second[pixel] == 0;
         }
-    grid.show(assets.colour(16, 18, 28));
-    const std::uint8_t line = assets.colour(240, 236, 220);
+    grid.show(input.colour(16, 18, 28));
+    const std::uint8_t line = input.colour(240, 236, 220);
     for (const auto& [from, to] : {std::pair{0, 1}, {1, 2}, {2, 3}, {3, 0}, {1, 3}})
         grid.line(item(corners, from), item(corners, to), line);
     for (std::int32_t row = 0; row < kRows; ++row)
         for (std::int32_t column = 0; column < kColumns; ++column)
-            grid.dot({column + 0.5, row + 0.5}, assets.colour(12, 12, 20));
-    return {{count_figure("pixels that both triangles own", 0, twice),
-             count_figure("centres on the common side that neither owns", 0, neither),
-             measured("centres on the common side", std::to_string(on_common_side))},
-            {"A centre (dot) on a side belongs to the triangle that has the side on its left or, level, on top: to the "
-             "right, blue one here. The level side on top is covered, the sides on the right are not.",
-             "A triangle may have two left sides."}};
+            grid.dot({column + 0.5, row + 0.5}, input.colour(12, 12, 20));
+    return {count_figure("pixels that both triangles own", 0, twice),
+            count_figure("centres on the common side that neither owns", 0, neither),
+            measured("centres on the common side", on_common_side)};
 }
 
 struct NamedPlace {
@@ -197,11 +186,10 @@ void fill_with_gradient(const ScreenTriangle& triangle, const RowInput& input, F
         }
 }
 
-RowPage draw_barycentric(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
+Figures draw_barycentric(const RowInput& input, Framebuffer canvas) {
     const NamedPlace& place = item(kPlaces, input.values[0]);
     Diagram diagram(input, canvas, {2.5, 2.5}, 6.4);
-    diagram.fill(assets.colour(16, 18, 28));
+    diagram.fill(input.colour(16, 18, 28));
     const std::array<PlanePoint, 3> corners{{{0, 0}, {4, 0}, {0, 4}}};
     ScreenTriangle on_canvas, in_plane;
     for (int i = 0; i < 3; ++i) {
@@ -209,7 +197,7 @@ RowPage draw_barycentric(const RowInput& input, Framebuffer canvas) {
         item(in_plane, i) = vertex_at(item(corners, i));
     }
     fill_with_gradient(on_canvas, input, canvas);
-    const std::uint8_t white = assets.colour(250, 250, 250), grey = assets.colour(150, 160, 180);
+    const std::uint8_t white = input.colour(250, 250, 250), grey = input.colour(150, 160, 180);
     for (int i = 0; i < 3; ++i) {
         diagram.line(item(corners, i), item(corners, (i + 1) % 3), grey);
         diagram.line(item(corners, i), place.at, white);
@@ -221,21 +209,17 @@ RowPage draw_barycentric(const RowInput& input, Framebuffer canvas) {
 
     const BarycentricWeights w = barycentric_weights(in_plane, vertex_at(place.at));
     const std::array<double, 3> found{share_of(w.a, w.whole), share_of(w.b, w.whole), share_of(w.c, w.whole)};
-    RowPage page;
+    Figures figures;
     const std::array<const char*, 3> names{"alpha = PBC / ABC", "beta = PCA / ABC", "gamma = PAB / ABC"};
     for (int i = 0; i < 3; ++i) {
-        page.figures.push_back(number_figure(item(names, i), item(place.weights, i), item(found, i), 1e-12, 2));
+        figures.push_back(number_figure(item(names, i), item(place.weights, i), item(found, i), 1e-12, 2));
         diagram.text({4.9, 2.6 - 0.5 * i},
                      std::string(item(names, i)).substr(0, std::string_view(item(names, i)).find(' ')) + " = " +
-                         page.figures.back().found,
+                         figures.back().found,
                      white);
     }
-    page.figures.push_back(number_figure("their sum", 1, found[0] + found[1] + found[2], 1e-12, 2));
-    page.notes = {
-        "P = alpha A + beta B + gamma C. With signs the weights say where P is: below 0 beyond a side. The seed's "
-        "lengths of cross products lose the sign, and add up to 4 at (5, 5).",
-        "Red, green and blue are 255 at A, B and C and step evenly between."};
-    return page;
+    figures.push_back(number_figure("their sum", 1, found[0] + found[1] + found[2], 1e-12, 2));
+    return figures;
 }
 
 /// A floor tile as two triangles: near side at depth 1, far side at depth `far`.
@@ -244,10 +228,6 @@ struct Tile {
     double far_depth;
 };
 constexpr std::array<PlanePoint, 4> kTexels{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-
-CornerQuantity quantity(double value) {
-    return CornerQuantity::from_raw(std::llround(std::ldexp(value, 32)));
-}
 
 /// Both coordinates at a pixel: interpolated themselves, or over z and divided by 1/z.
 class TileTexture {
@@ -258,9 +238,9 @@ class TileTexture {
             const int corner = item(corners, i);
             item(triangle, i) = vertex_at(item(tile.corners, corner));
             const double over = is_perspective && corner >= 2 ? 1 / tile.far_depth : 1;
-            item(u, i) = quantity(item(kTexels, corner).x * over);
-            item(v, i) = quantity(item(kTexels, corner).y * over);
-            item(inverse_z, i) = quantity(over);
+            item(u, i) = fixed_of<CornerQuantity>(item(kTexels, corner).x * over);
+            item(v, i) = fixed_of<CornerQuantity>(item(kTexels, corner).y * over);
+            item(inverse_z, i) = fixed_of<CornerQuantity>(over);
         }
         u_ = quantity_over(triangle, u);
         v_ = quantity_over(triangle, v);
@@ -302,9 +282,9 @@ double middle_of_side(double far_depth, bool is_perspective) {
     return TileTexture(tile, kHalves[0], is_perspective).at_pixel(0, 32).y;
 }
 
-RowPage draw_perspective(const RowInput& input, Framebuffer canvas) {
-    const auto far_depth = static_cast<double>(input.values[0]);
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(16, 18, 28));
+Figures draw_perspective(const RowInput& input, Framebuffer canvas) {
+    const auto far_depth = input.number(0);
+    fill(canvas, input.assets.colour(16, 18, 28));
     const double half = canvas.width_px / 2.0, near_y = canvas.height_px - kFooter_px - 4, horizon = kHeader_px + 6,
                  far_y = horizon + (near_y - horizon) / far_depth;
     for (const bool is_perspective : {false, true}) {
@@ -318,12 +298,9 @@ RowPage draw_perspective(const RowInput& input, Framebuffer canvas) {
         draw_text(canvas, static_cast<std::int32_t>(middle - half / 2) + kTextMargin_px, kHeader_px + 2,
                   is_perspective ? "u/z, v/z, 1/z" : "u, v", input.assets.text);
     }
-    return {{number_figure("u half way along an edge, by u/z and 1/z", 1 / (1 + far_depth),
-                           middle_of_side(far_depth, true), 1e-6),
-             number_figure("u half way along an edge, by u itself", 0.5, middle_of_side(far_depth, false), 1e-6)},
-            {"The near side of the tile is at depth 1, the far one at the depth that the arrow keys set. On the screen "
-             "u/z and 1/z step evenly, u does not: weighing it by barycentric coordinates bends the tile along its "
-             "diagonal, where the two triangles meet."}};
+    return {number_figure("u half way along an edge, by u/z and 1/z", 1 / (1 + far_depth),
+                          middle_of_side(far_depth, true), 1e-6),
+            number_figure("u half way along an edge, by u itself", 0.5, middle_of_side(far_depth, false), 1e-6)};
 }
 
 }  // namespace
@@ -332,37 +309,16 @@ std::vector<Row> triangle_rows() {
     std::vector<std::string> methods, places;
     for (int i = 0; i < kTriangleMethodCount; ++i) methods.push_back(name_of(static_cast<TriangleMethod>(i)));
     for (const NamedPlace& place : kPlaces) places.push_back(place.name);
-    constexpr const char* kTest = "tests/methods/triangles_test.cpp";
     return {{"triangles",
-             "Triangles by three methods, and threads",
-             "3 Notes: Triangles, Parallel acceleration",
-             "engine/methods/triangles.cpp",
-             kTest,
+             draw_triangle_methods,
              {choice_parameter("method", methods, 2),
               choice_parameter("threads", {"1", "2", "4"}, 2),
-              {"seed", 1, 99, 1, 7}},
-             draw_triangle_methods},
+              {"seed", 1, 99, 1, 7}}},
             {"top-left-rule",
-             "Top-left rule",
-             "3 Notes: Parallel acceleration",
-             "engine/methods/triangles.h",
-             kTest,
-             {{"top corner, half columns", 13, 27, 1, 23}, {"right corner, half rows", 4, 16, 1, 11}},
-             draw_top_left_rule},
-            {"barycentric",
-             "Barycentric coordinates",
-             "3 Notes: Texture",
-             "engine/methods/triangles.h",
-             kTest,
-             {choice_parameter("P", places)},
-             draw_barycentric},
-            {"perspective-correct",
-             "Textures by u/z, not by u",
-             "3 Notes: Texture",
-             "engine/methods/triangles.h",
-             kTest,
-             {{"far depth", 2, 9, 1, 3}},
-             draw_perspective}};
+             draw_top_left_rule,
+             {{"top corner, half columns", 13, 27, 1, 23}, {"right corner, half rows", 4, 16, 1, 11}}},
+            {"barycentric", draw_barycentric, {choice_parameter("P", places)}},
+            {"perspective-correct", draw_perspective, {{"far depth", 2, 9, 1, 3}}}};
 }
 
 }  // namespace oblong

@@ -26,9 +26,6 @@ using Whole = Fixed<std::int32_t, 0>;
 Vec3<Whole> whole(std::int32_t x, std::int32_t y, std::int32_t z) {
     return {Whole::from_int(x), Whole::from_int(y), Whole::from_int(z)};
 }
-Vec3<World> place(std::int32_t x, std::int32_t y, std::int32_t z) {
-    return {World::from_int(x), World::from_int(y), World::from_int(z)};
-}
 
 double radians(std::int64_t degrees) {
     return static_cast<double>(degrees) * std::numbers::pi / 180;
@@ -42,12 +39,6 @@ Vec3<Unit> direction_at(std::int64_t degrees) {
 }
 PlanePoint plane_point(const Vec3<Unit>& v) {
     return {number_of(v.x), number_of(v.y)};
-}
-PlanePoint times(PlanePoint p, double factor) {
-    return {p.x * factor, p.y * factor};
-}
-PlanePoint sum(PlanePoint a, PlanePoint b) {
-    return {a.x + b.x, a.y + b.y};
 }
 
 /// The colours of all diagrams here.
@@ -67,7 +58,7 @@ void draw_axes(Diagram& diagram, double length, std::uint8_t colour) {
     diagram.line({0, -length}, {0, length}, colour);
 }
 
-RowPage draw_dot_product(const RowInput& input, Framebuffer canvas) {
+Figures draw_dot_product(const RowInput& input, Framebuffer canvas) {
     const std::int64_t degrees = input.values[0];
     const Colours colours(input.assets);
     const Vec3<Unit> u = direction_at(0), v = direction_at(degrees);
@@ -83,24 +74,19 @@ RowPage draw_dot_product(const RowInput& input, Framebuffer canvas) {
     diagram.line({0, 0.012}, {product, 0.012}, colours.result);
     diagram.disc({product, 0}, 0.025, colours.result);
     diagram.text({1, 0}, "U", colours.second, 4, -9);
-    diagram.text(times(plane_point(v), 1.08), "V", colours.first, -2, -3);
+    diagram.text(plane_point(v) * 1.08, "V", colours.first, -2, -3);
     diagram.text({-1.95, 1.0}, std::to_string(degrees) + " degrees", colours.text);
     diagram.text({-1.95, 0.84}, "U . V = " + decimal_text(product), colours.result);
 
     const auto a = whole(1, 2, 3), b = whole(4, -5, 6);
     const std::int64_t by_cosines = (dot(a, a).raw + dot(b, b).raw - dot(a - b, a - b).raw) / 2;
     const Angle between = arctangent2(cross(u, v).z.raw, dot(u, v).raw);
-    return {
-        {number_figure("U . V of unit vectors: cos", std::cos(radians(degrees)), product, 1e-4),
-         number_figure("the angle, from both products, degrees", static_cast<double>(degrees),
-                       between.bam * 360.0 / 65536, 0.006, 2),
-         count_figure("(1 2 3) . (4 -5 6) by the law of cosines", by_cosines, dot(a, b).raw),
-         number_figure("length of (5 0 5)", 5 * std::numbers::sqrt2, number_of(length(place(5, 0, 5))), 1.0 / 4096)},
-        {"u1 v1 + u2 v2 + u3 v3 is |U| |V| cos of the angle: three multiplications and two additions. With a unit "
-         "vector "
-         "it is the length of the other's shadow on it; its sign says whether the angle is below 90 degrees.",
-         "The law of cosines takes squared lengths, without roots (seed 1); 5 root 2 lost its root in seed 5's "
-         "print."}};
+    return {number_figure("U . V of unit vectors: cos", std::cos(radians(degrees)), product, 1e-4),
+            number_figure("the angle, from both products, degrees", static_cast<double>(degrees),
+                          between.bam * 360.0 / 65536, 0.006, 2),
+            count_figure("(1 2 3) . (4 -5 6) by the law of cosines", by_cosines, dot(a, b).raw),
+            number_figure("length of (5 0 5)", 5 * std::numbers::sqrt2, number_of(length(world_point(5, 0, 5))),
+                          1.0 / 4096)};
 }
 
 /// Axes of length 1 in a plane, the second so many degrees from the first.
@@ -110,16 +96,16 @@ Basis crooked_axes(std::int64_t degrees) {
 
 void draw_lattice(Diagram& diagram, PlanePoint i, PlanePoint j, std::uint8_t colour) {
     for (int line = -2; line <= 3; ++line) {
-        diagram.line(sum(times(i, line), times(j, -2)), sum(times(i, line), times(j, 3)), colour);
-        diagram.line(sum(times(j, line), times(i, -2)), sum(times(j, line), times(i, 3)), colour);
+        diagram.line(i * line + j * -2, i * line + j * 3, colour);
+        diagram.line(j * line + i * -2, j * line + i * 3, colour);
     }
 }
 
-RowPage draw_orthonormal(const RowInput& input, Framebuffer canvas) {
+Figures draw_orthonormal(const RowInput& input, Framebuffer canvas) {
     const Colours colours(input.assets);
     const Basis given = crooked_axes(input.values[0]);
     const Basis axes = input.values[1] == 1 ? orthonormalised(given) : given;
-    const PlanePoint i = plane_point(axes.right), j = plane_point(axes.up), a = sum(i, j);
+    const PlanePoint i = plane_point(axes.right), j = plane_point(axes.up), a = i + j;
     Diagram diagram(input, canvas, {0.5, 0.55}, 2.6);
     diagram.fill(colours.ground);
     draw_lattice(diagram, i, j, colours.grid);
@@ -127,21 +113,16 @@ RowPage draw_orthonormal(const RowInput& input, Framebuffer canvas) {
     diagram.arrow({0, 0}, j, colours.second);
     diagram.arrow({0, 0}, a, colours.first);
     diagram.text(i, "i", colours.second, 3, 2);
-    diagram.text(times(j, 1.08), "j", colours.second, -8, -6);
+    diagram.text(j * 1.08, "j", colours.second, -8, -6);
     diagram.text(a, "a = i + j", colours.first, 4, -3);
     const double true_square = a.x * a.x + a.y * a.y;
     const double cosine_of_axes = input.values[1] == 1 ? 0 : std::abs(std::cos(radians(input.values[0])));
     const auto r = whole(1, 0, 0), s = whole(1, 1, 0);
-    return {{number_figure("flaw: i . j", cosine_of_axes, number_of(orthonormal_flaw(axes)), 1e-4),
-             number_figure("|a| |a| is 2 + 2 i . j; its components say 2", 2 + 2 * (i.x * j.x + i.y * j.y), true_square,
-                           1e-6),
-             count_figure("axes are orthonormal", input.values[0] == 90 || input.values[1] == 1, is_orthonormal(axes)),
-             count_figure("|i + j|^2 with i = (1 0), j = (1 1): not 2", 5, dot(r + s, r + s).raw)},
-            {"Multiplying components gives a dot product only in axes of length 1 at right angles. In others a is as "
-             "long as it "
-             "is, but its components (1, 1) do not say so.",
-             "Gram and Schmidt make axes right again: forward stays, up loses its part along it, right follows from "
-             "both."}};
+    return {number_figure("flaw: i . j", cosine_of_axes, number_of(orthonormal_flaw(axes)), 1e-4),
+            number_figure("|a| |a| is 2 + 2 i . j; its components say 2", 2 + 2 * (i.x * j.x + i.y * j.y), true_square,
+                          1e-6),
+            count_figure("axes are orthonormal", input.values[0] == 90 || input.values[1] == 1, is_orthonormal(axes)),
+            count_figure("|i + j|^2 with i = (1 0), j = (1 1): not 2", 5, dot(r + s, r + s).raw)};
 }
 
 /// A ball lit from the side: each pixel's normal times the direction of the light.
@@ -155,16 +136,13 @@ void draw_lit_ball(const RowInput& input, Diagram& diagram, PlanePoint centre, d
             const double x = 2 * (column + 0.5 - low.x) / (high.x - low.x) - 1,
                          y = 1 - 2 * (row + 0.5 - high.y) / (low.y - high.y);
             if (x * x + y * y > 1) continue;
-            const auto unit = [](double value) {
-                return Unit::from_raw(static_cast<std::int32_t>(std::lround(value * (1 << 30))));
-            };
-            const Vec3<Unit> normal{unit(x), unit(y), unit(std::sqrt(1 - x * x - y * y))};
+            const Vec3<Unit> normal{fixed_of<Unit>(x), fixed_of<Unit>(y), fixed_of<Unit>(std::sqrt(1 - x * x - y * y))};
             const int light = static_cast<int>(std::max(number_of(dot(normal, to_light)), 0.0) * 200);
             set_pixel(canvas, column, row, input.assets.colour(40 + light, 36 + light * 9 / 10, 34 + light * 7 / 10));
         }
 }
 
-RowPage draw_lighting(const RowInput& input, Framebuffer canvas) {
+Figures draw_lighting(const RowInput& input, Framebuffer canvas) {
     const std::int64_t degrees = input.values[0];
     const Colours colours(input.assets);
     Diagram diagram(input, canvas, {0, 0}, 2.2);
@@ -177,25 +155,18 @@ RowPage draw_lighting(const RowInput& input, Framebuffer canvas) {
     diagram.rectangle({foot.x - 0.55, foot.y - 0.08}, {foot.x + 0.55, foot.y},
                       input.assets.colour(40 + static_cast<int>(share * 200), 36 + static_cast<int>(share * 180),
                                           34 + static_cast<int>(share * 140)));
-    diagram.arrow(foot, sum(foot, plane_point(normal)), colours.second);
-    diagram.arrow(sum(foot, times(plane_point(to_light), 1.15)), sum(foot, times(plane_point(to_light), 0.12)),
-                  colours.first);
-    diagram.text(sum(foot, plane_point(normal)), "N", colours.second, -9, 2);
-    diagram.text(sum(foot, times(plane_point(to_light), 1.2)), "D", colours.first, -2, -3);
+    diagram.arrow(foot, foot + plane_point(normal), colours.second);
+    diagram.arrow(foot + plane_point(to_light) * 1.15, foot + plane_point(to_light) * 0.12, colours.first);
+    diagram.text(foot + plane_point(normal), "N", colours.second, -9, 2);
+    diagram.text(foot + plane_point(to_light) * 1.2, "D", colours.first, -2, -3);
     diagram.text({-1.65, -0.75}, "I = N . -D = " + decimal_text(share), colours.result);
-    Operations cost;
-    const auto counted = [&cost](const Vec3<Unit>& vector) {
-        return Vec3<Counted>{{number_of(vector.x), cost}, {number_of(vector.y), cost}, {number_of(vector.z), cost}};
+    const auto counted = [](const Vec3<Unit>& vector) {
+        return Vec3<Counted<double>>{number_of(vector.x), number_of(vector.y), number_of(vector.z)};
     };
-    lit(counted(normal), counted(to_light), Counted(200, cost));
-    return {
-        {number_figure("share of the light: cos, 0 or more", std::max(std::cos(radians(degrees)), 0.0), share, 1e-4),
-         number_figure("of a light of 200", 200 * std::max(std::cos(radians(degrees)), 0.0), 200 * share, 0.02, 2),
-         {"counted: four multiplications, two additions", "4 * 0 / 2 +", cost.text(), cost == Operations{4, 0, 2}}},
-        {"A surface takes of the light what the cosine of the angle between its normal and the way to the light "
-         "says: the "
-         "same light falls on more of it. Three multiplications and two additions for N . -D, one for the light.",
-         "The ball has a normal of its own at each pixel."}};
+    const Operations cost = operations_of([&] { lit(counted(normal), counted(to_light), Counted<double>(200)); });
+    return {number_figure("share of the light: cos, 0 or more", std::max(std::cos(radians(degrees)), 0.0), share, 1e-4),
+            number_figure("of a light of 200", 200 * std::max(std::cos(radians(degrees)), 0.0), 200 * share, 0.02, 2),
+            {"counted: four multiplications, two additions", "4 * 0 / 2 +", cost.text(), cost == Operations{4, 0, 2}}};
 }
 
 /// Where a point of space is on the diagram: x right, y up, z toward the viewer's left and down.
@@ -203,14 +174,14 @@ PlanePoint seen(const Vec3<Unit>& v) {
     return {number_of(v.x) - 0.5 * number_of(v.z), number_of(v.y) - 0.35 * number_of(v.z)};
 }
 
-RowPage draw_cross_product(const RowInput& input, Framebuffer canvas) {
+Figures draw_cross_product(const RowInput& input, Framebuffer canvas) {
     const std::int64_t degrees = input.values[0];
     const Colours colours(input.assets);
     // In the plane of x and z, so that the product is along y.
     const Vec3<Unit> u{{}, {}, Unit::from_int(1)}, v{sine(angle_of(degrees)), {}, cosine(angle_of(degrees))};
     const auto product = cross(u, v);
     const Vec3<Unit> result = convert<Unit>(product);
-    const PlanePoint far_corner = sum(seen(u), seen(v));
+    const PlanePoint far_corner = seen(u) + seen(v);
     Diagram diagram(input, canvas, {0.1, 0.1}, 2.4);
     diagram.fill(colours.ground);
     diagram.line(seen(u), far_corner, colours.grid);
@@ -226,25 +197,19 @@ RowPage draw_cross_product(const RowInput& input, Framebuffer canvas) {
     const Basis axes{v, third, u};
     const auto listed = cross(whole(1, 2, 3), whole(4, 5, 6));
     const bool is_listed = listed == decltype(listed){{-3}, {6}, {-3}};
-    return {{number_figure("|U x V|, the area between them: sin", std::sin(radians(degrees)),
-                           std::sqrt(std::pow(number_of(product.x), 2) + std::pow(number_of(product.y), 2) +
-                                     std::pow(number_of(product.z), 2)),
-                           1e-4),
-             count_figure("at right angles to U and V: both dot products", 0, dot(third, u).raw + dot(third, v).raw),
-             count_figure("U, V, U x V made of length 1 are axes", degrees == 90, is_orthonormal(axes)),
-             {"(1 2 3) x (4 5 6)", "-3 6 -3",
-              decimal_text(number_of(listed.x), "%.0f") + " " + decimal_text(number_of(listed.y), "%.0f") + " " +
-                  decimal_text(number_of(listed.z), "%.0f"),
-              is_listed},
-             count_figure("parallel vectors give a normal", 0,
-                          normalised(cross(whole(1, 2, 3), whole(-2, -4, -6))) != Vec3<Unit>{})},
-            {"Two axes at right angles give the third: their cross product, of length 1 without a root. Other vectors "
-             "have to be "
-             "made of length 1 afterwards, and parallel ones have no normal.",
-             "It is the cross product that cannot give a normal of a line; seed 5's text says dot product there."}};
+    return {
+        number_figure("|U x V|, the area between them: sin", std::sin(radians(degrees)), length(vec_of(product)), 1e-4),
+        count_figure("at right angles to U and V: both dot products", 0, dot(third, u).raw + dot(third, v).raw),
+        count_figure("U, V, U x V made of length 1 are axes", degrees == 90, is_orthonormal(axes)),
+        {"(1 2 3) x (4 5 6)", "-3 6 -3",
+         decimal_text(number_of(listed.x), "%.0f") + " " + decimal_text(number_of(listed.y), "%.0f") + " " +
+             decimal_text(number_of(listed.z), "%.0f"),
+         is_listed},
+        count_figure("parallel vectors give a normal", 0,
+                     normalised(cross(whole(1, 2, 3), whole(-2, -4, -6))) != Vec3<Unit>{})};
 }
 
-RowPage draw_rotation(const RowInput& input, Framebuffer canvas) {
+Figures draw_rotation(const RowInput& input, Framebuffer canvas) {
     const std::int64_t degrees = input.values[0];
     const Colours colours(input.assets);
     const Basis axes{direction_at(degrees), direction_at(degrees + 90), {{}, {}, Unit::from_int(1)}};
@@ -252,7 +217,7 @@ RowPage draw_rotation(const RowInput& input, Framebuffer canvas) {
     const Vec3<Unit> turned = project_onto_axes(point, axes);
     const Vec3<Unit> restored = sum_along_axes(turned, axes);
     const PlanePoint p = plane_point(point), right = plane_point(axes.right), up = plane_point(axes.up);
-    const PlanePoint on_right = times(right, number_of(turned.x)), on_up = times(up, number_of(turned.y));
+    const PlanePoint on_right = right * number_of(turned.x), on_up = up * number_of(turned.y);
     Diagram diagram(input, canvas, {0, 0}, 2.4);
     diagram.fill(colours.ground);
     draw_axes(diagram, 1.12, colours.grid);
@@ -264,28 +229,24 @@ RowPage draw_rotation(const RowInput& input, Framebuffer canvas) {
     diagram.disc(on_right, 0.025, colours.result);
     diagram.disc(on_up, 0.025, colours.result);
     diagram.text(p, "P", colours.first, 4, -4);
-    diagram.text(times(right, 1.06), "x'", colours.second);
-    diagram.text(times(up, 1.06), "y'", colours.second);
+    diagram.text(right * 1.06, "x'", colours.second);
+    diagram.text(up * 1.06, "y'", colours.second);
     diagram.text({-1.9, 1.0}, "P . x' = " + decimal_text(number_of(turned.x)), colours.result);
     diagram.text({-1.9, 0.84}, "P . y' = " + decimal_text(number_of(turned.y)), colours.result);
     const double cos = std::cos(radians(degrees)), sin = std::sin(radians(degrees));
     const Vec3<Entry> by_matrix = rotation_matrix(axes) * convert<Entry>(point);
-    return {{number_figure("x' by cos and sin", 0.375 * cos + 0.75 * sin, number_of(turned.x), 1e-4),
-             number_figure("y' by cos and sin", 0.75 * cos - 0.375 * sin, number_of(turned.y), 1e-4),
-             number_figure("x' by the matrix whose rows are the axes", number_of(by_matrix.x), number_of(turned.x),
-                           1e-8, 6),
-             number_figure("x again, the sum along the axes", 0.375, number_of(restored.x), 1e-8, 6)},
-            {"To rotate is to look from new axes: the dot product with each is the coordinate along it. A matrix whose "
-             "rows are "
-             "the axes does the same multiplications.",
-             "The sum of the axes, each times its coordinate, leads back: the inverse is the transpose."}};
+    return {
+        number_figure("x' by cos and sin", 0.375 * cos + 0.75 * sin, number_of(turned.x), 1e-4),
+        number_figure("y' by cos and sin", 0.75 * cos - 0.375 * sin, number_of(turned.y), 1e-4),
+        number_figure("x' by the matrix whose rows are the axes", number_of(by_matrix.x), number_of(turned.x), 1e-8, 6),
+        number_figure("x again, the sum along the axes", 0.375, number_of(restored.x), 1e-8, 6)};
 }
 
-RowPage draw_line_and_plane(const RowInput& input, Framebuffer canvas) {
+Figures draw_line_and_plane(const RowInput& input, Framebuffer canvas) {
     const auto end_z = static_cast<std::int32_t>(input.values[0]);
     const Colours colours(input.assets);
-    const Plane plane = plane_through(place(0, 0, 5), {{}, {}, Unit::from_int(1)});
-    const Vec3<World> start = place(0, 0, 9), end = place(4, 2, end_z), point = place(-3, 2, 10);
+    const Plane plane = plane_through(world_point(0, 0, 5), {{}, {}, Unit::from_int(1)});
+    const Vec3<World> start = world_point(0, 0, 9), end = world_point(4, 2, end_z), point = world_point(-3, 2, 10);
     const std::optional<LineHit> line = intersect_line(start, end, plane),
                                  segment = intersect_segment(start, end, plane);
     const auto on_diagram = [](const Vec3<World>& p) { return PlanePoint{number_of(p.x), number_of(p.z)}; };
@@ -305,78 +266,37 @@ RowPage draw_line_and_plane(const RowInput& input, Framebuffer canvas) {
     diagram.text(on_diagram(end), "end", colours.first, 5, -4);
     if (segment) diagram.disc(on_diagram(segment->world_point), 0.2, colours.result);
     const double t = 4.0 / (9 - end_z);
-    RowPage page;
-    page.figures = {number_figure("distance of P = (1 2 10) from z = 5", 5,
-                                  number_of(distance_to_plane(place(1, 2, 10), plane)), 0),
-                    count_figure("the segment meets the plane", end_z <= 5, segment.has_value())};
+    Figures figures;
+    figures = {number_figure("distance of P = (1 2 10) from z = 5", 5,
+                             number_of(distance_to_plane(world_point(1, 2, 10), plane)), 0),
+               count_figure("the segment meets the plane", end_z <= 5, segment.has_value())};
     if (end_z == 9)
-        page.figures.push_back(count_figure("a parallel line meets it", 0, line.has_value()));
+        figures.push_back(count_figure("a parallel line meets it", 0, line.has_value()));
     else
-        page.figures.push_back(
+        figures.push_back(
             number_figure("t along the line: D1 / (D1 - D2)", t, line ? number_of(line->along) : 0, 1e-9));
     if (line)
-        page.figures.push_back({"where the line meets it", decimal_text(4 * t) + " " + decimal_text(2 * t) + " 5.000",
-                                decimal_text(number_of(line->world_point.x)) + " " +
-                                    decimal_text(number_of(line->world_point.y)) + " " +
-                                    decimal_text(number_of(line->world_point.z)),
-                                std::abs(number_of(line->world_point.x) - 4 * t) <= 0.5 / 4096 &&
-                                    line->world_point.z == World::from_int(5)});
-    page.notes = {
-        "A distance is a dot product with the normal; the quotient of two of them says how far along a line its "
-        "meeting point "
-        "is. A start in the plane is the answer itself, and a parallel line has none: seed 5's listing divides by zero "
-        "there.",
-        "Ends on one side meet nothing: both in front is kept by a clipper, both behind is rejected. An end on the "
-        "plane counts as inside."};
-    return page;
+        figures.push_back({"where the line meets it", decimal_text(4 * t) + " " + decimal_text(2 * t) + " 5.000",
+                           decimal_text(number_of(line->world_point.x)) + " " +
+                               decimal_text(number_of(line->world_point.y)) + " " +
+                               decimal_text(number_of(line->world_point.z)),
+                           std::abs(number_of(line->world_point.x) - 4 * t) <= 0.5 / 4096 &&
+                               line->world_point.z == World::from_int(5)});
+    return figures;
 }
 
 }  // namespace
 
 std::vector<Row> vector_rows() {
     const Parameter angle{"angle, degrees", 0, 345, 15, 60};
-    return {{"dot-product",
-             "Dot product",
-             "5 Abrash: The Dot Product; 1 Muratori",
-             "engine/math/vec.h",
-             "tests/seeds/vectors_test.cpp",
-             {angle},
-             draw_dot_product},
+    return {{"dot-product", draw_dot_product, {angle}},
             {"orthonormal-axes",
-             "Orthonormal axes",
-             "5 Abrash: 3-D Math; 1 Muratori",
-             "engine/methods/axes.h",
-             "tests/math/basis_test.cpp",
-             {{"angle between the axes", 30, 150, 10, 50}, choice_parameter("axes", {"as given", "made orthonormal"})},
-             draw_orthonormal},
-            {"lighting-by-dot-product",
-             "Lighting by a dot product",
-             "5 Abrash: Dot Products of Unit Vectors",
-             "engine/math/vec.h",
-             "tests/seeds/vectors_test.cpp",
-             {{"angle of the light, degrees", -90, 90, 15, 45}},
-             draw_lighting},
-            {"cross-product",
-             "Cross product",
-             "5 Abrash: A Brief Aside on Cross Products",
-             "engine/math/vec.h",
-             "tests/seeds/vectors_test.cpp",
-             {{"angle from U to V, degrees", 15, 165, 15, 90}},
-             draw_cross_product},
-            {"rotation-by-projection",
-             "Rotation by projection",
-             "5 Abrash: Rotation by Projection",
-             "engine/methods/rotation.h",
-             "tests/methods/rotation_test.cpp",
-             {{"angle of the new axes, degrees", 0, 345, 15, 30}},
-             draw_rotation},
-            {"line-and-plane",
-             "Point and line against a plane",
-             "5 Abrash: Using the Dot Product for Projection",
-             "engine/math/plane.h",
-             "tests/math/vec_test.cpp",
-             {{"z of the line's end", 1, 9, 1, 1}},
-             draw_line_and_plane}};
+             draw_orthonormal,
+             {{"angle between the axes", 30, 150, 10, 50}, choice_parameter("axes", {"as given", "made orthonormal"})}},
+            {"lighting-by-dot-product", draw_lighting, {{"angle of the light, degrees", -90, 90, 15, 45}}},
+            {"cross-product", draw_cross_product, {{"angle from U to V, degrees", 15, 165, 15, 90}}},
+            {"rotation-by-projection", draw_rotation, {{"angle of the new axes, degrees", 0, 345, 15, 30}}},
+            {"line-and-plane", draw_line_and_plane, {{"z of the line's end", 1, 9, 1, 1}}}};
 }
 
 }  // namespace oblong

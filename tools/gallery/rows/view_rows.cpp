@@ -31,12 +31,12 @@ constexpr std::array<LabView, 3> kLabViews{
 /// by `moved`.
 WindowView lab_window(const LabView& lab, double moved) {
     WindowView window;
-    window.reference_point = in_world({0.5, 0.5, -2});
-    window.normal = in_world({0, 0, -1});
-    window.up = in_world({0, 1, 0});
-    window.centre_of_projection = in_world({0.5, 0.5, -2 - lab.distance});
+    window.reference_point = world_point({0.5, 0.5, -2});
+    window.normal = world_point({0, 0, -1});
+    window.up = world_point({0, 1, 0});
+    window.centre_of_projection = world_point({0.5, 0.5, -2 - lab.distance});
     const double half = lab.size / 2;
-    const Vec3<World> low = in_world({moved - half, -half, 0}), high = in_world({moved + half, half, 0});
+    const Vec3<World> low = world_point({moved - half, -half, 0}), high = world_point({moved + half, half, 0});
     window.u_min = low.x, window.v_min = low.y;
     window.u_max = high.x, window.v_max = high.y;
     return window;
@@ -48,10 +48,11 @@ double near_over_far(const LabView& lab) {
     return across({0, 0, 0}, {1, 0, 0}, view) / across({0, 0, 1}, {1, 0, 1}, view);
 }
 
-RowPage draw_lab_cube(const RowInput& input, Framebuffer canvas) {
+Figures draw_lab_cube(const RowInput& input, Framebuffer canvas) {
     const LabView& shows = item(kLabViews, static_cast<std::int32_t>(input.values[0]));
+    // The window's sides are places of the world: rounded to its 4096ths.
     const double distance = shows.distance, half = shows.size / 2,
-                 moved = static_cast<double>(input.values[1]) / 10 * shows.size;
+                 moved = number_of(world_point(input.number(1) / 10 * shows.size, 0, 0).x);
     const ViewSpec spec = window_view(lab_window(shows, moved));
     WireScene scene(input, spec, canvas);
     scene.fill_background();
@@ -86,60 +87,63 @@ RowPage draw_lab_cube(const RowInput& input, Framebuffer canvas) {
                                     shown({1, 0, 1}, lab).x, 0.01, 1));
     figures.push_back(number_figure("(0, 0, 0): column", column(0, 2), shown({0, 0, 0}, lab).x, 0.01, 1));
     figures.push_back(number_figure("(0, 0, 1): row", row(0, 3), shown({0, 0, 1}, lab).y, 0.01, 1));
-    return {
-        std::move(figures),
-        {"VRP, VPN, VUP, COP and a window (the green square), which may be off-centre. The seed's table has the far "
-         "face as large as the near one: that would be an oblique parallel projection.",
-         "The seed has it that a smaller window flattens as a farther COP does. It enlarges and crops, and the near "
-         "face stays 5/4 of the far one; only the COP makes it 23/22.",
-         "Right-handed axes, VPN toward the viewer: u = VUP x VPN points along -x."}};
+    return figures;
 }
 
-/// The highest place that a plan of the demo level shows, and draws the plan.
-double draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer canvas) {
+/// The highest place that a plan shows, and the highest if each pixel is taken where its face is lowest within what
+/// corners are rounded by: on a face as steep as a wall that is many units.
+struct PlanHeights {
+    double highest = -1e9, lowest_possible = -1e9;
+};
+
+/// Draws a plan of the demo level.
+PlanHeights draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer canvas) {
     const Level& level = input.assets.demo_level;
     FrameWorkspace work(level, input.mode);
     FrameRecord record;
     work.observers.record = &record;
     draw_frame({level, input.assets.colormap, {}, input.time_ms}, view, input.mode, input.settings, work, canvas);
-    const double per_column =
-        2 * std::ldexp(static_cast<double>(view.window.half_width.raw), -16) / input.mode.width_px;
-    const Ratio pixel = input.mode.pixel();
-    const double per_row = per_column * static_cast<double>(pixel.denominator) / static_cast<double>(pixel.numerator);
-    double highest = -1e9;
+    const double per_column = 2 * number_of(view.window.half_width) / input.mode.width_px;
+    const double per_row = per_column * number_of(input.mode.pixel().inverse());
+    const double rounded_px = std::ldexp(0.5, -input.settings.accuracy.subpixel_bits);
+    PlanHeights heights;
     for (std::int32_t row = 0; row < input.mode.height_px; ++row)
         for (std::int32_t column = 0; column < input.mode.width_px; ++column) {
             const PixelRecord& shows = item(record.pixels, row * canvas.pitch + column);
             if (shows.face.is_none()) continue;
             const LevelPlane& plane = level.planes[level.faces[shows.face].plane];
-            const double x = std::ldexp(view.eye.x.raw, -12) + (column + 0.5 - input.mode.width_px / 2.0) * per_column;
-            const double y = std::ldexp(view.eye.y.raw, -12) - (row + 0.5 - input.mode.height_px / 2.0) * per_row;
-            const double way = std::ldexp(static_cast<double>(plane.distance.raw), -42) -
-                               number_of(plane.normal.x) * x - number_of(plane.normal.y) * y;
-            if (std::abs(number_of(plane.normal.z)) > 0.1) highest = std::max(highest, way / number_of(plane.normal.z));
+            const double x = number_of(view.eye.x) + (column + 0.5 - input.mode.width_px / 2.0) * per_column;
+            const double y = number_of(view.eye.y) - (row + 0.5 - input.mode.height_px / 2.0) * per_row;
+            const double way =
+                number_of(plane.distance) - number_of(plane.normal.x) * x - number_of(plane.normal.y) * y;
+            const Vec normal = vec_of(plane.normal);
+            if (std::abs(normal.z) <= 0.1) continue;
+            const double rise_per_px =
+                (std::abs(normal.x) * per_column + std::abs(normal.y) * per_row) / std::abs(normal.z);
+            heights.highest = std::max(heights.highest, way / normal.z);
+            heights.lowest_possible = std::max(heights.lowest_possible, way / normal.z - rounded_px * rise_per_px);
         }
-    return highest;
+    return heights;
 }
 
-RowPage draw_front_plane(const RowInput& input, Framebuffer canvas) {
+Figures draw_front_plane(const RowInput& input, Framebuffer canvas) {
     const auto height = static_cast<std::int32_t>(input.values[0]);
     ViewSpec view = orthographic_view(middle_of_demo_level(), side_axes(ViewSide::Top), View::from_int(2300));
     cut_front(view, middle_of_demo_level(), middle_of_demo_level().z - World::from_int(height));
     RowInput with_pixels = input;
     with_pixels.settings.correct_aspect = true;
-    const double highest = draw_plan(with_pixels, view, canvas);
-    return {{{"highest place shown", "at most " + std::to_string(height), decimal_text(highest, "%.1f"),
-              highest <= height + 0.5},
-             measured("front plane, units below the reference point", std::to_string(40 - height))},
-            {"What is before the front plane is cut off in the world, before it is projected: from above that makes a "
-             "floor plan. So is what is behind a back plane.",
-             "Views without these planes have no near plane: the sides of the view meet in the eye."}};
+    const PlanHeights heights = draw_plan(with_pixels, view, canvas);
+    const bool is_rounded = input.settings.accuracy.subpixel_bits < Screen::kFractionBits;
+    return {
+        {"highest place shown", "at most " + std::to_string(height) + (is_rounded ? ", but for rounded corners" : ""),
+         decimal_text(heights.highest, "%.1f"), heights.lowest_possible <= height + 0.5},
+        measured("front plane, units below the reference point", 40 - height)};
 }
 
 constexpr double kSphereDistance = 300;
 
 /// Before the demo level's sphere: the field of view changes, and the eye moves against it or not.
-RowPage draw_dolly_zoom(const RowInput& input, Framebuffer canvas) {
+Figures draw_dolly_zoom(const RowInput& input, Framebuffer canvas) {
     const bool moves = input.values[1] == 0;
     constexpr std::array<int, 4> kDegrees{20, 40, 60, 90};
     const int degrees = item(kDegrees, static_cast<std::int32_t>(input.values[0]));
@@ -150,7 +154,7 @@ RowPage draw_dolly_zoom(const RowInput& input, Framebuffer canvas) {
     if (moves) camera = dolly_zoomed(before, World::from_int(300), field_of_view);
     ViewSpec view = first_person_view(camera);
     if (moves) cut_front(view, before.eye, World::from_int(8));
-    draw_demo_level(input, view, canvas);
+    draw_demo_level(input, view, input.mode, canvas);
 
     const auto tangent = [](double angle) { return std::tan(angle * std::numbers::pi / 360); };
     const double wide = tangent(degrees);
@@ -159,17 +163,14 @@ RowPage draw_dolly_zoom(const RowInput& input, Framebuffer canvas) {
     const auto size_at = [&](double y) { return across({-162, y, 128}, {-62, y, 128}, context); };
     const double half_px = input.mode.width_px / 2.0;
     return {
-        {number_figure("100 units at the sphere, columns", half_px * 100 / (distance * wide), size_at(352), 0.1, 2),
-         number_figure("the same 200 units behind it", half_px * 100 / ((distance + 200) * wide), size_at(552), 0.1, 2),
-         number_figure("behind / there = D / (D + 200)", distance / (distance + 200), size_at(552) / size_at(352),
-                       0.001)},
-        {"Moving the eye changes how much smaller the far is; the field of view crops, and changes that not at all "
-         "(the seed has it that a smaller window flattens too).",
-         "With both, what is in the middle keeps its size, and the room behind it grows or shrinks."}};
+        number_figure("100 units at the sphere, columns", half_px * 100 / (distance * wide), size_at(352), 0.1, 2),
+        number_figure("the same 200 units behind it", half_px * 100 / ((distance + 200) * wide), size_at(552), 0.1, 2),
+        number_figure("behind / there = D / (D + 200)", distance / (distance + 200), size_at(552) / size_at(352),
+                      0.001)};
 }
 
 /// A small cross at a pixel.
-void draw_cross(const PixelPlace& at, std::uint8_t colour, std::uint8_t dark, Framebuffer canvas) {
+void draw_cross(const PlanePoint& at, std::uint8_t colour, std::uint8_t dark, Framebuffer canvas) {
     const auto x = static_cast<std::int32_t>(std::floor(at.x)), y = static_cast<std::int32_t>(std::floor(at.y));
     fill_area(canvas, {x - 6, y - 1, 13, 3}, dark);
     fill_area(canvas, {x - 1, y - 6, 3, 13}, dark);
@@ -177,26 +178,24 @@ void draw_cross(const PixelPlace& at, std::uint8_t colour, std::uint8_t dark, Fr
     fill_area(canvas, {x, y - 5, 1, 11}, colour);
 }
 
-RowPage draw_cameras(const RowInput& input, Framebuffer canvas) {
+Figures draw_cameras(const RowInput& input, Framebuffer canvas) {
     const bool looks_at = input.values[0] == 0;
-    const double yaw = static_cast<double>(input.values[1]) * std::numbers::pi / 180;
+    const double yaw = input.radians(1);
     const Vec sphere{-112, 352, 128};
     const Vec eye = looks_at ? Vec{sphere.x - 150 * std::cos(yaw), sphere.y - 150 * std::sin(yaw), sphere.z + 30}
                              : Vec{-112, 202, 128};
     const Vec target = looks_at ? sphere : Vec{eye.x + 100 * std::cos(yaw), eye.y + 100 * std::sin(yaw), eye.z};
-    ViewSpec view = look_at_view(in_world(eye), in_world(target), Degrees::from_int(90));
+    ViewSpec view = look_at_view(world_point(eye), world_point(target), Degrees::from_int(90));
     if (!looks_at) view = first_person_view(camera_at(-112, 202, 128, static_cast<int>(input.values[1]), 0));
-    draw_demo_level(input, view, canvas);
+    draw_demo_level(input, view, input.mode, canvas);
     const ViewContext context = make_view_context(view, input.mode);
-    const PixelPlace found = shown(target, context), above = shown({target.x, target.y, target.z + 20}, context);
+    const PlanePoint found = shown(target, context), above = shown({target.x, target.y, target.z + 20}, context);
     draw_cross(found, input.assets.colour(240, 220, 90), input.assets.colour(0, 0, 0), canvas);
     const double width = input.mode.width_px, height = input.mode.height_px;
-    return {{number_figure(looks_at ? "the target's column" : "the column of what is straight ahead", width / 2,
-                           found.x, width / 2000, 2),
-             number_figure("its row", height / 2, found.y, width / 2000, 2),
-             number_figure("columns from there to what is above it", 0, above.x - found.x, width / 2000, 2)},
-            {"Look-at: axes from the eye, a target and an up. First-person: axes from yaw, pitch and roll, one after "
-             "the other. Both end in the same three axes."}};
+    return {number_figure(looks_at ? "the target's column" : "the column of what is straight ahead", width / 2, found.x,
+                          width / 2000, 2),
+            number_figure("its row", height / 2, found.y, width / 2000, 2),
+            number_figure("columns from there to what is above it", 0, above.x - found.x, width / 2000, 2)};
 }
 
 /// One row of a matrix as text.
@@ -231,25 +230,22 @@ void write_matrices(const Matrix4& to_world, const Matrix4& to_view, const Galle
 }
 
 /// The matrix of a view, from its axes, and its inverse.
-RowPage draw_view_matrix(const RowInput& input, Framebuffer canvas) {
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(20, 24, 36));
+Figures draw_view_matrix(const RowInput& input, Framebuffer canvas) {
+    fill(canvas, input.assets.colour(20, 24, 36));
     const Camera camera = camera_at(60, -120, 70, static_cast<int>(input.values[0]), static_cast<int>(input.values[1]));
     const ViewContext view = make_view_context(first_person_view(camera), input.mode);
     const Matrix4 to_world = camera_matrix(view.axes, view.eye), to_view_axes = view_matrix(view.axes, view.eye);
     write_matrices(to_world, to_view_axes, input.assets, canvas);
 
-    const double yaw = static_cast<double>(input.values[0]) * std::numbers::pi / 180,
-                 pitch = static_cast<double>(input.values[1]) * std::numbers::pi / 180;
+    const double yaw = input.radians(0), pitch = input.radians(1);
     // (160, -20, 90) from the eye is (100, 100, 20); forward and right by their angles.
     const double ahead = (100 * std::cos(yaw) + 100 * std::sin(yaw)) * std::cos(pitch) - 20 * std::sin(pitch),
                  right = 100 * std::sin(yaw) - 100 * std::cos(yaw);
     const Vec4 seen = to_view_axes * Vec4{entry_of(160), entry_of(-20), entry_of(90)};
     return {
-        {number_figure("product of both, less the identity: worst entry", 0, flaw_of(to_world * to_view_axes), 1e-6, 6),
-         number_figure("(160, -20, 90): x in view, by the angles", right, number_of(seen.x), 0.02),
-         number_figure("its z", ahead, number_of(seen.z), 0.02)},
-        {"The camera's axes and eye are the columns of the matrix from view to world. Axes at right angles: the "
-         "inverse is the transpose, and the eye goes to minus its dot products with them."}};
+        number_figure("product of both, less the identity: worst entry", 0, flaw_of(to_world * to_view_axes), 1e-6, 6),
+        number_figure("(160, -20, 90): x in view, by the angles", right, number_of(seen.x), 0.02),
+        number_figure("its z", ahead, number_of(seen.z), 0.02)};
 }
 
 Parameter lab_parameter() {
@@ -261,44 +257,15 @@ Parameter lab_parameter() {
 }  // namespace
 
 std::vector<Row> view_rows() {
-    constexpr std::string_view kViews = "engine/view/views.h", kTest = "tests/view/views_test.cpp",
-                               kFrames = "tests/frame/view_frames_test.cpp";
-    return {{"view-window",
-             "A view by VRP, VPN, VUP, COP and window",
-             "2 Lab: 3-D Perspective Viewing Pipeline",
-             kViews,
-             kTest,
-             {lab_parameter(), {"window moved, tenths", -5, 5, 1, 0}},
-             draw_lab_cube},
-            {"front-plane",
-             "Front plane: a floor plan",
-             "2 Lab: 3-D Perspective Viewing Pipeline",
-             kViews,
-             kFrames,
-             {{"height", -50, 400, 50, 50}},
-             draw_front_plane},
-            {"zoom-dolly",
-             "Zoom against dolly",
-             "2 Lab: 3-D Perspective Viewing Pipeline",
-             kViews,
-             kTest,
-             {choice_parameter("field of view", {"20 degrees", "40 degrees", "60 degrees", "90 degrees"}, 1),
-              choice_parameter("the eye", {"moves against it", "stays"})},
-             draw_dolly_zoom},
-            {"cameras",
-             "Look-at and first-person cameras",
-             "3 Notes: Camera",
-             kViews,
-             kTest,
-             {choice_parameter("camera", {"look-at", "first-person"}), {"yaw", 0, 345, 15, 60}},
-             draw_cameras},
-            {"camera-matrix",
-             "A camera's matrix and its inverse",
-             "4 Princeton: Camera; 3 Notes: Camera",
-             "engine/view/view_spec.cpp",
-             kTest,
-             {{"yaw", 0, 345, 15, 30}, {"pitch", -60, 60, 10, 10}},
-             draw_view_matrix}};
+    return {
+        {"view-window", draw_lab_cube, {lab_parameter(), {"window moved, tenths", -5, 5, 1, 0}}},
+        {"front-plane", draw_front_plane, {{"height", -50, 400, 50, 50}}},
+        {"zoom-dolly",
+         draw_dolly_zoom,
+         {choice_parameter("field of view", {"20 degrees", "40 degrees", "60 degrees", "90 degrees"}, 1),
+          choice_parameter("the eye", {"moves against it", "stays"})}},
+        {"cameras", draw_cameras, {choice_parameter("camera", {"look-at", "first-person"}), {"yaw", 0, 345, 15, 60}}},
+        {"camera-matrix", draw_view_matrix, {{"yaw", 0, 345, 15, 30}, {"pitch", -60, 60, 10, 10}}}};
 }
 
 }  // namespace oblong
