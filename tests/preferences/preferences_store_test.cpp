@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -18,12 +17,6 @@ namespace fs = std::filesystem;
 
 class OptionsFile : public testing::Test {
   protected:
-    void SetUp() override {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     std::string text() const { return read_text(file_); }
     static Preferences with_volume(std::int32_t volume_100) {
         Preferences preferences;
@@ -31,9 +24,8 @@ class OptionsFile : public testing::Test {
         return preferences;
     }
 
-    const fs::path folder_ =
-        fs::temp_directory_path() / ("oblong_options_" + std::to_string(::getpid()) + "_" +
-                                     testing::UnitTest::GetInstance()->current_test_info()->name());
+    const test::TemporaryFolder temporary_;
+    const fs::path folder_ = temporary_.path();
     const std::string file_ = (folder_ / "deep" / "er" / "oblong.cfg").string();
 };
 
