@@ -45,14 +45,14 @@ std::string row_text(const std::array<Entry, 4>& row) {
 
 /// A face that owns pixels, and the list that it is in.
 struct ListedFace {
-    ClaimedFace face;
+    VisibleFace face;
     std::size_t list;
 };
 
 template <class Take>
 void for_claimed_faces(const Claims& claims, Take take) {
     for (std::size_t list = 0; list < kFaceListCount; ++list)
-        for (const ClaimedFace& face : claims.lists[list]) take(ListedFace{face, list});
+        for (const VisibleFace& face : claims.lists[list]) take(ListedFace{face, list});
 }
 
 std::vector<Vec3<World>> world_corners(const VisibleFace& visible, const LoggedFrame& frame) {
@@ -176,7 +176,7 @@ LogLines span_lines(const LoggedFrame& frame) {
     LogLines lines;
     for (std::size_t list = 0; list < kFaceListCount; ++list) {
         std::size_t spans = 0;
-        for (const ClaimedFace& face : claims.lists[list]) spans += face.span_count;
+        for (const VisibleFace& face : claims.lists[list]) spans += face.span_count;
         lines.push_back(std::string(kListNames[list]) + ": " + std::to_string(claims.lists[list].size()) + " faces, " +
                         std::to_string(spans) + " spans, " +
                         std::to_string(pixels_of(claims, static_cast<FaceList>(list))) + " pixels");

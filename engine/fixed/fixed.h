@@ -82,6 +82,12 @@ constexpr Fixed<Int, Frac> absolute(Fixed<Int, Frac> value) {
     return value < Fixed<Int, Frac>{} ? -value : value;
 }
 
+/// Whether |value| is below `most`, which is above 0.
+template <class Int, int Frac>
+constexpr bool is_within(Fixed<Int, Frac> value, Fixed<Int, Frac> most) {
+    return value < most && value > -most;
+}
+
 /// The largest integer not above `value`.
 template <class Int, int Frac>
 constexpr Int floor_of(Fixed<Int, Frac> value) {

@@ -59,13 +59,13 @@ bool scan(const FrameContext& frame, ViewScratch& scratch) {
 
 /// The next face of the walk. One in 16 is timed, less what reading the clock takes: to read it at every face would
 /// take about as long as the walk.
-std::optional<VisibleFace> next_face(FrontToBackWalk& walk, PassTimes* times) {
+bool next_face(FrontToBackWalk& walk, PassTimes* times, VisibleFace& found) {
     constexpr std::uint32_t kSample = 16;
-    if (!times || ++times->faces_walked % kSample != 0) return walk.next();
+    if (!times || ++times->faces_walked % kSample != 0) return walk.next(found);
     const std::int64_t before_ns = times->clock(), began_ns = times->clock();
-    const std::optional<VisibleFace> face = walk.next();
+    const bool is_found = walk.next(found);
     times->walk_ns += kSample * ((times->clock() - began_ns) - (began_ns - before_ns));
-    return face;
+    return is_found;
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ void Claims::clear() {
 
 std::int64_t pixels_of(const Claims& claims, FaceList list) {
     std::int64_t pixels = 0;
-    for (const ClaimedFace& face : claims.list(list)) pixels += pixels_of(claims.spans_of(face));
+    for (const VisibleFace& face : claims.list(list)) pixels += pixels_of(claims.spans_of(face));
     return pixels;
 }
 
@@ -113,18 +113,18 @@ FaceScan::~FaceScan() {
         count_walk(walk_.nodes_entered(), scratch_.vertices.count(), counts->stages);
 }
 
-std::optional<VisibleFace> FaceScan::next() {
+bool FaceScan::next(VisibleFace& found) {
     const FrameObservers& observers = frame_.observers;
-    while (const std::optional<VisibleFace> face = next_face(walk_, observers.times)) {
-        const Stopwatch of_models(face->fragment ? observers.times : nullptr, Effect::BrushModels);
-        if (!project(*face, frame_, scratch_) || !scan(frame_, scratch_)) continue;
+    while (next_face(walk_, observers.times, found)) {
+        const Stopwatch of_models(found.fragment ? observers.times : nullptr, Effect::BrushModels);
+        if (!project(found, frame_, scratch_) || !scan(frame_, scratch_)) continue;
         if (observers.counts) count_polygon(scratch_.polygon, scratch_.rows, observers.counts->stages);
-        return face;
+        return true;
     }
-    return std::nullopt;
+    return false;
 }
 
-void claim_face(const VisibleFace& face, bool is_second_walk, const FrameContext& frame, ViewScratch& scratch) {
+void claim_face(VisibleFace& face, bool is_second_walk, const FrameContext& frame, ViewScratch& scratch) {
     const EffectSet needs = frame.cache.faces.faces[face.face].effects;
     const bool is_seen_through = list_for(needs, frame.settings.allowed_effects) == FaceList::SeeThrough;
     if (is_seen_through && is_second_walk) return;
@@ -134,24 +134,32 @@ void claim_face(const VisibleFace& face, bool is_second_walk, const FrameContext
         scratch.span_buffer.find_free(scratch.rows, claims.spans);
     else
         scratch.span_buffer.claim(scratch.rows, claims.spans);
-    add_claimed({face, 0, 0, scratch.polygon.nearest_z, scratch.polygon.farthest_z}, first, frame, claims);
+    face.nearest_z = scratch.polygon.nearest_z;
+    face.farthest_z = scratch.polygon.farthest_z;
+    add_claimed(face, first, frame, claims);
 }
 
-void add_claimed(ClaimedFace face, std::size_t first_span, const FrameContext& frame, Claims& claims) {
+void add_claimed(VisibleFace& face, std::size_t first_span, const FrameContext& frame, Claims& claims) {
     if (claims.spans.size() == first_span) return;
     face.first_span = static_cast<std::uint32_t>(first_span);
     face.span_count = static_cast<std::uint32_t>(claims.spans.size() - first_span);
     const EffectSet needs = frame.cache.faces.faces[face.face].effects, allowed = frame.settings.allowed_effects;
     const EffectSet effects = face.fragment ? needs.with(Effect::BrushModels) : needs;
-    claims.list(list_for(needs, allowed)).push_back(face);
+    const FaceList list = list_for(needs, allowed);
+    // Faces without texels need it for other effects alone: fog, and things before and behind them.
+    if (list != FaceList::Sky && (list != FaceList::Flat || allowed != EffectSet{}))
+        face.inverse_z = make_face_inverse_z(frame.scene.level, frame.scene.level.faces[face.face],
+                                             frame.offset_of(face), frame.view, frame.inverse_projection);
+    claims.list(list).push_back(face);
     claims.effects = claims.effects | (effects & allowed);
     if (frame.observers.counts) count_face(effects, claims.spans_of(face), *frame.observers.counts);
 }
 
 void claim_faces(const FrameContext& frame, ViewScratch& scratch) {
     FaceScan faces(frame, scratch);
-    while (const std::optional<VisibleFace> face = faces.next()) {
-        claim_face(*face, faces.is_second_walk(), frame, scratch);
+    VisibleFace face;
+    while (faces.next(face)) {
+        claim_face(face, faces.is_second_walk(), frame, scratch);
         if (frame.shared && frame.shared->takes_walls_at_once) draw_walls(frame, scratch);
     }
 }

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,12 +23,6 @@ struct ViewScratch;
 enum class FaceList : std::uint8_t { Walls, Flat, Liquid, Sky, Mirror, SeeThrough };
 inline constexpr std::size_t kFaceListCount = 6;
 
-/// A face that owns pixels of a frame, or sees through to those behind it.
-struct ClaimedFace : VisibleFace {
-    std::uint32_t first_span = 0, span_count = 0;  ///< in Claims
-    View nearest_z, farthest_z;                    ///< of the face's part in view
-};
-
 /// Pixels that no face covers, of a wall that has none there: the texture and the light of a face go on to them.
 struct TornSpan {
     Span span;
@@ -43,7 +36,7 @@ struct TornSpan {
 /// front to back.
 struct Claims {
     SpanList spans;
-    std::array<std::vector<ClaimedFace>, kFaceListCount> lists;
+    std::array<std::vector<VisibleFace>, kFaceListCount> lists;
     EffectSet effects;             ///< that these faces need and the settings allow
     std::vector<TornSpan> torn;    ///< pixels that no face covers, but walls without one
     SpanList left_free;            ///< pixels that nothing owns: the void
@@ -52,9 +45,9 @@ struct Claims {
     std::size_t walls_drawn = 0;   ///< the first ones of their list
     bool is_under_liquid = false;  ///< the eye is in a liquid
 
-    std::vector<ClaimedFace>& list(FaceList which) { return lists[static_cast<std::size_t>(which)]; }
-    const std::vector<ClaimedFace>& list(FaceList which) const { return lists[static_cast<std::size_t>(which)]; }
-    std::span<const Span> spans_of(const ClaimedFace& face) const {
+    std::vector<VisibleFace>& list(FaceList which) { return lists[static_cast<std::size_t>(which)]; }
+    const std::vector<VisibleFace>& list(FaceList which) const { return lists[static_cast<std::size_t>(which)]; }
+    std::span<const Span> spans_of(const VisibleFace& face) const {
         return std::span<const Span>(spans).subspan(face.first_span, face.span_count);
     }
     void clear();
@@ -90,8 +83,9 @@ class FaceScan {
     FaceScan(const FaceScan&) = delete;
     ~FaceScan();
 
-    /// The next face that covers pixels which may be free; none if there is no other.
-    std::optional<VisibleFace> next();
+    /// Sets `found` to the next face that covers pixels which may be free: which it is, and nothing else. False if
+    /// there is no other.
+    bool next(VisibleFace& found);
     /// Whether the walk comes to all faces for the second time (FrontToBackWalk).
     bool is_second_walk() const { return walk_.takes_all_faces(); }
 
@@ -103,10 +97,11 @@ class FaceScan {
 
 /// Lets a scanned face claim the pixels of its rows that are free. One that is seen through gets them and leaves them
 /// free, in the first walk: in the second it has them.
-void claim_face(const VisibleFace& face, bool is_second_walk, const FrameContext& frame, ViewScratch& scratch);
+void claim_face(VisibleFace& face, bool is_second_walk, const FrameContext& frame, ViewScratch& scratch);
 
-/// Adds a face whose spans are the last ones, from `first_span` on, to its list; none without spans.
-void add_claimed(ClaimedFace face, std::size_t first_span, const FrameContext& frame, Claims& claims);
+/// Adds a face whose spans are the last ones, from `first_span` on, to its list, with its 1/z where anything may
+/// need that; none without spans.
+void add_claimed(VisibleFace& face, std::size_t first_span, const FrameContext& frame, Claims& claims);
 
 /// Takes the faces front to back and lets each claim its pixels; draws nothing.
 void claim_faces(const FrameContext& frame, ViewScratch& scratch);

@@ -64,7 +64,7 @@ void find_fog(const FrameContext& frame, ViewScratch& scratch) {
     if (!fog.tables) return;
     Claims& claims = scratch.claims;
     for (const FaceList list : {FaceList::Walls, FaceList::Liquid, FaceList::Flat})
-        for (const ClaimedFace& claimed : claims.list(list)) {
+        for (const VisibleFace& claimed : claims.list(list)) {
             if (!may_have_fog(claimed, frame, scratch.corners)) continue;
             const auto inverse_z = inverse_z_of(claimed, frame);
             append_runs(claims.spans_of(claimed), inverse_z, fog, claims.fog_runs);
@@ -72,7 +72,7 @@ void find_fog(const FrameContext& frame, ViewScratch& scratch) {
     for (const TornSpan& torn : claims.torn)
         append_runs({&torn.span, 1}, inverse_z_of(torn, frame), fog, claims.fog_runs);
     const std::int32_t sky_level = fog.height ? 0 : sky_fog_level(frame.cache.effects.sky_fog_256);
-    for (const ClaimedFace& claimed : claims.list(FaceList::Sky))
+    for (const VisibleFace& claimed : claims.list(FaceList::Sky))
         for (const Span& span : claims.spans_of(claimed)) claims.fog_runs.push_back({span, sky_level});
     std::erase_if(claims.fog_runs, [](const FogRun& run) { return run.level == 0; });
     if (frame.observers.counts)

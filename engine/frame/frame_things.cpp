@@ -24,7 +24,7 @@ std::span<ParticleDot> dots_of(FrameThings& things, std::size_t first, std::size
 void fill_depth(const FrameContext& frame, ViewScratch& scratch) {
     scratch.depth.clear();
     for (const FaceList list : {FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror})
-        for (const ClaimedFace& claimed : scratch.claims.list(list)) {
+        for (const VisibleFace& claimed : scratch.claims.list(list)) {
             const std::span<const Span> spans = scratch.claims.spans_of(claimed);
             if (!scratch.depth.touches(spans)) continue;
             scratch.depth.fill(spans, inverse_z_of(claimed, frame));
@@ -114,7 +114,7 @@ std::int64_t pixels_within(std::span<const Span> spans, const ScanlineExtents& r
 bool is_seen(const Shadow& shadow, const FrameContext& frame, ViewScratch& scratch) {
     if (!scan_shadow(shadow, kWholeRadius_8, frame.scene.level, frame.view, scratch.effects.shadows)) return false;
     std::int64_t pixels = 0;
-    for (const ClaimedFace& claimed : scratch.claims.list(FaceList::Walls))
+    for (const VisibleFace& claimed : scratch.claims.list(FaceList::Walls))
         if (frame.scene.level.faces[claimed.face].plane == shadow.floor.plane && !claimed.fragment)
             pixels += pixels_within(scratch.claims.spans_of(claimed), scratch.effects.shadows.rows);
     if (frame.observers.counts) frame.observers.counts->of(Effect::Shadows) += pixels;
@@ -169,7 +169,7 @@ void draw_shadows(const FrameContext& frame, ViewScratch& scratch) {
     for (const Shadow& shadow : scratch.claims.things.shadows)
         for (const std::int32_t share_8 : {kWholeRadius_8, kCoreRadius_8}) {
             if (!scan_shadow(shadow, share_8, level, frame.view, scratch.effects.shadows)) continue;
-            for (const ClaimedFace& claimed : scratch.claims.list(FaceList::Walls))
+            for (const VisibleFace& claimed : scratch.claims.list(FaceList::Walls))
                 if (level.faces[claimed.face].plane == shadow.floor.plane && !claimed.fragment)
                     darken_spans(scratch.claims.spans_of(claimed), scratch.effects.shadows.rows, shade, frame.out);
         }

@@ -38,7 +38,7 @@ void gather_lights(const FrameContext& frame, ViewScratch& scratch) {
 bool find_touched(const FrameContext& frame, const ViewScratch& scratch) {
     bool is_any = false;
     for (const FaceList list : {FaceList::Walls, FaceList::SeeThrough})
-        for (const ClaimedFace& claimed : scratch.claims.list(list)) {
+        for (const VisibleFace& claimed : scratch.claims.list(list)) {
             if (!frame.cache.surfaces.is_touched(claimed.face, frame.offset_of(claimed))) continue;
             is_any = true;
             if (frame.observers.counts)

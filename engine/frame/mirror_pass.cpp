@@ -15,7 +15,7 @@ namespace oblong {
 
 namespace {
 
-MirrorPlane plane_of(const ClaimedFace& claimed, const FrameContext& frame) {
+MirrorPlane plane_of(const VisibleFace& claimed, const FrameContext& frame) {
     const Face& face = frame.scene.level.faces[claimed.face];
     return {face.plane, face.is_back, frame.offset_of(claimed)};
 }
@@ -54,7 +54,7 @@ ViewContext mirrored(const ViewContext& view, const MirrorView& mirror, const Le
 }
 
 /// The leaf before the middle of a mirror: what it shows can be seen from there.
-LeafIndex leaf_before(const ClaimedFace& claimed, const MirrorPlane& mirror, const FrameContext& frame,
+LeafIndex leaf_before(const VisibleFace& claimed, const MirrorPlane& mirror, const FrameContext& frame,
                       CornerScratch& scratch) {
     const Level& level = frame.scene.level;
     const Vec3<Unit>& normal = level.planes[mirror.plane].normal;
@@ -63,9 +63,9 @@ LeafIndex leaf_before(const ClaimedFace& claimed, const MirrorPlane& mirror, con
 }
 
 /// The spans of all faces of one mirror, with columns from the right, sorted.
-std::vector<Span> flipped_spans(std::span<const ClaimedFace> faces, const Claims& claims, std::int32_t width_px) {
+std::vector<Span> flipped_spans(std::span<const VisibleFace> faces, const Claims& claims, std::int32_t width_px) {
     std::vector<Span> flipped;
-    for (const ClaimedFace& face : faces)
+    for (const VisibleFace& face : faces)
         for (const Span& span : claims.spans_of(face))
             flipped.push_back({span.y, width_px - span.end, width_px - span.first});
     std::sort(flipped.begin(), flipped.end(),
@@ -126,16 +126,16 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
                                                      ScreenMode{out.width_px, out.height_px});
     mirrors.picture.assign(pixel_count(out.width_px, out.height_px), 0);
 
-    std::vector<ClaimedFace> left = scratch.claims.list(FaceList::Mirror);
+    std::vector<VisibleFace> left = scratch.claims.list(FaceList::Mirror);
     for (std::size_t drawn = 0; drawn < kMostMirrors && !left.empty(); ++drawn) {
         const MirrorPlane mirror = plane_of(left.front(), frame);
         const LeafIndex leaf = leaf_before(left.front(), mirror, frame, scratch.corners);
         const auto others = std::stable_partition(
-            left.begin(), left.end(), [&](const ClaimedFace& face) { return plane_of(face, frame) == mirror; });
-        const auto faces = std::span<const ClaimedFace>(left).first(static_cast<std::size_t>(others - left.begin()));
+            left.begin(), left.end(), [&](const VisibleFace& face) { return plane_of(face, frame) == mirror; });
+        const auto faces = std::span<const VisibleFace>(left).first(static_cast<std::size_t>(others - left.begin()));
         const std::vector<Span> flipped = flipped_spans(faces, scratch.claims, out.width_px);
         draw_mirrored_view({mirror, rectangle_around(flipped)}, leaf, flipped, frame, mirrors);
-        for (const ClaimedFace& face : faces) note_spans(face, scratch.claims.spans_of(face), out, frame.observers);
+        for (const VisibleFace& face : faces) note_spans(face, scratch.claims.spans_of(face), out, frame.observers);
         left.erase(left.begin(), others);
     }
     restore_light(frame, scratch);

@@ -52,7 +52,7 @@ std::int64_t seen_through_pixels(const Claims& claims, const FrameCounts& counts
 /// Fills faces whose effect is not allowed with one colour of their texture.
 void draw_flat(const FrameContext& frame, ViewScratch& scratch) {
     const Level& level = frame.scene.level;
-    for (const ClaimedFace& claimed : scratch.claims.list(FaceList::Flat)) {
+    for (const VisibleFace& claimed : scratch.claims.list(FaceList::Flat)) {
         const std::span<const Span> spans = scratch.claims.spans_of(claimed);
         note_spans(claimed, spans, frame.out, frame.observers);
         fill_spans(spans, level.texture_of(level.faces[claimed.face]).mips[3][0], frame.out);
@@ -69,7 +69,7 @@ void draw_liquids(const FrameContext& frame, ViewScratch& scratch) {
 void draw_sky_faces(const FrameContext& frame, ViewScratch& scratch) {
     std::vector<Span>& all = scratch.effects.sky_spans;
     all.clear();
-    for (const ClaimedFace& claimed : scratch.claims.list(FaceList::Sky)) {
+    for (const VisibleFace& claimed : scratch.claims.list(FaceList::Sky)) {
         const std::span<const Span> spans = scratch.claims.spans_of(claimed);
         note_spans(claimed, spans, frame.out, frame.observers);
         all.insert(all.end(), spans.begin(), spans.end());

@@ -13,7 +13,7 @@ namespace oblong {
 
 namespace {
 
-bool is_behind(const Vec3<World>& place, const ClaimedFace& claimed, const FrameContext& frame) {
+bool is_behind(const Vec3<World>& place, const VisibleFace& claimed, const FrameContext& frame) {
     const Level& level = frame.scene.level;
     const Face& face = level.faces[claimed.face];
     return (plane_distance(level.planes[face.plane], place - frame.offset_of(claimed)) > PlaneDistance{}) ==
@@ -21,7 +21,7 @@ bool is_behind(const Vec3<World>& place, const ClaimedFace& claimed, const Frame
 }
 
 /// Draws the things that wait, those behind a face alone if there is one.
-void draw_waiting(const ClaimedFace* face, std::vector<OwningThing>& waiting, const FrameContext& frame,
+void draw_waiting(const VisibleFace* face, std::vector<OwningThing>& waiting, const FrameContext& frame,
                   ViewScratch& scratch) {
     std::erase_if(waiting, [&](const OwningThing& thing) {
         if (face && !is_behind(thing.middle, *face, frame)) return false;
@@ -39,7 +39,7 @@ const BlendTable& blend_of(LiquidKind kind, const FrameContext& frame) {
 }
 
 /// Draws a face's spans; in fog, those of each level with its colours.
-void draw_in_fog(const ClaimedFace& claimed, SurfaceDrawing drawing, const FrameContext& frame, ViewScratch& scratch) {
+void draw_in_fog(const VisibleFace& claimed, SurfaceDrawing drawing, const FrameContext& frame, ViewScratch& scratch) {
     drawing.colours = &frame.scene.colormap.shades[Colormap::kOwnShade];
     std::vector<Span> before_meshes;
     std::span<const Span> spans = scratch.claims.spans_of(claimed);
@@ -62,7 +62,7 @@ void draw_in_fog(const ClaimedFace& claimed, SurfaceDrawing drawing, const Frame
     }
 }
 
-void draw_face(const ClaimedFace& claimed, const FrameContext& frame, ViewScratch& scratch) {
+void draw_face(const VisibleFace& claimed, const FrameContext& frame, ViewScratch& scratch) {
     const Level& level = frame.scene.level;
     const FaceIndex face = claimed.face;
     const bool is_liquid = frame.cache.faces.faces[face].effects.has(Effect::Liquid);
@@ -79,7 +79,7 @@ void draw_face(const ClaimedFace& claimed, const FrameContext& frame, ViewScratc
 
 void draw_see_through(const FrameContext& frame, ViewScratch& scratch) {
     std::vector<OwningThing> waiting = std::move(scratch.claims.things.owning);
-    const std::vector<ClaimedFace>& faces = scratch.claims.list(FaceList::SeeThrough);
+    const std::vector<VisibleFace>& faces = scratch.claims.list(FaceList::SeeThrough);
     for (auto face = faces.rbegin(); face != faces.rend(); ++face) {
         if (!waiting.empty()) draw_waiting(&*face, waiting, frame, scratch);
         draw_face(*face, frame, scratch);

@@ -57,14 +57,15 @@ void SharedDrawing::add_items(Item item, std::span<const Span> spans) {
     }
 }
 
-void SharedDrawing::add(const ClaimedFace& claimed, const FaceSurface& surface, const SurfaceEffect& effect,
-                        std::span<const Span> spans) {
-    add_items({false, claimed, surface, effect, {}}, spans);
+void SharedDrawing::add(const TexturedFace& face, std::span<const Span> spans) {
+    add_items({false, face, {}}, spans);
 }
 
 void SharedDrawing::add_sky(const SkyNow& sky, std::span<const Span> spans) {
     sky_ = sky;
-    add_items({true, {}, {}, {}, {}}, spans);
+    Item item;
+    item.is_sky = true;
+    add_items(item, spans);
 }
 
 void SharedDrawing::end() {
@@ -81,8 +82,7 @@ void SharedDrawing::do_item(std::uint32_t number, int worker) {
         draw_sky(work.spans, sky_, frame.view.ray_directions(), frame.view.projection, frame.out);
         return;
     }
-    draw_textured(textured_face(work.claimed, work.surface, work.effect, frame), work.spans,
-                  {frame.texturing, frame.out, item(scratches_, worker)});
+    draw_textured(work.face, work.spans, {frame.texturing, frame.out, item(scratches_, worker)});
 }
 
 }  // namespace oblong

@@ -22,8 +22,7 @@ class SharedDrawing final : public SharedWork {
     /// Begins to draw a frame, which outlives end().
     void begin(const FrameContext& frame, bool takes_walls);
     /// Hands over spans of a face with its surface.
-    void add(const ClaimedFace& claimed, const FaceSurface& surface, const SurfaceEffect& effect,
-             std::span<const Span> spans);
+    void add(const TexturedFace& face, std::span<const Span> spans);
     /// Hands over spans of the frame's sky, which lasts until end().
     void add_sky(const SkyNow& sky, std::span<const Span> spans);
     /// Shares in the drawing until all is drawn that was handed over, and ends it. May be called again.
@@ -39,9 +38,7 @@ class SharedDrawing final : public SharedWork {
     /// Spans of one face, or of the sky.
     struct Item {
         bool is_sky = false;
-        ClaimedFace claimed;
-        FaceSurface surface;
-        SurfaceEffect effect;
+        TexturedFace face;
         std::span<const Span> spans;  ///< in spans_
     };
 

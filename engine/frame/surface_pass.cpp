@@ -64,20 +64,35 @@ int mip_level(FaceIndex face, View nearest_z, const FrameContext& frame) {
     return frame.cache.surfaces.mip_level(face, nearest_z, frame.view.projection.x, frame.accuracy().mip_bias);
 }
 
+TexturedFace textured_face(const VisibleFace& face, int mip, std::span<const Span> spans, const SurfaceDrawing& drawing,
+                           const FrameContext& frame, const ViewScratch& scratch) {
+    const Level& level = frame.scene.level;
+    const Accuracy& accuracy = frame.accuracy();
+    TexturedFace textured{face, surface_of(face, mip, frame, scratch), {}, {}, {}};
+    if (!drawing.is_plain) textured.effect = effect_of(drawing, textured.surface, frame);
+    TextureGradients& gradients = textured.cutting.gradients;
+    gradients = make_face_gradients(level, level.faces[face.face], textured.surface, frame.offset_of(face),
+                                    face.inverse_z, frame.view, frame.inverse_projection);
+    if (accuracy.inverse_z_bits != InverseZ::kFractionBits || accuracy.over_z_bits != TexelOverZ::kFractionBits)
+        gradients = rounded_to(gradients, accuracy.inverse_z_bits, accuracy.over_z_bits);
+    textured.nearest_texels = texels_across(face.nearest_z, frame.cache.faces.faces[face.face].least_density,
+                                            frame.inverse_projection.least_pixel_width);
+    set_cutting(textured, spans, frame.texturing);
+    return textured;
+}
+
 /// Draws spans of a face with its texture of one mip level.
-void draw_mip(const ClaimedFace& claimed, int mip, std::span<const Span> spans, const SurfaceDrawing& drawing,
+void draw_mip(const VisibleFace& face, int mip, std::span<const Span> spans, const SurfaceDrawing& drawing,
               const FrameContext& frame, ViewScratch& scratch) {
-    const FaceSurface surface = surface_of(claimed, mip, frame, scratch);
-    const SurfaceEffect effect = drawing.is_plain ? SurfaceEffect{} : effect_of(drawing, surface, frame);
-    if (is_shared(frame)) return frame.shared->add(claimed, surface, effect, spans);
+    const TexturedFace textured = textured_face(face, mip, spans, drawing, frame, scratch);
+    if (is_shared(frame)) return frame.shared->add(textured, spans);
     const FrameObservers observers = drawing.is_noted ? frame.observers : FrameObservers{};
     if (observers.counts) ++observers.counts->stages.surfaces;
-    draw_textured(textured_face(claimed, surface, effect, frame), spans,
-                  {frame.texturing, frame.out, scratch.surfaces.spans, observers});
+    draw_textured(textured, spans, {frame.texturing, frame.out, scratch.surfaces.spans, observers});
 }
 
 /// Draws each span with the mip level of its nearest pixel.
-void draw_by_span_mips(const ClaimedFace& claimed, std::span<const Span> whole, const SurfaceDrawing& drawing,
+void draw_by_span_mips(const VisibleFace& claimed, std::span<const Span> whole, const SurfaceDrawing& drawing,
                        const FrameContext& frame, ViewScratch& scratch) {
     const auto inverse_z = inverse_z_of(claimed, frame);
     auto& of_mip = scratch.surfaces.of_mip;
@@ -105,8 +120,8 @@ void draw_blocks(const TexturedFace& face, std::span<const Span> spans, BlockCut
             face.effect.kernel(blocks.waiting(), face.effect.texels, drawing.out.pixels);
         else
             face.surface.kernel(blocks.waiting(), face.surface.view, drawing.out.pixels);
-        if (counts) count_blocks(spans.first(spans.size() - left.size()), face.gradients, blocks, *counts);
-        if (record) record_blocks(record_of(face.claimed), blocks.waiting(), face.surface, *record);
+        if (counts) count_blocks(spans.first(spans.size() - left.size()), cutting.gradients, blocks, *counts);
+        if (record) record_blocks(record_of(face.face), blocks.waiting(), face.surface, *record);
         blocks.clear();
         spans = left;
     }
@@ -123,34 +138,27 @@ BlockKernel line_kernel(std::span<const Span> spans, const TexturedFace& face, c
 /// Without blocks, where surface and effect allow that.
 void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
     const FaceSurface& surface = face.surface;
-    BlockCutting cutting{face.gradients, surface.limits, {}};
+    BlockCutting cutting = face.cutting;
+    cutting.limits = surface.limits;
     cutting.limits.least = {};  // without steps nothing drifts
     if (!surface.is_wrapped_by_masks || (face.effect.kernel && !face.effect.warps_alone))
         return draw_blocks(face, spans, drawing.texturing.cut_pixels, cutting, drawing);
     const std::int64_t divisions =
         face.effect.warps_alone
-            ? draw_exact_warped_spans(spans, face.gradients, cutting.limits, face.effect.texels, drawing.out)
-            : draw_exact_spans(spans, face.gradients, cutting.limits, surface.view, line_kernel(spans, face, drawing),
-                               drawing.out);
+            ? draw_exact_warped_spans(spans, cutting.gradients, cutting.limits, face.effect.texels, drawing.out)
+            : draw_exact_spans(spans, cutting.gradients, cutting.limits, surface.view,
+                               line_kernel(spans, face, drawing), drawing.out);
     const auto [counts, record, times] = drawing.observers;
     if (counts) count_divided_pixels(spans, divisions, drawing.out.pitch, *counts);
-    if (record) record_divided_pixels(record_of(face.claimed), spans, cutting, surface, drawing.out, *record);
+    if (record) record_divided_pixels(record_of(face.face), spans, cutting, surface, drawing.out, *record);
 }
 
-/// The longest block of a face that rounding allows (longest_block_log2).
-int longest_block_of(const TexturedFace& face, View nearest_z, const BlockRule& rule) {
-    const auto nearest_width = product<WidthAtOne>(nearest_z, face.least_pixel_width, Rounding::Floor);
-    const auto texels = product<TexelDensity>(nearest_width, face.least_density, Rounding::Floor);
-    return longest_block_log2(rule, floor_shift(texels, face.surface.mip));
-}
-
-BlockCutting bounded_cutting(const TexturedFace& face, std::span<const Span> spans, const BlockRule& rule) {
-    const int longest = longest_block_of(face, face.claimed.nearest_z, rule);
-    BlockCutting cutting{face.gradients, face.surface.limits,
-                         make_block_thresholds(rule, face.gradients.inverse_z.per_column, longest)};
+/// Bounded: no block is longer than rounding allows (longest_block_log2).
+void bound_blocks(const BlockRule& rule, TexturedFace& face) {
+    BlockCutting& cutting = face.cutting;
+    const int longest = longest_block_log2(rule, floor_shift(face.nearest_texels, face.surface.mip));
+    cutting.thresholds = make_block_thresholds(rule, cutting.gradients.inverse_z.per_column, longest);
     cutting.limits.least = std::min(cutting.limits.least, Texel::from_raw(std::int64_t{1} << longest));
-    cutting.fits_range = fits_range(face.gradients, rectangle_around(spans));
-    return cutting;
 }
 
 /// Whether 1/z falls below `least` nowhere on the face.
@@ -175,14 +183,14 @@ void split_at(InverseZ least, const Span& span, const LinearQuantity<InverseZ>& 
 /// Blocks where they are long enough to be worth it.
 void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
     const SpanTexturing& texturing = drawing.texturing;
-    const BlockCutting cutting = bounded_cutting(face, spans, texturing.rule);
+    const BlockCutting& cutting = face.cutting;
     const InverseZ least = item(cutting.thresholds.least_inverse_z, kLeastBlockLog2);
-    if (!texturing.divides_exactly || is_above(least, face.claimed.farthest_z))
+    if (!texturing.divides_exactly || is_above(least, face.face.farthest_z))
         return draw_blocks(face, spans, texturing.cut_blocks, cutting, drawing);
     std::vector<Span>&long_blocks = drawing.scratch.long_blocks, &short_blocks = drawing.scratch.short_blocks;
     long_blocks.clear();
     short_blocks.clear();
-    for (const Span& span : spans) split_at(least, span, face.gradients.inverse_z, long_blocks, short_blocks);
+    for (const Span& span : spans) split_at(least, span, cutting.gradients.inverse_z, long_blocks, short_blocks);
     draw_blocks(face, long_blocks, texturing.cut_blocks, cutting, drawing);
     divide_at_each_pixel(face, short_blocks, drawing);
 }
@@ -196,20 +204,13 @@ SpanTexturing make_span_texturing(const Accuracy& accuracy) {
             accuracy.reciprocal == ReciprocalMethod::Exact};
 }
 
-TexturedFace textured_face(const ClaimedFace& claimed, const FaceSurface& surface, const SurfaceEffect& effect,
-                           const FrameContext& frame) {
-    const Level& level = frame.scene.level;
-    TexturedFace face{claimed,
-                      surface,
-                      effect,
-                      make_face_gradients(level, level.faces[claimed.face], surface, frame.offset_of(claimed),
-                                          frame.view, frame.inverse_projection),
-                      frame.cache.faces.faces[claimed.face].least_density,
-                      frame.inverse_projection.least_pixel_width};
-    const Accuracy& accuracy = frame.accuracy();
-    if (accuracy.inverse_z_bits != InverseZ::kFractionBits || accuracy.over_z_bits != TexelOverZ::kFractionBits)
-        face.gradients = rounded_to(face.gradients, accuracy.inverse_z_bits, accuracy.over_z_bits);
-    return face;
+void set_cutting(TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing) {
+    BlockCutting& cutting = face.cutting;
+    cutting.limits = face.surface.limits;
+    if (texturing.texturing == Texturing::Exact && texturing.divides_exactly) return;
+    if (texturing.texturing == Texturing::Bounded) bound_blocks(texturing.rule, face);
+    cutting.texel_bound_256 = texturing.rule.texel_bound_256;
+    cutting.fits_range = fits_range(cutting.gradients, rectangle_around(spans));
 }
 
 void draw_textured(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
@@ -217,15 +218,10 @@ void draw_textured(const TexturedFace& face, std::span<const Span> spans, const 
     if (texturing.texturing == Texturing::Bounded) return draw_bounded(face, spans, drawing);
     if (texturing.texturing == Texturing::Exact && texturing.divides_exactly)
         return divide_at_each_pixel(face, spans, drawing);
-    const BlockCutting cutting{face.gradients,
-                               face.surface.limits,
-                               {},
-                               texturing.rule.texel_bound_256,
-                               fits_range(face.gradients, rectangle_around(spans))};
-    draw_blocks(face, spans, texturing.cut_blocks, cutting, drawing);
+    draw_blocks(face, spans, texturing.cut_blocks, face.cutting, drawing);
 }
 
-void draw_surface(const ClaimedFace& claimed, std::span<const Span> spans, const SurfaceDrawing& drawing,
+void draw_surface(const VisibleFace& claimed, std::span<const Span> spans, const SurfaceDrawing& drawing,
                   const FrameContext& frame, ViewScratch& scratch) {
     const MipSelection selection = frame.accuracy().mip;
     if (selection == MipSelection::Span) return draw_by_span_mips(claimed, spans, drawing, frame, scratch);
@@ -234,9 +230,9 @@ void draw_surface(const ClaimedFace& claimed, std::span<const Span> spans, const
     draw_mip(claimed, mip, spans, drawing, frame, scratch);
 }
 
-void draw_surfaces(std::span<const ClaimedFace> faces, const SurfaceDrawing& drawing, const FrameContext& frame,
+void draw_surfaces(std::span<const VisibleFace> faces, const SurfaceDrawing& drawing, const FrameContext& frame,
                    ViewScratch& scratch) {
-    for (const ClaimedFace& claimed : faces) {
+    for (const VisibleFace& claimed : faces) {
         const Stopwatch of_models(claimed.fragment ? frame.observers.times : nullptr, Effect::BrushModels);
         draw_surface(claimed, scratch.claims.spans_of(claimed), drawing, frame, scratch);
     }
@@ -244,15 +240,13 @@ void draw_surfaces(std::span<const ClaimedFace> faces, const SurfaceDrawing& dra
 
 void draw_walls(const FrameContext& frame, ViewScratch& scratch) {
     Claims& claims = scratch.claims;
-    const std::span<const ClaimedFace> walls = claims.list(FaceList::Walls);
+    const std::span<const VisibleFace> walls = claims.list(FaceList::Walls);
     draw_surfaces(walls.subspan(std::exchange(claims.walls_drawn, walls.size())), {}, frame, scratch);
 }
 
 LinearQuantity<InverseZ> inverse_z_of(const VisibleFace& face, const FrameContext& frame) {
-    const Level& level = frame.scene.level;
-    const auto inverse_z =
-        make_face_inverse_z(level, level.faces[face.face], frame.offset_of(face), frame.view, frame.inverse_projection);
     const std::int32_t bits = frame.accuracy().inverse_z_bits;
+    const LinearQuantity<InverseZ>& inverse_z = face.inverse_z;
     return bits == InverseZ::kFractionBits ? inverse_z : rounded_to(inverse_z, bits);
 }
 

@@ -41,17 +41,24 @@ struct SurfaceEffect {
     bool warps_alone = false;  ///< it does nothing else
 };
 
-/// A face on the screen with one mip level of its texture.
+/// Spans of a face with one mip level of its texture, and how they are cut into blocks.
 struct TexturedFace {
-    const ClaimedFace& claimed;
-    const FaceSurface& surface;
-    const SurfaceEffect& effect;
-    TextureGradients gradients;    ///< of 1/z, u/z and v/z, in as many bits as the settings keep
-    TexelDensity least_density;    ///< PreparedFace::least_density
-    WidthAtOne least_pixel_width;  ///< InverseProjection::least_pixel_width
+    VisibleFace face;
+    FaceSurface surface;
+    SurfaceEffect effect;
+    BlockCutting cutting;         ///< its gradients are in as many bits as the settings keep
+    TexelDensity nearest_texels;  ///< texels of mip level 0 across the nearest pixel, or fewer
 };
-TexturedFace textured_face(const ClaimedFace& claimed, const FaceSurface& surface, const SurfaceEffect& effect,
-                           const FrameContext& frame);
+
+/// Sets how these spans of a face are cut, from its gradients on.
+void set_cutting(TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing);
+
+/// How many texels of mip level 0 a pixel this near is wide at least (PreparedFace::least_density,
+/// InverseProjection::least_pixel_width).
+inline TexelDensity texels_across(View z, TexelDensity least_density, WidthAtOne least_pixel_width) {
+    return product<TexelDensity>(product<WidthAtOne>(z, least_pixel_width, Rounding::Floor), least_density,
+                                 Rounding::Floor);
+}
 
 /// Scratch of whoever textures spans; two that do so at once have one each.
 struct SpanScratch {
@@ -70,9 +77,9 @@ struct SpanDrawing {
     FrameObservers observers = {};
 };
 
-/// Draws spans of a face: as blocks, or with a division at each pixel where the settings ask for that, or where bounded
-/// blocks would be so short that it is cheaper. Changes nothing but pixels, the scratch and what observers keep:
-/// several may do it at once.
+/// Draws spans of a face, those that its cutting is for or some of them: as blocks, or with a division at each pixel
+/// where the settings ask for that, or where bounded blocks would be so short that it is cheaper. Changes nothing but
+/// pixels, the scratch and what observers keep: several may do it at once.
 void draw_textured(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing);
 
 /// Scratch of a view's surfaces.
@@ -85,16 +92,16 @@ struct SurfaceScratch {
 
 /// Draws spans of a face with its surface: texture, light, mip levels. Where threads share in the frame
 /// (SharedDrawing), they are handed over.
-void draw_surface(const ClaimedFace& claimed, std::span<const Span> spans, const SurfaceDrawing& drawing,
+void draw_surface(const VisibleFace& claimed, std::span<const Span> spans, const SurfaceDrawing& drawing,
                   const FrameContext& frame, ViewScratch& scratch);
 /// Draws all spans of some faces so.
-void draw_surfaces(std::span<const ClaimedFace> faces, const SurfaceDrawing& drawing, const FrameContext& frame,
+void draw_surfaces(std::span<const VisibleFace> faces, const SurfaceDrawing& drawing, const FrameContext& frame,
                    ViewScratch& scratch);
 
 /// Draws the walls that were not drawn since their list was begun: perhaps while it grows.
 void draw_walls(const FrameContext& frame, ViewScratch& scratch);
 
-/// 1/z of a face over the screen, in as many bits as the settings keep.
+/// 1/z of a face that owns pixels, in as many bits as the settings keep.
 LinearQuantity<InverseZ> inverse_z_of(const VisibleFace& face, const FrameContext& frame);
 
 }  // namespace oblong

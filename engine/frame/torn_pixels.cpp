@@ -90,13 +90,14 @@ class Rays {
     World reach_;
 };
 
-/// How far a face is from a place: to its nearest corner.
-WorldWide distance_of(const Level& level, const Face& face, const Vec3<World>& place) {
+/// How far a face is from a place: to its nearest corner. One that is farther than `farthest` may be any such distance.
+WorldWide distance_of(const Level& level, const Face& face, const Vec3<World>& place, WorldWide farthest) {
     WorldWide nearest = WorldWide::highest();
-    for (const SurfEdge step : level.edges_of(face))
-        nearest = std::min(
-            nearest,
-            length(saturating_convert<World>(widening_difference(level.vertices[level.start_of(step)], place))));
+    for (const SurfEdge step : level.edges_of(face)) {
+        const Vec3<WorldWide> way = widening_difference(level.vertices[level.start_of(step)], place);
+        if (std::max({absolute(way.x), absolute(way.y), absolute(way.z)}) > farthest) continue;
+        nearest = std::min(nearest, length(saturating_convert<World>(way)));
+    }
     return nearest;
 }
 
@@ -106,27 +107,67 @@ bool is_along(const LevelPlane& a, const LevelPlane& b) {
     return absolute(dot(a.normal, b.normal)) > Sine60::from_raw(std::int64_t{1} << 59);
 }
 
-/// The face whose texture goes on where a wall has none: of those on the wall's plane the nearest to the open before
-/// it, unless one on another plane is nearer by kOtherPlane. None: no face will do.
-FaceIndex find_continued(const Level& level, const OpenEnd& end, bool is_back) {
-    constexpr WorldWide kOtherPlane = WorldWide::from_int(256);
-    const PlaneIndex plane = level.nodes[end.node].plane;
-    const Vec3<World> place = middle_of(level.leaves[end.from].box);
-    FaceIndex best = FaceIndex::none();
-    WorldWide least = WorldWide::highest();
-    for (const FaceIndex index : level.world().faces) {
-        const Face& face = level.faces[index];
-        if (level.texinfos[face.texinfo].material != (end.is_sky ? Material::Sky : Material::Lit)) continue;
-        const bool is_on_it = face.plane == plane && face.is_back == is_back;
-        if (!is_on_it && !is_along(level.planes[face.plane], level.planes[plane])) continue;
-        WorldWide distance = distance_of(level, face, place);
-        if (!is_on_it) distance = distance + kOtherPlane;
-        if (distance >= least) continue;
-        least = distance;
-        best = index;
+/// Searches the tree for the face whose texture goes on where a wall has none: of those on the wall's plane the nearest
+/// to the open before it, unless one on another plane is nearer by kOtherPlane. The search goes nearer sides first and
+/// leaves out what is too far away.
+class ContinuedFaceSearch {
+  public:
+    ContinuedFaceSearch(const Level& level, const OpenEnd& end, bool is_back)
+        : level_(level),
+          plane_(level.nodes[end.node].plane),
+          is_back_(is_back),
+          material_(end.is_sky ? Material::Sky : Material::Lit),
+          place_(middle_of(level.leaves[end.from].box)) {}
+
+    /// None: no face will do.
+    FaceIndex find() {
+        search(level_.world().root);
+        return best_;
     }
-    return best;
-}
+
+  private:
+    static constexpr WorldWide kOtherPlane = WorldWide::from_int(256);
+
+    void search(NodeChild at) {
+        if (at.is_leaf()) return;
+        const Node& node = level_.nodes[at.node()];
+        if (is_too_far(node.box)) return;
+        const bool is_behind = plane_distance(level_.planes[node.plane], place_) < PlaneDistance{};
+        search(node.children[is_behind]);
+        for (const FaceIndex face : node.faces) look_at(face);
+        search(node.children[!is_behind]);
+    }
+
+    void look_at(FaceIndex index) {
+        const Face& face = level_.faces[index];
+        if (level_.texinfos[face.texinfo].material != material_) return;
+        const bool is_on_it = face.plane == plane_ && face.is_back == is_back_;
+        if (!is_on_it && !is_along(level_.planes[face.plane], level_.planes[plane_])) return;
+        const WorldWide more = is_on_it ? WorldWide{} : kOtherPlane, farthest = least_ - more;
+        const WorldWide distance = distance_of(level_, face, place_, farthest);
+        if (distance > farthest || (distance == farthest && index > best_)) return;
+        least_ = distance + more;
+        best_ = index;
+    }
+
+    /// Boxes are rounded to whole units: a face may reach beyond its node's by one.
+    bool is_too_far(const LevelBox& box) const {
+        const auto is_off = [&](std::int32_t least, std::int32_t most, World at) {
+            const WorldWide off = convert<WorldWide>(at);
+            return WorldWide::from_int(least - 1) - off > least_ || off - WorldWide::from_int(most + 1) > least_;
+        };
+        return is_off(box.mins[0], box.maxs[0], place_.x) || is_off(box.mins[1], box.maxs[1], place_.y) ||
+               is_off(box.mins[2], box.maxs[2], place_.z);
+    }
+
+    const Level& level_;
+    PlaneIndex plane_;
+    bool is_back_;
+    Material material_;
+    Vec3<World> place_;
+    FaceIndex best_ = FaceIndex::none();
+    WorldWide least_ = WorldWide::highest();
+};
 
 /// The same, looked up where it was asked for before.
 FaceIndex continued_face(const OpenEnd& end, bool is_back, const FrameContext& frame) {
@@ -134,7 +175,7 @@ FaceIndex continued_face(const OpenEnd& end, bool is_back, const FrameContext& f
     auto& kept = frame.cache.continued_faces;
     if (kept.size() >= kMostKept) kept.clear();
     const auto [found, is_new] = kept.try_emplace({end.from.number(), end.node.number()});
-    if (is_new) found->second = find_continued(frame.scene.level, end, is_back);
+    if (is_new) found->second = ContinuedFaceSearch(frame.scene.level, end, is_back).find();
     return found->second;
 }
 
@@ -149,7 +190,8 @@ void claim(const Span& span, const OpenEnd& end, const FrameContext& frame, View
     if (face == FaceIndex::none()) return claims.left_free.push_back(span);
     if (!end.is_sky) return claims.torn.push_back({span, plane, is_back, face, end.place});
     claims.spans.push_back(span);
-    add_claimed({{face}, 0, 0, {}, {}}, claims.spans.size() - 1, frame, claims);
+    VisibleFace sky{.face = face};
+    add_claimed(sky, claims.spans.size() - 1, frame, claims);
 }
 
 /// The same of a span between whose ends, which are known, several things may stand: halves it until both ends show
@@ -168,11 +210,6 @@ Face wall_of(const TornSpan& torn, const Level& level) {
     wall.plane = torn.plane;
     wall.is_back = torn.is_back;
     return wall;
-}
-
-TextureGradients gradients_of_wall(const TornSpan& torn, const FaceSurface& surface, const FrameContext& frame) {
-    const Level& level = frame.scene.level;
-    return make_face_gradients(level, wall_of(torn, level), surface, {}, frame.view, frame.inverse_projection);
 }
 
 /// A multiple of a texture's size some 32,768 texels before the place: texels from there on are positive.
@@ -195,12 +232,13 @@ class TornDrawing {
         const TexInfo& texinfo = level_.texinfos[face_.texinfo];
         surface_.origin_u = origin_near(texinfo.s, texinfo.s_offset, torn.place, texture_.width);
         surface_.origin_v = origin_near(texinfo.t, texinfo.t_offset, torn.place, texture_.height);
-        const auto inverse_z = inverse_z_of(torn, frame);
+        const PlaneInverseZ inverse_z = inverse_z_of(torn, frame);
         const InverseZ nearest = std::max({inverse_z.at(torn.span.first, torn.span.y),
                                            inverse_z.at(torn.span.end - 1, torn.span.y), InverseZ::ulp()});
         surface_.mip = frame.cache.surfaces.mip_level(torn.face, reciprocal<View>(nearest), frame.view.projection.x,
                                                       frame.accuracy().mip_bias);
-        gradients_ = gradients_of_wall(torn, surface_, frame);
+        gradients_ = make_face_gradients(level_, wall_of(torn, level_), surface_, {}, inverse_z, frame.view,
+                                         frame.inverse_projection);
     }
 
     std::uint8_t colour_at(std::int32_t column, std::int32_t row) const {
@@ -254,15 +292,16 @@ void claim_torn_pixels(const FrameContext& frame, ViewScratch& scratch) {
 void draw_torn_pixels(const FrameContext& frame, ViewScratch& scratch) {
     fill_spans(scratch.claims.left_free, 0, frame.out);
     for (const TornSpan& torn : scratch.claims.torn) {
-        note_spans({torn.face}, {&torn.span, 1}, frame.out, frame.observers);
+        note_spans({.face = torn.face}, {&torn.span, 1}, frame.out, frame.observers);
         const TornDrawing drawing(torn, frame, scratch);
         std::uint8_t* const row = frame.out.row(torn.span.y);
         for (std::int32_t x = torn.span.first; x < torn.span.end; ++x) row[x] = drawing.colour_at(x, torn.span.y);
     }
 }
 
-LinearQuantity<InverseZ> inverse_z_of(const TornSpan& torn, const FrameContext& frame) {
-    return gradients_of_wall(torn, FaceSurface{}, frame).inverse_z;
+PlaneInverseZ inverse_z_of(const TornSpan& torn, const FrameContext& frame) {
+    const Level& level = frame.scene.level;
+    return make_face_inverse_z(level, wall_of(torn, level), {}, frame.view, frame.inverse_projection);
 }
 
 }  // namespace oblong

@@ -16,6 +16,6 @@ void claim_torn_pixels(const FrameContext& frame, ViewScratch& scratch);
 void draw_torn_pixels(const FrameContext& frame, ViewScratch& scratch);
 
 /// 1/z of the wall that a torn span shows.
-LinearQuantity<InverseZ> inverse_z_of(const TornSpan& torn, const FrameContext& frame);
+PlaneInverseZ inverse_z_of(const TornSpan& torn, const FrameContext& frame);
 
 }  // namespace oblong

@@ -21,7 +21,7 @@ struct WireEdge {
 std::vector<WireEdge> edges_of_claims(const Level& level, const FrameWorkspace& work) {
     std::vector<WireEdge> edges;
     for (const auto& list : work.view.claims.lists)
-        for (const ClaimedFace& claimed : list) {
+        for (const VisibleFace& claimed : list) {
             const Vec3<World> offset = work.cache.brush_models.offset_of(claimed.fragment);
             for (const SurfEdge& step : level.edges_of(level.faces[claimed.face])) edges.push_back({step.edge, offset});
         }

@@ -14,12 +14,14 @@ namespace {
 /// Sets the plane of a face from its front.
 void set_plane(const FrameContext& frame, ScannedFace& scanned) {
     const Level& level = frame.scene.level;
-    const Face& face = level.faces[scanned.visible.face];
+    const Face& face = level.faces[scanned.face];
     const LevelPlane& plane = level.planes[face.plane];
-    const PlaneDistance distance = plane_distance(plane, frame.view.eye - frame.offset_of(scanned.visible));
+    const PlaneDistance distance = plane_distance(plane, frame.view.eye - frame.offset_of(scanned));
     scanned.normal = face.is_back ? -plane.normal : plane.normal;
     scanned.eye_distance = face.is_back ? -distance : distance;
-    scanned.inverse_z = inverse_z_of(scanned.visible, frame);
+    scanned.inverse_z =
+        make_face_inverse_z(level, face, frame.offset_of(scanned), frame.view, frame.inverse_projection);
+    scanned.inverse_z = {inverse_z_of(scanned, frame), {}};
 }
 
 }  // namespace
@@ -30,14 +32,15 @@ void HiddenSurfaceMethod::claim(const FrameContext& frame, ViewScratch& scratch)
     scanned_.clear();
     bool are_kept = true;
     FaceScan faces(frame, scratch);
-    while (const std::optional<VisibleFace> face = faces.next()) {
+    VisibleFace face;
+    while (faces.next(face)) {
         if (!faces.is_second_walk()) {
-            keep(*face, frame, scratch);
+            keep(face, frame, scratch);
             continue;
         }
         if (are_kept) claim_owned(frame, scratch);
         are_kept = false;
-        claim_face(*face, true, frame, scratch);
+        claim_face(face, true, frame, scratch);
     }
     if (are_kept) claim_owned(frame, scratch);
 }
@@ -46,7 +49,7 @@ void HiddenSurfaceMethod::claim(const FrameContext& frame, ViewScratch& scratch)
 void HiddenSurfaceMethod::keep(const VisibleFace& face, const FrameContext& frame, ViewScratch& scratch) {
     const EffectSet needs = frame.cache.faces.faces[face.face].effects;
     ScannedFace scanned;
-    scanned.visible = face;
+    static_cast<VisibleFace&>(scanned) = face;
     scanned.nearest_z = scratch.polygon.nearest_z;
     scanned.farthest_z = scratch.polygon.farthest_z;
     scanned.is_seen_through = list_for(needs, frame.settings.allowed_effects) == FaceList::SeeThrough;
@@ -92,7 +95,8 @@ void HiddenSurfaceMethod::claim_runs(const ScannedFace& face, std::span<const Ow
         else
             scratch.span_buffer.claim(span.y, span.first, span.end, claims.spans);
     }
-    add_claimed({face.visible, 0, 0, face.nearest_z, face.farthest_z}, first, frame, claims);
+    VisibleFace claimed = face;
+    add_claimed(claimed, first, frame, claims);
 }
 
 /// Claims each pixel for the face that owns it. What has no owner stays free in the span buffer.

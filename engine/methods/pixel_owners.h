@@ -12,12 +12,9 @@
 namespace oblong {
 
 /// A face that was scanned without asking what hides it.
-struct ScannedFace {
-    VisibleFace visible{};
-    std::uint32_t first_span = 0, span_count = 0;      ///< in ScannedFaces::spans: all pixels that it covers
-    View nearest_z, farthest_z;                        ///< of the part in view
+/// Its spans are all pixels that it covers, in ScannedFaces::spans.
+struct ScannedFace : VisibleFace {
     bool is_seen_through = false;                      ///< hides nothing, but may be hidden
-    LinearQuantity<InverseZ> inverse_z;                ///< of its plane
     Vec3<Unit> normal;                                 ///< of its plane, toward its front
     PlaneDistance eye_distance;                        ///< of the eye in front of it; 0 or less: it faces away
     std::uint32_t first_corner = 0, corner_count = 0;  ///< in ScannedFaces::from_eye

@@ -15,7 +15,7 @@ std::vector<std::int32_t> in_file_order(const ScannedFaces& scanned) {
     std::vector<std::int32_t> order(scanned.faces.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-        return item(scanned.faces, a).visible.face < item(scanned.faces, b).visible.face;
+        return item(scanned.faces, a).face < item(scanned.faces, b).face;
     });
     return order;
 }

@@ -8,6 +8,7 @@
 #include "engine/raster/block_steps.h"
 #include "engine/raster/kernels/kernels.h"
 #include "engine/raster/octave_row.h"
+#include "engine/raster/perspective.h"
 
 namespace oblong {
 
@@ -17,17 +18,6 @@ namespace {
 std::uint8_t texel_from(const SurfaceView& surface, std::uint32_t u, std::uint32_t v) {
     return surface.texels[((v & surface.v_mask) << surface.stride_log2) + (u & surface.u_mask)];
 }
-
-/// 1/z, u/z and v/z from a pixel on.
-struct RowPosition {
-    InverseZ inverse_z;
-    TexelOverZ u_over_z, v_over_z;
-
-    RowPosition(const TextureGradients& gradients, std::int32_t column, std::int32_t row)
-        : inverse_z(gradients.inverse_z.at(column, row)),
-          u_over_z(gradients.u_over_z.at(column, row)),
-          v_over_z(gradients.v_over_z.at(column, row)) {}
-};
 
 /// Whether u or v at a pixel is so far within its limits that rounding can't reach them. The limits are linear in 1/z:
 /// what holds at both ends of a run holds between.
@@ -40,7 +30,7 @@ bool is_well_within(TexelOverZ over_z, InverseZ inverse_z, int shift, Texel leas
     return texel_z >= (least + kMargin).raw * z && texel_z <= (greatest - kMargin).raw * z;
 }
 
-bool is_well_within(const RowPosition& at, int shift, const TexelLimits& limits) {
+bool is_well_within(const Perspective& at, int shift, const TexelLimits& limits) {
     return is_well_within(at.u_over_z, at.inverse_z, shift, limits.least, limits.greatest_u) &&
            is_well_within(at.v_over_z, at.inverse_z, shift, limits.least, limits.greatest_v);
 }
@@ -166,18 +156,14 @@ std::int64_t draw_clamped(const Octave& octave, std::int32_t row, const TextureG
     return octave.end - octave.first;
 }
 
-/// Over a row of 4,096 pixels such steps do not wrap: values between two ends are between them.
-bool is_gentle(const TextureGradients& gradients) {
-    constexpr auto kSteepest = TexelOverZ::from_raw(std::int64_t{1} << 48);
-    const TexelOverZ u = gradients.u_over_z.per_column, v = gradients.v_over_z.per_column;
-    return u < kSteepest && u > -kSteepest && v < kSteepest && v > -kSteepest;
-}
-
 bool needs_no_clamp(const Octave& octave, std::int32_t row, const TextureGradients& gradients,
                     const TexelLimits& limits) {
-    return octave.shift >= 0 && is_gentle(gradients) &&
-           is_well_within(RowPosition(gradients, octave.first, row), octave.shift, limits) &&
-           is_well_within(RowPosition(gradients, octave.end - 1, row), octave.shift, limits);
+    // Over a row of 4,096 pixels such steps do not wrap: values between two ends are between them.
+    constexpr auto kSteepest = TexelOverZ::from_raw(std::int64_t{1} << 48);
+    return octave.shift >= 0 && is_within(gradients.u_over_z.per_column, kSteepest) &&
+           is_within(gradients.v_over_z.per_column, kSteepest) &&
+           is_well_within(Perspective(gradients, octave.first, row), octave.shift, limits) &&
+           is_well_within(Perspective(gradients, octave.end - 1, row), octave.shift, limits);
 }
 
 /// Calls draw(octave, row, pixels) where nothing has to be clamped. colour_at(position) is a pixel's of the others.

@@ -33,10 +33,10 @@ bool is_below_7_times(const Slopes& over_z, const Slopes& z) {
 /// first value that is small is no wrapped one, as values inside the polygon, less than 2^57 away, fit their format.
 template <class Value>
 bool is_gentle(const LinearQuantity<Value>& quantity, const Slopes& slopes) {
-    constexpr std::int64_t kSteepest = std::int64_t{1} << 44, kLargest = std::int64_t{1} << 59;
-    const auto is_within = [](std::int64_t value, std::int64_t most) { return value < most && value > -most; };
-    return is_within(quantity.per_column.raw, kSteepest) && is_within(quantity.per_row.raw, kSteepest) &&
-           is_within(slopes.first, kLargest);
+    constexpr Value kSteepest = Value::from_raw(std::int64_t{1} << 44),
+                    kLargest = Value::from_raw(std::int64_t{1} << 59);
+    return is_within(quantity.per_column, kSteepest) && is_within(quantity.per_row, kSteepest) &&
+           is_within(Value::from_raw(slopes.first), kLargest);
 }
 
 }  // namespace

@@ -210,33 +210,27 @@ FaceSurface FaceSurfaces::tiled(const Face& face, int mip, const MipTexture& tex
     return surface;
 }
 
-TextureGradients make_face_gradients(const Level& level, const Face& face, const FaceSurface& surface,
-                                     const Vec3<World>& offset, const ViewContext& view,
-                                     const InverseProjection& inverse_projection) {
-    const TexInfo& texinfo = level.texinfos[face.texinfo];
-    const Vec3<World> eye = view.eye - offset;
-    const LevelPlane& plane = level.planes[face.plane];
-    TexturedPlane textured;
-    textured.normal = normal_of(plane, face.is_back);
-    textured.eye_distance = distance_before(plane, face.is_back, eye);
-    textured.s = texinfo.s;
-    textured.t = texinfo.t;
-    textured.eye_u = eye_texel(texinfo.s, texinfo.s_offset, eye) - Texel::from_int(surface.origin_u);
-    textured.eye_v = eye_texel(texinfo.t, texinfo.t_offset, eye) - Texel::from_int(surface.origin_v);
-    textured.mip = surface.mip;
-    if (view.is_parallel())
-        return make_parallel_gradients(textured, view.rays, view.parallel_depth, inverse_projection);
-    textured.eye_distance = std::max(textured.eye_distance, kLeastDistance);
-    return make_texture_gradients(textured, view.rays, inverse_projection);
-}
-
-LinearQuantity<InverseZ> make_face_inverse_z(const Level& level, const Face& face, const Vec3<World>& offset,
-                                             const ViewContext& view, const InverseProjection& inverse_projection) {
-    if (view.is_parallel()) return {reciprocal<InverseZ>(view.parallel_depth), {}, {}};
+PlaneInverseZ make_face_inverse_z(const Level& level, const Face& face, const Vec3<World>& offset,
+                                  const ViewContext& view, const InverseProjection& inverse_projection) {
+    if (view.is_parallel()) return {{reciprocal<InverseZ>(view.parallel_depth), {}, {}}, {}};
     const LevelPlane& plane = level.planes[face.plane];
     const PlaneDistance distance = distance_before(plane, face.is_back, view.eye - offset);
     return make_inverse_z(normal_of(plane, face.is_back), std::max(distance, kLeastDistance), view.rays,
                           inverse_projection);
+}
+
+TextureGradients make_face_gradients(const Level& level, const Face& face, const FaceSurface& surface,
+                                     const Vec3<World>& offset, const PlaneInverseZ& inverse_z, const ViewContext& view,
+                                     const InverseProjection& inverse_projection) {
+    const TexInfo& texinfo = level.texinfos[face.texinfo];
+    const Vec3<World> eye = view.eye - offset;
+    const TextureAxes axes{
+        texinfo.s, texinfo.t, eye_texel(texinfo.s, texinfo.s_offset, eye) - Texel::from_int(surface.origin_u),
+        eye_texel(texinfo.t, texinfo.t_offset, eye) - Texel::from_int(surface.origin_v), surface.mip};
+    if (!view.is_parallel()) return make_texture_gradients(axes, inverse_z, view.rays, inverse_projection);
+    const LevelPlane& plane = level.planes[face.plane];
+    return make_parallel_gradients(axes, normal_of(plane, face.is_back), distance_before(plane, face.is_back, eye),
+                                   inverse_z.origin, view.rays, inverse_projection);
 }
 
 }  // namespace oblong

@@ -86,13 +86,13 @@ class FaceSurfaces {
     std::int64_t built_texels_ = 0, built_surfaces_ = 0;
 };
 
-/// The screen gradients of a face's surface (make_texture_gradients), with the face moved by `offset`.
-TextureGradients make_face_gradients(const Level& level, const Face& face, const FaceSurface& surface,
-                                     const Vec3<World>& offset, const ViewContext& view,
-                                     const InverseProjection& inverse_projection);
+/// 1/z of a face over the screen, its model moved by `offset`.
+PlaneInverseZ make_face_inverse_z(const Level& level, const Face& face, const Vec3<World>& offset,
+                                  const ViewContext& view, const InverseProjection& inverse_projection);
 
-/// 1/z of the same alone: the first of those gradients, which depends on no surface.
-LinearQuantity<InverseZ> make_face_inverse_z(const Level& level, const Face& face, const Vec3<World>& offset,
-                                             const ViewContext& view, const InverseProjection& inverse_projection);
+/// The screen gradients of the same face's surface; `inverse_z` is make_face_inverse_z().
+TextureGradients make_face_gradients(const Level& level, const Face& face, const FaceSurface& surface,
+                                     const Vec3<World>& offset, const PlaneInverseZ& inverse_z, const ViewContext& view,
+                                     const InverseProjection& inverse_projection);
 
 }  // namespace oblong

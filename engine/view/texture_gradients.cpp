@@ -26,14 +26,13 @@ auto rotate_to_view(const Vec3<Fixed<std::int32_t, Frac>>& world, const Basis& a
 }
 
 template <class Value>
-LinearQuantity<Value> anchor_at_centre(Value ahead, Value per_column, Value per_row,
-                                       const InverseProjection& projection) {
+LinearQuantity<Value> anchor_at_centre(const ViewSlope<Value>& slope, const InverseProjection& projection) {
     // Half-pixel steps from the optical centre to the centre of pixel (0, 0), whose own centre is one half-pixel in.
     const auto halves = [](Value step, std::int32_t centre_1) {
         return product<Value>(step, Fixed<std::int32_t, 1>::from_raw(1 - centre_1), Rounding::Floor);
     };
-    const Value at_first_column = stepped(ahead, halves(per_column, projection.centre_x_1), 1);
-    return {stepped(at_first_column, halves(per_row, projection.centre_y_1), 1), per_column, per_row};
+    const Value at_first_column = stepped(slope.ahead, halves(slope.x, projection.centre_x_1), 1);
+    return {stepped(at_first_column, halves(slope.y, projection.centre_y_1), 1), slope.x, slope.y};
 }
 
 /// 1 / D as a number of 63 bits and a scale.
@@ -52,14 +51,6 @@ struct DistanceReciprocal {
     }
 };
 
-ViewSlope<InverseZ> inverse_z_slope(const Vec3<Unit>& world_normal, PlaneDistance eye_distance, const Basis& rays,
-                                    const InverseProjection& projection) {
-    const auto normal = rotate_to_view<"normal in view axes">(world_normal, rays);
-    const DistanceReciprocal over_distance(eye_distance);
-    return {over_distance.times(-product<Sine60>(normal.x, projection.inverse_x)),
-            over_distance.times(product<Sine60>(normal.y, projection.inverse_y)), over_distance.times(-normal.ahead)};
-}
-
 LinearQuantity<TexelOverZ> texel_quantity(const Vec3<TexelAxis>& world_axis, Texel eye_texel,
                                           const ViewSlope<InverseZ>& inverse_z, const Basis& axes,
                                           const InverseProjection& projection, int mip) {
@@ -69,9 +60,10 @@ LinearQuantity<TexelOverZ> texel_quantity(const Vec3<TexelAxis>& world_axis, Tex
         return floor_shift(sum, mip);
     };
     const auto axis = rotate_to_view<"texture axis in view axes">(world_axis, axes);
-    return anchor_at_centre(with_eye(convert<TexelOverZ>(axis.ahead), inverse_z.ahead),
-                            with_eye(product<TexelOverZ>(axis.x, projection.inverse_x), inverse_z.x),
-                            with_eye(product<TexelOverZ>(-axis.y, projection.inverse_y), inverse_z.y), projection);
+    const ViewSlope<TexelOverZ> slope{with_eye(product<TexelOverZ>(axis.x, projection.inverse_x), inverse_z.x),
+                                      with_eye(product<TexelOverZ>(-axis.y, projection.inverse_y), inverse_z.y),
+                                      with_eye(convert<TexelOverZ>(axis.ahead), inverse_z.ahead)};
+    return anchor_at_centre(slope, projection);
 }
 
 /// sec a is the root of 1 and the squares of both tangents; such a root is at most the greatest of the three and half
@@ -88,14 +80,22 @@ WidthAtOne least_pixel_width(const InverseProjection& inverse, Unit shear_x, Uni
                                     secant);
 }
 
+/// A plane in a parallel view.
+struct ParallelPlane {
+    const Vec3<Unit>& normal;
+    PlaneDistance eye_distance;
+    InverseZ inverse_z;
+    const Basis& rays;
+};
+
 /// u/z or v/z where 1/z is constant: along the surface, not along the texture's axis, whose part along the rays is
 /// taken off in the plane's own slope.
-LinearQuantity<TexelOverZ> parallel_quantity(const Vec3<TexelAxis>& axis, Texel eye_texel, const TexturedPlane& plane,
-                                             const Basis& rays, InverseZ inverse_z,
-                                             const InverseProjection& projection) {
+LinearQuantity<TexelOverZ> parallel_quantity(const Vec3<TexelAxis>& axis, Texel eye_texel, int mip,
+                                             const ParallelPlane& plane, const InverseProjection& projection) {
     using Slope = Fixed<std::int64_t, 32>;  // texels per unit of distance from the plane
     // Edge-on, or turned round by rounding to the screen: for such a sliver any steep view of the plane will do.
     constexpr auto kLeastFacing = Sine60::from_raw(std::int64_t{1} << 40);
+    const Basis& rays = plane.rays;
     const Sine60 facing = std::max(-dot(plane.normal, rays.forward), kLeastFacing);
     const auto per_distance =
         product_over<Slope>(dot(axis, rays.forward), Fixed<std::int64_t, 39>::from_int(1), facing);
@@ -103,10 +103,11 @@ LinearQuantity<TexelOverZ> parallel_quantity(const Vec3<TexelAxis>& axis, Texel 
         return convert<TexelOverZ>(dot(axis, ray)) + product<TexelOverZ>(per_distance, dot(plane.normal, ray));
     };
     const Texel ahead = eye_texel + product<Texel>(per_distance, plane.eye_distance);
-    const auto of_mip = [&](TexelOverZ value) { return floor_shift(value, plane.mip); };
-    return anchor_at_centre(of_mip(product<TexelOverZ>(ahead, inverse_z)),
-                            of_mip(product<TexelOverZ>(along(rays.right), projection.inverse_x)),
-                            of_mip(product<TexelOverZ>(-along(rays.up), projection.inverse_y)), projection);
+    const auto of_mip = [&](TexelOverZ value) { return floor_shift(value, mip); };
+    const ViewSlope<TexelOverZ> slope{of_mip(product<TexelOverZ>(along(rays.right), projection.inverse_x)),
+                                      of_mip(product<TexelOverZ>(-along(rays.up), projection.inverse_y)),
+                                      of_mip(product<TexelOverZ>(ahead, plane.inverse_z))};
+    return anchor_at_centre(slope, projection);
 }
 
 }  // namespace
@@ -121,26 +122,29 @@ InverseProjection make_inverse_projection(const Projection& projection, Unit she
     return inverse;
 }
 
-TextureGradients make_parallel_gradients(const TexturedPlane& plane, const Basis& rays, View depth,
-                                         const InverseProjection& projection) {
-    const auto inverse_z = reciprocal<InverseZ>(depth);
+PlaneInverseZ make_inverse_z(const Vec3<Unit>& normal, PlaneDistance eye_distance, const Basis& rays,
+                             const InverseProjection& projection) {
+    const auto in_view = rotate_to_view<"normal in view axes">(normal, rays);
+    const DistanceReciprocal over_distance(eye_distance);
+    const ViewSlope<InverseZ> slope{over_distance.times(-product<Sine60>(in_view.x, projection.inverse_x)),
+                                    over_distance.times(product<Sine60>(in_view.y, projection.inverse_y)),
+                                    over_distance.times(-in_view.ahead)};
+    return {anchor_at_centre(slope, projection), slope.ahead};
+}
+
+TextureGradients make_texture_gradients(const TextureAxes& axes, const PlaneInverseZ& inverse_z, const Basis& rays,
+                                        const InverseProjection& projection) {
+    const ViewSlope<InverseZ> slope{inverse_z.per_column, inverse_z.per_row, inverse_z.ahead};
+    return {inverse_z, texel_quantity(axes.s, axes.eye_u, slope, rays, projection, axes.mip),
+            texel_quantity(axes.t, axes.eye_v, slope, rays, projection, axes.mip)};
+}
+
+TextureGradients make_parallel_gradients(const TextureAxes& axes, const Vec3<Unit>& normal, PlaneDistance eye_distance,
+                                         InverseZ inverse_z, const Basis& rays, const InverseProjection& projection) {
+    const ParallelPlane plane{normal, eye_distance, inverse_z, rays};
     return {{inverse_z, {}, {}},
-            parallel_quantity(plane.s, plane.eye_u, plane, rays, inverse_z, projection),
-            parallel_quantity(plane.t, plane.eye_v, plane, rays, inverse_z, projection)};
-}
-
-TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& rays,
-                                        const InverseProjection& projection) {
-    const ViewSlope<InverseZ> inverse_z = inverse_z_slope(plane.normal, plane.eye_distance, rays, projection);
-    return {anchor_at_centre(inverse_z.ahead, inverse_z.x, inverse_z.y, projection),
-            texel_quantity(plane.s, plane.eye_u, inverse_z, rays, projection, plane.mip),
-            texel_quantity(plane.t, plane.eye_v, inverse_z, rays, projection, plane.mip)};
-}
-
-LinearQuantity<InverseZ> make_inverse_z(const Vec3<Unit>& normal, PlaneDistance eye_distance, const Basis& rays,
-                                        const InverseProjection& projection) {
-    const ViewSlope<InverseZ> inverse_z = inverse_z_slope(normal, eye_distance, rays, projection);
-    return anchor_at_centre(inverse_z.ahead, inverse_z.x, inverse_z.y, projection);
+            parallel_quantity(axes.s, axes.eye_u, axes.mip, plane, projection),
+            parallel_quantity(axes.t, axes.eye_v, axes.mip, plane, projection)};
 }
 
 }  // namespace oblong

@@ -29,30 +29,33 @@ struct InverseProjection {
 /// down: units at depth 1.
 InverseProjection make_inverse_projection(const Projection& projection, Unit shear_x = {}, Unit shear_y = {});
 
-/// A textured plane relative to the eye: everything that its gradients depend on, in world axes.
-struct TexturedPlane {
-    Vec3<Unit> normal;           ///< toward the eye
-    PlaneDistance eye_distance;  ///< of the eye in front of the plane, above 0 unless the view is parallel
-    Vec3<TexelAxis> s, t;        ///< texture axes
-    Texel eye_u, eye_v;          ///< texture coordinates of the eye's foot along s and t, relative to the surface
+/// How a texture lies on a plane, relative to the eye, in world axes.
+struct TextureAxes {
+    Vec3<TexelAxis> s, t;
+    Texel eye_u, eye_v;  ///< texture coordinates of the eye's foot along s and t, relative to the surface
     int mip = 0;
 };
 
-/// The same of a parallel view: 1/z is 1 / `depth` everywhere. With F along the rays, P = (X, Y, 0) on the screen's
-/// plane through the eye and D the eye's distance in front of the plane, the ray meets it after
+/// 1/z of a plane over the screen.
+struct PlaneInverseZ : LinearQuantity<InverseZ> {
+    InverseZ ahead{};  ///< at the optical centre
+};
+
+/// 1/z of a plane, from the plane itself and not from its vertices: every face of one plane gets the
+/// same bits (hard case E11). With p = z (X, Y, 1) on the plane, N the normal in viewspace and D the eye's distance in
+/// front of it, above 0, 1/z = -N . (X, Y, 1) / D. (Abrash, Black Book, ch. 66.) `rays` are the view's: p = X right +
+/// Y up + forward, times z.
+PlaneInverseZ make_inverse_z(const Vec3<Unit>& normal, PlaneDistance eye_distance, const Basis& rays,
+                             const InverseProjection& projection);
+
+/// The screen gradients of such a plane whose 1/z is known: u/z = S . (X, Y, 1) + eye_u / z.
+TextureGradients make_texture_gradients(const TextureAxes& axes, const PlaneInverseZ& inverse_z, const Basis& rays,
+                                        const InverseProjection& projection);
+
+/// The same of a parallel view, where 1/z is 1 / `depth` everywhere. With F along the rays, P = (X, Y, 0) on the
+/// screen's plane through the eye and D the eye's distance in front of the plane, the ray meets it after
 /// t = -(N . P depth + D) / N . F, so that u = S . P depth + eye_u + (S . F) t: linear, without a division.
-TextureGradients make_parallel_gradients(const TexturedPlane& plane, const Basis& rays, View depth,
-                                         const InverseProjection& projection);
-
-/// The screen gradients of 1/z, u/z and v/z of a plane, from the plane itself and not from its vertices: every face of
-/// one plane gets the same bits (hard case E11). With p = z (X, Y, 1) on the plane, N the normal in viewspace and D the
-/// eye's distance, 1/z = -N . (X, Y, 1) / D, and u/z = S . (X, Y, 1) + eye_u / z. (Abrash, Black Book,
-/// ch. 66, derives 1/z.) `rays` are the view's: p = X right + Y up + forward, times z.
-TextureGradients make_texture_gradients(const TexturedPlane& plane, const Basis& rays,
-                                        const InverseProjection& projection);
-
-/// 1/z of such a plane alone.
-LinearQuantity<InverseZ> make_inverse_z(const Vec3<Unit>& normal, PlaneDistance eye_distance, const Basis& rays,
-                                        const InverseProjection& projection);
+TextureGradients make_parallel_gradients(const TextureAxes& axes, const Vec3<Unit>& normal, PlaneDistance eye_distance,
+                                         InverseZ inverse_z, const Basis& rays, const InverseProjection& projection);
 
 }  // namespace oblong

@@ -55,18 +55,21 @@ void FrontToBackWalk::start() {
     descend(level_.world().root, kAllSides);
 }
 
-std::optional<VisibleFace> FrontToBackWalk::next() {
+bool FrontToBackWalk::next(VisibleFace& found) {
     while (!span_buffer_.is_full()) {
         if (!fragments_.empty()) {
-            const Fragment* const fragment = fragments_.front();
+            found.fragment = fragments_.front();
+            found.face = found.fragment->face;
             fragments_ = fragments_.subspan(1);
-            return VisibleFace{fragment->face, fragment};
+            return true;
         }
         for (IndexRange<Face> rest = faces_; rest.count > 0;) {
             const FaceIndex face = rest.take_first();
             if (!is_wanted(face)) continue;
             faces_ = rest;
-            return VisibleFace{face, nullptr};
+            found.fragment = nullptr;
+            found.face = face;
+            return true;
         }
         faces_.count = 0;
         if (!scratch_.steps.empty()) {
@@ -77,7 +80,7 @@ std::optional<VisibleFace> FrontToBackWalk::next() {
             start();
         }
     }
-    return std::nullopt;
+    return false;
 }
 
 bool FrontToBackWalk::is_wanted(FaceIndex face) const {

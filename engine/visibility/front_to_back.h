@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/level/level.h"
+#include "engine/view/texture_gradients.h"
 #include "engine/view/view_context.h"
 #include "engine/visibility/box_culler.h"
 #include "engine/visibility/brush_models.h"
@@ -32,10 +33,14 @@ struct WalkScratch {
     std::uint32_t mark = 0;
 };
 
-/// A face that a walk has come to.
+/// A face that a walk has come to. The rest is known where it owns pixels, or sees through to those behind it
+/// (frame/claims.h).
 struct VisibleFace {
     FaceIndex face;
     const Fragment* fragment = nullptr;  ///< the part of a brush model's face that it is; null: a face of the world
+    std::uint32_t first_span = 0, span_count = 0;  ///< in Claims
+    View nearest_z{}, farthest_z{};                ///< of the face's part in view
+    PlaneInverseZ inverse_z{};
 };
 
 /// One side of a plane, beyond which a walk does not go: what a mirror shows is before it, and what a cut keeps.
@@ -74,8 +79,8 @@ class FrontToBackWalk {
                     const SpanBuffer& span_buffer, WalkScratch& scratch, std::span<const WalkLimit> limits = {},
                     bool is_closed = true);
 
-    /// The next face; none when no pixel is free, or no face is left.
-    std::optional<VisibleFace> next();
+    /// Sets `found` to the next face: which it is, and nothing else. False when no pixel is free, or no face is left.
+    bool next(VisibleFace& found);
     /// Whether the second walk has begun.
     bool takes_all_faces() const { return takes_all_faces_; }
     /// How many nodes it has entered: those in sight of the eye's leaf.

@@ -65,27 +65,20 @@ TEST(Architecture, NoFunctionOfTheEngineIsForTestsAlone) {
     EXPECT_EQ(joined(find_unused_functions(files)), "");
 }
 
-TEST(Architecture, CMakeLinksTheEngineByTheSameList) {
-    const std::vector<Room> linked = parse_cmake_rooms(read_text(kRoot / "engine/CMakeLists.txt"), "engine/");
-    std::vector<Room> listed;
-    for (const Room& room : project_rooms())
-        if (room.folder.starts_with("engine/")) listed.push_back(room);
-    ASSERT_EQ(linked.size(), listed.size());
-    for (std::size_t i = 0; i < linked.size(); ++i) EXPECT_EQ(linked[i], listed[i]) << linked[i].folder;
-}
-
-// But for what they link of the engine and the tools.
-TEST(Architecture, CMakeLinksTheGameByTheSameList) {
-    const auto of_game = [](Room room) {
-        std::erase_if(room.depends, [](const std::string& folder) { return !folder.starts_with("game/"); });
-        return room;
-    };
-    std::vector<Room> listed;
-    for (const Room& room : project_rooms())
-        if (room.folder.starts_with("game/")) listed.push_back(of_game(room));
-    const std::vector<Room> linked = parse_cmake_rooms(read_text(kRoot / "game/CMakeLists.txt"), "game/");
-    ASSERT_EQ(linked.size(), listed.size());
-    for (std::size_t i = 0; i < linked.size(); ++i) EXPECT_EQ(of_game(linked[i]), listed[i]) << linked[i].folder;
+// But for what the game links of the engine and the tools.
+TEST(Architecture, CMakeLinksTheEngineAndTheGameByTheSameList) {
+    for (const std::string top : {"engine/", "game/"}) {
+        const auto of_top = [&](Room room) {
+            std::erase_if(room.depends, [&](const std::string& folder) { return !folder.starts_with(top); });
+            return room;
+        };
+        std::vector<Room> listed;
+        for (const Room& room : project_rooms())
+            if (room.folder.starts_with(top)) listed.push_back(of_top(room));
+        const std::vector<Room> linked = parse_cmake_rooms(read_text(kRoot / top / "CMakeLists.txt"), top);
+        ASSERT_EQ(linked.size(), listed.size());
+        for (std::size_t i = 0; i < linked.size(); ++i) EXPECT_EQ(of_top(linked[i]), listed[i]) << linked[i].folder;
+    }
 }
 
 // What the oldest library lacks that the project is compiled with: LLVM 13's, by Debian's WebAssembly compiler.

@@ -1,3 +1,6 @@
+#include <map>
+#include <sstream>
+
 #include "tests/bad_input/run_program.h"
 #include "tests/support/folders.h"
 
@@ -129,8 +132,9 @@ TEST_F(BadRender, FileNamesOfNoUtf8AreReported) {
 
 TEST_F(BadRender, PlacesThatCannotBeWritten) {
     const std::string file = folder_.write("file", std::string("in the way"));
-    EXPECT_TRUE(names_fault(render(kLevel, {"--json", "/dev/full"}), kProgram, "/dev/full", "No space left"));
-    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+    const std::string full = device_for_writing(folder_.path(), "full");
+    EXPECT_TRUE(names_fault(render(kLevel, {"--json", full}), kProgram, full, "No space left"));
+    EXPECT_TRUE(std::filesystem::is_character_file(full));
     EXPECT_TRUE(names_fault(render(kLevel, {"--json", folder_.path("no/such/a.json")}), kProgram,
                             folder_.path("no/such/a.json"), "No such file or directory"));
     EXPECT_TRUE(names_fault(render(kLevel, {"--out", file}), kProgram, file, "make folder"));
@@ -138,53 +142,37 @@ TEST_F(BadRender, PlacesThatCannotBeWritten) {
 }
 
 TEST_F(BadRender, WrongUsageExitsWith2) {
-    const std::vector<std::vector<std::string>> wrong = {{"--zoom", "2"},
-                                                         {"--mode", "320"},
-                                                         {"--mode", "0x200"},
-                                                         {"--mode", "320x200x8"},
-                                                         {"--mode", "-320x200"},
-                                                         {"--mode", "9999x200"},
-                                                         {"--display", "4"},
-                                                         {"--display", "4:0"},
-                                                         {"--fov", "0"},
-                                                         {"--fov", "180"},
-                                                         {"--fov", "nan"},
-                                                         {"--log", "clips"},
-                                                         {"--log", "clip,"},
-                                                         {"--brightness", "0"},
-                                                         {"--fov", "-90"},
-                                                         {"--mode", "8x8", "--fov", "179"},
-                                                         {"--accuracy", "2001"},
-                                                         {"--repeat", "0"},
-                                                         {"--repeat", "x"},
-                                                         {"--effects", "smoke"},
-                                                         {"--hidden-surfaces", "edge-list"},
-                                                         {"--hidden-surfaces", "z-buffer", "--view", "isometric"},
-                                                         {"--texel-error", "-1"},
-                                                         {"--kernel", "fastest"},
-                                                         {"--threads", "0"},
-                                                         {"--texel-error", "a lot"},
-                                                         {"--time", "noon"},
-                                                         {"--time", "inf"},
-                                                         {"--time", "-1"},
-                                                         {"--time-step", "61"},
-                                                         {"--texel-error", "0.5", "--accuracy", "1991"},
-                                                         {"--texel-error", "0.5", "--accuracy", "exact"},
-                                                         {"--out", "-"},
-                                                         {"--palette", "-"},
-                                                         {"--mode", "-"},
-                                                         {"--fov", ""},
-                                                         {"--out", ""},
-                                                         {"--json", ""},
-                                                         {"--palette", ""},
-                                                         {"--texel-error", ""},
-                                                         {"more.bsp"}};
-    for (const auto& more : wrong) {
-        const Outcome outcome = render(kLevel, more);
-        EXPECT_EQ(outcome.exit_code, 2) << more[0] << ' ' << more.back() << ": " << outcome.error;
-        EXPECT_TRUE(outcome.error.starts_with(kProgram + ": ")) << outcome.error;
-        EXPECT_TRUE(more.size() == 1 || outcome.error.find(more[0]) != std::string::npos) << outcome.error;
-    }
+    const std::map<std::string, std::vector<std::string>> wrong{
+        {"--zoom", {"2"}},
+        {"--mode", {"320", "0x200", "320x200x8", "-320x200", "9999x200", "8x8 --fov 179", "-"}},
+        {"--display", {"4", "4:0"}},
+        {"--fov", {"0", "180", "nan", "-90", ""}},
+        {"--log", {"clips", "clip,"}},
+        {"--brightness", {"0"}},
+        {"--accuracy", {"2001"}},
+        {"--repeat", {"0", "x"}},
+        {"--effects", {"smoke"}},
+        {"--hidden-surfaces", {"edge-list", "z-buffer --view isometric"}},
+        {"--texel-error", {"-1", "a_lot", "0.5 --accuracy 1991", "0.5 --accuracy exact", ""}},
+        {"--kernel", {"fastest"}},
+        {"--threads", {"0"}},
+        {"--time", {"noon", "inf", "-1"}},
+        {"--time-step", {"61"}},
+        {"--out", {"-", ""}},
+        {"--palette", {"-", ""}},
+        {"--json", {""}}};
+    for (const auto& [option, values] : wrong)
+        for (const std::string& value : values) {
+            std::vector<std::string> words{option};
+            std::istringstream more(value);
+            for (std::string word; more >> word;) words.push_back(word);
+            if (value.empty()) words.emplace_back();
+            const Outcome outcome = render(kLevel, words);
+            EXPECT_EQ(outcome.exit_code, 2) << option << ' ' << value << ": " << outcome.error;
+            EXPECT_TRUE(outcome.error.starts_with(kProgram + ": ")) << outcome.error;
+            EXPECT_NE(outcome.error.find(option), std::string::npos) << outcome.error;
+        }
+    EXPECT_EQ(render(kLevel, {"more.bsp"}).exit_code, 2);
     EXPECT_EQ(run_program({kProgram}).exit_code, 2);
     EXPECT_EQ(run_program({kProgram, kLevel}).exit_code, 2);
 }

@@ -113,16 +113,6 @@ TEST_F(SdlInputTest, AltWithEnterOrTabIsTheWindowsOwn) {
     EXPECT_FALSE(poll().changes_full_screen) << "once";
 }
 
-TEST_F(SdlInputTest, RebindingActsFromTheNextPollOn) {
-    set_inputs(bindings_, Action::Forward, "Q");
-    push_key("W", true);
-    EXPECT_FALSE(poll().moves.has(Action::Forward));
-    push_key("Q", true);
-    const Controls controls = poll();
-    EXPECT_TRUE(controls.moves.has(Action::Forward));
-    EXPECT_EQ(controls.pressed, input_named("Q"));
-}
-
 TEST_F(SdlInputTest, AFreeMousePointsInPixelsOfTheWindow) {
     EXPECT_FALSE(poll().pointer);
     push_motion(95, 194, 0, 0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "game/input/controls.h"
 #include "game/input/tick_input_source.h"
@@ -58,59 +59,61 @@ TEST(Stick, SquaredIsThatOfDoubles) {
     });
 }
 
-TickInput tick_of(const Controls& controls, const Preferences& preferences = {}) {
+TickInput tick_of(const Controls& controls, const Preferences& preferences) {
     LiveInput live;
     live.use(preferences);
     live.gather(controls);
     return live.next();
 }
 
-TEST(LiveInput, AStickWalksByHowFarItIsPushed) {
-    Controls controls;
-    controls.walk_stick = {-kFullAxis, 0};
-    EXPECT_EQ(tick_of(controls).right, -127);
-    controls.walk_stick = {0, kFullAxis};
-    EXPECT_EQ(tick_of(controls).forward, 127);
-    controls.walk_stick = {0, kFullAxis / 2};  // (0.5 - 0.15) / (0.97 - 0.15) of 127
-    EXPECT_EQ(tick_of(controls).forward, 54);
-    controls.walk_stick = {0, kFullAxis / 10};
-    EXPECT_EQ(tick_of(controls), TickInput{});
-}
-
-TEST(LiveInput, KeysAndStickTogetherAreNotFasterThanOne) {
-    Controls controls;
-    controls.moves.set(Action::Forward);
-    controls.walk_stick = {0, kFullAxis};
-    EXPECT_EQ(tick_of(controls).forward, 127);
-    controls.moves.set(Action::Back);
-    controls.moves.set(Action::Forward, false);
-    EXPECT_EQ(tick_of(controls).forward, 0);
-}
-
-TEST(LiveInput, AlwaysRunsOrWalksUnlessTheKeyIsHeld) {
-    Controls controls;
-    controls.moves.set(Action::Forward);
-    Preferences walks;
-    walks.always_runs = false;
-    EXPECT_EQ(tick_of(controls).forward, 127);
-    EXPECT_EQ(tick_of(controls, walks).forward, 56);
-    controls.moves.set(Action::WalkSlowly);
-    EXPECT_EQ(tick_of(controls).forward, 56);
-    EXPECT_EQ(tick_of(controls, walks).forward, 127);
-}
-
-TEST(LiveInput, AStickTurnsBySensitivityAndUpOrDownAsItIsInverted) {
-    Controls controls;
-    controls.look_stick = {kFullAxis, 0};
-    EXPECT_EQ(tick_of(controls).yaw, -1040);  // 200 degrees a second: 1040 of 65,536, 35 times a second
+Preferences preferring(const std::function<void(Preferences&)>& change) {
     Preferences preferences;
-    preferences.gamepad_sensitivity_100 = 250;
-    EXPECT_EQ(tick_of(controls, preferences).yaw, -2600);
-    controls.look_stick = {0, kFullAxis};
-    EXPECT_EQ(tick_of(controls).pitch, -624);
-    preferences = {};
-    preferences.inverts_look = true;
-    EXPECT_EQ(tick_of(controls, preferences).pitch, 624);
+    change(preferences);
+    return preferences;
+}
+
+TEST(LiveInput, MakesATickOfWhatIsHeld) {
+    const Preferences usual, walks = preferring([](Preferences&p) { p.always_runs = false; }),
+                             fast = preferring([](Preferences&p) { p.gamepad_sensitivity_100 = 250; }),
+                             inverted = preferring([](Preferences&p) { p.inverts_look = true; });
+    constexpr Moves kAhead{Action::Forward}, kSlowly{Action::Forward, Action::WalkSlowly};
+    struct Case {
+        const char* name;
+        const Preferences& preferences;
+        Controls held;
+        TickInput expected;
+    };
+    const auto moves = [](Moves held, Stick walk = {}) {
+        Controls controls;
+        controls.moves = held;
+        controls.walk_stick = walk;
+        return controls;
+    };
+    const auto looks = [](Stick look, std::int32_t mouse_y = 0) {
+        Controls controls;
+        controls.look_stick = look;
+        controls.mouse_y = mouse_y;
+        return controls;
+    };
+    const std::vector<Case> cases{
+        {"a stick to the left", usual, moves({}, {-kFullAxis, 0}), {0, -127, 0, 0, 0}},
+        {"a stick ahead", usual, moves({}, {0, kFullAxis}), {127, 0, 0, 0, 0}},
+        {"half ahead: (0.5 - 0.15) / (0.97 - 0.15) of 127", usual, moves({}, {0, kFullAxis / 2}), {54, 0, 0, 0, 0}},
+        {"in the dead zone", usual, moves({}, {0, kFullAxis / 10}), {}},
+        {"key and stick together are not faster", usual, moves(kAhead, {0, kFullAxis}), {127, 0, 0, 0, 0}},
+        {"key against stick", usual, moves({Action::Back}, {0, kFullAxis}), {}},
+        {"a key", usual, moves(kAhead), {127, 0, 0, 0, 0}},
+        {"a key of who walks", walks, moves(kAhead), {56, 0, 0, 0, 0}},
+        {"walking slowly", usual, moves(kSlowly), {56, 0, 0, 0, 0}},
+        {"walking slowly of who walks", walks, moves(kSlowly), {127, 0, 0, 0, 0}},
+        {"turning: 200 degrees a second", usual, looks({kFullAxis, 0}), {0, 0, -1040, 0, 0}},
+        {"turning faster", fast, looks({kFullAxis, 0}), {0, 0, -2600, 0, 0}},
+        {"looking up", usual, looks({0, kFullAxis}), {0, 0, 0, -624, 0}},
+        {"looking down", inverted, looks({0, kFullAxis}), {0, 0, 0, 624, 0}},
+        {"the mouse down", usual, looks({}, 10), {0, 0, 0, 120, 0}},
+        {"the mouse up", inverted, looks({}, 10), {0, 0, 0, -120, 0}},
+    };
+    for (const Case& each : cases) EXPECT_EQ(tick_of(each.held, each.preferences), each.expected) << each.name;
 }
 
 TEST(LiveInput, AStickTurnsSmoothlyBetweenTicks) {
@@ -142,23 +145,15 @@ TEST(LiveInput, SlowMouseMotionAddsUp) {
     EXPECT_EQ(sum.pitch, 60);
 }
 
-TEST(LiveInput, InvertedLookTurnsTheMouseOver) {
-    Preferences preferences;
-    preferences.inverts_look = true;
-    Controls controls;
-    controls.mouse_y = 10;
-    EXPECT_EQ(tick_of(controls).pitch, 120);
-    EXPECT_EQ(tick_of(controls, preferences).pitch, -120);
-}
-
 TEST(LiveInput, AStepBetweenTwoTicksIsMade) {
     LiveInput live;
     Controls tap;
-    tap.moves = {Action::Left, Action::TurnLeft};
+    tap.moves = {Action::Left, Action::TurnLeft, Action::Jump};
     live.gather(tap);
     live.gather({});
     const TickInput input = live.next();
     EXPECT_EQ(input.right, -127);
+    EXPECT_EQ(input.buttons, kJumpButton);
     EXPECT_GT(input.yaw, 0);
     EXPECT_EQ(live.next(), TickInput{});
 }

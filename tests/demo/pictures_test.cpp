@@ -124,12 +124,5 @@ TEST(DemoModels, EachIsReadWithoutAWarning) {
     EXPECT_GE(count, 7u);
 }
 
-TEST(DemoModels, TheArmillarySphereStandsOnItsFoot) {
-    const ObjModel model = read_obj((kAssets / "models" / "armillary.obj").string(), demo_palette());
-    EXPECT_EQ(model.mesh.skins.size(), 3u);
-    EXPECT_EQ(model.mesh.frames[0].mins.z, World{});
-    EXPECT_NEAR(model.mesh.frames[0].maxs.z.raw / 4096.0, 3.05, 0.01);
-}
-
 }  // namespace
 }  // namespace oblong

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/base/input_error.h"
 #include "engine/files/files.h"
 #include "engine/level/bsp_read.h"
 #include "game/input/bindings.h"
@@ -12,6 +11,7 @@
 #include "game/simulation/step.h"
 #include "game/sound/sound_scene.h"
 #include "tests/support/folders.h"
+#include "tests/support/refusal.h"
 
 namespace oblong {
 namespace {
@@ -160,14 +160,7 @@ TEST(Route, IsReadFromACsvFile) {
 
 TEST(Route, NamesTheLineThatIsWrong) {
     const std::string header = "x,y,z,speed,wait,yaw,pitch,jump\n";
-    const auto error_of = [](const std::string& text) -> std::string {
-        try {
-            route_of(text);
-        } catch (const InputError& error) {
-            return error.where + ": " + error.what();
-        }
-        return "";
-    };
+    const auto error_of = [](const std::string& text) { return test::refusal([&] { route_of(text); }); };
     EXPECT_NE(error_of("x,y\n1,2\n").find("line 1"), std::string::npos);
     EXPECT_NE(error_of(header).find("no waypoint"), std::string::npos);
     EXPECT_NE(error_of(header + "1,2,,,,,,\n1,,,,,,,\n").find("line 3"), std::string::npos);
@@ -179,12 +172,8 @@ TEST(Route, NamesTheLineThatIsWrong) {
 TEST(Route, SaysWhereTheVisitorIsStuck) {
     const Level level = read_bsp(read_file(test::build_folder() + "/assets/demo.bsp"));
     const auto route = route_of("x,y,z,speed,wait,yaw,pitch,jump\n0,-300,,,,,,\n140,-160,,,,,,\n400,-160,,,,,,\n");
-    try {
-        walk_route(make_game_level(level), route);
-        FAIL() << "walked through a wall";
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("stuck at 143 -16"), std::string::npos) << error.what();
-    }
+    const std::string fault = test::refusal([&] { walk_route(make_game_level(level), route); });
+    EXPECT_NE(fault.find("stuck at 143 -16"), std::string::npos) << fault;
 }
 
 }  // namespace

@@ -79,12 +79,6 @@ const std::vector<Waypoint> kCourtyardToTower{{512, 1420},  {-60, 1600},  {-200,
                                               {-720, 1584}, {-792, 1620}, {-792, 2128}, {-792, 2320}, {-80, 2320},
                                               {512, 2320},  {512, 2200},  {512, 1900}};
 
-TEST_F(DemoWalk, ThroughTheGalleryTheCourtyardAndOverTheBridgeToTheTower) {
-    walk(kEntranceToGallery);
-    walk({{736, 416}, {736, 560}, {512, 760}, {512, 1160}, {512, 1360}});
-    walk(kCourtyardToTower);
-}
-
 TEST_F(DemoWalk, ThroughTheDoorUpTheLiftAndDownTheStairsToTheTower) {
     walk(kEntranceToGallery);
     walk({{1290, 416}, {1400, 416}, {1488, 560}, {1488, 700}, {1400, 760}, {1400, 888}, {1320, 888}});
@@ -102,14 +96,6 @@ TEST_F(DemoWalk, TheTowerIsShutAtBothGatesWhileLensesAreMissing) {
     EXPECT_FALSE(visitor_.walk_to({512, 1800})) << "from the corridor";
 }
 
-TEST_F(DemoWalk, WhoFallsIntoTheCanalCanSwimAndClimbOut) {
-    walk(kEntranceToGallery);
-    walk({{736, 416}, {736, 560}, {300, 900}, {300, 1260}, {420, 1264}});
-    EXPECT_NE(visitor_.state().player.depth, Depth::Dry);
-    walk({{860, 1264}, {1060, 1264, 20}});
-    EXPECT_EQ(visitor_.state().player.depth, Depth::Dry);
-}
-
 TEST_F(DemoWalk, ThroughTheRainAndTheFogAndByTheTeleporterToTheTower) {
     walk(kEntranceToGallery);
     walk({{736, 416}, {736, 560}, {512, 760}, {512, 1160}, {512, 1360}});
@@ -119,12 +105,6 @@ TEST_F(DemoWalk, ThroughTheRainAndTheFogAndByTheTeleporterToTheTower) {
     while (units(visitor_.state().player.position.y) > 1800) ASSERT_TRUE(visitor_.step_to(1392, 2600));
     EXPECT_NEAR(units(visitor_.state().player.position.x), 40, 20) << "before the room of forced perspective";
     walk({kCourtyardToTower.begin() + 2, kCourtyardToTower.end()});
-}
-
-TEST_F(DemoWalk, ThroughTheRoomsSouthOfTheGallery) {
-    walk(kEntranceToGallery);
-    walk({{736, 416}, {736, 290}, {736, 160}, {560, 144}, {470, 90}, {330, 144}, {470, 200}, {560, 144}});
-    walk({{736, 220}, {936, 144}, {1000, 100}, {1190, 144}, {960, 144}, {736, 220}, {736, 416}});
 }
 
 TEST_F(DemoWalk, WhoFallsIntoTheLavaCanClimbOutAtBothEndsOfBothPits) {

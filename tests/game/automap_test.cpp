@@ -6,21 +6,16 @@
 
 #include <cmath>
 
+#include "tests/game/toy_level.h"
+
 namespace oblong::test {
 namespace {
 
 /// The floor z = 0 and, east of x = 64, a block of some height; one face, of the block's side toward the west.
 Level level_with_wall(std::int32_t block_height, std::int32_t face_bottom = 0, std::int32_t face_top = 200) {
     Level level;
-    const auto add_plane = [&](std::uint8_t axis, std::int32_t distance) {
-        LevelPlane plane;
-        plane.axis = axis;
-        (axis == 0 ? plane.normal.x : plane.normal.z) = Unit::from_int(1);
-        plane.distance = PlaneDistance::from_int(distance);
-        level.planes.push_back(plane);
-        return PlaneIndex(level.planes.count() - 1);
-    };
-    const PlaneIndex floor = add_plane(2, 0), side = add_plane(0, 64), top = add_plane(2, block_height);
+    const PlaneIndex floor = add_plane(level, 2, 0), side = add_plane(level, 0, 64),
+                     top = add_plane(level, 2, block_height);
     const NodeChild solid{LeafIndex(0)}, open{LeafIndex(1)};
     level.leaves.resize(2);
     level.leaves[LeafIndex(0)].contents = contents::kSolid;

@@ -6,6 +6,7 @@
 
 #include "engine/base/little_endian.h"
 #include "game/saves/state_bytes.h"
+#include "game/simulation/collision.h"
 #include "game/simulation/state_check.h"
 #include "tests/game/hostile_levels.h"
 
@@ -17,6 +18,7 @@ using test::kHostileLevels;
 using test::kStand;
 using test::LogicGame;
 using test::LogicLevel;
+using test::Solid;
 
 constexpr int kTicks = 14;
 
@@ -72,7 +74,7 @@ TEST_P(Hostile, NoTickDoesMoreThanItsBoundsAndSavesGoOnTheSame) {
 }
 
 // Counters that say their number at their last count, one after the other: what waits keeps its order and loses
-// nothing.
+// nothing. Each count takes three activations, which no tick's number is a multiple of: one may end between them.
 TEST(Backlog, WhatIsTooMuchForATickHappensLaterInItsOrder) {
     constexpr int kDoors = 2000, kCounts = 40;
     LogicLevel source;
@@ -80,6 +82,7 @@ TEST(Backlog, WhatIsTooMuchForATickHappensLaterInItsOrder) {
     for (int i = 0; i < kDoors; ++i) {
         const std::string name = "count" + std::to_string(i);
         for (int n = 0; n < kCounts; ++n) source.add("trigger_relay", {{"targetname", "all"}, {"target", name}});
+        source.add("trigger_relay", {{"targetname", name}});
         source.add("trigger_counter", {{"targetname", name},
                                        {"target", "done"},
                                        {"count", std::to_string(kCounts)},
@@ -115,19 +118,70 @@ TEST(Backlog, WhatIsTooMuchForATickHappensLaterInItsOrder) {
     EXPECT_TRUE(game.state.backlog.is_empty());
 }
 
-// More movers than a tick steps: all of them get as far, only later.
-TEST(Backlog, MoversThatWaitedArriveToo) {
+// More movers than a tick steps, most of them under way for ever: those after them arrive too, only later.
+TEST(Backlog, EachMoverHasItsTurn) {
+    constexpr std::size_t kTrains = 9000;
+    const Solid far_away{1000, 1000, 0, 1010, 1010, 10};
     LogicLevel source;
-    for (int i = 0; i < 10'000; ++i)
-        source.add("func_door", {1000, 1000, 0, 1010, 1010, 10 + i % 7},
-                   {{"angle", "-1"}, {"targetname", "d"}, {"wait", "-1"}, {"spawnflags", "4"}});
+    source.add("path_corner", {{"targetname", "p"}, {"target", "q"}, {"origin", "1000 1000 0"}});
+    source.add("path_corner", {{"targetname", "q"}, {"target", "p"}, {"origin", "1500 1000 0"}});
+    for (std::size_t i = 0; i < kTrains; ++i) source.add("func_train", far_away, {{"target", "p"}});
+    for (int i = 0; i < 1000; ++i)
+        source.add("func_door", far_away, {{"angle", "-1"}, {"targetname", "d"}, {"wait", "-1"}, {"spawnflags", "4"}});
     source.add("trigger_once", {-50, -50, 0, 50, 50, 64}, {{"target", "d"}});
     LogicGame game(source);
     bool has_waited = false;
-    for (int tick = 0; tick < 100; ++tick) has_waited |= step(game.level, game.state, kStand).has_left_movers;
+    for (int tick = 0; tick < 60; ++tick) has_waited |= step(game.level, game.state, kStand).has_left_movers;
     EXPECT_TRUE(has_waited);
-    for (const MoverState& mover : game.state.movers) ASSERT_EQ(mover.phase, MoverState::Phase::AtEnd);
-    EXPECT_TRUE(game.state.backlog.is_empty());
+    for (std::size_t i = kTrains; i < game.state.movers.size(); ++i)
+        ASSERT_EQ(game.phase(i), MoverState::Phase::AtEnd) << i;
+}
+
+// Each mover that is where the player is looks at 253 to 256 others there, at four of the positions of the player.
+TEST(Backlog, FewMoversAmongManyThatMeetThePlayerMoveInATick) {
+    constexpr int kMost = TickReport::kMostMoverSteps / (4 * 253) + 1;
+    LogicLevel source;
+    for (int i = 0; i < 1000; ++i)
+        source.add("func_door", {-50, -50, 0, 50, 50, 64}, {{"angle", "0"}, {"spawnflags", "4"}, {"speed", "10"}});
+    LogicGame game(source);
+    int moved = 0;
+    for (int tick = 0; tick < 40; ++tick) {
+        const std::vector<MoverState> before = game.state.movers;
+        game.play(1, kStand);
+        int now = 0;
+        for (std::size_t i = 0; i < before.size(); ++i) now += before[i].travelled != game.state.movers[i].travelled;
+        ASSERT_LE(now, kMost) << "tick " << tick;
+        moved += now;
+    }
+    EXPECT_GT(moved, 40);
+}
+
+// Of relays that say something after a delay, all at once.
+TEST(Backlog, DelayedFiringsThatAreTooManyForATickComeInTheNext) {
+    constexpr int kRelays = 10'000;
+    LogicLevel source;
+    source.add("trigger_once", {-50, -50, 0, 50, 50, 64}, {{"target", "all"}});
+    for (int i = 0; i < kRelays; ++i)
+        source.add("trigger_relay", {{"targetname", "all"}, {"delay", "0.5"}, {"message", "said"}});
+    LogicGame game(source);
+    ASSERT_EQ(step(game.level, game.state, kStand).activations, 2 * kRelays) << "activated and delayed";
+    std::vector<std::int32_t> fired;
+    while (!game.state.delayed.empty() && fired.size() < 100) {
+        fired.push_back(step(game.level, game.state, kStand).activations);
+        if (fired.back() == 0) fired.pop_back();
+    }
+    EXPECT_EQ(fired, (std::vector{TickReport::kMostDelayedActivations, kRelays - TickReport::kMostDelayedActivations}));
+}
+
+TEST(Backlog, RemovalsThatAreTooManyForATickComeInTheNext) {
+    constexpr int kRemoved = 30'000;
+    LogicLevel source;
+    source.add("trigger_once", {-50, -50, 0, 50, 50, 64}, {{"killtarget", "all"}});
+    for (int i = 0; i < kRemoved; ++i) source.add("trigger_relay", {{"targetname", "all"}});
+    LogicGame game(source);
+    EXPECT_EQ(step(game.level, game.state, kStand).activations, TickReport::kMostNewActivations);
+    EXPECT_EQ(step(game.level, game.state, kStand).activations, kRemoved - TickReport::kMostNewActivations);
+    for (const TriggerState& trigger : game.state.triggers) ASSERT_EQ(trigger.ready_tick, TriggerState::kNever);
 }
 
 // A relay that activates itself for ever holds up no button.
@@ -165,6 +219,41 @@ TEST(Backlog, TooManyModelsWithinReachAreToldOf) {
     };
     EXPECT_FALSE(report_beside(200).has_left_obstacles);
     EXPECT_TRUE(report_beside(300).has_left_obstacles);
+}
+
+// Boxes in boxes, each wider by what a player beside the one before it needs: only beside the last a place is free.
+// Each has six ways out.
+TEST(WayOut, IsLookedForAtTheNearestPlacesAlone) {
+    const auto way_out_of = [](int models) {
+        LogicLevel source;
+        for (int half = 30; models > 0; --models, half += 20)
+            source.add("func_wall", {-half, -half, 24 - half, half, half, 24 + half});
+        LogicGame game(source);
+        return find_way_out(game.level, game.state, game.state.player.position);
+    };
+    const int most = static_cast<int>(kMostWaysOut) / 6;
+    EXPECT_TRUE(way_out_of(most).position);
+    EXPECT_TRUE(way_out_of(most + 2).is_inside_model);
+    EXPECT_FALSE(way_out_of(most + 2).position);
+}
+
+// Pairs of boxes that cross away from an area which the box around both holds.
+TEST(BoxTreeParts, EndAfterAsManyLooks) {
+    std::vector<BoxTree::Entry> entries;
+    for (std::uint32_t i = 0; i < 20'000; ++i)
+        entries.push_back({{{}, i % 2 == 0 ? world_vector(1000, 1, 9) : world_vector(1, 1000, 9)}, i});
+    const BoxTree tree(entries);
+    std::uint32_t from = 0;
+    int parts = 0;
+    do {
+        const BoxTree::Part part = tree.part_overlapping({world_vector(500, 500, 1), world_vector(510, 510, 5)}, from);
+        ASSERT_LE(part.looks, BoxTree::kMostLooks);
+        ASSERT_TRUE(part.numbers.empty());
+        ASSERT_TRUE(part.next == 0 || part.next > from);
+        from = part.next;
+        ++parts;
+    } while (from != 0);
+    EXPECT_GT(parts, 3);
 }
 
 TEST(BoxTreeParts, TogetherAreTheWhole) {

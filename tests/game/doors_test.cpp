@@ -1,323 +1,241 @@
-#include <gtest/gtest.h>
+// Doors, buttons, lifts and secret doors: as in Quake.
 
-#include <array>
-#include <string>
-
-#include "game/simulation/collision.h"
-#include "tests/game/logic_level.h"
+#include "tests/game/scenario.h"
 
 namespace oblong {
 namespace {
 
-using test::kStand;
-using test::LogicGame;
-using test::LogicLevel;
-using test::Pairs;
-using test::Solid;
-using Phase = MoverState::Phase;
+constexpr test::Scenario kDoors[] = {
+    {"OpenForWhoComesNear", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1
+        play 35: phase0 = start
+        play 105 ahead: x > 400
+    )"},
+    {"TakeAsLongAsTheirSpeedSaysWaitAndReturn", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 speed=70 wait=2
+        activate 0; play 35: travelled0 = 70 +- 0.1
+        play 25: phase0 = end, travelled0 = 120 +- 0.01     # 2 units a tick
+        play 69: phase0 = end
+        play 63: phase0 = start, travelled0 = 0
+    )"},
+    {"GoAsFarAsTheLipLeavesThemAlongTheFirstAngle", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 angle=270 lip=28 wait=-1
+        + func_door 200 -64 0 216 64 128 angle=270 lip=28 wait=-1 spawnflags=4
+        activate 0; activate 1; play 70: oz0 = 100, oy0 = 0
+        : oy1 = -100, ox1 = 0, oz1 = 0
+    )"},
+    {"StayOpenByAWaitOfMinusOne", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 wait=-1
+        activate 0; play 2000: phase0 = end
+    )"},
+    {"OpenAgainRatherThanCloseOnThePlayer", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 wait=0.1 speed=400 spawnflags=4
+        untouchable 0; activate 0; play 12; at 208 0 1
+        each 200: travelled0 >= 55      # the player is 56 high
+        : x = 208 +- 0.01
+    )"},
+    {"OpenTogetherWhereTheyTouch", R"(
+        + func_door 200 -64 0 216 0 128 angle=-1
+        + func_door 200 0 0 216 64 128 angle=-1
+        + func_door 1200 0 0 1216 64 128 angle=-1
+        stand 160 -110 1: phase0 = leaving, phase1 = leaving, phase2 = start     # near the first only
+    )"},
+    {"WithAButtonAnswerToItAlone", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 targetname=gate
+        + func_button -80 -32 0 -64 32 64 angle=180 target=gate
+        play 70 ahead: x = 184 +- 0.1
+        play 105 back: phase0 != start
+    )"},
+    {"OfSilverOpenToWhoHasTheKeyForGoodAndTakeIt", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 spawnflags=16 wait=1
+        + item_key1 origin="-600 0 24"
+        + item_key2 origin="-600 400 24"
+        stand -600 400: keys = 2
+        stand 150 0: message = "You have the gold key"      # from afar the door says nothing
+        stand 183 0: message = "You need the silver key", phase0 = start
+        stand -600 0: keys = 3
+        wait 70; stand 183 0: phase0 = leaving, keys = 2
+        wait 700: phase0 = end
+    )"},
+    {"OfGoldOpenToWhoHasTheKeyForGoodAndTakeIt", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 spawnflags=8 wait=1
+        + item_key2 origin="-600 0 24"
+        + item_key1 origin="-600 400 24"
+        stand -600 400: keys = 1
+        stand 150 0: message = "You have the silver key"
+        stand 183 0: message = "You need the gold key", phase0 = start
+        stand -600 0: keys = 3
+        wait 70; stand 183 0: phase0 = leaving, keys = 1
+        wait 700: phase0 = end
+    )"},
+    {"ThatSomethingActivatesSayTheirMessageToWhoTouchesThemUntilTheyOpen", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 targetname=door message="Find the switch" wait=1
+        + trigger_multiple -1000 -50 0 -950 50 64 target=door
+        stand 183 0: message = "Find the switch", said_at = 1
+        at 183 0; play 69: said_at = 1
+        play 1: said_at = 71, phase0 = start        # every two seconds
+        stand -970 0; wait 1: phase0 = leaving
+        wait 175: phase0 = start
+        stand 183 0: said_at = 71
+    )"},
+    {"WhoseNameNothingActivatesOpenToWhoComesNear", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 targetname=door
+        stand 150 0: phase0 = leaving
+    )"},
+    {"ThatWouldHaveToBeShotOpenToATouch", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 health=1
+        stand 150 0: phase0 = start
+        stand 183 0: phase0 = leaving
+    )"},
+    {"ToggleByTheirFlagAndStayWhereTheyAre", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 targetname=door spawnflags=32 wait=1
+        + trigger_multiple -1000 -50 0 -950 50 64 target=door
+        stand -970 0; wait 351: phase0 = end, active = 0
+        stand -970 0; wait 1: phase0 = returning
+        wait 10; stand -970 0; wait 1: phase0 = leaving     # on its way back, too
+    )"},
+    {"ThatStartOpenShutWhenTheyAreActivated", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 targetname=door spawnflags=1 wait=-1
+        + trigger_once -1000 -50 0 -950 50 64 target=door
+        : free 208 0 24
+        stand -970 0; wait 51: solid 208 0 24, ox0 = 0, oy0 = 0, oz0 = 0
+    )"},
+    {"OfAGroupOpenTogetherHoweverTheyAreActivatedUnlessTheyAreNotLinked", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 targetname=left wait=-1
+        + func_door 200 64 0 216 192 128 angle=-1 wait=-1
+        + func_door 200 192 0 216 300 128 angle=-1 spawnflags=4
+        + trigger_once -1000 -50 0 -950 50 64 target=left
+        at 150 0; play 35: phase0 = start, phase1 = start       # one's name shuts both
+        stand -970 0; wait 1: phase0 = leaving, phase1 = leaving, phase2 = start
+    )"},
+    {"StayOpenForAsLongAsTheirWaitAfterTheLastTouchThatCounted", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 wait=2
+        at 150 0; play 350: phase0 = end
+        wait 34: phase0 = end       # touched no more than a second before
+        wait 37: phase0 = returning
+    )"},
+    {"FireWheneverTheySetOutToOpen", R"(
+        + func_door 200 -64 0 216 64 128 angle=-1 target=light wait=1
+        + light targetname=light style=32
+        stand 150 0: dark = 32
+        wait 97: phase0 = returning
+        stand 150 0: phase0 = leaving, dark = ""
+    )"},
+    {"ThatNeverReturnWaitForWhoIsInTheirWay", R"(
+        + func_door 200 -64 128 264 64 192 angle=-2 lip=-56 wait=-1 targetname=press
+        + trigger_once -1000 -50 0 -950 50 64 target=press
+        stand -970 0; wait 1; at 232 0; play 100: phase0 = leaving, travelled0 = 72 +- 3
+        wait 35: phase0 = end
+    )"},
+};
+OBLONG_SCENARIOS(Doors, kDoors);
 
-constexpr Solid kPanel{200, -64, 0, 216, 64, 128};  // travels 120 upwards: 42 ticks at 100 a second
-constexpr Solid kVolume{-1000, -50, 0, -950, 50, 64};
+constexpr test::Scenario kButtons[] = {
+    {"FireWhenTheyAreInAndComeBackAfterTheirWait", R"(
+        + func_button 200 -64 0 244 64 64 angle=0 target=light      # 40 units
+        + light targetname=light style=32
+        stand 183 0: phase0 = leaving, frame0 = 0
+        wait 34: dark = ""
+        wait 2: dark = 32, frame0 = 1
+        wait 34: phase0 = end
+        wait 2: phase0 = returning, frame0 = 0
+        wait 36: phase0 = start, travelled0 = 0
+    )"},
+    {"ThatWouldHaveToBeShotAnswerToTouchToo", R"(
+        + func_button 200 -64 0 210 64 64 health=1 angle=0
+        stand 183 0: phase0 = leaving
+    )"},
+};
+OBLONG_SCENARIOS(Buttons, kButtons);
 
-LogicLevel with_door(Pairs pairs) {
-    LogicLevel level;
-    pairs.insert(pairs.begin(), {"angle", "-1"});
-    level.add("func_door", kPanel, pairs);
-    return level;
-}
+// Plates of 128 x 128 that stand with their top at z = 8 below and 136 above.
+constexpr test::Scenario kLifts[] = {
+    {"WaitBelowCarryThePlayerUpAndComeBack", R"(
+        + func_plat 100 -64 0 228 64 136 height=128
+        : oz0 = -128
+        play 16 ahead
+        each 70: feet >= travelled0+7.99        # not into the plate
+        : feet = 136 +- 0.1
+        play 60 ahead: feet = 0 +- 0.1          # off at the far end
+        play 210: travelled0 = 0
+    )"},
+    {"CarryThePlayerDownWithoutLettingGo", R"(
+        + func_plat 100 -64 0 228 64 136 height=128
+        play 16 ahead; play 60: feet = 136 +- 0.1
+        untouchable 0
+        each 175: feet = travelled0+8 +- 0.1
+        : travelled0 = 0
+    )"},
+    {"WithANameWaitAboveUntilTheyAreActivatedAndAreLikeAnyOtherThen", R"(
+        + func_plat 100 -64 0 228 64 136 height=128 targetname=lift
+        + trigger_multiple -1000 -50 0 -950 50 64 target=lift
+        stand 164 0 136; play 175: feet = 136 +- 0.1, active = 0
+        stand -970 0; wait 36: phase0 = start
+        stand -970 0; wait 1: phase0 = start        # activated once
+        stand 164 0 8; play 40: feet = 136 +- 0.1
+    )"},
+    {"StayAboveForThreeSecondsOrOneAfterTheirRiderLeft", R"(
+        + func_plat 100 -64 0 228 64 136 height=128 speed=1000
+        stand 164 0 8; wait 6: phase0 = end
+        wait 103: phase0 = end
+        wait 2: phase0 = returning
+        wait 10; stand 164 0 8; play 10: phase0 = end
+        wait 34: phase0 = end
+        wait 2: phase0 = returning
+    )"},
+    {"AreStartedFromAnyHeight", R"(
+        + func_plat 100 -64 0 228 64 136 height=128
+        stand 164 0 60: phase0 = leaving
+    )"},
+    {"WithALowTriggerAreStartedOnlyFromBelow", R"(
+        + func_plat 100 -64 0 228 64 136 height=128 spawnflags=1
+        stand 164 0 60: phase0 = start
+        stand 164 0 8: phase0 = leaving
+    )"},
+};
+OBLONG_SCENARIOS(Lifts, kLifts);
 
-void touch_trigger(LogicGame& game) {
-    game.stand_at(-970, 0);
-    game.wait(1);
-}
-
-TEST(Door, WithAKeyOpensToWhoHasItForGoodAndTakesIt) {
-    for (const auto& [flag, item, said] : {std::array{"16", "item_key1", "You need the silver key"},
-                                           std::array{"8", "item_key2", "You need the gold key"}}) {
-        LogicLevel level = with_door({{"spawnflags", flag}, {"wait", "1"}});
-        level.add(item, {{"origin", "-600 0 24"}});
-        level.add(item == std::string("item_key1") ? "item_key2" : "item_key1", {{"origin", "-600 400 24"}});
-        LogicGame game(level);
-        game.stand_at(-600, 400);  // the other key
-        const std::string before = game.message();
-        game.stand_at(150, 0);
-        EXPECT_EQ(game.message(), before) << "from afar it says nothing";
-        game.stand_at(183, 0);
-        EXPECT_EQ(game.message(), said);
-        EXPECT_FALSE(game.has_left(0));
-        game.stand_at(-600, 0);
-        EXPECT_EQ(game.state.keys, kSilverKey | kGoldKey);
-        game.wait(70);
-        game.stand_at(183, 0);
-        EXPECT_TRUE(game.has_left(0));
-        EXPECT_EQ(game.state.keys, flag == std::string("16") ? kGoldKey : kSilverKey);
-        game.wait(35 * 20);
-        EXPECT_EQ(game.phase(0), Phase::AtEnd);
-    }
-}
-
-TEST(Door, ThatSomethingActivatesSaysItsMessageToWhoTouchesItUntilItOpens) {
-    LogicLevel level = with_door({{"targetname", "door"}, {"message", "Find the switch"}, {"wait", "1"}});
-    level.add("trigger_multiple", kVolume, {{"target", "door"}});
-    LogicGame game(level);
-    game.stand_at(183, 0);
-    EXPECT_EQ(game.message(), "Find the switch");
-    EXPECT_EQ(game.state.message_tick, 1);
-    game.put_at(183, 0);
-    game.play(69, kStand);
-    EXPECT_EQ(game.state.message_tick, 1);
-    game.play(1, kStand);
-    EXPECT_EQ(game.state.message_tick, 71) << "every two seconds";
-    EXPECT_FALSE(game.has_left(0));
-    touch_trigger(game);
-    EXPECT_TRUE(game.has_left(0));
-    game.wait(35 * 5);
-    ASSERT_FALSE(game.has_left(0));
-    game.stand_at(183, 0);
-    EXPECT_EQ(game.state.message_tick, 71);
-}
-
-TEST(Door, WhoseNameNothingActivatesOpensToWhoComesNear) {
-    LogicLevel level = with_door({{"targetname", "door"}});
-    LogicGame game(level);
-    game.stand_at(150, 0);
-    EXPECT_TRUE(game.has_left(0));
-}
-
-TEST(Door, ThatWouldHaveToBeShotOpensToATouch) {
-    LogicLevel level = with_door({{"health", "1"}});
-    LogicGame game(level);
-    game.stand_at(150, 0);
-    EXPECT_FALSE(game.has_left(0));
-    game.stand_at(183, 0);
-    EXPECT_TRUE(game.has_left(0));
-}
-
-TEST(Door, TogglesByItsFlagAndStaysWhereItIs) {
-    LogicLevel level = with_door({{"targetname", "door"}, {"spawnflags", "32"}, {"wait", "1"}});
-    level.add("trigger_multiple", kVolume, {{"target", "door"}});
-    LogicGame game(level);
-    touch_trigger(game);
-    game.wait(35 * 10);
-    EXPECT_EQ(game.phase(0), Phase::AtEnd);
-    EXPECT_TRUE(game.state.active_movers.empty());
-    touch_trigger(game);
-    EXPECT_EQ(game.phase(0), Phase::Returning);
-    game.wait(10);
-    touch_trigger(game);
-    EXPECT_EQ(game.phase(0), Phase::Leaving) << "on its way back, too";
-}
-
-TEST(Door, ThatStartsOpenShutsWhenItIsActivated) {
-    LogicLevel level = with_door({{"targetname", "door"}, {"spawnflags", "1"}, {"wait", "-1"}});
-    level.add("trigger_once", kVolume, {{"target", "door"}});
-    LogicGame game(level);
-    EXPECT_TRUE(is_free(game.level, game.state, world_vector(208, 0, 24)));
-    touch_trigger(game);
-    game.wait(50);
-    EXPECT_FALSE(is_free(game.level, game.state, world_vector(208, 0, 24)));
-    EXPECT_EQ(offset_of(game.level.movers[0], game.state.movers[0]), Vec3<World>{});
-}
-
-TEST(Door, OfAGroupOpenTogetherHoweverTheyAreActivatedUnlessTheyAreNotLinked) {
-    LogicLevel level = with_door({{"targetname", "left"}, {"wait", "-1"}});
-    level.add("func_door", {200, 64, 0, 216, 192, 128}, {{"angle", "-1"}, {"wait", "-1"}});
-    level.add("func_door", {200, 192, 0, 216, 300, 128}, {{"angle", "-1"}, {"spawnflags", "4"}});
-    level.add("trigger_once", kVolume, {{"target", "left"}});
-    LogicGame game(level);
-    game.put_at(150, 0);
-    game.play(35, kStand);
-    EXPECT_FALSE(game.has_left(0));
-    EXPECT_FALSE(game.has_left(1)) << "one's name shuts both";
-    touch_trigger(game);
-    EXPECT_TRUE(game.has_left(0));
-    EXPECT_TRUE(game.has_left(1));
-    EXPECT_FALSE(game.has_left(2));
-}
-
-TEST(Door, StaysOpenForAsLongAsItsWaitAfterTheLastTouchThatCounted) {
-    LogicLevel level = with_door({{"wait", "2"}});
-    LogicGame game(level);
-    game.put_at(150, 0);
-    game.play(350, kStand);
-    EXPECT_EQ(game.phase(0), Phase::AtEnd);
-    game.wait(34);
-    EXPECT_EQ(game.phase(0), Phase::AtEnd) << "touched no more than a second before";
-    game.wait(37);
-    EXPECT_EQ(game.phase(0), Phase::Returning);
-}
-
-TEST(Door, FiresWheneverItSetsOutToOpen) {
-    LogicLevel level = with_door({{"target", "light"}, {"wait", "1"}});
-    level.add("light", {{"targetname", "light"}, {"style", "32"}});
-    LogicGame game(level);
-    game.stand_at(150, 0);
-    EXPECT_NE(game.state.dark_styles, 0u);
-    game.wait(42 + 35 + 20);
-    ASSERT_EQ(game.phase(0), Phase::Returning);
-    game.stand_at(150, 0);
-    EXPECT_EQ(game.phase(0), Phase::Leaving);
-    EXPECT_EQ(game.state.dark_styles, 0u);
-}
-
-TEST(Door, ThatNeverReturnsWaitsForWhoIsInItsWay) {
-    LogicLevel level;
-    level.add("func_door", {200, -64, 128, 264, 64, 192},
-              {{"angle", "-2"}, {"lip", "-56"}, {"wait", "-1"}, {"targetname", "press"}});
-    level.add("trigger_once", kVolume, {{"target", "press"}});
-    LogicGame game(level);
-    touch_trigger(game);
-    game.put_at(232, 0);
-    game.play(100, kStand);
-    EXPECT_EQ(game.phase(0), Phase::Leaving);
-    EXPECT_NEAR(game.travelled(0), 128 - 56, 3);
-    game.wait(35);
-    EXPECT_EQ(game.phase(0), Phase::AtEnd);
-}
-
-TEST(Button, FiresWhenItIsInAndComesBackAfterItsWait) {
-    LogicLevel level;
-    level.add("func_button", {200, -64, 0, 244, 64, 64}, {{"angle", "0"}, {"target", "light"}});  // 40 units
-    level.add("light", {{"targetname", "light"}, {"style", "32"}});
-    LogicGame game(level);
-    game.stand_at(183, 0);
-    EXPECT_EQ(game.phase(0), Phase::Leaving);
-    EXPECT_FALSE(shows_other_frames(game.level.movers[0], game.state.movers[0]));
-    game.wait(34);
-    EXPECT_EQ(game.state.dark_styles, 0u);
-    game.wait(2);
-    EXPECT_NE(game.state.dark_styles, 0u);
-    EXPECT_TRUE(shows_other_frames(game.level.movers[0], game.state.movers[0]));
-    game.wait(34);
-    EXPECT_EQ(game.phase(0), Phase::AtEnd);
-    game.wait(2);
-    EXPECT_EQ(game.phase(0), Phase::Returning);
-    EXPECT_FALSE(shows_other_frames(game.level.movers[0], game.state.movers[0]));
-    game.wait(36);
-    EXPECT_EQ(game.phase(0), Phase::AtStart);
-    EXPECT_EQ(game.travelled(0), 0);
-}
-
-TEST(Button, ThatWouldHaveToBeShotAnswersToTouchToo) {
-    LogicLevel level;
-    level.add("func_button", {200, -64, 0, 210, 64, 64}, {{"health", "1"}, {"angle", "0"}});
-    LogicGame game(level);
-    game.stand_at(183, 0);
-    EXPECT_TRUE(game.has_left(0));
-}
-
-// A plate 136 high that goes down by 128.
-TEST(Lift, WithANameWaitsAboveUntilItIsActivatedAndIsALiftLikeAnyOtherThen) {
-    LogicLevel level;
-    level.add("func_plat", {100, -64, 0, 228, 64, 136}, {{"height", "128"}, {"targetname", "lift"}});
-    level.add("trigger_multiple", kVolume, {{"target", "lift"}});
-    LogicGame game(level);
-    game.stand_at(164, 0, 136);
-    game.play(35 * 5, kStand);
-    EXPECT_NEAR(game.feet(), 136, 0.1);
-    EXPECT_TRUE(game.state.active_movers.empty());
-    touch_trigger(game);
-    game.wait(35);
-    EXPECT_EQ(game.phase(0), Phase::AtStart);
-    touch_trigger(game);
-    EXPECT_EQ(game.phase(0), Phase::AtStart) << "activated once";
-    game.stand_at(164, 0, 8);
-    game.play(40, kStand);
-    EXPECT_NEAR(game.feet(), 136, 0.1);
-}
-
-TEST(Lift, StaysAboveForThreeSecondsOrOneAfterItsRiderLeft) {
-    LogicLevel level;
-    level.add("func_plat", {100, -64, 0, 228, 64, 136}, {{"height", "128"}, {"speed", "1000"}});
-    LogicGame game(level);
-    game.stand_at(164, 0, 8);
-    game.wait(6);
-    ASSERT_EQ(game.phase(0), Phase::AtEnd);
-    game.wait(103);
-    EXPECT_EQ(game.phase(0), Phase::AtEnd);
-    game.wait(2);
-    EXPECT_EQ(game.phase(0), Phase::Returning);
-    game.wait(10);
-    game.stand_at(164, 0, 8);
-    game.play(10, kStand);
-    ASSERT_EQ(game.phase(0), Phase::AtEnd);
-    game.wait(34);
-    EXPECT_EQ(game.phase(0), Phase::AtEnd);
-    game.wait(2);
-    EXPECT_EQ(game.phase(0), Phase::Returning);
-}
-
-TEST(Lift, WithALowTriggerIsStartedOnlyFromBelow) {
-    for (const bool is_low : {false, true}) {
-        LogicLevel level;
-        level.add("func_plat", {100, -64, 0, 228, 64, 136}, {{"height", "128"}, {"spawnflags", is_low ? "1" : "0"}});
-        LogicGame game(level);
-        game.stand_at(164, 0, 60);
-        EXPECT_EQ(game.has_left(0), !is_low);
-        game.stand_at(164, 0, 8);
-        EXPECT_TRUE(game.has_left(0));
-    }
-}
-
-// 64 wide (to the right of its arrow, which points along +x), 32 long.
-LogicLevel with_secret_door(Pairs pairs) {
-    LogicLevel level;
-    level.add("func_door_secret", {200, -32, 0, 232, 32, 96}, std::move(pairs));
-    return level;
-}
-
-TEST(SecretDoor, GoesAsideThenBackWaitsAndReturnsTheSameWay) {
-    LogicLevel level = with_secret_door({{"angle", "0"}, {"wait", "2"}});
-    LogicGame game(level);
-    const auto offset = [&] { return offset_of(game.level.movers[0], game.state.movers[0]); };
-    game.stand_at(183, 0);
-    EXPECT_EQ(game.phase(0), Phase::Leaving);
-    game.wait(45);  // 64 units at 50 a second: 44.8 ticks
-    EXPECT_EQ(offset(), world_vector(0, -64, 0));
-    game.wait(35);
-    EXPECT_EQ(offset(), world_vector(0, -64, 0)) << "a second";
-    game.wait(23);
-    EXPECT_EQ(offset(), world_vector(32, -64, 0));
-    EXPECT_EQ(game.phase(0), Phase::AtEnd);
-    game.wait(70);
-    EXPECT_EQ(offset(), world_vector(32, -64, 0));
-    game.wait(23);
-    EXPECT_EQ(offset(), world_vector(0, -64, 0));
-    game.wait(35);
-    EXPECT_EQ(offset(), world_vector(0, -64, 0));
-    game.wait(45);
-    EXPECT_EQ(offset(), Vec3<World>{});
-    EXPECT_EQ(game.phase(0), Phase::AtStart);
-}
-
-TEST(SecretDoor, FlagsAndSizesSayWhither) {
-    const auto ends_at = [](Pairs pairs) {
-        LogicLevel level = with_secret_door(std::move(pairs));
-        LogicGame game(level);
-        game.stand_at(183, 0);
-        game.wait(35 * 60);
-        EXPECT_EQ(game.phase(0), Phase::AtEnd);
-        return offset_of(game.level.movers[0], game.state.movers[0]);
-    };
-    EXPECT_EQ(ends_at({{"spawnflags", "1"}}), world_vector(32, -64, 0));
-    EXPECT_EQ(ends_at({{"spawnflags", "3"}}), world_vector(32, 64, 0));
-    EXPECT_EQ(ends_at({{"spawnflags", "5"}}), world_vector(32, 0, -96));
-    EXPECT_EQ(ends_at({{"wait", "-1"}, {"t_width", "10"}, {"t_length", "20"}}), world_vector(20, -10, 0));
-}
-
-TEST(SecretDoor, WithANameOpensOnlyWhenItIsActivatedUnlessItsFlagSaysSo) {
-    for (const bool answers : {false, true}) {
-        LogicLevel level = with_secret_door(
-            {{"targetname", "wall"}, {"spawnflags", answers ? "16" : "0"}, {"message", "A hollow wall"}});
-        level.add("trigger_once", kVolume, {{"target", "wall"}});
-        LogicGame game(level);
-        game.stand_at(183, 0);
-        EXPECT_EQ(game.has_left(0), answers);
-        EXPECT_EQ(game.message(), "A hollow wall");
-        touch_trigger(game);
-        EXPECT_TRUE(game.has_left(0));
-    }
-}
+// 64 wide (to the right of the arrow, which points along +x), 32 long.
+constexpr test::Scenario kSecretDoors[] = {
+    {"GoAsideThenBackWaitAndReturnTheSameWay", R"(
+        + func_door_secret 200 -32 0 232 32 96 angle=0 wait=2
+        stand 183 0: phase0 = leaving
+        wait 45: ox0 = 0, oy0 = -64, oz0 = 0        # 64 units at 50 a second: 44.8 ticks
+        wait 35: ox0 = 0, oy0 = -64                 # a second
+        wait 23: ox0 = 32, oy0 = -64, oz0 = 0, phase0 = end
+        wait 70: ox0 = 32, oy0 = -64
+        wait 23: ox0 = 0, oy0 = -64
+        wait 35: ox0 = 0, oy0 = -64
+        wait 45: ox0 = 0, oy0 = 0, oz0 = 0, phase0 = start
+    )"},
+    {"GoRightFirst", R"(
+        + func_door_secret 200 -32 0 232 32 96 spawnflags=1
+        stand 183 0; wait 2100: ox0 = 32, oy0 = -64, oz0 = 0, phase0 = end
+    )"},
+    {"GoLeftFirstByTheirFlag", R"(
+        + func_door_secret 200 -32 0 232 32 96 spawnflags=3
+        stand 183 0; wait 2100: ox0 = 32, oy0 = 64, oz0 = 0, phase0 = end
+    )"},
+    {"GoDownFirstByTheirFlag", R"(
+        + func_door_secret 200 -32 0 232 32 96 spawnflags=5
+        stand 183 0; wait 2100: ox0 = 32, oy0 = 0, oz0 = -96, phase0 = end
+    )"},
+    {"GoAsFarAsTheirKeysSay", R"(
+        + func_door_secret 200 -32 0 232 32 96 wait=-1 t_width=10 t_length=20
+        stand 183 0; wait 2100: ox0 = 20, oy0 = -10, oz0 = 0, phase0 = end
+    )"},
+    {"WithANameOpenOnlyWhenTheyAreActivated", R"(
+        + func_door_secret 200 -32 0 232 32 96 targetname=wall message="A hollow wall"
+        + trigger_once -1000 -50 0 -950 50 64 target=wall
+        stand 183 0: phase0 = start, message = "A hollow wall"
+        stand -970 0; wait 1: phase0 = leaving
+    )"},
+    {"WithANameOpenToATouchByTheirFlag", R"(
+        + func_door_secret 200 -32 0 232 32 96 targetname=wall spawnflags=16 message="A hollow wall"
+        stand 183 0: phase0 = leaving, message = "A hollow wall"
+    )"},
+};
+OBLONG_SCENARIOS(SecretDoors, kSecretDoors);
 
 }  // namespace
 }  // namespace oblong

@@ -10,11 +10,11 @@ namespace oblong::test {
 
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-/// A toy level to which brush and point entities are added one by one. The player starts at the middle of a floor that
-/// is 4096 units square, and looks along +x.
+/// A toy level of some blocks to which brush and point entities are added one by one. The player starts at the middle
+/// of a floor that is 4096 units square, and looks along +x.
 class LogicLevel {
   public:
-    LogicLevel() { toy_.add_model(floor_and({})); }
+    explicit LogicLevel(std::vector<Solid> blocks = {}) { toy_.add_model(floor_and(std::move(blocks))); }
 
     /// A brush entity of one box.
     LogicLevel& add(const std::string& its_class, const Solid& box, Pairs pairs = {}) {
@@ -40,6 +40,7 @@ class LogicLevel {
 /// A game in such a level, with words for what its tests ask.
 struct LogicGame : ToyGame {
     explicit LogicGame(LogicLevel& source) : ToyGame(source.take()) {}
+    explicit LogicGame(ToyLevel of_toys) : ToyGame(std::move(of_toys)) {}
 
     /// Puts the player somewhere, feet on the floor unless they are said to be higher, and plays a tick.
     void stand_at(std::int32_t x, std::int32_t y, std::int32_t feet_z = 0) {

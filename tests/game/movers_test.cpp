@@ -5,7 +5,7 @@
 #include "engine/base/input_error.h"
 #include "game/simulation/collision.h"
 #include "game/simulation/step.h"
-#include "tests/game/toy_game.h"
+#include "tests/game/logic_level.h"
 
 namespace oblong {
 namespace {
@@ -18,170 +18,19 @@ using test::ToyGame;
 using test::ToyLevel;
 using Phase = MoverState::Phase;
 
-void activate_first(ToyGame& game) {
-    Activations(game.level, game.state).activate({EntityRef::Kind::Mover, 0});
-}
-
-// A door across the way, 128 high, that goes up by 128 - 8.
-ToyLevel with_door(std::vector<std::pair<std::string, std::string>> more = {}) {
+// A door across the way, 128 high, that goes up by 128 - 8 unless it is said to go elsewhere.
+ToyLevel with_door(const char* lip = "8") {
     ToyLevel toy;
     toy.add_model(floor_and({})).add_model({{200, -64, 0, 216, 64, 128}});
-    std::vector<std::pair<std::string, std::string>> door{{"classname", "func_door"}, {"model", "*1"}, {"angle", "-1"}};
-    door.insert(door.end(), more.begin(), more.end());
-    toy.add_entity(door);
+    toy.add_entity({{"classname", "func_door"}, {"model", "*1"}, {"angle", "-1"}, {"lip", lip}});
     return toy;
 }
 
-TEST(Door, IsShutFarAwayAndOpensForWhoComesNear) {
-    ToyGame game(with_door());
-    game.play(35, kStand);
-    EXPECT_EQ(game.state.movers[0].phase, Phase::AtStart);
-    game.play(105, kAhead);
-    EXPECT_GT(game.x(), 400);  // went through
-}
-
-TEST(Door, TakesAsLongAsItsSpeedSaysWaitsAndReturns) {
-    ToyGame game(with_door({{"speed", "70"}, {"wait", "2"}}));
-    activate_first(game);
-    game.play(35, kStand);
-    EXPECT_NEAR(game.travelled(0), 70, 0.1);
-    game.play(25, kStand);  // 120 units at 2 a tick: 60 ticks
-    EXPECT_EQ(game.state.movers[0].phase, Phase::AtEnd);
-    EXPECT_NEAR(game.travelled(0), 120, 0.01);
-    game.play(69, kStand);
-    EXPECT_EQ(game.state.movers[0].phase, Phase::AtEnd);
-    game.play(2 + 61, kStand);
-    EXPECT_EQ(game.state.movers[0].phase, Phase::AtStart);
-    EXPECT_EQ(game.travelled(0), 0);
-}
-
-TEST(Door, LipAndAngleSayHowFarAndWhither) {
-    ToyGame game(with_door({{"angle", "270"}, {"lip", "28"}}));  // the first angle counts: up
-    EXPECT_EQ(game.level.movers[0].legs.at(0).length, World::from_int(100));
-    ToyLevel sideways;
-    sideways.add_model(floor_and({})).add_model({{200, -64, 0, 216, 64, 128}});
-    sideways.add_entity({{"classname", "func_door"}, {"model", "*1"}, {"angle", "270"}, {"lip", "28"}});
-    ToyGame other(std::move(sideways));
-    EXPECT_EQ(other.level.movers[0].legs.at(0).way.y, World::from_int(-100));
-    EXPECT_EQ(other.level.movers[0].legs.at(0).way.x, World{});
-}
-
-TEST(Door, WaitOfMinusOneStaysOpen) {
-    ToyGame game(with_door({{"wait", "-1"}}));
-    activate_first(game);
-    game.play(2000, kStand);
-    EXPECT_EQ(game.state.movers[0].phase, Phase::AtEnd);
-}
-
-TEST(Door, ClosingOnThePlayerOpensAgain) {
-    ToyGame game(with_door({{"wait", "0.1"}, {"speed", "400"}, {"spawnflags", "4"}}));
-    game.level.movers[0].touch_box.reset();  // only activated by the test
-    activate_first(game);
-    game.play(12, kStand);
-    game.state.player.position = Position{World::from_int(208), World{}, World::from_int(25)};
-    for (int i = 0; i < 200; ++i) {
-        game.play(1, kStand);
-        ASSERT_GE(game.travelled(0), 56 - 1) << "would stand in the player, tick " << i;
-    }
-    EXPECT_NEAR(game.x(), 208, 0.01);
-}
-
-TEST(Door, TouchingDoorsOpenTogether) {
+// A teleporter ahead that leads to (1000, 500, `exit_z`), and blocks of the world.
+ToyLevel with_teleporter(int exit_z, std::vector<Solid> blocks = {}) {
     ToyLevel toy;
-    toy.add_model(floor_and({})).add_model({{200, -64, 0, 216, 0, 128}}).add_model({{200, 0, 0, 216, 64, 128}});
-    toy.add_model({{1200, 0, 0, 1216, 64, 128}});
-    for (const char* model : {"*1", "*2", "*3"})
-        toy.add_entity({{"classname", "func_door"}, {"model", model}, {"angle", "-1"}});
-    ToyGame game(std::move(toy));
-    game.state.player.position = Position{World::from_int(160), World::from_int(-110), World::from_int(25)};
-    game.play(1, kStand);  // near the first only
-    EXPECT_EQ(game.state.movers[0].phase, Phase::Leaving);
-    EXPECT_EQ(game.state.movers[1].phase, Phase::Leaving);
-    EXPECT_EQ(game.state.movers[2].phase, Phase::AtStart);
-}
-
-TEST(Door, WithAButtonAnswersToItAlone) {
-    ToyLevel toy = with_door({{"targetname", "gate"}});
-    toy.add_model({{-80, -32, 0, -64, 32, 64}});
-    toy.add_entity({{"classname", "func_button"}, {"model", "*2"}, {"angle", "180"}, {"target", "gate"}});
-    ToyGame game(std::move(toy));
-    game.play(70, kAhead);
-    EXPECT_NEAR(game.x(), 184, 0.1);  // shut
-    game.play(105, {-127, 0, 0, 0, 0});
-    EXPECT_NE(game.state.movers[0].phase, Phase::AtStart);
-}
-
-// A plate of 128x128 that stands with its top at z = 8 below and 136 above.
-ToyLevel with_lift() {
-    ToyLevel toy;
-    toy.add_model(floor_and({})).add_model({{100, -64, 0, 228, 64, 136}});
-    toy.add_entity({{"classname", "func_plat"}, {"model", "*1"}, {"height", "128"}});
-    return toy;
-}
-
-TEST(Lift, WaitsBelowCarriesThePlayerUpAndComesBack) {
-    ToyGame game(with_lift());
-    EXPECT_EQ(offset_of(game.level.movers[0], game.state.movers[0]).z, World::from_int(-128));
-    game.play(16, kAhead);  // onto the plate
-    for (int i = 0; i < 70; ++i) {
-        game.play(1, kStand);
-        ASSERT_GE(game.feet() + 0.01, game.travelled(0) + 8) << "sank into the plate, tick " << i;
-    }
-    EXPECT_NEAR(game.feet(), 136, 0.1);
-    game.play(60, kAhead);  // off at the far end
-    EXPECT_NEAR(game.feet(), 0, 0.1);
-    game.play(35 * 6, kStand);
-    EXPECT_EQ(game.travelled(0), 0);
-}
-
-TEST(Lift, CarriesThePlayerDownWithoutLettingGo) {
-    ToyGame game(with_lift());
-    game.play(16, kAhead);
-    game.play(60, kStand);
-    ASSERT_NEAR(game.feet(), 136, 0.1);
-    game.level.movers[0].touch_box.reset();
-    for (int i = 0; i < 35 * 5; ++i) {
-        game.play(1, kStand);
-        ASSERT_NEAR(game.feet(), game.travelled(0) + 8, 0.1) << "tick " << i;
-    }
-    EXPECT_EQ(game.travelled(0), 0);
-}
-
-TEST(Trigger, EndOfLevelEndsAndNothingMovesAfter) {
-    ToyLevel toy;
-    toy.add_model(floor_and({})).add_model({{300, -64, 0, 316, 64, 128}});
-    toy.add_entity({{"classname", "trigger_changelevel"}, {"model", "*1"}});
-    ToyGame game(std::move(toy));
-    game.play(20, kAhead);
-    EXPECT_FALSE(game.state.has_ended);
-    game.play(60, kAhead);
-    EXPECT_TRUE(game.state.has_ended);
-    EXPECT_LT(game.x(), 320);
-}
-
-TEST(Trigger, TeleportsToItsTarget) {
-    ToyLevel toy;
-    toy.add_model(floor_and({})).add_model({{300, -64, 0, 316, 64, 128}});
+    toy.add_model(floor_and(std::move(blocks))).add_model({{100, -64, 0, 116, 64, 128}});
     toy.add_entity({{"classname", "trigger_teleport"}, {"model", "*1"}, {"target", "there"}});
-    toy.add_entity({{"classname", "info_teleport_destination"},
-                    {"targetname", "there"},
-                    {"origin", "-1000 500 0"},
-                    {"angle", "90"}});
-    ToyGame game(std::move(toy));
-    game.play(40, kAhead);
-    EXPECT_NEAR(game.x(), -1000, 1);
-    EXPECT_GT(game.y(), 500);
-    EXPECT_EQ(game.state.player.yaw, kQuarterTurn);
-}
-
-// A teleporter ahead that leads to (1000, 500, `exit_z`), with `more` keys.
-ToyLevel with_teleporter(int exit_z, std::vector<std::pair<std::string, std::string>> more = {}) {
-    ToyLevel toy;
-    toy.add_model(floor_and({})).add_model({{100, -64, 0, 116, 64, 128}});
-    std::vector<std::pair<std::string, std::string>> pairs{
-        {"classname", "trigger_teleport"}, {"model", "*1"}, {"target", "there"}};
-    pairs.insert(pairs.end(), more.begin(), more.end());
-    toy.add_entity(pairs);
     toy.add_entity({{"classname", "info_teleport_destination"},
                     {"targetname", "there"},
                     {"origin", "1000 500 " + std::to_string(exit_z)},
@@ -201,37 +50,13 @@ TEST(Trigger, ATeleporterIntoRockLeadsBesideIt) {
                              {{990, 400, 0, 1200, 600, 400}, 974, 500, 27},
                              {{800, 400, 0, 1010, 600, 400}, 1026, 500, 27},
                              {{800, 300, 0, 1200, 700, 40}, 1000, 500, 64}}) {
-        ToyLevel toy;
-        toy.add_model(floor_and({each.block})).add_model({{100, -64, 0, 116, 64, 128}});
-        toy.add_entity({{"classname", "trigger_teleport"}, {"model", "*1"}, {"target", "there"}});
-        toy.add_entity({{"classname", "info_teleport_destination"}, {"targetname", "there"}, {"origin", "1000 500 0"}});
+        const ToyLevel toy = with_teleporter(0, {each.block});
         const GameLevel level = make_game_level(toy.level);
         const Position exit = level.triggers.at(0).place.position;
         const double dx = exit.x.raw / 4096.0 - each.x, dy = exit.y.raw / 4096.0 - each.y,
                      dz = exit.z.raw / 4096.0 - each.z;
         EXPECT_LE(std::sqrt(dx * dx + dy * dy + dz * dz), 2.01) << each.x << ' ' << each.y << ' ' << each.z;
     }
-}
-
-// Quake's rule: one with a name works for 0.2 s after it was activated, any other always.
-TEST(Trigger, ATeleporterWithANameWorksOnlyWhenActivated) {
-    ToyGame never(with_teleporter(0, {{"targetname", "gate"}}));
-    never.play(35, kAhead);
-    EXPECT_GT(never.x(), 116 + 16);
-    EXPECT_LT(never.x(), 500);
-
-    ToyLevel toy = with_teleporter(0, {{"targetname", "gate"}, {"spawnflags", "3"}});
-    toy.add_model({{20, -64, 0, 70, 64, 128}});
-    toy.add_entity({{"classname", "trigger_multiple"}, {"model", "*2"}, {"target", "gate"}});
-    ToyGame game(std::move(toy));
-    game.play(35, kAhead);
-    EXPECT_NEAR(game.x(), 1000, 1);
-
-    game.state = start_of(game.level);
-    game.state.player.position.x = World::from_int(170);  // from behind the teleporter, past the trigger, and back
-    game.play(40, {-127, 0, 0, 0, 0});
-    EXPECT_LT(game.x(), 20);
-    EXPECT_GT(game.x(), -300);
 }
 
 bool is_out(const ToyGame& game) {
@@ -276,31 +101,25 @@ TEST(Mover, WhoIsInsideOneWithoutAWayOutStartsAgain) {
 
 // Doors, lifts and teleporters close together, with exits where doors and lifts pass.
 ToyLevel crowded_room() {
-    ToyLevel toy;
-    toy.add_model(floor_and({{400, -400, 0, 420, 400, 400},
-                             {-420, -400, 0, -400, 400, 400},
-                             {-400, 400, 0, 400, 420, 400},
-                             {-400, -420, 0, 400, -400, 400},
-                             {-420, -420, 400, 420, 420, 440}}));
-    int model = 0;
-    const auto add = [&](const Solid& box, std::vector<std::pair<std::string, std::string>> pairs) {
-        toy.add_model({box});
-        pairs.emplace_back("model", "*" + std::to_string(++model));
-        toy.add_entity(pairs);
-    };
+    test::LogicLevel level({{400, -400, 0, 420, 400, 400},
+                            {-420, -400, 0, -400, 400, 400},
+                            {-400, 400, 0, 400, 420, 400},
+                            {-400, -420, 0, 400, -400, 400},
+                            {-420, -420, 400, 420, 420, 440}});
     for (const int side : {-1, 1}) {
         const int x = side * 200;
-        add({x - 60, 100, 0, x + 60, 220, 64}, {{"classname", "func_plat"}, {"height", "56"}});
-        add({x - 60, -220, 0, x + 60, -100, 96}, {{"classname", "func_door"}, {"angle", "-1"}, {"wait", "1"}});
-        add({x - 20, -40, 0, x + 20, 40, 128},
-            {{"classname", "func_door"}, {"angle", side < 0 ? "0" : "180"}, {"lip", "-60"}, {"wait", "0"}});
+        level.add("func_plat", {x - 60, 100, 0, x + 60, 220, 64}, {{"height", "56"}});
+        level.add("func_door", {x - 60, -220, 0, x + 60, -100, 96}, {{"angle", "-1"}, {"wait", "1"}});
+        level.add("func_door", {x - 20, -40, 0, x + 20, 40, 128},
+                  {{"angle", side < 0 ? "0" : "180"}, {"lip", "-60"}, {"wait", "0"}});
     }
+    int x = -140;
     for (const char* exit : {"200 160 10", "-200 -160 20", "180 0 0"}) {
-        const int x = model * 60 - 500;
-        add({x, 300, 0, x + 30, 380, 64}, {{"classname", "trigger_teleport"}, {"target", exit}});
-        toy.add_entity({{"classname", "info_teleport_destination"}, {"targetname", exit}, {"origin", exit}});
+        level.add("trigger_teleport", {x, 300, 0, x + 30, 380, 64}, {{"target", exit}});
+        level.add("info_teleport_destination", {{"targetname", exit}, {"origin", exit}});
+        x += 60;
     }
-    return toy;
+    return level.take();
 }
 
 TEST(Mover, HoldsThePlayerInNoneOfManyTicks) {
@@ -365,7 +184,7 @@ TEST(GameLevel, BoxesAndPositionsOutsideTheWorldAreHarmless) {
 // A vertex that is moved along with its model must stay in the format of world coordinates (+-524,288 units).
 TEST(GameLevel, AMoverThatWouldLeaveTheFormatStandsStill) {
     const auto movers_with_vertex = [](World x) {
-        ToyLevel toy = with_door({{"lip", "-32768"}});
+        ToyLevel toy = with_door("-32768");
         toy.level.vertices.push_back({x, World{}, World{}});
         return make_game_level(toy.level);
     };

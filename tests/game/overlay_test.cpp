@@ -16,21 +16,14 @@
 #include "game/lab/lab_panel.h"
 #include "game/menu/menu_layout.h"
 #include "game/view/hud.h"
+#include "tests/support/palettes.h"
 
 namespace oblong {
 namespace {
 
 constexpr std::uint8_t kGuard = 7, kPicture = 100;
 
-Palette grey_palette() {
-    Palette palette;
-    for (int i = 0; i < 256; ++i) {
-        const auto level = static_cast<std::uint8_t>(i);
-        palette.colours[static_cast<std::size_t>(i)] = {level, level, level};
-    }
-    return palette;
-}
-const Palette kPalette = grey_palette();
+const Palette kPalette = test::grey_palette();
 const TextColours kColours = text_colours_of(kPalette);
 
 // A canvas of one colour with a border around it that nothing may touch.

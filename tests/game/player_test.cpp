@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "game/simulation/slide_move.h"
+#include "tests/game/scenario.h"
 #include "tests/game/toy_game.h"
 
 namespace oblong {
@@ -21,71 +22,73 @@ ToyLevel room(std::vector<Solid> others = {}) {
     return ToyLevel().add_model(floor_and(std::move(others)));
 }
 
-TEST(Player, StandsStill) {
-    ToyGame game(room());
-    game.play(35, kStand);
-    EXPECT_EQ(game.x(), 0);
-    EXPECT_EQ(game.state.player.velocity, Velocity{});
-    EXPECT_NEAR(game.feet(), 1.0 / 32, 0.001);  // the trace keeps 1/32 unit of air
-}
-
-TEST(Player, FallsAsGravityHasIt) {
-    ToyGame game(room(), 1000);
-    game.play(35, kStand);  // v = 800 t; s = sum of v / 35 over 35 ticks = 400 * 36 / 35
-    EXPECT_NEAR(game.feet(), 1001 - 400.0 * 36 / 35, 0.1);
-    EXPECT_NEAR(game.state.player.velocity.z.raw / 4096.0, -800, 0.1);
-}
-
-TEST(Player, ReachesTopSpeedAndNoMore) {
-    ToyGame game(room());
-    game.play(35, kAhead);
-    EXPECT_NEAR(game.speed(), 320, 0.5);
-    const double before = game.x();
-    game.play(35, kAhead);
-    EXPECT_NEAR(game.x() - before, 320, 0.5);
-}
-
-TEST(Player, IsNoFasterAskew) {
-    ToyGame game(room());
-    game.play(35, {127, 127, 0, 0, 0});
-    EXPECT_NEAR(length_of(game.state.player.velocity).raw / 4096.0, 320, 0.5);
-}
-
-TEST(Player, FrictionStops) {
-    ToyGame game(room());
-    game.play(35, kAhead);
-    game.play(35, kStand);
-    EXPECT_EQ(game.state.player.velocity, Velocity{});
-}
-
-TEST(Player, StopsAtAWall) {
-    ToyGame game(room({{200, -500, 0, 220, 500, 300}}));
-    game.play(70, kAhead);
-    EXPECT_NEAR(game.x(), 200 - 16, 0.1);
-}
-
-TEST(Player, SlidesAlongAWall) {
-    ToyGame game(room({{200, -5000, 0, 220, 5000, 300}}));
-    game.play(105, {127, 127, 0, 0, 0});
-    EXPECT_NEAR(game.x(), 184, 0.1);
-    EXPECT_LT(game.y(), -300);
-}
-
-TEST(Player, StaysInACorner) {
-    ToyGame game(room({{200, -500, 0, 220, 500, 300}, {-500, -100, 0, 500, -80, 300}}));
-    game.play(105, {127, 127, 0, 0, 0});
-    EXPECT_NEAR(game.x(), 184, 0.2);
-    EXPECT_NEAR(game.y(), -64, 0.2);
-}
-
-TEST(Player, ClimbsAStepOf18ButNotOf19) {
-    ToyGame low(room({{100, -500, 0, 900, 500, 18}})), high(room({{100, -500, 0, 900, 500, 19}}));
-    low.play(35, kAhead);
-    high.play(35, kAhead);
-    EXPECT_GT(low.x(), 150);
-    EXPECT_NEAR(low.feet(), 18, 0.1);
-    EXPECT_NEAR(high.x(), 84, 0.1);
-}
+constexpr test::Scenario kPlayers[] = {
+    {"StandsStill", R"(
+        play 35: x = 0, vx = 0, vy = 0, vz = 0, feet = 0.03125 +- 0.001     # the trace keeps 1/32 unit of air
+    )"},
+    {"FallsAsGravityHasIt", R"(
+        at 0 0 1001
+        play 35: feet = 589.57 +- 0.1, vz = -800 +- 0.1     # 1001 - 400 * 36 / 35: v = 800 t in 35 steps
+    )"},
+    {"ReachesTopSpeedAndNoMore", R"(
+        play 35 ahead: vx = 320 +- 0.5
+        each 35 ahead: vx = 320 +- 0.5
+    )"},
+    {"IsNoFasterAskew", R"(
+        play 35 askew: speed = 320 +- 0.5
+    )"},
+    {"IsStoppedByFriction", R"(
+        play 35 ahead; play 35: vx = 0, vy = 0, vz = 0
+    )"},
+    {"StopsAtAWall", R"(
+        + solid 200 -500 0 220 500 300
+        play 70 ahead: x = 184 +- 0.1
+    )"},
+    {"SlidesAlongAWall", R"(
+        + solid 200 -5000 0 220 5000 300
+        play 105 askew: x = 184 +- 0.1, y < -300
+    )"},
+    {"StaysInACorner", R"(
+        + solid 200 -500 0 220 500 300
+        + solid -500 -100 0 500 -80 300
+        play 105 askew: x = 184 +- 0.2, y = -64 +- 0.2
+    )"},
+    {"ClimbsAStepOf18", R"(
+        + solid 100 -500 0 900 500 18
+        play 35 ahead: x > 150, feet = 18 +- 0.1
+    )"},
+    {"ClimbsNoStepOf19", R"(
+        + solid 100 -500 0 900 500 19
+        play 35 ahead: x = 84 +- 0.1
+    )"},
+    {"FallsIntoAGap", R"(
+        + no_floor
+        + solid -500 -500 -200 100 500 0
+        + solid 230 -500 -200 900 500 0
+        + solid -900 -900 -300 900 900 -200
+        play 70 ahead: feet < -150
+    )"},
+    {"JumpsOverAGap", R"(
+        + no_floor
+        + solid -500 -500 -200 100 500 0
+        + solid 230 -500 -200 900 500 0
+        + solid -900 -900 -300 900 900 -200
+        play 13 ahead: x > 90, x < 100
+        play 1 leap; play 30 ahead: feet = 0 +- 1, x > 240
+    )"},
+    {"SinksSwimsAndIsSlowerInWater", R"(
+        + water 400
+        at 0 0 200; play 35: depth = 3, vz = -42 +- 8       # 60 a second, less a third by friction
+        play 70 ahead: vx < 230
+        at 0 0 100; play 35 jump: feet > 150
+    )"},
+    {"BeginsAnewWhoFallsOutOfTheWorld", R"(
+        + no_floor
+        + solid 5000 5000 0 5001 5001 1
+        play 875: feet > -40001, vz < 0     # 2,000 units a second at the most
+    )"},
+};
+OBLONG_SCENARIOS(Players, kPlayers);
 
 std::vector<Solid> stairs() {
     std::vector<Solid> steps;
@@ -131,42 +134,10 @@ TEST(Player, JumpsAsHighAsItsSpeedAllowsAndOnceAPress) {
     EXPECT_NEAR(game.feet(), 0, 0.1);               // the key is still held
 }
 
-TEST(Player, JumpsOverAGapThatWalkingFallsInto) {
-    const std::vector<Solid> gap{
-        {-500, -500, -200, 100, 500, 0}, {230, -500, -200, 900, 500, 0}, {-900, -900, -300, 900, 900, -200}};
-    ToyGame walker(ToyLevel().add_model(gap)), jumper(ToyLevel().add_model(gap));
-    walker.play(70, kAhead);
-    EXPECT_LT(walker.feet(), -150);
-    while (jumper.x() < 95) jumper.play(1, kAhead);
-    jumper.play(1, {127, 0, 0, 0, kJumpButton});
-    jumper.play(30, kAhead);
-    EXPECT_NEAR(jumper.feet(), 0, 1);
-    EXPECT_GT(jumper.x(), 240);
-}
-
-TEST(Player, SinksSwimsAndIsSlowerInWater) {
-    ToyGame game(ToyLevel(400).add_model(floor_and({})), 200);
-    game.play(35, kStand);
-    EXPECT_EQ(game.state.player.depth, Depth::Eyes);
-    EXPECT_NEAR(game.state.player.velocity.z.raw / 4096.0, -60 * 0.7, 8);
-    game.play(70, kAhead);
-    EXPECT_LT(game.speed(), 230);
-    const double before = game.feet();
-    game.play(35, kJump);
-    EXPECT_GT(game.feet(), before + 50);
-}
-
 TEST(Player, StartInTheFloorIsLiftedOut) {
     ToyGame game(room(), -10);
     game.play(5, kStand);
     EXPECT_NEAR(game.feet(), 0, 0.1);
-}
-
-TEST(Player, FallingOutOfTheWorldBeginsAnew) {
-    ToyGame game(ToyLevel().add_model({{5000, 5000, 0, 5001, 5001, 1}}));
-    game.play(35 * 25, kStand);  // 2,000 units a second at the most
-    EXPECT_GT(game.feet(), -40'001);
-    EXPECT_LT(game.state.player.velocity.z, World{});
 }
 
 TEST(Player, HostileInputsStayInTheRoom) {

@@ -4,55 +4,42 @@
 #include <bit>
 
 #include "game/simulation/step.h"
-#include "tests/game/toy_game.h"
+#include "tests/game/logic_level.h"
+#include "tests/game/scenario.h"
 
 namespace oblong {
 namespace {
 
-using test::floor_and;
 using test::kAhead;
 using test::kStand;
+using test::LogicLevel;
 using test::Solid;
 using test::ToyGame;
 using test::ToyLevel;
 
 // A floor with rows of doors, lifts, buttons, teleporters and triggers for the player to run through.
-class Field {
-  public:
-    Field() {
-        toy.add_model(floor_and({{2000, -2048, 0, 2048, 2048, 300},
-                                 {-2048, -2048, 0, -2000, 2048, 300},
-                                 {-2048, 2000, 0, 2048, 2048, 300},
-                                 {-2048, -2048, 0, 2048, -2000, 300}}));
-        for (int row = -3; row <= 3; ++row) add_row(row * 280);
-    }
-    ToyLevel toy;
-
-  private:
-    void add(const Solid& box, std::vector<std::pair<std::string, std::string>> pairs) {
-        toy.add_model({box});
-        pairs.emplace_back("model", "*" + std::to_string(++models_));
-        toy.add_entity(std::move(pairs));
-    }
-    void add_row(int y) {
+ToyLevel field() {
+    LogicLevel level({{2000, -2048, 0, 2048, 2048, 300},
+                      {-2048, -2048, 0, -2000, 2048, 300},
+                      {-2048, 2000, 0, 2048, 2048, 300},
+                      {-2048, -2048, 0, 2048, -2000, 300}});
+    for (int row = -3; row <= 3; ++row) {
+        const int y = row * 280;
         const std::string name = std::to_string(y), exit = "exit" + name;
         const auto at = [&](int x, int height) { return Solid{x, y - 50, 0, x + 40, y + 50, height}; };
-        add(at(150, 100), {{"classname", "func_door"}, {"angle", "-1"}, {"wait", y < 0 ? "-1" : "1"}});
-        add(at(-250, 64), {{"classname", "func_plat"}, {"height", "56"}});
-        add(at(400, 90), {{"classname", "func_door"}, {"angle", "-1"}, {"targetname", name}, {"wait", "2"}});
-        add(at(330, 20), {{"classname", "func_button"}, {"angle", "-2"}, {"target", name}});
-        add(at(-450, 60), {{"classname", y < 0 ? "trigger_once" : "trigger_multiple"}, {"target", name}});
-        add(at(600, 60), {{"classname", "trigger_teleport"}, {"target", exit}});
-        add(at(-600, 60), {{"classname", "trigger_teleport"}, {"target", exit}, {"targetname", name}});
-        toy.add_entity({{"classname", "light"}, {"targetname", name}, {"style", std::to_string(40 + y / 280)}});
-        toy.add_entity({{"classname", "info_teleport_destination"},
-                        {"targetname", exit},
-                        {"origin", "-430 " + name + " 10"},
-                        {"angle", "30"}});
+        level.add("func_door", at(150, 100), {{"angle", "-1"}, {"wait", y < 0 ? "-1" : "1"}});
+        level.add("func_plat", at(-250, 64), {{"height", "56"}});
+        level.add("func_door", at(400, 90), {{"angle", "-1"}, {"targetname", name}, {"wait", "2"}});
+        level.add("func_button", at(330, 20), {{"angle", "-2"}, {"target", name}});
+        level.add(y < 0 ? "trigger_once" : "trigger_multiple", at(-450, 60), {{"target", name}});
+        level.add("trigger_teleport", at(600, 60), {{"target", exit}});
+        level.add("trigger_teleport", at(-600, 60), {{"target", exit}, {"targetname", name}});
+        level.add("light", {{"targetname", name}, {"style", std::to_string(40 + row)}});
+        level.add("info_teleport_destination",
+                  {{"targetname", exit}, {"origin", "-430 " + name + " 10"}, {"angle", "30"}});
     }
-
-    int models_ = 0;
-};
+    return level.take();
+}
 
 // A tree that finds all of its boxes wherever it is asked.
 BoxTree tree_of_all(std::size_t count) {
@@ -94,7 +81,7 @@ class RandomInput {
 };
 
 TEST(AtRest, TheGameIsTheSameAsIfEverythingWereStepped) {
-    ToyGame game(Field().toy);
+    ToyGame game(field());
     const GameLevel all_near = where_all_is_near(game.level);
     GameState reference = game.state;
     RandomInput random;
@@ -118,7 +105,7 @@ TEST(AtRest, TheGameIsTheSameAsIfEverythingWereStepped) {
 }
 
 TEST(AtRest, NoMoverIsSteppedUntilOneIsActivatedAndNoneWhenAllRestAgain) {
-    ToyGame game(Field().toy);
+    ToyGame game(field());
     game.play(70, kStand);
     EXPECT_TRUE(game.state.active_movers.empty());
     game.play(16, kAhead);  // to the door of the middle row
@@ -128,66 +115,42 @@ TEST(AtRest, NoMoverIsSteppedUntilOneIsActivatedAndNoneWhenAllRestAgain) {
     EXPECT_TRUE(game.state.active_movers.empty());
 }
 
-// A trigger that the player runs through, with a light.
-ToyLevel with_light(const char* trigger, const char* spawnflags) {
-    ToyLevel toy;
-    toy.add_model(floor_and({})).add_model({{100, -64, 0, 300, 64, 128}});
-    toy.add_entity({{"classname", trigger}, {"model", "*1"}, {"target", "lamp"}});
-    for (int i = 0; i < 2; ++i)
-        toy.add_entity({{"classname", "light"}, {"targetname", "lamp"}, {"style", "33"}, {"spawnflags", spawnflags}});
-    return toy;
-}
+constexpr test::Scenario kSwitchedLights[] = {
+    // As in Quake: again after each wait, for as long as the player stays.
+    {"GoOffAndOnEachTimeThatATriggerFires", R"(
+        + trigger_multiple 100 -64 0 300 64 128 target=lamp wait=2
+        + light targetname=lamp style=33
+        + light targetname=lamp style=33
+        play 5: dark = ""
+        stand 90 0: dark = 33
+        at 90 0; play 69: dark = 33
+        play 1: dark = ""
+    )"},
+    {"GoOnOnceByATriggerOnce", R"(
+        + trigger_once 100 -64 0 300 64 128 target=lamp
+        + light targetname=lamp style=33 spawnflags=1
+        : dark = 33
+        stand 90 0: dark = ""
+        wait 40; stand 90 0: dark = ""
+    )"},
+    // Styles below 32 are patterns, above 63 none.
+    {"AreSwitchedByAButtonWhenItIsIn", R"(
+        + func_button 100 -64 0 116 64 64 angle=0 target=lamp wait=1
+        + light_torch targetname=lamp style=63
+        + light targetname=lamp style=64
+        + light targetname=lamp style=5
+        play 14 ahead: phase0 = leaving, dark = ""
+        play 20 ahead: phase0 = end, dark = 63
+        play 20 ahead: dark = 63        # held, it stays in for its wait
+        wait 100; at 83 0; play 12: phase0 = end, dark = ""
+    )"},
+};
+OBLONG_SCENARIOS(SwitchedLights, kSwitchedLights);
 
-constexpr std::uint64_t kStyle33 = std::uint64_t{1} << 33;
-constexpr TickInput kBack{-127, 0, 0, 0, 0};
-
-// As in Quake: again after each wait, for as long as the player stays.
-TEST(SwitchedLight, GoesOffAndOnEachTimeThatATriggerFires) {
-    ToyLevel toy = with_light("trigger_multiple", "0");
-    toy.level.entities.front().pairs.emplace_back("wait", "2");
-    ToyGame game(std::move(toy));
-    EXPECT_EQ(game.state.dark_styles, 0u);
-    while (game.state.dark_styles == 0) game.play(1, kAhead);
-    EXPECT_NEAR(game.x(), 84, 10);
-    game.play(10, kAhead);
-    game.play(59, kStand);
-    EXPECT_EQ(game.state.dark_styles, kStyle33) << "69 ticks later";
-    game.play(1, kStand);
-    EXPECT_EQ(game.state.dark_styles, 0u);
-}
-
-TEST(SwitchedLight, GoesOnOnceByATriggerOnce) {
-    ToyGame game(with_light("trigger_once", "1"));
-    EXPECT_EQ(game.state.dark_styles, kStyle33);
-    for (int round = 0; round < 3; ++round) {
-        game.play(40, kAhead);
-        EXPECT_EQ(game.state.dark_styles, 0u) << round;
-        game.play(40, kBack);
-    }
-}
-
-TEST(SwitchedLight, AButtonSwitchesItWhenItIsPressed) {
-    ToyLevel toy;
-    toy.add_model(floor_and({})).add_model({{100, -64, 0, 116, 64, 64}});
-    toy.add_entity({{"classname", "func_button"}, {"model", "*1"}, {"angle", "0"}, {"target", "lamp"}, {"wait", "1"}});
-    toy.add_entity({{"classname", "light_torch"}, {"targetname", "lamp"}, {"style", "63"}});
-    toy.add_entity({{"classname", "light"}, {"targetname", "lamp"}, {"style", "64"}});
-    toy.add_entity({{"classname", "light"}, {"targetname", "lamp"}, {"style", "5"}});
-    ToyGame game(std::move(toy));
-    const std::uint64_t hash = hash_of(game.state);
-    game.play(14, kAhead);
-    EXPECT_EQ(game.state.dark_styles, 0u) << "not before it is in";
-    game.play(20, kAhead);
-    EXPECT_EQ(game.state.dark_styles, std::uint64_t{1} << 63) << "styles below 32 are patterns, above 63 none";
-    GameState lit = game.state;
-    lit.dark_styles = 0;
-    EXPECT_NE(hash_of(lit), hash_of(game.state));
-    EXPECT_NE(hash_of(lit), hash);
-    game.play(20, kAhead);
-    EXPECT_EQ(game.state.dark_styles, std::uint64_t{1} << 63) << "held, it stays in for its wait";
-    game.play(100, kBack);
-    while (game.state.movers[0].phase != MoverState::Phase::AtEnd) game.play(1, kAhead);
-    EXPECT_EQ(game.state.dark_styles, 0u);
+TEST(SwitchedLight, IsPartOfTheStatesHash) {
+    GameState lit, dark;
+    dark.dark_styles = 1;
+    EXPECT_NE(hash_of(lit), hash_of(dark));
 }
 
 }  // namespace

@@ -19,12 +19,6 @@ constexpr std::int64_t kFrames = 40;
 
 class SessionOfTheDemo : public testing::Test {
   protected:
-    void SetUp() override {
-        const std::string assets = test::build_folder() + "/assets";
-        if (!std::filesystem::exists(assets + "/demo.bsp")) GTEST_SKIP() << "the demo level is not built";
-        loaded_ = std::make_shared<const LoadedLevel>(LevelFiles{"", "", assets, ""});
-    }
-
     // Walks ahead in a turn with keys pressed at some frames; the demo that it recorded is in demo_.
     std::vector<Picture> play(const Presses& presses, bool by_arrows = false) {
         std::vector<Picture> pictures;
@@ -53,79 +47,69 @@ class SessionOfTheDemo : public testing::Test {
         return pictures;
     }
 
-    std::shared_ptr<const LoadedLevel> loaded_;
+    const std::shared_ptr<const LoadedLevel> loaded_ =
+        std::make_shared<const LoadedLevel>(LevelFiles{"", "", test::build_folder() + "/assets", ""});
     std::vector<std::uint8_t> demo_;
 };
 
 constexpr Action kPanel = Action::LabPanel, kMap = Action::ErrorMap, kSplit = Action::SplitView,
                  kFlip = Action::FlipSettings, kGuide = Action::AspectGuide, kFour = Action::FourAspects;
 
-// Messages over the picture end after 2.5 s, or longer: the pictures are compared with those of a run that shows none.
-TEST_F(SessionOfTheDemo, TheLabLeavesNoTraceInTheGame) {
-    const std::vector<Picture> plain = play({{1, {kGuide}}, {20, {kGuide}}});
-    const std::vector<std::uint8_t> plain_demo = demo_;
-    const std::vector<Picture> watched = play({{1, {kPanel, kMap, kSplit, kFlip, kGuide}},
-                                               {10, {kFour}},
-                                               {15, {kFour}},
-                                               {20, {kPanel, kMap, kSplit, kFlip, kGuide}}});
-    EXPECT_EQ(demo_, plain_demo);
-    ASSERT_EQ(watched.size(), plain.size());
-    EXPECT_EQ(watched[0], plain[0]);
-    for (std::size_t frame = 1; frame < 20; ++frame) EXPECT_NE(watched[frame], plain[frame]) << frame;
-    constexpr std::size_t kBelowMessage = 320 * 40;
-    for (std::size_t frame = 20; frame < plain.size(); ++frame)
-        EXPECT_TRUE(std::equal(plain[frame].begin() + kBelowMessage, plain[frame].end(),
-                               watched[frame].begin() + kBelowMessage))
-            << frame;
+struct Watching {
+    const char* name;
+    Presses plain, watched;  ///< in both the messages that stay longer than the rest are the same
+    std::size_t until;       ///< from frame 1 on, the picture is another
+};
+
+void PrintTo(const Watching& watching, std::ostream* out) {
+    *out << watching.name;
 }
 
-// F6 draws the view twice more; a torch lights the picture alone.
-TEST_F(SessionOfTheDemo, CostTorchAndTubeLeaveNoTraceInTheGame) {
-    const std::vector<Picture> plain = play({});
+class WatchedSession : public SessionOfTheDemo, public testing::WithParamInterface<Watching> {};
+
+// Whatever is shown over the game or beside it: the demo is the same, and so is each picture before it and after it,
+// but for the messages at the top, which end after 2.5 s or longer.
+TEST_P(WatchedSession, LeavesNoTraceInTheGame) {
+    const auto& [name, plain_presses, watched_presses, until] = GetParam();
+    const std::vector<Picture> plain = play(plain_presses);
     const std::vector<std::uint8_t> plain_demo = demo_;
-    const std::vector<Picture> watched = play({{1, {Action::FrameCost, Action::Torch, Action::CrtLook}},
-                                               {30, {Action::FrameCost, Action::Torch, Action::CrtLook}}});
+    const std::vector<Picture> watched = play(watched_presses);
     EXPECT_EQ(demo_, plain_demo);
     ASSERT_EQ(watched.size(), plain.size());
-    for (std::size_t frame = 1; frame < 30; ++frame) EXPECT_NE(watched[frame], plain[frame]) << frame;
     constexpr std::size_t kBelowMessage = 320 * 40;
-    for (std::size_t frame = 30; frame < plain.size(); ++frame)
-        EXPECT_TRUE(std::equal(plain[frame].begin() + kBelowMessage, plain[frame].end(),
-                               watched[frame].begin() + kBelowMessage))
-            << frame;
+    for (std::size_t frame = 0; frame < plain.size(); ++frame) {
+        const auto skipped = static_cast<std::ptrdiff_t>(frame == 0 ? 0 : kBelowMessage);
+        if (frame > 0 && frame < until)
+            EXPECT_NE(watched[frame], plain[frame]) << frame;
+        else
+            EXPECT_TRUE(
+                std::equal(plain[frame].begin() + skipped, plain[frame].end(), watched[frame].begin() + skipped))
+                << frame;
+    }
 }
 
-TEST_F(SessionOfTheDemo, MapAndEdgesLeaveNoTraceInTheGame) {
-    const std::vector<Picture> plain = play({});
-    const std::vector<std::uint8_t> plain_demo = demo_;
-    const std::vector<Picture> watched = play({{1, {Action::Automap, Action::Wireframe}},
-                                               {15, {Action::Automap, Action::Wireframe}},
-                                               {30, {Action::Automap, Action::Wireframe}}});
-    EXPECT_EQ(demo_, plain_demo);
-    ASSERT_EQ(watched.size(), plain.size());
-    for (std::size_t frame = 1; frame < 30; ++frame) EXPECT_NE(watched[frame], plain[frame]) << frame;
-    constexpr std::size_t kBelowMessage = 320 * 40;
-    for (std::size_t frame = 30; frame < plain.size(); ++frame)
-        EXPECT_TRUE(std::equal(plain[frame].begin() + kBelowMessage, plain[frame].end(),
-                               watched[frame].begin() + kBelowMessage))
-            << frame;
-}
+const std::vector<Action> kCostTorchAndTube{Action::FrameCost, Action::Torch, Action::CrtLook},
+    kMapAndEdges{Action::Automap, Action::Wireframe};
 
-TEST_F(SessionOfTheDemo, OtherViewsLeaveNoTraceInTheGame) {
-    const std::vector<Picture> plain = play({});
-    const std::vector<std::uint8_t> plain_demo = demo_;
-    const std::vector<Picture> watched = play({{1, {Action::Isometric}},
-                                               {10, {Action::Isometric, Action::ZoomIn, Action::ZoomIn}},
-                                               {20, {Action::ZoomOut, Action::ZoomOut}}});
-    EXPECT_EQ(demo_, plain_demo);
-    ASSERT_EQ(watched.size(), plain.size());
-    for (std::size_t frame = 1; frame < 20; ++frame) EXPECT_NE(watched[frame], plain[frame]) << frame;
-    constexpr std::size_t kBelowMessage = 320 * 40;
-    for (std::size_t frame = 20; frame < plain.size(); ++frame)
-        EXPECT_TRUE(std::equal(plain[frame].begin() + kBelowMessage, plain[frame].end(),
-                               watched[frame].begin() + kBelowMessage))
-            << frame;
-}
+INSTANTIATE_TEST_SUITE_P(
+    Of, WatchedSession,
+    testing::Values(Watching{"Lab",
+                             {{1, {kGuide}}, {20, {kGuide}}},
+                             {{1, {kPanel, kMap, kSplit, kFlip, kGuide}},
+                              {10, {kFour}},
+                              {15, {kFour}},
+                              {20, {kPanel, kMap, kSplit, kFlip, kGuide}}},
+                             20},
+                    // F6 draws the view twice more; a torch lights the picture alone.
+                    Watching{"CostTorchAndTube", {}, {{1, kCostTorchAndTube}, {30, kCostTorchAndTube}}, 30},
+                    Watching{"MapAndEdges", {}, {{1, kMapAndEdges}, {15, kMapAndEdges}, {30, kMapAndEdges}}, 30},
+                    Watching{"OtherViews",
+                             {},
+                             {{1, {Action::Isometric}},
+                              {10, {Action::Isometric, Action::ZoomIn, Action::ZoomIn}},
+                              {20, {Action::ZoomOut, Action::ZoomOut}}},
+                             20}),
+    [](const auto& each) { return std::string(each.param.name); });
 
 TEST_F(SessionOfTheDemo, ArrowsWalkUnlessTheLabIsOpen) {
     play({});

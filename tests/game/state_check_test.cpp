@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "game/simulation/activations.h"
 #include "tests/game/logic_level.h"
 
 namespace oblong {
@@ -56,49 +57,90 @@ TEST(Consistency, WhatTheGameCanNotGoOnFromIsFound) {
     LogicGame game(level);
     game.play(20, kAhead);
     ASSERT_EQ(game.state.delayed.size(), 1u);
-    const std::vector<std::function<void(GameState&)>> spoilers{
-        [](GameState& state) { state.movers.pop_back(); },
-        [](GameState& state) { state.movers.emplace_back(); },
-        [](GameState& state) { state.walls.clear(); },
-        [](GameState& state) { state.triggers.emplace_back(); },
-        [](GameState& state) { state.items.clear(); },
-        [](GameState& state) { state.active_movers.clear(); },
-        [](GameState& state) { state.active_movers.push_back(99); },
-        [](GameState& state) { state.movers[0].leg = 1; },
-        [](GameState& state) { state.movers[0].travelled = World::from_int(121); },
-        [](GameState& state) { state.movers[1].travelled = World::from_int(-1); },
-        [](GameState& state) { state.movers[1].wait_ticks = -2; },
-        [](GameState& state) { state.movers[1].phase = static_cast<Phase>(9); },
-        [](GameState& state) { state.movers[1].next_touch = -1; },
-        [](GameState& state) { state.walls[0] = static_cast<WallState>(7); },
-        [](GameState& state) { state.items[0] = static_cast<ItemState>(7); },
-        [](GameState& state) { state.triggers[0].open_until = TriggerState::kNever; },
-        [](GameState& state) { state.delayed[0].by.index = 99; },
-        [](GameState& state) { state.delayed[0].by.kind = EntityRef::Kind::Wall; },
-        [](GameState& state) { state.delayed[0].by.kind = static_cast<EntityRef::Kind>(9); },
-        [](GameState& state) { state.delayed[0].tick = state.tick; },
-        [](GameState& state) {
-            state.delayed.insert(state.delayed.begin(), {state.delayed[0].tick + 1, {}});
-        },
-        [](GameState& state) { state.shown_message = 9; },
-        [](GameState& state) { state.shown_message = -2; },
-        [](GameState& state) { state.exit = 9; },
-        [](GameState& state) { state.found_secrets = 2; },
-        [](GameState& state) { state.keys = 4; },
-        [](GameState& state) { state.tick = -1; },
-        [](GameState& state) { state.respawn.position.x = World::lowest(); },
-        [](GameState& state) { state.player.position.z = World::highest(); },
-        [](GameState& state) { state.player.velocity.z = World::lowest(); },
-        [](GameState& state) { state.player.pitch = 20'000; },
-        [](GameState& state) { state.player.eye_lag = World::from_int(19); },
-        [](GameState& state) { state.player.ground = 99; },
-        [](GameState& state) { state.player.depth = static_cast<Depth>(4); },
+    struct Spoiler {
+        const char* what;
+        std::function<void(GameState&)> spoil;
     };
+    const std::vector<Spoiler> spoilers{
+        {"a mover too few", [](GameState& state) { state.movers.pop_back(); }},
+        {"a mover too many", [](GameState& state) { state.movers.emplace_back(); }},
+        {"no walls", [](GameState& state) { state.walls.clear(); }},
+        {"a trigger too many", [](GameState& state) { state.triggers.emplace_back(); }},
+        {"no items", [](GameState& state) { state.items.clear(); }},
+        {"an active mover that is not listed", [](GameState& state) { state.active_movers.clear(); }},
+        {"an active mover that is none", [](GameState& state) { state.active_movers.push_back(99); }},
+        {"a leg that a door has not", [](GameState& state) { state.movers[0].leg = 1; }},
+        {"beyond the end of its way", [](GameState& state) { state.movers[0].travelled = World::from_int(121); }},
+        {"before the start of its way", [](GameState& state) { state.movers[1].travelled = World::from_int(-1); }},
+        {"a wait below none for ever", [](GameState& state) { state.movers[1].wait_ticks = -2; }},
+        {"no phase", [](GameState& state) { state.movers[1].phase = static_cast<Phase>(9); }},
+        {"touched before the start of time", [](GameState& state) { state.movers[1].next_touch = -1; }},
+        {"no state of a wall", [](GameState& state) { state.walls[0] = static_cast<WallState>(7); }},
+        {"no state of an item", [](GameState& state) { state.items[0] = static_cast<ItemState>(7); }},
+        {"open for ever", [](GameState& state) { state.triggers[0].open_until = TriggerState::kNever; }},
+        {"delayed by none", [](GameState& state) { state.delayed[0].by.index = 99; }},
+        {"delayed by a wall", [](GameState& state) { state.delayed[0].by.kind = EntityRef::Kind::Wall; }},
+        {"delayed by no kind", [](GameState& state) { state.delayed[0].by.kind = static_cast<EntityRef::Kind>(9); }},
+        {"delayed until now", [](GameState& state) { state.delayed[0].tick = state.tick; }},
+        {"delays out of their order",
+         [](GameState& state) {
+             state.delayed.insert(state.delayed.begin(), {state.delayed[0].tick + 1, {}});
+         }},
+        {"a message that is none", [](GameState& state) { state.shown_message = 9; }},
+        {"less than no message", [](GameState& state) { state.shown_message = -2; }},
+        {"an exit that is none", [](GameState& state) { state.exit = 9; }},
+        {"more secrets than there are", [](GameState& state) { state.found_secrets = 2; }},
+        {"keys that there are not", [](GameState& state) { state.keys = 4; }},
+        {"before the start", [](GameState& state) { state.tick = -1; }},
+        {"a respawn outside the world", [](GameState& state) { state.respawn.position.x = World::lowest(); }},
+        {"a player outside the world", [](GameState& state) { state.player.position.z = World::highest(); }},
+        {"too fast", [](GameState& state) { state.player.velocity.z = World::lowest(); }},
+        {"a look beyond straight up", [](GameState& state) { state.player.pitch = 20'000; }},
+        {"an eye too far behind", [](GameState& state) { state.player.eye_lag = World::from_int(19); }},
+        {"ground that is none", [](GameState& state) { state.player.ground = 99; }},
+        {"no depth", [](GameState& state) { state.player.depth = static_cast<Depth>(4); }},
+        {"a lift beyond the end of its way",
+         [](GameState& state) { state.movers[1].travelled = World::from_int(30'000); }},
+        {"a wait of years", [](GameState& state) { state.movers[1].wait_ticks = 1 << 30; }},
+        {"a mover that is active twice",
+         [](GameState& state) {
+             state.active_movers = {0, 0};
+         }},
+        {"active movers out of their order",
+         [](GameState& state) {
+             state.active_movers = {1, 0};
+         }},
+        {"a wall too many", [](GameState& state) { state.walls.emplace_back(); }},
+        {"an item too many", [](GameState& state) { state.items.emplace_back(); }},
+        {"a message of later", [](GameState& state) { state.message_tick = state.tick + 1; }},
+        {"just above the world", [](GameState& state) { state.player.position.z = World::from_int(40'001); }},
+        {"more delayed than there may be",
+         [](GameState& state) { state.delayed.resize(Activations::kMost + 1, state.delayed[0]); }},
+        {"more waiting than there may be",
+         [](GameState& state) {
+             state.backlog.waiting.resize(Activations::kMost + 1, {0, 0, false});
+         }},
+        {"waiting by none",
+         [](GameState& state) {
+             state.backlog.waiting = {{99, 0, false}};
+         }},
+        {"waiting for no target",
+         [](GameState& state) {
+             state.backlog.waiting = {{0, 99, false}};
+         }},
+        {"a next mover that is none", [](GameState& state) { state.backlog.next_mover = 99; }},
+        {"a next touch box that is none", [](GameState& state) { state.backlog.next_touch_box = 99; }},
+        {"a next trigger box that is none", [](GameState& state) { state.backlog.next_trigger_box = 99; }},
+        {"a next item box that is none", [](GameState& state) { state.backlog.next_item_box = 99; }},
+    };
+    GameState waits = game.state;
+    waits.backlog.waiting = {{0, 0, false}};
+    ASSERT_TRUE(is_consistent(game.level, waits));
     ASSERT_TRUE(is_consistent(game.level, game.state));
-    for (std::size_t i = 0; i < spoilers.size(); ++i) {
+    for (const auto& [what, spoil] : spoilers) {
         GameState spoilt = game.state;
-        spoilers[i](spoilt);
-        EXPECT_FALSE(is_consistent(game.level, spoilt)) << "spoiler " << i;
+        spoil(spoilt);
+        EXPECT_FALSE(is_consistent(game.level, spoilt)) << what;
     }
 }
 

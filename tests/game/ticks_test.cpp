@@ -70,16 +70,6 @@ TEST(LiveInput, MouseIsNeitherLostNorDoubled) {
     EXPECT_EQ(live.next().yaw, 0);
 }
 
-TEST(LiveInput, ATapBetweenTicksStillJumpsOnce) {
-    LiveInput live;
-    Controls tap;
-    tap.moves.set(Action::Jump);
-    live.gather(tap);
-    live.gather(Controls{});
-    EXPECT_EQ(live.next().buttons, kJumpButton);
-    EXPECT_EQ(live.next().buttons, 0);
-}
-
 TEST(LiveInput, KeysTurnSmoothlyBetweenTicks) {
     LiveInput live;
     Controls controls;

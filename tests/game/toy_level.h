@@ -14,6 +14,16 @@ struct Solid {
     std::int32_t min_x, min_y, min_z, max_x, max_y, max_z;
 };
 
+/// Adds a plane across an axis.
+inline PlaneIndex add_plane(Level& level, std::uint8_t axis, std::int32_t distance) {
+    LevelPlane plane;
+    plane.axis = axis;
+    (axis == 0 ? plane.normal.x : axis == 1 ? plane.normal.y : plane.normal.z) = Unit::from_int(1);
+    plane.distance = PlaneDistance::from_int(distance);
+    level.planes.push_back(plane);
+    return PlaneIndex(level.planes.count() - 1);
+}
+
 /// A tiny level of solid boxes for the player to bump into: hull 1 is a chain of boxes grown by the player's, hull 0 is
 /// empty, but for water below `water_z`.
 class ToyLevel {
@@ -24,7 +34,7 @@ class ToyLevel {
         level.leaves[LeafIndex(1)].contents = contents::kEmpty;
         level.leaves[LeafIndex(2)].contents = contents::kWater;
         Node surface;
-        surface.plane = add_plane(2, water_z);
+        surface.plane = add_plane(level, 2, water_z);
         surface.children = {NodeChild(LeafIndex(1)), NodeChild(LeafIndex(2))};
         level.nodes.push_back(surface);
     }
@@ -47,15 +57,6 @@ class ToyLevel {
     Level level;
 
   private:
-    PlaneIndex add_plane(std::uint8_t axis, std::int32_t distance) {
-        LevelPlane plane;
-        plane.axis = axis;
-        (axis == 0 ? plane.normal.x : axis == 1 ? plane.normal.y : plane.normal.z) = Unit::from_int(1);
-        plane.distance = PlaneDistance::from_int(distance);
-        level.planes.push_back(plane);
-        return PlaneIndex(level.planes.count() - 1);
-    }
-
     // Six planes of a box: outside any of them is the next box's chain, inside all is solid.
     ClipChild chain(const std::vector<Solid>& solids) {
         ClipChild next(contents::kEmpty);
@@ -63,7 +64,7 @@ class ToyLevel {
             ClipChild inside(contents::kSolid);
             const auto cut = [&](std::uint8_t axis, std::int32_t distance, bool solid_is_front) {
                 ClipNode node;
-                node.plane = add_plane(axis, distance);
+                node.plane = add_plane(level, axis, distance);
                 node.children = {solid_is_front ? inside : next, solid_is_front ? next : inside};
                 level.clip_nodes.push_back(node);
                 inside = ClipChild(ClipNodeIndex(level.clip_nodes.count() - 1));

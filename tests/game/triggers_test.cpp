@@ -1,228 +1,179 @@
+// What fires when the player touches it, and what else is touched: pushes, teleporters, exits, items.
+
 #include <gtest/gtest.h>
 
-#include "engine/fixed/trig.h"
-#include "game/simulation/collision.h"
 #include "tests/game/logic_level.h"
+#include "tests/game/scenario.h"
 
 namespace oblong {
 namespace {
 
-using test::kAhead;
-using test::kStand;
-using test::LogicGame;
-using test::LogicLevel;
-using test::Pairs;
-using test::Solid;
-using Phase = MoverState::Phase;
-
-constexpr Solid kVolume{100, -50, 0, 150, 50, 64};
-
-// A trigger that counts up to 100 in a counter: how often it has fired.
-struct CountingGame : LogicGame {
-    explicit CountingGame(LogicLevel source) : LogicGame(counted(source)) {
-        while (level.triggers.at(counter_).kind != TriggerKind::Counter) ++counter_;
-    }
-    int fired() const { return 100 - state.triggers.at(counter_).left; }
-
-  private:
-    static LogicLevel& counted(LogicLevel& source) {
-        return source.add("trigger_counter", {{"targetname", "count"}, {"count", "100"}});
-    }
-    std::size_t counter_ = 0;
-};
-
-LogicLevel with(const char* its_class, Pairs pairs) {
-    LogicLevel level;
-    pairs.emplace_back("target", "count");
-    level.add(its_class, kVolume, std::move(pairs));
-    return level;
-}
-
-TEST(Trigger, OnceFiresOnce) {
-    CountingGame game(with("trigger_once", {}));
-    game.put_at(120, 0);
-    game.play(100, kStand);
-    EXPECT_EQ(game.fired(), 1);
-}
-
-TEST(Trigger, MultipleFiresAgainAfterItsWaitOrFifthsOfASecond) {
-    CountingGame usual(with("trigger_multiple", {}));
-    usual.put_at(120, 0);
-    usual.play(7 * 9 + 1, kStand);
-    EXPECT_EQ(usual.fired(), 10);
-    CountingGame slow(with("trigger_multiple", {{"wait", "0.6"}}));
-    slow.put_at(120, 0);
-    slow.play(21 * 9 + 1, kStand);
-    EXPECT_EQ(slow.fired(), 10);
-    CountingGame once(with("trigger_multiple", {{"wait", "-1"}}));
-    once.put_at(120, 0);
-    once.play(100, kStand);
-    EXPECT_EQ(once.fired(), 1);
-}
-
-TEST(Trigger, ThatIsNotTouchedFiresOnlyWhenItIsActivated) {
-    LogicLevel level = with("trigger_once", {{"spawnflags", "1"}, {"targetname", "hidden"}});
-    level.add("trigger_once", {500, -50, 0, 550, 50, 64}, {{"target", "hidden"}});
-    CountingGame game(std::move(level));
-    game.stand_at(120, 0);
-    EXPECT_EQ(game.fired(), 0);
-    game.stand_at(520, 0);
-    EXPECT_EQ(game.fired(), 1);
-}
-
-TEST(Trigger, ThatWouldHaveToBeShotAnswersToWhoComesNear) {
-    CountingGame game(with("trigger_multiple", {{"health", "10"}, {"wait", "-1"}}));
-    game.stand_at(100 - 32 - 17, 0);
-    EXPECT_EQ(game.fired(), 0);
-    game.stand_at(100 - 32 - 16, 0);
-    EXPECT_EQ(game.fired(), 1);
-}
-
-TEST(Trigger, WithAnAngleFiresOnlyForWhoLooksThatWay) {
-    CountingGame game(with("trigger_once", {{"angle", "90"}}));
-    game.state.player.yaw = degrees_to_angle(Degrees::from_int(-10));
-    game.stand_at(120, 0);
-    EXPECT_EQ(game.fired(), 0);
-    game.state.player.yaw = degrees_to_angle(Degrees::from_int(10));
-    game.stand_at(120, 0);
-    EXPECT_EQ(game.fired(), 1);
-}
-
-TEST(Trigger, OnlyregisteredAlwaysFiresAndKeepsItsMessage) {
-    CountingGame game(with("trigger_onlyregistered", {{"message", "Buy it"}}));
-    game.put_at(120, 0);
-    game.play(100, kStand);
-    EXPECT_EQ(game.fired(), 1);
-    EXPECT_NE(game.message(), "Buy it");
-}
-
-TEST(Secret, IsCountedOnceAndSaysSo) {
-    LogicLevel level;
-    level.add("trigger_secret", kVolume);
-    level.add("trigger_secret", {500, -50, 0, 550, 50, 64}, {{"message", "Well hidden"}});
-    LogicGame game(level);
-    EXPECT_EQ(game.level.secrets, 2);
-    game.put_at(120, 0);
-    game.play(100, kStand);
-    EXPECT_EQ(game.state.found_secrets, 1);
-    EXPECT_EQ(game.message(), "You found a secret place");
-    game.stand_at(520, 0);
-    EXPECT_EQ(game.state.found_secrets, 2);
-    EXPECT_EQ(game.message(), "Well hidden");
-}
-
-TEST(Push, ThrowsThePlayerTenTimesAsFastAsItSaysUpToWhatQuakeAllows) {
-    LogicLevel level;
-    level.add("trigger_push", kVolume, {{"angle", "-1"}, {"speed", "60"}});
-    LogicGame game(level);
-    game.stand_at(120, 0);
-    EXPECT_EQ(game.state.player.velocity, world_vector(0, 0, 600));
-    double highest = 0;
-    for (int tick = 0; tick < 70; ++tick) {
-        game.play(1, kStand);
-        highest = std::max(highest, game.feet());
-    }
-    EXPECT_GT(highest, 200);  // out of the volume at 64 with 600 a second: 600^2 / 2 / 800 = 225 higher
-    EXPECT_LT(highest, 300);
-
-    LogicLevel fast;
-    fast.add("trigger_push", kVolume, {{"angle", "90"}});
-    LogicGame other(fast);
-    other.stand_at(120, 0);
-    EXPECT_EQ(other.state.player.velocity, world_vector(0, 2000, 0));
-}
-
-TEST(Push, OnceByItsFlag) {
-    LogicLevel level;
-    level.add("trigger_push", kVolume, {{"angle", "-1"}, {"speed", "30"}, {"spawnflags", "1"}});
-    LogicGame game(level);
-    game.stand_at(120, 0);
-    game.play(100, kStand);
-    EXPECT_NEAR(game.feet(), 0, 0.1);
-    game.stand_at(120, 0);
-    EXPECT_NEAR(game.feet(), 0, 0.1);
-    EXPECT_EQ(game.state.player.velocity.z, World{});
-}
-
-TEST(Push, GoesAlongBothAngles) {
-    LogicLevel level;
-    level.add("trigger_push", kVolume, {{"angles", "-30 90 0"}, {"speed", "100"}});
-    LogicGame game(level);
-    game.stand_at(120, 0);
-    EXPECT_NEAR(game.state.player.velocity.y.raw / 4096.0, 866, 1);
-    EXPECT_NEAR(game.state.player.velocity.z.raw / 4096.0, 500, 1);
-}
-
-TEST(Teleporter, FiresItsTargetTooAndIsWhereThePlayerComesInAgain) {
-    LogicLevel level = with("trigger_teleport", {});
-    level.add("info_teleport_destination", {{"targetname", "count"}, {"origin", "600 0 0"}, {"angle", "90"}});
-    CountingGame game(std::move(level));
+constexpr test::Scenario kTriggers[] = {
+    {"OnceFiresOnce", R"(
+        + trigger_once 100 -50 0 150 50 64 target=count
+        + trigger_counter targetname=count count=100
+        at 120 0; play 100: counted = 1
+    )"},
+    {"MultipleFiresAgainAfterAFifthOfASecond", R"(
+        + trigger_multiple 100 -50 0 150 50 64 target=count
+        + trigger_counter targetname=count count=100
+        at 120 0; play 63: counted = 9
+        play 1: counted = 10
+    )"},
+    {"MultipleFiresAgainAfterItsWait", R"(
+        + trigger_multiple 100 -50 0 150 50 64 target=count wait=0.6
+        + trigger_counter targetname=count count=100
+        at 120 0; play 189: counted = 9
+        play 1: counted = 10
+    )"},
+    {"MultipleFiresOnceByAWaitOfMinusOne", R"(
+        + trigger_multiple 100 -50 0 150 50 64 target=count wait=-1
+        + trigger_counter targetname=count count=100
+        at 120 0; play 100: counted = 1
+    )"},
+    {"OneThatIsNotTouchedFiresOnlyWhenItIsActivated", R"(
+        + trigger_once 100 -50 0 150 50 64 spawnflags=1 targetname=hidden target=count
+        + trigger_once 500 -50 0 550 50 64 target=hidden
+        + trigger_counter targetname=count count=100
+        stand 120 0: counted = 0
+        stand 520 0: counted = 1
+    )"},
+    {"OneThatWouldHaveToBeShotAnswersToWhoComesNear", R"(
+        + trigger_multiple 100 -50 0 150 50 64 health=10 wait=-1 target=count
+        + trigger_counter targetname=count count=100
+        stand 51 0: counted = 0     # 100 - 32 - 17
+        stand 52 0: counted = 1
+    )"},
+    {"WithAnAngleFiresOnlyForWhoLooksThatWay", R"(
+        + trigger_once 100 -50 0 150 50 64 angle=90 target=count
+        + trigger_counter targetname=count count=100
+        look -10; stand 120 0: counted = 0
+        look 10; stand 120 0: counted = 1
+    )"},
+    {"OnlyregisteredAlwaysFiresAndKeepsItsMessage", R"(
+        + trigger_onlyregistered 100 -50 0 150 50 64 message="Buy it" target=count
+        + trigger_counter targetname=count count=100
+        at 120 0; play 100: counted = 1, message != "Buy it"
+    )"},
+    {"SecretIsCountedOnceAndSaysSo", R"(
+        + trigger_secret 100 -50 0 150 50 64
+        + trigger_secret 500 -50 0 550 50 64 message="Well hidden"
+        : all_secrets = 2
+        at 120 0; play 100: secrets = 1, message = "You found a secret place"
+        stand 520 0: secrets = 2, message = "Well hidden"
+    )"},
+    {"PushThrowsThePlayerTenTimesAsFastAsItSays", R"(
+        + trigger_push 100 -50 0 150 50 64 angle=-1 speed=60
+        stand 120 0: vx = 0, vy = 0, vz = 600
+        each 70: feet < 300     # out of the volume at 64 with 600 a second: 600^2 / 2 / 800 = 225 higher
+        stand 120 0; play 26: feet > 200
+    )"},
+    {"PushIsNoFasterThanQuakeAllows", R"(
+        + trigger_push 100 -50 0 150 50 64 angle=90
+        stand 120 0: vx = 0, vy = 2000, vz = 0
+    )"},
+    {"PushWorksOnceByItsFlag", R"(
+        + trigger_push 100 -50 0 150 50 64 angle=-1 speed=30 spawnflags=1
+        stand 120 0: vz = 300
+        play 100: feet = 0 +- 0.1
+        stand 120 0: feet = 0 +- 0.1, vz = 0
+    )"},
+    {"PushGoesAlongBothAngles", R"(
+        + trigger_push 100 -50 0 150 50 64 angles="-30 90 0" speed=100
+        stand 120 0: vy = 866 +- 1, vz = 500 +- 1
+    )"},
     // The exit is the first of its name; the counter has the same name, and counts.
-    game.stand_at(120, 0);
-    EXPECT_EQ(game.fired(), 1);
-    EXPECT_NEAR(game.x(), 600, 0.1);
-    EXPECT_EQ(game.state.player.velocity.y, World::from_int(300));
-    game.wait(10);
-    game.play(1, {0, 0, 0, 0, kRespawnButton});
-    EXPECT_NEAR(game.x(), 600, 0.1);
-    EXPECT_EQ(game.state.player.yaw, kQuarterTurn);
-}
-
-TEST(Checkpoint, IsWhereThePlayerComesInAgain) {
-    LogicLevel level;
-    level.add("info_checkpoint", {{"origin", "600 0 24"}, {"angle", "180"}});
-    level.add("info_checkpoint", {{"origin", "-600 0 24"}, {"size", "20 20 20"}});
-    LogicGame game(level);
-    const TickInput respawn{0, 0, 0, 0, kRespawnButton};
-    game.wait(1);
-    game.play(1, respawn);
-    EXPECT_NEAR(game.x(), 0, 0.1) << "the start";
-    game.stand_at(600 + 64 + 17, 0);
-    game.play(1, respawn);
-    EXPECT_NEAR(game.x(), 0, 0.1) << "not yet there";
-    game.stand_at(600 + 64 + 16, 0);
-    game.stand_at(-630, 0);
-    game.wait(1);
-    game.play(1, respawn);
-    EXPECT_NEAR(game.x(), 600, 0.1);
-    EXPECT_EQ(game.state.player.yaw, kHalfTurn);
-    EXPECT_EQ(game.state.player.velocity.x, World{});
-}
-
-TEST(Exit, SaysWhereItLeadsAndFires) {
-    LogicLevel level;
-    level.add("trigger_changelevel", {500, -50, 0, 550, 50, 64}, {{"map", "e1m8"}});
-    level.add("trigger_changelevel", kVolume, {{"map", "e1m2"}, {"target", "light"}});
-    level.add("light", {{"targetname", "light"}, {"style", "32"}});
-    LogicGame game(level);
-    EXPECT_EQ(next_map(game.level, game.state), "");
-    game.stand_at(120, 0);
-    EXPECT_TRUE(game.state.has_ended);
-    EXPECT_EQ(next_map(game.level, game.state), "e1m2");
-    EXPECT_NE(game.state.dark_styles, 0u);
-}
+    {"TeleporterFiresItsTargetTooAndIsWhereThePlayerComesInAgain", R"(
+        + trigger_teleport 100 -50 0 150 50 64 target=count
+        + info_teleport_destination targetname=count origin="600 0 0" angle=90
+        + trigger_counter targetname=count count=100
+        stand 120 0: counted = 1, x = 600 +- 0.1, vy = 300
+        wait 10; play 1 respawn: x = 600 +- 0.1, yaw = 90
+    )"},
+    {"TeleporterLeadsToItsTarget", R"(
+        + trigger_teleport 300 -64 0 316 64 128 target=there
+        + info_teleport_destination targetname=there origin="-1000 500 0" angle=90
+        play 40 ahead: x = -1000 +- 1, y > 500, yaw = 90
+    )"},
+    // Quake's rule: one with a name works for 0.2 s after it was activated, any other always.
+    {"TeleporterWithANameDoesNotWorkByItself", R"(
+        + trigger_teleport 100 -64 0 116 64 128 target=there targetname=gate
+        + info_teleport_destination targetname=there origin="1000 500 0" angle=90
+        play 35 ahead: x > 132, x < 500
+    )"},
+    {"TeleporterWithANameWorksWhenItIsActivated", R"(
+        + trigger_teleport 100 -64 0 116 64 128 target=there targetname=gate spawnflags=3
+        + info_teleport_destination targetname=there origin="1000 500 0" angle=90
+        + trigger_multiple 20 -64 0 70 64 128 target=gate
+        play 35 ahead: x = 1000 +- 1
+    )"},
+    {"TeleporterIsPassedBeforeWhatActivatesItIsReached", R"(
+        + trigger_teleport 100 -64 0 116 64 128 target=there targetname=gate spawnflags=3
+        + info_teleport_destination targetname=there origin="1000 500 0" angle=90
+        + trigger_multiple 20 -64 0 70 64 128 target=gate
+        at 170 0; play 40 back: x < 20, x > -300
+    )"},
+    {"CheckpointIsWhereThePlayerComesInAgain", R"(
+        + info_checkpoint origin="600 0 24" angle=180
+        + info_checkpoint origin="-600 0 24" size="20 20 20"
+        wait 1; play 1 respawn: x = 0 +- 0.1            # the start
+        stand 681 0; play 1 respawn: x = 0 +- 0.1       # not yet there: 600 + 64 + 17
+        stand 680 0; stand -630 0; wait 1
+        play 1 respawn: x = 600 +- 0.1, yaw = 180, vx = 0
+    )"},
+    {"ExitSaysWhereItLeadsAndFires", R"(
+        + trigger_changelevel 500 -50 0 550 50 64 map=e1m8
+        + trigger_changelevel 100 -50 0 150 50 64 map=e1m2 target=light
+        + light targetname=light style=32
+        : next = ""
+        stand 120 0: ended = 1, next = e1m2, dark = 32
+    )"},
+    {"NothingMovesAfterTheExit", R"(
+        + trigger_changelevel 300 -64 0 316 64 128
+        play 20 ahead: ended = 0
+        play 60 ahead: ended = 1, x < 320
+    )"},
+    {"GatesOfEpisodesAndOfTheBossAreOpen", R"(
+        + func_episodegate 300 -50 0 310 50 100 spawnflags=1
+        + func_bossgate 400 -50 0 410 50 100
+        + func_illusionary 500 -50 0 510 50 100
+        : free 305 0 24, free 405 0 24, free 505 0 24
+        : all_walls = 1, model0 = 3         # an illusionary wall is seen, an open gate is not
+    )"},
+    {"ItemsAreTakenByTouchOnceCountedAndActivateTheirTargets", R"(
+        + item_lens origin="300 0 24" target=light message="A lens"
+        + item_lens origin="600 0 24" target=light
+        + item_key1 origin="900 0 24"
+        + light targetname=light style=32
+        stand 267 0: lenses = 0, item0 = there
+        at 268 0; play 70: lenses = 1, item0 = taken, item1 = there, message = "A lens", said_at = 2, dark = 32
+        stand 600 0: dark = "", message = "A lens"       # the second says nothing
+    )"},
+    {"KeysAreKept", R"(
+        + item_key1 origin="300 0 24"
+        + item_key2 origin="600 0 24"
+        stand 300 0: keys = 1, message = "You have the silver key"
+        stand 600 0: keys = 3, message = "You have the gold key"
+    )"},
+    {"ItemsWithoutAPlaceAreNone", R"(
+        + item_lens
+        + item_lens origin="1 2"
+        + item_lens origin="99999 0 0"
+        : all_items = 0
+    )"},
+};
+OBLONG_SCENARIOS(Triggers, kTriggers);
 
 TEST(Trigger, HurtSkillAndMonsterjumpDoNothing) {
-    LogicLevel level, empty;
+    test::LogicLevel level, empty;
     for (const char* its_class : {"trigger_hurt", "trigger_setskill", "trigger_monsterjump"})
-        level.add(its_class, kVolume, {{"dmg", "1000"}, {"message", "3"}});
-    LogicGame game(level), plain(empty);
-    for (LogicGame* each : {&game, &plain}) {
+        level.add(its_class, {100, -50, 0, 150, 50, 64}, {{"dmg", "1000"}, {"message", "3"}});
+    test::LogicGame game(level), plain(empty);
+    for (test::LogicGame* each : {&game, &plain}) {
         each->put_at(50, 0);
-        each->play(40, kAhead);
+        each->play(40, test::kAhead);
     }
     EXPECT_EQ(hash_of(game.state), hash_of(plain.state));
-}
-
-TEST(Gate, OfEpisodesAndOfTheBossAreOpen) {
-    LogicLevel level;
-    level.add("func_episodegate", {300, -50, 0, 310, 50, 100}, {{"spawnflags", "1"}});
-    level.add("func_bossgate", {400, -50, 0, 410, 50, 100});
-    level.add("func_illusionary", {500, -50, 0, 510, 50, 100});
-    LogicGame game(level);
-    for (const int x : {305, 405, 505}) EXPECT_TRUE(is_free(game.level, game.state, world_vector(x, 0, 24))) << x;
-    ASSERT_EQ(game.level.walls.size(), 1u) << "an illusionary wall is seen, an open gate is not";
-    EXPECT_EQ(game.level.walls[0].model, ModelIndex(3));
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 #include "engine/view/texture_gradients.h"
 #include "tests/hard_cases/hard_case.h"
 
-// The gradients that a frame's faces take from their plane. Those of triangles, as outside checks ask for them, are in
-// texture_test.cpp.
+// The gradients that a frame's faces take from their texture. Those of triangles, as outside checks ask for them, are
+// in texture_test.cpp.
 namespace oblong {
 namespace {
 
@@ -18,7 +18,9 @@ using namespace test;
 
 /// A face as a frame has it: a plane before the eye, whose texture shows `texel` at a pixel.
 struct SeenPlane {
-    TexturedPlane plane;
+    Vec3<Unit> normal;
+    PlaneDistance eye_distance;
+    TextureAxes texture;
     Basis axes;
     double multiplier_x = 0, multiplier_y = 0, texel = 0, z = 0;  ///< at the pixel; z below 0: not seen there
 
@@ -27,17 +29,17 @@ struct SeenPlane {
         const Angle yaw = Angle::from_bam(any(65536)), pitch = Angle::from_bam(any(16384));
         axes = view_basis(yaw, pitch, Angle::from_bam(any(99)));
         multiplier_x = multiplier_y = size_px / 2.0;  // 90 degrees, square pixels
-        plane.normal = normalised(Vec3<World>{{any(1 << 20)}, {any(1 << 20)}, {any(1 << 20) | 1}});
-        plane.eye_distance = PlaneDistance::from_raw(std::llround(std::exp2(random_between(random, 0, 13)) * 0x1p42));
+        normal = normalised(Vec3<World>{{any(1 << 20)}, {any(1 << 20)}, {any(1 << 20) | 1}});
+        eye_distance = PlaneDistance::from_raw(std::llround(std::exp2(random_between(random, 0, 13)) * 0x1p42));
         const auto axis = [&] { return Vec3<TexelAxis>{{any(1 << 23)}, {any(1 << 23)}, {any(1 << 23)}}; };
-        plane.s = axis();
-        plane.t = axis();
+        texture.s = axis();
+        texture.t = axis();
 
         const double x = (pixel.column + 0.5) / multiplier_x - 1, y = 1 - (pixel.row + 0.5) / multiplier_y;
-        z = -std::ldexp(static_cast<double>(plane.eye_distance.raw), -42) / along(plane.normal, x, y);
+        z = -std::ldexp(static_cast<double>(eye_distance.raw), -42) / along(normal, x, y);
         texel = random_between(random, 0, 60000);
-        plane.eye_u = Texel::from_raw(std::llround((texel - z * along(plane.s, x, y)) * 65536));
-        texel = std::ldexp(static_cast<double>(plane.eye_u.raw), -16) + z * along(plane.s, x, y);
+        texture.eye_u = Texel::from_raw(std::llround((texel - z * along(texture.s, x, y)) * 65536));
+        texel = std::ldexp(static_cast<double>(texture.eye_u.raw), -16) + z * along(texture.s, x, y);
     }
 
     /// The dot product of a vector of the world with the ray (x, y, 1) of the view.
@@ -71,10 +73,12 @@ TEST(HardCaseX7, AFramesGradientsKeepTheirBudgetInEveryMode) {
             const SeenPlane face(random, size_px, pixel);
             if (!(face.z >= 4 && face.z <= 32768)) continue;
             ++seen;
-            const TextureGradients gradients = make_texture_gradients(face.plane, face.axes, projection);
+            const TextureGradients gradients = make_texture_gradients(
+                face.texture, make_inverse_z(face.normal, face.eye_distance, face.axes, projection), face.axes,
+                projection);
             const double found = texel_at(gradients, limits, pixel.column, pixel.row).u_16 / 65536.0;
             const double pixels = std::abs(pixel.column - size_px / 2) + std::abs(pixel.row - size_px / 2) + 3;
-            const double off_eye = std::abs(face.texel - std::ldexp(static_cast<double>(face.plane.eye_u.raw), -16));
+            const double off_eye = std::abs(face.texel - std::ldexp(static_cast<double>(face.texture.eye_u.raw), -16));
             ASSERT_NEAR(found, face.texel, texel_budget(face.z, off_eye, pixels, face.texel)) << i;
             worst = std::max(worst, std::abs(found - face.texel));
         }
@@ -91,18 +95,15 @@ TEST(HardCaseE11, FacesOfOnePlaneHaveTheSameDepthsBitForBit) {
         const Basis axes = view_basis(yaw, pitch, Angle::from_bam(any(99)));
         const InverseProjection projection =
             make_inverse_projection(make_projection({}, Degrees::from_int(random_integer(random, 20, 150))));
-        TexturedPlane plane;
-        plane.normal = normalised(Vec3<World>{{any(1 << 20)}, {any(1 << 20)}, {any(1 << 20) | 1}});
-        plane.eye_distance = PlaneDistance::from_raw(std::int64_t{random_integer(random, 1, 1 << 30)} << 22);
-        const auto first = make_texture_gradients(plane, axes, projection).inverse_z;
+        const Vec3<Unit> normal = normalised(Vec3<World>{{any(1 << 20)}, {any(1 << 20)}, {any(1 << 20) | 1}});
+        const PlaneDistance eye_distance =
+            PlaneDistance::from_raw(std::int64_t{random_integer(random, 1, 1 << 30)} << 22);
+        const auto first = make_inverse_z(normal, eye_distance, axes, projection);
         // Whatever the faces show: their textures lie along other axes, elsewhere, and at another mip level.
         const auto axis = [&] { return Vec3<TexelAxis>{{any(1 << 23)}, {any(1 << 23)}, {any(1 << 23)}}; };
-        plane.s = axis();
-        plane.t = axis();
-        plane.eye_u = Texel::from_raw(any(1 << 30));
-        plane.eye_v = Texel::from_raw(any(1 << 30));
-        plane.mip = random_integer(random, 0, 3);
-        const auto second = make_texture_gradients(plane, axes, projection).inverse_z;
+        const TextureAxes texture{axis(), axis(), Texel::from_raw(any(1 << 30)), Texel::from_raw(any(1 << 30)),
+                                  random_integer(random, 0, 3)};
+        const auto second = make_texture_gradients(texture, first, axes, projection).inverse_z;
         ASSERT_EQ(first.origin, second.origin) << i;
         ASSERT_EQ(first.per_column, second.per_column) << i;
         ASSERT_EQ(first.per_row, second.per_row) << i;

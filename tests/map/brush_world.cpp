@@ -11,7 +11,6 @@ using map::dot;
 using map::length;
 using map::Plane;
 using map::Point;
-using map::scaled;
 
 namespace {
 
@@ -19,7 +18,7 @@ namespace {
 Plane outward_plane(const map::MapSide& side) {
     const auto& [a, b, c] = side.points;
     const Point across = cross(c - a, b - a);
-    const Point normal = scaled(across, 1 / length(across));
+    const Point normal = across * (1 / length(across));
     return {normal, dot(normal, a)};
 }
 

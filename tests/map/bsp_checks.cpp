@@ -17,7 +17,6 @@ using map::dot;
 using map::FileFace;
 using map::FilePlane;
 using map::Point;
-using map::scaled;
 using map::to_point;
 
 namespace {
@@ -47,7 +46,7 @@ std::vector<Point> corners_of(const BspFile& bsp, const FileFace& face) {
 FacingPlane facing_plane(const BspFile& bsp, const FileFace& face) {
     const FilePlane& plane = at(bsp.planes, face.plane);
     const double sign = face.is_back != 0 ? -1 : 1;
-    return {scaled(to_point(plane.normal), sign), sign * static_cast<double>(plane.distance)};
+    return {to_point(plane.normal) * sign, sign * static_cast<double>(plane.distance)};
 }
 
 int leaf_at(const BspFile& bsp, const Point& point) {
@@ -108,7 +107,6 @@ using map::cross;
 using map::dot;
 using map::length;
 using map::Point;
-using map::scaled;
 
 namespace {
 
@@ -123,7 +121,7 @@ struct Polygon {
 
 struct Ray {
     Point from, direction;
-    Point at(double distance) const { return from + scaled(direction, distance); }
+    Point at(double distance) const { return from + direction * distance; }
 };
 
 // The stretch of a ray in one leaf, up to `end`.
@@ -224,7 +222,7 @@ double random_unit(std::mt19937& random) {
 Point random_direction(std::mt19937& random) {
     while (true) {
         const Point p{2 * random_unit(random) - 1, 2 * random_unit(random) - 1, 2 * random_unit(random) - 1};
-        if (length(p) > 0.1 && length(p) < 1) return scaled(p, 1 / length(p));
+        if (length(p) > 0.1 && length(p) < 1) return p * (1 / length(p));
     }
 }
 

@@ -10,7 +10,6 @@ namespace oblong::test {
 using map::cross;
 using map::dot;
 using map::length;
-using map::scaled;
 namespace {
 
 std::string text_of(const Whole& point) {
@@ -63,7 +62,7 @@ Point random_point(std::mt19937& random) {
 }
 
 Point unit(const Point& vector) {
-    return scaled(vector, 1 / length(vector));
+    return vector * (1 / length(vector));
 }
 
 }  // namespace
@@ -197,9 +196,9 @@ Frame random_frame(std::mt19937& random) {
 std::string TurnedBox::text(std::string_view tail) const {
     std::string sides;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Point u = scaled(frame[(axis + 1) % 3], 50), v = scaled(frame[(axis + 2) % 3], 50);
+        const Point u = frame[(axis + 1) % 3] * 50, v = frame[(axis + 2) % 3] * 50;
         for (const double sign : {1.0, -1.0}) {
-            const Point at = centre + scaled(frame[axis], sign * half[axis]);
+            const Point at = centre + frame[axis] * (sign * half[axis]);
             sides += sign > 0 ? side_text({at, at + v, at + u}, tail) : side_text({at, at + u, at + v}, tail);
         }
     }
@@ -212,7 +211,7 @@ std::string turned_room(const TurnedBox& inside) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (const double sign : {1.0, -1.0}) {
             TurnedBox wall = inside;
-            wall.centre = inside.centre + scaled(inside.frame[axis], sign * (inside.half[axis] + kHalfWall));
+            wall.centre = inside.centre + inside.frame[axis] * (sign * (inside.half[axis] + kHalfWall));
             wall.half[axis] = kHalfWall;
             for (std::size_t wider = 0; wider < axis; ++wider) wall.half[wider] += 2 * kHalfWall;
             walls += wall.text();

@@ -11,7 +11,6 @@ namespace {
 
 using map::cross;
 using map::length;
-using map::scaled;
 
 const Whole kLow{-256, -256, 0}, kHigh{256, 256, 256};
 
@@ -33,7 +32,7 @@ bool is_in_room(const Point& point) {
 Point random_near(std::mt19937& random, const TurnedBox& box) {
     Point point = box.centre;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        point = point + scaled(box.frame[axis], random_between(random, -1.5, 1.5) * box.half[axis]);
+        point = point + box.frame[axis] * (random_between(random, -1.5, 1.5) * box.half[axis]);
     return point;
 }
 

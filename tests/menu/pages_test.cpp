@@ -4,6 +4,7 @@
 
 #include "engine/platform/headless/headless.h"
 #include "game/menu/menu_pages.h"
+#include "tests/support/palettes.h"
 
 namespace oblong {
 namespace {
@@ -338,9 +339,7 @@ TEST_F(Pages, AllKeysAreSetAnewOnlyAfterAQuestion) {
 
 // Every page, drawn at every size, in a canvas with a border around it.
 TEST_F(EveryPage, CanBeDrawnAtAnySize) {
-    Palette palette;
-    for (std::size_t i = 0; i < 256; ++i)
-        palette.colours[i] = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i)};
+    const Palette palette = test::grey_palette();
     const MenuLook look(palette);
     for (const auto open :
          {&MenuPages::open_title, &MenuPages::open_game, &MenuPages::open_end, &MenuPages::open_gallery}) {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <map>
 
@@ -11,13 +10,12 @@
 #include "engine/platform/headless/headless.h"
 #include "tests/support/folders.h"
 #include "tests/support/scripted_input.h"
+#include "tests/walk/scripted_platform.h"
 
 namespace oblong {
 namespace {
 
-namespace fs = std::filesystem;
-
-using Script = std::map<std::int64_t, Controls>;  // by poll; in all others the player walks ahead
+using ByPoll = std::map<std::int64_t, Controls>;  // by poll; in all others the player walks ahead
 
 Controls pressing(Action command) {
     Controls controls;
@@ -34,14 +32,7 @@ Controls acting(std::vector<MenuAction> actions) {
 // A whole program, played by a script in a folder of its own.
 class ProgramOfTheDemo : public testing::Test {
   protected:
-    void SetUp() override {
-        if (!fs::exists(assets_ + "/demo.bsp")) GTEST_SKIP() << "the demo level is not built";
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    static Controls at_poll(const Script& script, std::int64_t poll) {
+    static Controls at_poll(const ByPoll& script, std::int64_t poll) {
         const auto found = script.find(poll);
         Controls controls = found == script.end() ? Controls{} : found->second;
         controls.moves.set(Action::Forward);
@@ -53,7 +44,7 @@ class ProgramOfTheDemo : public testing::Test {
         Program(options, load_program_files(options, assets_), store, platform, nullptr).run();
     }
     // The number of pictures shown.
-    std::int64_t play(std::int64_t frames, const Options& options, const Script& script) {
+    std::int64_t play(std::int64_t frames, const Options& options, const ByPoll& script) {
         std::int64_t shown = 0;
         HeadlessPlatform platform(
             frames, 35,
@@ -81,29 +72,27 @@ class ProgramOfTheDemo : public testing::Test {
         return SaveSlots(path("data")).load({kind, 1}).game->state.tick;
     }
     std::size_t recorded_ticks() const { return read_parsed(path("walk.demo"), decode_demo).ticks.size(); }
-    std::string path(const char* name) const { return (folder_ / name).string(); }
+    std::string path(const char* name) const { return folder_.path(name); }
 
     std::size_t polls_ = 0;  // of the last play(): a paused game is not drawn at each
     const std::string assets_ = test::build_folder() + "/assets";
-    const fs::path folder_ =
-        fs::path(test::build_folder()) / "menu_test" / testing::UnitTest::GetInstance()->current_test_info()->name();
+    const test::TemporaryFolder folder_;
 };
 
 TEST_F(ProgramOfTheDemo, NothingIsSimulatedWhileTheMenuIsOpen) {
     play(60, recording(), {});
     ASSERT_EQ(recorded_ticks(), polls_);
-    play(60, recording(), {{10, pressing(Action::Menu)}, {29, pressing(Action::Menu)}});
-    EXPECT_EQ(recorded_ticks(), polls_ - 20);
-}
-
-TEST_F(ProgramOfTheDemo, LosingTheFocusPausesUntilThePlayerGoesOn) {
-    play(60, recording(), {});
-    ASSERT_EQ(recorded_ticks(), polls_);
-    Script script;
-    for (std::int64_t poll = 10; poll < 15; ++poll) script[poll].has_focus = false;
-    script[29] = acting({MenuAction::Accept});  // "Go on"
-    play(60, recording(), script);
-    EXPECT_EQ(recorded_ticks(), polls_ - 20);
+    const Controls menu = pressing(Action::Menu),
+                   gallery = acting({MenuAction::Up, MenuAction::Up, MenuAction::Up, MenuAction::Accept});
+    Controls unfocused;
+    unfocused.has_focus = false;
+    for (const auto& [name, script] : std::map<std::string, ByPoll>{
+             {"by its key", {{10, menu}, {29, menu}}},
+             {"by lost focus, until the player goes on", {{10, unfocused}, {29, acting({MenuAction::Accept})}}},
+             {"through the gallery", {{10, menu}, {11, gallery}, {20, menu}, {29, menu}}}}) {
+        play(60, recording(), script);
+        EXPECT_EQ(recorded_ticks(), polls_ - 20) << name;
+    }
 }
 
 TEST_F(ProgramOfTheDemo, RestartingKeepsTheSettings) {
@@ -148,7 +137,7 @@ TEST_F(ProgramOfTheDemo, AWalkThatCantBeSavedIsLeftOnlyAfterAQuestion) {
     options.folders = {path("oblong.cfg"), path("no_folder/data")};
     std::ofstream(path("no_folder")) << "a file";
     const Controls leave = acting({MenuAction::Up, MenuAction::Accept});
-    Script script{{90, pressing(Action::Menu)}, {91, leave}};
+    ByPoll script{{90, pressing(Action::Menu)}, {91, leave}};
     EXPECT_EQ(play(200, options, script), 200) << "it waits for an answer";
     script[95] = acting({MenuAction::Down, MenuAction::Accept});
     EXPECT_LT(play(200, options, script), 100);
@@ -165,18 +154,10 @@ TEST_F(ProgramOfTheDemo, AWalkThatIsBegunAgainIsKept) {
     EXPECT_GT(SaveSlots(path("data")).load({SaveKind::Walk, 2}).game->state.tick, 190);
 }
 
-TEST_F(ProgramOfTheDemo, QuickSaveAndLoadGoBackToTheTickSaved) {
-    play(100, keeping(), {{50, pressing(Action::QuickSave)}, {90, pressing(Action::QuickLoad)}});
-    const std::int64_t saved = saved_tick(SaveKind::Quick);
-    EXPECT_NEAR(static_cast<double>(saved), 50, 1);
-    constexpr std::int64_t kPollsAfterLoading = 9;
-    EXPECT_EQ(saved_tick(), saved + kPollsAfterLoading);
-}
-
 TEST_F(ProgramOfTheDemo, TheTitleLeadsToAWalkAndTheMenuBackToIt) {
     Options options = keeping();
     options.shows_title = true;
-    Script script{{5, acting({MenuAction::Accept})},  // no walk yet: "Walk"
+    ByPoll script{{5, acting({MenuAction::Accept})},  // no walk yet: "Walk"
                   {90, pressing(Action::Menu)},
                   {91, acting({MenuAction::Up, MenuAction::Up, MenuAction::Accept})},  // "Title"
                   {100, acting({MenuAction::Accept})},                                 // "Continue"
@@ -186,43 +167,32 @@ TEST_F(ProgramOfTheDemo, TheTitleLeadsToAWalkAndTheMenuBackToIt) {
     EXPECT_NEAR(static_cast<double>(saved_tick()), 84 + 19, 3);
 }
 
-TEST_F(ProgramOfTheDemo, TheGalleryIsOpenedFromTheMenuAndGoesBackToIt) {
-    const auto gallery = acting({MenuAction::Up, MenuAction::Up, MenuAction::Up, MenuAction::Accept});
-    play(60, recording(), {});
-    ASSERT_EQ(recorded_ticks(), polls_);
-    play(60, recording(),
-         {{10, pressing(Action::Menu)}, {11, gallery}, {20, pressing(Action::Menu)}, {29, pressing(Action::Menu)}});
-    EXPECT_EQ(recorded_ticks(), polls_ - 20) << "the walk waits";
-}
-
-// A window that counts what is shown; nothing happens but the script.
-class CountingPlatform final : public Platform {
+// A window that notes what is shown; nothing happens but the script.
+class CountingPlatform final : public test::ScriptedPlatform {
   public:
-    explicit CountingPlatform(Script script) : script_(std::move(script)) {}
-    bool is_open() const override { return polls_ < 100; }
-    PlatformInput poll() override {
-        const auto found = script_.find(polls_++);
-        now_us_ += 28'572;
-        return test::scripted_input(found == script_.end() ? Controls{} : found->second);
-    }
-    std::uint64_t now_us() override { return now_us_; }
-    WindowSize window_size() const override { return {1600, 1200}; }
-    void set_title(const char*) override {}
+    explicit CountingPlatform(const ByPoll& script)
+        : ScriptedPlatform(100, [this, script](std::int64_t poll) {
+              polls_ = poll + 1;
+              const auto found = script.find(poll);
+              return test::scripted_input(found == script.end() ? Controls{} : found->second);
+          }) {}
+    std::uint64_t now_us() override { return ScriptedPlatform::now_us() + waited_us_; }
     void capture_mouse(bool is_captured) override { captured.push_back(is_captured); }
-    void wait_for_input(std::int32_t timeout_ms) override { now_us_ += static_cast<std::uint64_t>(timeout_ms) * 1000; }
+    void wait_for_input(std::int32_t timeout_ms) override {
+        waited_us_ += static_cast<std::uint64_t>(timeout_ms) * 1000;
+    }
     void present(Framebuffer, const Palette&, const PresentRect&) override { shown.push_back(polls_); }
 
     std::vector<std::int64_t> shown;  // the poll before each picture
     std::vector<bool> captured;
 
   private:
-    Script script_;
     std::int64_t polls_ = 0;
-    std::uint64_t now_us_ = 0;
+    std::uint64_t waited_us_ = 0;
 };
 
 TEST_F(ProgramOfTheDemo, NothingIsDrawnWhileNothingChanges) {
-    Script script{{20, pressing(Action::Menu)}, {40, acting({MenuAction::Down})}, {80, pressing(Action::Menu)}};
+    ByPoll script{{20, pressing(Action::Menu)}, {40, acting({MenuAction::Down})}, {80, pressing(Action::Menu)}};
     CountingPlatform platform(script);
     play_on(platform, Options{});
     std::int64_t paused = 0;

@@ -37,7 +37,7 @@ struct TrueView {
     }
 
     map::Point ray(double x, double y) const {
-        return forward + map::scaled(right, (x - 160) / multiplier_x) + map::scaled(up, (100 - y) / multiplier_y);
+        return forward + right * ((x - 160) / multiplier_x) + up * ((100 - y) / multiplier_y);
     }
 };
 

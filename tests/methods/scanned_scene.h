@@ -24,7 +24,7 @@ struct ScannedScene {
     void add_shape(int face, std::int32_t first_row, std::span<const PixelRange> columns, double first_z, double last_z,
                    bool is_seen_through = false) {
         ScannedFace made;
-        made.visible.face = FaceIndex(face);
+        made.face = FaceIndex(face);
         made.nearest_z = view_of(std::min(first_z, last_z));
         made.farthest_z = view_of(std::max(first_z, last_z));
         made.is_seen_through = is_seen_through;

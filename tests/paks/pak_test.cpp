@@ -4,8 +4,8 @@
 
 #include <random>
 
-#include "engine/base/input_error.h"
 #include "tests/paks/pak_writer.h"
+#include "tests/support/refusal.h"
 
 namespace oblong {
 namespace {
@@ -22,14 +22,15 @@ std::vector<PakEntry> read(const Bytes& bytes) {
     return read_pak_directory(directory, header, bytes.size());
 }
 
-// "WHERE: what is wrong"; empty if nothing is.
 std::string fault_of(const Bytes& bytes) {
-    try {
-        read(bytes);
-    } catch (const InputError& error) {
-        return error.where + ": " + error.what();
-    }
-    return {};
+    return test::refusal([&] { read(bytes); });
+}
+
+// Of the pak with another number at an offset.
+std::string fault_with(std::size_t offset, std::uint32_t number) {
+    Bytes bytes = kPak;
+    put_number(bytes, offset, 4, number);
+    return fault_of(bytes);
 }
 
 TEST(Pak, IsReadAsItWasWritten) {
@@ -45,35 +46,26 @@ TEST(Pak, IsReadAsItWasWritten) {
 }
 
 TEST(Pak, EachCutAndEachLieOfTheHeaderIsNamed) {
-    const auto altered = [](std::size_t offset, std::uint32_t number) {
-        Bytes bytes = kPak;
-        put_number(bytes, offset, 4, number);
-        return fault_of(bytes);
-    };
     for (std::size_t size = 0; size < kPak.size(); ++size)
         EXPECT_NE(fault_of(Bytes(kPak.begin(), kPak.begin() + static_cast<std::ptrdiff_t>(size))), "") << size;
-    EXPECT_EQ(altered(0, 0x4b434151), "offset 0: no pak file: expected 'PACK' and 8 more bytes");
-    EXPECT_EQ(altered(4, 21),
+    EXPECT_EQ(fault_with(0, 0x4b434151), "offset 0: no pak file: expected 'PACK' and 8 more bytes");
+    EXPECT_EQ(fault_with(4, 21),
               "offset 4: a directory of 128 bytes at 21, expected it behind the header in a file of 148");
-    EXPECT_EQ(altered(4, 0), "offset 4: a directory of 128 bytes at 0, expected it behind the header in a file of 148");
-    EXPECT_NE(altered(4, 0xffffffff), "");
-    EXPECT_EQ(altered(8, 127), "offset 8: a directory of 127 bytes, expected a multiple of 64");
-    EXPECT_NE(altered(8, 0xffffffc0), "");
+    EXPECT_EQ(fault_with(4, 0),
+              "offset 4: a directory of 128 bytes at 0, expected it behind the header in a file of 148");
+    EXPECT_NE(fault_with(4, 0xffffffff), "");
+    EXPECT_EQ(fault_with(8, 127), "offset 8: a directory of 127 bytes, expected a multiple of 64");
+    EXPECT_NE(fault_with(8, 0xffffffc0), "");
 }
 
 TEST(Pak, EachLieOfTheDirectoryIsNamed) {
-    const auto altered = [](std::size_t offset, std::uint32_t number) {
-        Bytes bytes = kPak;
-        put_number(bytes, offset, 4, number);
-        return fault_of(bytes);
-    };
-    EXPECT_EQ(altered(20 + 60, 200), "offset 76: a.txt has 200 bytes from 12 on, expected them in the file's 148");
-    EXPECT_NE(altered(20 + 60, 0xffffffff), "");
-    EXPECT_NE(altered(20 + 56, 0xffffffff), "");
-    EXPECT_EQ(altered(20 + 60, 4), "offset 84: data from 15 on, where other data is, expected it apart");
-    EXPECT_EQ(altered(20 + 56, 11), "offset 20: data from 11 on, where other data is, expected it apart");
-    EXPECT_EQ(altered(84 + 56, 30), "offset 84: data from 30 on, where other data is, expected it apart");
-    EXPECT_EQ(altered(84, 0), "offset 84: an entry without a name, expected one");
+    EXPECT_EQ(fault_with(20 + 60, 200), "offset 76: a.txt has 200 bytes from 12 on, expected them in the file's 148");
+    EXPECT_NE(fault_with(20 + 60, 0xffffffff), "");
+    EXPECT_NE(fault_with(20 + 56, 0xffffffff), "");
+    EXPECT_EQ(fault_with(20 + 60, 4), "offset 84: data from 15 on, where other data is, expected it apart");
+    EXPECT_EQ(fault_with(20 + 56, 11), "offset 20: data from 11 on, where other data is, expected it apart");
+    EXPECT_EQ(fault_with(84 + 56, 30), "offset 84: data from 30 on, where other data is, expected it apart");
+    EXPECT_EQ(fault_with(84, 0), "offset 84: an entry without a name, expected one");
     Bytes endless = kPak;
     std::fill_n(endless.begin() + 20, 56, std::uint8_t{'x'});
     EXPECT_EQ(fault_of(endless), "offset 20: a name without an end, expected a zero byte among its 56");

@@ -27,12 +27,6 @@ constexpr std::int64_t kFrames = 24, kChanged = 8;
 
 class LivePreferences : public testing::Test {
   protected:
-    void SetUp() override {
-        const std::string assets = test::build_folder() + "/assets";
-        if (!std::filesystem::exists(assets + "/demo.bsp")) GTEST_SKIP() << "the demo level is not built";
-        loaded_ = std::make_shared<const LoadedLevel>(LevelFiles{"", "", assets, ""});
-    }
-
     // A walk ahead and to the right; the preferences change at frame kChanged.
     std::vector<Shown> play(const std::function<void(Preferences&)>& change, const ViewOptions& start = {},
                             std::int64_t frames = kFrames) const {
@@ -67,7 +61,8 @@ class LivePreferences : public testing::Test {
     }
 
     const std::function<void(Preferences&)> nothing_ = [](Preferences&) {};
-    std::shared_ptr<const LoadedLevel> loaded_;
+    const std::shared_ptr<const LoadedLevel> loaded_ =
+        std::make_shared<const LoadedLevel>(LevelFiles{"", "", test::build_folder() + "/assets", ""});
     std::int32_t mouse_x_ = 0;  // moved in each frame
 };
 

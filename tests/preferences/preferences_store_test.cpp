@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
 
 #include "engine/files/files.h"
 #include "tests/preferences/named.h"
+#include "tests/support/folders.h"
 
 namespace oblong {
 namespace {
@@ -17,12 +17,6 @@ namespace fs = std::filesystem;
 
 class OptionsFile : public testing::Test {
   protected:
-    void SetUp() override {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     std::string text() const { return read_text(file_); }
     static Preferences with_volume(std::int32_t volume_100) {
         Preferences preferences;
@@ -30,9 +24,8 @@ class OptionsFile : public testing::Test {
         return preferences;
     }
 
-    const fs::path folder_ =
-        fs::temp_directory_path() / ("oblong_options_" + std::to_string(::getpid()) + "_" +
-                                     testing::UnitTest::GetInstance()->current_test_info()->name());
+    const test::TemporaryFolder temporary_;
+    const fs::path folder_ = temporary_.path();
     const std::string file_ = (folder_ / "deep" / "er" / "oblong.cfg").string();
 };
 
@@ -107,7 +100,8 @@ TEST_F(OptionsFile, ThatCannotBeReadIsNamedAndLeftAlone) {
     const std::string binary = (folder_ / "binary.cfg").string(), huge = (folder_ / "huge.cfg").string();
     write_file(binary, std::string(500, '\1'));
     write_file(huge, std::string(300 * 1024, '\n') + "volume = 1\n");
-    for (const std::string& file : {binary, huge, folder_.string(), std::string("/dev/zero")}) {
+    for (const std::string& file :
+         {binary, huge, folder_.string(), test::device_for_writing(folder_.string(), "zero")}) {
         const bool is_file = fs::is_regular_file(file);
         const std::string before = is_file ? read_text(file) : "";
         PreferencesStore store(file);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <random>
 #include <sstream>
@@ -134,6 +135,20 @@ TEST(Probe, AnEyeInThePlaneOfAPolygonSeesNothingOfIt) {
     EXPECT_NE(ask("clip 320 200 4 3 90 4 8192 3 -3001 -1999.00390625 -500 -999 -2001 1000 3001 1999 500"), "0");
 }
 
+const std::string kQueries[] = {"project 320 200 4 3 90 1 1 4",
+                                "view 320 200 4 3 60 1 2 3 4 5 6 7 8 9",
+                                "coverage 256 0 0 6400 0 0 6400",
+                                "mesh 256 3 0 0 9999 0 0 9999 1 0 1 2",
+                                "clip 320 200 4 3 90 4 8192 3 -9 -9 1 9 -9 5 0 9 50",
+                                "texspan 320 200 4 3 90 -9 -9 4 0 0 9 -9 4 9 0 0 9 4 0 9 100 158 162",
+                                "texspanq bounded 320 200 4 3 90 -9 -9 4 0 0 9 -9 400 9 0 0 9 4 0 9 100 0 320",
+                                "texspanq affine 320 200 4 3 90 -9 -9 4 0 0 9 -9 400 9 0 0 9 4 0 9 100 0 320",
+                                "sqrt 5",
+                                "recip 7",
+                                "sin 8",
+                                "leaf nothing.bsp 1 2 3",
+                                "modes"};
+
 /// A query with some of its bytes replaced, doubled or cut off.
 std::string damaged(std::string line, std::mt19937& random) {
     constexpr std::string_view kBytes = "0123456789 -+.eE\0\xff\ttexspan";
@@ -157,23 +172,11 @@ std::string damaged(std::string line, std::mt19937& random) {
 }
 
 TEST(Probe, AnswersEveryLineByOneLineWhateverItsBytes) {
-    const std::string queries[] = {"project 320 200 4 3 90 1 1 4",
-                                   "view 320 200 4 3 60 1 2 3 4 5 6 7 8 9",
-                                   "coverage 16 0 0 64 0 0 64",
-                                   "mesh 256 3 0 0 9999 0 0 9999 1 0 1 2",
-                                   "clip 320 200 4 3 90 4 8192 3 -9 -9 1 9 -9 5 0 9 50",
-                                   "texspan 320 200 4 3 90 -9 -9 4 0 0 9 -9 4 9 0 0 9 4 0 9 100 158 162",
-                                   "texspanq bounded 320 200 4 3 90 -9 -9 4 0 0 9 -9 400 9 0 0 9 4 0 9 100 158 162",
-                                   "sqrt 5",
-                                   "recip 7",
-                                   "sin 8",
-                                   "leaf nothing.bsp 1 2 3",
-                                   "modes"};
     std::mt19937 random(7);
     std::string text;
     const int line_count = 4000;
     for (int i = 0; i < line_count; ++i) {
-        std::string line = damaged(queries[random() % std::size(queries)], random);
+        std::string line = damaged(kQueries[random() % std::size(kQueries)], random);
         std::erase(line, '\n');
         text += line + '\n';
     }
@@ -185,48 +188,28 @@ TEST(Probe, AnswersEveryLineByOneLineWhateverItsBytes) {
     EXPECT_EQ(std::count(answers.begin(), answers.end(), '\n'), line_count + 2);
 }
 
+std::vector<std::string> words_of(const std::string& text) {
+    std::istringstream in(text);
+    return {std::istream_iterator<std::string>(in), {}};
+}
+
 /// A query with some of its fields replaced by the ends of what fields may be.
 std::string with_extremes(const std::string& line, std::mt19937& random) {
-    constexpr const char* kExtremes[] = {"32767",
-                                         "-32767",
-                                         "0",
-                                         "0.00390625",
-                                         "-0.00390625",
-                                         "1",
-                                         "2",
-                                         "16384",
-                                         "32768",
-                                         "1048576",
-                                         "1e-14",
-                                         "0.000001",
-                                         "179.99",
-                                         "179.999999999999",
-                                         "2147483647",
-                                         "-1",
-                                         "268435456",
-                                         "-268435456",
-                                         "99999999999999999999"};
-    std::istringstream in(line);
-    std::string result, field;
-    in >> result;
-    while (in >> field) result += ' ' + (random() % 3 ? field : kExtremes[random() % std::size(kExtremes)]);
+    static const std::vector<std::string> kExtremes = words_of(
+        "32767 -32767 0 0.00390625 -0.00390625 1 2 16384 32768 1048576 1e-14 0.000001 179.99 179.999999999999 "
+        "2147483647 -1 268435456 -268435456 99999999999999999999");
+    std::string result;
+    for (const std::string& field : words_of(line))
+        result += result.empty() ? field : ' ' + (random() % 3 ? field : kExtremes[random() % kExtremes.size()]);
     return result;
 }
 
 TEST(Probe, SurvivesTheEndsOfEveryField) {
-    const std::string queries[] = {"project 320 200 4 3 90 1 1 4",
-                                   "view 320 200 4 3 60 1 2 3 4 5 6 7 8 9",
-                                   "coverage 256 0 0 6400 0 0 6400",
-                                   "mesh 256 3 0 0 9999 0 0 9999 1 0 1 2",
-                                   "clip 320 200 4 3 90 4 8192 3 -9 -9 1 9 -9 5 0 9 50",
-                                   "texspan 320 200 4 3 90 -9 -9 4 0 0 9 -9 4 9 0 0 9 4 0 9 100 158 162",
-                                   "texspanq bounded 320 200 4 3 90 -9 -9 4 0 0 9 -9 400 9 0 0 9 4 0 9 100 0 320",
-                                   "texspanq affine 320 200 4 3 90 -9 -9 4 0 0 9 -9 400 9 0 0 9 4 0 9 100 0 320"};
     std::mt19937 random(8);
     Probe probe;
     int answered = 0;
     for (int i = 0; i < 20000; ++i) {
-        const std::string answer = probe.answer(with_extremes(queries[random() % std::size(queries)], random));
+        const std::string answer = probe.answer(with_extremes(kQueries[random() % std::size(kQueries)], random));
         ASSERT_FALSE(answer.empty());
         answered += answer != "unsupported";
     }

@@ -75,14 +75,5 @@ RC_GTEST_PROP(PropertyTiling, EachPixelIsCoveredOnceWhateverTheWinding, ()) {
     RC_ASSERT(owners_of(triangles) == owners);
 }
 
-RC_GTEST_PROP(PropertyTiling, CutsLeaveTheAreaAsItWas, ()) {
-    const Rectangle r = any_rectangle();
-    Mesh mesh(r);
-    for (const Cut& cut : *rc::gen::container<std::vector<Cut>>(any_cut())) mesh.cut(cut);
-    std::int64_t area = 0;
-    for (const Mesh::Triangle& triangle : mesh.triangles()) area += doubled_area(triangle).raw;
-    RC_ASSERT(area == 2 * std::int64_t{r.right_8 - r.left_8} * (r.bottom_8 - r.top_8));
-}
-
 }  // namespace
 }  // namespace oblong::test

@@ -6,18 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/palettes.h"
+
 namespace oblong::test {
 namespace {
-
-// Index i is grey i.
-Palette greys() {
-    Palette palette;
-    for (std::size_t i = 0; i < 256; ++i) {
-        const auto grey = static_cast<std::uint8_t>(i);
-        palette.colours[i] = {grey, grey, grey};
-    }
-    return palette;
-}
 
 struct Canvas {
     Canvas(std::int32_t width_px, std::int32_t height_px, std::uint8_t colour = 0)
@@ -35,7 +27,7 @@ TEST(Thumbnail, HasTheMeanOfWhatEachPixelCovers) {
     for (std::int32_t y = 0; y < 200; ++y)
         for (std::int32_t x = 0; x < 320; ++x)
             canvas.picture.row(y)[x] = static_cast<std::uint8_t>(x / 4 + 2 * (y / 4) + (x % 2 == 0 ? 20 : 0));
-    const Thumbnail thumbnail = make_thumbnail(canvas.picture, greys());
+    const Thumbnail thumbnail = make_thumbnail(canvas.picture, grey_palette());
     for (std::size_t y = 0; y < 50; ++y)
         for (std::size_t x = 0; x < 80; ++x) ASSERT_EQ(pixel(thumbnail, x, y), x + 2 * y + 10);
 }
@@ -45,7 +37,7 @@ TEST(Thumbnail, IsOfTheWholePictureInAnyMode) {
         Canvas canvas(width, height, 7);
         canvas.picture.row(height - 1)[width - 1] = 255;
         canvas.picture.row(0)[0] = 254;
-        const Thumbnail thumbnail = make_thumbnail(canvas.picture, greys());
+        const Thumbnail thumbnail = make_thumbnail(canvas.picture, grey_palette());
         EXPECT_GT(pixel(thumbnail, 0, 0), 7) << width;
         EXPECT_GT(pixel(thumbnail, 79, 49), 7) << width;
         EXPECT_EQ(pixel(thumbnail, 40, 25), 7) << width;

@@ -11,29 +11,24 @@
 #include "engine/methods/line_and_plane.h"
 #include "engine/methods/square_root.h"
 #include "engine/methods/transforms.h"
+#include "tests/seeds/seed_values.h"
 #include "tools/gallery/counted.h"
 
 // What the five texts say of vectors, with the values as corrected. M: Muratori, N: the course notes, P: Princeton,
 // A: Abrash.
 
-namespace oblong {
+namespace oblong::test {
 namespace {
-
-using Whole = Fixed<std::int32_t, 0>;
 
 constexpr auto kOne = Unit::from_int(1);
 constexpr Vec3<Unit> kX{kOne, {}, {}}, kY{{}, kOne, {}}, kZ{{}, {}, kOne};
-
-Vec3<Whole> whole(std::int32_t x, std::int32_t y, std::int32_t z) {
-    return {Whole::from_int(x), Whole::from_int(y), Whole::from_int(z)};
-}
 
 Vec3<World> at(std::int32_t x, std::int32_t y, std::int32_t z) {
     return {World::from_int(x), World::from_int(y), World::from_int(z)};
 }
 
 Vec3<Entry> entries(std::int64_t x, std::int64_t y, std::int64_t z) {
-    return {Entry::from_int(x), Entry::from_int(y), Entry::from_int(z)};
+    return {entry(x), entry(y), entry(z)};
 }
 
 std::int64_t dot_of(const Vec3<Entry>& a, const Vec3<Entry>& b) {
@@ -172,9 +167,9 @@ TEST(SeedN9, LookAtRowsUndoTheColumnsOfItsAxesAndEye) {
     const Matrix4 rows = view_matrix(basis, eye);
     std::size_t row = 0;
     for (const auto& axis : {x, y, z}) {
-        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(std::ldexp(rows.rows[row][i].raw, -32), axis[i], 1e-8) << row;
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(number(rows.rows[row][i]), axis[i], 1e-8) << row;
         const double along_eye = axis[0] * 3 + axis[1] * -7 + axis[2] * 11;
-        EXPECT_NEAR(std::ldexp(rows.rows[row][3].raw, -32), -along_eye, 1e-7) << row;
+        EXPECT_NEAR(number(rows.rows[row][3]), -along_eye, 1e-7) << row;
         ++row;
     }
     const Matrix4 both = view_matrix(basis, eye) * camera_matrix(basis, eye);
@@ -197,4 +192,4 @@ TEST(SeedP5, CameraMatrixHasAxesAndEyeForColumnsAndTheViewMatrixIsItsInverse) {
 }
 
 }  // namespace
-}  // namespace oblong
+}  // namespace oblong::test

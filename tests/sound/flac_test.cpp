@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <string>
 
-#include "engine/base/input_error.h"
 #include "engine/files/files.h"
 #include "tests/sound/md5.h"
 #include "tests/support/folders.h"
+#include "tests/support/refusal.h"
 
 namespace oblong {
 namespace {
@@ -125,12 +125,7 @@ TEST(Flac, PredictsByCoefficientsWithAShift) {
 }
 
 std::string fault_in(const Bytes& file) {
-    try {
-        decode_flac(file);
-        return "";
-    } catch (const InputError& error) {
-        return error.where + ": " + error.what();
-    }
+    return test::refusal([&] { decode_flac(file); });
 }
 
 TEST(Flac, NamesWhatItDoesNotTake) {

@@ -37,18 +37,6 @@ int step_at(const Wave& wave, std::size_t i) {
     return std::abs(wave[i] - wave[(i + wave.size() - 1) % wave.size()]);
 }
 
-// The amplitude of a frequency in a part of a wave, by its own sums (Goertzel's question, the slow way).
-double amplitude(const Wave& wave, double hz, double from_s = 0, double until_s = 1e9) {
-    const auto first = static_cast<std::size_t>(from_s * kRate_hz);
-    const std::size_t end = std::min(wave.size(), static_cast<std::size_t>(until_s * kRate_hz));
-    double real = 0, imaginary = 0;
-    for (std::size_t i = first; i < end; ++i) {
-        const double angle = 2 * M_PI * hz * static_cast<double>(i) / kRate_hz;
-        real += wave[i] * std::cos(angle), imaginary += wave[i] * std::sin(angle);
-    }
-    return 2 * std::hypot(real, imaginary) / static_cast<double>(end - first);
-}
-
 std::vector<std::string> files_of(Sound sound) {
     std::vector<std::string> names;
     for (int variant = 0; variant < row_of(sound).variants; ++variant) {
@@ -115,47 +103,6 @@ TEST(Waves, OfLoopsHaveNoSeam) {
         EXPECT_LE(step_at(wave, 0), usual + 40) << row_of(static_cast<Sound>(i)).file;
     }
     EXPECT_EQ(loops, 16);
-}
-
-// Noise in a loop is blended at its seam: its power there is that of the rest.
-TEST(Waves, OfLoopsAreAsLoudAtTheSeam) {
-    for (const char* name : {"door_move", "slab_move", "under_water", "fire"}) {
-        const Wave& wave = waves().at(name);
-        double all = 0, seam = 0;
-        for (const std::int16_t sample : wave) all += double{1} * sample * sample;
-        const std::size_t part = 6'000;
-        for (std::size_t i = 0; i < part; ++i) seam += double{1} * wave[i] * wave[i];
-        const double ratio = seam / part / (all / static_cast<double>(wave.size()));
-        EXPECT_GT(ratio, 0.4) << name;
-        EXPECT_LT(ratio, 2.5) << name;
-    }
-}
-
-TEST(Waves, SoundAtTheirFrequencies) {
-    const Wave& hum = waves().at("hum");
-    EXPECT_GT(amplitude(hum, 100), 3 * amplitude(hum, 300));
-    EXPECT_LT(amplitude(hum, 150), 0.001 * amplitude(hum, 100));
-    const Wave& lens = waves().at("lens");
-    for (const double note : {880.0, 1'318.51, 1'760.0})
-        EXPECT_GT(amplitude(lens, note), 10 * amplitude(lens, note * 1.06)) << note;
-    EXPECT_GT(amplitude(lens, 880, 0, 0.1), 5 * amplitude(lens, 1'318.51, 0, 0.1));  // one note after the other
-    const Wave& back = waves().at("menu_back");
-    EXPECT_GT(amplitude(back, 659, 0, 0.07), amplitude(back, 440, 0, 0.07));  // down
-    EXPECT_GT(amplitude(back, 440, 0.1, 0.2), amplitude(back, 659, 0.1, 0.2));
-}
-
-// How many times a second the wave crosses zero: the higher, the brighter.
-double crossings_hz(const std::string& name) {
-    const Wave& wave = waves().at(name);
-    int crossings = 0;
-    for (std::size_t i = 1; i < wave.size(); ++i) crossings += (wave[i] < 0) != (wave[i - 1] < 0);
-    return crossings * kRate_hz / static_cast<double>(wave.size());
-}
-
-TEST(Waves, StepsAreAsBrightAsTheirGround) {
-    EXPECT_GT(crossings_hz("step_metal1"), crossings_hz("step_wood1"));
-    EXPECT_GT(crossings_hz("step_stone1"), crossings_hz("step_carpet1"));
-    EXPECT_GT(crossings_hz("rain"), 4 * crossings_hz("lava"));
 }
 
 }  // namespace

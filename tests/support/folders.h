@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdint>
@@ -51,6 +54,16 @@ class TemporaryFolder {
   private:
     std::filesystem::path path_;
 };
+
+/// /dev/null, zero or full for tests of writing. For root it is another node of the device, in a folder of the test: a
+/// fault would replace the system's, for everybody. Nobody else can do that.
+inline std::string device_for_writing(const std::string& folder, const std::string& name) {
+    const unsigned number = name == "null" ? 3 : name == "zero" ? 5 : 7;
+    if (geteuid() != 0) return "/dev/" + name;
+    const std::string node = folder + "/" + name;
+    EXPECT_EQ(mknod(node.c_str(), S_IFCHR | 0666, makedev(1, number)), 0) << node;
+    return node;
+}
 
 inline constexpr std::array<const char*, 3> kRealLevels = {"dm4", "e1m7", "end"};
 

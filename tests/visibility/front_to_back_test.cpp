@@ -26,7 +26,8 @@ class Walker {
         Places places;
         std::size_t place = 0;
         FrontToBackWalk walk(level, view, visible_, nullptr, span_buffer_, scratch_);
-        while (const std::optional<VisibleFace> face = walk.next()) places[face->face].push_back(place++);
+        VisibleFace face;
+        while (walk.next(face)) places[face.face].push_back(place++);
         return places;
     }
     bool hands_out_nothing_when_full(const ViewContext& view) {
@@ -34,7 +35,8 @@ class Walker {
         SpanBuffer full(320, 200);
         full.claim_rest(owned);
         FrontToBackWalk walk(level, view, visible_, nullptr, full, scratch_);
-        return !walk.next();
+        VisibleFace face;
+        return !walk.next(face);
     }
 
     const Level level;

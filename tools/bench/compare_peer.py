@@ -17,7 +17,6 @@ usage: OBLONG_PEER=PROGRAM tools/compare-peer [OPTIONS] [BUILD] [LEVEL CAMERAS [
   --json FILE        (default: BUILD/bench/compare_peer.json)
 settings: bounded, no-bmi2, 1996, exact, threads-2
 """
-import argparse
 import json
 import os
 import re
@@ -162,26 +161,8 @@ def count_instructions(peer, program, places, mode, settings, folder):
     return counts
 
 
-def parse_arguments():
-    if "-h" in sys.argv or "--help" in sys.argv:
-        print(__doc__)
-        sys.exit(0)
-    parser = argparse.ArgumentParser(usage=__doc__, add_help=False)
-    parser.add_argument("places", nargs="*")
-    parser.add_argument("--mode", action="append", default=[])
-    parser.add_argument("--setting", action="append", default=[])
-    parser.add_argument("--rounds", type=int, default=5)
-    parser.add_argument("--most", type=int)
-    parser.add_argument("--render")
-    parser.add_argument("--json")
-    parser.add_argument("--instructions", action="store_true")
-    options = parser.parse_args()
-    options.build, options.level_paths = runs.build_and_level(options.places)
-    return options
-
-
 def main():
-    options = parse_arguments()
+    options = runs.parse_arguments(__doc__, mode=[], setting=[], rounds=5, most=int, render=str, json=str, instructions=False)
     peer = find_peer()
     places = runs.places(options.build, options.level_paths, with_demo=False)
     if not places:

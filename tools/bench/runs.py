@@ -1,4 +1,5 @@
 """What the measuring scripts share: levels with their cameras, and runs of oblong-render under callgrind or the clock."""
+import argparse
 import csv
 import json
 import os
@@ -67,6 +68,30 @@ def build_and_level(words):
     if len(words) == 2 or len(words) > 4:
         fail("expected [BUILD] [LEVEL CAMERAS [PALETTE]] (--help)")
     return os.path.abspath(words[0] if words else os.path.join(ROOT, "build")), words[1:]
+
+
+def parse_arguments(documentation, **wanted):
+    """A script's options, [BUILD] [LEVEL CAMERAS [PALETTE]] among them: NAME=default, or NAME=type where there is none. A
+    list may be given several times, False is a switch. What follows -- is render_options. --help prints the documentation."""
+    own = sys.argv[1:]
+    own, render_options = (own[:own.index("--")], own[own.index("--") + 1:]) if "--" in own else (own, [])
+    if "-h" in own or "--help" in own:
+        print(documentation)
+        sys.exit(0)
+    parser = argparse.ArgumentParser(usage=documentation, add_help=False)
+    parser.add_argument("places", nargs="*")
+    for name, default in wanted.items():
+        if default is False:
+            parser.add_argument("--" + name, action="store_true")
+        elif isinstance(default, list):
+            parser.add_argument("--" + name, action="append", default=default)
+        else:
+            is_type = isinstance(default, type)
+            parser.add_argument("--" + name, type=default if is_type else type(default), default=None if is_type else default)
+    options = parser.parse_args(own)
+    options.render_options = render_options
+    options.build, options.level_paths = build_and_level(options.places)
+    return options
 
 
 def places(build, level_paths, with_demo):

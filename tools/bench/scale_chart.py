@@ -16,7 +16,6 @@ usage: tools/measure-frames scale [OPTIONS] [BUILD] [LEVEL CAMERAS [PALETTE]]
   --quick            two of each, once: to see that all work
 Writes DIR/scale.svg and DIR/scale.json. Fails if a picture differs, or a frame leaves a pixel unwritten.
 """
-import argparse
 import json
 import math
 import os
@@ -246,24 +245,8 @@ def print_tables(found):
             print("%12s %12s %-12s %5.0f median" % ("", format(row["models"], ","), kind.replace("_", " "), row["median_us"]))
 
 
-def parse_arguments():
-    if "-h" in sys.argv or "--help" in sys.argv:
-        print(__doc__)
-        sys.exit(0)
-    parser = argparse.ArgumentParser(usage=__doc__, add_help=False)
-    parser.add_argument("places", nargs="*")
-    parser.add_argument("--rounds", type=int, default=5)
-    parser.add_argument("--most", type=int, default=40)
-    parser.add_argument("--render")
-    parser.add_argument("--out")
-    parser.add_argument("--quick", action="store_true")
-    options = parser.parse_args()
-    options.build, options.level_paths = runs.build_and_level(options.places)
-    return options
-
-
 def main():
-    options = parse_arguments()
+    options = runs.parse_arguments(__doc__, rounds=5, most=40, render=str, out=str, quick=False)
     program = options.render or runs.built_render(options.build)
     scale = Scale(options, program)
     places = {place.name: place for place in runs.places(options.build, options.level_paths, with_demo=True)}

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "engine/accuracy/accuracy.h"
-#include "engine/frame/surface_pass.h"
 #include "engine/raster/exact_spans.h"
 #include "engine/view/views.h"
 #include "engine/visibility/eye.h"
@@ -55,7 +54,8 @@ void time_walk(benchmark::State& state, const SharedFrames& stages) {
             work.view.span_buffer.reset();
             FrontToBackWalk walk(stages->level.level, frame.view, work.view.visible, nullptr, work.view.span_buffer,
                                  work.view.walk);
-            while (walk.next() && !walk.takes_all_faces()) ++faces;
+            VisibleFace face;
+            while (walk.next(face) && !walk.takes_all_faces()) ++faces;
         }
     }
     show_time_per("face", faces, state);
@@ -104,14 +104,15 @@ void drop_blocks(std::span<const TexelBlock> blocks, const EffectTexels&, std::u
 
 void time_spans(benchmark::State& state, const SharedFrames& stages, Preset preset, EffectKernel kernel) {
     const SpanTexturing texturing = make_span_texturing(accuracy_of(preset));
-    const SurfaceEffect effect{kernel, {}};
     SpanScratch scratch(stages->mode.width_px);
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames)
-            for (const TexturedInput& wall : frame.walls)
-                draw_textured(
-                    {wall.claimed, wall.surface, effect, wall.gradients, wall.least_density, frame.least_pixel_width},
-                    wall.spans, {texturing, stages->out(), scratch});
+            for (const TexturedInput& wall : frame.walls) {
+                TexturedFace face = wall.face;
+                face.effect.kernel = kernel;
+                set_cutting(face, wall.spans, texturing);
+                draw_textured(face, wall.spans, {texturing, stages->out(), scratch});
+            }
     show_time_per("pixel", stages->sum([](const StageInputs& frame) { return frame.pixels; }), state);
 }
 
@@ -119,8 +120,8 @@ void time_exact_spans(benchmark::State& state, const SharedFrames& stages) {
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames)
             for (const TexturedInput& wall : frame.walls)
-                draw_exact_spans(wall.spans, wall.gradients, wall.surface.limits, wall.surface.view,
-                                 wall.surface.kernel, stages->out());
+                draw_exact_spans(wall.spans, wall.face.cutting.gradients, wall.face.surface.limits,
+                                 wall.face.surface.view, wall.face.surface.kernel, stages->out());
     show_time_per("pixel", stages->sum([](const StageInputs& frame) { return frame.pixels; }), state);
 }
 
@@ -131,9 +132,10 @@ void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs
     work.view.span_buffer.reset();
     SpanList owned;
     FrontToBackWalk walk(level.level, inputs.view, work.view.visible, nullptr, work.view.span_buffer, work.view.walk);
-    while (const std::optional<VisibleFace> visible = walk.next()) {
-        inputs.visited.push_back(visible->face);
-        if (!project_face(work.cache.faces.corners_of(visible->face), inputs.view, work.view.vertices,
+    VisibleFace visible;
+    while (walk.next(visible)) {
+        inputs.visited.push_back(visible.face);
+        if (!project_face(work.cache.faces.corners_of(visible.face), inputs.view, work.view.vertices,
                           work.view.polygon))
             continue;
         scan_convex(work.view.polygon.screen, work.view.rows);
@@ -146,20 +148,18 @@ void collect_geometry(const BenchLevel& level, FrameWorkspace& work, StageInputs
 /// The walls of the frame drawn last in the workspace.
 void collect_walls(const BenchLevel& level, FrameWorkspace& work, StageInputs& inputs) {
     const InverseProjection inverse_projection = make_inverse_projection(inputs.view.projection);
-    inputs.least_pixel_width = inverse_projection.least_pixel_width;
-    for (const ClaimedFace& claimed : work.view.claims.list(FaceList::Walls)) {
+    for (const VisibleFace& claimed : work.view.claims.list(FaceList::Walls)) {
         const FaceIndex face = claimed.face;
         const auto spans = work.view.claims.spans_of(claimed);
         const Vec3<World> offset = work.cache.brush_models.offset_of(claimed.fragment);
         const int mip = work.cache.surfaces.mip_level(face, claimed.nearest_z, inputs.view.projection.x, 0);
-        const FaceSurface surface =
-            work.cache.surfaces.get(face, mip, {work.view.light.styles, TextureIndex::none(), offset});
-        inputs.walls.push_back({claimed,
-                                {spans.begin(), spans.end()},
-                                surface,
-                                make_face_gradients(level.level, level.level.faces[face], surface, offset, inputs.view,
-                                                    inverse_projection),
-                                work.cache.faces.faces[face].least_density});
+        TexturedInput wall{{spans.begin(), spans.end()}, {claimed, {}, {}, {}, {}}};
+        wall.face.surface = work.cache.surfaces.get(face, mip, {work.view.light.styles, TextureIndex::none(), offset});
+        wall.face.cutting.gradients = make_face_gradients(level.level, level.level.faces[face], wall.face.surface,
+                                                          offset, claimed.inverse_z, inputs.view, inverse_projection);
+        wall.face.nearest_texels = texels_across(claimed.nearest_z, work.cache.faces.faces[face].least_density,
+                                                 inverse_projection.least_pixel_width);
+        inputs.walls.push_back(std::move(wall));
         for (const Span& span : spans) inputs.pixels += span.end - span.first;
     }
 }

@@ -2,19 +2,16 @@
 
 #include <vector>
 
-#include "engine/view/texture_gradients.h"
+#include "engine/frame/surface_pass.h"
 #include "engine/view/view_context.h"
 #include "tools/bench/bench_level.h"
 
 namespace oblong {
 
-/// A face of a frame that owns pixels, as texturing takes it.
+/// A face of a frame that owns pixels, as texturing takes it, without a cutting.
 struct TexturedInput {
-    ClaimedFace claimed;
     std::vector<Span> spans;
-    FaceSurface surface;
-    TextureGradients gradients;
-    TexelDensity least_density;
+    TexturedFace face;
 };
 
 /// What each stage of one frame works on. Of the faces, those of the world alone: doors and lifts are left out.
@@ -25,8 +22,7 @@ struct StageInputs {
     std::vector<std::vector<ScreenVertex>> polygons;  ///< of those that are in view
     std::vector<ScanlineExtents> rows;                ///< of those
     std::vector<TexturedInput> walls;                 ///< those that own pixels and are drawn from a surface
-    WidthAtOne least_pixel_width;
-    std::int64_t pixels = 0;  ///< of the walls
+    std::int64_t pixels = 0;                          ///< of the walls
 };
 
 /// The frame of a camera, taken apart. The walls' texels are in `work`.

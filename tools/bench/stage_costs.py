@@ -16,13 +16,11 @@ usage: tools/measure-frames stages [OPTIONS] [BUILD] [LEVEL CAMERAS [PALETTE]]
   -- OPTION...       further options of oblong-render: -- --accuracy exact
 Needs valgrind.
 """
-import argparse
 import collections
 import json
 import os
 import re
 import subprocess
-import sys
 
 import runs
 
@@ -176,27 +174,8 @@ def print_functions(cost):
                 print("  %8.3f  %-28s %s" % (instructions, stage, name[:110]))
 
 
-def parse_arguments():
-    own = sys.argv[1:]
-    own, render_options = (own[:own.index("--")], own[own.index("--") + 1:]) if "--" in own else (own, [])
-    parser = argparse.ArgumentParser(usage=__doc__, add_help=False)
-    parser.add_argument("places", nargs="*")
-    parser.add_argument("--mode", default="320x200")
-    parser.add_argument("--render")
-    parser.add_argument("--json")
-    parser.add_argument("--most", type=int, default=35)
-    parser.add_argument("--functions", action="store_true")
-    if "-h" in own or "--help" in own:
-        print(__doc__)
-        sys.exit(0)
-    options = parser.parse_args(own)
-    options.build, options.level_paths = runs.build_and_level(options.places)
-    options.render_options = render_options
-    return options
-
-
 def main():
-    options = parse_arguments()
+    options = runs.parse_arguments(__doc__, mode="320x200", render=str, json=str, most=35, functions=False)
     build = options.build
     places = runs.places(build, options.level_paths, with_demo=True)
     program = options.render or runs.built_render(build)

@@ -1,14 +1,16 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
+#include "engine/fixed/arithmetic.h"
 #include "engine/math/vec.h"
 
 namespace oblong {
 
-/// What a computation did; a subtraction counts as an addition, a sign as nothing.
+/// What a computation did; a subtraction counts as an addition, signs, shifts and comparisons as nothing.
 struct Operations {
-    int multiplications = 0, divisions = 0, additions = 0;
+    std::int64_t multiplications = 0, divisions = 0, additions = 0;
     bool operator==(const Operations&) const = default;
 
     std::string text() const {
@@ -17,27 +19,39 @@ struct Operations {
     }
 };
 
+/// Where this thread's operations are counted, if they are.
+inline thread_local Operations* counted_operations = nullptr;
+
+/// What a computation with Counted numbers does.
+template <class Compute>
+Operations operations_of(const Compute& compute) {
+    Operations operations;
+    counted_operations = &operations;
+    compute();
+    counted_operations = nullptr;
+    return operations;
+}
+
 /// A number that counts what is done with it.
+template <class Value>
 class Counted {
   public:
-    Counted(double value, Operations& operations) : value_(value), operations_(&operations) {}
+    constexpr Counted(Value value) : value_(value) {}
 
-    double value() const { return value_; }
-    Counted operator+(const Counted& other) const { return {value_ + other.value_, tallied(&Operations::additions)}; }
-    Counted operator-(const Counted& other) const { return {value_ - other.value_, tallied(&Operations::additions)}; }
-    Counted operator*(const Counted& other) const {
-        return {value_ * other.value_, tallied(&Operations::multiplications)};
-    }
-    Counted operator/(const Counted& other) const { return {value_ / other.value_, tallied(&Operations::divisions)}; }
+    Counted operator+(Counted other) const { return noted(&Operations::additions, value_ + other.value_); }
+    Counted operator-(Counted other) const { return noted(&Operations::additions, value_ - other.value_); }
+    Counted operator*(Counted other) const { return noted(&Operations::multiplications, value_ * other.value_); }
+    Counted operator/(Counted other) const { return noted(&Operations::divisions, value_ / other.value_); }
+    Counted operator>>(int bits) const { return floor_shift(value_, bits); }
+    bool operator<(Counted other) const { return value_ < other.value_; }
 
   private:
-    Operations& tallied(int Operations::*kind) const {
-        ++(operations_->*kind);
-        return *operations_;
+    static Counted noted(std::int64_t Operations::*kind, Value value) {
+        if (counted_operations) ++(counted_operations->*kind);
+        return value;
     }
 
-    double value_;
-    Operations* operations_;
+    Value value_;
 };
 
 // The seeds' formulas for any number type, as corrected: y grows upward, rows downward.

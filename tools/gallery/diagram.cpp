@@ -11,10 +11,9 @@ namespace oblong {
 Diagram::Diagram(const RowInput& input, Framebuffer canvas, PlanePoint centre, double units_high)
     : canvas_(canvas), text_(input.assets.text), centre_(centre) {
     const double rows = canvas.height_px - kHeader_px - kFooter_px;
-    const Ratio pixel = input.mode.pixel();
     middle_px_ = {canvas.width_px / 2.0, kHeader_px + rows / 2};
     px_per_unit_y_ = rows / units_high;
-    px_per_unit_x_ = px_per_unit_y_ * static_cast<double>(pixel.denominator) / static_cast<double>(pixel.numerator);
+    px_per_unit_x_ = px_per_unit_y_ * number_of(input.mode.pixel().inverse());
 }
 
 PlanePoint Diagram::on_canvas(PlanePoint at) const {
@@ -26,7 +25,7 @@ double Diagram::units_wide() const {
 }
 
 void Diagram::fill(std::uint8_t colour) {
-    fill_area(canvas_, {0, 0, canvas_.width_px, canvas_.height_px}, colour);
+    oblong::fill(canvas_, colour);
 }
 
 void Diagram::line(PlanePoint from, PlanePoint to, std::uint8_t colour) {
@@ -52,7 +51,7 @@ void Diagram::circle(PlanePoint centre, double radius, std::uint8_t colour) {
     constexpr int kCorners = 96;
     for (int i = 0; i < kCorners; ++i) {
         const auto at = [&](int corner) {
-            const double angle = corner * 2 * 3.141592653589793 / kCorners;
+            const double angle = corner * 2 * std::numbers::pi / kCorners;
             return PlanePoint{centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)};
         };
         line(at(i), at(i + 1), colour);
@@ -93,8 +92,7 @@ void Diagram::text(PlanePoint at, std::string_view line, std::uint8_t colour, st
 PixelGrid::PixelGrid(const RowInput& input, Framebuffer canvas, const Area& place, std::int32_t columns,
                      std::int32_t rows, std::uint8_t background)
     : canvas_(canvas), columns_(columns), rows_(rows), pixels_(pixel_count(columns, rows), background) {
-    const Ratio pixel = input.mode.pixel();
-    const double shape = static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator);
+    const double shape = number_of(input.mode.pixel());
     for (std::int32_t width = 1;; ++width) {
         const auto height = std::max(static_cast<std::int32_t>(std::lround(width * shape)), 1);
         if (width * columns > place.width || height * rows > place.height) break;

@@ -11,6 +11,9 @@ namespace oblong {
 /// A place of a diagram's plane: x right, y up.
 struct PlanePoint {
     double x = 0, y = 0;
+
+    constexpr PlanePoint operator+(PlanePoint other) const { return {x + other.x, y + other.y}; }
+    constexpr PlanePoint operator*(double factor) const { return {x * factor, y * factor}; }
 };
 
 /// Draws in a plane whose unit is as long across as it is down on the mode's display, so that circles are round there.

@@ -71,10 +71,7 @@ double exact_shade(double light) {
 std::optional<ExactHit> exact_hit(const PlacedMesh& placed, const RowInput& input, int field_of_view, double column,
                                   double row) {
     const double across = input.mode.width_px / 2.0 / std::tan(field_of_view * std::numbers::pi / 360);
-    const Ratio pixel = input.mode.pixel();
-    const double shape = input.settings.correct_aspect
-                             ? static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator)
-                             : 1;
+    const double shape = input.settings.correct_aspect ? number_of(input.mode.pixel()) : 1;
     const auto corner = [&](std::uint32_t number) {
         const MeshVertex& vertex = placed.mesh->frames[0].vertices[number];
         const double sx = number_of(placed.scale.x), sy = number_of(placed.scale.y), sz = number_of(placed.scale.z);

@@ -17,9 +17,7 @@ namespace oblong {
 namespace {
 
 std::string with_decimals(double value, int decimals) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
+    return decimal_text(value, ("%." + std::to_string(decimals) + "f").c_str());
 }
 
 std::string parameter_text(const Row& row, std::span<const std::int64_t> values, std::size_t chosen) {
@@ -72,6 +70,10 @@ Parameter choice_parameter(std::string name, std::vector<std::string> choices, s
     return {std::move(name), 0, most, 1, start, std::move(choices)};
 }
 
+Figure measured(std::string name, std::int64_t found) {
+    return measured(std::move(name), std::to_string(found));
+}
+
 std::vector<std::int64_t> start_values(const Row& row) {
     std::vector<std::int64_t> values;
     for (const Parameter& parameter : row.parameters) values.push_back(parameter.start);
@@ -117,27 +119,29 @@ std::uint8_t GalleryAssets::colour(int red, int green, int blue) const {
     return nearest_colour(colormap.palette, wanted);
 }
 
+void fill(Framebuffer canvas, std::uint8_t colour) {
+    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, colour);
+}
+
 Vec3<World> world_point(double x, double y, double z) {
-    const auto part = [](double value) {
-        return World::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(value, World::kFractionBits))));
-    };
-    return {part(x), part(y), part(z)};
+    return {fixed_of<World>(x), fixed_of<World>(y), fixed_of<World>(z)};
+}
+
+Vec3<World> world_point(const Vec& place) {
+    return world_point(place.x, place.y, place.z);
 }
 
 Vec3<Unit> unit_vector(double x, double y, double z) {
     const double length = std::hypot(x, y, z);
-    const auto part = [length](double value) {
-        return Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(value / length, Unit::kFractionBits))));
-    };
-    return {part(x), part(y), part(z)};
+    return {fixed_of<Unit>(x / length), fixed_of<Unit>(y / length), fixed_of<Unit>(z / length)};
 }
 
 Entry entry_of(double value) {
-    return Entry::from_raw(std::llround(std::ldexp(value, Entry::kFractionBits)));
+    return fixed_of<Entry>(value);
 }
 
 std::string decimal_text(double value, const char* format) {
-    char text[48];
+    char text[64];
     std::snprintf(text, sizeof text, format, value);
     return text;
 }

@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/draw/text.h"
+#include "engine/fixed/trig.h"
 #include "engine/frame/settings.h"
 #include "engine/level/level.h"
 #include "engine/math/matrix.h"
@@ -29,6 +31,7 @@ Figure number_figure(std::string name, double expected, double found, double tol
 Figure count_figure(std::string name, std::int64_t expected, std::int64_t found);
 /// A measurement that nothing is compared with: a time, a count of operations.
 Figure measured(std::string name, std::string found);
+Figure measured(std::string name, std::int64_t found);
 
 /// A number of a row that keys change; with `choices`, one of these names (from 0).
 struct Parameter {
@@ -54,6 +57,12 @@ struct RowInput {
     Settings settings;                 ///< accuracy, and whether the projection corrects the aspect
     std::vector<std::int64_t> values;  ///< of the row's parameters, in their order
     std::int64_t time_ms = 0;
+
+    double number(std::size_t parameter) const { return static_cast<double>(values[parameter]); }
+    /// Of a parameter in degrees.
+    double radians(std::size_t parameter) const { return number(parameter) * std::numbers::pi / 180; }
+    Angle angle(std::size_t parameter) const { return degrees_to_angle(Degrees::from_int(values[parameter])); }
+    std::uint8_t colour(int red, int green, int blue) const { return assets.colour(red, green, blue); }
 };
 
 /// The first three are shown below the picture, all are in the index page.
@@ -87,18 +96,26 @@ std::string figure_text(const Figure& figure);
 
 // The engine's numbers from doubles and back: what rows draw is worked out in doubles.
 
+/// A point or a direction in doubles.
+using reference::Vec;
 /// A point of the world, from units.
 Vec3<World> world_point(double x, double y, double z);
+Vec3<World> world_point(const Vec& place);
 /// The direction of (x, y, z), of length 1; not of the zero vector.
 Vec3<Unit> unit_vector(double x, double y, double z);
 /// A number of a matrix.
 Entry entry_of(double value);
 
-/// A point or a direction in doubles.
-using reference::Vec;
-
 /// A number as text: "%.3f" or another format.
 std::string decimal_text(double value, const char* format = "%.3f");
+
+void fill(Framebuffer canvas, std::uint8_t colour);
+/// Each pixel has the colour that colour_at(column, row) gives.
+template <class ColourAt>
+void paint(Framebuffer canvas, const ColourAt& colour_at) {
+    for (std::int32_t y = 0; y < canvas.height_px; ++y)
+        for (std::int32_t x = 0; x < canvas.width_px; ++x) canvas.row(y)[x] = colour_at(x, y);
+}
 
 /// All rows, in the order of the seeds, with their texts.
 std::vector<Row> gallery_rows();

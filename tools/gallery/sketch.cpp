@@ -41,10 +41,6 @@ PixelPosition pixel_at(const ScreenVertex& vertex, Framebuffer part) {
 constexpr std::array<std::array<int, 4>, 6> kCubeFaces{
     {{4, 6, 7, 5}, {0, 4, 5, 1}, {1, 5, 7, 3}, {0, 1, 3, 2}, {3, 7, 6, 2}, {2, 6, 4, 0}}};
 
-Vec half_of(const Vec& from, const Vec& to) {
-    return {(to.x - from.x) / 2, (to.y - from.y) / 2, (to.z - from.z) / 2};
-}
-
 }  // namespace
 
 Sketch::Sketch(const RowInput& input, Framebuffer canvas, const Area& area, const SketchEye& from)
@@ -96,6 +92,16 @@ void Sketch::polygon(std::span<const Vec3<World>> corners, std::uint8_t colour) 
             fill_area(part_, {item(rows.left, y), y, item(rows.right, y) - item(rows.left, y), 1}, colour);
 }
 
+void Sketch::axes(const std::array<Vec3<World>, 3>& ends, const GalleryAssets& assets) {
+    const std::array<std::uint8_t, 3> colours{assets.colour(200, 80, 70), assets.colour(90, 170, 80),
+                                              assets.colour(90, 130, 220)};
+    constexpr std::array<std::string_view, 3> kNames{"x", "y", "z"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        line({}, ends[i], colours[i]);
+        label(ends[i], kNames[i], colours[i]);
+    }
+}
+
 void Sketch::label(const Vec3<World>& at, std::string_view text, std::uint8_t colour) {
     const std::optional<PlanePoint> place = place_of(at);
     if (!place) return;
@@ -126,13 +132,9 @@ void draw_column(Framebuffer canvas, std::int32_t x, std::int32_t y, std::span<c
     }
 }
 
-Vec3<World> in_world(const Vec& place) {
-    return world_point(place.x, place.y, place.z);
-}
-
-PixelPlace shown(const Vec& place, const ViewContext& view) {
-    const ScreenPosition position = project(to_view(in_world(place), view), view.projection);
-    return {std::ldexp(position.x.raw, -8), std::ldexp(position.y.raw, -8)};
+PlanePoint shown(const Vec& place, const ViewContext& view) {
+    const ScreenPosition position = project(to_view(world_point(place), view), view.projection);
+    return {number_of(position.x), number_of(position.y)};
 }
 
 double across(const Vec& from, const Vec& to, const ViewContext& view) {
@@ -146,21 +148,21 @@ WireScene::WireScene(const RowInput& input, const ViewSpec& spec, Framebuffer ca
       view_(make_view_context(spec, input.mode, {30, View::kFractionBits, 8, input.settings.correct_aspect})) {}
 
 void WireScene::fill_background() {
-    fill_area(canvas_, {0, 0, canvas_.width_px, canvas_.height_px}, assets_.colour(20, 24, 36));
+    fill(canvas_, assets_.colour(20, 24, 36));
 }
 void WireScene::line(const Vec& from, const Vec& to, std::uint8_t colour) {
-    const PixelPlace a = shown(from, view_), b = shown(to, view_);
+    const PlanePoint a = shown(from, view_), b = shown(to, view_);
     line(a, b, colour);
 }
-void WireScene::line(const PixelPlace& from, const PixelPlace& to, std::uint8_t colour) {
-    const auto pixel = [](const PixelPlace& at) {
+void WireScene::line(const PlanePoint& from, const PlanePoint& to, std::uint8_t colour) {
+    const auto pixel = [](const PlanePoint& at) {
         return PixelPosition{static_cast<std::int32_t>(std::floor(at.x)), static_cast<std::int32_t>(std::floor(at.y))};
     };
     draw_line(pixel(from), pixel(to), {LineMethod::Bresenham, colour}, canvas_);
 }
 bool WireScene::polygon(std::span<const Vec> corners, std::uint8_t colour) {
     std::vector<Vec3<World>> world;
-    for (const Vec& corner : corners) world.push_back(in_world(corner));
+    for (const Vec& corner : corners) world.push_back(world_point(corner));
     if (!project_polygon(world, view_, polygon_) || doubled_area(polygon_.screen) <= ScreenArea{}) return false;
     scan_convex(polygon_.screen, rows_);
     for (std::int32_t y = rows_.first; y < rows_.end; ++y)
@@ -172,13 +174,12 @@ void WireScene::circle(const Vec& middle, const Vec& one, const Vec& other, std:
     constexpr int kParts = 48;
     const auto on_it = [&](int part) {
         const double angle = part * 2 * std::numbers::pi / kParts, c = std::cos(angle), s = std::sin(angle);
-        return Vec{middle.x + c * one.x + s * other.x, middle.y + c * one.y + s * other.y,
-                   middle.z + c * one.z + s * other.z};
+        return middle + one * c + other * s;
     };
     for (int part = 0; part < kParts; ++part) line(on_it(part), on_it(part + 1), colour);
 }
 void WireScene::label(const Vec& place, std::string_view text) {
-    const PixelPlace pixel = shown(place, view_);
+    const PlanePoint pixel = shown(place, view_);
     draw_text(canvas_, static_cast<std::int32_t>(pixel.x) + 2, static_cast<std::int32_t>(pixel.y) - 4, text,
               assets_.text);
 }
@@ -191,10 +192,8 @@ void draw_cube(const Cube& cube, const GalleryAssets& assets, WireScene& scene) 
         std::array<Vec, 4> corners;
         for (std::size_t i = 0; i < 4; ++i) corners[i] = cube.corner(kCubeFaces[face][i]);
         is_front[face] = scene.polygon(corners, colours[face % 3]);
-        const Vec one = half_of(corners[0], corners[1]), other = half_of(corners[0], corners[3]);
-        const Vec middle{corners[0].x + one.x + other.x, corners[0].y + one.y + other.y,
-                         corners[0].z + one.z + other.z};
-        if (is_front[face]) scene.circle(middle, one, other, assets.colour(220, 150, 60));
+        const Vec one = (corners[1] - corners[0]) * 0.5, other = (corners[3] - corners[0]) * 0.5;
+        if (is_front[face]) scene.circle(corners[0] + one + other, one, other, assets.colour(220, 150, 60));
     }
     for (const bool front : {false, true})
         for (std::size_t face = 0; face < 6; ++face)
@@ -228,18 +227,22 @@ Camera camera_at(std::int32_t x, std::int32_t y, std::int32_t z, int yaw, int pi
             Degrees::from_int(field_of_view)};
 }
 
-void draw_demo_level(const RowInput& input, const ViewSpec& view, Framebuffer canvas) {
-    const Level& level = input.assets.demo_level;
-    const std::vector<PlacedModel> models = models_at_rest(level);
-    FrameWorkspace work(level, input.mode);
-    draw_frame({level, input.assets.colormap, models, input.time_ms}, view, input.mode, input.settings, work, canvas);
+void enlarge(std::span<const std::uint8_t> pixels, const ScreenMode& mode, Framebuffer canvas) {
+    paint(canvas, [&](std::int32_t x, std::int32_t y) {
+        return item(pixels,
+                    y * mode.height_px / canvas.height_px * mode.width_px + x * mode.width_px / canvas.width_px);
+    });
 }
 
-void draw_demo_level(const RowInput& input, const Camera& camera, const ScreenMode& mode, Framebuffer canvas) {
+void draw_demo_level(const RowInput& input, const ViewSpec& view, const ScreenMode& mode, Framebuffer canvas) {
     const Level& level = input.assets.demo_level;
     const std::vector<PlacedModel> models = models_at_rest(level);
     FrameWorkspace work(level, mode);
-    draw_frame({level, input.assets.colormap, models, input.time_ms}, camera, mode, input.settings, work, canvas);
+    draw_frame({level, input.assets.colormap, models, input.time_ms}, view, mode, input.settings, work, canvas);
+}
+
+void draw_demo_level(const RowInput& input, const Camera& camera, const ScreenMode& mode, Framebuffer canvas) {
+    draw_demo_level(input, first_person_view(camera, input.settings.accuracy.sine), mode, canvas);
 }
 
 }  // namespace oblong

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -36,6 +37,8 @@ class Sketch {
     void line(const Vec3<World>& from, const Vec3<World>& to, std::uint8_t colour);
     void outline(std::span<const Vec3<World>> corners, std::uint8_t colour);
     void polygon(std::span<const Vec3<World>> corners, std::uint8_t colour);
+    /// Lines from the world's origin to the ends of three axes, x, y and z.
+    void axes(const std::array<Vec3<World>, 3>& ends, const GalleryAssets& assets);
     /// A line of text beside a point.
     void label(const Vec3<World>& at, std::string_view text, std::uint8_t colour);
     /// Where a point is in the area, pixels; none outside of the view.
@@ -58,15 +61,8 @@ Area scene_area(Framebuffer canvas, std::int32_t width_of_320 = 320);
 void draw_column(Framebuffer canvas, std::int32_t x, std::int32_t y, std::span<const std::string> lines,
                  TextColours colours);
 
-/// A place in the world, from units.
-Vec3<World> in_world(const Vec& place);
-
-/// A place on the screen: column and row, fractions included.
-struct PixelPlace {
-    double x, y;
-};
-/// Where the engine shows a place, pixels.
-PixelPlace shown(const Vec& place, const ViewContext& view);
+/// Where the engine shows a place: column and row, fractions included.
+PlanePoint shown(const Vec& place, const ViewContext& view);
 /// The columns between two places.
 double across(const Vec& from, const Vec& to, const ViewContext& view);
 
@@ -79,7 +75,7 @@ class WireScene {
 
     void fill_background();
     void line(const Vec& from, const Vec& to, std::uint8_t colour);
-    void line(const PixelPlace& from, const PixelPlace& to, std::uint8_t colour);
+    void line(const PlanePoint& from, const PlanePoint& to, std::uint8_t colour);
     /// A polygon seen from its front, clockwise: all of it, or nothing from behind. Whether it was drawn.
     bool polygon(std::span<const Vec> corners, std::uint8_t colour);
     void circle(const Vec& middle, const Vec& one, const Vec& other, std::uint8_t colour);
@@ -114,10 +110,11 @@ Vec3<World> middle_of_demo_level();
 /// A camera in the demo level: whole world units, whole degrees (pitch positive looks down).
 Camera camera_at(std::int32_t x, std::int32_t y, std::int32_t z, int yaw, int pitch, int field_of_view = 90);
 
-/// Draws the demo level in a view as it stands at the input's time, into a canvas of the input's mode.
-void draw_demo_level(const RowInput& input, const ViewSpec& view, Framebuffer canvas);
+/// A picture of another mode over the whole canvas, its pixels enlarged.
+void enlarge(std::span<const std::uint8_t> pixels, const ScreenMode& mode, Framebuffer canvas);
 
-/// Draws the demo level as it stands at the input's time, into a canvas of the mode's size.
+/// Draws the demo level in a view as it stands at the input's time, into a canvas of the mode's size.
+void draw_demo_level(const RowInput& input, const ViewSpec& view, const ScreenMode& mode, Framebuffer canvas);
 void draw_demo_level(const RowInput& input, const Camera& camera, const ScreenMode& mode, Framebuffer canvas);
 
 }  // namespace oblong

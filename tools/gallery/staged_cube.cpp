@@ -106,8 +106,8 @@ constexpr std::array<const char*, 11> kCaptions{"  x     y     z",
 
 StagedCube::StagedCube(const RowInput& input, Framebuffer part) : mesh(make_cube()), scratch(part.height_px) {
     placed.mesh = &mesh;
-    placed.position = world_point(kCubeAhead, static_cast<double>(input.values[2]) / 4, kCubeBelow);
-    placed.yaw = degrees_to_angle(Degrees::from_int(input.values[1]));
+    placed.position = world_point(kCubeAhead, input.number(2) / 4, kCubeBelow);
+    placed.yaw = input.angle(1);
     placed.colour = input.assets.colour(230, 160, 70);
     placed.shading = Shading::Flat;
     view = make_view_context(look_at_view({}, world_point(2, 0, -1), Degrees::from_int(60)), mode_of(input, part));

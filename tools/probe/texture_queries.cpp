@@ -94,9 +94,9 @@ ViewContext view_of(const Projection& projection) {
 }
 
 /// The triangle as a frame claims it: how near and how far its part in view is.
-ClaimedFace claimed_by_frame(const TexspanQuery& query, const Projection& projection) {
+VisibleFace claimed_by_frame(const TexspanQuery& query, const Projection& projection) {
     std::vector<Vec3<World>> corners;
-    ClaimedFace claimed;
+    VisibleFace claimed;
     claimed.nearest_z = View::highest();
     for (const TexturedCorner& corner : query.corners) {
         corners.push_back(convert<World>(corner.position));
@@ -138,8 +138,11 @@ class RowSampler {
         SpanScratch scratch(part.end - part.first);
         // With a pitch of 0 every row is the one that is recorded.
         const Framebuffer out{nullptr, query_.view.mode.width_px, query_.view.mode.height_px, 0};
-        draw_textured({claimed_, surface_, {}, gradients, density_, pixel_width_}, {&part, 1},
-                      {make_span_texturing(accuracy_), out, scratch, {nullptr, &record_, nullptr}});
+        const SpanTexturing texturing = make_span_texturing(accuracy_);
+        TexturedFace face{claimed_, surface_, {}, {gradients, {}, {}}, {}};
+        face.nearest_texels = texels_across(claimed_.nearest_z, density_, pixel_width_);
+        set_cutting(face, {&part, 1}, texturing);
+        draw_textured(face, {&part, 1}, {texturing, out, scratch, {nullptr, &record_, nullptr}});
     }
 
     std::string text() const {
@@ -155,7 +158,7 @@ class RowSampler {
     const TexspanQuery& query_;
     const Accuracy& accuracy_;
     Projection projection_;
-    ClaimedFace claimed_;
+    VisibleFace claimed_;
     TexelDensity density_;
     WidthAtOne pixel_width_;
     FaceSurface surface_;

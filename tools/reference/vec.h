@@ -13,6 +13,7 @@ struct Vec {
 
     constexpr Vec operator+(const Vec& other) const { return {x + other.x, y + other.y, z + other.z}; }
     constexpr Vec operator-(const Vec& other) const { return {x - other.x, y - other.y, z - other.z}; }
+    constexpr Vec operator-() const { return {-x, -y, -z}; }
     constexpr Vec operator*(double factor) const { return {x * factor, y * factor, z * factor}; }
     constexpr bool operator==(const Vec&) const = default;
 

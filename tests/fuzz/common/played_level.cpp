@@ -14,6 +14,7 @@
 #include "game/simulation/step.h"
 #include "tests/map/map_source.h"
 #include "tests/support/folders.h"
+#include "tests/support/palettes.h"
 
 namespace oblong::fuzz {
 namespace {
@@ -67,13 +68,7 @@ void exchange_blends(std::map<std::int32_t, std::unique_ptr<BlendTable>>& of_sha
 }  // namespace
 
 const Palette& greys() {
-    static const Palette all = [] {
-        Palette palette;
-        for (std::size_t i = 0; i < 256; ++i)
-            palette.colours[i] = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i),
-                                  static_cast<std::uint8_t>(i)};
-        return palette;
-    }();
+    static const Palette all = test::grey_palette();
     return all;
 }
 

@@ -46,12 +46,9 @@ const NamedMode& mode_of(const RowInput& input, std::size_t parameter) {
 /// The display's outline, and in it a disc of so few pixels that their shape is seen.
 Figures draw_pixel_aspect(const RowInput& input, Framebuffer canvas) {
     const NamedMode& named = mode_of(input, 0);
-    const GalleryAssets& assets = input.assets;
-    const Ratio display = named.mode.display, pixel = named.mode.pixel();
-    const double wide = static_cast<double>(display.numerator) / static_cast<double>(display.denominator);
-    const double shape = static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator);
+    const double wide = number_of(named.mode.display), shape = number_of(named.mode.pixel());
     Diagram diagram(input, canvas, {0, 0}, 1.12);
-    diagram.fill(assets.colour(20, 24, 36));
+    diagram.fill(input.colour(20, 24, 36));
     constexpr int kRows = 15;
     const double high = 1.0 / kRows, across = high * shape;
     const int columns = static_cast<int>(wide / across / 2) + 1;
@@ -60,13 +57,13 @@ Figures draw_pixel_aspect(const RowInput& input, Framebuffer canvas) {
             const PlanePoint middle{column * across, row * high};
             if (std::abs(middle.x) + across / 2 > wide / 2 + 1e-9) continue;
             const bool is_in_disc = std::hypot(middle.x, middle.y) < 0.4;
-            const std::uint8_t colour = is_in_disc ? assets.colour(220, 150, 60) : assets.colour(44, 54, 76);
+            const std::uint8_t colour = is_in_disc ? input.colour(220, 150, 60) : input.colour(44, 54, 76);
             diagram.rectangle({middle.x - across * 0.44, middle.y - high * 0.44},
                               {middle.x + across * 0.44, middle.y + high * 0.44}, colour);
         }
-    diagram.circle({0, 0}, 0.4, assets.colour(240, 230, 200));
-    diagram.outline({-wide / 2, -0.5}, {wide / 2, 0.5}, assets.colour(150, 160, 180));
-    const double a = static_cast<double>(named.a.numerator) / static_cast<double>(named.a.denominator);
+    diagram.circle({0, 0}, 0.4, input.colour(240, 230, 200));
+    diagram.outline({-wide / 2, -0.5}, {wide / 2, 0.5}, input.colour(150, 160, 180));
+    const double a = number_of(named.a);
     const Projection projection = make_projection(named.mode, Degrees::from_int(90));
     return {number_figure("a = w / (r h): pixel's height to width", a, 1 / shape, 1e-12, 6),
             number_figure("multiplier of y / multiplier of x = 1 / a", 1 / a,
@@ -81,16 +78,6 @@ struct ExpectedView {
 };
 constexpr std::array<ExpectedView, 3> kExpectedViews{
     {{277.128129211, 46.826449}, {160, 73.739795}, {92.376043070, 104.821821}}};
-
-/// Draws a picture of another mode over the whole canvas, its pixels enlarged.
-void enlarge(std::span<const std::uint8_t> pixels, const ScreenMode& mode, Framebuffer canvas) {
-    for (std::int32_t y = 0; y < canvas.height_px; ++y)
-        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const std::int64_t column = std::int64_t{x} * mode.width_px / canvas.width_px;
-            const std::int64_t row = std::int64_t{y} * mode.height_px / canvas.height_px;
-            canvas.row(y)[x] = pixels[static_cast<std::size_t>(row * mode.width_px + column)];
-        }
-}
 
 Figures draw_field_of_view(const RowInput& input, Framebuffer canvas) {
     const auto choice = static_cast<std::size_t>(input.values[0]);
@@ -123,17 +110,14 @@ struct ProjectionCosts {
     Operations naive, by_formula, by_multipliers;
 };
 ProjectionCosts projection_costs() {
-    ProjectionCosts costs;
-    const auto in = [](Operations& operations) {
-        return [&operations](double value) { return Counted(value, operations); };
-    };
-    const auto point = [](auto number) { return Vec3<Counted>{number(3), number(2), number(7)}; };
-    const auto centre = [](auto number) { return SeedPixel<Counted>{number(160), number(100)}; };
-    const auto n = in(costs.naive), f = in(costs.by_formula), m = in(costs.by_multipliers);
-    project_naively(point(n), n(160), centre(n));
-    project_by_formula(point(f), f(160), f(4.0 / 3), {f(320), f(200)}, centre(f));
-    project_by_multipliers(point(m), {m(160), m(400.0 / 3)}, centre(m));
-    return costs;
+    using Number = Counted<double>;
+    const Vec3<Number> point{3, 2, 7};
+    const SeedPixel<Number> centre{160, 100}, size{320, 200};
+    return {operations_of([&] { project_naively(point, Number(160), centre); }),
+            operations_of([&] { project_by_formula(point, Number(160), Number(4.0 / 3), size, centre); }),
+            operations_of([&] {
+                project_by_multipliers(point, {160, 400.0 / 3}, centre);
+            })};
 }
 
 /// How far off the top row is with 1.33 for 4/3, in 320x200 at 90 degrees: what is three units up, four ahead.
@@ -165,8 +149,7 @@ Figures draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
     };
     const double columns = number_of(corner(1, 0).x - corner(0, 0).x),
                  rows = number_of(corner(0, 0).y - corner(0, 1).y);
-    const Ratio pixel = input.mode.pixel();
-    const double shape = static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator);
+    const double shape = number_of(input.mode.pixel());
     const double right_shape = square.settings.correct_aspect ? 1 : shape;
     const ProjectionCosts costs = projection_costs();
     if (canvas.width_px >= 320) draw_costs(costs, input.assets, canvas);
@@ -214,12 +197,12 @@ void draw_nine_terms(const Vec3<double>& u, const Vec3<double>& v, const Dots& d
 /// The seven equations of the seed, each with both sides' numbers; what follows from them, and what it costs.
 Figures draw_seven_steps(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
+    fill(canvas, assets.colour(20, 24, 36));
     const Vec3<double> u{1, 2, 3}, v{4, -5, 6}, w{2, 1, -1};
     const Dots dots = dots_of_axes(input.values[0]);
     const auto product = [&](const Vec3<double>& a, const Vec3<double>& b) { return dot_by_nine_terms(a, b, dots); };
     // The definition, without a dot product: the triangle of u, v and u - v, in axes at right angles.
-    const double angle = degrees_to_angle(Degrees::from_int(input.values[0])).bam * std::numbers::pi / 32768;
+    const double angle = input.angle(0).bam * std::numbers::pi / 32768;
     const auto squared = [&](const Vec3<double>& a) {
         return std::pow(a.x + a.y * std::cos(angle), 2) + std::pow(a.y * std::sin(angle), 2) + a.z * a.z;
     };
@@ -252,14 +235,11 @@ Figures draw_seven_steps(const RowInput& input, Framebuffer canvas) {
     lines.push_back("u . v in nine terms:");
     draw_column(canvas, kTextMargin_px, kHeader_px + 5, lines, assets.text);
     if (canvas.height_px >= 200) draw_nine_terms(u, v, dots, assets, canvas);
-    Operations three, nine;
-    const auto counted = [](const Vec3<double>& a, Operations& in) {
-        return Vec3<Counted>{{a.x, in}, {a.y, in}, {a.z, in}};
-    };
-    dot_by_components(counted(u, three), counted(v, three));
-    const Counted zero(0, nine);
-    const std::array<std::array<Counted, 3>, 3> some{{{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}}};
-    dot_by_nine_terms(counted(u, nine), counted(v, nine), some);
+    using Number = Counted<double>;
+    const Vec3<Number> counted_u{u.x, u.y, u.z}, counted_v{v.x, v.y, v.z};
+    const std::array<std::array<Number, 3>, 3> some{{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+    const Operations three = operations_of([&] { dot_by_components(counted_u, counted_v); }),
+                     nine = operations_of([&] { dot_by_nine_terms(counted_u, counted_v, some); });
     const bool is_orthonormal = input.values[0] == 90;
     return {count_figure("of the seven hold", is_orthonormal ? 7 : 6, holding),
             number_figure("nine terms; by lengths of u, v, u - v", defined, product(u, v), 1e-4),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "engine/draw/font.h"
 #include "engine/mesh/triangulate.h"
@@ -37,7 +38,7 @@ struct ShownView {
 
     /// Half of the volume's width at a distance; its height is three quarters of its width.
     double half_width(double ahead) const {
-        return kind == VolumeKind::Perspective ? ahead * std::tan(30 * 3.141592653589793 / 180) : kHalfWidth;
+        return kind == VolumeKind::Perspective ? ahead * std::tan(30 * std::numbers::pi / 180) : kHalfWidth;
     }
     double lean() const { return kind == VolumeKind::Oblique ? kLean : 0; }
 };
@@ -131,19 +132,14 @@ double share_inside(const std::array<Vec3<World>, 3>& triangle, const ShownView&
 }
 
 double area_of(std::span<const Vec3<World>> corners) {
-    std::array<double, 3> sum{};
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vec3<World>&p = corners[i], &q = corners[(i + 1) % corners.size()];
-        sum[0] += number_of(p.y) * number_of(q.z) - number_of(p.z) * number_of(q.y);
-        sum[1] += number_of(p.z) * number_of(q.x) - number_of(p.x) * number_of(q.z);
-        sum[2] += number_of(p.x) * number_of(q.y) - number_of(p.y) * number_of(q.x);
-    }
-    return std::hypot(sum[0], sum[1], sum[2]) / 2;
+    Vec doubled;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        doubled = doubled + cross(vec_of(corners[i]), vec_of(corners[(i + 1) % corners.size()]));
+    return length(doubled) / 2;
 }
 
 /// The volume that all views become, with what is left of the polygon in it: x right, y up, depth away from the viewer.
 void draw_canonical_volume(std::span<const Vec4> polygon, const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     const std::int32_t x = canvas.width_px * 206 / 320, y = kHeader_px + 5 * kLineHeight_px;
     const Area area{x, y, canvas.width_px - x, std::max(canvas.height_px - kFooter_px - y, 8)};
     Sketch sketch(input, canvas, area, {world_point(-3.2, -6, 3), world_point(0, 1, 0), 46});
@@ -154,7 +150,7 @@ void draw_canonical_volume(std::span<const Vec4> polygon, const RowInput& input,
         return std::array{place(-1, -1, z), place(-1, 1, z), place(1, 1, z), place(1, -1, z)};
     };
     const auto near = end(0), far = end(1);
-    const std::uint8_t blue = assets.colour(90, 130, 220), dim = assets.colour(50, 70, 120);
+    const std::uint8_t blue = input.colour(90, 130, 220), dim = input.colour(50, 70, 120);
     sketch.outline(far, dim);
     for (std::size_t i = 0; i < 4; ++i) sketch.line(near[i], far[i], dim);
     std::vector<Vec3<World>> corners;
@@ -162,8 +158,8 @@ void draw_canonical_volume(std::span<const Vec4> polygon, const RowInput& input,
         const Vec3<Entry> p = *point_of(corner);
         corners.push_back(place(number_of(p.x), number_of(p.y), number_of(p.z)));
     }
-    sketch.polygon(corners, assets.colour(200, 150, 60));
-    sketch.outline(corners, assets.colour(250, 225, 150));
+    sketch.polygon(corners, input.colour(200, 150, 60));
+    sketch.outline(corners, input.colour(250, 225, 150));
     sketch.outline(near, blue);
     sketch.label(near[0], "-1 -1 0", blue);
     sketch.label(far[2], "1 1 1", blue);
@@ -190,9 +186,9 @@ void draw_volume(const ShownView& shown, const GalleryAssets& assets, Sketch& sk
 
 Figures draw_view_volume(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+    fill(canvas, assets.colour(18, 22, 34));
     const ShownView shown = make_shown_view(static_cast<VolumeKind>(input.values[0]));
-    const auto move = static_cast<double>(input.values[1]);
+    const auto move = input.number(1);
     const std::array triangle{world_point(2 + move, 5, -2), world_point(9 + move, -8, 1), world_point(10 + move, 4, 7)};
     std::vector<Vec4> corners;
     for (const Vec3<World>& p : triangle)
@@ -227,8 +223,7 @@ Figures draw_view_volume(const RowInput& input, Framebuffer canvas) {
 
 /// Seed 3's pentagon against one plane, with both lists.
 Figures draw_two_lists(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    const double height = -1 + static_cast<double>(input.values[0]) / 4;
+    const double height = -1 + input.number(0) / 4;
     const auto corner = [&](double x, double y) {
         // The plane is the volume's bottom side, y = -1.
         return Vec4{entry_of(x), entry_of(y - height - 1), entry_of(0.5), entry_of(1)};
@@ -245,26 +240,26 @@ Figures draw_two_lists(const RowInput& input, Framebuffer canvas) {
         return sum;
     };
     Diagram diagram(input, canvas, {0, 0}, 4.8);
-    diagram.fill(assets.colour(18, 22, 34));
-    const std::uint8_t blue = assets.colour(90, 130, 220);
+    diagram.fill(input.colour(18, 22, 34));
+    const std::uint8_t blue = input.colour(90, 130, 220);
     diagram.line({-5, height}, {5, height}, blue);
     diagram.arrow({-3, height}, {-3, height + 0.7}, blue);
     const auto outline = [&](const std::vector<Vec4>& polygon, std::uint8_t colour) {
         for (std::size_t i = 0; i < polygon.size(); ++i)
             diagram.line(flat(polygon[i]), flat(polygon[(i + 1) % polygon.size()]), colour);
     };
-    outline(split.outside, assets.colour(220, 90, 80));
-    outline(split.inside, assets.colour(240, 190, 90));
+    outline(split.outside, input.colour(220, 90, 80));
+    outline(split.inside, input.colour(240, 190, 90));
     for (std::size_t i = 0; i < pentagon.size(); ++i) {
         const PlanePoint place = flat(pentagon[i]);
-        diagram.text(place, "Q" + std::to_string(i + 1), assets.colour(235, 235, 225), place.x < 0 ? -16 : 4);
+        diagram.text(place, "Q" + std::to_string(i + 1), input.colour(235, 235, 225), place.x < 0 ? -16 : 4);
     }
     std::vector<PlanePoint> crossings;
     for (const Vec4& v : split.inside)
         if (distance_inside(v, VolumeSide::Bottom) == Entry{}) crossings.push_back(flat(v));
     for (std::size_t i = 0; i < crossings.size(); ++i) {
-        diagram.disc(crossings[i], 0.07, assets.colour(110, 200, 110));
-        diagram.text(crossings[i], "I" + std::to_string(i + 1), assets.colour(110, 200, 110), 4, 3);
+        diagram.disc(crossings[i], 0.07, input.colour(110, 200, 110));
+        diagram.text(crossings[i], "I" + std::to_string(i + 1), input.colour(110, 200, 110), 4, 3);
     }
     return {number_figure("area inside + area outside = the pentagon's", area(pentagon),
                           area(split.inside) + area(split.outside), 1e-8, 6),
@@ -273,12 +268,11 @@ Figures draw_two_lists(const RowInput& input, Framebuffer canvas) {
 }
 
 Figures draw_triangulations(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     const auto method = input.values[0];
     const bool is_concave = input.values[1] == 1;
     std::vector<Vec3<World>> corners;
     for (int i = 0; i < 8; ++i) {
-        const double angle = -i * 3.141592653589793 / 4 + 0.3, size = is_concave && i % 2 == 1 ? 0.7 : 2;
+        const double angle = -i * std::numbers::pi / 4 + 0.3, size = is_concave && i % 2 == 1 ? 0.7 : 2;
         corners.push_back(world_point(size * std::cos(angle) * 1.3, size * std::sin(angle), 0));
     }
     const std::size_t count = corners.size();
@@ -289,7 +283,7 @@ Figures draw_triangulations(const RowInput& input, Framebuffer canvas) {
     corners.push_back(middle_of(corners));
 
     Diagram diagram(input, canvas, {0, 0}, 4.4);
-    diagram.fill(assets.colour(18, 22, 34));
+    diagram.fill(input.colour(18, 22, 34));
     const auto flat = [&](std::size_t i) { return PlanePoint{number_of(corners[i].x), number_of(corners[i].y)}; };
     double sum = 0, turned_over = 0;
     for (const CornerTriple& triangle : triangles) {
@@ -299,11 +293,11 @@ Figures draw_triangulations(const RowInput& input, Framebuffer canvas) {
         turned_over += area < 0;
         for (std::size_t i = 0; i < 3; ++i)
             diagram.line(flat(triangle[i]), flat(triangle[(i + 1) % 3]),
-                         area < 0 ? assets.colour(220, 60, 50) : assets.colour(90, 130, 220));
+                         area < 0 ? input.colour(220, 60, 50) : input.colour(90, 130, 220));
     }
     for (std::size_t i = 0; i < count; ++i) {
-        diagram.line(flat(i), flat((i + 1) % count), assets.colour(240, 190, 90));
-        diagram.text(flat(i), std::to_string(i), assets.colour(235, 235, 225), flat(i).x < 0 ? -9 : 4);
+        diagram.line(flat(i), flat((i + 1) % count), input.colour(240, 190, 90));
+        diagram.text(flat(i), std::to_string(i), input.colour(235, 235, 225), flat(i).x < 0 ? -9 : 4);
     }
     const bool tiles = !is_concave || method != 0;
     return {count_figure("triangles", method == 1 ? 8 : 6, std::ssize(triangles)),

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "engine/methods/polygons.h"
 #include "engine/raster/scan.h"
@@ -23,7 +24,7 @@ struct BallFace {
 std::vector<BallFace> make_ball(double x, double y, double z, double radius) {
     constexpr int kAcross = 16, kUp = 8;
     const auto at = [&](int column, int row) {
-        const double a = column * 2 * 3.141592653589793 / kAcross, b = (row - kUp / 2) * 3.141592653589793 / kUp;
+        const double a = column * 2 * std::numbers::pi / kAcross, b = (row - kUp / 2) * std::numbers::pi / kUp;
         return world_point(x + radius * std::cos(a) * std::cos(b), y + radius * std::sin(a) * std::cos(b),
                            z + radius * std::sin(b));
     };
@@ -60,24 +61,17 @@ bool is_drawn(const BallFace& face, CullRule rule, const ViewContext& view) {
 
 /// Whether a face faces the eye, in double precision.
 bool faces_eye_in_double(const BallFace& face, const Vec3<World>& eye) {
-    const auto vector = [](const Vec3<World>& a, const Vec3<World>& b) {
-        return std::array{number_of(b.x - a.x), number_of(b.y - a.y), number_of(b.z - a.z)};
-    };
-    const auto a = vector(face.corners[1], face.corners[3]), b = vector(face.corners[0], face.corners[2]),
-               way = vector(eye, face.corners[1]);
-    return (a[1] * b[2] - a[2] * b[1]) * way[0] + (a[2] * b[0] - a[0] * b[2]) * way[1] +
-               (a[0] * b[1] - a[1] * b[0]) * way[2] <
-           0;
+    const auto& [a, b, c, d] = face.corners;
+    return dot(cross(vec_of(d - b), vec_of(c - a)), vec_of(b - eye)) < 0;
 }
 
 Figures draw_culling(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+    fill(canvas, input.colour(18, 22, 34));
     const auto rule = static_cast<CullRule>(input.values[0]);
     const SketchEye from{world_point(0, 0, 0), world_point(100, 0, 0), static_cast<int>(input.values[1])};
     Sketch sketch(input, canvas, scene_area(canvas), from);
-    const std::uint8_t right = assets.colour(90, 110, 150), edge = assets.colour(30, 34, 50);
-    const std::uint8_t kept = assets.colour(220, 60, 50), missing = assets.colour(240, 200, 60);
+    const std::uint8_t right = input.colour(90, 110, 150), edge = input.colour(30, 34, 50);
+    const std::uint8_t kept = input.colour(220, 60, 50), missing = input.colour(240, 200, 60);
     int faces = 0, wrong_by_dot = 0, wrong_by_normal = 0, wrong_on_screen = 0;
     for (int column = -2; column <= 2; ++column)
         for (int row = -1; row <= 1; ++row)

@@ -32,13 +32,6 @@ struct Piece {
     std::vector<Vec3<World>> corners;
 };
 
-Vec3<World> place(double x, double y, double z) {
-    const auto world = [](double value) {
-        return World::from_raw(static_cast<std::int32_t>(std::lround(value * 4096)));
-    };
-    return {world(x), world(y), world(z)};
-}
-
 /// Along one side of a triangle and past both its corners, farther away at its end than at its start by `rise`, so
 /// that it is over the plank that ends there, and under the one that starts where it ends.
 Piece make_plank(int number, double rise) {
@@ -51,8 +44,8 @@ Piece make_plank(int number, double rise) {
     const double x = to[0] - from[0], z = to[1] - from[1], length = std::hypot(x, z);
     const auto end = [&](double along, double side) {  // the eye looks along +y
         const double across = side * kHalfWidth / length;
-        return place(from[0] + along * x - across * z, kDistance + rise * (along - 0.5),
-                     from[1] + along * z + across * x);
+        return world_point(from[0] + along * x - across * z, kDistance + rise * (along - 0.5),
+                           from[1] + along * z + across * x);
     };
     Piece plank{number, {}, {end(-kOverhang, 1), end(1 + kOverhang, 1), end(1 + kOverhang, -1), end(-kOverhang, -1)}};
     const Vec3<World> edge = plank.corners[1] - plank.corners[0], other = plank.corners[2] - plank.corners[0];
@@ -112,13 +105,12 @@ ScannedFaces scan(std::span<const Piece> pieces, const ViewContext& view, const 
         if (!project_polygon(pieces[i].corners, view, polygon)) continue;
         scan_convex(polygon.screen, rows);
         ScannedFace face;
-        face.visible.face = FaceIndex(static_cast<std::int32_t>(i));
+        face.face = FaceIndex(static_cast<std::int32_t>(i));
         face.nearest_z = polygon.nearest_z;
         face.farthest_z = polygon.farthest_z;
         face.normal = pieces[i].plane.normal;
         face.eye_distance = plane_distance(pieces[i].plane, view.eye);
-        face.inverse_z =
-            make_texture_gradients({face.normal, face.eye_distance, {}, {}, {}, {}, 0}, view.axes, inverse).inverse_z;
+        face.inverse_z = make_inverse_z(face.normal, face.eye_distance, view.axes, inverse);
         add_face(face, rows, mode.width_px, pieces[i].corners, view.eye, scanned);
     }
     return scanned;
@@ -159,17 +151,15 @@ std::vector<int> nearest_planks(const ScannedFaces& scanned, std::span<const Pie
                                 const ScreenMode& mode) {
     std::vector<int> nearest(pixel_count(mode.width_px, mode.height_px), -1);
     std::vector<double> depths(nearest.size(), 1e9);
-    const auto number = [](auto value, int bits) { return std::ldexp(static_cast<double>(value.raw), -bits); };
     for (const ScannedFace& face : scanned.faces) {
-        const Piece& piece = pieces[face.visible.face.position()];
-        const double x = number(piece.plane.normal.x, 30), y = number(piece.plane.normal.y, 30),
-                     z = number(piece.plane.normal.z, 30);
-        const double distance = number(piece.plane.distance, 42);
+        const Piece& piece = pieces[face.face.position()];
+        const Vec normal = vec_of(piece.plane.normal);
+        const double distance = number_of(piece.plane.distance);
         for (const Span& span : scanned.spans_of(face))
             for (std::int32_t column = span.first; column < span.end; ++column) {
-                const double right = (column + 0.5 - mode.width_px / 2.0) / number(view.projection.x.multiplier, 32);
-                const double up = (mode.height_px / 2.0 - span.y - 0.5) / number(view.projection.y.multiplier, 32);
-                const double depth = distance / (right * x + y + up * z);
+                const double right = (column + 0.5 - mode.width_px / 2.0) / number_of(view.projection.x.multiplier);
+                const double up = (mode.height_px / 2.0 - span.y - 0.5) / number_of(view.projection.y.multiplier);
+                const double depth = distance / dot(normal, {right, 1, up});
                 const auto pixel = static_cast<std::size_t>(span.y * mode.width_px + column);
                 if (depth < depths[pixel]) {
                     depths[pixel] = depth;
@@ -194,8 +184,7 @@ Figures draw_cycle(const RowInput& input, Framebuffer canvas) {
     const auto method = static_cast<Method>(input.values[0]);
     const ViewContext view = view_of_planks(input, input.settings.accuracy.subpixel_bits);
     std::vector<Piece> pieces;
-    for (int plank = 0; plank < kPlanks; ++plank)
-        pieces.push_back(make_plank(plank, static_cast<double>(input.values[1])));
+    for (int plank = 0; plank < kPlanks; ++plank) pieces.push_back(make_plank(plank, input.number(1)));
     if (method == Method::Tree) pieces = front_to_back(pieces, view.eye);
     const ScannedFaces scanned = scan(pieces, view, input.mode);
     const PixelOwners owners = owners_by(method, scanned, view, input.mode);
@@ -209,23 +198,22 @@ Figures draw_cycle(const RowInput& input, Framebuffer canvas) {
         colours.push_back(colour_of(pieces[i], std::span(pieces).first(i), input.assets));
     const std::uint8_t warning = input.assets.colour(90, 255, 90), ground = input.assets.colour(20, 24, 36);
     std::int64_t wrong = 0, uncovered = 0;
-    for (std::int32_t y = 0; y < canvas.height_px; ++y)
-        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
-            const std::int32_t owner = owners.faces[pixel];
-            const auto piece = owner < 0 ? std::size_t{0} : item(scanned.faces, owner).visible.face.position();
-            const int plank = owner < 0 ? -1 : pieces[piece].plank;
-            const bool is_edge = (plank < 0) != (nearest[pixel] < 0);
-            uncovered += is_edge;
-            const bool is_wrong = plank != nearest[pixel] && !is_edge;
-            wrong += is_wrong;
-            canvas.row(y)[x] = plank < 0 ? ground : is_wrong && (x + y) % 2 == 0 ? warning : colours[piece];
-        }
+    paint(canvas, [&](std::int32_t x, std::int32_t y) {
+        const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
+        const std::int32_t owner = owners.faces[pixel];
+        const auto piece = owner < 0 ? std::size_t{0} : item(scanned.faces, owner).face.position();
+        const int plank = owner < 0 ? -1 : pieces[piece].plank;
+        const bool is_edge = (plank < 0) != (nearest[pixel] < 0);
+        uncovered += is_edge;
+        const bool is_wrong = plank != nearest[pixel] && !is_edge;
+        wrong += is_wrong;
+        return plank < 0 ? ground : is_wrong && (x + y) % 2 == 0 ? warning : colours[piece];
+    });
     const bool is_sorted = method == Method::SortedByFarthest || method == Method::SortedByMean;
     const Figure wrong_pixels = is_sorted ? Figure{"wrong pixels", "more than 0", std::to_string(wrong), wrong > 0}
                                           : count_figure("wrong pixels", 0, wrong);
-    return {wrong_pixels, measured("polygons", std::to_string(pieces.size())),
-            measured("pixels at outlines that only one of two methods covers", std::to_string(uncovered))};
+    return {wrong_pixels, measured("polygons", pieces.size()),
+            measured("pixels at outlines that only one of two methods covers", uncovered)};
 }
 
 }  // namespace

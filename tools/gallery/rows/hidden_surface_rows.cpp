@@ -59,13 +59,12 @@ std::string per_pixel(std::int64_t count, std::size_t pixels) {
 std::int64_t show_differences(std::span<const std::uint8_t> shown, std::span<const std::uint8_t> right,
                               std::optional<std::uint8_t> warning, Framebuffer canvas) {
     std::int64_t differences = 0;
-    for (std::int32_t y = 0; y < canvas.height_px; ++y)
-        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
-            const bool differs = shown[pixel] != right[pixel];
-            differences += differs;
-            canvas.row(y)[x] = differs && warning && (x + y) % 2 == 0 ? *warning : shown[pixel];
-        }
+    paint(canvas, [&](std::int32_t x, std::int32_t y) {
+        const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
+        const bool differs = shown[pixel] != right[pixel];
+        differences += differs;
+        return differs && warning && (x + y) % 2 == 0 ? *warning : shown[pixel];
+    });
     return differences;
 }
 
@@ -87,18 +86,17 @@ Figures draw_hidden_surface_methods(const RowInput& input, Framebuffer canvas) {
     const std::string name = "pixels unlike the span buffer's";
     const std::size_t pixels = frame.pixels.size();
     Figures figures;
-    figures.push_back(is_exact(method, input.settings.accuracy) ? count_figure(name, 0, wrong)
-                                                                : measured(name, std::to_string(wrong)));
+    figures.push_back(is_exact(method, input.settings.accuracy) ? count_figure(name, 0, wrong) : measured(name, wrong));
     if (method == HiddenSurfaces::SpanBuffer) {
-        figures.push_back(measured("rows of faces looked up", std::to_string(frame.counted.stages.claimed_rows)));
-        figures.push_back(measured("faces scanned", std::to_string(frame.counted.faces_visited)));
+        figures.push_back(measured("rows of faces looked up", frame.counted.stages.claimed_rows));
+        figures.push_back(measured("faces scanned", frame.counted.faces_visited));
     } else if (method == HiddenSurfaces::RayCasting) {
-        figures.push_back(measured("rays held against faces", std::to_string(counts.ray_face_tests)));
-        figures.push_back(measured("faces for each ray", std::to_string(counts.faces_scanned)));
+        figures.push_back(measured("rays held against faces", counts.ray_face_tests));
+        figures.push_back(measured("faces for each ray", counts.faces_scanned));
     } else {
         figures.push_back(measured("writes for each pixel", per_pixel(counts.pixels_written, pixels)));
         figures.push_back(measured("depths compared for each pixel", per_pixel(counts.pixels_tested, pixels)));
-        figures.push_back(measured("faces compared to sort them", std::to_string(counts.order_comparisons)));
+        figures.push_back(measured("faces compared to sort them", counts.order_comparisons));
     }
     return figures;
 }
@@ -132,18 +130,17 @@ Figures draw_overdraw(const RowInput& input, Framebuffer canvas) {
                 ++writes[static_cast<std::size_t>(span.y * canvas.width_px + x)];
     }
     const std::vector<std::uint8_t> colours = heat_colours(input.assets);
-    for (std::int32_t y = 0; y < canvas.height_px; ++y)
-        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const std::int64_t count = writes[static_cast<std::size_t>(y * canvas.width_px + x)];
-            canvas.row(y)[x] = item(colours, std::min<std::int64_t>(count, std::ssize(colours) - 1));
-        }
+    paint(canvas, [&](std::int32_t x, std::int32_t y) {
+        const std::int64_t count = writes[static_cast<std::size_t>(y * canvas.width_px + x)];
+        return item(colours, std::min<std::int64_t>(count, std::ssize(colours) - 1));
+    });
     draw_legend(colours, input.assets, canvas);
     const std::int64_t sum = std::accumulate(writes.begin(), writes.end(), std::int64_t{0});
     const std::int64_t expected =
         is_painter ? frame.counts().pixels_written : std::int64_t{canvas.width_px} * canvas.height_px;
     return {count_figure(is_painter ? "pixels that the painter wrote" : "pixels written, each once", expected, sum),
             measured("writes for each pixel", per_pixel(sum, writes.size())),
-            measured("most at one pixel", std::to_string(*std::max_element(writes.begin(), writes.end())))};
+            measured("most at one pixel", *std::max_element(writes.begin(), writes.end()))};
 }
 
 /// Steps of 1/z to greys: equal steps of log z, near is bright.
@@ -171,7 +168,7 @@ double depth_by_tree(const Level& level, const Camera& camera, const ScreenMode&
     const ViewDirections directions = make_view_directions(axes, make_projection(mode, camera.field_of_view));
     const auto is_open = [&](double z) {
         const auto moved = [&](World from, const LinearQuantity<DirectionPart>& direction) {
-            const double step = std::ldexp(static_cast<double>(direction.at(pixel.column, pixel.row).raw), -30);
+            const double step = number_of(direction.at(pixel.column, pixel.row));
             return World::from_raw(from.raw + static_cast<std::int32_t>(std::lround(step * z * 4096)));
         };
         const Vec3<World> place{moved(camera.eye.x, directions.x), moved(camera.eye.y, directions.y),
@@ -192,13 +189,12 @@ Figures draw_depth(const RowInput& input, Framebuffer canvas) {
     const std::vector<std::uint8_t> greys = depth_greys(input.assets);
     const std::uint8_t warning = input.assets.colour(90, 255, 90);
     std::int64_t wrong = 0;
-    for (std::int32_t y = 0; y < canvas.height_px; ++y)
-        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
-            const bool differs = frame.owners().faces[pixel] != right.owners().faces[pixel];
-            wrong += differs;
-            canvas.row(y)[x] = differs ? warning : depth_colour(frame.by.depths()[pixel], greys);
-        }
+    paint(canvas, [&](std::int32_t x, std::int32_t y) {
+        const auto pixel = static_cast<std::size_t>(y * canvas.width_px + x);
+        const bool differs = frame.owners().faces[pixel] != right.owners().faces[pixel];
+        wrong += differs;
+        return differs ? warning : depth_colour(frame.by.depths()[pixel], greys);
+    });
     const Pixel checked{canvas.width_px / 8, canvas.height_px / 4};
     const InverseZ inverse_z =
         frame.by.depths()[static_cast<std::size_t>(checked.row * canvas.width_px + checked.column)];
@@ -207,13 +203,11 @@ Figures draw_depth(const RowInput& input, Framebuffer canvas) {
     Figures figures;
     const std::string name = "pixels that go to another face than by the tree";
     const bool is_whole = input.values[0] == InverseZ::kFractionBits;
-    figures = {is_whole && is_exact(HiddenSurfaces::ZBuffer, rounded.settings.accuracy)
-                   ? count_figure(name, 0, wrong)
-                   : measured(name, std::to_string(wrong)),
+    figures = {is_whole && is_exact(HiddenSurfaces::ZBuffer, rounded.settings.accuracy) ? count_figure(name, 0, wrong)
+                                                                                        : measured(name, wrong),
                is_whole ? number_figure("z on the left wall, units", by_tree, z, 0.01, 2)
                         : measured("z on the left wall, units", decimal_text(z, "%.2f")),
-               measured("pixels written and then hidden",
-                        std::to_string(frame.counts().pixels_written - std::ssize(frame.pixels)))};
+               measured("pixels written and then hidden", frame.counts().pixels_written - std::ssize(frame.pixels))};
     return figures;
 }
 
@@ -240,7 +234,7 @@ Figures draw_tree_order(const RowInput& input, Framebuffer canvas) {
         depths(input, HiddenSurfaces::ZBuffer, input.mode);
     const ScannedFaces& scanned = frame.scanned();
     const std::vector<std::uint8_t> colours = order_colours(input.assets);
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(14, 16, 24));
+    fill(canvas, input.assets.colour(14, 16, 24));
     std::vector<std::int32_t> order = back_to_front_by_tree(scanned);
     std::erase_if(order, [&](std::int32_t face) { return !owns_pixel(frame.owners(), face); });
     const auto painted = static_cast<std::size_t>(input.values[0]) * order.size() / 16;
@@ -256,8 +250,8 @@ Figures draw_tree_order(const RowInput& input, Framebuffer canvas) {
         wrong += frame.owners().faces[pixel] != depths.owners().faces[pixel];
     const std::string name = "pixels whose last face is not the nearest";
     return {is_exact(HiddenSurfaces::ZBuffer, input.settings.accuracy) ? count_figure(name, 0, wrong)
-                                                                       : measured(name, std::to_string(wrong)),
-            measured("faces painted", std::to_string(painted)), measured("of", std::to_string(order.size()))};
+                                                                       : measured(name, wrong),
+            measured("faces painted", painted), measured("of", order.size())};
 }
 
 Figures draw_rays(const RowInput& input, Framebuffer canvas) {
@@ -268,16 +262,10 @@ Figures draw_rays(const RowInput& input, Framebuffer canvas) {
     std::int64_t differences = 0;
     for (std::size_t pixel = 0; pixel < frame.pixels.size(); ++pixel)
         differences += frame.pixels[pixel] != right.pixels[pixel];
-    for (std::int32_t y = 0; y < canvas.height_px; ++y)
-        for (std::int32_t x = 0; x < canvas.width_px; ++x) {
-            const std::int32_t column = x * mode.width_px / canvas.width_px,
-                               row = y * mode.height_px / canvas.height_px;
-            canvas.row(y)[x] = frame.pixels[static_cast<std::size_t>(row * mode.width_px + column)];
-        }
+    enlarge(frame.pixels, mode, canvas);
     const std::int64_t rays = std::int64_t{mode.width_px} * mode.height_px;
     return {count_figure("rays x faces", rays * std::ssize(frame.by.targets().opaque), frame.counts().ray_face_tests),
-            measured("rays", std::to_string(rays)),
-            measured("pixels unlike the span buffer's", std::to_string(differences))};
+            measured("rays", rays), measured("pixels unlike the span buffer's", differences)};
 }
 
 }  // namespace

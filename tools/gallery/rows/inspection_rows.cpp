@@ -111,7 +111,7 @@ Figures draw_log(const RowInput& input, Framebuffer canvas) {
     FrameLog({}, [&when_off](const std::string& line) { when_off.push_back(line); }).note(logged.frame());
     return {count_figure("pixels of all spans: each one once", std::int64_t{input.mode.width_px} * input.mode.height_px,
                          spans_px),
-            measured("lines of this kind", std::to_string(lines.size())),
+            measured("lines of this kind", lines.size()),
             count_figure("lines with no channel on", 0, std::ssize(when_off))};
 }
 
@@ -134,7 +134,7 @@ Figures draw_memory(const RowInput& input, Framebuffer canvas) {
     LoggedScene logged(input, camera_at(0, -368, 70, static_cast<int>(input.values[0]), -4));
     logged.draw(canvas);
     const LogLines lines = memory_lines(logged.frame());
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+    fill(canvas, assets.colour(18, 22, 34));
     std::vector<std::string> labels;
     std::int32_t bars_x = 0;
     for (const std::string& line : lines) {

@@ -48,8 +48,7 @@ double length_inside(const Segment& line, double slope_x, double slope_y) {
 }
 
 Vec3<View> view_of(const Vec& place) {
-    const auto part = [](double value) { return View::from_raw(std::llround(std::ldexp(value, View::kFractionBits))); };
-    return {part(place.x), part(place.y), part(place.z)};
+    return {fixed_of<View>(place.x), fixed_of<View>(place.y), fixed_of<View>(place.z)};
 }
 
 void draw_volume(Diagram& diagram, double slope, std::uint8_t colour, std::uint8_t faint) {
@@ -65,7 +64,6 @@ void draw_volume(Diagram& diagram, double slope, std::uint8_t colour, std::uint8
 }
 
 Figures draw_clipped_lines(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     const auto method = static_cast<LineClipping>(input.values[0]);
     const LineClipping other =
         method == LineClipping::LiangBarsky ? LineClipping::CohenSutherland : LineClipping::LiangBarsky;
@@ -75,14 +73,14 @@ Figures draw_clipped_lines(const RowInput& input, Framebuffer canvas) {
     const double slope_x = input.mode.width_px / 2.0 / number_of(projection.x.multiplier),
                  slope_y = input.mode.height_px / 2.0 / number_of(projection.y.multiplier);
     Diagram diagram(input, canvas, {0, 6.5}, 17.5);
-    diagram.fill(assets.colour(18, 22, 34));
-    draw_volume(diagram, slope_x, assets.colour(90, 130, 220), assets.colour(80, 88, 110));
+    diagram.fill(input.colour(18, 22, 34));
+    draw_volume(diagram, slope_x, input.colour(90, 130, 220), input.colour(80, 88, 110));
 
     double inside = 0, expected = 0, apart = 0;
     std::int64_t kept = 0;
     const std::vector<Segment> lines = some_lines(input.values[1]);
     for (const Segment& line : lines) {
-        diagram.line({line.from.x, line.from.z}, {line.to.x, line.to.z}, assets.colour(120, 60, 60));
+        diagram.line({line.from.x, line.from.z}, {line.to.x, line.to.z}, input.colour(120, 60, 60));
         expected += length_inside(line, slope_x, slope_y);
         const ViewLine whole{view_of(line.from), view_of(line.to)};
         const auto part = clip_line(volume, whole, method), by_other = clip_line(volume, whole, other);
@@ -92,11 +90,11 @@ Figures draw_clipped_lines(const RowInput& input, Framebuffer canvas) {
         inside += length(to - from);
         if (by_other)
             apart = std::max({apart, length(vec_of(by_other->from) - from), length(vec_of(by_other->to) - to)});
-        diagram.line({from.x, from.z}, {to.x, to.z}, assets.colour(250, 200, 110));
+        diagram.line({from.x, from.z}, {to.x, to.z}, input.colour(250, 200, 110));
     }
     const auto count = static_cast<double>(lines.size());
     return {number_figure("length inside, units, by 20,000 points a line", expected, inside, 1e-3 * count),
-            measured("lines of which a part is kept", std::to_string(kept)),
+            measured("lines of which a part is kept", kept),
             number_figure("units between the ends by both methods", 0, apart, 1e-3, 5)};
 }
 

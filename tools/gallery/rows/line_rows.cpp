@@ -7,6 +7,7 @@
 #include "engine/effects/colour_tables.h"
 #include "engine/raster/line_walks.h"
 #include "engine/raster/lines.h"
+#include "tools/gallery/counted.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/row.h"
 
@@ -14,66 +15,24 @@ namespace oblong {
 
 namespace {
 
-struct LineOperations {
-    std::int64_t additions = 0, multiplications = 0, divisions = 0;
-};
-
-/// A number that counts what is done with it: the engine's own code runs with it. Shifts are not counted.
-class CountedNumber {
-  public:
-    constexpr CountedNumber(std::int64_t value) : value_(value) {}
-
-    /// Counts from its making to its end, in this thread.
-    struct Scope {
-        explicit Scope(LineOperations& operations) { counted = &operations; }
-        ~Scope() { counted = nullptr; }
-        Scope(const Scope&) = delete;
-    };
-
-    CountedNumber operator+(CountedNumber other) const {
-        return note(&LineOperations::additions, value_ + other.value_);
-    }
-    CountedNumber operator-(CountedNumber other) const {
-        return note(&LineOperations::additions, value_ - other.value_);
-    }
-    CountedNumber operator*(CountedNumber other) const {
-        return note(&LineOperations::multiplications, value_ * other.value_);
-    }
-    CountedNumber operator/(CountedNumber other) const {
-        return note(&LineOperations::divisions, value_ / other.value_);
-    }
-    CountedNumber operator>>(int bits) const { return {floor_shift(value_, bits)}; }
-    bool operator<(CountedNumber other) const { return value_ < other.value_; }
-
-  private:
-    static CountedNumber note(std::int64_t LineOperations::*kind, std::int64_t value) {
-        if (counted) ++(counted->*kind);
-        return {value};
-    }
-
-    static inline thread_local LineOperations* counted = nullptr;
-    std::int64_t value_;
-};
-
 template <class Walk>
-LineOperations operations_of_walk(const LinePath& path, bool is_antialiased) {
-    LineOperations operations;
-    const CountedNumber::Scope scope(operations);
-    Walk walk(path);
-    for (std::int64_t step = 0; step <= path.steps; ++step, walk.next()) {
-        (void)walk.minor();
-        if constexpr (requires { walk.neighbours(); })
-            if (is_antialiased) (void)walk.neighbours();
-    }
-    return operations;
+Operations operations_of_walk(const LinePath& path, bool is_antialiased) {
+    return operations_of([&] {
+        Walk walk(path);
+        for (std::int64_t step = 0; step <= path.steps; ++step, walk.next()) {
+            (void)walk.minor();
+            if constexpr (requires { walk.neighbours(); })
+                if (is_antialiased) (void)walk.neighbours();
+        }
+    });
 }
 
-LineOperations operations_of(LineMethod method, PixelPosition from, PixelPosition to) {
+Operations operations_of(LineMethod method, PixelPosition from, PixelPosition to) {
     const LinePath path = make_line_path(from, to, method == LineMethod::Naive);
-    if (method == LineMethod::Naive) return operations_of_walk<NaiveWalk<CountedNumber>>(path, false);
-    if (method == LineMethod::Dda) return operations_of_walk<DdaWalk<CountedNumber>>(path, false);
-    if (method == LineMethod::Bresenham) return operations_of_walk<BresenhamWalk<CountedNumber>>(path, false);
-    return operations_of_walk<GuptaSproullWalk<CountedNumber>>(path, true);
+    if (method == LineMethod::Naive) return operations_of_walk<NaiveWalk<Counted<std::int64_t>>>(path, false);
+    if (method == LineMethod::Dda) return operations_of_walk<DdaWalk<Counted<std::int64_t>>>(path, false);
+    if (method == LineMethod::Bresenham) return operations_of_walk<BresenhamWalk<Counted<std::int64_t>>>(path, false);
+    return operations_of_walk<GuptaSproullWalk<Counted<std::int64_t>>>(path, true);
 }
 
 struct NamedLine {
@@ -129,7 +88,7 @@ LineError least_error(const NamedLine& line) {
     return error;
 }
 
-std::string counts_text(const LineOperations& operations) {
+std::string counts_text(const Operations& operations) {
     return std::to_string(operations.additions) + "+ " + std::to_string(operations.multiplications) + "* " +
            std::to_string(operations.divisions) + "/";
 }
@@ -170,13 +129,13 @@ void draw_method(LineMethod method, const NamedLine& line, const RowInput& input
 
 Figures draw_lines_row(const RowInput& input, Framebuffer canvas) {
     const NamedLine& line = item(kLines, input.values[0]);
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(16, 18, 28));
+    fill(canvas, input.assets.colour(16, 18, 28));
     for (int method = 0; method < kLineMethodCount; ++method)
         draw_method(static_cast<LineMethod>(method), line, input, canvas);
 
     const LineError least = least_error(line), nearest = error_of(LineMethod::Bresenham, line);
     const std::int64_t across = std::abs(line.to.column - line.from.column);
-    const LineOperations bresenham = operations_of(LineMethod::Bresenham, line.from, line.to);
+    const Operations bresenham = operations_of(LineMethod::Bresenham, line.from, line.to);
     return {
         number_figure("Bresenham: farthest pixel from the line", least.largest, nearest.largest, 1e-12),
         count_figure("Bresenham: multiplications and divisions", 0, bresenham.multiplications + bresenham.divisions),

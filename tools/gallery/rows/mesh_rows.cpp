@@ -34,14 +34,14 @@ std::int64_t sides_in_front(double distance, double yaw, double pitch) {
 
 Figures draw_cube(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
+    fill(canvas, assets.colour(20, 24, 36));
     const Mesh cube =
         cube_mesh(kHalfCube, checkered_skin(64, lit_colour(assets, 190, 150, 90), lit_colour(assets, 120, 60, 40)));
     PlacedMesh placed;
     placed.mesh = &cube;
     placed.shading = Shading::Flat;
-    placed.position = world_point(static_cast<double>(input.values[1]), 0, 0);
-    placed.yaw = degrees_to_angle(Degrees::from_int(input.values[0]));
+    placed.position = world_point(input.number(1), 0, 0);
+    placed.yaw = input.angle(0);
     placed.pitch = degrees_to_angle(Degrees::from_int(-kPitchDegrees));
     std::vector<std::uint8_t> covered(pixel_count(canvas.width_px, canvas.height_px), 255);
     MeshScene scene(input, canvas),
@@ -49,13 +49,12 @@ Figures draw_cube(const RowInput& input, Framebuffer canvas) {
     scene.draw(placed, light_from_above());
     const Colormap numbers = shade_numbers();
     const MeshCounts counts = counted.draw(placed, light_from_above(), &numbers);
-    const double degree = std::numbers::pi / 180;
-    const std::int64_t sides = sides_in_front(static_cast<double>(input.values[1]),
-                                              static_cast<double>(input.values[0]) * degree, -kPitchDegrees * degree);
+    const std::int64_t sides =
+        sides_in_front(input.number(1), input.radians(0), -kPitchDegrees * std::numbers::pi / 180);
     return {count_figure("triangles that face the eye, of 12", 2 * sides, counts.facing),
             count_figure("pixels drawn: each once",
                          std::ssize(covered) - std::count(covered.begin(), covered.end(), 255), counts.pixels),
-            measured("triangles with pixels, after clipping to the view", std::to_string(counts.triangles))};
+            measured("triangles with pixels, after clipping to the view", counts.triangles)};
 }
 
 Figures draw_in_level(const RowInput& input, Framebuffer canvas) {
@@ -67,7 +66,7 @@ Figures draw_in_level(const RowInput& input, Framebuffer canvas) {
     placed.mesh = &ball;
     placed.shading = static_cast<Shading>(input.values[1]);
     placed.highlight = 60;
-    placed.position = world_point(static_cast<double>(input.values[0]), 420, 60);
+    placed.position = world_point(input.number(0), 420, 60);
     placed.yaw = Angle::from_bam(input.time_ms * 8);
     const std::vector<PlacedModel> models = models_at_rest(level);
     FrameWorkspace work(level, input.mode);
@@ -88,8 +87,8 @@ Figures draw_in_level(const RowInput& input, Framebuffer canvas) {
     scene.meshes = {&placed, 1};
     draw_frame(scene, camera, input.mode, input.settings, work, canvas);
     return {count_figure("pixels with depth in a frame without it", 0, before),
-            measured("pixels with depth: the rectangle around it", std::to_string(wanted())),
-            measured("pixels that it owns", std::to_string(counts.of(Effect::Models)))};
+            measured("pixels with depth: the rectangle around it", wanted()),
+            measured("pixels that it owns", counts.of(Effect::Models))};
 }
 
 }  // namespace

@@ -27,13 +27,11 @@ Matrix4 perspective(double distance) {
 /// Points and directions in four coordinates, from the side: ahead is right, up is up. By seed 4's convention z grows
 /// toward the viewer; with D above 0, as listed, its picture is behind the eye and stands on its head.
 Figures draw_homogeneous(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    const double sign = input.values[0] == 0 ? 1 : -1,
-                 distance = static_cast<double>(input.values[1]) * (input.values[0] == 1 ? -1 : 1);
+    const double sign = input.values[0] == 0 ? 1 : -1, distance = input.number(1) * (input.values[0] == 1 ? -1 : 1);
     Diagram diagram(input, canvas, {2.5, 1.1}, 8);
-    diagram.fill(assets.colour(18, 22, 34));
-    const std::uint8_t grey = assets.colour(110, 118, 140), bright = assets.colour(240, 190, 90),
-                       blue = assets.colour(90, 130, 220);
+    diagram.fill(input.colour(18, 22, 34));
+    const std::uint8_t grey = input.colour(110, 118, 140), bright = input.colour(240, 190, 90),
+                       blue = input.colour(90, 130, 220);
     diagram.line({-4.4, 0}, {9, 0}, grey);
     diagram.line({sign * distance, -2.4}, {sign * distance, 3.6}, blue);
     diagram.text({sign * distance, -1.9}, "z = " + decimal_text(distance, "%.0f"), blue);
@@ -46,7 +44,7 @@ Figures draw_homogeneous(const RowInput& input, Framebuffer canvas) {
         diagram.line(picture, {ahead, 3}, grey);
         diagram.line({0, 0}, {ahead, 3}, grey);
         diagram.disc({ahead, 3}, 0.09, bright);
-        diagram.disc(picture, 0.09, assets.colour(110, 200, 110));
+        diagram.disc(picture, 0.09, input.colour(110, 200, 110));
         diagram.text({ahead, 3}, "w " + decimal_text(number_of(clip.w), "%.2f"), bright, -12, -12);
         found = number_of(point.y);
     }
@@ -86,11 +84,10 @@ double depth_of(const Matrix4& matrix, double z) {
 /// Depth over z: the near plane's, the far plane's, and what is between.
 void draw_depths(const std::array<const Matrix4*, 2>& matrices, double nearest, double farthest, const RowInput& input,
                  Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     const std::int32_t left = canvas.width_px * 200 / 320;
     Diagram diagram(input, part_of(canvas, {left, 0, canvas.width_px - left, canvas.height_px}), {0.36, 0.5}, 1.5);
-    const std::uint8_t grey = assets.colour(90, 98, 124);
-    const std::array<std::uint8_t, 2> colours{assets.colour(220, 70, 60), assets.colour(110, 220, 120)};
+    const std::uint8_t grey = input.colour(90, 98, 124);
+    const std::array<std::uint8_t, 2> colours{input.colour(220, 70, 60), input.colour(110, 220, 120)};
     constexpr double kWide = 0.75;
     diagram.line({0, 0}, {kWide, 0}, grey);
     diagram.line({0, 1}, {kWide, 1}, grey);
@@ -111,9 +108,9 @@ void draw_depths(const std::array<const Matrix4*, 2>& matrices, double nearest, 
 
 Figures draw_projection_matrix(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+    fill(canvas, assets.colour(18, 22, 34));
     const bool is_listed = input.values[0] == 1;
-    const double nearest = static_cast<double>(input.values[1]) / 10, farthest = static_cast<double>(input.values[2]);
+    const double nearest = input.number(1) / 10, farthest = input.number(2);
     const Matrix4 corrected = volume_matrix(make_projection({320, 200, {4, 3}}, Degrees::from_int(90)),
                                             entry_of(nearest), entry_of(farthest)),
                   listed = listed_matrix(nearest, farthest);
@@ -155,8 +152,7 @@ Vec3<World> from_gl(const Vec& p) {
 PlanePoint pixel_in_double(const Vec& p, const Vec& eye, const RowInput& input, const Area& area) {
     const Vec forward = normalised(kQuadTarget - eye), right = normalised(cross(forward, {0, 1, 0})),
               up = cross(right, forward), way = p - eye;
-    const Ratio pixel = input.mode.pixel();
-    const double shape = static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator);
+    const double shape = number_of(input.mode.pixel());
     const double d = area.width / 2.0 / std::tan(kQuadView * std::numbers::pi / 360);
     return {area.width / 2.0 + d * dot(way, right) / dot(way, forward),
             area.height / 2.0 - d * shape * dot(way, up) / dot(way, forward)};
@@ -164,14 +160,11 @@ PlanePoint pixel_in_double(const Vec& p, const Vec& eye, const RowInput& input, 
 
 Figures draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
-    const double turn = static_cast<double>(input.values[0]) * std::numbers::pi / 180;
+    fill(canvas, assets.colour(18, 22, 34));
+    const double turn = input.radians(0);
     const Vec eye{0.5 + 4 * std::sin(turn), 1.6, 0.5 + 4 * std::cos(turn)};
     const Area area = scene_area(canvas, 180);
     Sketch sketch(input, canvas, area, {from_gl(eye), from_gl(kQuadTarget), kQuadView});
-    const std::array<std::uint8_t, 3> colours{assets.colour(200, 80, 70), assets.colour(90, 170, 80),
-                                              assets.colour(90, 130, 220)};
-    constexpr std::array<Vec, 3> kAxes{{{1.3, 0, 0}, {0, 1.3, 0}, {0, 0, 1.3}}};
     std::array<Vec3<World>, 4> corners;
     std::transform(kQuad.begin(), kQuad.end(), corners.begin(), from_gl);
     const std::uint8_t fill = assets.colour(200, 150, 60);
@@ -180,10 +173,7 @@ Figures draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
     for (std::int32_t y = 0; y < area.height; ++y)
         pixels += std::count(canvas.row(area.y + y), canvas.row(area.y + y) + area.width, fill);
     sketch.outline(corners, assets.colour(250, 225, 150));
-    for (std::size_t i = 0; i < 3; ++i) {
-        sketch.line(from_gl({0, 0, 0}), from_gl(kAxes[i]), colours[i]);
-        sketch.label(from_gl(kAxes[i]), std::string(1, static_cast<char>('x' + i)), colours[i]);
-    }
+    sketch.axes({from_gl({1.3, 0, 0}), from_gl({0, 1.3, 0}), from_gl({0, 0, 1.3})}, assets);
     double worst_px = 0, shoelace = 0;
     std::vector<std::string> lines{"glBegin(GL_POLYGON)"};
     for (std::size_t i = 0; i < 4; ++i) {

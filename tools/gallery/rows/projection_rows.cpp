@@ -19,10 +19,8 @@ namespace {
 
 /// How long a line is on the display, in columns.
 double length_on_display(const Vec& from, const Vec& to, const ViewContext& view, const ScreenMode& mode) {
-    const PixelPlace a = shown(from, view), b = shown(to, view);
-    const Ratio pixel = mode.pixel();
-    const double shape = static_cast<double>(pixel.denominator) / static_cast<double>(pixel.numerator);
-    return std::hypot(b.x - a.x, (b.y - a.y) * shape);
+    const PlanePoint a = shown(from, view), b = shown(to, view);
+    return std::hypot(b.x - a.x, (b.y - a.y) * number_of(mode.pixel().inverse()));
 }
 
 constexpr Cube kCube{{-50, -50, -50}, 100};
@@ -30,13 +28,10 @@ constexpr double kCubeWidth = 340;  ///< units across the screen
 
 /// The cube in the middle of what header and footer leave.
 void draw_cube_scene(const RowInput& input, const ViewSpec& view, Framebuffer canvas) {
-    const Ratio pixel = input.mode.pixel();
-    const double unit_px = input.mode.width_px / kCubeWidth * static_cast<double>(pixel.numerator) /
-                           static_cast<double>(pixel.denominator);
+    const double unit_px = input.mode.width_px / kCubeWidth * number_of(input.mode.pixel());
     const double down = (kFooter_px - kHeader_px) / 2.0 / unit_px;
     ViewSpec moved = view;
-    moved.eye = in_world(
-        {-down * number_of(view.axes.up.x), -down * number_of(view.axes.up.y), -down * number_of(view.axes.up.z)});
+    moved.eye = world_point(vec_of(view.axes.up) * -down);
     WireScene scene(input, moved, canvas);
     scene.fill_background();
     draw_cube(kCube, input.assets, scene);
@@ -97,12 +92,11 @@ Figures draw_axonometric(const RowInput& input, Framebuffer canvas) {
 
 ViewSpec oblique_cube_view(double length, std::int64_t degrees) {
     return oblique_view({}, side_axes(ViewSide::Front), View::from_int(static_cast<std::int64_t>(kCubeWidth)),
-                        Unit::from_raw(static_cast<std::int32_t>(std::ldexp(length, 30))),
-                        degrees_to_angle(Degrees::from_int(degrees)));
+                        fixed_of<Unit>(length), degrees_to_angle(Degrees::from_int(degrees)));
 }
 
 Figures draw_oblique(const RowInput& input, Framebuffer canvas) {
-    const double length = input.values[0] == 0 ? 1 : 0.5, degrees = static_cast<double>(input.values[1]);
+    const double length = input.values[0] == 0 ? 1 : 0.5, degrees = input.number(1);
     const ViewSpec view = oblique_cube_view(length, input.values[1]);
     draw_cube_scene(input, view, canvas);
     std::vector<Figure> figures = edge_figures(input, view, {1, length, 1});
@@ -137,16 +131,15 @@ Figures draw_level_from_outside(const RowInput& input, Framebuffer canvas) {
         twice += writes > 1;
         never += writes == 0;
     }
-    return {count_figure("pixels that faces draw twice", 0, twice),
-            measured("pixels that show nothing", std::to_string(never)),
-            measured("faces that own pixels", std::to_string(counts.faces_drawn))};
+    return {count_figure("pixels that faces draw twice", 0, twice), measured("pixels that show nothing", never),
+            measured("faces that own pixels", counts.faces_drawn)};
 }
 
 /// A camera whose picture of the cube has so many vanishing points.
 Camera camera_with_points(int points) {
     constexpr std::array<Vec, 3> kEyes{{{110, -310, 100}, {-160, -160, 15}, {-140, -140, 150}}};
     Camera camera;
-    camera.eye = in_world(item(kEyes, points - 1));
+    camera.eye = world_point(item(kEyes, points - 1));
     camera.yaw = degrees_to_angle(Degrees::from_int(points == 1 ? 90 : 45));
     camera.pitch = degrees_to_angle(Degrees::from_int(points == 3 ? 38 : 0));
     camera.field_of_view = Degrees::from_int(100);
@@ -154,13 +147,13 @@ Camera camera_with_points(int points) {
 }
 
 /// Where lines along an axis meet: the picture of a direction, x m / z; none for lines along the view plane.
-std::optional<PixelPlace> vanishing_point(const Vec3<Unit>& axis, const ViewContext& view) {
-    const auto part = [&](const Vec3<Unit>& of_view) { return std::ldexp(dot(axis, of_view).raw, -60); };
+std::optional<PlanePoint> vanishing_point(const Vec3<Unit>& axis, const ViewContext& view) {
+    const auto part = [&](const Vec3<Unit>& of_view) { return number_of(dot(axis, of_view)); };
     const double z = part(view.axes.forward);
     if (std::abs(z) < 1e-6) return std::nullopt;
-    const auto pixels = [](Multiplier multiplier) { return std::ldexp(static_cast<double>(multiplier.raw), -32); };
-    return PixelPlace{view.projection.width_px / 2.0 + pixels(view.projection.x.multiplier) * part(view.axes.right) / z,
-                      view.projection.height_px / 2.0 - pixels(view.projection.y.multiplier) * part(view.axes.up) / z};
+    return PlanePoint{
+        view.projection.width_px / 2.0 + number_of(view.projection.x.multiplier) * part(view.axes.right) / z,
+        view.projection.height_px / 2.0 - number_of(view.projection.y.multiplier) * part(view.axes.up) / z};
 }
 
 Figures draw_vanishing_points(const RowInput& input, Framebuffer canvas) {
@@ -175,17 +168,16 @@ Figures draw_vanishing_points(const RowInput& input, Framebuffer canvas) {
     int found = 0;
     double worst_px = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::optional<PixelPlace> point = vanishing_point(axes[axis], scene.view());
+        const std::optional<PlanePoint> point = vanishing_point(axes[axis], scene.view());
         if (!point) continue;
         ++found;
         for (int corner = 0; corner < 8; ++corner)
             scene.line(shown(kCube.corner(corner), scene.view()), *point, colours[axis]);
         // As the engine projects a place 2^18 units from the eye, ahead of it.
-        Vec far{std::ldexp(camera.eye.x.raw, -12), std::ldexp(camera.eye.y.raw, -12),
-                std::ldexp(camera.eye.z.raw, -12)};
+        Vec far = vec_of(camera.eye);
         const double way = dot(axes[axis], scene.view().axes.forward) > Sine60{} ? 262144 : -262144;
-        (axis == 0 ? far.x : axis == 1 ? far.y : far.z) += way;
-        const PixelPlace seen = shown(far, scene.view());
+        far[axis] += way;
+        const PlanePoint seen = shown(far, scene.view());
         worst_px = std::max(worst_px, std::hypot(seen.x - point->x, seen.y - point->y));
     }
     draw_cube(kCube, input.assets, scene);

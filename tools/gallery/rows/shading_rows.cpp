@@ -67,17 +67,14 @@ double reflected(const Vec& normal, const Vec& toward, const Vec& eye, double hi
 
 /// The shade that the mark should have, from the corners of the triangle that is there.
 double expected_shade(std::size_t kind, const PlacedMesh& placed, const ExactHit& hit, const Vec& toward) {
-    const Vec place = vec_of(placed.position);
-    const Vec eye = normalised(Vec{-place.x, -place.y, -place.z});
+    const Vec eye = normalised(vec_of(placed.position) * -1);
     if (kShadings[kind] == Shading::Flat) return exact_shade(reflected(hit.normal, toward, eye, 0));
     double shade = 0;
     Vec normal;
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec& corner = hit.corners[i].normal;
         shade += hit.shares[i] * exact_shade(reflected(corner, toward, eye, 0));
-        normal.x += hit.shares[i] * corner.x;
-        normal.y += hit.shares[i] * corner.y;
-        normal.z += hit.shares[i] * corner.z;
+        normal = normal + corner * hit.shares[i];
     }
     if (kShadings[kind] == Shading::Gouraud) return shade;
     return exact_shade(reflected(normalised(normal), toward, eye, placed.highlight));
@@ -85,7 +82,7 @@ double expected_shade(std::size_t kind, const PlacedMesh& placed, const ExactHit
 
 Figures draw_shadings(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
+    fill(canvas, assets.colour(20, 24, 36));
     const Mesh ball =
         ball_mesh(kBallRadius, static_cast<int>(input.values[0]), plain_skin(lit_colour(assets, 150, 90, 40)));
     const Vec toward = toward_light(input.values[1]);
@@ -118,7 +115,7 @@ constexpr double kLitRadius = 46;
 /// The light that a place of the ball should get.
 double expected_light(Kind kind, const Vec& normal, const Vec& position, const Vec& lamp) {
     if (kind == Kind::Ambient) return 90;
-    const Vec way = kind == Kind::Point ? Vec{lamp.x - position.x, lamp.y - position.y, lamp.z - position.z} : lamp;
+    const Vec way = kind == Kind::Point ? lamp - position : lamp;
     const double distance = kind == Kind::Point ? std::sqrt(dot(way, way)) : 0;
     return std::max(dot(normal, normalised(way)), 0.0) *
            (kind == Kind::Point ? std::max(150 - distance, 0.0) * 1.5 : 120);
@@ -126,7 +123,7 @@ double expected_light(Kind kind, const Vec& normal, const Vec& position, const V
 
 Figures draw_lights(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(20, 24, 36));
+    fill(canvas, assets.colour(20, 24, 36));
     const auto kind = static_cast<Kind>(input.values[0]);
     const Vec toward = toward_light(input.values[1]);
     const Mesh ball = ball_mesh(kLitRadius, 24, plain_skin(lit_colour(assets, 130, 130, 140)));
@@ -190,12 +187,11 @@ ScaledNormals scaled_normals(const Matrix3& matrix, const Matrix3& normals, doub
 /// Seed 5 says that scaling leaves normals normals; its erratum A7 works out that it does not. The cross product of two
 /// edges, its other way to a normal, needs no rule.
 Figures draw_normals(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
-    const double scale = static_cast<double>(input.values[0]) / 4;
+    const double scale = input.number(0) / 4;
     Diagram diagram(input, canvas, {0, 0}, 4.4);
-    diagram.fill(assets.colour(20, 24, 36));
-    const std::uint8_t wrong = assets.colour(220, 70, 60), right = assets.colour(90, 210, 110),
-                       edges = assets.colour(250, 230, 120);
+    diagram.fill(input.colour(20, 24, 36));
+    const std::uint8_t wrong = input.colour(220, 70, 60), right = input.colour(90, 210, 110),
+                       edges = input.colour(250, 230, 120);
     Matrix3 matrix = Matrix3::identity();
     matrix.rows[0][0] = Entry::from_raw(input.values[0] * (std::int64_t{1} << 30));
     const std::optional<Matrix3> normals = normal_matrix(matrix);
@@ -203,7 +199,7 @@ Figures draw_normals(const RowInput& input, Framebuffer canvas) {
     const auto on_ellipse = [scale](double angle) { return PlanePoint{scale * std::cos(angle), std::sin(angle)}; };
     for (int step = 0; step < 96; ++step)
         diagram.line(on_ellipse(step * std::numbers::pi / 48), on_ellipse((step + 1) * std::numbers::pi / 48),
-                     assets.colour(150, 160, 180));
+                     input.colour(150, 160, 180));
     double worst_normal = 0, worst_point = 0, expected_point = 0;
     for (int step = 0; step < 12; ++step) {
         const double angle = (step + 0.5) * std::numbers::pi / 6, c = std::cos(angle), s = std::sin(angle);

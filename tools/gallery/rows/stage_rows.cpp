@@ -67,13 +67,7 @@ void draw_from_outside(const StagedCube& cube, Stage stage, const RowInput& inpu
         stage == Stage::InView
             ? std::array{point_before_eye(2.2, 0, 0), point_before_eye(0, 2.2, 0), point_before_eye(0, 0, 2.2)}
             : std::array{world_point(2.2, 0, 0), world_point(0, 2.2, 0), world_point(0, 0, 2.2)};
-    const std::array<std::uint8_t, 3> colours{assets.colour(200, 80, 70), assets.colour(90, 170, 80),
-                                              assets.colour(90, 130, 220)};
-    constexpr std::array<const char*, 3> kAxisNames{"x", "y", "z"};
-    for (std::size_t i = 0; i < 3; ++i) {
-        sketch.line(world_point(0, 0, 0), axes[i], colours[i]);
-        sketch.label(axes[i], kAxisNames[i], colours[i]);
-    }
+    sketch.axes(axes, assets);
     if (stage == Stage::Facing) {
         const std::uint8_t white = assets.colour(235, 235, 225);
         sketch.line(cube.object_eye, world_point(0, 0, 0), grey);
@@ -83,15 +77,13 @@ void draw_from_outside(const StagedCube& cube, Stage stage, const RowInput& inpu
         const std::uint8_t yellow = assets.colour(250, 230, 120);
         const Vec3<Unit>& toward = cube.light.directional.toward;
         const Vec3<World> top = cube.placed.position + world_point(0, 0, 1);
-        const Vec3<World> lamp =
-            top + world_point(2 * number_of(toward.x), 2 * number_of(toward.y), 2 * number_of(toward.z));
+        const Vec3<World> lamp = top + world_point(vec_of(toward) * 2);
         sketch.line(top, lamp, yellow);
         sketch.label(lamp, "to the light", yellow);
     }
     if (!is_object) {
         const double across = 7 * std::tan(30 * std::numbers::pi / 180),
-                     up = across * area.height / area.width * static_cast<double>(input.mode.pixel().denominator) /
-                          static_cast<double>(input.mode.pixel().numerator);
+                     up = across * area.height / area.width * number_of(input.mode.pixel().inverse());
         const std::array far{point_before_eye(-across, up, 7), point_before_eye(across, up, 7),
                              point_before_eye(across, -up, 7), point_before_eye(-across, -up, 7)};
         sketch.outline(far, grey);
@@ -147,20 +139,19 @@ void draw_from_eye(const StagedCube& cube, Stage stage, const RowInput& input, F
 /// The canonical volume from its front, -1 to 1 across and up, whatever the screen's shape: what is left of the
 /// triangles after the perspective divide.
 void draw_divided(const StagedCube& cube, const RowInput& input, Framebuffer canvas, const Area& area) {
-    const GalleryAssets& assets = input.assets;
     Diagram diagram(input, part_of(canvas, {0, 0, area.width, canvas.height_px}), {0, 0}, 2.5);
-    const std::uint8_t grey = assets.colour(80, 88, 110);
+    const std::uint8_t grey = input.colour(80, 88, 110);
     diagram.line({-1.2, 0}, {1.2, 0}, grey);
     diagram.line({0, -1.2}, {0, 1.2}, grey);
-    diagram.outline({-1, -1}, {1, 1}, assets.colour(90, 130, 220));
-    diagram.text({-1, -1}, "-1", assets.colour(90, 130, 220), -14, 0);
-    diagram.text({1, 1}, "1", assets.colour(90, 130, 220), 3, -4);
+    diagram.outline({-1, -1}, {1, 1}, input.colour(90, 130, 220));
+    diagram.text({-1, -1}, "-1", input.colour(90, 130, 220), -14, 0);
+    diagram.text({1, 1}, "1", input.colour(90, 130, 220), 3, -4);
     const auto flat = [](const Vec3<Entry>& corner) { return PlanePoint{number_of(corner.x), number_of(corner.y)}; };
     for (const ShownTriangle& triangle : cube.triangles)
         for (std::size_t i = 0; i < triangle.divided.size(); ++i) {
             diagram.line(flat(triangle.divided[i]), flat(triangle.divided[(i + 1) % triangle.divided.size()]),
-                         assets.colour(240, 190, 90));
-            diagram.disc(flat(triangle.divided[i]), 0.03, assets.colour(110, 200, 110));
+                         input.colour(240, 190, 90));
+            diagram.disc(flat(triangle.divided[i]), 0.03, input.colour(110, 200, 110));
         }
 }
 
@@ -181,24 +172,24 @@ double viewport_error_px(const StagedCube& cube, Framebuffer part) {
 
 /// A vertex in the world, by sines and cosines in double.
 std::array<double, 3> world_in_double(const RowInput& input, int vertex) {
-    const double yaw = static_cast<double>(input.values[1]) * std::numbers::pi / 180;
+    const double yaw = input.radians(1);
     const double x = vertex & 1 ? 1 : -1, y = vertex & 2 ? 1 : -1, z = vertex & 4 ? 1 : -1;
     return {kCubeAhead + x * std::cos(yaw) - y * std::sin(yaw),
-            static_cast<double>(input.values[2]) / 4 + x * std::sin(yaw) + y * std::cos(yaw), z + kCubeBelow};
+            input.number(2) / 4 + x * std::sin(yaw) + y * std::cos(yaw), z + kCubeBelow};
 }
 
 /// The triangles that face an eye at the origin: two for each side beyond whose plane it lies.
 int facing_in_double(const RowInput& input) {
-    const double yaw = static_cast<double>(input.values[1]) * std::numbers::pi / 180;
-    const double x = -kCubeAhead, y = -static_cast<double>(input.values[2]) / 4;
+    const double yaw = input.radians(1);
+    const double x = -kCubeAhead, y = -input.number(2) / 4;
     const double own_x = x * std::cos(yaw) + y * std::sin(yaw), own_y = y * std::cos(yaw) - x * std::sin(yaw);
     return 2 * ((std::abs(own_x) > 1) + (std::abs(own_y) > 1) + (std::abs(kCubeBelow) > 1));
 }
 
 /// The light of those triangles: 40 and 110 times the cosine between a side's normal and (-2, -1, 2), of length 3.
 double light_in_double(const RowInput& input) {
-    const double yaw = static_cast<double>(input.values[1]) * std::numbers::pi / 180;
-    const double x = -kCubeAhead, y = -static_cast<double>(input.values[2]) / 4;
+    const double yaw = input.radians(1);
+    const double x = -kCubeAhead, y = -input.number(2) / 4;
     const double own_x = x * std::cos(yaw) + y * std::sin(yaw), own_y = y * std::cos(yaw) - x * std::sin(yaw);
     const auto side = [](double normal_x, double normal_y, double normal_z) {
         return 40 + 110 * std::max((-2 * normal_x - normal_y + 2 * normal_z) / 3, 0.0);
@@ -212,7 +203,7 @@ double light_in_double(const RowInput& input) {
 
 Figures draw_stages(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(18, 22, 34));
+    fill(canvas, assets.colour(18, 22, 34));
     const auto stage = static_cast<Stage>(input.values[0]);
     const Area area = scene_area(canvas, 188);
     const Framebuffer part = part_of(canvas, area);
@@ -250,7 +241,7 @@ Figures draw_stages(const RowInput& input, Framebuffer canvas) {
         number_figure("its depth: f / (f - n) (1 - n / z)",
                       kVolumeFar / (kVolumeFar - kVolumeNear) * (1 - kVolumeNear / ahead), number_of(divided.z), 1e-4),
         number_figure("pixels from there to the screen's corners", 0, viewport_error_px(cube, part), 0.01),
-        measured("pixels of all spans", std::to_string(span_pixels))};
+        measured("pixels of all spans", span_pixels)};
 }
 
 }  // namespace

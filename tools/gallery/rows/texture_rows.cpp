@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "engine/base/table.h"
 #include "engine/draw/drawing.h"
@@ -16,20 +15,15 @@ namespace {
 
 constexpr ColourRange kGreys{0, 16};  ///< of the demo level's palette
 
-using Channels = std::array<double, 3>;
-
-Channels channels_of(Rgb8 colour) {
+/// Red, green and blue.
+Vec channels_of(Rgb8 colour) {
     return {static_cast<double>(colour.red), static_cast<double>(colour.green), static_cast<double>(colour.blue)};
 }
 
 /// A ball before a dusk, at a place from the top left corner, (0, 0), to the bottom right one, (wide, 1).
-Channels colour_at(double x, double y, double wide) {
+Vec colour_at(double x, double y, double wide) {
     const double right = (x - wide / 2) / 0.34, down = (y - 0.52) / 0.34, square = right * right + down * down;
-    const auto mixed = [](const Channels& a, const Channels& b, double part) {
-        Channels sum;
-        for (std::size_t i = 0; i < 3; ++i) sum[i] = a[i] + (b[i] - a[i]) * part;
-        return sum;
-    };
+    const auto mixed = [](const Vec& from, const Vec& to, double part) { return from + (to - from) * part; };
     if (square >= 1) return mixed({18, 26, 74}, {226, 142, 84}, y * y);
     const double towards_light = (-0.5 * right - 0.6 * down + 0.62 * std::sqrt(1 - square));
     return mixed({34, 20, 40}, {240, 214, 176}, std::max(towards_light, 0.0));
@@ -40,13 +34,13 @@ std::uint8_t whole(double channel) {
 }
 
 PngImage make_picture(const Area& area, Ratio pixel, bool is_grey) {
-    const double shape = static_cast<double>(pixel.numerator) / static_cast<double>(pixel.denominator);
+    const double shape = number_of(pixel);
     const double wide = area.width * shape / area.height;
     PngImage image{area.width, area.height, {}, {}};
     for (std::int32_t y = 0; y < area.height; ++y)
         for (std::int32_t x = 0; x < area.width; ++x) {
-            const Channels c = colour_at((x + 0.5) * shape / area.height, (y + 0.5) / area.height, wide);
-            const Rgb8 colour{whole(c[0]), whole(c[1]), whole(c[2])};
+            const Vec c = colour_at((x + 0.5) * shape / area.height, (y + 0.5) / area.height, wide);
+            const Rgb8 colour{whole(c.x), whole(c.y), whole(c.z)};
             const std::uint8_t grey = whole(luminance_1000(colour) / 1000.0);
             image.colours.push_back({is_grey ? Rgb8{grey, grey, grey} : colour});
         }
@@ -60,23 +54,16 @@ double block_error(const PngImage& image, const std::vector<std::uint8_t>& indic
     int count = 0;
     for (std::int32_t top = 0; top + kBlock <= image.height_px; top += kBlock)
         for (std::int32_t left = 0; left + kBlock <= image.width_px; left += kBlock) {
-            Channels off{};
+            Vec off;
             for (std::int32_t i = 0; i < kBlock * kBlock; ++i) {
                 const std::int32_t place = (top + i / kBlock) * image.width_px + left + i % kBlock;
-                const Channels is = channels_of(item(palette.colours, item(indices, place))),
-                               was = channels_of(item(image.colours, place).colour);
-                for (std::size_t channel = 0; channel < 3; ++channel) off[channel] += is[channel] - was[channel];
+                off = off + (channels_of(item(palette.colours, item(indices, place))) -
+                             channels_of(item(image.colours, place).colour));
             }
-            for (const double channel : off) sum += std::abs(channel) / (kBlock * kBlock);
+            sum += (std::abs(off.x) + std::abs(off.y) + std::abs(off.z)) / (kBlock * kBlock);
             count += 3;
         }
     return sum / count;
-}
-
-std::string two_decimals(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2f", value);
-    return text;
 }
 
 /// The same picture with the nearest colours and dithered, side by side.
@@ -84,7 +71,7 @@ Figures draw_quantisation(const RowInput& input, Framebuffer canvas) {
     const Palette& palette = input.assets.colormap.palette;
     const bool is_grey = input.values[0] == 1;
     const ColourRange range = is_grey ? kGreys : kOrdinaryColours;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(20, 24, 36));
+    fill(canvas, input.assets.colour(20, 24, 36));
     const std::int32_t width = canvas.width_px / 2 - 6, top = kHeader_px + 4;
     const Area left{4, top, width, canvas.height_px - kFooter_px - top - 14};
     const PngImage image = make_picture(left, input.mode.pixel(), is_grey);
@@ -99,9 +86,9 @@ Figures draw_quantisation(const RowInput& input, Framebuffer canvas) {
         draw_text(canvas, x, top + left.height + 4, is_right ? "Floyd-Steinberg" : "nearest colour", input.assets.text);
     }
     const double nearest = errors[0], dithered = errors[1];
-    return {{"mean error, dithered", "below half of " + two_decimals(nearest), two_decimals(dithered),
+    return {{"mean error, dithered", "below half of " + decimal_text(nearest, "%.2f"), decimal_text(dithered, "%.2f"),
              dithered < nearest / 2},
-            measured("mean error, nearest colours", two_decimals(nearest))};
+            measured("mean error, nearest colours", decimal_text(nearest, "%.2f"))};
 }
 
 }  // namespace

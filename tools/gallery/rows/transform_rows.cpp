@@ -55,16 +55,7 @@ std::vector<std::string> matrix_text(const Matrix4& matrix) {
     return lines;
 }
 
-void draw_axes(Sketch& sketch, const GalleryAssets& assets) {
-    const std::array<std::uint8_t, 3> colours{assets.colour(200, 80, 70), assets.colour(90, 170, 80),
-                                              assets.colour(90, 130, 220)};
-    const std::array ends{world_point(4, 0, 0), world_point(0, 4, 0), world_point(0, 0, 3)};
-    constexpr std::array<const char*, 3> kNames{"x", "y", "z"};
-    for (std::size_t i = 0; i < 3; ++i) {
-        sketch.line(world_point(0, 0, 0), ends[i], colours[i]);
-        sketch.label(ends[i], kNames[i], colours[i]);
-    }
-}
+const std::array kAxisEnds{world_point(4, 0, 0), world_point(0, 4, 0), world_point(0, 0, 3)};
 
 void draw_cube(Sketch& sketch, const Matrix4& model, std::uint8_t colour) {
     for (const auto& [from, to] : kCubeEdges)
@@ -72,11 +63,9 @@ void draw_cube(Sketch& sketch, const Matrix4& model, std::uint8_t colour) {
 }
 
 Area fill_scene(const RowInput& input, Framebuffer canvas, std::int32_t width_of_320) {
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(18, 22, 34));
+    fill(canvas, input.assets.colour(18, 22, 34));
     return scene_area(canvas, width_of_320);
 }
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// Scale, then turn, then move: after each step.
 Figures draw_model_to_world(const RowInput& input, Framebuffer canvas) {
@@ -89,14 +78,14 @@ Figures draw_model_to_world(const RowInput& input, Framebuffer canvas) {
     const Matrix4 model = model_matrix(position, step >= 1 ? turn : Matrix3::identity(), scale);
 
     Sketch sketch(input, canvas, fill_scene(input, canvas, 200), {world_point(5, -9, 6), world_point(1, 0.8, 0.3), 34});
-    draw_axes(sketch, assets);
+    sketch.axes(kAxisEnds, assets);
     draw_cube(sketch, Matrix4::identity(), assets.colour(70, 78, 100));
     draw_cube(sketch, model, assets.colour(240, 190, 90));
     std::vector<std::string> lines{"model to world:"};
     for (const std::string& line : matrix_text(model)) lines.push_back(line);
     draw_column(canvas, canvas.width_px * kTextColumn_320 / 320 - 10, kHeader_px + 8, lines, assets.text);
 
-    const double angle = step >= 1 ? yaw * kDegree : 0;
+    const double angle = step >= 1 ? input.radians(1) : 0;
     const double x = 1.5 * std::cos(angle) - 0.5 * std::sin(angle) + (step >= 2 ? 2 : 0);
     const double y = 1.5 * std::sin(angle) + 0.5 * std::cos(angle) + (step >= 2 ? 1.5 : 0);
     const Vec3<World> corner = transformed_point(model, world_point(1, 1, 1));
@@ -133,7 +122,7 @@ Figures draw_rotations(const RowInput& input, Framebuffer canvas) {
     const Matrix3 about_axis = rotation_matrix(axis, half + half);
 
     Sketch sketch(input, canvas, fill_scene(input, canvas, 200), {world_point(4, -6, 3.5), world_point(0, 0, 0), 40});
-    draw_axes(sketch, assets);
+    sketch.axes(kAxisEnds, assets);
     draw_cube(sketch, homogeneous(by_quaternion), assets.colour(240, 190, 90));
     const auto end = [&](double reach) {
         return world_point(reach * number_of(axis.x), reach * number_of(axis.y), reach * number_of(axis.z));
@@ -150,8 +139,7 @@ Figures draw_rotations(const RowInput& input, Framebuffer canvas) {
                                          decimal_text(number_of(axis.y), "%7.4f"),
                                          decimal_text(number_of(axis.z), "%7.4f")};
     draw_column(canvas, canvas.width_px * kTextColumn_320 / 320, kHeader_px + 8, lines, assets.text);
-    const double yaw = static_cast<double>(input.values[0]) * kDegree,
-                 pitch = static_cast<double>(input.values[1]) * kDegree;
+    const double yaw = input.radians(0), pitch = input.radians(1);
     return {number_figure("quaternion - Euler angles", 0, largest_difference(by_angles, by_quaternion), 1e-7, 6),
             number_figure("axis - Euler angles", 0, largest_difference(by_angles, about_axis), 2e-4, 6),
             number_figure("x of the turned x axis: cos yaw cos pitch", std::cos(yaw) * std::cos(pitch),
@@ -167,15 +155,13 @@ CubeCheck check_cube(const std::array<std::array<int, 3>, 12>& faces) {
     std::map<std::pair<int, int>, int> uses;
     CubeCheck check;
     for (const auto& face : faces) {
-        std::array<std::array<int, 3>, 3> p{};
+        std::array<Vec, 3> p;
         for (std::size_t i = 0; i < 3; ++i) {
             ++uses[{face[i], face[(i + 1) % 3]}];
-            p[i] = kCubeCorners[static_cast<std::size_t>(face[i] - 1)];
+            const auto& [x, y, z] = item(kCubeCorners, face[i] - 1);
+            p[i] = Vec{double(x), double(y), double(z)};
         }
-        check.volume +=
-            (p[0][0] * (p[1][1] * p[2][2] - p[1][2] * p[2][1]) - p[0][1] * (p[1][0] * p[2][2] - p[1][2] * p[2][0]) +
-             p[0][2] * (p[1][0] * p[2][1] - p[1][1] * p[2][0])) /
-            6.0;
+        check.volume += dot(p[0], cross(p[1], p[2])) / 6;
     }
     for (const auto& [edge, count] : uses)
         check.matched_edges += edge.first < edge.second && count == 1 && uses[{edge.second, edge.first}] == 1;
@@ -183,16 +169,15 @@ CubeCheck check_cube(const std::array<std::array<int, 3>, 12>& faces) {
 }
 
 Figures draw_left_handed_cube(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     auto faces = kCubeTriangles;
     const bool is_listed = input.values[0] == 0;
     if (is_listed) faces[7] = {8, 5, 1};
-    const double turn = static_cast<double>(input.values[1]) * kDegree;
+    const double turn = input.radians(1);
     const Vec3<World> eye = world_point(-8 * std::cos(turn), -8 * std::sin(turn), 4);
     Sketch sketch(input, canvas, fill_scene(input, canvas, 320), {eye, world_point(0, 0, 0), 40});
-    const std::array<std::uint8_t, 6> colours{assets.colour(200, 80, 70),   assets.colour(90, 170, 80),
-                                              assets.colour(90, 130, 220),  assets.colour(220, 190, 90),
-                                              assets.colour(190, 110, 200), assets.colour(90, 190, 190)};
+    const std::array<std::uint8_t, 6> colours{input.colour(200, 80, 70),   input.colour(90, 170, 80),
+                                              input.colour(90, 130, 220),  input.colour(220, 190, 90),
+                                              input.colour(190, 110, 200), input.colour(90, 190, 190)};
     int drawn = 0;
     std::set<int> seen;
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -203,16 +188,16 @@ Figures draw_left_handed_cube(const RowInput& input, Framebuffer canvas) {
         ++drawn;
         seen.insert(faces[i].begin(), faces[i].end());
         sketch.polygon(corners, colours[i / 2]);
-        sketch.outline(corners, assets.colour(20, 20, 24));
+        sketch.outline(corners, input.colour(20, 20, 24));
     }
     for (const int number : seen)
-        sketch.label(cube_corner(number), std::to_string(number), assets.colour(235, 235, 225));
+        sketch.label(cube_corner(number), std::to_string(number), input.colour(235, 235, 225));
     const CubeCheck check = check_cube(faces);
     // Two for each side beyond whose plane the eye is; as listed, one of them may be gone, or face elsewhere.
     const int facing = 2 * ((std::abs(number_of(eye.x)) > 1) + (std::abs(number_of(eye.y)) > 1) + 1);
     return {count_figure("edges used once in each direction, of 18", is_listed ? 16 : 18, check.matched_edges),
             number_figure("signed volume", is_listed ? 22.0 / 3 : 8, check.volume, 1e-9),
-            is_listed ? measured("triangles that face the eye", std::to_string(drawn))
+            is_listed ? measured("triangles that face the eye", drawn)
                       : count_figure("triangles that face the eye", facing, drawn)};
 }
 

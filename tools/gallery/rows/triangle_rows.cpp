@@ -13,11 +13,8 @@ namespace oblong {
 
 namespace {
 
-Screen screen_of(double pixels) {
-    return Screen::from_raw(static_cast<std::int32_t>(std::lround(pixels * 256)));
-}
 ScreenVertex vertex_at(PlanePoint at) {
-    return {screen_of(at.x), screen_of(at.y)};
+    return {fixed_of<Screen>(at.x), fixed_of<Screen>(at.y)};
 }
 
 struct ColouredTriangle {
@@ -111,12 +108,11 @@ Figures draw_triangle_methods(const RowInput& input, Framebuffer canvas) {
 /// Two triangles with a common side on a grid whose pixel centres the corners hit, as the rule decides.
 Figures draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
     constexpr std::int32_t kColumns = 16, kRows = 9;
-    const GalleryAssets& assets = input.assets;
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, assets.colour(16, 18, 28));
-    const std::uint8_t ground = assets.colour(36, 42, 58);
+    fill(canvas, input.colour(16, 18, 28));
+    const std::uint8_t ground = input.colour(36, 42, 58);
     PixelGrid grid(input, canvas, {0, kHeader_px, canvas.width_px, canvas.height_px - kHeader_px - kFooter_px},
                    kColumns, kRows, ground);
-    const double x = static_cast<double>(input.values[0]) / 2, y = static_cast<double>(input.values[1]) / 2;
+    const double x = input.number(0) / 2, y = input.number(1) / 2;
     const std::array<PlanePoint, 4> corners{{{1.5, 1.5}, {x, 1.5}, {13.5, y}, {3.5, 7.5}}};
     const ScreenTriangle first{vertex_at(corners[0]), vertex_at(corners[1]), vertex_at(corners[3])},
         second{vertex_at(corners[1]), vertex_at(corners[2]), vertex_at(corners[3])};
@@ -130,8 +126,8 @@ Figures draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
         fill_spans(spans, colour, grid.picture());
         return covered;
     };
-    const auto by_first = cover(first, assets.colour(200, 120, 48)),
-               by_second = cover(second, assets.colour(56, 120, 184));
+    const auto by_first = cover(first, input.colour(200, 120, 48)),
+               by_second = cover(second, input.colour(56, 120, 184));
     std::int64_t twice = 0, neither = 0, on_common_side = 0;
     for (std::int32_t row = 0; row < kRows; ++row)
         for (std::int32_t column = 0; column < kColumns; ++column) {
@@ -143,16 +139,16 @@ Figures draw_top_left_rule(const RowInput& input, Framebuffer canvas) {
             on_common_side += is_on_side;
             neither += is_on_side && by_first[pixel] == 0 && by_second[pixel] == 0;
         }
-    grid.show(assets.colour(16, 18, 28));
-    const std::uint8_t line = assets.colour(240, 236, 220);
+    grid.show(input.colour(16, 18, 28));
+    const std::uint8_t line = input.colour(240, 236, 220);
     for (const auto& [from, to] : {std::pair{0, 1}, {1, 2}, {2, 3}, {3, 0}, {1, 3}})
         grid.line(item(corners, from), item(corners, to), line);
     for (std::int32_t row = 0; row < kRows; ++row)
         for (std::int32_t column = 0; column < kColumns; ++column)
-            grid.dot({column + 0.5, row + 0.5}, assets.colour(12, 12, 20));
+            grid.dot({column + 0.5, row + 0.5}, input.colour(12, 12, 20));
     return {count_figure("pixels that both triangles own", 0, twice),
             count_figure("centres on the common side that neither owns", 0, neither),
-            measured("centres on the common side", std::to_string(on_common_side))};
+            measured("centres on the common side", on_common_side)};
 }
 
 struct NamedPlace {
@@ -191,10 +187,9 @@ void fill_with_gradient(const ScreenTriangle& triangle, const RowInput& input, F
 }
 
 Figures draw_barycentric(const RowInput& input, Framebuffer canvas) {
-    const GalleryAssets& assets = input.assets;
     const NamedPlace& place = item(kPlaces, input.values[0]);
     Diagram diagram(input, canvas, {2.5, 2.5}, 6.4);
-    diagram.fill(assets.colour(16, 18, 28));
+    diagram.fill(input.colour(16, 18, 28));
     const std::array<PlanePoint, 3> corners{{{0, 0}, {4, 0}, {0, 4}}};
     ScreenTriangle on_canvas, in_plane;
     for (int i = 0; i < 3; ++i) {
@@ -202,7 +197,7 @@ Figures draw_barycentric(const RowInput& input, Framebuffer canvas) {
         item(in_plane, i) = vertex_at(item(corners, i));
     }
     fill_with_gradient(on_canvas, input, canvas);
-    const std::uint8_t white = assets.colour(250, 250, 250), grey = assets.colour(150, 160, 180);
+    const std::uint8_t white = input.colour(250, 250, 250), grey = input.colour(150, 160, 180);
     for (int i = 0; i < 3; ++i) {
         diagram.line(item(corners, i), item(corners, (i + 1) % 3), grey);
         diagram.line(item(corners, i), place.at, white);
@@ -234,10 +229,6 @@ struct Tile {
 };
 constexpr std::array<PlanePoint, 4> kTexels{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
-CornerQuantity quantity(double value) {
-    return CornerQuantity::from_raw(std::llround(std::ldexp(value, 32)));
-}
-
 /// Both coordinates at a pixel: interpolated themselves, or over z and divided by 1/z.
 class TileTexture {
   public:
@@ -247,9 +238,9 @@ class TileTexture {
             const int corner = item(corners, i);
             item(triangle, i) = vertex_at(item(tile.corners, corner));
             const double over = is_perspective && corner >= 2 ? 1 / tile.far_depth : 1;
-            item(u, i) = quantity(item(kTexels, corner).x * over);
-            item(v, i) = quantity(item(kTexels, corner).y * over);
-            item(inverse_z, i) = quantity(over);
+            item(u, i) = fixed_of<CornerQuantity>(item(kTexels, corner).x * over);
+            item(v, i) = fixed_of<CornerQuantity>(item(kTexels, corner).y * over);
+            item(inverse_z, i) = fixed_of<CornerQuantity>(over);
         }
         u_ = quantity_over(triangle, u);
         v_ = quantity_over(triangle, v);
@@ -292,8 +283,8 @@ double middle_of_side(double far_depth, bool is_perspective) {
 }
 
 Figures draw_perspective(const RowInput& input, Framebuffer canvas) {
-    const auto far_depth = static_cast<double>(input.values[0]);
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(16, 18, 28));
+    const auto far_depth = input.number(0);
+    fill(canvas, input.assets.colour(16, 18, 28));
     const double half = canvas.width_px / 2.0, near_y = canvas.height_px - kFooter_px - 4, horizon = kHeader_px + 6,
                  far_y = horizon + (near_y - horizon) / far_depth;
     for (const bool is_perspective : {false, true}) {

@@ -26,9 +26,6 @@ using Whole = Fixed<std::int32_t, 0>;
 Vec3<Whole> whole(std::int32_t x, std::int32_t y, std::int32_t z) {
     return {Whole::from_int(x), Whole::from_int(y), Whole::from_int(z)};
 }
-Vec3<World> place(std::int32_t x, std::int32_t y, std::int32_t z) {
-    return {World::from_int(x), World::from_int(y), World::from_int(z)};
-}
 
 double radians(std::int64_t degrees) {
     return static_cast<double>(degrees) * std::numbers::pi / 180;
@@ -42,12 +39,6 @@ Vec3<Unit> direction_at(std::int64_t degrees) {
 }
 PlanePoint plane_point(const Vec3<Unit>& v) {
     return {number_of(v.x), number_of(v.y)};
-}
-PlanePoint times(PlanePoint p, double factor) {
-    return {p.x * factor, p.y * factor};
-}
-PlanePoint sum(PlanePoint a, PlanePoint b) {
-    return {a.x + b.x, a.y + b.y};
 }
 
 /// The colours of all diagrams here.
@@ -83,7 +74,7 @@ Figures draw_dot_product(const RowInput& input, Framebuffer canvas) {
     diagram.line({0, 0.012}, {product, 0.012}, colours.result);
     diagram.disc({product, 0}, 0.025, colours.result);
     diagram.text({1, 0}, "U", colours.second, 4, -9);
-    diagram.text(times(plane_point(v), 1.08), "V", colours.first, -2, -3);
+    diagram.text(plane_point(v) * 1.08, "V", colours.first, -2, -3);
     diagram.text({-1.95, 1.0}, std::to_string(degrees) + " degrees", colours.text);
     diagram.text({-1.95, 0.84}, "U . V = " + decimal_text(product), colours.result);
 
@@ -94,7 +85,8 @@ Figures draw_dot_product(const RowInput& input, Framebuffer canvas) {
             number_figure("the angle, from both products, degrees", static_cast<double>(degrees),
                           between.bam * 360.0 / 65536, 0.006, 2),
             count_figure("(1 2 3) . (4 -5 6) by the law of cosines", by_cosines, dot(a, b).raw),
-            number_figure("length of (5 0 5)", 5 * std::numbers::sqrt2, number_of(length(place(5, 0, 5))), 1.0 / 4096)};
+            number_figure("length of (5 0 5)", 5 * std::numbers::sqrt2, number_of(length(world_point(5, 0, 5))),
+                          1.0 / 4096)};
 }
 
 /// Axes of length 1 in a plane, the second so many degrees from the first.
@@ -104,8 +96,8 @@ Basis crooked_axes(std::int64_t degrees) {
 
 void draw_lattice(Diagram& diagram, PlanePoint i, PlanePoint j, std::uint8_t colour) {
     for (int line = -2; line <= 3; ++line) {
-        diagram.line(sum(times(i, line), times(j, -2)), sum(times(i, line), times(j, 3)), colour);
-        diagram.line(sum(times(j, line), times(i, -2)), sum(times(j, line), times(i, 3)), colour);
+        diagram.line(i * line + j * -2, i * line + j * 3, colour);
+        diagram.line(j * line + i * -2, j * line + i * 3, colour);
     }
 }
 
@@ -113,7 +105,7 @@ Figures draw_orthonormal(const RowInput& input, Framebuffer canvas) {
     const Colours colours(input.assets);
     const Basis given = crooked_axes(input.values[0]);
     const Basis axes = input.values[1] == 1 ? orthonormalised(given) : given;
-    const PlanePoint i = plane_point(axes.right), j = plane_point(axes.up), a = sum(i, j);
+    const PlanePoint i = plane_point(axes.right), j = plane_point(axes.up), a = i + j;
     Diagram diagram(input, canvas, {0.5, 0.55}, 2.6);
     diagram.fill(colours.ground);
     draw_lattice(diagram, i, j, colours.grid);
@@ -121,7 +113,7 @@ Figures draw_orthonormal(const RowInput& input, Framebuffer canvas) {
     diagram.arrow({0, 0}, j, colours.second);
     diagram.arrow({0, 0}, a, colours.first);
     diagram.text(i, "i", colours.second, 3, 2);
-    diagram.text(times(j, 1.08), "j", colours.second, -8, -6);
+    diagram.text(j * 1.08, "j", colours.second, -8, -6);
     diagram.text(a, "a = i + j", colours.first, 4, -3);
     const double true_square = a.x * a.x + a.y * a.y;
     const double cosine_of_axes = input.values[1] == 1 ? 0 : std::abs(std::cos(radians(input.values[0])));
@@ -144,10 +136,7 @@ void draw_lit_ball(const RowInput& input, Diagram& diagram, PlanePoint centre, d
             const double x = 2 * (column + 0.5 - low.x) / (high.x - low.x) - 1,
                          y = 1 - 2 * (row + 0.5 - high.y) / (low.y - high.y);
             if (x * x + y * y > 1) continue;
-            const auto unit = [](double value) {
-                return Unit::from_raw(static_cast<std::int32_t>(std::lround(value * (1 << 30))));
-            };
-            const Vec3<Unit> normal{unit(x), unit(y), unit(std::sqrt(1 - x * x - y * y))};
+            const Vec3<Unit> normal{fixed_of<Unit>(x), fixed_of<Unit>(y), fixed_of<Unit>(std::sqrt(1 - x * x - y * y))};
             const int light = static_cast<int>(std::max(number_of(dot(normal, to_light)), 0.0) * 200);
             set_pixel(canvas, column, row, input.assets.colour(40 + light, 36 + light * 9 / 10, 34 + light * 7 / 10));
         }
@@ -166,17 +155,15 @@ Figures draw_lighting(const RowInput& input, Framebuffer canvas) {
     diagram.rectangle({foot.x - 0.55, foot.y - 0.08}, {foot.x + 0.55, foot.y},
                       input.assets.colour(40 + static_cast<int>(share * 200), 36 + static_cast<int>(share * 180),
                                           34 + static_cast<int>(share * 140)));
-    diagram.arrow(foot, sum(foot, plane_point(normal)), colours.second);
-    diagram.arrow(sum(foot, times(plane_point(to_light), 1.15)), sum(foot, times(plane_point(to_light), 0.12)),
-                  colours.first);
-    diagram.text(sum(foot, plane_point(normal)), "N", colours.second, -9, 2);
-    diagram.text(sum(foot, times(plane_point(to_light), 1.2)), "D", colours.first, -2, -3);
+    diagram.arrow(foot, foot + plane_point(normal), colours.second);
+    diagram.arrow(foot + plane_point(to_light) * 1.15, foot + plane_point(to_light) * 0.12, colours.first);
+    diagram.text(foot + plane_point(normal), "N", colours.second, -9, 2);
+    diagram.text(foot + plane_point(to_light) * 1.2, "D", colours.first, -2, -3);
     diagram.text({-1.65, -0.75}, "I = N . -D = " + decimal_text(share), colours.result);
-    Operations cost;
-    const auto counted = [&cost](const Vec3<Unit>& vector) {
-        return Vec3<Counted>{{number_of(vector.x), cost}, {number_of(vector.y), cost}, {number_of(vector.z), cost}};
+    const auto counted = [](const Vec3<Unit>& vector) {
+        return Vec3<Counted<double>>{number_of(vector.x), number_of(vector.y), number_of(vector.z)};
     };
-    lit(counted(normal), counted(to_light), Counted(200, cost));
+    const Operations cost = operations_of([&] { lit(counted(normal), counted(to_light), Counted<double>(200)); });
     return {number_figure("share of the light: cos, 0 or more", std::max(std::cos(radians(degrees)), 0.0), share, 1e-4),
             number_figure("of a light of 200", 200 * std::max(std::cos(radians(degrees)), 0.0), 200 * share, 0.02, 2),
             {"counted: four multiplications, two additions", "4 * 0 / 2 +", cost.text(), cost == Operations{4, 0, 2}}};
@@ -194,7 +181,7 @@ Figures draw_cross_product(const RowInput& input, Framebuffer canvas) {
     const Vec3<Unit> u{{}, {}, Unit::from_int(1)}, v{sine(angle_of(degrees)), {}, cosine(angle_of(degrees))};
     const auto product = cross(u, v);
     const Vec3<Unit> result = convert<Unit>(product);
-    const PlanePoint far_corner = sum(seen(u), seen(v));
+    const PlanePoint far_corner = seen(u) + seen(v);
     Diagram diagram(input, canvas, {0.1, 0.1}, 2.4);
     diagram.fill(colours.ground);
     diagram.line(seen(u), far_corner, colours.grid);
@@ -210,18 +197,16 @@ Figures draw_cross_product(const RowInput& input, Framebuffer canvas) {
     const Basis axes{v, third, u};
     const auto listed = cross(whole(1, 2, 3), whole(4, 5, 6));
     const bool is_listed = listed == decltype(listed){{-3}, {6}, {-3}};
-    return {number_figure("|U x V|, the area between them: sin", std::sin(radians(degrees)),
-                          std::sqrt(std::pow(number_of(product.x), 2) + std::pow(number_of(product.y), 2) +
-                                    std::pow(number_of(product.z), 2)),
-                          1e-4),
-            count_figure("at right angles to U and V: both dot products", 0, dot(third, u).raw + dot(third, v).raw),
-            count_figure("U, V, U x V made of length 1 are axes", degrees == 90, is_orthonormal(axes)),
-            {"(1 2 3) x (4 5 6)", "-3 6 -3",
-             decimal_text(number_of(listed.x), "%.0f") + " " + decimal_text(number_of(listed.y), "%.0f") + " " +
-                 decimal_text(number_of(listed.z), "%.0f"),
-             is_listed},
-            count_figure("parallel vectors give a normal", 0,
-                         normalised(cross(whole(1, 2, 3), whole(-2, -4, -6))) != Vec3<Unit>{})};
+    return {
+        number_figure("|U x V|, the area between them: sin", std::sin(radians(degrees)), length(vec_of(product)), 1e-4),
+        count_figure("at right angles to U and V: both dot products", 0, dot(third, u).raw + dot(third, v).raw),
+        count_figure("U, V, U x V made of length 1 are axes", degrees == 90, is_orthonormal(axes)),
+        {"(1 2 3) x (4 5 6)", "-3 6 -3",
+         decimal_text(number_of(listed.x), "%.0f") + " " + decimal_text(number_of(listed.y), "%.0f") + " " +
+             decimal_text(number_of(listed.z), "%.0f"),
+         is_listed},
+        count_figure("parallel vectors give a normal", 0,
+                     normalised(cross(whole(1, 2, 3), whole(-2, -4, -6))) != Vec3<Unit>{})};
 }
 
 Figures draw_rotation(const RowInput& input, Framebuffer canvas) {
@@ -232,7 +217,7 @@ Figures draw_rotation(const RowInput& input, Framebuffer canvas) {
     const Vec3<Unit> turned = project_onto_axes(point, axes);
     const Vec3<Unit> restored = sum_along_axes(turned, axes);
     const PlanePoint p = plane_point(point), right = plane_point(axes.right), up = plane_point(axes.up);
-    const PlanePoint on_right = times(right, number_of(turned.x)), on_up = times(up, number_of(turned.y));
+    const PlanePoint on_right = right * number_of(turned.x), on_up = up * number_of(turned.y);
     Diagram diagram(input, canvas, {0, 0}, 2.4);
     diagram.fill(colours.ground);
     draw_axes(diagram, 1.12, colours.grid);
@@ -244,8 +229,8 @@ Figures draw_rotation(const RowInput& input, Framebuffer canvas) {
     diagram.disc(on_right, 0.025, colours.result);
     diagram.disc(on_up, 0.025, colours.result);
     diagram.text(p, "P", colours.first, 4, -4);
-    diagram.text(times(right, 1.06), "x'", colours.second);
-    diagram.text(times(up, 1.06), "y'", colours.second);
+    diagram.text(right * 1.06, "x'", colours.second);
+    diagram.text(up * 1.06, "y'", colours.second);
     diagram.text({-1.9, 1.0}, "P . x' = " + decimal_text(number_of(turned.x)), colours.result);
     diagram.text({-1.9, 0.84}, "P . y' = " + decimal_text(number_of(turned.y)), colours.result);
     const double cos = std::cos(radians(degrees)), sin = std::sin(radians(degrees));
@@ -260,8 +245,8 @@ Figures draw_rotation(const RowInput& input, Framebuffer canvas) {
 Figures draw_line_and_plane(const RowInput& input, Framebuffer canvas) {
     const auto end_z = static_cast<std::int32_t>(input.values[0]);
     const Colours colours(input.assets);
-    const Plane plane = plane_through(place(0, 0, 5), {{}, {}, Unit::from_int(1)});
-    const Vec3<World> start = place(0, 0, 9), end = place(4, 2, end_z), point = place(-3, 2, 10);
+    const Plane plane = plane_through(world_point(0, 0, 5), {{}, {}, Unit::from_int(1)});
+    const Vec3<World> start = world_point(0, 0, 9), end = world_point(4, 2, end_z), point = world_point(-3, 2, 10);
     const std::optional<LineHit> line = intersect_line(start, end, plane),
                                  segment = intersect_segment(start, end, plane);
     const auto on_diagram = [](const Vec3<World>& p) { return PlanePoint{number_of(p.x), number_of(p.z)}; };
@@ -283,7 +268,7 @@ Figures draw_line_and_plane(const RowInput& input, Framebuffer canvas) {
     const double t = 4.0 / (9 - end_z);
     Figures figures;
     figures = {number_figure("distance of P = (1 2 10) from z = 5", 5,
-                             number_of(distance_to_plane(place(1, 2, 10), plane)), 0),
+                             number_of(distance_to_plane(world_point(1, 2, 10), plane)), 0),
                count_figure("the segment meets the plane", end_z <= 5, segment.has_value())};
     if (end_z == 9)
         figures.push_back(count_figure("a parallel line meets it", 0, line.has_value()));

@@ -31,12 +31,12 @@ constexpr std::array<LabView, 3> kLabViews{
 /// by `moved`.
 WindowView lab_window(const LabView& lab, double moved) {
     WindowView window;
-    window.reference_point = in_world({0.5, 0.5, -2});
-    window.normal = in_world({0, 0, -1});
-    window.up = in_world({0, 1, 0});
-    window.centre_of_projection = in_world({0.5, 0.5, -2 - lab.distance});
+    window.reference_point = world_point({0.5, 0.5, -2});
+    window.normal = world_point({0, 0, -1});
+    window.up = world_point({0, 1, 0});
+    window.centre_of_projection = world_point({0.5, 0.5, -2 - lab.distance});
     const double half = lab.size / 2;
-    const Vec3<World> low = in_world({moved - half, -half, 0}), high = in_world({moved + half, half, 0});
+    const Vec3<World> low = world_point({moved - half, -half, 0}), high = world_point({moved + half, half, 0});
     window.u_min = low.x, window.v_min = low.y;
     window.u_max = high.x, window.v_max = high.y;
     return window;
@@ -52,7 +52,7 @@ Figures draw_lab_cube(const RowInput& input, Framebuffer canvas) {
     const LabView& shows = item(kLabViews, static_cast<std::int32_t>(input.values[0]));
     // The window's sides are places of the world: rounded to its 4096ths.
     const double distance = shows.distance, half = shows.size / 2,
-                 moved = number_of(world_point(static_cast<double>(input.values[1]) / 10 * shows.size, 0, 0).x);
+                 moved = number_of(world_point(input.number(1) / 10 * shows.size, 0, 0).x);
     const ViewSpec spec = window_view(lab_window(shows, moved));
     WireScene scene(input, spec, canvas);
     scene.fill_background();
@@ -103,10 +103,8 @@ PlanHeights draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer c
     FrameRecord record;
     work.observers.record = &record;
     draw_frame({level, input.assets.colormap, {}, input.time_ms}, view, input.mode, input.settings, work, canvas);
-    const double per_column =
-        2 * std::ldexp(static_cast<double>(view.window.half_width.raw), -16) / input.mode.width_px;
-    const Ratio pixel = input.mode.pixel();
-    const double per_row = per_column * static_cast<double>(pixel.denominator) / static_cast<double>(pixel.numerator);
+    const double per_column = 2 * number_of(view.window.half_width) / input.mode.width_px;
+    const double per_row = per_column * number_of(input.mode.pixel().inverse());
     const double rounded_px = std::ldexp(0.5, -input.settings.accuracy.subpixel_bits);
     PlanHeights heights;
     for (std::int32_t row = 0; row < input.mode.height_px; ++row)
@@ -114,10 +112,10 @@ PlanHeights draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer c
             const PixelRecord& shows = item(record.pixels, row * canvas.pitch + column);
             if (shows.face.is_none()) continue;
             const LevelPlane& plane = level.planes[level.faces[shows.face].plane];
-            const double x = std::ldexp(view.eye.x.raw, -12) + (column + 0.5 - input.mode.width_px / 2.0) * per_column;
-            const double y = std::ldexp(view.eye.y.raw, -12) - (row + 0.5 - input.mode.height_px / 2.0) * per_row;
-            const double way = std::ldexp(static_cast<double>(plane.distance.raw), -42) -
-                               number_of(plane.normal.x) * x - number_of(plane.normal.y) * y;
+            const double x = number_of(view.eye.x) + (column + 0.5 - input.mode.width_px / 2.0) * per_column;
+            const double y = number_of(view.eye.y) - (row + 0.5 - input.mode.height_px / 2.0) * per_row;
+            const double way =
+                number_of(plane.distance) - number_of(plane.normal.x) * x - number_of(plane.normal.y) * y;
             const Vec normal = vec_of(plane.normal);
             if (std::abs(normal.z) <= 0.1) continue;
             const double rise_per_px =
@@ -139,7 +137,7 @@ Figures draw_front_plane(const RowInput& input, Framebuffer canvas) {
     return {
         {"highest place shown", "at most " + std::to_string(height) + (is_rounded ? ", but for rounded corners" : ""),
          decimal_text(heights.highest, "%.1f"), heights.lowest_possible <= height + 0.5},
-        measured("front plane, units below the reference point", std::to_string(40 - height))};
+        measured("front plane, units below the reference point", 40 - height)};
 }
 
 constexpr double kSphereDistance = 300;
@@ -156,7 +154,7 @@ Figures draw_dolly_zoom(const RowInput& input, Framebuffer canvas) {
     if (moves) camera = dolly_zoomed(before, World::from_int(300), field_of_view);
     ViewSpec view = first_person_view(camera);
     if (moves) cut_front(view, before.eye, World::from_int(8));
-    draw_demo_level(input, view, canvas);
+    draw_demo_level(input, view, input.mode, canvas);
 
     const auto tangent = [](double angle) { return std::tan(angle * std::numbers::pi / 360); };
     const double wide = tangent(degrees);
@@ -172,7 +170,7 @@ Figures draw_dolly_zoom(const RowInput& input, Framebuffer canvas) {
 }
 
 /// A small cross at a pixel.
-void draw_cross(const PixelPlace& at, std::uint8_t colour, std::uint8_t dark, Framebuffer canvas) {
+void draw_cross(const PlanePoint& at, std::uint8_t colour, std::uint8_t dark, Framebuffer canvas) {
     const auto x = static_cast<std::int32_t>(std::floor(at.x)), y = static_cast<std::int32_t>(std::floor(at.y));
     fill_area(canvas, {x - 6, y - 1, 13, 3}, dark);
     fill_area(canvas, {x - 1, y - 6, 3, 13}, dark);
@@ -182,16 +180,16 @@ void draw_cross(const PixelPlace& at, std::uint8_t colour, std::uint8_t dark, Fr
 
 Figures draw_cameras(const RowInput& input, Framebuffer canvas) {
     const bool looks_at = input.values[0] == 0;
-    const double yaw = static_cast<double>(input.values[1]) * std::numbers::pi / 180;
+    const double yaw = input.radians(1);
     const Vec sphere{-112, 352, 128};
     const Vec eye = looks_at ? Vec{sphere.x - 150 * std::cos(yaw), sphere.y - 150 * std::sin(yaw), sphere.z + 30}
                              : Vec{-112, 202, 128};
     const Vec target = looks_at ? sphere : Vec{eye.x + 100 * std::cos(yaw), eye.y + 100 * std::sin(yaw), eye.z};
-    ViewSpec view = look_at_view(in_world(eye), in_world(target), Degrees::from_int(90));
+    ViewSpec view = look_at_view(world_point(eye), world_point(target), Degrees::from_int(90));
     if (!looks_at) view = first_person_view(camera_at(-112, 202, 128, static_cast<int>(input.values[1]), 0));
-    draw_demo_level(input, view, canvas);
+    draw_demo_level(input, view, input.mode, canvas);
     const ViewContext context = make_view_context(view, input.mode);
-    const PixelPlace found = shown(target, context), above = shown({target.x, target.y, target.z + 20}, context);
+    const PlanePoint found = shown(target, context), above = shown({target.x, target.y, target.z + 20}, context);
     draw_cross(found, input.assets.colour(240, 220, 90), input.assets.colour(0, 0, 0), canvas);
     const double width = input.mode.width_px, height = input.mode.height_px;
     return {number_figure(looks_at ? "the target's column" : "the column of what is straight ahead", width / 2, found.x,
@@ -233,14 +231,13 @@ void write_matrices(const Matrix4& to_world, const Matrix4& to_view, const Galle
 
 /// The matrix of a view, from its axes, and its inverse.
 Figures draw_view_matrix(const RowInput& input, Framebuffer canvas) {
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, input.assets.colour(20, 24, 36));
+    fill(canvas, input.assets.colour(20, 24, 36));
     const Camera camera = camera_at(60, -120, 70, static_cast<int>(input.values[0]), static_cast<int>(input.values[1]));
     const ViewContext view = make_view_context(first_person_view(camera), input.mode);
     const Matrix4 to_world = camera_matrix(view.axes, view.eye), to_view_axes = view_matrix(view.axes, view.eye);
     write_matrices(to_world, to_view_axes, input.assets, canvas);
 
-    const double yaw = static_cast<double>(input.values[0]) * std::numbers::pi / 180,
-                 pitch = static_cast<double>(input.values[1]) * std::numbers::pi / 180;
+    const double yaw = input.radians(0), pitch = input.radians(1);
     // (160, -20, 90) from the eye is (100, 100, 20); forward and right by their angles.
     const double ahead = (100 * std::cos(yaw) + 100 * std::sin(yaw)) * std::cos(pitch) - 20 * std::sin(pitch),
                  right = 100 * std::sin(yaw) - 100 * std::cos(yaw);

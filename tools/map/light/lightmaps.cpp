@@ -29,9 +29,9 @@ double light_from(const LightSource& source, const Point& point, const Point& no
     const double distance = length(towards);
     if (distance == 0 || distance >= source.range()) return 0;
     const double cosine = -dot(towards, normal) / distance;
-    if (cosine <= 0 || !source.shines_on(scaled(towards, 1 / distance))) return 0;
+    if (cosine <= 0 || !source.shines_on(towards * (1 / distance))) return 0;
     const double light = source.at_distance(distance) * incidence(cosine);
-    const Point edge_of_lamp = source.origin + scaled(towards, std::min(source.radius / distance, 1.0));
+    const Point edge_of_lamp = source.origin + towards * std::min(source.radius / distance, 1.0);
     if (light <= 0 || !tracer.is_lit(point, edge_of_lamp)) return 0;
     return source.is_subtracted ? -light : light;
 }
@@ -39,7 +39,7 @@ double light_from(const LightSource& source, const Point& point, const Point& no
 double light_from_sun(const Sun& sun, const Point& point, const Point& normal, const Tracer& tracer) {
     const double cosine = -dot(sun.direction, normal);
     if (cosine <= 0) return 0;
-    const int met = tracer.first_opaque(point, point - scaled(sun.direction, kSkyDistance));
+    const int met = tracer.first_opaque(point, point - sun.direction * kSkyDistance);
     return met == contents::kSky ? sun.brightness * incidence(cosine) : 0;
 }
 
@@ -170,7 +170,7 @@ std::vector<const LightSource*> sources_near(const Lights& lights, const LightRe
 std::optional<Point> place_beside_wall(const Point& point, const Tracer& tracer) {
     for (int direction = 0; direction < 6; ++direction) {
         Point place = point;
-        component(place, direction / 2) += direction % 2 == 0 ? -kNudge : kNudge;
+        place[direction / 2] += direction % 2 == 0 ? -kNudge : kNudge;
         if (!tracer.is_solid(place)) return place;
     }
     return std::nullopt;
@@ -235,7 +235,7 @@ int Tracer::follow(int child, const Point& from, const Point& to, bool stops_at_
         const double to_height = dot(node.normal, to) - node.distance;
         const std::size_t near = from_height < 0 ? 1 : 0, far = to_height < 0 ? 1 : 0;
         if (near != far) {
-            const Point at = from + scaled(to - from, from_height / (from_height - to_height));
+            const Point at = from + (to - from) * (from_height / (from_height - to_height));
             const int hit = follow(node.children[near], from, at, stops_at_sky);
             return hit != 0 ? hit : follow(node.children[far], at, to, stops_at_sky);
         }

@@ -15,12 +15,19 @@ namespace {
 
 constexpr double kFadeUnit = 128;  // of the inverse falloffs
 constexpr double kLeastSeen = 1;   // of 255, doubled
-constexpr double kDefaultConeDegrees = 40;
-constexpr double kUsualBrightness = 300;
 constexpr int kFirstSwitchableStyle = 32, kStyleCount = 64;
 
 double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
+}
+
+/// What a key of lights is where it is not given.
+double usual(std::string_view key) {
+    return std::stod(std::string(usual_text("light", key)));
+}
+
+double value_of(const MapEntity& entity, std::string_view key) {
+    return number_of(entity, key, usual(key));
 }
 
 bool is_light(const MapEntity& entity) {
@@ -60,15 +67,15 @@ std::optional<Point> spot_direction(const MapEntity& entity, const Point& origin
     const Point towards = origin_of(*target).value_or(origin) - origin;
     const double distance = length(towards);
     if (distance == 0) return std::nullopt;
-    return scaled(towards, 1 / distance);
+    return towards * (1 / distance);
 }
 
 // "light" and "_light" may be a number, or a colour and perhaps a number: "red green blue brightness".
-double brightness_of(const MapEntity& entity, double otherwise) {
+double brightness_of(const MapEntity& entity) {
     const std::string key = entity.has("light") ? "light" : "_light";
-    if (!entity.has(key)) return otherwise;
+    if (!entity.has(key)) return usual("light");
     const std::size_t words = count_words(entity.value(key));
-    if (words == 3) return otherwise;
+    if (words == 3) return usual("light");
     return words < 4 ? number_of(entity, key, 0) : numbers_of(entity, key, 4).back();
 }
 
@@ -76,23 +83,23 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
     LightSource source;
     source.origin = origin;
     source.entity = &entity;
-    double brightness = brightness_of(entity, kUsualBrightness);
-    if (brightness == 0 && is_light(entity)) brightness = kUsualBrightness;  // as in id's compiler and its successors
+    double brightness = brightness_of(entity);
+    if (brightness == 0 && is_light(entity)) brightness = usual("light");  // as in id's compiler and its successors
     source.brightness = std::abs(brightness);
     source.is_subtracted = brightness < 0;
     if (!is_light(entity)) return source;  // its other keys are not those of lights
-    source.wait = number_of(entity, "wait", 1);
-    if (source.wait <= 0) source.wait = 1;
-    const double delay = number_of(entity, "delay", 0);
-    source.falloff = is_falloff(delay) ? static_cast<Falloff>(static_cast<int>(delay)) : Falloff::kLinear;
-    source.style = static_cast<int>(number_of(entity, "style", 0));
+    source.wait = value_of(entity, "wait");
+    if (source.wait <= 0) source.wait = usual("wait");
+    const double delay = value_of(entity, "delay");
+    source.falloff = static_cast<Falloff>(static_cast<int>(is_falloff(delay) ? delay : usual("delay")));
+    source.style = static_cast<int>(value_of(entity, "style"));
     if (source.style < 0 || source.style >= kStyleCount)
         throw InputError("line " + std::to_string(entity.line),
                          "\"style\" is " + std::to_string(source.style) + ", expected 0 to 63");
     source.direction = spot_direction(entity, origin, entities);
-    source.radius = std::max(number_of(entity, "radius", 0), 0.0);
-    const double cone = number_of(entity, "angle", 0);
-    if (source.direction) source.cone_cosine = std::cos(radians((cone > 0 ? cone : kDefaultConeDegrees) / 2));
+    source.radius = std::max(value_of(entity, "radius"), 0.0);
+    const double cone = value_of(entity, "angle");
+    if (source.direction) source.cone_cosine = std::cos(radians((cone > 0 ? cone : usual("angle")) / 2));
     return source;
 }
 
@@ -117,7 +124,7 @@ float texel_at(const FileTexAxis& axis, const Floats& point) {
 Point nearest_on_segment(const Point& point, const Point& from, const Point& to) {
     const Point along = to - from;
     const double t = std::clamp(dot(point - from, along) / dot(along, along), 0.0, 1.0);
-    return from + scaled(along, t);
+    return from + along * t;
 }
 
 // In order.
@@ -230,29 +237,28 @@ FaceSampler::FaceSampler(const BspFile& bsp, const FileFace& face, const Tracer&
     const Point plane_normal = to_point(plane.normal);
     normal_ = face.is_back != 0 ? -plane_normal : plane_normal;
     for (const auto& corner : face_corners(bsp, face)) {
-        corners_.push_back(to_point(corner) + scaled(normal_, kLift));
+        corners_.push_back(to_point(corner) + normal_ * kLift);
         centre_ = centre_ + corners_.back();
     }
-    centre_ = scaled(centre_, 1.0 / static_cast<double>(corners_.size()));
+    centre_ = centre_ * (1.0 / static_cast<double>(corners_.size()));
     for (const Point& corner : corners_) radius_ = std::max(radius_, length(corner - centre_));
 
     // u = s . p + s0, v = t . p + t0, distance = n . p, solved for p by Cramer's rule.
     const FileTexInfo& texinfo = item(bsp.texinfos, face.texinfo);
     const Point s = to_point(texinfo.axes[0].direction), t = to_point(texinfo.axes[1].direction);
     const double determinant = dot(s, cross(t, plane_normal));
-    const Point per_u = scaled(cross(t, plane_normal), 1 / determinant);
-    const Point per_v = scaled(cross(plane_normal, s), 1 / determinant);
-    const Point per_distance = scaled(cross(s, t), 1 / determinant);
+    const Point per_u = cross(t, plane_normal) * (1 / determinant);
+    const Point per_v = cross(plane_normal, s) * (1 / determinant);
+    const Point per_distance = cross(s, t) * (1 / determinant);
     const double first_u = LightGrid::kStep * grid_.first[0] - static_cast<double>(texinfo.axes[0].offset);
     const double first_v = LightGrid::kStep * grid_.first[1] - static_cast<double>(texinfo.axes[1].offset);
-    step_u_ = scaled(per_u, LightGrid::kStep);
-    step_v_ = scaled(per_v, LightGrid::kStep);
-    base_ = scaled(per_u, first_u) + scaled(per_v, first_v) +
-            scaled(per_distance, static_cast<double>(plane.distance)) + scaled(normal_, kLift);
+    step_u_ = per_u * LightGrid::kStep;
+    step_v_ = per_v * LightGrid::kStep;
+    base_ = per_u * first_u + per_v * first_v + per_distance * static_cast<double>(plane.distance) + normal_ * kLift;
 }
 
 Point FaceSampler::point_at(double u, double v) const {
-    const Point point = base_ + scaled(step_u_, u) + scaled(step_v_, v);
+    const Point point = base_ + step_u_ * u + step_v_ * v;
     const Point over_face = nearest_over_face(point);
     return tracer_.is_clear(over_face, point) ? point : over_face;
 }
@@ -275,7 +281,7 @@ Point FaceSampler::nearest_over_face(const Point& point) const {
     if (is_inside && nearest_distance >= kInset) return point;
     const Point inward = centre_ - nearest;
     const double size = length(inward);
-    return size <= kInset ? centre_ : nearest + scaled(inward, kInset / size);
+    return size <= kInset ? centre_ : nearest + inward * (kInset / size);
 }
 
 }  // namespace oblong::map

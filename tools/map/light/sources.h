@@ -21,12 +21,11 @@ enum class Falloff {
 /// Whether a value of the key "delay" is one of these.
 bool is_falloff(double delay);
 
-/// An entity `light...`, or another with a key light that is nothing else for its class: keys light (or _light), wait,
-/// delay, style, target or mangle, angle,
-/// radius.
+/// An entity `light...`, or another with a key light that is nothing else for its class. Its keys, and what they are
+/// where they are not given: engine/level/entity_classes.
 struct LightSource {
     Point origin;
-    double brightness = 300;     ///< at least 0
+    double brightness = 0;       ///< at least 0
     bool is_subtracted = false;  ///< the key was negative: takes light away
     double wait = 1;
     Falloff falloff = Falloff::kLinear;

@@ -9,7 +9,7 @@ namespace {
 
 Plane plane_of(const MapSide& side) {
     Point normal = cross(side.points[0] - side.points[1], side.points[2] - side.points[1]);
-    normal = scaled(normal, 1 / length(normal));
+    normal = normal * (1 / length(normal));
     return {normal, dot(normal, side.points[0])};
 }
 
@@ -48,8 +48,8 @@ double support(const Brush& brush, const Point& direction) {
 double mirrored_support(const Box& mover, const Point& direction) {
     double sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        const double along = component(direction, axis);
-        sum += std::max(-along * component(mover.mins, axis), -along * component(mover.maxs, axis));
+        const double along = direction[axis];
+        sum += std::max(-along * mover.mins[axis], -along * mover.maxs[axis]);
     }
     return sum;
 }
@@ -77,7 +77,7 @@ class Grower {
             const double size = length(across);
             if (size < kSupportEpsilon * length(to - from)) continue;
             for (const double sign : {1.0, -1.0}) {
-                const Point normal = scaled(across, sign / size);
+                const Point normal = across * (sign / size);
                 if (support(brush_, normal) < dot(normal, from) + kSupportEpsilon) add(normal, dot(normal, from));
             }
         }
@@ -144,8 +144,8 @@ Brush expanded(const Brush& brush, const Box& mover, PlaneList& planes) {
         grower.add(plane.normal, plane.distance);
     }
     for (int axis = 0; axis < 3; ++axis) {
-        grower.add(axis_vector(axis), component(brush.box.maxs, axis));
-        grower.add(-axis_vector(axis), -component(brush.box.mins, axis));
+        grower.add(axis_vector(axis), brush.box.maxs[axis]);
+        grower.add(-axis_vector(axis), -brush.box.mins[axis]);
     }
     for (const BrushSide& side : brush.sides) {
         for (std::size_t i = 0; i < side.winding.size(); ++i)

@@ -11,15 +11,14 @@ namespace {
 int longest_axis(const Point& normal) {
     int longest = 0;
     for (int axis = 1; axis < 3; ++axis) {
-        if (std::abs(component(normal, axis)) > std::abs(component(normal, longest)) + PlaneList::kNormalEpsilon)
-            longest = axis;
+        if (std::abs(normal[axis]) > std::abs(normal[longest]) + PlaneList::kNormalEpsilon) longest = axis;
     }
     return longest;
 }
 
 Plane snapped(Plane plane) {
     const int axis = longest_axis(plane.normal);
-    if (component(plane.normal, axis) < 1 - PlaneList::kNormalEpsilon * PlaneList::kNormalEpsilon) return plane;
+    if (plane.normal[axis] < 1 - PlaneList::kNormalEpsilon * PlaneList::kNormalEpsilon) return plane;
     plane.normal = axis_vector(axis);
     const double whole = std::round(plane.distance);
     if (std::abs(plane.distance - whole) < PlaneList::kDistanceEpsilon) plane.distance = whole;
@@ -48,10 +47,10 @@ std::vector<double> heights_over(const Winding& winding, const Plane& plane) {
 
 // Always from the point in front to the one behind.
 Point crossing(const Point& front, double front_height, const Point& back, double back_height, const Plane& plane) {
-    Point at = front + scaled(back - front, front_height / (front_height - back_height));
+    Point at = front + (back - front) * (front_height / (front_height - back_height));
     for (int axis = 0; axis < 3; ++axis) {
-        const double facing = component(plane.normal, axis);
-        if (facing == 1.0 || facing == -1.0) component(at, axis) = facing * plane.distance;
+        const double facing = plane.normal[axis];
+        if (facing == 1.0 || facing == -1.0) at[axis] = facing * plane.distance;
     }
     return at;
 }
@@ -124,7 +123,7 @@ Point facing(const std::vector<Winding>& windings) {
     Point sum;
     for (const Winding& winding : windings) sum = sum + area_vector(winding);
     const double size = length(sum);
-    return size == 0 ? Point{} : scaled(sum, -1 / size);
+    return size == 0 ? Point{} : sum * (-1 / size);
 }
 
 struct Boxed {
@@ -151,11 +150,11 @@ void add(std::vector<Boxed>& done, Winding piece, const Point& normal) {
 
 int plane_type(const Plane& plane) {
     const int axis = longest_axis(plane.normal);
-    return component(plane.normal, axis) == 1.0 ? axis : axis + 3;
+    return plane.normal[axis] == 1.0 ? axis : axis + 3;
 }
 
 PlaneSide PlaneList::find_or_add(const Plane& plane) {
-    const bool is_back = component(plane.normal, longest_axis(plane.normal)) < 0;
+    const bool is_back = plane.normal[longest_axis(plane.normal)] < 0;
     const Plane wanted = snapped(is_back ? plane.flipped() : plane);
     const int known = find(wanted);
     if (known >= 0) return {known, is_back};
@@ -180,10 +179,10 @@ Winding whole_plane(const Plane& plane) {
     const int type = plane_type(plane);
     const bool is_level = type == 2 || type == 5;
     const Point rough_up = axis_vector(is_level ? 0 : 2);
-    Point up = rough_up - scaled(plane.normal, dot(rough_up, plane.normal));
-    up = scaled(up, kHuge / length(up));
+    Point up = rough_up - plane.normal * dot(rough_up, plane.normal);
+    up = up * (kHuge / length(up));
     const Point right = cross(up, plane.normal);
-    const Point centre = scaled(plane.normal, plane.distance);
+    const Point centre = plane.normal * plane.distance;
     return {centre - right + up, centre + right + up, centre + right - up, centre - right - up};
 }
 
@@ -240,7 +239,7 @@ double least_width(const Winding& winding) {
 Point middle(const Winding& winding) {
     Point sum;
     for (const Point& point : winding) sum = sum + point;
-    return scaled(sum, 1.0 / static_cast<double>(winding.size()));
+    return sum * (1.0 / static_cast<double>(winding.size()));
 }
 
 std::vector<Winding> merged(std::vector<Winding> windings) {

@@ -8,37 +8,13 @@
 #include <vector>
 
 #include "engine/base/table.h"
-#include "engine/math/vec.h"
+#include "tools/reference/vec.h"
 
 namespace oblong::map {
 
 /// A point or direction of the world in doubles, in world units: the compiler's arithmetic.
-using Point = Vec3<double>;
-
-inline double dot(const Point& a, const Point& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-inline Point cross(const Point& a, const Point& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-inline Point scaled(const Point& a, double factor) {
-    return {a.x * factor, a.y * factor, a.z * factor};
-}
-
-inline double length(const Point& a) {
-    return std::sqrt(dot(a, a));
-}
-
-/// Component 0, 1 or 2: x, y or z.
-inline double component(const Point& a, int axis) {
-    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
-}
-
-inline double& component(Point& a, int axis) {
-    return axis == 0 ? a.x : axis == 1 ? a.y : a.z;
-}
+using Point = reference::Vec;
+using reference::cross, reference::dot, reference::length;
 
 /// The unit vector along axis 0, 1 or 2.
 inline Point axis_vector(int axis) {
@@ -54,8 +30,8 @@ struct Box {
 
     void add(const Point& point) {
         for (int axis = 0; axis < 3; ++axis) {
-            component(mins, axis) = std::min(component(mins, axis), component(point, axis));
-            component(maxs, axis) = std::max(component(maxs, axis), component(point, axis));
+            mins[axis] = std::min(mins[axis], point[axis]);
+            maxs[axis] = std::max(maxs[axis], point[axis]);
         }
     }
 
@@ -78,8 +54,8 @@ struct Box {
     /// Whether the boxes share a point when each is grown by half of `slack`.
     bool touches(const Box& other, double slack) const {
         for (int axis = 0; axis < 3; ++axis) {
-            if (component(mins, axis) > component(other.maxs, axis) + slack) return false;
-            if (component(maxs, axis) < component(other.mins, axis) - slack) return false;
+            if (mins[axis] > other.maxs[axis] + slack) return false;
+            if (maxs[axis] < other.mins[axis] - slack) return false;
         }
         return true;
     }

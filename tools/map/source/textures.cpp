@@ -43,9 +43,9 @@ std::array<Point, 2> rotated(const std::array<Point, 2>& axes, double degrees) {
     const int first = carrier(axes[0]), second = carrier(axes[1]);
     std::array<Point, 2> result = axes;
     for (Point& axis : result) {
-        const double u = component(axis, first), v = component(axis, second);
-        component(axis, first) = turn.cosine * u - turn.sine * v;
-        component(axis, second) = turn.sine * u + turn.cosine * v;
+        const double u = axis[first], v = axis[second];
+        axis[first] = turn.cosine * u - turn.sine * v;
+        axis[second] = turn.sine * u + turn.cosine * v;
     }
     return result;
 }
@@ -70,7 +70,7 @@ int TextureList::find_or_add(const MapSide& side, const Point& normal) {
     if (is_undrawn_texture(fields.name)) return -1;
     TexInfo wanted;
     wanted.axes = fields.has_axes ? fields.axes : rotated(standard_axes(normal), fields.rotation_degrees);
-    for (std::size_t i = 0; i < 2; ++i) wanted.axes[i] = scaled(wanted.axes[i], 1 / fields.scale[i]);
+    for (std::size_t i = 0; i < 2; ++i) wanted.axes[i] = wanted.axes[i] * (1 / fields.scale[i]);
     wanted.offset = fields.offset;
     wanted.texture = find_or_add_name({fields.name, side.line});
     wanted.is_special = contents_of_texture(fields.name) != contents::kSolid;

@@ -15,8 +15,8 @@ FileBox outward_box(const Box& box) {
     if (box.is_empty()) return result;
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
-        result.mins[i] = static_cast<int>(std::floor(component(box.mins, axis)));
-        result.maxs[i] = static_cast<int>(std::ceil(component(box.maxs, axis)));
+        result.mins[i] = static_cast<int>(std::floor(box.mins[axis]));
+        result.maxs[i] = static_cast<int>(std::ceil(box.maxs[axis]));
     }
     return result;
 }

@@ -72,7 +72,7 @@ class EdgeCutter {
         const double along = dot(from_low, edge) / size;
         if (along <= 0 || along >= size) return kOnEdge;
         if (length(from_low) >= size || length(pool_[vertex] - pool_[high]) >= size) return kOnEdge;
-        return length(from_low - scaled(edge, along / size));
+        return length(from_low - edge * (along / size));
     }
 
     // Long edges are searched in pieces: the box of a slanted one holds much of the level.
@@ -81,8 +81,8 @@ class EdgeCutter {
         const int pieces = 1 + static_cast<int>(length(to - from) / 64);
         for (int i = 0; i < pieces; ++i) {
             Box box;
-            box.add(from + scaled(to - from, static_cast<double>(i) / pieces));
-            box.add(from + scaled(to - from, static_cast<double>(i + 1) / pieces));
+            box.add(from + (to - from) * (static_cast<double>(i) / pieces));
+            box.add(from + (to - from) * (static_cast<double>(i + 1) / pieces));
             const std::vector<int> some = pool_.near_box(box.grown(kOnEdge));
             found.insert(found.end(), some.begin(), some.end());
         }

@@ -31,8 +31,8 @@ std::array<Plane, 6> inward_sides(const Box& box) {
     std::array<Plane, 6> sides;
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
-        sides[i] = {axis_vector(axis), component(box.mins, axis)};
-        sides[i + 3] = {-axis_vector(axis), -component(box.maxs, axis)};
+        sides[i] = {axis_vector(axis), box.mins[axis]};
+        sides[i + 3] = {-axis_vector(axis), -box.maxs[axis]};
     }
     return sides;
 }
@@ -173,7 +173,7 @@ void fill_leaves(Tree& tree, const Portals& portals, const std::function<int(con
     for (std::size_t i = 0; i < tree.leaves.size(); ++i) {
         TreeLeaf& leaf = tree.leaves[i];
         if (counts[i] == 0) continue;
-        leaf.inside = scaled(leaf.inside, 1 / counts[i]);
+        leaf.inside = leaf.inside * (1 / counts[i]);
         leaf.contents = contents_of(leaf.inside);
     }
 }

@@ -134,7 +134,7 @@ Span texel_span(const Winding& winding, const TexInfo& texinfo, int axis) {
 Plane plane_at_texel(const TexInfo& texinfo, int axis, double texel) {
     const auto i = static_cast<std::size_t>(axis);
     const double size = length(texinfo.axes[i]);
-    return {scaled(texinfo.axes[i], 1 / size), (texel - texinfo.offset[i]) / size};
+    return {texinfo.axes[i] * (1 / size), (texel - texinfo.offset[i]) / size};
 }
 
 // The format counts faces with 16 bits.

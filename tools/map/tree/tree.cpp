@@ -62,9 +62,7 @@ Side side_of(const BoundaryPiece& piece, int plane_index, const PlaneList& plane
     if (piece.plane.plane == plane_index) return Side::kOn;
     const Plane& plane = planes[plane_index];
     const int type = plane_type(plane);
-    if (type < 3)
-        return side_of_reach(component(piece.box.mins, type) - plane.distance,
-                             component(piece.box.maxs, type) - plane.distance);
+    if (type < 3) return side_of_reach(piece.box.mins[type] - plane.distance, piece.box.maxs[type] - plane.distance);
     const Reach far = reach(piece.winding, plane);
     return side_of_reach(-far.back, far.front);
 }

@@ -181,7 +181,7 @@ void add_separators_at_edges(const Winding& a, const Winding& b, std::vector<Pla
             if (size_squared < kOnEpsilon * kOnEpsilon || !is_off(height_of_a, size_squared)) continue;
             if (height_of_a > 0) across = -across;
             if (!is_in_front(b, across, a[i], size_squared)) continue;
-            const Point normal = scaled(across, 1 / std::sqrt(size_squared));
+            const Point normal = across * (1 / std::sqrt(size_squared));
             planes.push_back({normal, dot(normal, a[i])});
         }
     }
@@ -248,7 +248,7 @@ void SightCutter::keep_front(const Winding& winding) {
         if (heights_[i] >= 0) kept_.push_back(winding[i]);
         if (heights_[i] * heights_[next] >= 0) continue;
         const double part = heights_[i] / (heights_[i] - heights_[next]);
-        kept_.push_back(winding[i] + scaled(winding[next] - winding[i], part));
+        kept_.push_back(winding[i] + (winding[next] - winding[i]) * part);
     }
 }
 

@@ -1,0 +1,340 @@
+#include "tests/game/scenario.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <sstream>
+#include <stdexcept>
+
+#include "engine/fixed/trig.h"
+#include "engine/level/bsp_read.h"
+#include "game/simulation/collision.h"
+#include "game/simulation/items.h"
+#include "game/simulation/state_check.h"
+#include "tests/game/logic_level.h"
+#include "tests/support/folders.h"
+
+namespace oblong::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// Actions are parted by semicolons, checks by commas; a colon is between them.
+struct ScriptLine {
+    std::string text;
+    std::vector<Words> actions, checks;
+};
+
+/// The parts of a text that separators part, without spaces around them. What stands in quotes is not parted.
+Words parts_of(const std::string& text, char separator) {
+    Words parts(1);
+    bool is_quoted = false;
+    for (const char letter : text) {
+        if (letter == '"') is_quoted = !is_quoted;
+        if (letter == separator && !is_quoted)
+            parts.emplace_back();
+        else if (letter != ' ' || is_quoted || (separator != ' ' && !parts.back().empty()))
+            parts.back() += letter;
+    }
+    for (std::string& part : parts) part.erase(part.find_last_not_of(' ') + 1);
+    std::erase(parts, "");
+    return parts;
+}
+
+Words words_of(const std::string& text) {
+    Words words = parts_of(text, ' ');
+    for (std::string& word : words) std::erase(word, '"');
+    return words;
+}
+
+std::vector<Words> all_words_of(const Words& texts) {
+    std::vector<Words> all;
+    for (const std::string& text : texts) all.push_back(words_of(text));
+    return all;
+}
+
+std::vector<ScriptLine> script_lines(const std::string& text) {
+    std::vector<ScriptLine> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) {
+        const std::size_t first = line.find_first_not_of(' ');
+        if (first == std::string::npos || line[first] == '#') continue;
+        const std::string words = parts_of(line, '#').front();
+        const std::size_t colon = words.find(':');
+        lines.push_back(
+            {words, all_words_of(parts_of(words.substr(0, colon), ';')),
+             colon == std::string::npos ? std::vector<Words>{} : all_words_of(parts_of(words.substr(colon + 1), ','))});
+    }
+    return lines;
+}
+
+std::string joined(const Words& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+    return text;
+}
+
+/// An entity's line.
+struct EntityLine {
+    explicit EntityLine(const Words& words) : its_class(words.at(1)) {
+        for (std::size_t i = 2; i < words.size(); ++i) {
+            const std::size_t sign = words[i].find('=');
+            if (sign == std::string::npos)
+                numbers.push_back(std::stoi(words[i]));
+            else
+                pairs.emplace_back(words[i].substr(0, sign), words[i].substr(sign + 1));
+        }
+    }
+    Solid box() const {
+        return {numbers.at(0), numbers.at(1), numbers.at(2), numbers.at(3), numbers.at(4), numbers.at(5)};
+    }
+
+    std::string its_class;
+    std::vector<std::int32_t> numbers;
+    Pairs pairs;
+};
+
+ToyLevel level_of(const std::vector<EntityLine>& lines) {
+    std::int32_t water_z = -30'000;
+    std::vector<Solid> world = floor_and({});
+    for (const EntityLine& line : lines) {
+        if (line.its_class == "water") water_z = line.numbers.at(0);
+        if (line.its_class == "no_floor") world.erase(world.begin());
+        if (line.its_class == "solid") world.push_back(line.box());
+    }
+    ToyLevel toy(water_z);
+    if (!lines.empty() && lines[0].its_class.ends_with(".bsp")) {
+        toy.level = read_bsp(read_shared_file(lines[0].its_class));
+        return toy;
+    }
+    toy.add_model(world);
+    for (const EntityLine& line : lines) {
+        if (line.its_class == "water" || line.its_class == "no_floor" || line.its_class == "solid") continue;
+        Pairs pairs{{"classname", line.its_class}};
+        pairs.insert(pairs.end(), line.pairs.begin(), line.pairs.end());
+        if (!line.numbers.empty()) {
+            pairs.emplace_back("model", "*" + std::to_string(toy.level.models.count()));
+            toy.add_model({line.box()});
+        }
+        toy.add_entity(std::move(pairs));
+    }
+    return toy;
+}
+
+const std::map<std::string, TickInput> kInputs{
+    {"ahead", kAhead}, {"back", {-127, 0, 0, 0, 0}},          {"askew", {127, 127, 0, 0, 0}},
+    {"jump", kJump},   {"leap", {127, 0, 0, 0, kJumpButton}}, {"respawn", {0, 0, 0, 0, kRespawnButton}}};
+
+double units(World value) {
+    return value.raw / 4096.0;
+}
+double offset(const LogicGame& game, std::size_t mover, World Position::*axis) {
+    return units(offset_of(game.level.movers.at(mover), game.state.movers.at(mover)).*axis);
+}
+/// How often what counts down from 100 was counted.
+double counted(const LogicGame& game) {
+    for (std::size_t i = 0; i < game.level.triggers.size(); ++i)
+        if (game.level.triggers[i].kind == TriggerKind::Counter) return 100 - game.state.triggers.at(i).left;
+    throw std::invalid_argument("no counter");
+}
+
+/// The mover of a brush model; none if it has none.
+std::optional<std::size_t> mover_of(const LogicGame& game, std::size_t model) {
+    for (std::size_t i = 0; i < game.level.movers.size(); ++i)
+        if (game.level.movers[i].model == ModelIndex(static_cast<std::int32_t>(model))) return i;
+    return {};
+}
+bool has_wall(const LogicGame& game, std::size_t model) {
+    return std::any_of(game.level.walls.begin(), game.level.walls.end(),
+                       [&](const Wall& wall) { return wall.model == ModelIndex(static_cast<std::int32_t>(model)); });
+}
+std::ptrdiff_t opened(const GameState& state) {
+    return std::count_if(state.triggers.begin(), state.triggers.end(),
+                         [](const TriggerState& trigger) { return trigger.open_until > 0; });
+}
+
+using Number = std::function<double(const LogicGame&, std::size_t which)>;
+const std::map<std::string, Number> kNumbers{
+    {"x", [](const LogicGame& game, std::size_t) { return game.x(); }},
+    {"y", [](const LogicGame& game, std::size_t) { return game.y(); }},
+    {"feet", [](const LogicGame& game, std::size_t) { return game.feet(); }},
+    {"vx", [](const LogicGame& game, std::size_t) { return units(game.state.player.velocity.x); }},
+    {"vy", [](const LogicGame& game, std::size_t) { return units(game.state.player.velocity.y); }},
+    {"vz", [](const LogicGame& game, std::size_t) { return units(game.state.player.velocity.z); }},
+    {"speed", [](const LogicGame& game, std::size_t) { return units(length_of(game.state.player.velocity)); }},
+    {"yaw", [](const LogicGame& game, std::size_t) { return game.state.player.yaw.bam * 360 / 65'536.0; }},
+    {"flies", [](const LogicGame& game, std::size_t) { return game.state.player.ground == Player::kNoGround; }},
+    {"depth", [](const LogicGame& game, std::size_t) { return static_cast<double>(game.state.player.depth); }},
+    {"keys", [](const LogicGame& game, std::size_t) { return game.state.keys; }},
+    {"lenses",
+     [](const LogicGame& game, std::size_t) { return count_items(game.level, game.state, ItemClass::Lens).taken; }},
+    {"secrets", [](const LogicGame& game, std::size_t) { return game.state.found_secrets; }},
+    {"ended", [](const LogicGame& game, std::size_t) { return game.state.has_ended; }},
+    {"said_at", [](const LogicGame& game, std::size_t) { return static_cast<double>(game.state.message_tick); }},
+    {"counted", [](const LogicGame& game, std::size_t) { return counted(game); }},
+    {"delayed", [](const LogicGame& game, std::size_t) { return game.state.delayed.size(); }},
+    {"active", [](const LogicGame& game, std::size_t) { return game.state.active_movers.size(); }},
+    {"all_movers", [](const LogicGame& game, std::size_t) { return game.level.movers.size(); }},
+    {"all_walls", [](const LogicGame& game, std::size_t) { return game.level.walls.size(); }},
+    {"all_triggers", [](const LogicGame& game, std::size_t) { return game.level.triggers.size(); }},
+    {"all_items", [](const LogicGame& game, std::size_t) { return game.level.items.size(); }},
+    {"all_secrets", [](const LogicGame& game, std::size_t) { return game.level.secrets; }},
+    {"travelled", [](const LogicGame& game, std::size_t mover) { return game.travelled(mover); }},
+    {"ox", [](const LogicGame& game, std::size_t mover) { return offset(game, mover, &Position::x); }},
+    {"oy", [](const LogicGame& game, std::size_t mover) { return offset(game, mover, &Position::y); }},
+    {"oz", [](const LogicGame& game, std::size_t mover) { return offset(game, mover, &Position::z); }},
+    {"frame",
+     [](const LogicGame& game, std::size_t mover) {
+         return shows_other_frames(game.level.movers.at(mover), game.state.movers.at(mover));
+     }},
+    {"z", [](const LogicGame& game, std::size_t) { return units(game.state.player.position.z); }},
+    {"opened", [](const LogicGame& game, std::size_t) { return opened(game.state); }},
+    {"has_mover", [](const LogicGame& game, std::size_t model) { return mover_of(game, model).has_value(); }},
+    {"has_wall", has_wall},
+    {"model", [](const LogicGame& game, std::size_t wall) { return game.level.walls.at(wall).model.number(); }},
+};
+
+constexpr const char* kPhases[] = {"start", "leaving", "end", "returning", "removed"};
+constexpr const char* kWalls[] = {"there", "other", "removed"};
+constexpr const char* kItems[] = {"there", "taken", "removed"};
+
+template <class Enum>
+std::string name_in(std::span<const char* const> names, Enum value) {
+    return names[static_cast<std::size_t>(value)];
+}
+
+/// The numbers of the styles of lights that are out.
+std::string dark_styles(std::uint64_t bits) {
+    Words numbers;
+    for (int style = 0; style < 64; ++style)
+        if (bits >> style & 1) numbers.push_back(std::to_string(style));
+    return joined(numbers);
+}
+
+using Text = std::function<std::string(const LogicGame&, std::size_t which)>;
+const std::map<std::string, Text> kTexts{
+    {"message", [](const LogicGame& game, std::size_t) { return game.message(); }},
+    {"next", [](const LogicGame& game, std::size_t) { return std::string(next_map(game.level, game.state)); }},
+    {"dark", [](const LogicGame& game, std::size_t) { return dark_styles(game.state.dark_styles); }},
+    {"phase", [](const LogicGame& game, std::size_t mover) { return name_in(kPhases, game.phase(mover)); }},
+    {"phase_of_model",
+     [](const LogicGame& game, std::size_t model) { return name_in(kPhases, game.phase(*mover_of(game, model))); }},
+    {"wall", [](const LogicGame& game, std::size_t wall) { return name_in(kWalls, game.state.walls.at(wall)); }},
+    {"item", [](const LogicGame& game, std::size_t item) { return name_in(kItems, game.state.items.at(item)); }},
+};
+
+/// "phase12" as "phase" and 12.
+struct Name {
+    explicit Name(const std::string& text) : word(text.substr(0, text.find_last_not_of("0123456789") + 1)) {
+        if (word.size() < text.size()) which = std::stoul(text.substr(word.size()));
+    }
+    std::string word;
+    std::size_t which = 0;
+};
+
+class Run {
+  public:
+    explicit Run(ToyLevel level) : game_(std::move(level)) {}
+
+    void do_line(const ScriptLine& line) {
+        SCOPED_TRACE(line.text);
+        for (const Words& action : line.actions) act(action, line.checks);
+        check_all(line.checks);
+        EXPECT_EQ(find_inconsistency(game_.level, game_.state), "");
+    }
+    int checks() const { return checks_; }
+
+  private:
+    void act(const Words& words, const std::vector<Words>& checks) {
+        const auto number = [&](std::size_t i) { return i < words.size() ? std::stoi(words[i]) : 0; };
+        const auto input = [&](std::size_t i) { return i < words.size() ? kInputs.at(words[i]) : kStand; };
+        const std::string& verb = words[0];
+        if (verb == "at" || verb == "stand") game_.put_at(number(1), number(2), number(3));
+        if (verb == "stand")
+            game_.play(1, kStand);
+        else if (verb == "wait")
+            game_.wait(number(1));
+        else if (verb == "play")
+            game_.play(number(1), input(2));
+        else if (verb == "look")
+            game_.state.player.yaw = degrees_to_angle(Degrees::from_int(number(1)));
+        else if (verb == "activate")
+            Activations(game_.level, game_.state).activate({EntityRef::Kind::Mover, which(words)});
+        else if (verb == "untouchable")
+            game_.level.movers.at(which(words)).touch_box.reset();
+        else if (verb == "each")
+            for (int tick = 0; tick < number(1) && !testing::Test::HasFailure(); ++tick) {
+                game_.play(1, input(2));
+                check_all(checks);
+            }
+        else if (verb != "at")
+            throw std::invalid_argument("no such verb: " + verb);
+    }
+    static std::uint32_t which(const Words& words) { return static_cast<std::uint32_t>(std::stoul(words.at(1))); }
+
+    void check_all(const std::vector<Words>& checks) {
+        for (const Words& words : checks) {
+            ++checks_;
+            if (words.at(0) == "free" || words.at(0) == "solid") {
+                const Position place =
+                    world_vector(std::stoi(words.at(1)), std::stoi(words.at(2)), std::stoi(words.at(3)));
+                EXPECT_EQ(is_free(game_.level, game_.state, place), words[0] == "free") << joined(words);
+            } else if (words[0] == "near") {
+                const double off = std::hypot(game_.x() - std::stoi(words.at(1)), game_.y() - std::stoi(words.at(2)),
+                                              game_.feet() - std::stoi(words.at(3)));
+                EXPECT_LT(off, 40) << joined(words);
+            } else if (const Name name(words.at(0)); kTexts.contains(name.word)) {
+                const std::string found = kTexts.at(name.word)(game_, name.which);
+                EXPECT_EQ(found == words.at(2), words.at(1) == "=") << joined(words) << ": is " << found;
+            } else {
+                check_number(words);
+            }
+        }
+    }
+    void check_number(const Words& words) const {
+        const double found = value(words.at(0)), wanted = value(words.at(2));
+        const double tolerance = words.size() > 3 && words[3] == "+-" ? std::stod(words.at(4)) : 0;
+        const std::map<std::string, bool> holds{{"=", std::abs(found - wanted) <= tolerance},
+                                                {"!=", found != wanted},
+                                                {"<", found < wanted},
+                                                {">", found > wanted},
+                                                {"<=", found <= wanted},
+                                                {">=", found >= wanted}};
+        EXPECT_TRUE(holds.at(words.at(1))) << joined(words) << ": is " << found << " at tick " << game_.state.tick;
+    }
+    /// A sum of numbers and names.
+    double value(const std::string& sum) const {
+        double value = 0;
+        std::istringstream terms(sum);
+        for (std::string term; std::getline(terms, term, '+');) {
+            const bool is_number = std::isdigit(static_cast<unsigned char>(term.at(0))) != 0 || term[0] == '-';
+            const Name name(term);
+            value += is_number ? std::stod(term) : kNumbers.at(name.word)(game_, name.which);
+        }
+        return value;
+    }
+
+    LogicGame game_;
+    int checks_ = 0;
+};
+
+}  // namespace
+
+void play(const Scenario& scenario) {
+    std::vector<EntityLine> entities;
+    std::vector<ScriptLine> steps;
+    for (const ScriptLine& line : script_lines(scenario.text))
+        if (line.text.starts_with('+'))
+            entities.emplace_back(words_of(line.text));
+        else
+            steps.push_back(line);
+    if (!entities.empty() && entities[0].its_class.ends_with(".bsp")) OBLONG_NEEDS_SHARED_LEVELS();
+    Run run(level_of(entities));
+    for (const ScriptLine& step : steps) run.do_line(step);
+    EXPECT_GT(run.checks(), 0) << "nothing is asked";
+}
+
+}  // namespace oblong::test

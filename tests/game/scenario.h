@@ -1,0 +1,43 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+namespace oblong::test {
+
+/// A level and what a player does in it, in lines of text:
+///
+///     + func_door 200 -64 0 216 64 128 angle=-1 wait=2      an entity: its class, the box of its brush if it has one,
+///                                                           its keys
+///     + e1m7.bsp                                            one of Quake's own levels, without any other entity
+///     + solid 0 0 0 100 100 18                              a block of the world; no_floor, water Z
+///     stand 150 0; wait 34: phase0 = end, message = "Hm"    what is done, then what must hold
+///     each 70 ahead: feet >= travelled0+8                   what must hold after each of so many ticks
+///     # a note
+///
+/// The player starts with feet at (0, 0, 0) on a floor of 4096 units square and looks along +x. What can be done and
+/// asked is named in the tables of scenario.cpp: a number after a name says which mover, wall or item is meant.
+struct Scenario {
+    const char* name;
+    const char* text;
+};
+
+inline void PrintTo(const Scenario& scenario, std::ostream* out) {
+    *out << scenario.name;
+}
+
+/// Fails at each line that does not hold.
+void play(const Scenario& scenario);
+
+}  // namespace oblong::test
+
+/// Makes a test of each row of a table of scenarios.
+#define OBLONG_SCENARIOS(Suite, rows)                                       \
+    class Suite : public testing::TestWithParam<oblong::test::Scenario> {}; \
+    TEST_P(Suite, Goes) {                                                   \
+        oblong::test::play(GetParam());                                     \
+    }                                                                       \
+    INSTANTIATE_TEST_SUITE_P(As, Suite, testing::ValuesIn(rows),            \
+                             [](const auto& row) { return std::string(row.param.name); })
