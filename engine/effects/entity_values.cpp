@@ -11,7 +11,7 @@ namespace {
 /// With two digits of the fraction, if it has one.
 std::string decimal(World value) {
     const bool is_negative = value < World{};
-    const std::int64_t hundredths = (std::int64_t{is_negative ? -value.raw : value.raw} * 100 + 2048) / 4096;
+    const std::int64_t hundredths = (std::int64_t{floor_of<12>(absolute(value))} * 100 + 2048) / 4096;
     std::string text = (is_negative ? "-" : "") + std::to_string(hundredths / 100);
     if (hundredths % 100 != 0) text += '.' + std::to_string(hundredths % 100 + 100).substr(1);
     return text;
@@ -70,7 +70,7 @@ std::int32_t EntityValues::whole_number(const std::string& key, std::int32_t lea
 
 std::int32_t EntityValues::period_ms() const {
     constexpr World kLeast = World::from_raw(4096 / 20), kMost = World::from_int(3600);
-    const std::int64_t seconds_12 = number("period", {kLeast, kMost}).raw;
+    const std::int64_t seconds_12 = floor_of<12>(number("period", {kLeast, kMost}));
     return static_cast<std::int32_t>((seconds_12 * 1000 + 2048) / 4096);
 }
 

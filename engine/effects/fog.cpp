@@ -32,10 +32,10 @@ InverseZ clamped(InverseZ inverse_z) {
 std::int64_t columns_of_level(InverseZ inverse_z, InverseZ step, std::int32_t level, const FogDepths& depths,
                               std::int64_t most) {
     const auto& greatest = depths.greatest_inverse_z;
-    if (step > InverseZ{}) return level == 0 ? most : (item(greatest, level) - inverse_z).raw / step.raw + 1;
+    if (step > InverseZ{}) return level == 0 ? most : (item(greatest, level) - inverse_z) / step + 1;
     if (level + 1 == FogTable::kLevels || item(greatest, level + 1) == kNowhere) return most;
     const InverseZ fall = -std::max(step, -kGreatestInverseZ);
-    return (inverse_z - item(greatest, level + 1) - InverseZ::ulp()).raw / fall.raw + 1;
+    return (inverse_z - item(greatest, level + 1) - InverseZ::ulp()) / fall + 1;
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ FogDepths make_fog_depths(FogDensity density, View start, View end) {
     if (density <= FogDensity{}) return depths;
     for (std::int32_t level = 1; level < FogTable::kLevels; ++level) {
         const View reach = divide<View>(FogReach::from_raw(item(kReach_28, level - 1)) * 64, density);
-        const View z = View::from_raw(saturating_sum(std::max(start, View{}).raw, reach.raw));
+        const View z = saturating_sum(std::max(start, View{}), reach);
         if (z > end || z == View::highest()) break;
         item(depths.greatest_inverse_z, level) = reciprocal<InverseZ>(z);
     }

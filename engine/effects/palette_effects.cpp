@@ -15,7 +15,8 @@ namespace {
 std::int64_t cycle_shift(const PaletteCycle& cycle, std::int64_t time_ms) {
     constexpr std::int64_t kStep = std::int64_t{1000} << PaletteCycle::Rate::kFractionBits;
     const std::int64_t count = cycle.last - cycle.first + 1, round = count * kStep;
-    const std::int64_t steps = time_ms % round * cycle.steps_per_second.raw % round / kStep;
+    const std::int64_t steps =
+        time_ms % round * floor_of<PaletteCycle::Rate::kFractionBits>(cycle.steps_per_second) % round / kStep;
     return steps < 0 ? steps + count : steps;
 }
 

@@ -34,13 +34,13 @@ HalfSize half_size_of(ParticleKind kind, bool is_streak) {
 class DotAxis {
   public:
     DotAxis(const ProjectionAxis& axis, std::int32_t size_px, std::int32_t share_of_screen)
-        : multiplier_16_(axis.coarse.raw),
+        : multiplier_16_(floor_of<16>(axis.coarse)),
           size_px_(size_px),
           most_px_(std::max(size_px / share_of_screen, 1)),
-          slope_16_((std::int64_t{size_px} << 31) / axis.coarse.raw + 1) {}
+          slope_16_((std::int64_t{size_px} << 31) / floor_of<16>(axis.coarse) + 1) {}
 
     bool is_outside(View position, View z, View half) const {
-        return absolute(position) > View::from_raw(floor_shift(z.raw * slope_16_, 16)) + half;
+        return absolute(position) > floor_shift(z * slope_16_, 16) + half;
     }
     /// The pixels of [position - half, position + half], at least one; on the screen, perhaps none. `inverse_32` is
     /// 1/z.
@@ -54,7 +54,7 @@ class DotAxis {
 
   private:
     std::int64_t pixels_8(View length, std::int64_t inverse_32) const {
-        return floor_shift(floor_shift(length.raw * inverse_32, 24) * multiplier_16_, 32);
+        return floor_shift(floor_shift(floor_of<16>(length) * inverse_32, 24) * multiplier_16_, 32);
     }
 
     std::int64_t multiplier_16_;
@@ -75,7 +75,7 @@ class DotProjection {
         if (z < kNearestDot) return std::nullopt;
         const View x = view_coordinate(from_eye, view_.axes.right), y = view_coordinate(from_eye, view_.axes.up);
         if (x_.is_outside(x, z, half.across) || y_.is_outside(y, z, half.up)) return std::nullopt;
-        const std::int64_t inverse_32 = (std::int64_t{1} << 48) / z.raw;
+        const std::int64_t inverse_32 = View::from_raw(std::int64_t{1} << 48) / z;
         const PixelRange columns = x_.range(x, half.across, inverse_32), rows = y_.range(-y, half.up, inverse_32);
         if (columns.first >= columns.end || rows.first >= rows.end) return std::nullopt;
         const auto narrow = [](std::int32_t px) { return static_cast<std::int16_t>(px); };

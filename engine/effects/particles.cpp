@@ -29,18 +29,18 @@ struct Chance {
 
 /// size * share / 2^bits, toward minus infinity.
 World part_of(World size, std::int64_t share, int bits) {
-    return World::from_raw(static_cast<std::int32_t>(floor_shift(size.raw * share, bits)));
+    return World::from_raw(static_cast<std::int32_t>(floor_shift(floor_of<12>(size) * share, bits)));
 }
 
 /// A sine of a phase, times a size.
 World wave(World size, std::uint32_t phase) {
     const Unit height = sine(Angle{static_cast<std::uint16_t>(phase >> 16)}, SineMethod::Lerp256);
-    return part_of(size, height.raw, Unit::kFractionBits);
+    return part_of(size, floor_of<30>(height), 30);
 }
 
 /// How far particles of a box swing along one of its axes.
 World swing_in(World half_size, World most) {
-    return std::min(World::from_raw(half_size.raw / 8), most);
+    return std::min(half_size / 8, most);
 }
 
 /// A place by chance along an axis of the box, which leaves room for a swing.
@@ -54,16 +54,15 @@ Vec3<World> rain_at(const Vec3<World>& half_size, const Chance& chance, std::uin
     constexpr std::uint32_t kFall_16 = 7 * 8192;
     const World x = part_of(half_size.x, chance.signed_15(0), 15), y = part_of(half_size.y, chance.signed_15(1), 15);
     const std::uint32_t phase_16 = phase >> 16;
-    const std::int64_t height = 2 * std::int64_t{half_size.z.raw};
-    if (phase_16 < kFall_16)
-        return {x, y, World::from_raw(static_cast<std::int32_t>(half_size.z.raw - height * phase_16 / kFall_16))};
+    const auto half_height = convert<WorldWide>(half_size.z), height = half_height * 2;
+    if (phase_16 < kFall_16) return {x, y, convert<World>(half_height - height * phase_16 / kFall_16)};
     const std::int64_t age_13 = phase_16 - kFall_16;
     const auto inward = [age_13](World place, World half) {
         const World way = part_of(std::min(half, World::from_int(2)), age_13, 13);
         return place > World{} ? place - way : place + way;
     };
     const std::int64_t hop_24 = age_13 * (8192 - age_13);
-    const World most_hop = World::from_raw(static_cast<std::int32_t>(std::min<std::int64_t>(height, 3 * 4096)));
+    const World most_hop = convert<World>(std::min(height, WorldWide::from_int(3)));
     return {inward(x, half_size.x), inward(y, half_size.y), part_of(most_hop, hop_24, 24) - half_size.z};
 }
 

@@ -21,8 +21,7 @@ std::array<Vec3<World>, kCorners> corners_of_disc(const LevelPlane& plane, const
         const Angle angle = -Angle::from_bam(std::int64_t{i} * 65536 / kCorners);
         const auto x = product<World>(radius, cosine(angle)), y = product<World>(radius, sine(angle));
         const PlaneDistance fall = widening_product(x, plane.normal.x) + widening_product(y, plane.normal.y);
-        item(corners, i) =
-            middle + Vec3<World>{x, y, World::from_raw(static_cast<std::int32_t>(-(fall.raw / plane.normal.z.raw)))};
+        item(corners, i) = middle + Vec3<World>{x, y, -truncated_quotient<World>(fall, plane.normal.z)};
     }
     return corners;
 }

@@ -50,8 +50,8 @@ class Dome {
         : radius_texels_(kDomeRadius_texels * size / 128), offset_16_(offset_16) {}
 
     SkyPosition at(const Direction& direction) const {
-        const std::int64_t x_16 = floor_shift(direction.x, 14).raw, y_16 = floor_shift(direction.y, 14).raw;
-        const std::int64_t z_16 = floor_shift(direction.z, 14).raw * 3;
+        const std::int64_t x_16 = floor_of<16>(direction.x), y_16 = floor_of<16>(direction.y);
+        const std::int64_t z_16 = floor_of<16>(direction.z) * 3;
         const auto square = static_cast<std::uint64_t>(x_16 * x_16 + y_16 * y_16 + z_16 * z_16);
         const ReciprocalRoot root = reciprocal_root(std::max<std::uint64_t>(square, 1));
         return {texels_of(x_16, root), texels_of(y_16, root)};
@@ -70,7 +70,7 @@ class Dome {
 /// 128-texel sky. A line over n pixels is off by n^2 / 8 times the dome's greatest second derivative along the row:
 /// radius (1 + 8 r^2) / multiplier^2, r being how far a row leans (heights are tripled; 9 = 1 + 8).
 int cell_log2(const Basis& axes, const Projection& projection) {
-    const std::int64_t lean_15 = floor_shift(std::int64_t{axes.right.z.raw}, 15);
+    const std::int64_t lean_15 = floor_of<15>(axes.right.z);
     const std::int64_t bend_30 = (std::int64_t{1} << 30) + 8 * lean_15 * lean_15;
     const std::int64_t width_px = std::min<std::int64_t>(floor_of(projection.x.multiplier), kLargestMode_px);
     const std::int64_t squared_radii_30 = width_px * width_px * 8 * (std::int64_t{1} << 30) / kDomeRadius_texels;

@@ -35,16 +35,17 @@ struct Steps {
     std::int64_t at_first, step;
 
     Steps(const SpriteExtent& extent, std::int32_t pixel, std::int64_t whole) {
-        const std::int64_t to_centre_8 = (ScreenWide::from_int(pixel) + ScreenWide::from_raw(128) - extent.first).raw;
-        at_first = mul_div(whole, to_centre_8, extent.size().raw, Rounding::Floor);
-        step = mul_div(whole, 256, extent.size().raw, Rounding::Floor);
+        const std::int64_t to_centre_8 =
+            floor_of<8>(ScreenWide::from_int(pixel) + ScreenWide::from_raw(128) - extent.first);
+        at_first = mul_div(whole, to_centre_8, floor_of<8>(extent.size()), Rounding::Floor);
+        step = mul_div(whole, 256, floor_of<8>(extent.size()), Rounding::Floor);
     }
 };
 
 /// The mip level whose texels are nearest to a pixel in size, and not smaller than half of one.
 int mip_level(const MipTexture& texture, const SpriteExtent& across, const SpriteExtent& down) {
     const auto texels_a_pixel_16 = [](std::int32_t texels, const SpriteExtent& extent) {
-        return mul_div(std::int64_t{texels} << 16, 256, extent.size().raw);
+        return mul_div(std::int64_t{texels} << 16, 256, floor_of<8>(extent.size()));
     };
     const std::int64_t densest_16 =
         std::max(texels_a_pixel_16(texture.width, across), texels_a_pixel_16(texture.height, down));
@@ -52,7 +53,7 @@ int mip_level(const MipTexture& texture, const SpriteExtent& across, const Sprit
 }
 
 View half_of(std::int32_t texels, World scale) {
-    return View::from_raw(std::int64_t{texels} * scale.raw * 8);
+    return floor_shift(convert<View>(scale) * texels, 1);
 }
 
 /// The sprite's vertical middle line in viewspace: x is the same all along, as roll is not followed.
@@ -73,7 +74,7 @@ struct MiddleLine {
 };
 
 std::int64_t inverse_depth_16_of(View z) {
-    return ((std::int64_t{1} << 48) / z.raw) * 65536;
+    return (View::from_raw(std::int64_t{1} << 48) / z) * 65536;
 }
 
 void draw_row(const ScreenSprite& sprite, const std::uint8_t* texels, const std::uint8_t* shade, InverseDepth inverse,

@@ -30,7 +30,7 @@ const EmitterClass* emitter_class(std::string_view name) {
 }
 
 World half_of(World size) {
-    return World::from_raw(size.raw / 2);
+    return size / 2;
 }
 
 /// A box around a place, 8 units larger than what stays in it: things are drawn around their places.
@@ -159,8 +159,8 @@ class ThingReader {
     Vec3<World> half_size_of(const Sprite& sprite) const {
         const MipTexture& texture = level_.textures[sprite.texture];
         const auto half = [&](std::int32_t texels) {
-            const std::int64_t raw = std::int64_t{texels} * sprite.scale.raw / 2;
-            return World::from_raw(static_cast<std::int32_t>(std::min<std::int64_t>(raw, World::from_int(65536).raw)));
+            const WorldWide size = convert<WorldWide>(sprite.scale) * texels;
+            return convert<World>(std::min(size / 2, WorldWide::from_int(65536)));
         };
         return {half(texture.width), half(texture.width), half(texture.height)};
     }

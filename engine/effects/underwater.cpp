@@ -27,7 +27,7 @@ struct Axis {
 std::int32_t shift_at(Angle angle, const Axis& axis) {
     using Pixels = Fixed<std::int64_t, 30>;
     const std::int32_t amplitude_px = axis.amplitude_px();
-    const Pixels moved = Pixels::from_raw(sine(angle).raw) * amplitude_px;
+    const Pixels moved = convert<Pixels>(sine(angle)) * amplitude_px;
     return amplitude_px + static_cast<std::int32_t>(floor_of(moved + Pixels::from_raw(1 << 29)));
 }
 

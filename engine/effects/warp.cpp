@@ -11,7 +11,8 @@ constexpr std::uint32_t kAmplitude_texels = 8;
 
 /// amplitude (1 + sin), which is never below 0.
 std::uint32_t raised_sine_16(Angle angle) {
-    return static_cast<std::uint32_t>((std::int64_t{1} << 30) + sine(angle).raw) / ((1u << 14) / kAmplitude_texels);
+    return static_cast<std::uint32_t>((std::int64_t{1} << 30) + floor_of<30>(sine(angle))) /
+           ((1u << 14) / kAmplitude_texels);
 }
 
 }  // namespace

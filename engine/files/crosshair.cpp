@@ -4,16 +4,12 @@
 #include <cstdio>
 
 #include "engine/draw/drawing.h"
+#include "engine/files/doubles.h"
 #include "engine/math/basis.h"
 
 namespace oblong {
 
 namespace {
-
-template <class Int, int Frac>
-double number_of(Fixed<Int, Frac> value) {
-    return std::ldexp(static_cast<double>(value.raw), -Frac);
-}
 
 std::string entity_text(const Level& level, ModelIndex model) {
     std::string text = "model " + std::to_string(model.number());

@@ -11,9 +11,11 @@
 
 #include "engine/base/table.h"
 #include "engine/effects/entity_values.h"
+#include "engine/files/doubles.h"
 #include "engine/files/files.h"
 #include "engine/files/model_classes.h"
 #include "engine/files/obj.h"
+#include "engine/fixed/arithmetic.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
 #include "engine/level/trace.h"
@@ -237,7 +239,7 @@ class LevelModelReader {
 
     Vec3<World> resting_place(const Vec3<World>& origin, std::int32_t over_floor) const {
         if (over_floor == ModelClass::kStays) return origin;
-        const Vec3<World> start{origin.x, origin.y, saturated_to<World>(std::int64_t{origin.z.raw} + kLift.raw)};
+        const Vec3<World> start{origin.x, origin.y, saturating_convert<World>(widening_difference(origin.z, -kLift))};
         const std::optional<Floor> floor = find_floor(level_, start, kFarthestFloor);
         if (!floor) return origin;
         Vec3<World> place = floor->position;
@@ -255,7 +257,7 @@ class LevelModelReader {
     Mesh read_mesh(const ModelFile& file, const EntityValues& values) const {
         if (lower_case(fs::path(file.path).extension().string()) != ".obj")
             return read_parsed_game_file(file.path, [&](const auto& bytes) { return read_mdl(bytes, file.scale); });
-        const double scale = static_cast<double>(file.scale.raw) / World::from_int(1).raw;
+        const double scale = number_of(file.scale);
         ObjModel model = read_obj(file.path, palette_, {scale, file.is_z_up, file.dither, file.glass});
         for (const std::string& warning : model.warnings) values.warn(file.path + ": " + warning);
         return std::move(model.mesh);

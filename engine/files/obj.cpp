@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "engine/base/table.h"
+#include "engine/files/doubles.h"
 #include "engine/files/files.h"
 #include "engine/files/obj_check.h"
 #include "engine/files/obj_materials.h"
@@ -20,8 +21,7 @@ constexpr Texel kHalfTexel = Texel::from_raw(1 << (Texel::kFractionBits - 1));
 
 Vec3<World> world_position(const std::vector<double>& numbers, std::size_t vertex, const ObjOptions& options) {
     const auto coordinate = [&](std::size_t axis) {
-        const double value = numbers[vertex * 3 + axis] * options.scale * World::from_int(1).raw;
-        return World::from_raw(static_cast<World::Raw>(std::lround(value)));
+        return fixed_of<World>(numbers[vertex * 3 + axis] * options.scale);
     };
     const World x = coordinate(0), y = coordinate(1), z = coordinate(2);
     return options.is_z_up ? Vec3<World>{x, y, z} : Vec3<World>{z, x, y};
@@ -32,9 +32,7 @@ Vec3<Unit> unit_normal(const std::vector<double>& numbers, std::size_t normal, c
     const double x = numbers[normal * 3], y = numbers[normal * 3 + 1], z = numbers[normal * 3 + 2];
     const double length = std::hypot(x, y, z);
     if (length == 0) return {};
-    const auto part = [&](double value) {
-        return Unit::from_raw(static_cast<Unit::Raw>(std::lround(value / length * Unit::from_int(1).raw)));
-    };
+    const auto part = [&](double value) { return fixed_of<Unit>(value / length); };
     return options.is_z_up ? Vec3<Unit>{part(x), part(y), part(z)} : Vec3<Unit>{part(z), part(x), part(y)};
 }
 

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "engine/base/table.h"
+#include "engine/files/doubles.h"
 #include "engine/files/files.h"
 #include "engine/files/picture.h"
 
@@ -60,8 +61,7 @@ void PlaceRange::include(const SkinPlace& place) {
 }
 
 MeshTexel SkinScale::texel_at(const SkinPlace& place) const {
-    const auto texel = [](double value) { return Texel::from_raw(std::llround(value * Texel::from_int(1).raw)); };
-    return {texel((place.u - first_u) * width), texel((place.v - first_v) * height)};
+    return {fixed_of<Texel>((place.u - first_u) * width), fixed_of<Texel>((place.v - first_v) * height)};
 }
 
 SkinScale repeat_skin(Skin& skin, const PlaceRange& range, std::vector<std::string>& warnings) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 namespace {
@@ -12,7 +14,7 @@ namespace {
 /// The number of the pass that an effect has for itself, of the same name; kPassCount: none.
 std::size_t pass_of(std::string_view effect) {
     const auto pass = std::find_if(kPasses.begin(), kPasses.end(), [&](const Pass& one) { return one.name == effect; });
-    return static_cast<std::size_t>(pass - kPasses.begin());
+    return as_size(pass - kPasses.begin());
 }
 
 /// The part of the claims that is the walk: sampled, so that chance may make it a little less than nothing.

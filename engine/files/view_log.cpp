@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/files/doubles.h"
 #include "engine/files/frame_log.h"
 #include "engine/math/matrix.h"
 #include "engine/view/screen_polygon.h"
@@ -20,7 +21,7 @@ constexpr std::array<const char*, kFaceListCount> kListNames{"walls", "flat", "l
 template <class Int, int Frac>
 std::string text_of(Fixed<Int, Frac> value) {
     char text[48];
-    std::snprintf(text, sizeof text, "%.4f", std::ldexp(static_cast<double>(value.raw), -Frac));
+    std::snprintf(text, sizeof text, "%.4f", number_of(value));
     return text;
 }
 

@@ -27,6 +27,18 @@ constexpr std::int64_t saturating_sum(std::int64_t a, std::int64_t b) {
     return a + b;
 }
 
+/// The same of numbers.
+template <int Frac>
+constexpr Fixed<std::int64_t, Frac> saturating_sum(Fixed<std::int64_t, Frac> a, Fixed<std::int64_t, Frac> b) {
+    return Fixed<std::int64_t, Frac>::from_raw(saturating_sum(a.raw, b.raw));
+}
+
+/// |value| in steps, for the lowest number too.
+template <class Int, int Frac>
+constexpr std::uint64_t magnitude(Fixed<Int, Frac> value) {
+    return detail::magnitude(value.raw);
+}
+
 /// `value` in another format; saturates where that one is too narrow.
 template <class To, class Int, int Frac>
 constexpr To saturating_convert(Fixed<Int, Frac> value, Rounding rounding = Rounding::NearestHalfUp) {
@@ -76,6 +88,13 @@ constexpr To bounded_quotient(Fixed<std::int64_t, FracA> a, Fixed<std::int64_t, 
     const std::int64_t numerator = a.raw + b.raw * (std::int64_t{1} << (kDropped - 1));
     const std::int64_t denominator = b.raw * (std::int64_t{1} << kDropped);
     return To::from_raw(numerator / denominator - (numerator % denominator < 0));
+}
+
+/// a / b, rounded toward zero by one division: the quotient's fraction bits are those that `a` has more. It must fit.
+template <class To, class A, int FracA, class B, int FracB>
+constexpr To truncated_quotient(Fixed<A, FracA> a, Fixed<B, FracB> b) {
+    static_assert(To::kFractionBits == FracA - FracB);
+    return To::from_raw(static_cast<typename To::Raw>(a.raw / b.raw));
 }
 
 /// 1 / value; saturates, 1 / 0 gives the highest number. The engine's exact answer to reciprocal.h.

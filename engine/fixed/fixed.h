@@ -51,9 +51,15 @@ struct Fixed {
     constexpr Fixed operator+(Fixed other) const { return Fixed{static_cast<Int>(raw + other.raw)}; }
     constexpr Fixed operator-(Fixed other) const { return Fixed{static_cast<Int>(raw - other.raw)}; }
     constexpr Fixed operator*(Int times) const { return Fixed{static_cast<Int>(raw * times)}; }
+    /// Rounded toward zero.
+    constexpr Fixed operator/(Int by) const { return Fixed{static_cast<Int>(raw / by)}; }
+    /// How many times the other goes into this, rounded toward zero.
+    constexpr Int operator/(Fixed other) const { return static_cast<Int>(raw / other.raw); }
     constexpr Fixed& operator+=(Fixed other) { return *this = *this + other; }
     constexpr Fixed& operator-=(Fixed other) { return *this = *this - other; }
     constexpr auto operator<=>(const Fixed&) const = default;
+    /// The steps modulo the width: for shifts that may lose high bits, and for hashes.
+    constexpr auto bits() const { return static_cast<std::make_unsigned_t<Int>>(raw); }
 };
 
 /// `value` in another format, rounded by name where fraction bits are lost. The result must fit: saturating_convert
@@ -92,6 +98,13 @@ constexpr bool is_within(Fixed<Int, Frac> value, Fixed<Int, Frac> most) {
 template <class Int, int Frac>
 constexpr Int floor_of(Fixed<Int, Frac> value) {
     return floor_shift(value.raw, Frac);
+}
+
+/// The same in steps of 2^-Bits: the plain integer for arithmetic of its own, which must have room for them.
+template <int Bits, class Int, int Frac>
+constexpr Int floor_of(Fixed<Int, Frac> value) {
+    if constexpr (Bits >= Frac) return static_cast<Int>(value.raw * (Int{1} << (Bits - Frac)));
+    return floor_shift(value.raw, Frac > Bits ? Frac - Bits : 0);
 }
 
 /// value / 2^bits, rounded toward minus infinity.

@@ -27,5 +27,9 @@ Angle degrees_to_angle(Degrees degrees);
 /// The direction of (x, y), of any length, as the nearest binary angle counter-clockwise from +x (atan2). (0, 0) gives
 /// 0.
 Angle arctangent2(std::int64_t y, std::int64_t x);
+template <class Int, int Frac>
+Angle arctangent2(Fixed<Int, Frac> y, Fixed<Int, Frac> x) {
+    return arctangent2(std::int64_t{y.raw}, std::int64_t{x.raw});
+}
 
 }  // namespace oblong

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/effects/fog.h"
 #include "engine/frame/frame_things.h"
 #include "engine/scene/effects.h"
@@ -45,8 +46,8 @@ struct Claims {
     std::size_t walls_drawn = 0;   ///< the first ones of their list
     bool is_under_liquid = false;  ///< the eye is in a liquid
 
-    std::vector<VisibleFace>& list(FaceList which) { return lists[static_cast<std::size_t>(which)]; }
-    const std::vector<VisibleFace>& list(FaceList which) const { return lists[static_cast<std::size_t>(which)]; }
+    std::vector<VisibleFace>& list(FaceList which) { return item(lists, which); }
+    const std::vector<VisibleFace>& list(FaceList which) const { return item(lists, which); }
     std::span<const Span> spans_of(const VisibleFace& face) const {
         return std::span<const Span>(spans).subspan(face.first_span, face.span_count);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/torn_pixels.h"
@@ -56,7 +57,7 @@ const ColourRow& fog_colours(std::int32_t column, std::int32_t row, InverseZ inv
     runs.clear();
     const Span pixel{row, column, column + 1};
     append_runs(std::span(&pixel, 1), {inverse_z, {}, {}}, fog, runs);
-    return fog.tables->colours.levels[static_cast<std::size_t>(runs.front().level)];
+    return item(fog.tables->colours.levels, runs.front().level);
 }
 
 void find_fog(const FrameContext& frame, ViewScratch& scratch) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/effects/sky.h"
 #include "engine/frame/passes.h"
 #include "engine/raster/scan.h"
@@ -45,8 +46,8 @@ struct FrameCounts {
     std::array<std::int64_t, kEffectCount> effect_pixels{};  ///< of each Effect: of what needs it
     std::array<std::int64_t, kPassCount> pass_pixels{};      ///< of each of kPasses
 
-    std::int64_t& of(Effect effect) { return effect_pixels[static_cast<std::size_t>(effect)]; }
-    std::int64_t of(Effect effect) const { return effect_pixels[static_cast<std::size_t>(effect)]; }
+    std::int64_t& of(Effect effect) { return item(effect_pixels, effect); }
+    std::int64_t of(Effect effect) const { return item(effect_pixels, effect); }
     /// Of the pass of this name, one of kPasses.
     std::int64_t of(std::string_view pass) const;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "engine/frame/frame_counts.h"
 
 namespace oblong {
@@ -45,7 +46,7 @@ void record_blocks(PixelRecord face, std::span<const TexelBlock> blocks, const F
     for (const TexelBlock& block : blocks)
         for (std::int64_t i = 0; i < block.count; ++i) {
             show_texel(block.u_16 + i * block.u_step_16, block.v_16 + i * block.v_step_16, surface, face);
-            record.pixels[block.pixel + static_cast<std::size_t>(i)] = face;
+            record.pixels[block.pixel + as_size(i)] = face;
         }
 }
 
@@ -55,7 +56,7 @@ void record_divided_pixels(PixelRecord face, std::span<const Span> spans, const 
         for (std::int32_t column = span.first; column < span.end; ++column) {
             const TexelPosition texel = texel_at(cutting.gradients, cutting.limits, column, span.y);
             show_texel(texel.u_16, texel.v_16, surface, face);
-            record.pixels[static_cast<std::size_t>(span.y * out.pitch + column)] = face;
+            item(record.pixels, span.y * out.pitch + column) = face;
         }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_record.h"
@@ -132,7 +133,7 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
         const LeafIndex leaf = leaf_before(left.front(), mirror, frame, scratch.corners);
         const auto others = std::stable_partition(
             left.begin(), left.end(), [&](const VisibleFace& face) { return plane_of(face, frame) == mirror; });
-        const auto faces = std::span<const VisibleFace>(left).first(static_cast<std::size_t>(others - left.begin()));
+        const auto faces = std::span<const VisibleFace>(left).first(as_size(others - left.begin()));
         const std::vector<Span> flipped = flipped_spans(faces, scratch.claims, out.width_px);
         draw_mirrored_view({mirror, rectangle_around(flipped)}, leaf, flipped, frame, mirrors);
         for (const VisibleFace& face : faces) note_spans(face, scratch.claims.spans_of(face), out, frame.observers);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/base/table.h"
 #include "engine/frame/passes.h"
 #include "engine/scene/effects.h"
 
@@ -28,8 +29,7 @@ struct PassTimes {
 class Stopwatch {
   public:
     Stopwatch(PassTimes* times, std::int64_t PassTimes::*sum) : Stopwatch(times, times ? &(times->*sum) : nullptr) {}
-    Stopwatch(PassTimes* times, Effect effect)
-        : Stopwatch(times, times ? &times->effects_ns[static_cast<std::size_t>(effect)] : nullptr) {}
+    Stopwatch(PassTimes* times, Effect effect) : Stopwatch(times, times ? &item(times->effects_ns, effect) : nullptr) {}
     /// Of a pass, by its number in kPasses.
     Stopwatch(PassTimes* times, std::size_t pass) : Stopwatch(times, times ? &times->passes_ns[pass] : nullptr) {}
     Stopwatch(const Stopwatch&) = delete;

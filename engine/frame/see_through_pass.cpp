@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/base/table.h"
 #include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/surface_pass.h"
@@ -32,8 +33,8 @@ void draw_waiting(const VisibleFace* face, std::vector<OwningThing>& waiting, co
 
 /// The table of a liquid's share, made when a frame first calls for it.
 const BlendTable& blend_of(LiquidKind kind, const FrameContext& frame) {
-    std::unique_ptr<BlendTable>& table = frame.cache.blends[static_cast<std::size_t>(kind)];
-    const std::int32_t share_256 = frame.cache.effects.liquid_alpha_256[static_cast<std::size_t>(kind)];
+    std::unique_ptr<BlendTable>& table = item(frame.cache.blends, kind);
+    const std::int32_t share_256 = item(frame.cache.effects.liquid_alpha_256, kind);
     if (!table) table = std::make_unique<BlendTable>(make_blend_table(frame.scene.colormap.palette, share_256));
     return *table;
 }
@@ -57,7 +58,7 @@ void draw_in_fog(const VisibleFace& claimed, SurfaceDrawing drawing, const Frame
         const std::int32_t level = run->level;
         of_level.clear();
         for (; run != runs.end() && run->level == level; ++run) of_level.push_back(run->span);
-        drawing.colours = &frame.fog.tables->colours.levels[static_cast<std::size_t>(level)];
+        drawing.colours = &item(frame.fog.tables->colours.levels, level);
         draw_surface(claimed, of_level, drawing, frame, scratch);
     }
 }

@@ -17,7 +17,7 @@ SharedDrawing::SharedDrawing(Workers& workers, std::int32_t longest_px)
     : workers_(workers),
       items_(kMostItems),
       spans_(kMostSpans),
-      scratches_(static_cast<std::size_t>(workers.count()), SpanScratch(longest_px)) {}
+      scratches_(as_size(workers.count()), SpanScratch(longest_px)) {}
 
 void SharedDrawing::begin(const FrameContext& frame, bool takes_walls) {
     frame_ = &frame;

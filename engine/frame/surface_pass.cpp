@@ -174,7 +174,7 @@ void split_at(InverseZ least, const Span& span, const LinearQuantity<InverseZ>& 
     std::vector<Span>& beginning = begins_above ? above : below;
     if (begins_above == (last >= least)) return beginning.push_back(span);
     const InverseZ way = begins_above ? first - least : least - std::max(first, InverseZ{}) - InverseZ::ulp();
-    const std::int64_t steps = way.raw / absolute(inverse_z.per_column).raw;
+    const std::int64_t steps = way / absolute(inverse_z.per_column);
     const auto middle = static_cast<std::int32_t>(std::min<std::int64_t>(span.first + steps + 1, span.end - 1));
     beginning.push_back({span.y, span.first, middle});
     (begins_above ? below : above).push_back({span.y, middle, span.end});

@@ -1,3 +1,4 @@
+#include "engine/base/table.h"
 #include "engine/frame/workspace.h"
 
 namespace oblong {
@@ -12,7 +13,7 @@ ViewScratch::ViewScratch(const Level& level, const FaceTable& faces, const Scree
       effects(mode.height_px) {
     walk.face_marks.resize(level.faces.size());
     walk.steps.reserve(level.nodes.size());
-    claims.spans.room_for(static_cast<std::size_t>(mode.height_px) * 16);
+    claims.spans.room_for(as_size(mode.height_px) * 16);
     polygon.clipper.reserve(faces.most_corners + kClipPlaneCount);
     polygon.projected.take(faces.most_corners + kClipPlaneCount);
 }

@@ -21,7 +21,7 @@ NormalPart read_normal_part(LumpReader& in) {
 }
 
 std::int64_t squared_length_30(const Vec3<Unit>& v) {
-    const auto square = [](Unit part) { return floor_shift(widening_product(part, part), 30).raw; };
+    const auto square = [](Unit part) { return floor_of<30>(widening_product(part, part)); };
     return square(v.x) + square(v.y) + square(v.z);
 }
 

@@ -133,7 +133,7 @@ class HullTracer {
     /// The point in front of the plane. If that is solid (the last 1/32 unit in front of other planes is never tested),
     /// the first that is not, going back toward a in tenths of the distance; if there is none, the line's start.
     LinePoint last_free_point(const LinePoint& a, const LinePoint& b, Part part) const {
-        const auto step = NarrowDistance::from_raw(part.numerator.raw / kBackOffSteps);
+        const auto step = part.numerator / kBackOffSteps;
         for (int i = 0; i <= kBackOffSteps; ++i) {
             const LinePoint point = point_between(a, b, {part.numerator - step * i, part.denominator});
             if (contents_at(tree_, tree_.root, point.p) != contents::kSolid) return point;
@@ -182,7 +182,7 @@ bool is_floor(const Level& level, NodeChild leaf, PlaneIndex entered) {
 
 std::optional<Floor> find_floor(const Level& level, const Vec3<World>& from, World most) {
     const auto at_height = [&from](World z) { return Vec3<World>{from.x, from.y, z}; };
-    const World low = saturated_to<World>(std::int64_t{from.z.raw} - most.raw);
+    const World low = saturating_convert<World>(widening_difference(from.z, most));
     std::vector<ColumnPart> parts{{level.world().root, from.z, low, PlaneIndex::none()}};
     while (!parts.empty()) {
         ColumnPart part = parts.back();

@@ -45,7 +45,7 @@ void set_flat_light(const MeshTriangle& triangle, const MeshContext& mesh, const
     Vec3<WorldWide> sum;
     for (const std::uint32_t vertex : triangle.vertices)
         sum = sum + convert<WorldWide>(item(scratch.world_vertices, vertex).position);
-    const auto third = [](WorldWide whole) { return World::from_raw(static_cast<World::Raw>(whole.raw / 3)); };
+    const auto third = [](WorldWide whole) { return convert<World>(whole / 3); };
     const Vec3<Unit> normal = world_normal(triangle, mesh.object_vertices, mesh.transform);
     const MeshLight& light = mesh.drawing.light;
     const auto shade = rounded_shade(light_at({third(sum.x), third(sum.y), third(sum.z)}, normal, light), light);

@@ -14,8 +14,8 @@ struct Way {
     std::int64_t x, y;  ///< 1/256 pixel
 
     Way(const ScreenCorner& from, const ScreenCorner& to)
-        : x(widening_difference(to.screen.x, from.screen.x).raw),
-          y(widening_difference(to.screen.y, from.screen.y).raw) {}
+        : x(floor_of<8>(widening_difference(to.screen.x, from.screen.x))),
+          y(floor_of<8>(widening_difference(to.screen.y, from.screen.y))) {}
     std::int64_t size() const { return std::max(std::abs(x), std::abs(y)); }
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 /// `light` times a cosine; nothing where it is below 0.
 Light8 lit_by(Light8 light, Sine60 cosine) {
-    const std::int64_t cosine_30 = std::clamp(floor_shift(cosine.raw, 30), std::int64_t{0}, std::int64_t{1} << 30);
+    const std::int64_t cosine_30 = std::clamp(floor_of<30>(cosine), std::int64_t{0}, std::int64_t{1} << 30);
     return static_cast<Light8>(floor_shift(cosine_30 * light, 30));
 }
 
@@ -32,7 +32,7 @@ Light8 diffuse_light(const Vec3<World>& position, const Vec3<Unit>& normal, cons
     const auto distance = WorldWide::from_raw(static_cast<std::int64_t>(length_of_raw(raw_of(way))));
     if (distance >= radius) return 0;
     const std::int32_t brightness_256 = std::clamp(light.brightness_256, 0, kMostBrightness_256);
-    const std::int64_t light_8 = floor_shift((radius - distance).raw * brightness_256, World::kFractionBits);
+    const std::int64_t light_8 = floor_of((radius - distance) * brightness_256);
     return lit_by(static_cast<Light8>(std::min<std::int64_t>(light_8, MeshLight::kMostLight * 256)),
                   dot(normal, normalised(way)));
 }
@@ -63,7 +63,7 @@ HighlightTable make_highlight_table(std::int32_t brightest) {
 }
 
 Vec3<Unit> halfway(const Vec3<Unit>& toward_light, const Vec3<Unit>& toward_eye) {
-    const auto half = [](Unit a, Unit b) { return Unit::from_raw(a.raw / 2 + b.raw / 2); };
+    const auto half = [](Unit a, Unit b) { return a / 2 + b / 2; };
     return normalised(Vec3<Unit>{half(toward_light.x, toward_eye.x), half(toward_light.y, toward_eye.y),
                                  half(toward_light.z, toward_eye.z)});
 }

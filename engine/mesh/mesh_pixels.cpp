@@ -54,12 +54,12 @@ struct MeshPixel {
 /// z with 28 fraction bits, by 1/z with 32: 1/z of a world's point is at least 2^-21.
 std::int64_t depth_28(InverseZ inverse_z) {
     constexpr std::int64_t kLeast = std::int64_t{1} << 11;
-    return (std::int64_t{1} << 60) / std::max(floor_shift(inverse_z.raw, InverseZ::kFractionBits - 32), kLeast);
+    return (std::int64_t{1} << 60) / std::max(floor_of<32>(inverse_z), kLeast);
 }
 
 /// The texel's number along one axis. With kMostTexel texels, at most 2^13, u/z times z has at most 62 bits.
 std::int64_t texel_number(TexelOverZ over_z, std::int64_t z_28) {
-    return floor_shift(floor_shift(over_z.raw, TexelOverZ::kFractionBits - 21) * z_28, 49);
+    return floor_shift(floor_of<21>(over_z) * z_28, 49);
 }
 
 template <bool IsAffine>
@@ -81,7 +81,7 @@ std::uint8_t texel_at(const MeshPixel& pixel, const Skin& skin) {
 /// N . to, of length 1 at most, 8 fraction bits; `length` that of N: interpolated normals are shorter than 1.
 std::int64_t cosine_8(const Vec3<Fixed<std::int64_t, 14>>& normal, const ReciprocalRoot& over_length,
                       const Vec3<Unit>& to) {
-    const std::int64_t along = floor_shift(dot(normal, to).raw, 30);  // 14 fraction bits
+    const std::int64_t along = floor_of<14>(dot(normal, to));
     if (along <= 0) return 0;
     // The length has 14 fraction bits too.
     return std::min<std::int64_t>(floor_shift(along * over_length.mantissa, 22 + over_length.shift), 256);

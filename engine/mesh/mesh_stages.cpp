@@ -21,7 +21,7 @@ Vec3<Value> blended(const Vec3<Value>& a, const Vec3<Value>& b, std::int32_t ble
 /// A number with the highest bit of the largest component's magnitude.
 template <class T>
 constexpr std::uint64_t size_bits(const Vec3<T>& v) {
-    return detail::magnitude(v.x.raw) | detail::magnitude(v.y.raw) | detail::magnitude(v.z.raw);
+    return magnitude(v.x) | magnitude(v.y) | magnitude(v.z);
 }
 
 /// b - a, each component below 2^30 steps: so that the cross product of two fits 64 bits. Exact within 2^17 units.
@@ -50,7 +50,9 @@ constexpr Vec3<Fixed<std::int64_t, 24>> object_normal(const MeshTriangle& triang
 /// Whether normal . way is above 0, exactly: in 64 bits where those hold it, as they do for all but huge meshes.
 bool is_above_zero(const Vec3<Fixed<std::int64_t, 24>>& normal, const Vec3<WorldWide>& way) {
     // Three products below 2^(n + w), n and w the bits of both: their sum fits if that is at most 2^61.
-    if (log2_floor(size_bits(normal) | 1) + log2_floor(size_bits(way) | 1) + 2 <= 61) return dot(normal, way).raw > 0;
+    using Product = Fixed<std::int64_t, 36>;
+    if (log2_floor(size_bits(normal) | 1) + log2_floor(size_bits(way) | 1) + 2 <= 61)
+        return dot(normal, way) > Product{};
     WideSum sum;
     sum.add_product(normal.x, way.x);
     sum.add_product(normal.y, way.y);
@@ -66,10 +68,8 @@ constexpr bool is_small(const Vec3<World>& point) {
 /// times() of small entries and a small point: the same bits, without products of more than 64 bits.
 constexpr Vec3<Entry> times_small(const Matrix4& matrix, const Vec3<World>& point) {
     const auto row_times = [&](const std::array<Entry, 4>& row) {
-        const auto part = [](Entry entry, World of) {
-            return rounded_shift(entry.raw * of.raw, World::kFractionBits, Rounding::NearestHalfUp);
-        };
-        return Entry::from_raw(part(row[0], point.x) + part(row[1], point.y) + part(row[2], point.z) + row[3].raw);
+        const auto part = [](Entry entry, World of) { return convert<Entry>(bounded_product(entry, of)); };
+        return part(row[0], point.x) + part(row[1], point.y) + part(row[2], point.z) + row[3];
     };
     return {row_times(matrix.rows[0]), row_times(matrix.rows[1]), row_times(matrix.rows[2])};
 }
@@ -82,7 +82,7 @@ Vec3<Entry> times(const Matrix4& matrix, const Vec3<World>& point) {
 
 InverseZ inverse_z_at(View z) {
     if (z <= View::from_raw(1 << 9)) return kGreatestMeshInverseZ;
-    return InverseZ::from_raw((std::int64_t{1} << (InverseZ::kFractionBits + View::kFractionBits)) / z.raw);
+    return InverseZ::from_raw(View::from_raw(std::int64_t{1} << (InverseZ::kFractionBits + View::kFractionBits)) / z);
 }
 
 /// A share of a triangle's corner: 0 to 1.
@@ -95,10 +95,7 @@ struct Weights {
 
 /// How many low bits two vectors must lose before a 64-bit cross product holds them.
 int bits_too_many(const Vec3<View>& a, const Vec3<View>& b) {
-    std::int64_t most = 1;
-    for (const std::int64_t part : {a.x.raw, a.y.raw, a.z.raw, b.x.raw, b.y.raw, b.z.raw})
-        most = std::max(most, part < 0 ? -part : part);
-    return std::max(log2_floor(static_cast<std::uint64_t>(most)) - 28, 0);
+    return std::max(log2_floor(size_bits(a) | size_bits(b) | 1) - 28, 0);
 }
 
 /// Where a point of a triangle's plane lies between its corners: its areas with two of them, by the whole one, along
@@ -106,8 +103,8 @@ int bits_too_many(const Vec3<View>& a, const Vec3<View>& b) {
 Weights weights_at(const Vec3<View>& p, const Vec3<View>& a, const Vec3<View>& b, const Vec3<View>& c) {
     const int shift = bits_too_many(b - a, c - a);
     const auto scaled = [&](const Vec3<View>& v) {
-        return std::array{floor_shift(v.x.raw - a.x.raw, shift), floor_shift(v.y.raw - a.y.raw, shift),
-                          floor_shift(v.z.raw - a.z.raw, shift)};
+        const auto part = [shift](View way) { return floor_of<View::kFractionBits>(floor_shift(way, shift)); };
+        return std::array{part(v.x - a.x), part(v.y - a.y), part(v.z - a.z)};
     };
     const auto to_b = scaled(b), to_c = scaled(c), to_p = scaled(p);
     const auto area = [](const auto& one, const auto& other, std::size_t axis) {
@@ -120,7 +117,7 @@ Weights weights_at(const Vec3<View>& p, const Vec3<View>& a, const Vec3<View>& b
     const std::int64_t whole = area(to_b, to_c, axis);
     if (whole == 0) return {};
     const auto share = [whole](std::int64_t part, Weight most) {
-        const auto weight = Weight::from_raw(mul_div(part, Weight::from_int(1).raw, whole));
+        const auto weight = Weight::from_raw(mul_div(part, std::int64_t{1} << Weight::kFractionBits, whole));
         return std::clamp(weight, Weight{}, most);
     };
     const Weight of_b = share(area(to_p, to_c, axis), Weight::from_int(1));
@@ -183,8 +180,7 @@ Vec3<World> world_position(const Vec3<World>& object_position, const MeshTransfo
         return saturating_convert<World>(times(matrix, object_position));
     const Vec3<Entry> sum = times_small(matrix, object_position);
     const auto rounded = [](Entry part) {
-        constexpr int kDropped = Entry::kFractionBits - World::kFractionBits;
-        return saturated_to<World>(rounded_shift(part.raw, kDropped, Rounding::NearestHalfUp));
+        return saturated_to<World>(floor_of<World::kFractionBits>(convert<WorldWide>(part)));
     };
     return {rounded(sum.x), rounded(sum.y), rounded(sum.z)};
 }
@@ -192,8 +188,7 @@ Vec3<World> world_position(const Vec3<World>& object_position, const MeshTransfo
 Vec3<Unit> world_normal(const Vec3<Unit>& object_normal, const MeshTransform& transform) {
     if (!transform.turn) return normalised(transform.normals * convert<Entry>(object_normal));
     const auto rounded = [&](const Vec3<Unit>& row) {
-        return saturated_to<Unit>(
-            rounded_shift(dot(row, object_normal).raw, Unit::kFractionBits, Rounding::NearestHalfUp));
+        return saturated_to<Unit>(floor_of<30>(convert<Fixed<std::int64_t, 30>>(dot(row, object_normal))));
     };
     const auto& [x, y, z] = *transform.turn;
     return {rounded(x), rounded(y), rounded(z)};

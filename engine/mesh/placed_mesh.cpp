@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/base/table.h"
+#include "engine/fixed/arithmetic.h"
 #include "engine/math/transform.h"
 
 namespace oblong {
@@ -21,7 +22,7 @@ Matrix4 matrix_of(const PlacedMesh& placed) {
 bool has_small_entries(const Matrix4& matrix) {
     std::uint64_t entries = 0;
     for (std::size_t row = 0; row < 3; ++row)
-        for (std::size_t column = 0; column < 3; ++column) entries |= detail::magnitude(matrix.rows[row][column].raw);
+        for (std::size_t column = 0; column < 3; ++column) entries |= magnitude(matrix.rows[row][column]);
     return entries >> (Entry::kFractionBits + 5) == 0;
 }
 

@@ -17,7 +17,7 @@ constexpr Sine60 kOne60 = Sine60::from_int(1);
 Vec3<Sine60> without(const Vec3<Unit>& v, const Vec3<Unit>& axis) {
     const Sine60 along = dot(axis, v);
     const auto rest = [&along](Unit component, Unit of_axis) {
-        return convert<Sine60>(component) - Sine60::from_raw(mul_shift(of_axis.raw, along.raw, Unit::kFractionBits));
+        return convert<Sine60>(component) - product<Sine60>(of_axis, along);
     };
     return {rest(v.x, axis.x), rest(v.y, axis.y), rest(v.z, axis.z)};
 }
@@ -51,12 +51,12 @@ Basis y_up_basis(Angle yaw, Angle pitch, Angle roll) {
 
 Sine60 orthonormal_flaw(const Basis& basis) {
     const std::array axes{basis.right, basis.up, basis.forward};
-    std::int64_t worst = 0;
+    Sine60 worst;
     for (std::size_t i = 0; i < axes.size(); ++i) {
-        worst = std::max(worst, std::abs((dot(axes[i], axes[i]) - kOne60).raw));
-        worst = std::max(worst, std::abs(dot(axes[i], axes[(i + 1) % axes.size()]).raw));
+        worst = std::max(worst, absolute(dot(axes[i], axes[i]) - kOne60));
+        worst = std::max(worst, absolute(dot(axes[i], axes[(i + 1) % axes.size()])));
     }
-    return Sine60::from_raw(worst);
+    return worst;
 }
 
 bool is_orthonormal(const Basis& basis) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/view_scratch.h"
 #include "engine/level/side.h"
@@ -107,7 +108,7 @@ void HiddenSurfaceMethod::claim_owned(const FrameContext& frame, ViewScratch& sc
     const std::vector<OwnedRun> runs = owned_runs(owners_);
     for (auto run = runs.begin(); run != runs.end();) {
         const auto end = std::find_if(run, runs.end(), [&](const OwnedRun& next) { return next.face != run->face; });
-        claim_runs(item(scanned_.faces, run->face), {&*run, static_cast<std::size_t>(end - run)}, frame, scratch);
+        claim_runs(item(scanned_.faces, run->face), {&*run, as_size(end - run)}, frame, scratch);
         run = end;
     }
 }

@@ -16,7 +16,7 @@ struct RayHit {
     Sine60 approach;
 
     bool is_before(const RayHit& other) const {
-        const auto size = [](auto value) { return static_cast<std::uint64_t>(value.raw); };
+        const auto size = [](auto value) { return std::uint64_t{value.bits()}; };
         return compare_products(size(distance), size(other.approach), size(other.distance), size(approach)) < 0;
     }
 };

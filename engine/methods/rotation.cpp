@@ -11,21 +11,21 @@ namespace {
 using Vec60 = Vec3<Sine60>;
 
 Sine60 scaled(Unit component, Sine60 factor) {
-    return Sine60::from_raw(mul_shift(component.raw, factor.raw, 30));
+    return product<Sine60>(component, factor);
 }
 Vec60 scaled(const Vec3<Unit>& v, Sine60 factor) {
     return {scaled(v.x, factor), scaled(v.y, factor), scaled(v.z, factor)};
 }
 
 Sine60 scaled(Sine60 component, Sine60 factor) {
-    return Sine60::from_raw(mul_shift(component.raw, factor.raw, 60));
+    return product<Sine60>(component, factor);
 }
 Vec60 scaled(const Vec60& v, Sine60 factor) {
     return {scaled(v.x, factor), scaled(v.y, factor), scaled(v.z, factor)};
 }
 
 Sine60 times(Unit a, Sine60 b) {
-    return Sine60::from_raw(mul_shift(a.raw, b.raw, 30));
+    return product<Sine60>(a, b);
 }
 
 }  // namespace

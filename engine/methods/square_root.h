@@ -11,9 +11,9 @@ To square_root(Fixed<Int, Frac> value, Rounding rounding = Rounding::Floor) {
     // One bit more than To has, for the rounding: a root is never a tie, for its square would end in a quarter.
     constexpr int kShift = 2 * (To::kFractionBits + 1) - Frac;
     static_assert(kShift >= 0 && kShift <= 63, "the radicand fits 128 bits");
-    if (value.raw <= 0) return To{};
+    if (value <= decltype(value){}) return To{};
     const std::uint64_t root =
-        integer_root(portable::multiply(static_cast<std::uint64_t>(value.raw), std::uint64_t{1} << kShift));
+        integer_root(portable::multiply(std::uint64_t{value.bits()}, std::uint64_t{1} << kShift));
     const std::uint64_t rounded = rounding == Rounding::Floor ? root >> 1 : (root >> 1) + (root & 1);
     return saturated_to<To>(detail::saturated(false, rounded));
 }

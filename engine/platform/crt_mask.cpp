@@ -17,7 +17,7 @@ std::uint32_t row_light_256(std::int64_t y, std::int64_t height_px, std::int64_t
     const std::int64_t pixels_256 = height_px * 256 / rows;
     const std::int64_t depth_256 = std::clamp<std::int64_t>(pixels_256 - 512, 0, 256) * kDarkest_256 / 256;
     const Angle phase = Angle::from_bam((2 * y + 1) * rows % (2 * height_px) * 65'536 / (2 * height_px));
-    const std::int64_t border_30 = (std::int64_t{cosine(phase).raw} + Unit::from_int(1).raw) / 2;
+    const std::int64_t border_30 = (std::int64_t{floor_of<30>(cosine(phase))} + (1 << 30)) / 2;
     return static_cast<std::uint32_t>(256 - (depth_256 * border_30 >> Unit::kFractionBits));
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/base/range_probe.h"
 #include "engine/base/table.h"
+#include "engine/fixed/arithmetic.h"
 #include "engine/fixed/wide.h"
 
 namespace oblong {
@@ -28,7 +29,7 @@ BlockRule make_block_rule(const Accuracy& accuracy) {
 BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_step, int longest_log2) {
     constexpr std::uint64_t kMost = std::uint64_t{1} << 61;
     BlockThresholds thresholds;
-    const std::uint64_t step = std::min(detail::magnitude(inverse_z_step.raw), std::uint64_t{1} << 50);
+    const std::uint64_t step = std::min(magnitude(inverse_z_step), std::uint64_t{1} << 50);
     const std::uint64_t fall = inverse_z_step < InverseZ{} ? step : 0;
     for (int k = 1; k < kBlockSizes; ++k) {
         const std::uint64_t product = ((step * item(rule.factor_8, k)) >> 8) + 1;
@@ -45,8 +46,8 @@ BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_
 int longest_block_log2(const BlockRule& rule, Fixed<std::int64_t, 16> texels_per_pixel) {
     // Steps of 2^-16 texel that are a sixteenth of the bound. One may be lost a pixel, and 8 by rounding the ends and
     // z.
-    const std::int64_t steps = floor_shift(
-        std::min(texels_per_pixel, Fixed<std::int64_t, 16>::from_int(65536)).raw * rule.pixel_bound_256, 12);
+    const std::int64_t steps =
+        floor_of<4>(std::min(texels_per_pixel, Fixed<std::int64_t, 16>::from_int(65536)) * rule.pixel_bound_256);
     const auto pixels = static_cast<std::uint64_t>(std::max(steps - 8, std::int64_t{1}));
     return std::min(static_cast<int>(std::bit_width(pixels)) - 1, kBlockSizes - 1);
 }

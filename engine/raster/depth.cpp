@@ -33,8 +33,8 @@ void fill_run(InverseZ first, InverseZ step, std::int32_t count, InverseDepth* o
         for (std::int32_t i = 0; i < count; ++i) out[i] = to_inverse_depth(stepped(first, step, i));
         return;
     }
-    auto value = static_cast<std::uint64_t>(first.raw);
-    for (std::int32_t i = 0; i < count; ++i, value += static_cast<std::uint64_t>(step.raw))
+    auto value = first.bits();
+    for (std::int32_t i = 0; i < count; ++i, value += step.bits())
         out[i] = static_cast<InverseDepth>(value >> kDropped);
 }
 

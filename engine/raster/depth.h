@@ -19,7 +19,7 @@ using InverseDepth = std::uint32_t;
 
 constexpr InverseDepth to_inverse_depth(InverseZ inverse_z) {
     constexpr std::int64_t kMost = std::numeric_limits<InverseDepth>::max();
-    const std::int64_t steps = floor_shift(inverse_z.raw, InverseZ::kFractionBits - 32);
+    const std::int64_t steps = floor_of<32>(inverse_z);
     return static_cast<InverseDepth>(steps < 0 ? 0 : steps > kMost ? kMost : steps);
 }
 

@@ -24,12 +24,11 @@ struct Octave {
 /// From `first` on, up to `end` at most.
 inline Octave octave_from(std::int32_t first, std::int32_t end, InverseZ inverse_z, InverseZ step) {
     if (inverse_z < kLeastInverseZ || inverse_z >= kGreatestInverseZ) return {first, first + 1, -1};
-    const int shift = std::countl_zero(static_cast<std::uint64_t>(inverse_z.raw)) - 4;
+    const int shift = std::countl_zero(inverse_z.bits()) - 4;
     if (step == InverseZ{}) return {first, end, shift};
-    const std::int64_t least = std::int64_t{1} << (59 - shift);
-    const std::int64_t room = step > InverseZ{} ? 2 * least - 1 - inverse_z.raw : inverse_z.raw - least;
-    return {first, static_cast<std::int32_t>(std::min<std::int64_t>(end, first + room / absolute(step).raw + 1)),
-            shift};
+    const InverseZ least = InverseZ::from_raw(std::int64_t{1} << (59 - shift));
+    const InverseZ room = step > InverseZ{} ? least * 2 - InverseZ::ulp() - inverse_z : inverse_z - least;
+    return {first, static_cast<std::int32_t>(std::min<std::int64_t>(end, first + room / absolute(step) + 1)), shift};
 }
 
 /// The texel of a pixel by a division, by Depth's arithmetic where nothing is clamped.
@@ -120,8 +119,8 @@ class OctaveRow {
 
         template <class Value>
         Scaled(const LinearQuantity<Value>& quantity, const Octave& octave, std::int32_t row)
-            : first(static_cast<std::uint64_t>(quantity.at(octave.first, row).raw) << octave.shift),
-              step(static_cast<std::uint64_t>(quantity.per_column.raw) << octave.shift) {}
+            : first(quantity.at(octave.first, row).bits() << octave.shift),
+              step(quantity.per_column.bits() << octave.shift) {}
         std::uint64_t at(std::int32_t pixel) const { return first + step * static_cast<std::uint64_t>(pixel); }
         std::int64_t upper_half(std::int32_t pixel) const { return static_cast<std::int64_t>(at(pixel)) >> 32; }
     };

@@ -45,8 +45,8 @@ bool fits_range(const TextureGradients& gradients, const ScreenRectangle& rectan
     const Slopes z = slopes_over(rectangle, gradients.inverse_z);
     const Slopes u = slopes_over(rectangle, gradients.u_over_z), v = slopes_over(rectangle, gradients.v_over_z);
     return is_gentle(gradients.inverse_z, z) && is_gentle(gradients.u_over_z, u) && is_gentle(gradients.v_over_z, v) &&
-           z.least() >= kLeastInverseZ.raw && z.greatest() < kGreatestInverseZ.raw && is_below_7_times(u, z) &&
-           is_below_7_times(v, z);
+           InverseZ::from_raw(z.least()) >= kLeastInverseZ && InverseZ::from_raw(z.greatest()) < kGreatestInverseZ &&
+           is_below_7_times(u, z) && is_below_7_times(v, z);
 }
 
 }  // namespace oblong

@@ -21,8 +21,7 @@ class AccumulatingWalker {
         const ScreenWide dx = widening_difference(bottom.x, top.x), dy = widening_difference(bottom.y, top.y);
         const ScreenWide down = widening_difference(Screen::from_int(row) + Screen::from_raw(128), top.y);
         slope_ = bounded_quotient<Column>(convert<Fixed<std::int64_t, 25>>(dx), dy);
-        column_ = Column::from_raw(std::int64_t{top.x.raw} * 256) +
-                  convert<Column>(bounded_product(slope_, down), Rounding::Floor);
+        column_ = convert<Column>(top.x) + convert<Column>(bounded_product(slope_, down), Rounding::Floor);
     }
 
     std::int32_t column() const {

@@ -84,7 +84,7 @@ class SpanCutter {
         const InverseZ least = std::min(from_z, here_.inverse_z);
         if (least < kLeastInverseZ) return false;
         const InverseZ rise = absolute(here_.inverse_z - from_z);
-        const int shift = std::max(static_cast<int>(std::bit_width(static_cast<std::uint64_t>(least.raw))) - 28, 0);
+        const int shift = std::max(static_cast<int>(std::bit_width(least.bits())) - 28, 0);
         const std::int64_t room_16 = std::int64_t{bound_256} * 256 - steps - 4;
         const std::int64_t rise_in_steps = floor_shift(rise, shift).raw + 1;
         if (room_16 < 0 || rise_in_steps >= std::int64_t{1} << 31) return false;

@@ -52,7 +52,7 @@ TexelDensity least_density(const LevelPlane& plane, const TexInfo& texinfo) {
     const auto s = convert<Coarse>(texinfo.s), t = convert<Coarse>(texinfo.t);
     const auto across = convert<Coarse>(cross(s, t));
     const auto area = convert<Area>(absolute(dot(across, convert<Fixed<std::int32_t, 14>>(plane.normal))));
-    const auto squares = static_cast<std::uint64_t>((dot(s, s) + dot(t, t)).raw);
+    const auto squares = (dot(s, s) + dot(t, t)).bits();
     const auto greatest = Fixed<std::int64_t, 12>::from_raw(static_cast<std::int64_t>(integer_root(squares)) + 2);
     return bounded_quotient<TexelDensity>(area, greatest);
 }
@@ -96,7 +96,7 @@ Table<std::uint64_t, Vertex> hashes_of_places(const Level& level) {
     hashes.reserve(level.vertices.size());
     for (const Vec3<World>& p : level.vertices) {
         std::uint64_t hash = 0;
-        for (const World part : {p.x, p.y, p.z}) hash = scrambled(hash ^ static_cast<std::uint32_t>(part.raw));
+        for (const World part : {p.x, p.y, p.z}) hash = scrambled(hash ^ part.bits());
         hashes.push_back(hash);
     }
     return hashes;

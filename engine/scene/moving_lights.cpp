@@ -110,7 +110,7 @@ std::int32_t light_at(const Vec3<OnFace>& way, std::int64_t square, Distance rad
     }
     const auto distance = Distance::from_raw(integer_root(static_cast<std::uint64_t>(square)));
     if (distance >= radius) return 0;
-    return static_cast<std::int32_t>(floor_shift((radius - distance).raw * brightness_256, Distance::kFractionBits));
+    return static_cast<std::int32_t>(floor_of((radius - distance) * brightness_256));
 }
 
 /// Adds a light to samples, `columns` a row.
@@ -133,11 +133,11 @@ void add_samples(const SampleGrid& grid, PlaneDistance distance, const MovingLig
 using RankedLight = std::pair<std::int64_t, std::size_t>;
 
 RankedLight rank_of(const MovingLight& light, std::size_t index, const Vec3<World>& eye) {
-    constexpr int kDropped = World::kFractionBits - 8;  // so that squares of any distance fit
-    const auto square = [](Distance way) { return floor_shift(way.raw, kDropped) * floor_shift(way.raw, kDropped); };
+    // In 1/256 unit: so that squares of any distance fit.
+    const auto square = [](Distance way) { return floor_of<8>(way) * floor_of<8>(way); };
     const Vec3<Distance> way = widening_difference(light.position, eye);
     const auto squared = static_cast<std::uint64_t>(square(way.x) + square(way.y) + square(way.z));
-    return {std::int64_t{integer_root(squared)} - floor_shift(light.radius.raw, kDropped), index};
+    return {std::int64_t{integer_root(squared)} - floor_of<8>(light.radius), index};
 }
 
 /// A light within the limits; nothing if it gives no light.

@@ -16,8 +16,7 @@ struct LinePart {
     ClipDistance part, whole;
 
     bool operator<(const LinePart& other) const {
-        const auto bits = [](ClipDistance distance) { return static_cast<std::uint64_t>(distance.raw); };
-        return compare_products(bits(part), bits(other.whole), bits(other.part), bits(whole)) < 0;
+        return compare_products(part.bits(), other.whole.bits(), other.part.bits(), whole.bits()) < 0;
     }
 };
 

@@ -17,7 +17,8 @@ ProjectionAxis make_axis(Multiplier multiplier, std::int32_t size_px) {
     ProjectionAxis axis;
     axis.multiplier = std::min(multiplier, kLargestMultiplier);
     axis.coarse = convert<CoarseMultiplier>(axis.multiplier);
-    axis.fast_limit = View::from_raw((std::int64_t{1} << 61) / (axis.coarse.raw + 1));
+    axis.fast_limit =
+        View::from_raw(CoarseMultiplier::from_raw(std::int64_t{1} << 61) / (axis.coarse + CoarseMultiplier::ulp()));
     axis.centre = convert<ScreenWide>(HalfPixels::from_raw(size_px));
     return axis;
 }

@@ -15,7 +15,7 @@ Vec3<Unit> sheared(const Vec3<Unit>& v, Unit step, const Vec3<Unit>& along) {
 
 /// Against the rays, 2^14 units long.
 Vec3<World> toward_viewer(const Vec3<Unit>& ray) {
-    const auto part = [](Unit component) { return World::from_raw(-floor_shift(component, 4).raw); };
+    const auto part = [](Unit component) { return World::from_raw(-floor_of<26>(component)); };
     return {part(ray.x), part(ray.y), part(ray.z)};
 }
 
@@ -37,8 +37,7 @@ std::optional<std::string> problem_of_window(const ViewSpec& spec, const ScreenM
 /// The depth that all points of a parallel view get: a power of two, so that 1/z is exact in any format, and no less
 /// than half the width, as in views of at most 90 degrees.
 View depth_of(View half_width) {
-    const auto steps = static_cast<std::uint64_t>(half_width.raw);
-    return View::from_raw(static_cast<std::int64_t>(std::bit_ceil(steps)));
+    return View::from_raw(static_cast<std::int64_t>(std::bit_ceil(half_width.bits())));
 }
 
 }  // namespace

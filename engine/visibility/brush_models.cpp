@@ -56,7 +56,7 @@ LevelBox box_of(const SubModel& model, const Vec3<World>& offset) {
 std::int64_t distance_order(const SubModel& model, const PlacedModel& placed, const Viewpoint& viewpoint) {
     const auto part = [&](std::int32_t low, std::int32_t high, World offset, World from) {
         const std::int64_t middle = (std::int64_t{low} + high) / 2;
-        if (viewpoint.is_direction()) return -(middle + floor_of(offset)) * from.raw;
+        if (viewpoint.is_direction()) return -(middle + floor_of(offset)) * floor_of<12>(from);
         const std::int64_t away = middle + floor_of(widening_difference(offset, from));
         return away * away;
     };

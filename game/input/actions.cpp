@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 namespace {
 
@@ -62,7 +64,7 @@ constexpr std::array<ActionRow, kActionCount> kActions{{
 
 constexpr bool is_in_order() {
     for (std::size_t i = 0; i < kActions.size(); ++i)
-        if (static_cast<std::size_t>(kActions[i].action) != i) return false;
+        if (as_size(kActions[i].action) != i) return false;
     return true;
 }
 static_assert(is_in_order());

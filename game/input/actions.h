@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "engine/base/table.h"
 #include "engine/platform/input.h"
 
 namespace oblong {
@@ -81,7 +82,7 @@ struct ActionRow {
 /// All actions, each at the place of its number.
 std::span<const ActionRow> all_actions();
 inline const ActionRow& row_of(Action action) {
-    return all_actions()[static_cast<std::size_t>(action)];
+    return all_actions()[as_size(action)];
 }
 
 /// The input by which a script presses an action, whatever is bound to it.

@@ -3,12 +3,13 @@
 #include <algorithm>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 
 namespace oblong {
 namespace {
 
 std::size_t index_of(Action action) {
-    return static_cast<std::size_t>(action);
+    return as_size(action);
 }
 
 bool is_apart(Action a, Action b) {

@@ -168,8 +168,7 @@ TickInput RouteWalker::next(const GameState& state) {
     TickInput input;
     Angle wanted = goal.yaw.value_or(player.yaw);
     if (!is_there_) {
-        wanted = arctangent2(World::from_int(goal.y).raw - player.position.y.raw,
-                             World::from_int(goal.x).raw - player.position.x.raw);
+        wanted = arctangent2(World::from_int(goal.y) - player.position.y, World::from_int(goal.x) - player.position.x);
         input.forward = static_cast<std::int8_t>(slowed(goal.speed_100 * 127 / 100, way_between(player.yaw, wanted)));
     }
     turn(way_between(player.yaw, wanted), goal.pitch - player.pitch, input);

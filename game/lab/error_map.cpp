@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "engine/base/table.h"
 #include "engine/draw/font.h"
 #include "engine/surface/palette.h"
 
@@ -32,7 +33,7 @@ ErrorMap::ErrorMap(const Palette& palette, ColourScheme scheme) {
 
 std::size_t ErrorMap::band_of(float pixels) {
     const auto is_reached = [pixels](int step_256) { return pixels * 256 >= static_cast<float>(step_256); };
-    return static_cast<std::size_t>(std::count_if(kSteps_256.begin(), kSteps_256.end(), is_reached));
+    return as_size(std::count_if(kSteps_256.begin(), kSteps_256.end(), is_reached));
 }
 
 void ErrorMap::draw(std::span<const TexelError> errors, Framebuffer canvas) const {

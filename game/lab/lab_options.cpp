@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 namespace {
 
@@ -17,7 +19,7 @@ std::string describe(const Dial& dial) {
 
 std::string choose_dial(int steps, LabOptions& options) {
     const auto count = static_cast<int>(all_dials().size());
-    options.dial = static_cast<std::size_t>((static_cast<int>(options.dial) + steps + count) % count);
+    options.dial = as_size((static_cast<int>(options.dial) + steps + count) % count);
     return describe(all_dials()[options.dial]);
 }
 
@@ -55,7 +57,7 @@ std::vector<const Dial*> turned_dials(const Accuracy& accuracy, Preset preset) {
 }  // namespace
 
 std::size_t dial_index(std::string_view name) {
-    return static_cast<std::size_t>(dial_named(name) - all_dials().data());
+    return as_size(dial_named(name) - all_dials().data());
 }
 
 bool needs_lab(const LabOptions& options) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/draw/font.h"
 #include "engine/surface/palette.h"
 
@@ -218,8 +219,7 @@ std::int32_t draw_lab_panel(const LabOptions& options, const LabFigures& figures
     const std::int32_t scale = colours.bright.scale, width = canvas.width_px / scale;
     const bool has_two_columns = width >= kTwoColumns_px && !is_short;
     const std::size_t columns =
-        has_two_columns ? kDialColumns
-                        : static_cast<std::size_t>(std::max((width - 2 * kMargin_px) / kGlyphAdvance_px, 1));
+        has_two_columns ? kDialColumns : as_size(std::max((width - 2 * kMargin_px) / kGlyphAdvance_px, 1));
     std::vector<std::string> texts{describe_errors(figures), describe_colours(figures)};
     if (!has_two_columns) texts.insert(texts.begin(), describe_times(figures, !is_short || width >= kTwoColumns_px));
     if (!is_short) {
@@ -229,7 +229,7 @@ std::int32_t draw_lab_panel(const LabOptions& options, const LabFigures& figures
     const std::int32_t most_px = panel_room_px(canvas, scale);
     const std::int32_t room_px =
         (is_short ? std::min(most_px, canvas.height_px / 3) : most_px) / scale - 2 * kMargin_px;
-    const auto most_rows = static_cast<std::size_t>(std::max(room_px, kRow_px) / kRow_px);
+    const auto most_rows = as_size(std::max(room_px, kRow_px) / kRow_px);
     const std::size_t head = has_two_columns ? 1 : 0, least_dials = has_two_columns ? kDialRows : std::size_t{2};
     std::vector<std::string> lines;
     for (const std::string& text : texts) {

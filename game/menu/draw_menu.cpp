@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "engine/draw/font.h"
 #include "engine/surface/palette.h"
 #include "game/menu/menu_layout.h"
@@ -121,8 +122,7 @@ void draw_picture(const MenuPicture& picture, const Area& area, const MenuLook& 
     for (std::int32_t y = 0; y < height; ++y)
         for (std::int32_t x = 0; x < width; ++x) {
             const std::int32_t from = y * picture.height_px / height * picture.width_px + x * picture.width_px / width;
-            set_pixel(canvas, area.x + x, area.y + y,
-                      nearest_colour(palette, picture.pixels[static_cast<std::size_t>(from)]));
+            set_pixel(canvas, area.x + x, area.y + y, nearest_colour(palette, item(picture.pixels, from)));
         }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "engine/draw/font.h"
 
 namespace oblong {
@@ -70,7 +71,7 @@ class PageLayout {
         // Of the whole page, so that rows stay where they are while another one is chosen.
         std::size_t most = lines_for(page_.help).size();
         for (const MenuRow& row : page_.rows) most = std::max(most, lines_for(row.help).size());
-        const auto room = static_cast<std::size_t>(canvas_.height_px / line_px_ * 2 / 5);
+        const auto room = as_size(canvas_.height_px / line_px_ * 2 / 5);
         if (out_.help.size() > room) out_.help.resize(room);
         help_lines_ =
             most == 0 ? 0 : static_cast<std::int32_t>(std::clamp(most, kHelpLines, std::max(room, kHelpLines)));
@@ -145,8 +146,7 @@ class PageLayout {
         std::size_t first = std::min(view_.first, items_.empty() ? 0 : items_.size() - 1);
         while (first > 0 && first - 1 + shown_from(first - 1) == items_.size()) --first;  // no empty room at the end
         const auto is_chosen = [&](const MenuLayout::Item& item) { return item.row == view_.chosen; };
-        const auto chosen =
-            static_cast<std::size_t>(std::find_if(items_.begin(), items_.end(), is_chosen) - items_.begin());
+        const auto chosen = as_size(std::find_if(items_.begin(), items_.end(), is_chosen) - items_.begin());
         if (chosen < items_.size()) {
             if (view_.chosen == 0 && shown_from(0) > chosen) first = 0;  // with the text above the first row
             first = std::min(first, chosen);
@@ -188,8 +188,8 @@ MenuLayout lay_out(const MenuPage& page, const MenuView& view, CanvasSize canvas
 
 std::string cut_to(const std::string& line, std::int32_t columns) {
     if (columns_of(line) <= columns) return line;
-    const auto kept = static_cast<std::size_t>(std::max(columns - 2, 0));
-    return line.substr(0, kept) + std::string("..").substr(0, static_cast<std::size_t>(std::clamp(columns, 0, 2)));
+    const auto kept = as_size(std::max(columns - 2, 0));
+    return line.substr(0, kept) + std::string("..").substr(0, as_size(std::clamp(columns, 0, 2)));
 }
 
 }  // namespace oblong

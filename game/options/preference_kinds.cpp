@@ -4,6 +4,7 @@
 #include <charconv>
 #include <utility>
 
+#include "engine/base/table.h"
 #include "engine/files/arguments.h"
 
 namespace oblong {
@@ -38,7 +39,7 @@ std::int32_t stepped(const std::vector<std::int32_t>& stops, std::int32_t value,
     const auto from = std::lower_bound(stops.begin(), stops.end(), value);
     const auto last = static_cast<std::ptrdiff_t>(stops.size()) - 1;
     const std::ptrdiff_t next = steps > 0 ? above - stops.begin() + steps - 1 : from - stops.begin() + steps;
-    return steps == 0 ? value : stops[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(next, 0, last))];
+    return steps == 0 ? value : item(stops, std::clamp<std::ptrdiff_t>(next, 0, last));
 }
 
 std::string listed(const std::vector<std::string>& values) {
@@ -52,7 +53,7 @@ Preference one_of(PreferenceNames names, std::vector<std::string> values, std::f
                   std::function<void(Preferences&, int)> set) {
     Preference preference = named(std::move(names), listed(values));
     const int count = static_cast<int>(values.size());
-    preference.text = [values, get](const Preferences& of) { return values[static_cast<std::size_t>(get(of))]; };
+    preference.text = [values, get](const Preferences& of) { return item(values, get(of)); };
     preference.shown = preference.text;
     preference.parse = [values, set, name = preference.name](Preferences& of, const std::string& text) {
         const auto found = std::find(values.begin(), values.end(), text);

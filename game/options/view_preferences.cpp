@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/table.h"
 #include "engine/files/arguments.h"
 #include "game/options/preference_kinds.h"
 
@@ -54,7 +55,7 @@ std::string degrees_text(Degrees degrees) {
         std::string text = std::to_string(rounded / unit);
         if (decimals > 0) {
             const std::string digits = std::to_string(rounded % unit);
-            text += '.' + std::string(static_cast<std::size_t>(decimals) - digits.size(), '0') + digits;
+            text += '.' + std::string(as_size(decimals) - digits.size(), '0') + digits;
         }
         if (decimals == kMostDecimals || parse_field_of_view(text) == degrees) return text;
     }

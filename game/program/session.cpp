@@ -35,6 +35,7 @@ Session::Session(std::shared_ptr<const LoadedLevel> loaded, const SessionSetting
 void Session::advance(const Controls& controls, std::uint64_t now_us) {
     const std::uint64_t elapsed_us = now_us - last_us_;
     last_us_ = now_us;
+    has_drawn_ = false;
     played_us_ += elapsed_us;
     handle_commands(controls);
     Controls held = controls;
@@ -157,7 +158,7 @@ ShownPicture Session::draw(bool is_behind_menu) {
     const Settings settings = settings_of(preferences);
     Settings shown_settings = settings;
     if (lab_) shown_settings.accuracy = shown_setting(overlays_.lab, settings.accuracy, last_us_);
-    renderer_->draw(view, shown_settings);
+    if (!std::exchange(has_drawn_, false) || lab_) renderer_->draw(view, shown_settings);
     PaletteEffects effects = palette_.effects_at(view, preferences.flashes, preferences.light());
     if (is_behind_menu) effects.flash = {};  // it would wash the menu out
     note_cost(view, shown_settings, effects);
@@ -177,6 +178,7 @@ Thumbnail Session::thumbnail() {
     follow_mode();
     const GameView view = shown_view();
     renderer_->draw(view, settings_of(view_options_.preferences));
+    has_drawn_ = true;
     const PaletteEffects effects =
         palette_.effects_at(view, view_options_.preferences.flashes, view_options_.preferences.light());
     return make_thumbnail(renderer_->canvas(), palette_of(view, effects));
@@ -184,6 +186,7 @@ Thumbnail Session::thumbnail() {
 
 void Session::restore(const GameState& state) {
     before_ = after_ = state;
+    has_drawn_ = false;
 }
 
 KeyNames Session::key_names() const {

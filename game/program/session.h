@@ -46,7 +46,10 @@ class Session final : public GameScreen {
             TickInputSource input, Platform& platform);
 
     void advance(const Controls& controls, std::uint64_t now_us) override;
-    void advance_behind_menu(std::uint64_t now_us) override { last_us_ = now_us; }
+    void advance_behind_menu(std::uint64_t now_us) override {
+        last_us_ = now_us;
+        has_drawn_ = false;
+    }
     bool captures_mouse() const override;
     /// A level's last sounds are heard to their end.
     bool is_heard(bool is_behind_menu) const override { return !is_behind_menu || after_.has_ended; }
@@ -119,6 +122,7 @@ class Session final : public GameScreen {
     CostText cost_text_;
     std::int32_t text_bottom_ = 0;  // the row above which the text at the bottom ends
     bool wants_screenshot_ = false;
+    bool has_drawn_ = false;                // thumbnail(): the picture that the next draw() shows
     std::set<std::string_view> warned_of_;  // what a tick left for later
 };
 

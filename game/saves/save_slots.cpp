@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/base/table.h"
 #include "engine/files/files.h"
 
 namespace oblong {
@@ -30,18 +31,22 @@ bool is_there(const std::string& file) {
     return fs::symlink_status(file, ignored).type() != fs::file_type::not_found;
 }
 
-SavedGame read_save(const std::string& file) {
-    return naming_file(file, [&] { return decode_save(read_file(file, kLargestSave_bytes, FileUse::Kept)); });
+std::vector<std::uint8_t> bytes_of(const std::string& file) {
+    return read_file(file, kLargestSave_bytes, FileUse::Kept);
 }
 
-// Why a file is no save that can be loaded; empty if it is one.
-std::string refusal_of(const std::string& file) {
+SavedGame read_save(const std::string& file) {
+    return naming_file(file, [&] { return decode_save(bytes_of(file)); });
+}
+
+// Whether a file is a save that is worth keeping: its checksum says so, what is in it need not be read.
+bool is_whole_save(const std::string& file) {
     try {
-        read_save(file);
-    } catch (const FileError& error) {
-        return error.what();
+        naming_file(file, [&] { expect_whole_save(bytes_of(file)); });
+    } catch (const FileError&) {
+        return false;
     }
-    return {};
+    return true;
 }
 
 std::string number_text(SaveSlot slot) {
@@ -49,14 +54,14 @@ std::string number_text(SaveSlot slot) {
 }
 
 std::string file_name_of(SaveSlot slot) {
-    return std::string(kPrefixes[static_cast<std::size_t>(slot.kind)]) + number_text(slot) + std::string(kExtension);
+    return std::string(item(kPrefixes, slot.kind)) + number_text(slot) + std::string(kExtension);
 }
 
 // The slot whose file, or the one before it, has this name; nothing for any other file.
 std::optional<SaveSlot> slot_of(const std::string& file_name) {
     const std::string_view name(file_name);
     for (const SaveKind kind : {SaveKind::Walk, SaveKind::Quick, SaveKind::Numbered}) {
-        const std::string_view prefix = kPrefixes[static_cast<std::size_t>(kind)];
+        const std::string_view prefix = item(kPrefixes, kind);
         SaveSlot slot{kind, 0};
         if (!name.starts_with(prefix)) continue;
         std::from_chars(name.data() + prefix.size(), name.data() + name.size(), slot.number);
@@ -85,7 +90,7 @@ std::vector<fs::path> files_in(const std::string& folder) {
 std::string name_of(SaveSlot slot) {
     static constexpr std::array<const char*, 3> kNames{"Walk", "Quick save", "Slot"};
     const std::string number = number_text(slot);
-    return kNames[static_cast<std::size_t>(slot.kind)] + (number.empty() ? "" : " " + number);
+    return item(kNames, slot.kind) + (number.empty() ? "" : " " + number);
 }
 
 // At the end of links: so a save may be kept elsewhere, and the one before it is there too.
@@ -111,7 +116,7 @@ std::unique_ptr<FileLock> SaveSlots::lock_folder() const {
 void SaveSlots::save(SaveSlot slot, const SavedGame& game) const {
     const auto held = lock_folder();
     const std::string file = file_of(slot);
-    if (is_there(file) && refusal_of(file).empty())
+    if (is_there(file) && is_whole_save(file))
         replace_file(file, former_of(file), encode_save(game));
     else
         write_file(file, encode_save(game), FileUse::Kept);

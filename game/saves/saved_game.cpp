@@ -59,7 +59,7 @@ Thumbnail read_picture(LittleEndianReader& reader) {
     return picture;
 }
 
-// That the file is whole and as it was written; returns what is between header and checksum.
+// That the file is whole, as it was written, and of this version; returns what is between there and the checksum.
 LittleEndianReader checked(std::span<const std::uint8_t> bytes) {
     expect_at(0, bytes.size() >= kHeaderBytes + kHashBytes,
               "the file has " + std::to_string(bytes.size()) + " bytes, expected a saved game");
@@ -75,7 +75,10 @@ LittleEndianReader checked(std::span<const std::uint8_t> bytes) {
     const std::size_t end = bytes.size() - kHashBytes;
     expect_at(end, LittleEndianReader(bytes, end).next<std::uint64_t>() == fnv1a_of(bytes.first(end)),
               "the checksum is another, expected an unaltered file");
-    return LittleEndianReader(bytes.first(end), kHeaderBytes);
+    LittleEndianReader reader(bytes.first(end), kHeaderBytes);
+    expect_at(kHeaderBytes, reader.next<std::uint64_t>() == state_layout(),
+              std::string(kOtherVersion) + ", expected a state of this one's fields");
+    return reader;
 }
 
 }  // namespace
@@ -98,10 +101,12 @@ std::vector<std::uint8_t> encode_save(const SavedGame& game) {
     return bytes;
 }
 
+void expect_whole_save(std::span<const std::uint8_t> bytes) {
+    checked(bytes);
+}
+
 SavedGame decode_save(std::span<const std::uint8_t> bytes) {
     LittleEndianReader reader = checked(bytes);
-    expect_at(kHeaderBytes, reader.next<std::uint64_t>() == state_layout(),
-              std::string(kOtherVersion) + ", expected a state of this one's fields");
     SavedGame game;
     game.level = read_level(reader);
     game.lenses.taken = reader.next<std::int32_t>();

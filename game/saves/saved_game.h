@@ -45,6 +45,9 @@ std::vector<std::uint8_t> encode_save(const SavedGame& game);
 /// What such an error says of a save that is whole.
 inline constexpr const char* kOtherVersion = "saved by another version of the game";
 
+/// Throws InputError unless such bytes are whole, as they were written, and of this version of the game.
+void expect_whole_save(std::span<const std::uint8_t> bytes);
+
 /// Parses such bytes. Throws InputError unless they are a whole and unaltered save of this version of the game.
 SavedGame decode_save(std::span<const std::uint8_t> bytes);
 

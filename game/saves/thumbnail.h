@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "engine/base/table.h"
 #include "engine/surface/palette.h"
 #include "engine/view/screen.h"
 
@@ -12,7 +13,7 @@ namespace oblong {
 struct Thumbnail {
     static constexpr std::int32_t kWidth_px = 80, kHeight_px = 50;
 
-    std::array<Rgb8, static_cast<std::size_t>(kWidth_px) * kHeight_px> pixels{};  ///< row by row
+    std::array<Rgb8, as_size(kWidth_px) * kHeight_px> pixels{};  ///< row by row
 
     bool operator==(const Thumbnail&) const = default;
 };

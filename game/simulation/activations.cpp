@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/base/table.h"
 #include "game/simulation/step.h"
 
 namespace oblong {
@@ -109,7 +110,7 @@ void Activations::fire_now(const Firing& firing) {
     if (index == kNoTarget) return;
     const Target& target = level_.target(index);
     if (!removes) state_.dark_styles ^= target.light_styles;
-    if (removes && target.entities.size() <= static_cast<std::size_t>(std::max(0, left_))) {
+    if (removes && target.entities.size() <= as_size(std::max(0, left_))) {
         count(target.entities.size());
         for (const EntityRef& entity : target.entities) remove(state_, entity);
         return;

@@ -13,7 +13,7 @@ using Axis = World Vec3<World>::*;
 // The axis along which an area is longest.
 Axis longest_axis(const Box& area) {
     constexpr std::array<Axis, 3> kAxes{&Vec3<World>::x, &Vec3<World>::y, &Vec3<World>::z};
-    const auto length = [&](Axis axis) { return std::int64_t{(area.maxs.*axis).raw} - (area.mins.*axis).raw; };
+    const auto length = [&](Axis axis) { return widening_difference(area.maxs.*axis, area.mins.*axis); };
     return *std::max_element(kAxes.begin(), kAxes.end(), [&](Axis a, Axis b) { return length(a) < length(b); });
 }
 

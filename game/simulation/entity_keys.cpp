@@ -87,7 +87,7 @@ std::int32_t ticks_of(const Entity& entity, const char* key) {
     const World seconds = number_of(entity, key);
     if (seconds < World{}) return kForever;
     // Rounded up, but for the rounding of the number itself: 0.6 s are 21 ticks.
-    const std::int64_t ticks_12 = std::int64_t{seconds.raw} * kTicksPerSecond;
+    const std::int64_t ticks_12 = std::int64_t{floor_of<12>(seconds)} * kTicksPerSecond;
     constexpr std::int64_t kAlmostOne = (std::int64_t{1} << World::kFractionBits) - kTicksPerSecond;
     return static_cast<std::int32_t>((ticks_12 + kAlmostOne) >> World::kFractionBits);
 }

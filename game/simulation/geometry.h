@@ -22,13 +22,13 @@ inline Vec3<World> world_vector(std::int32_t x, std::int32_t y, std::int32_t z) 
 
 /// value * part / whole, rounded toward zero. `whole` is not 0; the result must fit.
 inline World scaled(World value, std::int64_t part, std::int64_t whole) {
-    return World::from_raw(static_cast<std::int32_t>(value.raw * part / whole));
+    return convert<World>(convert<WorldWide>(value) * part / whole);
 }
 inline Vec3<World> scaled(const Vec3<World>& v, std::int64_t part, std::int64_t whole) {
     return {scaled(v.x, part, whole), scaled(v.y, part, whole), scaled(v.z, part, whole)};
 }
 inline Vec3<World> scaled(const Vec3<World>& v, World part, World whole) {
-    return scaled(v, part.raw, whole.raw);
+    return scaled(v, floor_of<12>(part), floor_of<12>(whole));
 }
 
 /// value * unit, rounded to nearest.

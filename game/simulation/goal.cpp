@@ -22,13 +22,12 @@ std::string name_of(const GameLevel& level, std::size_t item) {
 }  // namespace
 
 std::string direction_of(const Position& from, const Position& to) {
-    const std::int64_t east = std::int64_t{to.x.raw} - from.x.raw, north = std::int64_t{to.y.raw} - from.y.raw,
-                       up = std::int64_t{to.z.raw} - from.z.raw;
-    const std::int64_t across = std::abs(east), along = std::abs(north);
-    if (std::abs(up) > std::max(across, along)) return up > 0 ? "above" : "below";
-    const std::string first = north >= 0 ? "north" : "south", second = east >= 0 ? "east" : "west";
-    if (12 * along > kTangent_12 * across) return first;
-    return 12 * across > kTangent_12 * along ? second : first + "-" + second;
+    const auto [east, north, up] = widening_difference(to, from);
+    const WorldWide across = absolute(east), along = absolute(north);
+    if (absolute(up) > std::max(across, along)) return up > WorldWide{} ? "above" : "below";
+    const std::string first = north >= WorldWide{} ? "north" : "south", second = east >= WorldWide{} ? "east" : "west";
+    if (along * 12 > across * kTangent_12) return first;
+    return across * 12 > along * kTangent_12 ? second : first + "-" + second;
 }
 
 std::vector<std::size_t> last_lenses(const GameLevel& level, const GameState& state) {

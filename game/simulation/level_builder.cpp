@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 #include "engine/level/entities.h"
 #include "engine/scene/light_styles.h"
 #include "game/simulation/collision.h"
@@ -38,8 +39,7 @@ LevelBuilder::LevelBuilder(const Level& bsp) : longest_travel_(longest_travel(bs
 }
 
 GameLevel LevelBuilder::build() {
-    for (const Entity* entity : present_)
-        add_entity(*entity, static_cast<std::size_t>(entity - level_.bsp->entities.data()));
+    for (const Entity* entity : present_) add_entity(*entity, as_size(entity - level_.bsp->entities.data()));
     add_what_monsters_leave();
     add_start();
     connect_movers();
@@ -178,7 +178,7 @@ void LevelBuilder::connect_lightning() {
     const auto boss = std::find_if(trigger_entities_.begin(), trigger_entities_.end(),
                                    [](const Entity* each) { return each->value("classname") == "monster_boss"; });
     if (electrodes.size() < 2 || boss == trigger_entities_.end()) return;
-    Trigger& left_of_boss = level_.triggers[static_cast<std::size_t>(boss - trigger_entities_.begin())];
+    Trigger& left_of_boss = item(level_.triggers, boss - trigger_entities_.begin());
     for (Trigger& trigger : level_.triggers) {
         if (trigger.kind != TriggerKind::Lightning) continue;
         trigger.fires = left_of_boss.fires;

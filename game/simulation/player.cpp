@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/fixed/arithmetic.h"
 #include "engine/fixed/trig.h"
 #include "game/simulation/collision.h"
 #include "game/simulation/slide_move.h"
@@ -48,7 +49,7 @@ Velocity with_friction(const Velocity& v, World at_least) {
 Velocity accelerated(const Velocity& v, const Velocity& wish, World most) {
     const World wished = length_of(wish);
     if (wished == World{}) return v;
-    const World already = World::from_raw(static_cast<std::int32_t>(dot(v, wish).raw / wished.raw));
+    const World already = truncated_quotient<World>(dot(v, wish), wished);
     const World missing = std::min(most, wished) - already;
     if (missing <= World{}) return v;
     return v + scaled(wish, std::min(missing, in_a_tick(wished, kAccelerate)), wished);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "engine/fixed/arithmetic.h"
 #include "game/simulation/tick_input.h"
 
 namespace oblong {
@@ -26,14 +27,13 @@ Velocity slide_along(const Velocity& v, const Normal& normal) {
 // v along the line where two surfaces meet: (v . c) c / |c|^2 with c their cross product. Nothing for surfaces that are
 // nearly parallel.
 Velocity along_crease(const Velocity& v, const Normal& a, const Normal& b) {
-    constexpr std::int64_t kSmallestSquare = std::int64_t{1} << 20;  // 2.30: an angle of 2 degrees
+    using Square = Fixed<std::int64_t, 30>;
+    constexpr Square kSmallestSquare = Square::from_raw(1 << 20);  // an angle of 2 degrees
     const Normal crease = convert<Unit>(cross(a, b));
-    const std::int64_t square_30 = floor_shift(dot(crease, crease).raw, Unit::kFractionBits);
-    if (square_30 < kSmallestSquare) return {};
+    const auto square = convert<Square>(dot(crease, crease), Rounding::Floor);
+    if (square < kSmallestSquare) return {};
     const World part = component_along(v, crease);
-    const auto component = [&](Unit c) {
-        return World::from_raw(static_cast<std::int32_t>(widening_product(part, c).raw / square_30));
-    };
+    const auto component = [&](Unit c) { return truncated_quotient<World>(widening_product(part, c), square); };
     return {component(crease.x), component(crease.y), component(crease.z)};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "game/simulation/activations.h"
 #include "game/simulation/slide_move.h"
 #include "game/simulation/step.h"
@@ -141,7 +142,7 @@ void check_backlog(const GameLevel& level, const GameState& state, Check& check)
     const Backlog& backlog = state.backlog;
     check.expect(backlog.waiting.size() <= Activations::kMost, "waiting: too many");
     for (const WaitingFiring& waiting : backlog.waiting)
-        check.expect(waiting.target >= 0 && static_cast<std::size_t>(waiting.target) < level.targets.size() &&
+        check.expect(waiting.target >= 0 && as_size(waiting.target) < level.targets.size() &&
                          waiting.next < level.target(waiting.target).entities.size(),
                      "waiting: for something that the level has not");
     check.expect(backlog.next_mover == 0 || backlog.next_mover < level.movers.size(), "the next mover: unknown");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/base/table.h"
 #include "engine/fixed/root.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/trace.h"
@@ -33,7 +34,7 @@ std::int64_t root_of_16(std::int64_t value_16) {
 // The part of the way that leads along a horizontal direction, -1 to 1; less where it is near.
 std::int64_t part_along_16(const Vec3<World>& way, World distance, Angle direction) {
     const World along = component_along(way, {cosine(direction), sine(direction), Unit{}});
-    const std::int64_t part = std::int64_t{along.raw} * kOne_16 / std::max(distance, kNear).raw;
+    const std::int64_t part = convert<WorldWide>(along) * kOne_16 / convert<WorldWide>(std::max(distance, kNear));
     return std::clamp(part, -kOne_16, kOne_16);
 }
 
@@ -41,11 +42,11 @@ Direction direction_to(const SoundSource& source, const Listener& listener) {
     if (row_of(source.sound).range == 0) return Direction::Here;
     const Vec3<World> way = nearest_point(source.box, listener.ear) - listener.ear;
     if (length_of(way) < kNear) return Direction::Here;
-    const std::int64_t ahead = component_along(way, {cosine(listener.yaw), sine(listener.yaw), Unit{}}).raw;
+    const World ahead = component_along(way, {cosine(listener.yaw), sine(listener.yaw), Unit{}});
     const Angle to_right = listener.yaw - kQuarterTurn;
-    const std::int64_t right = component_along(way, {cosine(to_right), sine(to_right), Unit{}}).raw;
-    if (std::abs(right) > std::abs(ahead)) return right > 0 ? Direction::Right : Direction::Left;
-    return ahead >= 0 ? Direction::Ahead : Direction::Behind;
+    const World right = component_along(way, {cosine(to_right), sine(to_right), Unit{}});
+    if (absolute(right) > absolute(ahead)) return right > World{} ? Direction::Right : Direction::Left;
+    return ahead >= World{} ? Direction::Ahead : Direction::Behind;
 }
 
 bool is_liquid(Sound sound) {
@@ -186,7 +187,7 @@ VoiceLevels levels_at(const SoundSource& source, const Listener& listener) {
     const Vec3<World> way = nearest_point(source.box, listener.ear) - listener.ear;
     const World distance = length_of(way), range = World::from_int(row.range);
     if (distance >= range) return {};
-    const std::int64_t nearness_16 = kOne_16 - std::int64_t{distance.raw} * kOne_16 / range.raw;
+    const std::int64_t nearness_16 = kOne_16 - convert<WorldWide>(distance) * kOne_16 / convert<WorldWide>(range);
     const std::int64_t gain_16 = nearness_16 * nearness_16 / kOne_16 * row.gain_256 / 256;
     const std::int64_t pan_16 = part_along_16(way, distance, listener.yaw - kQuarterTurn) * kMostPan_16 / kOne_16;
     const auto level = [&](std::int64_t share_16) {
@@ -217,7 +218,7 @@ Audible audible_sounds(const GameLevel& level, const GameState& state, const Lis
         const Heard heard{&source, levels_at(source, listener)};
         if (loudness(heard.levels) < kFaintest_256) continue;
         if (row_of(source.sound).is_loop())
-            loops[static_cast<std::size_t>(source.sound)].push_back(heard);
+            item(loops, source.sound).push_back(heard);
         else
             hearing.add(heard);
     }

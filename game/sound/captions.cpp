@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/base/table.h"
 #include "game/simulation/tick_input.h"
 
 namespace oblong {
@@ -38,7 +39,7 @@ bool Captions::is_due(const AudibleSound& sound) {
     if (!row.is_loop() && !is_new) return false;
     if (row.caption_rule == CaptionRule::Always) return true;
     if (row.is_loop() && sound.levels.left_256 + sound.levels.right_256 < kFaintestNamed_256) return false;
-    std::int64_t& until = heard_until_[static_cast<std::size_t>(sound.sound)];
+    std::int64_t& until = item(heard_until_, sound.sound);
     const bool was_silent = until == 0 || tick_ > until + kSilence_ticks;
     until = tick_;
     return was_silent;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 
 namespace oblong {
 namespace {
@@ -18,7 +19,7 @@ class BitReader {
     /// `count` bits, 0 to 32.
     std::uint32_t take(int count) {
         const std::uint64_t bits = window();
-        skip(static_cast<std::size_t>(count));
+        skip(as_size(count));
         return count == 0 ? 0 : static_cast<std::uint32_t>(bits >> (64 - count));
     }
     /// The same in two's complement; 1 to 32.
@@ -30,7 +31,7 @@ class BitReader {
         std::uint32_t zeros = 0;
         for (; window() >> 32 == 0; zeros += 32) skip(32);
         const int more = std::countl_zero(window());
-        skip(static_cast<std::size_t>(more) + 1);
+        skip(as_size(more) + 1);
         return zeros + static_cast<std::uint32_t>(more);
     }
     void skip(std::size_t bits) {
@@ -182,7 +183,7 @@ void read_frame(BitReader& bits, std::vector<std::int16_t>& samples) {
     bits.expect(channels == 0 && (depth == 0 || depth == 4) && bits.take(1) == 0,
                 "a frame that is not of one channel of 16 bits");
     const int more_bytes_of_number = std::countl_one(static_cast<std::uint8_t>(bits.take(8)));
-    bits.skip(more_bytes_of_number > 1 ? 8 * static_cast<std::size_t>(more_bytes_of_number - 1) : 0);
+    bits.skip(more_bytes_of_number > 1 ? 8 * as_size(more_bytes_of_number - 1) : 0);
     std::vector<std::int32_t> block(block_size(bits, size_code));
     bits.skip(rate_code == 12 ? 8 : rate_code == 13 || rate_code == 14 ? 16 : 0);
     bits.skip(8);  // the header's own checksum: that of the frame is over it, too

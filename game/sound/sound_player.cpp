@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/base/table.h"
 #include "engine/files/files.h"
 #include "game/sound/flac.h"
 
@@ -30,7 +31,7 @@ SoundPlayer::SoundPlayer(SoundOutput& output, const std::string& folder) : outpu
 }
 
 SoundOutput::SoundNumber SoundPlayer::number_of(Sound sound, std::int32_t variant) const {
-    return first_numbers_[static_cast<std::size_t>(sound)] + variant;
+    return item(first_numbers_, sound) + variant;
 }
 
 void SoundPlayer::play(std::span<const AudibleSound> sounds, std::int32_t volume_256) {

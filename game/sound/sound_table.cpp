@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 namespace {
 
@@ -61,7 +63,7 @@ static_assert(kRows.size() == kSoundCount);
 }  // namespace
 
 const SoundRow& row_of(Sound sound) {
-    return kRows[static_cast<std::size_t>(sound)];
+    return item(kRows, sound);
 }
 
 std::string file_of(Sound sound, std::int32_t variant) {

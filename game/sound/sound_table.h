@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "engine/base/table.h"
+
 namespace oblong {
 
 /// What can be heard in the game.
@@ -54,7 +56,7 @@ enum class Sound : std::uint8_t {
     Teleporter,
     UnderWater
 };
-inline constexpr std::size_t kSoundCount = static_cast<std::size_t>(Sound::UnderWater) + 1;
+inline constexpr std::size_t kSoundCount = as_size(Sound::UnderWater) + 1;
 
 /// When a sound's caption is shown.
 enum class CaptionRule : std::uint8_t {

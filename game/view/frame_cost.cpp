@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/base/table.h"
 #include "engine/draw/font.h"
 
 namespace oblong {
@@ -42,7 +43,7 @@ struct Column {
 
 Column column_of(std::int32_t left, const std::vector<PlanLine>& lines, int name_width, bool has_pixels) {
     const std::string head = has_pixels ? "pixels   us" : "   us";
-    Column column{left, lines.empty() ? "" : std::string(static_cast<std::size_t>(name_width), ' ') + head, {}};
+    Column column{left, lines.empty() ? "" : std::string(as_size(name_width), ' ') + head, {}};
     for (const PlanLine& line : lines) column.lines.push_back(text_of(line, name_width, has_pixels));
     return column;
 }
@@ -94,7 +95,7 @@ CostTable lay_out_cost(const CostText& text, std::int32_t room_px, TextColours c
     if (longest > 0 && table.height_px + row_px * static_cast<std::int32_t>(longest + 1) > room_px) {
         constexpr std::int32_t kManyPages = 10;  // their number takes as much room as any
         const std::int32_t lines = (room_px - head_px(kManyPages) - 2) / row_px - 1;
-        table.lines = static_cast<std::size_t>(std::max(lines, 0));
+        table.lines = as_size(std::max(lines, 0));
         if (table.lines > 0) table.height_px = head_px(kManyPages) + 2;
     }
     if (table.lines == 0) return table;
@@ -111,7 +112,7 @@ void draw_cost(const CostText& text, const CostTable& table, std::int32_t page, 
     draw_lines(bottom - table.height_px + 1, head, colours, canvas);
     if (table.lines == 0) return;
     const std::int32_t scale = colours.scale, row_px = kRow_px * scale;
-    const std::size_t first = static_cast<std::size_t>(page - 1) * table.lines;
+    const std::size_t first = as_size(page - 1) * table.lines;
     for (const Column& column : columns_of(text, canvas.width_px / scale)) {
         std::int32_t y = bottom - static_cast<std::int32_t>(table.lines + 1) * row_px;
         if (first < column.lines.size()) draw_text(canvas, column.left * scale, y, column.head, colours);

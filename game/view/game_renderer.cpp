@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/base/table.h"
 #include "engine/frame/wireframe.h"
 #include "engine/view/screen.h"
 #include "engine/view/views.h"
@@ -38,7 +39,7 @@ std::vector<std::optional<std::size_t>> models_of_items(const GameLevel& level, 
         const auto model = std::find_if(models.models.begin(), models.models.end(),
                                         [&](const LevelModel& one) { return one.entity == item.entity; });
         found.emplace_back();
-        if (model != models.models.end()) found.back() = static_cast<std::size_t>(model - models.models.begin());
+        if (model != models.models.end()) found.back() = as_size(model - models.models.begin());
     }
     return found;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "engine/base/table.h"
 #include "engine/draw/font.h"
 
 namespace oblong {
@@ -82,8 +83,7 @@ HudLayout draw_hud(const HudText& text, Messages& messages, std::uint64_t now_us
     const std::string captions = joined(text.captions);
     draw_on_background(layout.captions, lines_across(captions, colours, canvas), colours, background, canvas);
     const std::int32_t columns = (canvas.width_px - 2 * kTextMargin_px) / (kGlyphAdvance_px * colours.scale);
-    const auto most_lines =
-        std::min(kMostMessageLines, static_cast<std::size_t>(layout.messages.height() / line_px(colours)));
+    const auto most_lines = std::min(kMostMessageLines, as_size(layout.messages.height() / line_px(colours)));
     draw_on_background(layout.messages, messages.lines(now_us, std::max(columns, 1), most_lines), colours, background,
                        canvas);
     return layout;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/base/table.h"
 #include "engine/draw/font.h"
 #include "engine/draw/text.h"
 
@@ -44,7 +45,7 @@ void Messages::split_first(std::int32_t columns, std::size_t most_lines) {
     Part& first = parts_.front();
     const std::vector<std::string_view> all = wrapped(first.text, columns);
     if (all.size() <= most_lines) return;
-    const auto kept = static_cast<std::size_t>(all[most_lines].data() - first.text.data());
+    const auto kept = as_size(all[most_lines].data() - first.text.data());
     std::string rest = first.text.substr(kept);
     const std::uint64_t time_us = reading_time_us(rest);
     first.text.resize(kept);

@@ -27,7 +27,7 @@ World bob(World speed, const InterpolatedState& state) {
 }
 
 std::int64_t lean(World sideways) {
-    return std::clamp(sideways, -kLeanSpeed, kLeanSpeed).raw * kLean / kLeanSpeed.raw;
+    return std::int64_t{floor_of<12>(std::clamp(sideways, -kLeanSpeed, kLeanSpeed))} * kLean / floor_of<12>(kLeanSpeed);
 }
 
 }  // namespace

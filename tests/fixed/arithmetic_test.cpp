@@ -110,6 +110,31 @@ TEST(Conversion, SaturatesInBothDirections) {
     EXPECT_EQ(saturating_convert<PlaneDistance>(View::lowest()), PlaneDistance::lowest());
 }
 
+/// Against doubles, which hold all of these numbers exactly.
+RC_GTEST_PROP(Parts, AreThoseOfDoubles, (std::int32_t raw, std::int32_t other)) {
+    const auto is = [](auto found, double expected) { return static_cast<double>(found) == expected; };
+    const auto a = WorldWide::from_raw(raw), b = WorldWide::from_raw(other);
+    const double steps = raw, value = steps / 4096;
+    RC_ASSERT(is(floor_of<4>(a), std::floor(value * 16)));
+    RC_ASSERT(is(floor_of<12>(a), steps));
+    RC_ASSERT(is(floor_of<20>(a), value * (1 << 20)));
+    RC_ASSERT(is((a / 10).raw, std::trunc(steps / 10)));
+    RC_ASSERT(is_within(a, WorldWide::from_int(256)) == (std::abs(value) < 256));
+    RC_ASSERT(is(magnitude(World::from_raw(raw)), std::abs(steps)));
+    RC_ASSERT(is(World::from_raw(raw).bits(), raw < 0 ? steps + 0x1p32 : steps));
+    RC_PRE(other != 0);
+    RC_ASSERT(is(a / b, std::trunc(steps / other)));
+    const auto wide = Fixed<std::int64_t, 24>::from_raw(std::int64_t{raw} * 1000);
+    RC_ASSERT(is(truncated_quotient<WorldWide>(wide, b).raw, std::trunc(steps * 1000 / other)));
+}
+
+TEST(Sum, SaturatesInBothDirections) {
+    EXPECT_EQ(saturating_sum(View::highest(), View::ulp()), View::highest());
+    EXPECT_EQ(saturating_sum(View::lowest(), -View::ulp()), View::lowest());
+    EXPECT_EQ(saturating_sum(View::highest(), View::lowest()), -View::ulp());
+    EXPECT_EQ(saturating_sum(View::from_int(3), View::from_int(-5)), View::from_int(-2));
+}
+
 TEST(Reciprocal, OfTheLeastAndGreatest16Dot16Number) {
     using Fixed46 = Fixed<std::int64_t, 46>;
     EXPECT_EQ(reciprocal<Fixed46>(Fixed16::from_raw(1)), Fixed46::from_int(65536));

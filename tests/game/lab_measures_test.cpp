@@ -18,6 +18,9 @@ std::int64_t now_ns = 0, step_ns = 0;
 std::int64_t slower_and_slower() {
     return now_ns += step_ns += 1000;
 }
+std::int64_t by_steps() {
+    return now_ns += 1000;
+}
 std::int64_t standing() {
     return 0;
 }
@@ -116,6 +119,19 @@ TEST_F(LabMeasure, TheLinesOfAFrameAddUpToIt) {
     EXPECT_EQ(names[1], "claims");
     EXPECT_EQ(names[2], "walls");
     EXPECT_EQ(names.back(), "other");
+}
+
+// Between any two readings of this clock lies 1 us. No line's own is what lies before the first reading of brush
+// models, which are made ready first, between their two, before the claims, before each pass, and behind the last one.
+TEST_F(LabMeasure, NoTimeOfAFrameIsLostOrCountedTwice) {
+    now_ns = 0;
+    ViewTimes times(by_steps);
+    times.time(view(), {}, *renderer_);
+    const std::vector<PlanLine> lines =
+        times.renderings().pass_lines(renderer_->plan(), renderer_->draw_and_count(view(), {}));
+    const auto passes = static_cast<double>(renderer_->plan().passes.count());
+    ASSERT_EQ(lines.size(), 3 + renderer_->plan().passes.count());
+    EXPECT_EQ(lines.back().nanoseconds, 1000 * (4 + passes));
 }
 
 TEST_F(LabMeasure, ErrorsAreThoseOfTheSetting) {

@@ -96,31 +96,29 @@ TEST(SeedM9, FourThirdsWrittenAs1Point33MissesByAQuarterOfAPixel) {
 /// What the three projections of the seed do for one point, counted as they run, and that they end where project()
 /// does.
 TEST(SeedM10, AspectAndFieldOfViewInTwoMultipliersCostNothing) {
-    Operations naive, by_formula, by_multipliers;
-    const auto counted = [](Operations& operations, double value) { return Counted(value, operations); };
-    const auto point = [](auto number) { return Vec3<Counted>{number(3), number(2), number(7)}; };
-    const auto place = [](auto number, double x, double y) { return SeedPixel<Counted>{number(x), number(y)}; };
-    const auto in_naive = [&](double value) { return counted(naive, value); };
-    const auto in_formula = [&](double value) { return counted(by_formula, value); };
-    const auto in_multipliers = [&](double value) { return counted(by_multipliers, value); };
-
+    const auto naively = []<class Number>(Number) {
+        return project_naively(Vec3<Number>{3, 2, 7}, Number(160), SeedPixel<Number>{160, 100});
+    };
+    const auto by_formula = []<class Number>(Number) {
+        return project_by_formula(Vec3<Number>{3, 2, 7}, Number(160), Number(4.0 / 3), SeedPixel<Number>{320, 200},
+                                  SeedPixel<Number>{160, 100});
+    };
+    const auto by_multipliers = []<class Number>(Number) {
+        return project_by_multipliers(Vec3<Number>{3, 2, 7}, SeedPixel<Number>{160, 400.0 / 3},
+                                      SeedPixel<Number>{160, 100});
+    };
     const Projection corrected = make_projection(k320x200, Degrees::from_int(90)),
                      square = make_projection(k320x200, Degrees::from_int(90), false);
-    const auto expect_at = [](const SeedPixel<Counted>& found, const Projection& projection) {
+    const auto expect = [](const auto& projected, const Projection& projection, const Operations& operations) {
         const ScreenPosition position = project(view_point(3, 2, 7), projection);
-        EXPECT_NEAR(found.x.value(), number(position.x), 1.0 / 256);
-        EXPECT_NEAR(found.y.value(), number(position.y), 1.0 / 256);
+        const SeedPixel<double> found = projected(0.0);
+        EXPECT_NEAR(found.x, number(position.x), 1.0 / 256);
+        EXPECT_NEAR(found.y, number(position.y), 1.0 / 256);
+        EXPECT_EQ(operations_of([&] { projected(Counted<double>(0)); }), operations);
     };
-    expect_at(project_naively(point(in_naive), in_naive(160), place(in_naive, 160, 100)), square);
-    expect_at(project_by_formula(point(in_formula), in_formula(160), in_formula(4.0 / 3), place(in_formula, 320, 200),
-                                 place(in_formula, 160, 100)),
-              corrected);
-    expect_at(project_by_multipliers(point(in_multipliers), place(in_multipliers, 160, 400.0 / 3),
-                                     place(in_multipliers, 160, 100)),
-              corrected);
-    EXPECT_EQ(naive, (Operations{2, 2, 2}));
-    EXPECT_EQ(by_formula, (Operations{4, 3, 2})) << "worked out at each point";
-    EXPECT_EQ(by_multipliers, naive);
+    expect(naively, square, {2, 2, 2});
+    expect(by_formula, corrected, {4, 3, 2});  // worked out at each point
+    expect(by_multipliers, corrected, {2, 2, 2});
 }
 
 /// The seven things that the seed asks for, and the nine terms that they leave three of.

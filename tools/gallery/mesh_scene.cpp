@@ -47,7 +47,7 @@ MeshCounts MeshScene::draw(const PlacedMesh& placed, const MeshLight& light, con
 
 std::uint8_t lit_colour(const GalleryAssets& assets, int red, int green, int blue) {
     const auto distance = [&](int colour) {
-        const Rgb8 rgb = assets.colormap.palette.colours[static_cast<std::size_t>(colour)];
+        const Rgb8 rgb = item(assets.colormap.palette.colours, colour);
         return (rgb.red - red) * (rgb.red - red) + (rgb.green - green) * (rgb.green - green) +
                (rgb.blue - blue) * (rgb.blue - blue);
     };

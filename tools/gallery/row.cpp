@@ -7,6 +7,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "engine/draw/font.h"
 #include "engine/surface/palette.h"
@@ -81,7 +82,7 @@ std::vector<std::int64_t> start_values(const Row& row) {
 }
 
 std::string value_text(const Parameter& parameter, std::int64_t value) {
-    return parameter.choices.empty() ? std::to_string(value) : parameter.choices[static_cast<std::size_t>(value)];
+    return parameter.choices.empty() ? std::to_string(value) : item(parameter.choices, value);
 }
 
 std::string figure_text(const Figure& figure) {

@@ -8,8 +8,6 @@
 #include "engine/draw/drawing.h"
 #include "engine/draw/font.h"
 #include "engine/fixed/trig.h"
-#include "engine/frame/frame.h"
-#include "engine/frame/workspace.h"
 #include "engine/methods/canonical_volume.h"
 #include "engine/raster/lines.h"
 #include "engine/raster/scan.h"
@@ -234,15 +232,19 @@ void enlarge(std::span<const std::uint8_t> pixels, const ScreenMode& mode, Frame
     });
 }
 
-void draw_demo_level(const RowInput& input, const ViewSpec& view, const ScreenMode& mode, Framebuffer canvas) {
-    const Level& level = input.assets.demo_level;
-    const std::vector<PlacedModel> models = models_at_rest(level);
-    FrameWorkspace work(level, mode);
-    draw_frame({level, input.assets.colormap, models, input.time_ms}, view, mode, input.settings, work, canvas);
+DemoFrame::DemoFrame(const RowInput& input, const ScreenMode& of_mode)
+    : settings(input.settings),
+      mode(of_mode),
+      models(models_at_rest(input.assets.demo_level)),
+      scene{input.assets.demo_level, input.assets.colormap, models, input.time_ms},
+      work(input.assets.demo_level, mode) {}
+
+void DemoFrame::draw(const ViewSpec& view, Framebuffer canvas) {
+    draw_frame(scene, view, mode, settings, work, canvas);
 }
 
-void draw_demo_level(const RowInput& input, const Camera& camera, const ScreenMode& mode, Framebuffer canvas) {
-    draw_demo_level(input, first_person_view(camera, input.settings.accuracy.sine), mode, canvas);
+void DemoFrame::draw(const Camera& camera, Framebuffer canvas) {
+    draw(first_person_view(camera, settings.accuracy.sine), canvas);
 }
 
 }  // namespace oblong

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "engine/draw/drawing.h"
+#include "engine/frame/frame.h"
+#include "engine/frame/workspace.h"
 #include "engine/math/matrix.h"
 #include "engine/raster/scan.h"
 #include "engine/view/screen_polygon.h"
@@ -113,8 +115,19 @@ Camera camera_at(std::int32_t x, std::int32_t y, std::int32_t z, int yaw, int pi
 /// A picture of another mode over the whole canvas, its pixels enlarged.
 void enlarge(std::span<const std::uint8_t> pixels, const ScreenMode& mode, Framebuffer canvas);
 
-/// Draws the demo level in a view as it stands at the input's time, into a canvas of the mode's size.
-void draw_demo_level(const RowInput& input, const ViewSpec& view, const ScreenMode& mode, Framebuffer canvas);
-void draw_demo_level(const RowInput& input, const Camera& camera, const ScreenMode& mode, Framebuffer canvas);
+/// The demo level as it stands at the input's time, drawn into canvases of the mode's size.
+struct DemoFrame {
+    DemoFrame(const RowInput& input, const ScreenMode& mode);
+    DemoFrame(const DemoFrame&) = delete;
+
+    void draw(const ViewSpec& view, Framebuffer canvas);
+    void draw(const Camera& camera, Framebuffer canvas);
+
+    const Settings& settings;
+    ScreenMode mode;
+    std::vector<PlacedModel> models;
+    Scene scene;
+    FrameWorkspace work;
+};
 
 }  // namespace oblong

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/accuracy/dials.h"
+#include "engine/files/doubles.h"
 #include "engine/view/screen.h"
 
 namespace oblong {
@@ -125,7 +126,7 @@ std::string joined(std::int64_t first, char between, std::int64_t second) {
 }
 
 double in_degrees(Degrees angle) {
-    return std::ldexp(static_cast<double>(angle.raw), -Degrees::kFractionBits);
+    return number_of(angle);
 }
 
 /// The dials that were turned on top of the preset.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/base/input_error.h"
+#include "engine/base/table.h"
 #include "engine/platform/sdl/sdl.h"
 #include "engine/platform/sdl/voice_filter.h"
 
@@ -42,7 +43,7 @@ SDL_RWops* reader_of(std::span<const std::uint8_t> bytes) {
 }
 
 void apply_filter(int, void* stream, int length_bytes, void* filter) {
-    const std::size_t count = static_cast<std::size_t>(length_bytes) / sizeof(std::int16_t);
+    const std::size_t count = as_size(length_bytes) / sizeof(std::int16_t);
     static_cast<VoiceFilter*>(filter)->apply({static_cast<std::int16_t*>(stream), count});
 }
 
@@ -112,12 +113,12 @@ SoundOutput::SoundNumber Mixer::add_sound(std::span<const std::int16_t> samples,
     if (SDL_BuildAudioCVT(&conversion, AUDIO_S16SYS, 1, rate_hz, AUDIO_S16SYS, VoiceFilter::kSides, kRate_hz) < 0)
         fail();
     const std::size_t size_bytes = samples.size_bytes();
-    ConvertedSound sound{std::vector<std::uint8_t>(size_bytes * static_cast<std::size_t>(conversion.len_mult)), {}};
+    ConvertedSound sound{std::vector<std::uint8_t>(size_bytes * as_size(conversion.len_mult)), {}};
     std::memcpy(sound.bytes.data(), samples.data(), size_bytes);
     conversion.buf = sound.bytes.data();
     conversion.len = static_cast<int>(size_bytes);
     if (SDL_ConvertAudio(&conversion) != 0) fail();
-    sound.bytes.resize(static_cast<std::size_t>(conversion.len_cvt));
+    sound.bytes.resize(as_size(conversion.len_cvt));
     sound.bytes.shrink_to_fit();
     sound.chunk.reset(Mix_QuickLoad_RAW(sound.bytes.data(), static_cast<Uint32>(conversion.len_cvt)));
     if (!sound.chunk) fail();
@@ -128,14 +129,14 @@ SoundOutput::SoundNumber Mixer::add_sound(std::span<const std::int16_t> samples,
 // The channel in which a voice is playing; -1: it has ended.
 int Mixer::channel_of(VoiceNumber voice) const {
     for (int channel = 0; channel < kVoices; ++channel)
-        if (last_voices_[static_cast<std::size_t>(channel)] == voice && Mix_Playing(channel) != 0) return channel;
+        if (item(last_voices_, channel) == voice && Mix_Playing(channel) != 0) return channel;
     return -1;
 }
 
 SoundOutput::VoiceNumber Mixer::start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) {
     for (int channel = 0; channel < kVoices; ++channel) {
         if (Mix_Playing(channel) != 0) continue;
-        const auto i = static_cast<std::size_t>(channel);
+        const auto i = as_size(channel);
         filters_[i].begin(levels, is_loop);
         // A voice that has ended has lost its filter: SDL_mixer removes it.
         Mix_RegisterEffect(channel, apply_filter, nullptr, &filters_[i]);
@@ -147,7 +148,7 @@ SoundOutput::VoiceNumber Mixer::start(SoundNumber sound, bool is_loop, const Voi
 
 void Mixer::adjust(VoiceNumber voice, const VoiceLevels& levels) {
     const int channel = channel_of(voice);
-    if (channel >= 0) filters_[static_cast<std::size_t>(channel)].set(levels);
+    if (channel >= 0) item(filters_, channel).set(levels);
 }
 
 void Mixer::stop(VoiceNumber voice) {

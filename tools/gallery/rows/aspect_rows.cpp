@@ -86,8 +86,8 @@ Figures draw_field_of_view(const RowInput& input, Framebuffer canvas) {
                           input.mode.display};
     const int degrees = kFieldsOfView[choice];
     std::vector<std::uint8_t> pixels(pixel_count(mode.width_px, mode.height_px));
-    draw_demo_level(input, camera_at(0, -368, 70, 90, -4, degrees), mode,
-                    {pixels.data(), mode.width_px, mode.height_px, mode.width_px});
+    DemoFrame(input, mode)
+        .draw(camera_at(0, -368, 70, 90, -4, degrees), {pixels.data(), mode.width_px, mode.height_px, mode.width_px});
     enlarge(pixels, mode, canvas);
     const Projection at_320 = make_projection({320, 200, {4, 3}}, Degrees::from_int(degrees));
     const Projection here = make_projection(mode, Degrees::from_int(degrees));
@@ -141,7 +141,7 @@ void draw_costs(const ProjectionCosts& costs, const GalleryAssets& assets, Frame
 Figures draw_two_multipliers(const RowInput& input, Framebuffer canvas) {
     RowInput square = input;
     square.settings.correct_aspect = input.values[0] == 0;
-    draw_demo_level(square, camera_before_sphere(), input.mode, canvas);
+    DemoFrame(square, input.mode).draw(camera_before_sphere(), canvas);
     const Projection projection = make_projection(input.mode, Degrees::from_int(40), square.settings.correct_aspect);
     // A square of 1 x 1 unit, 4 units away.
     const auto corner = [&](std::int64_t x, std::int64_t y) {

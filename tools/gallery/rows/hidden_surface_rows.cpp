@@ -8,8 +8,6 @@
 #include "engine/accuracy/accuracy.h"
 #include "engine/draw/drawing.h"
 #include "engine/fixed/arithmetic.h"
-#include "engine/frame/frame.h"
-#include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 #include "engine/methods/hidden_surfaces.h"
 #include "tools/gallery/row.h"
@@ -28,12 +26,10 @@ Camera camera_in_hall() {
 class MethodFrame {
   public:
     MethodFrame(const RowInput& input, HiddenSurfaces method, const ScreenMode& mode)
-        : pixels(pixel_count(mode.width_px, mode.height_px)), by(method), work(input.assets.demo_level, mode) {
-        const std::vector<PlacedModel> models = models_at_rest(input.assets.demo_level);
-        work.observers.counts = &counted;
-        work.claimer = &by;
-        draw_frame({input.assets.demo_level, input.assets.colormap, models, input.time_ms}, camera_in_hall(), mode,
-                   input.settings, work, {pixels.data(), mode.width_px, mode.height_px, mode.width_px});
+        : pixels(pixel_count(mode.width_px, mode.height_px)), by(method), frame_(input, mode) {
+        frame_.work.observers.counts = &counted;
+        frame_.work.claimer = &by;
+        frame_.draw(camera_in_hall(), {pixels.data(), mode.width_px, mode.height_px, mode.width_px});
     }
 
     const HiddenSurfaceCounts& counts() const { return by.counts(); }
@@ -43,7 +39,9 @@ class MethodFrame {
     std::vector<std::uint8_t> pixels;
     HiddenSurfaceMethod by;
     FrameCounts counted;
-    FrameWorkspace work;
+
+  private:
+    DemoFrame frame_;
 };
 
 Parameter method_parameter(HiddenSurfaces start) {

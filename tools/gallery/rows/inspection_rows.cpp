@@ -2,13 +2,11 @@
 // memory (seed 2).
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/draw/font.h"
 #include "engine/files/crosshair.h"
 #include "engine/files/frame_log.h"
-#include "engine/frame/workspace.h"
 #include "engine/level/side.h"
 #include "engine/view/views.h"
 #include "tools/gallery/row.h"
@@ -54,7 +52,7 @@ double nearest_in_double(const Level& level, std::span<const PlacedModel> models
 Figures draw_picking(const RowInput& input, Framebuffer canvas) {
     const Level& level = input.assets.demo_level;
     const Camera camera = camera_at(0, -368, 70, static_cast<int>(input.values[0]), static_cast<int>(input.values[1]));
-    draw_demo_level(input, camera, input.mode, canvas);
+    DemoFrame(input, input.mode).draw(camera, canvas);
     const std::vector<PlacedModel> models = models_at_rest(level);
     const auto picked = pick_ahead(level, models, camera);
     draw_crosshair(canvas, input.assets.text);
@@ -71,28 +69,20 @@ Figures draw_picking(const RowInput& input, Framebuffer canvas) {
 }
 
 /// A frame of the demo level that was drawn for its log.
-struct LoggedScene {
-    LoggedScene(const RowInput& row, const Camera& camera)
-        : models(models_at_rest(row.assets.demo_level)),
-          scene{row.assets.demo_level, row.assets.colormap, models, row.time_ms},
-          view(first_person_view(camera, row.settings.accuracy.sine)),
-          work(row.assets.demo_level, row.mode),
-          input(row) {}
+struct LoggedScene : DemoFrame {
+    LoggedScene(const RowInput& input, const Camera& camera, Framebuffer canvas)
+        : DemoFrame(input, input.mode), view(first_person_view(camera, settings.accuracy.sine)) {
+        draw(view, canvas);
+    }
 
-    void draw(Framebuffer canvas) { draw_frame(scene, view, input.mode, input.settings, work, canvas); }
-    LoggedFrame frame() const { return {scene, view, input.mode, input.settings, work}; }
+    LoggedFrame frame() const { return {scene, view, mode, settings, work}; }
 
-    std::vector<PlacedModel> models;
-    Scene scene;
     ViewSpec view;
-    FrameWorkspace work;
-    const RowInput& input;
 };
 
 Figures draw_log(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    LoggedScene logged(input, camera_at(0, -368, 70, 90, -4));
-    logged.draw(canvas);
+    LoggedScene logged(input, camera_at(0, -368, 70, 90, -4), canvas);
     const auto channel = static_cast<LogChannel>(input.values[0]);
     std::vector<std::string> lines;
     FrameLog log(LogChannels::only(channel), [&lines](const std::string& line) { lines.push_back(line); });
@@ -131,8 +121,7 @@ double bytes_of(std::string_view what, const LogLines& memory) {
 
 Figures draw_memory(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    LoggedScene logged(input, camera_at(0, -368, 70, static_cast<int>(input.values[0]), -4));
-    logged.draw(canvas);
+    LoggedScene logged(input, camera_at(0, -368, 70, static_cast<int>(input.values[0]), -4), canvas);
     const LogLines lines = memory_lines(logged.frame());
     fill(canvas, assets.colour(18, 22, 34));
     std::vector<std::string> labels;

@@ -7,8 +7,6 @@
 
 #include "engine/draw/drawing.h"
 #include "engine/fixed/trig.h"
-#include "engine/frame/frame.h"
-#include "engine/frame/workspace.h"
 #include "tools/gallery/mesh_scene.h"
 #include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
@@ -59,7 +57,6 @@ Figures draw_cube(const RowInput& input, Framebuffer canvas) {
 
 Figures draw_in_level(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    const Level& level = assets.demo_level;
     const Mesh ball =
         ball_mesh(30, 16, checkered_skin(64, lit_colour(assets, 200, 190, 170), lit_colour(assets, 60, 80, 130)));
     PlacedMesh placed;
@@ -68,24 +65,21 @@ Figures draw_in_level(const RowInput& input, Framebuffer canvas) {
     placed.highlight = 60;
     placed.position = world_point(input.number(0), 420, 60);
     placed.yaw = Angle::from_bam(input.time_ms * 8);
-    const std::vector<PlacedModel> models = models_at_rest(level);
-    FrameWorkspace work(level, input.mode);
+    DemoFrame frame(input, input.mode);
     FrameCounts counts;
-    work.observers.counts = &counts;
-    Scene scene{level, assets.colormap, models, input.time_ms};
+    frame.work.observers.counts = &counts;
     const Camera camera = camera_at(0, 120, 70, 90, 0, 70);
     std::vector<std::uint8_t> without(pixel_count(canvas.width_px, canvas.height_px));
-    draw_frame(scene, camera, input.mode, input.settings, work,
-               {without.data(), canvas.width_px, canvas.height_px, canvas.width_px});
-    const auto wanted = [&work] {
+    frame.draw(camera, {without.data(), canvas.width_px, canvas.height_px, canvas.width_px});
+    const auto wanted = [&frame] {
         std::int64_t pixels = 0;
-        for (const ScreenRectangle& part : work.view.depth.rectangles())
+        for (const ScreenRectangle& part : frame.work.view.depth.rectangles())
             pixels += std::int64_t{part.end_column - part.first_column} * (part.end_row - part.first_row);
         return pixels;
     };
     const std::int64_t before = wanted();
-    scene.meshes = {&placed, 1};
-    draw_frame(scene, camera, input.mode, input.settings, work, canvas);
+    frame.scene.meshes = {&placed, 1};
+    frame.draw(camera, canvas);
     return {count_figure("pixels with depth in a frame without it", 0, before),
             measured("pixels with depth: the rectangle around it", wanted()),
             measured("pixels that it owns", counts.of(Effect::Models))};

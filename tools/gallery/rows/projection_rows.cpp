@@ -7,8 +7,6 @@
 #include <optional>
 
 #include "engine/fixed/trig.h"
-#include "engine/frame/frame.h"
-#include "engine/frame/workspace.h"
 #include "engine/view/views.h"
 #include "tools/gallery/row.h"
 #include "tools/gallery/sketch.h"
@@ -118,14 +116,12 @@ ViewSpec level_view(std::int64_t choice) {
 }
 
 Figures draw_level_from_outside(const RowInput& input, Framebuffer canvas) {
-    const Level& level = input.assets.demo_level;
     ViewSpec view = level_view(input.values[0]);
     cut_above(view, World::from_int(static_cast<std::int32_t>(input.values[1])));
-    const std::vector<PlacedModel> models = models_at_rest(level);
-    FrameWorkspace work(level, input.mode);
+    DemoFrame frame(input, input.mode);
     FrameCounts counts;
-    work.observers.counts = &counts;
-    draw_frame({level, input.assets.colormap, models, input.time_ms}, view, input.mode, input.settings, work, canvas);
+    frame.work.observers.counts = &counts;
+    frame.draw(view, canvas);
     std::int64_t twice = 0, never = 0;
     for (const std::uint8_t writes : counts.writes) {
         twice += writes > 1;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/base/table.h"
 #include "engine/draw/drawing.h"
 #include "tools/gallery/diagram.h"
 #include "tools/gallery/mesh_scene.h"
@@ -98,7 +99,7 @@ Figures draw_shadings(const RowInput& input, Framebuffer canvas) {
         numbered.draw(placed, light, &by_number);
         const Mark mark = mark_at(scene, placed.position + world_point(-25, -3, 7));
         const auto hit = exact_hit(placed, input, kBallsFieldOfView, mark.column + 0.5, mark.row + 0.5);
-        const double found = numbers[static_cast<std::size_t>(mark.row * canvas.width_px + mark.column)];
+        const double found = item(numbers, mark.row * canvas.width_px + mark.column);
         figures.push_back(number_figure(std::string("shade at the mark, ") + kShadingNames[kind],
                                         hit ? expected_shade(kind, placed, *hit, toward) : -1, found, 1.6, 1));
         draw_mark(canvas, mark, assets.colour(255, 255, 255));

@@ -7,8 +7,6 @@
 #include <numbers>
 
 #include "engine/draw/drawing.h"
-#include "engine/frame/frame.h"
-#include "engine/frame/workspace.h"
 #include "engine/math/matrix.h"
 #include "engine/methods/transforms.h"
 #include "engine/view/views.h"
@@ -99,10 +97,11 @@ struct PlanHeights {
 /// Draws a plan of the demo level.
 PlanHeights draw_plan(const RowInput& input, const ViewSpec& view, Framebuffer canvas) {
     const Level& level = input.assets.demo_level;
-    FrameWorkspace work(level, input.mode);
+    DemoFrame frame(input, input.mode);
+    frame.scene.models = {};
     FrameRecord record;
-    work.observers.record = &record;
-    draw_frame({level, input.assets.colormap, {}, input.time_ms}, view, input.mode, input.settings, work, canvas);
+    frame.work.observers.record = &record;
+    frame.draw(view, canvas);
     const double per_column = 2 * number_of(view.window.half_width) / input.mode.width_px;
     const double per_row = per_column * number_of(input.mode.pixel().inverse());
     const double rounded_px = std::ldexp(0.5, -input.settings.accuracy.subpixel_bits);
@@ -154,7 +153,7 @@ Figures draw_dolly_zoom(const RowInput& input, Framebuffer canvas) {
     if (moves) camera = dolly_zoomed(before, World::from_int(300), field_of_view);
     ViewSpec view = first_person_view(camera);
     if (moves) cut_front(view, before.eye, World::from_int(8));
-    draw_demo_level(input, view, input.mode, canvas);
+    DemoFrame(input, input.mode).draw(view, canvas);
 
     const auto tangent = [](double angle) { return std::tan(angle * std::numbers::pi / 360); };
     const double wide = tangent(degrees);
@@ -187,7 +186,7 @@ Figures draw_cameras(const RowInput& input, Framebuffer canvas) {
     const Vec target = looks_at ? sphere : Vec{eye.x + 100 * std::cos(yaw), eye.y + 100 * std::sin(yaw), eye.z};
     ViewSpec view = look_at_view(world_point(eye), world_point(target), Degrees::from_int(90));
     if (!looks_at) view = first_person_view(camera_at(-112, 202, 128, static_cast<int>(input.values[1]), 0));
-    draw_demo_level(input, view, input.mode, canvas);
+    DemoFrame(input, input.mode).draw(view, canvas);
     const ViewContext context = make_view_context(view, input.mode);
     const PlanePoint found = shown(target, context), above = shown({target.x, target.y, target.z + 20}, context);
     draw_cross(found, input.assets.colour(240, 220, 90), input.assets.colour(0, 0, 0), canvas);
