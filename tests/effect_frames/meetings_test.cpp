@@ -96,10 +96,6 @@ std::vector<PlacedMesh> placed_balls(const Meeting& meeting) {
     return placed;
 }
 
-double dot(const Point& a, const Point& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 std::array<double, 3> numbers_of(const Point& p) {
     return {p.x, p.y, p.z};
 }

@@ -25,10 +25,6 @@ PlacedMesh ball_at(const Vec3<World>& position) {
     return placed;
 }
 
-double dot(const Point& a, const Point& b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
 Point point_of(const Vec3<World>& p) {
     return {p.x.raw / 4096.0, p.y.raw / 4096.0, p.z.raw / 4096.0};
 }

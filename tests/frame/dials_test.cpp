@@ -5,23 +5,16 @@
 #include <set>
 
 #include "engine/accuracy/accuracy.h"
-#include "engine/fixed/trig.h"
 #include "tests/frame/holes.h"
+#include "tests/support/views.h"
 
 namespace oblong::test {
 namespace {
 
 /// In the demo level's courtyard and next to a leaning board, where every dial shows.
 std::vector<Camera> cameras() {
-    Camera court;
-    court.eye = {World::from_int(300), World::from_int(1110), World::from_int(40)};
-    court.yaw = degrees_to_angle(Degrees::from_int(58));
-    court.pitch = degrees_to_angle(Degrees::from_int(-14));
-    Camera hall;
-    hall.eye = {World::from_int(0), World::from_int(-368), World::from_int(70)};
-    hall.yaw = Angle::from_bam(16500);
-    hall.pitch = Angle::from_bam(-777);
-    return {court, hall};
+    return {camera_at(point_at(300, 1110, 40), 58, -14),
+            {point_at(0, -368, 70), Angle{16500}, Angle::from_bam(-777), {}}};
 }
 
 /// The pictures of all cameras, one after the other.

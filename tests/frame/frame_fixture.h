@@ -8,9 +8,8 @@
 #include "engine/accuracy/accuracy.h"
 #include "engine/base/input_error.h"
 #include "engine/frame/frame.h"
-#include "engine/level/bsp_read.h"
 #include "engine/scene/placed_models.h"
-#include "tests/support/folders.h"
+#include "tests/support/levels.h"
 #include "tests/support/observed_workspace.h"
 
 namespace oblong::test {
@@ -24,8 +23,8 @@ struct Stage {
     Settings settings;
     std::vector<std::uint8_t> pixels;
 
-    Stage(const std::filesystem::path& bsp, const std::filesystem::path& palette, ScreenMode screen_mode = {})
-        : level(read_bsp(read_file_bytes(bsp))),
+    Stage(const std::string& name, const std::filesystem::path& palette, ScreenMode screen_mode = {})
+        : level(read_level(name)),
           colormap(make_colormap(read_palette(read_file_bytes(palette)))),
           mode(screen_mode),
           pixels(static_cast<std::size_t>(mode.width_px * mode.height_px)) {}
@@ -39,13 +38,13 @@ struct Stage {
 };
 
 inline Stage real_stage(const std::string& name, ScreenMode mode = {}) {
-    const std::filesystem::path levels = find_shared_folder() / "levels";
-    return Stage(levels / (name + ".bsp"), levels / "gfx" / "palette.lmp", mode);
+    return Stage(name, find_shared_folder() / "levels" / "gfx" / "palette.lmp", mode);
 }
-
 inline Stage demo_stage(ScreenMode mode = {}) {
-    const std::filesystem::path assets = std::filesystem::path(test::build_folder()) / "assets";
-    return Stage(assets / "demo.bsp", assets / "palette.lmp", mode);
+    return Stage("demo", build_folder() + "/assets/palette.lmp", mode);
+}
+inline Stage stage_named(const std::string& name) {
+    return name == "demo" ? demo_stage() : real_stage(name);
 }
 
 }  // namespace oblong::test

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "engine/visibility/eye.h"
 #include "tests/frame/holes.h"
+#include "tests/support/random.h"
 
 namespace oblong::test {
 
@@ -17,14 +17,8 @@ namespace {
 
 enum class On { Corner, Edge, Face };
 
-std::int32_t between(std::int32_t a, std::int32_t b, std::int32_t part_of_64) {
-    return static_cast<std::int32_t>(a + (std::int64_t{b} - a) * part_of_64 / 64);
-}
-
 Vec3<World> between(const Vec3<World>& a, const Vec3<World>& b, std::int32_t part_of_64) {
-    return {World::from_raw(between(a.x.raw, b.x.raw, part_of_64)),
-            World::from_raw(between(a.y.raw, b.y.raw, part_of_64)),
-            World::from_raw(between(a.z.raw, b.z.raw, part_of_64))};
+    return to_world(along(to_point(a), to_point(b), part_of_64 / 64.0));
 }
 
 /// A point of a face of the world.
@@ -34,38 +28,30 @@ Vec3<World> point_on_a_face(const Level& level, const FaceTable& table, On on, s
     const std::span<const VertexIndex> corners = table.corners_of(FaceIndex(faces.first.number() + number));
     const std::size_t first = random() % corners.size();
     const auto corner = [&](std::size_t i) { return level.vertices[corners[(first + i) % corners.size()]]; };
-    const auto part = [&] { return static_cast<std::int32_t>(random() % 65); };
+    const auto part = [&] { return random_below(random, 65); };
     if (on == On::Corner) return corner(0);
     const Vec3<World> on_edge = between(corner(0), corner(1), part());
     return on == On::Edge ? on_edge : between(on_edge, corner(2), part());
 }
 
 Camera random_view_from(const Vec3<World>& eye, std::mt19937& random) {
-    Camera camera;
-    camera.eye = eye;
-    camera.yaw = Angle::from_bam(random());
-    camera.pitch = Angle::from_bam(random() % 32768 - 16384);
-    camera.roll = random() % 3 ? Angle{} : Angle::from_bam(random());
+    const Angle pitch = Angle::from_bam(random_below(random, 32768) - 16384);
+    Camera camera{eye, random_angle(random), pitch, random() % 3 ? Angle{} : random_angle(random)};
     constexpr std::array<int, 6> kExtremes{1, 5, 30, 150, 170, 178};
     camera.field_of_view =
         Degrees::from_int(random() % 2 ? kExtremes[random() % kExtremes.size()] : 1 + static_cast<int>(random() % 178));
     return camera;
 }
 
-Stage stage_named(const std::string& name) {
-    return name == "demo" ? demo_stage() : real_stage(name);
-}
-
 bool is_place_open(const Level& level, const Vec3<World>& eye) {
     return is_open(level, place_eye(level, eye).position);
 }
 
-class HardEyes : public testing::TestWithParam<const char*> {};
+class HardEyes : public OfLevel {};
 
 }  // namespace
 
 TEST_P(HardEyes, HardCaseV13_NoHoleFromCornersEdgesAndFaces) {
-    OBLONG_NEEDS_SHARED_LEVELS();
     Stage stage = stage_named(GetParam());
     const auto work = counting_workspace(stage);
     std::mt19937 random(13);
@@ -78,7 +64,6 @@ TEST_P(HardEyes, HardCaseV13_NoHoleFromCornersEdgesAndFaces) {
 }
 
 TEST_P(HardEyes, HardCaseV13_EyesOnCornersAreMovedClearOfAllPlanes) {
-    OBLONG_NEEDS_SHARED_LEVELS();
     const Stage stage = stage_named(GetParam());
     const FaceTable table = make_face_table(stage.level);
     for (const FaceIndex face : stage.level.world().faces)
@@ -90,9 +75,7 @@ TEST_P(HardEyes, HardCaseV13_EyesOnCornersAreMovedClearOfAllPlanes) {
             while (!at.is_leaf()) {
                 const Node& node = stage.level.nodes[at.node()];
                 const LevelPlane& plane = stage.level.planes[node.plane];
-                const double distance =
-                    std::ldexp(static_cast<double>(plane_distance(plane, placed.position).raw), -42);
-                nearest = std::min(nearest, std::abs(distance));
+                nearest = std::min(nearest, std::abs(number_of(plane_distance(plane, placed.position))));
                 at = node.children[plane_side(plane, placed.position) > 0 ? 0 : 1];
             }
             ASSERT_GE(nearest, 1.0 / 2048) << "corner " << corner.number();
@@ -101,7 +84,6 @@ TEST_P(HardEyes, HardCaseV13_EyesOnCornersAreMovedClearOfAllPlanes) {
 }
 
 TEST_P(HardEyes, NoHoleWithModelsAtAnyOffset) {
-    OBLONG_NEEDS_SHARED_LEVELS();
     Stage stage = stage_named(GetParam());
     const auto work = counting_workspace(stage);
     std::mt19937 random(14);
@@ -115,7 +97,6 @@ TEST_P(HardEyes, NoHoleWithModelsAtAnyOffset) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, HardEyes, testing::Values("dm4", "e1m7", "end", "demo"),
-                         [](const auto& name) { return name.param; });
+OBLONG_FOR_ALL_LEVELS(HardEyes);
 
 }  // namespace oblong::test

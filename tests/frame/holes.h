@@ -2,16 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/level/side.h"
 #include "tests/frame/frame_fixture.h"
 
 namespace oblong::test {
-
-/// Neither in a wall nor behind the sky.
-inline bool is_open(const Level& level, const Vec3<World>& p) {
-    const Leaf& leaf = level.leaves[find_leaf(level, level.world(), p)];
-    return leaf.contents != contents::kSolid && leaf.contents != contents::kSky;
-}
 
 /// Where and how a picture was wrong, in words a camera file takes.
 inline std::string describe(const Camera& camera, std::int64_t never, std::int64_t twice) {

@@ -49,12 +49,11 @@ std::vector<VertexIndex> used_vertices_by_x(const Level& level, const FaceTable&
     return sorted;
 }
 
-class MendedOutlines : public testing::TestWithParam<const char*> {};
+class MendedOutlines : public OfLevel {};
 
 }  // namespace
 
 TEST_P(MendedOutlines, HardCaseE9_NoCornerLiesWithinAnEdge) {
-    OBLONG_NEEDS_SHARED_LEVELS();
     const Stage stage = real_stage(GetParam());
     const FaceTable table = make_face_table(stage.level);
     const std::vector<VertexIndex> by_x = used_vertices_by_x(stage.level, table);
@@ -68,7 +67,6 @@ TEST_P(MendedOutlines, HardCaseE9_NoCornerLiesWithinAnEdge) {
 
 /// So that a frame has no hole: FrontToBackWalk (visibility/front_to_back.h).
 TEST_P(MendedOutlines, TheFacesOfTheWorldAreAClosedSurface) {
-    OBLONG_NEEDS_SHARED_LEVELS();
     const Stage stage = real_stage(GetParam());
     const FaceTable table = make_face_table(stage.level);
     using Place = std::array<std::int32_t, 3>;
@@ -90,7 +88,6 @@ TEST_P(MendedOutlines, TheFacesOfTheWorldAreAClosedSurface) {
 }
 
 TEST_P(MendedOutlines, CornersComeInTheOrderOfTheFaceAndSomeAreNew) {
-    OBLONG_NEEDS_SHARED_LEVELS();
     const Stage stage = real_stage(GetParam());
     const FaceTable table = make_face_table(stage.level);
     std::size_t added = 0;
@@ -107,7 +104,6 @@ TEST_P(MendedOutlines, CornersComeInTheOrderOfTheFaceAndSomeAreNew) {
     EXPECT_GT(added, 0u) << "these levels are known to have T-junctions";
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, MendedOutlines, testing::ValuesIn(kRealLevels),
-                         [](const auto& name) { return name.param; });
+OBLONG_FOR_REAL_LEVELS(MendedOutlines);
 
 }  // namespace oblong::test

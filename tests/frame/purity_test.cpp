@@ -5,9 +5,7 @@
 
 #include <algorithm>
 
-#include "engine/level/entities.h"
 #include "engine/level/pvs.h"
-#include "engine/level/side.h"
 #include "engine/visibility/eye.h"
 #include "tests/frame/frame_fixture.h"
 #include "tests/support/pictures.h"
@@ -15,19 +13,6 @@
 namespace oblong::test {
 
 namespace {
-
-std::vector<Camera> cameras_of(const Level& level) {
-    std::vector<Camera> cameras;
-    for (const Entity& entity : level.entities) {
-        const std::optional<Vec3<World>> origin = parse_world_vector(entity.value("origin"));
-        if (!origin || cameras.size() >= 40) continue;
-        Camera camera;
-        camera.eye = *origin;
-        camera.yaw = Angle::from_bam(static_cast<std::int64_t>(cameras.size()) * 7919);
-        cameras.push_back(camera);
-    }
-    return cameras;
-}
 
 std::vector<std::uint8_t> drawn_afresh(Stage& stage, const Camera& camera) {
     ObservedWorkspace work(stage.level, stage.mode);
@@ -63,7 +48,7 @@ bool shows_texture(const FrameRecord& record, const Level& level, const char* st
 TEST(Purity, WhatWasDrawnBeforeMakesNoDifference) {
     Stage stage = demo_stage();
     ObservedWorkspace used(stage.level, stage.mode);
-    for (const Camera& camera : cameras_of(stage.level)) {
+    for (const Camera& camera : cameras_at_entities(stage.level, 40)) {
         stage.draw(camera, used);
         const std::vector<std::uint8_t> in_used = stage.pixels;
         std::fill(stage.pixels.begin(), stage.pixels.end(), std::uint8_t{0x5a});
@@ -74,7 +59,7 @@ TEST(Purity, WhatWasDrawnBeforeMakesNoDifference) {
 TEST(Purity, CountingMakesNoDifference) {
     Stage stage = demo_stage();
     ObservedWorkspace work(stage.level, stage.mode);
-    for (const Camera& camera : cameras_of(stage.level)) {
+    for (const Camera& camera : cameras_at_entities(stage.level, 40)) {
         work.observers.counts = nullptr;
         stage.draw(camera, work);
         const std::vector<std::uint8_t> uncounted = stage.pixels;
@@ -120,7 +105,7 @@ TEST(Purity, WhatIsWatchedTakesThePathThatIsDrawn) {
     work.cache.surfaces.kernel = draw_and_note;
     for (const Preset preset : kPresets) {
         stage.settings.accuracy = accuracy_of(preset);
-        for (const Camera& camera : cameras_of(stage.level)) {
+        for (const Camera& camera : cameras_at_entities(stage.level, 40)) {
             SCOPED_TRACE(name_of(preset));
             const auto drawn = [&] {
                 drawn_blocks = {};
@@ -149,16 +134,15 @@ TEST(Purity, WhatIsWatchedTakesThePathThatIsDrawn) {
 TEST(Purity, EveryKernelDrawsTheSameFrame) {
     Stage stage = demo_stage();
     ObservedWorkspace work(stage.level, stage.mode);
-    for (const Camera& camera : cameras_of(stage.level)) {
+    for (const Camera& camera : cameras_at_entities(stage.level, 40)) {
         work.cache.surfaces.kernel = draw_blocks_plain;
         stage.draw(camera, work);
         const std::vector<std::uint8_t> plain = stage.pixels;
-        work.cache.surfaces.kernel = draw_blocks_packed;
-        stage.draw(camera, work);
-        EXPECT_TRUE(same_picture(stage.pixels, plain));
-        work.cache.surfaces.kernel = best_block_kernel();
-        stage.draw(camera, work);
-        EXPECT_TRUE(same_picture(stage.pixels, plain));
+        for (const BlockKernel kernel : {BlockKernel{draw_blocks_packed}, best_block_kernel()}) {
+            work.cache.surfaces.kernel = kernel;
+            stage.draw(camera, work);
+            EXPECT_TRUE(same_picture(stage.pixels, plain));
+        }
     }
 }
 
@@ -167,7 +151,7 @@ TEST(Purity, AModelThatMovedIsDrawnWhereItIs) {
     ASSERT_FALSE(stage.models.empty());
     ObservedWorkspace used(stage.level, stage.mode);
     bool any_differs = false;
-    for (const Camera& camera : cameras_of(stage.level)) {
+    for (const Camera& camera : cameras_at_entities(stage.level, 40)) {
         for (PlacedModel& model : stage.models) model.offset = {};
         stage.draw(camera, used);
         const std::vector<std::uint8_t> at_rest = stage.pixels;
@@ -187,7 +171,7 @@ TEST(Plan, HardCaseP5_HoldsWhatOwnsPixelsAndIsAllowed) {
         Stage stage = real_stage(name);
         ObservedWorkspace work(stage.level, stage.mode);
         work.keep_record();
-        for (const Camera& camera : cameras_of(stage.level)) {
+        for (const Camera& camera : cameras_at_entities(stage.level, 40)) {
             stage.draw(camera, work);
             const bool has_sky = work.plan.effects.has(Effect::Sky), has_liquid = work.plan.effects.has(Effect::Liquid);
             EXPECT_EQ(has_sky, shows_texture(work.record, stage.level, "sky"));
@@ -196,7 +180,7 @@ TEST(Plan, HardCaseP5_HoldsWhatOwnsPixelsAndIsAllowed) {
             ++(has_sky ? with_sky : without_sky);
         }
         stage.settings.allowed_effects = {};
-        stage.draw(cameras_of(stage.level)[0], work);
+        stage.draw(cameras_at_entities(stage.level, 40)[0], work);
         EXPECT_EQ(work.plan.effects, EffectSet{});
     }
     EXPECT_GT(with_sky, 0);
@@ -208,7 +192,7 @@ TEST(Plan, WhatIsLeftOutIsOneColourAndStillClosesTheWorld) {
     Stage stage = demo_stage();
     ObservedWorkspace work(stage.level, stage.mode);
     std::size_t changed = 0;
-    for (const Camera& camera : cameras_of(stage.level)) {
+    for (const Camera& camera : cameras_at_entities(stage.level, 40)) {
         stage.settings.allowed_effects = EffectSet::all();
         stage.draw(camera, work);
         const std::vector<std::uint8_t> with_all = stage.pixels;
@@ -225,8 +209,7 @@ TEST(Plan, WhatIsLeftOutIsOneColourAndStillClosesTheWorld) {
 TEST(Eye, HardCaseV11_InThePlaneOfAFaceIsAStepToTheBackOfIt) {
     OBLONG_NEEDS_SHARED_LEVELS();
     Stage stage = real_stage("e1m7");
-    Camera in_plane;  // a light of e1m7 that hangs in the plane of its ceiling, z = 192
-    in_plane.eye = {World::from_int(-224), World::from_int(376), World::from_int(192)};
+    const Camera in_plane{point_at(-224, 376, 192), {}, {}, {}};  // a light in the plane of its ceiling
     Camera below = in_plane;
     below.eye.z.raw -= 2;
     EXPECT_TRUE(same_picture(drawn_afresh(stage, in_plane), drawn_afresh(stage, below)));
@@ -283,12 +266,10 @@ TEST(Eye, HardCaseV11_InASurfaceOfWaterIsAStepBelowIt) {
 
 TEST(Eye, ClearOfAllPlanesStaysWhereItIs) {
     Stage stage = demo_stage();
-    for (const Camera& camera : cameras_of(stage.level)) {
+    for (const Camera& camera : cameras_at_entities(stage.level, 40)) {
         const PlacedEye placed = place_eye(stage.level, camera.eye);
-        const auto moved = [](World a, World b) { return std::abs(a.raw - b.raw); };
-        EXPECT_LE(moved(placed.position.x, camera.eye.x), 8);
-        EXPECT_LE(moved(placed.position.y, camera.eye.y), 8);
-        EXPECT_LE(moved(placed.position.z, camera.eye.z), 8);
+        const Vec3<World> moved = placed.position - camera.eye;
+        for (const World part : {moved.x, moved.y, moved.z}) EXPECT_LE(std::abs(part.raw), 8);
         EXPECT_EQ(placed.leaf, find_leaf(stage.level, stage.level.world(), placed.position));
     }
 }

@@ -4,26 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/level/entities.h"
 #include "engine/platform/worker_threads.h"
 #include "tests/frame/frame_fixture.h"
 #include "tests/support/pictures.h"
 
 namespace oblong::test {
 namespace {
-
-std::vector<Camera> cameras_at_entities(const Level& level, std::size_t count) {
-    std::vector<Camera> cameras;
-    for (const Entity& entity : level.entities) {
-        const std::optional<Vec3<World>> origin = parse_world_vector(entity.value("origin"));
-        if (!origin || cameras.size() >= count) continue;
-        Camera camera;
-        camera.eye = *origin;
-        camera.yaw = Angle::from_bam(static_cast<std::int64_t>(cameras.size()) * 7919);
-        cameras.push_back(camera);
-    }
-    return cameras;
-}
 
 /// Draws with 2, 3 and 8 threads what one draws.
 void expect_same_bytes(Stage& stage, std::size_t camera_count) {

@@ -7,11 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <random>
 
 #include "engine/view/views.h"
 #include "tests/frame/holes.h"
-#include "tests/support/point.h"
+#include "tests/support/random.h"
 
 namespace oblong::test {
 
@@ -33,7 +32,7 @@ std::vector<TrueFace> true_faces(const Level& level, const FaceTable& table) {
         TrueFace& made = faces.emplace_back();
         made.index = index;
         made.normal = to_point(face.is_back ? -plane.normal : plane.normal);
-        made.distance = std::ldexp(face.is_back ? -plane.distance.raw : plane.distance.raw, -42);
+        made.distance = number_of(plane.distance) * (face.is_back ? -1 : 1);
         for (const VertexIndex corner : table.corners_of(index))
             made.corners.push_back(to_point(level.vertices[corner]));
     }
@@ -62,7 +61,7 @@ struct TrueView {
 
 bool is_kept(const ViewSpec& view, const Point& p) {
     for (const ViewCut& cut : view.cuts)
-        if (dot(to_point(cut.normal), p) < std::ldexp(cut.distance.raw, -42)) return false;
+        if (dot(to_point(cut.normal), p) < number_of(cut.distance)) return false;
     return true;
 }
 
@@ -112,7 +111,7 @@ std::optional<Hit> surely_hit(const std::vector<TrueFace>& faces, const TrueView
 }
 
 double texel(const Vec3<TexelAxis>& axis, Texel offset, const Point& p) {
-    return dot(to_point(axis), p) + std::ldexp(offset.raw, -16);
+    return dot(to_point(axis), p) + number_of(offset);
 }
 
 class ViewFrames {
@@ -127,7 +126,7 @@ class ViewFrames {
         ASSERT_FALSE(problem_of(view, stage_.mode)) << *problem_of(view, stage_.mode);
         draw(view);
         for (int i = 0; i < pixels; ++i) {
-            const int column = static_cast<int>(random() % 320), row = static_cast<int>(random() % 200);
+            const int column = random_below(random, 320), row = random_below(random, 200);
             const std::optional<Hit> hit = surely_hit(faces_, truth, view, column, row);
             if (hit)
                 compare(*hit, work_.record.pixels[static_cast<std::size_t>(row * 320 + column)], column, row, tally);
@@ -161,8 +160,8 @@ class ViewFrames {
         if (pixel.mip < 0) return;
         const TexInfo& info = stage_.level.texinfos[stage_.level.faces[pixel.face].texinfo];
         ++tally.texels;
-        const double u = std::abs(std::ldexp(pixel.u.raw, -16) - texel(info.s, info.s_offset, hit.at));
-        const double v = std::abs(std::ldexp(pixel.v.raw, -16) - texel(info.t, info.t_offset, hit.at));
+        const double u = std::abs(number_of(pixel.u) - texel(info.s, info.s_offset, hit.at));
+        const double v = std::abs(number_of(pixel.v) - texel(info.t, info.t_offset, hit.at));
         tally.texel_error = std::max({tally.texel_error, u, v});
     }
 
@@ -195,23 +194,11 @@ std::vector<ParallelCase> parallel_cases() {
 void check_parallel(ViewFrames& frames, const ParallelCase& which, const Vec3<World>& centre, int width, bool is_cut,
                     std::mt19937& random, Tally& tally) {
     ViewSpec view = orthographic_view(centre, which.axes, View::from_int(width));
-    view.shear_x = Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(which.shear_x, 30))));
-    view.shear_y = Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(which.shear_y, 30))));
+    view.shear_x = nearest<Unit>(which.shear_x);
+    view.shear_y = nearest<Unit>(which.shear_y);
     if (is_cut) cut_front(view, centre, World::from_raw(-37));
     const Point middle = which.ahead + which.right * which.shear_x + which.up * which.shear_y;
     frames.check(view, {true, to_point(centre), which.right, which.up, middle, width / 2.0}, 40, random, tally);
-}
-
-Vec3<World> random_place(const Level& level, std::mt19937& random) {
-    const LevelBox& box = level.world().box;
-    const auto within = [&](std::size_t axis) {
-        const auto size = static_cast<unsigned>(box.maxs[axis] - box.mins[axis]);
-        return World::from_raw(box.mins[axis] * 4096 + static_cast<std::int32_t>(random() % (size * 4096)));
-    };
-    while (true) {
-        const Vec3<World> place{within(0), within(1), within(2)};
-        if (is_open(level, place)) return place;
-    }
 }
 
 void check_parallel_views(Stage& stage, int places) {
@@ -221,7 +208,7 @@ void check_parallel_views(Stage& stage, int places) {
     for (int i = 0; i < places; ++i)
         for (const ParallelCase& which : parallel_cases()) {
             const int width = 24 << random() % 8;
-            check_parallel(frames, which, random_place(stage.level, random), width, i % 2 == 1, random, tally);
+            check_parallel(frames, which, random_open_point(stage.level, random), width, i % 2 == 1, random, tally);
             if (testing::Test::HasFatalFailure()) return;
         }
     EXPECT_GT(tally.faces, 10 * tally.doubtful);
@@ -234,42 +221,37 @@ Tally check_windows(Stage& stage, int places, bool is_cut) {
     ViewFrames frames(stage);
     std::mt19937 random(10);
     Tally tally;
-    const auto within = [&](double reach) { return std::uniform_real_distribution<double>(-reach, reach)(random); };
     for (int i = 0; i < places && !testing::Test::HasFatalFailure(); ++i) {
         Camera camera;
-        camera.eye = random_place(stage.level, random);
-        camera.yaw = Angle::from_bam(random());
-        camera.pitch = Angle::from_bam(static_cast<int>(random() % 20000) - 10000);
+        camera.eye = random_open_point(stage.level, random);
+        camera.yaw = random_angle(random);
+        camera.pitch = Angle::from_bam(random_below(random, 20000) - 10000);
         ViewSpec view = first_person_view(camera);
-        view.shear_x = Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(within(0.7), 30))));
-        view.shear_y = Unit::from_raw(static_cast<std::int32_t>(std::lround(std::ldexp(within(0.7), 30))));
+        view.shear_x = nearest<Unit>(random_between(random, -0.7, 0.7));
+        view.shear_y = nearest<Unit>(random_between(random, -0.7, 0.7));
         if (is_cut) cut_front(view, camera.eye, World::from_int(32 << random() % 4));
         if (is_cut) cut_back(view, camera.eye, World::from_int(512));
         const Point right = to_point(view.axes.right), up = to_point(view.axes.up);
-        const Point middle = to_point(view.axes.forward) + right * std::ldexp(view.shear_x.raw, -30) +
-                             up * std::ldexp(view.shear_y.raw, -30);
+        const Point middle =
+            to_point(view.axes.forward) + right * number_of(view.shear_x) + up * number_of(view.shear_y);
         frames.check(view, {false, to_point(camera.eye), right, up, middle, 1}, 40, random, tally);
     }
     return tally;
 }
 
-class ViewFramesOfLevels : public testing::TestWithParam<const char*> {};
+class ViewFramesOfLevels : public OfLevel {};
+class ParallelFrames : public OfLevel {};
 
 }  // namespace
 
-TEST(ViewFramesOfTheDemo, ParallelOnesShowWhatRaysMeet) {
-    Stage stage = demo_stage();
-    check_parallel_views(stage, 6);
+TEST_P(ParallelFrames, ShowWhatRaysMeet) {
+    Stage stage = stage_named(GetParam());
+    check_parallel_views(stage, is_demo() ? 6 : 12);
 }
 
-TEST_P(ViewFramesOfLevels, ParallelOnesShowWhatRaysMeet) {
-    OBLONG_NEEDS_SHARED_LEVELS();
-    Stage stage = real_stage(GetParam());
-    check_parallel_views(stage, 12);
-}
+OBLONG_FOR_ALL_LEVELS(ParallelFrames);
 
 TEST_P(ViewFramesOfLevels, OffCentreOnesShowWhatRaysMeet) {
-    OBLONG_NEEDS_SHARED_LEVELS();
     Stage stage = real_stage(GetParam());
     const Tally tally = check_windows(stage, 60, false);
     EXPECT_GT(tally.faces, 1000);
@@ -277,7 +259,6 @@ TEST_P(ViewFramesOfLevels, OffCentreOnesShowWhatRaysMeet) {
 }
 
 TEST_P(ViewFramesOfLevels, CutOnesShowWhatIsBetweenTheirPlanes) {
-    OBLONG_NEEDS_SHARED_LEVELS();
     Stage stage = real_stage(GetParam());
     const Tally tally = check_windows(stage, 60, true);
     EXPECT_GT(tally.faces, 500);
@@ -287,7 +268,6 @@ TEST_P(ViewFramesOfLevels, CutOnesShowWhatIsBetweenTheirPlanes) {
 // A quarter of a picture is an off-centre window of half its size: but for edges, whose corners are rounded anew, to
 // 1/256 pixel.
 TEST_P(ViewFramesOfLevels, OffCentreOnesArePartsOfLargerPictures) {
-    OBLONG_NEEDS_SHARED_LEVELS();
     Stage whole = real_stage(GetParam(), {640, 400, {4, 3}}), part = real_stage(GetParam());
     ObservedWorkspace whole_work(whole.level, whole.mode), part_work(part.level, part.mode);
     whole_work.keep_record();
@@ -297,8 +277,8 @@ TEST_P(ViewFramesOfLevels, OffCentreOnesArePartsOfLargerPictures) {
     constexpr int kViews = 40;
     for (int i = 0; i < kViews; ++i) {
         Camera camera;
-        camera.eye = random_place(whole.level, random);
-        camera.yaw = Angle::from_bam(random());
+        camera.eye = random_open_point(whole.level, random);
+        camera.yaw = random_angle(random);
         whole.draw(camera, whole_work);
         ViewSpec view = first_person_view(camera);
         view.window.half_width = floor_shift(view.window.half_width, 1);
@@ -315,7 +295,6 @@ TEST_P(ViewFramesOfLevels, OffCentreOnesArePartsOfLargerPictures) {
     EXPECT_LT(other, std::size_t{kViews} * 64000 / 1000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, ViewFramesOfLevels, testing::ValuesIn(kRealLevels),
-                         [](const auto& name) { return name.param; });
+OBLONG_FOR_REAL_LEVELS(ViewFramesOfLevels);
 
 }  // namespace oblong::test

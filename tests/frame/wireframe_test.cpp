@@ -4,53 +4,24 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <set>
 
 #include "engine/view/views.h"
 #include "tests/frame/frame_fixture.h"
-#include "tests/support/folders.h"
+#include "tests/support/views.h"
 
 namespace oblong::test {
 namespace {
 
 constexpr std::uint8_t kLine = 77;
 
-/// A camera in doubles: x right, y down, in pixels; z ahead, in units.
-struct Seen {
-    double x, y, z;
-};
-
-Seen seen_from(const Camera& camera, const Vec3<World>& point, const ScreenMode& mode) {
-    const double pi = std::acos(-1.0), yaw = camera.yaw.bam * pi / 32768, pitch = camera.pitch.bam * pi / 32768;
-    const auto number = [](World value) { return value.raw / 4096.0; };
-    const double dx = number(point.x) - number(camera.eye.x), dy = number(point.y) - number(camera.eye.y),
-                 dz = number(point.z) - number(camera.eye.z);
-    const double ahead = dx * std::cos(yaw) + dy * std::sin(yaw), right = dx * std::sin(yaw) - dy * std::cos(yaw);
-    const double z = ahead * std::cos(pitch) - dz * std::sin(pitch),
-                 up = ahead * std::sin(pitch) + dz * std::cos(pitch);
-    const double scale = mode.width_px / 2.0;  // 90 degrees, on 4:3
-    return {mode.width_px / 2.0 + scale * right / z,
-            mode.height_px / 2.0 - scale * up / z * 4 / 3 * mode.height_px / mode.width_px, z};
-}
-
-class WireframeOfTheDemo : public testing::Test {
-  protected:
-    void SetUp() override {
-        if (!std::filesystem::exists(std::filesystem::path(test::build_folder()) / "assets" / "demo.bsp"))
-            GTEST_SKIP() << "the demo level is not built";
-    }
-};
-
-TEST_F(WireframeOfTheDemo, IsTheEdgesOfFacesThatOwnPixels) {
+TEST(WireframeOfTheDemo, IsTheEdgesOfFacesThatOwnPixels) {
     Stage stage = demo_stage();
     stage.models.clear();
     ObservedWorkspace work(stage.level, stage.mode);
     for (const int degrees : {0, 77, 180, 200, 301}) {
-        Camera camera;
-        camera.eye = {World::from_int(0), World::from_int(-368), World::from_int(70)};
-        camera.yaw = degrees_to_angle(Degrees::from_int(degrees));
-        camera.pitch = Angle::from_bam(degrees * 8);
+        const Camera camera = camera_at(point_at(0, -368, 70), degrees, degrees / 23.0);
+        const TrueCamera truth(camera);
         work.keep_record();
         stage.draw(camera, work);
         const FrameRecord& record = work.record;
@@ -72,10 +43,10 @@ TEST_F(WireframeOfTheDemo, IsTheEdgesOfFacesThatOwnPixels) {
         for (const FaceIndex face : faces)
             for (const SurfEdge& step : stage.level.edges_of(stage.level.faces[face])) {
                 const Edge& edge = stage.level.edges[step.edge];
-                const auto &from = stage.level.vertices[edge.from], &to = stage.level.vertices[edge.to];
+                const Point from = to_point(stage.level.vertices[edge.from]),
+                            to = to_point(stage.level.vertices[edge.to]);
                 for (int i = 0; i <= kSteps; ++i) {
-                    const Seen seen =
-                        seen_from(camera, between(from, to, World::from_raw(i), World::from_raw(kSteps)), stage.mode);
+                    const Point seen = truth.shown(along(from, to, i / double{kSteps}));
                     // What lies on the border of the screen, or beyond it by rounding, is near its last pixels.
                     if (seen.z < 0.0625 || seen.x < -1 || seen.y < -1 || seen.x >= 321 || seen.y >= 201) continue;
                     const int x = static_cast<int>(std::floor(seen.x)), y = static_cast<int>(std::floor(seen.y));

@@ -142,52 +142,56 @@ TEST(BadInput, ClipNodesMayShareASubtreeAndNodesMayNot) {
     EXPECT_TRUE(fault_of(test::join_lumps(29, lumps)).starts_with("lump 'nodes'"));
 }
 
-TEST(BadInput, EndlesslyDeepTreesAreRefused) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    test::Bytes& nodes = test::lump_of(lumps, Lump::ClipNodes);
-    nodes.clear();
-    for (int i = 1; i < 5000; ++i) test::ByteWriter(nodes).i32(0).i16(i).i16(-2);
-    test::ByteWriter(nodes).i32(0).i16(-1).i16(-2);
-    EXPECT_TRUE(fault_of(test::join_lumps(29, lumps)).starts_with("lump 'clipnodes'"));
-}
-
-TEST(BadInput, TexturesThatShareTheirBytesAreRefused) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    test::Bytes& textures = test::lump_of(lumps, Lump::Textures);
-    Bytes table;
-    test::ByteWriter out(table);
-    out.i32(100);
-    for (int i = 0; i < 100; ++i) out.i32(4 + 100 * 4);
-    textures.erase(textures.begin(), textures.begin() + 8);
-    textures.insert(textures.begin(), table.begin(), table.end());
-    EXPECT_TRUE(fault_of(test::join_lumps(29, lumps)).starts_with("lump 'textures'"));
-}
-
-TEST(BadInput, FacesThatShareTheirEdgesOverAndOverAreRefused) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    test::Bytes& faces = test::lump_of(lumps, Lump::Faces);
-    const Bytes face = faces;
-    for (int i = 0; i < 1000; ++i) faces.insert(faces.end(), face.begin(), face.end());
-    EXPECT_TRUE(fault_of(test::join_lumps(29, lumps)).starts_with("lump 'faces'"));
-}
-
-TEST(BadInput, VisibleRowsThatOverlapOverAndOverAreRefused) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    constexpr int kLeaves = 1000;  // a row takes 125 bytes, and one starts at every byte
-    test::lump_of(lumps, Lump::Visibility).assign(kLeaves + kLeaves / 8, 0xff);
-    test::Bytes& leaves = test::lump_of(lumps, Lump::Leaves);
-    for (int i = 1; i < kLeaves; ++i)
-        test::ByteWriter(leaves).i32(contents::kEmpty).i32(i).number(8, 0).i32(0).i32(0).i32(0);
-    test::put_number(test::lump_of(lumps, Lump::Models), 52, 4, kLeaves);
-    EXPECT_TRUE(fault_of(test::join_lumps(29, lumps)).starts_with("lump 'visibility'"));
-}
-
-TEST(BadInput, EndlessListsOfMissingTexturesAreRefused) {
-    test::Lumps lumps = test::make_tiny_lumps();
-    test::Bytes& textures = test::lump_of(lumps, Lump::Textures);
-    textures.assign(4 + 4 * 1000000, 0xff);
-    test::put_number(textures, 0, 4, 1000000);
-    EXPECT_TRUE(fault_of(test::join_lumps(29, lumps)).starts_with("lump 'textures'"));
+/// Files that would take far more memory or time than their size.
+TEST(BadInput, WhatIsSharedOrMissingOverAndOverIsRefused) {
+    struct Row {
+        const char *what, *where;
+        void (*spoil)(test::Lumps&);
+    };
+    const std::vector<Row> rows{{"an endlessly deep tree", "lump 'clipnodes'",
+                                 [](test::Lumps& lumps) {
+                                     test::Bytes& nodes = test::lump_of(lumps, Lump::ClipNodes);
+                                     nodes.clear();
+                                     for (int i = 1; i < 5000; ++i) test::ByteWriter(nodes).i32(0).i16(i).i16(-2);
+                                     test::ByteWriter(nodes).i32(0).i16(-1).i16(-2);
+                                 }},
+                                {"textures that share their bytes", "lump 'textures'",
+                                 [](test::Lumps& lumps) {
+                                     test::Bytes& textures = test::lump_of(lumps, Lump::Textures);
+                                     Bytes table;
+                                     test::ByteWriter out(table);
+                                     out.i32(100);
+                                     for (int i = 0; i < 100; ++i) out.i32(4 + 100 * 4);
+                                     textures.erase(textures.begin(), textures.begin() + 8);
+                                     textures.insert(textures.begin(), table.begin(), table.end());
+                                 }},
+                                {"faces that share their edges", "lump 'faces'",
+                                 [](test::Lumps& lumps) {
+                                     test::Bytes& faces = test::lump_of(lumps, Lump::Faces);
+                                     const Bytes face = faces;
+                                     for (int i = 0; i < 1000; ++i) faces.insert(faces.end(), face.begin(), face.end());
+                                 }},
+                                {"visible rows that overlap", "lump 'visibility'",
+                                 [](test::Lumps& lumps) {
+                                     constexpr int kLeaves =
+                                         1000;  // a row takes 125 bytes, and one starts at every byte
+                                     test::lump_of(lumps, Lump::Visibility).assign(kLeaves + kLeaves / 8, 0xff);
+                                     test::ByteWriter leaves(test::lump_of(lumps, Lump::Leaves));
+                                     for (int i = 1; i < kLeaves; ++i)
+                                         leaves.i32(contents::kEmpty).i32(i).number(8, 0).i32(0).i32(0).i32(0);
+                                     test::put_number(test::lump_of(lumps, Lump::Models), 52, 4, kLeaves);
+                                 }},
+                                {"a million missing textures", "lump 'textures'", [](test::Lumps& lumps) {
+                                     test::Bytes& textures = test::lump_of(lumps, Lump::Textures);
+                                     textures.assign(4 + 4 * 1000000, 0xff);
+                                     test::put_number(textures, 0, 4, 1000000);
+                                 }}};
+    for (const Row& row : rows) {
+        test::Lumps lumps = test::make_tiny_lumps();
+        row.spoil(lumps);
+        const std::string where = fault_of(test::join_lumps(29, lumps));
+        EXPECT_TRUE(where.starts_with(row.where)) << row.what << ": '" << where << "'";
+    }
 }
 
 TEST(BadInput, UnknownVersionAndShortFilesNameTheHeader) {
@@ -197,24 +201,24 @@ TEST(BadInput, UnknownVersionAndShortFilesNameTheHeader) {
     EXPECT_EQ(fault_of(Bytes(123, 0)), "header, offset 0");
 }
 
-// The tiny level is nearly all structure, so that random damage hits what is checked.
-TEST(BadInput, RandomDamageToTheTinyLevelNeverCrashes) {
-    std::mt19937 random(386);
-    for (const bool is_wide : {false, true}) {
-        const test::Lumps lumps = test::make_tiny_lumps();
-        const Bytes whole = is_wide ? test::join_lumps(version_from_letters("BSP2"), test::widen_lumps(lumps, true))
-                                    : test::join_lumps(29, lumps);
-        for (int round = 0; round < 20000; ++round) {
-            Bytes bad = whole;
-            for (int flips = 1 + round % 4; flips > 0; --flips)
-                bad[4 + random() % (bad.size() - 4)] = static_cast<std::uint8_t>(random());
-            const std::string where = fault_of(bad);
-            EXPECT_TRUE(where.empty() || names_a_lump(where)) << where;
-        }
+void expect_read_or_named(const Bytes& whole, int rounds, int most_flips, std::mt19937& random) {
+    for (int round = 0; round < rounds; ++round) {
+        Bytes bad = whole;
+        for (int flips = 1 + round % most_flips; flips > 0; --flips)
+            bad[4 + random() % (bad.size() - 4)] = static_cast<std::uint8_t>(random());
+        const std::string where = fault_of(bad);
+        EXPECT_TRUE(where.empty() || names_a_lump(where)) << where;
     }
 }
 
-using test::Bytes, test::fault_of, test::lump_label, test::names_a_lump;
+// The tiny level is nearly all structure, so that random damage hits what is checked.
+TEST(BadInput, RandomDamageToTheTinyLevelNeverCrashes) {
+    std::mt19937 random(386);
+    const test::Lumps lumps = test::make_tiny_lumps();
+    expect_read_or_named(test::join_lumps(29, lumps), 20000, 4, random);
+    const Bytes wide = test::join_lumps(version_from_letters("BSP2"), test::widen_lumps(lumps, true));
+    expect_read_or_named(wide, 20000, 4, random);
+}
 
 class BadRealLevel : public testing::TestWithParam<const char*> {
   protected:
@@ -275,14 +279,7 @@ TEST_P(BadRealLevel, LumpMovedOrResizedIsReadOrNamesALump) {
 
 TEST_P(BadRealLevel, RandomDamageNeverCrashes) {
     std::mt19937 random(20);
-    const Bytes whole = file_;
-    for (int round = 0; round < 400; ++round) {
-        Bytes bad = whole;
-        for (int flips = 1 + round % 8; flips > 0; --flips)
-            bad[4 + random() % (bad.size() - 4)] = static_cast<std::uint8_t>(random());
-        const std::string where = fault_of(bad);
-        EXPECT_TRUE(where.empty() || names_a_lump(where)) << where;
-    }
+    expect_read_or_named(file_, 400, 8, random);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, BadRealLevel, testing::ValuesIn(test::kRealLevels));

@@ -1,11 +1,7 @@
 #include <gtest/gtest.h>
 
-#include <random>
-
-#include "engine/level/bsp_read.h"
-#include "engine/level/side.h"
 #include "engine/level/trace.h"
-#include "tests/support/folders.h"
+#include "tests/support/levels.h"
 #include "tests/support/point.h"
 
 namespace oblong {
@@ -13,24 +9,14 @@ namespace {
 
 using test::along, test::Point, test::to_point, test::to_world;
 
-class RealTrace : public testing::TestWithParam<const char*> {
+class RealTrace : public test::OfLevel {
   protected:
     void SetUp() override {
-        OBLONG_NEEDS_SHARED_LEVELS();
-        level_ = read_bsp(test::read_shared_file(std::string(GetParam()) + ".bsp"));
+        OfLevel::SetUp();
+        if (!IsSkipped()) level_ = test::read_level(GetParam());
     }
-
     const SubModel& world() const { return level_.world(); }
-
-    Vec3<World> random_point() {
-        const auto part = [this](std::size_t axis) {
-            const LevelBox& box = world().box;
-            std::uniform_int_distribution<std::int32_t> raw(box.mins[axis] * 4096, box.maxs[axis] * 4096);
-            return World::from_raw(raw(random_));
-        };
-        const World x = part(0), y = part(1);
-        return {x, y, part(2)};
-    }
+    Vec3<World> random_point() { return test::random_point_in(world().box, random_); }
 
     /// Calls check(hull, from, to) for random ways that start outside solid, short ones and long ones.
     template <class Check>
@@ -70,7 +56,7 @@ TEST_P(RealTrace, NeverEndsInSolidAndStaysOnItsWay) {
         const double fraction = result.fraction.raw * 0x1p-30;
         ASSERT_TRUE(fraction >= 0 && fraction <= 1);
         const Point on_way = along(to_point(from), to_point(to), fraction), end = to_point(result.end);
-        const Point off{end.x - on_way.x, end.y - on_way.y, end.z - on_way.z};
+        const Point off = end - on_way;
         ASSERT_LE(dot(off, off), 0.01 * 0.01);
         ASSERT_TRUE(result.is_hit || result.end == to);
     });
@@ -94,13 +80,9 @@ TEST_P(RealTrace, StoppedItSlidesAlongThePlaneAndGoesBack) {
     for_random_ways(2000, [&](Hull hull, Vec3<World> from, Vec3<World> to) {
         const TraceResult result = trace_hull(level_, world(), hull, from, to);
         if (!result.is_hit) return;
-        const Point way{to_point(to).x - to_point(from).x, to_point(to).y - to_point(from).y,
-                        to_point(to).z - to_point(from).z};
-        const Point n{result.normal.x.raw * 0x1p-30, result.normal.y.raw * 0x1p-30, result.normal.z.raw * 0x1p-30};
+        const Point way = to_point(to) - to_point(from), n = to_point(result.normal);
         ASSERT_LT(dot(way, n), 0) << "the normal faces the body";
-        const Point end = to_point(result.end);
-        const double into = dot(way, n);
-        const Point slide{end.x + way.x - n.x * into, end.y + way.y - n.y * into, end.z + way.z - n.z * into};
+        const Point slide = to_point(result.end) + way - n * dot(way, n);
         const TraceResult slid = trace_hull(level_, world(), hull, result.end, to_world(slide));
         ASSERT_FALSE(slid.starts_solid);
         ASSERT_NE(hull_contents(level_, world(), hull, slid.end), contents::kSolid);
@@ -120,7 +102,7 @@ TEST_P(RealTrace, FreeWaysAreFreeBackwards) {
     EXPECT_LE(blocked_backwards, free / 1000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, RealTrace, testing::ValuesIn(test::kRealLevels));
+OBLONG_FOR_REAL_LEVELS(RealTrace);
 
 }  // namespace
 }  // namespace oblong

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "engine/level/bsp_read.h"
-#include "tests/support/bsp_writer.h"
-#include "tests/support/folders.h"
+#include "tests/support/levels.h"
+#include "tests/support/random.h"
 
 namespace oblong {
 namespace {
@@ -47,18 +47,11 @@ int exact_side(const FilePlane& plane, Vec3<World> p) {
     return (sum > 0) - (sum < 0);
 }
 
-Vec3<World> random_point(std::mt19937& random, const LevelBox& box) {
-    const auto between = [&random](std::int32_t low, std::int32_t high) {
-        return World::from_raw(std::uniform_int_distribution<std::int32_t>(low * 4096, high * 4096)(random));
-    };
-    const World x = between(box.mins[0], box.maxs[0]), y = between(box.mins[1], box.maxs[1]);
-    return {x, y, between(box.mins[2], box.maxs[2])};
-}
-
-class RealSides : public testing::TestWithParam<const char*> {
+class RealSides : public test::OfLevel {
   protected:
     void SetUp() override {
-        OBLONG_NEEDS_SHARED_LEVELS();
+        OfLevel::SetUp();
+        if (IsSkipped()) return;
         const test::Bytes file = test::read_shared_file(std::string(GetParam()) + ".bsp");
         level_ = read_bsp(file);
         lumps_ = test::split_lumps(file);
@@ -70,7 +63,7 @@ class RealSides : public testing::TestWithParam<const char*> {
         std::mt19937 random(1993);
         std::vector<Vec3<World>> points(level_.vertices.begin(), level_.vertices.end());
         for (int i = 0; i < 3000; ++i) {
-            Vec3<World> p = random_point(random, level_.world().box);
+            Vec3<World> p = test::random_point_in(level_.world().box, random);
             points.push_back(p);
             const auto to_whole = [](World part) { return World::from_raw(part.raw & ~0xfff); };
             points.push_back({to_whole(p.x), to_whole(p.y), to_whole(p.z)});
@@ -114,7 +107,7 @@ TEST_P(RealSides, EveryPlaneAgreesWithTheExactSide) {
     EXPECT_GT(on_plane, 100) << "too few points in doubt to show anything";
 }
 
-INSTANTIATE_TEST_SUITE_P(Shared, RealSides, testing::ValuesIn(test::kRealLevels));
+OBLONG_FOR_REAL_LEVELS(RealSides);
 
 /// The level of one plane, through the reader.
 LevelPlane read_plane(const FilePlane& plane) {
@@ -133,10 +126,6 @@ FilePlane random_plane(std::mt19937& random) {
             static_cast<float>(std::uniform_real_distribution<double>(-900000, 900000)(random))};
 }
 
-World random_coordinate(std::mt19937& random) {
-    return World::from_raw(static_cast<std::int32_t>(random()));
-}
-
 /// `p` moved along z to within an ulp of the plane, if the world reaches that far.
 Vec3<World> drop_onto(const FilePlane& plane, Vec3<World> p) {
     const double along_x = plane.normal[0] * (p.x.raw / 4096.), along_y = plane.normal[1] * (p.y.raw / 4096.);
@@ -152,8 +141,8 @@ TEST(PlaneSide, IsExactInTheWholeWorld) {
         const FilePlane plane = random_plane(random);
         const LevelPlane level_plane = read_plane(plane);
         for (int j = 0; j < 20; ++j) {
-            const World x = random_coordinate(random), y = random_coordinate(random), z = random_coordinate(random);
-            for (const Vec3<World>& p : {Vec3<World>{x, y, z}, drop_onto(plane, {x, y, z})})
+            const Vec3<World> any = test::random_world(random);
+            for (const Vec3<World>& p : {any, drop_onto(plane, any)})
                 ASSERT_EQ(plane_side(level_plane, p), exact_side(plane, p));
         }
         const World low = World::lowest(), high = World::highest();
@@ -168,11 +157,10 @@ TEST(PlaneSide, DistanceKeepsItsStatedBound) {
     std::mt19937 random(7);
     for (int i = 0; i < 2000; ++i) {
         const FilePlane plane = random_plane(random);
-        const World x = random_coordinate(random), y = random_coordinate(random), z = random_coordinate(random);
-        const double exact = plane.normal[0] * (x.raw / 4096.) + plane.normal[1] * (y.raw / 4096.) +
-                             plane.normal[2] * (z.raw / 4096.) - plane.distance;
-        const double found = std::ldexp(static_cast<double>(plane_distance(read_plane(plane), {x, y, z}).raw), -42);
-        ASSERT_NEAR(found, exact, std::ldexp(1, -10));
+        const Vec3<World> any = test::random_world(random);
+        const double exact = plane.normal[0] * number_of(any.x) + plane.normal[1] * number_of(any.y) +
+                             plane.normal[2] * number_of(any.z) - plane.distance;
+        ASSERT_NEAR(number_of(plane_distance(read_plane(plane), any)), exact, std::ldexp(1, -10));
     }
 }
 

@@ -9,8 +9,7 @@
 
 #include "engine/level/bsp_read.h"
 #include "engine/level/side.h"
-#include "tests/support/bsp_writer.h"
-#include "tests/support/folders.h"
+#include "tests/support/levels.h"
 #include "tests/support/point.h"
 
 namespace oblong {
@@ -154,10 +153,8 @@ std::vector<FilePlane> random_room(std::mt19937& random, double radius, int coun
     std::vector<FilePlane> planes;
     for (int i = 0; i < count; ++i) {
         const Point n{part(random), part(random), part(random)};
-        const double length = std::sqrt(dot(n, n));
-        planes.push_back(
-            {{static_cast<float>(n.x / length), static_cast<float>(n.y / length), static_cast<float>(n.z / length)},
-             -radius});
+        const Point one = normalised(n);
+        planes.push_back({{static_cast<float>(one.x), static_cast<float>(one.y), static_cast<float>(one.z)}, -radius});
     }
     return planes;
 }
@@ -196,8 +193,7 @@ TEST(Trace, AgreesWithTheClosedFormInRandomRooms) {
         for (int i = 0; i < 50; ++i) {
             const Point from = random_point(random, 30), to = random_point(random, 500);
             const Point end = to_point(trace(room, from, to).end), expected = first_stop(planes, from, to);
-            const Point off{end.x - expected.x, end.y - expected.y, end.z - expected.z};
-            const double difference = std::sqrt(dot(off, off));
+            const double difference = length(end - expected);
             EXPECT_GE(clearance(planes, end), 0) << "behind a plane";
             EXPECT_LE(difference, 1. / 16);
             beyond_rounding += difference > 4. / 4096;
@@ -215,13 +211,13 @@ namespace oblong::test {
 namespace {
 
 Vec3<World> at_height(std::int32_t z) {
-    return {World::from_int(16), World::from_int(8), World::from_int(z)};
+    return point_at(16, 8, z);
 }
 
 }  // namespace
 
 TEST(Floor, IsFoundBelowAPoint) {
-    const Level level = read_bsp(join_lumps(29, make_tiny_lumps()));
+    const Level level = tiny_level();
     const auto floor = find_floor(level, at_height(100), World::from_int(128));
     ASSERT_TRUE(floor);
     EXPECT_EQ(floor->position, at_height(8));
@@ -229,27 +225,22 @@ TEST(Floor, IsFoundBelowAPoint) {
 }
 
 TEST(Floor, IsNotFoundTooFarBelowOrFromSolid) {
-    const Level level = read_bsp(join_lumps(29, make_tiny_lumps()));
+    const Level level = tiny_level();
     EXPECT_TRUE(find_floor(level, at_height(136), World::from_int(129)));
     EXPECT_FALSE(find_floor(level, at_height(136), World::from_int(127)));
     EXPECT_FALSE(find_floor(level, at_height(4), World::from_int(128)));
-    EXPECT_FALSE(find_floor(level, {World{}, World{}, World::lowest()}, World::from_int(128)));
+    EXPECT_FALSE(find_floor(level, point_at(0, 0, -524288), World::from_int(128)));
 }
 
 TEST(Floor, IsWhereSolidBeginsInRealLevels) {
     OBLONG_NEEDS_SHARED_LEVELS();
     constexpr std::int32_t kMost = 128, kStep = 4096 / 2;
     for (const char* name : kRealLevels) {
-        const Level level = read_bsp(read_shared_file(std::string(name) + ".bsp"));
+        const Level level = read_level(name);
         std::mt19937 random(1);
         int found = 0, missed = 0;
         for (int trial = 0; trial < 20000; ++trial) {
-            const LevelBox& box = level.world().box;
-            const auto within = [&](std::size_t axis) {
-                const auto size = static_cast<std::uint32_t>(box.maxs[axis] - box.mins[axis]) * 4096;
-                return World::from_raw(box.mins[axis] * 4096 + static_cast<std::int32_t>(random() % size));
-            };
-            const Vec3<World> from{within(0), within(1), within(2)};
+            const Vec3<World> from = random_point_in(level.world().box, random);
             const auto contents_below = [&](std::int32_t raw) {
                 const Vec3<World> p{from.x, from.y, World::from_raw(from.z.raw - raw)};
                 return hull_contents(level, level.world(), Hull::Point, p);

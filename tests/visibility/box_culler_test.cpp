@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 
-#include "engine/view/view_context.h"
+#include "tests/visibility/visibility_fixture.h"
 
 namespace oblong::test {
 
@@ -22,20 +21,10 @@ Culling random_culling(std::mt19937& random, std::int32_t reach) {
         return World::from_raw(static_cast<std::int32_t>(random() % (static_cast<std::uint32_t>(reach) * 8192)) -
                                reach * 4096);
     };
-    const Basis axes = view_basis(Angle::from_bam(random()), Angle::from_bam(random()), Angle::from_bam(random()));
+    const Basis axes = random_axes(random);
     const Projection projection = make_projection(ScreenMode{}, Degrees::from_int(1 + random() % 179));
     const View parallel_depth = random() % 4 ? View{} : View::from_int(1 << random() % 20);
     return {make_frustum(axes, projection, parallel_depth), {coordinate(), coordinate(), coordinate()}};
-}
-
-LevelBox random_box(std::mt19937& random, std::int32_t reach, std::int32_t largest) {
-    LevelBox box;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        box.mins[axis] = static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(2 * reach)) - reach;
-        box.maxs[axis] = box.mins[axis] + static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(largest));
-        box.maxs[axis] = std::min(box.maxs[axis], reach);
-    }
-    return box;
 }
 
 /// normal . (corner - eye) of the corner that takes the greater bound along the axes of `high`.

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "engine/visibility/box_culler.h"
+#include "tests/visibility/visibility_fixture.h"
 
 namespace oblong::test {
 
@@ -11,47 +11,17 @@ namespace {
 
 /// Of a world that reaches `reach` units either way.
 ViewContext random_view(std::mt19937& random, std::int32_t reach = 2000) {
-    ViewContext view;
-    const auto coordinate = [&] {
-        return World::from_int(static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(2 * reach)) - reach);
-    };
-    view.eye = {coordinate(), coordinate(), coordinate()};
-    view.axes = view_basis(Angle::from_bam(random()), Angle::from_bam(random()), Angle::from_bam(random()));
-    view.viewpoint = {view.eye};
-    view.rays = view.axes;
-    view.projection = make_projection(ScreenMode{}, Degrees::from_int(20 + random() % 130));
-    view.frustum = make_frustum(view.axes, view.projection);
-    view.grid = SubpixelGrid::of_bits(8);
-    return view;
-}
-
-LevelBox random_box(std::mt19937& random, std::int32_t reach, std::int32_t largest) {
-    LevelBox box;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        box.mins[axis] = static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(2 * reach)) - reach;
-        box.maxs[axis] = box.mins[axis] + static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(largest));
-        box.maxs[axis] = std::min(box.maxs[axis], reach);
-    }
-    return box;
-}
-
-double to_double(Unit component) {
-    return std::ldexp(component.raw, -30);
+    const auto coordinate = [&] { return random_below(random, 2 * reach) - reach; };
+    const Vec3<World> eye{World::from_int(coordinate()), World::from_int(coordinate()), World::from_int(coordinate())};
+    return view_along(eye, random_axes(random), {}, 20 + random_below(random, 130));
 }
 
 /// Column and row, in doubles, of a point of the box.
-std::pair<double, double> seen_at(const ViewContext& view, double x, double y, double z) {
-    const double dx = x - std::ldexp(view.eye.x.raw, -12), dy = y - std::ldexp(view.eye.y.raw, -12);
-    const double dz = z - std::ldexp(view.eye.z.raw, -12);
-    const auto along = [&](const Vec3<Unit>& axis) {
-        return dx * to_double(axis.x) + dy * to_double(axis.y) + dz * to_double(axis.z);
-    };
-    const double depth = along(view.axes.forward);
-    const auto multiplier = [](const ProjectionAxis& axis) {
-        return std::ldexp(static_cast<double>(axis.multiplier.raw), -32);
-    };
-    return {160 + multiplier(view.projection.x) * along(view.axes.right) / depth,
-            100 - multiplier(view.projection.y) * along(view.axes.up) / depth};
+std::pair<double, double> seen_at(const ViewContext& view, const Point& p) {
+    const Point way = p - to_point(view.eye);
+    const double depth = dot(way, to_point(view.axes.forward));
+    return {160 + number_of(view.projection.x.multiplier) * dot(way, to_point(view.axes.right)) / depth,
+            100 - number_of(view.projection.y.multiplier) * dot(way, to_point(view.axes.up)) / depth};
 }
 
 struct Tally {
@@ -75,8 +45,7 @@ Tally check_boxes(std::int32_t reach, std::int32_t largest) {
                 const double along = trial % 2 ? std::round(part(random)) : part(random);
                 return box.mins[axis] + along * (box.maxs[axis] - box.mins[axis]);
             };
-            const double x = at(0), y = at(1), z = at(2);
-            const auto [column, row] = seen_at(view, x, y, z);
+            const auto [column, row] = seen_at(view, {at(0), at(1), at(2)});
             if (column < 0 || column >= 320 || row < 0 || row >= 200) continue;
             ++tally.on_screen;
             EXPECT_GE(column, rectangle->first_column);

@@ -116,10 +116,7 @@ std::vector<std::pair<PlacedIndex, const Vec3<World>*>> kept_corners(BrushModels
 
 Point middle_of(std::span<const Point> corners) {
     Point middle;
-    for (const Point& p : corners) {
-        const double share = 1.0 / static_cast<double>(corners.size());
-        middle = {middle.x + p.x * share, middle.y + p.y * share, middle.z + p.z * share};
-    }
+    for (const Point& p : corners) middle = middle + p * (1.0 / static_cast<double>(corners.size()));
     return middle;
 }
 
@@ -146,12 +143,11 @@ void check_order(const BrushModels& models, std::span<const Fragment* const> fra
     }
 }
 
-class BrushModel : public testing::TestWithParam<const char*> {};
+class BrushModel : public OfLevel {};
 
 }  // namespace
 
 TEST_P(BrushModel, FragmentsCoverEachFaceOnceWhereTheWorldIsOpen) {
-    if (GetParam() != std::string("demo")) OBLONG_NEEDS_SHARED_LEVELS();
     const Level level = read_level(GetParam());
     const FaceTable table = make_face_table(level);
     std::mt19937 random(1);
@@ -171,7 +167,6 @@ TEST_P(BrushModel, FragmentsCoverEachFaceOnceWhereTheWorldIsOpen) {
 }
 
 TEST_P(BrushModel, FragmentsOfALeafFaceTheEyeAndOneModelsComeFrontToBack) {
-    if (GetParam() != std::string("demo")) OBLONG_NEEDS_SHARED_LEVELS();
     const Level level = read_level(GetParam());
     const FaceTable table = make_face_table(level);
     BrushModels models(level);
@@ -186,13 +181,10 @@ TEST_P(BrushModel, FragmentsOfALeafFaceTheEyeAndOneModelsComeFrontToBack) {
     }
     EXPECT_GT(tally.fragments, 300);
     // The demo level's models are convex: no two parts of one that face the eye are on a ray.
-    if (GetParam() != std::string("demo")) {
-        EXPECT_GT(tally.pairs, 100);
-    }
+    EXPECT_GT(tally.pairs, is_demo() ? -1 : 100);
 }
 
 TEST_P(BrushModel, OnlyWhatHasMovedIsCutAgain) {
-    if (GetParam() != std::string("demo")) OBLONG_NEEDS_SHARED_LEVELS();
     const Level level = read_level(GetParam());
     const FaceTable table = make_face_table(level);
     std::mt19937 random(3);
@@ -221,7 +213,6 @@ TEST_P(BrushModel, OnlyWhatHasMovedIsCutAgain) {
 }
 
 TEST_P(BrushModel, OneThatIsOnlySwitchedIsNotCutAgain) {
-    if (GetParam() != std::string("demo")) OBLONG_NEEDS_SHARED_LEVELS();
     const Level level = read_level(GetParam());
     const FaceTable table = make_face_table(level);
     std::vector<PlacedModel> placed = models_at_rest(level);
@@ -238,7 +229,6 @@ TEST_P(BrushModel, OneThatIsOnlySwitchedIsNotCutAgain) {
     EXPECT_NE(models.corners_of(fragment).data(), corners);
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, BrushModel, testing::Values("demo", "e1m7", "end"),
-                         [](const auto& name) { return name.param; });
+OBLONG_FOR_LEVELS(BrushModel, testing::Values("demo", "e1m7", "end"));
 
 }  // namespace oblong::test

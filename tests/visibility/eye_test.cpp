@@ -56,12 +56,11 @@ Vec3<World> near_a_corner(const Level& level, std::mt19937& random) {
     return corner + Vec3<World>{off(), off(), off()};
 }
 
-class ClearPlace : public testing::TestWithParam<const char*> {};
+class ClearPlace : public OfLevel {};
 
 }  // namespace
 
 TEST_P(ClearPlace, IsThatFoundInTheWholeTree) {
-    if (GetParam() != std::string("demo")) OBLONG_NEEDS_SHARED_LEVELS();
     const Level level = read_level(GetParam());
     std::mt19937 random(6);
     int found_count = 0, farther_count = 0, none_count = 0;
@@ -81,7 +80,6 @@ TEST_P(ClearPlace, IsThatFoundInTheWholeTree) {
     EXPECT_GT(none_count, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, ClearPlace, testing::Values("dm4", "e1m7", "end", "demo"),
-                         [](const auto& name) { return name.param; });
+OBLONG_FOR_ALL_LEVELS(ClearPlace);
 
 }  // namespace oblong::test

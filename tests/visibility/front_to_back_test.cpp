@@ -49,25 +49,15 @@ class Walker {
 };
 
 ViewContext random_view(const Level& level, std::mt19937& random) {
-    ViewContext view;
-    view.eye = random_open_point(level, random);
-    view.axes = view_basis(Angle::from_bam(random()), Angle::from_bam(random() % 16384 - 8192), {});
-    view.viewpoint = {view.eye};
-    view.rays = view.axes;
-    view.projection = make_projection(ScreenMode{}, Degrees::from_int(90));
-    view.frustum = make_frustum(view.axes, view.projection);
-    view.grid = SubpixelGrid::of_bits(8);
-    return view;
+    return view_from(random_open_point(level, random), random_angle(random),
+                     Angle::from_bam(random_below(random, 16384) - 8192));
 }
 
 /// Through a random place of the screen, a few pixels from its border.
 Point random_ray(const ViewContext& view, std::mt19937& random) {
-    std::uniform_real_distribution<double> part(-0.97, 0.97);
-    const double right = part(random), up = part(random) * 0.75;
-    const auto along = [&](Unit r, Unit u, Unit f) { return std::ldexp(r.raw * right + u.raw * up + f.raw, -30); };
+    const double right = random_between(random, -0.97, 0.97), up = random_between(random, -0.97, 0.97) * 0.75;
     const Basis& axes = view.axes;
-    return {along(axes.right.x, axes.up.x, axes.forward.x), along(axes.right.y, axes.up.y, axes.forward.y),
-            along(axes.right.z, axes.up.z, axes.forward.z)};
+    return to_point(axes.right) * right + to_point(axes.up) * up + to_point(axes.forward);
 }
 
 struct Hit {
@@ -115,12 +105,11 @@ void check_ray(const std::vector<Hit>& hits, const Places& places, Tally& tally)
     }
 }
 
-class FrontToBack : public testing::TestWithParam<const char*> {};
+class FrontToBack : public OfLevel {};
 
 }  // namespace
 
 TEST_P(FrontToBack, OfTwoFacesOnARayTheNearerComesFirstAndNoneComesTwice) {
-    if (GetParam() != std::string("demo")) OBLONG_NEEDS_SHARED_LEVELS();
     Walker walker(GetParam());
     Table<std::vector<Point>, Face> outlines;
     for (const FaceIndex face : walker.level.world().faces)
@@ -140,8 +129,7 @@ TEST_P(FrontToBack, OfTwoFacesOnARayTheNearerComesFirstAndNoneComesTwice) {
     EXPECT_GT(tally.views_with_faces_left_out, 20) << "what is out of view is not handed out";
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, FrontToBack, testing::Values("demo", "dm4", "e1m7", "end"),
-                         [](const auto& name) { return name.param; });
+OBLONG_FOR_ALL_LEVELS(FrontToBack);
 
 TEST(FrontToBackWalk, NothingIsHandedOutWhereNoPixelIsFree) {
     Walker walker("demo");

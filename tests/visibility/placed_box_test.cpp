@@ -11,17 +11,6 @@ namespace oblong::test {
 
 namespace {
 
-ViewContext view_from(const Vec3<World>& eye, Angle yaw) {
-    ViewContext view;
-    view.eye = eye;
-    view.axes = view_basis(yaw, {}, {});
-    view.viewpoint = {view.eye};
-    view.rays = view.axes;
-    view.projection = make_projection(ScreenMode{}, Degrees::from_int(90));
-    view.frustum = make_frustum(view.axes, view.projection);
-    return view;
-}
-
 BoxCuller culler_of(const ViewContext& view) {
     return {view.frustum, view.eye};
 }
@@ -31,24 +20,15 @@ LevelBox box_around(const Vec3<World>& middle, std::int32_t half) {
     return {{at[0] - half, at[1] - half, at[2] - half}, {at[0] + half, at[1] + half, at[2] + half}};
 }
 
-Vec3<World> random_point_in(const LevelBox& box, std::mt19937& random) {
-    const auto within = [&](std::size_t axis) {
-        const auto size = static_cast<std::uint32_t>(box.maxs[axis] - box.mins[axis]) * 4096;
-        return World::from_raw(box.mins[axis] * 4096 + static_cast<std::int32_t>(random() % size));
-    };
-    return {within(0), within(1), within(2)};
-}
-
 bool has_leaf(const PlacedBox& placed, LeafIndex leaf) {
     return std::find(placed.leaves.begin(), placed.leaves.end(), leaf) != placed.leaves.end();
 }
 
 }  // namespace
 
-class PlacedBoxOf : public testing::TestWithParam<const char*> {};
+class PlacedBoxOf : public OfLevel {};
 
 TEST_P(PlacedBoxOf, HasTheLeafOfEachOfItsPoints) {
-    OBLONG_NEEDS_SHARED_LEVELS();
     const Level level = read_level(GetParam());
     std::mt19937 random(1);
     for (int trial = 0; trial < 100; ++trial) {
@@ -63,7 +43,6 @@ TEST_P(PlacedBoxOf, HasTheLeafOfEachOfItsPoints) {
 }
 
 TEST_P(PlacedBoxOf, MayBeSeenIfAPointOfItIsInViewInAVisibleLeaf) {
-    OBLONG_NEEDS_SHARED_LEVELS();
     const Level level = read_level(GetParam());
     std::mt19937 random(2);
     VisibleSet visible(level);
@@ -87,7 +66,6 @@ TEST_P(PlacedBoxOf, MayBeSeenIfAPointOfItIsInViewInAVisibleLeaf) {
 }
 
 TEST_P(PlacedBoxOf, HasNoListWhereItHoldsTheWholeLevel) {
-    OBLONG_NEEDS_SHARED_LEVELS();
     const Level level = read_level(GetParam());
     const PlacedBox placed = place_box(level, {{-500000, -500000, -500000}, {500000, 500000, 500000}});
     EXPECT_TRUE(placed.has_many_leaves && placed.leaves.empty());
@@ -98,6 +76,6 @@ TEST_P(PlacedBoxOf, HasNoListWhereItHoldsTheWholeLevel) {
     EXPECT_TRUE(may_be_seen(placed, visible, culler_of(view_from(eye, {}))));
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, PlacedBoxOf, testing::ValuesIn(kRealLevels));
+OBLONG_FOR_REAL_LEVELS(PlacedBoxOf);
 
 }  // namespace oblong::test

@@ -12,10 +12,8 @@ namespace oblong::test {
 /// Twice a polygon's area, along its normal.
 inline Point doubled_area(std::span<const Point> corners) {
     Point sum;
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-        const Point part = cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
-        sum = {sum.x + part.x, sum.y + part.y, sum.z + part.z};
-    }
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        sum = sum + cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
     return sum;
 }
 

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
+
+#include "tests/support/random.h"
 
 namespace oblong::test {
 
@@ -44,14 +45,14 @@ class FreePixels {
     std::vector<Pixel> free_ = std::vector<Pixel>(kWidth * kHeight);
 };
 
+std::int32_t up_to(std::mt19937& random, std::int32_t most) {
+    return random_below(random, most + 1);
+}
+
 std::vector<PixelRun> runs_of(const SpanList& list) {
     std::vector<PixelRun> runs;
     for (const Span& span : list) runs.push_back({span.y, span.first, span.end});
     return runs;
-}
-
-std::int32_t up_to(std::mt19937& random, std::int32_t most) {
-    return static_cast<std::int32_t>(random() % static_cast<std::uint32_t>(most + 1));
 }
 
 /// Columns of a few rows; some of them empty, or off the screen.
@@ -200,19 +201,6 @@ TEST(SpanBuffer, EverySecondPixelFreeIsTheMostIntervals) {
     span_buffer.claim_rest(rest);
     EXPECT_EQ(rest.size(), 49u * (kHeight - 1));
     EXPECT_TRUE(span_buffer.is_full());
-}
-
-TEST(SpanBuffer, TheRestIsAllThatIsLeft) {
-    SpanBuffer span_buffer(kWidth, kHeight);
-    SpanList owned, rest;
-    span_buffer.claim(0, 10, 20, owned);
-    span_buffer.claim_rest(rest);
-    std::int64_t pixels = 0;
-    for (const Span& span : rest) pixels += span.end - span.first;
-    EXPECT_EQ(pixels, kWidth * kHeight - 10);
-    EXPECT_TRUE(span_buffer.is_full());
-    span_buffer.reset();
-    EXPECT_FALSE(span_buffer.is_full());
 }
 
 }  // namespace oblong::test
