@@ -27,7 +27,7 @@ Operations operations_of_walk(const LinePath& path, bool is_antialiased) {
     });
 }
 
-Operations operations_of(LineMethod method, PixelPosition from, PixelPosition to) {
+Operations operations_of_line(LineMethod method, PixelPosition from, PixelPosition to) {
     const LinePath path = make_line_path(from, to, method == LineMethod::Naive);
     if (method == LineMethod::Naive) return operations_of_walk<NaiveWalk<Counted<std::int64_t>>>(path, false);
     if (method == LineMethod::Dda) return operations_of_walk<DdaWalk<Counted<std::int64_t>>>(path, false);
@@ -112,7 +112,7 @@ void draw_method(LineMethod method, const NamedLine& line, const RowInput& input
     const std::int32_t width = canvas.width_px / 2, height = (canvas.height_px - kHeader_px - kFooter_px) / 2;
     const Area quarter{index % 2 * width, kHeader_px + index / 2 * height, width, height};
     draw_text(canvas, quarter.x + kTextMargin_px, quarter.y + 2, name_of(method), assets.text);
-    const std::string counts = counts_text(operations_of(method, line.from, line.to));
+    const std::string counts = counts_text(operations_of_line(method, line.from, line.to));
     draw_text(canvas, quarter.x + width - kTextMargin_px - text_width_px(counts), quarter.y + 2, counts,
               {assets.colour(150, 160, 180), assets.text.dark});
 
