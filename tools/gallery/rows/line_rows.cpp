@@ -135,7 +135,7 @@ Figures draw_lines_row(const RowInput& input, Framebuffer canvas) {
 
     const LineError least = least_error(line), nearest = error_of(LineMethod::Bresenham, line);
     const std::int64_t across = std::abs(line.to.column - line.from.column);
-    const Operations bresenham = operations_of(LineMethod::Bresenham, line.from, line.to);
+    const Operations bresenham = operations_of_line(LineMethod::Bresenham, line.from, line.to);
     return {
         number_figure("Bresenham: farthest pixel from the line", least.largest, nearest.largest, 1e-12),
         count_figure("Bresenham: multiplications and divisions", 0, bresenham.multiplications + bresenham.divisions),
