@@ -15,7 +15,7 @@
 namespace oblong::test {
 namespace {
 
-using Point = Vec3<View>;
+using ViewPoint = Vec3<View>;
 
 /// Of a mode and a field of view, any that the engine takes.
 Frustum any_frustum() {
@@ -27,13 +27,13 @@ Frustum any_frustum() {
 }
 
 /// A point within `size` units of the eye along each axis, 2^-16 unit.
-Point any_point(std::int64_t size) {
+ViewPoint any_point(std::int64_t size) {
     const auto along = [size] { return View::from_raw(*rc::gen::inRange(-size * 65'536, size * 65'536)); };
     return {along(), along(), along()};
 }
 
 /// A point before the eye, in view or half as far beside it again; often in one of the side planes.
-Point any_point_near_view(const Frustum& frustum, std::int64_t size) {
+ViewPoint any_point_near_view(const Frustum& frustum, std::int64_t size) {
     const std::int64_t z_16 = *rc::gen::inRange<std::int64_t>(4, size * 65'536);
     const auto along = [z_16](const ClipPlane& plane, ClipNormal across) {
         const std::int64_t part_256 =
@@ -47,17 +47,17 @@ Point any_point_near_view(const Frustum& frustum, std::int64_t size) {
 /// Not each polygon's own outcodes: here positions alone say what is outside.
 constexpr unsigned kAllPlanes = 15;
 
-std::vector<Point> clipped(const Frustum& frustum, const std::vector<Point>& corners) {
+std::vector<ViewPoint> clipped(const Frustum& frustum, const std::vector<ViewPoint>& corners) {
     ClipScratch scratch;
-    for (const Point& corner : corners) scratch.polygon.push_back({corner, 0});
+    for (const ViewPoint& corner : corners) scratch.polygon.push_back({corner, 0});
     clip_polygon(frustum, kAllPlanes, scratch);
-    std::vector<Point> left;
+    std::vector<ViewPoint> left;
     for (const ClipVertex& vertex : scratch.polygon) left.push_back(vertex.position);
     return left;
 }
 
 /// What is left of an edge by itself: its part inside one plane after the other.
-std::optional<std::array<Point, 2>> clipped_edge(const Frustum& frustum, Point a, Point b) {
+std::optional<std::array<ViewPoint, 2>> clipped_edge(const Frustum& frustum, ViewPoint a, ViewPoint b) {
     for (const ClipPlane& plane : frustum.clip_planes) {
         constexpr ClipDistance kOn{};
         const ClipDistance distance_a = plane.distance(a), distance_b = plane.distance(b);
@@ -68,29 +68,29 @@ std::optional<std::array<Point, 2>> clipped_edge(const Frustum& frustum, Point a
     return std::array{a, b};
 }
 
-bool has(const std::vector<Point>& polygon, const Point& corner) {
+bool has(const std::vector<ViewPoint>& polygon, const ViewPoint& corner) {
     return std::find(polygon.begin(), polygon.end(), corner) != polygon.end();
 }
 
 RC_GTEST_PROP(PropertyClip, SharedEdgesAreCutAtTheSameBitsFromBothSides, ()) {
     const Frustum frustum = any_frustum();
     const std::int64_t size = *rc::gen::element(16, 900, 32'000);
-    const Point a = any_point_near_view(frustum, size);
-    const Point b = *rc::gen::arbitrary<bool>() ? any_point(size) : any_point_near_view(frustum, size);
+    const ViewPoint a = any_point_near_view(frustum, size);
+    const ViewPoint b = *rc::gen::arbitrary<bool>() ? any_point(size) : any_point_near_view(frustum, size);
     const auto edge = clipped_edge(frustum, a, b);
     const auto forth = clipped(frustum, {a, b, any_point(size)}), back = clipped(frustum, {b, a, any_point(size)});
     RC_PRE(edge.has_value());
-    for (const Point& end : *edge) {
+    for (const ViewPoint& end : *edge) {
         RC_ASSERT(forth.empty() || has(forth, end));
         RC_ASSERT(back.empty() || has(back, end));
     }
 }
 
 /// As a frame clips: to the sides that the polygon's own corners are outside of.
-std::vector<ClipVertex> clipped_as_in_a_frame(const Frustum& frustum, const std::vector<Point>& corners) {
+std::vector<ClipVertex> clipped_as_in_a_frame(const Frustum& frustum, const std::vector<ViewPoint>& corners) {
     ClipScratch scratch;
     unsigned any_outside = 0, all_outside = 0xff;
-    for (const Point& corner : corners) {
+    for (const ViewPoint& corner : corners) {
         const std::uint8_t outcode = outcode_of(frustum, corner);
         any_outside |= outcode;
         all_outside &= outcode;
@@ -102,7 +102,7 @@ std::vector<ClipVertex> clipped_as_in_a_frame(const Frustum& frustum, const std:
 }
 
 /// An edge of a clipped polygon: where it begins and ends, and the borders that both ends are on.
-using ClippedEdge = std::array<Point, 2>;
+using ClippedEdge = std::array<ViewPoint, 2>;
 
 bool has_edge(const std::vector<ClipVertex>& polygon, const ClippedEdge& edge) {
     for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -128,11 +128,11 @@ RC_GTEST_PROP(PropertyClip, ClosedSurfacesStayClosedWithinTheView, ()) {
     const std::int64_t size_16 = *rc::gen::element<std::int64_t>(3, 8, 40, 900, 65'536, 20'000'000);
     const auto any_corner = [&] {
         const auto along = [&] { return View::from_raw(*rc::gen::inRange(-size_16, size_16 + 1)); };
-        return Point{along(), along(), along()};
+        return ViewPoint{along(), along(), along()};
     };
-    const Point a = any_corner(), b = any_corner(), c = any_corner(), d = any_corner();
+    const ViewPoint a = any_corner(), b = any_corner(), c = any_corner(), d = any_corner();
     std::vector<std::vector<ClipVertex>> faces;
-    for (const std::vector<Point>& corners : {std::vector{a, b, c}, {a, c, d}, {a, d, b}, {b, d, c}})
+    for (const std::vector<ViewPoint>& corners : {std::vector{a, b, c}, {a, c, d}, {a, d, b}, {b, d, c}})
         faces.push_back(clipped_as_in_a_frame(frustum, corners));
     for (const auto& face : faces)
         for (const ClippedEdge& edge : inner_edges(face)) {
@@ -147,7 +147,7 @@ using Shadows = std::array<std::int64_t, 3>;
 Shadows shadows_of(const std::vector<ClipVertex>& polygon) {
     Shadows sum{};
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Point &a = polygon[i].position, &b = polygon[(i + 1) % polygon.size()].position;
+        const ViewPoint &a = polygon[i].position, &b = polygon[(i + 1) % polygon.size()].position;
         sum[0] += a.y.raw * b.z.raw - b.y.raw * a.z.raw;
         sum[1] += a.z.raw * b.x.raw - b.z.raw * a.x.raw;
         sum[2] += a.x.raw * b.y.raw - b.x.raw * a.y.raw;
