@@ -116,7 +116,14 @@ Table<FaceIndex, MarkFace> read_mark_faces(const BspFile& file) {
 }
 
 Table<Node> read_nodes(const BspFile& file) {
-    return read_records<Table<Node>>(file, Lump::Nodes, [&](LumpReader& in) { return read_node(in, file); });
+    // Nodes do not share faces, nor leaves markfaces, but for files made to waste time.
+    std::int64_t work_left = std::int64_t{file.count(Lump::Faces)} * 8;
+    return read_records<Table<Node>>(file, Lump::Nodes, [&](LumpReader& in) {
+        const Node node = read_node(in, file);
+        work_left -= node.faces.count;
+        if (work_left < 0) in.fail("nodes share faces, expected each to have its own");
+        return node;
+    });
 }
 
 Table<ClipNode> read_clip_nodes(const BspFile& file) {
@@ -127,7 +134,13 @@ Table<ClipNode> read_clip_nodes(const BspFile& file) {
 Table<Leaf> read_leaves(const BspFile& file) {
     if (file.count(Lump::Leaves) == 0)
         LumpReader(file, Lump::Leaves).fail("no leaf, expected at least the solid outside");
-    auto leaves = read_records<Table<Leaf>>(file, Lump::Leaves, [&](LumpReader& in) { return read_leaf(in, file); });
+    std::int64_t work_left = std::int64_t{file.count(Lump::MarkFaces)} * 8;
+    auto leaves = read_records<Table<Leaf>>(file, Lump::Leaves, [&](LumpReader& in) {
+        const Leaf leaf = read_leaf(in, file);
+        work_left -= leaf.mark_faces.count;
+        if (work_left < 0) in.fail("leaves share markfaces, expected each to have its own");
+        return leaf;
+    });
     if (const std::int32_t found = leaves.front().contents; found != contents::kSolid)
         fail_in_lump(Lump::Leaves, file.range(Lump::Leaves).offset,
                      "the first leaf's contents are " + std::to_string(found) + ", expected -2 (solid)");

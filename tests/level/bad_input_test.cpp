@@ -171,6 +171,19 @@ TEST(BadInput, WhatIsSharedOrMissingOverAndOverIsRefused) {
                                      const Bytes face = faces;
                                      for (int i = 0; i < 1000; ++i) faces.insert(faces.end(), face.begin(), face.end());
                                  }},
+                                {"nodes that share their faces", "lump 'nodes'",
+                                 [](test::Lumps& lumps) {
+                                     test::Bytes& nodes = test::lump_of(lumps, Lump::Nodes);
+                                     const Bytes node = nodes;
+                                     for (int i = 0; i < 1000; ++i) nodes.insert(nodes.end(), node.begin(), node.end());
+                                 }},
+                                {"leaves that share their markfaces", "lump 'leaves'",
+                                 [](test::Lumps& lumps) {
+                                     test::Bytes& leaves = test::lump_of(lumps, Lump::Leaves);
+                                     const Bytes leaf(leaves.end() - 28, leaves.end());
+                                     for (int i = 0; i < 1000; ++i)
+                                         leaves.insert(leaves.end(), leaf.begin(), leaf.end());
+                                 }},
                                 {"visible rows that overlap", "lump 'visibility'",
                                  [](test::Lumps& lumps) {
                                      constexpr int kLeaves =
