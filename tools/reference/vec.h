@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 
 /// Everything in this folder is written from the formulas alone, in doubles, and includes nothing of the engine: tests
@@ -18,8 +19,8 @@ struct Vec {
     constexpr bool operator==(const Vec&) const = default;
 
     /// Component 0, 1 or 2: x, y or z.
-    constexpr double operator[](std::size_t axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
-    constexpr double& operator[](std::size_t axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+    constexpr double operator[](std::integral auto axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
+    constexpr double& operator[](std::integral auto axis) { return axis == 0 ? x : axis == 1 ? y : z; }
 };
 
 constexpr double dot(const Vec& a, const Vec& b) {
