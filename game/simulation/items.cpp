@@ -59,10 +59,10 @@ ItemCount count_items(const GameLevel& level, const GameState& state, ItemClass 
 
 void touch_items(const GameLevel& level, GameState& state, Activations& activations) {
     const Box player = player_box(state.player.position);
-    for (const std::uint32_t i : activations.touched(level.item_boxes, player, state.backlog.next_item_box)) {
+    for (const std::uint32_t i : activations.touched(level.boxes.items, player, state.backlog.next_item_box)) {
         if (!is_there(state, i)) continue;
         state.items[i] = ItemState::Taken;
-        state.keys |= key_of(level.items[i].item_class);
+        state.progress.keys |= key_of(level.items[i].item_class);
         activations.fire({EntityRef::Kind::Item, i});
     }
 }

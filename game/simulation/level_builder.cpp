@@ -143,8 +143,8 @@ void LevelBuilder::add_start() {
     const Entity* start = find_class("info_player_start");
     if (start == nullptr) start = find_class("info_player_deathmatch");
     if (start == nullptr) return;
-    level_.player_start = origin_of(*start).value_or(Position{}) + world_vector(0, 0, 1);
-    level_.player_yaw = yaw_of(*start);
+    level_.start.position = origin_of(*start).value_or(Position{}) + world_vector(0, 0, 1);
+    level_.start.yaw = yaw_of(*start);
 }
 
 // What Quake's lifts and trains don't do: fire.
@@ -156,9 +156,9 @@ void LevelBuilder::connect_movers() {
         mover.fires = firing_of(*mover_entities_[i]);
         if (mover.kind == MoverKind::Button) continue;
         const MessageIndex said = std::exchange(mover.fires.message, kNoMessage);  // doors say it when they are touched
-        if (said != kNoMessage) level_.movers[mover.group].touch_message = said;
-        if (mover.keys == kSilverKey) mover.keys_message = message("You need the silver key");
-        if (mover.keys == kGoldKey) mover.keys_message = message("You need the gold key");
+        if (said != kNoMessage) level_.movers[mover.group].touch.message = said;
+        if (mover.touch.keys == kSilverKey) mover.touch.keys_message = message("You need the silver key");
+        if (mover.touch.keys == kGoldKey) mover.touch.keys_message = message("You need the gold key");
     }
 }
 
@@ -191,8 +191,7 @@ void LevelBuilder::connect_doors() {
     const std::vector<bool> is_activated = activated_movers();
     make_doors_touchable(level_.movers, mover_entities_, is_activated, *level_.bsp);
     for (std::size_t i = 0; i < level_.movers.size(); ++i)
-        if (level_.movers[i].kind == MoverKind::SecretDoor && !is_activated[i])
-            level_.movers[i].is_opened_by_touch = true;
+        if (level_.movers[i].kind == MoverKind::SecretDoor && !is_activated[i]) level_.movers[i].touch.opens = true;
 }
 
 std::vector<bool> LevelBuilder::activated_movers() const {
@@ -231,7 +230,7 @@ void LevelBuilder::make_trees() {
         add(obstacle_box(level_, level_.walls[wall].model, {}), obstacles, obstacles.size());
     for (std::size_t i = 0; i < level_.movers.size(); ++i) {
         const Mover& mover = level_.movers[i];
-        if (mover.touch_box) add(*mover.touch_box, touch_boxes, i);
+        if (mover.touch.box) add(*mover.touch.box, touch_boxes, i);
         Box way = obstacle_box(level_, mover.model, mover.legs.front().from);
         for (const Leg& leg : mover.legs) way = way.united(obstacle_box(level_, mover.model, leg.from + leg.way));
         add(way, obstacles, obstacles.size());
@@ -239,10 +238,10 @@ void LevelBuilder::make_trees() {
     for (std::size_t i = 0; i < level_.triggers.size(); ++i)
         if (level_.triggers[i].box) add(*level_.triggers[i].box, trigger_boxes, i);
     for (std::size_t i = 0; i < level_.items.size(); ++i) add(level_.items[i].box, item_boxes, i);
-    level_.touch_boxes = BoxTree(std::move(touch_boxes));
-    level_.trigger_boxes = BoxTree(std::move(trigger_boxes));
-    level_.item_boxes = BoxTree(std::move(item_boxes));
-    level_.obstacles = BoxTree(std::move(obstacles));
+    level_.boxes.touch = BoxTree(std::move(touch_boxes));
+    level_.boxes.triggers = BoxTree(std::move(trigger_boxes));
+    level_.boxes.items = BoxTree(std::move(item_boxes));
+    level_.boxes.obstacles = BoxTree(std::move(obstacles));
 }
 
 // The target of a name that something in the level has; a new one where there is none yet.

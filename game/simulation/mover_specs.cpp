@@ -49,9 +49,9 @@ std::uint8_t keys_of(const Entity& entity) {
 Mover door(const Entity& entity, const Box& box) {
     Mover mover = sliding_mover(entity, box);
     mover.turns_back = mover.wait_ticks != kForever;
-    mover.keys = keys_of(entity);
-    if (mover.keys != 0) mover.turns_back = false;
-    if (mover.keys != 0 || has_flag(entity, kDoorToggles)) mover.wait_ticks = kForever;
+    mover.touch.keys = keys_of(entity);
+    if (mover.touch.keys != 0) mover.turns_back = false;
+    if (mover.touch.keys != 0 || has_flag(entity, kDoorToggles)) mover.wait_ticks = kForever;
     mover.toggles = has_flag(entity, kDoorToggles);
     if (!has_flag(entity, kDoorStartsOpen)) return mover;
     Leg& leg = mover.legs.front();
@@ -63,7 +63,7 @@ Mover door(const Entity& entity, const Box& box) {
 Mover button(const Entity& entity, const Box& box) {
     Mover mover = sliding_mover(entity, box);
     mover.kind = MoverKind::Button;
-    mover.touch_box = contact_box(box);
+    mover.touch.box = contact_box(box);
     return mover;
 }
 
@@ -85,8 +85,8 @@ Mover secret_door(const Entity& entity, const Box& box) {
     mover.legs.push_back(leg_along(mover.legs[0].way, forward, length("t_length", forward)));
     mover.speed_per_tick = scaled(World::from_int(kSecretSpeed), 1, kTicksPerSecond);
     mover.wait_ticks = has_flag(entity, kSecretOpensOnce) ? kForever : ticks_of(entity, "wait");
-    mover.is_opened_by_touch = entity.value("targetname").empty() || has_flag(entity, kSecretIsShot);
-    mover.touch_box = contact_box(box);
+    mover.touch.opens = entity.value("targetname").empty() || has_flag(entity, kSecretIsShot);
+    mover.touch.box = contact_box(box);
     return mover;
 }
 
@@ -118,7 +118,7 @@ Mover lift(const Entity& entity, const Box& box) {
     mover.wait_ticks = kLiftWait_s * kTicksPerSecond;
     mover.turns_back = true;
     mover.starts_at_end = !entity.value("targetname").empty();
-    mover.touch_box = lift_shaft(entity, box, height);
+    mover.touch.box = lift_shaft(entity, box, height);
     return mover;
 }
 

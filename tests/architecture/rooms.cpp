@@ -26,6 +26,7 @@ const std::vector<Room>& project_rooms() {
         {"engine/files", {"engine/frame", "engine/draw"}},
         {"engine/platform", {"engine/view", "engine/surface"}},
         {"engine/platform/sdl", {"engine/platform"}},
+        {"engine/library", {"engine/methods", "engine/files", "engine/platform/sdl"}},
         {"game/simulation", {"engine/scene"}},
         {"game/input", {"game/simulation", "engine/platform"}},
         {"game/options", {"game/input", "engine/files"}},
