@@ -127,7 +127,7 @@ std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_by
     const File file(std::fopen(path.c_str(), "rb"));
     if (!file) throw FileError(path, "open", reason() + ", expected a readable file");
     constexpr std::size_t kChunk = std::size_t{1} << 16;
-    const auto chunk = std::make_unique_for_overwrite<std::uint8_t[]>(kChunk);
+    const std::unique_ptr<std::uint8_t[]> chunk(new std::uint8_t[kChunk]);
     std::vector<std::uint8_t> bytes;
     while (const std::size_t count = std::fread(chunk.get(), 1, kChunk, file.get())) {
         if (count > most_bytes - bytes.size())
