@@ -199,8 +199,14 @@ class LevelModelReader {
     /// Nothing is shown where its file is not there, as for Quake's classes without a folder of models.
     void read_own_item(const OwnModel& own, const EntityValues& values) {
         const std::optional<Vec3<World>> origin = values.origin();
-        const std::optional<std::string> file = finder_.find(fs::path(own.file));
-        if (!origin || !file) return;
+        const fs::path named = values.text("model");
+        const bool has_own = !named.empty() && stays_below(named);
+        const std::optional<std::string> file = finder_.find(has_own ? named : fs::path(own.file));
+        if (!origin) return;
+        if (!file && !named.empty())
+            values.warn("there is no file " + named.string() + " for the model at " + values.text("origin") +
+                        ", which is not shown");
+        if (!file) return;
         LevelModel model;
         model.placed.mesh =
             &mesh_of({*file, World::from_int(own.scale), false, Dither::None, values.text("glass")}, values);

@@ -188,6 +188,7 @@ inline constexpr std::array kSounds{EntityKey{"sounds", Whole, "", kNoEffect}};
 inline constexpr std::array kLens{
     EntityKey{"netname", Text, "", "what the player is told that is missing"},
     EntityKey{"glass", Text, "glass", "its glass: a material of `models.mtl`"},
+    EntityKey{"model", Text, "", "an OBJ or MDL shown instead: its path below the level's folder or the one above"},
 };
 inline constexpr std::array kCheckpoint{numbers("size", 3, 3, "128 128 112", "of the box in which one passes it")};
 

@@ -104,11 +104,12 @@ LookOffset LiveInput::look_offset(std::int32_t fraction_16) const {
     return {turn.yaw + mouse_yaw_, turn.pitch + mouse_pitch_};
 }
 
-TickInputSource::TickInputSource(const GameState& start, std::optional<Demo> replayed, bool records)
+TickInputSource::TickInputSource(const GameState& start, std::optional<Demo> replayed, bool records,
+                                 std::uint64_t rules_hash)
     : replayed_(std::move(replayed)), records_(records) {
-    recorded_.start_hash = hash_of(start);
+    recorded_.start_hash = hash_of(start) ^ rules_hash;
     if (replayed_ && replayed_->start_hash != recorded_.start_hash)
-        throw InputError("start", "recorded on another level, expected this one's");
+        throw InputError("start", "recorded on another level or by other rules, expected this one's");
 }
 
 TickReport TickInputSource::play_tick(const GameLevel& level, GameState& state) {

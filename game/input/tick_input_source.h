@@ -51,8 +51,9 @@ class LiveInput {
 /// asked to.
 class TickInputSource {
   public:
-    /// Throws InputError where the demo was recorded on another level.
-    TickInputSource(const GameState& start, std::optional<Demo> replayed, bool records);
+    /// `rules_hash`: of the rules that the level is played by. Throws InputError where the demo was recorded on another
+    /// level, or by other rules.
+    TickInputSource(const GameState& start, std::optional<Demo> replayed, bool records, std::uint64_t rules_hash = 0);
 
     void use(const Steering& steering) { live_.use(steering); }
     void gather(const Controls& controls) { live_.gather(controls); }

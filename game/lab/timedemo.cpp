@@ -15,13 +15,13 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-TimedemoResult run_timedemo(const GameLevel& level, const Demo& demo, GameRenderer& renderer, const Settings& settings,
-                            Degrees field_of_view) {
-    GameState state = start_of(level);
-    TickInputSource input(state, demo, false);
+TimedemoResult run_timedemo(const LoadedLevel& loaded, const Demo& demo, GameRenderer& renderer,
+                            const Settings& settings, Degrees field_of_view) {
+    GameState state = start_of(loaded.level);
+    TickInputSource input(state, demo, false, loaded.data.rules_hash);
     std::vector<std::int64_t> times_ns;
     while (input.is_replaying()) {
-        input.play_tick(level, state);
+        input.play_tick(loaded.level, state);
         const InterpolatedState frame{state, state, 0};
         const Clock::time_point began = Clock::now();
         renderer.draw({frame, camera_at(frame, {}, field_of_view)}, settings);

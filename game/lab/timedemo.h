@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/frame/settings.h"
-#include "game/level/load.h"
+#include "game/level/loaded_level.h"
 #include "game/simulation/demo.h"
 #include "game/view/game_renderer.h"
 
@@ -17,8 +17,8 @@ struct TimedemoResult {
 };
 
 /// Draws each tick of a demo. Throws InputError where the demo was recorded on another level.
-TimedemoResult run_timedemo(const GameLevel& level, const Demo& demo, GameRenderer& renderer, const Settings& settings,
-                            Degrees field_of_view);
+TimedemoResult run_timedemo(const LoadedLevel& loaded, const Demo& demo, GameRenderer& renderer,
+                            const Settings& settings, Degrees field_of_view);
 
 /// "123 frames, 0.456 seconds, 269.7 frames a second, median 3700 microseconds".
 std::string describe(const TimedemoResult& result);

@@ -1,5 +1,6 @@
 #include "game/level/load.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -37,27 +38,46 @@ void remove_left_out(const Level& level, LevelModels& models) {
     std::erase_if(models.models, [&](const LevelModel& model) { return is_left_out(level.entities[model.entity]); });
 }
 
+// Whether a file is one of a game's levels.
+bool is_level_of(const LevelFiles& files, const std::string& level_file) {
+    if (!files.game) return false;
+    std::error_code ignored;
+    return std::any_of(files.game->levels.begin(), files.game->levels.end(), [&](const std::string& level) {
+        return fs::equivalent(level_file_of(*files.game, level), level_file, ignored);
+    });
+}
+
+std::string file_of_level(const LevelFiles& files) {
+    if (!files.level.empty()) return files.level;
+    if (files.game) return level_file_of(*files.game, files.game->levels.front());
+    return (fs::path(files.assets) / kDemoLevelFile).string();
+}
+
+std::string file_of_palette(const LevelFiles& files, const std::string& level_file, const GameFiles& game) {
+    if (!files.palette.empty()) return files.palette;
+    if (files.game && !files.game->palette.empty() && is_level_of(files, level_file)) return files.game->palette;
+    return find_palette(fs::path(level_file).parent_path(), game, files.assets);
+}
+
 }  // namespace
 
-GameData load_game(const std::string& level_file, const std::string& palette_file, const std::string& assets_folder,
-                   const std::string& models_folder, const std::vector<std::string>& game_folders) {
+GameData load_game(const LevelFiles& files) {
     GameData data;
-    data.level_file = level_file.empty() ? (fs::path(assets_folder) / kDemoLevelFile).string() : level_file;
-    const GameFiles game = game_files_of(data.level_file, game_folders);
+    data.level_file = file_of_level(files);
+    const GameFiles game = game_files_of(data.level_file, files.game_folders);
+    if (files.game) data.rules_hash = files.game->rules_hash;
     data.level = read_parsed_game_file(data.level_file, [&](std::span<const std::uint8_t> bytes) {
-        data.level_hash = fnv1a_of(bytes);
+        data.level_hash = fnv1a_of(bytes) ^ data.rules_hash;
         return read_bsp(bytes);
     });
+    if (files.game) apply_classes(*files.game, data.level.entities);
     data.effects = read_level_effects(data.level);
     print_warnings("oblong", data.level_file, data.effects.warnings);
     print_warnings("oblong", data.level_file, read_things(data.level).warnings);
-    const std::string palette = palette_file.empty()
-                                    ? find_palette(fs::path(data.level_file).parent_path(), game, assets_folder)
-                                    : palette_file;
-    data.palette = read_parsed_game_file(palette, read_palette);
+    data.palette = read_parsed_game_file(file_of_palette(files, data.level_file, game), read_palette);
     data.colormap = make_colormap(data.palette);
     data.models = read_level_models(data.level, data.palette,
-                                    {data.level_file, models_folder, assets_folder, game.has_paks() ? &game : nullptr});
+                                    {data.level_file, files.models, files.assets, game.has_paks() ? &game : nullptr});
     remove_left_out(data.level, data.models);
     print_warnings("oblong", data.level_file, data.models.warnings);
     return data;

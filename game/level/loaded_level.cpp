@@ -6,7 +6,7 @@ namespace oblong {
 
 LoadedLevel::LoadedLevel(const LevelFiles& named)
     : files(named),
-      data(load_game(files.level, files.palette, files.assets, files.models, files.game_folders)),
+      data(load_game(files)),
       level(naming_file(data.level_file, [&] { return make_game_level(data.level); })) {}
 
 }  // namespace oblong

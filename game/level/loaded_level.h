@@ -1,19 +1,9 @@
 #pragma once
 
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "game/level/load.h"
 #include "game/simulation/game_level.h"
 
 namespace oblong {
-
-/// Where the files of a level are looked for: the arguments of load_game().
-struct LevelFiles {
-    std::string level, palette, assets, models;
-    std::vector<std::string> game_folders = {};
-};
 
 /// A level, loaded to be played: its files, what is in them, and the part of the game that never changes.
 struct LoadedLevel {

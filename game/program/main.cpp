@@ -76,7 +76,7 @@ void time_demo(const Options& options, const LoadedLevel& loaded, Workers& worke
     warn_of_torn_edges("oblong", loaded.data.level_file, renderer.torn_edges());
     const Settings settings = settings_of(options.preferences);
     const auto result = naming_file(options.timedemo, [&] {
-        return run_timedemo(loaded.level, demo, renderer, settings, options.preferences.field_of_view);
+        return run_timedemo(loaded, demo, renderer, settings, options.preferences.field_of_view);
     });
     std::cout << describe(result) << '\n';
 }
@@ -85,7 +85,8 @@ void time_demo(const Options& options, const LoadedLevel& loaded, Workers& worke
 void record_route(const Options& options, const std::string& assets) {
     const LoadedLevel loaded(level_files_of(options, assets));
     const std::vector<Waypoint> route = read_parsed(options.route, parse_route);
-    const Demo demo = naming_file(options.route, [&] { return walk_route(loaded.level, route); });
+    Demo demo = naming_file(options.route, [&] { return walk_route(loaded.level, route); });
+    demo.start_hash ^= loaded.data.rules_hash;
     write_file(options.record, encode_demo(demo));
 }
 

@@ -7,6 +7,7 @@
 
 #include "engine/files/arguments.h"
 #include "engine/files/files.h"
+#include "engine/level/entity_classes.h"
 #include "game/level/level_search.h"
 #include "game/view/screenshot.h"
 
@@ -70,10 +71,39 @@ std::string game_name(const std::string& folder) {
     return name == kMuseum || name.empty() ? "_" + name : name;
 }
 
+// Those of the levels to come: not the palette of another level, but what else the first one was loaded with.
+LevelFiles files_of_game(const LoadedLevel& first, const Options& options) {
+    LevelFiles files = first.files;
+    files.level.clear();
+    files.palette = options.palette;
+    if (!files.game) files.game = std::make_shared<const GameDefinition>();
+    return files;
+}
+
+OwnSounds own_sounds_of(const GameDefinition& game) {
+    OwnSounds own{game.folder, {}};
+    for (const auto& [name, text] : game.captions) {
+        const std::optional<Sound> sound = find_sound(name);
+        if (!sound)
+            throw FileError((fs::path(game.folder) / kGameFile).string(), "/captions/" + name,
+                            "is no sound, expected the name of one in the museum's folder sounds, without number");
+        own.captions[*sound] = text;
+    }
+    return own;
+}
+
+std::string value_of_world(const Level& level, const std::string& key) {
+    for (const Entity& entity : level.entities)
+        if (role_of(entity) == ClassRole::Worldspawn) return entity.value(key);
+    return {};
+}
+
 }  // namespace
 
 LevelFiles level_files_of(const Options& options, const std::string& assets_folder) {
     LevelFiles files{options.level, options.palette, assets_folder, options.models, game_folders_of(options.game)};
+    const std::string& folder = is_game_folder(options.game) ? options.game : assets_folder;
+    files.game = std::make_shared<const GameDefinition>(read_game_definition(folder));
     if (!options.map.empty()) files.level = find_named_level(options.map, {"", files.game_folders});
     return files;
 }
@@ -85,7 +115,8 @@ ProgramFiles load_program_files(const Options& options, const std::string& asset
     if (!options.record.empty()) check_writable(options.record);
     const GameState start = start_of(loaded->level);
     return naming_file(options.replay, [&] {
-        return ProgramFiles{assets_folder, loaded, TickInputSource(start, std::move(demo), !options.record.empty())};
+        return ProgramFiles{assets_folder, loaded,
+                            TickInputSource(start, std::move(demo), !options.record.empty(), loaded->data.rules_hash)};
     });
 }
 
@@ -93,12 +124,13 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
                  Workers* workers, OpenSound open_sound)
     : options_(options),
       assets_folder_(files.assets_folder),
-      level_files_{"", options.palette, files.assets_folder, options.models, game_folders_of(options.game)},
+      level_files_(files_of_game(*files.loaded, options)),
+      game_(*level_files_.game),
       view_options_(view_options_of(options)),
       store_(store),
       platform_(platform),
       settings_{workers},
-      sound_(std::move(open_sound), assets_folder_),
+      sound_(std::move(open_sound), assets_folder_, own_sounds_of(game_)),
       saves_(options.folders.data),
       input_(view_options_.preferences.bindings),
       pages_(menu_, *this) {
@@ -249,7 +281,7 @@ void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
     Session* const session = walk.get();
     show_only(std::move(walk));
     walk_ = session;
-    sound_.stop_music();
+    play_level_music();
     sound_.enter(&walk_->loaded().level);
     saves_.begin(kind == SessionKind::Walk ? walk_ : nullptr);
     name_window();
@@ -257,9 +289,8 @@ void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
 
 void Program::start_title(std::shared_ptr<const LoadedLevel> loaded) {
     finish_walk(*loaded);
-    const std::string demo = (fs::path(assets_folder_) / "walk.demo").string();
-    show_only(std::make_unique<Title>(std::move(loaded), demo, settings_, view_options_, platform_));
-    sound_.play_music();
+    show_only(std::make_unique<Title>(std::move(loaded), game_.demo, settings_, view_options_, platform_));
+    sound_.play_music(game_.music);
     name_window();
     last_walk_ = saves_.is_kept() ? saves_.slots().last_walk() : std::nullopt;
     pages_.open_title();
@@ -282,9 +313,22 @@ void Program::follow_game(const LoadedLevel& loaded) {
     is_first_game_ = false;
 }
 
+// A level's own, by its world's "music": a file below the folder of its game, or beside the level.
+void Program::play_level_music() {
+    const LoadedLevel& loaded = walk_->loaded();
+    const fs::path named = value_of_world(loaded.data.level, "music");
+    if (named.empty() || !stays_below(named)) return sound_.play_music("");
+    std::error_code ignored;
+    for (const fs::path& folder : {fs::path(game_.folder), fs::path(loaded.data.level_file).parent_path()})
+        if (fs::is_regular_file(folder / named, ignored)) return sound_.play_music((folder / named).string());
+    sound_.play_music("");
+    print_fault("oblong", loaded.data.level_file + ": worldspawn: there is no file " + named.string() +
+                              " for its music, expected one in " + game_.folder);
+}
+
 void Program::name_window() {
     const fs::path level = level_below().data.level_file;
-    platform_.set_title(("Oblong - " + level.stem().string()).c_str());
+    platform_.set_title((game_.title + " - " + level.stem().string()).c_str());
 }
 
 void Program::start_walk(std::shared_ptr<const LoadedLevel> loaded) {

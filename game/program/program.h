@@ -76,8 +76,10 @@ class Program final : private MenuHost {
     std::shared_ptr<const LoadedLevel> loaded_as(const std::string& level);
     void keep_recorded();
     void follow_game(const LoadedLevel& loaded);
+    void play_level_music();
     void name_window();  ///< after the level
     LevelPlaces places() const;
+    std::string next_level() const;  ///< empty: there is none
     /// Does something with files; where it fails, says why on a page of the menu.
     void try_with_files(const std::string& what, const std::function<void()>& work);
 
@@ -121,6 +123,7 @@ class Program final : private MenuHost {
     const Options options_;
     const std::string assets_folder_;
     const LevelFiles level_files_;  // that the options name, but for its `level`
+    const GameDefinition game_;     // that is played; without a title where the level is nobody's
     ViewOptions view_options_;
     PreferencesStore& store_;
     Platform& platform_;

@@ -56,10 +56,16 @@ EndFigures Program::end_figures() const {
     const GameLevel& level = walk_->loaded().level;
     const GameState& state = walk_->state();
     EndFigures figures{std::string(end_message(level, state)), time_text(state.tick), "", "", ""};
-    const std::string next(next_map(level, state));
+    const std::string next = next_level();
     if (!next.empty()) find_next(next, places(), figures);
     figures.lenses = goal().count;
     return figures;
+}
+
+// Where the level's end leads, or else the next one of the game.
+std::string Program::next_level() const {
+    const std::string named(next_map(walk_->loaded().level, walk_->state()));
+    return named.empty() ? level_after(game_, walk_->loaded().data.level_file) : named;
 }
 
 Goal Program::goal() const {
@@ -99,8 +105,7 @@ void Program::play_level(const std::string& file) {
 }
 
 void Program::play_next() {
-    const std::string next(next_map(walk_->loaded().level, walk_->state()));
-    try_with_files("Levels", [&] { start_walk(loaded_as(find_named_level(next, places()))); });
+    try_with_files("Levels", [&] { start_walk(loaded_as(find_named_level(next_level(), places()))); });
 }
 
 void Program::restart() {
@@ -125,7 +130,9 @@ void Program::keep_recorded() {
 }
 
 std::string Program::credits() const {
-    return "Oblong " OBLONG_VERSION
+    const std::string own = game_.credits.empty() ? "" : game_.title + "\n\n" + game_.credits + "\n\n";
+    return own +
+           "Oblong " OBLONG_VERSION
            "\n\nA world of 320x200 pixels in the right shape.\n\n"
            "The program: the MIT licence. Textures, models, palette, level, sounds and music of the museum were made "
            "for Oblong and may be used under CC0 1.0 or MIT.\n\n"

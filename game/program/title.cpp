@@ -31,9 +31,9 @@ Title::Title(std::shared_ptr<const LoadedLevel> loaded, const std::string& demo_
 // A demo of another level than the one that is there is left out.
 void Title::begin() {
     const GameState state = start_of(loaded_->level);
-    if (demo_ && demo_->start_hash != hash_of(state)) demo_.reset();
-    walk_ =
-        std::make_unique<Session>(loaded_, settings_, view_options_, TickInputSource(state, demo_, false), platform_);
+    if (demo_ && demo_->start_hash != (hash_of(state) ^ loaded_->data.rules_hash)) demo_.reset();
+    walk_ = std::make_unique<Session>(loaded_, settings_, view_options_,
+                                      TickInputSource(state, demo_, false, loaded_->data.rules_hash), platform_);
 }
 
 // The demo again when it has ended, is about to show how the level ends, or leads elsewhere than when it was recorded.

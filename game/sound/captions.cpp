@@ -14,8 +14,7 @@ constexpr std::int32_t kFaintestNamed_256 = 24;                // both sides tog
 
 }  // namespace
 
-std::string caption_of(Sound sound, Direction direction) {
-    const std::string text = row_of(sound).caption;
+std::string caption_of(const std::string& text, Direction direction) {
     if (text.empty()) return text;
     switch (direction) {
         case Direction::Left:
@@ -46,7 +45,8 @@ bool Captions::is_due(const AudibleSound& sound) {
 }
 
 void Captions::show(const AudibleSound& sound) {
-    const std::string text = caption_of(sound.sound, sound.direction);
+    const auto own = own_.find(sound.sound);
+    const std::string text = caption_of(own == own_.end() ? row_of(sound.sound).caption : own->second, sound.direction);
     if (text.empty()) return;
     std::erase_if(lines_, [&](const Line& line) { return line.sound == sound.sound; });
     lines_.push_back({text, sound.sound, tick_ + kShown_ticks});

@@ -20,8 +20,8 @@ std::string in_folder(const std::string& folder, const char* name) {
 
 }  // namespace
 
-GameSound::GameSound(OpenSound open, std::string assets_folder)
-    : open_(std::move(open)), assets_folder_(std::move(assets_folder)) {}
+GameSound::GameSound(OpenSound open, std::string assets_folder, OwnSounds own)
+    : open_(std::move(open)), assets_folder_(std::move(assets_folder)), own_(std::move(own)) {}
 
 GameSound::~GameSound() = default;
 
@@ -50,7 +50,9 @@ void GameSound::set(const SoundSettings& settings) {
 void GameSound::open_device() {
     try {
         output_ = open_();
-        player_ = std::make_unique<SoundPlayer>(*output_, in_folder(assets_folder_, "sounds"));
+        std::vector<std::string> folders{in_folder(assets_folder_, "sounds")};
+        if (!own_.folder.empty()) folders.insert(folders.begin(), in_folder(own_.folder, "sounds"));
+        player_ = std::make_unique<SoundPlayer>(*output_, folders);
     } catch (const std::exception& error) {
         print_fault("oblong", error.what());
         player_.reset();
@@ -64,13 +66,13 @@ void GameSound::keep_what_is_on() {
     if (!settings_.shows_captions)
         captions_.reset();
     else if (!captions_)
-        captions_ = std::make_unique<Captions>();
+        captions_ = std::make_unique<Captions>(own_.captions);
     if (level_ == nullptr || !(has_sounds() || captions_))
         scene_.reset();
     else if (!scene_)
         scene_ = std::make_unique<SoundScene>(*level_);
     if (player_ && !(scene_ && has_sounds())) player_->stop_all();
-    if (output_ && wants_music_) start_music();
+    if (output_ && !music_file_.empty()) start_music();
 }
 
 void GameSound::enter(const GameLevel* level) {
@@ -101,22 +103,19 @@ void GameSound::play(Sound sound) {
     if (has_sounds()) player_->play_once(sound, sounds_256());
 }
 
-void GameSound::play_music() {
-    wants_music_ = true;
-    if (output_) start_music();
-}
-
-void GameSound::stop_music() {
-    wants_music_ = plays_music_ = false;
-    if (output_) output_->stop_music();
+void GameSound::play_music(const std::string& file) {
+    plays_music_ = false;
+    music_file_ = file;
+    if (!output_) return;
+    if (file.empty()) return output_->stop_music();
+    start_music();
 }
 
 // Begins it, or gives it the volume that it has now.
 void GameSound::start_music() {
     if (std::exchange(plays_music_, true)) return output_->set_music_volume(music_256());
-    const std::string file = in_folder(assets_folder_, "music/title.mod");
     try {
-        read_parsed(file, [&](std::span<const std::uint8_t> bytes) {
+        read_parsed(music_file_, [&](std::span<const std::uint8_t> bytes) {
             output_->play_music(bytes, music_256());
             return true;
         });

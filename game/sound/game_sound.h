@@ -21,12 +21,18 @@ struct SoundSettings {
     bool operator==(const SoundSettings&) const = default;
 };
 
+/// What a game has of its own.
+struct OwnSounds {
+    std::string folder;     ///< with a folder sounds, whose files are played instead of the museum's; empty: none
+    CaptionTexts captions;  ///< other words for some sounds
+};
+
 /// The game's sound: opens a device when there is something to hear, and works out what is heard only where it is heard
 /// or written as captions.
 class GameSound {
   public:
-    /// `open` may be empty: all is silent. `assets_folder` has the folders sounds and music.
-    GameSound(OpenSound open, std::string assets_folder);
+    /// `open` may be empty: all is silent. `assets_folder`: the museum's, with a folder sounds.
+    GameSound(OpenSound open, std::string assets_folder, OwnSounds own = {});
     ~GameSound();
 
     /// Where the device cannot be opened or a file is missing: says so once, on standard error, and stays silent.
@@ -40,9 +46,8 @@ class GameSound {
 
     /// A sound of a menu: MenuMove, MenuAccept, MenuBack.
     void play(Sound sound);
-    /// The title's music.
-    void play_music();
-    void stop_music();
+    /// Plays a file's music from now on; an empty name: none.
+    void play_music(const std::string& file);
 
     /// What is heard, in words; empty unless captions are shown.
     std::vector<std::string> captions() const;
@@ -57,13 +62,15 @@ class GameSound {
 
     OpenSound open_;  // empty once it has failed
     std::string assets_folder_;
+    OwnSounds own_;
+    std::string music_file_;  // that is to be heard; empty: none
     SoundSettings settings_;
     std::unique_ptr<SoundOutput> output_;  // only while a volume is above 0
     std::unique_ptr<SoundPlayer> player_;  // likewise; does not outlive the output
     const GameLevel* level_ = nullptr;
     std::unique_ptr<SoundScene> scene_;   // only while it is heard or written
     std::unique_ptr<Captions> captions_;  // only while they are shown
-    bool is_held_ = false, wants_music_ = false, plays_music_ = false;
+    bool is_held_ = false, plays_music_ = false;
 };
 
 }  // namespace oblong

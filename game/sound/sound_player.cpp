@@ -16,13 +16,22 @@ VoiceLevels at_volume(VoiceLevels levels, std::int32_t volume_256) {
     return levels;
 }
 
+std::string file_in(const std::vector<std::string>& folders, const std::string& name) {
+    std::error_code ignored;
+    for (const std::string& folder : folders) {
+        const std::filesystem::path file = std::filesystem::path(folder) / name;
+        if (std::filesystem::exists(file, ignored) || &folder == &folders.back()) return file.string();
+    }
+    return name;
+}
+
 }  // namespace
 
-SoundPlayer::SoundPlayer(SoundOutput& output, const std::string& folder) : output_(output) {
+SoundPlayer::SoundPlayer(SoundOutput& output, const std::vector<std::string>& folders) : output_(output) {
     for (std::size_t i = 0; i < kSoundCount; ++i) {
         const Sound which = static_cast<Sound>(i);
         for (std::int32_t variant = 0; variant < row_of(which).variants; ++variant) {
-            const std::string path = (std::filesystem::path(folder) / file_of(which, variant)).string();
+            const std::string path = file_in(folders, file_of(which, variant));
             const SoundSamples sound = read_parsed(path, decode_flac);
             const auto number = output.add_sound(sound.samples, sound.rate_hz);
             if (variant == 0) first_numbers_.push_back(number);

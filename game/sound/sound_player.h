@@ -13,8 +13,9 @@ namespace oblong {
 /// Plays what is heard: starts, changes and stops voices by the differences from tick to tick.
 class SoundPlayer {
   public:
-    /// The output outlives it. Reads the files of all sounds from a folder. Throws FileError.
-    SoundPlayer(SoundOutput& output, const std::string& folder);
+    /// The output outlives it. Reads the files of all sounds, each from the first of the folders that has it. Throws
+    /// FileError.
+    SoundPlayer(SoundOutput& output, const std::vector<std::string>& folders);
 
     /// Makes the voices those of `sounds`, `volume_256` from 0 to 256. One-shots begin once.
     void play(std::span<const AudibleSound> sounds, std::int32_t volume_256);

@@ -11,7 +11,7 @@ namespace {
 
 /// In the dust room the lens is the only model.
 TEST(TakenItems, AreNoPartOfThePictureOrOfItsCost) {
-    const GameData data = load_game("", "", test::build_folder() + "/assets");
+    const GameData data = load_game({"", "", test::build_folder() + "/assets", ""});
     const GameLevel level = make_game_level(data.level);
     GameRenderer renderer(data, level, ScreenMode{});
     GameState state = start_of(level);

@@ -29,7 +29,7 @@ class LabMeasure : public testing::Test {
   protected:
     void SetUp() override {
         const std::string assets = test::build_folder() + "/assets";
-        data_ = load_game("", "", assets);
+        data_ = load_game({"", "", assets, ""});
         level_ = make_game_level(data_.level);
         state_ = start_of(level_);
         renderer_.emplace(data_, level_, ScreenMode{});

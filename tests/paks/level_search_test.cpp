@@ -109,7 +109,7 @@ TEST_F(Game, ALevelOutOfAPakFileComesWithPaletteAndModels) {
                                                                 "{ \"classname\" \"item_key1\" \"origin\" \"5 5 40\" "
                                                                 "\"spawnflags\" \"512\" }")}}));
     const std::string file = find_named_level("e1m4", places_);
-    const GameData data = load_game(file, "", folder_.path("mine"));
+    const GameData data = load_game({file, "", folder_.path("mine"), ""});
     EXPECT_EQ(data.level_file, file);
     EXPECT_EQ(data.level.entities.size(), 3u);
     EXPECT_EQ(data.palette.colours[7].green, 40);
@@ -119,8 +119,8 @@ TEST_F(Game, ALevelOutOfAPakFileComesWithPaletteAndModels) {
 
 TEST_F(Game, ALoosePaletteComesBeforeThoseOfPakFiles) {
     folder_.write("game/gfx/palette.lmp", palette_of(9));
-    EXPECT_EQ(load_game(find_named_level("e1m1", places_), "", folder_.path("mine")).palette.colours[7].green, 9);
-    EXPECT_EQ(load_game(find_named_level("e1m2", places_), "", folder_.path("mine")).palette.colours[7].green, 9)
+    EXPECT_EQ(load_game({find_named_level("e1m1", places_), "", folder_.path("mine"), ""}).palette.colours[7].green, 9);
+    EXPECT_EQ(load_game({find_named_level("e1m2", places_), "", folder_.path("mine"), ""}).palette.colours[7].green, 9)
         << "in the folder above";
 }
 
@@ -129,7 +129,7 @@ TEST_F(Game, AFaultInALevelOfAPakFileIsNamedByItsPath) {
     folder_.write("game/pak0.pak", test::write_pak({{"maps/bad.bsp", broken}}));
     const std::string file = find_named_level("bad", places_);
     try {
-        load_game(file, "", folder_.path("mine"));
+        load_game({file, "", folder_.path("mine"), ""});
         FAIL();
     } catch (const FileError& error) {
         EXPECT_TRUE(std::string(error.what()).starts_with(file + ": ")) << error.what();

@@ -13,7 +13,8 @@ namespace {
 using test::RecordedOutput;
 using test::ToyGame;
 
-const std::string kAssets = test::build_folder() + "/assets", kSounds = kAssets + "/sounds";
+const std::string kAssets = test::build_folder() + "/assets", kSounds = kAssets + "/sounds",
+                  kTitleMusic = kAssets + "/music/title.mod";
 
 AudibleSound heard(Sound sound, std::uint32_t serial, std::int32_t level_256) {
     return {sound, 0, serial, {level_256, level_256, false}, Direction::Here};
@@ -21,7 +22,7 @@ AudibleSound heard(Sound sound, std::uint32_t serial, std::int32_t level_256) {
 
 TEST(SoundPlayer, StartsChangesAndStopsByDifferences) {
     RecordedOutput output;
-    SoundPlayer player(output, kSounds);
+    SoundPlayer player(output, {kSounds});
     EXPECT_GT(output.sounds, 50);
     const std::vector<AudibleSound> both{heard(Sound::Wind, 0, 100), heard(Sound::Button, 7, 200)};
     player.play(both, 256);
@@ -41,7 +42,7 @@ TEST(SoundPlayer, StartsChangesAndStopsByDifferences) {
 
 TEST(SoundPlayer, GivesNoVoiceToWhatHasNoVolume) {
     RecordedOutput output;
-    SoundPlayer player(output, kSounds);
+    SoundPlayer player(output, {kSounds});
     const std::vector<AudibleSound> faint{heard(Sound::Wind, 0, 1)};
     player.play(faint, 100);
     player.play_once(Sound::MenuMove, 0);
@@ -72,7 +73,7 @@ TEST(GameSound, OpensNothingWithoutVolume) {
     test.sound.set(kOff);
     test.sound.set({100, 0, 0, false});
     test.sound.play(Sound::MenuMove);
-    test.sound.play_music();
+    test.sound.play_music(kTitleMusic);
     EXPECT_EQ(test.opened, 0);
     test.sound.set(kOn);
     EXPECT_EQ(test.opened, 1);
@@ -92,7 +93,7 @@ TEST(GameSound, IsSilentAndSaysSoOnceWhereThereIsNoDevice) {
     sound.set(kOff);
     sound.set(kOn);
     sound.play(Sound::MenuMove);
-    sound.play_music();
+    sound.play_music(kTitleMusic);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "oblong: no sound: none here\n");
     EXPECT_EQ(tries, 1);
 }
@@ -121,7 +122,7 @@ TEST(GameSound, PlaysAWalkAndHoldsItInAMenu) {
     test.sound.enter(&game.level);
     walk(game, test.sound, 35);
     EXPECT_GT(test.last->starts, 0);
-    test.sound.play_music();
+    test.sound.play_music(kTitleMusic);
     const std::int32_t loud_256 = test.last->music_volume_256;
     test.sound.hold(true);
     EXPECT_TRUE(test.last->are_held);

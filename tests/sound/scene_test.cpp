@@ -181,9 +181,9 @@ TEST(Ambience, IsHeardWhereItIsAndNamedWhenItBegins) {
 }
 
 TEST(Captions, SayFromWhere) {
-    EXPECT_EQ(caption_of(Sound::DoorStart, Direction::Left), "door, to the left");
-    EXPECT_EQ(caption_of(Sound::Wind, Direction::Here), "wind");
-    EXPECT_EQ(caption_of(Sound::MenuMove, Direction::Left), "");
+    EXPECT_EQ(caption_of(row_of(Sound::DoorStart).caption, Direction::Left), "door, to the left");
+    EXPECT_EQ(caption_of(row_of(Sound::Wind).caption, Direction::Here), "wind");
+    EXPECT_EQ(caption_of(row_of(Sound::MenuMove).caption, Direction::Left), "");
 }
 
 TEST(Captions, AreFewAndEnd) {

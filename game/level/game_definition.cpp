@@ -1,0 +1,212 @@
+#include "game/level/game_definition.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "engine/base/fnv.h"
+#include "engine/files/files.h"
+#include "engine/level/entity_classes.h"
+
+namespace oblong {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// A value in the file, and the way to it, as "/classes/item_coin/is".
+class Value {
+  public:
+    Value(const std::string& file, const Json& json, std::string where)
+        : file_(file), json_(json), where_(std::move(where)) {}
+
+    [[noreturn]] void refuse(const std::string& what) const {
+        throw FileError(file_, where_.empty() ? "/" : where_, what);
+    }
+    std::string text() const {
+        if (!json_.is_string()) refuse("is " + std::string(json_.type_name()) + ", expected a text");
+        return json_.get<std::string>();
+    }
+    /// use(name, value) for each member.
+    template <class Use>
+    void for_members(Use use) const {
+        if (!json_.is_object()) refuse("is " + std::string(json_.type_name()) + ", expected members in { }");
+        for (const auto& [name, json] : json_.items()) use(name, Value(file_, json, where_ + "/" + name));
+    }
+    std::vector<Value> elements() const {
+        if (!json_.is_array()) refuse("is " + std::string(json_.type_name()) + ", expected a list in [ ]");
+        std::vector<Value> values;
+        for (std::size_t i = 0; i < json_.size(); ++i)
+            values.emplace_back(file_, json_[i], where_ + "/" + std::to_string(i));
+        return values;
+    }
+
+  private:
+    const std::string& file_;
+    const Json& json_;
+    std::string where_;
+};
+
+class DefinitionReader {
+  public:
+    explicit DefinitionReader(const std::string& folder) { game_.folder = folder; }
+
+    GameDefinition read(const Value& root) {
+        root.for_members([this](const std::string& name, const Value& value) { read_member(name, value); });
+        if (game_.title.empty()) root.refuse("has no \"title\", expected one");
+        if (game_.levels.empty()) root.refuse("has no \"levels\", expected a list of one or more names");
+        game_.rules_hash = hash_of_classes();
+        return std::move(game_);
+    }
+
+  private:
+    void read_member(const std::string& name, const Value& value) {
+        if (name == "title")
+            game_.title = value.text();
+        else if (name == "credits")
+            game_.credits = value.text();
+        else if (name == "palette")
+            game_.palette = file_in_folder(value);
+        else if (name == "music")
+            game_.music = file_in_folder(value);
+        else if (name == "demo")
+            game_.demo = path_in_folder(value);
+        else if (name == "levels")
+            read_levels(value);
+        else if (name == "captions")
+            read_captions(value);
+        else if (name == "classes")
+            read_classes(value);
+        else
+            value.refuse("is unknown, expected title, levels, palette, music, demo, captions, classes or credits");
+    }
+
+    std::string path_in_folder(const Value& value) const {
+        const fs::path path = value.text();
+        if (!stays_below(path)) value.refuse("\"" + path.string() + "\", expected a path of a file below the folder");
+        return (fs::path(game_.folder) / path).string();
+    }
+    std::string file_in_folder(const Value& value) const {
+        const std::string path = path_in_folder(value);
+        if (!fs::is_regular_file(path)) value.refuse("there is no file " + path + ", expected one");
+        return path;
+    }
+
+    void read_levels(const Value& list) {
+        for (const Value& value : list.elements()) {
+            const std::string name = value.text();
+            if (!stays_below(name) || fs::path(name).has_parent_path())
+                value.refuse("\"" + name + "\", expected the name of a level, as \"first\"");
+            if (level_file_of(game_, name).empty())
+                value.refuse("there is no maps/" + name + ".bsp in the folder, expected one");
+            if (std::find(game_.levels.begin(), game_.levels.end(), name) != game_.levels.end())
+                value.refuse("\"" + name + "\" is there twice, expected each level once");
+            game_.levels.push_back(name);
+        }
+    }
+
+    void read_captions(const Value& members) {
+        members.for_members(
+            [this](const std::string& sound, const Value& value) { game_.captions[sound] = value.text(); });
+    }
+
+    void read_classes(const Value& members) {
+        members.for_members([this](const std::string& name, const Value& value) {
+            if (find_entity_class(name)) value.refuse("is a class of the engine, expected another name");
+            game_.classes[name] = class_of(value);
+        });
+    }
+
+    static OwnClass class_of(const Value& value) {
+        OwnClass own;
+        const EntityClass* base = nullptr;
+        value.for_members([&](const std::string& member, const Value& part) {
+            if (member == "is") {
+                own.is = part.text();
+                base = find_entity_class(own.is);
+                if (!base) part.refuse("\"" + own.is + "\", expected a class of the engine");
+            } else if (member == "keys") {
+                part.for_members(
+                    [&](const std::string& key, const Value& text) { own.values.emplace_back(key, text.text()); });
+            } else if (member != "does") {
+                part.refuse("is unknown, expected is, keys or does");
+            }
+        });
+        if (!base) value.refuse("has no \"is\", expected a class of the engine that it stands for");
+        for (const auto& [key, text] : own.values)
+            if (!find_entity_key(*base, key)) value.refuse("key \"" + key + "\", expected one of " + own.is);
+        return own;
+    }
+
+    std::uint64_t hash_of_classes() const {
+        if (game_.classes.empty()) return 0;
+        Fnv1a hash;
+        const auto add = [&](const std::string& text) {
+            for (const char letter : text) hash.add(static_cast<std::uint8_t>(letter));
+            hash.add(std::uint8_t{0});
+        };
+        for (const auto& [name, own] : game_.classes) {
+            add(name);
+            add(own.is);
+            for (const auto& [key, value] : own.values) {
+                add(key);
+                add(value);
+            }
+        }
+        return hash.value();
+    }
+
+    GameDefinition game_;
+};
+
+}  // namespace
+
+bool is_game_folder(const std::string& folder) {
+    std::error_code ignored;
+    return !folder.empty() && fs::is_regular_file(fs::path(folder) / kGameFile, ignored);
+}
+
+GameDefinition read_game_definition(const std::string& folder) {
+    const std::string file = (fs::path(folder) / kGameFile).string(), text = read_text(file);
+    Json json;
+    try {
+        json = Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        throw FileError(file, "byte " + std::to_string(error.byte), "no JSON: " + std::string(error.what()));
+    }
+    return DefinitionReader(folder).read(Value(file, json, ""));
+}
+
+bool stays_below(const fs::path& path) {
+    return !path.empty() && path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
+}
+
+std::string level_file_of(const GameDefinition& game, const std::string& level) {
+    std::error_code ignored;
+    for (const fs::path& folder : {fs::path(game.folder) / "maps", fs::path(game.folder)})
+        if (fs::is_regular_file(folder / (level + ".bsp"), ignored)) return (folder / (level + ".bsp")).string();
+    return {};
+}
+
+std::string level_after(const GameDefinition& game, const std::string& file) {
+    std::error_code ignored;
+    for (std::size_t i = 0; i + 1 < game.levels.size(); ++i)
+        if (fs::equivalent(level_file_of(game, game.levels[i]), file, ignored)) return game.levels[i + 1];
+    return {};
+}
+
+void apply_classes(const GameDefinition& game, std::vector<Entity>& entities) {
+    for (Entity& entity : entities) {
+        const auto own = game.classes.find(entity.value("classname"));
+        if (own == game.classes.end()) continue;
+        for (auto& [key, value] : entity.pairs)
+            if (key == "classname") value = own->second.is;
+        for (const auto& [key, value] : own->second.values)
+            if (std::none_of(entity.pairs.begin(), entity.pairs.end(),
+                             [&](const auto& pair) { return pair.first == key; }))
+                entity.pairs.emplace_back(key, value);
+    }
+}
+
+}  // namespace oblong

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/level/level.h"
+
+namespace oblong {
+
+/// A class of entities that a game defines: another class of the engine's (engine/level/entity_classes.h), with values
+/// of keys of its own where an entity has none.
+struct OwnClass {
+    std::string is;
+    std::vector<std::pair<std::string, std::string>> values;
+};
+
+/// What makes a folder a game: its file game.json.
+struct GameDefinition {
+    std::string folder;  ///< that everything is in
+    std::string title;
+    std::vector<std::string> levels;   ///< their names, in the order in which they are played; one or more
+    std::string palette, music, demo;  ///< paths of files, empty: none. Music and demo are the title's; a demo need
+                                       ///< not be there
+    std::string credits;               ///< what its page says first
+    std::map<std::string, std::string> captions;  ///< by the names of sounds' files
+    std::map<std::string, OwnClass> classes;      ///< by their names
+    std::uint64_t rules_hash = 0;                 ///< of the classes; 0: there are none
+};
+
+inline constexpr const char* kGameFile = "game.json";
+
+/// Whether a folder has a game.json.
+bool is_game_folder(const std::string& folder);
+
+/// Reads a folder's game.json. Throws FileError that names the file and the place in it: for what is no JSON, members
+/// that there are not or that are of another type, classes that stand for none of the engine's, paths that leave the
+/// folder, levels and files that are not there, sounds that there are not.
+GameDefinition read_game_definition(const std::string& folder);
+
+/// Whether a path leads to something below a folder.
+bool stays_below(const std::filesystem::path& path);
+
+/// The file of one of its levels: maps/NAME.bsp in its folder, or NAME.bsp; empty where it has no such file.
+std::string level_file_of(const GameDefinition& game, const std::string& level);
+
+/// The level that is played after the one in `file`; empty after the last, and where `file` is none of its levels.
+std::string level_after(const GameDefinition& game, const std::string& file);
+
+/// Makes entities of own classes what those stand for.
+void apply_classes(const GameDefinition& game, std::vector<Entity>& entities);
+
+}  // namespace oblong
