@@ -156,6 +156,7 @@ void scan_convex(std::span<const ScreenVertex> vertices, const PolygonShape& sha
                  ScanlineExtents& rows) {
     rows.first = within.first;
     rows.end = within.end;
+    rows.columns = {shape.bounds.first_column, shape.bounds.end_column};
     if (within.first >= within.end) return;
     if (shape.walk == EdgeWalk::OnScreen) return scan_edges<ScreenWalker>(vertices, shape, rows);
     if (shape.walk == EdgeWalk::Exact) return scan_edges<ExactWalker>(vertices, shape, rows);
