@@ -92,6 +92,7 @@ inline constexpr std::array kMadeOfBrushes{
 
 inline constexpr std::array kWorld{
     EntityKey{"message", Text, "", "the level's title"},
+    EntityKey{"music", Text, "", "a tracker module: its path below the game's folder or the level's"},
     EntityKey{"wad", Text, "", "WAD files for the editor; `oblong-map` takes `--wad`"},
     EntityKey{"worldtype", Whole, "0", "0 to 2: how keys look (Quake's models)"},
     EntityKey{"mapversion", Whole, "", "220: the source is in Valve's format"},
@@ -181,7 +182,7 @@ inline constexpr std::array kPush{
     flags(kPushFlags),
 };
 inline constexpr std::array kExit{
-    required({"map", Text, "", "the next level's name"}),
+    EntityKey{"map", Text, "", "the next level's name; without: the next one of `game.json`, or the end"},
     flags(kExitFlags),
 };
 inline constexpr std::array kSounds{EntityKey{"sounds", Whole, "", kNoEffect}};

@@ -10,7 +10,7 @@
 #include "engine/scene/level_effects.h"
 #include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
-#include "game/level/game_definition.h"
+#include "engine/files/game_definition.h"
 
 namespace oblong {
 

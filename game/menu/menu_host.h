@@ -48,6 +48,7 @@ class MenuHost {
     virtual KeyNames key_names() const = 0;
     virtual std::string local_name_of(Input input) const = 0;
     virtual std::vector<KeyHelp> key_help() const = 0;  ///< of what is up behind the menu
+    virtual std::string game_title() const = 0;         ///< in capitals
     virtual Goal goal() const = 0;                      ///< of the walk
     virtual std::vector<std::string> told() const = 0;  ///< the messages of a walk, the newest first
     virtual std::string figures() const = 0;            ///< of the gallery's row that is up

@@ -64,7 +64,7 @@ void MenuPages::open_message(std::string title, std::string text) {
 }
 
 MenuPage MenuPages::title_page() {
-    MenuPage page{"OBLONG"};
+    MenuPage page{host_.game_title()};
     page.is_title = true;
     page.back = [this] { ask_to_leave(); };
     if (const auto last = host_.last_walk())

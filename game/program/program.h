@@ -97,6 +97,7 @@ class Program final : private MenuHost {
     }
     std::string local_name_of(Input input) const override { return platform_.local_name_of(input); }
     std::vector<KeyHelp> key_help() const override { return screens_.back()->key_help(key_names()); }
+    std::string game_title() const override;
     Goal goal() const override;
     std::vector<std::string> told() const override { return walk_ ? walk_->told() : std::vector<std::string>(); }
     std::string figures() const override { return screens_.back()->figures(); }

@@ -40,6 +40,10 @@ LevelPlaces Program::places() const {
 
 std::vector<LevelEntry> Program::levels() const {
     std::vector<LevelEntry> entries;
+    if (is_game_folder(options_.game)) {
+        for (const std::string& level : game_.levels) entries.push_back({level, level_file_of(game_, level), ""});
+        return entries;
+    }
     const fs::path museum = fs::path(assets_folder_) / kDemoLevelFile;
     std::error_code ignored;
     const LevelList list = list_levels(places());
@@ -60,6 +64,13 @@ EndFigures Program::end_figures() const {
     if (!next.empty()) find_next(next, places(), figures);
     figures.lenses = goal().count;
     return figures;
+}
+
+std::string Program::game_title() const {
+    std::string title = game_.title;
+    for (char& letter : title)
+        if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+    return title;
 }
 
 // Where the level's end leads, or else the next one of the game.

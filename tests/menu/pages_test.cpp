@@ -18,6 +18,7 @@ class FakeHost final : public MenuHost {
     KeyNames key_names() const override { return {kept.bindings, platform, false}; }
     std::string local_name_of(Input input) const override { return name_of(input); }
     std::vector<KeyHelp> key_help() const override { return game_help(key_names()); }
+    std::string game_title() const override { return "OBLONG"; }
     Goal goal() const override { return {"11 of 12", "Missing: FOG (north)", "RAIN: found\nFOG: missing (north)"}; }
     std::vector<std::string> told() const override { return {"You carry a lens.", std::string(300, 'm')}; }
     std::string figures() const override { return "12 figures"; }

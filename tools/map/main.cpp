@@ -4,6 +4,7 @@
 #include "engine/files/arguments.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
+#include "engine/files/game_definition.h"
 #include "tools/map/compile.h"
 #include "tools/map/source/checks.h"
 #include "tools/map/source/fgd.h"
@@ -13,7 +14,7 @@ namespace {
 using namespace oblong;
 
 struct Arguments {
-    std::string input, output, fgd;
+    std::string input, output, fgd, game;
     std::vector<std::string> wads;
     bool is_fast = false;
 };
@@ -23,6 +24,7 @@ void declare(CommandArguments& line, Arguments& arguments) {
     line.add("-o,--out", arguments.output, "the level to write: OUT.bsp, version 29");
     line.add("--wad", arguments.wads, "a WAD2 file of textures; may be given more than once");
     line.add("--fgd", arguments.fgd, "writes the classes and keys that editors show, and compiles nothing");
+    line.add("--game", arguments.game, "a folder whose game.json has classes of its own");
     line.add_flag("--fast", arguments.is_fast, "rougher visibility and light");
 }
 
@@ -36,10 +38,22 @@ void print(map::Warnings& warnings, const Arguments& arguments) {
                   << '\n';
 }
 
+// As the game will take them; in the level they keep their classes.
+std::vector<map::MapEntity> with_known_classes(std::vector<map::MapEntity> entities, const std::string& folder) {
+    const GameDefinition game = read_game_definition(folder);
+    for (map::MapEntity& entity : entities) {
+        const auto own = game.classes.find(entity.value("classname"));
+        if (own == game.classes.end()) continue;
+        for (auto& pair : entity.pairs)
+            if (pair.key == "classname") pair.value = own->second.is;
+    }
+    return entities;
+}
+
 std::string compile(const Arguments& arguments, const std::string& text, const std::vector<map::Wad>& wads) {
     std::vector<map::MapEntity> entities = map::parse_map(text);
     map::Warnings warnings;
-    map::find_warnings(entities, warnings);
+    map::find_warnings(arguments.game.empty() ? entities : with_known_classes(entities, arguments.game), warnings);
     print(warnings, arguments);
     try {
         std::string level = map::to_bytes(map::compile_map(std::move(entities), wads, {arguments.is_fast, &warnings}));

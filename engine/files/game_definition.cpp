@@ -1,6 +1,7 @@
-#include "game/level/game_definition.h"
+#include "engine/files/game_definition.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -47,6 +48,20 @@ class Value {
     const Json& json_;
     std::string where_;
 };
+
+// What oblong-map asks of a class: it takes own ones for others without effect.
+bool is_of_compiler(ClassRole role) {
+    constexpr std::array kOfCompiler{ClassRole::Worldspawn,     ClassRole::Start,      ClassRole::TeleportExit,
+                                     ClassRole::Lamp,           ClassRole::BrushGroup, ClassRole::Detail,
+                                     ClassRole::PassableDetail, ClassRole::Lightning};
+    return std::find(kOfCompiler.begin(), kOfCompiler.end(), role) != kOfCompiler.end();
+}
+
+// Not that of a family.
+const EntityClass* find_own_row(const std::string& name) {
+    const EntityClass* const row = find_entity_class(name);
+    return row && !row->is_family() ? row : nullptr;
+}
 
 class DefinitionReader {
   public:
@@ -98,8 +113,6 @@ class DefinitionReader {
             const std::string name = value.text();
             if (!stays_below(name) || fs::path(name).has_parent_path())
                 value.refuse("\"" + name + "\", expected the name of a level, as \"first\"");
-            if (level_file_of(game_, name).empty())
-                value.refuse("there is no maps/" + name + ".bsp in the folder, expected one");
             if (std::find(game_.levels.begin(), game_.levels.end(), name) != game_.levels.end())
                 value.refuse("\"" + name + "\" is there twice, expected each level once");
             game_.levels.push_back(name);
@@ -113,7 +126,7 @@ class DefinitionReader {
 
     void read_classes(const Value& members) {
         members.for_members([this](const std::string& name, const Value& value) {
-            if (find_entity_class(name)) value.refuse("is a class of the engine, expected another name");
+            if (find_own_row(name)) value.refuse("is a class of the engine, expected another name");
             game_.classes[name] = class_of(value);
         });
     }
@@ -124,7 +137,7 @@ class DefinitionReader {
         value.for_members([&](const std::string& member, const Value& part) {
             if (member == "is") {
                 own.is = part.text();
-                base = find_entity_class(own.is);
+                base = find_own_row(own.is);
                 if (!base) part.refuse("\"" + own.is + "\", expected a class of the engine");
             } else if (member == "keys") {
                 part.for_members(
@@ -133,6 +146,8 @@ class DefinitionReader {
                 part.refuse("is unknown, expected is, keys or does");
             }
         });
+        if (base && is_of_compiler(base->role))
+            value.refuse("stands for " + own.is + ", which the map compiler has to know by its name, expected another");
         if (!base) value.refuse("has no \"is\", expected a class of the engine that it stands for");
         for (const auto& [key, text] : own.values)
             if (!find_entity_key(*base, key)) value.refuse("key \"" + key + "\", expected one of " + own.is);
@@ -187,6 +202,15 @@ std::string level_file_of(const GameDefinition& game, const std::string& level) 
     for (const fs::path& folder : {fs::path(game.folder) / "maps", fs::path(game.folder)})
         if (fs::is_regular_file(folder / (level + ".bsp"), ignored)) return (folder / (level + ".bsp")).string();
     return {};
+}
+
+void check_levels(const GameDefinition& game) {
+    for (std::size_t i = 0; i < game.levels.size(); ++i)
+        if (level_file_of(game, game.levels[i]).empty())
+            throw FileError((fs::path(game.folder) / kGameFile).string(), "/levels/" + std::to_string(i),
+                            "there is no maps/" + game.levels[i] +
+                                ".bsp in the folder, expected one (oblong-map makes "
+                                "it of a .map)");
 }
 
 std::string level_after(const GameDefinition& game, const std::string& file) {

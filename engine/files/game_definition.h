@@ -38,7 +38,7 @@ bool is_game_folder(const std::string& folder);
 
 /// Reads a folder's game.json. Throws FileError that names the file and the place in it: for what is no JSON, members
 /// that there are not or that are of another type, classes that stand for none of the engine's, paths that leave the
-/// folder, levels and files that are not there, sounds that there are not.
+/// folder, files that are not there. Levels need not be there yet: see check_levels().
 GameDefinition read_game_definition(const std::string& folder);
 
 /// Whether a path leads to something below a folder.
@@ -47,10 +47,13 @@ bool stays_below(const std::filesystem::path& path);
 /// The file of one of its levels: maps/NAME.bsp in its folder, or NAME.bsp; empty where it has no such file.
 std::string level_file_of(const GameDefinition& game, const std::string& level);
 
+/// Throws FileError for a level that has no file.
+void check_levels(const GameDefinition& game);
+
 /// The level that is played after the one in `file`; empty after the last, and where `file` is none of its levels.
 std::string level_after(const GameDefinition& game, const std::string& file);
 
-/// Makes entities of own classes what those stand for.
+/// Makes entities of own classes what those stand for, with the values that they have not of their own.
 void apply_classes(const GameDefinition& game, std::vector<Entity>& entities);
 
 }  // namespace oblong

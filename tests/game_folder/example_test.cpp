@@ -1,0 +1,210 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "engine/files/files.h"
+#include "engine/platform/headless/headless.h"
+#include "game/program/program.h"
+#include "tests/support/folders.h"
+#include "tests/support/scripted_input.h"
+
+// The example of a game without C++ (game/example), compiled and played as its page says.
+namespace oblong {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A platform that keeps what the window was called.
+class NamedWindow final : public Platform {
+  public:
+    NamedWindow(std::int64_t frames, HeadlessPlatform::Script script)
+        : below_(frames, kTicksPerSecond, std::move(script), [](Framebuffer, const Palette&) {}) {}
+
+    bool is_open() const override { return below_.is_open(); }
+    PlatformInput poll() override { return below_.poll(); }
+    std::uint64_t now_us() override { return below_.now_us(); }
+    WindowSize window_size() const override { return below_.window_size(); }
+    void set_title(const char* title) override { titles.emplace_back(title); }
+    void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override {
+        below_.present(picture, palette, shown);
+    }
+
+    std::vector<std::string> titles;
+
+  private:
+    HeadlessPlatform below_;
+};
+
+class ExampleGame : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::copy(test::source_folder() + "/game/example", folder_, fs::copy_options::recursive);
+        for (const std::string level : {"first", "second", "third"}) {
+            const std::string map = folder_ + "/maps/" + level;
+            ASSERT_EQ(
+                run("oblong-map " + map + ".map -o " + map + ".bsp --wad " + assets_ + "/demo.wad --game " + folder_),
+                0)
+                << said();
+            EXPECT_EQ(said(), "") << "a warning";
+        }
+    }
+    // A program of the build, with its options; what it says is said().
+    int run(const std::string& command) const {
+        const std::string home = temporary_.path("home");
+        const int status = std::system(("XDG_CONFIG_HOME='" + home + "' XDG_DATA_HOME='" + home + "' " +
+                                        test::build_folder() + "/bin/" + command + " 2> " + temporary_.path("err.txt"))
+                                           .c_str());
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    std::string said() const { return read_text(temporary_.path("err.txt")); }
+    Options options() const {
+        Options options;
+        options.game = folder_;
+        return options;
+    }
+    LoadedLevel loaded(const std::string& level) const {
+        LevelFiles files = level_files_of(options(), assets_);
+        files.level = level_file_of(*files.game, level);
+        return LoadedLevel(files);
+    }
+    void replace_in_definition(const std::string& part, const std::string& by) const {
+        std::string text = read_text(folder_ + "/game.json");
+        ASSERT_NE(text.find(part), text.npos);
+        text.replace(text.find(part), part.size(), by);
+        write_file(folder_ + "/game.json", text);
+    }
+
+    const test::TemporaryFolder temporary_;
+    const std::string folder_ = temporary_.path("three"), assets_ = test::build_folder() + "/assets";
+};
+
+// Ahead, always jumping, with Enter once a second: from the title through the three rooms.
+TEST_F(ExampleGame, IsPlayedFromTheTitleToTheEnd) {
+    Options played = options();
+    played.shows_title = true;
+    played.preferences.game_speed_100 = 400;
+    NamedWindow platform(1200, [](std::int64_t poll) {
+        Controls controls;
+        if (poll % kTicksPerSecond == 20) controls.menu = {MenuAction::Accept};
+        controls.moves.set(Action::Forward);
+        controls.moves.set(Action::Jump);
+        return test::scripted_input(controls);
+    });
+    PreferencesStore store;
+    Program(played, load_program_files(played, assets_), store, platform, nullptr).run();
+    ASSERT_GE(platform.titles.size(), 5u);
+    platform.titles.resize(5);
+    EXPECT_EQ(platform.titles,
+              (std::vector<std::string>{"Three Rooms - first", "Three Rooms - first", "Three Rooms - second",
+                                        "Three Rooms - third", "Three Rooms - third"}))
+        << "the last one begins again";
+}
+
+TEST_F(ExampleGame, OwnClassesAreThoseTheyStandForWithTheirValues) {
+    const LoadedLevel second = loaded("second");
+    ASSERT_EQ(second.level.movers.size(), 1u);
+    EXPECT_EQ(second.level.movers[0].kind, MoverKind::Door);
+    EXPECT_NEAR(second.level.movers[0].speed_per_tick.raw * double(kTicksPerSecond) / 4096, 30, 0.01);
+    EXPECT_EQ(second.level.movers[0].wait_ticks, 6 * kTicksPerSecond);
+    ASSERT_EQ(second.level.items.size(), 1u);
+    EXPECT_EQ(second.level.items[0].item_class, ItemClass::Lens);
+    ASSERT_EQ(second.data.models.meshes.size(), 1u);
+    // Two sides of twelve corners and twelve squares between them.
+    EXPECT_EQ(second.data.models.meshes[0]->triangles.size(), 2u * 10 + 12 * 2);
+}
+
+TEST_F(ExampleGame, AnEntitysOwnValueWins) {
+    std::string map = read_text(folder_ + "/maps/second.map");
+    const std::string part = "\"angle\" \"-1\"";
+    map.replace(map.find(part), part.size(), part + "\n\"speed\" \"70\"");
+    write_file(folder_ + "/maps/second.map", map);
+    ASSERT_EQ(run("oblong-map " + folder_ + "/maps/second.map -o " + folder_ + "/maps/second.bsp --wad " + assets_ +
+                  "/demo.wad --game " + folder_),
+              0);
+    EXPECT_NEAR(loaded("second").level.movers[0].speed_per_tick.raw * double(kTicksPerSecond) / 4096, 70, 0.01);
+}
+
+// The room of the demo has no entity of the class whose rule changes: its start is the same state.
+TEST_F(ExampleGame, DemosAndSavesBelongToTheirRules) {
+    const std::string demo = temporary_.path("walk.demo"), pictures = " --headless 40 --out " + temporary_.path("out");
+    ASSERT_EQ(run("oblong --game " + folder_ + pictures + " --record " + demo), 0) << said();
+    EXPECT_EQ(run("oblong --game " + folder_ + pictures + " --replay " + demo), 0) << said();
+    EXPECT_EQ(run("oblong " + folder_ + "/maps/first.bsp" + pictures + " --replay " + demo), 1);
+    const std::uint64_t level_hash = loaded("first").data.level_hash;
+    replace_in_definition("\"30\"", "\"31\"");
+    EXPECT_EQ(run("oblong --game " + folder_ + pictures + " --replay " + demo), 1);
+    EXPECT_EQ(said(),
+              "oblong: " + demo + ": start: recorded on another level or by other rules, expected this one's\n");
+    EXPECT_NE(loaded("first").data.level_hash, level_hash) << "what saves are held to";
+}
+
+TEST_F(ExampleGame, LevelsFollowInTheirOrder) {
+    const GameDefinition game = read_game_definition(folder_);
+    EXPECT_EQ(level_after(game, folder_ + "/maps/first.bsp"), "second");
+    EXPECT_EQ(level_after(game, folder_ + "/maps/second.bsp"), "third");
+    EXPECT_EQ(level_after(game, folder_ + "/maps/third.bsp"), "");
+    EXPECT_EQ(level_after(game, assets_ + "/demo.bsp"), "");
+}
+
+TEST_F(ExampleGame, ALevelThatIsNotThereIsNamedBeforeTheGameBegins) {
+    fs::remove(folder_ + "/maps/third.bsp");
+    EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
+    EXPECT_TRUE(said().starts_with("oblong: " + folder_ + "/game.json: /levels/2: there is no maps/third.bsp"))
+        << said();
+}
+
+TEST_F(ExampleGame, ACaptionOfNoSoundIsNamed) {
+    replace_in_definition("\"lens\"", "\"lense\"");
+    EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
+    EXPECT_TRUE(said().starts_with("oblong: " + folder_ + "/game.json: /captions/lense: is no sound")) << said();
+}
+
+struct Fault {
+    const char *text, *said;
+};
+
+TEST(GameDefinition, FaultsAreNamedWithTheirPlace) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder.path("game.json");
+    for (const auto& [text, said] : {
+             Fault{"", "byte 1: no JSON"},
+             Fault{"{\"title\": \"x\",", "byte 15: no JSON"},
+             Fault{"[]", "/: is array, expected members"},
+             Fault{"{\"levels\": [\"a\"]}", "/: has no \"title\""},
+             Fault{"{\"title\": \"x\"}", "/: has no \"levels\""},
+             Fault{"{\"title\": 3}", "/title: is number, expected a text"},
+             Fault{"{\"titel\": \"x\"}", "/titel: is unknown, expected title,"},
+             Fault{"{\"levels\": [\"a\", \"b\", \"a\"]}", "/levels/2: \"a\" is there twice"},
+             Fault{"{\"levels\": [\"../a\"]}", "/levels/0: \"../a\", expected the name of a level"},
+             Fault{"{\"levels\": \"a\"}", "/levels: is string, expected a list"},
+             Fault{"{\"palette\": \"/etc/passwd\"}", "/palette: \"/etc/passwd\", expected a path"},
+             Fault{"{\"music\": \"a/../../b.mod\"}", "/music: \"a/../../b.mod\", expected a path"},
+             Fault{"{\"music\": \"none.mod\"}", "/music: there is no file "},
+             Fault{"{\"classes\": {\"x\": {}}}", "/classes/x: has no \"is\""},
+             Fault{"{\"classes\": {\"func_door\": {\"is\": \"func_wall\"}}}",
+                   "/classes/func_door: is a class of the engine"},
+             Fault{"{\"classes\": {\"x\": {\"is\": \"func_dor\"}}}", "/classes/x/is: \"func_dor\", expected a class"},
+             Fault{"{\"classes\": {\"x\": {\"is\": \"y\"}, \"y\": {\"is\": \"x\"}}}",
+                   "/classes/x/is: \"y\", expected a class"},
+             Fault{"{\"classes\": {\"x\": {\"is\": \"light\"}}}",
+                   "/classes/x: stands for light, which the map compiler"},
+             Fault{"{\"classes\": {\"x\": {\"is\": \"func_door\", \"keys\": {\"spead\": \"3\"}}}}",
+                   "/classes/x: key \"spead\", expected one of func_door"},
+             Fault{"{\"classes\": {\"x\": {\"is\": \"func_door\", \"keys\": {\"speed\": 3}}}}",
+                   "/classes/x/keys/speed: is number, expected a text"},
+             Fault{"{\"classes\": {\"x\": {\"as\": \"func_door\"}}}", "/classes/x/as: is unknown"},
+         }) {
+        folder.write("game.json", std::string(text));
+        try {
+            read_game_definition(folder.path());
+            ADD_FAILURE() << text;
+        } catch (const FileError& error) {
+            EXPECT_TRUE(std::string(error.what()).starts_with(file + ": " + said)) << error.what();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace oblong
