@@ -135,10 +135,12 @@ bool LevelScene::stands(const Pose& eye) const {
     return stands_on_floor(state_->surroundings(), place_of(eye) - Vec3<World>{{}, {}, kEyeHeight});
 }
 
-std::int32_t LevelScene::find_entity(const std::string& key, const std::string& value) const {
+std::int32_t LevelScene::find_entity(const std::string& key, const std::string& value, std::int32_t after) const {
     const std::vector<Entity>& entities = state_->level.entities;
-    const auto found = std::find_if(entities.begin(), entities.end(),
-                                    [&](const Entity& entity) { return entity.value(key) == value; });
+    const auto begin =
+        entities.begin() + std::clamp<std::ptrdiff_t>(std::ptrdiff_t{after} + 1, 0, std::ssize(entities));
+    const auto found =
+        std::find_if(begin, entities.end(), [&](const Entity& entity) { return entity.value(key) == value; });
     return found == entities.end() ? -1 : static_cast<std::int32_t>(found - entities.begin());
 }
 
