@@ -120,11 +120,10 @@ void LevelScene::show(const Model& model, const Pose& pose, std::int32_t frame) 
     state_->shown.push_back(placed_at(model.state_->mesh, pose, frame));
 }
 
-Pose LevelScene::walked(const Pose& eye, std::int32_t east_256, std::int32_t north_256, std::int32_t up_256) const {
-    const Vec3<World> below_eye{{}, {}, kEyeHeight};
-    const Vec3<World> way{world_from_256(east_256), world_from_256(north_256), world_from_256(up_256)};
-    const Vec3<World> at = walk_body(state_->surroundings(), place_of(eye) - below_eye, way) + below_eye;
-    Pose after = eye;
+Pose LevelScene::walked(const Pose& eye, const Pose& wanted) const {
+    const Vec3<World> below_eye{{}, {}, kEyeHeight}, from = place_of(eye);
+    const Vec3<World> at = walk_body(state_->surroundings(), from - below_eye, place_of(wanted) - from) + below_eye;
+    Pose after = wanted;
     after.x_256 = to_256(at.x);
     after.y_256 = to_256(at.y);
     after.z_256 = to_256(at.z);

@@ -253,9 +253,9 @@ class LevelScene {
     /// Shows a model in the next picture. It is kept by reference until then.
     void show(const Model& model, const Pose& pose, std::int32_t frame = 0);
 
-    /// Where a body with its eye there gets if it wants to go on so far, in 256ths of a unit: it slides along walls and
-    /// doors, climbs steps of 18 units, and falls no faster than `east`, `north`, `up` say.
-    Pose walked(const Pose& eye, std::int32_t east_256, std::int32_t north_256, std::int32_t up_256) const;
+    /// Where a body gets whose eye is at `eye` and wants to be at `wanted` (see moved()): it slides along walls and
+    /// doors, and climbs steps of 18 units. It looks as wanted.
+    Pose walked(const Pose& eye, const Pose& wanted) const;
     /// Whether it stands on something.
     bool stands(const Pose& eye) const;
     /// The number of the first entity behind `after` with this value of a key ("targetname", "door1"), or -1.

@@ -106,7 +106,7 @@ class CountingBuild:
         parts = {part: [f"engine/{name}.cpp" for name in names.split()] for part, names in PARTS.items()}
         counted = sum(parts.values(), ["engine/raster/kernels/choice.cpp"])  # in place of which there is the plain kernel
         rest = [file for file in sorted(glob.glob("engine/**/*.cpp", root_dir=source, recursive=True))
-                if file not in counted and "/sdl/" not in file]
+                if file not in counted and not NOT_COUNTED.search(file)]
         loading = [file for file in rest if BEFORE_FRAMES.match(file)]
         parts[LEFT_OUT] = [file for file in rest if file not in loading and not OF_EFFECTS.match(file)]
         self.names = {part: part[0].replace("/", "").replace(" ", "_") for part in parts}
