@@ -2,6 +2,7 @@
 #include <string>
 
 #include "engine/fixed/trig.h"
+#include "engine/level/entity_classes.h"
 #include "game/simulation/entity_keys.h"
 #include "game/simulation/entity_specs.h"
 #include "game/simulation/tick_input.h"
@@ -146,12 +147,12 @@ std::optional<Mover> mover_of(const Entity& entity, const Level& bsp, World long
     const auto model = model_of(entity, bsp);
     if (!model) return {};
     const Box box = model_box(bsp, *model);
-    const std::string name = entity.value("classname");
+    const ClassRole role = role_of(entity);
     std::optional<Mover> mover;
-    if (name == "func_door") mover = door(entity, box);
-    if (name == "func_door_secret") mover = secret_door(entity, box);
-    if (name == "func_button") mover = button(entity, box);
-    if (name == "func_plat") mover = lift(entity, box);
+    if (role == ClassRole::Door) mover = door(entity, box);
+    if (role == ClassRole::SecretDoor) mover = secret_door(entity, box);
+    if (role == ClassRole::Button) mover = button(entity, box);
+    if (role == ClassRole::Lift) mover = lift(entity, box);
     if (!mover || !is_within(*mover, longest)) return {};
     mover->model = *model;
     return mover;

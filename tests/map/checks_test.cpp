@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
-#include "engine/level/entity_classes.h"
 #include "tests/map/map_source.h"
 
 namespace oblong::test {
@@ -162,19 +159,6 @@ TEST(Checks, NameAnOriginBrush) {
     ASSERT_EQ(said.size(), 1u);
     EXPECT_NE(said[0].what.find("texture 'origin'"), std::string::npos) << said[0].what;
     EXPECT_EQ(bsp.models.at(1).face_count, 6) << "the brush beside it";
-}
-
-// Every row is a class of its own, and no group of keys has one twice: the first would win.
-TEST(EntityClasses, AreDifferent) {
-    std::set<std::string_view> names;
-    for (const EntityClass& row : entity_classes()) {
-        EXPECT_TRUE(names.insert(row.name).second) << row.name;
-        EXPECT_EQ(find_entity_class(row.name), &row) << row.name << " is hidden by a family above it";
-        for (const auto& group : row.keys) {
-            std::set<std::string_view> keys;
-            for (const EntityKey& key : group) EXPECT_TRUE(keys.insert(key.name).second) << row.name << ' ' << key.name;
-        }
-    }
 }
 
 }  // namespace

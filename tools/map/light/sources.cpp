@@ -31,7 +31,7 @@ double value_of(const MapEntity& entity, std::string_view key) {
 }
 
 bool is_light(const MapEntity& entity) {
-    return entity.value("classname").starts_with("light");
+    return role_of(entity) == ClassRole::Lamp;
 }
 
 // As in id's own compiler, any other thing with a key "light" shines, where that key is not its class's own.
