@@ -1,5 +1,7 @@
 #include "engine/frame/claims.h"
 
+#include <algorithm>
+
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/view_scratch.h"
@@ -136,6 +138,8 @@ void claim_face(VisibleFace& face, bool is_second_walk, const FrameContext& fram
         scratch.span_buffer.claim(scratch.rows, claims.spans);
     face.nearest_z = scratch.polygon.nearest_z;
     face.farthest_z = scratch.polygon.farthest_z;
+    face.bounds = {std::max(scratch.rows.columns.first, 0), std::min(scratch.rows.columns.end, frame.out.width_px),
+                   scratch.rows.first, scratch.rows.end};
     add_claimed(face, first, frame, claims);
 }
 

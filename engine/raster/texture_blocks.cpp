@@ -202,11 +202,67 @@ template <ReciprocalMethod Method>
     return {span, end};
 }
 
+/// A pixel's 1/z as it is multiplied by, and its u.
+template <ReciprocalMethod Method>
+struct SpanEnd {
+    Depth<Method, PerspectiveRange::Fits> depth;
+    std::uint32_t u_16;
+
+    [[gnu::always_inline]] SpanEnd(const BlockCutting& cutting, std::int32_t column, std::int32_t row)
+        : depth(cutting.gradients.inverse_z.at(column, row)),
+          u_16(within(cutting.gradients.u_over_z.at(column, row), cutting.limits.greatest_u, cutting)) {}
+    [[gnu::always_inline]] std::uint32_t v_16(const BlockCutting& cutting, std::int32_t column,
+                                              std::int32_t row) const {
+        return within(cutting.gradients.v_over_z.at(column, row), cutting.limits.greatest_v, cutting);
+    }
+
+  private:
+    [[gnu::always_inline]] std::uint32_t within(TexelOverZ over_z, Texel greatest, const BlockCutting& cutting) const {
+        return static_cast<std::uint32_t>(clamp_value(depth.times(over_z), cutting.limits.least, greatest).raw);
+    }
+};
+
+/// Spans that are one block each. Where 1/z and u are the same in all rows, as a wall's are in a level view, so are the
+/// ends of spans of the same columns, but for v.
+template <ReciprocalMethod Method>
+[[gnu::always_inline]] inline std::span<const Span> cut_whole_spans(std::span<const Span> spans, std::int32_t pitch,
+                                                                    const BlockCutting& given, BlockList& blocks) {
+    const BlockCutting cutting = given;
+    const bool repeats_rows = RowRepeater<Method>::serves(cutting.gradients);
+    std::int64_t divisions_saved = 0;
+    Span above{0, 0, 0};
+    SpanEnd<Method> from(cutting, spans.front().first, spans.front().y), to = from;
+    const Span* span = spans.data();
+    const Span* const end = span + spans.size();
+    TexelBlock* out = blocks.end();
+    for (const TexelBlock* const full = blocks.full(); span != end && out <= full; ++span) {
+        const auto [y, first, span_end] = *span;
+        const std::int32_t steps = span_end - first - 1;
+        if (repeats_rows && first == above.first && span_end == above.end) {
+            divisions_saved += 1 + (steps != 0);
+        } else {
+            from = SpanEnd<Method>(cutting, first, y);
+            to = SpanEnd<Method>(cutting, span_end - 1, y);
+            above = *span;
+        }
+        const TexelPosition texel{from.u_16, from.v_16(cutting, first, y)};
+        TexelStep step;
+        if (steps != 0) step = steps_by_division(texel, {to.u_16, to.v_16(cutting, span_end - 1, y)}, steps);
+        *out++ = {
+            static_cast<std::uint32_t>(y * pitch + first), steps + 1, texel.u_16, texel.v_16, step.u_16, step.v_16};
+    }
+    blocks.set_end(out);
+    blocks.add_divisions(-divisions_saved);
+    return {span, end};
+}
+
 template <Texturing Way, ReciprocalMethod Method>
 [[gnu::always_inline]] inline std::span<const Span> cut_in_range(std::span<const Span> spans, std::int32_t pitch,
                                                                  const BlockCutting& cutting, BlockList& blocks) {
     if (!cutting.fits_range)
         return cut_spans<Way, Method, PerspectiveRange::MayOverflow>(spans, pitch, cutting, blocks);
+    if (Way == Texturing::Bounded && cutting.takes_whole_spans)
+        return cut_whole_spans<Method>(spans, pitch, cutting, blocks);
     if (Way == Texturing::Bounded && RowRepeater<Method>::serves(cutting.gradients))
         return cut_repeating_rows<Method>(spans, pitch, cutting, blocks);
     return cut_spans<Way, Method, PerspectiveRange::Fits>(spans, pitch, cutting, blocks);

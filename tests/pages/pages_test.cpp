@@ -66,7 +66,7 @@ TEST(Pages, TablesAreThoseOfTheCode) {
 
 /// Whatever the header declares with parentheses, comments and bodies aside.
 TEST(Pages, AllOfTheLibraryIsOnItsPage) {
-    const std::string page = read_text(source_folder() + "/engine/library/cheatsheet.md");
+    const std::string page = read_text(source_folder() + "/engine/library/README.md");
     std::istringstream lines(read_text(source_folder() + "/engine/library/oblong.h"));
     const std::regex name(R"((\w+)\()"), aside("//.*|\\{ .*");
     std::set<std::string> names;

@@ -44,7 +44,7 @@ BlockList blocks_of(const Case& face) {
 
 template <class Value>
 LinearQuantity<Value> along(double first, double last) {
-    return {nearest<Value>(first), nearest<Value>((last - first) / kWidth), nearest<Value>((last - first) / 9999)};
+    return {fixed_of<Value>(first), fixed_of<Value>((last - first) / kWidth), fixed_of<Value>((last - first) / 9999)};
 }
 
 Span random_span(std::int32_t row, auto& random) {
