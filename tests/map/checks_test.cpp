@@ -43,6 +43,9 @@ TEST(Checks, NameUnknownClassesAndKeysByTheirLines) {
                     "line 10: nothing reads the key 'wiat' of a func_door, perhaps 'wait' is meant"}));
     EXPECT_EQ(warnings_of(entity("func_rotating", {{"angle", "90"}})),
               Said{"line 4: the class 'func_rotating' is unknown: the entity is written as it stands"});
+    EXPECT_EQ(warnings_of(entity_at("monster_knigth", {1, 2, 3})),
+              Said{"line 4: the class 'monster_knigth' is unknown, perhaps 'monster_knight' is meant: the entity is "
+                   "written as it stands"});
     EXPECT_EQ(warnings_of("{\n\"origin\" \"1 2 3\"\n}\n"), Said{"line 4: an entity without a classname, expected one"});
 }
 
