@@ -53,11 +53,16 @@ struct Circle {
     std::int64_t across = 1, down = 1, doubled_radius = 1;
 };
 
-void fill_row(Framebuffer canvas, std::int64_t first, std::int64_t last, std::int64_t y, std::uint8_t colour) {
+std::uint8_t as_index(std::int32_t colour) {
+    return static_cast<std::uint8_t>(colour);
+}
+
+void fill_row(Framebuffer canvas, std::int64_t first, std::int64_t last, std::int64_t y, std::int32_t colour) {
     if (y < 0 || y >= canvas.height_px) return;
     first = std::max(first, std::int64_t{0});
     last = std::min(last, std::int64_t{canvas.width_px} - 1);
-    if (first <= last) std::fill_n(canvas.row(static_cast<std::int32_t>(y)) + first, last - first + 1, colour);
+    if (first <= last)
+        std::fill_n(canvas.row(static_cast<std::int32_t>(y)) + first, last - first + 1, as_index(colour));
 }
 
 // In 24.8 the middle of a pixel, as near as 2^20 pixels.
@@ -70,8 +75,12 @@ ScreenVertex middle_of_pixel(PixelPosition pixel) {
 
 }  // namespace
 
-void clear(Framebuffer canvas, std::uint8_t colour) {
-    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, colour);
+void clear(Framebuffer canvas, std::int32_t colour) {
+    fill_area(canvas, {0, 0, canvas.width_px, canvas.height_px}, as_index(colour));
+}
+
+void set_pixel(Framebuffer canvas, std::int32_t x, std::int32_t y, std::int32_t colour) {
+    if (is_in(canvas, x, y)) canvas.row(y)[x] = as_index(colour);
 }
 
 std::uint8_t pixel_at(Framebuffer canvas, std::int32_t x, std::int32_t y) {
@@ -79,27 +88,28 @@ std::uint8_t pixel_at(Framebuffer canvas, std::int32_t x, std::int32_t y) {
 }
 
 void draw_line(Framebuffer canvas, std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
-               std::uint8_t colour) {
-    draw_line(PixelPosition{x0, y0}, PixelPosition{x1, y1}, LineStyle{LineMethod::Bresenham, colour, nullptr}, canvas);
+               std::int32_t colour) {
+    draw_line(PixelPosition{x0, y0}, PixelPosition{x1, y1}, LineStyle{LineMethod::Bresenham, as_index(colour), nullptr},
+              canvas);
 }
 
 void fill_rectangle(Framebuffer canvas, std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height,
-                    std::uint8_t colour) {
-    fill_area(canvas, area_of(x, y, width, height), colour);
+                    std::int32_t colour) {
+    fill_area(canvas, area_of(x, y, width, height), as_index(colour));
 }
 
 void draw_rectangle(Framebuffer canvas, std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height,
-                    std::uint8_t colour) {
+                    std::int32_t colour) {
     const Area area = area_of(x, y, width, height);
     if (area.width == 0 || area.height == 0) return;
-    fill_area(canvas, {area.x, area.y, area.width, 1}, colour);
-    fill_area(canvas, {area.x, area.y + area.height - 1, area.width, 1}, colour);
-    fill_area(canvas, {area.x, area.y, 1, area.height}, colour);
-    fill_area(canvas, {area.x + area.width - 1, area.y, 1, area.height}, colour);
+    for (const Area& side :
+         {Area{area.x, area.y, area.width, 1}, Area{area.x, area.y + area.height - 1, area.width, 1},
+          Area{area.x, area.y, 1, area.height}, Area{area.x + area.width - 1, area.y, 1, area.height}})
+        fill_area(canvas, side, as_index(colour));
 }
 
 void fill_circle(Framebuffer canvas, const ScreenMode& mode, std::int32_t x, std::int32_t y, std::int32_t radius_px,
-                 std::uint8_t colour) {
+                 std::int32_t colour) {
     const Circle circle(mode, radius_px);
     for (std::int64_t rows = -circle.height(); rows <= circle.height(); ++rows)
         fill_row(canvas, x - std::int64_t{circle.half_width(rows)}, x + std::int64_t{circle.half_width(rows)}, y + rows,
@@ -107,7 +117,7 @@ void fill_circle(Framebuffer canvas, const ScreenMode& mode, std::int32_t x, std
 }
 
 void draw_circle(Framebuffer canvas, const ScreenMode& mode, std::int32_t x, std::int32_t y, std::int32_t radius_px,
-                 std::uint8_t colour) {
+                 std::int32_t colour) {
     const Circle circle(mode, radius_px);
     for (std::int64_t rows = 0; rows <= circle.height(); ++rows) {
         // As far in as the next row begins, so that the line has no gap.
@@ -120,7 +130,7 @@ void draw_circle(Framebuffer canvas, const ScreenMode& mode, std::int32_t x, std
     }
 }
 
-void fill_triangle(Framebuffer canvas, PixelPosition a, PixelPosition b, PixelPosition c, std::uint8_t colour) {
+void fill_triangle(Framebuffer canvas, PixelPosition a, PixelPosition b, PixelPosition c, std::int32_t colour) {
     std::array<ScreenVertex, 3> corners{middle_of_pixel(a), middle_of_pixel(b), middle_of_pixel(c)};
     if (doubled_area(corners) < ScreenArea{}) std::swap(corners[1], corners[2]);
     ScanlineExtents rows(canvas.height_px);
@@ -160,7 +170,7 @@ void draw_turned(Framebuffer canvas, const Picture& picture, std::int32_t x, std
         }
 }
 
-void draw_label(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view text, std::uint8_t colour,
+void draw_label(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view text, std::int32_t colour,
                 std::int32_t scale) {
     scale = std::clamp(scale, 1, 256);
     std::int64_t left = x;

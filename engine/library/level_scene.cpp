@@ -120,11 +120,10 @@ void LevelScene::show(const Model& model, const Pose& pose, std::int32_t frame) 
     state_->shown.push_back(placed_at(model.state_->mesh, pose, frame));
 }
 
-Pose LevelScene::walked(const Pose& eye, std::int32_t east_256, std::int32_t north_256, std::int32_t up_256) const {
-    const Vec3<World> below_eye{{}, {}, kEyeHeight};
-    const Vec3<World> way{world_from_256(east_256), world_from_256(north_256), world_from_256(up_256)};
-    const Vec3<World> at = walk_body(state_->surroundings(), place_of(eye) - below_eye, way) + below_eye;
-    Pose after = eye;
+Pose LevelScene::walked(const Pose& eye, const Pose& wanted) const {
+    const Vec3<World> below_eye{{}, {}, kEyeHeight}, from = place_of(eye);
+    const Vec3<World> at = walk_body(state_->surroundings(), from - below_eye, place_of(wanted) - from) + below_eye;
+    Pose after = wanted;
     after.x_256 = to_256(at.x);
     after.y_256 = to_256(at.y);
     after.z_256 = to_256(at.z);
@@ -135,10 +134,12 @@ bool LevelScene::stands(const Pose& eye) const {
     return stands_on_floor(state_->surroundings(), place_of(eye) - Vec3<World>{{}, {}, kEyeHeight});
 }
 
-std::int32_t LevelScene::find_entity(const std::string& key, const std::string& value) const {
+std::int32_t LevelScene::find_entity(const std::string& key, const std::string& value, std::int32_t after) const {
     const std::vector<Entity>& entities = state_->level.entities;
-    const auto found = std::find_if(entities.begin(), entities.end(),
-                                    [&](const Entity& entity) { return entity.value(key) == value; });
+    const auto begin =
+        entities.begin() + std::clamp<std::ptrdiff_t>(std::ptrdiff_t{after} + 1, 0, std::ssize(entities));
+    const auto found =
+        std::find_if(begin, entities.end(), [&](const Entity& entity) { return entity.value(key) == value; });
     return found == entities.end() ? -1 : static_cast<std::int32_t>(found - entities.begin());
 }
 

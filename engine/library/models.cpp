@@ -16,8 +16,7 @@ constexpr std::int32_t kMostScale_256 = 4096 * 256;
 Mesh read_mesh(const std::string& file, const Palette& palette, std::int32_t scale_256) {
     if (scale_256 < 1 || scale_256 > kMostScale_256)
         throw FileError(file, "scale", std::to_string(scale_256) + " 256ths, expected 1 to 1048576");
-    if (!file.ends_with(".mdl") && !file.ends_with(".MDL"))
-        return read_obj(file, palette, {.scale = scale_256 / 256.0}).mesh;
+    if (!file.ends_with(".mdl") && !file.ends_with(".MDL")) return read_obj(file, palette, scaled_256(scale_256)).mesh;
     return read_parsed(file, [&](std::span<const std::uint8_t> bytes) {
         return read_mdl(bytes, World::from_raw(scale_256 * (World::from_int(1).raw / 256)));
     });

@@ -51,38 +51,38 @@ void save_picture(const std::string& file, Framebuffer canvas, const Palette& pa
 /// A checksum of a canvas's pixels (CRC-32, as zlib's): equal pictures have equal ones on every machine.
 std::uint32_t checksum(Framebuffer canvas);
 
-// Drawing: what lies outside the canvas is left out
+// Drawing: what lies outside the canvas is left out; of a colour's number the lowest 8 bits count
 
 /// Paints all of a canvas.
-void clear(Framebuffer canvas, std::uint8_t colour = 0);
+void clear(Framebuffer canvas, std::int32_t colour = 0);
 /// Sets one pixel.
-void set_pixel(Framebuffer canvas, std::int32_t x, std::int32_t y, std::uint8_t colour);
+void set_pixel(Framebuffer canvas, std::int32_t x, std::int32_t y, std::int32_t colour);
 /// The colour of a pixel; 0 outside the canvas.
 std::uint8_t pixel_at(Framebuffer canvas, std::int32_t x, std::int32_t y);
 /// A line between two pixels, both included.
 void draw_line(Framebuffer canvas, std::int32_t x0, std::int32_t y0, std::int32_t x1, std::int32_t y1,
-               std::uint8_t colour);
+               std::int32_t colour);
 /// The border of a rectangle, a pixel wide.
 void draw_rectangle(Framebuffer canvas, std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height,
-                    std::uint8_t colour);
+                    std::int32_t colour);
 /// A whole rectangle.
 void fill_rectangle(Framebuffer canvas, std::int32_t x, std::int32_t y, std::int32_t width, std::int32_t height,
-                    std::uint8_t colour);
+                    std::int32_t colour);
 /// A circle that is round on the mode's display: `radius_px` columns wide, fewer or more rows high.
 void draw_circle(Framebuffer canvas, const ScreenMode& mode, std::int32_t x, std::int32_t y, std::int32_t radius_px,
-                 std::uint8_t colour);
+                 std::int32_t colour);
 /// The same, filled.
 void fill_circle(Framebuffer canvas, const ScreenMode& mode, std::int32_t x, std::int32_t y, std::int32_t radius_px,
-                 std::uint8_t colour);
+                 std::int32_t colour);
 /// A triangle between three pixels' middles, filled; triangles with a common side share no pixel and leave no gap.
-void fill_triangle(Framebuffer canvas, PixelPosition a, PixelPosition b, PixelPosition c, std::uint8_t colour);
+void fill_triangle(Framebuffer canvas, PixelPosition a, PixelPosition b, PixelPosition c, std::int32_t colour);
 /// A picture, its left upper corner at (x, y), without its pixels of kTransparent.
 void draw_picture(Framebuffer canvas, const Picture& picture, std::int32_t x, std::int32_t y);
 /// A picture turned (counter-clockwise on square pixels) and scaled about its middle, which is put at (x, y).
 void draw_turned(Framebuffer canvas, const Picture& picture, std::int32_t x, std::int32_t y, std::int32_t degrees_256,
                  std::int32_t scale_256 = 256);
 /// A line of ASCII text from (x, y) right and down, 6 pixels a letter, 8 high, times `scale`.
-void draw_label(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view text, std::uint8_t colour,
+void draw_label(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_view text, std::int32_t colour,
                 std::int32_t scale = 1);
 
 // Numbers
@@ -90,7 +90,7 @@ void draw_label(Framebuffer canvas, std::int32_t x, std::int32_t y, std::string_
 /// The sine of an angle, 65,536 for 1; that of an angle 90 degrees larger is the cosine.
 std::int32_t sine_65536(std::int64_t degrees_256);
 /// The next of a row of random numbers, the same on every machine: at least 0, less than `limit`.
-std::uint32_t random_below(std::uint32_t limit, std::uint64_t& state);
+std::int32_t random_below(std::int32_t limit, std::uint64_t& state);
 
 // A window
 
@@ -116,6 +116,8 @@ class Window {
     Framebuffer canvas();
     /// Its size, and the shape of its display.
     const ScreenMode& mode() const;
+    /// Changes both: canvas() is another one, of colour 0.
+    void set_mode(const ScreenMode& mode);
     /// Of the picture being drawn: milliseconds since the window opened.
     std::int64_t time_ms() const;
 
@@ -251,13 +253,13 @@ class LevelScene {
     /// Shows a model in the next picture. It is kept by reference until then.
     void show(const Model& model, const Pose& pose, std::int32_t frame = 0);
 
-    /// Where a body with its eye there gets if it wants to go on so far, in 256ths of a unit: it slides along walls and
-    /// doors, climbs steps of 18 units, and falls no faster than `east`, `north`, `up` say.
-    Pose walked(const Pose& eye, std::int32_t east_256, std::int32_t north_256, std::int32_t up_256) const;
+    /// Where a body gets whose eye is at `eye` and wants to be at `wanted` (see moved()): it slides along walls and
+    /// doors, and climbs steps of 18 units. It looks as wanted.
+    Pose walked(const Pose& eye, const Pose& wanted) const;
     /// Whether it stands on something.
     bool stands(const Pose& eye) const;
-    /// The number of the first entity with this value of a key ("targetname", "door1"), or -1.
-    std::int32_t find_entity(const std::string& key, const std::string& value) const;
+    /// The number of the first entity behind `after` with this value of a key ("targetname", "door1"), or -1.
+    std::int32_t find_entity(const std::string& key, const std::string& value, std::int32_t after = -1) const;
     /// A key's value of an entity, perhaps empty.
     std::string entity_value(std::int32_t entity, const std::string& key) const;
     /// Moves the brushes of an entity (a door, a lift) away from where the level has them.

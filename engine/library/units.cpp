@@ -18,13 +18,13 @@ std::int32_t sine_65536(std::int64_t degrees_256) {
 }
 
 // SplitMix64 (Steele, Lea, Flood 2014); the high half of a product instead of a remainder.
-std::uint32_t random_below(std::uint32_t limit, std::uint64_t& state) {
+std::int32_t random_below(std::int32_t limit, std::uint64_t& state) {
     state += 0x9E37'79B9'7F4A'7C15u;
     std::uint64_t mixed = state;
     mixed = (mixed ^ mixed >> 30) * 0xBF58'476D'1CE4'E5B9u;
     mixed = (mixed ^ mixed >> 27) * 0x94D0'49BB'1331'11EBu;
     mixed ^= mixed >> 31;
-    return static_cast<std::uint32_t>((mixed >> 32) * limit >> 32);
+    return static_cast<std::int32_t>((mixed >> 32) * static_cast<std::uint32_t>(std::max(limit, 1)) >> 32);
 }
 
 Pose pose_at(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t yaw, std::int32_t pitch, std::int32_t roll) {

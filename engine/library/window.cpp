@@ -177,6 +177,12 @@ const ScreenMode& Window::mode() const {
     return state_->mode;
 }
 
+void Window::set_mode(const ScreenMode& mode) {
+    check(mode);
+    state_->mode = mode;
+    state_->pixels.assign(pixel_count(mode.width_px, mode.height_px), 0);
+}
+
 std::int64_t Window::time_ms() const {
     return state_->time_us / 1000;
 }

@@ -75,7 +75,7 @@ std::vector<Room> parse_cmake_rooms(const std::string& cmake, const std::string&
         room.folder.insert(0, prefix);
         folders[name] = room.folder;
         while (words >> word) {
-            if (word == "DEPENDS" || word == "EXTRA_FOLDERS")
+            if (word == "DEPENDS" || word == "EXTRA_FOLDERS" || word == "EXCEPT")
                 list = word;
             else if (list == "DEPENDS")
                 room.depends.push_back(folders[word]);

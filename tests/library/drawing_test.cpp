@@ -211,7 +211,7 @@ TEST(LibraryNumbers, RandomNumbersAreThoseOfSplitMix) {
     constexpr std::uint64_t kPublished[] = {0xE220'A839'7B1D'CDAF, 0x6E78'9E6A'A1B9'65F4, 0x06C4'5D18'8009'454F};
     std::uint64_t state = 0;
     for (const std::uint64_t published : kPublished)
-        EXPECT_EQ(random_below(1000, state), (published >> 32) * 1000 >> 32);
+        EXPECT_EQ(random_below(1000, state), static_cast<std::int32_t>((published >> 32) * 1000 >> 32));
 }
 
 }  // namespace

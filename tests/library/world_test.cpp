@@ -22,6 +22,14 @@ std::string hall(const std::string& brushes, const std::string& entities) {
         entity_at("info_player_start", {-100, 0, 24}, {{"angle", "90"}}) + entity_at("light", {0, 0, 200}) + entities);
 }
 
+// In units: east, north, up.
+Pose beside(Pose pose, std::int32_t east, std::int32_t north, std::int32_t up) {
+    pose.x_256 += east * 256;
+    pose.y_256 += north * 256;
+    pose.z_256 += up * 256;
+    return pose;
+}
+
 struct Hall {
     explicit Hall(const std::string& brushes = "", const std::string& entities = "")
         : file(folder.write("hall.bsp", test::bytes_of(hall(brushes, entities)))), level(file, test::grey_palette()) {}
@@ -29,8 +37,8 @@ struct Hall {
     // Goes on for some steps of 8 units, and falls between them.
     Pose walk_east(Pose eye, int steps) const {
         for (int i = 0; i < steps; ++i) {
-            eye = level.walked(eye, 8 * 256, 0, 0);
-            if (!level.stands(eye)) eye = level.walked(eye, 0, 0, -20 * 256);
+            eye = level.walked(eye, beside(eye, 8, 0, 0));
+            if (!level.stands(eye)) eye = level.walked(eye, beside(eye, 0, 0, -20));
         }
         return eye;
     }
@@ -57,10 +65,10 @@ TEST(LibraryLevel, BodyStopsAtAWallAndSlidesAlongIt) {
     EXPECT_NEAR(units(at_wall.x_256), kStop, 0.1);
     EXPECT_NEAR(units(at_wall.z_256), kEye, 0.1);
     EXPECT_TRUE(hall.level.stands(at_wall));
-    const Pose along = hall.level.walked(at_wall, 50 * 256, 30 * 256, 0);
+    const Pose along = hall.level.walked(at_wall, beside(at_wall, 50, 30, 0));
     EXPECT_NEAR(units(along.y_256), 30, 0.1);
     EXPECT_NEAR(units(along.x_256), kStop, 0.1);
-    EXPECT_FALSE(hall.level.stands(hall.level.walked(start, 0, 0, 50 * 256)));
+    EXPECT_FALSE(hall.level.stands(hall.level.walked(start, beside(start, 0, 0, 50))));
 }
 
 TEST(LibraryLevel, BodyClimbsStepsOf18UnitsAndNoHigherOnes) {
