@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "engine/files/game_definition.h"
 #include "engine/files/level_models.h"
 #include "engine/level/level.h"
 #include "engine/scene/level_effects.h"
 #include "engine/surface/colormap.h"
 #include "engine/surface/palette.h"
-#include "engine/files/game_definition.h"
 
 namespace oblong {
 
