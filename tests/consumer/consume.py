@@ -27,10 +27,6 @@ def run(*command, code=0, **variables):
     return done.stdout
 
 
-def make(build, *targets):
-    run('cmake', '--build', build, '-j', str(os.cpu_count()), *(word for name in targets for word in ('--target', name)))
-
-
 class Consumer:
     def __init__(self, source, build, folder):
         self.source, self.build, self.folder = source, build, folder
@@ -68,11 +64,7 @@ class Consumer:
             self.demand_output(self.made_with_cmake('FetchContent_Declare(', compiler, '', '-DBUILD_SHARED_LIBS=ON'))
 
     def shared(self):
-        build = self.folder + '/shared'
-        run('cmake', '-S', self.source, '-B', build, '-G', 'Ninja', '-DCMAKE_BUILD_TYPE=Release', '-DOBLONG_ALL=OFF',
-            '-DBUILD_SHARED_LIBS=ON')
-        make(build, 'liboblong')
-        prefix = self.installed(build)
+        prefix = self.built_and_installed()
         for compiler in COMPILERS:
             game = self.made_with_cmake('find_package(', compiler, prefix)
             self.demand_output(game)
@@ -86,6 +78,16 @@ class Consumer:
     def installed(self, build):
         """The prefix that the library was moved to."""
         run('cmake', '--install', build, '--component', 'development', '--prefix', self.folder + '/installed')
+        return self.moved()
+
+    def built_and_installed(self):
+        """The same of a shared library, by the page's own commands."""
+        commands = self.snippet('cmake --install').replace('PREFIX', self.folder + '/installed')
+        commands = commands.replace('build/library', self.folder + '/library').replace(' -C ', ' -D BUILD_SHARED_LIBS=ON -C ')
+        run('sh', '-e', '-c', 'cd "$1"\n' + commands, 'sh', self.source, CMAKE_GENERATOR='Ninja')
+        return self.moved()
+
+    def moved(self):
         os.rename(self.folder + '/installed', self.folder + '/moved')
         return self.folder + '/moved'
 
@@ -106,7 +108,7 @@ class Consumer:
 
     def made_with_cmake(self, mark, compiler, prefix='', *options):
         build = self.configure(self.snippet(mark), compiler, prefix, *options)
-        make(build)
+        run('cmake', '--build', build, '-j', str(os.cpu_count()))
         return build + '/game'
 
     def made_with_pkg_config(self, prefix, compiler):
