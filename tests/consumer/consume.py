@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import zlib
 
 COMPILERS = [name for name in ('g++', 'clang++') if shutil.which(name)]
 
@@ -121,8 +122,18 @@ class Consumer:
     # What is demanded
 
     def demand_output(self, game, **variables):
-        said = run(game, **variables)
-        assert said == self.version + '\n', said
+        """Without a display: the plasma by its formula, and the level's picture as the project's own program draws it."""
+        files = ['%s/assets/%s' % (self.build, name) for name in ('demo.bsp', 'palette.lmp', 'models/lens.obj')]
+        with open(self.folder + '/cameras.csv', 'w') as file:
+            file.write('x,y,z,yaw,pitch\n0,40,70,92,-6\n')
+        drawn = run(self.build + '/bin/oblong-render', files[0], '--cameras', self.folder + '/cameras.csv', '--json', '-')
+        plasma = zlib.crc32(bytes(x * y >> 6 & 255 for y in range(200) for x in range(320)))
+        level = json.loads(drawn)['frames'][0]['crc32']
+        expected = '%s\nplasma %08x\nlevel %s\nmodel of 1 frame\n' % (self.version, plasma, level)
+        said = run(game, *files, OBLONG_HEADLESS='2:%s/plasma.png' % self.folder, **variables)
+        assert said == expected, said + 'expected:\n' + expected
+        with open(self.folder + '/plasma.png', 'rb') as file:
+            assert file.read(4) == b'\x89PNG'
 
     def demand_refusals(self, prefix):
         """A version that it is not, and components that are not there; found is one of an older patch."""
