@@ -30,9 +30,8 @@ struct LevelCache {
     Things things;         ///< what is in it beside its faces
     FaceSurfaces surfaces;
     BrushModels brush_models;
-    std::map<std::pair<std::int32_t, std::int32_t>, FaceIndex>
-        continued_faces;                                ///< of torn_pixels.cpp, by leaf and node
-    std::unique_ptr<LevelFogTables> fog_tables;         ///< null until a frame shows fog
+    std::map<std::pair<std::int32_t, std::int32_t>, FaceIndex> continued_faces;  ///< of torn walls, by leaf and node
+    std::unique_ptr<LevelFogTables> fog_tables;                                  ///< null until a frame shows fog
     std::array<std::unique_ptr<BlendTable>, 4> blends;  ///< by LiquidKind; null until a frame sees through one
     WarpTables warp{};                                  ///< of liquids
     std::int64_t warp_time_ms = -1;                     ///< the time of `warp`
