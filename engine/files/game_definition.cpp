@@ -77,25 +77,17 @@ class DefinitionReader {
 
   private:
     void read_member(const std::string& name, const Value& value) {
-        if (name == "title")
-            game_.title = value.text();
-        else if (name == "credits")
-            game_.credits = value.text();
-        else if (name == "palette")
-            game_.palette = file_in_folder(value);
-        else if (name == "music")
-            game_.music = file_in_folder(value);
-        else if (name == "demo")
-            game_.demo = path_in_folder(value);
-        else if (name == "levels")
-            read_levels(value);
-        else if (name == "captions")
-            read_captions(value);
-        else if (name == "classes")
-            read_classes(value);
-        else
-            value.refuse("is unknown, expected title, levels, palette, music, demo, captions, classes or credits");
+        for (const Member& member : kMembers)
+            if (name == member.known.name) return (this->*member.read)(value);
+        std::string names;
+        for (const Member& member : kMembers) names += (names.empty() ? "" : ", ") + std::string(member.known.name);
+        value.refuse("is unknown, expected one of " + names);
     }
+    void read_title(const Value& value) { game_.title = value.text(); }
+    void read_credits(const Value& value) { game_.credits = value.text(); }
+    void read_palette(const Value& value) { game_.palette = file_in_folder(value); }
+    void read_music(const Value& value) { game_.music = file_in_folder(value); }
+    void read_demo(const Value& value) { game_.demo = path_in_folder(value); }
 
     std::string path_in_folder(const Value& value) const {
         const fs::path path = value.text();
@@ -172,10 +164,38 @@ class DefinitionReader {
         return hash.value();
     }
 
+    struct Member {
+        GameMember known;
+        void (DefinitionReader::*read)(const Value&);
+    };
+    static const std::array<Member, 8> kMembers;
+    friend std::vector<GameMember> oblong::game_members();
+
     GameDefinition game_;
 };
 
+const std::array<DefinitionReader::Member, 8> DefinitionReader::kMembers{{
+    {{"title", "the game's name; required"}, &DefinitionReader::read_title},
+    {{"levels", "the names of its levels in their order, `first` is `maps/first.bsp`; required"},
+     &DefinitionReader::read_levels},
+    {{"palette", "a file of 768 bytes; without: the museum's"}, &DefinitionReader::read_palette},
+    {{"music", "the title's: a tracker module (MOD, XM, S3M, IT)"}, &DefinitionReader::read_music},
+    {{"demo", "the title's: a walk that `--record` wrote"}, &DefinitionReader::read_demo},
+    {{"captions", "other words for sounds, by the names of the museum's files"}, &DefinitionReader::read_captions},
+    {{"classes",
+      "of entities, by their names: `is`, a class of the engine, and `keys`, their values where an entity "
+      "has none; `does` is for readers"},
+     &DefinitionReader::read_classes},
+    {{"credits", "what the page of credits says first"}, &DefinitionReader::read_credits},
+}};
+
 }  // namespace
+
+std::vector<GameMember> game_members() {
+    std::vector<GameMember> members;
+    for (const DefinitionReader::Member& member : DefinitionReader::kMembers) members.push_back(member.known);
+    return members;
+}
 
 bool is_game_folder(const std::string& folder) {
     std::error_code ignored;

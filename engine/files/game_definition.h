@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,12 @@ struct GameDefinition {
     std::map<std::string, OwnClass> classes;      ///< by their names
     std::uint64_t rules_hash = 0;                 ///< of the classes; 0: there are none
 };
+
+/// A member that game.json may have.
+struct GameMember {
+    std::string_view name, does;
+};
+std::vector<GameMember> game_members();
 
 inline constexpr const char* kGameFile = "game.json";
 

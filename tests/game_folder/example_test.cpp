@@ -175,7 +175,7 @@ TEST(GameDefinition, FaultsAreNamedWithTheirPlace) {
              Fault{"{\"levels\": [\"a\"]}", "/: has no \"title\""},
              Fault{"{\"title\": \"x\"}", "/: has no \"levels\""},
              Fault{"{\"title\": 3}", "/title: is number, expected a text"},
-             Fault{"{\"titel\": \"x\"}", "/titel: is unknown, expected title,"},
+             Fault{"{\"titel\": \"x\"}", "/titel: is unknown, expected one of title,"},
              Fault{"{\"levels\": [\"a\", \"b\", \"a\"]}", "/levels/2: \"a\" is there twice"},
              Fault{"{\"levels\": [\"../a\"]}", "/levels/0: \"../a\", expected the name of a level"},
              Fault{"{\"levels\": \"a\"}", "/levels: is string, expected a list"},

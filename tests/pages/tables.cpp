@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/accuracy/dials.h"
+#include "engine/files/game_definition.h"
 #include "game/input/actions.h"
 #include "game/options/preference_table.h"
 
@@ -54,6 +55,13 @@ std::string dial_table() {
         if (!dial.unit.empty()) settings += " " + std::string(dial.unit);
         text += "| " + code(dial.name) + " | " + settings + " | " + std::string(dial.about) + " |\n";
     }
+    return text;
+}
+
+std::string game_member_table() {
+    std::string text = "| member | is |\n|---|---|\n";
+    for (const GameMember& member : game_members())
+        text += "| " + code(member.name) + " | " + std::string(member.does) + " |\n";
     return text;
 }
 

@@ -17,6 +17,8 @@ std::string class_table();
 std::string entity_key_table();
 /// What oblong.h declares, and what the examples show.
 std::string library_table();
+/// The members of game.json.
+std::string game_member_table();
 std::string example_table();
 
 }  // namespace oblong::test
