@@ -40,13 +40,13 @@ int main() {
     Window window("Rotozoomer");
     set_ramp(window.palette, 0, kSide - 1, {20, 10, 60}, {255, 220, 120});
     const Picture picture = texture();
-    const auto [width, height] = window.mode().pixel();  // 5 to 6
+    const Ratio pixel = window.mode().pixel();  // 5 wide, 6 high
     do {
         const std::int64_t turn = 30 * 256 + window.time_ms() * 10, breath = window.time_ms() * 16;
         const int texels_256 = 140 + sine_65536(breath) / 600;  // a column: from a tenth of a texel to one
         const auto along = [&](std::int64_t angle) { return std::int64_t{sine_65536(angle)} * texels_256 / 256; };
         const auto u = static_cast<int>(along(turn + 90 * 256)), v = static_cast<int>(along(turn));
-        const auto row = [&](int across) { return static_cast<int>(across * height / width); };
+        const auto row = [&](int across) { return static_cast<int>(across * pixel.denominator / pixel.numerator); };
         draw(window.canvas(), picture, {u, v}, {row(-v), row(u)});
     } while (window.show());
 }

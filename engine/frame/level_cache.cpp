@@ -8,7 +8,7 @@ namespace {
 void add_effects(const Level& level, const LevelEffects& effects, FaceTable& table) {
     for (const FaceIndex index : level.faces.indices()) {
         const Face& face = level.faces[index];
-        EffectSet& needs = table.faces[index].effects;
+        EffectSet& needs = table[index].effects;
         if (needs.has(Effect::Sky)) continue;
         if (effects.animations.is_animated(level.texinfos[face.texinfo].texture))
             needs = needs.with(Effect::AnimatedTextures);

@@ -1,4 +1,4 @@
-#include "engine/frame/fog_pass.h"
+#include "engine/frame/frame_fog.h"
 
 #include <algorithm>
 
