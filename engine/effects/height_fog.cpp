@@ -72,6 +72,22 @@ HeightFogView make_height_fog_view(const HeightFog& fog, const Vec3<World>& eye,
             directions.z};
 }
 
+/// A place is above the top where z rise >= top_above_eye. By z that is linear on the screen. Here the top is a unit
+/// higher, more than rounding moves a place, and what is nearer than a unit counts as that far.
+bool is_clear(const ScreenRectangle& pixels, const LinearQuantity<InverseZ>& inverse_z, const HeightFogView& view) {
+    constexpr InverseZ kOne = InverseZ::from_int(1);
+    const std::int64_t height = floor_of(-view.top_above_eye) - 1;
+    if (height < 0 || !is_within(inverse_z.per_column, kOne) || !is_within(inverse_z.per_row, kOne)) return false;
+    for (const std::int32_t row : {pixels.first_row, pixels.end_row - 1})
+        for (const std::int32_t column : {pixels.first_column, pixels.end_column - 1}) {
+            const InverseZ here = inverse_z.at(column, row);
+            if (here < InverseZ{}) return false;
+            const auto fall = convert<DirectionPart>(std::min(here, kOne), Rounding::Floor) * height;
+            if (view.rise.at(column, row) + fall < DirectionPart{}) return false;
+        }
+    return true;
+}
+
 void append_height_fog_runs(const Span& span, const LinearQuantity<InverseZ>& inverse_z, const HeightFogView& view,
                             const FogDepths& depths, std::vector<FogRun>& runs) {
     LevelFinder finder(span, inverse_z, view, depths, runs);
