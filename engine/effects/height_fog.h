@@ -22,8 +22,10 @@ struct HeightFogView {
 
 HeightFogView make_height_fog_view(const HeightFog& fog, const Vec3<World>& eye, const ViewDirections& directions);
 
-/// Whether every pixel of a rectangle on a plane surely has a clear run, seen from above the fog. Where 1/z at its
-/// corners, perhaps outside of the polygon, says nothing: false.
+/// Whether what a pixel shows at this depth is surely clear, seen from above the fog.
+bool is_clear(std::int32_t column, std::int32_t row, InverseZ inverse_z, const HeightFogView& view);
+/// The same for every pixel of a rectangle on a plane. Where 1/z at its corners, perhaps outside of the polygon, says
+/// nothing: false.
 bool is_clear(const ScreenRectangle& pixels, const LinearQuantity<InverseZ>& inverse_z, const HeightFogView& view);
 
 /// Appends the runs of a span along which 1/z is linear, left to right, clear ones too. Fog counts by the length of

@@ -60,6 +60,9 @@ struct Sight {
     bool may_show(const PlacedBox& place) const {
         return may_be_seen(place, visible, culler) && !(cover && cover->hides(place.box));
     }
+    bool may_show(const LevelBox& box) const {
+        return culler.planes_crossed(box, kAllSides) != kOutside && !(cover && cover->hides(box));
+    }
     bool may_show(const ScreenRectangle& pixels, InverseDepth nearest) const {
         return !(cover && cover->hides(pixels, nearest));
     }

@@ -22,11 +22,33 @@ bool overlap(const Span& span, const ScreenRectangle& pixels) {
            span.y < pixels.end_row;
 }
 
+/// Whether all of a face's plane, where it is in a rectangle, is surely nearer.
+bool is_nearer(const LinearQuantity<InverseZ>& plane, const ScreenRectangle& pixels, InverseDepth nearest) {
+    constexpr InverseZ kSteepest = InverseZ::from_int(1);  // steeper ones may pass the end of their format
+    if (!is_within(plane.per_column, kSteepest) || !is_within(plane.per_row, kSteepest)) return false;
+    const std::int32_t column = plane.per_column > InverseZ{} ? pixels.first_column : pixels.end_column - 1;
+    const std::int32_t row = plane.per_row > InverseZ{} ? pixels.first_row : pixels.end_row - 1;
+    return to_inverse_depth(plane.at(column, row)) > nearest;
+}
+
+/// Whether a face may own pixels of a rectangle.
+bool overlaps(CoveringFace& covering, const ScreenRectangle& pixels) {
+    const std::span<const Span> spans = covering.spans;
+    if (spans.front().y >= pixels.end_row || spans.back().y < pixels.first_row) return false;
+    PixelRange& columns = covering.columns;
+    if (columns.end == 0) {
+        const ScreenRectangle around = rectangle_around(spans);
+        columns = {around.first_column, around.end_column};
+    }
+    return columns.first < pixels.end_column && columns.end > pixels.first_column;
+}
+
 /// Whether a pixel of a rectangle shows the sky, or a face no nearer than `nearest`.
 bool shows_farther(const CoveringFace& covering, const ScreenRectangle& pixels, InverseDepth nearest,
                    const FrameContext& frame) {
     const LinearQuantity<InverseZ> inverse_z =
         covering.face ? inverse_z_of(*covering.face, frame) : LinearQuantity<InverseZ>{};
+    if (is_nearer(inverse_z, pixels, nearest)) return false;
     for (const Span& span : spans_in_rows(covering.spans, pixels.first_row, pixels.end_row)) {
         const std::int32_t first = std::max(span.first, pixels.first_column);
         const std::int32_t end = std::min(span.end, pixels.end_column);
@@ -48,7 +70,7 @@ InverseDepth farthest_depth_of(const VisibleFace& face) {
 
 void FaceCover::list_faces() {
     faces_.clear();
-    for (const VisibleFace& face : claims_.list(FaceList::Sky)) faces_.push_back({nullptr, claims_.spans_of(face), 0});
+    for (const VisibleFace& face : claims_.list(FaceList::Sky)) faces_.push_back({nullptr, claims_.spans_of(face)});
     for (const FaceList list : {FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror})
         for (const VisibleFace& face : claims_.list(list))
             faces_.push_back({&face, claims_.spans_of(face), farthest_depth_of(face)});
@@ -62,9 +84,8 @@ bool FaceCover::hides(const LevelBox& box) {
 
 bool FaceCover::hides(const ScreenRectangle& pixels, InverseDepth nearest) {
     if (!is_listed_) list_faces();
-    const auto shows = [&](const CoveringFace& face) {
-        return face.farthest <= nearest && face.spans.front().y < pixels.end_row &&
-               face.spans.back().y >= pixels.first_row && shows_farther(face, pixels, nearest, frame_);
+    const auto shows = [&](CoveringFace& face) {
+        return face.farthest <= nearest && overlaps(face, pixels) && shows_farther(face, pixels, nearest, frame_);
     };
     const auto is_free = [&](const Span& span) { return overlap(span, pixels); };
     return std::none_of(faces_.begin(), faces_.end(), shows) &&

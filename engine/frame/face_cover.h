@@ -10,6 +10,7 @@ struct CoveringFace {
     const VisibleFace* face = nullptr;  ///< null: the sky
     std::span<const Span> spans;
     InverseDepth farthest = 0;  ///< or farther
+    PixelRange columns{};       ///< around the spans, worked out when first asked for; none: not yet
 };
 
 /// What the claimed faces of a view hide, asked before a thing is computed. Pixels that nothing owns, in a mirror's

@@ -54,6 +54,7 @@ void append_runs(std::span<const Span> spans, const LinearQuantity<InverseZ>& in
 
 const ColourRow& fog_colours(std::int32_t column, std::int32_t row, InverseZ inverse_z, const FrameFog& fog,
                              std::vector<FogRun>& runs) {
+    if (fog.height && is_clear(column, row, inverse_z, *fog.height)) return fog.tables->colours.levels.front();
     runs.clear();
     const Span pixel{row, column, column + 1};
     append_runs(std::span(&pixel, 1), {inverse_z, {}, {}}, fog, runs);

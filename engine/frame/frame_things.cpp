@@ -138,6 +138,7 @@ void FrameThings::clear() {
     owning.clear();
     shadows.clear();
     meshes.clear();
+    mesh_parts.clear();
 }
 
 void find_things(const FrameContext& frame, ViewScratch& scratch) {
@@ -156,6 +157,7 @@ void find_things(const FrameContext& frame, ViewScratch& scratch) {
     if (!scratch.depth.is_wanted()) return;
     fill_depth(frame, scratch);
     keep_visible(frame, scratch);
+    keep_seen_meshes(frame, scratch);
     if (frame.fog.tables) colour_by_fog(frame.fog, scratch);
 }
 

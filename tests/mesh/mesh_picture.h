@@ -71,7 +71,7 @@ struct MeshBuilder {
         mesh.triangles.push_back({{a, b, c}, skin});
     }
     const Mesh& done() {
-        set_box(mesh.frames[0]);
+        set_boxes(mesh.frames[0]);
         return mesh;
     }
 };

@@ -198,7 +198,7 @@ TEST(MeshStages, ABoxHoldsAllVertices) {
     const Mesh mesh = cube_mesh(20, plain_skin(1));
     for (int i = 0; i < 100; ++i) {
         const PlacedMesh placed = random_place(mesh, random);
-        const LevelBox box = world_box(placed), turning = turning_box(placed);
+        const LevelBox box = WorldBoxes(placed).whole(), turning = turning_box(turning_shape(placed));
         for (std::size_t axis = 0; axis < 3; ++axis) {
             ASSERT_LE(turning.mins[axis], box.mins[axis]);
             ASSERT_GE(turning.maxs[axis], box.maxs[axis]);
