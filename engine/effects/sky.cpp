@@ -66,18 +66,53 @@ class Dome {
     std::int64_t radius_texels_, offset_16_;
 };
 
-/// The length of cells, columns within which texels are interpolated: the longest whose error stays under a texel of a
-/// 128-texel sky. A line over n pixels is off by n^2 / 8 times the dome's greatest second derivative along the row:
-/// radius (1 + 8 r^2) / multiplier^2, r being how far a row leans (heights are tripled; 9 = 1 + 8).
-int cell_log2(const Basis& axes, const Projection& projection) {
-    const std::int64_t lean_15 = floor_of<15>(axes.right.z);
-    const std::int64_t bend_30 = (std::int64_t{1} << 30) + 8 * lean_15 * lean_15;
-    const std::int64_t width_px = std::min<std::int64_t>(floor_of(projection.x.multiplier), kLargestMode_px);
-    const std::int64_t squared_radii_30 = width_px * width_px * 8 * (std::int64_t{1} << 30) / kDomeRadius_texels;
-    int log2 = kLeastCellLog2;
-    while (log2 < kGreatestCellLog2 && bend_30 * (std::int64_t{4} << 2 * log2) <= squared_radii_30) ++log2;
-    return log2;
-}
+/// The length of cells, columns within which texels are interpolated, row by row: the longest whose error stays under
+/// a texel of a 128-texel sky.
+///
+/// A line over n pixels is off by n^2 / 8 times the greatest second derivative along the row. With all heights tripled
+/// the directions of a row are A + x B, x / multiplier being the column: a line at the distance p = |A x B| / |B| from
+/// the eye. Seen from there its directions turn by an angle whose tangent is x |B| / p, so that the second derivative
+/// of the dome is at most radius |B|^2 / p^2 = radius |B|^4 / |A x B|^2, per multiplier^2. High in the sky rows are
+/// far.
+class CellLengths {
+  public:
+    CellLengths(const Basis& axes, const Projection& projection, const ViewDirections& directions)
+        : directions_(directions), middle_column_(projection.width_px / 2) {
+        along_15_ = {floor_of<15>(axes.right.x), floor_of<15>(axes.right.y), floor_of<15>(axes.right.z) * 3};
+        const std::int64_t square_15 = squared_length_30(along_15_) >> 15;
+        const std::int64_t pixels_4 =
+            std::min(floor_of<4>(projection.x.multiplier), std::int64_t{kLargestMode_px} << 4);
+        for (int log2 = kLeastCellLog2 + 1; log2 <= kGreatestCellLog2; ++log2) {
+            const std::int64_t bend_34 = (kDomeRadius_texels << 2 * log2) * (square_15 + 1) * (square_15 + 1) * 32;
+            const std::int64_t least_30 = bend_34 / (pixels_4 * pixels_4);
+            item(least_squares_30_, log2) = least_30 + (least_30 >> 8) + 1;  // more than rounding makes up
+        }
+    }
+
+    int log2_of(std::int32_t row) const {
+        const Direction middle = direction_at(directions_, middle_column_, row);
+        const Parts a{floor_of<15>(middle.x), floor_of<15>(middle.y), floor_of<15>(middle.z) * 3};
+        const Parts& b = along_15_;
+        const std::int64_t square_30 = squared_length_30(
+            {(a.y * b.z - a.z * b.y) >> 15, (a.z * b.x - a.x * b.z) >> 15, (a.x * b.y - a.y * b.x) >> 15});
+        int log2 = kLeastCellLog2;
+        while (log2 < kGreatestCellLog2 && square_30 >= item(least_squares_30_, log2 + 1)) ++log2;
+        return log2;
+    }
+
+  private:
+    struct Parts {
+        std::int64_t x, y, z;
+    };
+    static std::int64_t squared_length_30(const Parts& parts_15) {
+        return parts_15.x * parts_15.x + parts_15.y * parts_15.y + parts_15.z * parts_15.z;
+    }
+
+    const ViewDirections& directions_;
+    std::int32_t middle_column_;
+    Parts along_15_;
+    std::array<std::int64_t, kGreatestCellLog2 + 1> least_squares_30_{};  ///< of A x B, from where cells are so long
+};
 
 /// Walks along a row from cell to cell. Cells begin at multiples of their length, wherever a span begins: what covers a
 /// part of the sky does not move the rest of it.
@@ -118,13 +153,14 @@ class CellWalk {
 /// The dome of a frame.
 struct DomeView {
     Dome dome;
-    ViewDirections directions;
-    int cell_log2;
+    const ViewDirections& directions;
+    CellLengths cells;
 };
 
 TexelBlock* append_cells(const Span& span, const DomeView& view, std::int32_t pitch, TexelBlock* blocks) {
-    const std::int32_t size_px = 1 << view.cell_log2, start = span.first & -size_px;
-    CellWalk walk(view.dome, view.directions, view.cell_log2, start, span.y);
+    const int cell_log2 = view.cells.log2_of(span.y);
+    const std::int32_t size_px = 1 << cell_log2, start = span.first & -size_px;
+    CellWalk walk(view.dome, view.directions, cell_log2, start, span.y);
     for (std::int32_t cell = start; cell < span.end; cell += size_px) {
         const std::int32_t first = std::max(cell, span.first), end = std::min(cell + size_px, span.end);
         *blocks++ = walk.next(static_cast<std::uint32_t>(span.y * pitch + first), first - cell, end - first);
@@ -213,12 +249,16 @@ bool is_worth_composing(std::int64_t pixels, std::int32_t size) {
 
 }  // namespace
 
-SkyNow compose_sky(const SkyTexture& texture, std::int64_t time_ms, std::int64_t pixels,
-                   std::vector<std::uint8_t>& scratch) {
-    if (!is_worth_composing(pixels, texture.size)) return {texture, time_ms, {}};
-    scratch.resize(as_size(texture.size) * as_size(texture.size));
-    compose_layers(texture, scroll_at(time_ms, texture.size).clouds_further, scratch.data());
-    return {texture, time_ms, scratch};
+SkyNow compose_sky(const SkyTexture& texture, std::int64_t time_ms, std::int64_t pixels, SkyLayers& layers) {
+    const std::int32_t clouds_further = scroll_at(time_ms, texture.size).clouds_further;
+    if (layers.texture != texture || layers.clouds_further != clouds_further) {
+        if (!is_worth_composing(pixels, texture.size)) return {texture, time_ms, {}};
+        layers.tile.resize(as_size(texture.size) * as_size(texture.size));
+        compose_layers(texture, clouds_further, layers.tile.data());
+        layers.texture = texture;
+        layers.clouds_further = clouds_further;
+    }
+    return {texture, time_ms, layers.tile};
 }
 
 std::int64_t draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basis& axes, const Projection& projection,
@@ -227,7 +267,8 @@ std::int64_t draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basi
     const SkyScroll scroll = scroll_at(sky.time_ms, size);
     // Three times round are more than the dome's radius: no coordinate is below 0.
     const Dome dome(size, scroll.background_16 + std::int64_t{3 * 65536} * size);
-    const DomeView view{dome, make_view_directions(axes, projection), cell_log2(axes, projection)};
+    const ViewDirections directions = make_view_directions(axes, projection);
+    const DomeView view{dome, directions, CellLengths(axes, projection, directions)};
     if (sky.tile.empty())
         return draw_cells(spans, view, out.pitch, [&](std::span<const TexelBlock> blocks) {
             draw_both_layers(blocks, sky.texture, scroll.clouds_further, out.pixels);

@@ -16,6 +16,7 @@ struct SkyTexture {
     const std::uint8_t* texels = nullptr;
     std::int32_t size = 0;    ///< of a half, texels, in both directions
     std::int32_t stride = 0;  ///< bytes from row to row of the whole texture
+    bool operator==(const SkyTexture&) const = default;
 };
 
 /// After so long both layers are where they began: the background has moved once round, the clouds twice. As in Quake,
@@ -29,15 +30,21 @@ struct SkyNow {
     std::span<const std::uint8_t> tile;  ///< both layers as one; empty: they are looked up at each pixel
 };
 
-/// Lays both layers of a sky that covers so many pixels over each other, if it has not many more texels than that:
-/// into `scratch`, which lasts as long as what is returned.
-SkyNow compose_sky(const SkyTexture& texture, std::int64_t time_ms, std::int64_t pixels,
-                   std::vector<std::uint8_t>& scratch);
+/// Both layers of a sky as one: kept while neither moves against the other, for an eighth of a second of a sky of 128.
+struct SkyLayers {
+    SkyTexture texture;               ///< whose they are; empty: nobody's
+    std::int32_t clouds_further = 0;  ///< whole texels
+    std::vector<std::uint8_t> tile;
+};
+
+/// Lays both layers of a sky that covers so many pixels over each other, if it has not many more texels than that, or
+/// they are in `layers`, which lasts as long as what is returned.
+SkyNow compose_sky(const SkyTexture& texture, std::int64_t time_ms, std::int64_t pixels, SkyLayers& layers);
 
 /// Draws a dome: a texel depends on the direction of view alone, with heights tripled as Quake does, for a flat dome.
-/// Directions are computed every 8 columns and interpolated between. Both layers move along both axes; the background
-/// moves evenly, the clouds by one more texel whenever it has moved by a whole one. Returns how many blocks it drew: it
-/// computes one more direction a span.
+/// Directions are computed every 8 to 64 columns, by the row, and interpolated between: within a texel of a 128-texel
+/// sky wherever 8 columns are. Both layers move along both axes; the background moves evenly, the clouds by one more
+/// texel whenever it has moved by a whole one. Returns how many blocks it drew: it computes one more direction a span.
 std::int64_t draw_sky(std::span<const Span> spans, const SkyNow& sky, const Basis& axes, const Projection& projection,
                       Framebuffer out);
 

@@ -2,32 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 #include "engine/effects/entity_values.h"
 #include "engine/effects/shadows.h"
+#include "engine/level/entity_classes.h"
 
 namespace oblong {
 
 namespace {
-
-struct EmitterClass {
-    std::string_view name;
-    ParticleKind kind;
-};
-
-constexpr std::array kEmitterClasses{
-    EmitterClass{"misc_rain", ParticleKind::Rain},
-    EmitterClass{"misc_dust", ParticleKind::Dust},
-    EmitterClass{"misc_sparks", ParticleKind::Sparks},
-    EmitterClass{"air_bubbles", ParticleKind::Bubbles},
-};
-
-const EmitterClass* emitter_class(std::string_view name) {
-    const auto found = std::find_if(kEmitterClasses.begin(), kEmitterClasses.end(),
-                                    [name](const EmitterClass& each) { return each.name == name; });
-    return found == kEmitterClasses.end() ? nullptr : &*found;
-}
 
 World half_of(World size) {
     return size / 2;
@@ -63,20 +45,32 @@ class ThingReader {
 
   private:
     void read(const Entity& entity, std::size_t index) {
-        const std::string name = entity.value("classname");
         const EntityValues values(entity, index, things_.warnings);
-        if (const EmitterClass* known = emitter_class(name)) read_emitter(*known, values, index);
-        if (name == "misc_sprite") read_sprite(values);
-        if (name == "misc_lantern") read_lantern(values);
+        switch (role_of(entity)) {
+            case ClassRole::Rain:
+                return read_emitter(ParticleKind::Rain, values, index);
+            case ClassRole::Dust:
+                return read_emitter(ParticleKind::Dust, values, index);
+            case ClassRole::Sparks:
+                return read_emitter(ParticleKind::Sparks, values, index);
+            case ClassRole::Bubbles:
+                return read_emitter(ParticleKind::Bubbles, values, index);
+            case ClassRole::Billboard:
+                return read_sprite(values);
+            case ClassRole::FlyingLamp:
+                return read_lantern(values);
+            default:
+                return;
+        }
     }
 
-    void read_emitter(const EmitterClass& its_class, const EntityValues& values, std::size_t index) {
+    void read_emitter(ParticleKind kind, const EntityValues& values, std::size_t index) {
         const std::optional<Vec3<World>> origin = values.origin();
         if (!origin || !has_room(things_.emitters.size(), kMostEmitters, values)) return;
         constexpr World kLeastSize = World::from_int(1), kMostSize = World::from_int(65536);
         const std::optional<Vec3<World>> size = values.vector("size", kLeastSize, kMostSize);
         ParticleEmitter emitter;
-        emitter.kind = its_class.kind;
+        emitter.kind = kind;
         emitter.half_size = {half_of(size->x), half_of(size->y), half_of(size->z)};
         emitter.middle = *origin;
         // Quake's has no size: bubbles rise from where it is.

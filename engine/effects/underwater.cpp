@@ -13,25 +13,32 @@ namespace {
 
 constexpr std::int32_t kCopied_px = 16;
 
-/// One axis of a picture, of which `usual_px` are what 320x200 has.
-struct Axis {
-    std::int32_t size_px, usual_px;
-
-    std::int32_t amplitude_px() const { return std::max((size_px * 3 + usual_px / 2) / usual_px, 1); }
-    /// 128 pixels of 320x200 are a wave.
-    Angle angle_at(std::int32_t place_px) const {
-        return Angle::from_bam(std::int64_t{place_px} * usual_px * 512 / size_px);
-    }
-    /// The place that is shown at `place_px`, but for the waves.
-    std::int32_t shrunk(std::int32_t place_px) const { return place_px * (size_px - 2 * amplitude_px()) / size_px; }
-};
-
 /// How far a wave of this angle moves along an axis, pixels: 0 to twice the amplitude.
-std::int32_t shift_at(Angle angle, const Axis& axis) {
+std::int32_t shift_at(Angle angle, std::int32_t amplitude_px) {
     using Pixels = Fixed<std::int64_t, 30>;
-    const std::int32_t amplitude_px = axis.amplitude_px();
     const Pixels moved = convert<Pixels>(sine(angle)) * amplitude_px;
     return amplitude_px + static_cast<std::int32_t>(floor_of(moved + Pixels::from_raw(1 << 29)));
+}
+
+/// An axis of this many pixels, of which 320x200 has `usual_px`: 128 of those are a wave, and move by 3.
+WaveAxis make_axis(std::int32_t size_px, std::int32_t usual_px) {
+    WaveAxis axis;
+    axis.amplitude_px = std::max((size_px * 3 + usual_px / 2) / usual_px, 1);
+    const std::int32_t wave_usual_px = size_px * 128;
+    axis.period_px = wave_usual_px % usual_px == 0 ? wave_usual_px / usual_px : size_px;
+    for (std::int32_t place = 0; place < size_px; ++place)
+        axis.places.push_back({Angle::from_bam(std::int64_t{place} * usual_px * 512 / size_px),
+                               place * (size_px - 2 * axis.amplitude_px) / size_px});
+    return axis;
+}
+
+/// How far the waves along an axis move each of its places along the other one, of this amplitude. They repeat.
+void find_shifts(Angle phase, const WaveAxis& axis, std::int32_t amplitude_px, std::vector<std::int32_t>& shifts) {
+    shifts.clear();
+    for (const WavePlace& place : axis.places) {
+        const std::size_t period = as_size(axis.period_px), at = shifts.size();
+        shifts.push_back(at < period ? shift_at(phase + place.angle, amplitude_px) : shifts[at - period]);
+    }
 }
 
 void copy_picture(Framebuffer picture, std::vector<std::uint8_t>& out) {
@@ -41,12 +48,12 @@ void copy_picture(Framebuffer picture, std::vector<std::uint8_t>& out) {
 }
 
 /// Where neighbouring pixels of a row come from neighbours: the waves along columns move in steps of a whole pixel.
-void find_runs(Angle phase, const Axis& across, const Axis& down, std::vector<WaveRun>& runs) {
+void find_runs(const WaveAxis& across, std::span<const std::int32_t> shifts, std::vector<WaveRun>& runs) {
+    const auto size_px = static_cast<std::int32_t>(shifts.size());
     runs.clear();
     std::uint32_t next = 0;
-    for (std::int32_t x = 0; x < across.size_px; ++x, ++next) {
-        const auto from =
-            static_cast<std::uint32_t>(shift_at(phase + across.angle_at(x), down) * across.size_px + across.shrunk(x));
+    for (std::int32_t x = 0; x < size_px; ++x, ++next) {
+        const auto from = static_cast<std::uint32_t>(item(shifts, x) * size_px + item(across.places, x).from);
         if (runs.empty() || from != next || runs.back().count == kCopied_px) runs.push_back({next = from, x, 0});
         ++runs.back().count;
     }
@@ -64,13 +71,17 @@ void copy_runs(const std::uint8_t* from, std::span<const WaveRun> runs, std::int
 }  // namespace
 
 void draw_underwater(std::int64_t time_ms, UnderwaterScratch& scratch, Framebuffer out) {
-    const Axis across{out.width_px, 320}, down{out.height_px, 200};
+    if (scratch.across.places.size() != as_size(out.width_px)) scratch.across = make_axis(out.width_px, 320);
+    if (scratch.down.places.size() != as_size(out.height_px)) scratch.down = make_axis(out.height_px, 200);
+    const WaveAxis &across = scratch.across, &down = scratch.down;
     const Angle phase = Angle::from_bam(time_ms % kUnderwaterPeriod_ms * 65536 / kUnderwaterPeriod_ms);
     copy_picture(out, scratch.picture);
-    find_runs(phase, across, down, scratch.runs);
+    find_shifts(phase, across, down.amplitude_px, scratch.shifts);
+    find_runs(across, scratch.shifts, scratch.runs);
+    find_shifts(phase, down, across.amplitude_px, scratch.shifts);
     for (std::int32_t y = 0; y < out.height_px; ++y) {
-        const std::uint8_t* const from = scratch.picture.data() + std::ptrdiff_t{down.shrunk(y)} * out.width_px +
-                                         shift_at(phase + down.angle_at(y), across);
+        const std::uint8_t* const from =
+            scratch.picture.data() + std::ptrdiff_t{item(down.places, y).from} * out.width_px + item(scratch.shifts, y);
         copy_runs(from, scratch.runs, out.width_px, out.row(y));
     }
 }

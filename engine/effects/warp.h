@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/fixed/angle.h"
 #include "engine/raster/kernels/effect_kernels.h"
 #include "engine/view/screen.h"
 
@@ -22,15 +23,30 @@ WarpTables make_warp_tables(std::int64_t time_ms);
 /// The waves of a view under water repeat after so long: Quake's 20 steps of 128 a second.
 inline constexpr std::int64_t kUnderwaterPeriod_ms = 6'400;
 
-/// What the underwater pass keeps while a frame is drawn: a copy of the picture, and where each column comes from.
+/// A column or a row of a picture.
+struct WavePlace {
+    Angle angle;        ///< of the wave along its axis, at a time of 0
+    std::int32_t from;  ///< the one that is shown there, but for the waves
+};
+
+/// The columns or the rows of a picture.
+struct WaveAxis {
+    std::int32_t amplitude_px = 0;  ///< by which the waves of the other axis move along this one
+    std::int32_t period_px = 0;     ///< after which its waves repeat; the whole axis where that is no whole number
+    std::vector<WavePlace> places;
+};
+
 /// Neighbouring pixels of a row that show neighbours.
 struct WaveRun {
     std::uint32_t from;         ///< the first one's place, from the row that is shown on
     std::int32_t first, count;  ///< columns
 };
 
+/// What the underwater pass keeps: of a mode its axes; of a frame a copy of the picture, and how that is moved.
 struct UnderwaterScratch {
+    WaveAxis across, down;
     std::vector<std::uint8_t> picture;
+    std::vector<std::int32_t> shifts;  ///< of columns, then of rows
     std::vector<WaveRun> runs;
 };
 

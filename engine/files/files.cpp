@@ -126,12 +126,14 @@ std::vector<std::uint8_t> read_file(const std::string& path, std::size_t most_by
         throw FileError(path, "open", kNoRegularFile);
     const File file(std::fopen(path.c_str(), "rb"));
     if (!file) throw FileError(path, "open", reason() + ", expected a readable file");
-    std::vector<std::uint8_t> bytes, chunk(std::size_t{1} << 16);
-    while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file.get())) {
+    constexpr std::size_t kChunk = std::size_t{1} << 16;
+    const std::unique_ptr<std::uint8_t[]> chunk(new std::uint8_t[kChunk]);
+    std::vector<std::uint8_t> bytes;
+    while (const std::size_t count = std::fread(chunk.get(), 1, kChunk, file.get())) {
         if (count > most_bytes - bytes.size())
             throw FileError(path, "size",
                             "more than " + std::to_string(most_bytes) + " bytes, expected a smaller file");
-        bytes.insert(bytes.end(), chunk.begin(), chunk.begin() + static_cast<std::ptrdiff_t>(count));
+        bytes.insert(bytes.end(), chunk.get(), chunk.get() + count);
     }
     if (std::ferror(file.get())) throw FileError(path, "read", reason() + ", expected a readable file");
     return bytes;

@@ -60,7 +60,7 @@ std::vector<MemoryUse> memory_of(const LoggedFrame& frame) {
             {"surface", "colormap", sizeof frame.scene.colormap},
             {"surface", "lit surfaces", cache.used_bytes()},
             {"surface", "table of lit surfaces", cache.bytes() - cache.arena_bytes()},
-            {"effects", "sky", bytes_of(work.cache.sky_layers)},
+            {"effects", "sky", bytes_of(work.cache.sky_layers.tile)},
             {"frame", "claims", claim_bytes(work.view.claims)},
             {"frame", "workspace", sizeof work},
             {"screen", "framebuffer", pixel_count(frame.mode.width_px, frame.mode.height_px)}};

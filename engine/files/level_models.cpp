@@ -13,11 +13,11 @@
 #include "engine/effects/entity_values.h"
 #include "engine/files/doubles.h"
 #include "engine/files/files.h"
-#include "engine/files/model_classes.h"
 #include "engine/files/obj.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
+#include "engine/level/entity_classes.h"
 #include "engine/level/trace.h"
 #include "engine/mesh/mesh.h"
 
@@ -26,8 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int32_t kItemTurn_ms = 3600;  ///< Quake's items turn by 100 degrees a second
-constexpr World kLensScale = World::from_int(9), kKeyScale = World::from_int(12);  ///< units a unit of the OBJ
+constexpr std::int32_t kItemTurn_ms = 3600;             ///< Quake's items turn by 100 degrees a second
 constexpr std::int32_t kLeastLight = 110;               ///< of what there is to find: a lightmap value
 constexpr std::int32_t kSeparateFrame_ms = 100;         ///< Quake's game code goes to the next frame ten times a second
 constexpr World kFarthestFloor = World::from_int(256);  ///< below an item
@@ -54,22 +53,6 @@ std::string lower_case(std::string text) {
 /// A file's path as a level may name it: below a folder, not elsewhere.
 bool stays_below(const fs::path& path) {
     return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
-}
-
-/// What there is to take, as Oblong itself shows it: lenses, and keys where Quake's models of them are not.
-struct OwnItem {
-    std::string_view name, file;
-    World scale;
-    std::int32_t over_floor;
-};
-constexpr std::array kOwnItems{OwnItem{"item_lens", "lens.obj", kLensScale, ModelClass::kStays},
-                               OwnItem{"item_key1", "key_silver.obj", kKeyScale, 28},
-                               OwnItem{"item_key2", "key_gold.obj", kKeyScale, 28}};
-
-const OwnItem* own_item_of(std::string_view name) {
-    const auto found =
-        std::find_if(kOwnItems.begin(), kOwnItems.end(), [&](const OwnItem& each) { return each.name == name; });
-    return found == kOwnItems.end() ? nullptr : &*found;
 }
 
 class ModelFinder {
@@ -104,7 +87,7 @@ class LevelModelReader {
 
     LevelModels read() {
         for (const Entity& entity : level_.entities)
-            if (entity.value("classname") == "worldspawn")
+            if (role_of(entity) == ClassRole::Worldspawn)
                 world_type_ = parse_decimal(entity.value("worldtype"), 0).value_or(0);
         for (std::size_t i = 0; i < level_.entities.size(); ++i) read_entity(level_.entities[i], i);
         return std::move(models_);
@@ -112,12 +95,14 @@ class LevelModelReader {
 
   private:
     void read_entity(const Entity& entity, std::size_t index) {
+        const EntityClass* const its_class = find_entity_class(entity.value("classname"));
+        if (its_class == nullptr) return;
         const EntityValues values(entity, index, models_.warnings);
-        const bool is_model = entity.value("classname") == "misc_model";
-        const ModelClass* its_class =
-            shows_classes_ ? model_class_of(entity, static_cast<std::int32_t>(world_type_)) : nullptr;
-        const OwnItem* own = its_class ? nullptr : own_item_of(entity.value("classname"));
-        if (!is_model && !its_class && !own) return;
+        const bool is_model = its_class->role == ClassRole::TriangleModel;
+        const std::int64_t flags = parse_decimal(entity.value("spawnflags"), 0).value_or(0);
+        const ClassModel* quakes = shows_classes_ ? find_class_model(*its_class, flags, world_type_) : nullptr;
+        const bool is_own = !quakes && !its_class->own_model.file.empty();
+        if (!is_model && !quakes && !is_own) return;
         if (models_.models.size() >= kMostLevelModels) {
             if (is_model)
                 values.warn("the level has more than " + std::to_string(kMostLevelModels) + " models: it is left out");
@@ -125,8 +110,8 @@ class LevelModelReader {
         }
         const std::size_t before = models_.models.size();
         if (is_model) read_model(values);
-        if (own) read_own_item(*own, values);
-        if (its_class) read_item(*its_class, entity, index, values);
+        if (is_own) read_own_item(its_class->own_model, values);
+        if (quakes) read_item(*quakes, *its_class, entity, index, values);
         if (models_.models.size() > before) models_.models.back().entity = index;
     }
 
@@ -192,32 +177,34 @@ class LevelModelReader {
         placed.least_light = values.whole_number("least_light", 0, 255);
     }
 
-    void read_item(const ModelClass& its_class, const Entity& entity, std::size_t index, const EntityValues& values) {
+    void read_item(const ClassModel& quakes, const EntityClass& its_class, const Entity& entity, std::size_t index,
+                   const EntityValues& values) {
         const std::optional<Vec3<World>> origin = parse_world_vector(entity.value("origin"));
         if (!origin) return;
-        const std::optional<std::string> file = finder_.find(fs::path(its_class.file).replace_extension(".mdl"));
+        const std::optional<std::string> file = finder_.find(fs::path(quakes.file).replace_extension(".mdl"));
         if (!file) {
-            if (const OwnItem* own = own_item_of(its_class.name)) return read_own_item(*own, values);
-            return report_missing(its_class, entity, index);
+            if (!its_class.own_model.file.empty()) return read_own_item(its_class.own_model, values);
+            return report_missing(quakes, entity, index);
         }
         const Mesh& mesh = mesh_of({*file}, values);
         LevelModel model;
         model.placed.mesh = &mesh;
         model.placed.position = resting_place(*origin, its_class.over_floor);
-        model.first_frame = std::min(its_class.frame, static_cast<std::uint32_t>(mesh.frame_sequences.size() - 1));
-        model.skin = std::min(its_class.skin, static_cast<std::uint32_t>(mesh.skin_sequences.size() - 1));
+        model.first_frame = std::min(quakes.frame, static_cast<std::uint32_t>(mesh.frame_sequences.size() - 1));
+        model.skin = std::min(quakes.skin, static_cast<std::uint32_t>(mesh.skin_sequences.size() - 1));
         if (mesh.turns) model.turn_ms = kItemTurn_ms;
         models_.models.push_back(model);
     }
 
     /// Nothing is shown where its file is not there, as for Quake's classes without a folder of models.
-    void read_own_item(const OwnItem& item, const EntityValues& values) {
+    void read_own_item(const OwnModel& own, const EntityValues& values) {
         const std::optional<Vec3<World>> origin = values.origin();
-        const std::optional<std::string> file = finder_.find(fs::path("models") / item.file);
+        const std::optional<std::string> file = finder_.find(fs::path(own.file));
         if (!origin || !file) return;
         LevelModel model;
-        model.placed.mesh = &mesh_of({*file, item.scale, false, Dither::None, values.text("glass")}, values);
-        model.placed.position = resting_place(*origin, item.over_floor);
+        model.placed.mesh =
+            &mesh_of({*file, World::from_int(own.scale), false, Dither::None, values.text("glass")}, values);
+        model.placed.position = resting_place(*origin, own.over_floor);
         model.placed.shading = Shading::Phong;
         model.placed.highlight = 120;
         model.placed.least_light = kLeastLight;
@@ -226,8 +213,8 @@ class LevelModelReader {
     }
 
     /// One warning a file, of the first entity that wants it; one for all models of brushes.
-    void report_missing(const ModelClass& its_class, const Entity& entity, std::size_t index) {
-        const std::string file(its_class.file);
+    void report_missing(const ClassModel& quakes, const Entity& entity, std::size_t index) {
+        const std::string file(quakes.file);
         const bool has_brushes = file.ends_with(".bsp");
         if (!missing_.insert(has_brushes ? "brushes" : file).second) return;
         const std::string what = has_brushes ? "its model " + file +
@@ -238,7 +225,7 @@ class LevelModelReader {
     }
 
     Vec3<World> resting_place(const Vec3<World>& origin, std::int32_t over_floor) const {
-        if (over_floor == ModelClass::kStays) return origin;
+        if (over_floor == kStays) return origin;
         const Vec3<World> start{origin.x, origin.y, saturating_convert<World>(widening_difference(origin.z, -kLift))};
         const std::optional<Floor> floor = find_floor(level_, start, kFarthestFloor);
         if (!floor) return origin;

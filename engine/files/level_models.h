@@ -23,7 +23,7 @@ struct LevelModel {
 };
 
 /// The models that a level's entities show: misc_model, what there is to take (item_lens, keys), and Quake's own
-/// classes (model_classes.h).
+/// classes (entity_classes.h).
 struct LevelModels {
     std::vector<std::unique_ptr<const Mesh>> meshes;  ///< one for each file and each way to read it
     std::vector<LevelModel> models;

@@ -276,6 +276,12 @@ ObjModel parse_obj(const std::string& text, const std::filesystem::path& folder,
 
 }  // namespace
 
+ObjOptions scaled_256(std::int32_t scale_256) {
+    ObjOptions options;
+    options.scale = scale_256 / 256.0;
+    return options;
+}
+
 ObjModel read_obj(const std::string& path, const Palette& palette, const ObjOptions& options) {
     const std::string text = read_text(path);
     return naming_file(path,

@@ -15,6 +15,9 @@ struct ObjOptions {
     std::string glass = {};        ///< the material that stands for "glass"; empty: that itself
 };
 
+/// So many 256ths of the file's size, for who has no floating point.
+ObjOptions scaled_256(std::int32_t scale_256);
+
 struct ObjModel {
     Mesh mesh;                          ///< of one frame
     std::vector<std::string> warnings;  ///< what of the file is missing, and what is done instead

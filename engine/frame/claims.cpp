@@ -1,5 +1,7 @@
 #include "engine/frame/claims.h"
 
+#include <algorithm>
+
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/view_scratch.h"
@@ -57,6 +59,18 @@ bool scan(const FrameContext& frame, ViewScratch& scratch) {
     return true;
 }
 
+/// 1/z of a face, perhaps that of the face before it.
+PlaneInverseZ inverse_z_after(const VisibleFace& visible, const FrameContext& frame, SeenPlane& last) {
+    const Face& face = frame.scene.level.faces[visible.face];
+    const auto computed = [&] {
+        return make_face_inverse_z(frame.scene.level, face, frame.offset_of(visible), frame.view,
+                                   frame.inverse_projection);
+    };
+    if (visible.fragment) return computed();
+    if (last.plane != face.plane || last.is_back != face.is_back) last = {face.plane, face.is_back, computed()};
+    return last.inverse_z;
+}
+
 /// The next face of the walk. One in 16 is timed, less what reading the clock takes: to read it at every face would
 /// take about as long as the walk.
 bool next_face(FrontToBackWalk& walk, PassTimes* times, VisibleFace& found) {
@@ -79,6 +93,7 @@ void Claims::clear() {
     things.clear();
     walls_drawn = 0;
     is_under_liquid = false;
+    last_plane = {};
     effects = {};
 }
 
@@ -136,6 +151,8 @@ void claim_face(VisibleFace& face, bool is_second_walk, const FrameContext& fram
         scratch.span_buffer.claim(scratch.rows, claims.spans);
     face.nearest_z = scratch.polygon.nearest_z;
     face.farthest_z = scratch.polygon.farthest_z;
+    face.bounds = {std::max(scratch.rows.columns.first, 0), std::min(scratch.rows.columns.end, frame.out.width_px),
+                   scratch.rows.first, scratch.rows.end};
     add_claimed(face, first, frame, claims);
 }
 
@@ -148,8 +165,7 @@ void add_claimed(VisibleFace& face, std::size_t first_span, const FrameContext& 
     const FaceList list = list_for(needs, allowed);
     // Faces without texels need it for other effects alone: fog, and things before and behind them.
     if (list != FaceList::Sky && (list != FaceList::Flat || allowed != EffectSet{}))
-        face.inverse_z = make_face_inverse_z(frame.scene.level, frame.scene.level.faces[face.face],
-                                             frame.offset_of(face), frame.view, frame.inverse_projection);
+        face.inverse_z = inverse_z_after(face, frame, claims.last_plane);
     claims.list(list).push_back(face);
     claims.effects = claims.effects | (effects & allowed);
     if (frame.observers.counts) count_face(effects, claims.spans_of(face), *frame.observers.counts);

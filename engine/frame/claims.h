@@ -33,6 +33,13 @@ struct TornSpan {
     Vec3<World> place;  ///< one that the span shows
 };
 
+/// 1/z of one side of a plane of the world.
+struct SeenPlane {
+    PlaneIndex plane = PlaneIndex::none();
+    bool is_back = false;
+    PlaneInverseZ inverse_z{};
+};
+
 /// What the faces, and the things among them, own of a frame: each has a place in the list of the pass that draws it,
 /// front to back.
 struct Claims {
@@ -45,6 +52,7 @@ struct Claims {
     FrameThings things;            ///< what is among the faces
     std::size_t walls_drawn = 0;   ///< the first ones of their list
     bool is_under_liquid = false;  ///< the eye is in a liquid
+    SeenPlane last_plane;          ///< of the world's last face: those of one node, which follow each other, share it
 
     std::vector<VisibleFace>& list(FaceList which) { return item(lists, which); }
     const std::vector<VisibleFace>& list(FaceList which) const { return item(lists, which); }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/effects/sky.h"
 #include "engine/effects/things.h"
 #include "engine/effects/warp.h"
 #include "engine/frame/fog_pass.h"
@@ -43,7 +44,7 @@ struct LevelCache {
     std::array<std::unique_ptr<BlendTable>, 4> blends;  ///< by LiquidKind; null until a frame sees through one
     WarpTables warp{};                                  ///< of liquids
     std::int64_t warp_time_ms = -1;                     ///< the time of `warp`
-    std::vector<std::uint8_t> sky_layers;               ///< both layers of the sky as one
+    SkyLayers sky_layers;
 };
 
 }  // namespace oblong

@@ -1,6 +1,7 @@
 #include "engine/frame/surface_pass.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "engine/base/table.h"
@@ -153,12 +154,33 @@ void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans,
     if (record) record_divided_pixels(record_of(face.face), spans, cutting, surface, drawing.out, *record);
 }
 
+/// Whether bounded blocks are as long as spans in this rectangle are, or longer: each span is one then.
+bool takes_whole_spans(const BlockRule& rule, const ScreenRectangle& rectangle, int longest_log2,
+                       const LinearQuantity<InverseZ>& inverse_z) {
+    const auto beyond_first = static_cast<std::uint32_t>(rectangle.end_column - rectangle.first_column - 1);
+    const int log2 = std::max(static_cast<int>(std::bit_width(beyond_first)), kLeastBlockLog2);
+    return log2 <= longest_log2 &&
+           least_inverse_z(inverse_z, rectangle) >= block_threshold(rule, inverse_z.per_column, log2);
+}
+
 /// Bounded: no block is longer than rounding allows (longest_block_log2).
-void bound_blocks(const BlockRule& rule, TexturedFace& face) {
+void bound_blocks(const BlockRule& rule, const ScreenRectangle& rectangle, TexturedFace& face) {
     BlockCutting& cutting = face.cutting;
+    const LinearQuantity<InverseZ>& inverse_z = cutting.gradients.inverse_z;
     const int longest = longest_block_log2(rule, floor_shift(face.nearest_texels, face.surface.mip));
-    cutting.thresholds = make_block_thresholds(rule, cutting.gradients.inverse_z.per_column, longest);
+    cutting.takes_whole_spans = cutting.fits_range && takes_whole_spans(rule, rectangle, longest, inverse_z);
+    if (!cutting.takes_whole_spans) cutting.thresholds = make_block_thresholds(rule, inverse_z.per_column, longest);
     cutting.limits.least = std::min(cutting.limits.least, Texel::from_raw(std::int64_t{1} << longest));
+}
+
+/// A rectangle around spans of a face; the face's own, where 1/z, u and v are in range in all of it.
+ScreenRectangle bound_spans(const VisibleFace& face, std::span<const Span> spans, BlockCutting& cutting) {
+    const ScreenRectangle& bounds = face.bounds;
+    cutting.fits_range = bounds.first_column < bounds.end_column && fits_range(cutting.gradients, bounds);
+    if (cutting.fits_range) return bounds;
+    const ScreenRectangle around = rectangle_around(spans);
+    cutting.fits_range = fits_range(cutting.gradients, around);
+    return around;
 }
 
 /// Whether 1/z falls below `least` nowhere on the face.
@@ -185,7 +207,7 @@ void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const S
     const SpanTexturing& texturing = drawing.texturing;
     const BlockCutting& cutting = face.cutting;
     const InverseZ least = item(cutting.thresholds.least_inverse_z, kLeastBlockLog2);
-    if (!texturing.divides_exactly || is_above(least, face.face.farthest_z))
+    if (cutting.takes_whole_spans || !texturing.divides_exactly || is_above(least, face.face.farthest_z))
         return draw_blocks(face, spans, texturing.cut_blocks, cutting, drawing);
     std::vector<Span>&long_blocks = drawing.scratch.long_blocks, &short_blocks = drawing.scratch.short_blocks;
     long_blocks.clear();
@@ -208,9 +230,9 @@ void set_cutting(TexturedFace& face, std::span<const Span> spans, const SpanText
     BlockCutting& cutting = face.cutting;
     cutting.limits = face.surface.limits;
     if (texturing.texturing == Texturing::Exact && texturing.divides_exactly) return;
-    if (texturing.texturing == Texturing::Bounded) bound_blocks(texturing.rule, face);
+    const ScreenRectangle rectangle = bound_spans(face.face, spans, cutting);
+    if (texturing.texturing == Texturing::Bounded) bound_blocks(texturing.rule, rectangle, face);
     cutting.texel_bound_256 = texturing.rule.texel_bound_256;
-    cutting.fits_range = fits_range(cutting.gradients, rectangle_around(spans));
 }
 
 void draw_textured(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {

@@ -20,6 +20,11 @@ Matrix3 rotation_matrix(const EulerAngles& angles);
 
 /// A linear map as one that also moves points: by nothing.
 Matrix4 homogeneous(const Matrix3& linear);
+/// A point as a homogeneous vector: w is 1.
+template <class Number>
+Vec4 homogeneous(const Vec3<Number>& point) {
+    return {convert<Entry>(point.x), convert<Entry>(point.y), convert<Entry>(point.z)};
+}
 /// What a matrix does to directions: its upper left 3x3.
 Matrix3 linear_part(const Matrix4& matrix);
 

@@ -45,8 +45,7 @@ Quaternion quaternion_of(const EulerAngles& angles) {
 }
 
 Vec3<World> transformed_point(const Matrix4& model_to_world, const Vec3<World>& model_point) {
-    const Vec4 world = model_to_world * Vec4{convert<Entry>(model_point.x), convert<Entry>(model_point.y),
-                                             convert<Entry>(model_point.z)};
+    const Vec4 world = model_to_world * homogeneous(model_point);
     return saturating_convert<World>(Vec3<Entry>{world.x, world.y, world.z});
 }
 

@@ -26,20 +26,22 @@ BlockRule make_block_rule(const Accuracy& accuracy) {
     return rule;
 }
 
-BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_step, int longest_log2) {
+InverseZ block_threshold(const BlockRule& rule, InverseZ inverse_z_step, int log2) {
     constexpr std::uint64_t kMost = std::uint64_t{1} << 61;
-    BlockThresholds thresholds;
     const std::uint64_t step = std::min(magnitude(inverse_z_step), std::uint64_t{1} << 50);
     const std::uint64_t fall = inverse_z_step < InverseZ{} ? step : 0;
-    for (int k = 1; k < kBlockSizes; ++k) {
-        const std::uint64_t product = ((step * item(rule.factor_8, k)) >> 8) + 1;
-        const std::uint64_t least = (step < item(rule.step_end, k) ? product : kMost) + (fall << k);
-        note_range<"block thresholds">(InverseZ::from_raw(static_cast<std::int64_t>(least)));
-        const auto reached = InverseZ::from_raw(static_cast<std::int64_t>(std::min(least, kMost)));
-        item(thresholds.least_inverse_z, k) = k <= longest_log2 ? reached : InverseZ::highest();
-    }
+    const std::uint64_t product = ((step * item(rule.factor_8, log2)) >> 8) + 1;
+    const std::uint64_t least = (step < item(rule.step_end, log2) ? product : kMost) + (fall << log2);
+    note_range<"block thresholds">(InverseZ::from_raw(static_cast<std::int64_t>(least)));
+    return InverseZ::from_raw(static_cast<std::int64_t>(std::min(least, kMost)));
+}
+
+BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_step, int longest_log2) {
+    BlockThresholds thresholds;
+    thresholds.least_inverse_z.fill(InverseZ::highest());
     thresholds.least_inverse_z.front() = InverseZ::lowest();
-    thresholds.least_inverse_z.back() = InverseZ::highest();
+    for (int k = 1; k <= longest_log2; ++k)
+        item(thresholds.least_inverse_z, k) = block_threshold(rule, inverse_z_step, k);
     return thresholds;
 }
 

@@ -40,6 +40,9 @@ struct BlockThresholds {
     std::array<InverseZ, kBlockSizes + 1> least_inverse_z{};
 };
 
+/// The threshold of one length, 2^1 to 2^(kBlockSizes - 1) pixels.
+InverseZ block_threshold(const BlockRule& rule, InverseZ inverse_z_step, int log2);
+
 /// The thresholds of a surface whose 1/z changes by this from column to column, for blocks of up to 2^longest_log2
 /// pixels (0 to kBlockSizes - 1).
 BlockThresholds make_block_thresholds(const BlockRule& rule, InverseZ inverse_z_step,

@@ -77,7 +77,11 @@ class ScreenWalker {
         column_ = convert<Column>(across) + convert<Column>(way, Rounding::Floor) + Column::from_int(1) - Column::ulp();
     }
 
-    std::int32_t column() const { return static_cast<std::int32_t>(floor_of(column_)); }
+    std::int32_t column() const { return column_after(0); }
+    /// The same of a row further down.
+    std::int32_t column_after(std::int32_t rows) const {
+        return static_cast<std::int32_t>(floor_of(column_ + slope_ * rows));
+    }
     void next_row() { column_ += slope_; }
 
   private:

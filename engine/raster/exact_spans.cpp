@@ -192,11 +192,11 @@ std::int64_t draw_octaves(std::span<const Span> spans, const TextureGradients& g
 std::int64_t draw_exact_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
                               const SurfaceView& surface, BlockKernel kernel, Framebuffer out) {
     const auto colour_at = [&](TexelPosition texel) { return texel_from(surface, texel.u_16 >> 16, texel.v_16 >> 16); };
-    if (spans.size() > 1 && gradients.inverse_z.per_row == InverseZ{}) {
+    if (spans.size() > 1 && ColumnTexels::serves(gradients)) {
         const ScreenRectangle rectangle = rectangle_around(spans);
-        const ColumnDepths depths(gradients, rectangle);
+        const ColumnTexels columns(gradients, surface, rectangle);
         const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
-            row.draw_at_depths(depths.from(octave.first), octave.end - octave.first, pixels);
+            row.draw_columns(columns.from(octave.first), octave.end - octave.first, pixels);
             return 0;
         };
         return rectangle.end_column - rectangle.first_column +

@@ -37,6 +37,12 @@ struct DividedTexel {
     std::int64_t u_46, v_46;
 };
 
+/// What the pixels of one column of a surface have in common whose 1/z and u are the same in all rows.
+struct ColumnTexel {
+    std::int64_t depth;  ///< DividedTexel's
+    std::uint64_t u;     ///< column of texels
+};
+
 /// 1/z, u/z and v/z over an octave, brought to 60 bits; modulo 2^64, as long as the values at its pixels fit.
 class OctaveRow {
   public:
@@ -60,10 +66,15 @@ class OctaveRow {
         return texels_[((v_46 >> (46 - stride_log2_)) & row_mask_) | ((u_46 >> 46) & u_mask_)];
     }
 
-    /// Pixels whose depths are known.
-    void draw_at_depths(const std::int64_t* depths, std::int32_t count, std::uint8_t* out) const {
-        draw_pixels(
-            0, count, out, [depths]() mutable { return *depths++; }, kPlain);
+    /// Pixels whose depths and columns of texels are known.
+    void draw_columns(const ColumnTexel* columns, std::int32_t count, std::uint8_t* out) const {
+        const OctaveRow row = *this;  // a copy that no pixel written can change: it stays in registers
+        std::uint64_t v_over_z = row.v_over_z_.first;
+        const int to_row = 46 - row.stride_log2_;
+        for (std::uint8_t* const end = out + count; out != end; ++out, ++columns, v_over_z += row.v_over_z_.step) {
+            const auto v_46 = static_cast<std::uint64_t>(upper_half(v_over_z) * columns->depth);
+            *out = row.texels_[((v_46 >> to_row) & row.row_mask_) | columns->u];
+        }
     }
 
     /// A division a pixel, and nothing else; where 1/z is constant one for all. colour(row, texel) is a pixel's.
@@ -131,25 +142,32 @@ class OctaveRow {
     int stride_log2_;
 };
 
-/// What 1/z is divided into, by column: of a surface whose 1/z is the same in all rows, as a wall's is in a level view.
-/// One division a column then serves all rows.
-class ColumnDepths {
+/// What all rows of a surface share whose 1/z and u are the same in all of them, as a wall's are in a level view. One
+/// division a column then serves all rows.
+class ColumnTexels {
   public:
-    ColumnDepths(const TextureGradients& gradients, const ScreenRectangle& columns) : first_(columns.first_column) {
+    static bool serves(const TextureGradients& gradients) {
+        return gradients.inverse_z.per_row == InverseZ{} && gradients.u_over_z.per_row == TexelOverZ{};
+    }
+
+    ColumnTexels(const TextureGradients& gradients, const SurfaceView& surface, const ScreenRectangle& columns)
+        : first_(columns.first_column) {
         for (std::int32_t column = first_; column < columns.end_column; ++column) {
             const InverseZ inverse_z = gradients.inverse_z.at(column, columns.first_row);
             const Octave octave = octave_from(column, column + 1, inverse_z, {});
-            if (octave.shift >= 0)
-                oblong::item(depths_, column - first_) =
-                    OctaveRow::depth_of(shifted_up(inverse_z.raw, octave.shift) >> 32);
+            if (octave.shift < 0) continue;
+            const std::int64_t depth = OctaveRow::depth_of(shifted_up(inverse_z.raw, octave.shift) >> 32);
+            const TexelOverZ u_over_z = gradients.u_over_z.at(column, columns.first_row);
+            const auto u_46 = static_cast<std::uint64_t>((shifted_up(u_over_z.raw, octave.shift) >> 32) * depth);
+            oblong::item(texels_, column - first_) = {depth, (u_46 >> 46) & surface.u_mask};
         }
     }
     /// Those from a column on; meaningless where 1/z is clamped.
-    const std::int64_t* from(std::int32_t column) const { return depths_.data() + (column - first_); }
+    const ColumnTexel* from(std::int32_t column) const { return texels_.data() + (column - first_); }
 
   private:
     std::int32_t first_;
-    std::array<std::int64_t, kLargestMode_px> depths_;  ///< not set beyond the columns
+    std::array<ColumnTexel, kLargestMode_px> texels_;  ///< not set beyond the columns
 };
 
 }  // namespace oblong

@@ -49,4 +49,8 @@ bool fits_range(const TextureGradients& gradients, const ScreenRectangle& rectan
            is_below_7_times(u, z) && is_below_7_times(v, z);
 }
 
+InverseZ least_inverse_z(const LinearQuantity<InverseZ>& inverse_z, const ScreenRectangle& rectangle) {
+    return InverseZ::from_raw(slopes_over(rectangle, inverse_z).least());
+}
+
 }  // namespace oblong

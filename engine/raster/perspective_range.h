@@ -14,4 +14,7 @@ inline constexpr auto kLeastInverseZ = InverseZ::from_raw(std::int64_t{1} << 24)
 /// corners.
 bool fits_range(const TextureGradients& gradients, const ScreenRectangle& rectangle);
 
+/// The least 1/z in such a rectangle.
+InverseZ least_inverse_z(const LinearQuantity<InverseZ>& inverse_z, const ScreenRectangle& rectangle);
+
 }  // namespace oblong

@@ -37,12 +37,11 @@ class AccumulatingWalker {
 
 /// An edge as it is walked: down, on one side of its polygon.
 struct SideEdge {
-    ScreenVertex top, bottom;
     bool is_right;
+    ScreenVertex top, bottom;
 
-    SideEdge(ScreenVertex from, ScreenVertex to) : top(from), bottom(to), is_right(from.y < to.y) {
-        if (!is_right) std::swap(top, bottom);
-    }
+    SideEdge(ScreenVertex from, ScreenVertex to)
+        : is_right(from.y < to.y), top(is_right ? from : to), bottom(is_right ? to : from) {}
     PixelRange rows(PixelRange within) const {
         return {std::max(first_centre_from(top.y), within.first), std::min(first_centre_from(bottom.y), within.end)};
     }
@@ -58,7 +57,7 @@ bool is_on_screen(ScreenVertex v) {
     return v.x >= Screen{} && v.y >= Screen{} && v.x <= kLargest && v.y <= kLargest;
 }
 
-/// Calls `keep(column of the row, the column so far)` for each row of each edge.
+/// Calls `keep(walker, edge, rows of the edge, columns of its side)` for each edge.
 template <class Walker, class Keep>
 void walk_edges(std::span<const ScreenVertex> vertices, ScanlineExtents& rows, const Keep& keep) {
     const auto admitted = [](ScreenVertex v) { return std::is_same_v<Walker, ScreenWalker> ? v : within_limits(v); };
@@ -71,10 +70,7 @@ void walk_edges(std::span<const ScreenVertex> vertices, ScanlineExtents& rows, c
         from = admitted(vertex);
         const PixelRange range = edge.rows(all);
         if (range.first >= range.end) continue;
-        std::int32_t* const columns = edge.is_right ? right : left;
-        Walker walker(edge.top, edge.bottom, range.first);
-        for (std::int32_t row = range.first; row < range.end; ++row, walker.next_row())
-            columns[row] = keep(edge, columns[row], walker.column());
+        keep(Walker(edge.top, edge.bottom, range.first), edge, range, edge.is_right ? right : left);
     }
 }
 
@@ -84,15 +80,47 @@ template <class Walker>
 void scan_bent(std::span<const ScreenVertex> vertices, ScanlineExtents& rows) {
     std::fill(rows.left.begin() + rows.first, rows.left.begin() + rows.end, std::numeric_limits<std::int32_t>::max());
     std::fill(rows.right.begin() + rows.first, rows.right.begin() + rows.end, std::numeric_limits<std::int32_t>::min());
-    walk_edges<Walker>(vertices, rows, [](const SideEdge& edge, std::int32_t so_far, std::int32_t column) {
-        return edge.is_right ? std::max(so_far, column) : std::min(so_far, column);
-    });
+    walk_edges<Walker>(vertices, rows,
+                       [](Walker walker, const SideEdge& edge, PixelRange range, std::int32_t* columns) {
+                           for (std::int32_t row = range.first; row < range.end; ++row, walker.next_row()) {
+                               const std::int32_t column = walker.column(), so_far = columns[row];
+                               columns[row] = edge.is_right ? std::max(so_far, column) : std::min(so_far, column);
+                           }
+                       });
+}
+
+template <class Walker>
+void write_columns(Walker walker, std::int32_t count, std::int32_t* columns) {
+    for (std::int32_t i = 0; i < count; ++i, walker.next_row()) columns[i] = walker.column();
+}
+
+/// Four at a time. The last four may be some that are written already: a loop over those that are left would often be
+/// predicted wrong, which takes longer.
+template <>
+void write_columns(ScreenWalker walker, std::int32_t count, std::int32_t* columns) {
+    const auto write = [&](std::int32_t i) { columns[i] = walker.column_after(i); };
+    if (count < 4) {
+        write(0);
+        write(count / 2);
+        return write(count - 1);
+    }
+    const auto write_four = [&](std::int32_t i) {
+        write(i);
+        write(i + 1);
+        write(i + 2);
+        write(i + 3);
+    };
+    for (std::int32_t i = 0; i < count - 4; i += 4) write_four(i);
+    write_four(count - 4);
 }
 
 template <class Walker>
 void scan_edges(std::span<const ScreenVertex> vertices, const PolygonShape& shape, ScanlineExtents& rows) {
     if (!shape.is_monotone) return scan_bent<Walker>(vertices, rows);
-    walk_edges<Walker>(vertices, rows, [](const SideEdge&, std::int32_t, std::int32_t column) { return column; });
+    walk_edges<Walker>(vertices, rows,
+                       [](const Walker& walker, const SideEdge&, PixelRange range, std::int32_t* columns) {
+                           write_columns(walker, range.end - range.first, columns + range.first);
+                       });
 }
 
 }  // namespace
@@ -128,6 +156,7 @@ void scan_convex(std::span<const ScreenVertex> vertices, const PolygonShape& sha
                  ScanlineExtents& rows) {
     rows.first = within.first;
     rows.end = within.end;
+    rows.columns = {shape.bounds.first_column, shape.bounds.end_column};
     if (within.first >= within.end) return;
     if (shape.walk == EdgeWalk::OnScreen) return scan_edges<ScreenWalker>(vertices, shape, rows);
     if (shape.walk == EdgeWalk::Exact) return scan_edges<ExactWalker>(vertices, shape, rows);

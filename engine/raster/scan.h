@@ -14,6 +14,7 @@ namespace oblong {
 struct ScanlineExtents {
     std::vector<std::int32_t> left, right;  ///< one a row of the screen
     std::int32_t first = 0, end = 0;
+    PixelRange columns{0, 0};  ///< that hold all of the polygon's, by PolygonShape::bounds; some may lie off the screen
 
     explicit ScanlineExtents(std::int32_t height_px) : left(as_size(height_px)), right(as_size(height_px)) {}
 };

@@ -202,11 +202,94 @@ template <ReciprocalMethod Method>
     return {span, end};
 }
 
+/// Texels at the ends of spans that are one block each. Where 1/z and u are the same in all rows, as a wall's are in a
+/// level view, they are those of the row above in the same column, but for v.
+template <ReciprocalMethod Method>
+class SpanEnds {
+  public:
+    [[gnu::always_inline]] explicit SpanEnds(const BlockCutting& cutting)
+        : gradients_(cutting.gradients),
+          limits_(cutting.limits),
+          repeats_rows_(RowRepeater<Method>::serves(cutting.gradients)),
+          is_of_one_depth_(cutting.gradients.inverse_z.per_column == InverseZ{}) {}
+
+    [[gnu::always_inline]] TexelPosition first(const Span& span) {
+        if (!repeats_rows_ || span.first != first_.column)
+            set(first_, span.first, span.y, FittingDepth(gradients_.inverse_z.at(span.first, span.y)));
+        else
+            ++divisions_saved_;
+        return {first_.u_16, v_16(first_, span.y)};
+    }
+    /// After first(), of a span of two pixels at least.
+    [[gnu::always_inline]] TexelPosition last(const Span& span) {
+        const std::int32_t column = span.end - 1;
+        if (is_of_one_depth_)
+            set(last_, column, span.y, first_.depth);
+        else if (!repeats_rows_ || column != last_.column)
+            set(last_, column, span.y, FittingDepth(gradients_.inverse_z.at(column, span.y)));
+        else
+            ++divisions_saved_;
+        return {last_.u_16, v_16(last_, span.y)};
+    }
+    std::int64_t divisions_saved() const { return divisions_saved_; }
+
+  private:
+    using FittingDepth = Depth<Method, PerspectiveRange::Fits>;
+    struct End {
+        std::int32_t column = -1;
+        std::uint32_t u_16 = 0;
+        FittingDepth depth;
+    };
+
+    [[gnu::always_inline]] void set(End& end, std::int32_t column, std::int32_t row, const FittingDepth& depth) const {
+        end = {column, within(depth.times(gradients_.u_over_z.at(column, row)), limits_.greatest_u), depth};
+    }
+    [[gnu::always_inline]] std::uint32_t v_16(const End& end, std::int32_t row) const {
+        return within(end.depth.times(gradients_.v_over_z.at(end.column, row)), limits_.greatest_v);
+    }
+    [[gnu::always_inline]] std::uint32_t within(Texel texel, Texel greatest) const {
+        return static_cast<std::uint32_t>(clamp_value(texel, limits_.least, greatest).raw);
+    }
+
+    const TextureGradients gradients_;
+    const TexelLimits limits_;
+    const bool repeats_rows_, is_of_one_depth_;
+    End first_, last_;
+    std::int64_t divisions_saved_ = 0;
+};
+
+/// Spans that are one block each.
+template <ReciprocalMethod Method>
+[[gnu::always_inline]] inline std::span<const Span> cut_whole_spans(std::span<const Span> spans, std::int32_t pitch,
+                                                                    const BlockCutting& cutting, BlockList& blocks) {
+    SpanEnds<Method> ends(cutting);
+    const Span* span = spans.data();
+    const Span* const end = span + spans.size();
+    TexelBlock* out = blocks.end();
+    for (const TexelBlock* const full = blocks.full(); span != end && out <= full; ++span) {
+        const std::int32_t steps = span->end - span->first - 1;
+        const TexelPosition from = ends.first(*span);
+        TexelStep step;
+        if (steps != 0) step = steps_by_division(from, ends.last(*span), steps);
+        *out++ = {static_cast<std::uint32_t>(span->y * pitch + span->first),
+                  steps + 1,
+                  from.u_16,
+                  from.v_16,
+                  step.u_16,
+                  step.v_16};
+    }
+    blocks.set_end(out);
+    blocks.add_divisions(-ends.divisions_saved());
+    return {span, end};
+}
+
 template <Texturing Way, ReciprocalMethod Method>
 [[gnu::always_inline]] inline std::span<const Span> cut_in_range(std::span<const Span> spans, std::int32_t pitch,
                                                                  const BlockCutting& cutting, BlockList& blocks) {
     if (!cutting.fits_range)
         return cut_spans<Way, Method, PerspectiveRange::MayOverflow>(spans, pitch, cutting, blocks);
+    if (Way == Texturing::Bounded && cutting.takes_whole_spans)
+        return cut_whole_spans<Method>(spans, pitch, cutting, blocks);
     if (Way == Texturing::Bounded && RowRepeater<Method>::serves(cutting.gradients))
         return cut_repeating_rows<Method>(spans, pitch, cutting, blocks);
     return cut_spans<Way, Method, PerspectiveRange::Fits>(spans, pitch, cutting, blocks);

@@ -57,6 +57,7 @@ struct BlockCutting {
     BlockThresholds thresholds;        ///< for Bounded
     std::int32_t texel_bound_256 = 0;  ///< for BoundedTexels: BlockRule's
     bool fits_range = false;           ///< fits_range() of these spans: then nothing is clamped before it is multiplied
+    bool takes_whole_spans = false;    ///< Bounded, and every span is one block, by its thresholds, which are not set
 };
 
 /// Appends the blocks of spans, left to right, as long as there is room for one in the worst case. Returns the spans

@@ -6,6 +6,7 @@
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "engine/level/entities.h"
+#include "engine/level/entity_classes.h"
 
 namespace oblong {
 
@@ -17,10 +18,6 @@ using Numbers = std::vector<std::int64_t>;
 constexpr std::size_t kMostWarnings = 64;
 constexpr int kFirstOwnStyle = 32;  ///< styles below are Quake's
 
-/// Keys of worldspawn that are for others: the game's rules and music, the compilers, editors. Those that begin with
-/// '_' are the compilers' too.
-constexpr std::array<std::string_view, 10> kKeysOfOthers{"classname", "message",    "wad",        "worldtype", "sounds",
-                                                         "light",     "spawnflags", "mapversion", "origin",    "angle"};
 /// By LiquidKind.
 constexpr std::array<std::string_view, 4> kAlphaKeys{"wateralpha", "slimealpha", "lavaalpha", "telealpha"};
 
@@ -138,12 +135,12 @@ void read_world_key(const std::string& key, const std::string& value, LevelEffec
     if (const auto kind = kind_of_alpha_key(key)) return read_alpha(*kind, key, value, effects);
     if (key == "sky" || key == "skyname")
         return warn(effects.warnings, "worldspawn key " + in_quotes(key) + ": sky boxes are not supported");
-    const bool is_of_others = key.starts_with('_') || std::count(kKeysOfOthers.begin(), kKeysOfOthers.end(), key) != 0;
-    if (!is_of_others) warn(effects.warnings, "worldspawn key " + in_quotes(key) + " is unknown");
+    const bool is_known = find_entity_key(*find_entity_class("worldspawn"), key) != nullptr;  // others read it
+    if (!is_known && !key.starts_with('_')) warn(effects.warnings, "worldspawn key " + in_quotes(key) + " is unknown");
 }
 
 void read_world(const Level& level, LevelEffects& effects) {
-    const auto is_world = [](const Entity& entity) { return entity.value("classname") == "worldspawn"; };
+    const auto is_world = [](const Entity& entity) { return role_of(entity) == ClassRole::Worldspawn; };
     const auto world = std::find_if(level.entities.begin(), level.entities.end(), is_world);
     if (world == level.entities.end()) return;
     std::set<std::string_view> seen;
@@ -165,7 +162,7 @@ std::array<std::string, kLightStyleCount> own_patterns(const Level& level, Warni
     std::string none;
     for (const Entity& entity : level.entities) {
         const std::string pattern = entity.value("pattern");
-        if (pattern.empty() || !entity.value("classname").starts_with("light")) continue;
+        if (pattern.empty() || role_of(entity) != ClassRole::Lamp) continue;
         const std::int64_t style = parse_decimal(entity.value("style"), 0).value_or(-1);
         const bool is_own = is_within(style, kFirstOwnStyle, kLightStyleCount - 1);
         std::string& of_style = is_own ? item(patterns, style) : none;

@@ -176,12 +176,12 @@ void Program::take_on_screen(const Controls& controls) {
     for (const Action command : {Action::Menu, Action::ShowHelp, Action::FrameCost})
         if (!menu_.is_open() && controls.has(command)) screen().open_page(command, pages_);
     if (menu_.is_open()) return screen().advance_behind_menu(platform_.now_us());
-    if (&screen() == walk_ && walk_->kind() == SessionKind::Walk) {
-        if (controls.has(Action::QuickSave)) quick_save();
-        if (controls.has(Action::QuickLoad)) quick_load();
-        if (controls.has(Action::Restart)) screen().open_page(Action::Restart, pages_);
-    }
+    const auto is_walking = [this] { return &screen() == walk_ && walk_->kind() == SessionKind::Walk; };
+    if (is_walking() && controls.has(Action::QuickLoad)) quick_load();
+    if (is_walking() && controls.has(Action::Restart)) screen().open_page(Action::Restart, pages_);
     screen().advance(controls, platform_.now_us());
+    // After the ticks: the picture that is saved is the one that is shown next, drawn once.
+    if (is_walking() && controls.has(Action::QuickSave)) quick_save();
 }
 
 // Back to what it was opened from.

@@ -134,8 +134,8 @@ class Program final : private MenuHost {
     InputMapper input_;
     Menu menu_;
     MenuPages pages_;
-    std::optional<SlotContent> last_walk_;     // as the title offers it
-    mutable std::vector<SlotContent> listed_;  // as the menu showed them last
+    std::optional<ListedSlot> last_walk_;     // as the title offers it
+    mutable std::vector<ListedSlot> listed_;  // as the menu showed them last
     bool has_left_ = false, had_focus_ = false, is_mouse_captured_ = false;
     bool is_first_game_ = true;
     bool wants_screenshot_ = false;  // of a menu

@@ -13,8 +13,8 @@
 namespace oblong {
 namespace {
 
-std::string content_of(const SavedGame& game) {
-    std::string text = std::filesystem::path(game.level.name).stem().string() + " " + time_text(game.state.tick);
+std::string content_of(const SaveHead& game) {
+    std::string text = std::filesystem::path(game.level.name).stem().string() + " " + time_text(game.tick);
     if (game.lenses.all > 0)
         text += ", " + std::to_string(game.lenses.taken) + " of " + std::to_string(game.lenses.all) + " lenses";
     return text;
@@ -24,7 +24,7 @@ MenuPicture picture_of(const Thumbnail& thumbnail) {
     return {Thumbnail::kWidth_px, Thumbnail::kHeight_px, {thumbnail.pixels.begin(), thumbnail.pixels.end()}};
 }
 
-SaveEntry entry_of(const SlotContent& content) {
+SaveEntry entry_of(const ListedSlot& content) {
     SaveEntry entry;
     entry.name = name_of(content.slot);
     entry.is_saved_to_by_player = content.slot.kind == SaveKind::Numbered;
@@ -49,7 +49,7 @@ std::vector<SaveEntry> Program::saves() const {
     std::vector<SaveEntry> entries;
     if (!saves_.is_kept()) return entries;
     listed_ = saves_.slots().list();
-    for (const SlotContent& content : listed_) {
+    for (const ListedSlot& content : listed_) {
         entries.push_back(entry_of(content));
         entries.back().is_of_this_walk = saves_.is_own(content.slot);
     }
@@ -76,9 +76,9 @@ void Program::quick_load() {
 
 // What was listed may be another by now: another program may have saved there.
 void Program::save(std::size_t entry) {
-    const SlotContent& listed = listed_.at(entry);
+    const ListedSlot& listed = listed_.at(entry);
     try_with_files("Save", [&] {
-        if (saves_.slots().load(listed.slot).game != listed.game)
+        if (saves_.slots().head_of(listed.slot).game != listed.game)
             return pages_.open_message("Save", "Another program has saved to " + name_of(listed.slot) +
                                                    " meanwhile. Nothing was saved: choose again.");
         saves_.save(listed.slot);

@@ -198,9 +198,9 @@ void Session::show(const std::string& message) {
 }
 
 void Session::show_level_message() {
-    const bool is_new = after_.shown_message != before_.shown_message || after_.message_tick != before_.message_tick;
+    const bool is_new = after_.message.shown != before_.message.shown || after_.message.tick != before_.message.tick;
     std::string text;
-    if (is_new && after_.shown_message >= 0) text = item(level_.messages, after_.shown_message);
+    if (is_new && after_.message.shown >= 0) text = item(level_.messages, after_.message.shown);
     if (after_.items != before_.items) text += (text.empty() ? "" : "\n") + found_text(level_, before_, after_);
     if (!text.empty()) show(text);
 }

@@ -33,6 +33,7 @@ bool WalkSaves::has_unsaved_progress() const {
 }
 
 SaveSlot WalkSaves::own_slot(SaveKind kind) {
+    if (!held_) finish_autosave();  // which may be taking a place
     if (!held_) held_ = slots_.hold_new();
     return {kind, held_->number};
 }
@@ -61,15 +62,17 @@ void WalkSaves::autosave_when_due(bool may_begin) {
     autosave_tick_ = state.tick;
     autosave_items_ = taken_items(state);
     try {
-        autosave_ =
-            std::async(std::launch::async, [slots = slots_, slot = own_slot(SaveKind::Walk), game = saved_now()] {
-                try {
-                    slots.save(slot, game);
-                    return std::string();
-                } catch (const FileError& error) {
-                    return std::string(error.what());
-                }
-            });
+        const auto own_number = held_ ? std::optional(held_->number) : std::nullopt;
+        autosave_ = std::async(std::launch::async, [slots = slots_, own_number, game = saved_now()] {
+            Autosave done;
+            try {
+                if (!own_number) done.taken = slots.hold_new();
+                slots.save({SaveKind::Walk, done.taken ? done.taken->number : *own_number}, game);
+            } catch (const FileError& error) {
+                done.fault = error.what();
+            }
+            return done;
+        });
     } catch (const std::exception& error) {
         walk_->show(std::string("Not saved: ") + error.what());
     }
@@ -77,11 +80,12 @@ void WalkSaves::autosave_when_due(bool may_begin) {
 
 void WalkSaves::finish_autosave() {
     if (!autosave_.valid()) return;
-    const std::string fault = autosave_.get();
-    if (fault.empty())
+    Autosave done = autosave_.get();
+    if (done.taken) held_ = std::move(done.taken);
+    if (done.fault.empty())
         saved_tick_ = std::max(saved_tick_, autosave_tick_);
     else
-        walk_->show("Not saved: " + fault);
+        walk_->show("Not saved: " + done.fault);
 }
 
 // A walk that has hardly begun is not worth a place of its own.

@@ -40,19 +40,24 @@ class WalkSaves {
     /// Saves the walk beside the game where that is due and may begin: a frame takes its picture, another thread
     /// writes.
     void autosave_when_due(bool may_begin);
-    /// Waits for that.
+    /// Waits for that: from then on the walk has a place, where it was saved first.
     void finish_autosave();
     /// The message if that failed, else "".
     std::string save_on_leaving();
 
   private:
+    struct Autosave {
+        std::string fault;              // or ""
+        std::optional<HeldWalk> taken;  // the walk's place, if it had none before
+    };
+
     SavedGame saved_now();
 
     SaveSlots slots_;
     bool is_kept_;
     Session* walk_ = nullptr;
     std::optional<HeldWalk> held_;                         // the walk's place, once it has saves
-    std::future<std::string> autosave_;                    // that is being written: its fault, or ""
+    std::future<Autosave> autosave_;                       // that is being written
     std::int64_t autosave_tick_ = 0, autosave_items_ = 0;  // when the last one began
     std::int64_t saved_tick_ = 0;                          // of the walk, up to which it is saved
 };

@@ -35,14 +35,10 @@ std::vector<std::uint8_t> bytes_of(const std::string& file) {
     return read_file(file, kLargestSave_bytes, FileUse::Kept);
 }
 
-SavedGame read_save(const std::string& file) {
-    return naming_file(file, [&] { return decode_save(bytes_of(file)); });
-}
-
-// Whether a file is a save that is worth keeping: its checksum says so, what is in it need not be read.
+// Whether a file is a save that is worth keeping: its checksum says so, its state need not be read.
 bool is_whole_save(const std::string& file) {
     try {
-        naming_file(file, [&] { expect_whole_save(bytes_of(file)); });
+        naming_file(file, [&] { decode_save_head(bytes_of(file)); });
     } catch (const FileError&) {
         return false;
     }
@@ -85,6 +81,31 @@ std::vector<fs::path> files_in(const std::string& folder) {
     return files;
 }
 
+// The last save of a slot that `decode` takes, or the one before it.
+template <class Saved>
+SlotOf<Saved> read_slot(SaveSlot slot, const std::string& unresolved_file,
+                        Saved decode(std::span<const std::uint8_t> bytes)) {
+    SlotOf<Saved> content;
+    content.slot = slot;
+    try {
+        const std::string file = end_of_links(unresolved_file);
+        for (const std::string& each : {file, former_of(file)}) {
+            if (!is_there(each)) continue;
+            try {
+                content.game = naming_file(each, [&] { return decode(bytes_of(each)); });
+                content.is_former = each != file;
+                return content;
+            } catch (const FileError& error) {
+                content.refusal +=
+                    (content.refusal.empty() ? "" : "\n\nAnd the one before it: ") + std::string(error.what());
+            }
+        }
+    } catch (const FileError& error) {
+        content.refusal = error.what();
+    }
+    return content;
+}
+
 }  // namespace
 
 std::string name_of(SaveSlot slot) {
@@ -93,9 +114,13 @@ std::string name_of(SaveSlot slot) {
     return item(kNames, slot.kind) + (number.empty() ? "" : " " + number);
 }
 
+std::string SaveSlots::link_of(SaveSlot slot) const {
+    return (fs::path(folder_) / file_name_of(slot)).string();
+}
+
 // At the end of links: so a save may be kept elsewhere, and the one before it is there too.
 std::string SaveSlots::file_of(SaveSlot slot) const {
-    return end_of_links((fs::path(folder_) / file_name_of(slot)).string());
+    return end_of_links(link_of(slot));
 }
 
 std::unique_ptr<FileLock> SaveSlots::lock(std::int64_t place, int longest_wait_ms) const {
@@ -123,25 +148,11 @@ void SaveSlots::save(SaveSlot slot, const SavedGame& game) const {
 }
 
 SlotContent SaveSlots::load(SaveSlot slot) const {
-    SlotContent content;
-    content.slot = slot;
-    try {
-        const std::string file = file_of(slot);
-        for (const std::string& each : {file, former_of(file)}) {
-            if (!is_there(each)) continue;
-            try {
-                content.game = read_save(each);
-                content.is_former = each != file;
-                return content;
-            } catch (const FileError& error) {
-                content.refusal +=
-                    (content.refusal.empty() ? "" : "\n\nAnd the one before it: ") + std::string(error.what());
-            }
-        }
-    } catch (const FileError& error) {
-        content.refusal = error.what();
-    }
-    return content;
+    return read_slot(slot, link_of(slot), decode_save);
+}
+
+ListedSlot SaveSlots::head_of(SaveSlot slot) const {
+    return read_slot(slot, link_of(slot), decode_save_head);
 }
 
 void SaveSlots::remove(SaveSlot slot) const {
@@ -162,16 +173,16 @@ std::vector<SaveSlot> SaveSlots::walks_and_quick_saves() const {
     return last_first;
 }
 
-std::vector<SlotContent> SaveSlots::list() const {
-    std::vector<SlotContent> all;
-    for (const SaveSlot slot : walks_and_quick_saves()) all.push_back(load(slot));
-    for (int number = 1; number <= kNumberedSlotCount; ++number) all.push_back(load({SaveKind::Numbered, number}));
+std::vector<ListedSlot> SaveSlots::list() const {
+    std::vector<ListedSlot> all;
+    for (const SaveSlot slot : walks_and_quick_saves()) all.push_back(head_of(slot));
+    for (int number = 1; number <= kNumberedSlotCount; ++number) all.push_back(head_of({SaveKind::Numbered, number}));
     return all;
 }
 
-std::optional<SlotContent> SaveSlots::last_walk() const {
+std::optional<ListedSlot> SaveSlots::last_walk() const {
     for (const SaveSlot slot : walks_and_quick_saves())
-        if (slot.kind == SaveKind::Walk) return load(slot);
+        if (slot.kind == SaveKind::Walk) return head_of(slot);
     return {};
 }
 

@@ -30,13 +30,16 @@ struct SaveSlot {
 /// "Walk 3", "Quick save 3", "Slot 1" and so on.
 std::string name_of(SaveSlot slot);
 
-/// What can be loaded from a slot.
-struct SlotContent {
+/// What can be loaded from a slot, or shown of it.
+template <class Saved>
+struct SlotOf {
     SaveSlot slot;
-    std::optional<SavedGame> game;  ///< nothing: the slot is empty, or nothing in it can be loaded
-    bool is_former = false;         ///< it is the one before the last, which is missing or refused
-    std::string refusal;            ///< why the last one is refused, `FILE: WHERE: what, expected what`; else empty
+    std::optional<Saved> game;  ///< nothing: the slot is empty, or nothing in it can be loaded
+    bool is_former = false;     ///< it is the one before the last, which is missing or refused
+    std::string refusal;        ///< why the last one is refused, `FILE: WHERE: what, expected what`; else empty
 };
+using SlotContent = SlotOf<SavedGame>;
+using ListedSlot = SlotOf<SaveHead>;
 
 /// A walk's number, under which one program at a time may save: the one that has this, until it ends, however it ends.
 struct HeldWalk {
@@ -56,15 +59,16 @@ class SaveSlots {
 
     /// The last game of a slot, or the one before it where the last can't be loaded.
     SlotContent load(SaveSlot slot) const;
+    ListedSlot head_of(SaveSlot slot) const;
 
     /// Removes both. Throws FileError; also where it is of a walk that is held.
     void remove(SaveSlot slot) const;
 
     /// Walks and quick saves, the one that was written last first; then all numbered slots.
-    std::vector<SlotContent> list() const;
+    std::vector<ListedSlot> list() const;
 
     /// The walk that was saved last; nothing where there is none.
-    std::optional<SlotContent> last_walk() const;
+    std::optional<ListedSlot> last_walk() const;
 
     /// A walk that nobody holds; nothing if somebody does. Throws FileError.
     std::optional<HeldWalk> hold(int number) const;
@@ -72,6 +76,7 @@ class SaveSlots {
     HeldWalk hold_new() const;
 
   private:
+    std::string link_of(SaveSlot slot) const;  ///< the file, or a link to it
     std::string file_of(SaveSlot slot) const;
     /// The last one written first.
     std::vector<SaveSlot> walks_and_quick_saves() const;

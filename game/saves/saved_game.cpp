@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "engine/base/fnv.h"
 #include "engine/base/little_endian.h"
@@ -52,11 +53,20 @@ void append_picture(std::vector<std::uint8_t>& bytes, const Thumbnail& picture) 
 
 Thumbnail read_picture(LittleEndianReader& reader) {
     Thumbnail picture;
-    for (Rgb8& colour : picture.pixels) {
-        const auto bytes = reader.take(3);
-        colour = {bytes[0], bytes[1], bytes[2]};
-    }
+    const auto bytes = reader.take(3 * picture.pixels.size());
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        picture.pixels[i] = {bytes[3 * i], bytes[3 * i + 1], bytes[3 * i + 2]};
     return picture;
+}
+
+// What comes before the state.
+SaveHead read_head(LittleEndianReader& reader) {
+    SaveHead head;
+    head.level = read_level(reader);
+    head.lenses.taken = reader.next<std::int32_t>();
+    head.lenses.all = reader.next<std::int32_t>();
+    head.picture = read_picture(reader);
+    return head;
 }
 
 // That the file is whole, as it was written, and of this version; returns what is between there and the checksum.
@@ -101,17 +111,19 @@ std::vector<std::uint8_t> encode_save(const SavedGame& game) {
     return bytes;
 }
 
-void expect_whole_save(std::span<const std::uint8_t> bytes) {
-    checked(bytes);
+SaveHead decode_save_head(std::span<const std::uint8_t> bytes) {
+    LittleEndianReader reader = checked(bytes);
+    SaveHead head = read_head(reader);
+    reader.take(kHashBytes);                               // of the state
+    head.tick = reader.next<decltype(GameState::tick)>();  // its first field
+    head.checksum = LittleEndianReader(bytes, bytes.size() - kHashBytes).next<std::uint64_t>();
+    return head;
 }
 
 SavedGame decode_save(std::span<const std::uint8_t> bytes) {
     LittleEndianReader reader = checked(bytes);
-    SavedGame game;
-    game.level = read_level(reader);
-    game.lenses.taken = reader.next<std::int32_t>();
-    game.lenses.all = reader.next<std::int32_t>();
-    game.picture = read_picture(reader);
+    SaveHead head = read_head(reader);
+    SavedGame game{std::move(head.level), head.lenses, {}, head.picture};
     const std::size_t hash_at = reader.offset();
     const auto state_hash = reader.next<std::uint64_t>();
     game.state = read_state(reader);

@@ -35,6 +35,17 @@ struct SavedGame {
     bool operator==(const SavedGame&) const = default;
 };
 
+/// What lists show of such a game: all but its state.
+struct SaveHead {
+    SavedLevel level;
+    ItemCount lenses;
+    Thumbnail picture;
+    std::int64_t tick = 0;
+    std::uint64_t checksum = 0;  ///< of the whole file, which is another one for another game
+
+    bool operator==(const SaveHead&) const = default;
+};
+
 /// The file, little-endian: "OBLGSAVE", version (u32: 2), its whole size (u32), a hash of the kinds of a state's fields
 /// (u64: state_layout()), names of level, palette, models (each u16 and so many bytes), how many game folders (u16) and
 /// their names, hashes of file, start and palette (u64 each), models (u32), lenses taken and in all (i32 each), the
@@ -45,11 +56,9 @@ std::vector<std::uint8_t> encode_save(const SavedGame& game);
 /// What such an error says of a save that is whole.
 inline constexpr const char* kOtherVersion = "saved by another version of the game";
 
-/// Throws InputError unless such bytes are whole, as they were written, and of this version of the game.
-void expect_whole_save(std::span<const std::uint8_t> bytes);
-
-/// Parses such bytes. Throws InputError unless they are a whole and unaltered save of this version of the game.
+/// Parse such bytes. Throw InputError unless they are a whole and unaltered save of this version of the game.
 SavedGame decode_save(std::span<const std::uint8_t> bytes);
+SaveHead decode_save_head(std::span<const std::uint8_t> bytes);
 
 /// Throws InputError unless the game was saved in this very level and can be gone on with there.
 void check_level(const SavedGame& game, std::uint64_t level_hash, const GameLevel& level);

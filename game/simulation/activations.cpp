@@ -38,8 +38,8 @@ void show_other_frames(WallState& wall) {
 
 void show(GameState& state, MessageIndex message) {
     if (message == kNoMessage) return;
-    state.shown_message = message;
-    state.message_tick = state.tick;
+    state.message.shown = message;
+    state.message.tick = state.tick;
 }
 
 void Activations::fire(const EntityRef& by) {

@@ -16,7 +16,7 @@ namespace {
 template <class Visit>
 bool for_each_obstacle(const GameLevel& level, const GameState& state, const Box& area, Visit visit) {
     if (!visit(Obstacle{kWorldModel, {}})) return false;
-    for (const std::uint32_t number : level.obstacles.part_overlapping(area).numbers)
+    for (const std::uint32_t number : level.boxes.obstacles.part_overlapping(area).numbers)
         if (const auto obstacle = obstacle_of(level, state, number); obstacle && !visit(*obstacle)) return false;
     return true;
 }
@@ -74,7 +74,7 @@ std::optional<Obstacle> obstacle_of(const GameLevel& level, const GameState& sta
 bool has_too_many_obstacles(const GameLevel& level, const Position& position) {
     constexpr std::int32_t kFarthest = 48;  // in a tick: 2000 units a second, and a step
     const Box reached = player_box(position).grown(world_vector(kFarthest, kFarthest, kFarthest));
-    return level.obstacles.part_overlapping(reached).next != 0;
+    return level.boxes.obstacles.part_overlapping(reached).next != 0;
 }
 
 Contact move_box(const GameLevel& level, const GameState& state, const Position& from, const Position& to) {

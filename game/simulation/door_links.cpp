@@ -75,7 +75,7 @@ Group group_of(const Mover& first, const std::vector<Mover>& movers, const std::
     Group group{model_box(bsp, first.model)};
     for (const std::uint32_t i : first.group_members) {
         group.whole = group.whole.united(model_box(bsp, movers[i].model));
-        group.has_keys |= movers[i].keys != 0;
+        group.has_keys |= movers[i].touch.keys != 0;
         group.is_shot |= is_shot(*entities[i]);
         group.is_activated |= is_activated[i];
         group.starts_open |= has_flag(*entities[i], kStartsOpen);
@@ -102,15 +102,15 @@ void make_doors_touchable(std::vector<Mover>& movers, const std::vector<const En
         if (movers[first].group_members.empty()) continue;
         const Group group = group_of(movers[first], movers, entities, is_activated, bsp);
         if (group.opens_from_afar()) {
-            movers[first].touch_box = group.whole.grown(kDoorReach);
-            movers[first].is_opened_by_touch = true;
+            movers[first].touch.box = group.whole.grown(kDoorReach);
+            movers[first].touch.opens = true;
             continue;
         }
         for (const std::uint32_t i : movers[first].group_members) {
             Mover& door = movers[i];
-            if (door.keys == 0 && !group.is_shot && movers[first].touch_message == kNoMessage) continue;
-            door.touch_box = contact_box(model_box(bsp, door.model)).moved(door.legs.front().from);
-            door.is_opened_by_touch = door.keys != 0 || group.is_shot;
+            if (door.touch.keys == 0 && !group.is_shot && movers[first].touch.message == kNoMessage) continue;
+            door.touch.box = contact_box(model_box(bsp, door.model)).moved(door.legs.front().from);
+            door.touch.opens = door.touch.keys != 0 || group.is_shot;
         }
     }
 }

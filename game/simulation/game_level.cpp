@@ -18,9 +18,9 @@ GameLevel make_game_level(const Level& bsp) {
 
 GameState start_of(const GameLevel& level) {
     GameState state;
-    state.player.position = level.player_start;
-    state.player.yaw = level.player_yaw;
-    state.respawn = {level.player_start, level.player_yaw};
+    state.player.position = level.start.position;
+    state.player.yaw = level.start.yaw;
+    state.progress.respawn = level.start;
     state.movers.resize(level.movers.size());
     for (std::size_t i = 0; i < level.movers.size(); ++i) {
         const Mover& mover = level.movers[i];

@@ -37,7 +37,7 @@ struct Firing {
 
 enum class ItemClass : std::uint8_t { Lens, SilverKey, GoldKey };
 
-/// Bits of GameState::keys.
+/// Bits of Progress::keys.
 inline constexpr std::uint8_t kSilverKey = 1, kGoldKey = 2;
 
 /// A thing that the player takes by touching it.
@@ -60,6 +60,15 @@ struct Leg {
     std::uint32_t next = 0;        ///< a train's next leg
 };
 
+/// What touching a mover does.
+struct MoverTouch {
+    std::optional<Box> box;                  ///< the player in here touches it
+    bool opens = false;                      ///< a door, for one who has its keys
+    std::uint8_t keys = 0;                   ///< that opening a door takes
+    MessageIndex message = kNoMessage;       ///< for who touches a door that has not opened yet
+    MessageIndex keys_message = kNoMessage;  ///< for who has not its keys
+};
+
 /// A brush model that travels: doors, lifts and buttons between the two ends of one leg, secret doors there and back
 /// along two, trains round and round along many.
 struct Mover {
@@ -67,16 +76,12 @@ struct Mover {
     ModelIndex model;
     std::vector<Leg> legs;  ///< one or more
     World speed_per_tick;
-    std::int32_t wait_ticks = 0;               ///< at the far end; kForever: it stays there
-    bool turns_back = false;                   ///< where the player is in its way; others wait until there is room
-    bool starts_at_end = false;                ///< a lift that waits above until it is activated
-    bool starts_by_itself = false;             ///< a train
-    bool toggles = false;                      ///< a door that activation closes again
-    std::optional<Box> touch_box;              ///< the player in here touches it
-    bool is_opened_by_touch = false;           ///< a door: by one who has its keys
-    std::uint8_t keys = 0;                     ///< that opening a door takes
-    MessageIndex touch_message = kNoMessage;   ///< for who touches a door that has not opened yet
-    MessageIndex keys_message = kNoMessage;    ///< for who has not its keys
+    std::int32_t wait_ticks = 0;    ///< at the far end; kForever: it stays there
+    bool turns_back = false;        ///< where the player is in its way; others wait until there is room
+    bool starts_at_end = false;     ///< a lift that waits above until it is activated
+    bool starts_by_itself = false;  ///< a train
+    bool toggles = false;           ///< a door that activation closes again
+    MoverTouch touch;
     std::uint32_t group = 0;                   ///< the first of the doors that open together; any other: itself
     std::vector<std::uint32_t> group_members;  ///< of a group's first door
     Firing fires;
@@ -101,7 +106,7 @@ struct Trigger {
     std::int32_t wait_ticks = 0;       ///< between two firings; kForever: it fires once
     std::int32_t count = 0;            ///< a counter's, or the strokes of lightning
     std::optional<Vec3<Unit>> facing;  ///< fires only for a player who looks this way, within a quarter turn
-    bool is_secret = false;            ///< counts in GameState::found_secrets
+    bool is_secret = false;            ///< counts in Progress::found_secrets
     bool is_quiet = false;             ///< a counter that doesn't say how many are left
     bool needs_activation = false;     ///< a teleporter that works for 0.2 s after it was activated
     Place place;                       ///< of a teleporter's exit, or a checkpoint
@@ -125,6 +130,14 @@ struct Target {
     std::uint64_t light_styles = 0;   ///< a bit for each style of its lights, switched off and on by turns
 };
 
+/// Where to look for what a box meets.
+struct LevelBoxes {
+    BoxTree touch;      ///< MoverTouch::box, by the indices of movers
+    BoxTree triggers;   ///< by their indices
+    BoxTree items;      ///< by their indices
+    BoxTree obstacles;  ///< all places that solid walls, then movers, may take; numbered in this order
+};
+
 /// The part of a game that never changes: what it needs of a level.
 struct GameLevel {
     const Level* bsp = nullptr;  ///< outlives the game level
@@ -139,12 +152,8 @@ struct GameLevel {
     std::int32_t secrets = 0;                    ///< how many there are to be found
     std::uint64_t dark_styles = 0;               ///< GameState::dark_styles at the start
     std::vector<std::uint32_t> solid_walls;      ///< into `walls`
-    BoxTree touch_boxes;                         ///< of movers, by their indices
-    BoxTree trigger_boxes;                       ///< by the indices of triggers
-    BoxTree item_boxes;                          ///< by the indices of items
-    BoxTree obstacles;  ///< all places that solid walls, then movers, may take; numbered in this order
-    Position player_start;
-    Angle player_yaw;
+    LevelBoxes boxes;
+    Place start;  ///< the player's
 
     const Target& target(TargetIndex index) const { return item(targets, index); }
     const SubModel& model(ModelIndex index) const { return bsp->models[index]; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/level/entity_classes.h"
 #include "game/simulation/entity_keys.h"
 #include "game/simulation/step.h"
 
@@ -10,15 +11,15 @@ namespace oblong {
 namespace {
 
 struct ItemClassRow {
-    std::string_view name;
+    ClassRole role;
     ItemClass item_class;
     std::string_view message;
 };
 
 constexpr std::array kItemClasses{
-    ItemClassRow{"item_lens", ItemClass::Lens, ""},
-    ItemClassRow{"item_key1", ItemClass::SilverKey, "You have the silver key"},
-    ItemClassRow{"item_key2", ItemClass::GoldKey, "You have the gold key"},
+    ItemClassRow{ClassRole::Lens, ItemClass::Lens, ""},
+    ItemClassRow{ClassRole::SilverKey, ItemClass::SilverKey, "You have the silver key"},
+    ItemClassRow{ClassRole::GoldKey, ItemClass::GoldKey, "You have the gold key"},
 };
 
 std::uint8_t key_of(ItemClass item_class) {
@@ -29,9 +30,8 @@ std::uint8_t key_of(ItemClass item_class) {
 }  // namespace
 
 std::optional<Item> item_of(const Entity& entity) {
-    const std::string name = entity.value("classname");
     const auto row = std::find_if(kItemClasses.begin(), kItemClasses.end(),
-                                  [&](const ItemClassRow& each) { return each.name == name; });
+                                  [role = role_of(entity)](const ItemClassRow& each) { return each.role == role; });
     const auto origin = row == kItemClasses.end() ? std::nullopt : origin_of(entity);
     if (!origin) return {};
     Item item;
@@ -59,10 +59,10 @@ ItemCount count_items(const GameLevel& level, const GameState& state, ItemClass 
 
 void touch_items(const GameLevel& level, GameState& state, Activations& activations) {
     const Box player = player_box(state.player.position);
-    for (const std::uint32_t i : activations.touched(level.item_boxes, player, state.backlog.next_item_box)) {
+    for (const std::uint32_t i : activations.touched(level.boxes.items, player, state.backlog.next_item_box)) {
         if (!is_there(state, i)) continue;
         state.items[i] = ItemState::Taken;
-        state.keys |= key_of(level.items[i].item_class);
+        state.progress.keys |= key_of(level.items[i].item_class);
         activations.fire({EntityRef::Kind::Item, i});
     }
 }

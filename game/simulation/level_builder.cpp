@@ -6,6 +6,7 @@
 #include "engine/base/input_error.h"
 #include "engine/base/table.h"
 #include "engine/level/entities.h"
+#include "engine/level/entity_classes.h"
 #include "engine/scene/light_styles.h"
 #include "game/simulation/collision.h"
 #include "game/simulation/entity_keys.h"
@@ -54,12 +55,12 @@ GameLevel LevelBuilder::build() {
 }
 
 void LevelBuilder::add_entity(const Entity& entity, std::size_t number) {
-    const std::string its_class = entity.value("classname");
-    if (its_class == "worldspawn") level_.title = entity.value("message");
-    if (its_class.starts_with("func_") && !add_mover(entity)) add_wall(entity);
+    const ClassRole role = role_of(entity);
+    if (role == ClassRole::Worldspawn) level_.title = entity.value("message");
+    if (is_of_brushes(role) && !add_mover(entity)) add_wall(entity, role);
     add_trigger(entity);
     add_item(entity, number);
-    if (its_class.starts_with("light")) add_light(entity);
+    if (role == ClassRole::Lamp) add_light(entity);
 }
 
 bool LevelBuilder::add_mover(const Entity& entity) {
@@ -74,11 +75,10 @@ bool LevelBuilder::add_mover(const Entity& entity) {
     return true;
 }
 
-void LevelBuilder::add_wall(const Entity& entity) {
+void LevelBuilder::add_wall(const Entity& entity, ClassRole role) {
     const auto model = model_of(entity, *level_.bsp);
-    const std::string its_class = entity.value("classname");
-    if (!model || its_class == "func_episodegate" || its_class == "func_bossgate") return;
-    const bool is_solid = its_class != "func_illusionary";
+    if (!model || role == ClassRole::OpenGate) return;
+    const bool is_solid = role != ClassRole::Passable;
     level_.walls.push_back({*model, is_solid});
     if (!is_solid) return;
     level_.solid_walls.push_back(number_of_last(level_.walls.size()));
@@ -100,8 +100,7 @@ bool LevelBuilder::find_exit(const Entity& entity, Trigger& trigger) const {
     const auto origin = exit == by_name_.end() ? std::nullopt : origin_of(*exit->second);
     if (!origin) return false;
     trigger.place = {*origin, yaw_of(*exit->second)};
-    if (exit->second->value("classname") == "info_teleport_destination")
-        trigger.place.position.z += World::from_int(kExitHeight);
+    if (role_of(*exit->second) == ClassRole::TeleportExit) trigger.place.position.z += World::from_int(kExitHeight);
     trigger.place.position = free_place_near(level_, trigger.place.position);
     return true;
 }
@@ -126,7 +125,6 @@ void LevelBuilder::add_light(const Entity& entity) {
 
 void LevelBuilder::add_what_monsters_leave() {
     for (const Entity* entity : present_) {
-        if (!is_left_as_trigger(*entity) || item_of(*entity)) continue;
         auto trigger = trigger_left_of(*entity, level_.triggers);
         if (!trigger || (trigger->kind != TriggerKind::Exit && firing_of(*entity).is_empty())) continue;
         level_.triggers.push_back(std::move(*trigger));
@@ -135,16 +133,16 @@ void LevelBuilder::add_what_monsters_leave() {
 }
 
 void LevelBuilder::add_start() {
-    const auto find_class = [&](std::string_view its_class) {
-        const auto found = std::find_if(present_.begin(), present_.end(),
-                                        [&](const Entity* each) { return each->value("classname") == its_class; });
+    const auto find_first = [&](ClassRole role) {
+        const auto found =
+            std::find_if(present_.begin(), present_.end(), [&](const Entity* each) { return role_of(*each) == role; });
         return found == present_.end() ? nullptr : *found;
     };
-    const Entity* start = find_class("info_player_start");
-    if (start == nullptr) start = find_class("info_player_deathmatch");
+    const Entity* start = find_first(ClassRole::Start);
+    if (start == nullptr) start = find_first(ClassRole::DeathmatchStart);
     if (start == nullptr) return;
-    level_.player_start = origin_of(*start).value_or(Position{}) + world_vector(0, 0, 1);
-    level_.player_yaw = yaw_of(*start);
+    level_.start.position = origin_of(*start).value_or(Position{}) + world_vector(0, 0, 1);
+    level_.start.yaw = yaw_of(*start);
 }
 
 // What Quake's lifts and trains don't do: fire.
@@ -156,9 +154,9 @@ void LevelBuilder::connect_movers() {
         mover.fires = firing_of(*mover_entities_[i]);
         if (mover.kind == MoverKind::Button) continue;
         const MessageIndex said = std::exchange(mover.fires.message, kNoMessage);  // doors say it when they are touched
-        if (said != kNoMessage) level_.movers[mover.group].touch_message = said;
-        if (mover.keys == kSilverKey) mover.keys_message = message("You need the silver key");
-        if (mover.keys == kGoldKey) mover.keys_message = message("You need the gold key");
+        if (said != kNoMessage) level_.movers[mover.group].touch.message = said;
+        if (mover.touch.keys == kSilverKey) mover.touch.keys_message = message("You need the silver key");
+        if (mover.touch.keys == kGoldKey) mover.touch.keys_message = message("You need the gold key");
     }
 }
 
@@ -168,7 +166,7 @@ void LevelBuilder::connect_triggers() {
         if (trigger.kind == TriggerKind::Push || trigger.kind == TriggerKind::Checkpoint) continue;
         const Entity& entity = *trigger_entities_[i];
         trigger.fires = firing_of(entity, trigger.is_secret ? kSecretMessage : std::string_view{});
-        if (entity.value("classname") == "trigger_onlyregistered") trigger.fires.message = kNoMessage;
+        if (role_of(entity) == ClassRole::TriggerOnlyRegistered) trigger.fires.message = kNoMessage;
     }
 }
 
@@ -176,7 +174,7 @@ void LevelBuilder::connect_triggers() {
 void LevelBuilder::connect_lightning() {
     std::vector<std::uint32_t> electrodes = find_electrodes(mover_entities_);
     const auto boss = std::find_if(trigger_entities_.begin(), trigger_entities_.end(),
-                                   [](const Entity* each) { return each->value("classname") == "monster_boss"; });
+                                   [](const Entity* each) { return role_of(*each) == ClassRole::Boss; });
     if (electrodes.size() < 2 || boss == trigger_entities_.end()) return;
     Trigger& left_of_boss = item(level_.triggers, boss - trigger_entities_.begin());
     for (Trigger& trigger : level_.triggers) {
@@ -191,8 +189,7 @@ void LevelBuilder::connect_doors() {
     const std::vector<bool> is_activated = activated_movers();
     make_doors_touchable(level_.movers, mover_entities_, is_activated, *level_.bsp);
     for (std::size_t i = 0; i < level_.movers.size(); ++i)
-        if (level_.movers[i].kind == MoverKind::SecretDoor && !is_activated[i])
-            level_.movers[i].is_opened_by_touch = true;
+        if (level_.movers[i].kind == MoverKind::SecretDoor && !is_activated[i]) level_.movers[i].touch.opens = true;
 }
 
 std::vector<bool> LevelBuilder::activated_movers() const {
@@ -231,7 +228,7 @@ void LevelBuilder::make_trees() {
         add(obstacle_box(level_, level_.walls[wall].model, {}), obstacles, obstacles.size());
     for (std::size_t i = 0; i < level_.movers.size(); ++i) {
         const Mover& mover = level_.movers[i];
-        if (mover.touch_box) add(*mover.touch_box, touch_boxes, i);
+        if (mover.touch.box) add(*mover.touch.box, touch_boxes, i);
         Box way = obstacle_box(level_, mover.model, mover.legs.front().from);
         for (const Leg& leg : mover.legs) way = way.united(obstacle_box(level_, mover.model, leg.from + leg.way));
         add(way, obstacles, obstacles.size());
@@ -239,10 +236,10 @@ void LevelBuilder::make_trees() {
     for (std::size_t i = 0; i < level_.triggers.size(); ++i)
         if (level_.triggers[i].box) add(*level_.triggers[i].box, trigger_boxes, i);
     for (std::size_t i = 0; i < level_.items.size(); ++i) add(level_.items[i].box, item_boxes, i);
-    level_.touch_boxes = BoxTree(std::move(touch_boxes));
-    level_.trigger_boxes = BoxTree(std::move(trigger_boxes));
-    level_.item_boxes = BoxTree(std::move(item_boxes));
-    level_.obstacles = BoxTree(std::move(obstacles));
+    level_.boxes.touch = BoxTree(std::move(touch_boxes));
+    level_.boxes.triggers = BoxTree(std::move(trigger_boxes));
+    level_.boxes.items = BoxTree(std::move(item_boxes));
+    level_.boxes.obstacles = BoxTree(std::move(obstacles));
 }
 
 // The target of a name that something in the level has; a new one where there is none yet.

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "engine/level/entity_classes.h"
 #include "game/simulation/entity_specs.h"
 #include "game/simulation/game_level.h"
 
@@ -22,7 +23,7 @@ class LevelBuilder {
   private:
     void add_entity(const Entity& entity, std::size_t number);
     bool add_mover(const Entity& entity);
-    void add_wall(const Entity& entity);
+    void add_wall(const Entity& entity, ClassRole role);
     void add_trigger(const Entity& entity);
     bool find_exit(const Entity& entity, Trigger& trigger) const;
     void add_item(const Entity& entity, std::size_t number);

@@ -1,8 +1,6 @@
 #include "game/simulation/monster_places.h"
 
-#include <string>
-#include <string_view>
-
+#include "engine/level/entity_classes.h"
 #include "game/simulation/entity_keys.h"
 
 namespace oblong {
@@ -12,12 +10,12 @@ const Vec3<World> kReach = world_vector(32, 32, 32);  // from a monster
 constexpr std::size_t kElectrodes = 2;
 constexpr World kLargestCell = World::from_int(256);  // of a teleporter that holds one monster
 
-// Around the origin, as large as Quake's.
-Box size_of(std::string_view name) {
-    if (name == "monster_boss") return {world_vector(-128, -128, -24), world_vector(128, 128, 256)};
-    if (name == "monster_oldone") return {world_vector(-160, -128, -24), world_vector(160, 128, 256)};
-    if (!name.starts_with("monster_")) return {world_vector(-16, -16, -24), world_vector(32, 32, 56)};
-    return {world_vector(-32, -32, -24), world_vector(32, 32, 64)};
+Box box_of_class(const ClassBox& box) {
+    return {world_vector(box.mins[0], box.mins[1], box.mins[2]), world_vector(box.maxs[0], box.maxs[1], box.maxs[2])};
+}
+
+bool is_monster(ClassRole role) {
+    return role == ClassRole::Monster || role == ClassRole::Boss || role == ClassRole::LastBoss;
 }
 
 bool is_cell(const Box& teleporter) {
@@ -35,22 +33,17 @@ Position meeting_place(const Position& origin, const std::vector<Trigger>& trigg
 
 }  // namespace
 
-bool is_left_as_trigger(const Entity& entity) {
-    const std::string name = entity.value("classname");
-    return name.starts_with("monster_") || name.starts_with("item_") || name.starts_with("weapon_") ||
-           name.starts_with("misc_explobox");
-}
-
 std::optional<Trigger> trigger_left_of(const Entity& entity, const std::vector<Trigger>& triggers) {
-    const std::string name = entity.value("classname");
+    const EntityClass* const its_class = find_entity_class(entity.value("classname"));
     const auto origin = origin_of(entity);
-    if (!origin) return {};
-    const bool is_monster = name.starts_with("monster_");
+    if (!its_class || !origin) return {};
+    const bool is_met = is_monster(its_class->role);
+    if (!is_met && its_class->role != ClassRole::Pickup) return {};
     Trigger trigger;
-    if (name == "monster_oldone") trigger.kind = TriggerKind::Exit;
+    if (its_class->role == ClassRole::LastBoss) trigger.kind = TriggerKind::Exit;
     trigger.wait_ticks = kForever;
-    trigger.box = size_of(name).moved(is_monster ? meeting_place(*origin, triggers) : *origin);
-    if (is_monster) trigger.box = trigger.box->grown(kReach);
+    trigger.box = box_of_class(its_class->box).moved(is_met ? meeting_place(*origin, triggers) : *origin);
+    if (is_met) trigger.box = trigger.box->grown(kReach);
     return trigger;
 }
 

@@ -14,11 +14,8 @@ namespace oblong {
 // (event_lightning) instead, where a level has it: of the third stroke, each with both electrodes at the same end of
 // their way.
 
-/// True for a monster, an item or an exploding box (monster_, item_, weapon_, misc_explobox).
-bool is_left_as_trigger(const Entity& entity);
-
-/// The trigger that is left of such an entity; nothing where it has no origin. Without what it fires. `triggers` are
-/// those of the level: the teleporters among them.
+/// The trigger that is left of a monster or a pickup (ClassRole); nothing of others, and where it has no origin.
+/// Without what it fires. `triggers` are those of the level: the teleporters among them.
 std::optional<Trigger> trigger_left_of(const Entity& entity, const std::vector<Trigger>& triggers);
 
 /// The movers that "target" the name "lightning": Chthon's electrodes. `entities[i]` is that of mover i.

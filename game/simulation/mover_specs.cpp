@@ -2,6 +2,7 @@
 #include <string>
 
 #include "engine/fixed/trig.h"
+#include "engine/level/entity_classes.h"
 #include "game/simulation/entity_keys.h"
 #include "game/simulation/entity_specs.h"
 #include "game/simulation/tick_input.h"
@@ -49,9 +50,9 @@ std::uint8_t keys_of(const Entity& entity) {
 Mover door(const Entity& entity, const Box& box) {
     Mover mover = sliding_mover(entity, box);
     mover.turns_back = mover.wait_ticks != kForever;
-    mover.keys = keys_of(entity);
-    if (mover.keys != 0) mover.turns_back = false;
-    if (mover.keys != 0 || has_flag(entity, kDoorToggles)) mover.wait_ticks = kForever;
+    mover.touch.keys = keys_of(entity);
+    if (mover.touch.keys != 0) mover.turns_back = false;
+    if (mover.touch.keys != 0 || has_flag(entity, kDoorToggles)) mover.wait_ticks = kForever;
     mover.toggles = has_flag(entity, kDoorToggles);
     if (!has_flag(entity, kDoorStartsOpen)) return mover;
     Leg& leg = mover.legs.front();
@@ -63,7 +64,7 @@ Mover door(const Entity& entity, const Box& box) {
 Mover button(const Entity& entity, const Box& box) {
     Mover mover = sliding_mover(entity, box);
     mover.kind = MoverKind::Button;
-    mover.touch_box = contact_box(box);
+    mover.touch.box = contact_box(box);
     return mover;
 }
 
@@ -85,8 +86,8 @@ Mover secret_door(const Entity& entity, const Box& box) {
     mover.legs.push_back(leg_along(mover.legs[0].way, forward, length("t_length", forward)));
     mover.speed_per_tick = scaled(World::from_int(kSecretSpeed), 1, kTicksPerSecond);
     mover.wait_ticks = has_flag(entity, kSecretOpensOnce) ? kForever : ticks_of(entity, "wait");
-    mover.is_opened_by_touch = entity.value("targetname").empty() || has_flag(entity, kSecretIsShot);
-    mover.touch_box = contact_box(box);
+    mover.touch.opens = entity.value("targetname").empty() || has_flag(entity, kSecretIsShot);
+    mover.touch.box = contact_box(box);
     return mover;
 }
 
@@ -118,7 +119,7 @@ Mover lift(const Entity& entity, const Box& box) {
     mover.wait_ticks = kLiftWait_s * kTicksPerSecond;
     mover.turns_back = true;
     mover.starts_at_end = !entity.value("targetname").empty();
-    mover.touch_box = lift_shaft(entity, box, height);
+    mover.touch.box = lift_shaft(entity, box, height);
     return mover;
 }
 
@@ -146,12 +147,12 @@ std::optional<Mover> mover_of(const Entity& entity, const Level& bsp, World long
     const auto model = model_of(entity, bsp);
     if (!model) return {};
     const Box box = model_box(bsp, *model);
-    const std::string name = entity.value("classname");
+    const ClassRole role = role_of(entity);
     std::optional<Mover> mover;
-    if (name == "func_door") mover = door(entity, box);
-    if (name == "func_door_secret") mover = secret_door(entity, box);
-    if (name == "func_button") mover = button(entity, box);
-    if (name == "func_plat") mover = lift(entity, box);
+    if (role == ClassRole::Door) mover = door(entity, box);
+    if (role == ClassRole::SecretDoor) mover = secret_door(entity, box);
+    if (role == ClassRole::Button) mover = button(entity, box);
+    if (role == ClassRole::Lift) mover = lift(entity, box);
     if (!mover || !is_within(*mover, longest)) return {};
     mover->model = *model;
     return mover;

@@ -113,7 +113,7 @@ bool move(const GameLevel& level, GameState& state, std::uint32_t i, TickReport&
     constexpr std::int32_t kPositions = 4;  // of the player, at which obstacles are looked at
     if (meets_player)
         report.mover_steps +=
-            kPositions * static_cast<std::int32_t>(level.obstacles.part_overlapping(player).numbers.size());
+            kPositions * static_cast<std::int32_t>(level.boxes.obstacles.part_overlapping(player).numbers.size());
     const bool was_free = meets_player && is_free(level, state, state.player.position);
     const MoverState before = std::exchange(state.movers[i], after);
     if (!was_free || push_player(level, state, mover, moved)) return true;
@@ -182,10 +182,10 @@ void touch_shut_door(const GameLevel& level, GameState& state, std::uint32_t i, 
     MoverState& group = state.movers[door.group];
     if (state.tick < group.next_touch || group.has_been_fired) return;
     group.next_touch = state.tick + kMessageRest_ticks;
-    show(state, level.movers[door.group].touch_message);
-    if (door.keys == 0) return;
-    if ((state.keys & door.keys) != door.keys) return show(state, door.keys_message);
-    state.keys = static_cast<std::uint8_t>(state.keys & ~door.keys);
+    show(state, level.movers[door.group].touch.message);
+    if (door.touch.keys == 0) return;
+    if ((state.progress.keys & door.touch.keys) != door.touch.keys) return show(state, door.touch.keys_message);
+    state.progress.keys = static_cast<std::uint8_t>(state.progress.keys & ~door.touch.keys);
     activations.activate(mover_ref(i));
 }
 
@@ -202,8 +202,8 @@ void touch_secret_door(const GameLevel& level, GameState& state, std::uint32_t i
     MoverState& door = state.movers[i];
     if (state.tick < door.next_touch) return;
     door.next_touch = state.tick + kMessageRest_ticks;
-    if (!door.has_been_fired) show(state, level.movers[i].touch_message);
-    if (level.movers[i].is_opened_by_touch) activations.activate(mover_ref(i));
+    if (!door.has_been_fired) show(state, level.movers[i].touch.message);
+    if (level.movers[i].touch.opens) activations.activate(mover_ref(i));
 }
 
 void press_button(GameState& state, std::uint32_t i) {
@@ -231,7 +231,7 @@ void touch_mover(const GameLevel& level, GameState& state, std::uint32_t i, Acti
     if (mover.kind == MoverKind::Button) return activations.activate(mover_ref(i));
     if (mover.kind == MoverKind::Lift) return touch_lift(state, i);
     if (mover.kind == MoverKind::SecretDoor) return touch_secret_door(level, state, i, activations);
-    if (mover.is_opened_by_touch && mover.keys == 0) return touch_open_door(level, state, i, activations);
+    if (mover.touch.opens && mover.touch.keys == 0) return touch_open_door(level, state, i, activations);
     touch_shut_door(level, state, i, activations);
 }
 
@@ -261,9 +261,9 @@ void end_tick_of_movers(GameState& state) {
 
 void touch_movers(const GameLevel& level, GameState& state, Activations& activations) {
     const Box player = player_box(state.player.position);
-    for (const std::uint32_t i : activations.touched(level.touch_boxes, player, state.backlog.next_touch_box)) {
+    for (const std::uint32_t i : activations.touched(level.boxes.touch, player, state.backlog.next_touch_box)) {
         const Mover& mover = level.movers[i];
-        if (mover.touch_box && mover.touch_box->overlaps(player) && !is_removed(state.movers[i]))
+        if (mover.touch.box && mover.touch.box->overlaps(player) && !is_removed(state.movers[i]))
             touch_mover(level, state, i, activations);
     }
 }

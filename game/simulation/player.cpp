@@ -158,7 +158,7 @@ void leave_solid(const GameLevel& level, GameState& state) {
         return;
     }
     const WayOut out = find_way_out(level, state, player.position);
-    if (out.is_inside_model) player.position = out.position.value_or(level.player_start);
+    if (out.is_inside_model) player.position = out.position.value_or(level.start.position);
 }
 
 }  // namespace

@@ -12,6 +12,13 @@ namespace oblong {
 /// How deep the player stands in a liquid.
 enum class Depth : std::uint8_t { Dry, Feet, Waist, Eyes };
 
+/// A place where the player comes in, and the direction that they look in there.
+struct Place {
+    Position position;
+    Angle yaw;
+    bool operator==(const Place&) const = default;
+};
+
 struct Player {
     Position position;  ///< in a box of 32x32x56: 16 from its sides, 24 above its feet
     Velocity velocity;
@@ -25,6 +32,15 @@ struct Player {
     static constexpr std::int32_t kNoGround = -1;
     static constexpr std::int32_t kSteepestPitch = 16'000;
     bool operator==(const Player&) const = default;
+};
+
+/// What the player has done so far.
+struct Progress {
+    std::int32_t found_secrets = 0;  ///< of GameLevel::secrets
+    std::uint8_t keys = 0;           ///< kSilverKey, kGoldKey: those the player has
+    Place respawn;                   ///< where the player came in last: see kRespawnButton
+
+    bool operator==(const Progress&) const = default;
 };
 
 /// Where a mover is on its way.
@@ -90,17 +106,19 @@ struct Backlog {
     bool is_empty() const { return *this == Backlog{}; }
 };
 
-/// A place where the player comes in, and the direction that they look in there.
-struct Place {
-    Position position;
-    Angle yaw;
-    bool operator==(const Place&) const = default;
+/// The last message that the player was shown.
+struct MessageState {
+    std::int32_t shown = -1;  ///< into GameLevel::messages; -1: none yet
+    std::int64_t tick = 0;    ///< that showed it
+
+    bool operator==(const MessageState&) const = default;
 };
 
 /// Everything that changes from tick to tick, and nothing else: what a demo must reproduce.
 struct GameState {
     std::int64_t tick = 0;
     Player player;
+    Progress progress;
     std::vector<MoverState> movers;            ///< in the order of GameLevel::movers
     std::vector<std::uint32_t> active_movers;  ///< not at rest, ascending: ticks step no others
     std::vector<WallState> walls;              ///< in the order of GameLevel::walls
@@ -108,11 +126,7 @@ struct GameState {
     std::vector<ItemState> items;              ///< in the order of GameLevel::items
     std::vector<DelayedFiring> delayed;        ///< the earliest first
     std::uint64_t dark_styles = 0;             ///< a bit for each light style that is switched off
-    std::int32_t found_secrets = 0;            ///< of GameLevel::secrets
-    std::uint8_t keys = 0;                     ///< kSilverKey, kGoldKey: those the player has
-    Place respawn;                             ///< where the player came in last: see kRespawnButton
-    std::int32_t shown_message = -1;           ///< the last one: into GameLevel::messages; -1: none yet
-    std::int64_t message_tick = 0;             ///< the tick that showed it
+    MessageState message;
     bool has_ended = false;
     std::int32_t exit = -1;  ///< the trigger that ended the level: into GameLevel::triggers
     Backlog backlog;

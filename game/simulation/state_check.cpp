@@ -95,8 +95,8 @@ void check_triggers(const GameLevel& level, const GameState& state, Check& check
                      "triggers: number " + std::to_string(i) + " has a state that it can't have");
         secrets_gone += level.triggers[i].is_secret && state.triggers[i].ready_tick == TriggerState::kNever;
     }
-    check.expect(state.found_secrets >= 0 && state.found_secrets <= secrets_gone,
-                 std::to_string(state.found_secrets) + " secrets found, expected no more than are gone");
+    check.expect(state.progress.found_secrets >= 0 && state.progress.found_secrets <= secrets_gone,
+                 std::to_string(state.progress.found_secrets) + " secrets found, expected no more than are gone");
 }
 
 void check_others(const GameLevel& level, const GameState& state, Check& check) {
@@ -105,12 +105,12 @@ void check_others(const GameLevel& level, const GameState& state, Check& check) 
     for (const ItemState item : state.items)
         check.expect(is_one_of(item, ItemState::Removed), "items: one in an unknown state");
     check.expect(
-        state.shown_message >= kNoMessage && state.shown_message < static_cast<std::int64_t>(level.messages.size()),
-        "message " + std::to_string(state.shown_message) + ", which the level has not");
+        state.message.shown >= kNoMessage && state.message.shown < static_cast<std::int64_t>(level.messages.size()),
+        "message " + std::to_string(state.message.shown) + ", which the level has not");
     check.expect(state.exit >= -1 && state.exit < static_cast<std::int64_t>(level.triggers.size()),
                  "exit " + std::to_string(state.exit) + ", which the level has not");
-    check.expect((state.keys & ~(kSilverKey | kGoldKey)) == 0, "unknown keys");
-    check.expect(is_within(state.respawn.position, kFarthestPlayer), "a place to come in outside the world");
+    check.expect((state.progress.keys & ~(kSilverKey | kGoldKey)) == 0, "unknown keys");
+    check.expect(is_within(state.progress.respawn.position, kFarthestPlayer), "a place to come in outside the world");
 }
 
 bool is_there(const GameLevel& level, const EntityRef& entity) {
@@ -149,9 +149,9 @@ void check_backlog(const GameLevel& level, const GameState& state, Check& check)
     const auto check_place = [&](std::uint32_t place, const BoxTree& boxes) {
         check.expect(place == 0 || place < boxes.size(), "the next box: unknown");
     };
-    check_place(backlog.next_touch_box, level.touch_boxes);
-    check_place(backlog.next_trigger_box, level.trigger_boxes);
-    check_place(backlog.next_item_box, level.item_boxes);
+    check_place(backlog.next_touch_box, level.boxes.touch);
+    check_place(backlog.next_trigger_box, level.boxes.triggers);
+    check_place(backlog.next_item_box, level.boxes.items);
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ void check_backlog(const GameLevel& level, const GameState& state, Check& check)
 std::string find_inconsistency(const GameLevel& level, const GameState& state) {
     Check check;
     check.expect(is_tick(state.tick), "tick " + std::to_string(state.tick));
-    check.expect(is_tick(state.message_tick) && state.message_tick <= state.tick, "a message of a tick to come");
+    check.expect(is_tick(state.message.tick) && state.message.tick <= state.tick, "a message of a tick to come");
     check.expect_length("movers", state.movers.size(), level.movers.size());
     check.expect_length("walls", state.walls.size(), level.walls.size());
     check.expect_length("triggers", state.triggers.size(), level.triggers.size());

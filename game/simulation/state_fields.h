@@ -20,9 +20,10 @@ void visit_fields(State& state, Visit& visit) {
     visit_all(player.velocity.x, player.velocity.y, player.velocity.z);
     visit_all(player.yaw, player.pitch, player.eye_lag, player.ground, player.depth, player.holds_jump);
     visit_all(state.movers, state.active_movers, state.walls, state.triggers, state.items, state.delayed);
-    visit_all(state.dark_styles, state.found_secrets, state.keys);
-    visit_all(state.respawn.position.x, state.respawn.position.y, state.respawn.position.z, state.respawn.yaw);
-    visit_all(state.shown_message, state.message_tick, state.has_ended, state.exit, state.backlog);
+    visit_all(state.dark_styles, state.progress.found_secrets, state.progress.keys);
+    visit_all(state.progress.respawn.position.x, state.progress.respawn.position.y, state.progress.respawn.position.z,
+              state.progress.respawn.yaw);
+    visit_all(state.message.shown, state.message.tick, state.has_ended, state.exit, state.backlog);
 }
 
 /// The same of a mover: MoverState or const MoverState.

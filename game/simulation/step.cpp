@@ -8,8 +8,8 @@ namespace {
 void respawn(GameState& state) {
     const bool holds_jump = state.player.holds_jump;
     state.player = {};
-    state.player.position = state.respawn.position;
-    state.player.yaw = state.respawn.yaw;
+    state.player.position = state.progress.respawn.position;
+    state.player.yaw = state.progress.respawn.yaw;
     state.player.holds_jump = holds_jump;
 }
 

@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "engine/level/entity_classes.h"
 #include "game/simulation/entity_keys.h"
 #include "game/simulation/entity_specs.h"
 #include "game/simulation/tick_input.h"
@@ -74,7 +75,7 @@ std::vector<Leg> legs_of(const Path& path) {
 
 std::optional<Mover> train_of(const Entity& entity, const EntitiesByName& by_name, const Level& bsp, World longest) {
     const auto model = model_of(entity, bsp);
-    if (entity.value("classname") != "func_train" || !model) return {};
+    if (role_of(entity) != ClassRole::Train || !model) return {};
     const Path path = path_of(entity, by_name, model_box(bsp, *model).mins);
     if (path.corners.empty()) return {};
     for (const Corner& corner : path.corners)

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <string>
 
 #include "engine/level/entities.h"
@@ -16,30 +15,36 @@ constexpr World kFastestPush = World::from_int(2000);     // as fast as anything
 constexpr std::int32_t kStrokes = 3;                      // of lightning; Chthon's health at normal skill
 const Vec3<World> kShotReach = world_vector(32, 32, 64);  // from what has to be shot
 
-struct TriggerClassRow {
-    std::string_view name;
-    TriggerKind kind;
-    bool has_volume;
-};
+std::optional<TriggerKind> trigger_kind(ClassRole role) {
+    switch (role) {
+        case ClassRole::TriggerOnce:
+        case ClassRole::TriggerMultiple:
+        case ClassRole::TriggerSecret:
+        case ClassRole::TriggerOnlyRegistered:
+            return TriggerKind::Multiple;
+        case ClassRole::TriggerRelay:
+            return TriggerKind::Relay;
+        case ClassRole::TriggerCounter:
+            return TriggerKind::Counter;
+        case ClassRole::TriggerTeleport:
+            return TriggerKind::Teleport;
+        case ClassRole::TriggerPush:
+            return TriggerKind::Push;
+        case ClassRole::TriggerExit:
+            return TriggerKind::Exit;
+        case ClassRole::Checkpoint:
+            return TriggerKind::Checkpoint;
+        case ClassRole::Lightning:
+            return TriggerKind::Lightning;
+        default:
+            return {};
+    }
+}
 
-constexpr std::array kTriggerClasses{
-    TriggerClassRow{"trigger_multiple", TriggerKind::Multiple, true},
-    TriggerClassRow{"trigger_once", TriggerKind::Multiple, true},
-    TriggerClassRow{"trigger_secret", TriggerKind::Multiple, true},
-    TriggerClassRow{"trigger_onlyregistered", TriggerKind::Multiple, true},
-    TriggerClassRow{"trigger_relay", TriggerKind::Relay, false},
-    TriggerClassRow{"trigger_counter", TriggerKind::Counter, false},
-    TriggerClassRow{"trigger_teleport", TriggerKind::Teleport, true},
-    TriggerClassRow{"trigger_push", TriggerKind::Push, true},
-    TriggerClassRow{"trigger_changelevel", TriggerKind::Exit, true},
-    TriggerClassRow{"info_checkpoint", TriggerKind::Checkpoint, false},
-    TriggerClassRow{"event_lightning", TriggerKind::Lightning, false},
-};
-
-void read_multiple(const Entity& entity, const std::string& name, Trigger& trigger) {
-    trigger.is_secret = name == "trigger_secret";
-    trigger.wait_ticks = name == "trigger_multiple" ? ticks_of(entity, "wait") : kForever;
-    if (name == "trigger_onlyregistered") return;
+void read_multiple(const Entity& entity, ClassRole role, Trigger& trigger) {
+    trigger.is_secret = role == ClassRole::TriggerSecret;
+    trigger.wait_ticks = role == ClassRole::TriggerMultiple ? ticks_of(entity, "wait") : kForever;
+    if (role == ClassRole::TriggerOnlyRegistered) return;
     if (has_flag(entity, kNotTouched))
         trigger.box.reset();
     else if (is_shot(entity))
@@ -76,18 +81,17 @@ bool read_checkpoint(const Entity& entity, Trigger& trigger) {
 }  // namespace
 
 std::optional<Trigger> trigger_of(const Entity& entity, const Level& bsp) {
-    const std::string name = entity.value("classname");
-    const auto row = std::find_if(kTriggerClasses.begin(), kTriggerClasses.end(),
-                                  [&](const TriggerClassRow& each) { return each.name == name; });
-    if (row == kTriggerClasses.end()) return {};
+    const EntityClass* const its_class = find_entity_class(entity.value("classname"));
+    const auto kind = its_class ? trigger_kind(its_class->role) : std::nullopt;
+    if (!kind) return {};
     Trigger trigger;
-    trigger.kind = row->kind;
-    if (row->has_volume) {
+    trigger.kind = *kind;
+    if (its_class->shape == ClassShape::Brush) {
         const auto model = model_of(entity, bsp);
         if (!model) return {};
         trigger.box = model_box(bsp, *model);
     }
-    if (trigger.kind == TriggerKind::Multiple) read_multiple(entity, name, trigger);
+    if (trigger.kind == TriggerKind::Multiple) read_multiple(entity, its_class->role, trigger);
     if (trigger.kind == TriggerKind::Counter) read_counter(entity, trigger);
     if (trigger.kind == TriggerKind::Push) read_push(entity, trigger);
     if (trigger.kind == TriggerKind::Checkpoint && !read_checkpoint(entity, trigger)) return {};

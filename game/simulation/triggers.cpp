@@ -27,7 +27,7 @@ void begin_wait(const Trigger& trigger, GameState& state, std::uint32_t i) {
 void fire_unless_waiting(const Trigger& trigger, GameState& state, std::uint32_t i, Activations& activations) {
     if (state.tick < state.triggers[i].ready_tick) return;
     begin_wait(trigger, state, i);
-    state.found_secrets += trigger.is_secret;
+    state.progress.found_secrets += trigger.is_secret;
     activations.fire(trigger_ref(i));
 }
 
@@ -58,7 +58,7 @@ bool looks_along(const Player& player, const Vec3<Unit>& direction) {
 
 void teleport(GameState& state, const Place& exit) {
     Player& player = state.player;
-    state.respawn = exit;
+    state.progress.respawn = exit;
     player.position = exit.position;
     player.yaw = exit.yaw;
     player.pitch = 0;
@@ -93,7 +93,7 @@ bool touch(const GameLevel& level, GameState& state, std::uint32_t i, Activation
             push(trigger, state, i);
             return false;
         case TriggerKind::Checkpoint:
-            state.respawn = trigger.place;
+            state.progress.respawn = trigger.place;
             return false;
         case TriggerKind::Exit:
             activations.fire(trigger_ref(i));
@@ -116,7 +116,8 @@ void touch_triggers(const GameLevel& level, GameState& state, Activations& activ
     for (bool is_moved = true; is_moved && teleports <= TickReport::kMostTeleports; ++teleports) {
         is_moved = false;
         const Box player = player_box(state.player.position);
-        for (const std::uint32_t i : activations.touched(level.trigger_boxes, player, state.backlog.next_trigger_box)) {
+        for (const std::uint32_t i :
+             activations.touched(level.boxes.triggers, player, state.backlog.next_trigger_box)) {
             if (i < first || is_gone(state.triggers[i]) || !level.triggers[i].box->overlaps(player)) continue;
             first = i + 1;
             is_moved = touch(level, state, i, activations);

@@ -1,6 +1,5 @@
 #include "game/sound/ambience.h"
 
-#include <array>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -8,6 +7,7 @@
 
 #include "engine/effects/things.h"
 #include "engine/level/entities.h"
+#include "engine/level/entity_classes.h"
 #include "engine/scene/level_effects.h"
 
 namespace oblong {
@@ -15,26 +15,6 @@ namespace {
 
 // Faces of one sound in a cube of this size become one source.
 constexpr std::int32_t kCell = 256;
-
-struct ClassSound {
-    std::string_view class_name;
-    Sound sound;
-};
-constexpr std::array kClassSounds{
-    ClassSound{"misc_lantern", Sound::Fire},
-    ClassSound{"light_torch_small_walltorch", Sound::Fire},
-    ClassSound{"light_flame_large_yellow", Sound::Fire},
-    ClassSound{"light_flame_small_yellow", Sound::Fire},
-    ClassSound{"light_flame_small_white", Sound::Fire},
-    ClassSound{"ambient_suck_wind", Sound::Wind},
-    ClassSound{"ambient_drip", Sound::Water},
-    ClassSound{"ambient_comp_hum", Sound::Hum},
-    ClassSound{"ambient_flouro_buzz", Sound::Hum},
-    ClassSound{"ambient_light_buzz", Sound::Hum},
-    ClassSound{"ambient_drone", Sound::Teleporter},
-    ClassSound{"ambient_swamp1", Sound::Slime},
-    ClassSound{"ambient_swamp2", Sound::Slime},
-};
 
 std::optional<Sound> sound_of_liquid(std::string_view texture) {
     switch (liquid_kind_of_texture(texture)) {
@@ -123,11 +103,10 @@ void add_emitters(const Level& level, SourceList& list) {
 
 void add_entities(const Level& level, SourceList& list) {
     for (const Entity& entity : level.entities) {
-        const std::string class_name = entity.value("classname");
+        const EntityClass* const its_class = find_entity_class(entity.value("classname"));
+        const auto sound = its_class ? find_sound(its_class->sound) : std::nullopt;
         const auto place = parse_world_vector(entity.value("origin"));
-        if (!place) continue;
-        for (const ClassSound& row : kClassSounds)
-            if (row.class_name == class_name) list.add(row.sound, {*place, *place});
+        if (sound && place) list.add(*sound, {*place, *place});
     }
 }
 

@@ -200,7 +200,7 @@ bool is_clear(const GameLevel& level, const GameState& state, const Position& fr
               ModelIndex except) {
     if (stops_line(*level.bsp, kWorldModel, from, to)) return false;
     const Box line = Box{from, from}.united({to, to});
-    for (const std::uint32_t i : level.obstacles.part_overlapping(line).numbers) {
+    for (const std::uint32_t i : level.boxes.obstacles.part_overlapping(line).numbers) {
         const std::optional<Obstacle> obstacle = obstacle_of(level, state, i);
         if (!obstacle || obstacle->model == except) continue;
         const auto& [model, offset] = *obstacle;

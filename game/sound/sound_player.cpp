@@ -5,7 +5,7 @@
 
 #include "engine/base/table.h"
 #include "engine/files/files.h"
-#include "game/sound/flac.h"
+#include "engine/files/flac.h"
 
 namespace oblong {
 namespace {

@@ -128,9 +128,9 @@ void SoundStarts::note_items(const GameState& before, const GameState& after, st
     }
     const bool has_ended = !before.has_ended && after.has_ended;
     if (has_ended) add(Sound::LevelEnd, sources);
-    const bool has_found = after.found_secrets > before.found_secrets;
+    const bool has_found = after.progress.found_secrets > before.progress.found_secrets;
     if (has_found) add(Sound::Secret, sources);
-    const bool says_more = before.message_tick != after.message_tick;
+    const bool says_more = before.message.tick != after.message.tick;
     if (says_more && !has_taken && !has_ended && !has_found) add(Sound::Message, sources);
 }
 

@@ -1,5 +1,6 @@
 #include "game/sound/sound_table.h"
 
+#include <algorithm>
 #include <array>
 
 #include "engine/base/table.h"
@@ -64,6 +65,12 @@ static_assert(kRows.size() == kSoundCount);
 
 const SoundRow& row_of(Sound sound) {
     return item(kRows, sound);
+}
+
+std::optional<Sound> find_sound(std::string_view file) {
+    const auto found =
+        std::find_if(kRows.begin(), kRows.end(), [file](const SoundRow& row) { return row.file == file; });
+    return found == kRows.end() ? std::nullopt : std::optional(static_cast<Sound>(found - kRows.begin()));
 }
 
 std::string file_of(Sound sound, std::int32_t variant) {

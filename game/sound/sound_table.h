@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "engine/base/table.h"
 
@@ -78,6 +80,9 @@ struct SoundRow {
 };
 
 const SoundRow& row_of(Sound sound);
+
+/// The sound of a row's `file`; nothing where no row has it.
+std::optional<Sound> find_sound(std::string_view file);
 
 /// "step_stone2.flac"; `variant` from 0.
 std::string file_of(Sound sound, std::int32_t variant);

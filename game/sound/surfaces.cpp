@@ -5,6 +5,7 @@
 #include <cctype>
 #include <string>
 
+#include "engine/level/entity_classes.h"
 #include "engine/scene/pick.h"
 
 namespace oblong {
@@ -58,9 +59,9 @@ Sound step_sound(const GameLevel& level, const GameState& state) {
 
 MoverSounds mover_sounds(const Level& bsp, ModelIndex model) {
     const Entity* entity = entity_of(bsp, model);
-    const std::string class_name = entity == nullptr ? "" : entity->value("classname");
-    if (class_name == "func_plat") return {Sound::LiftStart, Sound::LiftMove, Sound::LiftStop};
-    if (class_name == "func_train") return {Sound::TrainStart, Sound::TrainMove, Sound::TrainStop};
+    const ClassRole role = entity == nullptr ? ClassRole::None : role_of(*entity);
+    if (role == ClassRole::Lift) return {Sound::LiftStart, Sound::LiftMove, Sound::LiftStop};
+    if (role == ClassRole::Train) return {Sound::TrainStart, Sound::TrainMove, Sound::TrainStop};
     const Sound step = step_sound_of_texture(first_texture(bsp, model));
     if (step == Sound::StepWood) return {Sound::DoorStart, Sound::DoorMove, Sound::DoorStop};
     if (step == Sound::StepMetal) return {Sound::GateStart, Sound::GateMove, Sound::GateStop};

@@ -1,6 +1,6 @@
 # The figures of the page on accuracy are those that the program measures.
 add_test(NAME accuracy.ThePageSaysWhatIsMeasured
-         COMMAND oblong-accuracy --page ${CMAKE_SOURCE_DIR}/tools/accuracy/README.md --check)
+         COMMAND oblong-accuracy --page ${PROJECT_SOURCE_DIR}/tools/accuracy/README.md --check)
 set_tests_properties(accuracy.ThePageSaysWhatIsMeasured PROPERTIES TIMEOUT 36000)
 
 # What the report's page shows, by its own script.

@@ -64,6 +64,11 @@ TEST(IncludeChecker, FindsWhatBreaksARuleAndNothingElse) {
               "engine/frame/f.cpp",
               "#include <format>\n#include <ranges>\n#include <source_location>\n",
               {"format", "ranges", "source_location"}},
+             {"an example's", "engine/examples/e.cpp", "#include <oblong.h>\n#include <cstdio>\n#include <random>\n"},
+             {"an example's of the engine",
+              "engine/examples/e.cpp",
+              "#include \"engine/base/x.h\"\n#include <SDL.h>\n#include \"oblong.h\"\n",
+              {"engine/base/x.h", "SDL.h"}},
              {"no include", "engine/math/v.h", "// #include \"game/a.h\"\n#define include <game>\n#\n"}})
         EXPECT_TRUE(are_about(find_bad_includes(kHouse, {{path, text}}), faults)) << name;
 }

@@ -26,6 +26,7 @@ const std::vector<Room>& project_rooms() {
         {"engine/files", {"engine/frame", "engine/draw"}},
         {"engine/platform", {"engine/view", "engine/surface"}},
         {"engine/platform/sdl", {"engine/platform"}},
+        {"engine/library", {"engine/methods", "engine/files", "engine/platform/sdl"}},
         {"game/simulation", {"engine/scene"}},
         {"game/input", {"game/simulation", "engine/platform"}},
         {"game/options", {"game/input", "engine/files"}},
@@ -74,7 +75,7 @@ std::vector<Room> parse_cmake_rooms(const std::string& cmake, const std::string&
         room.folder.insert(0, prefix);
         folders[name] = room.folder;
         while (words >> word) {
-            if (word == "DEPENDS" || word == "EXTRA_FOLDERS")
+            if (word == "DEPENDS" || word == "EXTRA_FOLDERS" || word == "EXCEPT")
                 list = word;
             else if (list == "DEPENDS")
                 room.depends.push_back(folders[word]);

@@ -4,7 +4,7 @@ if(TARGET oblong-bench)
              $<TARGET_FILE:oblong-bench>)
 endif()
 foreach(SCRIPT stages peer scale)
-    add_test(NAME bench.${SCRIPT} COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/scripts_test.py ${CMAKE_SOURCE_DIR}
-             ${CMAKE_BINARY_DIR} $<TARGET_FILE:oblong-render> ${SCRIPT})
+    add_test(NAME bench.${SCRIPT} COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/scripts_test.py ${PROJECT_SOURCE_DIR}
+             ${PROJECT_BINARY_DIR} $<TARGET_FILE:oblong-render> ${SCRIPT})
     set_tests_properties(bench.${SCRIPT} PROPERTIES SKIP_RETURN_CODE 77)
 endforeach()

@@ -55,7 +55,7 @@ TEST_F(RecordedWalk, FindsAllLensesAndEndsTheLevelInTwoToFourMinutes) {
 TEST_F(RecordedWalk, ShowsEveryMessageOfTheLevelButThoseOfWaysThatItDoesNotTake) {
     std::set<std::string> shown;
     replay([&](const GameState& state) {
-        if (state.shown_message >= 0) shown.insert(game_level_.messages[static_cast<std::size_t>(state.shown_message)]);
+        if (state.message.shown >= 0) shown.insert(game_level_.messages[static_cast<std::size_t>(state.message.shown)]);
     });
     std::size_t lenses = 0;
     for (const Entity& entity : level_.entities) {

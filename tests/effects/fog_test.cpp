@@ -13,7 +13,7 @@ namespace oblong::test {
 namespace {
 
 InverseZ inverse_of(double z) {
-    return nearest<InverseZ>(1 / z);
+    return fixed_of<InverseZ>(1 / z);
 }
 
 /// Parts of 63 that fog hides, before rounding.
@@ -40,13 +40,13 @@ TEST(Fog, HidesWhatFitzQuakesFormulaSays) {
         const double z = std::exp2(static_cast<double>(random() % 1300) / 100);
         const double hidden = hidden_63(density, z, start);
         if (std::abs(hidden - std::floor(hidden) - 0.5) < 0.001) continue;  // where the depths' rounding decides
-        const FogDepths depths = make_fog_depths(nearest<FogDensity>(density), nearest<View>(start));
+        const FogDepths depths = make_fog_depths(fixed_of<FogDensity>(density), fixed_of<View>(start));
         ASSERT_EQ(depths.level_at(inverse_of(z)), std::lround(hidden)) << density << ", " << start << ", " << z;
     }
 }
 
 TEST(Fog, GrowsWithDepthUpToItsEnd) {
-    const FogDepths depths = make_fog_depths(nearest<FogDensity>(0.2), nearest<View>(100), nearest<View>(400));
+    const FogDepths depths = make_fog_depths(fixed_of<FogDensity>(0.2), fixed_of<View>(100), fixed_of<View>(400));
     std::int32_t before = 0;
     for (int z = 1; z < 5000; ++z) {
         const std::int32_t level = depths.level_at(inverse_of(z));
@@ -62,17 +62,17 @@ TEST(Fog, GrowsWithDepthUpToItsEnd) {
 }
 
 TEST(Fog, DensitiesThatMeanNothingAreClear) {
-    for (const FogDensity density : {FogDensity{}, nearest<FogDensity>(-1), FogDensity::lowest()}) {
+    for (const FogDensity density : {FogDensity{}, fixed_of<FogDensity>(-1), FogDensity::lowest()}) {
         const FogDepths depths = make_fog_depths(density);
         for (const double z : {0.01, 1.0, 1e5}) EXPECT_EQ(depths.level_at(inverse_of(z)), 0);
     }
     const FogDepths thin = make_fog_depths(FogDensity::ulp()), thick = make_fog_depths(FogDensity::highest());
     EXPECT_EQ(thin.level_at(inverse_of(1e6)), 0);
     EXPECT_EQ(thick.level_at(inverse_of(1)), 63);
-    const FogDepths before_eye = make_fog_depths(nearest<FogDensity>(0.1), nearest<View>(-500), nearest<View>(1000));
+    const FogDepths before_eye = make_fog_depths(fixed_of<FogDensity>(0.1), fixed_of<View>(-500), fixed_of<View>(1000));
     EXPECT_EQ(before_eye.greatest_inverse_z,
-              make_fog_depths(nearest<FogDensity>(0.1), {}, nearest<View>(1000)).greatest_inverse_z);
-    const FogDepths reversed = make_fog_depths(nearest<FogDensity>(0.1), nearest<View>(500), nearest<View>(100));
+              make_fog_depths(fixed_of<FogDensity>(0.1), {}, fixed_of<View>(1000)).greatest_inverse_z);
+    const FogDepths reversed = make_fog_depths(fixed_of<FogDensity>(0.1), fixed_of<View>(500), fixed_of<View>(100));
     EXPECT_EQ(reversed.level_at(inverse_of(1e4)), 0);
 }
 
@@ -100,7 +100,7 @@ TEST(Fog, RunsHaveTheLevelOfEachPixelAndLeaveNoGap) {
 }
 
 TEST(Fog, ARunOfOneLevelIsNotCut) {
-    const FogDepths depths = make_fog_depths(nearest<FogDensity>(0.05));
+    const FogDepths depths = make_fog_depths(fixed_of<FogDensity>(0.05));
     std::vector<FogRun> runs;
     const LinearQuantity<InverseZ> wall{inverse_of(500), {}, {}};
     append_fog_runs({7, 10, 200}, wall, depths, runs);

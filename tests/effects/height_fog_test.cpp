@@ -16,7 +16,7 @@ namespace {
 constexpr double kDensity = 0.1;
 
 FogDepths depths() {
-    return make_fog_depths(nearest<FogDensity>(kDensity));
+    return make_fog_depths(fixed_of<FogDensity>(kDensity));
 }
 
 /// A plane in a view, and low fog.
@@ -43,7 +43,7 @@ struct FoggyView {
         const ViewDirections directions =
             make_view_directions(axes, make_projection(ScreenMode{}, Degrees::from_int(90)));
         const HeightFogView view =
-            make_height_fog_view({nearest<World>(top), nearest<World>(fade)}, point_at(0, 0, eye_height), directions);
+            make_height_fog_view({fixed_of<World>(top), fixed_of<World>(fade)}, point_at(0, 0, eye_height), directions);
         std::vector<FogRun> found;
         append_height_fog_runs(span, inverse_z, view, depths(), found);
         return found;

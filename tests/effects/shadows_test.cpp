@@ -17,7 +17,7 @@ Level level_of_slope(double slope_x) {
     Level level;
     const double length = std::hypot(slope_x, 1);
     LevelPlane plane;
-    plane.normal = {nearest<Unit>(-slope_x / length), {}, nearest<Unit>(1 / length)};
+    plane.normal = {fixed_of<Unit>(-slope_x / length), {}, fixed_of<Unit>(1 / length)};
     level.planes.push_back(plane);
     return level;
 }

@@ -50,12 +50,17 @@ class SkyPicture {
         for (std::int32_t y = 0; y < 200; ++y) spans.push_back({y, 0, 320});
         draw(spans, {texels.data(), kSize, 2 * kSize}, time_ms);
     }
-    void draw(std::span<const Span> spans, const SkyTexture& sky, std::int64_t time_ms) {
-        draw_sky(spans, compose_sky(sky, time_ms, pixels_of(spans), layers_), axes_, projection_,
-                 {pixels_.data(), 320, 200, 320});
+    /// Returns how many lines that took.
+    std::int64_t draw_row(const std::vector<std::uint8_t>& texels, std::int32_t row) {
+        const Span span{row, 0, 320};
+        return draw({&span, 1}, {texels.data(), kSize, 2 * kSize}, 0);
+    }
+    std::int64_t draw(std::span<const Span> spans, const SkyTexture& sky, std::int64_t time_ms) {
+        return draw_sky(spans, compose_sky(sky, time_ms, pixels_of(spans), layers_), axes_, projection_,
+                        {pixels_.data(), 320, 200, 320});
     }
     const std::vector<std::uint8_t>& pixels() const { return pixels_; }
-    std::size_t scratch_bytes() const { return layers_.size(); }
+    std::size_t scratch_bytes() const { return layers_.tile.size(); }
     std::uint8_t at(std::int32_t column, std::int32_t row) const {
         return pixels_[static_cast<std::size_t>(row * 320 + column)];
     }
@@ -69,7 +74,8 @@ class SkyPicture {
   private:
     Basis axes_;
     Projection projection_ = make_projection(ScreenMode{}, Degrees::from_int(90));
-    std::vector<std::uint8_t> pixels_ = std::vector<std::uint8_t>(320 * 200), layers_;
+    std::vector<std::uint8_t> pixels_ = std::vector<std::uint8_t>(320 * 200);
+    SkyLayers layers_;
 };
 
 /// How far `place` is outside of texel [index, index + 1), round the sky; 0 inside.
@@ -107,6 +113,43 @@ TEST(Sky, IsTheDomeWhereAStepBeginsAndNearItBetween) {
                     const double off = distance_to_texel(picture.dome(column, row, axis), picture.at(column, row) - 1);
                     ASSERT_LE(off, column % kLongestLine_px == 0 ? 0.01 : kLineError_texels) << column << ", " << row;
                 }
+        }
+}
+
+TEST(Sky, LongerLinesStayWithinATexel) {
+    std::mt19937 random(2);
+    std::int64_t shortest = 0, blocks = 0;
+    double largest = 0;
+    for (int trial = 0; trial < 60; ++trial)
+        for (const Axis axis : {Axis::U, Axis::V}) {
+            SkyPicture picture(random_axes(random));
+            const std::vector<std::uint8_t> texels = numbered_clouds(axis);
+            for (std::int32_t row = 0; row < 200; row += 3) {
+                const std::int64_t of_row = picture.draw_row(texels, row);
+                blocks += of_row;
+                shortest += 320 / 8;
+                if (of_row == 320 / 8) continue;  // lines of 8 pixels, the shortest, may be further off
+                for (std::int32_t column = 0; column < 320; ++column)
+                    largest = std::max(largest,
+                                       distance_to_texel(picture.dome(column, row, axis), picture.at(column, row) - 1));
+            }
+        }
+    EXPECT_LT(largest, 1.01);
+    EXPECT_GT(largest, 0.5) << "lines are shorter than they need be";
+    EXPECT_LT(blocks * 10, shortest * 6);
+}
+
+TEST(Sky, LayersThatAreKeptAreNoPartOfThePicture) {
+    std::mt19937 random(9);
+    const std::vector<std::uint8_t> texels = random_sky(random), others = random_sky(random);
+    const Basis axes = random_axes(random);
+    SkyPicture kept(axes);
+    for (const std::vector<std::uint8_t>* sky : {&texels, &others, &texels})
+        for (const std::int64_t time_ms : {0, 124, 125, 300, 0}) {
+            SkyPicture alone(axes);
+            kept.draw(*sky, time_ms);
+            alone.draw(*sky, time_ms);
+            ASSERT_EQ(kept.pixels(), alone.pixels()) << time_ms;
         }
 }
 
@@ -193,7 +236,8 @@ TEST(Sky, HoldsEveryTextureSizeModeAndFieldOfView) {
     for (std::int32_t size = 1; size <= 2048; size *= 2) {
         const std::vector<std::uint8_t> texels(static_cast<std::size_t>(2 * size * size), 9);
         for (const auto& [width, height, degrees] : {std::tuple{320, 200, 90}, {4096, 40, 179}, {60, 4096, 1}}) {
-            std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width * height)), layers;
+            std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width * height));
+            SkyLayers layers;
             const std::vector<Span> spans{{0, 0, width}, {height / 2, 1, width - 1}, {height - 1, width - 1, width}};
             const Projection projection = make_projection({width, height}, Degrees::from_int(degrees));
             const SkyNow sky = compose_sky({texels.data(), size, 2 * size}, random(), pixels_of(spans), layers);
@@ -207,7 +251,7 @@ TEST(Sky, PixelsOutsideOfItsSpansStay) {
     std::vector<std::uint8_t> pixels(320 * 200, 77);
     const std::vector<std::uint8_t> texels(2 * kSize * kSize, 5);
     const std::vector<Span> spans{{3, 11, 12}, {3, 20, 37}, {199, 319, 320}};
-    std::vector<std::uint8_t> layers;
+    SkyLayers layers;
     draw_sky(spans, compose_sky({texels.data(), kSize, 2 * kSize}, 0, pixels_of(spans), layers),
              view_basis({}, Angle::from_bam(60000), {}), make_projection(ScreenMode{}, Degrees::from_int(90)),
              {pixels.data(), 320, 200, 320});

@@ -194,8 +194,8 @@ std::vector<ParallelCase> parallel_cases() {
 void check_parallel(ViewFrames& frames, const ParallelCase& which, const Vec3<World>& centre, int width, bool is_cut,
                     std::mt19937& random, Tally& tally) {
     ViewSpec view = orthographic_view(centre, which.axes, View::from_int(width));
-    view.shear_x = nearest<Unit>(which.shear_x);
-    view.shear_y = nearest<Unit>(which.shear_y);
+    view.shear_x = fixed_of<Unit>(which.shear_x);
+    view.shear_y = fixed_of<Unit>(which.shear_y);
     if (is_cut) cut_front(view, centre, World::from_raw(-37));
     const Point middle = which.ahead + which.right * which.shear_x + which.up * which.shear_y;
     frames.check(view, {true, to_point(centre), which.right, which.up, middle, width / 2.0}, 40, random, tally);
@@ -227,8 +227,8 @@ Tally check_windows(Stage& stage, int places, bool is_cut) {
         camera.yaw = random_angle(random);
         camera.pitch = Angle::from_bam(random_below(random, 20000) - 10000);
         ViewSpec view = first_person_view(camera);
-        view.shear_x = nearest<Unit>(random_between(random, -0.7, 0.7));
-        view.shear_y = nearest<Unit>(random_between(random, -0.7, 0.7));
+        view.shear_x = fixed_of<Unit>(random_between(random, -0.7, 0.7));
+        view.shear_y = fixed_of<Unit>(random_between(random, -0.7, 0.7));
         if (is_cut) cut_front(view, camera.eye, World::from_int(32 << random() % 4));
         if (is_cut) cut_back(view, camera.eye, World::from_int(512));
         const Point right = to_point(view.axes.right), up = to_point(view.axes.up);

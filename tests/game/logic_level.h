@@ -60,7 +60,7 @@ struct LogicGame : ToyGame {
     bool has_left(std::size_t mover) const { return phase(mover) != MoverState::Phase::AtStart; }
     /// The message that was shown last; empty if none was.
     std::string message() const {
-        return state.shown_message < 0 ? "" : level.messages.at(static_cast<std::size_t>(state.shown_message));
+        return state.message.shown < 0 ? "" : level.messages.at(static_cast<std::size_t>(state.message.shown));
     }
 };
 

@@ -92,7 +92,7 @@ TEST(Mover, WhoIsInsideOneWithoutAWayOutStartsAgain) {
     toy.add_entity({{"classname", "func_button"}, {"model", "*1"}, {"target", "shut"}});
     ToyGame game(std::move(toy));
     game.state.player.position = {World::from_int(1000), World::from_int(500), World::from_int(100)};
-    game.level.movers[0].touch_box.reset();
+    game.level.movers[0].touch.box.reset();
     ASSERT_FALSE(is_out(game));
     game.play(1, kStand);
     EXPECT_TRUE(is_out(game));
@@ -220,7 +220,7 @@ TEST(GameLevel, TensOfThousandsOfEntities) {
     ASSERT_EQ(game.level.movers.size(), 2u * kCount);
     EXPECT_EQ(game.level.triggers.size(),
               1u * kCount);  // teleporters have no exit: none of their targets has an origin
-    EXPECT_EQ(game.level.movers.front().touch_box->maxs.x, World::from_int(3 * kCount - 5 + 65));  // linked, end to end
+    EXPECT_EQ(game.level.movers.front().touch.box->maxs.x, World::from_int(3 * kCount - 5 + 65));  // linked, end to end
     game.play(5, kStand);
     EXPECT_NE(game.state.movers.back().phase, Phase::AtStart);
 }

@@ -51,9 +51,9 @@ BoxTree tree_of_all(std::size_t count) {
 
 // The same level, in which nothing is left out.
 GameLevel where_all_is_near(GameLevel level) {
-    level.touch_boxes = tree_of_all(level.movers.size());
-    level.trigger_boxes = tree_of_all(level.triggers.size());
-    level.obstacles = tree_of_all(level.solid_walls.size() + level.movers.size());
+    level.boxes.touch = tree_of_all(level.movers.size());
+    level.boxes.triggers = tree_of_all(level.triggers.size());
+    level.boxes.obstacles = tree_of_all(level.solid_walls.size() + level.movers.size());
     return level;
 }
 

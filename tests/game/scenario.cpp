@@ -168,12 +168,12 @@ const std::map<std::string, Number> kNumbers{
     {"yaw", [](const LogicGame& game, std::size_t) { return game.state.player.yaw.bam * 360 / 65'536.0; }},
     {"flies", [](const LogicGame& game, std::size_t) { return game.state.player.ground == Player::kNoGround; }},
     {"depth", [](const LogicGame& game, std::size_t) { return static_cast<double>(game.state.player.depth); }},
-    {"keys", [](const LogicGame& game, std::size_t) { return game.state.keys; }},
+    {"keys", [](const LogicGame& game, std::size_t) { return game.state.progress.keys; }},
     {"lenses",
      [](const LogicGame& game, std::size_t) { return count_items(game.level, game.state, ItemClass::Lens).taken; }},
-    {"secrets", [](const LogicGame& game, std::size_t) { return game.state.found_secrets; }},
+    {"secrets", [](const LogicGame& game, std::size_t) { return game.state.progress.found_secrets; }},
     {"ended", [](const LogicGame& game, std::size_t) { return game.state.has_ended; }},
-    {"said_at", [](const LogicGame& game, std::size_t) { return static_cast<double>(game.state.message_tick); }},
+    {"said_at", [](const LogicGame& game, std::size_t) { return static_cast<double>(game.state.message.tick); }},
     {"counted", [](const LogicGame& game, std::size_t) { return counted(game); }},
     {"delayed", [](const LogicGame& game, std::size_t) { return game.state.delayed.size(); }},
     {"active", [](const LogicGame& game, std::size_t) { return game.state.active_movers.size(); }},
@@ -264,7 +264,7 @@ class Run {
         else if (verb == "activate")
             Activations(game_.level, game_.state).activate({EntityRef::Kind::Mover, which(words)});
         else if (verb == "untouchable")
-            game_.level.movers.at(which(words)).touch_box.reset();
+            game_.level.movers.at(which(words)).touch.box.reset();
         else if (verb == "each")
             for (int tick = 0; tick < number(1) && !testing::Test::HasFailure(); ++tick) {
                 game_.play(1, input(2));

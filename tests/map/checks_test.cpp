@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
-#include "engine/level/entity_classes.h"
 #include "tests/map/map_source.h"
 
 namespace oblong::test {
@@ -46,6 +43,9 @@ TEST(Checks, NameUnknownClassesAndKeysByTheirLines) {
                     "line 10: nothing reads the key 'wiat' of a func_door, perhaps 'wait' is meant"}));
     EXPECT_EQ(warnings_of(entity("func_rotating", {{"angle", "90"}})),
               Said{"line 4: the class 'func_rotating' is unknown: the entity is written as it stands"});
+    EXPECT_EQ(warnings_of(entity_at("monster_knigth", {1, 2, 3})),
+              Said{"line 4: the class 'monster_knigth' is unknown, perhaps 'monster_knight' is meant: the entity is "
+                   "written as it stands"});
     EXPECT_EQ(warnings_of("{\n\"origin\" \"1 2 3\"\n}\n"), Said{"line 4: an entity without a classname, expected one"});
 }
 
@@ -162,19 +162,6 @@ TEST(Checks, NameAnOriginBrush) {
     ASSERT_EQ(said.size(), 1u);
     EXPECT_NE(said[0].what.find("texture 'origin'"), std::string::npos) << said[0].what;
     EXPECT_EQ(bsp.models.at(1).face_count, 6) << "the brush beside it";
-}
-
-// Every row is a class of its own, and no group of keys has one twice: the first would win.
-TEST(EntityClasses, AreDifferent) {
-    std::set<std::string_view> names;
-    for (const EntityClass& row : entity_classes()) {
-        EXPECT_TRUE(names.insert(row.name).second) << row.name;
-        EXPECT_EQ(find_entity_class(row.name), &row) << row.name << " is hidden by a family above it";
-        for (const auto& group : row.keys) {
-            std::set<std::string_view> keys;
-            for (const EntityKey& key : group) EXPECT_TRUE(keys.insert(key.name).second) << row.name << ' ' << key.name;
-        }
-    }
 }
 
 }  // namespace

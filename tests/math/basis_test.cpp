@@ -169,7 +169,7 @@ TEST(LookAt, IsOrthonormalForAnyThreePoints) {
 }
 
 TEST(OrthonormalFlaw, IsTheLargestOfLengthsAndAngles) {
-    const Unit half = nearest<Unit>(0.5);
+    const Unit half = fixed_of<Unit>(0.5);
     EXPECT_EQ(orthonormal_flaw({kX, kY, kZ}), Sine60{});
     EXPECT_EQ(orthonormal_flaw({kX, kY, {{}, {}, half}}).raw, std::int64_t{3} << 58) << "1/4 for 1";
     EXPECT_EQ(orthonormal_flaw({kX, {half, Unit::from_int(1), {}}, kZ}).raw, std::int64_t{1} << 59) << "1/2 for 0";

@@ -161,7 +161,7 @@ TEST(ViewMatrix, GivesThePointsThatToViewGives) {
         const auto any = [&random] { return World::from_raw(static_cast<std::int32_t>(random()) / 16); };
         const Vec3<World> eye{any(), any(), any()}, p{any(), any(), any()};
         const Basis basis = view_basis(Angle::from_bam(random()), Angle::from_bam(random()), Angle::from_bam(random()));
-        const Vec4 got = view_matrix(basis, eye) * Vec4{convert<Entry>(p.x), convert<Entry>(p.y), convert<Entry>(p.z)};
+        const Vec4 got = view_matrix(basis, eye) * homogeneous(p);
         const Vec3<View> expected = to_view(p, eye, basis);
         ASSERT_LE(std::abs(got.x.raw - expected.x.raw * 65536), 32768 + 4);
         ASSERT_LE(std::abs(got.y.raw - expected.y.raw * 65536), 32768 + 4);

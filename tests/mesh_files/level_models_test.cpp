@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "engine/files/files.h"
-#include "engine/files/model_classes.h"
 #include "engine/level/bsp_read.h"
 #include "engine/level/entities.h"
+#include "engine/level/entity_classes.h"
 #include "engine/level/trace.h"
 #include "tests/mesh_files/mdl_writer.h"
 #include "tests/support/bsp_writer.h"
@@ -137,16 +137,16 @@ TEST_F(ModelFolder, ItemsOfQuakeStandOnTheFloor) {
 }
 
 TEST_F(ModelFolder, KeysAreThoseOfTheWorldsKind) {
-    const auto file = [](const std::string& text, std::int32_t world_type) {
-        const ModelClass* its_class = model_class_of(parse_entities(text, "test").at(0), world_type);
-        return its_class ? std::string(its_class->file) : "";
+    const auto file = [](const std::string& name, std::int32_t flags, std::int32_t world_type) {
+        const ClassModel* model = find_class_model(*find_entity_class(name), flags, world_type);
+        return model ? std::string(model->file) : "";
     };
-    EXPECT_EQ(file(R"({ "classname" "item_key2" })", 0), "progs/w_g_key.mdl");
-    EXPECT_EQ(file(R"({ "classname" "item_key2" })", 2), "progs/b_g_key.mdl");
-    EXPECT_EQ(file(R"({ "classname" "item_cells" "spawnflags" "1" })", 0), "maps/b_batt1.bsp");
-    EXPECT_EQ(file(R"({ "classname" "item_cells" })", 0), "maps/b_batt0.bsp");
-    EXPECT_EQ(file(R"({ "classname" "item_sigil" "spawnflags" "4" })", 0), "progs/end3.mdl");
-    EXPECT_EQ(file(R"({ "classname" "monster_knight" })", 0), "");
+    EXPECT_EQ(file("item_key2", 0, 0), "progs/w_g_key.mdl");
+    EXPECT_EQ(file("item_key2", 0, 2), "progs/b_g_key.mdl");
+    EXPECT_EQ(file("item_cells", 1, 0), "maps/b_batt1.bsp");
+    EXPECT_EQ(file("item_cells", 0, 0), "maps/b_batt0.bsp");
+    EXPECT_EQ(file("item_sigil", 4, 0), "progs/end3.mdl");
+    EXPECT_EQ(file("monster_knight", 0, 0), "");
 }
 
 TEST_F(ModelFolder, AMissingFileIsOneWarning) {

@@ -171,8 +171,7 @@ TEST(VolumeMatrix, LeadsToTheScreenPositionsThatProjectGives) {
             const auto view = [](double value) { return View::from_raw(std::llround(std::ldexp(value, 16))); };
             const Vec3<View> p{view(x), view(y), view(z)};
             const VolumeScreenPoint by_matrix =
-                volume_to_screen(matrix * Vec4{convert<Entry>(p.x), convert<Entry>(p.y), convert<Entry>(p.z)},
-                                 mode.width_px, mode.height_px);
+                volume_to_screen(matrix * homogeneous(p), mode.width_px, mode.height_px);
             const ScreenPosition by_multipliers = project(p, projection);
             ASSERT_NEAR(number(by_matrix.x), std::ldexp(static_cast<double>(by_multipliers.x.raw), -8), 0.003);
             ASSERT_NEAR(number(by_matrix.y), std::ldexp(static_cast<double>(by_multipliers.y.raw), -8), 0.003);

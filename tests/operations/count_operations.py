@@ -42,6 +42,7 @@ OF_EFFECTS = re.compile("engine/(draw/|effects/|files/|mesh/|raster/(depth|lines
                         "methods/|visibility/placed_box|"
                         "frame/(fog|light|mirror|model|see_through)_pass|frame/(frame_things|shared_drawing|wireframe))")
 BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|files/files|surface/(palette|colormap|oklab))")
+NOT_COUNTED = re.compile("/(sdl|library|examples)/")
 TOOLS = ["engine/files/arguments.cpp", "tools/render/camera_list.cpp", "tools/measure/operations.cpp",
          "tests/operations/counter/count_operations.cpp"]
 LARGEST_DIFFERENCE = 0.05
@@ -106,7 +107,7 @@ class CountingBuild:
         parts = {part: [f"engine/{name}.cpp" for name in names.split()] for part, names in PARTS.items()}
         counted = sum(parts.values(), ["engine/raster/kernels/choice.cpp"])  # in place of which there is the plain kernel
         rest = [file for file in sorted(glob.glob("engine/**/*.cpp", root_dir=source, recursive=True))
-                if file not in counted and "/sdl/" not in file]
+                if file not in counted and not NOT_COUNTED.search(file)]
         loading = [file for file in rest if BEFORE_FRAMES.match(file)]
         parts[LEFT_OUT] = [file for file in rest if file not in loading and not OF_EFFECTS.match(file)]
         self.names = {part: part[0].replace("/", "").replace(" ", "_") for part in parts}

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Installs the project into a temporary root and checks what is there.  check_installed.py BUILD_FOLDER VERSION
+"""Installs the game into a temporary root and checks what is there.  check_installed.py BUILD_FOLDER VERSION
 
 Each file is one that a user needs, and none is missing; the programs run from there, in a folder of someone else's; each
 manual page parses and names each option of its program's --help; menu entry and metadata are valid."""
@@ -39,8 +39,8 @@ def main(build, version):
 
 
 def install(build, folder):
-    subprocess.run(['cmake', '--install', build, '--prefix', '/usr'], env=dict(os.environ, DESTDIR=folder), check=True,
-                   stdout=subprocess.DEVNULL)
+    subprocess.run(['cmake', '--install', build, '--prefix', '/usr', '--component', 'game'],
+                   env=dict(os.environ, DESTDIR=folder), check=True, stdout=subprocess.DEVNULL)
 
 
 def files_in(folder):

@@ -1,6 +1,6 @@
 # Installs what is built into a folder of its own and looks at that.
 add_test(NAME package.WhatIsInstalledRuns
-         COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/check_installed.py ${CMAKE_BINARY_DIR} ${PROJECT_VERSION})
+         COMMAND python3 ${CMAKE_CURRENT_LIST_DIR}/check_installed.py ${PROJECT_BINARY_DIR} ${PROJECT_VERSION})
 add_test(NAME package.LicencesSuitAndAreNamed
-         COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/check_licences.py ${CMAKE_BINARY_DIR} ${CMAKE_SOURCE_DIR})
-add_test(NAME package.TwoBuildsAtOnceWait COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/two_builds.py ${CMAKE_SOURCE_DIR})
+         COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/check_licences.py ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
+add_test(NAME package.TwoBuildsAtOnceWait COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/two_builds.py ${PROJECT_SOURCE_DIR})

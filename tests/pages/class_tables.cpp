@@ -16,7 +16,7 @@ std::string shape_of(const EntityClass& row) {
 }
 
 std::string name_of(const EntityClass& row) {
-    return code(row.name.ends_with('_') ? std::string(row.name) + "..." : std::string(row.name));
+    return code(row.is_family() ? std::string(row.name.substr(0, row.name.size() - 1)) + "..." : std::string(row.name));
 }
 
 std::string kind_of(const EntityKey& key) {
@@ -55,15 +55,24 @@ std::string list_of_keys(const EntityClass& row) {
 
 }  // namespace
 
+// Classes of the same meaning are one row.
 std::string class_table() {
-    std::string text = "| class | is | does | keys (what they usually are) |\n|---|---|---|---|\n", others;
+    std::vector<std::array<std::string, 2>> rows;  // names, and what they are
+    std::string others;
     for (const EntityClass& row : entity_classes()) {
-        if (row.does.empty())
+        if (row.does.empty()) {
             others += (others.empty() ? "" : ", ") + name_of(row);
+            continue;
+        }
+        const std::string meaning = " | " + shape_of(row) + " | " + std::string(row.does) + since_text(row.since) +
+                                    " | " + list_of_keys(row) + " |\n";
+        if (rows.empty() || rows.back()[1] != meaning)
+            rows.push_back({name_of(row), meaning});
         else
-            text += "| " + name_of(row) + " | " + shape_of(row) + " | " + std::string(row.does) + " | " +
-                    list_of_keys(row) + " |\n";
+            rows.back()[0] += ", " + name_of(row);
     }
+    std::string text = "| class | is | does | keys (what they usually are) |\n|---|---|---|---|\n";
+    for (const auto& [names, meaning] : rows) text.append("| ").append(names).append(meaning);
     return text + "\nKnown, and without effect: " + others + ".\n";
 }
 
@@ -77,7 +86,7 @@ std::string entity_key_table() {
     std::vector<Row> rows;
     const auto add = [&](const EntityKey& key, const std::string& owner) {
         if (key.does.empty()) return;
-        const std::array meaning{code(key.name), kind_of(key), std::string(key.does)};
+        const std::array meaning{code(key.name), kind_of(key), std::string(key.does) + since_text(key.since)};
         const auto found =
             std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.meaning == meaning; });
         (found == rows.end() ? rows.emplace_back(Row{meaning, {}}) : *found).owners.push_back(owner);

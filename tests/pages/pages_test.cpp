@@ -33,11 +33,9 @@ std::vector<fs::path> all_pages() {
     return pages;
 }
 
-const std::map<std::string, std::function<std::string()>> kTables{{"actions", action_table},
-                                                                  {"options", option_table},
-                                                                  {"dials", dial_table},
-                                                                  {"classes", class_table},
-                                                                  {"entity keys", entity_key_table}};
+const std::map<std::string, std::function<std::string()>> kTables{
+    {"actions", action_table},         {"options", option_table},  {"dials", dial_table},      {"classes", class_table},
+    {"entity keys", entity_key_table}, {"library", library_table}, {"examples", example_table}};
 
 /// A page whose blocks "<!-- table NAME -->" to "<!-- end -->" are the tables of these names, which go to `found`.
 std::string with_tables(std::string page, std::set<std::string>& found) {
@@ -64,6 +62,22 @@ TEST(Pages, TablesAreThoseOfTheCode) {
             ADD_FAILURE() << path << " has other tables than the code: OBLONG_WRITE_PAGES=1 build/bin/test_pages";
     }
     EXPECT_EQ(found.size(), kTables.size());
+}
+
+/// Whatever the header declares with parentheses, comments and bodies aside.
+TEST(Pages, AllOfTheLibraryIsOnItsPage) {
+    const std::string page = read_text(source_folder() + "/engine/library/README.md");
+    std::istringstream lines(read_text(source_folder() + "/engine/library/oblong.h"));
+    const std::regex name(R"((\w+)\()"), aside("//.*|\\{ .*");
+    std::set<std::string> names;
+    for (std::string line; std::getline(lines, line);) {
+        line = std::regex_replace(line, aside, "");
+        if (line.find("= delete") != line.npos || line.find("operator") != line.npos) continue;
+        for (std::sregex_iterator at(line.begin(), line.end(), name), end; at != end; ++at) names.insert((*at)[1]);
+    }
+    EXPECT_GT(names.size(), 60u);
+    for (const std::string& one : names)
+        EXPECT_TRUE(std::regex_search(page, std::regex("\\b" + one + "\\("))) << one << "() is not on the page";
 }
 
 /// What GitHub calls a heading in a link: "## Add a dial!" is "add-a-dial".

@@ -15,5 +15,8 @@ std::string option_table();
 std::string dial_table();
 std::string class_table();
 std::string entity_key_table();
+/// What oblong.h declares, and what the examples show.
+std::string library_table();
+std::string example_table();
 
 }  // namespace oblong::test

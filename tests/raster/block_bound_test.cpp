@@ -18,8 +18,8 @@ constexpr std::int32_t kWidth = 320;
 TextureGradients row_of(double z0, double z1, double texels) {
     const double w0 = 1 / z0, w1 = 1 / z1;
     TextureGradients row;
-    row.inverse_z = {nearest<InverseZ>(w0), nearest<InverseZ>((w1 - w0) / kWidth), {}};
-    row.u_over_z = {{}, nearest<TexelOverZ>(texels * w1 / kWidth), {}};
+    row.inverse_z = {fixed_of<InverseZ>(w0), fixed_of<InverseZ>((w1 - w0) / kWidth), {}};
+    row.u_over_z = {{}, fixed_of<TexelOverZ>(texels * w1 / kWidth), {}};
     row.v_over_z = row.u_over_z;
     return row;
 }

@@ -20,7 +20,7 @@ struct Slope {
     double origin = 0.004, per_column = 0.00001, per_row = 0.00002;
 
     LinearQuantity<InverseZ> quantity() const {
-        return {nearest<InverseZ>(origin), nearest<InverseZ>(per_column), nearest<InverseZ>(per_row)};
+        return {fixed_of<InverseZ>(origin), fixed_of<InverseZ>(per_column), fixed_of<InverseZ>(per_row)};
     }
     double steps(std::int32_t column, std::int32_t row) const {
         return std::ldexp(origin + per_column * column + per_row * row, 32);

@@ -44,7 +44,7 @@ BlockList blocks_of(const Case& face) {
 
 template <class Value>
 LinearQuantity<Value> along(double first, double last) {
-    return {nearest<Value>(first), nearest<Value>((last - first) / kWidth), nearest<Value>((last - first) / 9999)};
+    return {fixed_of<Value>(first), fixed_of<Value>((last - first) / kWidth), fixed_of<Value>((last - first) / 9999)};
 }
 
 Span random_span(std::int32_t row, auto& random) {
@@ -66,7 +66,8 @@ Case any_slope(std::mt19937_64& random, int trial) {
 }
 
 /// Walls and floors of level views, z constant along columns or rows: one division a column or a row serves all pixels
-/// of it. 1/z is clamped at some columns of some walls, and changes its number of bits at others.
+/// of it; of a wall, where its texture is upright. 1/z is clamped at some columns of some walls, and changes its number
+/// of bits at others.
 Case wall_or_floor(std::mt19937_64& random, int trial) {
     const auto part = [&](double least, double greatest) { return random_between(random, least, greatest); };
     const double w0 = depth(random), w1 = trial % 9 == 0 ? -w0 : depth(random);
@@ -76,6 +77,7 @@ Case wall_or_floor(std::mt19937_64& random, int trial) {
     LinearQuantity<InverseZ>& inverse_z = face.gradients.inverse_z;
     inverse_z.per_row = {};
     if (trial % 3 == 0) std::swap(inverse_z.per_column, inverse_z.per_row);
+    if (trial % 5 != 0) face.gradients.u_over_z.per_row = {};
     for (std::int32_t row = 0; row < kHeight; ++row) face.spans.push_back(random_span(row, random));
     return face;
 }

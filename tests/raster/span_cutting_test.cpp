@@ -26,10 +26,10 @@ TextureGradients random_plane(std::mt19937& random) {
     const double w = std::exp2(part(-14, 1)), texels = std::exp2(part(0, 17));
     const auto slope = [&](double of) { return of * part(-1, 1) * std::exp2(part(-8, 2)) / kWidth; };
     TextureGradients plane;
-    plane.inverse_z = {nearest<InverseZ>(w), nearest<InverseZ>(slope(w)), nearest<InverseZ>(slope(w))};
+    plane.inverse_z = {fixed_of<InverseZ>(w), fixed_of<InverseZ>(slope(w)), fixed_of<InverseZ>(slope(w))};
     const double u = w * texels * part(-1, 1), v = w * texels * part(-1, 1);
-    plane.u_over_z = {nearest<TexelOverZ>(u), nearest<TexelOverZ>(slope(w * texels)), nearest<TexelOverZ>(slope(u))};
-    plane.v_over_z = {nearest<TexelOverZ>(v), nearest<TexelOverZ>(slope(v)), nearest<TexelOverZ>(slope(w * texels))};
+    plane.u_over_z = {fixed_of<TexelOverZ>(u), fixed_of<TexelOverZ>(slope(w * texels)), fixed_of<TexelOverZ>(slope(u))};
+    plane.v_over_z = {fixed_of<TexelOverZ>(v), fixed_of<TexelOverZ>(slope(v)), fixed_of<TexelOverZ>(slope(w * texels))};
     return plane;
 }
 
@@ -126,7 +126,7 @@ TEST(SpanCutting, EveryCutterCutsTheSameBlocks) {
 TEST(SpanCutting, StopsWhereTheListIsFullAndGoesOnFromThere) {
     const std::vector<Span> rows(3000, Span{0, 0, 4});
     TextureGradients plane;
-    plane.inverse_z = {nearest<InverseZ>(0.01), nearest<InverseZ>(1e-5), {}};
+    plane.inverse_z = {fixed_of<InverseZ>(0.01), fixed_of<InverseZ>(1e-5), {}};
     Accuracy accuracy;
     accuracy.texturing = Texturing::Exact;
     const BlockCutting cutting{plane, make_texel_limits(64, 64, 0), {}};

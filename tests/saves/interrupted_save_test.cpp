@@ -167,10 +167,10 @@ TEST_F(InterruptedSave, SeveralProgramsAtOnceAllSave) {
         }));
     for (const pid_t program : programs) EXPECT_EQ(status_of(program), kDone);
     int walks = 0;
-    for (const SlotContent& content : slots_.list()) {
+    for (const ListedSlot& content : slots_.list()) {
         if (content.slot.kind != SaveKind::Walk || content.slot == kSlot) continue;
         ++walks;
-        EXPECT_EQ(content.game, SavedWalk(content.slot.number).saved());
+        EXPECT_EQ(slots_.load(content.slot).game, SavedWalk(content.slot.number).saved());
     }
     EXPECT_EQ(walks, kPrograms);
 }

@@ -29,9 +29,9 @@ class SlotFiles : public testing::Test {
 };
 
 TEST_F(SlotFiles, AreEmptyWithoutAFolderAndMakeNone) {
-    const std::vector<SlotContent> all = slots_.list();
+    const std::vector<ListedSlot> all = slots_.list();
     ASSERT_EQ(all.size(), 8u);
-    for (const SlotContent& content : all) {
+    for (const ListedSlot& content : all) {
         EXPECT_FALSE(content.game);
         EXPECT_EQ(content.refusal, "");
     }
@@ -54,6 +54,21 @@ TEST_F(SlotFiles, EachKeepsItsOwnGame) {
     EXPECT_EQ(slots_.list().size(), 3u + 8u);
 }
 
+TEST_F(SlotFiles, AreListedAsTheyAreLoaded) {
+    slots_.save(kThird, third_);
+    const ListedSlot listed = slots_.list().at(2);
+    ASSERT_TRUE(listed.game);
+    EXPECT_EQ(listed.slot, kThird);
+    EXPECT_EQ(listed.game->level, third_.level);
+    EXPECT_EQ(listed.game->lenses, third_.lenses);
+    EXPECT_EQ(listed.game->tick, 30);
+    EXPECT_EQ(listed.game->picture, third_.picture);
+    SavedGame other = third_;
+    other.state.player.pitch += 1;
+    slots_.save(kThird, other);
+    EXPECT_NE(slots_.head_of(kThird).game, listed.game) << "though they differ in their states alone";
+}
+
 TEST_F(SlotFiles, TheWalkThatWasSavedLastIsFirst) {
     for (const int number : {3, 1, 2}) {
         const SaveSlot slot{SaveKind::Walk, number};
@@ -61,7 +76,7 @@ TEST_F(SlotFiles, TheWalkThatWasSavedLastIsFirst) {
         fs::last_write_time(file("auto" + std::to_string(number) + ".save"),
                             fs::file_time_type{std::chrono::hours(number == 1 ? 9 : number)});
     }
-    const std::vector<SlotContent> all = slots_.list();
+    const std::vector<ListedSlot> all = slots_.list();
     EXPECT_EQ(all[0].slot.number, 1);
     EXPECT_EQ(all[1].slot.number, 3);
     EXPECT_EQ(slots_.last_walk()->slot.number, 1);
@@ -79,7 +94,7 @@ TEST_F(SlotFiles, WhatEarlierVersionsSavedIsListedAndSaysSo) {
     fs::create_directory(folder_.path("made"));
     for (const char* name : {"auto.save", "quick.save", "slot2.save"}) write_file(file(name), bytes);
     int refused = 0;
-    for (const SlotContent& content : slots_.list())
+    for (const ListedSlot& content : slots_.list())
         refused += content.refusal.find("another version of the game (1)") != std::string::npos;
     EXPECT_EQ(refused, 3);
     EXPECT_EQ(slots_.hold_new().number, 1) << "and is not saved over";

@@ -25,9 +25,9 @@ TEST(SavedGame, TheWalkHasSomethingInEveryList) {
     const auto was_open = [](const TriggerState& trigger) { return trigger.open_until > 0; };
     EXPECT_EQ(std::count_if(state.triggers.begin(), state.triggers.end(), was_open), 1);
     EXPECT_EQ(state.items, (std::vector{ItemState::Taken, ItemState::Taken}));
-    EXPECT_EQ(state.keys, kSilverKey);
-    EXPECT_NE(state.shown_message, -1);
-    EXPECT_NE(state.player.position, walk.game.level.player_start);
+    EXPECT_EQ(state.progress.keys, kSilverKey);
+    EXPECT_NE(state.message.shown, -1);
+    EXPECT_NE(state.player.position, walk.game.level.start.position);
 }
 
 TEST(SavedGame, WhatIsReadIsWhatWasSaved) {

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <cmath>
-#include <cstdint>
-
-#include "engine/fixed/fixed.h"
+#include "engine/files/doubles.h"
 #include "engine/math/vec.h"
 #include "tools/measure/exact.h"
 
@@ -17,13 +14,8 @@ inline Point along(const Point& a, const Point& b, double t) {
     return a + (b - a) * t;
 }
 
-/// The engine's number nearest to a value.
-template <class Number>
-Number nearest(double value) {
-    return Number::from_raw(static_cast<typename Number::Raw>(std::llround(std::ldexp(value, Number::kFractionBits))));
-}
 inline Vec3<World> to_world(Point p) {
-    return {nearest<World>(p.x), nearest<World>(p.y), nearest<World>(p.z)};
+    return {fixed_of<World>(p.x), fixed_of<World>(p.y), fixed_of<World>(p.z)};
 }
 inline Vec3<World> point_at(double x, double y, double z) {
     return to_world({x, y, z});

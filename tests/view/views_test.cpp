@@ -110,7 +110,7 @@ TEST(ParallelViews, ShiftWhatIsFartherWhereOblique) {
             for (const int degrees : {30, 45, 60}) {
                 const double turn = degrees * 3.141592653589793 / 180;
                 const ViewSpec view = oblique_view({}, side_axes(ViewSide::Front), View::from_int(300),
-                                                   nearest<Unit>(share), degrees_to_angle(Degrees::from_int(degrees)));
+                                                   fixed_of<Unit>(share), degrees_to_angle(Degrees::from_int(degrees)));
                 // Binary angles are within 0.003 degrees.
                 expect_extents(view, mode, 0, 1 + share * std::cos(turn), 0, 1 + share * std::sin(turn));
             }
@@ -152,8 +152,8 @@ TEST(WindowViews, ShowTheLabsCubeWhereItsGeometrySays) {
     window.normal = point_at(0, 0, -1);
     window.up = point_at(0, 1, 0);
     window.centre_of_projection = point_at(0.5, 0.5, -4);
-    window.u_min = window.v_min = nearest<World>(-0.5);
-    window.u_max = window.v_max = nearest<World>(0.5);
+    window.u_min = window.v_min = fixed_of<World>(-0.5);
+    window.u_max = window.v_max = fixed_of<World>(0.5);
     const ScreenMode mode{200, 200, {1, 1}};
     const ViewSpec spec = window_view(window);
     ASSERT_FALSE(problem_of(spec, mode));
@@ -184,8 +184,8 @@ RandomWindow random_window(std::mt19937& random, bool is_parallel) {
     made.du = 100 + within(50);
     made.dv = made.du * 3 / 4;
     const double u = within(100), v = within(100);
-    window.u_min = nearest<World>(u), window.u_max = nearest<World>(u + made.du);
-    window.v_min = nearest<World>(v), window.v_max = nearest<World>(v + made.dv);
+    window.u_min = fixed_of<World>(u), window.u_max = fixed_of<World>(u + made.du);
+    window.v_min = fixed_of<World>(v), window.v_max = fixed_of<World>(v + made.dv);
     return made;
 }
 
@@ -223,8 +223,8 @@ TEST(WindowViews, ShowAWindowOfAnotherShapeWholeAndUndistorted) {
     window.normal = point_at(0, 1, 0);
     window.up = point_at(0, 0, 1);
     window.centre_of_projection = point_at(0, -100, 0);
-    window.u_min = nearest<World>(-10), window.u_max = nearest<World>(10);
-    window.v_min = nearest<World>(-60), window.v_max = nearest<World>(60);
+    window.u_min = fixed_of<World>(-10), window.u_max = fixed_of<World>(10);
+    window.v_min = fixed_of<World>(-60), window.v_max = fixed_of<World>(60);
     const ViewContext view = make_view_context(window_view(window), {320, 200, {4, 3}});
     EXPECT_NEAR(shown(view, point_at(0, 0, 60)).y, 0, 0.01);
     EXPECT_NEAR(shown(view, point_at(0, 0, -60)).y, 200, 0.01);
@@ -243,7 +243,7 @@ std::string refused(const WindowView& window) {
 TEST(WindowViews, SayWhatIsWrong) {
     WindowView good;
     good.normal = point_at(0, 1, 0), good.up = point_at(0, 0, 1), good.centre_of_projection = point_at(0, -100, 0);
-    good.u_min = good.v_min = nearest<World>(-10), good.u_max = good.v_max = nearest<World>(10);
+    good.u_min = good.v_min = fixed_of<World>(-10), good.u_max = good.v_max = fixed_of<World>(10);
     EXPECT_EQ(refused(good), "");
     const std::vector<std::pair<void (*)(WindowView&), const char*>> cases{
         {[](WindowView& w) { w.normal = {}; }, "VPN: is zero, expected a direction"},
@@ -252,7 +252,7 @@ TEST(WindowViews, SayWhatIsWrong) {
          "COP: is in the view plane, expected it before or behind"},
         {[](WindowView& w) { w.u_max = w.u_min; },
          "window: is empty, expected u_min below u_max and v_min below v_max"},
-        {[](WindowView& w) { w.u_min = nearest<World>(150), w.u_max = nearest<World>(190); },
+        {[](WindowView& w) { w.u_min = fixed_of<World>(150), w.u_max = fixed_of<World>(190); },
          "window: its middle is more than 45 degrees from straight ahead, expected less"}};
     for (const auto& [spoil, message] : cases) {
         WindowView window = good;
@@ -318,8 +318,8 @@ TEST(ViewContexts, HaveRaysThatAreTheInverseOfTheirAxes) {
     std::mt19937 random(5);
     for (int i = 0; i < 500; ++i) {
         ViewSpec spec = first_person_view({{}, random_angle(random), random_angle(random), random_angle(random)});
-        spec.shear_x = nearest<Unit>(random_between(random, -0.5, 0.5));
-        spec.shear_y = nearest<Unit>(random_between(random, -0.5, 0.5));
+        spec.shear_x = fixed_of<Unit>(random_between(random, -0.5, 0.5));
+        spec.shear_y = fixed_of<Unit>(random_between(random, -0.5, 0.5));
         const ViewContext view = make_view_context(spec, {});
         const std::array<Point, 3> rows{to_point(view.axes.right), to_point(view.axes.up), to_point(view.axes.forward)};
         const std::array<Point, 3> columns{to_point(view.rays.right), to_point(view.rays.up),

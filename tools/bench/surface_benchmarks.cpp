@@ -21,7 +21,8 @@ void time_sky(benchmark::State& state) {
     constexpr std::int32_t kSize = 128;
     const auto length = static_cast<std::int32_t>(state.range(0));
     const std::vector<std::uint8_t> texels = make_texels(2 * kSize, kSize);
-    std::vector<std::uint8_t> pixels(pixel_count(kMode.width_px, kMode.height_px)), layers;
+    std::vector<std::uint8_t> pixels(pixel_count(kMode.width_px, kMode.height_px));
+    SkyLayers layers;
     std::vector<Span> spans;
     for (std::int32_t y = 0; y < kMode.height_px; ++y)
         for (std::int32_t x = 0; x < kMode.width_px; x += length)

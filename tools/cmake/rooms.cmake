@@ -1,12 +1,16 @@
-# oblong_room(NAME FOLDER DEPENDS ...): one library per room, named oblong_NAME, of all the .cpp files right in FOLDER.
+# oblong_room(NAME FOLDER DEPENDS ... [EXTRA_FOLDERS ...] [EXCEPT FILE]): one library per room, named oblong_NAME, of all the
+# .cpp files right in FOLDER and the extra ones, but for FILE.
 # A room of headers alone becomes an interface library, so that who depends on it need not know.
 function(oblong_room NAME FOLDER)
-    cmake_parse_arguments(ROOM "" "" "DEPENDS;EXTRA_FOLDERS" ${ARGN})
+    cmake_parse_arguments(ROOM "" "EXCEPT" "DEPENDS;EXTRA_FOLDERS" ${ARGN})
     file(GLOB SOURCES CONFIGURE_DEPENDS ${FOLDER}/*.cpp)
     foreach(EXTRA ${ROOM_EXTRA_FOLDERS})
         file(GLOB MORE CONFIGURE_DEPENDS ${EXTRA}/*.cpp)
         list(APPEND SOURCES ${MORE})
     endforeach()
+    if(ROOM_EXCEPT)
+        list(REMOVE_ITEM SOURCES ${CMAKE_CURRENT_SOURCE_DIR}/${FOLDER}/${ROOM_EXCEPT})
+    endif()
     list(TRANSFORM ROOM_DEPENDS PREPEND oblong_)
     if(SOURCES)
         add_library(oblong_${NAME} STATIC ${SOURCES})

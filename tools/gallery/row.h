@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -115,6 +117,12 @@ template <class ColourAt>
 void paint(Framebuffer canvas, const ColourAt& colour_at) {
     for (std::int32_t y = 0; y < canvas.height_px; ++y)
         for (std::int32_t x = 0; x < canvas.width_px; ++x) canvas.row(y)[x] = colour_at(x, y);
+}
+
+/// At how many places two lists of one length differ.
+template <class Element>
+std::int64_t count_differences(const std::vector<Element>& a, const std::vector<Element>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), std::int64_t{0}, std::plus<>(), std::not_equal_to<>());
 }
 
 /// All rows, in the order of the seeds, with their texts.

@@ -8,6 +8,7 @@
 #include "engine/draw/drawing.h"
 #include "engine/draw/font.h"
 #include "engine/fixed/trig.h"
+#include "engine/math/transform.h"
 #include "engine/methods/canonical_volume.h"
 #include "engine/raster/lines.h"
 #include "engine/raster/scan.h"
@@ -51,8 +52,7 @@ Sketch::Sketch(const RowInput& input, Framebuffer canvas, const Area& area, cons
 
 std::vector<ScreenVertex> Sketch::clipped(std::span<const Vec3<World>> corners) const {
     std::vector<Vec4> polygon;
-    for (const Vec3<World>& p : corners)
-        polygon.push_back(world_to_volume_ * Vec4{convert<Entry>(p.x), convert<Entry>(p.y), convert<Entry>(p.z)});
+    for (const Vec3<World>& p : corners) polygon.push_back(world_to_volume_ * homogeneous(p));
     std::vector<ScreenVertex> screen;
     for (const Vec4& corner : clip_to_volume(polygon)) {
         const VolumeScreenPoint at = volume_to_screen(corner, part_.width_px, part_.height_px);
@@ -108,8 +108,7 @@ void Sketch::label(const Vec3<World>& at, std::string_view text, std::uint8_t co
 }
 
 std::optional<PlanePoint> Sketch::place_of(const Vec3<World>& point) const {
-    const Vec4 corner =
-        world_to_volume_ * Vec4{convert<Entry>(point.x), convert<Entry>(point.y), convert<Entry>(point.z)};
+    const Vec4 corner = world_to_volume_ * homogeneous(point);
     if (volume_outcode(corner) != 0) return std::nullopt;
     const VolumeScreenPoint at = volume_to_screen(corner, part_.width_px, part_.height_px);
     return PlanePoint{number_of(at.x), number_of(at.y)};

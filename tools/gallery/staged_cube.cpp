@@ -131,7 +131,7 @@ StagedCube::StagedCube(const RowInput& input, Framebuffer part) : mesh(make_cube
         std::vector<Vec4> polygon_4;
         for (const std::uint32_t vertex : mesh.triangles[number].vertices) {
             const Vec3<World>& p = item(scratch.world_vertices, vertex).position;
-            polygon_4.push_back(to_volume() * Vec4{convert<Entry>(p.x), convert<Entry>(p.y), convert<Entry>(p.z)});
+            polygon_4.push_back(to_volume() * homogeneous(p));
         }
         for (const Vec4& corner : clip_to_volume(polygon_4)) shown.divided.push_back(*point_of(corner));
         clip_and_project(corners, {}, view, scratch.clip, shown.corners);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "engine/level/entity_classes.h"
 #include "tools/map/light/lightmaps.h"
 #include "tools/map/light/sources.h"
 #include "tools/map/source/entities.h"
@@ -60,7 +61,7 @@ bool has_inside(const Tree& tree) {
 }
 
 bool is_start(const MapEntity& entity) {
-    return entity.value("classname") == "info_player_start";
+    return role_of(entity) == ClassRole::Start;
 }
 
 bool is_start_inside(const Leak& leak, const std::vector<const MapEntity*>& at_start) {
@@ -78,12 +79,11 @@ void check_arrivals(const Tree& player_hull, const PlaneList& planes, const std:
                     Warnings& warnings) {
     for (const MapEntity& entity : entities) {
         const auto origin = origin_of(entity);
-        const std::string name = entity.value("classname");
-        if (!origin || (!is_start(entity) && name != "info_teleport_destination")) continue;
+        if (!origin || (!is_start(entity) && role_of(entity) != ClassRole::TeleportExit)) continue;
         const auto leaves = leaves_at(player_hull, planes, *origin + Point{0, 0, arrival_height(entity)});
         if (std::all_of(leaves.begin(), leaves.end(),
                         [&](int leaf) { return is_opaque(player_hull.leaf(leaf).contents); }))
-            warnings.add(entity.line, "the " + name + " at " + points_text({*origin}) +
+            warnings.add(entity.line, "the " + entity.value("classname") + " at " + points_text({*origin}) +
                                           " is in a wall, expected room for the player, 32 x 32 x 56 units");
     }
 }

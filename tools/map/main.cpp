@@ -1,25 +1,28 @@
 #include <filesystem>
 #include <iostream>
 
+#include "engine/files/arguments.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
 #include "tools/map/compile.h"
 #include "tools/map/source/checks.h"
+#include "tools/map/source/fgd.h"
 
 namespace {
 
 using namespace oblong;
 
 struct Arguments {
-    std::string input, output;
+    std::string input, output, fgd;
     std::vector<std::string> wads;
     bool is_fast = false;
 };
 
 void declare(CommandArguments& line, Arguments& arguments) {
-    line.add("IN.map", arguments.input, "the level's source: Quake .map, Standard or Valve 220").require();
-    line.add("-o,--out", arguments.output, "the level to write: OUT.bsp, version 29").require();
+    line.add("IN.map", arguments.input, "the level's source: Quake .map, Standard or Valve 220");
+    line.add("-o,--out", arguments.output, "the level to write: OUT.bsp, version 29");
     line.add("--wad", arguments.wads, "a WAD2 file of textures; may be given more than once");
+    line.add("--fgd", arguments.fgd, "writes the classes and keys that editors show, and compiles nothing");
     line.add_flag("--fast", arguments.is_fast, "rougher visibility and light");
 }
 
@@ -49,6 +52,8 @@ std::string compile(const Arguments& arguments, const std::string& text, const s
 }
 
 void compile_to_file(const Arguments& arguments) {
+    if (arguments.input.empty()) throw UsageError("IN.map is required");
+    if (arguments.output.empty()) throw UsageError("--out is required");
     const std::string text = read_text(arguments.input);
     std::vector<map::Wad> wads;
     for (const std::string& path : arguments.wads)
@@ -64,5 +69,8 @@ int main(int argc, char** argv) {
     Arguments arguments;
     CommandLine line("oblong-map", "Compiles the source of a level to a Quake BSP file (version 29).");
     declare(line, arguments);
-    return line.run(argc, argv, [&] { compile_to_file(arguments); });
+    return line.run(argc, argv, [&] {
+        if (arguments.fgd.empty()) return compile_to_file(arguments);
+        write_file(arguments.fgd, map::fgd_text());
+    });
 }

@@ -6,8 +6,7 @@ namespace oblong {
 
 namespace {
 
-constexpr std::array<NamedKernel, 5> kBlockKernels{{{"avx2", draw_blocks_avx2},
-                                                    {"bmi2", draw_blocks_bmi2},
+constexpr std::array<NamedKernel, 4> kBlockKernels{{{"bmi2", draw_blocks_bmi2},
                                                     {"fours", draw_blocks_by_fours},
                                                     {"packed", draw_blocks_packed},
                                                     {"plain", draw_blocks_plain}}};
@@ -15,8 +14,7 @@ constexpr std::array<NamedKernel, 5> kBlockKernels{{{"avx2", draw_blocks_avx2},
 }  // namespace
 
 std::span<const NamedKernel> block_kernels() {
-    const std::size_t first = has_avx2() ? 0 : has_bmi2() ? 1 : 2;
-    return std::span(kBlockKernels).subspan(first);
+    return std::span(kBlockKernels).subspan(has_bmi2() ? 0 : 1);
 }
 
 BlockKernel best_block_kernel() {

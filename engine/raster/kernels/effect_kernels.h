@@ -8,6 +8,9 @@
 
 namespace oblong {
 
+/// The most that a warp moves texels.
+inline constexpr std::uint32_t kGreatestShift_texels = 16;
+
 /// How far texels of one mip level are moved along one axis by their place on the other: from 0 to twice the
 /// amplitude, texels, 16.16. Entry i is for the columns or rows i, i + 128, i + 256 ...
 struct WarpTable {
@@ -51,10 +54,11 @@ using EffectKernel = void (*)(std::span<const TexelBlock> blocks, const EffectTe
 
 /// The kernel of a surface with these traits, the fastest that the processor runs. What a surface does not need, its
 /// kernel does not ask about.
-EffectKernel effect_kernel(TexelTraits traits, bool has_avx2 = oblong::has_avx2());
+EffectKernel effect_kernel(TexelTraits traits, bool has_bmi2 = oblong::has_bmi2());
 
-/// Of a surface that warps and does nothing else: sixteen pixels at a time. Only where has_avx2(). Rows of the surface
-/// must be whole.
-void draw_warped_blocks_avx2(std::span<const TexelBlock> blocks, const EffectTexels& texels, std::uint8_t* pixels);
+inline constexpr TexelTraits kWarpsAlone{.warps = true};
+
+/// Of a surface that warps and does nothing else: u and v in one word, as draw_blocks_bmi2. Only where has_bmi2().
+void draw_warped_blocks_bmi2(std::span<const TexelBlock> blocks, const EffectTexels& texels, std::uint8_t* pixels);
 
 }  // namespace oblong

@@ -27,17 +27,12 @@ void draw_blocks_packed(std::span<const TexelBlock> blocks, const SurfaceView& s
 void draw_blocks_by_fours(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
 /// As draw_blocks_packed, the texel's offset taken from the word by one `pext`. Only where has_bmi2().
 void draw_blocks_bmi2(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
-/// Eight pixels at a time, their texels by one `vpgatherdd`; shorter blocks as draw_blocks_bmi2. Only where has_avx2().
-/// Rows of the surface must be whole: `1 << stride_log2` bytes of each are read.
-void draw_blocks_avx2(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
 /// Any size of texture: wraps by division. For tiles whose sizes are not powers of two; uses width, height and a stride
 /// of width.
 void draw_blocks_any_size(std::span<const TexelBlock> blocks, const SurfaceView& surface, std::uint8_t* pixels);
 
 /// Whether this processor has the BMI2 instructions, and a fast `pext` among them.
 bool has_bmi2();
-/// Whether it has those and AVX2.
-bool has_avx2();
 
 struct NamedKernel {
     const char* name;

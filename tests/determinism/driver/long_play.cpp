@@ -131,7 +131,7 @@ void move_respawn(const GameLevel& level, GameState& state, Chance& chance) {
     if (level.items.empty()) return;
     const Item& item = level.items[static_cast<std::size_t>(chance.below(static_cast<int>(level.items.size())))];
     const Position at = free_place_near(level, item.position);
-    if (is_free(level, state, at)) state.respawn.position = at;
+    if (is_free(level, state, at)) state.progress.respawn.position = at;
 }
 
 void play(const std::string& palette_path, const std::string& level_path, std::int64_t ticks) {

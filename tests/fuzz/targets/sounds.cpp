@@ -1,6 +1,6 @@
 // Sounds (FLAC): decoded.
 
-#include "game/sound/flac.h"
+#include "engine/files/flac.h"
 #include "tests/fuzz/common/fuzz.h"
 
 namespace oblong::fuzz {

@@ -191,8 +191,7 @@ Figures draw_view_volume(const RowInput& input, Framebuffer canvas) {
     const auto move = input.number(1);
     const std::array triangle{world_point(2 + move, 5, -2), world_point(9 + move, -8, 1), world_point(10 + move, 4, 7)};
     std::vector<Vec4> corners;
-    for (const Vec3<World>& p : triangle)
-        corners.push_back(shown.to_volume * Vec4{convert<Entry>(p.x), convert<Entry>(p.y), convert<Entry>(p.z)});
+    for (const Vec3<World>& p : triangle) corners.push_back(shown.to_volume * homogeneous(p));
     const std::vector<Vec4> clipped = clip_to_volume(corners);
     std::vector<Vec3<World>> inside;
     for (const Vec4& corner : clipped) inside.push_back(world_of(shown, corner));

@@ -243,9 +243,7 @@ Figures draw_tree_order(const RowInput& input, Framebuffer canvas) {
             set_pixel(canvas, span.first, span.y, input.assets.colour(14, 16, 24));
         }
     }
-    std::int64_t wrong = 0;
-    for (std::size_t pixel = 0; pixel < frame.owners().faces.size(); ++pixel)
-        wrong += frame.owners().faces[pixel] != depths.owners().faces[pixel];
+    const std::int64_t wrong = count_differences(frame.owners().faces, depths.owners().faces);
     const std::string name = "pixels whose last face is not the nearest";
     return {is_exact(HiddenSurfaces::ZBuffer, input.settings.accuracy) ? count_figure(name, 0, wrong)
                                                                        : measured(name, wrong),
@@ -257,9 +255,7 @@ Figures draw_rays(const RowInput& input, Framebuffer canvas) {
     const ScreenMode mode{std::max(input.mode.width_px / step, 16), std::max(input.mode.height_px / step, 10),
                           input.mode.display};
     const MethodFrame frame(input, HiddenSurfaces::RayCasting, mode), right(input, HiddenSurfaces::SpanBuffer, mode);
-    std::int64_t differences = 0;
-    for (std::size_t pixel = 0; pixel < frame.pixels.size(); ++pixel)
-        differences += frame.pixels[pixel] != right.pixels[pixel];
+    const std::int64_t differences = count_differences(frame.pixels, right.pixels);
     enlarge(frame.pixels, mode, canvas);
     const std::int64_t rays = std::int64_t{mode.width_px} * mode.height_px;
     return {count_figure("rays x faces", rays * std::ssize(frame.by.targets().opaque), frame.counts().ray_face_tests),

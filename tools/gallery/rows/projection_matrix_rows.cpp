@@ -186,8 +186,7 @@ Figures draw_opengl_quad(const RowInput& input, Framebuffer canvas) {
         lines.push_back("glVertex3f(" + decimal_text(p.x, "%.0f") + ", " + decimal_text(p.y, "%.0f") + ", " +
                         decimal_text(p.z, "%.0f") + ")");
         const Vec3<World>& w = corners[i];
-        const Vec3<Entry> divided =
-            *point_of(sketch.world_to_volume() * Vec4{convert<Entry>(w.x), convert<Entry>(w.y), convert<Entry>(w.z)});
+        const Vec3<Entry> divided = *point_of(sketch.world_to_volume() * homogeneous(w));
         lines.push_back(decimal_text(number_of(divided.x), "%7.3f") + decimal_text(number_of(divided.y), "%7.3f") +
                         decimal_text(number_of(divided.z), "%7.4f"));
         lines.push_back("  " + decimal_text(found.x, "%7.2f") + decimal_text(found.y, "%8.2f"));

@@ -20,8 +20,7 @@ constexpr std::array kShadings{Shading::Flat, Shading::Gouraud, Shading::Phong};
 constexpr std::array kShadingNames{"flat", "Gouraud", "Phong"};
 
 /// Toward a light that goes around what it shines on, seen from the eye's side: 0 is right, 90 above.
-Vec toward_light(std::int64_t degrees) {
-    const double angle = static_cast<double>(degrees) * std::numbers::pi / 180;
+Vec toward_light(double angle) {
     return normalised(Vec{-0.8, -std::cos(angle), std::sin(angle)});
 }
 
@@ -86,7 +85,7 @@ Figures draw_shadings(const RowInput& input, Framebuffer canvas) {
     fill(canvas, assets.colour(20, 24, 36));
     const Mesh ball =
         ball_mesh(kBallRadius, static_cast<int>(input.values[0]), plain_skin(lit_colour(assets, 150, 90, 40)));
-    const Vec toward = toward_light(input.values[1]);
+    const Vec toward = toward_light(input.radians(1));
     const MeshLight light{24, {unit_of(toward), 110}, {}, 100};
     MeshScene scene(input, canvas, kBallsFieldOfView);
     std::vector<std::uint8_t> numbers(pixel_count(canvas.width_px, canvas.height_px));
@@ -126,7 +125,7 @@ Figures draw_lights(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     fill(canvas, assets.colour(20, 24, 36));
     const auto kind = static_cast<Kind>(input.values[0]);
-    const Vec toward = toward_light(input.values[1]);
+    const Vec toward = toward_light(input.radians(1));
     const Mesh ball = ball_mesh(kLitRadius, 24, plain_skin(lit_colour(assets, 130, 130, 140)));
     PlacedMesh placed;
     placed.mesh = &ball;

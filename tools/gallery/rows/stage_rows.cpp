@@ -162,8 +162,7 @@ double viewport_error_px(const StagedCube& cube, Framebuffer part) {
         const ViewVertex& vertex = cube.scratch.view_vertices[i];
         if (vertex.outcode != 0) continue;
         const Vec3<World>& p = cube.scratch.world_vertices[i].position;
-        const Vec3<Entry> divided =
-            *point_of(cube.to_volume() * Vec4{convert<Entry>(p.x), convert<Entry>(p.y), convert<Entry>(p.z)});
+        const Vec3<Entry> divided = *point_of(cube.to_volume() * homogeneous(p));
         worst = std::max({worst, std::abs((1 + number_of(divided.x)) / 2 * part.width_px - number_of(vertex.screen.x)),
                           std::abs((1 - number_of(divided.y)) / 2 * part.height_px - number_of(vertex.screen.y))});
     }
@@ -225,8 +224,7 @@ Figures draw_stages(const RowInput& input, Framebuffer canvas) {
         for (const Span& span : triangle.spans) span_pixels += span.end - span.first;
     }
     const Vec3<World>& first = cube.scratch.world_vertices[0].position;
-    const Vec3<Entry> divided =
-        *point_of(cube.to_volume() * Vec4{convert<Entry>(first.x), convert<Entry>(first.y), convert<Entry>(first.z)});
+    const Vec3<Entry> divided = *point_of(cube.to_volume() * homogeneous(first));
     const double ahead = world[0] * kLevel - world[2] * kDown;
     return {
         count_figure("triangles that face the eye", facing_in_double(input), std::ssize(cube.triangles)),

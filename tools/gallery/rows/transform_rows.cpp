@@ -71,8 +71,7 @@ Area fill_scene(const RowInput& input, Framebuffer canvas, std::int32_t width_of
 Figures draw_model_to_world(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
     const auto step = input.values[0];
-    const int yaw = static_cast<int>(input.values[1]);
-    const Matrix3 turn = rotation_matrix(EulerAngles{degrees_to_angle(Degrees::from_int(yaw)), {}, {}});
+    const Matrix3 turn = rotation_matrix(EulerAngles{input.angle(1), {}, {}});
     const Vec3<Entry> scale{entry_of(1.5), entry_of(0.5), entry_of(0.5)};
     const Vec3<World> position = step >= 2 ? world_point(2, 1.5, 0.5) : world_point(0, 0, 0);
     const Matrix4 model = model_matrix(position, step >= 1 ? turn : Matrix3::identity(), scale);
@@ -111,8 +110,7 @@ double largest_difference(const Matrix3& a, const Matrix3& b) {
 /// One orientation by Euler angles, by a quaternion, and about an axis.
 Figures draw_rotations(const RowInput& input, Framebuffer canvas) {
     const GalleryAssets& assets = input.assets;
-    const auto angle = [&](std::size_t i) { return degrees_to_angle(Degrees::from_int(input.values[i])); };
-    const EulerAngles angles{angle(0), angle(1), angle(2)};
+    const EulerAngles angles{input.angle(0), input.angle(1), input.angle(2)};
     const Quaternion quaternion = quaternion_of(angles);
     const Matrix3 by_angles = rotation_matrix(angles), by_quaternion = rotation_matrix(quaternion);
     // The axis is the quaternion's vector; the angle twice the arctangent of its length over w.

@@ -68,12 +68,6 @@ std::vector<ColouredTriangle> random_triangles(std::int64_t seed, const RowInput
     return triangles;
 }
 
-std::int64_t differing_pixels(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
-    std::int64_t count = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) count += a[i] != b[i];
-    return count;
-}
-
 Figures draw_triangle_methods(const RowInput& input, Framebuffer canvas) {
     constexpr std::array<int, 3> kThreads{1, 2, 4};
     const std::uint8_t ground = input.assets.colour(20, 24, 36);
@@ -96,12 +90,12 @@ Figures draw_triangle_methods(const RowInput& input, Framebuffer canvas) {
     for (int method = 1; method < kTriangleMethodCount; ++method)
         figures.push_back(count_figure(
             std::string(name_of(static_cast<TriangleMethod>(method))) + ": pixels unlike those of flat parts", 0,
-            differing_pixels(picture(method, 1), picture(0, 1))));
+            count_differences(picture(method, 1), picture(0, 1))));
     for (int method = 0; method < kTriangleMethodCount; ++method)
         figures.push_back(count_figure(
             std::string(name_of(static_cast<TriangleMethod>(method))) + " by 2 and 4 threads: pixels unlike by 1", 0,
-            differing_pixels(picture(method, 2), picture(method, 1)) +
-                differing_pixels(picture(method, 4), picture(method, 1))));
+            count_differences(picture(method, 2), picture(method, 1)) +
+                count_differences(picture(method, 4), picture(method, 1))));
     return figures;
 }
 

@@ -27,15 +27,10 @@ Vec3<Whole> whole(std::int32_t x, std::int32_t y, std::int32_t z) {
     return {Whole::from_int(x), Whole::from_int(y), Whole::from_int(z)};
 }
 
-double radians(std::int64_t degrees) {
-    return static_cast<double>(degrees) * std::numbers::pi / 180;
-}
-Angle angle_of(std::int64_t degrees) {
-    return degrees_to_angle(Degrees::from_int(degrees));
-}
 /// The unit vector at this angle from +x in the plane of x and y, by the engine's sines.
 Vec3<Unit> direction_at(std::int64_t degrees) {
-    return {cosine(angle_of(degrees)), sine(angle_of(degrees)), {}};
+    const Angle angle = degrees_to_angle(Degrees::from_int(degrees));
+    return {cosine(angle), sine(angle), {}};
 }
 PlanePoint plane_point(const Vec3<Unit>& v) {
     return {number_of(v.x), number_of(v.y)};
@@ -81,7 +76,7 @@ Figures draw_dot_product(const RowInput& input, Framebuffer canvas) {
     const auto a = whole(1, 2, 3), b = whole(4, -5, 6);
     const std::int64_t by_cosines = (dot(a, a).raw + dot(b, b).raw - dot(a - b, a - b).raw) / 2;
     const Angle between = arctangent2(cross(u, v).z.raw, dot(u, v).raw);
-    return {number_figure("U . V of unit vectors: cos", std::cos(radians(degrees)), product, 1e-4),
+    return {number_figure("U . V of unit vectors: cos", std::cos(input.radians(0)), product, 1e-4),
             number_figure("the angle, from both products, degrees", static_cast<double>(degrees),
                           between.bam * 360.0 / 65536, 0.006, 2),
             count_figure("(1 2 3) . (4 -5 6) by the law of cosines", by_cosines, dot(a, b).raw),
@@ -116,7 +111,7 @@ Figures draw_orthonormal(const RowInput& input, Framebuffer canvas) {
     diagram.text(j * 1.08, "j", colours.second, -8, -6);
     diagram.text(a, "a = i + j", colours.first, 4, -3);
     const double true_square = a.x * a.x + a.y * a.y;
-    const double cosine_of_axes = input.values[1] == 1 ? 0 : std::abs(std::cos(radians(input.values[0])));
+    const double cosine_of_axes = input.values[1] == 1 ? 0 : std::abs(std::cos(input.radians(0)));
     const auto r = whole(1, 0, 0), s = whole(1, 1, 0);
     return {number_figure("flaw: i . j", cosine_of_axes, number_of(orthonormal_flaw(axes)), 1e-4),
             number_figure("|a| |a| is 2 + 2 i . j; its components say 2", 2 + 2 * (i.x * j.x + i.y * j.y), true_square,
@@ -164,8 +159,8 @@ Figures draw_lighting(const RowInput& input, Framebuffer canvas) {
         return Vec3<Counted<double>>{number_of(vector.x), number_of(vector.y), number_of(vector.z)};
     };
     const Operations cost = operations_of([&] { lit(counted(normal), counted(to_light), Counted<double>(200)); });
-    return {number_figure("share of the light: cos, 0 or more", std::max(std::cos(radians(degrees)), 0.0), share, 1e-4),
-            number_figure("of a light of 200", 200 * std::max(std::cos(radians(degrees)), 0.0), 200 * share, 0.02, 2),
+    return {number_figure("share of the light: cos, 0 or more", std::max(std::cos(input.radians(0)), 0.0), share, 1e-4),
+            number_figure("of a light of 200", 200 * std::max(std::cos(input.radians(0)), 0.0), 200 * share, 0.02, 2),
             {"counted: four multiplications, two additions", "4 * 0 / 2 +", cost.text(), cost == Operations{4, 0, 2}}};
 }
 
@@ -178,7 +173,7 @@ Figures draw_cross_product(const RowInput& input, Framebuffer canvas) {
     const std::int64_t degrees = input.values[0];
     const Colours colours(input.assets);
     // In the plane of x and z, so that the product is along y.
-    const Vec3<Unit> u{{}, {}, Unit::from_int(1)}, v{sine(angle_of(degrees)), {}, cosine(angle_of(degrees))};
+    const Vec3<Unit> u{{}, {}, Unit::from_int(1)}, v{sine(input.angle(0)), {}, cosine(input.angle(0))};
     const auto product = cross(u, v);
     const Vec3<Unit> result = convert<Unit>(product);
     const PlanePoint far_corner = seen(u) + seen(v);
@@ -198,7 +193,7 @@ Figures draw_cross_product(const RowInput& input, Framebuffer canvas) {
     const auto listed = cross(whole(1, 2, 3), whole(4, 5, 6));
     const bool is_listed = listed == decltype(listed){{-3}, {6}, {-3}};
     return {
-        number_figure("|U x V|, the area between them: sin", std::sin(radians(degrees)), length(vec_of(product)), 1e-4),
+        number_figure("|U x V|, the area between them: sin", std::sin(input.radians(0)), length(vec_of(product)), 1e-4),
         count_figure("at right angles to U and V: both dot products", 0, dot(third, u).raw + dot(third, v).raw),
         count_figure("U, V, U x V made of length 1 are axes", degrees == 90, is_orthonormal(axes)),
         {"(1 2 3) x (4 5 6)", "-3 6 -3",
@@ -233,7 +228,7 @@ Figures draw_rotation(const RowInput& input, Framebuffer canvas) {
     diagram.text(up * 1.06, "y'", colours.second);
     diagram.text({-1.9, 1.0}, "P . x' = " + decimal_text(number_of(turned.x)), colours.result);
     diagram.text({-1.9, 0.84}, "P . y' = " + decimal_text(number_of(turned.y)), colours.result);
-    const double cos = std::cos(radians(degrees)), sin = std::sin(radians(degrees));
+    const double cos = std::cos(input.radians(0)), sin = std::sin(input.radians(0));
     const Vec3<Entry> by_matrix = rotation_matrix(axes) * convert<Entry>(point);
     return {
         number_figure("x' by cos and sin", 0.375 * cos + 0.75 * sin, number_of(turned.x), 1e-4),

@@ -30,8 +30,14 @@ double value_of(const MapEntity& entity, std::string_view key) {
     return number_of(entity, key, usual(key));
 }
 
+bool is_falloff(double delay) {
+    const std::span<const KeyValue> values = find_entity_key(*find_entity_class("light"), "delay")->values;
+    return std::any_of(values.begin(), values.end(),
+                       [&](const KeyValue& each) { return std::stod(std::string(each.value)) == delay; });
+}
+
 bool is_light(const MapEntity& entity) {
-    return entity.value("classname").starts_with("light");
+    return role_of(entity) == ClassRole::Lamp;
 }
 
 // As in id's own compiler, any other thing with a key "light" shines, where that key is not its class's own.
@@ -156,10 +162,6 @@ LightGrid light_grid(const BspFile& bsp, const FileFace& face) {
 }
 
 }  // namespace
-
-bool is_falloff(double delay) {
-    return delay == 0 || delay == 1 || delay == 2 || delay == 3 || delay == 5;
-}
 
 double LightSource::at_distance(double distance) const {
     const double faded = std::max(distance * wait, 1.0);

@@ -18,9 +18,6 @@ enum class Falloff {
     kFarther = 5,        ///< light / ((d + 128) / 128)^2
 };
 
-/// Whether a value of the key "delay" is one of these.
-bool is_falloff(double delay);
-
 /// An entity `light...`, or another with a key light that is nothing else for its class. Its keys, and what they are
 /// where they are not given: engine/level/entity_classes.
 struct LightSource {

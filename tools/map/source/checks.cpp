@@ -46,7 +46,7 @@ class NearestName {
     void add(std::string_view name) {
         constexpr std::size_t kLongest = 64;
         if (name.ends_with('#')) name.remove_suffix(1);
-        if (name.ends_with('_') || wanted_.size() > kLongest) return;
+        if (name.ends_with('*') || wanted_.size() > kLongest) return;
         const std::size_t errors = typing_errors(wanted_, name);
         if (errors >= least_) return;
         least_ = errors;
@@ -119,7 +119,7 @@ class Checker {
 
     void check() {
         for (const MapEntity& entity : entities_) check_entity(entity);
-        const auto is_start = [](const MapEntity& entity) { return entity.value("classname") == "info_player_start"; };
+        const auto is_start = [](const MapEntity& entity) { return role_of(entity) == ClassRole::Start; };
         if (std::none_of(entities_.begin(), entities_.end(), is_start))
             warnings_.add(entities_.front().line, "no info_player_start: nobody can play the level");
     }
@@ -128,14 +128,14 @@ class Checker {
     void name(const MapEntity& entity, const std::string& its_name) {
         if (!its_name.empty()) named_.emplace(its_name, &entity);
         // Chthon's electrodes are found by their target (Quake's e1m7).
-        if (entity.value("classname") == "event_lightning") named_.emplace("lightning", &entity);
+        if (role_of(entity) == ClassRole::Lightning) named_.emplace("lightning", &entity);
     }
 
     void check_entity(const MapEntity& entity) {
         const std::string name = entity.value("classname");
         if (name.empty()) return warnings_.add(entity.line, "an entity without a classname, expected one");
         const EntityClass* const its_class = find_entity_class(name);
-        if (its_class == nullptr)
+        if (its_class == nullptr || its_class->is_family())
             return warnings_.add(entity.line, "the class " + quoted(name) + " is unknown" + nearest_class(name) +
                                                   ": the entity is written as it stands");
         check_shape(entity, *its_class, with_article(name));

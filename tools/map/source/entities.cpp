@@ -7,12 +7,11 @@
 
 #include "engine/base/input_error.h"
 #include "engine/files/wad.h"
+#include "engine/level/entity_classes.h"
 #include "tools/map/source/brush.h"
 
 namespace oblong::map {
 namespace {
-
-const std::string kPassable = "func_illusionary";  // drawn, and no obstacle
 
 bool is_no_fence(const MapBrush& brush) {
     return std::none_of(brush.sides.begin(), brush.sides.end(),
@@ -37,9 +36,9 @@ std::string without_folders(std::string_view paths) {
 }
 
 std::string written_value(const MapEntity& entity, const MapPair& pair) {
-    if (pair.key == "wad" && entity.value("classname") == "worldspawn") return without_folders(pair.value);
-    const bool is_detail_to_pass = pair.key == "classname" && pair.value == "func_detail_illusionary";
-    return is_detail_to_pass ? kPassable : pair.value;
+    if (pair.key == "wad" && role_of(entity) == ClassRole::Worldspawn) return without_folders(pair.value);
+    const bool is_detail_to_pass = pair.key == "classname" && role_of(entity) == ClassRole::PassableDetail;
+    return is_detail_to_pass ? "func_illusionary" : pair.value;
 }
 
 }  // namespace
@@ -69,13 +68,12 @@ std::size_t count_words(const std::string& text) {
 }
 
 bool belongs_to_world(const MapEntity& entity) {
-    const std::string name = entity.value("classname");
-    return name == "worldspawn" || name == "func_group" || is_detail_entity(entity);
+    const ClassRole role = role_of(entity);
+    return role == ClassRole::Worldspawn || role == ClassRole::BrushGroup || role == ClassRole::Detail;
 }
 
 bool is_detail_entity(const MapEntity& entity) {
-    const std::string name = entity.value("classname");
-    return name == "func_detail" || name == "func_detail_wall" || name == "func_detail_fence";
+    return role_of(entity) == ClassRole::Detail;
 }
 
 std::optional<Point> origin_of(const MapEntity& entity) {
@@ -103,8 +101,8 @@ void split_off_fences(std::vector<MapEntity>& entities) {
 std::vector<TextureUse> shown_textures(const std::vector<MapEntity>& entities) {
     std::vector<TextureUse> uses;
     for (const MapEntity& entity : entities) {
-        const std::string name = entity.value("classname");
-        if (name != "misc_sprite" && name != "misc_lantern") continue;
+        const ClassRole role = role_of(entity);
+        if (role != ClassRole::Billboard && role != ClassRole::FlyingLamp) continue;
         for (const MapPair& pair : entity.pairs) {
             if (pair.key == "texture") uses.push_back({lookup_name(pair.value), pair.line});
         }
@@ -122,7 +120,7 @@ std::string entities_text(const std::vector<MapEntity>& entities) {
     std::string text;
     int model = 0;
     for (const MapEntity& entity : entities) {
-        const bool is_of_world = belongs_to_world(entity), is_group = entity.value("classname") == "func_group";
+        const bool is_of_world = belongs_to_world(entity), is_group = role_of(entity) == ClassRole::BrushGroup;
         if (is_of_world && (is_group || !entity.brushes.empty()) && &entity != &entities.front()) continue;
         text += "{\n";
         for (const MapPair& pair : entity.pairs)

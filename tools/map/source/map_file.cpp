@@ -7,6 +7,7 @@
 #include "engine/base/input_error.h"
 #include "engine/base/text.h"
 #include "engine/level/entities.h"
+#include "engine/level/entity_classes.h"
 
 namespace oblong::map {
 namespace {
@@ -244,7 +245,7 @@ std::vector<MapEntity> parse_map(std::string_view text) {
     MapTokens tokens(without_byte_order_mark(text));
     std::vector<MapEntity> entities;
     while (!tokens.peek().is_end) entities.push_back(take_entity(tokens));
-    if (entities.empty() || entities[0].value("classname") != "worldspawn")
+    if (entities.empty() || role_of(entities[0]) != ClassRole::Worldspawn)
         throw InputError("line 1", "the first entity is no worldspawn, expected one that holds the world's brushes");
     return entities;
 }

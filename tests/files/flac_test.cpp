@@ -1,4 +1,4 @@
-#include "game/sound/flac.h"
+#include "engine/files/flac.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,79 @@
+// A cube step by step: a corner in the cube's own space, turned and put into the world, seen from an eye there, and on
+// the screen by a division and two multipliers. Arrow keys move the eye. In the texts: the lab's cube and its pipeline;
+// the course notes' matrices; Abrash's "Rotation by Projection"; Muratori's multipliers.
+#include <oblong.h>
+
+#include <array>
+#include <string>
+
+using namespace oblong;
+
+namespace {
+
+constexpr int kOne = 4096, kEyeYaw_256 = 10 * 256, kMarked = 3;  // a unit of space, degrees, a corner
+
+struct Point {
+    int x, y, z;  // right, up, ahead
+};
+
+// The coordinates along two axes that were turned from the first to the second: each is a projection onto an axis.
+void turn(int& first, int& second, std::int64_t degrees_256) {
+    const std::int64_t sine = sine_65536(degrees_256), cosine = sine_65536(degrees_256 + 90 * 256), a = first,
+                       b = second;
+    first = static_cast<int>((a * cosine + b * sine) >> 16);
+    second = static_cast<int>((b * cosine - a * sine) >> 16);
+}
+
+Point to_world(Point object, std::int64_t time_ms) {
+    turn(object.x, object.z, time_ms * 5);
+    turn(object.y, object.z, 25 * 256);
+    return {object.x, object.y, object.z + 5 * kOne};
+}
+
+Point to_view(const Point& world, const Point& eye) {
+    Point view{world.x - eye.x, world.y - eye.y, world.z - eye.z};
+    turn(view.z, view.x, kEyeYaw_256);
+    return view;
+}
+
+PixelPosition to_screen(const Point& view, const ScreenMode& mode) {
+    const auto [width, height] = mode.pixel();  // 5 to 6
+    const std::int64_t across = mode.width_px;  // half of them for what is half as far to the side as away: 53 degrees
+    return {static_cast<int>(mode.width_px / 2 + across * view.x / view.z),
+            static_cast<int>(mode.height_px / 2 - across * width * view.y / (height * view.z))};
+}
+
+// In hundredths of a unit.
+std::string text_of(const Point& at) {
+    const auto hundredths = [](int length) { return " " + std::to_string(length * 100 / kOne); };
+    return hundredths(at.x) + hundredths(at.y) + hundredths(at.z);
+}
+
+}  // namespace
+
+int main() {
+    Window window("Cube");
+    window.palette.colours = {{{10, 14, 30}, {120, 220, 200}, {255, 220, 140}}};
+    Point eye{-kOne, 0, 0};
+    do {
+        eye.x += 64 * (window.is_down("Right") - window.is_down("Left"));
+        eye.y += 64 * (window.is_down("Up") - window.is_down("Down"));
+        const Framebuffer canvas = window.canvas();
+        clear(canvas);
+        std::array<PixelPosition, 8> corners;
+        for (unsigned i = 0; i < 8; ++i) {
+            const Point object{i & 1 ? kOne : -kOne, i & 2 ? kOne : -kOne, i & 4 ? kOne : -kOne};
+            const Point world = to_world(object, window.time_ms()), view = to_view(world, eye);
+            const PixelPosition at = corners[i] = to_screen(view, window.mode());
+            if (i != kMarked) continue;
+            draw_label(canvas, 4, 4, "object" + text_of(object), 2);
+            draw_label(canvas, 4, 14, "world " + text_of(world), 2);
+            draw_label(canvas, 4, 24, "view  " + text_of(view), 2);
+            const std::string screen = std::to_string(at.column) + " " + std::to_string(at.row);
+            draw_label(canvas, at.column + 4, at.row - 4, screen, 2);
+        }
+        for (unsigned i = 0; i < 8; ++i)
+            for (const PixelPosition next : {corners[i | 1], corners[i | 2], corners[i | 4]})
+                draw_line(canvas, corners[i].column, corners[i].row, next.column, next.row, 1);
+    } while (window.show());
+}

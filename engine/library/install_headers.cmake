@@ -1,0 +1,28 @@
+# Run by cmake --install: oblong.h, the headers that programs may include besides, and all that these include.
+cmake_policy(VERSION 3.25)
+file(GLOB HEADERS_TO_READ ${ENGINE}/library/oblong.h ${ENGINE}/draw/*.h ${ENGINE}/methods/*.h)
+foreach(NAME effects/palette_effects files/files files/level_models files/obj files/pak files/picture files/quantise files/wad
+             frame/frame frame/wireframe frame/workspace level/bsp_read level/entities level/trace mesh/mesh
+             platform/headless/headless platform/sdl/sdl platform/worker_threads raster/line_walks raster/lines scene/pick
+             scene/placed_models)
+    list(APPEND HEADERS_TO_READ ${ENGINE}/${NAME}.h)
+endforeach()
+set(PUBLIC "")
+while(HEADERS_TO_READ)
+    list(POP_FRONT HEADERS_TO_READ HEADER)
+    if(HEADER IN_LIST PUBLIC)
+        continue()
+    endif()
+    list(APPEND PUBLIC ${HEADER})
+    file(STRINGS ${HEADER} INCLUDES REGEX "^#include \"engine/")
+    list(TRANSFORM INCLUDES REPLACE "^#include \"engine/(.*)\".*" "${ENGINE}/\\1")
+    list(APPEND HEADERS_TO_READ ${INCLUDES})
+endwhile()
+foreach(HEADER ${PUBLIC})
+    file(RELATIVE_PATH NAME ${ENGINE} ${HEADER})
+    get_filename_component(FOLDER engine/${NAME} DIRECTORY)
+    if(NAME STREQUAL "library/oblong.h")
+        set(FOLDER "")
+    endif()
+    file(INSTALL ${HEADER} DESTINATION ${CMAKE_INSTALL_PREFIX}/${HEADERS}/${FOLDER})
+endforeach()

@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "engine/effects/palette_effects.h"
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
+#include "engine/files/level_models.h"
+#include "engine/frame/frame.h"
+#include "engine/frame/workspace.h"
+#include "engine/level/bsp_read.h"
+#include "engine/library/body.h"
+#include "engine/library/model_state.h"
+#include "engine/library/units.h"
+
+namespace oblong {
+namespace {
+
+// Of a body's eye above its middle (Quake's).
+constexpr World kEyeHeight = World::from_int(22);
+
+// "*3": the brush model 3.
+std::optional<ModelIndex> brush_model_of(const Entity& entity, const Level& level) {
+    const std::string name = entity.value("model");
+    if (name.size() < 2 || name.size() > 6 || name[0] != '*') return {};
+    if (name.find_first_not_of("0123456789", 1) != name.npos) return {};
+    const int number = std::stoi(name.substr(1));
+    if (number < 1 || as_size(number) >= level.models.size()) return {};
+    return ModelIndex(number);
+}
+
+}  // namespace
+
+struct LevelScene::State {
+    State(const std::string& bsp_file, const Palette& its_palette, const ScreenMode& its_mode)
+        : file(bsp_file),
+          mode(its_mode),
+          level(read_parsed(bsp_file, read_bsp)),
+          colormap(make_colormap(its_palette)),
+          models(read_level_models(level, its_palette, {bsp_file, ""})),
+          brushes(models_at_rest(level)),
+          work(level, mode) {}
+
+    const Entity& entity(std::int32_t number) const {
+        if (number < 0 || as_size(number) >= level.entities.size())
+            throw FileError(file, "entity " + std::to_string(number),
+                            "is not there, expected 0 to " + std::to_string(std::int64_t(level.entities.size()) - 1));
+        return item(level.entities, number);
+    }
+    Surroundings surroundings() const { return {level, solid_brushes}; }
+
+    std::string file;
+    ScreenMode mode;
+    Level level;
+    Colormap colormap;
+    LevelModels models;
+    std::vector<PlacedModel> brushes;        // all that show
+    std::vector<PlacedModel> solid_brushes;  // those that stop a body
+    std::vector<PlacedMesh> shown;           // in the next picture
+    Settings settings;
+    FrameWorkspace work;  // of the level above
+};
+
+LevelScene::LevelScene(const std::string& bsp_file, const Palette& palette, ScreenMode mode)
+    : state_(new State(bsp_file, palette, mode)) {
+    State& state = *state_;
+    for (const Entity& entity : state.level.entities) {
+        const std::optional<ModelIndex> model = brush_model_of(entity, state.level);
+        const auto shown = std::find_if(state.brushes.begin(), state.brushes.end(),
+                                        [&](const PlacedModel& one) { return model && one.model == *model; });
+        if (shown != state.brushes.end() && entity.value("classname") != "func_illusionary")
+            state.solid_brushes.push_back(*shown);
+    }
+}
+
+LevelScene::~LevelScene() {
+    delete state_;
+}
+
+Pose LevelScene::start() const {
+    const std::int32_t entity = find_entity("classname", "info_player_start");
+    if (entity < 0) return {};
+    const auto number = [&](const std::string& text) {
+        return static_cast<std::int32_t>(std::strtol(text.c_str(), nullptr, 10));
+    };
+    const std::string origin = entity_value(entity, "origin");
+    std::array<std::int32_t, 3> at{};
+    std::size_t begin = 0;
+    for (std::int32_t& axis : at) {
+        axis = number(origin.substr(std::min(begin, origin.size())));
+        begin = std::min(origin.find(' ', begin), origin.size() - 1) + 1;
+    }
+    return pose_at(at[0], at[1], at[2] + 1 + to_256(kEyeHeight) / 256, number(entity_value(entity, "angle")));
+}
+
+void LevelScene::draw(const Pose& eye, std::int64_t time_ms, Framebuffer canvas, std::int32_t field_of_view) {
+    State& state = *state_;
+    if (canvas.width_px != state.mode.width_px || canvas.height_px != state.mode.height_px)
+        throw InputError("level", "a canvas of " + std::to_string(canvas.width_px) + "x" +
+                                      std::to_string(canvas.height_px) + " pixels, expected those of its mode");
+    std::vector<PlacedMesh> meshes;
+    place_models(state.models, time_ms, {}, meshes);
+    meshes.insert(meshes.end(), state.shown.begin(), state.shown.end());
+    state.shown.clear();
+    Scene scene{state.level, state.colormap, state.brushes, std::max<std::int64_t>(time_ms, 0)};
+    scene.meshes = meshes;
+    draw_frame(scene, camera_of(eye, field_of_view), state.mode, state.settings, state.work, canvas);
+}
+
+Palette LevelScene::palette_at(const Pose& eye, std::int64_t time_ms) const {
+    const State& state = *state_;
+    const Palette& palette = state.colormap.palette;
+    return apply_palette_effects(
+        palette,
+        palette_effects_at(state.level, state.work.cache.effects, palette, place_of(eye), state.settings.flashes),
+        std::max<std::int64_t>(time_ms, 0));
+}
+
+void LevelScene::show(const Model& model, const Pose& pose, std::int32_t frame) {
+    state_->shown.push_back(placed_at(model.state_->mesh, pose, frame));
+}
+
+Pose LevelScene::walked(const Pose& eye, const Pose& wanted) const {
+    const Vec3<World> below_eye{{}, {}, kEyeHeight}, from = place_of(eye);
+    const Vec3<World> at = walk_body(state_->surroundings(), from - below_eye, place_of(wanted) - from) + below_eye;
+    Pose after = wanted;
+    after.x_256 = to_256(at.x);
+    after.y_256 = to_256(at.y);
+    after.z_256 = to_256(at.z);
+    return after;
+}
+
+bool LevelScene::stands(const Pose& eye) const {
+    return stands_on_floor(state_->surroundings(), place_of(eye) - Vec3<World>{{}, {}, kEyeHeight});
+}
+
+std::int32_t LevelScene::find_entity(const std::string& key, const std::string& value, std::int32_t after) const {
+    const std::vector<Entity>& entities = state_->level.entities;
+    const auto begin =
+        entities.begin() + std::clamp<std::ptrdiff_t>(std::ptrdiff_t{after} + 1, 0, std::ssize(entities));
+    const auto found =
+        std::find_if(begin, entities.end(), [&](const Entity& entity) { return entity.value(key) == value; });
+    return found == entities.end() ? -1 : static_cast<std::int32_t>(found - entities.begin());
+}
+
+std::string LevelScene::entity_value(std::int32_t entity, const std::string& key) const {
+    return state_->entity(entity).value(key);
+}
+
+void LevelScene::move_entity(std::int32_t entity, std::int32_t east_256, std::int32_t north_256, std::int32_t up_256) {
+    State& state = *state_;
+    const std::optional<ModelIndex> model = brush_model_of(state.entity(entity), state.level);
+    if (!model)
+        throw FileError(state.file, "entity " + std::to_string(entity), "has no brushes, expected a door or its like");
+    for (std::vector<PlacedModel>* list : {&state.brushes, &state.solid_brushes})
+        for (PlacedModel& placed : *list)
+            if (placed.model == *model)
+                placed.offset = {world_from_256(east_256), world_from_256(north_256), world_from_256(up_256)};
+}
+
+void LevelScene::set_accuracy(const std::string& preset) {
+    state_->settings.accuracy = parse_accuracy(parse_preset(preset), {});
+}
+
+Settings& LevelScene::settings() {
+    return state_->settings;
+}
+
+const Level& LevelScene::level() const {
+    return state_->level;
+}
+
+}  // namespace oblong

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/library/oblong.h"
+#include "engine/mesh/placed_mesh.h"
+
+namespace oblong {
+
+struct Model::State {
+    Mesh mesh;
+};
+
+/// A mesh as a pose and a frame of its motion say.
+PlacedMesh placed_at(const Mesh& mesh, const Pose& pose, std::int32_t frame);
+
+}  // namespace oblong

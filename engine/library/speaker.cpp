@@ -1,0 +1,74 @@
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "engine/base/input_error.h"
+#include "engine/files/files.h"
+#include "engine/files/flac.h"
+#include "engine/library/oblong.h"
+#include "engine/platform/sdl/sdl.h"
+
+namespace oblong {
+
+struct Speaker::State {
+    std::unique_ptr<SoundOutput> output;  // null: silence
+    std::string problem;
+    std::int32_t sounds = 0;
+};
+
+Speaker::Speaker() : state_(new State) {
+    if (std::getenv("OBLONG_HEADLESS")) {
+        state_->problem = "OBLONG_HEADLESS: no sound";
+        return;
+    }
+    try {
+        state_->output = open_mixer();
+    } catch (const std::runtime_error& error) {
+        state_->problem = error.what();
+    }
+}
+
+Speaker::~Speaker() {
+    delete state_;
+}
+
+std::int32_t Speaker::load(const std::string& file) {
+    const SoundSamples sound = read_parsed(file, decode_flac);
+    return add(sound.samples, sound.rate_hz);
+}
+
+std::int32_t Speaker::add(const std::vector<std::int16_t>& samples, std::int32_t rate_hz) {
+    if (samples.empty() || rate_hz < 1)
+        throw InputError("sound", std::to_string(samples.size()) + " samples at " + std::to_string(rate_hz) +
+                                      " Hz, expected one or more of each");
+    if (state_->output) state_->output->add_sound(samples, rate_hz);
+    return state_->sounds++;
+}
+
+void Speaker::play(std::int32_t sound, std::int32_t volume_256, std::int32_t pan_256) {
+    if (sound < 0 || sound >= state_->sounds)
+        throw InputError("sound", "number " + std::to_string(sound) + ", expected 0 to " +
+                                      std::to_string(state_->sounds - 1) + ", from load() or add()");
+    if (!state_->output) return;
+    const std::int32_t volume = std::clamp(volume_256, 0, 256), pan = std::clamp(pan_256, -256, 256);
+    state_->output->start(sound, false,
+                          {volume * std::min(256 - pan, 256) / 256, volume * std::min(256 + pan, 256) / 256, false});
+}
+
+void Speaker::play_music(const std::string& file, std::int32_t volume_256) {
+    const std::vector<std::uint8_t> bytes = read_file(file);
+    if (!state_->output) return;
+    naming_file(file, [&] { state_->output->play_music(bytes, std::clamp(volume_256, 0, 256)); });
+}
+
+void Speaker::stop_music() {
+    if (state_->output) state_->output->stop_music();
+}
+
+const std::string& Speaker::problem() const {
+    return state_->problem;
+}
+
+}  // namespace oblong

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "engine/fixed/trig.h"
+#include "engine/library/oblong.h"
+#include "engine/math/vec.h"
+#include "engine/view/projection.h"
+
+namespace oblong {
+
+/// 256ths of a unit, as far as the world reaches.
+constexpr World world_from_256(std::int64_t units_256) {
+    constexpr std::int64_t kFarthest_256 = std::int64_t{500'000} * 256;
+    const std::int64_t bounded = units_256 < -kFarthest_256  ? -kFarthest_256
+                                 : units_256 > kFarthest_256 ? kFarthest_256
+                                                             : units_256;
+    return World::from_raw(static_cast<std::int32_t>(bounded * 16));
+}
+constexpr std::int32_t to_256(World world) {
+    return floor_of<8>(world);
+}
+inline Vec3<World> place_of(const Pose& pose) {
+    return {world_from_256(pose.x_256), world_from_256(pose.y_256), world_from_256(pose.z_256)};
+}
+
+/// 256ths of a degree, any: 360 are a turn.
+constexpr Angle angle_from_256(std::int64_t degrees_256) {
+    constexpr std::int64_t kTurn_256 = 360 * 256;
+    const std::int64_t turned = (degrees_256 % kTurn_256 + kTurn_256) % kTurn_256;
+    return Angle::from_bam((turned * 65536 + kTurn_256 / 2) / kTurn_256);
+}
+
+Camera camera_of(const Pose& eye, std::int32_t field_of_view);
+
+}  // namespace oblong

@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <stdexcept>
+
+#include "engine/base/table.h"
+#include "engine/library/oblong.h"
+#include "engine/platform/headless/headless.h"
+#include "engine/platform/sdl/sdl.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int64_t kHeadlessRate_hz = 70;
+
+// 6 x 6 x 6 even colours, then greys from black to white.
+Palette even_palette() {
+    Palette palette;
+    for (int i = 0; i < 216; ++i) {
+        const auto level = [](int sixth) { return static_cast<std::uint8_t>(sixth * 51); };
+        item(palette.colours, i) = {level(i / 36), level(i / 6 % 6), level(i % 6)};
+    }
+    set_ramp(palette, 216, 255, {0, 0, 0}, {255, 255, 255});
+    return palette;
+}
+
+// OBLONG_HEADLESS: FRAMES or FRAMES:FILE.png.
+std::unique_ptr<Platform> open_headless(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    const std::string digits = text.substr(0, colon), file = colon == text.npos ? "" : text.substr(colon + 1);
+    const bool is_number = !digits.empty() && digits.size() < 10 &&
+                           digits.find_first_not_of("0123456789") == digits.npos && std::stoll(digits) > 0;
+    if (!is_number)
+        throw std::runtime_error("OBLONG_HEADLESS: '" + text + "', expected FRAMES or FRAMES:FILE.png, one or more");
+    const std::int64_t frames = std::stoll(digits);
+    const auto save_last = [frames, file, shown = std::int64_t{0}](Framebuffer picture,
+                                                                   const Palette& palette) mutable {
+        if (++shown == frames && !file.empty()) save_picture(file, picture, palette);
+    };
+    return std::make_unique<HeadlessPlatform>(
+        frames, kHeadlessRate_hz, [](std::int64_t) { return PlatformInput{}; }, save_last);
+}
+
+std::unique_ptr<Platform> open_platform(const std::string& title) {
+    if (const char* headless = std::getenv("OBLONG_HEADLESS")) return open_headless(headless);
+    return open_window(title.c_str(), {});
+}
+
+void check(const ScreenMode& mode) {
+    const auto is_side = [](std::int32_t side_px) { return side_px >= 1 && side_px <= kLargestMode_px; };
+    if (!is_side(mode.width_px) || !is_side(mode.height_px))
+        throw std::runtime_error("a mode of " + std::to_string(mode.width_px) + "x" + std::to_string(mode.height_px) +
+                                 " pixels, expected 1 to " + std::to_string(kLargestMode_px) + " a side");
+}
+
+}  // namespace
+
+struct Window::State {
+    State(std::unique_ptr<Platform> opened, Platform& shown_by, const ScreenMode& its_mode)
+        : owned(std::move(opened)), platform(shown_by), mode(its_mode), start_us(platform.now_us()) {
+        check(mode);
+        pixels.resize(pixel_count(mode.width_px, mode.height_px));
+    }
+
+    PresentRect shown() const {
+        return layout(platform.window_size(), mode, ShownAs::OnDisplay, Scaling::SharpBilinear);
+    }
+    void take_input();
+    void take(const InputEvent& event);
+    void point(const Pointer& pointer);
+
+    std::unique_ptr<Platform> owned;  // null where the program brought its own
+    Platform& platform;
+    ScreenMode mode;
+    std::vector<std::uint8_t> pixels;
+    std::uint64_t start_us;
+    std::int64_t time_us = 0;
+    bool is_closed = false;
+    WindowSettings settings;
+    std::map<Input, std::int32_t> held;  // inputs that are pressed, and how far: 1 to kFullAxis
+    std::vector<Input> pressed;          // since the last picture
+    PixelPosition mouse, motion;
+};
+
+void Window::State::take(const InputEvent& event) {
+    using Kind = InputEvent::Kind;
+    const bool was_held = held.contains(event.input);
+    switch (event.kind) {
+        case Kind::Press:
+            held[event.input] = kFullAxis;
+            break;
+        case Kind::Click:
+            pressed.push_back(event.input);
+            return;
+        case Kind::Release:
+            held.erase(event.input);
+            break;
+        case Kind::Axis:
+            if (event.x > 0)
+                held[event.input] = event.x;
+            else
+                held.erase(event.input);
+            break;
+        case Kind::MouseMotion:
+            motion = {motion.column + event.x, motion.row + event.y};
+            break;
+        case Kind::ReleasePressed:
+            std::erase_if(held, [](const auto& one) { return one.first.device != Device::PadAxis; });
+            break;
+        case Kind::ReleasePad:
+            std::erase_if(held, [](const auto& one) { return is_of_pad(one.first); });
+            break;
+        case Kind::ReleaseAll:
+            held.clear();
+            break;
+        case Kind::Repeat:
+            break;
+    }
+    if (!was_held && held.contains(event.input)) pressed.push_back(event.input);
+}
+
+// The window's pixel as one of the canvas.
+void Window::State::point(const Pointer& pointer) {
+    const PresentRect rect = shown();
+    if (rect.width_px == 0 || rect.height_px == 0) return;
+    const auto scaled = [](std::int64_t at, std::int64_t from, std::int64_t to) {
+        const std::int64_t product = at * to;
+        return static_cast<std::int32_t>((product - (product < 0 ? from - 1 : 0)) / from);
+    };
+    mouse = {scaled(pointer.x_px - rect.x_px, rect.width_px, mode.width_px),
+             scaled(pointer.y_px - rect.y_px, rect.height_px, mode.height_px)};
+}
+
+void Window::State::take_input() {
+    pressed.clear();
+    motion = {};
+    std::erase_if(held, [](const auto& one) { return one.first.device == Device::MouseWheel; });  // never let go
+    const PlatformInput input = platform.poll();
+    for (const InputEvent& event : input.events) take(event);
+    if (input.pointer) point(*input.pointer);
+    if (input.changes_full_screen) settings.is_full_screen = !settings.is_full_screen;
+    platform.change_window(settings);
+}
+
+Window::Window(const std::string& title, ScreenMode mode) : palette(even_palette()), state_(nullptr) {
+    check(mode);
+    std::unique_ptr<Platform> platform = open_platform(title);
+    Platform& shown_by = *platform;
+    state_ = new State(std::move(platform), shown_by, mode);
+}
+
+Window::Window(Platform& platform, ScreenMode mode)
+    : palette(even_palette()), state_(new State(nullptr, platform, mode)) {}
+
+Window::~Window() {
+    delete state_;
+}
+
+bool Window::show() {
+    State& state = *state_;
+    state.platform.present(canvas(), palette, state.shown());
+    state.take_input();
+    state.time_us = static_cast<std::int64_t>(state.platform.now_us() - state.start_us);
+    return state.platform.is_open() && !state.is_closed;
+}
+
+void Window::close() {
+    state_->is_closed = true;
+}
+
+Framebuffer Window::canvas() {
+    return {state_->pixels.data(), state_->mode.width_px, state_->mode.height_px, state_->mode.width_px};
+}
+
+const ScreenMode& Window::mode() const {
+    return state_->mode;
+}
+
+void Window::set_mode(const ScreenMode& mode) {
+    check(mode);
+    state_->mode = mode;
+    state_->pixels.assign(pixel_count(mode.width_px, mode.height_px), 0);
+}
+
+std::int64_t Window::time_ms() const {
+    return state_->time_us / 1000;
+}
+
+bool Window::is_down(std::string_view input) const {
+    // A stick that hangs a little to one side is not held there.
+    return pressure_256(input) >= 64;
+}
+
+bool Window::was_pressed(std::string_view input) const {
+    const std::vector<Input>& pressed = state_->pressed;
+    return std::find(pressed.begin(), pressed.end(), input_named(input)) != pressed.end();
+}
+
+std::int32_t Window::pressure_256(std::string_view input) const {
+    const auto found = state_->held.find(input_named(input));
+    return found == state_->held.end() ? 0 : found->second * 256 / kFullAxis;
+}
+
+PixelPosition Window::mouse() const {
+    return state_->mouse;
+}
+
+PixelPosition Window::mouse_motion() const {
+    return state_->motion;
+}
+
+void Window::capture_mouse(bool is_captured) {
+    state_->platform.capture_mouse(is_captured);
+}
+
+void Window::set_full_screen(bool is_full) {
+    state_->settings.is_full_screen = is_full;
+    state_->platform.change_window(state_->settings);
+}
+
+}  // namespace oblong

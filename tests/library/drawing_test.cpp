@@ -1,0 +1,218 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "engine/library/oblong.h"
+#include "tests/support/folders.h"
+#include "tests/support/palettes.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int32_t kLeast = std::numeric_limits<std::int32_t>::min(),
+                       kMost = std::numeric_limits<std::int32_t>::max();
+
+// What is drawn in a canvas of one colour, by the places that have another.
+Picture drawn_in(std::int32_t width, std::int32_t height, auto draw) {
+    Picture picture = Picture::of_size(width, height);
+    draw(picture.canvas());
+    return picture;
+}
+
+class LibraryCircle : public testing::TestWithParam<ScreenMode> {};
+
+// In doubles: a pixel is inside where its middle is less than radius + 1/2 columns away on the display.
+TEST_P(LibraryCircle, IsRoundOnTheDisplay) {
+    const ScreenMode mode = GetParam();
+    const double shape = static_cast<double>(mode.display.numerator) / static_cast<double>(mode.display.denominator) *
+                         mode.height_px / mode.width_px;
+    for (const int radius : {0, 1, 7, 60, 99}) {
+        const int x = mode.width_px / 2, y = mode.height_px / 2;
+        Picture filled = drawn_in(mode.width_px, mode.height_px,
+                                  [&](Framebuffer canvas) { fill_circle(canvas, mode, x, y, radius, 1); });
+        int most_rows = 0;
+        for (int row = 0; row < mode.height_px; ++row)
+            for (int column = 0; column < mode.width_px; ++column) {
+                const double distance = std::hypot(column - x, (row - y) / shape);
+                if (std::abs(distance - radius - 0.5) < 1e-9) continue;
+                ASSERT_EQ(pixel_at(filled.canvas(), column, row), distance < radius + 0.5) << column << ", " << row;
+                most_rows = std::max(most_rows, pixel_at(filled.canvas(), column, row) * std::abs(row - y));
+            }
+        EXPECT_NEAR(most_rows / shape, radius, 0.5 + 1 / shape);
+    }
+}
+
+// A path of neighbours along the border of the filled one, which has no pixel outside it.
+TEST_P(LibraryCircle, LineIsTheBorderOfTheFilledOneWithoutGaps) {
+    const ScreenMode mode = GetParam();
+    const int x = mode.width_px / 2, y = mode.height_px / 2, radius = 80;
+    Picture filled = drawn_in(mode.width_px, mode.height_px,
+                              [&](Framebuffer canvas) { fill_circle(canvas, mode, x, y, radius, 1); });
+    Picture line = drawn_in(mode.width_px, mode.height_px,
+                            [&](Framebuffer canvas) { draw_circle(canvas, mode, x, y, radius, 1); });
+    const auto is_inside = [&](int column, int row) { return pixel_at(filled.canvas(), column, row) == 1; };
+    for (int row = 0; row < mode.height_px; ++row)
+        for (int column = 0; column < mode.width_px; ++column) {
+            const bool is_drawn = pixel_at(line.canvas(), column, row) == 1;
+            if (is_drawn) {
+                ASSERT_TRUE(is_inside(column, row)) << column << ", " << row;
+            }
+            const bool is_border =
+                is_inside(column, row) && (!is_inside(column - 1, row) || !is_inside(column + 1, row) ||
+                                           !is_inside(column, row - 1) || !is_inside(column, row + 1));
+            if (is_border) {
+                ASSERT_TRUE(is_drawn) << column << ", " << row;
+            }
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, LibraryCircle,
+                         testing::Values(ScreenMode{}, ScreenMode{320, 240, {4, 3}}, ScreenMode{640, 200, {4, 3}},
+                                         ScreenMode{640, 480, {185, 100}}));
+
+TEST(LibraryTriangle, FanCoversItsPolygonOnce) {
+    const std::vector<PixelPosition> around{{10, 50}, {60, 5}, {150, 30}, {170, 120}, {90, 180}, {20, 140}};
+    const PixelPosition middle{80, 90};
+    std::vector<int> covered(200 * 200);
+    for (std::size_t i = 0; i < around.size(); ++i) {
+        Picture one = drawn_in(200, 200, [&](Framebuffer canvas) {
+            // Either way round.
+            const PixelPosition next = around[(i + 1) % around.size()];
+            i % 2 == 0 ? fill_triangle(canvas, middle, around[i], next, 1)
+                       : fill_triangle(canvas, middle, next, around[i], 1);
+        });
+        for (std::size_t at = 0; at < covered.size(); ++at) covered[at] += one.pixels[at];
+    }
+    // The polygon in doubles: left of none of its sides.
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 200; ++x) {
+            double least = 1e9;
+            for (std::size_t i = 0; i < around.size(); ++i) {
+                const PixelPosition a = around[i], b = around[(i + 1) % around.size()];
+                least =
+                    std::min(least, double(b.column - a.column) * (y - a.row) - double(b.row - a.row) * (x - a.column));
+            }
+            if (least > 0) {
+                ASSERT_EQ(covered[static_cast<std::size_t>(y * 200 + x)], 1) << x << ", " << y;
+            }
+            if (least < 0) {
+                ASSERT_EQ(covered[static_cast<std::size_t>(y * 200 + x)], 0) << x << ", " << y;
+            }
+        }
+}
+
+TEST(LibraryPicture, QuarterTurnsMoveEachPixelToItsPlace) {
+    Picture picture = Picture::of_size(5, 3);
+    for (std::size_t i = 0; i < 15; ++i) picture.pixels[i] = static_cast<std::uint8_t>(i + 1);
+    const auto turned = [&](int degrees) {
+        return drawn_in(21, 21, [&](Framebuffer canvas) { draw_turned(canvas, picture, 10, 10, degrees * 256); });
+    };
+    const auto at = [&](int column, int row) {
+        return static_cast<int>(picture.pixels[static_cast<std::size_t>(row * 5 + column)]);
+    };
+    Picture none = turned(0), quarter = turned(90), half = turned(180);
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 5; ++column) {
+            const int right = column - 2, down = row - 1;
+            EXPECT_EQ(pixel_at(none.canvas(), 10 + right, 10 + down), at(column, row));
+            EXPECT_EQ(pixel_at(half.canvas(), 10 - right, 10 - down), at(column, row));
+            // Counter-clockwise: what was right is up.
+            EXPECT_EQ(pixel_at(quarter.canvas(), 10 + down, 10 - right), at(column, row));
+        }
+}
+
+TEST(LibraryPicture, TransparentPixelsShowWhatIsBehind) {
+    Picture picture = Picture::of_size(4, 1);
+    picture.pixels = {7, kTransparent, 9, kTransparent};
+    Picture shown = drawn_in(6, 3, [&](Framebuffer canvas) {
+        clear(canvas, 3);
+        draw_picture(canvas, picture, -1, 1);
+        draw_picture(canvas, picture, 4, 2);
+    });
+    const std::vector<std::uint8_t> expected{3, 3, 3, 3, 3, 3, 3, 9, 3, 3, 3, 3, 3, 3, 3, 3, 7, 3};
+    EXPECT_EQ(shown.pixels, expected);
+}
+
+// An uncompressed TGA of two by two pixels of blue, green, red, alpha; the first row at the bottom.
+TEST(LibraryPicture, FileOfColoursGetsThePalettesNearestAndItsHoles) {
+    const test::TemporaryFolder folder;
+    const std::vector<std::uint8_t> tga{0,  0, 2, 0,   0,  0,  0,  0,   0,  0,  0,  0,   2,   0,   2,   0,
+                                        32, 8,                                                               // header
+                                        9,  9, 9, 255, 40, 40, 41, 128, 80, 80, 80, 127, 200, 199, 200, 0};  // pixels
+    const Picture picture = load_picture(folder.write("four.tga", tga), test::grey_palette());
+    EXPECT_EQ(picture.pixels, (std::vector<std::uint8_t>{kTransparent, kTransparent, 9, 40}));
+}
+
+// Rows of the canvas are a part of a larger picture, whose other pixels stay.
+TEST(LibraryDrawing, NothingIsDrawnOutsideOfACanvas) {
+    Picture whole = Picture::of_size(64, 48), picture = Picture::of_size(9, 9);
+    picture.pixels.assign(81, 5);
+    const Framebuffer canvas{whole.pixels.data() + 16 * 64 + 16, 32, 16, 64};
+    for (const std::int32_t x : {kLeast, -40, -1, 0, 31, 32, 80, kMost})
+        for (const std::int32_t y : {kLeast, -40, -1, 0, 15, 16, 80, kMost}) {
+            set_pixel(canvas, x, y, 1);
+            pixel_at(canvas, x, y);
+            for (const std::int32_t size : {kLeast, -1, 0, 1, 40, kMost}) {
+                draw_rectangle(canvas, x, y, size, size, 1);
+                fill_rectangle(canvas, x, y, size, 7, 1);
+                draw_circle(canvas, {}, x, y, size, 1);
+                fill_circle(canvas, {}, x, y, size, 1);
+                draw_line(canvas, x, y, size, y, 1);
+                fill_triangle(canvas, {x, y}, {size, 3}, {8, size}, 1);
+                draw_turned(canvas, picture, x, y, size, std::min(size, 4096));
+                draw_label(canvas, x, y, "Some", 1, size);
+            }
+            draw_picture(canvas, picture, x, y);
+        }
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 64; ++x)
+            if (x < 16 || x >= 48 || y < 16 || y >= 32) {
+                ASSERT_EQ(pixel_at(whole.canvas(), x, y), 0) << x << ", " << y;
+            }
+}
+
+TEST(LibraryColours, RampIsEvenAndACycleComesBack) {
+    Palette palette = test::grey_palette();
+    set_ramp(palette, 10, 20, {0, 200, 50}, {100, 0, 50});
+    for (int i = 0; i <= 10; ++i) {
+        const Rgb8 colour = palette.colours[static_cast<std::size_t>(10 + i)];
+        EXPECT_NEAR(colour.red, 10 * i, 1) << i;
+        EXPECT_NEAR(colour.green, 200 - 20 * i, 1) << i;
+        EXPECT_EQ(colour.blue, 50) << i;
+    }
+    const Palette before = palette;
+    cycle_colours(palette, 10, 20, 3);
+    for (std::size_t i = 0; i < 11; ++i) EXPECT_EQ(palette.colours[10 + (i + 3) % 11], before.colours[10 + i]) << i;
+    cycle_colours(palette, 10, 20, -14);
+    EXPECT_EQ(palette.colours, before.colours);
+    EXPECT_THROW(set_ramp(palette, 10, 256, {}, {}), std::runtime_error);
+    EXPECT_THROW(cycle_colours(palette, -1, 3, 1), std::runtime_error);
+}
+
+TEST(LibraryNumbers, SinesAreThoseOfDoubles) {
+    constexpr double kPi = 3.14159265358979;
+    for (std::int64_t degrees_256 = -200'000; degrees_256 < 200'000; degrees_256 += 37)
+        // An angle is rounded to 1/65,536 turn.
+        EXPECT_NEAR(sine_65536(degrees_256), 65'536 * std::sin(double(degrees_256) / 256 * kPi / 180), 4)
+            << degrees_256;
+}
+
+TEST(LibraryNumbers, MovesAheadAndRight) {
+    const Pose north = pose_at(10, 20, 30, 90);
+    EXPECT_EQ(moved(north, 512, 0), pose_at(10, 22, 30, 90));
+    EXPECT_EQ(moved(north, 0, 512), pose_at(12, 20, 30, 90));
+    EXPECT_EQ(moved(pose_at(0, 0, 0, 180), 256, 256, 256), pose_at(-1, 1, 1, 180));
+}
+
+// The first numbers of the generator's published test (Vigna's splitmix64.c from 0): their upper halves times the
+// limit.
+TEST(LibraryNumbers, RandomNumbersAreThoseOfSplitMix) {
+    constexpr std::uint64_t kPublished[] = {0xE220'A839'7B1D'CDAF, 0x6E78'9E6A'A1B9'65F4, 0x06C4'5D18'8009'454F};
+    std::uint64_t state = 0;
+    for (const std::uint64_t published : kPublished)
+        EXPECT_EQ(random_below(1000, state), static_cast<std::int32_t>((published >> 32) * 1000 >> 32));
+}
+
+}  // namespace
+}  // namespace oblong

@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include "engine/library/oblong.h"
+#include "engine/platform/headless/headless.h"
+#include "tests/support/folders.h"
+
+namespace oblong {
+namespace {
+
+constexpr Input kSpace{Device::Key, 44};
+
+InputEvent event(InputEvent::Kind kind, Input input, std::int32_t x = 0, std::int32_t y = 0) {
+    return {kind, input, x, y};
+}
+
+// A window whose input is `scripts`, one a picture, and then nothing.
+struct ScriptedWindow {
+    explicit ScriptedWindow(std::vector<PlatformInput> scripts, ScreenMode mode = {})
+        : platform(
+              100, 70,
+              [scripts](std::int64_t poll) {
+                  return poll < std::int64_t(scripts.size()) ? scripts[static_cast<std::size_t>(poll)]
+                                                             : PlatformInput{};
+              },
+              [](Framebuffer, const Palette&) {}),
+          window(platform, mode) {}
+
+    HeadlessPlatform platform;
+    Window window;
+};
+
+PlatformInput of(std::vector<InputEvent> events) {
+    PlatformInput input;
+    input.events = std::move(events);
+    return input;
+}
+
+using Kind = InputEvent::Kind;
+
+TEST(LibraryWindow, KeyIsPressedOnceAndDownUntilItIsLetGo) {
+    ScriptedWindow scripted(
+        {of({event(Kind::Press, kSpace)}), of({event(Kind::Repeat, kSpace)}), of({event(Kind::Release, kSpace)})});
+    Window& window = scripted.window;
+    EXPECT_FALSE(window.is_down("Space"));
+    window.show();
+    EXPECT_TRUE(window.is_down("Space") && window.was_pressed("space"));
+    window.show();
+    EXPECT_TRUE(window.is_down("Space") && !window.was_pressed("Space"));
+    EXPECT_FALSE(window.is_down("Enter"));
+    window.show();
+    EXPECT_FALSE(window.is_down("Space") || window.was_pressed("Space"));
+}
+
+// Between two pictures.
+TEST(LibraryWindow, QuickPressIsNotLost) {
+    ScriptedWindow scripted({of({event(Kind::Press, kSpace), event(Kind::Release, kSpace)})});
+    scripted.window.show();
+    EXPECT_TRUE(scripted.window.was_pressed("Space") && !scripted.window.is_down("Space"));
+}
+
+TEST(LibraryWindow, SticksArePressedByDegreesAndTheWheelForAPicture) {
+    const Input stick = pad_axis(PadAxis::LeftX, true), wheel{Device::MouseWheel, 0};
+    ScriptedWindow scripted({of({event(Kind::Axis, stick, kFullAxis / 8), event(Kind::Press, wheel)}),
+                             of({event(Kind::Axis, stick, kFullAxis)}), of({event(Kind::Axis, stick, 0)})});
+    Window& window = scripted.window;
+    const std::string right = name_of(stick);
+    window.show();
+    EXPECT_NEAR(window.pressure_256(right), 32, 1);
+    EXPECT_FALSE(window.is_down(right));
+    EXPECT_TRUE(window.was_pressed("Wheel Up"));
+    window.show();
+    EXPECT_EQ(window.pressure_256(right), 256);
+    EXPECT_TRUE(window.is_down(right));
+    EXPECT_FALSE(window.is_down("Wheel Up"));
+    window.show();
+    EXPECT_EQ(window.pressure_256(right), 0);
+}
+
+// 1600x1200 of the platform hold 320x200 on 4:3 in 5x6 pixels each.
+TEST(LibraryWindow, MouseIsOverThePixelThatIsShownThere) {
+    PlatformInput input;
+    input.pointer = Pointer{5 * 17 + 4, 6 * 101, true, false};
+    ScriptedWindow scripted({input, of({event(Kind::MouseMotion, {}, 3, -4), event(Kind::MouseMotion, {}, 1, 1)})});
+    scripted.window.show();
+    EXPECT_EQ(scripted.window.mouse(), (PixelPosition{17, 101}));
+    scripted.window.show();
+    EXPECT_EQ(scripted.window.mouse_motion(), (PixelPosition{4, -3}));
+    scripted.window.show();
+    EXPECT_EQ(scripted.window.mouse_motion(), (PixelPosition{}));
+}
+
+TEST(LibraryWindow, EndsWhenItIsClosed) {
+    ScriptedWindow scripted({});
+    EXPECT_TRUE(scripted.window.show());
+    scripted.window.close();
+    EXPECT_FALSE(scripted.window.show());
+}
+
+TEST(LibraryWindow, UnknownInputsAndModesAreRefused) {
+    ScriptedWindow scripted({});
+    EXPECT_THROW(scripted.window.is_down("Spaze"), std::runtime_error);
+    for (const ScreenMode mode : {ScreenMode{0, 200, {4, 3}}, ScreenMode{320, 5000, {4, 3}}})
+        EXPECT_THROW(Window(scripted.platform, mode), std::runtime_error);
+}
+
+struct HeadlessEnvironment {
+    explicit HeadlessEnvironment(const std::string& value) { setenv("OBLONG_HEADLESS", value.c_str(), 1); }
+    ~HeadlessEnvironment() { unsetenv("OBLONG_HEADLESS"); }
+};
+
+TEST(LibraryHeadless, DrawsSoManyPicturesAndSavesTheLast) {
+    const test::TemporaryFolder folder;
+    const HeadlessEnvironment environment("70:" + folder.path("last.png"));
+    Window window("nowhere", {64, 40, {4, 3}});
+    window.palette = {};
+    for (std::size_t i = 0; i < 256; ++i) window.palette.colours[i] = {static_cast<std::uint8_t>(i), 1, 2};
+    int pictures = 0;
+    do {
+        set_pixel(window.canvas(), pictures % 64, 0, static_cast<std::uint8_t>(pictures + 1));
+        ++pictures;
+    } while (window.show());
+    EXPECT_EQ(pictures, 70);
+    EXPECT_NEAR(double(window.time_ms()), 1000, 1);
+    const Picture saved = load_picture(folder.path("last.png"), window.palette);
+    EXPECT_EQ(checksum(window.canvas()), checksum(Picture(saved).canvas()));
+    EXPECT_EQ(saved.pixels[5], 70);
+    EXPECT_EQ(load_palette(folder.path("last.png")).colours, window.palette.colours);
+}
+
+TEST(LibraryHeadless, WrongWordsAreRefused) {
+    for (const char* wrong : {"", "0", "-1", "x", "5x", ":a.png", "99999999999999999999"}) {
+        const HeadlessEnvironment environment(wrong);
+        EXPECT_THROW(Window("nowhere"), std::runtime_error) << wrong;
+    }
+}
+
+TEST(LibrarySpeaker, IsSilentWithoutADeviceButSaysWhatIsWrong) {
+    const HeadlessEnvironment environment("1");
+    Speaker speaker;
+    EXPECT_NE(speaker.problem(), "");
+    const std::int32_t sound = speaker.add({1, 2, 3}, 22'050);
+    EXPECT_NO_THROW(speaker.play(sound));
+    EXPECT_THROW(speaker.play(sound + 1), std::runtime_error);
+    EXPECT_THROW(speaker.play(-1), std::runtime_error);
+    EXPECT_THROW(speaker.add({}, 22'050), std::runtime_error);
+    EXPECT_THROW(speaker.load("/nowhere/a.flac"), std::runtime_error);
+    EXPECT_THROW(speaker.play_music("/nowhere/a.mod"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace oblong

@@ -1,0 +1,191 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/library/oblong.h"
+#include "tests/map/map_source.h"
+#include "tests/support/folders.h"
+#include "tests/support/palettes.h"
+
+namespace oblong {
+namespace {
+
+using test::box;
+using test::entity;
+using test::entity_at;
+using test::room;
+
+// The space of -256..256 each way, 256 high, with things in it.
+std::string hall(const std::string& brushes, const std::string& entities) {
+    return test::level(
+        room({-256, -256, 0}, {256, 256, 256}) + brushes,
+        entity_at("info_player_start", {-100, 0, 24}, {{"angle", "90"}}) + entity_at("light", {0, 0, 200}) + entities);
+}
+
+// In units: east, north, up.
+Pose beside(Pose pose, std::int32_t east, std::int32_t north, std::int32_t up) {
+    pose.x_256 += east * 256;
+    pose.y_256 += north * 256;
+    pose.z_256 += up * 256;
+    return pose;
+}
+
+struct Hall {
+    explicit Hall(const std::string& brushes = "", const std::string& entities = "")
+        : file(folder.write("hall.bsp", test::bytes_of(hall(brushes, entities)))), level(file, test::grey_palette()) {}
+
+    // Goes on for some steps of 8 units, and falls between them.
+    Pose walk_east(Pose eye, int steps) const {
+        for (int i = 0; i < steps; ++i) {
+            eye = level.walked(eye, beside(eye, 8, 0, 0));
+            if (!level.stands(eye)) eye = level.walked(eye, beside(eye, 0, 0, -20));
+        }
+        return eye;
+    }
+
+    test::TemporaryFolder folder;
+    std::string file;
+    LevelScene level;
+};
+
+double units(std::int32_t units_256) {
+    return units_256 / 256.0;
+}
+
+// A body is 32 units wide; its eye is 22 above its middle, 24 above its feet.
+constexpr double kStop = 256 - 16, kEye = 24 + 22;
+
+TEST(LibraryLevel, BodyStopsAtAWallAndSlidesAlongIt) {
+    const Hall hall;
+    const Pose start = hall.level.start();
+    EXPECT_EQ(start.yaw_256, 90 * 256);
+    EXPECT_NEAR(units(start.x_256), -100, 1e-9);
+    EXPECT_NEAR(units(start.z_256), kEye, 1.01);
+    const Pose at_wall = hall.walk_east(start, 60);
+    EXPECT_NEAR(units(at_wall.x_256), kStop, 0.1);
+    EXPECT_NEAR(units(at_wall.z_256), kEye, 0.1);
+    EXPECT_TRUE(hall.level.stands(at_wall));
+    const Pose along = hall.level.walked(at_wall, beside(at_wall, 50, 30, 0));
+    EXPECT_NEAR(units(along.y_256), 30, 0.1);
+    EXPECT_NEAR(units(along.x_256), kStop, 0.1);
+    EXPECT_FALSE(hall.level.stands(hall.level.walked(start, beside(start, 0, 0, 50))));
+}
+
+TEST(LibraryLevel, BodyClimbsStepsOf18UnitsAndNoHigherOnes) {
+    const Hall low(box({50, -256, 0}, {256, 256, 18})), high(box({50, -256, 0}, {256, 256, 20}));
+    EXPECT_NEAR(units(low.walk_east(low.level.start(), 25).z_256), kEye + 18, 0.1);
+    const Pose before_high = high.walk_east(high.level.start(), 25);
+    EXPECT_NEAR(units(before_high.x_256), 50 - 16, 0.1);
+    EXPECT_NEAR(units(before_high.z_256), kEye, 0.1);
+}
+
+TEST(LibraryLevel, DoorIsInTheWayUntilItIsMoved) {
+    Hall hall("", entity("func_door", {{"targetname", "gate"}}, box({50, -250, 1}, {60, 250, 250})));
+    const std::int32_t door = hall.level.find_entity("targetname", "gate");
+    ASSERT_GE(door, 0);
+    EXPECT_EQ(hall.level.entity_value(door, "classname"), "func_door");
+    EXPECT_NEAR(units(hall.walk_east(hall.level.start(), 40).x_256), 50 - 16, 1.1);
+    hall.level.move_entity(door, 0, 0, 400 * 256);
+    EXPECT_NEAR(units(hall.walk_east(hall.level.start(), 60).x_256), kStop, 0.1);
+    EXPECT_EQ(hall.level.find_entity("targetname", "nothing"), -1);
+    EXPECT_THROW(hall.level.move_entity(0, 0, 0, 0), std::runtime_error);
+    EXPECT_THROW(hall.level.entity_value(1000, "classname"), std::runtime_error);
+}
+
+TEST(LibraryLevel, MovedDoorIsDrawnWhereItStops) {
+    Hall hall("", entity("func_door", {{"targetname", "gate"}}, box({50, -250, 1}, {60, 250, 250}, "other")));
+    Picture before = Picture::of_size(320, 200), away = before;
+    const Pose eye = pose_at(-100, 0, 46);
+    hall.level.draw(eye, 0, before.canvas());
+    hall.level.move_entity(hall.level.find_entity("targetname", "gate"), 0, 0, 1000 * 256);
+    hall.level.draw(eye, 0, away.canvas());
+    EXPECT_NE(checksum(before.canvas()), checksum(away.canvas()));
+    EXPECT_THROW(hall.level.draw(eye, 0, Picture::of_size(64, 64).canvas()), std::runtime_error);
+}
+
+TEST(LibraryLevel, ErrorsNameTheFile) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder.write("broken.bsp", std::string("nothing"));
+    try {
+        LevelScene level(file, test::grey_palette());
+        FAIL();
+    } catch (const std::runtime_error& error) {
+        EXPECT_TRUE(std::string(error.what()).starts_with(file + ": ")) << error.what();
+    }
+}
+
+// Two triangles in one colour, 2 x 2 units around (at, 0, 0), that face west.
+void add_square(Model& model, std::int32_t at, std::int32_t half, std::uint8_t colour) {
+    Picture picture = Picture::of_size(1, 1);
+    picture.pixels = {colour};
+    const std::int32_t skin = model.add_picture(picture);
+    const Corner left_up{at, half, half}, right_up{at, -half, half}, right_down{at, -half, -half},
+        left_down{at, half, -half};
+    model.add_triangle(left_up, right_up, right_down, skin);
+    model.add_triangle(left_up, right_down, left_down, skin);
+}
+
+TEST(LibraryStage, SquareIsSquareOnTheDisplayAndNearerOnesHideIt) {
+    Stage stage(test::grey_palette());
+    Model far_square, near_square;
+    add_square(far_square, 0, 50, 200);
+    add_square(near_square, 0, 10, 100);
+    for (const bool far_first : {true, false}) {
+        Picture picture = Picture::of_size(320, 200);
+        stage.look({});
+        if (far_first) stage.draw(far_square, pose_at(200, 0, 0), picture.canvas());
+        stage.draw(near_square, pose_at(100, 0, 0), picture.canvas());
+        if (!far_first) stage.draw(far_square, pose_at(200, 0, 0), picture.canvas());
+        // At 90 degrees 160 columns are as wide as it is far; rows are 1.2 times as high as columns are wide.
+        for (int y = 0; y < 200; ++y)
+            for (int x = 0; x < 320; ++x) {
+                const double across = std::abs(x + 0.5 - 160) / 160, down = std::abs(y + 0.5 - 100) * 1.2 / 160;
+                const double place = std::max(across, down);
+                if (std::abs(place - 0.1) < 0.005 || std::abs(place - 0.25) < 0.005) continue;  // an edge
+                ASSERT_EQ(pixel_at(picture.canvas(), x, y), place < 0.1    ? 100
+                                                            : place < 0.25 ? 200
+                                                                           : 0)
+                    << x << ", " << y;
+            }
+    }
+}
+
+TEST(LibraryStage, NothingOfTheLastPictureHidesTheNext) {
+    Stage stage(test::grey_palette());
+    Model square;
+    add_square(square, 0, 50, 200);
+    Picture picture = Picture::of_size(320, 200);
+    stage.look({});
+    stage.draw(square, pose_at(100, 0, 0), picture.canvas());
+    clear(picture.canvas());
+    stage.look({});
+    stage.draw(square, pose_at(200, 0, 0), picture.canvas());
+    EXPECT_EQ(pixel_at(picture.canvas(), 160, 100), 200);
+}
+
+TEST(LibraryStage, SideLightFollowsLambert) {
+    Stage stage(test::grey_palette());
+    Model square;
+    add_square(square, 0, 50, 200);
+    const auto grey_at = [&](std::int32_t x, std::int32_t z) {
+        Picture picture = Picture::of_size(320, 200);
+        stage.look({});
+        stage.set_light(0, 256, x, 0, z);
+        stage.draw(square, pose_at(100, 0, 0), picture.canvas());
+        return static_cast<double>(pixel_at(picture.canvas(), 160, 100));
+    };
+    EXPECT_EQ(grey_at(-1, 0), 200);
+    EXPECT_NEAR(grey_at(-1, 1), 200 * std::sqrt(0.5), 8);  // 64 shades
+    EXPECT_NEAR(grey_at(1, 0), 0, 8);
+}
+
+TEST(LibraryModel, WrongNumbersAreRefused) {
+    Model model;
+    EXPECT_EQ(model.frame_count(), 1);
+    EXPECT_THROW(model.add_triangle({}, {}, {}, 0), std::runtime_error);
+    EXPECT_THROW(Model("/nowhere/a.obj", test::grey_palette()), std::runtime_error);
+    EXPECT_THROW(Model("/nowhere/a.obj", test::grey_palette(), 0), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace oblong

@@ -1,0 +1,240 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "engine/files/files.h"
+#include "engine/level/entity_classes.h"
+#include "game/sound/sound_table.h"
+#include "tests/support/folders.h"
+#include "tools/map/source/fgd.h"
+#include "tools/map/source/map_file.h"
+
+namespace oblong::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+// Every row is a class of its own, and no group of keys has one twice: the first would win.
+TEST(EntityClasses, AreDifferent) {
+    std::set<std::string_view> names;
+    for (const EntityClass& row : entity_classes()) {
+        EXPECT_TRUE(names.insert(row.name).second) << row.name;
+        EXPECT_EQ(find_entity_class(row.name), &row) << row.name << " is hidden by a family above it";
+        for (const auto& group : row.keys) {
+            std::set<std::string_view> keys;
+            for (const EntityKey& key : group) EXPECT_TRUE(keys.insert(key.name).second) << row.name << ' ' << key.name;
+        }
+    }
+}
+
+TEST(EntityClasses, HaveSoundsAndModelsThatAreThere) {
+    int models = 0;
+    for (const EntityClass& row : entity_classes()) {
+        EXPECT_EQ(find_sound(row.sound).has_value(), !row.sound.empty()) << row.name;
+        if (row.own_model.file.empty()) continue;
+        EXPECT_TRUE(fs::exists(source_folder() + "/assets/" + std::string(row.own_model.file))) << row.name;
+        ++models;
+    }
+    EXPECT_EQ(models, 3);
+}
+
+/// The sources of the rooms that read entities, without the table itself.
+std::vector<std::string> sources_of_readers() {
+    std::vector<std::string> texts;
+    for (const char* room : {"engine/effects", "engine/scene", "engine/files", "engine/level", "game/simulation",
+                             "game/sound", "game/level", "game/view", "tools/map"})
+        for (const auto& file : fs::recursive_directory_iterator(source_folder() + "/" + room)) {
+            const std::string name = file.path().filename().string();
+            const bool is_table = name.starts_with("entity_classes.") || name.starts_with("class_keys.");
+            if (!is_table && (name.ends_with(".cpp") || name.ends_with(".h")))
+                texts.push_back(read_text(file.path().string()));
+        }
+    return texts;
+}
+
+/// The first group of each match.
+Names all_matches(const std::vector<std::string>& texts, const std::string& pattern) {
+    Names found;
+    const std::regex expression(pattern);
+    for (const std::string& text : texts)
+        for (std::sregex_iterator at(text.begin(), text.end(), expression), end; at != end; ++at)
+            found.insert((*at)[1].str());
+    return found;
+}
+
+const EntityKey* key_of_any_class(std::string_view key) {
+    for (const EntityClass& row : entity_classes())
+        if (const EntityKey* found = find_entity_key(row, key); found && !found->does.empty()) return found;
+    return nullptr;
+}
+
+TEST(EntityClasses, ReadersNameNoClassThatIsNotInTheTable) {
+    const std::string families =
+        "worldspawn|light_(?!styles)|func_|trigger_|item_|weapon_|monster_|ambient_|misc_|info_|trap_";
+    const Names named = all_matches(sources_of_readers(), "\"((?:" + families + ")[a-z0-9_]*)\"");
+    for (const std::string& name : named) {
+        const EntityClass* const row = find_entity_class(name);
+        EXPECT_TRUE(row != nullptr && row->name == name) << name;
+    }
+    EXPECT_LE(named.size(), 4u) << "what a class is, is its role";
+}
+
+TEST(EntityClasses, HaveEachKeyThatIsReadAndNoOther) {
+    const std::vector<std::string> texts = sources_of_readers();
+    const std::string readers =
+        "value|has|number|whole_number|vector|colours|number_of|numbers_of|ticks_of|target_of|"
+        "value_of|direction_of_mangle|length";
+    const Names read = all_matches(texts, "\\b(?:" + readers + R"re()\((?:[*\w]+, )?"([a-z_]+)")re");
+    EXPECT_GT(read.size(), 40u);
+    for (const std::string& key : read)
+        EXPECT_TRUE(key_of_any_class(key) || key.starts_with("_tb_")) << key << " is read";
+    const Names literals = all_matches(texts, R"re("([a-z_]+)")re");
+    const auto expect_read = [&](std::span<const EntityKey> keys) {
+        for (const EntityKey& key : keys) {
+            const std::string name(key.name.substr(0, key.name.find('#')));
+            EXPECT_TRUE(key.does.empty() || literals.contains(name)) << name << " is in the table";
+        }
+    };
+    expect_read(keys_of_all());
+    for (const EntityClass& row : entity_classes())
+        for (const auto& keys : row.keys) expect_read(keys);
+}
+
+TEST(EntityClasses, HaveAllThatTheDemoLevelHas) {
+    int pairs = 0;
+    for (const map::MapEntity& entity : map::parse_map(read_text(source_folder() + "/assets/demo.map"))) {
+        const EntityClass* const row = find_entity_class(entity.value("classname"));
+        ASSERT_TRUE(row != nullptr && !row->is_family() && !row->does.empty()) << entity.value("classname");
+        for (const map::MapPair& pair : entity.pairs) {
+            if (pair.key.starts_with("_tb_")) continue;  // TrenchBroom's own
+            EXPECT_NE(find_entity_key(*row, pair.key), nullptr) << row->name << ' ' << pair.key;
+            ++pairs;
+        }
+    }
+    EXPECT_GT(pairs, 500);
+}
+
+/// Reads an FGD file by TrenchBroom's grammar (its FgdParser), as far as fgd_text() goes: classes, and each key's type.
+class FgdReader {
+  public:
+    explicit FgdReader(const std::string& text) {
+        const std::regex token(R"(//[^\n]*|"[^"]*"|\{\{|\}\}|[()\[\]{}:=,]|[^\s()\[\]{}:=,"]+)");
+        for (std::sregex_iterator at(text.begin(), text.end(), token), end; at != end; ++at)
+            if (!at->str().starts_with("//")) tokens_.push_back(at->str());
+    }
+
+    std::map<std::string, std::map<std::string, std::string>> read() {
+        std::map<std::string, std::map<std::string, std::string>> classes;
+        while (at_ < tokens_.size()) {
+            const bool is_solid = next() == "@SolidClass";
+            EXPECT_TRUE(is_solid || tokens_[at_ - 1] == "@PointClass") << tokens_[at_ - 1];
+            while (peek() != "=") skip_attribute(is_solid);
+            next();
+            const std::string name = next();
+            expect(":");
+            expect_string();
+            const auto keys = read_keys(name);
+            EXPECT_TRUE(classes.emplace(name, keys).second) << name << " twice";
+        }
+        return classes;
+    }
+
+  private:
+    std::string peek() const { return at_ < tokens_.size() ? tokens_[at_] : ""; }
+    std::string next() { return at_ < tokens_.size() ? tokens_[at_++] : ""; }
+    void expect(const std::string& token) { EXPECT_EQ(next(), token) << "token " << at_; }
+    void expect_string() { EXPECT_TRUE(next().starts_with('"')) << tokens_[at_ - 1]; }
+    bool is_number() const { return peek().find_first_not_of("-0123456789") == std::string::npos && !peek().empty(); }
+
+    void skip_attribute(bool is_solid) {
+        const std::string name = next();
+        EXPECT_TRUE((name == "size" || name == "model") && !is_solid) << name;
+        expect("(");
+        for (int depth = 1; depth > 0 && at_ < tokens_.size();) {
+            const std::string token = next();
+            if (token == "(" || token == "{" || token == "{{") ++depth;
+            if (token == ")" || token == "}" || token == "}}") --depth;
+        }
+    }
+
+    std::map<std::string, std::string> read_keys(const std::string& class_name) {
+        std::map<std::string, std::string> keys;
+        expect("[");
+        while (peek() != "]" && at_ < tokens_.size()) {
+            const std::string key = next();
+            expect("(");
+            const std::string type = next();
+            expect(")");
+            read_value(type);
+            EXPECT_TRUE(keys.emplace(key, type).second) << class_name << ": " << key << " twice";
+        }
+        next();
+        return keys;
+    }
+
+    void read_value(const std::string& type) {
+        const bool are_flags = type == "flags";
+        if (!are_flags) {
+            expect(":");
+            expect_string();
+            if (peek() == ":") read_default(type);
+        }
+        if (!are_flags && type != "choices") return;
+        expect("=");
+        expect("[");
+        while (peek() != "]" && at_ < tokens_.size()) {
+            EXPECT_TRUE(are_flags ? is_number() : peek().starts_with('"')) << peek();
+            next();
+            expect(":");
+            expect_string();
+            if (!are_flags) continue;
+            expect(":");
+            expect("0");
+        }
+        next();
+    }
+
+    /// TrenchBroom takes whole numbers without quotes, and all others with them.
+    void read_default(const std::string& type) {
+        next();
+        EXPECT_TRUE(type == "integer" ? is_number() : peek().starts_with('"')) << type << ' ' << peek();
+        next();
+    }
+
+    std::vector<std::string> tokens_;
+    std::size_t at_ = 0;
+};
+
+TEST(Fgd, NamesTheClassesAndKeysOfTheTable) {
+    const auto classes = FgdReader(map::fgd_text()).read();
+    std::size_t placed = 0;
+    for (const EntityClass& row : entity_classes()) {
+        if (row.is_family()) continue;
+        ++placed;
+        ASSERT_TRUE(classes.contains(std::string(row.name))) << row.name;
+        Names wanted, found;
+        const auto want = [&](std::span<const EntityKey> keys) {
+            for (const EntityKey& key : keys) wanted.insert(std::string(key.name.substr(0, key.name.find('#'))));
+        };
+        for (const auto& keys : row.keys) want(keys);
+        want(keys_of_all());
+        wanted.erase("classname");
+        wanted.erase("origin");
+        for (const auto& [key, type] : classes.at(std::string(row.name))) found.insert(key);
+        EXPECT_EQ(found, wanted) << row.name;
+    }
+    EXPECT_EQ(classes.size(), placed);
+    EXPECT_EQ(classes.at("func_door").at("speed"), "float");
+    EXPECT_EQ(classes.at("func_door").at("targetname"), "target_source");
+    EXPECT_EQ(classes.at("trigger_relay").at("killtarget"), "target_destination");
+    EXPECT_EQ(classes.at("misc_model").at("frames"), "integer");
+    EXPECT_EQ(classes.at("light").at("delay"), "choices");
+    EXPECT_EQ(classes.at("light").at("spawnflags"), "flags");
+}
+
+}  // namespace
+}  // namespace oblong::test
