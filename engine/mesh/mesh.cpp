@@ -76,6 +76,7 @@ void set_boxes(MeshFrame& frame, std::span<const MeshTriangle> triangles) {
     for (const MeshVertex& vertex : frame.vertices) extend(box, vertex.position);
     frame.mins = box.mins;
     frame.maxs = box.maxs;
+    frame.parts.clear();
     if (triangles.size() <= kPartTriangles) return;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (i % kPartTriangles == 0)
