@@ -4,6 +4,7 @@
 
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
+#include "engine/frame/shared_drawing.h"
 #include "engine/frame/view_scratch.h"
 #include "engine/raster/scan.h"
 #include "engine/visibility/model_cutter.h"
@@ -92,7 +93,6 @@ void Claims::clear() {
     fog_runs.clear();
     things.clear();
     walls_drawn = 0;
-    is_under_liquid = false;
     last_plane = {};
     effects = {};
 }
@@ -116,19 +116,19 @@ std::span<const Vec3<World>> world_corners(const VisibleFace& face, const FrameC
     return corners;
 }
 
-FaceScan::FaceScan(const FrameContext& frame, ViewScratch& scratch)
+FacesInView::FacesInView(const FrameContext& frame, ViewScratch& scratch)
     : frame_(frame),
       scratch_(scratch),
       walk_(frame.scene.level, frame.view, scratch.visible,
             frame.allows(Effect::BrushModels) ? &frame.cache.brush_models : nullptr, scratch.span_buffer, scratch.walk,
             frame.limits, frame.cache.faces.torn_edges == 0) {}
 
-FaceScan::~FaceScan() {
+FacesInView::~FacesInView() {
     if (FrameCounts* const counts = frame_.observers.counts)
         count_walk(walk_.nodes_entered(), scratch_.vertices.count(), counts->stages);
 }
 
-bool FaceScan::next(VisibleFace& found) {
+bool FacesInView::next(VisibleFace& found) {
     const FrameObservers& observers = frame_.observers;
     while (next_face(walk_, observers.times, found)) {
         const Stopwatch of_models(found.fragment ? observers.times : nullptr, Effect::BrushModels);
@@ -140,7 +140,7 @@ bool FaceScan::next(VisibleFace& found) {
 }
 
 void claim_face(VisibleFace& face, bool is_second_walk, const FrameContext& frame, ViewScratch& scratch) {
-    const EffectSet needs = frame.cache.faces.faces[face.face].effects;
+    const EffectSet needs = frame.cache.faces[face.face].effects;
     const bool is_seen_through = list_for(needs, frame.settings.allowed_effects) == FaceList::SeeThrough;
     if (is_seen_through && is_second_walk) return;
     Claims& claims = scratch.claims;
@@ -160,7 +160,7 @@ void add_claimed(VisibleFace& face, std::size_t first_span, const FrameContext& 
     if (claims.spans.size() == first_span) return;
     face.first_span = static_cast<std::uint32_t>(first_span);
     face.span_count = static_cast<std::uint32_t>(claims.spans.size() - first_span);
-    const EffectSet needs = frame.cache.faces.faces[face.face].effects, allowed = frame.settings.allowed_effects;
+    const EffectSet needs = frame.cache.faces[face.face].effects, allowed = frame.settings.allowed_effects;
     const EffectSet effects = face.fragment ? needs.with(Effect::BrushModels) : needs;
     const FaceList list = list_for(needs, allowed);
     // Faces without texels need it for other effects alone: fog, and things before and behind them.
@@ -172,7 +172,7 @@ void add_claimed(VisibleFace& face, std::size_t first_span, const FrameContext& 
 }
 
 void claim_faces(const FrameContext& frame, ViewScratch& scratch) {
-    FaceScan faces(frame, scratch);
+    FacesInView faces(frame, scratch);
     VisibleFace face;
     while (faces.next(face)) {
         claim_face(face, faces.is_second_walk(), frame, scratch);

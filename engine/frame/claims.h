@@ -20,7 +20,7 @@ struct CornerScratch;
 struct FrameContext;
 struct ViewScratch;
 
-/// The passes that draw faces, each the faces of one list.
+/// The lists of claimed faces, one for each pass that draws faces.
 enum class FaceList : std::uint8_t { Walls, Flat, Liquid, Sky, Mirror, SeeThrough };
 inline constexpr std::size_t kFaceListCount = 6;
 
@@ -45,13 +45,12 @@ struct SeenPlane {
 struct Claims {
     SpanList spans;
     std::array<std::vector<VisibleFace>, kFaceListCount> lists;
-    EffectSet effects;             ///< that these faces need and the settings allow
+    EffectSet effects;             ///< that own pixels: those that the faces need and the settings allow, and others
     std::vector<TornSpan> torn;    ///< pixels that no face covers, but walls without one
     SpanList left_free;            ///< pixels that nothing owns: the void
     std::vector<FogRun> fog_runs;  ///< pixels in fog
     FrameThings things;            ///< what is among the faces
-    std::size_t walls_drawn = 0;   ///< the first ones of their list
-    bool is_under_liquid = false;  ///< the eye is in a liquid
+    std::size_t walls_drawn = 0;   ///< by draw_walls() so far: the first ones of their list
     SeenPlane last_plane;          ///< of the world's last face: those of one node, which follow each other, share it
 
     std::vector<VisibleFace>& list(FaceList which) { return item(lists, which); }
@@ -60,11 +59,6 @@ struct Claims {
         return std::span<const Span>(spans).subspan(face.first_span, face.span_count);
     }
     void clear();
-    /// The eye is in a liquid: the whole picture waves.
-    void add_waves() {
-        is_under_liquid = true;
-        effects = effects.with(Effect::Underwater);
-    }
 };
 
 /// The list of a face that calls for these effects. What is not allowed is drawn in one colour, or as a wall.
@@ -83,17 +77,17 @@ std::int64_t pixels_of(const Claims& claims, FaceList list);
 /// The corners of a face in the world, those at T-junctions only if the settings mend them: in `scratch.world`.
 std::span<const Vec3<World>> world_corners(const VisibleFace& face, const FrameContext& frame, CornerScratch& scratch);
 
-/// The faces that may own pixels of a view, front to back: each is projected into scratch.polygon and scanned into
-/// scratch.rows.
-class FaceScan {
+/// The faces in view, front to back: next() finds one, projects it into scratch.polygon and scans it into scratch.rows,
+/// for claim_face() to go on with.
+class FacesInView {
   public:
     /// The arguments outlive it.
-    FaceScan(const FrameContext& frame, ViewScratch& scratch);
-    FaceScan(const FaceScan&) = delete;
-    ~FaceScan();
+    FacesInView(const FrameContext& frame, ViewScratch& scratch);
+    FacesInView(const FacesInView&) = delete;
+    ~FacesInView();
 
-    /// Sets `found` to the next face that covers pixels which may be free: which it is, and nothing else. False if
-    /// there is no other.
+    /// Sets `found` to the next face that covers pixels which may be free: its face and fragment, and nothing else.
+    /// False if there is no other.
     bool next(VisibleFace& found);
     /// Whether the walk comes to all faces for the second time (FrontToBackWalk).
     bool is_second_walk() const { return walk_.takes_all_faces(); }
@@ -104,18 +98,19 @@ class FaceScan {
     FrontToBackWalk walk_;
 };
 
-/// Lets a scanned face claim the pixels of its rows that are free. One that is seen through gets them and leaves them
-/// free, in the first walk: in the second it has them.
+/// Lets the face that FacesInView has found last claim the free pixels of its rows, and adds it to its list. One that
+/// is seen through gets these pixels too, but leaves them free for what is behind; a second walk comes to it again and
+/// has nothing to add.
 void claim_face(VisibleFace& face, bool is_second_walk, const FrameContext& frame, ViewScratch& scratch);
 
-/// Adds a face whose spans are the last ones, from `first_span` on, to its list, with its 1/z where anything may
-/// need that; none without spans.
+/// Adds a face to its list, with its 1/z where anything may need that. Its spans are those of `claims` from
+/// `first_span` on: without any it is not added.
 void add_claimed(VisibleFace& face, std::size_t first_span, const FrameContext& frame, Claims& claims);
 
 /// Takes the faces front to back and lets each claim its pixels; draws nothing.
 void claim_faces(const FrameContext& frame, ViewScratch& scratch);
 
-/// Another way to find out which face owns which pixel, to be compared with claim_faces(): engine/methods.
+/// Another way to find out which face owns which pixel, in place of claim_faces(): engine/methods has some, to compare.
 class FaceClaimer {
   public:
     virtual ~FaceClaimer() = default;

@@ -1,7 +1,7 @@
 #include "engine/frame/frame.h"
 
 #include "engine/frame/frame_context.h"
-#include "engine/frame/light_pass.h"
+#include "engine/frame/frame_light.h"
 #include "engine/frame/torn_pixels.h"
 #include "engine/frame/workspace.h"
 #include "engine/view/views.h"
@@ -11,8 +11,8 @@ namespace oblong {
 
 namespace {
 
-/// What has a meaning in this view. Depth among things is 1/z, fog and the water before the eye are measured from the
-/// eye: a parallel view has neither, and is drawn without them; mirrors in it are walls.
+/// The settings without what has no meaning in this view. Depth among things is 1/z, fog and the water before the eye
+/// are measured from the eye: a parallel view has neither, and is drawn without them; mirrors in it are walls.
 Settings settings_in(const ViewSpec& view, Settings settings) {
     if (!view.is_parallel) return settings;
     for (const Effect effect :
@@ -27,8 +27,8 @@ std::vector<WalkLimit> limits_of(const ViewSpec& view) {
     return limits;
 }
 
-/// The eye, moved clear of planes. The whole level may be seen where the void may: not from where the eye is, but from
-/// where its rays begin.
+/// The eye, moved clear of planes, and the leaf to see from. Where the view may show the void, rays begin elsewhere
+/// than in the eye: from kSolidOutside the whole level may be seen.
 PlacedEye place_viewer(const Level& level, const ViewSpec& view) {
     if (view.is_parallel) return {view.eye, kSolidOutside};
     const PlacedEye eye = place_eye(level, view.eye);
@@ -51,15 +51,31 @@ FrameContext make_context(const Scene& scene, const ViewSpec& spec, const Screen
                        limits_of(spec)};
     frame.fog = make_frame_fog(frame);
     frame.claimer = work.claimer;
-    const bool is_in_order = frame.observers.counts || frame.observers.record;
-    if (!is_in_order) frame.shared = work.view.shared.get();
+    const bool has_order = frame.observers.counts || frame.observers.record;  // FrameObservers
+    if (!has_order) frame.shared = work.shared.get();
     return frame;
 }
 
-void start_observers(const FrameObservers& observers, Framebuffer out) {
-    if (observers.counts) *observers.counts = make_frame_counts(out);
+void start_observers(const FrameWorkspace& work, Framebuffer out) {
+    const FrameObservers& observers = work.observers;
+    if (observers.counts) {
+        *observers.counts = make_frame_counts(out);
+        observers.counts->stages.lit_texels =
+            -work.cache.surfaces.built_texels();  // end_observers() adds what it is then
+    }
     if (observers.record) observers.record->pixels.assign(pixel_count(out.pitch, out.height_px), {});
     if (observers.times) *observers.times = {observers.times->clock, observers.times->faces_walked};
+}
+
+void end_observers(const FrameWorkspace& work) {
+    if (FrameCounts* const counts = work.observers.counts)
+        counts->stages.lit_texels += work.cache.surfaces.built_texels();
+}
+
+/// Lets other threads draw from here on: walls as soon as they are claimed, if their light is known by then.
+void start_sharing(const FrameContext& frame, ViewScratch& scratch) {
+    const bool is_light_known = find_light_beforehand(frame, scratch);
+    frame.shared->begin(frame, is_light_known);
 }
 
 /// Whether the whole picture waves, seen from a leaf.
@@ -101,7 +117,7 @@ FramePlan draw_view(const FrameContext& frame, ViewScratch& scratch) {
 
 void draw_frame(const Scene& scene, const ViewSpec& view, const ScreenMode& mode, const Settings& settings,
                 FrameWorkspace& work, Framebuffer out) {
-    start_observers(work.observers, out);
+    start_observers(work, out);
     const PlacedEye eye = place_viewer(scene.level, view);
     ViewSpec placed = view;
     placed.eye = eye.position;
@@ -111,12 +127,11 @@ void draw_frame(const Scene& scene, const ViewSpec& view, const ScreenMode& mode
     work.cache.surfaces.start_frame(settings.accuracy, settings.brightness_100, scene.colormap);
     start_view(frame, eye.leaf, work.view);
     work.view.span_buffer.reset();
-    if (is_under_liquid(frame, eye.leaf)) work.view.claims.add_waves();
-    if (frame.shared) frame.shared->begin(frame, find_light_beforehand(frame, work.view));
-    const std::int64_t texels_before = work.cache.surfaces.built_texels();
+    EffectSet& effects = work.view.claims.effects;
+    if (is_under_liquid(frame, eye.leaf)) effects = effects.with(Effect::Underwater);
+    if (frame.shared) start_sharing(frame, work.view);
     work.plan = draw_view(frame, work.view);
-    if (work.observers.counts)
-        work.observers.counts->stages.lit_texels = work.cache.surfaces.built_texels() - texels_before;
+    end_observers(work);
 }
 
 void draw_frame(const Scene& scene, const Camera& camera, const ScreenMode& mode, const Settings& settings,

@@ -30,14 +30,14 @@ struct Scene {
 };
 
 /// Draws one picture of any view: a pure function of its first four arguments. Every pixel of `out` (whose size is the
-/// mode's) is written once: in the open by the world, which leaves no pixel free if its faces meet; where one is
-/// missing, the texture of another goes on over its wall (torn_pixels.h). From inside a wall or behind the sky all
-/// faces that face the eye are drawn, and what none of them covers is colour 0. Fields of view are bounded by
-/// make_projection() and, in modes of few pixels, by make_inverse_projection(); other views have no problem_of().
+/// mode's) is written once. From an eye in the open, faces leave no pixel free; where a level lacks one, the texture of
+/// another goes on (torn_pixels.h). From inside a wall or behind the sky all faces that face the eye are drawn, and
+/// what none of them covers is colour 0. A view must have no problem_of(); fields of view are bounded by
+/// make_projection() and, in modes of few pixels, by make_inverse_projection().
 ///
-/// A parallel view shows faces that its direction faces, wherever they are: a level seen from outside shows its rooms
-/// without the walls and ceilings that turn away. It is drawn without effects that have no meaning without an eye.
-/// Where it, or one that planes cut, shows nothing, there is colour 0.
+/// A parallel view shows all faces toward its direction, wherever they are: of a level seen from outside the rooms,
+/// without the walls and ceilings that turn away. It is drawn without effects that have no meaning without an eye. What
+/// a parallel view, or one with cuts, leaves free is colour 0.
 void draw_frame(const Scene& scene, const ViewSpec& view, const ScreenMode& mode, const Settings& settings,
                 FrameWorkspace& work, Framebuffer out);
 

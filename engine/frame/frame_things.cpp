@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "engine/frame/face_cover.h"
-#include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
+#include "engine/frame/frame_fog.h"
 #include "engine/frame/model_pass.h"
 #include "engine/frame/view_scratch.h"
 

@@ -17,9 +17,9 @@ bool is_above(World height, FaceIndex face, const Level& level, const FaceTable&
 void add_effects(const Level& level, const LevelEffects& effects, FaceTable& table) {
     for (const FaceIndex index : level.faces.indices()) {
         const Face& face = level.faces[index];
-        table.faces[index].is_above_fog =
+        table[index].is_above_fog =
             effects.fog && effects.fog->has_top && is_above(effects.fog->top, index, level, table);
-        EffectSet& needs = table.faces[index].effects;
+        EffectSet& needs = table[index].effects;
         if (needs.has(Effect::Sky)) continue;
         if (effects.animations.is_animated(level.texinfos[face.texinfo].texture))
             needs = needs.with(Effect::AnimatedTextures);

@@ -10,7 +10,7 @@
 #include "engine/effects/sky.h"
 #include "engine/effects/things.h"
 #include "engine/effects/warp.h"
-#include "engine/frame/fog_pass.h"
+#include "engine/frame/frame_fog.h"
 #include "engine/mesh/placed_mesh.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/face_table.h"

@@ -18,8 +18,8 @@ using FrameClock = std::int64_t (*)();
 /// Where the time of a frame went, measured only on request.
 struct PassTimes {
     FrameClock clock = nullptr;
-    std::uint32_t faces_walked = 0;                       ///< of this frame and those before
-    std::int64_t walk_ns = 0;                             ///< a sample of it: 0, or more than it was, in short walks
+    std::uint32_t faces_walked = 0;                       ///< in this frame and those before: which face is timed
+    std::int64_t walk_ns = 0;                             ///< estimated from one face in 16; poor for short walks
     std::int64_t claims_ns = 0;                           ///< the walk, polygons, scan, span buffer
     std::array<std::int64_t, kPassCount> passes_ns{};     ///< of each of kPasses
     std::array<std::int64_t, kEffectCount> effects_ns{};  ///< of each Effect that has no pass of its own

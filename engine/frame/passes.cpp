@@ -9,6 +9,7 @@
 #include "engine/frame/frame_record.h"
 #include "engine/frame/model_pass.h"
 #include "engine/frame/see_through_pass.h"
+#include "engine/frame/shared_drawing.h"
 #include "engine/frame/torn_pixels.h"
 #include "engine/frame/view_scratch.h"
 
@@ -60,10 +61,10 @@ void draw_flat(const FrameContext& frame, ViewScratch& scratch) {
 }
 
 void draw_liquids(const FrameContext& frame, ViewScratch& scratch) {
-    SurfaceDrawing drawing;
-    drawing.is_plain = false;
-    drawing.traits.warps = true;
-    draw_surfaces(scratch.claims.list(FaceList::Liquid), drawing, frame, scratch);
+    SurfaceOptions options;
+    options.is_plain = false;
+    options.traits.warps = true;
+    draw_surfaces(scratch.claims.list(FaceList::Liquid), options, frame, scratch);
 }
 
 void draw_sky_faces(const FrameContext& frame, ViewScratch& scratch) {
@@ -80,7 +81,7 @@ void draw_sky_faces(const FrameContext& frame, ViewScratch& scratch) {
     if (!is_layered) return fill_spans(all, texture.mips[0][0], frame.out);
     const SkyNow sky = compose_sky({texture.mips[0].data(), texture.height, texture.width}, frame.scene.time_ms,
                                    pixels_of(all), frame.cache.sky_layers);
-    if (frame.shared) return frame.shared->add_sky(sky, all);
+    if (is_shared(frame)) return frame.shared->add_sky(sky, all);
     const std::int64_t blocks = draw_sky(all, sky, frame.view.ray_directions(), frame.view.projection, frame.out);
     if (frame.observers.counts) count_sky(all, blocks, sky, frame.observers.counts->stages);
 }
@@ -115,7 +116,7 @@ const std::array<Pass, kPassCount> kPasses{{
     {"models", false, [](const Claims& claims) { return !claims.things.meshes.empty(); },
      pixels_of_effect<Effect::Models>, draw_meshes},
     {"see_through", false, has_seen_through, seen_through_pixels, draw_see_through},
-    {"underwater", false, [](const Claims& claims) { return claims.is_under_liquid; },
+    {"underwater", false, [](const Claims& claims) { return claims.effects.has(Effect::Underwater); },
      pixels_of_effect<Effect::Underwater>, draw_waves},
 }};
 

@@ -17,7 +17,7 @@ struct ViewScratch;
 /// A step of a frame that writes pixels.
 struct Pass {
     std::string_view name;
-    bool owns_pixels;                                           ///< false: reads or covers what others have drawn
+    bool owns_pixels;                                           ///< false: changes what others have drawn before
     bool (*has_work)(const Claims&);                            ///< a pass without does not run
     std::int64_t (*pixels)(const Claims&, const FrameCounts&);  ///< that it has drawn, of a frame that is counted
     void (*run)(const FrameContext& frame, ViewScratch& scratch);
@@ -27,7 +27,7 @@ struct Pass {
 inline constexpr std::size_t kPassCount = 11;
 extern const std::array<Pass, kPassCount> kPasses;
 
-/// What a frame runs: nothing else does. A pass is on it if something that owns pixels needs it.
+/// The passes that a frame runs: those to which something was claimed.
 struct FramePlan {
     std::bitset<kPassCount> passes;  ///< by their numbers in kPasses
     EffectSet effects;               ///< those that own pixels

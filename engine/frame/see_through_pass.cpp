@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "engine/base/table.h"
-#include "engine/frame/fog_pass.h"
 #include "engine/frame/frame_context.h"
+#include "engine/frame/frame_fog.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/frame/view_scratch.h"
 #include "engine/level/side.h"
@@ -39,8 +39,8 @@ const BlendTable& blend_of(LiquidKind kind, const FrameContext& frame) {
     return *table;
 }
 
-/// Draws a face's spans; in fog, those of each level with its colours.
-void draw_in_fog(const VisibleFace& claimed, SurfaceDrawing drawing, const FrameContext& frame, ViewScratch& scratch) {
+/// Draws a face's spans, but for pixels that models are before; in fog, those of each level with its colours.
+void draw_in_fog(const VisibleFace& claimed, SurfaceOptions drawing, const FrameContext& frame, ViewScratch& scratch) {
     drawing.colours = &frame.scene.colormap.shades[Colormap::kOwnShade];
     std::vector<Span> before_meshes;
     std::span<const Span> spans = scratch.claims.spans_of(claimed);
@@ -68,9 +68,9 @@ void draw_in_fog(const VisibleFace& claimed, SurfaceDrawing drawing, const Frame
 void draw_face(const VisibleFace& claimed, const FrameContext& frame, ViewScratch& scratch) {
     const Level& level = frame.scene.level;
     const FaceIndex face = claimed.face;
-    const bool is_liquid = frame.cache.faces.faces[face].effects.has(Effect::Liquid);
+    const bool is_liquid = frame.cache.faces[face].effects.has(Effect::Liquid);
     const Stopwatch watch(frame.observers.times, is_liquid ? Effect::Translucency : Effect::Fence);
-    SurfaceDrawing drawing;
+    SurfaceOptions drawing;
     drawing.is_plain = drawing.is_noted = false;  // counts and records say what is behind these faces
     drawing.traits.warps = drawing.traits.blends = is_liquid;
     drawing.traits.has_holes = !is_liquid;

@@ -9,6 +9,7 @@
 #include "engine/frame/frame_context.h"
 #include "engine/frame/frame_counts.h"
 #include "engine/frame/frame_record.h"
+#include "engine/frame/shared_drawing.h"
 #include "engine/frame/view_scratch.h"
 #include "engine/raster/exact_spans.h"
 
@@ -19,7 +20,7 @@ namespace {
 /// The texture that a face shows now; none: its own.
 TextureIndex texture_now(const VisibleFace& face, const FrameContext& frame) {
     const LevelCache& cache = frame.cache;
-    if (!cache.faces.faces[face.face].effects.has(Effect::AnimatedTextures)) return TextureIndex::none();
+    if (!cache.faces[face.face].effects.has(Effect::AnimatedTextures)) return TextureIndex::none();
     if (!frame.allows(Effect::AnimatedTextures)) return TextureIndex::none();
     const Level& level = frame.scene.level;
     const bool is_switched = face.fragment && cache.brush_models.is_switched(*face.fragment);
@@ -30,7 +31,7 @@ TextureIndex texture_now(const VisibleFace& face, const FrameContext& frame) {
 /// The effect that building a face's surface is for; none for faces whose surface stays.
 std::optional<Effect> reason_to_build(const VisibleFace& face, const FrameContext& frame, const Claims& claims) {
     LevelCache& cache = frame.cache;
-    const EffectSet effects = cache.faces.faces[face.face].effects & claims.effects;
+    const EffectSet effects = cache.faces[face.face].effects & claims.effects;
     if (claims.effects.has(Effect::Lights) && cache.surfaces.is_touched(face.face, frame.offset_of(face)))
         return Effect::Lights;
     if (effects.has(Effect::Styles)) return Effect::Styles;
@@ -47,16 +48,16 @@ FaceSurface surface_of(const VisibleFace& face, int mip, const FrameContext& fra
 }
 
 /// The kernel of a drawing that is not plain, and what it needs.
-SurfaceEffect effect_of(const SurfaceDrawing& drawing, const FaceSurface& surface, const FrameContext& frame) {
+SurfaceEffect effect_of(const SurfaceOptions& options, const FaceSurface& surface, const FrameContext& frame) {
     LevelCache& cache = frame.cache;
-    TexelTraits traits = drawing.traits;
+    TexelTraits traits = options.traits;
     traits.is_wrapped_by_masks = surface.is_wrapped_by_masks;
     if (traits.warps && cache.warp_time_ms != frame.scene.time_ms) {
         cache.warp = make_warp_tables(frame.scene.time_ms);
         cache.warp_time_ms = frame.scene.time_ms;
     }
     return {effect_kernel(traits),
-            {surface.view, &item(cache.warp, surface.mip), drawing.colours, drawing.blend},
+            {surface.view, &item(cache.warp, surface.mip), options.colours, options.blend},
             traits.warps && !traits.has_holes && !traits.blends};
 }
 
@@ -65,35 +66,35 @@ int mip_level(FaceIndex face, View nearest_z, const FrameContext& frame) {
     return frame.cache.surfaces.mip_level(face, nearest_z, frame.view.projection.x, frame.accuracy().mip_bias);
 }
 
-TexturedFace textured_face(const VisibleFace& face, int mip, std::span<const Span> spans, const SurfaceDrawing& drawing,
+TexturedFace textured_face(const VisibleFace& face, int mip, std::span<const Span> spans, const SurfaceOptions& options,
                            const FrameContext& frame, const ViewScratch& scratch) {
     const Level& level = frame.scene.level;
     const Accuracy& accuracy = frame.accuracy();
     TexturedFace textured{face, surface_of(face, mip, frame, scratch), {}, {}, {}};
-    if (!drawing.is_plain) textured.effect = effect_of(drawing, textured.surface, frame);
+    if (!options.is_plain) textured.effect = effect_of(options, textured.surface, frame);
     TextureGradients& gradients = textured.cutting.gradients;
     gradients = make_face_gradients(level, level.faces[face.face], textured.surface, frame.offset_of(face),
                                     face.inverse_z, frame.view, frame.inverse_projection);
     if (accuracy.inverse_z_bits != InverseZ::kFractionBits || accuracy.over_z_bits != TexelOverZ::kFractionBits)
         gradients = rounded_to(gradients, accuracy.inverse_z_bits, accuracy.over_z_bits);
-    textured.nearest_texels = texels_across(face.nearest_z, frame.cache.faces.faces[face.face].least_density,
-                                            frame.inverse_projection.least_pixel_width);
+    textured.texels_per_pixel = texels_across(face.nearest_z, frame.cache.faces[face.face].least_density,
+                                              frame.inverse_projection.least_pixel_width);
     set_cutting(textured, spans, frame.texturing);
     return textured;
 }
 
 /// Draws spans of a face with its texture of one mip level.
-void draw_mip(const VisibleFace& face, int mip, std::span<const Span> spans, const SurfaceDrawing& drawing,
+void draw_mip(const VisibleFace& face, int mip, std::span<const Span> spans, const SurfaceOptions& options,
               const FrameContext& frame, ViewScratch& scratch) {
-    const TexturedFace textured = textured_face(face, mip, spans, drawing, frame, scratch);
+    const TexturedFace textured = textured_face(face, mip, spans, options, frame, scratch);
     if (is_shared(frame)) return frame.shared->add(textured, spans);
-    const FrameObservers observers = drawing.is_noted ? frame.observers : FrameObservers{};
+    const FrameObservers observers = options.is_noted ? frame.observers : FrameObservers{};
     if (observers.counts) ++observers.counts->stages.surfaces;
     draw_textured(textured, spans, {frame.texturing, frame.out, scratch.surfaces.spans, observers});
 }
 
 /// Draws each span with the mip level of its nearest pixel.
-void draw_by_span_mips(const VisibleFace& claimed, std::span<const Span> whole, const SurfaceDrawing& drawing,
+void draw_by_span_mips(const VisibleFace& claimed, std::span<const Span> whole, const SurfaceOptions& options,
                        const FrameContext& frame, ViewScratch& scratch) {
     const auto inverse_z = inverse_z_of(claimed, frame);
     auto& of_mip = scratch.surfaces.of_mip;
@@ -104,7 +105,7 @@ void draw_by_span_mips(const VisibleFace& claimed, std::span<const Span> whole, 
         item(of_mip, mip_level(claimed.face, nearest_z, frame)).push_back(span);
     }
     for (int mip = 0; mip < 4; ++mip)
-        if (!item(of_mip, mip).empty()) draw_mip(claimed, mip, item(of_mip, mip), drawing, frame, scratch);
+        if (!item(of_mip, mip).empty()) draw_mip(claimed, mip, item(of_mip, mip), options, frame, scratch);
 }
 
 /// Blocks shorter than 2^3 pixels take longer than a division at each of their pixels.
@@ -112,15 +113,15 @@ constexpr int kLeastBlockLog2 = 3;
 
 /// Cuts spans into blocks, then draws them, as many at a time as there is room for.
 void draw_blocks(const TexturedFace& face, std::span<const Span> spans, BlockCutter cut_blocks,
-                 const BlockCutting& cutting, const SpanDrawing& drawing) {
-    const auto [counts, record, times] = drawing.observers;
-    BlockList& blocks = drawing.scratch.blocks;
+                 const BlockCutting& cutting, const SpanTarget& target) {
+    const auto [counts, record, times] = target.observers;
+    BlockList& blocks = target.scratch.blocks;
     while (!spans.empty()) {
-        const std::span<const Span> left = cut_blocks(spans, drawing.out.pitch, cutting, blocks);
+        const std::span<const Span> left = cut_blocks(spans, target.out.pitch, cutting, blocks);
         if (face.effect.kernel)
-            face.effect.kernel(blocks.waiting(), face.effect.texels, drawing.out.pixels);
+            face.effect.kernel(blocks.waiting(), face.effect.texels, target.out.pixels);
         else
-            face.surface.kernel(blocks.waiting(), face.surface.view, drawing.out.pixels);
+            face.surface.kernel(blocks.waiting(), face.surface.view, target.out.pixels);
         if (counts) count_blocks(spans.first(spans.size() - left.size()), cutting.gradients, blocks, *counts);
         if (record) record_blocks(record_of(face.face), blocks.waiting(), face.surface, *record);
         blocks.clear();
@@ -130,28 +131,28 @@ void draw_blocks(const TexturedFace& face, std::span<const Span> spans, BlockCut
 
 /// What draws pixels that lie on lines, if it is worth looking for those: among pixels for which bounded blocks would
 /// be too short it is only where they are many, near to a wall.
-BlockKernel line_kernel(std::span<const Span> spans, const TexturedFace& face, const SpanDrawing& drawing) {
+BlockKernel line_kernel(std::span<const Span> spans, const TexturedFace& face, const SpanTarget& target) {
     constexpr std::int64_t kMany = 8192;
-    const bool is_worth_it = drawing.texturing.texturing == Texturing::Exact || pixels_of(spans) >= kMany;
+    const bool is_worth_it = target.texturing.texturing == Texturing::Exact || pixels_of(spans) >= kMany;
     return is_worth_it ? face.surface.kernel : nullptr;
 }
 
 /// Without blocks, where surface and effect allow that.
-void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
+void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans, const SpanTarget& target) {
     const FaceSurface& surface = face.surface;
     BlockCutting cutting = face.cutting;
     cutting.limits = surface.limits;
     cutting.limits.least = {};  // without steps nothing drifts
     if (!surface.is_wrapped_by_masks || (face.effect.kernel && !face.effect.warps_alone))
-        return draw_blocks(face, spans, drawing.texturing.cut_pixels, cutting, drawing);
+        return draw_blocks(face, spans, target.texturing.cut_pixels, cutting, target);
     const std::int64_t divisions =
         face.effect.warps_alone
-            ? draw_exact_warped_spans(spans, cutting.gradients, cutting.limits, face.effect.texels, drawing.out)
-            : draw_exact_spans(spans, cutting.gradients, cutting.limits, surface.view,
-                               line_kernel(spans, face, drawing), drawing.out);
-    const auto [counts, record, times] = drawing.observers;
-    if (counts) count_divided_pixels(spans, divisions, drawing.out.pitch, *counts);
-    if (record) record_divided_pixels(record_of(face.face), spans, cutting, surface, drawing.out, *record);
+            ? draw_exact_warped_spans(spans, cutting.gradients, cutting.limits, face.effect.texels, target.out)
+            : draw_exact_spans(spans, cutting.gradients, cutting.limits, surface.view, line_kernel(spans, face, target),
+                               target.out);
+    const auto [counts, record, times] = target.observers;
+    if (counts) count_divided_pixels(spans, divisions, target.out.pitch, *counts);
+    if (record) record_divided_pixels(record_of(face.face), spans, cutting, surface, target.out, *record);
 }
 
 /// Whether bounded blocks are as long as spans in this rectangle are, or longer: each span is one then.
@@ -163,18 +164,19 @@ bool takes_whole_spans(const BlockRule& rule, const ScreenRectangle& rectangle, 
            least_inverse_z(inverse_z, rectangle) >= block_threshold(rule, inverse_z.per_column, log2);
 }
 
-/// Bounded: no block is longer than rounding allows (longest_block_log2).
-void bound_blocks(const BlockRule& rule, const ScreenRectangle& rectangle, TexturedFace& face) {
+/// Sets how long blocks of Texturing::Bounded may be: no longer than rounding allows (longest_block_log2).
+void limit_blocks(const BlockRule& rule, const ScreenRectangle& rectangle, TexturedFace& face) {
     BlockCutting& cutting = face.cutting;
     const LinearQuantity<InverseZ>& inverse_z = cutting.gradients.inverse_z;
-    const int longest = longest_block_log2(rule, floor_shift(face.nearest_texels, face.surface.mip));
+    const int longest = longest_block_log2(rule, floor_shift(face.texels_per_pixel, face.surface.mip));
     cutting.takes_whole_spans = cutting.fits_range && takes_whole_spans(rule, rectangle, longest, inverse_z);
     if (!cutting.takes_whole_spans) cutting.thresholds = make_block_thresholds(rule, inverse_z.per_column, longest);
     cutting.limits.least = std::min(cutting.limits.least, Texel::from_raw(std::int64_t{1} << longest));
 }
 
-/// A rectangle around spans of a face; the face's own, where 1/z, u and v are in range in all of it.
-ScreenRectangle bound_spans(const VisibleFace& face, std::span<const Span> spans, BlockCutting& cutting) {
+/// A rectangle around spans of a face, and whether 1/z, u and v are in range in it: the face's own rectangle where
+/// they are, which saves a look at the spans.
+ScreenRectangle cutting_rectangle(const VisibleFace& face, std::span<const Span> spans, BlockCutting& cutting) {
     const ScreenRectangle& bounds = face.bounds;
     cutting.fits_range = bounds.first_column < bounds.end_column && fits_range(cutting.gradients, bounds);
     if (cutting.fits_range) return bounds;
@@ -203,18 +205,18 @@ void split_at(InverseZ least, const Span& span, const LinearQuantity<InverseZ>& 
 }
 
 /// Blocks where they are long enough to be worth it.
-void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
-    const SpanTexturing& texturing = drawing.texturing;
+void draw_bounded(const TexturedFace& face, std::span<const Span> spans, const SpanTarget& target) {
+    const SpanTexturing& texturing = target.texturing;
     const BlockCutting& cutting = face.cutting;
     const InverseZ least = item(cutting.thresholds.least_inverse_z, kLeastBlockLog2);
     if (cutting.takes_whole_spans || !texturing.divides_exactly || is_above(least, face.face.farthest_z))
-        return draw_blocks(face, spans, texturing.cut_blocks, cutting, drawing);
-    std::vector<Span>&long_blocks = drawing.scratch.long_blocks, &short_blocks = drawing.scratch.short_blocks;
+        return draw_blocks(face, spans, texturing.cut_blocks, cutting, target);
+    std::vector<Span>&long_blocks = target.scratch.long_blocks, &short_blocks = target.scratch.short_blocks;
     long_blocks.clear();
     short_blocks.clear();
     for (const Span& span : spans) split_at(least, span, cutting.gradients.inverse_z, long_blocks, short_blocks);
-    draw_blocks(face, long_blocks, texturing.cut_blocks, cutting, drawing);
-    divide_at_each_pixel(face, short_blocks, drawing);
+    draw_blocks(face, long_blocks, texturing.cut_blocks, cutting, target);
+    divide_at_each_pixel(face, short_blocks, target);
 }
 
 }  // namespace
@@ -230,33 +232,33 @@ void set_cutting(TexturedFace& face, std::span<const Span> spans, const SpanText
     BlockCutting& cutting = face.cutting;
     cutting.limits = face.surface.limits;
     if (texturing.texturing == Texturing::Exact && texturing.divides_exactly) return;
-    const ScreenRectangle rectangle = bound_spans(face.face, spans, cutting);
-    if (texturing.texturing == Texturing::Bounded) bound_blocks(texturing.rule, rectangle, face);
+    const ScreenRectangle rectangle = cutting_rectangle(face.face, spans, cutting);
+    if (texturing.texturing == Texturing::Bounded) limit_blocks(texturing.rule, rectangle, face);
     cutting.texel_bound_256 = texturing.rule.texel_bound_256;
 }
 
-void draw_textured(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing) {
-    const SpanTexturing& texturing = drawing.texturing;
-    if (texturing.texturing == Texturing::Bounded) return draw_bounded(face, spans, drawing);
+void draw_textured(const TexturedFace& face, std::span<const Span> spans, const SpanTarget& target) {
+    const SpanTexturing& texturing = target.texturing;
+    if (texturing.texturing == Texturing::Bounded) return draw_bounded(face, spans, target);
     if (texturing.texturing == Texturing::Exact && texturing.divides_exactly)
-        return divide_at_each_pixel(face, spans, drawing);
-    draw_blocks(face, spans, texturing.cut_blocks, face.cutting, drawing);
+        return divide_at_each_pixel(face, spans, target);
+    draw_blocks(face, spans, texturing.cut_blocks, face.cutting, target);
 }
 
-void draw_surface(const VisibleFace& claimed, std::span<const Span> spans, const SurfaceDrawing& drawing,
+void draw_surface(const VisibleFace& claimed, std::span<const Span> spans, const SurfaceOptions& options,
                   const FrameContext& frame, ViewScratch& scratch) {
     const MipSelection selection = frame.accuracy().mip;
-    if (selection == MipSelection::Span) return draw_by_span_mips(claimed, spans, drawing, frame, scratch);
+    if (selection == MipSelection::Span) return draw_by_span_mips(claimed, spans, options, frame, scratch);
     const bool is_chosen = selection == MipSelection::Face;
     const int mip = is_chosen ? mip_level(claimed.face, claimed.nearest_z, frame) : 0;
-    draw_mip(claimed, mip, spans, drawing, frame, scratch);
+    draw_mip(claimed, mip, spans, options, frame, scratch);
 }
 
-void draw_surfaces(std::span<const VisibleFace> faces, const SurfaceDrawing& drawing, const FrameContext& frame,
+void draw_surfaces(std::span<const VisibleFace> faces, const SurfaceOptions& options, const FrameContext& frame,
                    ViewScratch& scratch) {
     for (const VisibleFace& claimed : faces) {
         const Stopwatch of_models(claimed.fragment ? frame.observers.times : nullptr, Effect::BrushModels);
-        draw_surface(claimed, scratch.claims.spans_of(claimed), drawing, frame, scratch);
+        draw_surface(claimed, scratch.claims.spans_of(claimed), options, frame, scratch);
     }
 }
 

@@ -25,9 +25,9 @@ struct SpanTexturing {
 };
 SpanTexturing make_span_texturing(const Accuracy& accuracy);
 
-/// How a list of faces is drawn from its surfaces: plain texels, or with what these members say (EffectTexels).
-struct SurfaceDrawing {
-    bool is_plain = true;
+/// What a pass asks for when it draws faces with their surfaces: plain texels, or effects on them (EffectTexels).
+struct SurfaceOptions {
+    bool is_plain = true;  ///< what follows but `is_noted` is not looked at
     bool is_noted = true;  ///< counted and recorded, where the frame is
     TexelTraits traits;
     const ColourRow* colours = nullptr;
@@ -46,11 +46,11 @@ struct TexturedFace {
     VisibleFace face;
     FaceSurface surface;
     SurfaceEffect effect;
-    BlockCutting cutting;         ///< its gradients are in as many bits as the settings keep
-    TexelDensity nearest_texels;  ///< texels of mip level 0 across the nearest pixel, or fewer
+    BlockCutting cutting;           ///< its gradients are in as many bits as the settings keep
+    TexelDensity texels_per_pixel;  ///< at its nearest pixel, of mip level 0: so many or more
 };
 
-/// Sets how these spans of a face are cut, from its gradients on.
+/// Sets all of `face.cutting` but the gradients, from which it follows, for these spans of the face.
 void set_cutting(TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing);
 
 /// How many texels of mip level 0 a pixel this near is wide at least (PreparedFace::least_density,
@@ -69,8 +69,8 @@ struct SpanScratch {
     BlockList blocks;
 };
 
-/// How and where spans are textured.
-struct SpanDrawing {
+/// What spans are textured by, and into.
+struct SpanTarget {
     const SpanTexturing& texturing;
     Framebuffer out;
     SpanScratch& scratch;
@@ -80,7 +80,7 @@ struct SpanDrawing {
 /// Draws spans of a face, those that its cutting is for or some of them: as blocks, or with a division at each pixel
 /// where the settings ask for that, or where bounded blocks would be so short that it is cheaper. Changes nothing but
 /// pixels, the scratch and what observers keep: several may do it at once.
-void draw_textured(const TexturedFace& face, std::span<const Span> spans, const SpanDrawing& drawing);
+void draw_textured(const TexturedFace& face, std::span<const Span> spans, const SpanTarget& target);
 
 /// Scratch of a view's surfaces.
 struct SurfaceScratch {
@@ -90,15 +90,16 @@ struct SurfaceScratch {
     SpanScratch spans;
 };
 
-/// Draws spans of a face with its surface: texture, light, mip levels. Where threads share in the frame
-/// (SharedDrawing), they are handed over.
-void draw_surface(const VisibleFace& claimed, std::span<const Span> spans, const SurfaceDrawing& drawing,
+/// Draws spans of a face with its surface: chooses the mip level, gets the lit texture, makes gradients, and draws
+/// (draw_textured), or hands all that to other threads (SharedDrawing).
+void draw_surface(const VisibleFace& claimed, std::span<const Span> spans, const SurfaceOptions& options,
                   const FrameContext& frame, ViewScratch& scratch);
-/// Draws all spans of some faces so.
-void draw_surfaces(std::span<const VisibleFace> faces, const SurfaceDrawing& drawing, const FrameContext& frame,
+/// The same of all spans of these faces.
+void draw_surfaces(std::span<const VisibleFace> faces, const SurfaceOptions& options, const FrameContext& frame,
                    ViewScratch& scratch);
 
-/// Draws the walls that were not drawn since their list was begun: perhaps while it grows.
+/// Draws the walls that were claimed since it was called last. With several threads that is while faces still claim
+/// (claim_faces); else it is called once, by the walls' pass.
 void draw_walls(const FrameContext& frame, ViewScratch& scratch);
 
 /// 1/z of a face that owns pixels, in as many bits as the settings keep.

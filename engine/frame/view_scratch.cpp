@@ -1,5 +1,6 @@
+#include "engine/frame/view_scratch.h"
+
 #include "engine/base/table.h"
-#include "engine/frame/workspace.h"
 
 namespace oblong {
 
@@ -19,10 +20,5 @@ ViewScratch::ViewScratch(const Level& level, const FaceTable& faces, const Scree
 }
 
 ViewScratch::~ViewScratch() = default;
-
-FrameWorkspace::FrameWorkspace(const Level& level, const ScreenMode& mode, Workers* workers)
-    : cache(level, mode.width_px), view(level, cache.faces, mode) {
-    if (workers && workers->count() > 1) view.shared = std::make_unique<SharedDrawing>(*workers, mode.width_px);
-}
 
 }  // namespace oblong

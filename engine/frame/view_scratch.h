@@ -7,9 +7,8 @@
 #include "engine/effects/warp.h"
 #include "engine/frame/claims.h"
 #include "engine/frame/face_cover.h"
-#include "engine/frame/light_pass.h"
+#include "engine/frame/frame_light.h"
 #include "engine/frame/mirror_pass.h"
-#include "engine/frame/shared_drawing.h"
 #include "engine/frame/surface_pass.h"
 #include "engine/mesh/draw_mesh.h"
 #include "engine/raster/depth.h"
@@ -61,7 +60,6 @@ struct ViewScratch {
     SurfaceScratch surfaces;
     EffectScratch effects;
     MirrorScratch mirror;
-    std::unique_ptr<SharedDrawing> shared;  ///< null: one thread draws
 };
 
 }  // namespace oblong

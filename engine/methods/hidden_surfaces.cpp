@@ -32,7 +32,7 @@ void HiddenSurfaceMethod::claim(const FrameContext& frame, ViewScratch& scratch)
     if (method_ == HiddenSurfaces::SpanBuffer || frame.view.is_parallel()) return claim_faces(frame, scratch);
     scanned_.clear();
     bool are_kept = true;
-    FaceScan faces(frame, scratch);
+    FacesInView faces(frame, scratch);
     VisibleFace face;
     while (faces.next(face)) {
         if (!faces.is_second_walk()) {
@@ -48,7 +48,7 @@ void HiddenSurfaceMethod::claim(const FrameContext& frame, ViewScratch& scratch)
 
 /// Adds a face that is scanned.
 void HiddenSurfaceMethod::keep(const VisibleFace& face, const FrameContext& frame, ViewScratch& scratch) {
-    const EffectSet needs = frame.cache.faces.faces[face.face].effects;
+    const EffectSet needs = frame.cache.faces[face.face].effects;
     ScannedFace scanned;
     static_cast<VisibleFace&>(scanned) = face;
     scanned.nearest_z = scratch.polygon.nearest_z;

@@ -92,7 +92,7 @@ std::size_t surface_bytes(const Face& face, int mip) {
 std::size_t most_light_samples(const Level& level, const FaceTable& table) {
     std::size_t most = 0;
     for (const FaceIndex face : level.faces.indices())
-        if (table.faces[face].material == Material::Lit) most = std::max(most, light_sample_count(level.faces[face]));
+        if (table[face].material == Material::Lit) most = std::max(most, light_sample_count(level.faces[face]));
     return most;
 }
 
@@ -143,14 +143,14 @@ void FaceSurfaces::start_frame(const Accuracy& accuracy, std::int32_t brightness
 int FaceSurfaces::mip_level(FaceIndex face, View nearest_z, const ProjectionAxis& projection_x,
                             std::int32_t bias) const {
     const CoarseMultiplier multiplier = floor_shift(projection_x.coarse, std::max(bias, 0));
-    const auto density_times_z = floor_shift(
-        product<CoarseMultiplier>(nearest_z, faces_.faces[face].density, Rounding::Floor), std::max(-bias, 0));
+    const auto density_times_z =
+        floor_shift(product<CoarseMultiplier>(nearest_z, faces_[face].density, Rounding::Floor), std::max(-bias, 0));
     note_range<"texels per pixel, doubled">(density_times_z * 2);
     return (density_times_z > multiplier) + (density_times_z * 2 > multiplier * 5) + (density_times_z > multiplier * 5);
 }
 
 FaceSurface FaceSurfaces::get(FaceIndex face, int mip, const SurfaceState& state) {
-    if (faces_.faces[face].material == Material::Lit) return lit(face, mip, state);
+    if (faces_[face].material == Material::Lit) return lit(face, mip, state);
     return tiled(level_.faces[face], mip, level_.textures[texture_of(level_, level_.faces[face], state)]);
 }
 

@@ -53,7 +53,7 @@ class FaceSurfaces {
     bool has_moving_lights() const { return !moving_lights_.is_empty(); }
     /// Whether one of them touches a lit face, its model moved by `offset`.
     bool is_touched(FaceIndex face, const Vec3<World>& offset) {
-        return faces_.faces[face].material == Material::Lit && moving_lights_.touch(face, offset).lights != 0;
+        return faces_[face].material == Material::Lit && moving_lights_.touch(face, offset).lights != 0;
     }
     /// The surface of a lit or liquid face. Its texels stay where they are, unchanged, until the next start_frame().
     FaceSurface get(FaceIndex face, int mip, const SurfaceState& state);

@@ -29,6 +29,8 @@ struct FaceTable {
     std::size_t most_corners = 0;      ///< of any face
     std::size_t torn_edges = 0;        ///< edges of the world where faces do not meet: pixels may stay free there
 
+    const PreparedFace& operator[](FaceIndex face) const { return faces[face]; }
+    PreparedFace& operator[](FaceIndex face) { return faces[face]; }
     std::span<const VertexIndex> corners_of(FaceIndex face) const {
         return std::span(corners).subspan(faces[face].first_corner, faces[face].corner_count);
     }

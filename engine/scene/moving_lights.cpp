@@ -223,7 +223,7 @@ bool MovingLights::touches(const MovingLight& light, const Face& face, TexelDens
 
 LightTouch MovingLights::touch(FaceIndex index, const Vec3<World>& offset) {
     const Face& face = level_.faces[index];
-    const TexelDensity density = faces_.faces[index].density + TexelDensity::ulp();
+    const TexelDensity density = faces_[index].density + TexelDensity::ulp();
     FaceTouch now;
     for_each_bit(active_, [&](int light) {
         const Known& known = item(known_, light);

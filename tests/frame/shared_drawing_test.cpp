@@ -24,11 +24,11 @@ void expect_same_bytes(Stage& stage, std::size_t camera_count) {
     for (const int threads : {2, 3, 8}) {
         WorkerThreads workers(threads);
         FrameWorkspace shared(stage.level, stage.mode, &workers);
-        ASSERT_TRUE(shared.view.shared);
+        ASSERT_TRUE(shared.shared);
         for (std::size_t i = 0; i < cameras.size(); ++i) {
             std::fill(stage.pixels.begin(), stage.pixels.end(), std::uint8_t{0x5a});
             stage.draw(cameras[i], shared);
-            EXPECT_FALSE(shared.view.shared->is_on());
+            EXPECT_FALSE(shared.shared->is_on());
             ASSERT_EQ(stage.pixels, pictures[i]) << threads << " threads, camera " << i;
         }
     }
@@ -37,8 +37,8 @@ void expect_same_bytes(Stage& stage, std::size_t camera_count) {
 TEST(SharedDrawing, OfOneThreadIsNone) {
     const Stage stage = demo_stage();
     WorkerThreads alone(1);
-    EXPECT_FALSE(FrameWorkspace(stage.level, stage.mode, &alone).view.shared);
-    EXPECT_FALSE(FrameWorkspace(stage.level, stage.mode).view.shared);
+    EXPECT_FALSE(FrameWorkspace(stage.level, stage.mode, &alone).shared);
+    EXPECT_FALSE(FrameWorkspace(stage.level, stage.mode).shared);
 }
 
 TEST(SharedDrawing, OfTheDemoLevelHasTheSameBytesInEveryPreset) {

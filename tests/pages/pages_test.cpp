@@ -144,7 +144,7 @@ TEST(Pages, AreShort) {
     const std::regex table("<!-- table [^]*?<!-- end -->");
     for (const fs::path& path : all_pages())
         words += count_words(std::regex_replace(read_text(path.string()), table, ""));
-    EXPECT_LE(words, 10'500) << "beside the tables of the code";
+    EXPECT_LE(words, 10'000) << "beside the tables of the code";
     const std::string first = read_text(source_folder() + "/README.md");
     EXPECT_LE(std::count(first.begin(), first.end(), '\n'), 120);
 }

@@ -38,7 +38,7 @@ STAGES = [
     ("exact spans", r"raster/exact_spans"),
     ("sky", r"effects/sky"),
     ("effects, things, models", r"effects/|mesh/|scene/|raster/depth|"
-                                r"frame/(fog|light|mirror|model|see_through|frame_things)"),
+                                r"frame/(frame_fog|frame_light|frame_things|mirror|model|see_through)"),
     ("other", r"frame/|raster/|accuracy/|fixed/|visibility/|^tools/"),
 ]
 SHARED_FUNCTIONS = [
@@ -46,7 +46,7 @@ SHARED_FUNCTIONS = [
     ("walk and boxes", r"BrushModels|VisibleSet|FrontToBack"),
     ("transform, clip, project", r"ClipVertex|VertexCache|ScreenPolygon|to_screen_vertex|Vec3.*View"),
     ("coverage", r"SpanBuffer"),
-    ("block set-up", r"SpanDrawing|BlockList|TexelBlock"),
+    ("block set-up", r"SpanTarget|BlockList|TexelBlock"),
     ("other", r"^(__)?(mem(cpy|set|move)|(u?div|u?mod|mul)(mod)?ti)|clock_gettime|^operator (new|delete)|malloc|free|^std::"),
 ]
 # Of a throw-away renderer of this design, on another Quake level (e1m1) at 320x200; some stages were counted together.

@@ -140,7 +140,7 @@ class RowSampler {
         const Framebuffer out{nullptr, query_.view.mode.width_px, query_.view.mode.height_px, 0};
         const SpanTexturing texturing = make_span_texturing(accuracy_);
         TexturedFace face{claimed_, surface_, {}, {gradients, {}, {}}, {}};
-        face.nearest_texels = texels_across(claimed_.nearest_z, density_, pixel_width_);
+        face.texels_per_pixel = texels_across(claimed_.nearest_z, density_, pixel_width_);
         set_cutting(face, {&part, 1}, texturing);
         draw_textured(face, {&part, 1}, {texturing, out, scratch, {nullptr, &record_, nullptr}});
     }

@@ -20,10 +20,10 @@ struct FrameLight {
 /// they touch no face. What these change is built again when it is drawn.
 void find_light(const FrameContext& frame, ViewScratch& scratch);
 
-/// The same before any face has claimed its pixels, if that makes no difference: where no lights move. Else false.
+/// The same before faces have claimed their pixels. False if that is too early, as lights move: then nothing is found.
 bool find_light_beforehand(const FrameContext& frame, ViewScratch& scratch);
 
-/// Surfaces are lit for this view again, whose light is known, after another one was drawn.
+/// Lights surfaces for this view again, whose light find_light() has found, after another view was drawn.
 void restore_light(const FrameContext& frame, const ViewScratch& scratch);
 
 }  // namespace oblong

@@ -1,4 +1,4 @@
-#include "engine/frame/light_pass.h"
+#include "engine/frame/frame_light.h"
 
 #include <algorithm>
 

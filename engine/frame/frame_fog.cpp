@@ -1,4 +1,4 @@
-#include "engine/frame/fog_pass.h"
+#include "engine/frame/frame_fog.h"
 
 #include <algorithm>
 
@@ -38,7 +38,7 @@ bool may_have_fog(const VisibleFace& face, std::span<const Span> spans, const Fr
     const FrameFog& fog = frame.fog;
     if (!fog.tables) return false;
     if (!fog.height || frame.view.eye.z < fog.top) return true;
-    if (!face.fragment && frame.cache.faces.faces[face.face].is_above_fog) return false;
+    if (!face.fragment && frame.cache.faces[face.face].is_above_fog) return false;
     return !is_clear(rectangle_around(spans), face.inverse_z, *fog.height);
 }
 
