@@ -77,12 +77,13 @@ class ScreenWalker {
         column_ = convert<Column>(across) + convert<Column>(way, Rounding::Floor) + Column::from_int(1) - Column::ulp();
     }
 
-    std::int32_t column() const { return column_after(0); }
-    /// The same of a row further down.
-    std::int32_t column_after(std::int32_t rows) const {
-        return static_cast<std::int32_t>(floor_of(column_ + slope_ * rows));
-    }
+    std::int32_t column() const { return static_cast<std::int32_t>(floor_of(column_)); }
     void next_row() { column_ += slope_; }
+    ScreenWalker after(std::int32_t rows) const {
+        ScreenWalker further = *this;
+        further.column_ += slope_ * rows;
+        return further;
+    }
 
   private:
     using Column = Fixed<std::int64_t, 41>;

@@ -192,11 +192,14 @@ std::int64_t draw_octaves(std::span<const Span> spans, const TextureGradients& g
 std::int64_t draw_exact_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
                               const SurfaceView& surface, BlockKernel kernel, Framebuffer out) {
     const auto colour_at = [&](TexelPosition texel) { return texel_from(surface, texel.u_16 >> 16, texel.v_16 >> 16); };
-    if (spans.size() > 1 && ColumnTexels::serves(gradients)) {
+    if (spans.size() > 1 && gradients.inverse_z.per_row == InverseZ{}) {
         const ScreenRectangle rectangle = rectangle_around(spans);
         const ColumnTexels columns(gradients, surface, rectangle);
+        const bool is_upright = gradients.u_over_z.per_row == TexelOverZ{};
         const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
-            row.draw_columns(columns.from(octave.first), octave.end - octave.first, pixels);
+            const ColumnTexel* const first = columns.from(octave.first);
+            const std::int32_t count = octave.end - octave.first;
+            is_upright ? row.draw_columns(first, count, pixels) : row.draw_at_depths(first, count, pixels);
             return 0;
         };
         return rectangle.end_column - rectangle.first_column +

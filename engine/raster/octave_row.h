@@ -37,10 +37,11 @@ struct DividedTexel {
     std::int64_t u_46, v_46;
 };
 
-/// What the pixels of one column of a surface have in common whose 1/z and u are the same in all rows.
+/// What the pixels of one column of a surface have in common whose 1/z is the same in all rows, as a wall's is in a
+/// level view.
 struct ColumnTexel {
     std::int64_t depth;  ///< DividedTexel's
-    std::uint64_t u;     ///< column of texels
+    std::uint64_t u;     ///< column of texels, where u is the same in all rows, too
 };
 
 /// 1/z, u/z and v/z over an octave, brought to 60 bits; modulo 2^64, as long as the values at its pixels fit.
@@ -66,7 +67,13 @@ class OctaveRow {
         return texels_[((v_46 >> (46 - stride_log2_)) & row_mask_) | ((u_46 >> 46) & u_mask_)];
     }
 
-    /// Pixels whose depths and columns of texels are known.
+    /// Pixels whose depths are known.
+    void draw_at_depths(const ColumnTexel* columns, std::int32_t count, std::uint8_t* out) const {
+        draw_pixels(
+            0, count, out, [columns]() mutable { return columns++->depth; }, kPlain);
+    }
+
+    /// Pixels whose columns of texels are known, too.
     void draw_columns(const ColumnTexel* columns, std::int32_t count, std::uint8_t* out) const {
         const OctaveRow row = *this;  // a copy that no pixel written can change: it stays in registers
         std::uint64_t v_over_z = row.v_over_z_.first;
@@ -142,14 +149,9 @@ class OctaveRow {
     int stride_log2_;
 };
 
-/// What all rows of a surface share whose 1/z and u are the same in all of them, as a wall's are in a level view. One
-/// division a column then serves all rows.
+/// All columns of such a surface: one division a column serves all rows.
 class ColumnTexels {
   public:
-    static bool serves(const TextureGradients& gradients) {
-        return gradients.inverse_z.per_row == InverseZ{} && gradients.u_over_z.per_row == TexelOverZ{};
-    }
-
     ColumnTexels(const TextureGradients& gradients, const SurfaceView& surface, const ScreenRectangle& columns)
         : first_(columns.first_column) {
         for (std::int32_t column = first_; column < columns.end_column; ++column) {

@@ -94,24 +94,31 @@ void write_columns(Walker walker, std::int32_t count, std::int32_t* columns) {
     for (std::int32_t i = 0; i < count; ++i, walker.next_row()) columns[i] = walker.column();
 }
 
+std::int32_t next_column(ScreenWalker& walker) {
+    const std::int32_t column = walker.column();
+    walker.next_row();
+    return column;
+}
+
 /// Four at a time. The last four may be some that are written already: a loop over those that are left would often be
 /// predicted wrong, which takes longer.
 template <>
 void write_columns(ScreenWalker walker, std::int32_t count, std::int32_t* columns) {
-    const auto write = [&](std::int32_t i) { columns[i] = walker.column_after(i); };
     if (count < 4) {
-        write(0);
-        write(count / 2);
-        return write(count - 1);
+        columns[0] = walker.column();
+        columns[count / 2] = walker.after(count / 2).column();
+        columns[count - 1] = walker.after(count - 1).column();
+        return;
     }
-    const auto write_four = [&](std::int32_t i) {
-        write(i);
-        write(i + 1);
-        write(i + 2);
-        write(i + 3);
+    const auto write_four = [](ScreenWalker& from, std::int32_t* to) {
+        to[0] = next_column(from);
+        to[1] = next_column(from);
+        to[2] = next_column(from);
+        to[3] = next_column(from);
     };
-    for (std::int32_t i = 0; i < count - 4; i += 4) write_four(i);
-    write_four(count - 4);
+    ScreenWalker last_four = walker.after(count - 4);
+    for (std::int32_t i = 0; i < count - 4; i += 4) write_four(walker, columns + i);
+    write_four(last_four, columns + count - 4);
 }
 
 template <class Walker>

@@ -72,17 +72,18 @@ constexpr std::int64_t kNewCorners_100 = 84;
 constexpr EventCost kClippedCorner{6557, 943, 60, 0, 6400, 3200};
 /// raster/scan.cpp: the survey of a polygon, of those too that turn out to be covered; the constructors of both
 /// walkers, for the edges that reach a row (two thirds of them).
-constexpr EventCost kExactEdge{4690, 67, 67, 0, 1600, 0}, kAccumulatedEdge{6082, 67, 67, 0, 1600, 0};
-/// raster/scan.cpp, next_row() and the column written.
-constexpr EventCost kExactEdgeRow{600, 0, 0, 0, 0, 400}, kAccumulatedEdgeRow{700, 0, 0, 0, 0, 400};
+constexpr EventCost kExactEdge{4712, 169, 67, 0, 1600, 0}, kAccumulatedEdge{6082, 67, 67, 0, 1600, 0};
+/// raster/scan.cpp, next_row() and the column written, of exact edges in fours.
+constexpr EventCost kExactEdgeRow{400, 0, 0, 0, 0, 400}, kAccumulatedEdgeRow{800, 0, 0, 0, 0, 400};
 /// visibility/span_buffer.cpp, claim_row(): a row's hull; claim_listed(), claim_several(): what of it is left; a span
 /// and what frame/ does with it.
-constexpr EventCost kClaimedRow{1000, 0, 0, 0, 1600, 400}, kSpan{2925, 117, 0, 0, 400, 1200};
-/// view/texture_gradients.cpp: three vectors rotated, the plane's distance, nine slopes, three anchors;
-/// scene/face_surface.cpp: the mip level, the size of the lit surface, its place in the cache.
-constexpr EventCost kGradients{32580, 6471, 108, 0, 16000, 7200};
-/// raster/block_rule.cpp, make_block_thresholds(): ten of them, once a surface.
-constexpr EventCost kThresholds{9932, 1000, 0, 0, 8000, 8000};
+constexpr EventCost kClaimedRow{1000, 0, 0, 0, 1600, 400}, kSpan{3100, 117, 0, 0, 400, 1200};
+/// view/texture_gradients.cpp: three vectors rotated, the plane's distance, nine slopes, three anchors, those of 1/z
+/// for four of five faces, as others lie on the plane of the face before; scene/face_surface.cpp: the mip level, the
+/// size of the lit surface, its place in the cache.
+constexpr EventCost kGradients{31142, 6017, 84, 0, 16000, 7200};
+/// raster/block_rule.cpp, block_threshold(): one of a surface, and all of those whose spans are not one block each.
+constexpr EventCost kThresholds{4669, 414, 0, 0, 4000, 4000};
 /// frame/surface_pass.cpp, a surface: the rectangle around its spans, whether all in it fits; and, before its blocks
 /// are as long as the bound allows, whether all of it is near enough for those.
 constexpr EventCost kSurfaceBlocks{16900, 1800}, kSurfaceBound{3570, 810};
@@ -116,10 +117,10 @@ constexpr EventCost kPixel{1300, 0, 0, 100, 100, 100};
 /// The same from a block: its six numbers read.
 constexpr EventCost kBlockRead{325, 0, 0, 0, 2400, 0};
 constexpr EventCost kFlatPixel{100, 0, 0, 0, 0, 100};
-/// effects/sky.cpp: one of the directions (products, a root without a division) and the block to it; eight texels of
-/// both layers put into one; a pixel of both layers that are not; the sky of a frame.
-constexpr EventCost kSkyDirection{4940, 1673}, kSkyTexels_8{1550, 109, 0, 0, 1600, 800},
-    kSkyPixel{1845, 200, 0, 200, 200, 100}, kSkyFrame{0, 0, 1100};
+/// effects/sky.cpp: one of the directions (products, a root without a division), the block to it, and how long those of
+/// its row are; a pixel of both layers that are not put into one; the sky of a frame. Layers are put into one for an
+/// eighth of a second: that is left out.
+constexpr EventCost kSkyDirection{5674, 2147}, kSkyPixel{1845, 200, 0, 200, 200, 100}, kSkyFrame{0, 0, 1300};
 /// surface/lit_surface.cpp, build_cell_row(): texel and colormap looked up; a step of the shade; a threshold. And of
 /// eight texels, which are a half of a cell's row or more: the shades at its ends.
 constexpr EventCost kLitTexel{600, 0, 0, 200, 200, 100}, kNearestTexel{251, 0, 0, 200, 200, 100},
@@ -222,7 +223,6 @@ StageOperations textured_of(const StageCounts& stages) {
 StageOperations sky_of(const StageCounts& stages) {
     StageOperations stage = stage_of("sky", stages.sky_directions, kSkyDirection, Width::Bits64);
     if (stages.sky_directions > 0) add(1, kSkyFrame, Width::Bits64, stage);
-    add(stages.sky_texels / 8, kSkyTexels_8, Width::Bits64, stage);
     if (stages.sky_texels == 0 && stages.sky_directions > 0) add(stages.sky_pixels, kSkyPixel, Width::Bits32, stage);
     return stage;
 }
