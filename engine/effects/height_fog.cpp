@@ -12,6 +12,7 @@ namespace {
 constexpr std::int32_t kStep_px = 16;
 /// Rays that climb less than this have one density all along: that of their middle.
 constexpr View kLevelClimb = View::from_raw(1 << 12);
+constexpr InverseZ kOne = InverseZ::from_int(1);
 constexpr View kHighestClimb = View::from_int(std::int64_t{1} << 24);
 
 /// The density at `depth` below the top, 0 to 1, and its integral from the top down.
@@ -72,8 +73,28 @@ HeightFogView make_height_fog_view(const HeightFog& fog, const Vec3<World>& eye,
             directions.z};
 }
 
+/// A place is above the top where z rise >= top_above_eye. By z that is linear on the screen. Here the top is a unit
+/// higher, more than rounding moves a place, and what is nearer than a unit counts as that far.
+bool is_clear(std::int32_t column, std::int32_t row, InverseZ inverse_z, const HeightFogView& view) {
+    const std::int64_t height = floor_of(-view.top_above_eye) - 1;
+    if (height < 0 || inverse_z < InverseZ{}) return false;
+    const auto steepest = convert<DirectionPart>(std::min(inverse_z, kOne), Rounding::Floor) * height;
+    return view.rise.at(column, row) + steepest >= DirectionPart{};
+}
+
+bool is_clear(const ScreenRectangle& pixels, const LinearQuantity<InverseZ>& inverse_z, const HeightFogView& view) {
+    const auto is_corner_clear = [&](std::int32_t column, std::int32_t row) {
+        return is_clear(column, row, inverse_z.at(column, row), view);
+    };
+    const std::int32_t last_column = pixels.end_column - 1, last_row = pixels.end_row - 1;
+    return is_within(inverse_z.per_column, kOne) && is_within(inverse_z.per_row, kOne) &&
+           is_corner_clear(pixels.first_column, pixels.first_row) && is_corner_clear(last_column, pixels.first_row) &&
+           is_corner_clear(pixels.first_column, last_row) && is_corner_clear(last_column, last_row);
+}
+
 void append_height_fog_runs(const Span& span, const LinearQuantity<InverseZ>& inverse_z, const HeightFogView& view,
                             const FogDepths& depths, std::vector<FogRun>& runs) {
+    if (is_clear({span.first, span.end, span.y, span.y + 1}, inverse_z, view)) return append_fog_run({span, 0}, runs);
     LevelFinder finder(span, inverse_z, view, depths, runs);
     std::int32_t first = span.first, level = finder.level_at(first);
     for (const std::int32_t last = span.end - 1; first < last;) {

@@ -1,12 +1,16 @@
 #include "engine/effects/things_in_view.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 
 namespace oblong {
 
 namespace {
+
+/// Of an emitter's box: particles cost more than to look at its parts.
+constexpr int kCuts = 4;
 
 bool overlap(const ScreenRectangle& a, const ScreenRectangle& b) {
     return a.first_column < b.end_column && b.first_column < a.end_column && a.first_row < b.end_row &&
@@ -19,6 +23,23 @@ void keep_dots_in(const ScreenRectangle& part, std::size_t first, std::vector<Pa
         return !overlap({dot.first_column, dot.end_column, dot.first_row, dot.end_row}, part);
     };
     dots.erase(std::remove_if(dots.begin() + static_cast<std::ptrdiff_t>(first), dots.end(), is_outside), dots.end());
+}
+
+/// The two halves of a box, cut across where it is longest.
+std::array<LevelBox, 2> halves_of(const LevelBox& box) {
+    const auto size = [&box](std::size_t axis) { return box.maxs[axis] - box.mins[axis]; };
+    const std::size_t across = size(0) >= size(1) ? 0 : 1, longest = size(across) >= size(2) ? across : 2;
+    LevelBox low = box, high = box;
+    low.maxs[longest] = high.mins[longest] = box.mins[longest] + size(longest) / 2;
+    return {low, high};
+}
+
+/// Whether something in a box may show: false if it, or each of so many halves of halves of it, is hidden.
+bool may_show_in_halves(const LevelBox& box, int cuts, const Sight& sight) {
+    if (!sight.may_show(box)) return false;
+    if (cuts == 0) return true;
+    const auto [low, high] = halves_of(box);
+    return may_show_in_halves(low, cuts - 1, sight) || may_show_in_halves(high, cuts - 1, sight);
 }
 
 InverseDepth nearest_depth(const ScreenSprite& sprite) {
@@ -41,7 +62,7 @@ void add_sprite(const Sprite& sprite, const Level& level, const Sight& sight, Th
 void find_particles(const Things& things, std::int64_t time_ms, const Sight& sight, ThingsInView& in_view,
                     DepthBuffer& depth) {
     for (const PlacedEmitter& placed : things.emitters) {
-        if (!sight.may_show(placed.place)) continue;
+        if (!sight.may_show(placed.place) || !may_show_in_halves(placed.place.box, kCuts, sight)) continue;
         const std::size_t first = in_view.dots.size();
         append_dots(placed.emitter, time_ms, sight.view, in_view.dots);
         in_view.particles_computed += placed.emitter.count;

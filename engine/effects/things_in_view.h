@@ -44,9 +44,9 @@ class Cover {
   public:
     virtual ~Cover() = default;
     /// Whether all of what stays in a box is surely hidden.
-    virtual bool hides(const PlacedBox& place) const = 0;
+    virtual bool hides(const LevelBox& box) = 0;
     /// Whether each pixel of a rectangle shows a face that is nearer than this depth.
-    virtual bool hides(const ScreenRectangle& pixels, InverseDepth nearest) const = 0;
+    virtual bool hides(const ScreenRectangle& pixels, InverseDepth nearest) = 0;
 };
 
 /// What a frame sees from where.
@@ -54,11 +54,14 @@ struct Sight {
     const VisibleSet& visible;
     const ViewContext& view;
     const ScreenRectangle* part = nullptr;  ///< of the screen that is drawn; null: all of it
-    const Cover* cover = nullptr;           ///< null: none
+    Cover* cover = nullptr;                 ///< null: none
     BoxCuller culler{view.frustum, view.eye};
 
     bool may_show(const PlacedBox& place) const {
-        return may_be_seen(place, visible, culler) && !(cover && cover->hides(place));
+        return may_be_seen(place, visible, culler) && !(cover && cover->hides(place.box));
+    }
+    bool may_show(const LevelBox& box) const {
+        return culler.planes_crossed(box, kAllSides) != kOutside && !(cover && cover->hides(box));
     }
     bool may_show(const ScreenRectangle& pixels, InverseDepth nearest) const {
         return !(cover && cover->hides(pixels, nearest));

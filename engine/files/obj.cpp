@@ -118,7 +118,7 @@ class ObjMeshBuilder {
                 vertex.normal < 0 ? item(smooth, vertex.smooth).normal : item(normals_, vertex.normal);
             frame.vertices.push_back({item(positions_, vertex.position), normal});
         }
-        set_box(frame);
+        set_boxes(frame, mesh_.triangles);
         mesh_.frames.push_back(std::move(frame));
         mesh_.frame_sequences = {{}};
         mesh_.skin_sequences = {{}};

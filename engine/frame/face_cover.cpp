@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/frame/frame_context.h"
-#include "engine/frame/view_scratch.h"
 #include "engine/visibility/box_culler.h"
 
 namespace oblong {
@@ -18,43 +17,81 @@ std::span<const Span> spans_in_rows(std::span<const Span> spans, std::int32_t fi
     return {begin, after};
 }
 
-/// How many pixels of a rectangle a face covers; none if some of them are no nearer than `nearest`.
-std::optional<std::int64_t> pixels_nearer(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z,
-                                          const ScreenRectangle& pixels, InverseDepth nearest) {
-    std::int64_t count = 0;
-    for (const Span& span : spans) {
+bool overlap(const Span& span, const ScreenRectangle& pixels) {
+    return span.first < pixels.end_column && span.end > pixels.first_column && span.y >= pixels.first_row &&
+           span.y < pixels.end_row;
+}
+
+/// Whether all of a face's plane, where it is in a rectangle, is surely nearer.
+bool is_nearer(const LinearQuantity<InverseZ>& plane, const ScreenRectangle& pixels, InverseDepth nearest) {
+    constexpr InverseZ kSteepest = InverseZ::from_int(1);  // steeper ones may pass the end of their format
+    if (!is_within(plane.per_column, kSteepest) || !is_within(plane.per_row, kSteepest)) return false;
+    const std::int32_t column = plane.per_column > InverseZ{} ? pixels.first_column : pixels.end_column - 1;
+    const std::int32_t row = plane.per_row > InverseZ{} ? pixels.first_row : pixels.end_row - 1;
+    return to_inverse_depth(plane.at(column, row)) > nearest;
+}
+
+/// Whether a face may own pixels of a rectangle.
+bool overlaps(CoveringFace& covering, const ScreenRectangle& pixels) {
+    const std::span<const Span> spans = covering.spans;
+    if (spans.front().y >= pixels.end_row || spans.back().y < pixels.first_row) return false;
+    PixelRange& columns = covering.columns;
+    if (columns.end == 0) {
+        const ScreenRectangle around = rectangle_around(spans);
+        columns = {around.first_column, around.end_column};
+    }
+    return columns.first < pixels.end_column && columns.end > pixels.first_column;
+}
+
+/// Whether a pixel of a rectangle shows the sky, or a face no nearer than `nearest`.
+bool shows_farther(const CoveringFace& covering, const ScreenRectangle& pixels, InverseDepth nearest,
+                   const FrameContext& frame) {
+    const LinearQuantity<InverseZ> inverse_z =
+        covering.face ? inverse_z_of(*covering.face, frame) : LinearQuantity<InverseZ>{};
+    if (is_nearer(inverse_z, pixels, nearest)) return false;
+    for (const Span& span : spans_in_rows(covering.spans, pixels.first_row, pixels.end_row)) {
         const std::int32_t first = std::max(span.first, pixels.first_column);
         const std::int32_t end = std::min(span.end, pixels.end_column);
         if (first >= end) continue;
         const InverseZ least = std::min(inverse_z.at(first, span.y), inverse_z.at(end - 1, span.y));
-        if (to_inverse_depth(least) <= nearest) return std::nullopt;
-        count += end - first;
+        if (to_inverse_depth(least) <= nearest) return true;
     }
-    return count;
+    return false;
+}
+
+/// 1/z of a face at its farthest, or less: rounding moves what its pixels show by fewer than two of them.
+InverseDepth farthest_depth_of(const VisibleFace& face) {
+    const PlaneInverseZ& plane = face.inverse_z;
+    const InverseZ farthest = reciprocal<InverseZ>(face.farthest_z);
+    return to_inverse_depth(farthest - (absolute(plane.per_column) + absolute(plane.per_row)) * 2);
 }
 
 }  // namespace
 
-bool FaceCover::hides(const PlacedBox& place) const {
-    const std::optional<ScreenRectangle> pixels = rectangle_of(place.box, frame_.view);
-    return pixels && hides(*pixels, nearest_depth_of(place.box, frame_.view));
+void FaceCover::list_faces() {
+    faces_.clear();
+    for (const VisibleFace& face : claims_.list(FaceList::Sky)) faces_.push_back({nullptr, claims_.spans_of(face)});
+    for (const FaceList list : {FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror})
+        for (const VisibleFace& face : claims_.list(list))
+            faces_.push_back({&face, claims_.spans_of(face), farthest_depth_of(face)});
+    is_listed_ = true;
 }
 
-/// The farthest faces first: one of them shows, in most cases, that something is not hidden.
-bool FaceCover::hides(const ScreenRectangle& pixels, InverseDepth nearest) const {
-    std::int64_t left = std::int64_t{pixels.end_column - pixels.first_column} * (pixels.end_row - pixels.first_row);
-    for (const FaceList list : {FaceList::Walls, FaceList::Flat, FaceList::Liquid, FaceList::Mirror}) {
-        const std::vector<VisibleFace>& faces = scratch_.claims.list(list);
-        for (auto face = faces.rbegin(); face != faces.rend(); ++face) {
-            const auto all = scratch_.claims.spans_of(*face);
-            if (all.front().y >= pixels.end_row || all.back().y < pixels.first_row) continue;
-            const auto spans = spans_in_rows(all, pixels.first_row, pixels.end_row);
-            const auto nearer = pixels_nearer(spans, inverse_z_of(*face, frame_), pixels, nearest);
-            if (!nearer) return false;
-            left -= *nearer;
-        }
-    }
-    return left == 0;
+bool FaceCover::hides(const LevelBox& box) {
+    const std::optional<ScreenRectangle> pixels = rectangle_of(box, frame_.view);
+    return pixels && hides(*pixels, nearest_depth_of(box, frame_.view));
+}
+
+bool FaceCover::hides(const ScreenRectangle& pixels, InverseDepth nearest) {
+    if (!is_listed_) list_faces();
+    const auto shows = [&](CoveringFace& face) {
+        return face.farthest <= nearest && overlaps(face, pixels) && shows_farther(face, pixels, nearest, frame_);
+    };
+    const auto is_free = [&](const Span& span) { return overlap(span, pixels); };
+    return std::none_of(faces_.begin(), faces_.end(), shows) &&
+           std::none_of(claims_.left_free.begin(), claims_.left_free.end(), is_free) &&
+           std::none_of(claims_.torn.begin(), claims_.torn.end(),
+                        [&](const TornSpan& torn) { return overlap(torn.span, pixels); });
 }
 
 InverseDepth nearest_depth_of(const LevelBox& box, const ViewContext& view) {

@@ -5,18 +5,32 @@
 
 namespace oblong {
 
-/// What the claimed faces of a view hide, asked before a thing is computed.
+/// A face that owns pixels, as a cover looks at it.
+struct CoveringFace {
+    const VisibleFace* face = nullptr;  ///< null: the sky
+    std::span<const Span> spans;
+    InverseDepth farthest = 0;  ///< or farther
+    PixelRange columns{};       ///< around the spans, worked out when first asked for; none: not yet
+};
+
+/// What the claimed faces of a view hide, asked before a thing is computed. Pixels that nothing owns, in a mirror's
+/// picture those beside the mirror, hide everything.
 class FaceCover : public Cover {
   public:
-    /// The arguments outlive it, and the claims do not change.
-    FaceCover(const FrameContext& frame, const ViewScratch& scratch) : frame_(frame), scratch_(scratch) {}
+    /// The arguments outlive it, and the claims do not change. `faces` is scratch.
+    FaceCover(const FrameContext& frame, const Claims& claims, std::vector<CoveringFace>& faces)
+        : frame_(frame), claims_(claims), faces_(faces) {}
 
-    bool hides(const PlacedBox& place) const override;
-    bool hides(const ScreenRectangle& pixels, InverseDepth nearest) const override;
+    bool hides(const LevelBox& box) override;
+    bool hides(const ScreenRectangle& pixels, InverseDepth nearest) override;
 
   private:
+    void list_faces();
+
     const FrameContext& frame_;
-    const ViewScratch& scratch_;
+    const Claims& claims_;
+    std::vector<CoveringFace>& faces_;
+    bool is_listed_ = false;
 };
 
 /// 1/z of the corner of a box that is nearest along the view.

@@ -18,14 +18,6 @@ LevelFogTables make_tables(const LevelFog& fog, const Palette& palette) {
             make_fog_table(palette, fog.colour, fog.alpha_256)};
 }
 
-/// Whether a face may be in fog: it, or the eye, reaches below the top.
-bool may_have_fog(const VisibleFace& face, const FrameContext& frame, CornerScratch& scratch) {
-    const FrameFog& fog = frame.fog;
-    if (!fog.height || frame.view.eye.z < fog.top) return true;
-    const auto corners = world_corners(face, frame, scratch);
-    return std::any_of(corners.begin(), corners.end(), [&](const Vec3<World>& corner) { return corner.z < fog.top; });
-}
-
 }  // namespace
 
 FrameFog make_frame_fog(const FrameContext& frame) {
@@ -42,6 +34,14 @@ FrameFog make_frame_fog(const FrameContext& frame) {
     return found;
 }
 
+bool may_have_fog(const VisibleFace& face, std::span<const Span> spans, const FrameContext& frame) {
+    const FrameFog& fog = frame.fog;
+    if (!fog.tables) return false;
+    if (!fog.height || frame.view.eye.z < fog.top) return true;
+    if (!face.fragment && frame.cache.faces[face.face].is_above_fog) return false;
+    return !is_clear(rectangle_around(spans), face.inverse_z, *fog.height);
+}
+
 void append_runs(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z, const FrameFog& fog,
                  std::vector<FogRun>& runs) {
     for (const Span& span : spans) {
@@ -54,6 +54,7 @@ void append_runs(std::span<const Span> spans, const LinearQuantity<InverseZ>& in
 
 const ColourRow& fog_colours(std::int32_t column, std::int32_t row, InverseZ inverse_z, const FrameFog& fog,
                              std::vector<FogRun>& runs) {
+    if (fog.height && is_clear(column, row, inverse_z, *fog.height)) return fog.tables->colours.levels.front();
     runs.clear();
     const Span pixel{row, column, column + 1};
     append_runs(std::span(&pixel, 1), {inverse_z, {}, {}}, fog, runs);
@@ -66,15 +67,16 @@ void find_fog(const FrameContext& frame, ViewScratch& scratch) {
     Claims& claims = scratch.claims;
     for (const FaceList list : {FaceList::Walls, FaceList::Liquid, FaceList::Flat})
         for (const VisibleFace& claimed : claims.list(list)) {
-            if (!may_have_fog(claimed, frame, scratch.corners)) continue;
-            const auto inverse_z = inverse_z_of(claimed, frame);
-            append_runs(claims.spans_of(claimed), inverse_z, fog, claims.fog_runs);
+            const std::span<const Span> spans = claims.spans_of(claimed);
+            if (may_have_fog(claimed, spans, frame))
+                append_runs(spans, inverse_z_of(claimed, frame), fog, claims.fog_runs);
         }
     for (const TornSpan& torn : claims.torn)
         append_runs({&torn.span, 1}, inverse_z_of(torn, frame), fog, claims.fog_runs);
     const std::int32_t sky_level = fog.height ? 0 : sky_fog_level(frame.cache.effects.sky_fog_256);
-    for (const VisibleFace& claimed : claims.list(FaceList::Sky))
-        for (const Span& span : claims.spans_of(claimed)) claims.fog_runs.push_back({span, sky_level});
+    if (sky_level > 0)
+        for (const VisibleFace& claimed : claims.list(FaceList::Sky))
+            for (const Span& span : claims.spans_of(claimed)) claims.fog_runs.push_back({span, sky_level});
     std::erase_if(claims.fog_runs, [](const FogRun& run) { return run.level == 0; });
     if (frame.observers.counts)
         for (const FogRun& run : claims.fog_runs)

@@ -26,6 +26,9 @@ struct FrameFog {
 /// The fog from this view, if the level has one and the settings allow it.
 FrameFog make_frame_fog(const FrameContext& frame);
 
+/// False if each of these pixels of a face is surely clear: without fog, or where they and the eye are above its top.
+bool may_have_fog(const VisibleFace& face, std::span<const Span> spans, const FrameContext& frame);
+
 /// Appends the runs of spans of a face, clear ones too.
 void append_runs(std::span<const Span> spans, const LinearQuantity<InverseZ>& inverse_z, const FrameFog& fog,
                  std::vector<FogRun>& runs);

@@ -42,9 +42,9 @@ bool find_touched(const FrameContext& frame, const ViewScratch& scratch) {
     for (const FaceList list : {FaceList::Walls, FaceList::SeeThrough})
         for (const VisibleFace& claimed : scratch.claims.list(list)) {
             if (!frame.cache.surfaces.is_touched(claimed.face, frame.offset_of(claimed))) continue;
+            if (!frame.observers.counts) return true;
             is_any = true;
-            if (frame.observers.counts)
-                frame.observers.counts->of(Effect::Lights) += pixels_of(scratch.claims.spans_of(claimed));
+            frame.observers.counts->of(Effect::Lights) += pixels_of(scratch.claims.spans_of(claimed));
         }
     return is_any;
 }

@@ -138,13 +138,14 @@ void FrameThings::clear() {
     owning.clear();
     shadows.clear();
     meshes.clear();
+    mesh_parts.clear();
 }
 
 void find_things(const FrameContext& frame, ViewScratch& scratch) {
     scratch.depth.start_frame();
     if (frame.cache.things.is_empty() && frame.scene.meshes.empty()) return;
     ThingsInView& in_view = scratch.claims.things.in_view;
-    const FaceCover cover(frame, scratch);
+    FaceCover cover(frame, scratch.claims, scratch.effects.covering);
     const Sight sight{scratch.visible, frame.view, frame.mirror ? &frame.mirror->pixels : nullptr, &cover};
     const std::int64_t time_ms = frame.scene.time_ms;
     if (frame.allows(Effect::Particles)) find_particles(frame.cache.things, time_ms, sight, in_view, scratch.depth);
@@ -156,6 +157,7 @@ void find_things(const FrameContext& frame, ViewScratch& scratch) {
     if (!scratch.depth.is_wanted()) return;
     fill_depth(frame, scratch);
     keep_visible(frame, scratch);
+    keep_seen_meshes(frame, scratch);
     if (frame.fog.tables) colour_by_fog(frame.fog, scratch);
 }
 

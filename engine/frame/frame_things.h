@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/effects/things_in_view.h"
@@ -21,9 +22,11 @@ struct OwningThing {
 /// A mesh that may own pixels, within these.
 struct MeshInView {
     const PlacedMesh* placed = nullptr;
-    ScreenRectangle pixels{};
     LevelBox box;
-    InverseDepth nearest_depth = 0;  ///< of the box
+    ScreenRectangle box_pixels{};
+    InverseDepth nearest_depth = 0;              ///< of the box
+    ScreenRectangle pixels{};                    ///< of the parts that may show
+    std::size_t first_part = 0, part_count = 0;  ///< in FrameThings::mesh_parts; none: all of it
 };
 
 /// What a frame shows beside its faces.
@@ -32,8 +35,12 @@ struct FrameThings {
     std::vector<OwningThing> owning;
     std::vector<Shadow> shadows;
     std::vector<MeshInView> meshes;
+    std::vector<std::uint32_t> mesh_parts;
 
     void clear();
+    std::span<const std::uint32_t> parts_of(const MeshInView& mesh) const {
+        return std::span(mesh_parts).subspan(mesh.first_part, mesh.part_count);
+    }
 };
 
 /// Finds the particles, sprites, shadows and meshes that own pixels of the frame whose faces are claimed: what is in

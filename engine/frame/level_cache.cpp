@@ -1,13 +1,24 @@
 #include "engine/frame/level_cache.h"
 
+#include <algorithm>
+
 namespace oblong {
 
 namespace {
+
+/// Whether all corners of a face are at this height or above it.
+bool is_above(World height, FaceIndex face, const Level& level, const FaceTable& table) {
+    const std::span<const VertexIndex> corners = table.corners_of(face);
+    return std::all_of(corners.begin(), corners.end(),
+                       [&](VertexIndex corner) { return level.vertices[corner].z >= height; });
+}
 
 /// Adds to faces what their level says of their textures and light.
 void add_effects(const Level& level, const LevelEffects& effects, FaceTable& table) {
     for (const FaceIndex index : level.faces.indices()) {
         const Face& face = level.faces[index];
+        table[index].is_above_fog =
+            effects.fog && effects.fog->has_top && is_above(effects.fog->top, index, level, table);
         EffectSet& needs = table[index].effects;
         if (needs.has(Effect::Sky)) continue;
         if (effects.animations.is_animated(level.texinfos[face.texinfo].texture))

@@ -11,12 +11,20 @@
 #include "engine/effects/things.h"
 #include "engine/effects/warp.h"
 #include "engine/frame/frame_fog.h"
+#include "engine/mesh/placed_mesh.h"
 #include "engine/scene/face_surface.h"
 #include "engine/scene/face_table.h"
 #include "engine/scene/level_effects.h"
 #include "engine/visibility/brush_models.h"
+#include "engine/visibility/placed_box.h"
 
 namespace oblong {
+
+/// Where a mesh of the scene stays, however it is turned.
+struct MeshPlace {
+    TurningShape shape;
+    PlacedBox place;
+};
 
 /// What frames of one level with one colormap keep: made once, or when a frame first calls for it. None of it is part
 /// of a picture: with a new one the same bytes are drawn.
@@ -30,6 +38,7 @@ struct LevelCache {
     Things things;         ///< what is in it beside its faces
     FaceSurfaces surfaces;
     BrushModels brush_models;
+    std::vector<MeshPlace> mesh_places;  ///< of the scene's meshes; made anew for those that have moved
     std::map<std::pair<std::int32_t, std::int32_t>, FaceIndex> continued_faces;  ///< of torn walls, by leaf and node
     std::unique_ptr<LevelFogTables> fog_tables;                                  ///< null until a frame shows fog
     std::array<std::unique_ptr<BlendTable>, 4> blends;  ///< by LiquidKind; null until a frame sees through one

@@ -29,6 +29,31 @@ ScreenRectangle pixels_of(const LevelBox& box, const ViewContext& view, const Sc
     return part ? intersection(pixels, *part) : pixels;
 }
 
+bool is_empty(const ScreenRectangle& pixels) {
+    return pixels.first_column >= pixels.end_column || pixels.first_row >= pixels.end_row;
+}
+
+ScreenRectangle joined(const ScreenRectangle& a, const ScreenRectangle& b) {
+    if (is_empty(a)) return b;
+    return {std::min(a.first_column, b.first_column), std::max(a.end_column, b.end_column),
+            std::min(a.first_row, b.first_row), std::max(a.end_row, b.end_row)};
+}
+
+/// Finds the parts of a mesh in view that may show, and leaves it their pixels: none where none of them does.
+void find_parts(const WorldBoxes& boxes, const Sight& sight, MeshInView& mesh, std::vector<std::uint32_t>& parts) {
+    if (boxes.part_count() == 0) return;
+    mesh.pixels = {};
+    mesh.first_part = parts.size();
+    for (std::uint32_t part = 0; part < boxes.part_count(); ++part) {
+        const LevelBox box = boxes.of_part(part);
+        const ScreenRectangle pixels = pixels_of(box, sight.view, sight.part);
+        if (is_empty(pixels) || !sight.may_show(pixels, nearest_depth_of(box, sight.view))) continue;
+        mesh.pixels = joined(mesh.pixels, pixels);
+        parts.push_back(part);
+    }
+    mesh.part_count = parts.size() - mesh.first_part;
+}
+
 bool is_hidden(const MeshInView& mesh, DepthBuffer& depth) {
     const ScreenRectangle& pixels = mesh.pixels;
     for (std::int32_t y = pixels.first_row; y < pixels.end_row; ++y) {
@@ -38,6 +63,14 @@ bool is_hidden(const MeshInView& mesh, DepthBuffer& depth) {
             return false;
     }
     return true;
+}
+
+/// The box that a mesh of the scene turns in.
+const PlacedBox& place_of(std::size_t number, const FrameContext& frame) {
+    const TurningShape shape = turning_shape(frame.scene.meshes[number]);
+    MeshPlace& known = frame.cache.mesh_places[number];
+    if (known.shape != shape) known = {shape, place_box(frame.scene.level, turning_box(shape))};
+    return known.place;
 }
 
 /// Half of a box's diagonal, in whole units.
@@ -77,7 +110,7 @@ MeshLight light_on(const MeshInView& mesh, const FrameContext& frame, const View
 const std::uint8_t* fog_over(const MeshInView& mesh, const FrameContext& frame, ViewScratch& scratch) {
     if (!frame.fog.tables) return nullptr;
     const View z = to_view(middle_of(mesh.box), frame.view.eye, frame.view.axes).z;
-    const ScreenRectangle& pixels = mesh.pixels;
+    const ScreenRectangle& pixels = mesh.box_pixels;
     return fog_colours((pixels.first_column + pixels.end_column) / 2, (pixels.first_row + pixels.end_row) / 2,
                        reciprocal<InverseZ>(std::max(z, View::from_int(1))), frame.fog, scratch.effects.thing_runs)
         .data();
@@ -86,31 +119,50 @@ const std::uint8_t* fog_over(const MeshInView& mesh, const FrameContext& frame, 
 }  // namespace
 
 void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scratch) {
-    for (const PlacedMesh& placed : frame.scene.meshes) {
+    FrameThings& things = scratch.claims.things;
+    frame.cache.mesh_places.resize(frame.scene.meshes.size());
+    for (std::size_t i = 0; i < frame.scene.meshes.size(); ++i) {
+        const PlacedMesh& placed = frame.scene.meshes[i];
         if (!placed.mesh || placed.mesh->frames.empty()) continue;
         if (frame.mirror && is_behind(*frame.mirror, placed.position, frame.scene.level)) continue;
-        if (!may_be_seen(frame.scene.level, turning_box(placed), sight.visible, sight.culler)) continue;
-        const LevelBox box = world_box(placed);
+        if (!sight.may_show(place_of(i, frame))) continue;
+        const WorldBoxes boxes(placed);
+        const LevelBox box = boxes.whole();
         if (sight.culler.planes_crossed(box, kAllSides) == kOutside) continue;
         const ScreenRectangle pixels = pixels_of(box, sight.view, sight.part);
-        if (pixels.first_column >= pixels.end_column || pixels.first_row >= pixels.end_row) continue;
-        const InverseDepth nearest = nearest_depth_of(box, sight.view);
-        if (!sight.may_show(pixels, nearest)) continue;
-        scratch.depth.want(pixels);
-        scratch.claims.things.meshes.push_back({&placed, pixels, box, nearest});
+        MeshInView mesh{&placed, box, pixels, nearest_depth_of(box, sight.view), pixels};
+        if (is_empty(pixels) || !sight.may_show(pixels, mesh.nearest_depth)) continue;
+        find_parts(boxes, sight, mesh, things.mesh_parts);
+        if (is_empty(mesh.pixels)) continue;
+        scratch.depth.want(mesh.pixels);
+        things.meshes.push_back(mesh);
     }
-    EffectSet& effects = scratch.claims.effects;
-    if (!scratch.claims.things.meshes.empty()) effects = effects.with(Effect::Models);
+}
+
+void keep_seen_meshes(const FrameContext& frame, ViewScratch& scratch) {
+    FrameThings& things = scratch.claims.things;
+    if (things.meshes.empty()) return;
+    if (!scratch.effects.meshes) scratch.effects.meshes = std::make_unique<MeshScratch>(frame.out.height_px);
+    const auto seen = std::find_if(things.meshes.begin(), things.meshes.end(), [&](const MeshInView& mesh) {
+        const MeshTarget target{scratch.depth, frame.out, mesh.pixels};
+        return !is_hidden(mesh, scratch.depth) &&
+               is_seen(*mesh.placed, things.parts_of(mesh), frame.view, target, *scratch.effects.meshes);
+    });
+    things.meshes.erase(things.meshes.begin(), seen);
+    if (!things.meshes.empty()) scratch.claims.effects = scratch.claims.effects.with(Effect::Models);
 }
 
 void draw_meshes(const FrameContext& frame, ViewScratch& scratch) {
-    if (!scratch.effects.meshes) scratch.effects.meshes = std::make_unique<MeshScratch>(frame.out.height_px);
     std::int64_t pixels = 0;
     for (const MeshInView& mesh : scratch.claims.things.meshes) {
         if (is_hidden(mesh, scratch.depth)) continue;  // behind the meshes before it
         gather_mesh_lights(mesh, scratch);
-        const MeshDrawing drawing{frame.view, frame.cache.surfaces.colormap(), light_on(mesh, frame, scratch),
-                                  fog_over(mesh, frame, scratch), frame.accuracy().texturing == Texturing::Affine};
+        const MeshDrawing drawing{frame.view,
+                                  frame.cache.surfaces.colormap(),
+                                  light_on(mesh, frame, scratch),
+                                  fog_over(mesh, frame, scratch),
+                                  frame.accuracy().texturing == Texturing::Affine,
+                                  scratch.claims.things.parts_of(mesh)};
         pixels +=
             draw_mesh(*mesh.placed, drawing, {scratch.depth, frame.out, mesh.pixels}, *scratch.effects.meshes).pixels;
     }

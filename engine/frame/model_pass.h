@@ -12,6 +12,9 @@ struct ViewScratch;
 /// mirror, by their place, in its picture.
 void find_meshes(const FrameContext& frame, const Sight& sight, ViewScratch& scratch);
 
+/// Leaves out those before the first one of which faces leave a pixel: all of them, if they hide all. Depth is there.
+void keep_seen_meshes(const FrameContext& frame, ViewScratch& scratch);
+
 /// Draws the meshes that are left, in the level's light and fog.
 void draw_meshes(const FrameContext& frame, ViewScratch& scratch);
 

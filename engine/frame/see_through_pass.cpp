@@ -49,16 +49,18 @@ void draw_in_fog(const VisibleFace& claimed, SurfaceOptions drawing, const Frame
         spans = before_meshes;
     }
     if (spans.empty()) return;
-    if (!frame.fog.tables) return draw_surface(claimed, spans, drawing, frame, scratch);
+    const FrameFog& fog = frame.fog;
+    if (fog.tables) drawing.colours = &fog.tables->colours.levels.front();
+    if (!may_have_fog(claimed, spans, frame)) return draw_surface(claimed, spans, drawing, frame, scratch);
     std::vector<FogRun> runs;
-    append_runs(spans, inverse_z_of(claimed, frame), frame.fog, runs);
+    append_runs(spans, inverse_z_of(claimed, frame), fog, runs);
     std::stable_sort(runs.begin(), runs.end(), [](const FogRun& a, const FogRun& b) { return a.level < b.level; });
     std::vector<Span> of_level;
     for (auto run = runs.begin(); run != runs.end();) {
         const std::int32_t level = run->level;
         of_level.clear();
         for (; run != runs.end() && run->level == level; ++run) of_level.push_back(run->span);
-        drawing.colours = &item(frame.fog.tables->colours.levels, level);
+        drawing.colours = &item(fog.tables->colours.levels, level);
         draw_surface(claimed, of_level, drawing, frame, scratch);
     }
 }

@@ -6,6 +6,7 @@
 #include "engine/effects/shadows.h"
 #include "engine/effects/warp.h"
 #include "engine/frame/claims.h"
+#include "engine/frame/face_cover.h"
 #include "engine/frame/frame_light.h"
 #include "engine/frame/mirror_pass.h"
 #include "engine/frame/surface_pass.h"
@@ -34,6 +35,7 @@ struct EffectScratch {
     std::unique_ptr<MeshScratch> meshes;   ///< null until a frame shows one
     std::vector<MovingLight> mesh_lights;  ///< those that reach the current mesh
     std::vector<FogRun> thing_runs;        ///< of the fog on a thing
+    std::vector<CoveringFace> covering;    ///< FaceCover's
     std::vector<Span> sky_spans;
     UnderwaterScratch underwater;
 };

@@ -75,7 +75,7 @@ void Model::add_triangle(const Corner& a, const Corner& b, const Corner& c, std:
         std::vector<MeshVertex> corners(frame.vertices.begin() + first, frame.vertices.end());
         set_normals(corners, kOneTriangle);
         std::copy(corners.begin(), corners.end(), frame.vertices.begin() + first);
-        set_box(frame);
+        set_boxes(frame);
     }
 }
 

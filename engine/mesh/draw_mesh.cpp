@@ -1,6 +1,7 @@
 #include "engine/mesh/draw_mesh.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/base/table.h"
 
@@ -17,17 +18,37 @@ Fixed<std::int64_t, 16> rounded_shade(Light8 light, const MeshLight& lights) {
     return Fixed<std::int64_t, 16>::from_raw(shade_16_of(light, lights.brightness_100) + (1 << 15));
 }
 
-/// Everything that is constant while a mesh is drawn.
-struct MeshContext {
+/// What is constant while the triangles of a mesh are found.
+struct MeshPlacement {
     const PlacedMesh& placed;
-    const MeshDrawing& drawing;
+    const ViewContext& view;
     const MeshTarget& target;
     std::span<const MeshVertex> object_vertices;
-    MeshTransform transform;
-    HighlightTable highlight;
+    const MeshTransform& transform;
+};
+
+/// Everything that is constant while a mesh is drawn.
+struct MeshContext : MeshPlacement {
+    const MeshDrawing& drawing;
+    const HighlightTable& highlights;
     Vec3<Unit> halfway;
     Skin plain;  ///< of triangles without a skin
 };
+
+/// Begins a mesh, or goes on with it. None if it cannot be drawn.
+std::optional<MeshPlacement> place_mesh(const PlacedMesh& placed, const ViewContext& view, const MeshTarget& target,
+                                        MeshScratch& scratch) {
+    if (!placed.mesh || placed.mesh->frames.empty()) return std::nullopt;
+    const bool goes_on = std::exchange(scratch.begun, nullptr) == &placed;
+    if (!goes_on) {
+        const std::optional<MeshTransform> transform = make_mesh_transform(placed);
+        if (!transform) return std::nullopt;
+        scratch.transform = *transform;
+    }
+    const std::span<const MeshVertex> pose = pose_of(placed, scratch.object_vertices);
+    if (!goes_on) scratch.begin(pose.size());
+    return MeshPlacement{placed, view, target, pose, scratch.transform};
+}
 
 bool is_whole(const Skin& skin) {
     return skin.width > 0 && skin.height > 0 && skin.texels.size() == pixel_count(skin.width, skin.height);
@@ -53,15 +74,21 @@ void set_flat_light(const MeshTriangle& triangle, const MeshContext& mesh, const
 }
 
 /// A vertex as the view sees it.
-const ViewVertex& seen_vertex(std::uint32_t number, const MeshContext& mesh, MeshScratch& scratch) {
+const ViewVertex& seen_vertex(std::uint32_t number, const MeshPlacement& mesh, MeshScratch& scratch) {
     ViewVertex& seen = item(scratch.view_vertices, number);
     VertexStage& stage = item(scratch.stages, number);
     if (stage != VertexStage::Unknown) return seen;
     Vec3<World>& position = item(scratch.world_vertices, number).position;
     position = world_position(mesh.object_vertices[number].position, mesh.transform);
-    seen = view_vertex(position, mesh.drawing.view);
+    seen = view_vertex(position, mesh.view);
     stage = VertexStage::Seen;
     return seen;
+}
+
+std::array<const ViewVertex*, 3> seen_vertices(const MeshTriangle& triangle, const MeshPlacement& mesh,
+                                               MeshScratch& scratch) {
+    const auto& [a, b, c] = triangle.vertices;
+    return {&seen_vertex(a, mesh, scratch), &seen_vertex(b, mesh, scratch), &seen_vertex(c, mesh, scratch)};
 }
 
 /// Its values. The view has seen it.
@@ -107,8 +134,8 @@ std::optional<TriangleInView> find_triangle(const std::array<const ScreenCorner*
 
 MeshPaint paint_of(const MeshTriangle& triangle, const MeshContext& mesh) {
     const MeshDrawing& drawing = mesh.drawing;
-    return {skin_of(triangle, mesh), drawing.colormap, drawing.light,   mesh.placed.shading,
-            drawing.is_affine,       mesh.halfway,     &mesh.highlight, drawing.after};
+    return {skin_of(triangle, mesh), drawing.colormap, drawing.light,    mesh.placed.shading,
+            drawing.is_affine,       mesh.halfway,     &mesh.highlights, drawing.after};
 }
 
 /// Draws a triangle that was found.
@@ -135,7 +162,7 @@ void draw_whole(const MeshTriangle& triangle, const std::array<const ViewVertex*
 /// Draws what of a triangle clipping leaves, a fan.
 void draw_clipped(const MeshTriangle& triangle, const std::array<const ViewVertex*, 3>& vertices,
                   const MeshContext& mesh, MeshScratch& scratch, MeshCounts& counts) {
-    clip_and_project(vertices, values_of(triangle, mesh, scratch), mesh.drawing.view, scratch.clip, scratch.polygon);
+    clip_and_project(vertices, values_of(triangle, mesh, scratch), mesh.view, scratch.clip, scratch.polygon);
     const MeshPaint paint = paint_of(triangle, mesh);
     for (std::size_t i = 2; i < scratch.polygon.size(); ++i) {
         const auto found = find_triangle({&scratch.polygon[0], &scratch.polygon[i - 1], &scratch.polygon[i]},
@@ -146,12 +173,47 @@ void draw_clipped(const MeshTriangle& triangle, const std::array<const ViewVerte
 
 /// Draws one triangle of the mesh.
 void draw_polygon(const MeshTriangle& triangle, const MeshContext& mesh, MeshScratch& scratch, MeshCounts& counts) {
-    std::array<const ViewVertex*, 3> vertices{};
-    for (std::size_t i = 0; i < 3; ++i) vertices[i] = &seen_vertex(triangle.vertices[i], mesh, scratch);
+    const std::array<const ViewVertex*, 3> vertices = seen_vertices(triangle, mesh, scratch);
     const auto& [a, b, c] = vertices;
     if ((a->outcode & b->outcode & c->outcode) != 0) return;
     const bool is_inside = (a->outcode | b->outcode | c->outcode) == 0;
     (is_inside ? draw_whole : draw_clipped)(triangle, vertices, mesh, scratch, counts);
+}
+
+/// Whether a triangle has a pixel at which nothing is nearer.
+bool is_seen(const MeshTriangle& triangle, const MeshPlacement& mesh, MeshScratch& scratch, MeshCounts& counts) {
+    clip_and_project(seen_vertices(triangle, mesh, scratch), {}, mesh.view, scratch.clip, scratch.polygon);
+    const std::vector<ScreenCorner>& polygon = scratch.polygon;
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+        if (find_triangle({&polygon[0], &polygon[i - 1], &polygon[i]}, mesh.target, scratch, counts)) return true;
+    return false;
+}
+
+/// Whether asks() is true of a triangle of some parts that faces the eye; it is asked of one after the other until
+/// then.
+template <class Ask>
+bool any_facing(const MeshPlacement& mesh, MeshParts parts, MeshScratch& scratch, Ask asks) {
+    const std::span<const MeshTriangle> all(mesh.placed.mesh->triangles);
+    const Vec3<World> object_eye = to_object(mesh.view.eye, mesh.transform);
+    const auto any_of = [&](std::span<const MeshTriangle> triangles) {
+        find_facing(triangles, mesh.object_vertices, object_eye, scratch.facing);
+        return std::any_of(scratch.facing.begin(), scratch.facing.end(),
+                           [&](std::uint32_t triangle) { return asks(triangles[triangle]); });
+    };
+    if (parts.empty()) return any_of(all);
+    return std::any_of(parts.begin(), parts.end(), [&](std::uint32_t part) {
+        const std::span<const MeshTriangle> rest = all.subspan(part * kPartTriangles);
+        return any_of(rest.first(std::min(rest.size(), kPartTriangles)));
+    });
+}
+
+/// The table of a mesh's highlights; without Shading::Phong any.
+const HighlightTable& highlights_of(const PlacedMesh& placed, MeshScratch& scratch) {
+    if (placed.shading == Shading::Phong && scratch.highlight != placed.highlight) {
+        scratch.highlights = make_highlight_table(placed.highlight);
+        scratch.highlight = placed.highlight;
+    }
+    return scratch.highlights;
 }
 
 /// To the eye from the mesh's place, for highlights.
@@ -174,31 +236,42 @@ CornerValues corner_values(const PlacedMesh& placed, std::size_t number, const W
 }
 
 void MeshScratch::begin(std::size_t vertex_count) {
-    world_vertices.resize(vertex_count);
-    view_vertices.resize(vertex_count);
-    values.resize(vertex_count);
+    if (world_vertices.size() < vertex_count) {
+        world_vertices.resize(vertex_count);
+        view_vertices.resize(vertex_count);
+        values.resize(vertex_count);
+    }
     stages.assign(vertex_count, VertexStage::Unknown);
+}
+
+bool is_seen(const PlacedMesh& placed, MeshParts parts, const ViewContext& view, const MeshTarget& target,
+             MeshScratch& scratch) {
+    scratch.begun = nullptr;
+    const std::optional<MeshPlacement> mesh = place_mesh(placed, view, target, scratch);
+    MeshCounts counts;
+    const auto is_triangle_seen = [&](const MeshTriangle& triangle) {
+        return is_seen(triangle, *mesh, scratch, counts);
+    };
+    if (!mesh || !any_facing(*mesh, parts, scratch, is_triangle_seen)) return false;
+    scratch.begun = &placed;
+    return true;
 }
 
 MeshCounts draw_mesh(const PlacedMesh& placed, const MeshDrawing& drawing, const MeshTarget& target,
                      MeshScratch& scratch) {
     MeshCounts counts;
-    if (!placed.mesh || placed.mesh->frames.empty()) return counts;
-    const std::optional<MeshTransform> transform = make_mesh_transform(placed);
-    if (!transform) return counts;
-    const MeshContext mesh{placed,
+    const std::optional<MeshPlacement> placement = place_mesh(placed, drawing.view, target, scratch);
+    if (!placement) return counts;
+    const MeshContext mesh{*placement,
                            drawing,
-                           target,
-                           pose_of(placed, scratch.object_vertices),
-                           *transform,
-                           placed.shading == Shading::Phong ? make_highlight_table(placed.highlight) : HighlightTable{},
+                           highlights_of(placed, scratch),
                            halfway(drawing.light.directional.toward, toward_eye(placed, drawing.view)),
                            {"", 1, 1, {placed.colour}}};
-    find_facing(placed.mesh->triangles, mesh.object_vertices, to_object(drawing.view.eye, *transform), scratch.facing);
-    scratch.begin(mesh.object_vertices.size());
-    for (const std::uint32_t triangle : scratch.facing)
-        draw_polygon(item(placed.mesh->triangles, triangle), mesh, scratch, counts);
-    counts.facing = std::ssize(scratch.facing);
+    any_facing(mesh, drawing.parts, scratch, [&](const MeshTriangle& triangle) {
+        draw_polygon(triangle, mesh, scratch, counts);
+        ++counts.facing;
+        return false;
+    });
     return counts;
 }
 

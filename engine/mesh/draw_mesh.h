@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/mesh/mesh_pixels.h"
@@ -16,6 +18,10 @@ struct MeshScratch {
     /// Before a mesh of so many vertices, none of them worked out.
     void begin(std::size_t vertex_count);
 
+    const PlacedMesh* begun = nullptr;  ///< is_seen() left off here, and draw_mesh() goes on; null: neither
+    MeshTransform transform;
+    std::optional<std::int32_t> highlight;  ///< that `highlights` is of; none: not made yet
+    HighlightTable highlights;
     std::vector<MeshVertex> object_vertices;  ///< between two frames
     std::vector<std::uint32_t> facing;        ///< triangles
     std::vector<WorldVertex> world_vertices;
@@ -28,6 +34,9 @@ struct MeshScratch {
     std::vector<Span> spans;
 };
 
+/// The numbers of a mesh's parts that are drawn, rising; none: all of it.
+using MeshParts = std::span<const std::uint32_t>;
+
 /// How meshes are drawn.
 struct MeshDrawing {
     const ViewContext& view;
@@ -35,7 +44,13 @@ struct MeshDrawing {
     MeshLight light;
     const std::uint8_t* after = nullptr;  ///< MeshPaint::after
     bool is_affine = false;               ///< textures without perspective within a triangle, as in Quake's models
+    MeshParts parts = {};
 };
+
+/// Whether draw_mesh() would draw a pixel. If so, the next mesh that is drawn with this scratch is this one, as it is
+/// and in this view, or `begun` is reset before.
+bool is_seen(const PlacedMesh& placed, MeshParts parts, const ViewContext& view, const MeshTarget& target,
+             MeshScratch& scratch);
 
 /// What drawing a mesh took.
 struct MeshCounts {

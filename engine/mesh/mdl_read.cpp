@@ -231,9 +231,9 @@ class MdlReader {
                      " vertices, expected " + std::to_string(kMostFrameVertices) + " in all at most");
         for (std::int32_t i = 0; i < header_.vertices; ++i) frame.vertices.push_back({read_position(), {}});
         set_normals(frame.vertices, corners_);
-        set_box(frame);
         for (std::size_t i = frame.vertices.size(); i < source_.size(); ++i)
             frame.vertices.push_back(item(frame.vertices, source_[i]));
+        set_boxes(frame, mesh_.triangles);
         mesh_.frames.push_back(std::move(frame));
     }
 

@@ -32,6 +32,15 @@ int bits_too_many(const std::vector<MeshVertex>& vertices, std::span<const Corne
     return std::max(bits - 62, 0);
 }
 
+MeshBox box_at(const Vec3<World>& p) {
+    return {p, p};
+}
+
+void extend(MeshBox& box, const Vec3<World>& p) {
+    box.mins = {std::min(box.mins.x, p.x), std::min(box.mins.y, p.y), std::min(box.mins.z, p.z)};
+    box.maxs = {std::max(box.maxs.x, p.x), std::max(box.maxs.y, p.y), std::max(box.maxs.z, p.z)};
+}
+
 }  // namespace
 
 std::uint32_t shown_at(const MeshSequence& sequence, std::int64_t time_ms) {
@@ -61,13 +70,19 @@ void set_normals(std::vector<MeshVertex>& vertices, std::span<const Corners> tri
     }
 }
 
-void set_box(MeshFrame& frame) {
+void set_boxes(MeshFrame& frame, std::span<const MeshTriangle> triangles) {
     if (frame.vertices.empty()) return;
-    frame.mins = frame.maxs = frame.vertices.front().position;
-    for (const MeshVertex& vertex : frame.vertices) {
-        const Vec3<World>& p = vertex.position;
-        frame.mins = {std::min(frame.mins.x, p.x), std::min(frame.mins.y, p.y), std::min(frame.mins.z, p.z)};
-        frame.maxs = {std::max(frame.maxs.x, p.x), std::max(frame.maxs.y, p.y), std::max(frame.maxs.z, p.z)};
+    MeshBox box = box_at(frame.vertices.front().position);
+    for (const MeshVertex& vertex : frame.vertices) extend(box, vertex.position);
+    frame.mins = box.mins;
+    frame.maxs = box.maxs;
+    frame.parts.clear();
+    if (triangles.size() <= kPartTriangles) return;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (i % kPartTriangles == 0)
+            frame.parts.push_back(box_at(item(frame.vertices, triangles[i].vertices[0]).position));
+        for (const std::uint32_t vertex : triangles[i].vertices)
+            extend(frame.parts.back(), item(frame.vertices, vertex).position);
     }
 }
 

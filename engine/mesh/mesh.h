@@ -36,10 +36,19 @@ struct MeshTriangle {
     std::uint32_t skin = 0;
 };
 
+struct MeshBox {
+    Vec3<World> mins, maxs;
+    bool operator==(const MeshBox&) const = default;
+};
+
+/// How many triangles a part of a mesh has, one after the other; its last part perhaps fewer.
+inline constexpr std::size_t kPartTriangles = 64;
+
 struct MeshFrame {
     std::string name;
     std::vector<MeshVertex> vertices;
-    Vec3<World> mins, maxs;  ///< the box of its vertices
+    Vec3<World> mins, maxs;           ///< the box of its vertices
+    std::vector<MeshBox> parts = {};  ///< the box of each of the mesh's parts; none: not known
 };
 
 /// Consecutive frames or skins that take turns; or a single one, which stays.
@@ -71,8 +80,9 @@ inline constexpr std::int32_t kMeshLimit = 1 << 15;                      ///< un
 /// numbers of positions.
 void set_normals(std::vector<MeshVertex>& vertices, std::span<const std::array<std::uint32_t, 3>> corners);
 
-/// The least box around vertices; empty at the origin if there are none.
-void set_box(MeshFrame& frame);
+/// The least box around a frame's vertices, empty at the origin if there are none; and those of the parts that some
+/// triangles make, if more than one. Their vertices are the frame's.
+void set_boxes(MeshFrame& frame, std::span<const MeshTriangle> triangles = {});
 
 /// A Quake model: the bytes of an MDL file ("IDPO", version 6), `scale` times as large (above 0, at most 4,096).
 ///

@@ -56,6 +56,26 @@ std::int32_t whole_units(std::int64_t entry_raw) {
     return static_cast<std::int32_t>(std::clamp(floor_shift(entry_raw, Entry::kFractionBits), -kMostUnits, kMostUnits));
 }
 
+/// The box in the world of what is in one box or the other, or between.
+LevelBox world_box(const Matrix4& to_world, const MeshBox& from, const MeshBox& to) {
+    const std::array sides{Interval(std::min(from.mins.x, to.mins.x), std::max(from.maxs.x, to.maxs.x)),
+                           Interval(std::min(from.mins.y, to.mins.y), std::max(from.maxs.y, to.maxs.y)),
+                           Interval(std::min(from.mins.z, to.mins.z), std::max(from.maxs.z, to.maxs.z))};
+    LevelBox box;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto& row = to_world.rows[axis];
+        std::int64_t middle = row[3].raw, half = 0;
+        for (std::size_t side = 0; side < 3; ++side) {
+            middle = saturating_sum(middle, multiply(row[side], sides[side].middle).raw);
+            const std::int64_t reach = multiply(row[side], sides[side].half).raw;
+            half = saturating_sum(half, reach < 0 ? -std::max(reach, -Entry::highest().raw) : reach);
+        }
+        box.mins[axis] = whole_units(saturating_sum(middle, -half)) - 1;
+        box.maxs[axis] = whole_units(saturating_sum(middle, half)) + 2;
+    }
+    return box;
+}
+
 }  // namespace
 
 const MeshFrame& frame_of(const PlacedMesh& placed) {
@@ -76,30 +96,29 @@ std::optional<MeshTransform> make_mesh_transform(const PlacedMesh& placed) {
     return MeshTransform{to_world, *normals, *to_object, has_small_entries(to_world), rotation_of_normals(placed)};
 }
 
-LevelBox world_box(const PlacedMesh& placed) {
-    const Matrix4 to_world = matrix_of(placed);
+WorldBoxes::WorldBoxes(const PlacedMesh& placed) : placed_(placed), to_world_(matrix_of(placed)) {}
+
+LevelBox WorldBoxes::whole() const {
+    const MeshFrame &from = frame_of(placed_), &to = next_frame_of(placed_);
+    return world_box(to_world_, {from.mins, from.maxs}, {to.mins, to.maxs});
+}
+
+std::size_t WorldBoxes::part_count() const {
+    return std::min(frame_of(placed_).parts.size(), next_frame_of(placed_).parts.size());
+}
+
+LevelBox WorldBoxes::of_part(std::size_t part) const {
+    return world_box(to_world_, frame_of(placed_).parts[part], next_frame_of(placed_).parts[part]);
+}
+
+TurningShape turning_shape(const PlacedMesh& placed) {
     const MeshFrame &from = frame_of(placed), &to = next_frame_of(placed);
-    const std::array sides{Interval(std::min(from.mins.x, to.mins.x), std::max(from.maxs.x, to.maxs.x)),
-                           Interval(std::min(from.mins.y, to.mins.y), std::max(from.maxs.y, to.maxs.y)),
-                           Interval(std::min(from.mins.z, to.mins.z), std::max(from.maxs.z, to.maxs.z))};
-    LevelBox box;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto& row = to_world.rows[axis];
-        std::int64_t middle = row[3].raw, half = 0;
-        for (std::size_t side = 0; side < 3; ++side) {
-            middle = saturating_sum(middle, multiply(row[side], sides[side].middle).raw);
-            const std::int64_t reach = multiply(row[side], sides[side].half).raw;
-            half = saturating_sum(half, reach < 0 ? -std::max(reach, -Entry::highest().raw) : reach);
-        }
-        box.mins[axis] = whole_units(saturating_sum(middle, -half)) - 1;
-        box.maxs[axis] = whole_units(saturating_sum(middle, half)) + 2;
-    }
-    return box;
+    return {placed.position, placed.scale, {MeshBox{from.mins, from.maxs}, MeshBox{to.mins, to.maxs}}};
 }
 
 /// The corner of its frames that is farthest along all axes together is farther than any from the mesh's origin.
-LevelBox turning_box(const PlacedMesh& placed) {
-    const MeshFrame &from = frame_of(placed), &to = next_frame_of(placed);
+LevelBox turning_box(const TurningShape& shape) {
+    const auto& [from, to] = shape.boxes;
     const auto farthest = [](World a, World b, World c, World d) {
         return std::max({WorldWide{}, convert<WorldWide>(absolute(a)), convert<WorldWide>(absolute(b)),
                          convert<WorldWide>(absolute(c)), convert<WorldWide>(absolute(d))});
@@ -107,9 +126,9 @@ LevelBox turning_box(const PlacedMesh& placed) {
     const WorldWide sum = farthest(from.mins.x, from.maxs.x, to.mins.x, to.maxs.x) +
                           farthest(from.mins.y, from.maxs.y, to.mins.y, to.maxs.y) +
                           farthest(from.mins.z, from.maxs.z, to.mins.z, to.maxs.z);
-    const Entry scale = std::max({placed.scale.x, placed.scale.y, placed.scale.z});
+    const Entry scale = std::max({shape.scale.x, shape.scale.y, shape.scale.z});
     const std::int64_t reach = whole_units(multiply(scale, convert<Entry>(sum)).raw) + 3;
-    const std::array position{placed.position.x, placed.position.y, placed.position.z};
+    const std::array position{shape.position.x, shape.position.y, shape.position.z};
     LevelBox box;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::int64_t middle = floor_of(position[axis]);

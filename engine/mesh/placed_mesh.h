@@ -44,11 +44,33 @@ struct MeshTransform {
 /// Scale, then rotation, then translation. None where it has no inverse, or turns the mesh inside out.
 std::optional<MeshTransform> make_mesh_transform(const PlacedMesh& placed);
 
-/// The box in the world of one frame, or of two blended ones: whole units, rounded outward, one unit more.
-LevelBox world_box(const PlacedMesh& placed);
+/// Boxes in the world of one frame, or of two blended ones: whole units, rounded outward, one unit more.
+class WorldBoxes {
+  public:
+    /// The mesh outlives it, and has a frame.
+    explicit WorldBoxes(const PlacedMesh& placed);
 
-/// A box that holds world_box(), however it is turned, and takes little time: for those that are out of view.
-LevelBox turning_box(const PlacedMesh& placed);
+    LevelBox whole() const;
+    /// How many parts the mesh has, each with a box: perhaps none.
+    std::size_t part_count() const;
+    LevelBox of_part(std::size_t part) const;
+
+  private:
+    const PlacedMesh& placed_;
+    Matrix4 to_world_;
+};
+
+/// What turning_box() depends on.
+struct TurningShape {
+    Vec3<World> position;
+    Vec3<Entry> scale;
+    std::array<MeshBox, 2> boxes;  ///< of its frames
+    bool operator==(const TurningShape&) const = default;
+};
+TurningShape turning_shape(const PlacedMesh& placed);
+
+/// A box that holds WorldBoxes::whole(), however the mesh is turned.
+LevelBox turning_box(const TurningShape& shape);
 
 /// The frames that it shows. The mesh has at least one.
 const MeshFrame& frame_of(const PlacedMesh& placed);

@@ -18,7 +18,8 @@ struct PreparedFace {
     TexelDensity density;                              ///< texels of mip level 0 per unit, along the denser axis
     TexelDensity least_density;                        ///< no fewer in any direction on the face
     Material material = Material::Lit;
-    EffectSet effects;  ///< that it needs
+    bool is_above_fog = false;  ///< surely, where its model has not moved
+    EffectSet effects;          ///< that it needs
 };
 
 /// Data of a level's faces, precomputed for all frames.

@@ -43,6 +43,12 @@ Texel texel_below(const Vec3<TexelAxis>& axis, Texel offset, const LevelPlane& p
     return texel_along(axis, p) + offset - product<Texel>(dot(axis, plane.normal), distance);
 }
 
+/// How far a point is in front of a face.
+PlaneDistance distance_before(const Level& level, const Face& face, const Vec3<World>& p) {
+    const PlaneDistance distance = plane_distance(level.planes[face.plane], p);
+    return face.is_back ? -distance : distance;
+}
+
 LightAtFace light_at_face(const Level& level, const Face& face, const Vec3<World>& p) {
     const LevelPlane& plane = level.planes[face.plane];
     const TexInfo& texinfo = level.texinfos[face.texinfo];
@@ -206,9 +212,10 @@ void MovingLights::set(std::span<const MovingLight> lights, const Vec3<World>& e
 
 bool MovingLights::touches(const MovingLight& light, const Face& face, TexelDensity density,
                            const Vec3<World>& offset) const {
-    const LightAtFace seen = light_at_face(level_, face, in_model(light.position, offset));
-    if (seen.distance <= PlaneDistance{} || convert<Distance>(seen.distance) >= convert<Distance>(light.radius))
-        return false;
+    const Vec3<World> position = in_model(light.position, offset);
+    const PlaneDistance distance = distance_before(level_, face, position);
+    if (distance <= PlaneDistance{} || convert<Distance>(distance) >= convert<Distance>(light.radius)) return false;
+    const LightAtFace seen = light_at_face(level_, face, position);
     const Texel reach = product<Texel>(light.radius, density);
     return seen.u > -reach && seen.u < Texel::from_int(face.texel_extent_u) + reach && seen.v > -reach &&
            seen.v < Texel::from_int(face.texel_extent_v) + reach;

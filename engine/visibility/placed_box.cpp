@@ -53,28 +53,9 @@ PlacedBox place_box(const Level& level, const LevelBox& box) {
 }
 
 bool may_be_seen(const PlacedBox& placed, const VisibleSet& visible, const BoxCuller& culler) {
-    if (culler.planes_crossed(placed.box, kAllSides) == kOutside) return false;
-    return placed.has_many_leaves || std::any_of(placed.leaves.begin(), placed.leaves.end(),
-                                                 [&visible](LeafIndex leaf) { return visible.has_leaf(leaf); });
-}
-
-bool may_be_seen(const Level& level, const LevelBox& box, const VisibleSet& visible, const BoxCuller& culler) {
-    if (culler.planes_crossed(box, kAllSides) == kOutside) return false;
-    std::vector<NodeChild> pending{level.world().root};
-    while (!pending.empty()) {
-        const NodeChild at = pending.back();
-        pending.pop_back();
-        if (at.is_leaf()) {
-            if (visible.has_leaf(at.leaf())) return true;
-            continue;
-        }
-        if (!visible.has_node(at.node())) continue;
-        const Node& node = level.nodes[at.node()];
-        const Sides sides = sides_of(level.planes[node.plane], box);
-        if (sides.back) pending.push_back(node.children[1]);
-        if (sides.front) pending.push_back(node.children[0]);
-    }
-    return false;
+    const auto is_visible = [&visible](LeafIndex leaf) { return visible.has_leaf(leaf); };
+    if (!placed.has_many_leaves && std::none_of(placed.leaves.begin(), placed.leaves.end(), is_visible)) return false;
+    return culler.planes_crossed(placed.box, kAllSides) != kOutside;
 }
 
 }  // namespace oblong

@@ -24,7 +24,4 @@ PlacedBox place_box(const Level& level, const LevelBox& box);
 /// the visible set.
 bool may_be_seen(const PlacedBox& placed, const VisibleSet& visible, const BoxCuller& culler);
 
-/// The same for a box that moves, by descending the visible part of the tree.
-bool may_be_seen(const Level& level, const LevelBox& box, const VisibleSet& visible, const BoxCuller& culler);
-
 }  // namespace oblong

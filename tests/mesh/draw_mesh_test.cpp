@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "engine/fixed/wide.h"
@@ -71,9 +72,12 @@ TEST(DrawMesh, LeavesOutNothingThatShows) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> far(-1, 1);
     const Mesh ball = ball_mesh(30, 12, checked_skin());
+    std::vector<std::uint32_t> all_parts((ball.triangles.size() + kPartTriangles - 1) / kPartTriangles);
+    std::iota(all_parts.begin(), all_parts.end(), 0u);
+    ASSERT_GT(all_parts.size(), 2u);
     MeshLight light;
     light.directional = {unit_vector(0, 0, 1), 100};
-    int painted = 0;
+    int painted = 0, hidden = 0;
     for (int i = 0; i < 60; ++i) {
         const ViewContext view = view_from({});
         MeshPicture lazy(view), plain(view);
@@ -86,7 +90,10 @@ TEST(DrawMesh, LeavesOutNothingThatShows) {
             placed.shading = i % 2 == 0 ? Shading::Gouraud : Shading::Phong;
             placed.highlight = 100;
             if (i % 3 == 0) placed.scale.z = Entry::from_raw(Entry::from_int(1).raw / 2);
-            lazy.draw(placed, numbered_shades(), light);
+            const bool shows = is_seen(placed, all_parts, view, lazy.target(), lazy.scratch);
+            const MeshCounts counts = lazy.draw(placed, numbered_shades(), light, false, all_parts);
+            ASSERT_EQ(shows, counts.pixels > 0) << "picture " << i;
+            hidden += !shows;
             draw_by_stages(placed, numbered_shades(), light, plain);
         }
         ASSERT_EQ(lazy.pixels, plain.pixels) << "picture " << i;
@@ -95,6 +102,7 @@ TEST(DrawMesh, LeavesOutNothingThatShows) {
         painted += lazy.painted() > 0;
     }
     EXPECT_GT(painted, 40);
+    EXPECT_GT(hidden, 5);
 }
 
 TEST(DrawMesh, SpansOfSmallTrianglesAreThoseOfTheScan) {

@@ -39,10 +39,10 @@ struct MeshPicture {
         depth.clear();
     }
 
+    MeshTarget target() { return {depth, {pixels.data(), width, height, width}, {0, width, 0, height}}; }
     MeshCounts draw(const PlacedMesh& placed, const Colormap& colormap, const MeshLight& light = {},
-                    bool is_affine = false) {
-        return draw_mesh(placed, {view, colormap, light, nullptr, is_affine},
-                         {depth, {pixels.data(), width, height, width}, {0, width, 0, height}}, scratch);
+                    bool is_affine = false, MeshParts parts = {}) {
+        return draw_mesh(placed, {view, colormap, light, nullptr, is_affine, parts}, target(), scratch);
     }
     std::uint8_t at(std::int32_t x, std::int32_t y) const { return pixels[static_cast<std::size_t>(y * width + x)]; }
     std::int64_t painted() const { return std::ssize(pixels) - std::count(pixels.begin(), pixels.end(), 255); }
@@ -71,7 +71,7 @@ struct MeshBuilder {
         mesh.triangles.push_back({{a, b, c}, skin});
     }
     const Mesh& done() {
-        set_box(mesh.frames[0]);
+        set_boxes(mesh.frames[0]);
         return mesh;
     }
 };

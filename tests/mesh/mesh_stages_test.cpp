@@ -193,12 +193,33 @@ TEST(MeshStages, ClippedCornersHaveTheValuesOfTheirPlace) {
     EXPECT_GT(clipped, 1000);
 }
 
+TEST(MeshStages, ThePartsBoxesHoldTheirTriangles) {
+    std::mt19937 random(5);
+    Mesh mesh = ball_mesh(30, 12, plain_skin(1));
+    set_boxes(mesh.frames[0], mesh.triangles);
+    for (int i = 0; i < 20; ++i) {
+        const PlacedMesh placed = random_place(mesh, random);
+        const WorldBoxes boxes(placed);
+        ASSERT_EQ(boxes.part_count(), (mesh.triangles.size() + kPartTriangles - 1) / kPartTriangles);
+        std::vector<WorldVertex> world;
+        transform_to_world(mesh.frames[0].vertices, *make_mesh_transform(placed), world);
+        for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+            const LevelBox box = boxes.of_part(triangle / kPartTriangles);
+            for (const std::uint32_t vertex : mesh.triangles[triangle].vertices) {
+                const Vec3<World>& p = world[vertex].position;
+                for (const auto& [axis, part] : {std::pair{0u, p.x}, std::pair{1u, p.y}, std::pair{2u, p.z}})
+                    ASSERT_TRUE(part >= World::from_int(box.mins[axis]) && part <= World::from_int(box.maxs[axis]));
+            }
+        }
+    }
+}
+
 TEST(MeshStages, ABoxHoldsAllVertices) {
     std::mt19937 random(4);
     const Mesh mesh = cube_mesh(20, plain_skin(1));
     for (int i = 0; i < 100; ++i) {
         const PlacedMesh placed = random_place(mesh, random);
-        const LevelBox box = world_box(placed), turning = turning_box(placed);
+        const LevelBox box = WorldBoxes(placed).whole(), turning = turning_box(turning_shape(placed));
         for (std::size_t axis = 0; axis < 3; ++axis) {
             ASSERT_LE(turning.mins[axis], box.mins[axis]);
             ASSERT_GE(turning.maxs[axis], box.maxs[axis]);

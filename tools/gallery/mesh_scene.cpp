@@ -136,7 +136,7 @@ Mesh ball_mesh(double radius, int rings, Skin skin) {
             if (ring > 0) mesh.triangles.push_back({{upper, upper + 1, lower}, 0});
             if (ring < rings - 1) mesh.triangles.push_back({{upper + 1, lower + 1, lower}, 0});
         }
-    set_box(frame);
+    set_boxes(frame);
     mesh.frames.push_back(frame);
     mesh.skins.push_back(std::move(skin));
     return mesh;
@@ -167,7 +167,7 @@ Mesh cube_mesh(double half_size, Skin skin) {
                 mesh.triangles.push_back({{first, first + 2, first + 3}, 0});
             }
         }
-    set_box(frame);
+    set_boxes(frame);
     mesh.frames.push_back(frame);
     mesh.skins.push_back(std::move(skin));
     return mesh;

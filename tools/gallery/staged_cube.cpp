@@ -31,7 +31,7 @@ Mesh make_cube() {
     }
     for (const MeshTriangle& triangle : cube.triangles) corners.push_back(triangle.vertices);
     set_normals(frame.vertices, corners);
-    set_box(frame);
+    set_boxes(frame);
     cube.frames.push_back(frame);
     cube.texels.assign(8, {});
     return cube;
