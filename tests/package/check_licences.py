@@ -26,7 +26,7 @@ LIBRARIES = [
 OF_BENCHMARKS = [('Google Benchmark', 'Apache-2.0', r'benchmark/', r'libbenchmark\.so')]
 ALLOWED = {'Zlib', 'Libpng', 'BSD-3-clause', 'Expat', 'Apache-2.0'}
 # The C and C++ libraries, whose licences except what is linked with them, and the processor's and the kernel's headers.
-SYSTEM_HEADERS = r'[a-z_0-9]+|[a-z]*intrin\.h|(sys|linux|asm)/.*|(unistd|fcntl|time|signal|poll|pthread)\.h|std[a-z]+\.h'
+SYSTEM_HEADERS = r'oblong\.h|[a-z_0-9]+|[a-z]*intrin\.h|(sys|linux|asm)/.*|(unistd|fcntl|time|signal|poll|pthread)\.h|std[a-z]+\.h'
 SYSTEM_LIBRARIES = r'lib(c|m|gcc_s|stdc\+\+|c\+\+|asan|ubsan|pthread)\.so|ld-linux'
 
 
