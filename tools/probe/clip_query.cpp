@@ -18,7 +18,7 @@ namespace oblong {
 
 namespace {
 
-constexpr unsigned kAllSides = kOutLeft | kOutRight | kOutBottom | kOutTop;
+constexpr unsigned kFourSides = kOutLeft | kOutRight | kOutBottom | kOutTop;
 
 /// A polygon between two depths. All lengths are multiplied by one power of two, so that they fill the bits that clip
 /// planes allow: what is seen through an eye does not depend on the unit of length.
@@ -109,7 +109,7 @@ ScreenArea visible_doubled_area(const ClipJob& job, const Projection& projection
     constexpr ClipNormal kStep = ClipNormal::ulp();
     clip_to_depth({{{}, {}, kStep}, bounded_product(kStep, job.near)}, 32, scratch);
     clip_to_depth({{{}, {}, -kStep}, -bounded_product(kStep, job.far)}, 64, scratch);
-    clip_polygon(frustum, kAllSides, scratch);
+    clip_polygon(frustum, kFourSides, scratch);
     if (scratch.polygon.empty()) return {};
     return absolute(doubled_area(to_screen(scratch.polygon, projection)));
 }
