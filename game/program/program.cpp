@@ -98,6 +98,13 @@ std::string value_of_world(const Level& level, const std::string& key) {
     return {};
 }
 
+// A game's own walks are in a folder of its own: the title of no other offers them.
+std::string saves_folder_of(const Options& options) {
+    const std::string& data = options.folders.data;
+    if (data.empty() || !is_game_folder(options.game)) return data;
+    return (fs::path(data) / game_name(options.game)).string();
+}
+
 }  // namespace
 
 LevelFiles level_files_of(const Options& options, const std::string& assets_folder) {
@@ -132,7 +139,7 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
       platform_(platform),
       settings_{workers},
       sound_(std::move(open_sound), assets_folder_, own_sounds_of(game_)),
-      saves_(options.folders.data),
+      saves_(saves_folder_of(options)),
       input_(view_options_.preferences.bindings),
       pages_(menu_, *this) {
     if (options_.shows_gallery)

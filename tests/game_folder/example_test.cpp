@@ -84,6 +84,7 @@ class ExampleGame : public testing::Test {
 TEST_F(ExampleGame, IsPlayedFromTheTitleToTheEnd) {
     Options played = options();
     played.shows_title = true;
+    played.folders.data = temporary_.path("data");
     played.preferences.game_speed_100 = 400;
     NamedWindow platform(1200, [](std::int64_t poll) {
         Controls controls;
@@ -100,6 +101,9 @@ TEST_F(ExampleGame, IsPlayedFromTheTitleToTheEnd) {
               (std::vector<std::string>{"Three Rooms - first", "Three Rooms - first", "Three Rooms - second",
                                         "Three Rooms - third", "Three Rooms - third"}))
         << "the last one begins again";
+    EXPECT_FALSE(fs::is_empty(played.folders.data + "/three")) << "nothing was saved";
+    for (const auto& entry : fs::directory_iterator(played.folders.data))
+        EXPECT_TRUE(entry.is_directory()) << entry.path() << " is among the museum's";
 }
 
 TEST_F(ExampleGame, OwnClassesAreThoseTheyStandForWithTheirValues) {
