@@ -246,10 +246,10 @@ void apply_classes(const GameDefinition& game, std::vector<Entity>& entities) {
         if (own == game.classes.end()) continue;
         for (auto& [key, value] : entity.pairs)
             if (key == "classname") value = own->second.is;
-        for (const auto& [key, value] : own->second.values)
+        for (const auto& own_pair : own->second.values)
             if (std::none_of(entity.pairs.begin(), entity.pairs.end(),
-                             [&](const auto& pair) { return pair.first == key; }))
-                entity.pairs.emplace_back(key, value);
+                             [&](const auto& pair) { return pair.first == own_pair.first; }))
+                entity.pairs.push_back(own_pair);
     }
 }
 
