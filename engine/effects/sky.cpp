@@ -80,8 +80,9 @@ class CellLengths {
         : directions_(directions), middle_column_(projection.width_px / 2) {
         along_15_ = {floor_of<15>(axes.right.x), floor_of<15>(axes.right.y), floor_of<15>(axes.right.z) * 3};
         const std::int64_t square_15 = squared_length_30(along_15_) >> 15;
+        // In modes of few pixels less than a sixteenth of one: then no cell is longer than the least.
         const std::int64_t pixels_4 =
-            std::min(floor_of<4>(projection.x.multiplier), std::int64_t{kLargestMode_px} << 4);
+            std::clamp(floor_of<4>(projection.x.multiplier), std::int64_t{1}, std::int64_t{kLargestMode_px} << 4);
         for (int log2 = kLeastCellLog2 + 1; log2 <= kGreatestCellLog2; ++log2) {
             const std::int64_t bend_34 = (kDomeRadius_texels << 2 * log2) * (square_15 + 1) * (square_15 + 1) * 32;
             const std::int64_t least_30 = bend_34 / (pixels_4 * pixels_4);

@@ -235,7 +235,8 @@ TEST(Sky, HoldsEveryTextureSizeModeAndFieldOfView) {
     std::mt19937 random(8);
     for (std::int32_t size = 1; size <= 2048; size *= 2) {
         const std::vector<std::uint8_t> texels(static_cast<std::size_t>(2 * size * size), 9);
-        for (const auto& [width, height, degrees] : {std::tuple{320, 200, 90}, {4096, 40, 179}, {60, 4096, 1}}) {
+        for (const auto& [width, height, degrees] :
+             {std::tuple{320, 200, 90}, {4096, 40, 179}, {60, 4096, 1}, {8, 4, 179}}) {
             std::vector<std::uint8_t> pixels(static_cast<std::size_t>(width * height));
             SkyLayers layers;
             const std::vector<Span> spans{{0, 0, width}, {height / 2, 1, width - 1}, {height - 1, width - 1, width}};

@@ -247,7 +247,8 @@ Figures draw_tree_order(const RowInput& input, Framebuffer canvas) {
     const std::string name = "pixels whose last face is not the nearest";
     return {is_exact(HiddenSurfaces::ZBuffer, input.settings.accuracy) ? count_figure(name, 0, wrong)
                                                                        : measured(name, wrong),
-            measured("faces painted", painted), measured("of", order.size())};
+            measured("faces painted", static_cast<std::int64_t>(painted)),
+            measured("of", static_cast<std::int64_t>(order.size()))};
 }
 
 Figures draw_rays(const RowInput& input, Framebuffer canvas) {
