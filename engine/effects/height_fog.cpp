@@ -26,13 +26,14 @@ View density_above(View depth, View fade_depth) {
     return product_over<View>(depth, depth, fade_depth * 2);
 }
 
-/// The length of a ray in fog, from the eye to a depth of z, as z in full fog. `depth` is the eye's below the top.
-View length_in_fog(View z, View climb, View depth, View fade_depth) {
+/// The length of a ray in fog, from the eye to a depth of z, as z in full fog.
+View length_in_fog(View z, View climb, const HeightFogView& view) {
+    const View depth = view.top_above_eye, fade_depth = view.fade_depth;
     const View end_depth = depth - climb;
     if (std::min(depth, end_depth) >= fade_depth) return z;
     if (std::max(depth, end_depth) <= View{}) return {};
     if (absolute(climb) < kLevelClimb) return product<View>(z, density_at(depth - floor_shift(climb, 1), fade_depth));
-    return product_over<View>(z, density_above(depth, fade_depth) - density_above(end_depth, fade_depth), climb);
+    return product_over<View>(z, view.density_above_eye - density_above(end_depth, fade_depth), climb);
 }
 
 /// Levels of the pixels of one span.
@@ -45,7 +46,7 @@ class LevelFinder {
     std::int32_t level_at(std::int32_t column) const {
         const auto z = reciprocal<View>(std::clamp(inverse_z_.at(column, row_), kLeastInverseZ, kGreatestInverseZ));
         const auto climb = std::clamp(product<View>(z, view_.rise.at(column, row_)), -kHighestClimb, kHighestClimb);
-        const View length = length_in_fog(z, climb, view_.top_above_eye, view_.fade_depth);
+        const View length = length_in_fog(z, climb, view_);
         return depths_.level_at(reciprocal<InverseZ>(std::max(length, View{})));
     }
 
@@ -69,8 +70,9 @@ class LevelFinder {
 }  // namespace
 
 HeightFogView make_height_fog_view(const HeightFog& fog, const Vec3<World>& eye, const ViewDirections& directions) {
-    return {convert<View>(widening_difference(fog.top, eye.z)), std::max(convert<View>(fog.fade_depth), View{}),
-            directions.z};
+    const View depth = convert<View>(widening_difference(fog.top, eye.z));
+    const View fade_depth = std::max(convert<View>(fog.fade_depth), View{});
+    return {depth, fade_depth, density_above(depth, fade_depth), directions.z};
 }
 
 /// A place is above the top where z rise >= top_above_eye. By z that is linear on the screen. Here the top is a unit

@@ -17,6 +17,7 @@ struct HeightFog {
 /// The same from an eye.
 struct HeightFogView {
     View top_above_eye, fade_depth;
+    View density_above_eye;              ///< the integral of the density from the top down to it
     LinearQuantity<DirectionPart> rise;  ///< how much a ray climbs for each unit of depth
 };
 

@@ -56,6 +56,11 @@ CommandOption& CommandOption::accept_standard_output() {
     return *this;
 }
 
+CommandOption& CommandOption::accept_no_value(const std::string& instead) {
+    option_->expected(0, 1)->default_str(instead);
+    return *this;
+}
+
 namespace {
 
 std::string fault_of_empty(const std::string& text) {

@@ -25,6 +25,7 @@ class CommandOption {
     CommandOption& need(const CommandOption& other);              ///< never without `other`
     CommandOption& exclude(const CommandOption& other);           ///< never together with `other`
     CommandOption& accept_standard_output();                      ///< as "-"
+    CommandOption& accept_no_value(const std::string& instead);   ///< the name alone stands for this value
 
   private:
     CLI::Option* option_;

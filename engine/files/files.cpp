@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -212,6 +213,11 @@ void flush_standard_output() {
     if (std::cout && std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return;
     const std::string why = errno == 0 ? "failed" : reason();
     throw FileError("standard output", "write", why + ", expected it to be writable");
+}
+
+bool stays_below(const std::string& path) {
+    const fs::path each = path;
+    return !each.empty() && each.is_relative() && std::find(each.begin(), each.end(), "..") == each.end();
 }
 
 void make_folder(const std::string& path) {

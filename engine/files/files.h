@@ -53,6 +53,9 @@ void remove_files(const std::vector<std::string>& paths);
 /// Flushes standard output. Throws FileError if any output, now or before, could not be written.
 void flush_standard_output();
 
+/// Whether a path leads to something below a folder, by its text alone: it is relative, not empty, and has no "..".
+bool stays_below(const std::string& path);
+
 /// Makes a folder and those above it, unless they are there, to outlast a power cut. Throws FileError.
 void make_folder(const std::string& path);
 

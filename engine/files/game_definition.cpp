@@ -87,11 +87,12 @@ class DefinitionReader {
     void read_credits(const Value& value) { game_.credits = value.text(); }
     void read_palette(const Value& value) { game_.palette = file_in_folder(value); }
     void read_music(const Value& value) { game_.music = file_in_folder(value); }
+    void read_icon(const Value& value) { game_.icon = file_in_folder(value); }
     void read_demo(const Value& value) { game_.demo = path_in_folder(value); }
 
     std::string path_in_folder(const Value& value) const {
-        const fs::path path = value.text();
-        if (!stays_below(path)) value.refuse("\"" + path.string() + "\", expected a path of a file below the folder");
+        const std::string path = value.text();
+        if (!stays_below(path)) value.refuse("\"" + path + "\", expected a path of a file below the folder");
         return (fs::path(game_.folder) / path).string();
     }
     std::string file_in_folder(const Value& value) const {
@@ -168,20 +169,24 @@ class DefinitionReader {
         GameMember known;
         void (DefinitionReader::*read)(const Value&);
     };
-    static const std::array<Member, 8> kMembers;
+    static const std::array<Member, 9> kMembers;
     friend std::vector<GameMember> oblong::game_members();
 
     GameDefinition game_;
 };
 
-const std::array<DefinitionReader::Member, 8> DefinitionReader::kMembers{{
+const std::array<DefinitionReader::Member, 9> DefinitionReader::kMembers{{
     {{"title", "the game's name; required"}, &DefinitionReader::read_title},
     {{"levels", "the names of its levels in their order, `first` is `maps/first.bsp`; required"},
      &DefinitionReader::read_levels},
     {{"palette", "a file of 768 bytes; without: the museum's"}, &DefinitionReader::read_palette},
-    {{"music", "the title's: a tracker module (MOD, XM, S3M, IT)"}, &DefinitionReader::read_music},
+    {{"music", "the title's: a tracker module (MOD)"}, &DefinitionReader::read_music},
     {{"demo", "the title's: a walk that `--record` wrote"}, &DefinitionReader::read_demo},
-    {{"captions", "other words for sounds, by the names of the museum's files"}, &DefinitionReader::read_captions},
+    {{"icon", "the window's: a picture (PNG, TGA, JPEG, BMP) of up to 256x256 pixels"}, &DefinitionReader::read_icon},
+    {{"captions",
+      "other words for sounds, by the names of the museum's files or the path of a `noise`, and for `a lens` and "
+      "`lenses`"},
+     &DefinitionReader::read_captions},
     {{"classes",
       "of entities, by their names: `is`, a class of the engine, and `keys`, their values where an entity "
       "has none; `does` is for readers"},
@@ -197,11 +202,6 @@ std::vector<GameMember> game_members() {
     return members;
 }
 
-bool is_game_folder(const std::string& folder) {
-    std::error_code ignored;
-    return !folder.empty() && fs::is_regular_file(fs::path(folder) / kGameFile, ignored);
-}
-
 GameDefinition read_game_definition(const std::string& folder) {
     const std::string file = (fs::path(folder) / kGameFile).string(), text = read_text(file);
     Json json;
@@ -211,46 +211,6 @@ GameDefinition read_game_definition(const std::string& folder) {
         throw FileError(file, "byte " + std::to_string(error.byte), "no JSON: " + std::string(error.what()));
     }
     return DefinitionReader(folder).read(Value(file, json, ""));
-}
-
-bool stays_below(const fs::path& path) {
-    return !path.empty() && path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
-}
-
-std::string level_file_of(const GameDefinition& game, const std::string& level) {
-    std::error_code ignored;
-    for (const fs::path& folder : {fs::path(game.folder) / "maps", fs::path(game.folder)})
-        if (fs::is_regular_file(folder / (level + ".bsp"), ignored)) return (folder / (level + ".bsp")).string();
-    return {};
-}
-
-void check_levels(const GameDefinition& game) {
-    for (std::size_t i = 0; i < game.levels.size(); ++i)
-        if (level_file_of(game, game.levels[i]).empty())
-            throw FileError((fs::path(game.folder) / kGameFile).string(), "/levels/" + std::to_string(i),
-                            "there is no maps/" + game.levels[i] +
-                                ".bsp in the folder, expected one (oblong-map makes "
-                                "it of a .map)");
-}
-
-std::string level_after(const GameDefinition& game, const std::string& file) {
-    std::error_code ignored;
-    for (std::size_t i = 0; i + 1 < game.levels.size(); ++i)
-        if (fs::equivalent(level_file_of(game, game.levels[i]), file, ignored)) return game.levels[i + 1];
-    return {};
-}
-
-void apply_classes(const GameDefinition& game, std::vector<Entity>& entities) {
-    for (Entity& entity : entities) {
-        const auto own = game.classes.find(entity.value("classname"));
-        if (own == game.classes.end()) continue;
-        for (auto& [key, value] : entity.pairs)
-            if (key == "classname") value = own->second.is;
-        for (const auto& own_pair : own->second.values)
-            if (std::none_of(entity.pairs.begin(), entity.pairs.end(),
-                             [&](const auto& pair) { return pair.first == own_pair.first; }))
-                entity.pairs.push_back(own_pair);
-    }
 }
 
 }  // namespace oblong

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -23,14 +22,19 @@ struct OwnClass {
 struct GameDefinition {
     std::string folder;  ///< that everything is in
     std::string title;
-    std::vector<std::string> levels;   ///< their names, in the order in which they are played; one or more
-    std::string palette, music, demo;  ///< paths of files, empty: none. Music and demo are the title's; a demo need
-                                       ///< not be there
-    std::string credits;               ///< what its page says first
-    std::map<std::string, std::string> captions;  ///< by the names of sounds' files
+    std::vector<std::string> levels;              ///< their names, in the order in which they are played; one or more
+    std::string palette, music, demo, icon;       ///< paths of files, empty: none. Music and demo are the title's; a
+                                                  ///< demo need not be there. The icon is the window's
+    std::string credits;                          ///< what its page says first
+    std::map<std::string, std::string> captions;  ///< by the names of sounds' files, and by these:
     std::map<std::string, OwnClass> classes;      ///< by their names
     std::uint64_t rules_hash = 0;                 ///< of the classes; 0: there are none
 };
+
+/// What game.json may call otherwise.
+inline constexpr const char *kOneLens = "a lens", *kLenses = "lenses";
+/// Its caption for one of those; else what it is called in the museum.
+std::string own_words(const GameDefinition& game, const char* words);
 
 /// A member that game.json may have.
 struct GameMember {
@@ -47,9 +51,6 @@ bool is_game_folder(const std::string& folder);
 /// that there are not or that are of another type, classes that stand for none of the engine's, paths that leave the
 /// folder, files that are not there. Levels need not be there yet: see check_levels().
 GameDefinition read_game_definition(const std::string& folder);
-
-/// Whether a path leads to something below a folder.
-bool stays_below(const std::filesystem::path& path);
 
 /// The file of one of its levels: maps/NAME.bsp in its folder, or NAME.bsp; empty where it has no such file.
 std::string level_file_of(const GameDefinition& game, const std::string& level);

@@ -14,6 +14,7 @@
 #include "engine/files/doubles.h"
 #include "engine/files/files.h"
 #include "engine/files/obj.h"
+#include "engine/files/turning_brushes.h"
 #include "engine/fixed/arithmetic.h"
 #include "engine/fixed/trig.h"
 #include "engine/level/entities.h"
@@ -28,7 +29,6 @@ namespace fs = std::filesystem;
 
 constexpr std::int32_t kItemTurn_ms = 3600;             ///< Quake's items turn by 100 degrees a second
 constexpr std::int32_t kLeastLight = 110;               ///< of what there is to find: a lightmap value
-constexpr std::int32_t kSeparateFrame_ms = 100;         ///< Quake's game code goes to the next frame ten times a second
 constexpr World kFarthestFloor = World::from_int(256);  ///< below an item
 constexpr World kLift = World::from_int(6);             ///< by which an item is lifted before it drops
 
@@ -48,11 +48,6 @@ std::string lower_case(std::string text) {
     for (char& letter : text)
         if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
     return text;
-}
-
-/// A file's path as a level may name it: below a folder, not elsewhere.
-bool stays_below(const fs::path& path) {
-    return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
 }
 
 class ModelFinder {
@@ -102,14 +97,18 @@ class LevelModelReader {
         const std::int64_t flags = parse_decimal(entity.value("spawnflags"), 0).value_or(0);
         const ClassModel* quakes = shows_classes_ ? find_class_model(*its_class, flags, world_type_) : nullptr;
         const bool is_own = !quakes && !its_class->own_model.file.empty();
-        if (!is_model && !quakes && !is_own) return;
+        const bool is_brushes = its_class->role == ClassRole::TurningDoor || its_class->role == ClassRole::Rotating;
+        if (!is_model && !quakes && !is_own && !is_brushes) return;
         if (models_.models.size() >= kMostLevelModels) {
-            if (is_model)
+            if (is_model || is_brushes)
                 values.warn("the level has more than " + std::to_string(kMostLevelModels) + " models: it is left out");
             return;
         }
         const std::size_t before = models_.models.size();
         if (is_model) read_model(values);
+        if (is_brushes) {
+            if (auto model = turning_.read(level_, entity, values, models_.meshes)) models_.models.push_back(*model);
+        }
         if (is_own) read_own_item(its_class->own_model, values);
         if (quakes) read_item(*quakes, *its_class, entity, index, values);
         if (models_.models.size() > before) models_.models.back().entity = index;
@@ -263,33 +262,14 @@ class LevelModelReader {
     std::int64_t world_type_ = 0;
     LevelModels models_;
     std::map<ModelFile, const Mesh*> meshes_;
+    TurningBrushes turning_;
     std::set<std::string> missing_;  ///< files of Quake's classes
 };
-
-/// Of a model whose frames are sequences of their own.
-std::uint32_t frame_at(const LevelModel& model, const Mesh& mesh, std::int64_t time_ms) {
-    const std::int64_t since = model.frames > 1 ? time_ms / kSeparateFrame_ms % model.frames : 0;
-    return shown_at(item(mesh.frame_sequences, model.first_frame + since), time_ms);
-}
 
 }  // namespace
 
 LevelModels read_level_models(const Level& level, const Palette& palette, const ModelFolders& folders) {
     return LevelModelReader(level, palette, folders).read();
-}
-
-void place_models(const LevelModels& models, std::int64_t time_ms, std::span<const std::uint8_t> is_gone,
-                  std::vector<PlacedMesh>& placed) {
-    placed.clear();
-    for (std::size_t i = 0; i < models.models.size(); ++i) {
-        if (!is_gone.empty() && is_gone[i] != 0) continue;
-        const LevelModel& model = models.models[i];
-        const Mesh& mesh = *model.placed.mesh;
-        PlacedMesh& now = placed.emplace_back(model.placed);
-        now.frame = now.next_frame = frame_at(model, mesh, time_ms);
-        now.skin = shown_at(item(mesh.skin_sequences, model.skin), time_ms);
-        if (model.turn_ms > 0) now.yaw = now.yaw + Angle::from_bam(time_ms % model.turn_ms * 65536 / model.turn_ms);
-    }
 }
 
 }  // namespace oblong

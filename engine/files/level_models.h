@@ -18,12 +18,14 @@ struct LevelModel {
     PlacedMesh placed;                          ///< at time 0
     std::uint32_t first_frame = 0, frames = 1;  ///< of its mesh's frame sequences: several are a tenth of a second each
     std::uint32_t skin = 0;                     ///< of its mesh's skin sequences
-    std::int32_t turn_ms = 0;                   ///< for a whole turn, counter-clockwise; 0: it stands
-    std::size_t entity = 0;                     ///< that it shows, into Level::entities
+    std::int32_t turn_ms = 0;  ///< for a whole turn, counter-clockwise; below 0: clockwise; 0: it stands
+    Angle PlacedMesh::*turns = &PlacedMesh::yaw;  ///< what of `placed` changes then
+    bool is_door = false;                         ///< it turns as a game says
+    std::size_t entity = 0;                       ///< that it shows, into Level::entities
 };
 
-/// The models that a level's entities show: misc_model, what there is to take (item_lens, keys), and Quake's own
-/// classes (entity_classes.h).
+/// The models that a level's entities show: misc_model, brushes that turn, what there is to take (item_lens, keys), and
+/// Quake's own classes (entity_classes.h).
 struct LevelModels {
     std::vector<std::unique_ptr<const Mesh>> meshes;  ///< one for each file and each way to read it
     std::vector<LevelModel> models;
@@ -48,9 +50,14 @@ inline constexpr std::size_t kMostLevelModels = 4096;
 /// classes want. Throws FileError for a file that is broken.
 LevelModels read_level_models(const Level& level, const Palette& palette, const ModelFolders& folders);
 
-/// The models as they are at a time, but for those for which `is_gone` is not 0 (empty: none is gone; otherwise one for
-/// each model); `placed` is filled anew.
-void place_models(const LevelModels& models, std::int64_t time_ms, std::span<const std::uint8_t> is_gone,
+/// What of a level's models a game has changed; each list is empty, or has an entry for each model.
+struct ShownModels {
+    std::span<const std::uint8_t> is_gone = {};  ///< not 0: it is not shown
+    std::span<const Angle> turned = {};          ///< of doors; empty: they are not shown, as they are brushes at rest
+};
+
+/// The models as they are at a time; `placed` is filled anew.
+void place_models(const LevelModels& models, std::int64_t time_ms, const ShownModels& shown,
                   std::vector<PlacedMesh>& placed);
 
 }  // namespace oblong

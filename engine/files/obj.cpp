@@ -113,11 +113,13 @@ class ObjMeshBuilder {
         set_texels(warnings);
         const std::vector<MeshVertex> smooth = smooth_vertices();
         MeshFrame frame;
+        frame.vertices.reserve(vertices_.records().size());
         for (const ObjVertex& vertex : vertices_.records()) {
             const Vec3<Unit> normal =
                 vertex.normal < 0 ? item(smooth, vertex.smooth).normal : item(normals_, vertex.normal);
             frame.vertices.push_back({item(positions_, vertex.position), normal});
         }
+        mesh_.triangles.shrink_to_fit();
         set_boxes(frame, mesh_.triangles);
         mesh_.frames.push_back(std::move(frame));
         mesh_.frame_sequences = {{}};

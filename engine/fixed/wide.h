@@ -49,9 +49,10 @@ struct Uint128 {
     constexpr auto operator<=>(const Uint128&) const = default;
 };
 
-/// The exact product, from four products of halves.
+/// The exact product, from four products of halves, or one where the others are 0.
 constexpr Uint128 multiply(std::uint64_t a, std::uint64_t b) {
     constexpr std::uint64_t kHalf = 0xffffffff;
+    if ((a | b) <= kHalf) return {0, (a & kHalf) * (b & kHalf)};
     const std::uint64_t low = (a & kHalf) * (b & kHalf);
     const std::uint64_t cross = (a >> 32) * (b & kHalf) + (low >> 32);
     const std::uint64_t middle = (a & kHalf) * (b >> 32) + (cross & kHalf);
@@ -68,17 +69,30 @@ struct Division {
     std::uint64_t quotient = 0, remainder = 0;
 };
 
-/// n / d where n.high < d, so that the quotient fits: binary long division.
-constexpr Division divide(Uint128 n, std::uint64_t d) {
-    Division result{0, n.high};
-    for (int bit = 63; bit >= 0; --bit) {
-        const bool carry = (result.remainder >> 63) != 0;
-        result.remainder = (result.remainder << 1) | ((n.low >> bit) & 1);
-        if (!carry && result.remainder < d) continue;
-        result.remainder -= d;
-        result.quotient |= std::uint64_t{1} << bit;
+/// A digit, to base 2^32, of a quotient: of (n, next) by d, whose highest bit is set; n is below d. `n` becomes what is
+/// left. Guessed from the digits at the top, which is 2 too much at most (Knuth, The Art of Computer Programming 4.3.1
+/// D).
+constexpr std::uint64_t next_digit(std::uint64_t& n, std::uint32_t next, std::uint64_t d) {
+    const std::uint64_t top = d >> 32, rest = d & 0xffffffff;
+    std::uint64_t digit = n / top, left = n % top;
+    while (digit >> 32 != 0 || digit * rest > (left << 32 | next)) {
+        --digit;
+        left += top;
+        if (left >> 32 != 0) break;
     }
-    return result;
+    n = (n << 32 | next) - digit * d;
+    return digit;
+}
+
+/// n / d where n.high < d, so that the quotient fits.
+constexpr Division divide(Uint128 n, std::uint64_t d) {
+    if (n.high == 0) return {n.low / d, n.low % d};
+    const int shift = std::countl_zero(d);
+    std::uint64_t left = shift == 0 ? n.high : n.high << shift | n.low >> (64 - shift);
+    const std::uint64_t low = n.low << shift, divisor = d << shift;
+    const std::uint64_t first = next_digit(left, static_cast<std::uint32_t>(low >> 32), divisor);
+    const std::uint64_t second = next_digit(left, static_cast<std::uint32_t>(low), divisor);
+    return {first << 32 | second, left >> shift};
 }
 
 /// a * b / c. See oblong::mul_div.
@@ -111,10 +125,18 @@ constexpr Uint128 shift_right(Uint128 value, int shift) {
     return {value.high >> shift, (value.high << (64 - shift)) | (value.low >> shift)};
 }
 
+/// size / 2^shift, `shift` from 1 to 63.
+constexpr std::int64_t shift_narrow(bool is_negative, std::uint64_t size, int shift, Rounding rounding) {
+    const std::uint64_t half = std::uint64_t{1} << (shift - 1), rest = size & (2 * half - 1);
+    const bool away = detail::rounds_away(is_negative, rest == 0, rest <=> half, rounding);
+    return detail::saturated(is_negative, (size >> shift) + (away ? 1 : 0));
+}
+
 /// a * b / 2^shift. See oblong::mul_shift.
 constexpr std::int64_t mul_shift(std::int64_t a, std::int64_t b, int shift, Rounding rounding) {
     const bool is_negative = (a < 0) != (b < 0);
     const Uint128 product = multiply(detail::magnitude(a), detail::magnitude(b));
+    if (product.high == 0 && shift > 0 && shift < 64) return shift_narrow(is_negative, product.low, shift, rounding);
     const Uint128 kept = shift_right(product, shift);
     if (kept.high != 0) return detail::saturated(is_negative, ~std::uint64_t{0});
     if (shift == 0) return detail::saturated(is_negative, kept.low);

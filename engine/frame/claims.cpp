@@ -40,14 +40,15 @@ bool keep_within_limits(const VisibleFace& face, const FrameContext& frame, View
     return !is_cut || project_polygon(corners, frame.view, scratch.polygon);
 }
 
-/// Transforms, clips and projects the corners. False if nothing of the face is in view.
-bool project(const VisibleFace& face, const FrameContext& frame, ViewScratch& scratch) {
+/// Transforms, clips and projects the corners. False if nothing of the face is in view. `nears_limits`: it may not be
+/// well within the frame's.
+bool project(const VisibleFace& face, bool nears_limits, const FrameContext& frame, ViewScratch& scratch) {
     if (frame.observers.counts) ++frame.observers.counts->faces_visited;
     const bool is_in_view = face.fragment ? project_polygon(frame.cache.brush_models.corners_of(*face.fragment),
                                                             frame.view, scratch.polygon)
                                           : project_face(corners_of(face.face, frame, scratch.corners), frame.view,
                                                          scratch.vertices, scratch.polygon);
-    return is_in_view && (frame.limits.empty() || keep_within_limits(face, frame, scratch));
+    return is_in_view && (!nears_limits || keep_within_limits(face, frame, scratch));
 }
 
 /// Scans the projected face, but for rows at its top and its bottom that have nothing free. False if none are left.
@@ -132,7 +133,7 @@ bool FacesInView::next(VisibleFace& found) {
     const FrameObservers& observers = frame_.observers;
     while (next_face(walk_, observers.times, found)) {
         const Stopwatch of_models(found.fragment ? observers.times : nullptr, Effect::BrushModels);
-        if (!project(found, frame_, scratch_) || !scan(frame_, scratch_)) continue;
+        if (!project(found, walk_.nears_limits(), frame_, scratch_) || !scan(frame_, scratch_)) continue;
         if (observers.counts) count_polygon(scratch_.polygon, scratch_.rows, observers.counts->stages);
         return true;
     }

@@ -34,11 +34,11 @@ void add_effects(const Level& level, const LevelEffects& effects, FaceTable& tab
 
 }  // namespace
 
-LevelCache::LevelCache(const Level& level, std::int32_t longest_px)
+LevelCache::LevelCache(const Level& level, const ScreenMode& mode)
     : faces(make_face_table(level)),
       effects(read_level_effects(level)),
       things(read_things(level)),
-      surfaces(level, faces, longest_px),
+      surfaces(level, faces, mode),
       brush_models(level) {
     add_effects(level, effects, faces);
 }

@@ -29,8 +29,8 @@ struct MeshPlace {
 /// What frames of one level with one colormap keep: made once, or when a frame first calls for it. None of it is part
 /// of a picture: with a new one the same bytes are drawn.
 struct LevelCache {
-    /// The level outlives it. `longest_px`: of any span.
-    LevelCache(const Level& level, std::int32_t longest_px);
+    /// The level outlives it.
+    LevelCache(const Level& level, const ScreenMode& mode);
     LevelCache(const LevelCache&) = delete;  // its parts refer to each other
 
     FaceTable faces;

@@ -75,6 +75,11 @@ std::vector<Span> flipped_spans(std::span<const VisibleFace> faces, const Claims
     return flipped;
 }
 
+/// Black, where nothing is drawn.
+void clear(std::span<const Span> spans, Framebuffer out) {
+    for (const Span& span : spans) std::fill(out.row(span.y) + span.first, out.row(span.y) + span.end, std::uint8_t{});
+}
+
 void copy_flipped(std::span<const Span> flipped, const Framebuffer& from, Framebuffer to) {
     for (const Span& span : flipped)
         std::reverse_copy(from.row(span.y) + span.first, from.row(span.y) + span.end,
@@ -106,6 +111,7 @@ void draw_mirrored_view(const MirrorView& mirror, LeafIndex leaf, std::span<cons
     mirrored_frame.fog = make_frame_fog(mirrored_frame);
     mirrored_frame.mirror = &mirror;
     mirrored_frame.claimer = frame.claimer;
+    clear(flipped, mirrored_frame.out);
     start_view(mirrored_frame, leaf, *scratch.view);
     scratch.view->span_buffer.reset_to(flipped);
     draw_view(mirrored_frame, *scratch.view);
@@ -126,7 +132,7 @@ void draw_mirrors(const FrameContext& frame, ViewScratch& scratch) {
     if (!mirrors.view)
         mirrors.view = std::make_unique<ViewScratch>(frame.scene.level, frame.cache.faces,
                                                      ScreenMode{out.width_px, out.height_px});
-    mirrors.picture.assign(pixel_count(out.width_px, out.height_px), 0);
+    mirrors.picture.resize(pixel_count(out.width_px, out.height_px));
 
     std::vector<VisibleFace> left = scratch.claims.list(FaceList::Mirror);
     for (std::size_t drawn = 0; drawn < kMostMirrors && !left.empty(); ++drawn) {

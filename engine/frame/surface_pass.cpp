@@ -147,9 +147,8 @@ void divide_at_each_pixel(const TexturedFace& face, std::span<const Span> spans,
         return draw_blocks(face, spans, target.texturing.cut_pixels, cutting, target);
     const std::int64_t divisions =
         face.effect.warps_alone
-            ? draw_exact_warped_spans(spans, cutting.gradients, cutting.limits, face.effect.texels, target.out)
-            : draw_exact_spans(spans, cutting.gradients, cutting.limits, surface.view, line_kernel(spans, face, target),
-                               target.out);
+            ? draw_exact_warped_spans(spans, cutting, face.effect.texels, target.out)
+            : draw_exact_spans(spans, cutting, surface.view, line_kernel(spans, face, target), target.out);
     const auto [counts, record, times] = target.observers;
     if (counts) count_divided_pixels(spans, divisions, target.out.pitch, *counts);
     if (record) record_divided_pixels(record_of(face.face), spans, cutting, surface, target.out, *record);
@@ -231,7 +230,6 @@ SpanTexturing make_span_texturing(const Accuracy& accuracy) {
 void set_cutting(TexturedFace& face, std::span<const Span> spans, const SpanTexturing& texturing) {
     BlockCutting& cutting = face.cutting;
     cutting.limits = face.surface.limits;
-    if (texturing.texturing == Texturing::Exact && texturing.divides_exactly) return;
     const ScreenRectangle rectangle = cutting_rectangle(face.face, spans, cutting);
     if (texturing.texturing == Texturing::Bounded) limit_blocks(texturing.rule, rectangle, face);
     cutting.texel_bound_256 = texturing.rule.texel_bound_256;

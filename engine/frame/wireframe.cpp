@@ -32,17 +32,37 @@ std::vector<WireEdge> edges_of_claims(const Level& level, const FrameWorkspace& 
     return edges;
 }
 
+// Lines of the world as they are seen.
+class WirePen {
+  public:
+    WirePen(const ViewSpec& view, const ScreenMode& mode, const Settings& settings)
+        : context_(make_view_context(view, mode, {.corrects_aspect = settings.correct_aspect})),
+          volume_(make_view_volume(context_.frustum, kWireFront, kWireBack)) {}
+
+    void draw(const Vec3<World>& from, const Vec3<World>& to, const LineStyle& style, Framebuffer out) const {
+        const auto line = project_line(volume_, context_.projection, {to_view(from, context_), to_view(to, context_)});
+        if (line) draw_line(line->from, line->to, style, out);
+    }
+
+  private:
+    ViewContext context_;
+    ViewVolume volume_;
+};
+
 }  // namespace
+
+void draw_path(std::span<const Vec3<World>> points, const ViewSpec& view, const ScreenMode& mode,
+               const Settings& settings, const LineStyle& style, Framebuffer out) {
+    const WirePen pen(view, mode, settings);
+    for (std::size_t i = 1; i < points.size(); ++i) pen.draw(points[i - 1], points[i], style, out);
+}
 
 void draw_wireframe(const Level& level, const ViewSpec& view, const ScreenMode& mode, const Settings& settings,
                     const FrameWorkspace& work, const LineStyle& style, Framebuffer out) {
-    const ViewContext context = make_view_context(view, mode, {.corrects_aspect = settings.correct_aspect});
-    const ViewVolume volume = make_view_volume(context.frustum, kWireFront, kWireBack);
+    const WirePen pen(view, mode, settings);
     for (const WireEdge& wire : edges_of_claims(level, work)) {
         const Edge& edge = level.edges[wire.edge];
-        const auto end = [&](VertexIndex vertex) { return to_view(level.vertices[vertex] + wire.offset, context); };
-        const auto line = project_line(volume, context.projection, {end(edge.from), end(edge.to)});
-        if (line) draw_line(line->from, line->to, style, out);
+        pen.draw(level.vertices[edge.from] + wire.offset, level.vertices[edge.to] + wire.offset, style, out);
     }
 }
 

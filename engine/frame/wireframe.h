@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "engine/frame/frame.h"
 #include "engine/raster/lines.h"
 
@@ -9,5 +11,9 @@ namespace oblong {
 /// is clipped in viewspace, so that it may end behind the eye.
 void draw_wireframe(const Level& level, const ViewSpec& view, const ScreenMode& mode, const Settings& settings,
                     const FrameWorkspace& work, const LineStyle& style, Framebuffer out);
+
+/// Draws lines from each point to the next, whatever is before them.
+void draw_path(std::span<const Vec3<World>> points, const ViewSpec& view, const ScreenMode& mode,
+               const Settings& settings, const LineStyle& style, Framebuffer out);
 
 }  // namespace oblong

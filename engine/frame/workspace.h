@@ -16,7 +16,7 @@ namespace oblong {
 struct FrameWorkspace {
     /// The level outlives it, and so do `workers`, who share in the drawing; null: one thread draws.
     FrameWorkspace(const Level& level, const ScreenMode& mode, Workers* workers = nullptr)
-        : cache(level, mode.width_px), view(level, cache.faces, mode) {
+        : cache(level, mode), view(level, cache.faces, mode) {
         if (workers && workers->count() > 1) shared = std::make_unique<SharedDrawing>(*workers, mode.width_px);
     }
 

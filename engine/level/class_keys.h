@@ -57,10 +57,18 @@ inline constexpr std::array kDoorFlags{KeyValue{"1", "starts open"},
                                        KeyValue{"4", "does not open with doors that it touches"},
                                        KeyValue{"8", "needs the gold key"}, KeyValue{"16", "needs the silver key"},
                                        KeyValue{"32", "stays until activated again"}};
+inline constexpr std::array kTurningDoorFlags{kDoorFlags[1],
+                                              kDoorFlags[2],
+                                              kDoorFlags[3],
+                                              kDoorFlags[4],
+                                              KeyValue{"2", "clockwise"},
+                                              KeyValue{"64", "about the x axis"},
+                                              KeyValue{"128", "about the y axis"}};
 inline constexpr std::array kSecretFlags{KeyValue{"1", "opens once"}, KeyValue{"2", "first to the left"},
                                          KeyValue{"4", "first down"}, KeyValue{"8", "not by shots (Quake)"},
                                          KeyValue{"16", "by a touch though it has a name"}};
 inline constexpr std::array kLiftFlags{KeyValue{"1", "only who stands low calls it"}};
+inline constexpr std::array kRotatingFlags{KeyValue{"4", "about the x axis"}, KeyValue{"8", "about the y axis"}};
 inline constexpr std::array kTriggerFlags{KeyValue{"1", "not by touch"}};
 inline constexpr std::array kCounterFlags{KeyValue{"1", "does not say how many are left"}};
 inline constexpr std::array kPushFlags{KeyValue{"1", "once"}};
@@ -84,7 +92,16 @@ inline constexpr std::array kFires{
     number("delay", "0", "seconds before it does"),
     EntityKey{"message", Text, "", "text that is shown; {jump} is the key of an action"},
 };
+inline constexpr std::array kSmooth{
+    number("_phong", "0", "1: is lit as if it were round"),
+    number("_phong_angle", "89", "degrees between faces up to which it is"),
+};
+inline constexpr std::array kNoise{
+    EntityKey{"noise", Text, "", "a FLAC or WAV file heard instead: its path below the game's folder or the level's"},
+};
 inline constexpr std::array kMadeOfBrushes{
+    kSmooth[0],
+    kSmooth[1],
     number("_minlight", "0", "its least light, 0 to 255"),
     number("dmg", "", kNoEffect),
     EntityKey{"sounds", Whole, "", kNoEffect},
@@ -93,7 +110,7 @@ inline constexpr std::array kMadeOfBrushes{
 inline constexpr std::array kWorld{
     EntityKey{"message", Text, "", "the level's title"},
     EntityKey{"music", Text, "", "a tracker module: its path below the game's folder or the level's"},
-    EntityKey{"wad", Text, "", "WAD files for the editor; `oblong-map` takes `--wad`"},
+    EntityKey{"wad", Text, "", "its textures: WAD files and folders of pictures, `;` between two"},
     EntityKey{"worldtype", Whole, "0", "0 to 2: how keys look (Quake's models)"},
     EntityKey{"mapversion", Whole, "", "220: the source is in Valve's format"},
     number("angle", "", kNoEffect),
@@ -101,6 +118,14 @@ inline constexpr std::array kWorld{
     numbers("light", 1, 4, "0", "least light everywhere, 0 to 255"),
     number("_minlight", "0", "the same, and wins over `light`"),
     number("_sunlight", "0", "light that comes from the sky"),
+    number("_sunlight2", "0", "light from all of the sky above the horizon, as of an overcast day"),
+    number("_sunlight3", "0", "the same from below the horizon"),
+    number("_dirt", "0", "1: corners are darker; `--dirt` does the same"),
+    number("_dirtdepth", "128", "units from which on a surface darkens another"),
+    number("_dirtscale", "1", "a factor of that darkness"),
+    number("_dirtgain", "1", "an exponent of it"),
+    number("_bounce", "0", "how many times light goes on from surface to surface; `--bounce`: once"),
+    number("_bouncescale", "1", "a factor of that light"),
     numbers("_sun_mangle", 2, 3, "0 -90 0", "where that shines: yaw pitch roll, pitch negative is down"),
     numbers("fog", 4, 9, "", "density red green blue [alpha mindist maxdist [top fadedepth]]"),
     number("skyfog", "0.5", "share of the fog on the sky, 0 to 1"),
@@ -119,6 +144,10 @@ inline constexpr std::array kLight{
     EntityKey{"target", Place, "", "makes it a spotlight that points there"},
     numbers("mangle", 2, 3, "", "makes it a spotlight: yaw pitch roll, pitch negative is down"),
     number("angle", "40", "degrees of a spotlight's cone"),
+    numbers("_color", 3, 3, "", "its colour, 0 to 255 or 0 to 1: by its luminance, as a level has shades only"),
+    EntityKey{"_surface", Text, "", "a texture: all faces with it shine like this, in place of the light itself"},
+    number("_surface_offset", "2", "units from those faces to their lights"),
+    number("_surface_spotlight", "0", "1: these are spotlights that point away from the face"),
     number("radius", "0", "what is as near as this throws no shadow in its light: the body of a lamp"),
     flags(kLightFlags),
 };
@@ -128,6 +157,14 @@ inline constexpr std::array kDoor{
     number("lip", "8", "units of it that stay in sight when it is open"),
     number("health", "0", "above 0: a touch opens it, as a shot would"),
     flags(kDoorFlags),
+};
+inline constexpr std::array kTurningDoor{
+    required(numbers("origin", 3, 3, "", "its hinge: x y z")),
+    number("distance", "90", "degrees that it turns, up to 360"),
+    number("speed", "100", "degrees a second"),
+    number("wait", "3", "seconds that it stays open; -1: for ever"),
+    number("health", "0", "as of a `func_door`"),
+    flags(kTurningDoorFlags),
 };
 inline constexpr std::array kSecretDoor{
     number("wait", "5", "seconds that it stays open"),
@@ -151,6 +188,10 @@ inline constexpr std::array kLift{
 inline constexpr std::array kTrain{
     required({"target", Place, "", "the first `path_corner`"}),
     number("speed", "100", "units a second"),
+};
+inline constexpr std::array kRotating{
+    number("speed", "100", "degrees a second, counter-clockwise seen from above; negative: clockwise"),
+    flags(kRotatingFlags),
 };
 inline constexpr std::array kCorner{
     EntityKey{"target", Place, "", "the next `path_corner`"},

@@ -63,6 +63,7 @@ enum class ClassRole : std::uint8_t {
     Passable,  ///< is seen, and stops nobody
     OpenGate,
     Door,
+    TurningDoor,
     SecretDoor,
     Button,
     Lift,
@@ -89,6 +90,7 @@ enum class ClassRole : std::uint8_t {
     Billboard,
     FlyingLamp,
     TriangleModel,
+    Rotating,  ///< brushes that are shown as a model of triangles, and stop nobody
     Monster,
     Boss,      ///< whose lightning is Lightning
     LastBoss,  ///< whose end is the game's
@@ -130,7 +132,7 @@ struct EntityClass {
     ClassShape shape = ClassShape::Point;
     ClassRole role = ClassRole::None;
     std::string_view does;  ///< empty: Quake's, which has no effect here
-    std::array<std::span<const EntityKey>, 4> keys = {};
+    std::array<std::span<const EntityKey>, 5> keys = {};
     ClassBox box = {};
     std::span<const ClassModel> models = {};
     std::int32_t over_floor = kStays;  ///< of those

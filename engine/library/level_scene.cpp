@@ -9,6 +9,8 @@
 #include "engine/frame/frame.h"
 #include "engine/frame/workspace.h"
 #include "engine/level/bsp_read.h"
+#include "engine/level/entities.h"
+#include "engine/level/entity_classes.h"
 #include "engine/library/body.h"
 #include "engine/library/model_state.h"
 #include "engine/library/units.h"
@@ -19,14 +21,15 @@ namespace {
 // Of a body's eye above its middle (Quake's).
 constexpr World kEyeHeight = World::from_int(22);
 
-// "*3": the brush model 3.
-std::optional<ModelIndex> brush_model_of(const Entity& entity, const Level& level) {
-    const std::string name = entity.value("model");
-    if (name.size() < 2 || name.size() > 6 || name[0] != '*') return {};
-    if (name.find_first_not_of("0123456789", 1) != name.npos) return {};
-    const int number = std::stoi(name.substr(1));
-    if (number < 1 || as_size(number) >= level.models.size()) return {};
-    return ModelIndex(number);
+// As the game takes entities: what is only seen stops nobody, and open gates are not there.
+bool is_solid(ClassRole role) {
+    return role != ClassRole::Passable && role != ClassRole::OpenGate;
+}
+
+const Entity* find_first(const Level& level, ClassRole role) {
+    const auto found = std::find_if(level.entities.begin(), level.entities.end(),
+                                    [&](const Entity& entity) { return role_of(entity) == role; });
+    return found == level.entities.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -68,8 +71,7 @@ LevelScene::LevelScene(const std::string& bsp_file, const Palette& palette, Scre
         const std::optional<ModelIndex> model = brush_model_of(entity, state.level);
         const auto shown = std::find_if(state.brushes.begin(), state.brushes.end(),
                                         [&](const PlacedModel& one) { return model && one.model == *model; });
-        if (shown != state.brushes.end() && entity.value("classname") != "func_illusionary")
-            state.solid_brushes.push_back(*shown);
+        if (shown != state.brushes.end() && is_solid(role_of(entity))) state.solid_brushes.push_back(*shown);
     }
 }
 
@@ -78,26 +80,19 @@ LevelScene::~LevelScene() {
 }
 
 Pose LevelScene::start() const {
-    const std::int32_t entity = find_entity("classname", "info_player_start");
-    if (entity < 0) return {};
-    const auto number = [&](const std::string& text) {
-        return static_cast<std::int32_t>(std::strtol(text.c_str(), nullptr, 10));
-    };
-    const std::string origin = entity_value(entity, "origin");
-    std::array<std::int32_t, 3> at{};
-    std::size_t begin = 0;
-    for (std::int32_t& axis : at) {
-        axis = number(origin.substr(std::min(begin, origin.size())));
-        begin = std::min(origin.find(' ', begin), origin.size() - 1) + 1;
-    }
-    return pose_at(at[0], at[1], at[2] + 1 + to_256(kEyeHeight) / 256, number(entity_value(entity, "angle")));
+    const Entity* start = find_first(state_->level, ClassRole::Start);
+    if (!start) start = find_first(state_->level, ClassRole::DeathmatchStart);
+    if (!start) return {};
+    const auto origin = parse_world_vector(start->value("origin")).value_or(Vec3<World>{});
+    const auto angles = parse_world_vector(start->value("angles"));
+    const World yaw = angles ? angles->y : parse_world_number(start->value("angle")).value_or(World{});
+    constexpr World kLift = World::from_int(1);  // as the game's
+    return {to_256(origin.x), to_256(origin.y), to_256(origin.z + kLift + kEyeHeight), to_256(yaw)};
 }
 
 void LevelScene::draw(const Pose& eye, std::int64_t time_ms, Framebuffer canvas, std::int32_t field_of_view) {
     State& state = *state_;
-    if (canvas.width_px != state.mode.width_px || canvas.height_px != state.mode.height_px)
-        throw InputError("level", "a canvas of " + std::to_string(canvas.width_px) + "x" +
-                                      std::to_string(canvas.height_px) + " pixels, expected those of its mode");
+    check_size(canvas, state.mode);
     std::vector<PlacedMesh> meshes;
     place_models(state.models, time_ms, {}, meshes);
     meshes.insert(meshes.end(), state.shown.begin(), state.shown.end());

@@ -127,9 +127,7 @@ void Stage::set_light(std::int32_t ambient_256, std::int32_t from_side_256, std:
 
 void Stage::draw(const Model& model, const Pose& pose, Framebuffer canvas, std::int32_t frame) {
     State& state = *state_;
-    if (canvas.width_px != state.mode.width_px || canvas.height_px != state.mode.height_px)
-        throw InputError("stage", "a canvas of " + std::to_string(canvas.width_px) + "x" +
-                                      std::to_string(canvas.height_px) + " pixels, expected those of its mode");
+    check_size(canvas, state.mode);
     const MeshDrawing drawing{state.view, state.colormap, state.light, nullptr, false};
     draw_mesh(placed_at(model.state_->mesh, pose, frame), drawing,
               {state.depth, canvas, {0, canvas.width_px, 0, canvas.height_px}}, state.scratch);

@@ -151,13 +151,13 @@ class Speaker {
     ~Speaker();
     Speaker(const Speaker&) = delete;
 
-    /// A FLAC file of one channel: its number for play().
+    /// A FLAC or WAV file of one channel: its number for play().
     std::int32_t load(const std::string& file);
     /// A sound of one's own: samples of 16 bits.
     std::int32_t add(const std::vector<std::int16_t>& samples, std::int32_t rate_hz);
     /// Plays a sound once; `pan_256` from -256, left, to 256, right.
     void play(std::int32_t sound, std::int32_t volume_256 = 256, std::int32_t pan_256 = 0);
-    /// Plays a tracker module (MOD, XM, S3M, IT) again and again, instead of the one before.
+    /// Plays a tracker module (MOD) again and again, instead of the one before.
     void play_music(const std::string& file, std::int32_t volume_256 = 256);
     /// Ends the music.
     void stop_music();

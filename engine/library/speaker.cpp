@@ -6,7 +6,7 @@
 
 #include "engine/base/input_error.h"
 #include "engine/files/files.h"
-#include "engine/files/flac.h"
+#include "engine/files/sound_file.h"
 #include "engine/library/oblong.h"
 #include "engine/platform/sdl/sdl.h"
 
@@ -35,7 +35,7 @@ Speaker::~Speaker() {
 }
 
 std::int32_t Speaker::load(const std::string& file) {
-    const SoundSamples sound = read_parsed(file, decode_flac);
+    const SoundSamples sound = read_parsed(file, decode_sound);
     return add(sound.samples, sound.rate_hz);
 }
 

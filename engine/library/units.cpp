@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/base/input_error.h"
+
 namespace oblong {
 namespace {
 
@@ -38,6 +40,15 @@ Pose moved(const Pose& pose, std::int32_t ahead_256, std::int32_t right_256, std
     after.y_256 += static_cast<std::int32_t>((ahead_256 * sine - right_256 * cosine) >> 16);
     after.z_256 += up_256;
     return after;
+}
+
+void check_size(const Framebuffer& canvas, const ScreenMode& mode) {
+    if (canvas.width_px == mode.width_px && canvas.height_px == mode.height_px) return;
+    const auto size = [](std::int32_t width_px, std::int32_t height_px) {
+        return std::to_string(width_px) + "x" + std::to_string(height_px);
+    };
+    throw InputError("canvas", "has " + size(canvas.width_px, canvas.height_px) + " pixels, expected " +
+                                   size(mode.width_px, mode.height_px) + ", those of the mode");
 }
 
 Camera camera_of(const Pose& eye, std::int32_t field_of_view) {

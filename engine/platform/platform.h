@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "engine/platform/input_events.h"
@@ -19,7 +20,8 @@ struct WindowSettings {
     bool operator==(const WindowSettings&) const = default;
 };
 
-/// Input, clock and output of the game: a window (platform/sdl) or memory (platform/headless).
+/// Input, clock and output of the game: a window (platform/sdl), a web page's canvas
+/// (platform/web) or memory (platform/headless).
 class Platform {
   public:
     virtual ~Platform() = default;
@@ -29,6 +31,9 @@ class Platform {
     virtual std::uint64_t now_us() = 0;          ///< a clock that never runs backwards; starts anywhere
     virtual WindowSize window_size() const = 0;  ///< of the drawable, in pixels of the device
     virtual void set_title(const char* title) = 0;
+    virtual bool shows_icon() const { return false; }  ///< whether set_icon() does something
+    /// The window's icon: four bytes a pixel, red, green, blue and alpha, rows from top to bottom.
+    virtual void set_icon(std::span<const std::uint8_t> /*rgba*/, WindowSize /*size*/) {}
     /// Whether the mouse turns the view and can't leave the window, or points at a menu. Where that changes, keys and
     /// buttons are let go of: what was pressed in a menu does nothing in the game.
     virtual void capture_mouse(bool /*is_captured*/) {}

@@ -14,7 +14,7 @@ struct VoiceLevels {
     bool operator==(const VoiceLevels&) const = default;
 };
 
-/// What plays sounds: a device (platform/sdl/mixer.h), or what a test records.
+/// What plays sounds: a Mixer, which a device is heard through, or what a test records.
 class SoundOutput {
   public:
     using SoundNumber = std::int32_t;  ///< of those added, from 0

@@ -19,22 +19,6 @@ std::uint8_t texel_from(const SurfaceView& surface, std::uint32_t u, std::uint32
     return surface.texels[((v & surface.v_mask) << surface.stride_log2) + (u & surface.u_mask)];
 }
 
-/// Whether u or v at a pixel is so far within its limits that rounding can't reach them. The limits are linear in 1/z:
-/// what holds at both ends of a run holds between.
-bool is_well_within(TexelOverZ over_z, InverseZ inverse_z, int shift, Texel least, Texel greatest) {
-    constexpr Texel kMargin = Texel::from_raw(128);
-    // 65,536 texels and more would not fit when shifted.
-    if (over_z < TexelOverZ{} || over_z.raw >= inverse_z.raw * 4) return false;
-    const std::int64_t texel_z = (shifted_up(over_z.raw, shift) >> 32) * (std::int64_t{1} << 30);
-    const std::int64_t z = shifted_up(inverse_z.raw, shift) >> 32;
-    return texel_z >= (least + kMargin).raw * z && texel_z <= (greatest - kMargin).raw * z;
-}
-
-bool is_well_within(const Perspective& at, int shift, const TexelLimits& limits) {
-    return is_well_within(at.u_over_z, at.inverse_z, shift, limits.least, limits.greatest_u) &&
-           is_well_within(at.v_over_z, at.inverse_z, shift, limits.least, limits.greatest_v);
-}
-
 /// Texels, 16.16.
 TexelPosition position_of(const DividedTexel& texel) {
     return {static_cast<std::uint32_t>(texel.u_46 >> 30), static_cast<std::uint32_t>(texel.v_46 >> 30)};
@@ -148,40 +132,44 @@ std::int64_t draw_octave(const Octave& octave, const OctaveRow& row, BlockKernel
     return divisions + pieces.divisions();
 }
 
-template <class ColourAt>
-std::int64_t draw_clamped(const Octave& octave, std::int32_t row, const TextureGradients& gradients,
-                          const TexelLimits& limits, std::uint8_t* out, ColourAt colour_at) {
-    for (std::int32_t column = octave.first; column < octave.end; ++column)
-        out[column] = colour_at(texel_at(gradients, limits, column, row));
-    return octave.end - octave.first;
-}
-
-bool needs_no_clamp(const Octave& octave, std::int32_t row, const TextureGradients& gradients,
-                    const TexelLimits& limits) {
+/// fits_range() of an octave, which allows for steeper gradients.
+bool is_in_range(const Octave& octave, std::int32_t row, const TextureGradients& gradients) {
     // Over a row of 4,096 pixels such steps do not wrap: values between two ends are between them.
     constexpr auto kSteepest = TexelOverZ::from_raw(std::int64_t{1} << 48);
+    const auto fits = [&](std::int32_t column) {
+        const Perspective at(gradients, column, row);
+        const auto beyond = TexelOverZ::from_raw(7 * at.inverse_z.raw);
+        return is_within(at.u_over_z, beyond) && is_within(at.v_over_z, beyond);
+    };
     return octave.shift >= 0 && is_within(gradients.u_over_z.per_column, kSteepest) &&
-           is_within(gradients.v_over_z.per_column, kSteepest) &&
-           is_well_within(Perspective(gradients, octave.first, row), octave.shift, limits) &&
-           is_well_within(Perspective(gradients, octave.end - 1, row), octave.shift, limits);
+           is_within(gradients.v_over_z.per_column, kSteepest) && fits(octave.first) && fits(octave.end - 1);
 }
 
 /// Calls draw(octave, row, pixels) where nothing has to be clamped. colour_at(position) is a pixel's of the others.
 /// Returns how many divisions they made.
 template <class DrawOctave, class ColourAt>
-std::int64_t draw_octaves(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
-                          const SurfaceView& surface, Framebuffer out, DrawOctave draw, ColourAt colour_at) {
+std::int64_t draw_octaves(std::span<const Span> spans, const BlockCutting& cutting, const SurfaceView& surface,
+                          Framebuffer out, DrawOctave draw, ColourAt colour_at) {
+    const TextureGradients& gradients = cutting.gradients;
     std::int64_t divisions = 0;
     for (const Span& span : spans) {
-        std::uint8_t* const row = out.row(span.y);
+        std::uint8_t* const pixels = out.row(span.y);
         for (std::int32_t column = span.first; column < span.end;) {
             const Octave octave =
                 octave_from(column, span.end, gradients.inverse_z.at(column, span.y), gradients.inverse_z.per_column);
-            if (needs_no_clamp(octave, span.y, gradients, limits))
-                divisions += draw(octave, OctaveRow(octave, span.y, gradients, surface), row + octave.first);
-            else
-                divisions += draw_clamped(octave, span.y, gradients, limits, row, colour_at);
-            column = octave.end;
+            if (cutting.fits_range || is_in_range(octave, span.y, gradients)) {
+                const OctaveRow row(octave, span.y, gradients, surface);
+                // The limits are linear in 1/z: what holds at both ends holds between.
+                if (row.is_well_within(0, cutting.limits) &&
+                    row.is_well_within(octave.end - 1 - column, cutting.limits)) {
+                    divisions += draw(octave, row, pixels + column);
+                    column = octave.end;
+                    continue;
+                }
+            }
+            divisions += octave.end - column;
+            for (; column < octave.end; ++column)
+                pixels[column] = colour_at(texel_at(gradients, cutting.limits, column, span.y));
         }
     }
     return divisions;
@@ -189,8 +177,9 @@ std::int64_t draw_octaves(std::span<const Span> spans, const TextureGradients& g
 
 }  // namespace
 
-std::int64_t draw_exact_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
-                              const SurfaceView& surface, BlockKernel kernel, Framebuffer out) {
+std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& cutting, const SurfaceView& surface,
+                              BlockKernel kernel, Framebuffer out) {
+    const TextureGradients& gradients = cutting.gradients;
     const auto colour_at = [&](TexelPosition texel) { return texel_from(surface, texel.u_16 >> 16, texel.v_16 >> 16); };
     if (spans.size() > 1 && gradients.inverse_z.per_row == InverseZ{}) {
         const ScreenRectangle rectangle = rectangle_around(spans);
@@ -203,17 +192,17 @@ std::int64_t draw_exact_spans(std::span<const Span> spans, const TextureGradient
             return 0;
         };
         return rectangle.end_column - rectangle.first_column +
-               draw_octaves(spans, gradients, limits, surface, out, draw, colour_at);
+               draw_octaves(spans, cutting, surface, out, draw, colour_at);
     }
     PieceLengths lengths;
     const auto draw = [&](const Octave& octave, const OctaveRow& row, std::uint8_t* pixels) {
         return draw_octave(octave, row, kernel, surface, lengths, pixels);
     };
-    return draw_octaves(spans, gradients, limits, surface, out, draw, colour_at);
+    return draw_octaves(spans, cutting, surface, out, draw, colour_at);
 }
 
-std::int64_t draw_exact_warped_spans(std::span<const Span> spans, const TextureGradients& gradients,
-                                     const TexelLimits& limits, const EffectTexels& texels, Framebuffer out) {
+std::int64_t draw_exact_warped_spans(std::span<const Span> spans, const BlockCutting& cutting,
+                                     const EffectTexels& texels, Framebuffer out) {
     const auto colour_at = [surface = texels.surface, &warp = *texels.warp](TexelPosition texel) {
         const std::uint32_t u_16 = texel.u_16 + shift_at(warp, texel.v_16);
         return texel_from(surface, u_16 >> 16, (texel.v_16 + shift_at(warp, texel.u_16)) >> 16);
@@ -223,7 +212,7 @@ std::int64_t draw_exact_warped_spans(std::span<const Span> spans, const TextureG
             return colour_at(position_of(texel));
         });
     };
-    return draw_octaves(spans, gradients, limits, texels.surface, out, draw, colour_at);
+    return draw_octaves(spans, cutting, texels.surface, out, draw, colour_at);
 }
 
 }  // namespace oblong

@@ -10,13 +10,13 @@ namespace oblong {
 
 /// Draws spans of a surface that its masks wrap with a division at each pixel: the same bytes as by Texturing::Exact's
 /// blocks of one pixel, without the blocks. `kernel` draws pieces whose texels lie almost on a line, without a division
-/// for most of their pixels; null where such pieces are too short to be worth looking for. Returns how many divisions
-/// it made.
-std::int64_t draw_exact_spans(std::span<const Span> spans, const TextureGradients& gradients, const TexelLimits& limits,
-                              const SurfaceView& surface, BlockKernel kernel, Framebuffer out);
+/// for most of their pixels; null where such pieces are too short to be worth looking for. Of the cutting, gradients,
+/// limits and fits_range are looked at. Returns how many divisions it made.
+std::int64_t draw_exact_spans(std::span<const Span> spans, const BlockCutting& cutting, const SurfaceView& surface,
+                              BlockKernel kernel, Framebuffer out);
 
 /// The same of a surface that warps and does nothing else.
-std::int64_t draw_exact_warped_spans(std::span<const Span> spans, const TextureGradients& gradients,
-                                     const TexelLimits& limits, const EffectTexels& texels, Framebuffer out);
+std::int64_t draw_exact_warped_spans(std::span<const Span> spans, const BlockCutting& cutting,
+                                     const EffectTexels& texels, Framebuffer out);
 
 }  // namespace oblong

@@ -26,6 +26,10 @@ inline Octave octave_from(std::int32_t first, std::int32_t end, InverseZ inverse
     if (inverse_z < kLeastInverseZ || inverse_z >= kGreatestInverseZ) return {first, first + 1, -1};
     const int shift = std::countl_zero(inverse_z.bits()) - 4;
     if (step == InverseZ{}) return {first, end, shift};
+    // Most spans are one octave, which is seen without a division. Steps of a unit a pixel and more may wrap.
+    const InverseZ last = stepped(inverse_z, step, end - 1 - first);
+    const std::uint64_t differing_bits = inverse_z.bits() ^ last.bits();
+    if (is_within(step, InverseZ::from_int(1)) && differing_bits >> (59 - shift) == 0) return {first, end, shift};
     const InverseZ least = InverseZ::from_raw(std::int64_t{1} << (59 - shift));
     const InverseZ room = step > InverseZ{} ? least * 2 - InverseZ::ulp() - inverse_z : inverse_z - least;
     return {first, static_cast<std::int32_t>(std::min<std::int64_t>(end, first + room / absolute(step) + 1)), shift};
@@ -65,6 +69,19 @@ class OctaveRow {
     std::uint8_t colour_at(const DividedTexel& texel) const {
         const auto u_46 = static_cast<std::uint64_t>(texel.u_46), v_46 = static_cast<std::uint64_t>(texel.v_46);
         return texels_[((v_46 >> (46 - stride_log2_)) & row_mask_) | ((u_46 >> 46) & u_mask_)];
+    }
+
+    /// Whether u and v at a pixel are so far within their limits that rounding can't reach them. Both are within
+    /// 114,687 texels of 0 (fits_range).
+    bool is_well_within(std::int32_t pixel, const TexelLimits& limits) const {
+        constexpr std::int64_t kMargin_16 = 128;
+        const std::int64_t z = inverse_z_.upper_half(pixel), least = (limits.least.raw + kMargin_16) * z;
+        const auto is_between = [&](std::int64_t over_z, Texel greatest) {
+            const std::int64_t scaled = over_z * (std::int64_t{1} << 30);
+            return scaled >= least && scaled <= (greatest.raw - kMargin_16) * z;
+        };
+        return is_between(u_over_z_.upper_half(pixel), limits.greatest_u) &&
+               is_between(v_over_z_.upper_half(pixel), limits.greatest_v);
     }
 
     /// Pixels whose depths are known.

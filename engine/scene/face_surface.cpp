@@ -12,8 +12,18 @@ namespace oblong {
 
 namespace {
 
-/// What the surface cache grows by: a 320x200 frame needs about 1 MiB, the largest modes some 8.
-constexpr std::size_t kSurfacePieceBytes = std::size_t{12} << 20;
+/// What the surface cache is made with, and grows by. A 320x200 frame needs 0.3 to 0.6 MB. With three times
+/// that, a room is lit anew now and then when one turns round in it, which takes up to a twentieth of the time while
+/// one does. In large modes surfaces are shown by their finest texels, and need less a pixel.
+std::size_t surface_piece_bytes(const ScreenMode& mode) {
+#ifdef OBLONG_SMALL_MEMORY  // a PC of 16 MB
+    constexpr std::size_t kBytesAPixel = 8, kLeast = std::size_t{1} << 19;
+#else
+    constexpr std::size_t kBytesAPixel = 28, kLeast = std::size_t{1} << 20;
+#endif
+    constexpr std::size_t kMost = std::size_t{12} << 20;
+    return std::clamp(kBytesAPixel * pixel_count(mode.width_px, mode.height_px), kLeast, kMost);
+}
 
 std::int32_t floor_to_multiple(std::int32_t value, std::int32_t size) {
     const std::int32_t rest = value % size;
@@ -83,12 +93,6 @@ std::size_t light_sample_count(const Face& face) {
     return as_size(columns_of(face) * rows_of(face));
 }
 
-/// The row stride is a power of two.
-std::size_t surface_bytes(const Face& face, int mip) {
-    const SurfaceView surface = shape_of(face, mip);
-    return as_size(surface.height) << surface.stride_log2;
-}
-
 std::size_t most_light_samples(const Level& level, const FaceTable& table) {
     std::size_t most = 0;
     for (const FaceIndex face : level.faces.indices())
@@ -120,11 +124,11 @@ PlaneDistance distance_before(const LevelPlane& plane, bool is_back, const Vec3<
 
 }  // namespace
 
-FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, std::int32_t longest_px)
+FaceSurfaces::FaceSurfaces(const Level& level, const FaceTable& faces, const ScreenMode& mode)
     : level_(level),
       faces_(faces),
-      longest_px_(longest_px),
-      cache_(level.faces.size() * 4, kSurfacePieceBytes),
+      longest_px_(mode.width_px),
+      cache_(level.faces.size() * 4, surface_piece_bytes(mode)),
       moving_lights_(level, faces),
       corner_shades_(most_light_samples(level, faces)) {}
 
@@ -168,8 +172,9 @@ FaceSurface FaceSurfaces::lit(FaceIndex index, int mip, const SurfaceState& stat
     LightmapView light = light_of(level_, face, state.styles);
     const bool may_be_touched = !moving_lights_.is_empty() && !light.is_fullbright;
     const LightTouch touch = may_be_touched ? moving_lights_.touch(index, state.offset) : LightTouch{};
-    const SurfaceCache::Found found = cache_.get(index.position() * 4 + as_size(mip), surface_bytes(face, mip),
-                                                 {key_of(light), state.texture.number(), touch.version});
+    const std::size_t bytes = as_size(surface.view.height) << surface.view.stride_log2;
+    const SurfaceCache::Found found =
+        cache_.get(index.position() * 4 + as_size(mip), bytes, {key_of(light), state.texture.number(), touch.version});
     surface.view.texels = found.texels;
     if (found.is_valid) return surface;
     light.added_8 = moving_light(index, touch, state.offset);

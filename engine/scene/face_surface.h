@@ -37,8 +37,8 @@ struct FaceSurface {
 /// texture itself, which wraps.
 class FaceSurfaces {
   public:
-    /// Level and table must outlive it. `longest_px`: of any span.
-    FaceSurfaces(const Level& level, const FaceTable& faces, std::int32_t longest_px);
+    /// Level and table must outlive it.
+    FaceSurfaces(const Level& level, const FaceTable& faces, const ScreenMode& mode);
 
     /// Sets how light is computed from now on. Texels got before may be overwritten from here on.
     void start_frame(const Accuracy& accuracy, std::int32_t brightness_100, const Colormap& colormap);

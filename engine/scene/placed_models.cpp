@@ -7,15 +7,22 @@
 
 namespace oblong {
 
+std::optional<ModelIndex> brush_model_of(const Entity& entity, const Level& level) {
+    const std::string name = entity.value("model");
+    if (name.size() < 2 || name[0] != '*') return {};
+    std::int32_t model = 0;
+    const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), model);
+    const bool is_number = error == std::errc{} && end == name.data() + name.size();
+    const bool is_there = model >= 1 && model < level.models.count();
+    return is_number && is_there ? std::optional(ModelIndex(model)) : std::nullopt;
+}
+
 std::vector<PlacedModel> models_at_rest(const Level& level) {
     std::vector<PlacedModel> placed;
     for (const Entity& entity : level.entities) {
-        const std::string model = entity.value("model");
-        if (!model.starts_with("*") || is_trigger(role_of(entity))) continue;
-        std::int32_t index = 0;
-        const auto [end, error] = std::from_chars(model.data() + 1, model.data() + model.size(), index);
-        if (error != std::errc{} || end != model.data() + model.size()) continue;
-        if (index >= 1 && index < level.models.count()) placed.push_back({ModelIndex(index), {}});
+        const ClassRole role = role_of(entity);
+        if (is_trigger(role) || role == ClassRole::Rotating) continue;
+        if (const auto model = brush_model_of(entity, level)) placed.push_back({*model, {}});
     }
     return placed;
 }

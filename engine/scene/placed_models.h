@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/level/level.h"
@@ -16,8 +17,11 @@ struct PlacedModel {
 
 using PlacedIndex = Index<PlacedModel>;  ///< of a scene's models
 
-/// The brush models that a level's entities show, at their initial positions. Triggers are not shown. An entity that
-/// names a missing model is ignored.
+/// The brush model that an entity's "model" names ("*3"), 1 and up; nothing where the level has no such model.
+std::optional<ModelIndex> brush_model_of(const Entity& entity, const Level& level);
+
+/// The brush models that a level's entities show, at their initial positions. Triggers are not shown, and what turns is
+/// by read_level_models(). An entity that names a missing model is ignored.
 std::vector<PlacedModel> models_at_rest(const Level& level);
 
 }  // namespace oblong

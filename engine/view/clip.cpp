@@ -65,6 +65,7 @@ void PolygonClipper::clip_to_plane(const ClipPlane& plane, std::uint8_t border) 
 }
 
 void PolygonClipper::clip(const Frustum& frustum, unsigned outcodes) {
+    made_.clear();
     for (unsigned plane = 0; plane < kClipPlaneCount && corners_.size() >= 3; ++plane)
         if (outcodes >> plane & 1) clip_to_plane(frustum.clip_planes[plane], static_cast<std::uint8_t>(1u << plane));
     if (corners_.size() < 3) corners_ = {};

@@ -36,10 +36,7 @@ Vec3<View> cross_plane(const Vec3<View>& inside, ClipDistance distance_inside, c
 class PolygonClipper {
   public:
     /// Room for the corners of a new polygon, in order.
-    std::span<ClipVertex*> start(std::size_t corner_count) {
-        made_.clear();
-        return corners_ = buffers_[current_].take(corner_count);
-    }
+    std::span<ClipVertex*> start(std::size_t corner_count) { return corners_ = buffers_[current_].take(corner_count); }
     /// Has room for polygons of so many corners, and what clipping adds.
     void reserve(std::size_t corner_count) {
         for (auto& buffer : buffers_) buffer.take(2 * (corner_count + kClipPlaneCount));

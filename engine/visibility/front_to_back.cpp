@@ -19,17 +19,20 @@ namespace {
 /// the rays: of faces up to 4 pixels long.
 constexpr auto kBothSidesDistance = PlaneDistance::from_int(32);
 
-/// Whether nothing of a box is on the limit's side: not its corner that is farthest there.
-bool is_beyond(const WalkLimit& limit, const LevelBox& box) {
-    if (limit.offset != Vec3<World>{}) return false;
+/// How far on the limit's side a box's farthest corner is, or its nearest one.
+PlaneDistance corner_within(const WalkLimit& limit, const LevelBox& box, bool is_farthest) {
     const std::array normal{limit.plane.normal.x, limit.plane.normal.y, limit.plane.normal.z};
     std::array<World, 3> corner{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const bool is_high = (normal[axis] > Unit{}) != limit.is_back;
-        corner[axis] = World::from_int(is_high ? box.maxs[axis] : box.mins[axis]);
+        corner[axis] = World::from_int(is_high == is_farthest ? box.maxs[axis] : box.mins[axis]);
     }
     const PlaneDistance distance = plane_distance(limit.plane, Vec3<World>{corner[0], corner[1], corner[2]});
-    return limit.is_back ? distance > PlaneDistance{} : distance < PlaneDistance{};
+    return limit.is_back ? -distance : distance;
+}
+
+bool is_moved(const WalkLimit& limit) {
+    return limit.offset != Vec3<World>{};
 }
 
 }  // namespace
@@ -52,7 +55,7 @@ FrontToBackWalk::FrontToBackWalk(const Level& level, const ViewContext& view, co
 
 void FrontToBackWalk::start() {
     scratch_.steps.clear();
-    descend(level_.world().root, kAllSides);
+    descend(level_.world().root, kAllSides, !limits_.empty());
 }
 
 bool FrontToBackWalk::next(VisibleFace& found) {
@@ -60,6 +63,7 @@ bool FrontToBackWalk::next(VisibleFace& found) {
         if (!fragments_.empty()) {
             found.fragment = fragments_.front();
             found.face = found.fragment->face;
+            found_nears_limits_ = !limits_.empty();
             fragments_ = fragments_.subspan(1);
             return true;
         }
@@ -69,6 +73,7 @@ bool FrontToBackWalk::next(VisibleFace& found) {
             faces_ = rest;
             found.fragment = nullptr;
             found.face = face;
+            found_nears_limits_ = nears_limits_;
             return true;
         }
         faces_.count = 0;
@@ -96,36 +101,39 @@ void FrontToBackWalk::take_step() {
     switch (step.next) {
         case Next::NearFaces:
             top.next = Next::FarSide;
-            if (takes_all_faces_) scratch_.steps.push_back({step.node, Next::FarFaces, step.in_front, false, 0});
-            return take_faces(node, step.in_front);
+            if (takes_all_faces_)
+                scratch_.steps.push_back({step.node, Next::FarFaces, step.in_front, false, 0, step.nears_limits});
+            return take_faces(step, step.in_front);
         case Next::FarSide:
             top.next = Next::FarFaces;
             if (!step.has_far_faces) scratch_.steps.pop_back();
-            return descend(node.children[step.in_front], step.planes);
+            return descend(node.children[step.in_front], step.planes, step.nears_limits);
         case Next::FarFaces:
             scratch_.steps.pop_back();
-            return take_faces(node, !step.in_front);
+            return take_faces(step, !step.in_front);
     }
 }
 
-void FrontToBackWalk::take_faces(const Node& node, bool draws_front) {
-    faces_ = node.faces;
+void FrontToBackWalk::take_faces(const WalkStep& step, bool draws_front) {
+    faces_ = level_.nodes[step.node].faces;
     draws_front_ = draws_front;
+    nears_limits_ = step.nears_limits;
 }
 
-void FrontToBackWalk::descend(NodeChild at, std::uint8_t planes) {
+void FrontToBackWalk::descend(NodeChild at, std::uint8_t planes, bool nears_limits) {
     while (may_show(at)) {
         if (at.is_leaf()) return enter_leaf(at.leaf(), planes);
         ++nodes_entered_;
         const Node& node = level_.nodes[at.node()];
         planes = culler_.planes_crossed(node.box, planes);
-        if (planes == kOutside || (!limits_.empty() && is_beyond_limits(node.box)) || is_hidden(node)) return;
+        if (planes == kOutside || (nears_limits && is_beyond_limits(node.box)) || is_hidden(node)) return;
+        nears_limits = nears_limits && !is_well_within_limits(node.box);
         const PlaneDistance distance = plane_distance(level_.planes[node.plane], view_.viewpoint);
         const bool in_front = distance > PlaneDistance{}, has_faces = node.faces.count > 0;
         // Faces that face away but rounding may show: their leaves are on the far side.
         const bool has_far_faces = has_faces && absolute(distance) < kBothSidesDistance && !takes_all_faces_;
         scratch_.steps.push_back({at.node(), has_faces ? WalkStep::Next::NearFaces : WalkStep::Next::FarSide, in_front,
-                                  has_far_faces, planes});
+                                  has_far_faces, planes, nears_limits});
         at = node.children[!in_front];
     }
 }
@@ -139,7 +147,16 @@ void FrontToBackWalk::enter_leaf(LeafIndex index, std::uint8_t planes) {
 }
 
 bool FrontToBackWalk::is_beyond_limits(const LevelBox& box) const {
-    return std::any_of(limits_.begin(), limits_.end(), [&](const WalkLimit& limit) { return is_beyond(limit, box); });
+    return std::any_of(limits_.begin(), limits_.end(), [&](const WalkLimit& limit) {
+        return !is_moved(limit) && corner_within(limit, box, true) < PlaneDistance{};
+    });
+}
+
+/// By a unit at least: what is nearer counts as on a limit's plane (polygon_side).
+bool FrontToBackWalk::is_well_within_limits(const LevelBox& box) const {
+    return std::none_of(limits_.begin(), limits_.end(), [&](const WalkLimit& limit) {
+        return is_moved(limit) || corner_within(limit, box, false) < PlaneDistance::from_int(1);
+    });
 }
 
 bool FrontToBackWalk::is_hidden(const Node& node) const {

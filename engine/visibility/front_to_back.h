@@ -24,6 +24,7 @@ struct WalkStep {
     bool in_front;        ///< which side the eye is on
     bool has_far_faces;   ///< those that face away are to come, too
     std::uint8_t planes;  ///< sides of the view that the node crosses
+    bool nears_limits;    ///< its faces may not all be well within the walk's limits
 };
 
 /// Scratch of a walk, kept from frame to frame.
@@ -82,6 +83,8 @@ class FrontToBackWalk {
 
     /// Sets `found` to the next face: which it is, and nothing else. False when no pixel is free, or no face is left.
     bool next(VisibleFace& found);
+    /// Whether what it found last may not be well within its limits.
+    bool nears_limits() const { return found_nears_limits_; }
     /// Whether the second walk has begun.
     bool takes_all_faces() const { return takes_all_faces_; }
     /// How many nodes it has entered: those in sight of the eye's leaf.
@@ -90,10 +93,10 @@ class FrontToBackWalk {
   private:
     void start();
     void take_step();
-    void take_faces(const Node& node, bool draws_front);
+    void take_faces(const WalkStep& step, bool draws_front);
     /// Goes down the near sides to a leaf, as far as something may be in view, and leaves the rest of each node for
     /// later steps.
-    void descend(NodeChild at, std::uint8_t planes_to_test);
+    void descend(NodeChild at, std::uint8_t planes_to_test, bool nears_limits);
     void enter_leaf(LeafIndex leaf, std::uint8_t planes);
     /// Whether anything there is to be returned.
     bool may_show(NodeChild at) const {
@@ -101,6 +104,7 @@ class FrontToBackWalk {
         return at.is_leaf() ? visible_.has_leaf(at.leaf()) : visible_.has_node(at.node());
     }
     bool is_beyond_limits(const LevelBox& box) const;
+    bool is_well_within_limits(const LevelBox& box) const;
     /// Whether no pixel is free where a node's faces are. Is asked in the first walk of nodes between other nodes only:
     /// near the leaves there are few faces, and the test costs more than they do.
     bool is_hidden(const Node& node) const;
@@ -119,6 +123,7 @@ class FrontToBackWalk {
     std::span<const Fragment* const> fragments_{};  ///< of the current leaf, still to be returned
     IndexRange<Face> faces_;                        ///< of the current node, still to be returned
     bool draws_front_ = false;
+    bool nears_limits_ = false, found_nears_limits_ = false;  ///< the faces of the current node; what was found last
     std::int64_t nodes_entered_ = 0;
 };
 

@@ -47,6 +47,12 @@ bool is_level_of(const LevelFiles& files, const std::string& level_file) {
     });
 }
 
+std::vector<std::string> sound_folders(const LevelFiles& files, const std::string& level_file) {
+    std::vector<std::string> folders{fs::path(level_file).parent_path().string()};
+    if (files.game && !files.game->folder.empty()) folders.insert(folders.begin(), files.game->folder);
+    return folders;
+}
+
 std::string file_of_level(const LevelFiles& files) {
     if (!files.level.empty()) return files.level;
     if (files.game) return level_file_of(*files.game, files.game->levels.front());
@@ -80,6 +86,8 @@ GameData load_game(const LevelFiles& files) {
                                     {data.level_file, files.models, files.assets, game.has_paks() ? &game : nullptr});
     remove_left_out(data.level, data.models);
     print_warnings("oblong", data.level_file, data.models.warnings);
+    data.sounds = read_level_sounds(data.level, sound_folders(files, data.level_file));
+    print_warnings("oblong", data.level_file, data.sounds.warnings);
     return data;
 }
 

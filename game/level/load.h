@@ -7,6 +7,7 @@
 
 #include "engine/files/game_definition.h"
 #include "engine/files/level_models.h"
+#include "engine/files/level_sounds.h"
 #include "engine/level/level.h"
 #include "engine/scene/level_effects.h"
 #include "engine/surface/colormap.h"
@@ -27,6 +28,7 @@ struct GameData {
     Palette palette;
     Colormap colormap;
     LevelModels models;  ///< of the level
+    LevelSounds sounds;  ///< of the level's own
 };
 
 /// Where the files of a level are looked for; empty names where nothing is asked for.

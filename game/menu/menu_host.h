@@ -34,7 +34,7 @@ struct LevelEntry {
 struct EndFigures {
     std::string message;     ///< what the level says; may be empty
     std::string time;        ///< "3:12"
-    std::string lenses;      ///< "5 of 12"; empty where the level has none
+    std::string lenses;      ///< "Lenses found: 5 of 12"; empty where the level has none
     std::string next_level;  ///< "e1m2"; empty where there is none
     std::string fault;       ///< why the level that follows cannot be played, which it names; may be empty
 };

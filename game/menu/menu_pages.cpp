@@ -15,7 +15,7 @@ std::string with_capital(std::string text) {
 std::string text_of_end(const EndFigures& figures) {
     std::string text =
         (figures.message.empty() ? "You have reached the end." : figures.message) + "\n\nTime: " + figures.time;
-    if (!figures.lenses.empty()) text += "\nLenses found: " + figures.lenses;
+    if (!figures.lenses.empty()) text += "\n" + figures.lenses;
     if (!figures.fault.empty()) text += "\n\nThe next level cannot be played: " + figures.fault;
     return text;
 }
@@ -93,7 +93,7 @@ MenuPage MenuPages::game_page() {
     page.rows.push_back(menu_row("Load", [this] { open_load(); }));
     if (const Goal goal = host_.goal(); !goal.count.empty()) {
         page.rows.push_back(menu_row(
-            "Lenses", [this, goal] { open_text("Lenses", goal.list, {}); },
+            goal.title, [this, goal] { open_text(goal.title, goal.list, {}); },
             goal.hint.empty() ? "which are found, and which are missing" : goal.hint));
         page.rows.back().value = goal.count;
     }

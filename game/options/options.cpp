@@ -72,7 +72,11 @@ void declare(CommandArguments& line, Options& options, OptionTexts& texts) {
     auto level = line.add("level", options.level, "Quake BSP file to play; without one, the title");
     line.add("--map", options.map, "level to play by its name, as e1m1: beside, in maps/ or in a pak file (README)")
         .exclude(level);
-    line.add("--game", options.game, "folder with maps/ and pak0.pak; default: the current one, and id1 in it");
+    line.add("--watch", options.watch,
+             "a level's source (.map): compiles a draft and shows it, again whenever it changes")
+        .exclude(level);
+    line.add("--game", options.game,
+             "folder with a game.json, or maps/ and pak0.pak; default: the current one, and id1 in it");
     line.add("--palette", options.palette, "768 bytes of red, green, blue; default: the level's, else the demo's");
     line.add("--models", options.models, "folder of Quake's models: shows a level's items (README)");
     line.add_flag("--title", options.shows_title, "begin with the title, as without a level or another thing to do");
@@ -117,8 +121,8 @@ void interpret(const OptionTexts& texts, Options& options) {
     const bool has_run = !(options.record + options.replay + options.timedemo).empty();
     if (options.shows_title && (!options.timedemo.empty() || options.shows_gallery))
         throw UsageError("--title: --timedemo and --gallery show none, expected it without them");
-    options.shows_title |=
-        (options.level + options.map).empty() && !has_run && !options.shows_gallery && options.headless_frames == 0;
+    options.shows_title |= (options.level + options.map + options.watch).empty() && !has_run &&
+                           !options.shows_gallery && options.headless_frames == 0;
     if (options.shows_error_box && (options.headless_frames > 0 || !options.timedemo.empty()))
         throw UsageError("--error-box: nobody is there to close it, expected it without --headless or --timedemo");
     if (options.shows_gallery && !(options.record + options.replay + options.timedemo).empty())

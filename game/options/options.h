@@ -16,6 +16,7 @@ namespace oblong {
 struct LevelOptions {
     std::string level, palette, models;
     std::string map, game;  ///< a level by its name, and the folder of a game like Quake's
+    std::string watch;      ///< the source of a level that is compiled when it changes
 };
 
 /// What is done with a game instead of, or besides, playing it; empty strings and 0 where nothing is.

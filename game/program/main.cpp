@@ -1,5 +1,3 @@
-#include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <utility>
@@ -7,67 +5,20 @@
 #include "engine/files/arguments.h"
 #include "engine/files/assets_folder.h"
 #include "engine/files/files.h"
-#include "engine/files/picture.h"
-#include "engine/platform/headless/headless.h"
 #include "engine/platform/sdl/sdl.h"
 #include "engine/platform/worker_threads.h"
-#include "engine/view/screen.h"
-#include "game/input/actions.h"
 #include "game/input/route.h"
 #include "game/lab/timedemo.h"
 #include "game/options/options.h"
 #include "game/program/error_window.h"
+#include "game/program/headless_run.h"
 #include "game/program/program.h"
 
 namespace oblong {
 namespace {
 
-namespace fs = std::filesystem;
-
-// Writes 00000.png, 00001.png and so on into a folder.
-HeadlessPlatform::FrameSink png_sink(const std::string& folder) {
-    make_folder(folder);
-    return [folder, frame = 0](Framebuffer picture, const Palette& palette) mutable {
-        char name[16];
-        std::snprintf(name, sizeof name, "%05d.png", frame++);
-        const std::size_t size = pixel_count(picture.width_px, picture.height_px);
-        write_file((fs::path(folder) / name).string(),
-                   encode_indexed_png({picture.pixels, size}, picture.width_px, picture.height_px, palette));
-    };
-}
-
-void hold(Action action, bool is_held, PlatformInput& input) {
-    input.events.push_back({is_held ? InputEvent::Kind::Press : InputEvent::Kind::Release, scripted(action), 0, 0});
-}
-
-// The input of --headless without a demo, in ticks: 2.5 s ahead, a quarter turn to the right, 4 s ahead with a jump, a
-// turn to the left.
-PlatformInput short_walk(std::int64_t tick) {
-    constexpr std::int64_t kTurn = 87, kAhead = 110, kJump = 130, kLook = 250, kRound = 280;
-    const std::int64_t at = tick % kRound;
-    PlatformInput input;
-    hold(Action::Forward, at < kTurn || (at >= kAhead && at < kLook), input);
-    hold(Action::TurnRight, at >= kTurn && at < kAhead, input);
-    hold(Action::TurnLeft, at >= kLook, input);
-    hold(Action::Jump, at == kJump, input);
-    return input;
-}
-
-// The input of --headless --gallery: a row a picture.
-PlatformInput page_through(std::int64_t poll) {
-    PlatformInput input;
-    if (poll > 0)
-        for (const bool is_held : {true, false}) hold(Action::PageDown, is_held, input);
-    return input;
-}
-
 std::unique_ptr<Platform> open_platform(const Options& options) {
-    if (options.headless_frames == 0) return open_window("Oblong", options.window);
-    const auto script = [&options](std::int64_t poll) {
-        if (options.shows_gallery) return page_through(poll);
-        return options.replay.empty() ? short_walk(poll) : PlatformInput{};
-    };
-    return std::make_unique<HeadlessPlatform>(options.headless_frames, kTicksPerSecond, script, png_sink(options.out));
+    return options.headless_frames == 0 ? open_window("Oblong", options.window) : open_headless(options);
 }
 
 void time_demo(const Options& options, const LoadedLevel& loaded, Workers& workers) {
@@ -90,7 +41,17 @@ void record_route(const Options& options, const std::string& assets) {
     write_file(options.record, encode_demo(demo));
 }
 
-void run_game(const Options& options, PreferencesStore& store, const std::string& assets) {
+std::shared_ptr<MapWatch> watch_of(const Options& options, const char* called_as) {
+    if (options.watch.empty()) return nullptr;
+    auto watch = std::make_shared<MapWatch>(options.watch, program_folder(called_as) + "/oblong-map");
+    watch->compile_first();
+    return watch;
+}
+
+void run_game(Options options, PreferencesStore& store, const char* called_as) {
+    const std::string assets = assets_folder(called_as);
+    const std::shared_ptr<MapWatch> watch = watch_of(options, called_as);
+    if (watch) options.level = watch->level_file();
     if (!options.route.empty()) return record_route(options, assets);
     WorkerThreads workers(static_cast<int>(options.threads));
     if (!options.timedemo.empty()) {
@@ -98,6 +59,7 @@ void run_game(const Options& options, PreferencesStore& store, const std::string
         return;
     }
     ProgramFiles files = load_program_files(options, assets);
+    files.watch = watch;
     const auto platform = open_platform(options);
     const OpenSound open_sound = options.headless_frames == 0 ? OpenSound(open_mixer) : OpenSound();
     Program(options, std::move(files), store, *platform, &workers, open_sound).run();
@@ -109,7 +71,7 @@ int run(int argument_count, const char* const* arguments) {
     std::string error_text;
     const int code = run_with_options(argument_count, arguments, [&](const Options& options, PreferencesStore& store) {
         try {
-            run_game(options, store, assets_folder(arguments[0]));
+            run_game(options, store, arguments[0]);
         } catch (const std::exception& error) {
             if (options.shows_error_box) error_text = "oblong: " + message_of(error);
             throw;

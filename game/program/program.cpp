@@ -9,6 +9,7 @@
 #include "engine/files/files.h"
 #include "engine/level/entity_classes.h"
 #include "game/level/level_search.h"
+#include "game/program/own_files.h"
 #include "game/view/screenshot.h"
 
 namespace oblong {
@@ -80,18 +81,6 @@ LevelFiles files_of_game(const LoadedLevel& first, const Options& options) {
     return files;
 }
 
-OwnSounds own_sounds_of(const GameDefinition& game) {
-    OwnSounds own{game.folder, {}};
-    for (const auto& [name, text] : game.captions) {
-        const std::optional<Sound> sound = find_sound(name);
-        if (!sound)
-            throw FileError((fs::path(game.folder) / kGameFile).string(), "/captions/" + name,
-                            "is no sound, expected the name of one in the museum's folder sounds, without number");
-        own.captions[*sound] = text;
-    }
-    return own;
-}
-
 std::string value_of_world(const Level& level, const std::string& key) {
     for (const Entity& entity : level.entities)
         if (role_of(entity) == ClassRole::Worldspawn) return entity.value(key);
@@ -138,10 +127,12 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
       store_(store),
       platform_(platform),
       settings_{workers},
+      watch_(std::move(files.watch)),
       sound_(std::move(open_sound), assets_folder_, own_sounds_of(game_)),
       saves_(saves_folder_of(options)),
       input_(view_options_.preferences.bindings),
       pages_(menu_, *this) {
+    show_icon(game_, platform_);
     if (options_.shows_gallery)
         show_only(std::make_unique<Gallery>(std::move(files.loaded), settings_, view_options_, platform_));
     else if (options_.shows_title) {
@@ -154,11 +145,23 @@ Program::Program(const Options& options, ProgramFiles files, PreferencesStore& s
 }
 
 void Program::run() {
-    naming_file(options_.replay, [&] {
-        while (platform_.is_open() && !has_left_) show_frame();
-    });
+    while (step()) {
+    }
+}
+
+bool Program::step() {
+    const bool goes_on = platform_.is_open() && !has_left_;
+    goes_on ? naming_file(options_.replay, [&] { show_frame(); }) : finish();
+    return goes_on;
+}
+
+void Program::keep() {
     print_fault("oblong", saves_.save_on_leaving());
     print_fault("oblong", store_.save(view_options_.preferences));
+}
+
+void Program::finish() {
+    keep();
     keep_recorded();
     if (recorded_) write_file(options_.record, encode_demo(*recorded_));
 }
@@ -171,6 +174,7 @@ void Program::show_frame() {
     saves_.autosave_when_due(&screen() == walk_ && !menu_.is_open());
     is_stale_ |= menu_.depth() != depth;  // a page may open by itself: at the end, without the focus
     follow_preferences();
+    follow_map();
     const WindowSize size = platform_.window_size();
     is_stale_ |= is_moving() || is_input(controls) || size != shown_size_;
     if (is_stale_ && !controls.is_minimised) {
@@ -238,6 +242,37 @@ void Program::follow_preferences() {
     follow_sound();
 }
 
+void Program::follow_map() {
+    constexpr std::uint64_t kBetweenReminders_us = 3'000'000;
+    if (!watch_ || !walk_) return;
+    const std::uint64_t now_us = platform_.now_us();
+    if (const auto news = watch_->poll(now_us)) {
+        map_fault_ = news->fault;
+        map_fault_shown_us_ = 0;
+        print_fault("oblong", map_fault_);
+        if (news->has_level) show_changed_level();
+        walk_->show_path(news->leak_path);
+    }
+    if (map_fault_.empty() || now_us < map_fault_shown_us_ + kBetweenReminders_us) return;
+    walk_->show(map_fault_);
+    map_fault_shown_us_ = now_us;
+}
+
+// The player stays in place; all else is as the level begins.
+void Program::show_changed_level() {
+    try {
+        const Player player = walk_->state().player;
+        start_walk(loaded_as(watch_->level_file()));
+        GameState state = walk_->state();
+        state.player = player;
+        state.player.ground = Player::kNoGround;
+        walk_->restore(state);
+        walk_->show("The level as it is now");
+    } catch (const FileError& error) {
+        map_fault_ = error.what();
+    }
+}
+
 void Program::follow_sound() {
     const Preferences& now = view_options_.preferences;
     sound_.set({now.volume_100, now.sounds_volume_100, now.music_volume_100, now.shows_captions});
@@ -290,7 +325,7 @@ void Program::start(std::shared_ptr<const LoadedLevel> loaded, TickInputSource i
     show_only(std::move(walk));
     walk_ = session;
     play_level_music();
-    sound_.enter(&walk_->loaded().level);
+    sound_.enter(&walk_->loaded().level, &walk_->loaded().data.sounds);
     saves_.begin(kind == SessionKind::Walk ? walk_ : nullptr);
     name_window();
 }

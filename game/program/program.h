@@ -10,6 +10,7 @@
 #include "game/menu/menu_pages.h"
 #include "game/options/options.h"
 #include "game/program/gallery.h"
+#include "game/program/map_watch.h"
 #include "game/program/session.h"
 #include "game/program/title.h"
 #include "game/program/walk_saves.h"
@@ -24,7 +25,8 @@ LevelFiles level_files_of(const Options& options, const std::string& assets_fold
 struct ProgramFiles {
     std::string assets_folder;
     std::shared_ptr<const LoadedLevel> loaded;
-    TickInputSource input;  ///< of the first game in it
+    TickInputSource input;                      ///< of the first game in it
+    std::shared_ptr<MapWatch> watch = nullptr;  ///< makes `loaded` anew, if not null
 };
 
 /// Reads the level and the demo that the options name, and checks that what they record can be written. Throws
@@ -45,6 +47,11 @@ class Program final : private MenuHost {
     /// Until the platform closes or the player leaves. Then writes the demo that was recorded, if any. Throws
     /// FileError.
     void run();
+    /// One turn of run()'s loop, for platforms that call the game instead: takes the input, and shows a picture where
+    /// it differs from the last. False once the game has ended and all is written.
+    bool step();
+    /// Saves the walk and the options, as leaving does: for who may be gone without another step.
+    void keep();
 
   private:
     /// What a title that was asked for begins with: a replay, or what is recorded.
@@ -54,6 +61,7 @@ class Program final : private MenuHost {
     };
 
     void show_frame();
+    void finish();
     void take(const Controls& controls);
     void take_in_menu(const Controls& controls);
     void take_on_screen(const Controls& controls);
@@ -64,6 +72,8 @@ class Program final : private MenuHost {
     GameScreen& screen() { return *screens_.back(); }
     const LoadedLevel& level_below() const { return *screens_.front()->shared_level(); }
     void follow_preferences();
+    void follow_map();
+    void show_changed_level();
     void follow_sound();
 
     void show_only(std::unique_ptr<GameScreen> screen);
@@ -129,6 +139,9 @@ class Program final : private MenuHost {
     PreferencesStore& store_;
     Platform& platform_;
     SessionSettings settings_;
+    const std::shared_ptr<MapWatch> watch_;
+    std::string map_fault_;  // of the source that is watched; empty: none
+    std::uint64_t map_fault_shown_us_ = 0;
     GameSound sound_;
     WalkSaves saves_;
     std::unique_ptr<FirstWalk> first_walk_;             // until the title's Walk starts it

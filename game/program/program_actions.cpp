@@ -62,7 +62,7 @@ EndFigures Program::end_figures() const {
     EndFigures figures{std::string(end_message(level, state)), time_text(state.tick), "", "", ""};
     const std::string next = next_level();
     if (!next.empty()) find_next(next, places(), figures);
-    figures.lenses = goal().count;
+    if (const Goal found = goal(); !found.count.empty()) figures.lenses = found.title + " found: " + found.count;
     return figures;
 }
 
@@ -96,8 +96,9 @@ const LevelFiles& Program::game_files() const {
     return files.level.empty() ? level_files_ : files;
 }
 
-// A palette that was named for another level is none of the demo level's.
+// The one that is up is not read twice. A palette that was named for another level is none of the demo level's.
 std::shared_ptr<const LoadedLevel> Program::loaded_as(const std::string& level) {
+    if (level.empty() && level_below().files.level.empty()) return screens_.front()->shared_level();
     LevelFiles files = level.empty() ? level_files_ : game_files();
     files.level = level;
     if (level.empty() && !(options_.level + options_.map).empty()) files.palette.clear();
@@ -148,7 +149,7 @@ std::string Program::credits() const {
            "The program: the MIT licence. Textures, models, palette, level, sounds and music of the museum were made "
            "for Oblong and may be used under CC0 1.0 or MIT.\n\n"
            "Levels and models of Quake belong to id Software, or to who made them; none comes with Oblong.\n\n"
-           "It stands on SDL and SDL_mixer (zlib licence), libpng (libpng licence), zlib (zlib licence), CLI11 "
+           "It stands on SDL (zlib licence), libpng (libpng licence), zlib (zlib licence), CLI11 "
            "(BSD licence), JSON for Modern C++, tinyobjloader and stb (MIT licence).\n\n"
            "What it does was learnt from Casey Muratori, Michael Abrash and the texts that the README names.";
 }

@@ -13,10 +13,10 @@
 namespace oblong {
 namespace {
 
-std::string content_of(const SaveHead& game) {
+std::string content_of(const SaveHead& game, const std::string& lenses) {
     std::string text = std::filesystem::path(game.level.name).stem().string() + " " + time_text(game.tick);
     if (game.lenses.all > 0)
-        text += ", " + std::to_string(game.lenses.taken) + " of " + std::to_string(game.lenses.all) + " lenses";
+        text += ", " + std::to_string(game.lenses.taken) + " of " + std::to_string(game.lenses.all) + " " + lenses;
     return text;
 }
 
@@ -24,7 +24,7 @@ MenuPicture picture_of(const Thumbnail& thumbnail) {
     return {Thumbnail::kWidth_px, Thumbnail::kHeight_px, {thumbnail.pixels.begin(), thumbnail.pixels.end()}};
 }
 
-SaveEntry entry_of(const ListedSlot& content) {
+SaveEntry entry_of(const ListedSlot& content, const std::string& lenses) {
     SaveEntry entry;
     entry.name = name_of(content.slot);
     entry.is_saved_to_by_player = content.slot.kind == SaveKind::Numbered;
@@ -37,7 +37,7 @@ SaveEntry entry_of(const ListedSlot& content) {
     }
     if (entry.is_empty) entry.content = "empty";
     if (!content.game) return entry;
-    entry.content = content_of(*content.game);
+    entry.content = content_of(*content.game, lenses);
     entry.help = content.is_former ? "The one saved before it: the last one is missing or damaged" : "";
     entry.picture = picture_of(content.game->picture);
     return entry;
@@ -50,7 +50,7 @@ std::vector<SaveEntry> Program::saves() const {
     if (!saves_.is_kept()) return entries;
     listed_ = saves_.slots().list();
     for (const ListedSlot& content : listed_) {
-        entries.push_back(entry_of(content));
+        entries.push_back(entry_of(content, own_words(game_, kLenses)));
         entries.back().is_of_this_walk = saves_.is_own(content.slot);
     }
     return entries;
@@ -58,7 +58,7 @@ std::vector<SaveEntry> Program::saves() const {
 
 std::optional<SaveEntry> Program::last_walk() const {
     if (!last_walk_) return {};
-    return entry_of(*last_walk_);
+    return entry_of(*last_walk_, own_words(game_, kLenses));
 }
 
 void Program::quick_save() {

@@ -165,6 +165,7 @@ ShownPicture Session::draw(bool is_behind_menu) {
     if (log_) renderer_->note(view, shown_settings, last_us_, *log_);
 
     if (wire_colour_) draw_wires(view, shown_settings);
+    if (!path_.empty()) draw_path(view, shown_settings);
     if (!is_behind_menu) draw_over(view, settings);
     const Palette palette = palette_of(view, effects);
     const Framebuffer canvas = renderer_->canvas();
@@ -223,6 +224,17 @@ void Session::draw_text() {
 }
 
 // Over the picture that was drawn last.
+void Session::show_path(std::vector<Vec3<World>> points) {
+    path_ = std::move(points);
+    has_drawn_ = false;
+}
+
+void Session::draw_path(const GameView& view, const Settings& settings) {
+    constexpr Rgb8 kRed{255, 40, 20};
+    if (!path_colour_) path_colour_ = std::make_unique<LineColour>(data_.palette, kRed);
+    renderer_->draw_path(path_, view, settings, path_colour_->style(overlays_.line_method));
+}
+
 void Session::draw_wires(const GameView& view, const Settings& settings) {
     const Framebuffer canvas = renderer_->canvas();
     if (overlays_.wireframe == Wireframe::Alone)

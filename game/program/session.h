@@ -64,6 +64,8 @@ class Session final : public GameScreen {
     void restore(const GameState& state);
     /// Shows the player a message, with the names of keys in it (KeyNames::in()).
     void show(const std::string& message);
+    /// Shows a path in the level from now on, through walls too; an empty one ends that.
+    void show_path(std::vector<Vec3<World>> points);
     /// What the player was told, the newest first.
     const std::vector<std::string>& told() const { return messages_.told(); }
     /// The game's picture as it is now, without text.
@@ -85,6 +87,7 @@ class Session final : public GameScreen {
     void draw_over(const GameView& view, const Settings& settings);
     void draw_text();
     TextColours scaled_text() const;
+    void draw_path(const GameView& view, const Settings& settings);
     void draw_wires(const GameView& view, const Settings& settings);
     void handle_commands(const Controls& controls);
     void keep_what_is_on();
@@ -109,6 +112,8 @@ class Session final : public GameScreen {
     std::unique_ptr<FrameLog> log_;                        // likewise
     std::unique_ptr<Automap> map_;                         // likewise
     std::unique_ptr<LineColour> wire_colour_;              // of the edges of faces; likewise
+    std::vector<Vec3<World>> path_;
+    std::unique_ptr<LineColour> path_colour_;  // likewise, while there is one
     ShownPalette palette_;
     TextColours text_colours_;
     const MenuLook menu_look_;

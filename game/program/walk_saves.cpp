@@ -55,7 +55,7 @@ void WalkSaves::save(SaveSlot slot) {
 
 void WalkSaves::autosave_when_due(bool may_begin) {
     using namespace std::chrono_literals;
-    if (autosave_.valid() && autosave_.wait_for(0s) == std::future_status::ready) finish_autosave();
+    if (autosave_.valid() && autosave_.wait_for(0s) != std::future_status::timeout) finish_autosave();
     if (autosave_.valid() || !may_begin || !can_save()) return;
     const GameState& state = walk_->state();
     if (taken_items(state) == autosave_items_ && state.tick < autosave_tick_ + kAutosave_ticks) return;
@@ -63,7 +63,9 @@ void WalkSaves::autosave_when_due(bool may_begin) {
     autosave_items_ = taken_items(state);
     try {
         const auto own_number = held_ ? std::optional(held_->number) : std::nullopt;
-        autosave_ = std::async(std::launch::async, [slots = slots_, own_number, game = saved_now()] {
+        // Where there are no threads, as in a web page, the next call writes it.
+        constexpr auto kBeside = std::launch::async | std::launch::deferred;
+        autosave_ = std::async(kBeside, [slots = slots_, own_number, game = saved_now()] {
             Autosave done;
             try {
                 if (!own_number) done.taken = slots.hold_new();

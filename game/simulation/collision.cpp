@@ -68,6 +68,7 @@ std::optional<Obstacle> obstacle_of(const GameLevel& level, const GameState& sta
     const Mover& mover = level.movers[number - walls];
     const MoverState& mover_state = state.movers[number - walls];
     if (is_removed(mover_state)) return {};
+    if (mover.turns != 0 && mover_state.travelled != World{}) return {};
     return Obstacle{mover.model, offset_of(mover, mover_state)};
 }
 

@@ -14,7 +14,8 @@ struct Obstacle {
     Vec3<World> offset;
 };
 
-/// The obstacle of a number in GameLevel::obstacles; nothing for one that has been removed.
+/// The obstacle of a number in GameLevel::obstacles; nothing for one that has been removed,
+/// or a door that is turned.
 std::optional<Obstacle> obstacle_of(const GameLevel& level, const GameState& state, std::uint32_t number);
 
 /// True where so many models may be in the player's way in a tick that only the first BoxTree::kMostFound of them are

@@ -1,7 +1,6 @@
 #include "game/simulation/entity_keys.h"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 
 #include "engine/fixed/trig.h"
@@ -59,16 +58,6 @@ Vec3<Unit> direction_of(const Entity& entity) {
     const Angle pitch = degrees_to_angle(convert<Degrees>(angles.pitch));
     if (angles.pitch == World{}) return {cosine(yaw), sine(yaw), Unit{}};
     return {product(cosine(pitch), cosine(yaw)), product(cosine(pitch), sine(yaw)), -sine(pitch)};
-}
-
-std::optional<ModelIndex> model_of(const Entity& entity, const Level& bsp) {
-    const std::string name = entity.value("model");
-    if (name.size() < 2 || name[0] != '*') return {};
-    std::int32_t model = 0;
-    const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), model);
-    const bool is_number = error == std::errc{} && end == name.data() + name.size();
-    const bool is_there = model >= 1 && model < bsp.models.count();
-    return is_number && is_there ? std::optional(ModelIndex(model)) : std::nullopt;
 }
 
 World number_of(const Entity& entity, const char* key, std::int32_t largest) {

@@ -21,9 +21,6 @@ bool has_direction(const Entity& entity);
 /// The direction of "angles" (pitch, yaw, roll) or "angle" (yaw), of length 1. A yaw of -1 is up, -2 is down.
 Vec3<Unit> direction_of(const Entity& entity);
 
-/// The model that "model" names ("*3"), 1 and up; nothing where the level has no such model.
-std::optional<ModelIndex> model_of(const Entity& entity, const Level& bsp);
-
 /// The number of a key in world units; the usual one where it is absent, 0, or beyond +-`largest`, 0 if there is none.
 /// As in Quake's game code, 0 counts as absent.
 World number_of(const Entity& entity, const char* key, std::int32_t largest = kWorldEnd);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/fixed/trig.h"
 #include "game/simulation/level_builder.h"
 #include "game/simulation/tick_input.h"
 
@@ -55,6 +56,11 @@ std::string_view end_message(const GameLevel& level, const GameState& state) {
 
 Box obstacle_box(const GameLevel& level, ModelIndex model, const Vec3<World>& offset) {
     return box_of(level.model(model).box).grown(world_vector(2, 2, 2)).moved(offset);
+}
+
+Angle turn_of(const Mover& mover, World travelled) {
+    const Angle turned = degrees_to_angle(convert<Degrees>(travelled));
+    return mover.turns == 0 ? Angle{} : mover.turns > 0 ? turned : -turned;
 }
 
 Vec3<World> offset_of(const Mover& mover, const MoverState& state) {

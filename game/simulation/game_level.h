@@ -74,8 +74,11 @@ struct MoverTouch {
 struct Mover {
     MoverKind kind = MoverKind::Door;
     ModelIndex model;
-    std::vector<Leg> legs;  ///< one or more
-    World speed_per_tick;
+    std::size_t entity = 0;  ///< into Level::entities
+    std::vector<Leg> legs;   ///< one or more
+    World speed_per_tick;    ///< of a door that turns degrees, as its leg's length
+    std::int32_t turns =
+        0;  ///< a door: 1 counter-clockwise, -1 clockwise; it is solid while it is shut; 0: it does not
     std::int32_t wait_ticks = 0;    ///< at the far end; kForever: it stays there
     bool turns_back = false;        ///< where the player is in its way; others wait until there is room
     bool starts_at_end = false;     ///< a lift that waits above until it is activated
@@ -101,6 +104,7 @@ enum class TriggerKind : std::uint8_t {
 /// A volume that does something to the player who enters it, or what can only be activated.
 struct Trigger {
     TriggerKind kind = TriggerKind::Multiple;
+    std::size_t entity = 0;  ///< into Level::entities
     std::optional<Box> box;  ///< none: it can't be touched
     Firing fires;
     std::int32_t wait_ticks = 0;       ///< between two firings; kForever: it fires once
@@ -138,6 +142,11 @@ struct LevelBoxes {
     BoxTree obstacles;  ///< all places that solid walls, then movers, may take; numbered in this order
 };
 
+/// What its lenses are called.
+struct LensNames {
+    std::string one = "a lens", several = "lenses";
+};
+
 /// The part of a game that never changes: what it needs of a level.
 struct GameLevel {
     const Level* bsp = nullptr;  ///< outlives the game level
@@ -153,7 +162,8 @@ struct GameLevel {
     std::uint64_t dark_styles = 0;               ///< GameState::dark_styles at the start
     std::vector<std::uint32_t> solid_walls;      ///< into `walls`
     LevelBoxes boxes;
-    Place start;  ///< the player's
+    Place start;           ///< the player's
+    LensNames lens_names;  ///< make_game_level() leaves them as they are
 
     const Target& target(TargetIndex index) const { return item(targets, index); }
     const SubModel& model(ModelIndex index) const { return bsp->models[index]; }
@@ -162,7 +172,8 @@ struct GameLevel {
 /// Reads the entities of a level that are in it when one plays alone at normal skill (no spawnflag 512), and makes of
 /// them what Quake's own game code does:
 /// - info_player_start, info_teleport_destination;
-/// - func_door, func_door_secret, func_button, func_plat, func_train with its path_corners; what would have to be shot
+/// - func_door, func_door_rotating, func_door_secret, func_button, func_plat, func_train with its path_corners; what
+/// would have to be shot
 ///   ("health", an untargeted secret door) answers to touch; so does a door whose name nothing activates;
 /// - func_wall, func_illusionary; func_episodegate and func_bossgate are open; any other func_ stands still;
 /// - trigger_once, trigger_multiple, trigger_secret, trigger_onlyregistered (every copy is), trigger_counter,
@@ -190,6 +201,9 @@ Box obstacle_box(const GameLevel& level, ModelIndex model, const Vec3<World>& of
 
 /// Where a mover's model is, as an offset.
 Vec3<World> offset_of(const Mover& mover, const MoverState& state);
+
+/// By how much a mover's model is turned; nothing but for doors that turn.
+Angle turn_of(const Mover& mover, World travelled);
 
 /// True where a mover's model is neither drawn nor solid any more.
 inline bool is_removed(const MoverState& mover) {

@@ -16,7 +16,7 @@ bool is_lens(const GameLevel& level, std::size_t item) {
 
 std::string name_of(const GameLevel& level, std::size_t item) {
     const std::string name = level.bsp->entities[level.items[item].entity].value("netname");
-    return name.empty() ? "a lens" : name;
+    return name.empty() ? level.lens_names.one : name;
 }
 
 }  // namespace
@@ -47,6 +47,9 @@ Goal goal_of(const GameLevel& level, const GameState& state) {
     const auto where = [&](std::size_t item) {
         return " (" + direction_of(state.player.position, level.items[item].position) + ")";
     };
+    goal.title = level.lens_names.several;
+    if (!goal.title.empty() && goal.title[0] >= 'a' && goal.title[0] <= 'z')
+        goal.title[0] = static_cast<char>(goal.title[0] - 'a' + 'A');
     goal.count = std::to_string(count.taken) + " of " + std::to_string(count.all);
     for (const std::size_t lens : last)
         goal.hint += (goal.hint.empty() ? "Missing: " : ", ") + name_of(level, lens) + where(lens);
@@ -62,7 +65,7 @@ std::string found_text(const GameLevel& level, const GameState& before, const Ga
     const ItemCount count = count_items(level, after, ItemClass::Lens);
     if (count.taken <= count_items(level, before, ItemClass::Lens).taken) return "";
     const Goal goal = goal_of(level, after);
-    return "Lenses: " + goal.count + (goal.hint.empty() ? "" : ". " + goal.hint);
+    return goal.title + ": " + goal.count + (goal.hint.empty() ? "" : ". " + goal.hint);
 }
 
 }  // namespace oblong

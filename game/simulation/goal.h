@@ -10,6 +10,7 @@ namespace oblong {
 
 /// What there is to find in a level, as the player is told it; all empty where there are no lenses.
 struct Goal {
+    std::string title;  ///< "Lenses"
     std::string count;  ///< "5 of 12"
     std::string hint;   ///< once few are missing: "Missing: RAIN (north-east), FOG (north)"
     std::string list;   ///< a line a lens: its name and whether it is found; of the last ones where they are

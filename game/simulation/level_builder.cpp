@@ -8,6 +8,7 @@
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
 #include "engine/scene/light_styles.h"
+#include "engine/scene/placed_models.h"
 #include "game/simulation/collision.h"
 #include "game/simulation/entity_keys.h"
 #include "game/simulation/entity_specs.h"
@@ -40,7 +41,7 @@ LevelBuilder::LevelBuilder(const Level& bsp) : longest_travel_(longest_travel(bs
 }
 
 GameLevel LevelBuilder::build() {
-    for (const Entity* entity : present_) add_entity(*entity, as_size(entity - level_.bsp->entities.data()));
+    for (const Entity* entity : present_) add_entity(*entity);
     add_what_monsters_leave();
     add_start();
     connect_movers();
@@ -54,12 +55,16 @@ GameLevel LevelBuilder::build() {
     return std::move(level_);
 }
 
-void LevelBuilder::add_entity(const Entity& entity, std::size_t number) {
+std::size_t LevelBuilder::index_of(const Entity& entity) const {
+    return as_size(&entity - level_.bsp->entities.data());
+}
+
+void LevelBuilder::add_entity(const Entity& entity) {
     const ClassRole role = role_of(entity);
     if (role == ClassRole::Worldspawn) level_.title = entity.value("message");
     if (is_of_brushes(role) && !add_mover(entity)) add_wall(entity, role);
     add_trigger(entity);
-    add_item(entity, number);
+    add_item(entity);
     if (role == ClassRole::Lamp) add_light(entity);
 }
 
@@ -69,6 +74,7 @@ bool LevelBuilder::add_mover(const Entity& entity) {
     if (!mover) return false;
     if (level_.movers.size() == kMostMovers)
         throw InputError("entities", "more than 16,384 doors, lifts, buttons and trains, expected no more");
+    mover->entity = index_of(entity);
     level_.movers.push_back(std::move(*mover));
     mover_entities_.push_back(&entity);
     name(entity, Kind::Mover, level_.movers.size());
@@ -76,7 +82,7 @@ bool LevelBuilder::add_mover(const Entity& entity) {
 }
 
 void LevelBuilder::add_wall(const Entity& entity, ClassRole role) {
-    const auto model = model_of(entity, *level_.bsp);
+    const auto model = brush_model_of(entity, *level_.bsp);
     if (!model || role == ClassRole::OpenGate) return;
     const bool is_solid = role != ClassRole::Passable;
     level_.walls.push_back({*model, is_solid});
@@ -89,6 +95,7 @@ void LevelBuilder::add_trigger(const Entity& entity) {
     auto trigger = trigger_of(entity, *level_.bsp);
     if (!trigger || (trigger->kind == TriggerKind::Teleport && !find_exit(entity, *trigger))) return;
     level_.secrets += trigger->is_secret;
+    trigger->entity = index_of(entity);
     level_.triggers.push_back(std::move(*trigger));
     trigger_entities_.push_back(&entity);
     name(entity, Kind::Trigger, level_.triggers.size());
@@ -105,10 +112,10 @@ bool LevelBuilder::find_exit(const Entity& entity, Trigger& trigger) const {
     return true;
 }
 
-void LevelBuilder::add_item(const Entity& entity, std::size_t number) {
+void LevelBuilder::add_item(const Entity& entity) {
     std::optional<Item> item = item_of(entity);
     if (!item) return;
-    item->entity = number;
+    item->entity = index_of(entity);
     level_.items.push_back(*item);
     name(entity, Kind::Item, level_.items.size());
 }
@@ -127,6 +134,7 @@ void LevelBuilder::add_what_monsters_leave() {
     for (const Entity* entity : present_) {
         auto trigger = trigger_left_of(*entity, level_.triggers);
         if (!trigger || (trigger->kind != TriggerKind::Exit && firing_of(*entity).is_empty())) continue;
+        trigger->entity = index_of(*entity);
         level_.triggers.push_back(std::move(*trigger));
         trigger_entities_.push_back(entity);
     }

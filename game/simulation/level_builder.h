@@ -21,12 +21,13 @@ class LevelBuilder {
     GameLevel build();
 
   private:
-    void add_entity(const Entity& entity, std::size_t number);
+    std::size_t index_of(const Entity& entity) const;  // in the level's list
+    void add_entity(const Entity& entity);
     bool add_mover(const Entity& entity);
     void add_wall(const Entity& entity, ClassRole role);
     void add_trigger(const Entity& entity);
     bool find_exit(const Entity& entity, Trigger& trigger) const;
-    void add_item(const Entity& entity, std::size_t number);
+    void add_item(const Entity& entity);
     void add_light(const Entity& entity);
     void add_what_monsters_leave();
     void add_start();

@@ -3,6 +3,7 @@
 
 #include "engine/fixed/trig.h"
 #include "engine/level/entity_classes.h"
+#include "engine/scene/placed_models.h"
 #include "game/simulation/entity_keys.h"
 #include "game/simulation/entity_specs.h"
 #include "game/simulation/tick_input.h"
@@ -12,6 +13,7 @@ namespace {
 
 // Spawnflags.
 constexpr int kDoorStartsOpen = 1, kDoorNeedsGoldKey = 8, kDoorNeedsSilverKey = 16, kDoorToggles = 32;
+constexpr int kTurnsClockwise = 2;
 constexpr int kSecretOpensOnce = 1, kSecretFirstLeft = 2, kSecretFirstDown = 4, kSecretIsShot = 16;
 constexpr int kLiftLowTrigger = 1;
 
@@ -47,13 +49,31 @@ std::uint8_t keys_of(const Entity& entity) {
     return has_flag(entity, kDoorNeedsSilverKey) ? kSilverKey : std::uint8_t{0};
 }
 
-Mover door(const Entity& entity, const Box& box) {
-    Mover mover = sliding_mover(entity, box);
+// What all doors have in common.
+void make_door(const Entity& entity, Mover& mover) {
     mover.turns_back = mover.wait_ticks != kForever;
     mover.touch.keys = keys_of(entity);
     if (mover.touch.keys != 0) mover.turns_back = false;
     if (mover.touch.keys != 0 || has_flag(entity, kDoorToggles)) mover.wait_ticks = kForever;
     mover.toggles = has_flag(entity, kDoorToggles);
+}
+
+// It goes nowhere, on a leg as long as its angle in degrees.
+Mover turning_door(const Entity& entity) {
+    Mover mover;
+    Leg leg;
+    leg.length = std::clamp(number_of(entity, "distance"), World::from_int(1), World::from_int(360));
+    mover.legs = {leg};
+    mover.speed_per_tick = speed_per_tick_of(entity);
+    mover.wait_ticks = ticks_of(entity, "wait");
+    mover.turns = has_flag(entity, kTurnsClockwise) ? -1 : 1;
+    make_door(entity, mover);
+    return mover;
+}
+
+Mover door(const Entity& entity, const Box& box) {
+    Mover mover = sliding_mover(entity, box);
+    make_door(entity, mover);
     if (!has_flag(entity, kDoorStartsOpen)) return mover;
     Leg& leg = mover.legs.front();
     leg.from = leg.way;
@@ -144,12 +164,13 @@ World longest_travel(const Level& bsp) {
 }
 
 std::optional<Mover> mover_of(const Entity& entity, const Level& bsp, World longest) {
-    const auto model = model_of(entity, bsp);
+    const auto model = brush_model_of(entity, bsp);
     if (!model) return {};
     const Box box = model_box(bsp, *model);
     const ClassRole role = role_of(entity);
     std::optional<Mover> mover;
     if (role == ClassRole::Door) mover = door(entity, box);
+    if (role == ClassRole::TurningDoor) mover = turning_door(entity);
     if (role == ClassRole::SecretDoor) mover = secret_door(entity, box);
     if (role == ClassRole::Button) mover = button(entity, box);
     if (role == ClassRole::Lift) mover = lift(entity, box);

@@ -1,6 +1,7 @@
 #include <vector>
 
 #include "engine/level/entity_classes.h"
+#include "engine/scene/placed_models.h"
 #include "game/simulation/entity_keys.h"
 #include "game/simulation/entity_specs.h"
 #include "game/simulation/tick_input.h"
@@ -74,7 +75,7 @@ std::vector<Leg> legs_of(const Path& path) {
 }  // namespace
 
 std::optional<Mover> train_of(const Entity& entity, const EntitiesByName& by_name, const Level& bsp, World longest) {
-    const auto model = model_of(entity, bsp);
+    const auto model = brush_model_of(entity, bsp);
     if (role_of(entity) != ClassRole::Train || !model) return {};
     const Path path = path_of(entity, by_name, model_box(bsp, *model).mins);
     if (path.corners.empty()) return {};

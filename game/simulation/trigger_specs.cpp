@@ -3,6 +3,7 @@
 
 #include "engine/level/entities.h"
 #include "engine/level/entity_classes.h"
+#include "engine/scene/placed_models.h"
 #include "game/simulation/entity_keys.h"
 #include "game/simulation/entity_specs.h"
 
@@ -87,7 +88,7 @@ std::optional<Trigger> trigger_of(const Entity& entity, const Level& bsp) {
     Trigger trigger;
     trigger.kind = *kind;
     if (its_class->shape == ClassShape::Brush) {
-        const auto model = model_of(entity, bsp);
+        const auto model = brush_model_of(entity, bsp);
         if (!model) return {};
         trigger.box = model_box(bsp, *model);
     }

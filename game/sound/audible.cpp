@@ -104,8 +104,8 @@ class Hearing {
 
     void add(const Heard& heard) {
         const SoundSource& source = *heard.source;
-        AudibleSound sound{source.sound, source.variant, source.serial, levels_of(heard),
-                           direction_to(source, listener_)};
+        AudibleSound sound{
+            source.sound, source.variant, source.serial, levels_of(heard), direction_to(source, listener_), source.own};
         sound.levels.is_muffled |= listener_.is_under_water && source.sound != Sound::UnderWater;
         audible_.sounds.push_back(sound);
     }

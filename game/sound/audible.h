@@ -28,6 +28,7 @@ struct AudibleSound {
     std::uint32_t serial = 0;  ///< of its source; 0: a loop, of which there is one for each sound
     VoiceLevels levels;
     Direction direction = Direction::Here;
+    std::int32_t own = LevelSounds::kNone;  ///< SoundSource::own
 };
 
 /// What is heard, and how much work it was to find out.

@@ -44,12 +44,17 @@ bool Captions::is_due(const AudibleSound& sound) {
     return was_silent;
 }
 
-void Captions::show(const AudibleSound& sound) {
+std::string Captions::text_of(const AudibleSound& sound) const {
+    if (sound.own != LevelSounds::kNone && !item(own_sounds_, sound.own).empty()) return item(own_sounds_, sound.own);
     const auto own = own_.find(sound.sound);
-    const std::string text = caption_of(own == own_.end() ? row_of(sound.sound).caption : own->second, sound.direction);
+    return own == own_.end() ? row_of(sound.sound).caption : own->second;
+}
+
+void Captions::show(const AudibleSound& sound) {
+    const std::string text = caption_of(text_of(sound), sound.direction);
     if (text.empty()) return;
-    std::erase_if(lines_, [&](const Line& line) { return line.sound == sound.sound; });
-    lines_.push_back({text, sound.sound, tick_ + kShown_ticks});
+    std::erase_if(lines_, [&](const Line& line) { return line.sound == sound.sound && line.own == sound.own; });
+    lines_.push_back({text, sound.sound, sound.own, tick_ + kShown_ticks});
     if (lines_.size() > kMostLines) lines_.erase(lines_.begin());
 }
 

@@ -19,8 +19,10 @@ class Captions {
   public:
     static constexpr std::size_t kMostLines = 3;
 
-    /// `own`: other words for some sounds.
-    explicit Captions(CaptionTexts own = {}) : own_(std::move(own)) {}
+    /// `own`: other words for some sounds; `own_sounds`: for the level's own, empty: those of the sound in whose place
+    /// they are.
+    explicit Captions(CaptionTexts own = {}, std::vector<std::string> own_sounds = {})
+        : own_(std::move(own)), own_sounds_(std::move(own_sounds)) {}
 
     /// Notes what is heard in a tick. One-shots are noted in the tick in which they begin.
     void note_tick(std::span<const AudibleSound> sounds);
@@ -31,12 +33,16 @@ class Captions {
     struct Line {
         std::string text;
         Sound sound;
+        std::int32_t own;
         std::int64_t ends_tick;
     };
     bool is_due(const AudibleSound& sound);
     void show(const AudibleSound& sound);
 
+    std::string text_of(const AudibleSound& sound) const;
+
     CaptionTexts own_;
+    std::vector<std::string> own_sounds_;
     std::int64_t tick_ = 0;
     std::uint32_t last_serial_ = 0;
     std::array<std::int64_t, kSoundCount> heard_until_{};  // by sound; 0: never

@@ -53,6 +53,7 @@ void GameSound::open_device() {
         std::vector<std::string> folders{in_folder(assets_folder_, "sounds")};
         if (!own_.folder.empty()) folders.insert(folders.begin(), in_folder(own_.folder, "sounds"));
         player_ = std::make_unique<SoundPlayer>(*output_, folders);
+        if (level_sounds_) player_->take_own(*level_sounds_);
     } catch (const std::exception& error) {
         print_fault("oblong", error.what());
         player_.reset();
@@ -66,20 +67,32 @@ void GameSound::keep_what_is_on() {
     if (!settings_.shows_captions)
         captions_.reset();
     else if (!captions_)
-        captions_ = std::make_unique<Captions>(own_.captions);
+        captions_ = std::make_unique<Captions>(own_.captions, level_captions());
     if (level_ == nullptr || !(has_sounds() || captions_))
         scene_.reset();
     else if (!scene_)
-        scene_ = std::make_unique<SoundScene>(*level_);
+        scene_ = std::make_unique<SoundScene>(*level_, level_sounds_);
     if (player_ && !(scene_ && has_sounds())) player_->stop_all();
     if (output_ && !music_file_.empty()) start_music();
 }
 
-void GameSound::enter(const GameLevel* level) {
+std::vector<std::string> GameSound::level_captions() const {
+    std::vector<std::string> texts;
+    if (!level_sounds_) return texts;
+    for (const LevelSound& sound : level_sounds_->sounds) {
+        const auto own = own_.level_captions.find(sound.name);
+        texts.push_back(own == own_.level_captions.end() ? "" : own->second);
+    }
+    return texts;
+}
+
+void GameSound::enter(const GameLevel* level, const LevelSounds* own) {
     if (player_) player_->stop_all();
     scene_.reset();
     captions_.reset();
     level_ = level;
+    level_sounds_ = own;
+    if (player_ && own) player_->take_own(*own);
     keep_what_is_on();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,7 @@ struct SoundSettings {
 struct OwnSounds {
     std::string folder;     ///< with a folder sounds, whose files are played instead of the museum's; empty: none
     CaptionTexts captions;  ///< other words for some sounds
+    std::map<std::string, std::string> level_captions;  ///< for levels' own, by LevelSound::name
 };
 
 /// The game's sound: opens a device when there is something to hear, and works out what is heard only where it is heard
@@ -38,8 +40,9 @@ class GameSound {
     /// Where the device cannot be opened or a file is missing: says so once, on standard error, and stays silent.
     void set(const SoundSettings& settings);
 
-    /// The level that is heard from now on, in silence at first; it outlives this or is left before. Null: none.
-    void enter(const GameLevel* level);
+    /// The level that is heard from now on, in silence at first; it and its own sounds outlive this or are left before.
+    /// Null: none.
+    void enter(const GameLevel* level, const LevelSounds* own = nullptr);
     void note_tick(const GameState& before, const GameState& after);
     /// A pause or a menu over the game: sounds stay where they are, music is softer.
     void hold(bool is_held);
@@ -56,6 +59,7 @@ class GameSound {
     bool has_sounds() const { return player_ != nullptr && settings_.sounds_100 > 0; }
     void open_device();
     void keep_what_is_on();
+    std::vector<std::string> level_captions() const;
     void start_music();
     std::int32_t sounds_256() const;
     std::int32_t music_256() const;
@@ -68,8 +72,9 @@ class GameSound {
     std::unique_ptr<SoundOutput> output_;  // only while a volume is above 0
     std::unique_ptr<SoundPlayer> player_;  // likewise; does not outlive the output
     const GameLevel* level_ = nullptr;
-    std::unique_ptr<SoundScene> scene_;   // only while it is heard or written
-    std::unique_ptr<Captions> captions_;  // only while they are shown
+    const LevelSounds* level_sounds_ = nullptr;  // the level's own
+    std::unique_ptr<SoundScene> scene_;          // only while it is heard or written
+    std::unique_ptr<Captions> captions_;         // only while they are shown
     bool is_held_ = false, plays_music_ = false;
 };
 

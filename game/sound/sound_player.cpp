@@ -39,8 +39,18 @@ SoundPlayer::SoundPlayer(SoundOutput& output, const std::vector<std::string>& fo
     }
 }
 
-SoundOutput::SoundNumber SoundPlayer::number_of(Sound sound, std::int32_t variant) const {
-    return item(first_numbers_, sound) + variant;
+void SoundPlayer::take_own(const LevelSounds& own) {
+    own_numbers_.clear();
+    for (const LevelSound& sound : own.sounds) {
+        const auto [number, is_new] = number_of_file_.try_emplace(sound.file);
+        if (is_new) number->second = output_.add_sound(sound.samples.samples, sound.samples.rate_hz);
+        own_numbers_.push_back(number->second);
+    }
+}
+
+SoundOutput::SoundNumber SoundPlayer::number_of(const AudibleSound& sound) const {
+    if (sound.own != LevelSounds::kNone) return item(own_numbers_, sound.own);
+    return item(first_numbers_, sound.sound) + sound.variant;
 }
 
 void SoundPlayer::play(std::span<const AudibleSound> sounds, std::int32_t volume_256) {
@@ -51,8 +61,7 @@ void SoundPlayer::play(std::span<const AudibleSound> sounds, std::int32_t volume
         const Key key{sound.sound, sound.serial};
         const auto voice = voices_.find(key);
         if (voice == voices_.end()) {
-            const auto number = number_of(sound.sound, sound.variant);
-            heard[key] = {output_.start(number, row_of(sound.sound).is_loop(), levels), levels};
+            heard[key] = {output_.start(number_of(sound), row_of(sound.sound).is_loop(), levels), levels};
             continue;
         }
         if (voice->second.levels != levels) output_.adjust(voice->second.number, levels);
@@ -65,7 +74,7 @@ void SoundPlayer::play(std::span<const AudibleSound> sounds, std::int32_t volume
 
 void SoundPlayer::play_once(Sound sound, std::int32_t volume_256) {
     const std::int32_t level = row_of(sound).gain_256 * volume_256 / 256;
-    if (level > 0) output_.start(number_of(sound, 0), false, {level, level, false});
+    if (level > 0) output_.start(item(first_numbers_, sound), false, {level, level, false});
 }
 
 void SoundPlayer::stop_all() {

@@ -17,6 +17,9 @@ class SoundPlayer {
     /// FileError.
     SoundPlayer(SoundOutput& output, const std::vector<std::string>& folders);
 
+    /// The sounds that AudibleSound::own counts from now on. Each file is given to the output once.
+    void take_own(const LevelSounds& own);
+
     /// Makes the voices those of `sounds`, `volume_256` from 0 to 256. One-shots begin once.
     void play(std::span<const AudibleSound> sounds, std::int32_t volume_256);
     /// Plays a sound of a menu.
@@ -33,10 +36,12 @@ class SoundPlayer {
         SoundOutput::VoiceNumber number;
         VoiceLevels levels;
     };
-    SoundOutput::SoundNumber number_of(Sound sound, std::int32_t variant) const;
+    SoundOutput::SoundNumber number_of(const AudibleSound& sound) const;
 
     SoundOutput& output_;
     std::vector<SoundOutput::SoundNumber> first_numbers_;  // by sound, of the first variant
+    std::vector<SoundOutput::SoundNumber> own_numbers_;
+    std::map<std::string, SoundOutput::SoundNumber> number_of_file_;  // of all own ones so far
     std::map<Key, Voice> voices_;
 };
 

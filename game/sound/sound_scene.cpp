@@ -1,17 +1,29 @@
 #include "game/sound/sound_scene.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
+
+#include "game/simulation/tick_input.h"
 
 namespace oblong {
 
-SoundScene::SoundScene(const GameLevel& level) : level_(level), ambience_(*level.bsp), starts_(level) {}
+SoundScene::SoundScene(const GameLevel& level, const LevelSounds* own)
+    : level_(level), own_(own), ambience_(*level.bsp), starts_(level, own) {}
+
+std::int32_t SoundScene::length_ticks(const SoundSource& source) const {
+    if (source.own == LevelSounds::kNone) return row_of(source.sound).length_ticks;
+    const SoundSamples& samples = item(own_->sounds, source.own).samples;
+    const std::int64_t ticks = std::ssize(samples.samples) * kTicksPerSecond / samples.rate_hz + 1;
+    return static_cast<std::int32_t>(std::min<std::int64_t>(ticks, std::numeric_limits<std::int32_t>::max()));
+}
 
 void SoundScene::note_tick(const GameState& before, const GameState& after) {
     const Listener listener = listener_of(after.player);
     std::vector<SoundSource> sources;
     starts_.note_tick(before, after, sources);
     for (const SoundSource& source : sources)
-        if (source.serial != 0) one_shots_.push_back({source, row_of(source.sound).length_ticks});
+        if (source.serial != 0) one_shots_.push_back({source, length_ticks(source)});
     std::erase_if(sources, [](const SoundSource& source) { return source.serial != 0; });
     for (const OneShot& one_shot : one_shots_) sources.push_back(one_shot.source);
     ambience_.collect(listener.ear, sources);

@@ -12,8 +12,8 @@ namespace oblong {
 /// What is heard in a level from tick to tick.
 class SoundScene {
   public:
-    /// The level outlives it.
-    explicit SoundScene(const GameLevel& level);
+    /// The level outlives it, and so do its own sounds.
+    explicit SoundScene(const GameLevel& level, const LevelSounds* own = nullptr);
 
     /// Works out what is heard after a tick, by a player as in `after`.
     void note_tick(const GameState& before, const GameState& after);
@@ -21,12 +21,14 @@ class SoundScene {
 
   private:
     void keep_heard();
+    std::int32_t length_ticks(const SoundSource& source) const;
 
     struct OneShot {
         SoundSource source;
         std::int32_t ticks_left;
     };
     const GameLevel& level_;
+    const LevelSounds* own_;
     Ambience ambience_;
     SoundStarts starts_;
     std::vector<OneShot> one_shots_;  // that have begun, were heard in each tick so far, and have not ended

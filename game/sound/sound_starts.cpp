@@ -8,6 +8,7 @@
 namespace oblong {
 namespace {
 
+constexpr std::int32_t kStandard = LevelSounds::kNone;
 constexpr World kStride = World::from_int(104), kStroke = World::from_int(170);
 constexpr World kHardLanding = World::from_int(-330);  // units a second
 const Vec3<World> kTouching = world_vector(24, 24, 24);
@@ -23,6 +24,11 @@ Vec3<World> offset_in(const GameLevel& level, const GameState& state, std::uint3
     return offset_of(level.movers[mover], state.movers[mover]);
 }
 
+bool has_moved(const GameLevel& level, std::uint32_t mover, const GameState& before, const GameState& after) {
+    if (level.movers[mover].turns != 0) return before.movers[mover].travelled != after.movers[mover].travelled;
+    return offset_in(level, before, mover) != offset_in(level, after, mover);
+}
+
 // All that may move in a tick.
 std::vector<std::uint32_t> active_in_either(const GameState& before, const GameState& after) {
     std::vector<std::uint32_t> active;
@@ -31,9 +37,40 @@ std::vector<std::uint32_t> active_in_either(const GameState& before, const GameS
     return active;
 }
 
+bool is_near(const Trigger& trigger, const Player& player) {
+    return trigger.box && trigger.box->grown(kTouching).overlaps(player_box(player.position));
+}
+
+// Whether a trigger has fired, as far as states tell: one that fires once, and is gone then as if it had been removed,
+// where the player has touched it.
+bool has_fired(const GameLevel& level, std::uint32_t i, const GameState& before, const GameState& after) {
+    const Trigger& trigger = level.triggers[i];
+    const TriggerState &from = before.triggers[i], &to = after.triggers[i];
+    switch (trigger.kind) {
+        case TriggerKind::Multiple:
+            if (to.ready_tick != TriggerState::kNever) return to.ready_tick > from.ready_tick;
+            return from.ready_tick != to.ready_tick && trigger.wait_ticks == kForever && is_near(trigger, after.player);
+        case TriggerKind::Counter:
+            return from.left > 0 && to.left <= 0;
+        case TriggerKind::Teleport:
+            return was_teleported(before.player, after.player) && after.progress.respawn == trigger.place &&
+                   is_near(trigger, before.player);
+        case TriggerKind::Exit:
+            return !before.has_ended && after.has_ended && after.exit == static_cast<std::int32_t>(i);
+        case TriggerKind::Relay:
+        case TriggerKind::Push:
+        case TriggerKind::Checkpoint:
+        case TriggerKind::Lightning:
+            return false;
+    }
+    return false;
+}
+
 }  // namespace
 
-SoundStarts::SoundStarts(const GameLevel& level) : level_(level) {
+SoundStarts::SoundStarts(const GameLevel& level, const LevelSounds* own) : level_(level), own_(own) {
+    for (std::uint32_t i = 0; i < level.triggers.size(); ++i)
+        if (own_of(level.triggers[i].entity) != LevelSounds::kNone) own_triggers_.push_back(i);
     mover_sounds_.reserve(level.movers.size());
     for (const Mover& mover : level.movers) mover_sounds_.push_back(mover_sounds(*level.bsp, mover.model));
 }
@@ -44,9 +81,20 @@ void SoundStarts::note_tick(const GameState& before, const GameState& after, std
     note_items(before, after, sources);
 }
 
-void SoundStarts::add(Sound sound, std::vector<SoundSource>& sources) {
+std::int32_t SoundStarts::own_of(std::size_t entity) const {
+    return own_ ? item(own_->by_entity, entity) : LevelSounds::kNone;
+}
+
+std::int32_t SoundStarts::own_of_fired(const GameState& before, const GameState& after) const {
+    for (const std::uint32_t i : own_triggers_)
+        if (has_fired(level_, i, before, after)) return own_of(level_.triggers[i].entity);
+    return LevelSounds::kNone;
+}
+
+void SoundStarts::add(Sound sound, std::int32_t own, std::vector<SoundSource>& sources) {
     SoundSource source;
     source.sound = sound;
+    source.own = own;
     source.serial = ++last_serial_;
     source.variant = static_cast<std::int32_t>(last_serial_ % static_cast<std::uint32_t>(row_of(sound).variants));
     sources.push_back(source);
@@ -57,15 +105,16 @@ void SoundStarts::add(Sound sound, std::vector<SoundSource>& sources) {
 void SoundStarts::add_at(Sound sound, std::uint32_t mover, const GameState& after, std::vector<SoundSource>& sources) {
     const ModelIndex model = level_.movers[mover].model;
     const Box box = box_of(level_.model(model).box).moved(offset_in(level_, after, mover));
+    const std::int32_t own = own_of(level_.movers[mover].entity);
     if (sources.size() >= kMost) return;
     const auto same = std::find_if(sources.begin(), sources.end(), [&](const SoundSource& other) {
-        return other.sound == sound && other.box.grown(kTouching).overlaps(box);
+        return other.sound == sound && other.own == own && other.box.grown(kTouching).overlaps(box);
     });
     if (same != sources.end()) {
         same->box = same->box.united(box);
         return;
     }
-    add(sound, sources);
+    add(sound, own, sources);
     sources.back().model = model;
     sources.back().box = box;
     if (row_of(sound).is_loop()) sources.back().serial = 0;
@@ -74,14 +123,15 @@ void SoundStarts::add_at(Sound sound, std::uint32_t mover, const GameState& afte
 void SoundStarts::note_player(const GameState& before, const GameState& after, std::vector<SoundSource>& sources) {
     if (was_teleported(before.player, after.player)) {
         since_step_ = {};
-        return add(Sound::Teleport, sources);
+        if (own_of_fired(before, after) == LevelSounds::kNone) add(Sound::Teleport, kStandard, sources);
+        return;
     }
-    if (!swims(before.player) && swims(after.player)) add(Sound::WaterIn, sources);
-    if (swims(before.player) && !swims(after.player)) add(Sound::WaterOut, sources);
+    if (!swims(before.player) && swims(after.player)) add(Sound::WaterIn, kStandard, sources);
+    if (swims(before.player) && !swims(after.player)) add(Sound::WaterOut, kStandard, sources);
     const bool lands = !stands(before.player) && stands(after.player) && !swims(after.player);
     // The tick that meets the ground takes the speed away, the next one stands.
     fall_speed_ = std::min(fall_speed_, before.player.velocity.z);
-    if (lands && fall_speed_ < kHardLanding) add(Sound::Land, sources);
+    if (lands && fall_speed_ < kHardLanding) add(Sound::Land, kStandard, sources);
     if (stands(after.player) || swims(after.player)) fall_speed_ = {};
     note_way(before, after, sources);
 }
@@ -99,39 +149,44 @@ void SoundStarts::note_way(const GameState& before, const GameState& after, std:
     since_step_ += length_of(way);
     if (since_step_ < (swims(to) ? kStroke : kStride)) return;
     since_step_ = {};
-    add(swims(to) ? Sound::Swim : step_sound(level_, after), sources);
+    add(swims(to) ? Sound::Swim : step_sound(level_, after), kStandard, sources);
 }
 
 void SoundStarts::note_movers(const GameState& before, const GameState& after, std::vector<SoundSource>& sources) {
     if (before.active_movers.empty() && after.active_movers.empty() && were_moving_.empty()) return;
+    const auto has_own = [this](std::uint32_t i) { return own_of(level_.movers[i].entity) != kStandard; };
     std::vector<std::uint32_t> moving;
     for (const std::uint32_t i : active_in_either(before, after))
-        if (offset_in(level_, before, i) != offset_in(level_, after, i)) moving.push_back(i);
+        if (has_moved(level_, i, before, after)) moving.push_back(i);
     for (const std::uint32_t i : moving) {
         const bool starts = !std::binary_search(were_moving_.begin(), were_moving_.end(), i);
         const bool is_button = level_.movers[i].kind == MoverKind::Button;
         if (starts) add_at(is_button ? Sound::Button : mover_sounds_[i].start, i, after, sources);
-        if (!is_button) add_at(mover_sounds_[i].move, i, after, sources);
+        if (!is_button && !has_own(i)) add_at(mover_sounds_[i].move, i, after, sources);
     }
     for (const std::uint32_t i : were_moving_)
-        if (!std::binary_search(moving.begin(), moving.end(), i) && level_.movers[i].kind != MoverKind::Button)
+        if (!std::binary_search(moving.begin(), moving.end(), i) && level_.movers[i].kind != MoverKind::Button &&
+            !has_own(i))
             add_at(mover_sounds_[i].stop, i, after, sources);
     were_moving_ = std::move(moving);
 }
 
 void SoundStarts::note_items(const GameState& before, const GameState& after, std::vector<SoundSource>& sources) {
-    bool has_taken = false;
+    bool is_told = false;
+    const auto tell = [&](Sound sound, std::int32_t own) {
+        add(sound, own, sources);
+        is_told = true;
+    };
     for (std::size_t i = 0; i < after.items.size(); ++i) {
         if (before.items[i] != ItemState::There || after.items[i] != ItemState::Taken) continue;
-        add(level_.items[i].item_class == ItemClass::Lens ? Sound::Lens : Sound::Key, sources);
-        has_taken = true;
+        const Item& taken = level_.items[i];
+        tell(taken.item_class == ItemClass::Lens ? Sound::Lens : Sound::Key, own_of(taken.entity));
     }
-    const bool has_ended = !before.has_ended && after.has_ended;
-    if (has_ended) add(Sound::LevelEnd, sources);
-    const bool has_found = after.progress.found_secrets > before.progress.found_secrets;
-    if (has_found) add(Sound::Secret, sources);
-    const bool says_more = before.message.tick != after.message.tick;
-    if (says_more && !has_taken && !has_ended && !has_found) add(Sound::Message, sources);
+    const std::int32_t own = own_of_fired(before, after);
+    if (own != kStandard) return tell(Sound::Message, own);
+    if (!before.has_ended && after.has_ended) tell(Sound::LevelEnd, kStandard);
+    if (after.progress.found_secrets > before.progress.found_secrets) tell(Sound::Secret, kStandard);
+    if (before.message.tick != after.message.tick && !is_told) add(Sound::Message, kStandard, sources);
 }
 
 }  // namespace oblong

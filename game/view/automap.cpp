@@ -140,7 +140,11 @@ void Automap::draw_line_of_world(const Plotter& plotter, const MapLine& line, bo
 }
 
 void Automap::draw_models(const Plotter& plotter, const GameView& view) const {
-    for (const PlacedModel& placed : placed_models(level_, view.state)) {
+    std::vector<PlacedModel> models = placed_models(level_, view.state);
+    for (std::size_t i = 0; i < level_.movers.size(); ++i)  // those that turn: while they are shut
+        if (level_.movers[i].turns != 0 && view.state.after.movers[i].phase == MoverState::Phase::AtStart)
+            models.push_back({level_.movers[i].model, {}});
+    for (const PlacedModel& placed : models) {
         const Box box = box_of(bsp_.models[placed.model].box).moved(placed.offset);
         plotter.draw(box.mins, {box.maxs.x, box.maxs.y, box.mins.z}, door_);
         plotter.draw({box.maxs.x, box.mins.y, box.mins.z}, {box.mins.x, box.maxs.y, box.mins.z}, door_);

@@ -32,16 +32,11 @@ LightStyles light_styles_of(const GameState& state) {
     return styles;
 }
 
-// The model that shows each item; none where its file is not there.
-std::vector<std::optional<std::size_t>> models_of_items(const GameLevel& level, const LevelModels& models) {
-    std::vector<std::optional<std::size_t>> found;
-    for (const Item& item : level.items) {
-        const auto model = std::find_if(models.models.begin(), models.models.end(),
-                                        [&](const LevelModel& one) { return one.entity == item.entity; });
-        found.emplace_back();
-        if (model != models.models.end()) found.back() = as_size(model - models.models.begin());
-    }
-    return found;
+// The model that shows an entity, into LevelModels::models; none where its file is not there.
+std::optional<std::size_t> model_of(std::size_t entity, const LevelModels& models) {
+    const auto model = std::find_if(models.models.begin(), models.models.end(),
+                                    [&](const LevelModel& one) { return one.entity == entity; });
+    return model == models.models.end() ? std::nullopt : std::optional(as_size(model - models.models.begin()));
 }
 
 }  // namespace
@@ -59,7 +54,7 @@ std::vector<PlacedModel> placed_models(const GameLevel& level, const Interpolate
     std::vector<PlacedModel> placed;
     for (std::size_t i = 0; i < level.movers.size(); ++i) {
         const Mover& mover = level.movers[i];
-        if (is_removed(state.after.movers[i])) continue;
+        if (is_removed(state.after.movers[i]) || mover.turns != 0) continue;
         const Vec3<World> before = offset_of(mover, state.before.movers[i]),
                           after = offset_of(mover, state.after.movers[i]);
         placed.push_back(
@@ -88,14 +83,25 @@ Camera camera_at(const InterpolatedState& state, LookOffset offset, Degrees fiel
 GameRenderer::GameRenderer(const GameData& data, const GameLevel& level, const ScreenMode& mode, Workers* workers)
     : data_(data), level_(level), mode_(mode), work_(data.level, mode, workers) {
     pixels_.resize(pixel_count(mode.width_px, mode.height_px));
-    item_models_ = models_of_items(level, data.models);
-    if (!item_models_.empty()) is_gone_.resize(data.models.models.size());
+    for (const Item& item : level.items) item_models_.push_back(model_of(item.entity, data.models));
+    for (std::uint32_t i = 0; i < level.movers.size(); ++i)
+        if (const auto model =
+                level.movers[i].turns == 0 ? std::nullopt : model_of(level.movers[i].entity, data.models))
+            turning_.push_back({i, *model});
+    if (!item_models_.empty() || !turning_.empty()) is_gone_.resize(data.models.models.size());
+    if (!turning_.empty()) turned_.resize(data.models.models.size());
 }
 
 // What is taken is no longer part of the scene, so that nothing is spent on it.
-void GameRenderer::note_taken_items(const GameState& state) {
+void GameRenderer::note_models(const InterpolatedState& state) {
     for (std::size_t i = 0; i < item_models_.size(); ++i)
-        if (item_models_[i]) is_gone_[*item_models_[i]] = is_there(state, i) ? 0 : 1;
+        if (item_models_[i]) is_gone_[*item_models_[i]] = is_there(state.after, i) ? 0 : 1;
+    for (const TurningModel& door : turning_) {
+        const MoverState &before = state.before.movers[door.mover], &after = state.after.movers[door.mover];
+        is_gone_[door.model] = is_removed(after) ? 1 : 0;
+        turned_[door.model] =
+            turn_of(level_.movers[door.mover], between(before.travelled, after.travelled, state.fraction_16));
+    }
 }
 
 template <class Use>
@@ -105,8 +111,8 @@ void GameRenderer::use_scene(const GameView& view, Use use) {
     Scene scene{data_.level, data_.colormap, models, time_ms_at(view.state)};
     scene.light_styles = light_styles_of(view.state.after);
     if (view.has_torch) scene.moving_lights = std::span(&torch, 1);
-    note_taken_items(view.state.after);
-    place_models(data_.models, scene.time_ms, is_gone_, meshes_);
+    note_models(view.state);
+    place_models(data_.models, scene.time_ms, {is_gone_, turned_}, meshes_);
     scene.meshes = meshes_;
     use(scene);
 }
@@ -126,6 +132,11 @@ void GameRenderer::note(const GameView& view, const Settings& settings, std::uin
 
 void GameRenderer::draw_edges(const GameView& view, const Settings& settings, const LineStyle& style) {
     draw_wireframe(data_.level, spec_of(view, settings), mode_, settings, work_, style, canvas());
+}
+
+void GameRenderer::draw_path(std::span<const Vec3<World>> points, const GameView& view, const Settings& settings,
+                             const LineStyle& style) {
+    oblong::draw_path(points, spec_of(view, settings), mode_, settings, style, canvas());
 }
 
 FrameCounts GameRenderer::draw_and_count(const GameView& view, const Settings& settings) {

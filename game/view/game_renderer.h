@@ -36,7 +36,7 @@ ViewSpec spec_of(const GameView& view, const Settings& settings);
 /// The time since the level began.
 std::int64_t time_ms_at(const InterpolatedState& state);
 
-/// The brush models that are drawn, at their offsets; those of triggers are not.
+/// The brush models that are drawn as such, at their offsets: not those of triggers, nor doors that turn.
 std::vector<PlacedModel> placed_models(const GameLevel& level, const InterpolatedState& state);
 
 /// The player's eye, turned further by `offset`.
@@ -54,6 +54,9 @@ class GameRenderer {
     FrameRecord draw_and_record(const GameView& view, const Settings& settings);
     /// Draws the edges of the faces that own pixels over the picture, which is of this view and these settings.
     void draw_edges(const GameView& view, const Settings& settings, const LineStyle& style);
+    /// Draws lines from each point to the next, likewise.
+    void draw_path(std::span<const Vec3<World>> points, const GameView& view, const Settings& settings,
+                   const LineStyle& style);
     /// Draws, and adds what that took.
     void draw_and_time(const GameView& view, const Settings& settings, RenderingTimes& times);
     /// Writes what the log's channels say of the picture drawn last, of this view, at most once a second.
@@ -66,7 +69,12 @@ class GameRenderer {
     std::size_t torn_edges() const { return work_.cache.faces.torn_edges; }
 
   private:
-    void note_taken_items(const GameState& state);
+    /// A door that turns, into GameLevel::movers, and what shows it, into GameData::models.
+    struct TurningModel {
+        std::uint32_t mover;
+        std::size_t model;
+    };
+    void note_models(const InterpolatedState& state);
     template <class Use>
     void use_scene(const GameView& view, Use use);
 
@@ -77,7 +85,9 @@ class GameRenderer {
     std::vector<std::uint8_t> pixels_;
     std::vector<PlacedMesh> meshes_;
     std::vector<std::optional<std::size_t>> item_models_;  ///< of GameLevel::items, into GameData::models
-    std::vector<std::uint8_t> is_gone_;                    ///< a model of an item that was taken; empty without items
+    std::vector<TurningModel> turning_;
+    std::vector<std::uint8_t> is_gone_;  ///< a model of what was taken or removed; empty where nothing may be
+    std::vector<Angle> turned_;          ///< empty without doors that turn
 };
 
 }  // namespace oblong

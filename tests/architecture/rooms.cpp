@@ -37,6 +37,8 @@ const std::vector<Room>& project_rooms() {
         {"game/view", {"game/options", "game/level"}},
         {"game/lab", {"game/view", "tools/measure"}},
         {"game/program", {"game/saves", "game/sound", "game/menu", "game/lab", "engine/platform/sdl", "tools/gallery"}},
+        {"game/dos", {"game/program"}},
+        {"game/web", {"game/program"}},
         {"tools/reference", {}},
         {"tools/measure", {"engine/frame", "engine/methods", "engine/platform", "engine/files", "tools/reference"}},
         {"tools/gallery", {"tools/measure"}},

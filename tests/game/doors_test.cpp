@@ -34,6 +34,21 @@ constexpr test::Scenario kDoors[] = {
         each 200: travelled0 >= 55      # the player is 56 high
         : x = 208 +- 0.01
     )"},
+    {"OnAHingeTurnAndAreSolidOnlyWhileTheyAreShut", R"(
+        + func_door_rotating 200 -64 0 216 64 128 origin="208 -64 0" targetname=gate distance=90 speed=70 wait=2
+        + func_button -80 -32 0 -64 32 64 angle=180 target=gate
+        play 70 ahead: x = 184 +- 0.1, travelled0 = 0
+        activate 0; play 1: travelled0 = 2 +- 0.01, ox0 = 0, oy0 = 0      # degrees
+        play 45: phase0 = end, travelled0 = 90 +- 0.01
+        play 20 ahead: x > 240
+    )"},
+    {"OnAHingeOpenAgainRatherThanShutOnThePlayer", R"(
+        + func_door_rotating 200 -64 0 216 64 128 origin="208 -64 0" speed=700 wait=0.1 spawnflags=4
+        untouchable 0; activate 0; play 3; at 208 0 1
+        each 100: travelled0 > 0
+        : x = 208 +- 0.01
+        at -200 0 1; play 30: phase0 = start, travelled0 = 0
+    )"},
     {"OpenTogetherWhereTheyTouch", R"(
         + func_door 200 -64 0 216 0 128 angle=-1
         + func_door 200 0 0 216 64 128 angle=-1

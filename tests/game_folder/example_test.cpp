@@ -7,6 +7,7 @@
 #include "engine/files/files.h"
 #include "engine/platform/headless/headless.h"
 #include "game/program/program.h"
+#include "game/simulation/goal.h"
 #include "tests/support/folders.h"
 #include "tests/support/scripted_input.h"
 
@@ -27,11 +28,18 @@ class NamedWindow final : public Platform {
     std::uint64_t now_us() override { return below_.now_us(); }
     WindowSize window_size() const override { return below_.window_size(); }
     void set_title(const char* title) override { titles.emplace_back(title); }
+    bool shows_icon() const override { return true; }
+    void set_icon(std::span<const std::uint8_t> rgba, WindowSize size) override {
+        icon.assign(rgba.begin(), rgba.end());
+        icon_size = size;
+    }
     void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override {
         below_.present(picture, palette, shown);
     }
 
     std::vector<std::string> titles;
+    std::vector<std::uint8_t> icon;
+    WindowSize icon_size;
 
   private:
     HeadlessPlatform below_;
@@ -95,6 +103,12 @@ TEST_F(ExampleGame, IsPlayedFromTheTitleToTheEnd) {
     });
     PreferencesStore store;
     Program(played, load_program_files(played, assets_), store, platform, nullptr).run();
+    EXPECT_EQ(platform.icon_size, (WindowSize{32, 32}));
+    ASSERT_EQ(platform.icon.size(), 32u * 32 * 4);
+    EXPECT_EQ(platform.icon[3], 0) << "the corner is transparent";
+    const std::size_t middle = (16 * 32 + 15) * 4;
+    EXPECT_EQ((std::vector<std::uint8_t>(platform.icon.begin() + middle, platform.icon.begin() + middle + 4)),
+              (std::vector<std::uint8_t>{0xff, 0xe8, 0x90, 0xff}));
     ASSERT_GE(platform.titles.size(), 5u);
     platform.titles.resize(5);
     EXPECT_EQ(platform.titles,
@@ -159,8 +173,60 @@ TEST_F(ExampleGame, ALevelThatIsNotThereIsNamedBeforeTheGameBegins) {
         << said();
 }
 
+TEST_F(ExampleGame, SaysCoinsForLenses) {
+    const LoadedLevel first = loaded("first");
+    GameState state = start_of(first.level);
+    EXPECT_EQ(goal_of(first.level, state).title, "Coins");
+    EXPECT_EQ(goal_of(first.level, state).list, "a coin: missing\na coin: missing");
+    const GameState before = state;
+    state.items[0] = ItemState::Taken;
+    EXPECT_EQ(found_text(first.level, before, state), "Coins: 1 of 2. Missing: a coin (east)");
+}
+
+TEST_F(ExampleGame, EntitiesHaveSoundsOfTheirOwn) {
+    const LoadedLevel first = loaded("first");
+    const LevelSounds& own = first.data.sounds;
+    ASSERT_EQ(own.sounds.size(), 2u);
+    for (const Item& coin : first.level.items)
+        EXPECT_EQ(item(own.sounds, item(own.by_entity, coin.entity)).name, "sounds/coin.wav") << "by its class";
+    ASSERT_EQ(first.level.movers.size(), 1u);
+    const LevelSound& creak = item(own.sounds, item(own.by_entity, first.level.movers[0].entity));
+    EXPECT_EQ(creak.name, "sounds/creak.wav");
+    EXPECT_EQ(creak.samples.rate_hz, 11'025);
+    EXPECT_NEAR(double(creak.samples.samples.size()), 0.9 * 11'025, 1);
+}
+
+TEST_F(ExampleGame, ASoundThatIsMissingIsAWarningAndABrokenOneAnError) {
+    const std::string pictures = " --headless 1 --out " + temporary_.path("out");
+    fs::remove(folder_ + "/sounds/creak.wav");
+    replace_in_definition("\"sounds/creak.wav\"", "\"sounds/coin.wav\"");
+    EXPECT_EQ(run("oblong --game " + folder_ + pictures), 0);
+    EXPECT_NE(said().find("(func_door_rotating): there is no file sounds/creak.wav for its noise, expected one in " +
+                          folder_ + "\n"),
+              std::string::npos)
+        << said();
+    write_file(folder_ + "/sounds/creak.wav", "RIFF1234AVI ");
+    EXPECT_EQ(run("oblong --game " + folder_ + pictures), 1);
+    EXPECT_EQ(said(), "oblong: " + folder_ + "/sounds/creak.wav: offset 8: no sound, expected WAVE\n");
+}
+
+TEST_F(ExampleGame, AnIconThatIsTooLargeIsRefused) {
+    fs::copy_file(test::source_folder() + "/assets/readme.png", folder_ + "/large.png");
+    replace_in_definition("icon.png", "large.png");
+    NamedWindow platform(1, [](std::int64_t) { return PlatformInput{}; });
+    PreferencesStore store;
+    try {
+        const Program program(options(), load_program_files(options(), assets_), store, platform, nullptr);
+        FAIL();
+    } catch (const FileError& error) {
+        const std::string said = error.what();
+        EXPECT_TRUE(said.starts_with(folder_ + "/large.png: size: ")) << said;
+        EXPECT_TRUE(said.ends_with("expected up to 256x256 of an icon")) << said;
+    }
+}
+
 TEST_F(ExampleGame, ACaptionOfNoSoundIsNamed) {
-    replace_in_definition("\"lens\"", "\"lense\"");
+    replace_in_definition("\"lenses\"", "\"lense\"");
     EXPECT_EQ(run("oblong --game " + folder_ + " --headless 1 --out " + temporary_.path("out")), 1);
     EXPECT_TRUE(said().starts_with("oblong: " + folder_ + "/game.json: /captions/lense: is no sound")) << said();
 }

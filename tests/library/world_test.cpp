@@ -30,9 +30,18 @@ Pose beside(Pose pose, std::int32_t east, std::int32_t north, std::int32_t up) {
     return pose;
 }
 
+// Greys, 64 reds, and of red the texture "other".
+Palette red_palette() {
+    Palette palette = test::grey_palette();
+    palette.colours[1] = {160, 160, 160};
+    palette.colours[3] = {255, 0, 0};
+    for (std::uint8_t i = 192; i != 0; ++i) palette.colours[i] = {static_cast<std::uint8_t>((i - 191) * 3), 0, 0};
+    return palette;
+}
+
 struct Hall {
     explicit Hall(const std::string& brushes = "", const std::string& entities = "")
-        : file(folder.write("hall.bsp", test::bytes_of(hall(brushes, entities)))), level(file, test::grey_palette()) {}
+        : file(folder.write("hall.bsp", test::bytes_of(hall(brushes, entities)))), level(file, red_palette()) {}
 
     // Goes on for some steps of 8 units, and falls between them.
     Pose walk_east(Pose eye, int steps) const {
@@ -92,6 +101,30 @@ TEST(LibraryLevel, DoorIsInTheWayUntilItIsMoved) {
     EXPECT_THROW(hall.level.entity_value(1000, "classname"), std::runtime_error);
 }
 
+TEST(LibraryLevel, OpenGatesAndWhatIsOnlySeenStopNobody) {
+    const std::string brush = box({50, -250, 1}, {60, 250, 250});
+    for (const char* passed : {"func_episodegate", "func_bossgate", "func_illusionary"}) {
+        const Hall hall("", entity(passed, {}, brush));
+        EXPECT_NEAR(units(hall.walk_east(hall.level.start(), 60).x_256), kStop, 0.1) << passed;
+    }
+    const Hall wall("", entity("func_wall", {}, brush));
+    EXPECT_NEAR(units(wall.walk_east(wall.level.start(), 60).x_256), 50 - 16, 1.1);
+}
+
+TEST(LibraryLevel, StartMayLieBetweenWholeUnits) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder.write(
+        "start.bsp", test::bytes_of(test::level(
+                         room({-256, -256, 0}, {256, 256, 256}),
+                         entity("info_player_start", {{"origin", "-100.5 20.25 32.125"}, {"angles", "0 22.5 0"}}) +
+                             entity_at("light", {0, 0, 200}))));
+    const Pose start = LevelScene(file, test::grey_palette()).start();
+    EXPECT_EQ(units(start.x_256), -100.5);
+    EXPECT_EQ(units(start.y_256), 20.25);
+    EXPECT_EQ(units(start.z_256), 32.125 + 1 + 22);
+    EXPECT_EQ(units(start.yaw_256), 22.5);
+}
+
 TEST(LibraryLevel, MovedDoorIsDrawnWhereItStops) {
     Hall hall("", entity("func_door", {{"targetname", "gate"}}, box({50, -250, 1}, {60, 250, 250}, "other")));
     Picture before = Picture::of_size(320, 200), away = before;
@@ -101,6 +134,42 @@ TEST(LibraryLevel, MovedDoorIsDrawnWhereItStops) {
     hall.level.draw(eye, 0, away.canvas());
     EXPECT_NE(checksum(before.canvas()), checksum(away.canvas()));
     EXPECT_THROW(hall.level.draw(eye, 0, Picture::of_size(64, 64).canvas()), std::runtime_error);
+}
+
+// The pixels of what is red.
+std::vector<bool> red_in(Hall& hall, std::int64_t time_ms) {
+    Picture picture = Picture::of_size(320, 200);
+    hall.level.draw(pose_at(-200, 0, 100), time_ms, picture.canvas());
+    std::vector<bool> is_red;
+    for (const std::uint8_t pixel : picture.pixels) is_red.push_back(pixel == 3 || pixel >= 192);
+    return is_red;
+}
+
+// A beam that turns is seen where one is that was built so.
+TEST(LibraryLevel, BrushesThatTurnAreSeenWhereTheyAreThen) {
+    struct Turned {
+        const char* flags;
+        std::string as_built;
+    };
+    const std::vector<std::array<std::string, 2>> lit{{"_minlight", "100"}};
+    const std::string beam = box({-60, -10, 80}, {60, 20, 120}, "other");  // about (0, 5, 100)
+    for (const auto& [flags, as_built] : {Turned{"0", box({-15, -55, 80}, {15, 65, 120}, "other")},
+                                          Turned{"4", box({-60, -15, 85}, {60, 25, 115}, "other")},
+                                          Turned{"8", box({-20, -10, 40}, {20, 20, 160}, "other")}}) {
+        Hall turning("", entity("func_rotating", {{"speed", "90"}, {"spawnflags", flags}}, beam));
+        Hall before("", entity("func_wall", lit, beam)), after("", entity("func_wall", lit, as_built));
+        for (const auto& [time_ms, same] : {std::pair{0, &before}, {1000, &after}, {2000, &before}, {9000, &after}}) {
+            const std::vector<bool> shown = red_in(turning, time_ms), built = red_in(*same, time_ms);
+            int wrong = 0, right = 0;
+            for (std::size_t i = 0; i < shown.size(); ++i) {
+                wrong += shown[i] != built[i];
+                right += shown[i] && built[i];
+            }
+            EXPECT_GT(right, 1000) << flags;
+            EXPECT_LE(wrong, 10) << flags << " at " << time_ms;
+        }
+        EXPECT_NEAR(units(turning.walk_east(pose_at(-200, 0, 46), 60).x_256), kStop, 0.1) << "stops nobody";
+    }
 }
 
 TEST(LibraryLevel, ErrorsNameTheFile) {

@@ -41,8 +41,8 @@ TEST(Checks, NameUnknownClassesAndKeysByTheirLines) {
               (Said{"line 4: the class 'fnuc_door' is unknown, perhaps 'func_door' is meant: the entity is written as "
                     "it stands",
                     "line 10: nothing reads the key 'wiat' of a func_door, perhaps 'wait' is meant"}));
-    EXPECT_EQ(warnings_of(entity("func_rotating", {{"angle", "90"}})),
-              Said{"line 4: the class 'func_rotating' is unknown: the entity is written as it stands"});
+    EXPECT_EQ(warnings_of(entity("func_explobox", {{"angle", "90"}})),
+              Said{"line 4: the class 'func_explobox' is unknown: the entity is written as it stands"});
     EXPECT_EQ(warnings_of(entity_at("monster_knigth", {1, 2, 3})),
               Said{"line 4: the class 'monster_knigth' is unknown, perhaps 'monster_knight' is meant: the entity is "
                    "written as it stands"});
@@ -54,8 +54,9 @@ TEST(Checks, NameKeysThatNothingReads) {
               Said{"line 6: nothing reads the key 'lip' of a func_wall"});
     EXPECT_EQ(warnings_of(entity_at("misc_rain", {1, 2, 3}, {{"fog", "1 1 1 1"}})),
               Said{"line 6: nothing reads the key 'fog' of a misc_rain"});
-    const std::string lamp = entity_at("light", {1, 2, 3}, {{"_color", "1 0 0"}});
-    EXPECT_EQ(warnings_of(lamp + lamp + lamp), Said{"line 6: nothing reads the key '_color' of a light (so 2 more)"});
+    const std::string lamp = entity_at("light", {1, 2, 3}, {{"_colour", "1 0 0"}});
+    EXPECT_EQ(warnings_of(lamp + lamp + lamp),
+              Said{"line 6: nothing reads the key '_colour' of a light, perhaps '_color' is meant (so 2 more)"});
 }
 
 TEST(Checks, NameValuesOfAnotherKind) {
@@ -136,7 +137,8 @@ TEST(Checks, MissTheStart) {
 TEST(Checks, NameAStartInAWall) {
     const auto said_at = [](const Whole& start) {
         map::Warnings warnings;
-        compile(level(room({0, 0, 0}, {128, 128, 128}), entity_at("info_player_start", start)), {true, &warnings});
+        compile(level(room({0, 0, 0}, {128, 128, 128}), entity_at("info_player_start", start)),
+                {.is_fast = true, .warnings = &warnings});
         return warnings.take();
     };
     EXPECT_TRUE(said_at({64, 64, 24}).empty()) << "on the floor";
@@ -155,7 +157,7 @@ TEST(Checks, NameAnOriginBrush) {
         level(room({0, 0, 0}, {128, 128, 128}),
               entity("func_wall", {}, box({32, 32, 32}, {64, 64, 64}) + box({40, 40, 40}, {48, 48, 48}, "origin")) +
                   entity_at("info_player_start", {64, 64, 24})),
-        {true, &warnings});
+        {.is_fast = true, .warnings = &warnings});
     const auto said = warnings.take();
     ASSERT_EQ(said.size(), 1u);
     EXPECT_NE(said[0].what.find("texture 'origin'"), std::string::npos) << said[0].what;

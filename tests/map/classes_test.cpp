@@ -8,6 +8,7 @@
 #include "engine/files/files.h"
 #include "engine/level/entity_classes.h"
 #include "game/sound/sound_table.h"
+#include "tests/map/editor_formats.h"
 #include "tests/support/folders.h"
 #include "tools/map/source/fgd.h"
 #include "tools/map/source/map_file.h"
@@ -88,11 +89,11 @@ TEST(EntityClasses, HaveEachKeyThatIsReadAndNoOther) {
     const std::string readers =
         "value|has|number|whole_number|vector|colours|number_of|numbers_of|ticks_of|target_of|"
         "value_of|direction_of_mangle|length";
-    const Names read = all_matches(texts, "\\b(?:" + readers + R"re()\((?:[*\w]+, )?"([a-z_]+)")re");
+    const Names read = all_matches(texts, "\\b(?:" + readers + R"re()\((?:[*\w]+, )?"([a-z_0-9]+)")re");
     EXPECT_GT(read.size(), 40u);
     for (const std::string& key : read)
         EXPECT_TRUE(key_of_any_class(key) || key.starts_with("_tb_")) << key << " is read";
-    const Names literals = all_matches(texts, R"re("([a-z_]+)")re");
+    const Names literals = all_matches(texts, R"re("([a-z_0-9]+)")re");
     const auto expect_read = [&](std::span<const EntityKey> keys) {
         for (const EntityKey& key : keys) {
             const std::string name(key.name.substr(0, key.name.find('#')));
@@ -118,99 +119,10 @@ TEST(EntityClasses, HaveAllThatTheDemoLevelHas) {
     EXPECT_GT(pairs, 500);
 }
 
-/// Reads an FGD file by TrenchBroom's grammar (its FgdParser), as far as fgd_text() goes: classes, and each key's type.
-class FgdReader {
-  public:
-    explicit FgdReader(const std::string& text) {
-        const std::regex token(R"(//[^\n]*|"[^"]*"|\{\{|\}\}|[()\[\]{}:=,]|[^\s()\[\]{}:=,"]+)");
-        for (std::sregex_iterator at(text.begin(), text.end(), token), end; at != end; ++at)
-            if (!at->str().starts_with("//")) tokens_.push_back(at->str());
-    }
-
-    std::map<std::string, std::map<std::string, std::string>> read() {
-        std::map<std::string, std::map<std::string, std::string>> classes;
-        while (at_ < tokens_.size()) {
-            const bool is_solid = next() == "@SolidClass";
-            EXPECT_TRUE(is_solid || tokens_[at_ - 1] == "@PointClass") << tokens_[at_ - 1];
-            while (peek() != "=") skip_attribute(is_solid);
-            next();
-            const std::string name = next();
-            expect(":");
-            expect_string();
-            const auto keys = read_keys(name);
-            EXPECT_TRUE(classes.emplace(name, keys).second) << name << " twice";
-        }
-        return classes;
-    }
-
-  private:
-    std::string peek() const { return at_ < tokens_.size() ? tokens_[at_] : ""; }
-    std::string next() { return at_ < tokens_.size() ? tokens_[at_++] : ""; }
-    void expect(const std::string& token) { EXPECT_EQ(next(), token) << "token " << at_; }
-    void expect_string() { EXPECT_TRUE(next().starts_with('"')) << tokens_[at_ - 1]; }
-    bool is_number() const { return peek().find_first_not_of("-0123456789") == std::string::npos && !peek().empty(); }
-
-    void skip_attribute(bool is_solid) {
-        const std::string name = next();
-        EXPECT_TRUE((name == "size" || name == "model") && !is_solid) << name;
-        expect("(");
-        for (int depth = 1; depth > 0 && at_ < tokens_.size();) {
-            const std::string token = next();
-            if (token == "(" || token == "{" || token == "{{") ++depth;
-            if (token == ")" || token == "}" || token == "}}") --depth;
-        }
-    }
-
-    std::map<std::string, std::string> read_keys(const std::string& class_name) {
-        std::map<std::string, std::string> keys;
-        expect("[");
-        while (peek() != "]" && at_ < tokens_.size()) {
-            const std::string key = next();
-            expect("(");
-            const std::string type = next();
-            expect(")");
-            read_value(type);
-            EXPECT_TRUE(keys.emplace(key, type).second) << class_name << ": " << key << " twice";
-        }
-        next();
-        return keys;
-    }
-
-    void read_value(const std::string& type) {
-        const bool are_flags = type == "flags";
-        if (!are_flags) {
-            expect(":");
-            expect_string();
-            if (peek() == ":") read_default(type);
-        }
-        if (!are_flags && type != "choices") return;
-        expect("=");
-        expect("[");
-        while (peek() != "]" && at_ < tokens_.size()) {
-            EXPECT_TRUE(are_flags ? is_number() : peek().starts_with('"')) << peek();
-            next();
-            expect(":");
-            expect_string();
-            if (!are_flags) continue;
-            expect(":");
-            expect("0");
-        }
-        next();
-    }
-
-    /// TrenchBroom takes whole numbers without quotes, and all others with them.
-    void read_default(const std::string& type) {
-        next();
-        EXPECT_TRUE(type == "integer" ? is_number() : peek().starts_with('"')) << type << ' ' << peek();
-        next();
-    }
-
-    std::vector<std::string> tokens_;
-    std::size_t at_ = 0;
-};
-
 TEST(Fgd, NamesTheClassesAndKeysOfTheTable) {
-    const auto classes = FgdReader(map::fgd_text()).read();
+    std::map<std::string, std::map<std::string, std::string>> classes;  // type by key
+    for (const EditorClass& row : read_fgd(map::fgd_text()))
+        for (const EditorKey& key : row.keys) classes[row.name][key.name] = key.type;
     std::size_t placed = 0;
     for (const EntityClass& row : entity_classes()) {
         if (row.is_family()) continue;

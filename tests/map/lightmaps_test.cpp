@@ -229,7 +229,7 @@ TEST(Lightmaps, WhateverHasALightShines) {
 // What is said of a level that is compiled.
 std::vector<std::string> said_of(const std::string& source) {
     map::Warnings warnings;
-    compile(source, {true, &warnings});
+    compile(source, {.is_fast = true, .warnings = &warnings});
     std::vector<std::string> said;
     for (const map::Warning& warning : warnings.take())
         said.push_back("line " + std::to_string(warning.line) + ": " + warning.what);

@@ -7,6 +7,8 @@
 #include <fstream>
 
 #include "engine/files/files.h"
+#include "engine/files/picture.h"
+#include "engine/level/bsp_read.h"
 #include "tests/map/map_source.h"
 #include "tests/support/folders.h"
 
@@ -63,6 +65,74 @@ TEST_F(Program, WarnsAndWritesALevel) {
     EXPECT_EQ(said_, "oblong-map: " + path("odd.map") +
                          ": line 1: warning: no info_player_start: nobody can play the level\n");
     EXPECT_EQ(files_beginning_with("odd.bsp"), 1);
+}
+
+TEST_F(Program, WarningsAreErrorsWithStrict) {
+    EXPECT_EQ(run(path("odd.map") + " -o " + path("odd.bsp") + " --strict --wad " + path("t.wad")), 1);
+    EXPECT_NE(said_.find("--strict: 1 warnings, expected none"), std::string::npos) << said_;
+    EXPECT_EQ(files_beginning_with("odd.bsp"), 0);
+    EXPECT_EQ(run(path("good.map") + " -o " + path("good.bsp") + " --strict --wad " + path("t.wad")), 0) << said_;
+}
+
+TEST_F(Program, SaysOnStandardOutputWhatItMade) {
+    EXPECT_EQ(
+        run(path("good.map") + " -o " + path("good.bsp") + " --prt " + path("good.prt") + " --wad " + path("t.wad")),
+        0);
+    const std::string said = read_text(path("out.txt"));
+    EXPECT_EQ(said.find(path("good.bsp") + ": 6 faces, 2 leaves, 1 models, 0 lightmaps of 0 bytes, 0 portals; 0 "
+                                           "warnings; tree "),
+              0u)
+        << said;
+    EXPECT_EQ(read_text(path("good.prt")), "PRT1\n1\n0\n");
+}
+
+// A texture is looked for in what the worldspawn names, from the map's folder; --wad takes the key's place.
+TEST_F(Program, TexturesComeFromWhatTheWorldspawnNames) {
+    const std::string start = entity_at("info_player_start", {32, 32, 28});
+    const auto source = [&](const std::string& wads) {
+        return replaced(level(room({0, 0, 0}, {64, 64, 64}), start), "\"classname\" \"worldspawn\"",
+                        "\"classname\" \"worldspawn\"\n\"wad\" \"" + wads + "\"");
+    };
+    fs::create_directories(path("sub"));
+    const std::string out = " -o " + path("good.bsp");
+    for (const std::string wads : {"t.wad", "sub;t.wad", "no/such\\folder/t.wad", ""}) {
+        write_file(path("sub/wall.png"), encode_indexed_png(std::vector<std::uint8_t>(256, 96), 16, 16, {}));
+        write_file(path("named.map"), source(wads));
+        EXPECT_EQ(run(path("named.map") + out), wads.empty() ? 1 : 0) << wads << said_;
+    }
+    write_file(path("named.map"), source("gone.wad"));
+    EXPECT_EQ(run(path("named.map") + out), 1);
+    EXPECT_NE(said_.find("line 3: \"wad\" names 'gone.wad', which is not at "), std::string::npos) << said_;
+    EXPECT_EQ(run(path("named.map") + out + " --wad " + path("t.wad")), 0) << said_;
+}
+
+// Colours of the last 32 are taken only for textures that may glow.
+TEST_F(Program, AFolderOfPicturesIsPackedByItself) {
+    Palette palette{};
+    for (std::size_t i = 0; i < 256; ++i)
+        palette.colours[i] = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i), 0};
+    Palette other = palette;
+    other.colours[0].blue = 255;  // not the palette of the game: its indices mean nothing
+    fs::create_directories(path("pictures"));
+    std::string bytes;
+    for (const Rgb8& colour : palette.colours)
+        bytes += {static_cast<char>(colour.red), static_cast<char>(colour.green), static_cast<char>(colour.blue)};
+    write_file(path("pictures/palette.lmp"), bytes);
+    write_file(path("pictures/wall.png"), encode_indexed_png(std::vector<std::uint8_t>(256, 250), 16, 16, other));
+    const std::string command = path("good.map") + " -o " + path("good.bsp") + " --wad " + path("pictures");
+    const auto first_texel = [&] {
+        const auto file = read_file(path("good.bsp"));
+        return int{read_bsp_textures(file).front().mips[0].front()};
+    };
+    EXPECT_EQ(run(command), 0) << said_;
+    EXPECT_EQ(first_texel(), 223);
+    EXPECT_EQ(run(command + " --glow wall"), 0) << said_;
+    EXPECT_EQ(first_texel(), 250);
+    EXPECT_EQ(run(command + " --glow wlal"), 2);
+    EXPECT_EQ(run(command + " --dither ordered"), 2);
+    fs::remove(path("pictures/wall.png"));
+    EXPECT_EQ(run(command), 1);
+    EXPECT_NE(said_.find("has no pictures"), std::string::npos) << said_;
 }
 
 TEST_F(Program, ALevelWithoutALeakRemovesTheWayOut) {

@@ -5,7 +5,6 @@
 #include "engine/level/bsp_read.h"
 #include "tests/map/bsp_checks.h"
 #include "tests/map/map_source.h"
-#include "tools/map/light/sources.h"
 
 namespace oblong::test {
 namespace {

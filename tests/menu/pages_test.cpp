@@ -19,7 +19,9 @@ class FakeHost final : public MenuHost {
     std::string local_name_of(Input input) const override { return name_of(input); }
     std::vector<KeyHelp> key_help() const override { return game_help(key_names()); }
     std::string game_title() const override { return "OBLONG"; }
-    Goal goal() const override { return {"11 of 12", "Missing: FOG (north)", "RAIN: found\nFOG: missing (north)"}; }
+    Goal goal() const override {
+        return {"Lenses", "11 of 12", "Missing: FOG (north)", "RAIN: found\nFOG: missing (north)"};
+    }
     std::vector<std::string> told() const override { return {"You carry a lens.", std::string(300, 'm')}; }
     std::string figures() const override { return "12 figures"; }
     std::vector<LevelEntry> levels() const override {
@@ -35,7 +37,8 @@ class FakeHost final : public MenuHost {
     }
     std::optional<SaveEntry> last_walk() const override { return saves()[3]; }
     EndFigures end_figures() const override {
-        return {"You have seen the museum.", "12:34", "12 of 12", end_fault.empty() ? "e1m2" : "", end_fault};
+        return {"You have seen the museum.", "12:34", "Lenses found: 12 of 12", end_fault.empty() ? "e1m2" : "",
+                end_fault};
     }
     std::string credits() const override { return std::string(2000, 'c'); }
     bool can_save() const override { return is_walking; }
@@ -244,7 +247,7 @@ TEST_F(Pages, WhatIsSavedIsDeletedAfterAQuestion) {
 TEST_F(Pages, TheEndLeadsOn) {
     pages_.open_end();
     EXPECT_NE(menu_.page().text.find("12:34"), std::string::npos);
-    EXPECT_NE(menu_.page().text.find("12 of 12"), std::string::npos);
+    EXPECT_NE(menu_.page().text.find("Lenses found: 12 of 12"), std::string::npos);
     choose("On to e1m2");
     EXPECT_EQ(host_.done.back(), "next");
     pages_.open_end();

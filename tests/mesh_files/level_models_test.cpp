@@ -40,6 +40,7 @@ class ModelFolder : public ::testing::Test {
     }
     LevelModels read(const std::string& entities, const std::string& named = "") const {
         Level level = read_bsp(join_lumps(29, make_tiny_lumps()));
+        for (int i = 0; i < 2; ++i) level.models.push_back(SubModel(level.world()));  // "*1" and "*2"
         level.entities = parse_entities("{ \"classname\" \"worldspawn\" }" + entities, "test");
         return read_level_models(level, {}, {path("maps/level.bsp"), named, path("elsewhere")});
     }
@@ -200,9 +201,43 @@ TEST_F(ModelFolder, WhatIsGoneIsNotPlaced) {
     const LevelModels models = read(one + turned);
     const std::vector<std::uint8_t> is_gone{1, 0};
     std::vector<PlacedMesh> placed;
-    place_models(models, 0, is_gone, placed);
+    place_models(models, 0, {is_gone}, placed);
     ASSERT_EQ(placed.size(), 1u);
     EXPECT_EQ(placed[0].yaw, kQuarterTurn);
+}
+
+TEST_F(ModelFolder, DoorsThatTurnAreShownOnlyAtTheAnglesOfAGame) {
+    const LevelModels models = read(
+        "{ \"classname\" \"func_door_rotating\" \"model\" \"*1\" \"origin\" \"1 2 3\" \"spawnflags\" \"128\" }"
+        "{ \"classname\" \"func_rotating\" \"model\" \"*2\" \"speed\" \"-36\" }");
+    ASSERT_EQ(models.models.size(), 2u);
+    std::vector<PlacedMesh> placed;
+    place_models(models, 2500, {}, placed);
+    ASSERT_EQ(placed.size(), 1u) << "the door is a brush";
+    EXPECT_EQ(placed[0].yaw, -kQuarterTurn) << "2.5 s of 36 degrees, clockwise";
+    const std::vector<Angle> turned{kQuarterTurn, kHalfTurn};
+    place_models(models, 2500, {{}, turned}, placed);
+    ASSERT_EQ(placed.size(), 2u);
+    EXPECT_EQ(placed[0].position, place(1, 2, 3));
+    EXPECT_EQ(placed[0].pitch, kQuarterTurn);
+    EXPECT_EQ(placed[0].yaw, Angle{});
+    EXPECT_EQ(placed[1].yaw, -kQuarterTurn) << "no door";
+}
+
+TEST_F(ModelFolder, BrushesThatCannotTurnAsTheyShouldAreReported) {
+    const LevelModels models = read(
+        "{ \"classname\" \"func_door_rotating\" \"model\" \"*1\" }"
+        "{ \"classname\" \"func_rotating\" \"model\" \"*1\" }"
+        "{ \"classname\" \"func_rotating\" \"model\" \"*2\" \"origin\" \"0 0 40000\" }");
+    ASSERT_EQ(models.models.size(), 2u);
+    EXPECT_EQ(
+        models.warnings,
+        (std::vector<std::string>{
+            "entity 1 (func_door_rotating): origin is \"\", expected x y z near its brushes: it turns about their "
+            "middle",
+            "entity 2 (func_rotating): its brushes are another's, too: it is left out",
+            "entity 3 (func_rotating): origin is \"0 0 40000\", expected x y z near its brushes: it turns about "
+            "their middle"}));
 }
 
 TEST_F(ModelFolder, BadValuesAreReplacedAndReported) {

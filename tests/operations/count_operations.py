@@ -42,7 +42,7 @@ OF_EFFECTS = re.compile("engine/(draw/|effects/|files/|mesh/|raster/(depth|lines
                         "methods/|visibility/placed_box|"
                         "frame/(fog|light|mirror|model|see_through)_pass|frame/(frame_things|shared_drawing|wireframe))")
 BEFORE_FRAMES = re.compile("engine/(level/(bsp|entities|trace|t_junctions)|platform|accuracy|files/files|surface/(palette|colormap|oklab))")
-NOT_COUNTED = re.compile("/(sdl|library|examples)/")
+NOT_COUNTED = re.compile("/(sdl|web|dos|library|examples)/")
 TOOLS = ["engine/files/arguments.cpp", "tools/render/camera_list.cpp", "tools/measure/operations.cpp",
          "tests/operations/counter/count_operations.cpp"]
 LARGEST_DIFFERENCE = 0.05

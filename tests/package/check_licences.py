@@ -14,7 +14,6 @@ import sys
 # Name; licence, as Debian calls it; its headers; what the dynamic linker calls it.
 LIBRARIES = [
     ('SDL', 'Zlib', r'SDL\.h', r'libSDL2-2\.0\.so'),
-    ('SDL_mixer', 'Zlib', r'SDL_mixer\.h', r'libSDL2_mixer-2\.0\.so'),
     ('libpng', 'Libpng', r'png\.h', r'libpng16\.so'),
     ('zlib', 'Zlib', r'zlib\.h', r'libz\.so'),
     ('CLI11', 'BSD-3-clause', r'CLI/', None),
@@ -26,7 +25,7 @@ LIBRARIES = [
 OF_BENCHMARKS = [('Google Benchmark', 'Apache-2.0', r'benchmark/', r'libbenchmark\.so')]
 ALLOWED = {'Zlib', 'Libpng', 'BSD-3-clause', 'Expat', 'Apache-2.0'}
 # The C and C++ libraries, whose licences except what is linked with them, and the processor's and the kernel's headers.
-SYSTEM_HEADERS = r'oblong\.h|[a-z_0-9]+|[a-z]*intrin\.h|(sys|linux|asm)/.*|(unistd|fcntl|time|signal|poll|pthread)\.h|std[a-z]+\.h'
+SYSTEM_HEADERS = r'oblong\.h|[a-z_0-9]+|[a-z]*intrin\.h|(sys|linux|asm)/.*|(unistd|fcntl|time|signal|poll|pthread|malloc|spawn|emscripten)\.h|std[a-z]+\.h'
 SYSTEM_LIBRARIES = r'lib(c|m|gcc_s|stdc\+\+|c\+\+|asan|ubsan|pthread)\.so|ld-linux'
 
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/raster/perspective_range.h"
 #include "tests/support/random.h"
 
 namespace oblong::test {
@@ -115,6 +116,15 @@ Case any_gradients(std::mt19937_64& random, int trial) {
             {{0, 0, 1 + random_below(random, 20)}}};
 }
 
+/// Whether everything fits is known for the whole face, or left to be found for parts of rows.
+BlockCutting cutting_of(const Case& face, bool knows_range) {
+    BlockCutting cutting;
+    cutting.gradients = face.gradients;
+    cutting.limits = make_texel_limits(face.size, face.size, kWidth);
+    cutting.fits_range = knows_range && fits_range(face.gradients, rectangle_around(face.spans));
+    return cutting;
+}
+
 /// With pieces that are drawn as lines, and without them: the bytes of blocks of one pixel.
 TEST(ExactSpans, DrawTheBytesOfBlocksOfOnePixel) {
     struct Row {
@@ -133,12 +143,13 @@ TEST(ExactSpans, DrawTheBytesOfBlocksOfOnePixel) {
             const Case face = row.make(random, trial);
             std::vector<std::uint8_t> expected(kWidth * kHeight);
             draw_blocks_plain(blocks_of(face).waiting(), surface.view, expected.data());
-            for (const BlockKernel kernel : {best_block_kernel(), BlockKernel{}}) {
-                std::vector<std::uint8_t> pixels(kWidth * kHeight);
-                draw_exact_spans(face.spans, face.gradients, make_texel_limits(face.size, face.size, kWidth),
-                                 surface.view, kernel, {pixels.data(), kWidth, kHeight, kWidth});
-                ASSERT_EQ(pixels, expected) << row.name << ", " << trial;
-            }
+            for (const BlockKernel kernel : {best_block_kernel(), BlockKernel{}})
+                for (const bool knows_range : {true, false}) {
+                    std::vector<std::uint8_t> pixels(kWidth * kHeight);
+                    draw_exact_spans(face.spans, cutting_of(face, knows_range), surface.view, kernel,
+                                     {pixels.data(), kWidth, kHeight, kWidth});
+                    ASSERT_EQ(pixels, expected) << row.name << ", " << trial << (knows_range ? "" : ", by octaves");
+                }
         }
 }
 
@@ -158,7 +169,7 @@ TEST(ExactSpans, DrawTheBytesOfWarpedBlocksOfOnePixel) {
                         65535};
         std::vector<std::uint8_t> expected(kWidth * kHeight), drawn = expected;
         effect_kernel({true, false, false, true}, false)(blocks_of(face).waiting(), texels, expected.data());
-        draw_exact_warped_spans(face.spans, face.gradients, make_texel_limits(face.size, face.size, kWidth), texels,
+        draw_exact_warped_spans(face.spans, cutting_of(face, trial % 2 == 0), texels,
                                 {drawn.data(), kWidth, kHeight, kWidth});
         ASSERT_EQ(drawn, expected) << trial;
     }

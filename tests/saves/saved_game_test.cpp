@@ -94,7 +94,7 @@ TEST(SavedGame, OfAnotherLevelOrVersionIsRefused) {
     const SavedWalk walk;
     const SavedGame saved = walk.saved();
     EXPECT_EQ(refusal([&] { check_level(saved, kToyLevelHash + 1, walk.game.level); }),
-              "level: saved in another level or another version of it, expected this one");
+              "level: saved in another level, another version of it or by other rules, expected this one");
     ToyGame other(ToyLevel().add_model(floor_and({})));
     EXPECT_EQ(refusal([&] { check_level(saved, kToyLevelHash, other.level); }),
               "state: not one of this level, expected one saved by this version of the game");

@@ -31,7 +31,8 @@ struct Surfaces {
     FaceTable faces;
     FaceSurfaces surfaces;
 
-    explicit Surfaces(Level made) : level(std::move(made)), faces(make_face_table(level)), surfaces(level, faces, 320) {
+    explicit Surfaces(Level made)
+        : level(std::move(made)), faces(make_face_table(level)), surfaces(level, faces, ScreenMode{}) {
         surfaces.start_frame({}, 100, colormap);
     }
 

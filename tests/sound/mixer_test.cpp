@@ -11,7 +11,7 @@
 #include "engine/base/input_error.h"
 #include "engine/files/files.h"
 #include "engine/platform/sdl/sdl.h"
-#include "engine/platform/sdl/voice_filter.h"
+#include "engine/platform/voice_filter.h"
 #include "tests/support/folders.h"
 
 namespace oblong {

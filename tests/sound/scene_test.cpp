@@ -21,6 +21,17 @@ using test::ToyLevel;
 // Plays a game and notes what begins in each tick.
 struct HeardGame {
     explicit HeardGame(ToyLevel toy, std::int32_t height = 0) : game(std::move(toy), height), scene(game.level) {}
+    /// The last entity but the player's start has a sound of its own, of half a second.
+    HeardGame(ToyLevel toy, std::int32_t height, const std::string& caption)
+        : own(own_of_last(toy)), game(std::move(toy), height), scene(game.level, &own), captions({}, {caption}) {}
+
+    static LevelSounds own_of_last(const ToyLevel& toy) {
+        LevelSounds sounds;
+        sounds.by_entity.assign(toy.level.entities.size() + 1, LevelSounds::kNone);
+        sounds.by_entity[toy.level.entities.size() - 1] = 0;
+        sounds.sounds = {{"own.wav", "", {1000, std::vector<std::int16_t>(500)}}};
+        return sounds;
+    }
 
     void play(int ticks, const TickInput& input) {
         for (int i = 0; i < ticks; ++i) {
@@ -33,10 +44,15 @@ struct HeardGame {
         }
     }
     void note(const AudibleSound& sound) {
-        if (sound.serial == 0 || serials.insert(sound.serial).second) begun.push_back(sound.sound);
+        if (sound.own != LevelSounds::kNone)
+            own_begun += serials.insert(sound.serial).second;
+        else if (sound.serial == 0 || serials.insert(sound.serial).second)
+            begun.push_back(sound.sound);
     }
     int count(Sound sound) const { return static_cast<int>(std::count(begun.begin(), begun.end(), sound)); }
 
+    LevelSounds own;
+    int own_begun = 0;
     ToyGame game;
     SoundScene scene;
     Captions captions;
@@ -130,6 +146,15 @@ TEST(Movers, StartMoveAndStop) {
     EXPECT_EQ(heard.lines.count("heavy door, ahead") + heard.lines.count("heavy door"), 1u);
 }
 
+TEST(Movers, ThatTurnSoundAsThoseThatMove) {
+    HeardGame heard(with_door("func_door_rotating"));
+    heard.play(60, kAhead);
+    heard.play(300, kStand);
+    EXPECT_EQ(heard.count(Sound::SlabStart), 2);
+    EXPECT_EQ(heard.count(Sound::SlabStop), 2);
+    EXPECT_NEAR(heard.count(Sound::SlabMove), 2 * 0.9 * kTicksPerSecond, 4) << "90 degrees, 100 a second";
+}
+
 TEST(Movers, SoundAsTheirKind) {
     HeardGame lift(with_door("func_plat"));
     EXPECT_EQ(mover_sounds(*lift.game.level.bsp, ModelIndex(1)).move, Sound::LiftMove);
@@ -201,6 +226,81 @@ TEST(Captions, AreFewAndEnd) {
     EXPECT_EQ(captions.lines().size(), Captions::kMostLines);
     captions.note_tick(sounds);
     EXPECT_TRUE(captions.lines().empty());
+}
+
+// What a level's entities sound like by their key "noise".
+TEST(OwnSounds, OfADoorAreHeardAsItBeginsInPlaceOfAllItsOwn) {
+    HeardGame heard(with_door(), 0, "it creaks");
+    heard.play(60, kAhead);
+    heard.play(300, kStand);
+    EXPECT_GE(heard.own_begun, 2) << "there and back";
+    EXPECT_EQ(heard.count(Sound::SlabStart) + heard.count(Sound::SlabMove) + heard.count(Sound::SlabStop), 0);
+    EXPECT_EQ(heard.lines.count("it creaks, ahead") + heard.lines.count("it creaks"), 1u);
+}
+
+TEST(OwnSounds, WithoutACaptionHaveThatOfWhatTheyReplace) {
+    HeardGame heard(with_door(), 0, "");
+    heard.play(60, kAhead);
+    EXPECT_EQ(heard.lines.count("heavy door, ahead") + heard.lines.count("heavy door"), 1u);
+}
+
+TEST(OwnSounds, LastAsLongAsTheirSamples) {
+    HeardGame heard(with_door(), 0, "x");
+    const auto is_heard = [&] {
+        const auto& sounds = heard.scene.audible().sounds;
+        return std::any_of(sounds.begin(), sounds.end(),
+                           [](const auto& sound) { return sound.own != LevelSounds::kNone; });
+    };
+    for (int tick = 0; tick < 60 && !is_heard(); ++tick) heard.play(1, kAhead);
+    int ticks = 0;
+    for (; ticks < 60 && is_heard(); ++ticks) heard.play(1, kStand);
+    EXPECT_NEAR(ticks, 0.5 * kTicksPerSecond, 2);
+}
+
+ToyLevel with_trigger(const std::string& class_name, std::vector<std::pair<std::string, std::string>> pairs) {
+    ToyLevel toy = plain();
+    toy.add_model({{200, -64, 0, 240, 64, 128}});
+    pairs.insert(pairs.begin(), {{"classname", class_name}, {"model", "*1"}});
+    return toy.add_entity(std::move(pairs));
+}
+
+TEST(OwnSounds, OfATriggerAreHeardEachTimeItFires) {
+    HeardGame once(with_trigger("trigger_once", {{"message", "Hm"}}), 0, "");
+    once.play(100, kAhead);
+    EXPECT_EQ(once.own_begun, 1);
+    EXPECT_EQ(once.count(Sound::Message), 0) << "in its place";
+    HeardGame again(with_trigger("trigger_multiple", {{"wait", "0.1"}}), 0, "");
+    again.play(100, kAhead);
+    EXPECT_GE(again.own_begun, 2);
+    HeardGame exit(with_trigger("trigger_changelevel", {}), 0, "");
+    exit.play(100, kAhead);
+    EXPECT_EQ(exit.own_begun, 1);
+    EXPECT_EQ(exit.count(Sound::LevelEnd), 0);
+}
+
+TEST(OwnSounds, OfATriggerThatIsRemovedAreNotHeard) {
+    ToyLevel toy = plain();
+    toy.add_model({{100, -64, 0, 120, 64, 128}}).add_model({{600, -64, 0, 640, 64, 128}});
+    toy.add_entity({{"classname", "trigger_once"}, {"model", "*1"}, {"killtarget", "gone"}});
+    toy.add_entity({{"classname", "trigger_once"}, {"model", "*2"}, {"targetname", "gone"}});
+    HeardGame heard(std::move(toy), 0, "");
+    heard.play(150, kAhead);
+    ASSERT_GT(heard.game.x(), 700) << "through both";
+    EXPECT_EQ(heard.own_begun, 0);
+}
+
+TEST(OwnSounds, OfATeleporterReplaceItsSound) {
+    for (const char* caption : {"", "you fly"}) {
+        ToyLevel toy = with_trigger("info_null", {});
+        toy.level.entities.pop_back();
+        toy.add_entity({{"classname", "info_teleport_destination"}, {"targetname", "there"}, {"origin", "-500 0 30"}});
+        toy.add_entity({{"classname", "trigger_teleport"}, {"model", "*1"}, {"target", "there"}});
+        HeardGame heard(std::move(toy), 0, caption);
+        for (int tick = 0; tick < 60 && heard.game.x() > -100; ++tick) heard.play(1, kAhead);
+        EXPECT_LT(heard.game.x(), -100);
+        EXPECT_EQ(heard.own_begun, 1);
+        EXPECT_EQ(heard.count(Sound::Teleport), 0);
+    }
 }
 
 }  // namespace

@@ -120,8 +120,8 @@ void time_exact_spans(benchmark::State& state, const SharedFrames& stages) {
     for (auto _ : state)
         for (const StageInputs& frame : stages->frames)
             for (const TexturedInput& wall : frame.walls)
-                draw_exact_spans(wall.spans, wall.face.cutting.gradients, wall.face.surface.limits,
-                                 wall.face.surface.view, wall.face.surface.kernel, stages->out());
+                draw_exact_spans(wall.spans, wall.face.cutting, wall.face.surface.view, wall.face.surface.kernel,
+                                 stages->out());
     show_time_per("pixel", stages->sum([](const StageInputs& frame) { return frame.pixels; }), state);
 }
 

@@ -112,6 +112,45 @@ std::string number_text(double value) {
     return text;
 }
 
+LightOptions light_options(const CompileOptions& options, const TextureList& textures) {
+    LightOptions light{options.is_fast, options.has_dirt, options.has_bounce, options.warnings, options.palette, {}};
+    for (const TexInfo& texinfo : textures.texinfos()) light.smooth_degrees.push_back(texinfo.smooth_degrees);
+    return light;
+}
+
+void check_same_brushes(bool are_same) {
+    if (!are_same)
+        throw InputError("--only", "the brushes are not those of the level that is there, expected it without --only");
+}
+
+// Entities, and light if it is asked for, in a level whose brushes stay.
+BspFile changed_level(const std::vector<MapEntity>& entities, const LevelBrushes& brushes,
+                      const CompileOptions& options, const WorkSharing& sharing) {
+    BspFile bsp = options.former;
+    PlaneList planes = brushes.planes;
+    BspFile expected;
+    Emitter(expected, planes).add_texinfos(brushes.textures.texinfos());
+    check_same_brushes(bsp.models.size() == brushes.models.size() && bsp.texinfos == expected.texinfos);
+    bsp.entities = entities_text(entities);
+    if (options.part == CompilePart::Entities) return bsp;
+    bsp.lighting.clear();
+    for (FileFace& face : bsp.faces) {
+        face.styles = FileFace{}.styles;
+        face.light_offset = -1;
+    }
+    add_light(bsp, entities, light_options(options, brushes.textures), sharing);
+    return bsp;
+}
+
+void take_light(BspFile& bsp, const BspFile& former) {
+    check_same_brushes(bsp.faces.size() == former.faces.size() && bsp.vertices == former.vertices);
+    for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
+        bsp.faces[i].styles = former.faces[i].styles;
+        bsp.faces[i].light_offset = former.faces[i].light_offset;
+    }
+    bsp.lighting = former.lighting;
+}
+
 }  // namespace
 
 LeakError::LeakError(const MapEntity& entity, std::vector<Point> way_out, bool is_start_inside)
@@ -132,10 +171,15 @@ std::string points_text(const std::vector<Point>& path) {
 }
 
 BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wads, const CompileOptions& options) {
+    const WorkSharing sharing(options.workers, options.progress);
+    sharing.begin("tree", 1);
     assign_switchable_styles(entities);
+    set_smoothing(entities);
     bring_world_forward(entities);
     split_off_fences(entities);
     LevelBrushes level = make_brushes(entities, options.warnings);
+    if (options.part == CompilePart::Entities || options.part == CompilePart::Light)
+        return changed_level(entities, level, options, sharing);
     BspFile bsp;
     bsp.textures = collect_textures(level.textures.names(), wads);
     const CompiledModel world = compile_world(level, entities);
@@ -147,8 +191,11 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
         emitter.add_model(compile_model(level.models[i], level.planes, level.textures.texinfos(), std::nullopt).model);
     bsp.entities = entities_text(entities);
     check_size(bsp);  // before the passes that take long
-    add_visibility(bsp, world, leaf_indices, level.planes, options.is_fast);
-    add_light(bsp, entities, options.is_fast, options.warnings);
+    add_visibility(bsp, world, leaf_indices, level.planes, options.is_fast, sharing, options.portals);
+    if (options.part == CompilePart::Visibility)
+        take_light(bsp, options.former);
+    else
+        add_light(bsp, entities, light_options(options, level.textures), sharing);
     return bsp;
 }
 

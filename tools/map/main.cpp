@@ -1,42 +1,92 @@
 #include <filesystem>
 #include <iostream>
+#include <thread>
 
 #include "engine/files/arguments.h"
 #include "engine/files/command_line.h"
 #include "engine/files/files.h"
 #include "engine/files/game_definition.h"
+#include "engine/platform/worker_threads.h"
+#include "engine/surface/palette.h"
 #include "tools/map/compile.h"
+#include "tools/map/progress_line.h"
 #include "tools/map/source/checks.h"
 #include "tools/map/source/fgd.h"
+#include "tools/map/texture_sources.h"
+#include "tools/map/tree/bsp_read.h"
+#include "tools/map/trenchbroom.h"
 
 namespace {
 
 using namespace oblong;
 
 struct Arguments {
-    std::string input, output, fgd, game;
-    std::vector<std::string> wads;
-    bool is_fast = false;
+    std::string input, output, fgd, game, portals, trenchbroom, only;
+    map::TextureSources textures;
+    std::int64_t threads = 0;  // as many as there are processors
+    bool is_fast = false, is_strict = false, has_dirt = false, has_bounce = false;
 };
 
 void declare(CommandArguments& line, Arguments& arguments) {
     line.add("IN.map", arguments.input, "the level's source: Quake .map, Standard or Valve 220");
-    line.add("-o,--out", arguments.output, "the level to write: OUT.bsp, version 29");
-    line.add("--wad", arguments.wads, "a WAD2 file of textures; may be given more than once");
+    line.add("-o,--out", arguments.output,
+             "the level to write: OUT.bsp, version 29, or BSP2 if it is too large for that");
+    line.add(
+        "--wad", arguments.textures.wads,
+        "a WAD2 file of textures or a folder of pictures; may be given more than once. Default: what the key wad of "
+        "the worldspawn names");
+    line.add("--glow", arguments.textures.glowing, "a texture of a folder whose colours may glow");
+    line.add("--dither", arguments.textures.dither, "of a folder's pictures: none or floyd-steinberg");
+    line.add("--palette", arguments.textures.palette,
+             "of a folder's pictures; default: palette.lmp in the folder, else Oblong's");
     line.add("--fgd", arguments.fgd, "writes the classes and keys that editors show, and compiles nothing");
+    line.add("--install-trenchbroom", arguments.trenchbroom, "a folder: writes the editor's configuration there")
+        .accept_no_value(map::kTrenchBroomFolder);
     line.add("--game", arguments.game, "a folder whose game.json has classes of its own");
+    line.add("--prt", arguments.portals, "writes the portals too, as a .prt file");
+    line.add("--only", arguments.only,
+             "entities, light or vis: makes that anew in OUT.bsp, which is there; the brushes have not changed");
+    line.add("--threads", arguments.threads,
+             "that compile; default: as many as processors. The level is the same for any number")
+        .limit(1, 64);
     line.add_flag("--fast", arguments.is_fast, "rougher visibility and light");
+    line.add_flag("--bounce", arguments.has_bounce, "light goes on from surface to surface, as with _bounce 1");
+    line.add_flag("--dirt", arguments.has_dirt, "corners are darker, as with _dirt 1");
+    line.add_flag("--strict", arguments.is_strict, "warnings are errors");
 }
 
 std::string points_path(const Arguments& arguments) {
     return std::filesystem::path(arguments.output).replace_extension(".pts").string();
 }
 
-void print(map::Warnings& warnings, const Arguments& arguments) {
-    for (const map::Warning& warning : warnings.take())
-        std::cerr << "oblong-map: " << arguments.input << ": line " << warning.line << ": warning: " << warning.what
-                  << '\n';
-}
+// Prints warnings as they come, and counts them.
+class Reporter {
+  public:
+    explicit Reporter(const Arguments& arguments) : arguments_(arguments) {}
+
+    void print() {
+        progress.clear();
+        for (const map::Warning& warning : warnings.take()) {
+            std::cerr << "oblong-map: " << arguments_.input << ": line " << warning.line
+                      << ": warning: " << warning.what << '\n';
+            ++count_;
+        }
+        if (arguments_.is_strict && count_ > 0)
+            throw InputError("--strict", std::to_string(count_) + " warnings, expected none");
+    }
+
+    void print_summary(const map::BspFile& bsp, const map::PortalFile& portals) {
+        std::cout << arguments_.output << ": " << map::summary_of(bsp) << ", " << portals.count << " portals; "
+                  << count_ << " warnings; " << progress.times() << '\n';
+    }
+
+    map::Warnings warnings;
+    map::ProgressLine progress;
+
+  private:
+    const Arguments& arguments_;
+    int count_ = 0;
+};
 
 // As the game will take them; in the level they keep their classes.
 std::vector<map::MapEntity> with_known_classes(std::vector<map::MapEntity> entities, const std::string& folder) {
@@ -50,29 +100,59 @@ std::vector<map::MapEntity> with_known_classes(std::vector<map::MapEntity> entit
     return entities;
 }
 
-std::string compile(const Arguments& arguments, const std::string& text, const std::vector<map::Wad>& wads) {
+map::CompilePart parse_part(const std::string& name) {
+    if (name.empty()) return map::CompilePart::All;
+    if (name == "entities") return map::CompilePart::Entities;
+    if (name == "light") return map::CompilePart::Light;
+    if (name == "vis") return map::CompilePart::Visibility;
+    throw UsageError("--only: '" + name + "', expected entities, light or vis");
+}
+
+std::string compile(const Arguments& arguments, const std::string& text, const char* called_as) {
     std::vector<map::MapEntity> entities = map::parse_map(text);
-    map::Warnings warnings;
-    map::find_warnings(arguments.game.empty() ? entities : with_known_classes(entities, arguments.game), warnings);
-    print(warnings, arguments);
+    const std::vector<map::Wad> wads =
+        map::read_texture_sources(arguments.textures, entities.front(), arguments.input, called_as);
+    Reporter reporter(arguments);
+    map::find_warnings(arguments.game.empty() ? entities : with_known_classes(entities, arguments.game),
+                       reporter.warnings);
+    reporter.print();
+    const int processors = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    WorkerThreads workers(arguments.threads > 0 ? static_cast<int>(arguments.threads) : processors);
+    map::PortalFile portals;
+    Palette palette;
+    const bool has_bounce = arguments.has_bounce || entities.front().has("_bounce");
+    if (has_bounce) palette = read_parsed(map::palette_file(arguments.textures, called_as), read_palette);
+    map::CompileOptions options;
+    options.is_fast = arguments.is_fast;
+    options.has_dirt = arguments.has_dirt;
+    options.has_bounce = arguments.has_bounce;
+    if (has_bounce) options.palette = &palette;
+    options.warnings = &reporter.warnings;
+    options.workers = &workers;
+    options.progress = &reporter.progress;
+    options.portals = &portals;
+    options.part = parse_part(arguments.only);
+    if (options.part != map::CompilePart::All)
+        options.former = naming_file(arguments.output, [&] { return map::from_bytes(read_text(arguments.output)); });
     try {
-        std::string level = map::to_bytes(map::compile_map(std::move(entities), wads, {arguments.is_fast, &warnings}));
-        print(warnings, arguments);
-        return level;
+        const map::BspFile level = map::compile_map(std::move(entities), wads, options);
+        reporter.print();
+        std::string bytes = map::to_bytes(level);
+        if (!arguments.portals.empty()) write_file(arguments.portals, portals.text);
+        reporter.print_summary(level, portals);
+        return bytes;
     } catch (const map::LeakError& leak) {
+        reporter.progress.clear();
         write_file(points_path(arguments), map::points_text(leak.path) + "\n");
         throw InputError(leak.where, std::string(leak.what()) + "; the way out is in " + points_path(arguments));
     }
 }
 
-void compile_to_file(const Arguments& arguments) {
+void compile_to_file(const Arguments& arguments, const char* called_as) {
     if (arguments.input.empty()) throw UsageError("IN.map is required");
     if (arguments.output.empty()) throw UsageError("--out is required");
     const std::string text = read_text(arguments.input);
-    std::vector<map::Wad> wads;
-    for (const std::string& path : arguments.wads)
-        wads.push_back(naming_file(path, [&] { return map::Wad(read_text(path)); }));
-    write_file(arguments.output, naming_file(arguments.input, [&] { return compile(arguments, text, wads); }));
+    write_file(arguments.output, naming_file(arguments.input, [&] { return compile(arguments, text, called_as); }));
     const std::string points = points_path(arguments);  // the way out of a leak that is closed now
     if (points != arguments.output && std::filesystem::is_regular_file(points)) std::filesystem::remove(points);
 }
@@ -84,7 +164,8 @@ int main(int argc, char** argv) {
     CommandLine line("oblong-map", "Compiles the source of a level to a Quake BSP file (version 29).");
     declare(line, arguments);
     return line.run(argc, argv, [&] {
-        if (arguments.fgd.empty()) return compile_to_file(arguments);
+        if (!arguments.trenchbroom.empty()) return map::install_trenchbroom(arguments.trenchbroom, argv[0]);
+        if (arguments.fgd.empty()) return compile_to_file(arguments, argv[0]);
         write_file(arguments.fgd, map::fgd_text());
     });
 }

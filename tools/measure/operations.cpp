@@ -109,7 +109,7 @@ constexpr EventCost kExactOverZ{300, 200}, kExactInverseZ{300, 0, 38}, kExactTex
 /// The same where all spans are divided: most pixels are drawn on a line between two that are.
 constexpr EventCost kLineInverseZ{574, 29, 23};
 /// The same, a span or such a part of one: where octaves end, whether one needs clamping.
-constexpr EventCost kDividedPart{10690, 2355, 109};
+constexpr EventCost kDividedPart{7370, 1713, 39};
 /// The fewest pixels that such parts have in the mean.
 constexpr std::int64_t kDividedPart_px = 3;
 /// raster/kernels/plain.cpp: two steps, two shifts, two masks, three addresses, the loop; the texel; the pixel.
@@ -123,9 +123,9 @@ constexpr EventCost kFlatPixel{100, 0, 0, 0, 0, 100};
 constexpr EventCost kSkyDirection{5674, 2147}, kSkyPixel{1845, 200, 0, 200, 200, 100}, kSkyFrame{0, 0, 1300};
 /// surface/lit_surface.cpp, build_cell_row(): texel and colormap looked up; a step of the shade; a threshold. And of
 /// eight texels, which are a half of a cell's row or more: the shades at its ends.
-constexpr EventCost kLitTexel{600, 0, 0, 200, 200, 100}, kNearestTexel{251, 0, 0, 200, 200, 100},
+constexpr EventCost kLitTexel{600, 0, 0, 200, 200, 100}, kNearestTexel{267, 0, 0, 200, 200, 100},
     kDither{207, 6, 0, 100, 100, 0};
-constexpr EventCost kLitTexels_8{0, 169, 17}, kNearestTexels_8{0, 76, 17};
+constexpr EventCost kLitTexels_8{0, 176, 19}, kNearestTexels_8{0, 81, 19};
 
 StageOperations vertices_of(const StageCounts& stages, const Widths& widths) {
     // A position has 20.12 bits: products with axes of up to 32 bits are of 32.

@@ -3,16 +3,6 @@
 #include "engine/files/files.h"
 #include "tools/texture/texture_files.h"
 
-namespace {
-
-oblong::Dither parse_dither(const std::string& text) {
-    if (text == "none") return oblong::Dither::None;
-    if (text == "floyd-steinberg") return oblong::Dither::FloydSteinberg;
-    throw oblong::UsageError("--dither: '" + text + "', expected none or floyd-steinberg");
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
     using namespace oblong;
     std::vector<std::string> pictures, glowing;

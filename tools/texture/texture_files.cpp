@@ -112,19 +112,32 @@ MipTexture read_png_texture(const std::string& path, const Palette& palette, Png
     });
 }
 
-void pack_textures(const std::vector<std::string>& picture_paths, const std::vector<std::string>& glowing,
-                   const std::string& wad_path, const Palette& palette, Dither dither) {
+Dither parse_dither(const std::string& text) {
+    if (text == "none") return Dither::None;
+    if (text == "floyd-steinberg") return Dither::FloydSteinberg;
+    throw UsageError("--dither: '" + text + "', expected none or floyd-steinberg");
+}
+
+std::vector<std::uint8_t> packed_textures(const std::vector<std::string>& picture_paths,
+                                          const std::vector<std::string>& glowing, const Palette& palette,
+                                          Dither dither) {
     const std::map<std::string, std::string> files = files_by_name(picture_paths);
     std::set<std::string> glowing_files;
-    for (const std::string& name : glowing) {
-        const auto file = files.find(lookup_name(name));
-        if (file == files.end()) throw UsageError("--glow: '" + name + "' is the name of none of the textures");
-        glowing_files.insert(file->second);
-    }
+    for (const std::string& name : glowing)
+        if (const auto file = files.find(lookup_name(name)); file != files.end()) glowing_files.insert(file->second);
     std::vector<MipTexture> textures;
     for (const std::string& path : picture_paths)
         textures.push_back(read_png_texture(path, palette, {glowing_files.contains(path), dither}));
-    write_file(wad_path, write_wad(textures));
+    return write_wad(textures);
+}
+
+void pack_textures(const std::vector<std::string>& picture_paths, const std::vector<std::string>& glowing,
+                   const std::string& wad_path, const Palette& palette, Dither dither) {
+    const std::map<std::string, std::string> files = files_by_name(picture_paths);
+    for (const std::string& name : glowing)
+        if (!files.contains(lookup_name(name)))
+            throw UsageError("--glow: '" + name + "' is the name of none of the textures");
+    write_file(wad_path, packed_textures(picture_paths, glowing, palette, dither));
 }
 
 void unpack_textures(const std::string& archive_path, const std::string& folder, const Palette& palette) {

@@ -17,6 +17,9 @@ struct PngColours {
     Dither dither = Dither::None;
 };
 
+/// "none" or "floyd-steinberg", the value of --dither. Throws UsageError.
+Dither parse_dither(const std::string& text);
+
 /// All these throw FileError.
 
 /// A picture (PNG, TGA, JPEG, BMP) as a texture named after the file. Its sizes must be multiples of 16, 4096 at most.
@@ -25,8 +28,13 @@ struct PngColours {
 /// an error.
 MipTexture read_png_texture(const std::string& path, const Palette& palette, PngColours colours = {});
 
-/// `pack`: pictures into a WAD, those whose texture names `glowing` lists with colours that glow. Two pictures of one
-/// name, whatever the case of its letters, are an error. Throws UsageError where `glowing` names none of them.
+/// The bytes of a WAD of pictures: those whose texture names `glowing` lists take colours that glow. Two pictures of
+/// one name, whatever the case of its letters, are an error.
+std::vector<std::uint8_t> packed_textures(const std::vector<std::string>& picture_paths,
+                                          const std::vector<std::string>& glowing, const Palette& palette,
+                                          Dither dither = Dither::None);
+
+/// `pack`: writes such a WAD. Throws UsageError where `glowing` names none of them.
 void pack_textures(const std::vector<std::string>& picture_paths, const std::vector<std::string>& glowing,
                    const std::string& wad_path, const Palette& palette, Dither dither = Dither::None);
 

@@ -11,8 +11,8 @@ namespace oblong {
 /// user's keyboard and mouse with it. Throws std::runtime_error with SDL's message where there is no display.
 std::unique_ptr<Platform> open_window(const char* title, WindowSize size);
 
-/// Opens the user's audio device with SDL_mixer. Throws std::runtime_error with SDL's message where there is none. A
-/// device that is lost later only becomes silent.
+/// Opens the user's audio device, on which a Mixer is heard. Throws std::runtime_error with SDL's message where there
+/// is none. A device that is lost later only becomes silent.
 std::unique_ptr<SoundOutput> open_mixer();
 
 }  // namespace oblong

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include "engine/platform/frame_pacing.h"
 #include "engine/platform/sdl/crt_look.h"
@@ -24,6 +25,9 @@ void DestroySdl::operator()(SDL_Renderer* renderer) const {
 }
 void DestroySdl::operator()(SDL_Texture* texture) const {
     SDL_DestroyTexture(texture);
+}
+void DestroySdl::operator()(SDL_Surface* surface) const {
+    SDL_FreeSurface(surface);
 }
 
 namespace {
@@ -115,6 +119,8 @@ class SdlPlatform final : public Platform {
     std::uint64_t now_us() override;
     WindowSize window_size() const override;
     void set_title(const char* title) override { SDL_SetWindowTitle(window_.get(), title); }
+    bool shows_icon() const override { return true; }
+    void set_icon(std::span<const std::uint8_t> rgba, WindowSize size) override;
     void capture_mouse(bool is_captured) override { input_.capture_mouse(is_captured); }
     std::string local_name_of(Input input) const override { return input_.local_name_of(input); }
     void change_window(const WindowSettings& settings) override;
@@ -142,6 +148,13 @@ class SdlPlatform final : public Platform {
 std::uint64_t SdlPlatform::now_us() {
     const std::uint64_t counter = SDL_GetPerformanceCounter(), rate = SDL_GetPerformanceFrequency();
     return counter / rate * 1'000'000 + counter % rate * 1'000'000 / rate;
+}
+
+void SdlPlatform::set_icon(std::span<const std::uint8_t> rgba, WindowSize size) {
+    std::vector<std::uint8_t> pixels(rgba.begin(), rgba.end());  // SDL asks for what it may write to
+    const Owned<SDL_Surface> surface(SDL_CreateRGBSurfaceWithFormatFrom(pixels.data(), size.width_px, size.height_px,
+                                                                        32, size.width_px * 4, SDL_PIXELFORMAT_RGBA32));
+    if (surface) SDL_SetWindowIcon(window_.get(), surface.get());
 }
 
 WindowSize SdlPlatform::window_size() const {

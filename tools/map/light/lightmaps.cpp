@@ -4,9 +4,12 @@
 #include <map>
 #include <numeric>
 
-#include "tools/map/light/sources.h"
-#include "tools/map/source/brush.h"
-#include "tools/map/vis/visibility.h"
+#include "engine/files/wad.h"
+#include "engine/surface/palette.h"
+#include "tools/map/light/hemisphere.h"
+#include "tools/map/light/reach.h"
+#include "tools/map/light/smooth_normals.h"
+#include "tools/map/light/surface_lights.h"
 
 namespace oblong::map {
 
@@ -59,33 +62,30 @@ std::vector<std::vector<Point>> sample_points(const FaceSampler& sampler, bool i
     return samples;
 }
 
+// `light_at`: of a point and the normal there.
 template <class LightAt>
-void add_light_at(Samples& sums, const std::vector<std::vector<Point>>& samples, LightAt light_at) {
+void add_light_at(Samples& sums, const FaceSampler& sampler, const std::vector<std::vector<Point>>& samples,
+                  LightAt light_at) {
     sums.resize(samples.size(), 0);
     for (std::size_t i = 0; i < samples.size(); ++i) {
         double sum = 0;
-        for (const Point& point : samples[i]) sum += light_at(point);
+        for (const Point& point : samples[i]) sum += light_at(point, sampler.normal_at(point));
         sums[i] += sum / static_cast<double>(samples[i].size());
     }
 }
 
-StyleSamples light_face(const FaceSampler& sampler, const std::vector<const LightSource*>& sources, const Sun& sun,
-                        double least, const Tracer& tracer, bool is_fast) {
+StyleSamples direct_light(const FaceSampler& sampler, const std::vector<const LightSource*>& sources, const Sun& sun,
+                          const Tracer& tracer, bool is_fast) {
     StyleSamples styles;
     const auto samples = sample_points(sampler, is_fast);
     for (const LightSource* source : sources)
-        add_light_at(styles[source->style], samples,
-                     [&](const Point& point) { return light_from(*source, point, sampler.normal(), tracer); });
+        add_light_at(styles[source->style], sampler, samples, [&](const Point& point, const Point& normal) {
+            return light_from(*source, point, normal, tracer);
+        });
     if (sun.brightness > 0)
-        add_light_at(styles[0], samples,
-                     [&](const Point& point) { return light_from_sun(sun, point, sampler.normal(), tracer); });
-    if (least > 0) {
-        styles[0].resize(samples.size(), 0);
-        for (double& sample : styles[0]) sample = std::max(sample, least);
-    }
-    std::erase_if(styles, [](const auto& style) {
-        return std::all_of(style.second.begin(), style.second.end(), [](double sample) { return sample < 1; });
-    });
+        add_light_at(styles[0], sampler, samples, [&](const Point& point, const Point& normal) {
+            return light_from_sun(sun, point, normal, tracer);
+        });
     return styles;
 }
 
@@ -101,7 +101,7 @@ void keep_brightest(StyleSamples& styles) {
         }));
 }
 
-void store(BspFile& bsp, FileFace& face, const StyleSamples& styles) {
+void store_styles(BspFile& bsp, FileFace& face, const StyleSamples& styles) {
     if (styles.empty()) return;
     face.light_offset = static_cast<int>(bsp.lighting.size());
     std::size_t next = 0;
@@ -110,60 +110,6 @@ void store(BspFile& bsp, FileFace& face, const StyleSamples& styles) {
         for (const double sample : samples)
             bsp.lighting.push_back(static_cast<char>(static_cast<int>(std::clamp(sample * kRangeScale, 0.0, 255.0))));
     }
-}
-
-bool is_sky(const BspFile& bsp, const FileFace& face) {
-    const FileTexInfo& texinfo = item(bsp.texinfos, face.texinfo);
-    return texinfo.flags != 0 && contents_of_texture(item(bsp.textures, texinfo.texture)) == contents::kSky;
-}
-
-// Which faces of the world each source may light, by the sets of potentially visible leaves: spares most rays.
-class LightReach {
-  public:
-    LightReach(const BspFile& bsp, const Tracer& tracer, const std::vector<LightSource>& sources);
-
-    // True for faces of brush entities always: they move.
-    bool may_light(std::size_t source, std::size_t face) const {
-        return face >= world_face_count_ || reached_[source][face];
-    }
-
-  private:
-    std::size_t world_face_count_;
-    std::vector<std::vector<bool>> reached_;  // of each source, by face
-};
-
-LightReach::LightReach(const BspFile& bsp, const Tracer& tracer, const std::vector<LightSource>& sources)
-    : world_face_count_(static_cast<std::size_t>(bsp.models.front().face_count)) {
-    const auto leaf_count = static_cast<std::size_t>(bsp.models.front().visible_leaf_count);
-    for (const LightSource& source : sources) {
-        auto& reached = reached_.emplace_back(world_face_count_, false);
-        const FileLeaf& home = item(bsp.leaves, tracer.leaf_at(source.origin));
-        bool sees_sky = home.contents == contents::kSky;
-        const std::vector<bool> seen = unpacked_row(bsp.visibility, home.visibility_offset, leaf_count);
-        for (std::size_t leaf = 0; leaf < leaf_count; ++leaf) {
-            if (!seen[leaf]) continue;
-            const FileLeaf& marks = bsp.leaves[leaf + 1];
-            for (int i = 0; i < marks.mark_face_count; ++i) {
-                const int face = item(bsp.mark_faces, marks.first_mark_face + i);
-                item(reached, face) = true;
-                sees_sky = sees_sky || is_sky(bsp, item(bsp.faces, face));
-            }
-        }
-        if (sees_sky) reached.assign(world_face_count_, true);  // what is behind a sky is in no set
-    }
-}
-
-// Sources that may light some of the face.
-std::vector<const LightSource*> sources_near(const Lights& lights, const LightReach& reach, std::size_t face,
-                                             const FaceSampler& sampler) {
-    std::vector<const LightSource*> near;
-    for (std::size_t i = 0; i < lights.sources.size(); ++i) {
-        const LightSource& source = lights.sources[i];
-        const Point towards = source.origin - sampler.centre();
-        if (dot(towards, sampler.normal()) <= 0 || length(towards) > source.range() + sampler.radius()) continue;
-        if (reach.may_light(i, face)) near.push_back(&source);
-    }
-    return near;
 }
 
 // The first place 2 units along an axis that is no wall: samples are 1 unit over their faces.
@@ -190,59 +136,188 @@ void move_out_of_walls(std::vector<LightSource>& sources, const Tracer& tracer, 
     }
 }
 
+// Faces of a model follow one another.
+std::vector<double> least_light_of_faces(const BspFile& bsp, const std::vector<double>& of_models) {
+    std::vector<double> least;
+    for (std::size_t model = 0; model < bsp.models.size(); ++model)
+        least.insert(least.end(), as_size(bsp.models[model].face_count), of_models[model]);
+    return least;
+}
+
+// How much of the light that falls on each texture leaves it again: the mean luminance of its texels.
+std::vector<double> reflectances(const BspFile& bsp, const Palette* palette) {
+    std::vector<double> shares;
+    for (const std::string& miptex : bsp.textures) {
+        const MipTexture texture = parse_miptex({reinterpret_cast<const std::uint8_t*>(miptex.data()), miptex.size()});
+        const auto& texels = texture.mips.back();
+        double sum = 0;
+        for (const std::uint8_t texel : texels)
+            sum += palette == nullptr ? 0.5 : luminance_1000(item(palette->colours, texel)) / 255'000.0;
+        shares.push_back(texels.empty() ? 0.5 : sum / static_cast<double>(texels.size()));
+    }
+    return shares;
+}
+
+// The lights of one level, face by face.
+class LightPass {
+  public:
+    LightPass(BspFile& bsp, const std::vector<MapEntity>& entities, const LightOptions& options,
+              const WorkSharing& sharing)
+        : bsp_(bsp), options_(options), sharing_(sharing), lights_(lights_of(entities)), tracer_(bsp) {
+        if (options.has_dirt) lights_.hemisphere.has_dirt = true;
+        if (options.has_bounce) lights_.hemisphere.bounces = std::max(lights_.hemisphere.bounces, 1);
+        spread_surface_lights(lights_.sources, bsp);
+        move_out_of_walls(lights_.sources, tracer_, options.warnings);
+        auto normals = smooth_normals(bsp, options.smooth_degrees);
+        for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
+            samplers_.emplace_back();
+            if (item(bsp.texinfos, bsp.faces[i].texinfo).flags == 0)
+                samplers_.back().emplace(bsp, bsp.faces[i], std::move(normals[i]), tracer_);
+        }
+        styles_.resize(bsp.faces.size());
+    }
+
+    void run() {
+        add_direct_light();
+        if (lights_.hemisphere.is_needed()) add_hemisphere_light();
+        store();
+    }
+
+  private:
+    void for_each_face(const char* stage, const std::function<void(std::size_t, const FaceSampler&)>& light) {
+        sharing_.begin(stage, samplers_.size());
+        sharing_.for_each(samplers_.size(), [&](std::size_t i) {
+            if (samplers_[i]) light(i, *samplers_[i]);
+        });
+    }
+
+    void add_direct_light() {
+        const LightReach reach(bsp_, tracer_, lights_.sources);
+        for_each_face("light", [&](std::size_t i, const FaceSampler& sampler) {
+            const auto sources = sources_near(lights_.sources, reach, i, sampler);
+            styles_[i] = direct_light(sampler, sources, lights_.sun, tracer_, options_.is_fast);
+        });
+    }
+
+    // Once for sky and dirt, with the first bounce; and once more for each further bounce.
+    void add_hemisphere_light() {
+        const HemisphereSettings& settings = lights_.hemisphere;
+        std::vector<Samples> last(samplers_.size()), next(samplers_.size()), shut(samplers_.size());
+        for (std::size_t i = 0; i < samplers_.size(); ++i)
+            if (const auto steady = styles_[i].find(0); steady != styles_[i].end()) last[i] = steady->second;
+        const std::vector<double> reflected = reflectances(bsp_, options_.palette);
+        for (int bounce = 0; bounce < std::max(settings.bounces, 1); ++bounce) {
+            const auto light_at = [&](const Point& point, const RayHit& hit, const Point& direction) {
+                return light_of_surface(point, hit, direction, last, reflected) * settings.bounce_scale;
+            };
+            for_each_face("bounced light", [&](std::size_t i, const FaceSampler& sampler) {
+                const std::vector<Hemisphere> seen =
+                    seen_from(sampler, settings.bounces > 0 ? SurfaceLight(light_at) : SurfaceLight());
+                next[i].assign(seen.size(), 0);
+                Samples& steady = styles_[i][0];
+                steady.resize(seen.size(), 0);
+                for (std::size_t k = 0; k < seen.size(); ++k) next[i][k] = seen[k].light;
+                if (bounce > 0) return;
+                for (std::size_t k = 0; k < seen.size(); ++k) darken(i, k, seen[k]);
+                for (std::size_t k = 0; k < seen.size(); ++k)
+                    steady[k] += settings.sunlight2 * seen[k].sky_above + settings.sunlight3 * seen[k].sky_below;
+            });
+            for (std::size_t i = 0; i < next.size(); ++i)
+                for (std::size_t k = 0; k < next[i].size(); ++k) styles_[i][0][k] += next[i][k];
+            std::swap(last, next);
+        }
+    }
+
+    using SurfaceLight = std::function<double(const Point&, const RayHit&, const Point&)>;
+
+    void darken(std::size_t face, std::size_t sample, const Hemisphere& seen) {
+        const HemisphereSettings& settings = lights_.hemisphere;
+        if (!settings.has_dirt) return;
+        const double dirt = std::clamp(std::pow(seen.shut, settings.dirt_gain) * settings.dirt_scale, 0.0, 1.0);
+        for (auto& [style, samples] : styles_[face]) samples[sample] *= 1 - dirt;
+    }
+
+    // Light is the same at neighbouring samples nearly everywhere, so that each takes a ninth of the rays, and the mean
+    // of nine neighbours has all.
+    std::vector<Hemisphere> seen_from(const FaceSampler& sampler, const SurfaceLight& light_at) const {
+        const HemisphereRays rays(options_.is_fast ? 4 : 8, 9);
+        const auto [width, height] = sampler.grid().count;
+        std::vector<Hemisphere> alone;
+        for (int v = 0; v < height; ++v) {
+            for (int u = 0; u < width; ++u) {
+                const Point point = sampler.point_at(u, v);
+                alone.push_back(rays.gather(point, sampler.normal_at(point), u % 3 + 3 * (v % 3),
+                                            lights_.hemisphere.dirt_depth, tracer_, light_at));
+            }
+        }
+        std::vector<Hemisphere> smooth;
+        for (int v = 0; v < height; ++v)
+            for (int u = 0; u < width; ++u) smooth.push_back(mean_around(alone, u, v, width, height));
+        return smooth;
+    }
+
+    static Hemisphere mean_around(const std::vector<Hemisphere>& all, int u, int v, int width, int height) {
+        Hemisphere sum;
+        int count = 0;
+        for (int y = std::max(v - 1, 0); y <= std::min(v + 1, height - 1); ++y) {
+            for (int x = std::max(u - 1, 0); x <= std::min(u + 1, width - 1); ++x, ++count) {
+                const Hemisphere& each = item(all, y * width + x);
+                sum.sky_above += each.sky_above;
+                sum.sky_below += each.sky_below;
+                sum.shut += each.shut;
+                sum.light += each.light;
+            }
+        }
+        return {sum.sky_above / count, sum.sky_below / count, sum.shut / count, sum.light / count};
+    }
+
+    double light_of_surface(const Point& point, const RayHit& hit, const Point& direction,
+                            const std::vector<Samples>& light, const std::vector<double>& reflected) const {
+        if (hit.node < 0) return 0;
+        const FileNode& node = item(bsp_.nodes, hit.node);
+        const bool is_back = dot(to_point(item(bsp_.planes, node.plane).normal), direction) > 0;
+        for (int i = node.first_face; i < node.first_face + node.face_count; ++i) {
+            const FileFace& face = item(bsp_.faces, i);
+            if ((face.is_back != 0) != is_back || !item(samplers_, i)) continue;
+            const auto sample = item(samplers_, i)->sample_at(point);
+            if (!sample) continue;
+            const Samples& samples = item(light, i);
+            return samples.empty() ? 0 : samples[*sample] * item(reflected, item(bsp_.texinfos, face.texinfo).texture);
+        }
+        return 0;
+    }
+
+    void store() {
+        const std::vector<double> least = least_light_of_faces(bsp_, lights_.least);
+        for (std::size_t i = 0; i < styles_.size(); ++i) {
+            if (!samplers_[i]) continue;
+            if (least[i] > 0) {
+                Samples& steady = styles_[i][0];
+                steady.resize(as_size(samplers_[i]->grid().count[0] * samplers_[i]->grid().count[1]), 0);
+                for (double& sample : steady) sample = std::max(sample, least[i]);
+            }
+            std::erase_if(styles_[i], [](const auto& style) {
+                return std::all_of(style.second.begin(), style.second.end(), [](double sample) { return sample < 1; });
+            });
+            keep_brightest(styles_[i]);
+            store_styles(bsp_, bsp_.faces[i], styles_[i]);
+        }
+    }
+
+    BspFile& bsp_;
+    const LightOptions& options_;
+    const WorkSharing& sharing_;
+    Lights lights_;
+    Tracer tracer_;
+    std::vector<std::optional<FaceSampler>> samplers_;  // none: no lightmap
+    std::vector<StyleSamples> styles_;                  // by face
+};
+
 }  // namespace
 
-void add_light(BspFile& bsp, const std::vector<MapEntity>& entities, bool is_fast, Warnings* warnings) {
-    Lights lights = lights_of(entities);
-    const Tracer tracer(bsp);
-    move_out_of_walls(lights.sources, tracer, warnings);
-    const LightReach reach(bsp, tracer, lights.sources);
-    for (std::size_t model = 0; model < bsp.models.size(); ++model) {
-        const int first = bsp.models[model].first_face, end = first + bsp.models[model].face_count;
-        for (int i = first; i < end; ++i) {
-            FileFace& face = item(bsp.faces, i);
-            if (item(bsp.texinfos, face.texinfo).flags != 0) continue;
-            const FaceSampler sampler(bsp, face, tracer);
-            const auto sources = sources_near(lights, reach, static_cast<std::size_t>(i), sampler);
-            StyleSamples styles = light_face(sampler, sources, lights.sun, lights.least[model], tracer, is_fast);
-            keep_brightest(styles);
-            store(bsp, face, styles);
-        }
-    }
-}
-
-Tracer::Tracer(const BspFile& bsp) : root_(bsp.models.front().head_nodes[0]) {
-    for (const FileNode& node : bsp.nodes) {
-        const FilePlane& plane = item(bsp.planes, node.plane);
-        nodes_.push_back({to_point(plane.normal), static_cast<double>(plane.distance), node.children});
-    }
-    for (const FileLeaf& leaf : bsp.leaves) opaque_.push_back(is_opaque(leaf.contents) ? leaf.contents : 0);
-}
-
-int Tracer::leaf_at(const Point& point) const {
-    int child = root_;
-    while (child >= 0) {
-        const TraceNode& node = item(nodes_, child);
-        child = node.children[dot(node.normal, point) < node.distance ? 1 : 0];
-    }
-    return -1 - child;
-}
-
-int Tracer::follow(int child, const Point& from, const Point& to, bool stops_at_sky) const {
-    while (child >= 0) {
-        const TraceNode& node = item(nodes_, child);
-        const double from_height = dot(node.normal, from) - node.distance;
-        const double to_height = dot(node.normal, to) - node.distance;
-        const std::size_t near = from_height < 0 ? 1 : 0, far = to_height < 0 ? 1 : 0;
-        if (near != far) {
-            const Point at = from + (to - from) * (from_height / (from_height - to_height));
-            const int hit = follow(node.children[near], from, at, stops_at_sky);
-            return hit != 0 ? hit : follow(node.children[far], at, to, stops_at_sky);
-        }
-        child = node.children[near];
-    }
-    const int met = item(opaque_, -1 - child);
-    return met == contents::kSky && !stops_at_sky ? 0 : met;
+void add_light(BspFile& bsp, const std::vector<MapEntity>& entities, const LightOptions& options,
+               const WorkSharing& sharing) {
+    LightPass(bsp, entities, options, sharing).run();
 }
 
 }  // namespace oblong::map

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/base/input_error.h"
+#include "engine/files/wad.h"
 #include "engine/level/entity_classes.h"
 #include "tools/map/source/entities.h"
 
@@ -85,13 +86,21 @@ double brightness_of(const MapEntity& entity) {
     return words < 4 ? number_of(entity, key, 0) : numbers_of(entity, key, 4).back();
 }
 
+// "red green blue", 0 to 255 or 0 to 1: a level has shades only, so that a colour counts by its luminance (BT.601).
+double luminance_of_colour(const MapEntity& entity) {
+    if (!entity.has("_color")) return 1;
+    const auto colour = numbers_of(entity, "_color", 3);
+    const double luminance = (299 * colour[0] + 587 * colour[1] + 114 * colour[2]) / 1000;
+    return std::max(0.0, *std::max_element(colour.begin(), colour.end()) > 1 ? luminance / 255 : luminance);
+}
+
 LightSource source_of(const MapEntity& entity, const Point& origin, const std::vector<MapEntity>& entities) {
     LightSource source;
     source.origin = origin;
     source.entity = &entity;
     double brightness = brightness_of(entity);
     if (brightness == 0 && is_light(entity)) brightness = usual("light");  // as in id's compiler and its successors
-    source.brightness = std::abs(brightness);
+    source.brightness = std::abs(brightness) * luminance_of_colour(entity);
     source.is_subtracted = brightness < 0;
     if (!is_light(entity)) return source;  // its other keys are not those of lights
     source.wait = value_of(entity, "wait");
@@ -104,6 +113,9 @@ LightSource source_of(const MapEntity& entity, const Point& origin, const std::v
                          "\"style\" is " + std::to_string(source.style) + ", expected 0 to 63");
     source.direction = spot_direction(entity, origin, entities);
     source.radius = std::max(value_of(entity, "radius"), 0.0);
+    source.surface = lookup_name(entity.value("_surface"));
+    source.surface_offset = value_of(entity, "_surface_offset");
+    source.is_surface_spotlight = value_of(entity, "_surface_spotlight") > 0;
     const double cone = value_of(entity, "angle");
     if (source.direction) source.cone_cosine = std::cos(radians((cone > 0 ? cone : usual("angle")) / 2));
     return source;
@@ -122,43 +134,21 @@ std::vector<int> styles_left_free(const std::vector<MapEntity>& entities) {
     return free;
 }
 
-// Kept in a float, as engines keep it.
-float texel_at(const FileTexAxis& axis, const Floats& point) {
-    return static_cast<float>(dot(to_point(axis.direction), to_point(point)) + static_cast<double>(axis.offset));
-}
-
-Point nearest_on_segment(const Point& point, const Point& from, const Point& to) {
-    const Point along = to - from;
-    const double t = std::clamp(dot(point - from, along) / dot(along, along), 0.0, 1.0);
-    return from + along * t;
-}
-
-// In order.
-std::vector<Floats> face_corners(const BspFile& bsp, const FileFace& face) {
-    std::vector<Floats> corners;
-    for (int i = 0; i < face.edge_count; ++i) {
-        const int edge = item(bsp.surf_edges, face.first_surf_edge + i);
-        const auto& ends = item(bsp.edges, std::abs(edge));
-        corners.push_back(item(bsp.vertices, ends[edge < 0 ? 1 : 0]));
-    }
-    return corners;
-}
-
-// Worked out from the numbers in the file, as a reader does.
-LightGrid light_grid(const BspFile& bsp, const FileFace& face) {
-    const auto corners = face_corners(bsp, face);
-    const FileTexInfo& texinfo = item(bsp.texinfos, face.texinfo);
-    LightGrid grid;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        float low = texel_at(texinfo.axes[axis], corners[0]), high = low;
-        for (const auto& corner : corners) {
-            low = std::min(low, texel_at(texinfo.axes[axis], corner));
-            high = std::max(high, texel_at(texinfo.axes[axis], corner));
-        }
-        grid.first[axis] = static_cast<int>(std::floor(low / LightGrid::kStep));
-        grid.count[axis] = static_cast<int>(std::ceil(high / LightGrid::kStep)) - grid.first[axis] + 1;
-    }
-    return grid;
+HemisphereSettings hemisphere_of(const MapEntity& world) {
+    const auto value = [&](std::string_view key) {
+        return number_of(world, key, std::stod(std::string(usual_text("worldspawn", key))));
+    };
+    HemisphereSettings settings;
+    settings.sunlight2 = std::max(value("_sunlight2"), 0.0);
+    settings.sunlight3 = std::max(value("_sunlight3"), 0.0);
+    settings.has_dirt = value("_dirt") > 0;
+    settings.dirt_depth = std::max(value("_dirtdepth"), 1.0);
+    settings.dirt_scale = std::max(value("_dirtscale"), 0.0);
+    settings.dirt_gain = std::max(value("_dirtgain"), 0.0);
+    constexpr double kMostBounces = 8;
+    settings.bounces = static_cast<int>(std::clamp(value("_bounce"), 0.0, kMostBounces));
+    settings.bounce_scale = std::max(value("_bouncescale"), 0.0);
+    return settings;
 }
 
 }  // namespace
@@ -211,6 +201,7 @@ Lights lights_of(const std::vector<MapEntity>& entities) {
         if (!entity.brushes.empty() && !belongs_to_world(entity))
             lights.least.push_back(std::max(lights.least.front(), number_of(entity, "_minlight", 0)));
     }
+    lights.hemisphere = hemisphere_of(world);
     lights.sun.brightness = number_of(world, "_sunlight", 0);
     if (world.has("_sun_mangle")) lights.sun.direction = direction_of_mangle(world, "_sun_mangle");
     return lights;
@@ -231,59 +222,6 @@ void assign_switchable_styles(std::vector<MapEntity>& entities) {
                                  " names of switchable lights, expected at most " + std::to_string(free.size()));
         entity.pairs.push_back({"style", std::to_string(free[index]), entity.line});
     }
-}
-
-FaceSampler::FaceSampler(const BspFile& bsp, const FileFace& face, const Tracer& tracer)
-    : tracer_(tracer), grid_(light_grid(bsp, face)) {
-    const FilePlane& plane = item(bsp.planes, face.plane);
-    const Point plane_normal = to_point(plane.normal);
-    normal_ = face.is_back != 0 ? -plane_normal : plane_normal;
-    for (const auto& corner : face_corners(bsp, face)) {
-        corners_.push_back(to_point(corner) + normal_ * kLift);
-        centre_ = centre_ + corners_.back();
-    }
-    centre_ = centre_ * (1.0 / static_cast<double>(corners_.size()));
-    for (const Point& corner : corners_) radius_ = std::max(radius_, length(corner - centre_));
-
-    // u = s . p + s0, v = t . p + t0, distance = n . p, solved for p by Cramer's rule.
-    const FileTexInfo& texinfo = item(bsp.texinfos, face.texinfo);
-    const Point s = to_point(texinfo.axes[0].direction), t = to_point(texinfo.axes[1].direction);
-    const double determinant = dot(s, cross(t, plane_normal));
-    const Point per_u = cross(t, plane_normal) * (1 / determinant);
-    const Point per_v = cross(plane_normal, s) * (1 / determinant);
-    const Point per_distance = cross(s, t) * (1 / determinant);
-    const double first_u = LightGrid::kStep * grid_.first[0] - static_cast<double>(texinfo.axes[0].offset);
-    const double first_v = LightGrid::kStep * grid_.first[1] - static_cast<double>(texinfo.axes[1].offset);
-    step_u_ = per_u * LightGrid::kStep;
-    step_v_ = per_v * LightGrid::kStep;
-    base_ = per_u * first_u + per_v * first_v + per_distance * static_cast<double>(plane.distance) + normal_ * kLift;
-}
-
-Point FaceSampler::point_at(double u, double v) const {
-    const Point point = base_ + step_u_ * u + step_v_ * v;
-    const Point over_face = nearest_over_face(point);
-    return tracer_.is_clear(over_face, point) ? point : over_face;
-}
-
-// Within the polygon the point itself; else on its nearest edge, and a little inward.
-Point FaceSampler::nearest_over_face(const Point& point) const {
-    Point nearest = point;
-    double nearest_distance = -1;
-    bool is_inside = true;
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-        const Point& from = corners_[i];
-        const Point& to = corners_[(i + 1) % corners_.size()];
-        if (dot(normal_, cross(to - from, point - from)) > 0) is_inside = false;
-        const Point candidate = nearest_on_segment(point, from, to);
-        const double distance = length(candidate - point);
-        if (nearest_distance >= 0 && distance >= nearest_distance) continue;
-        nearest = candidate;
-        nearest_distance = distance;
-    }
-    if (is_inside && nearest_distance >= kInset) return point;
-    const Point inward = centre_ - nearest;
-    const double size = length(inward);
-    return size <= kInset ? centre_ : nearest + inward * (kInset / size);
 }
 
 }  // namespace oblong::map

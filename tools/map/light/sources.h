@@ -3,9 +3,8 @@
 #include <array>
 #include <optional>
 
-#include "tools/map/light/lightmaps.h"
+#include "tools/map/source/geometry.h"
 #include "tools/map/source/map_file.h"
-#include "tools/map/tree/bsp_file.h"
 
 namespace oblong::map {
 
@@ -31,6 +30,9 @@ struct LightSource {
     std::optional<Point> direction;  ///< of a spotlight
     double cone_cosine = -1;         ///< of half of the spotlight's opening
     double radius = 0;               ///< what is as near as this throws no shadow in its light: the lamp's own body
+    std::string surface;             ///< a texture whose faces shine in its place
+    double surface_offset = 2;       ///< units over them
+    bool is_surface_spotlight = false;
 
     /// Light that arrives (or is taken away) at a distance, before the angle of the surface counts; at least 0.
     double at_distance(double distance) const;
@@ -46,9 +48,21 @@ struct Sun {
     Point direction{0, 0, -1};  ///< that the light travels in
 };
 
+/// Light out of the hemisphere over a surface: the keys of worldspawn that begin with "_".
+struct HemisphereSettings {
+    double sunlight2 = 0, sunlight3 = 0;  ///< where nothing but sky is seen: above the horizon, and below
+    bool has_dirt = false;                ///< corners are darker
+    double dirt_depth = 128, dirt_scale = 1, dirt_gain = 1;
+    int bounces = 0;  ///< of light from surface to surface
+    double bounce_scale = 1;
+
+    bool is_needed() const { return sunlight2 > 0 || sunlight3 > 0 || has_dirt || bounces > 0; }
+};
+
 struct Lights {
     std::vector<LightSource> sources;
     Sun sun;
+    HemisphereSettings hemisphere;
     std::vector<double> least;  ///< by model: worldspawn's _minlight (or light), the brush entity's if that is more
 };
 
@@ -57,41 +71,5 @@ Lights lights_of(const std::vector<MapEntity>& entities);
 
 /// Gives each light that can be switched (has a targetname, but no style) the style of its name, from 32 on, as a key.
 void assign_switchable_styles(std::vector<MapEntity>& entities);
-
-/// The samples of a face's lightmap: at every 16th texel, from the multiple of 16 at or below the least texel of its
-/// corners to the one at or above the greatest.
-struct LightGrid {
-    static constexpr int kStep = 16;
-    std::array<int, 2> first{};  ///< in steps: texel / kStep
-    std::array<int, 2> count{};
-};
-
-/// Where light is measured for the samples of a face's lightmap.
-class FaceSampler {
-  public:
-    FaceSampler(const BspFile& bsp, const FileFace& face, const Tracer& tracer);
-
-    const Point& normal() const { return normal_; }
-    const LightGrid& grid() const { return grid_; }
-    const Point& centre() const { return centre_; }
-    double radius() const { return radius_; }
-
-    /// The point, kLift over the face, at sample (u, v) of the grid (fractions lie between samples). One that is
-    /// inside of a wall or beyond it moves to the nearest point over the face itself.
-    Point point_at(double u, double v) const;
-
-  private:
-    static constexpr double kLift = 1, kInset = 1;
-
-    Point nearest_over_face(const Point& point) const;
-
-    const Tracer& tracer_;
-    LightGrid grid_;
-    Point normal_;
-    std::vector<Point> corners_;  // lifted
-    Point centre_;                // of the lifted corners
-    double radius_ = 0;
-    Point base_, step_u_, step_v_;
-};
 
 }  // namespace oblong::map

@@ -24,6 +24,9 @@ std::vector<double> numbers_of(const MapEntity& entity, std::string_view key, st
 /// The number that is the value of a key, or `otherwise` if it is missing. Throws InputError if it is malformed.
 double number_of(const MapEntity& entity, std::string_view key, double otherwise);
 
+/// Tells the sides of brushes of the keys "_phong" and "_phong_angle" of their entities.
+void set_smoothing(std::vector<MapEntity>& entities);
+
 /// Puts what belongs to the world before all other entities, its details last: in which order an editor writes groups
 /// and layers makes no difference to the level. The first entity, the worldspawn, stays; the order is else as it was.
 void bring_world_forward(std::vector<MapEntity>& entities);

@@ -16,6 +16,7 @@ struct TextureFields {
     std::array<Point, 2> axes;  ///< of u and v
     std::array<double, 2> offset{}, scale{1, 1};
     double rotation_degrees = 0;  ///< already in `axes` if those are given
+    double smooth_degrees = 0;    ///< of the entity: set_smoothing()
 };
 
 /// A plane through three points, its front where they run clockwise.

@@ -73,6 +73,7 @@ int TextureList::find_or_add(const MapSide& side, const Point& normal) {
     for (std::size_t i = 0; i < 2; ++i) wanted.axes[i] = wanted.axes[i] * (1 / fields.scale[i]);
     wanted.offset = fields.offset;
     wanted.texture = find_or_add_name({fields.name, side.line});
+    wanted.smooth_degrees = fields.smooth_degrees;
     wanted.is_special = contents_of_texture(fields.name) != contents::kSolid;
     for (std::size_t i = 0; i < texinfos_.size(); ++i) {
         if (texinfos_[i] == wanted) return static_cast<int>(i);

@@ -13,8 +13,9 @@ namespace oblong::map {
 struct TexInfo {
     std::array<Point, 2> axes;
     std::array<double, 2> offset{};
-    int texture = 0;          ///< index into TextureList::names()
-    bool is_special = false;  ///< sky or liquid: no lightmap, no limit of extent
+    int texture = 0;            ///< index into TextureList::names()
+    bool is_special = false;    ///< sky or liquid: no lightmap, no limit of extent
+    double smooth_degrees = 0;  ///< above 0: lit as if round where faces lean by less
 
     bool operator==(const TexInfo&) const = default;
 

@@ -1,5 +1,6 @@
 #include "tools/map/tree/bsp_file.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "engine/base/input_error.h"
@@ -7,17 +8,18 @@
 namespace oblong::map {
 namespace {
 
-constexpr int kVersion = 29;
+constexpr int kVersion = 29, kVersion2 = 0x32505342;  // the latter: "BSP2"
 constexpr std::size_t kLumpCount = 15;
+constexpr std::size_t kMostI16 = 32767, kMostU16 = 65535;
 
-// Little-endian numbers, one after the other.
+// Little-endian numbers, one after the other. In BSP2 counts and indices have 32 bits, and boxes are floats.
 class Lump {
   public:
-    explicit Lump(std::string name) : name_(std::move(name)) {}
+    Lump(std::string name, bool is_bsp2) : name_(std::move(name)), is_bsp2_(is_bsp2) {}
 
     void put_u8(int value) { bytes.push_back(static_cast<char>(value)); }
-    void put_i16(int value) { put(value, 2, -32768, 32767); }
-    void put_u16(int value) { put(value, 2, 0, 65535); }
+    void put_i16(int value) { is_bsp2_ ? put_i32(value) : put(value, 2, -32768, 32767); }
+    void put_u16(int value) { is_bsp2_ ? put_i32(value) : put(value, 2, 0, 65535); }
     void put_i32(int value) { put(value, 4, INT32_MIN, INT32_MAX); }
     void put_float(float value) {
         std::int32_t bits = 0;
@@ -29,27 +31,37 @@ class Lump {
         for (const float value : values) put_float(value);
     }
     void put_box(const FileBox& box) {
-        for (const int value : box.mins) put_i16(value);
-        for (const int value : box.maxs) put_i16(value);
+        for (const int value : box.mins) put_bound(value);
+        for (const int value : box.maxs) put_bound(value);
     }
 
     std::string bytes;
 
   private:
-    void put(int value, int size, int lowest, int highest) {
+    void put_bound(int value) {
+        check(value, -32768, 32767);
+        is_bsp2_ ? put_float(static_cast<float>(value)) : put_i16(value);
+    }
+
+    void check(int value, int lowest, int highest) const {
         if (value < lowest || value > highest)
             throw InputError(name_, "the level is too large for the format: " + std::to_string(value) +
                                         ", expected at most " + std::to_string(highest));
+    }
+
+    void put(int value, int size, int lowest, int highest) {
+        check(value, lowest, highest);
         auto rest = static_cast<std::uint32_t>(value);
         for (int i = 0; i < size; ++i, rest >>= 8) put_u8(static_cast<int>(rest & 255));
     }
 
     std::string name_;
+    bool is_bsp2_;
 };
 
 template <class Items, class Put>
-std::string lump_of(const char* name, const Items& items, Put put) {
-    Lump lump(name);
+std::string lump_of(const char* name, bool is_bsp2, const Items& items, Put put) {
+    Lump lump(name, is_bsp2);
     for (const auto& item : items) put(lump, item);
     return std::move(lump.bytes);
 }
@@ -112,7 +124,7 @@ void put_model(Lump& lump, const FileModel& model) {
 }
 
 std::string texture_lump(const std::vector<std::string>& textures) {
-    Lump lump("lump textures");
+    Lump lump("lump textures", false);
     lump.put_i32(static_cast<int>(textures.size()));
     std::size_t offset = 4 + 4 * textures.size();
     for (const std::string& texture : textures) {
@@ -123,38 +135,66 @@ std::string texture_lump(const std::vector<std::string>& textures) {
     return std::move(lump.bytes);
 }
 
-std::array<std::string, kLumpCount> lumps_of(const BspFile& bsp) {
+std::array<std::string, kLumpCount> lumps_of(const BspFile& bsp, bool is_bsp2) {
+    const auto lump = [is_bsp2](const char* name, const auto& items, auto put) {
+        return lump_of(name, is_bsp2, items, put);
+    };
     return {bsp.entities + '\0',
-            lump_of("lump planes", bsp.planes, put_plane),
+            lump("lump planes", bsp.planes, put_plane),
             texture_lump(bsp.textures),
-            lump_of("lump vertices", bsp.vertices, [](Lump& lump, const auto& vertex) { lump.put_floats(vertex); }),
+            lump("lump vertices", bsp.vertices, [](Lump& out, const auto& vertex) { out.put_floats(vertex); }),
             bsp.visibility,
-            lump_of("lump nodes", bsp.nodes, put_node),
-            lump_of("lump texinfos", bsp.texinfos, put_texinfo),
-            lump_of("lump faces", bsp.faces, put_face),
+            lump("lump nodes", bsp.nodes, put_node),
+            lump("lump texinfos", bsp.texinfos, put_texinfo),
+            lump("lump faces", bsp.faces, put_face),
             bsp.lighting,
-            lump_of("lump clip nodes", bsp.clip_nodes, put_clip_node),
-            lump_of("lump leaves", bsp.leaves, put_leaf),
-            lump_of("lump mark faces", bsp.mark_faces, [](Lump& lump, int face) { lump.put_u16(face); }),
-            lump_of("lump edges", bsp.edges,
-                    [](Lump& lump, const auto& edge) {
-                        lump.put_u16(edge[0]);
-                        lump.put_u16(edge[1]);
-                    }),
-            lump_of("lump surface edges", bsp.surf_edges, [](Lump& lump, int edge) { lump.put_i32(edge); }),
-            lump_of("lump models", bsp.models, put_model)};
+            lump("lump clip nodes", bsp.clip_nodes, put_clip_node),
+            lump("lump leaves", bsp.leaves, put_leaf),
+            lump("lump mark faces", bsp.mark_faces, [](Lump& out, int face) { out.put_u16(face); }),
+            lump("lump edges", bsp.edges,
+                 [](Lump& out, const auto& edge) {
+                     out.put_u16(edge[0]);
+                     out.put_u16(edge[1]);
+                 }),
+            lump("lump surface edges", bsp.surf_edges, [](Lump& out, int edge) { out.put_i32(edge); }),
+            lump("lump models", bsp.models, put_model)};
 }
 
 }  // namespace
 
+std::vector<LumpCount> lump_counts(const BspFile& bsp) {
+    return {{"planes", bsp.planes.size(), kMostI16}, {"vertices", bsp.vertices.size(), kMostU16},
+            {"nodes", bsp.nodes.size(), kMostI16},   {"texinfos", bsp.texinfos.size(), kMostI16},
+            {"faces", bsp.faces.size(), kMostU16},   {"clip nodes", bsp.clip_nodes.size(), kMostI16},
+            {"leaves", bsp.leaves.size(), kMostI16}, {"mark faces", bsp.mark_faces.size(), kMostU16}};
+}
+
+bool needs_bsp2(const BspFile& bsp) {
+    const std::vector<LumpCount> counts = lump_counts(bsp);
+    return std::any_of(counts.begin(), counts.end(), [](const LumpCount& lump) { return lump.count > lump.most; });
+}
+
+std::string summary_of(const BspFile& bsp) {
+    const auto lit =
+        std::count_if(bsp.faces.begin(), bsp.faces.end(), [](const FileFace& face) { return face.light_offset >= 0; });
+    std::string text = std::to_string(bsp.faces.size()) + " faces, " + std::to_string(bsp.leaves.size()) + " leaves, " +
+                       std::to_string(bsp.models.size()) + " models, " + std::to_string(lit) + " lightmaps of " +
+                       std::to_string(bsp.lighting.size()) + " bytes";
+    for (const LumpCount& lump : lump_counts(bsp))
+        if (lump.count > lump.most / 2)
+            text += ", " + std::to_string(lump.count) + " of " + std::to_string(lump.most) + " " + lump.name;
+    return text + (needs_bsp2(bsp) ? ", so BSP2" : "");
+}
+
 void check_size(const BspFile& bsp) {
-    lumps_of(bsp);
+    lumps_of(bsp, needs_bsp2(bsp));
 }
 
 std::string to_bytes(const BspFile& bsp) {
-    const auto lumps = lumps_of(bsp);
-    Lump header("header");
-    header.put_i32(kVersion);
+    const bool is_bsp2 = needs_bsp2(bsp);
+    const auto lumps = lumps_of(bsp, is_bsp2);
+    Lump header("header", is_bsp2);
+    header.put_i32(is_bsp2 ? kVersion2 : kVersion);
     std::size_t offset = 4 + 8 * kLumpCount;
     std::string body;
     for (const std::string& lump : lumps) {

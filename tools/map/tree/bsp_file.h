@@ -16,7 +16,7 @@ inline Point to_point(const Floats& floats) {
     return {static_cast<double>(floats[0]), static_cast<double>(floats[1]), static_cast<double>(floats[2])};
 }
 
-/// The lumps of a level file of version 29, in their order and with their fields; numbers are wider than in the file.
+/// The lumps of a level file, in their order and with their fields; numbers are wider than in the file.
 struct FilePlane {
     Floats normal{};
     float distance = 0;
@@ -37,12 +37,16 @@ struct FileNode {
 struct FileTexAxis {
     Floats direction{};
     float offset = 0;
+
+    bool operator==(const FileTexAxis&) const = default;
 };
 
 struct FileTexInfo {
     std::array<FileTexAxis, 2> axes;  ///< of u and v
     int texture = 0;
     int flags = 0;  ///< 1: no lightmap
+
+    bool operator==(const FileTexInfo&) const = default;
 };
 
 struct FileFace {
@@ -91,10 +95,23 @@ struct BspFile {
     std::vector<FileModel> models;
 };
 
+/// How many records a lump has, and the most that version 29 can refer to.
+struct LumpCount {
+    const char* name;
+    std::size_t count = 0, most = 0;
+};
+std::vector<LumpCount> lump_counts(const BspFile& bsp);
+
+/// Whether a lump is larger than version 29 allows: then it is written as BSP2, which has wider numbers.
+bool needs_bsp2(const BspFile& bsp);
+
+/// "3,412 faces ...": what there is, and which lumps are more than half of what version 29 allows.
+std::string summary_of(const BspFile& bsp);
+
 /// Throws InputError if a number is beyond what its field in the file holds.
 void check_size(const BspFile& bsp);
 
-/// The bytes of the file. Throws InputError as check_size does.
+/// The bytes of the file, of version 29 or, if it needs that, BSP2. Throws InputError as check_size does.
 std::string to_bytes(const BspFile& bsp);
 
 }  // namespace oblong::map

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <numeric>
+#include <span>
 
 namespace oblong::map {
 
@@ -40,6 +41,10 @@ BitSet narrowed(const VisGraph& graph, const VisPortal& base) {
 // among the portals, a few of which may use up to kShare times the mean of what is left.
 constexpr long kAllSteps = 20000000;
 constexpr long kShare = 8;
+
+// So many portals are followed at a time, from what is known before, however many threads share in them: the sets are
+// the same for any number.
+constexpr std::size_t kAtOnce = 12;
 
 // One portal's flow through the level.
 class Flow {
@@ -189,9 +194,9 @@ void add_separators_at_edges(const Winding& a, const Winding& b, std::vector<Pla
 
 }  // namespace
 
-void narrow_might_see(VisGraph& graph) {
-    std::vector<BitSet> sets;
-    for (const VisPortal& portal : graph.portals) sets.push_back(narrowed(graph, portal));
+void narrow_might_see(VisGraph& graph, const WorkSharing& sharing) {
+    std::vector<BitSet> sets(graph.portals.size());
+    sharing.for_each(sets.size(), [&](std::size_t i) { sets[i] = narrowed(graph, graph.portals[i]); });
     // A line of sight runs both ways: portal i ^ 1 is portal i the other way.
     for (std::size_t i = 0; i < sets.size(); ++i) {
         BitSet both(sets.size());
@@ -202,17 +207,31 @@ void narrow_might_see(VisGraph& graph) {
     }
 }
 
-std::vector<BitSet> find_seen_portals(VisGraph& graph) {
+std::vector<BitSet> find_seen_portals(VisGraph& graph, const WorkSharing& sharing) {
+    struct Result {
+        BitSet seen;
+        long steps = 0;
+    };
     std::vector<BitSet> seen(graph.portals.size());
     std::vector<bool> is_done(graph.portals.size(), false);
-    long steps_left = kAllSteps, portals_left = static_cast<long>(graph.portals.size());
-    for (const std::size_t i : by_might_see(graph)) {
-        Flow flow(graph, seen, is_done, graph.portals[i], std::max(steps_left, 0L) * kShare / portals_left);
-        seen[i] = flow.run();
-        is_done[i] = true;
-        forget_unseen(graph, i, seen[i]);
-        steps_left -= flow.steps();
-        --portals_left;
+    const std::vector<std::size_t> order = by_might_see(graph);
+    long steps_left = kAllSteps;
+    for (std::size_t first = 0; first < order.size(); first += kAtOnce) {
+        const std::span<const std::size_t> batch =
+            std::span(order).subspan(first, std::min(kAtOnce, order.size() - first));
+        const long most = std::max(steps_left, 0L) * kShare / static_cast<long>(order.size() - first);
+        std::vector<Result> results(batch.size());
+        sharing.for_each(batch.size(), [&](std::size_t i) {
+            Flow flow(graph, seen, is_done, graph.portals[batch[i]], most);
+            results[i].seen = flow.run();
+            results[i].steps = flow.steps();
+        });
+        for (std::size_t i = 0; i < batch.size(); ++i) {
+            seen[batch[i]] = std::move(results[i].seen);
+            is_done[batch[i]] = true;
+            forget_unseen(graph, batch[i], seen[batch[i]]);
+            steps_left -= results[i].steps;
+        }
     }
     return seen;
 }

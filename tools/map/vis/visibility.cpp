@@ -27,11 +27,13 @@ std::vector<bool> clusters_seen_from(int cluster, const VisGraph& graph, const s
     return clusters;
 }
 
-std::vector<BitSet> find_seen(VisGraph& graph, bool is_fast) {
-    find_might_see(graph);
+std::vector<BitSet> find_seen(VisGraph& graph, bool is_fast, const WorkSharing& sharing) {
+    sharing.begin("rough visibility", graph.portals.size() * (is_fast ? 1 : 1 + kNarrowingRounds));
+    find_might_see(graph, sharing);
     if (!is_fast) {
-        for (int round = 0; round < kNarrowingRounds; ++round) narrow_might_see(graph);
-        return find_seen_portals(graph);
+        for (int round = 0; round < kNarrowingRounds; ++round) narrow_might_see(graph, sharing);
+        sharing.begin("visibility", graph.portals.size());
+        return find_seen_portals(graph, sharing);
     }
     std::vector<BitSet> seen;
     for (const VisPortal& portal : graph.portals) seen.push_back(portal.might_see);
@@ -138,13 +140,14 @@ std::vector<bool> unpacked_row(const std::string& visibility, int offset, std::s
 }
 
 void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<int>& leaf_indices,
-                    const PlaneList& planes, bool is_fast) {
+                    const PlaneList& planes, bool is_fast, const WorkSharing& sharing, PortalFile* portals) {
     const auto leaf_count = static_cast<std::size_t>(bsp.models.front().visible_leaf_count);
     std::vector<bool> is_numbered;
     for (const int index : leaf_indices) is_numbered.push_back(index > 0);
     const Clusters clusters = cluster_leaves(world.tree, is_numbered);
     VisGraph graph = make_vis_graph(world, planes, clusters);
-    const std::vector<BitSet> seen = find_seen(graph, is_fast);
+    if (portals != nullptr) *portals = portal_file(graph);
+    const std::vector<BitSet> seen = find_seen(graph, is_fast, sharing);
     const std::vector<int> cluster_of_leaf = clusters_in_file_order(clusters, leaf_indices, leaf_count);
     std::vector<int> offsets(clusters.count, -1);  // leaves of a cluster share a row
     for (std::size_t leaf = 0; leaf < leaf_count; ++leaf) {
@@ -180,12 +183,13 @@ VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, con
     return graph;
 }
 
-void find_might_see(VisGraph& graph) {
-    for (VisPortal& from : graph.portals) {
+void find_might_see(VisGraph& graph, const WorkSharing& sharing) {
+    sharing.for_each(graph.portals.size(), [&](std::size_t base) {
+        VisPortal& from = graph.portals[base];
         from.might_see = BitSet(graph.portals.size());
         flood_portals(graph, from.cluster, from.might_see,
                       [&](std::size_t i) { return may_follow(from, graph.portals[i]); });
-    }
+    });
 }
 
 }  // namespace oblong::map

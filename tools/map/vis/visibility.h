@@ -8,6 +8,8 @@
 
 #include "tools/map/tree/bsp_file.h"
 #include "tools/map/tree/mesh.h"
+#include "tools/map/vis/portal_file.h"
+#include "tools/map/work_sharing.h"
 
 namespace oblong::map {
 
@@ -19,9 +21,9 @@ std::string packed_row(const std::vector<bool>& leaves);
 std::vector<bool> unpacked_row(const std::string& visibility, int offset, std::size_t leaf_count);
 
 /// Gives every leaf of the world the set of leaves that may be seen from it; liquids are seen through. `is_fast`:
-/// without cutting lines of sight, so more is thought to be seen.
+/// without cutting lines of sight, so more is thought to be seen. `portals`, if not null, receives them.
 void add_visibility(BspFile& bsp, const CompiledModel& world, const std::vector<int>& leaf_indices,
-                    const PlaneList& planes, bool is_fast);
+                    const PlaneList& planes, bool is_fast, const WorkSharing& sharing, PortalFile* portals);
 
 /// A set of small numbers, for fast unions and intersections of sets of one size.
 class BitSet {
@@ -105,6 +107,6 @@ VisGraph make_vis_graph(const CompiledModel& world, const PlaneList& planes, con
 
 /// Sets might_see of all portals: those that can be reached through portals which lie in front of this one and face
 /// away from it. A superset of what can be seen.
-void find_might_see(VisGraph& graph);
+void find_might_see(VisGraph& graph, const WorkSharing& sharing);
 
 }  // namespace oblong::map

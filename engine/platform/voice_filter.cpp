@@ -1,4 +1,4 @@
-#include "engine/platform/sdl/voice_filter.h"
+#include "engine/platform/voice_filter.h"
 
 #include <algorithm>
 

@@ -1,0 +1,53 @@
+// The kernel's first instruction, at KERNEL_ADDRESS, and the gates of all interrupts: each pushes its number, and they go on
+// as one.
+    .code32
+    .globl _start, gates
+    .section .text.start, "ax"
+_start:
+    movl $stack_end, %esp
+    pushl %ebx                      // BootInfo
+    call start_kernel
+
+    .text
+    .altmacro
+.macro GATE number
+gate_\number:
+    // For these the processor pushes a code of its own.
+  .if (\number != 8) && ((\number < 10) || (\number > 14)) && (\number != 17)
+    pushl $0
+  .endif
+    pushl $\number
+    jmp any_interrupt
+.endm
+.set i, 0
+.rept 48
+    GATE %i
+  .set i, i + 1
+.endr
+    GATE 128
+any_interrupt:
+    pushal
+    cld
+    pushl %esp                      // Registers
+    call interrupt
+    addl $4, %esp
+    popal
+    addl $8, %esp                   // number and code
+    iretl
+
+    .section .rodata
+.macro ADDRESS number
+    .long gate_\number
+.endm
+gates:
+.set i, 0
+.rept 48
+    ADDRESS %i
+  .set i, i + 1
+.endr
+    ADDRESS 128
+
+    .bss
+    .balign 16
+    .skip 8192
+stack_end:

@@ -1,0 +1,85 @@
+#include "engine/platform/dos/kernel/kernel.h"
+#include "engine/platform/dos/kernel/ports.h"
+
+// Two interrupt controllers (8259) tell the processor which device wants it: the timer is line 0, the keyboard 1, the
+// second controller is on line 2 of the first, and the mouse is its line 4, which makes 12.
+
+extern "C" const std::uint32_t gates[49];  // of entry.S
+
+namespace oblong::dos {
+namespace {
+
+constexpr std::uint16_t kFirst = 0x20, kSecond = 0xa0;  // ports of the controllers; their masks' are the next
+constexpr std::uint8_t kEndOfInterrupt = 0x20;
+constexpr std::uint32_t kFirstLine = 32, kTimer = kFirstLine, kKeyboard = kFirstLine + 1, kMouse = kFirstLine + 12;
+constexpr std::uint32_t kInvalidOpcode = 6, kSystemCall = 0x80;
+constexpr std::uint8_t kDosFirstLine = 8, kDosSecondLine = 0x70;  // where DOS has them
+
+struct Gate {
+    std::uint16_t low, segment, kind, high;
+};
+Gate table[kSystemCall + 1];
+std::uint8_t first_mask, second_mask;  // of DOS
+
+void set_gate(std::uint32_t number, std::uint32_t address) {
+    constexpr std::uint16_t kInterruptGate = 0x8e00, kCode = 0x08;
+    table[number] = {static_cast<std::uint16_t>(address), kCode, kInterruptGate,
+                     static_cast<std::uint16_t>(address >> 16)};
+}
+
+// Which interrupts the lines of both are, and which lines are heard.
+void set_controllers(std::uint8_t first_line, std::uint8_t second_line, std::uint8_t mask,
+                     std::uint8_t mask_of_second) {
+    constexpr std::uint8_t kInitialise = 0x11, kSecondIsOnLine2 = 4, kOnLine2 = 2, k8086 = 1;
+    write_port(kFirst, kInitialise);
+    write_port(kSecond, kInitialise);
+    write_port(kFirst + 1, first_line);
+    write_port(kSecond + 1, second_line);
+    write_port(kFirst + 1, kSecondIsOnLine2);
+    write_port(kSecond + 1, kOnLine2);
+    write_port(kFirst + 1, k8086);
+    write_port(kSecond + 1, k8086);
+    write_port(kFirst + 1, mask);
+    write_port(kSecond + 1, mask_of_second);
+}
+
+}  // namespace
+
+void start_interrupts() {
+    for (std::uint32_t i = 0; i < 48; ++i) set_gate(i, gates[i]);
+    set_gate(kSystemCall, gates[48]);
+    struct [[gnu::packed]] {
+        std::uint16_t limit;
+        const Gate* table;
+    } const where{sizeof table - 1, table};
+    asm volatile("lidt %0" ::"m"(where));
+    first_mask = read_port(kFirst + 1);
+    second_mask = read_port(kSecond + 1);
+    constexpr std::uint8_t kHeard = 1 << 0 | 1 << 1 | 1 << 2, kHeardOfSecond = 1 << 4;
+    set_controllers(kFirstLine, kFirstLine + 8, 0xff & ~kHeard, 0xff & ~kHeardOfSecond);
+}
+
+void restore_interrupts() {
+    set_controllers(kDosFirstLine, kDosSecondLine, first_mask, second_mask);
+}
+
+extern "C" void interrupt(Registers* registers);
+void interrupt(Registers* registers) {
+    const std::uint32_t number = registers->number;
+    if (number == kSystemCall) {
+        registers->eax = static_cast<std::uint32_t>(system_call(*registers));
+        return;
+    }
+    if (number >= kFirstLine) {
+        if (number == kTimer) tick_clock();
+        if (number == kKeyboard) take_key_byte();
+        if (number == kMouse) take_mouse_byte();
+        if (number >= kFirstLine + 8) write_port(kSecond, kEndOfInterrupt);
+        write_port(kFirst, kEndOfInterrupt);
+        return;
+    }
+    if (number == kInvalidOpcode && emulate(*registers)) return;
+    fail(*registers);
+}
+
+}  // namespace oblong::dos

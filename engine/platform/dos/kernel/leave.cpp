@@ -1,0 +1,94 @@
+#include "engine/platform/dos/kernel/kernel.h"
+#include "engine/platform/dos/kernel/ports.h"
+
+namespace oblong::dos {
+namespace {
+
+const BootInfo* boot;
+constexpr std::uint16_t kSerial = 0x3f8, kLineState = 0x3fd;  // COM1
+constexpr int kLongestWait = 20'000;
+// The last that was put: what the program says before it ends is why it does.
+constexpr std::uint32_t kKept = 512;
+char kept[kKept];
+std::uint32_t kept_end;
+
+void start_serial() {
+    constexpr std::uint8_t kSetSpeed = 0x80, k8Bits = 0x03, kBuffers = 0x07;
+    write_port(kSerial + 1, 0);
+    write_port(kSerial + 3, kSetSpeed);
+    write_port(kSerial, 1);  // 115,200 bits a second
+    write_port(kSerial + 1, 0);
+    write_port(kSerial + 3, k8Bits);
+    write_port(kSerial + 2, kBuffers);
+}
+
+// Lines end as DOS has it.
+void write_message(char* to, std::uint32_t room) {
+    std::uint32_t at = kept_end > kKept ? kept_end - kKept : 0, size = 0;
+    for (; at < kept_end && size + 3 < room; ++at) {
+        const char letter = kept[at % kKept];
+        if (letter == '\n') to[size++] = '\r';
+        to[size++] = letter;
+    }
+    to[size] = 0;
+}
+
+}  // namespace
+
+void note_boot(const BootInfo& info) {
+    boot = &info;
+    start_serial();
+}
+
+const char* command_line() {
+    return boot->words;
+}
+
+void put(char letter) {
+    kept[kept_end++ % kKept] = letter;
+    constexpr std::uint8_t kMaySend = 0x20;
+    for (int i = 0; i < kLongestWait && (read_port(kLineState) & kMaySend) == 0; ++i) {
+    }
+    write_port(kSerial, static_cast<std::uint8_t>(letter));
+}
+
+void put(const char* text) {
+    while (*text != 0) put(*text++);
+}
+
+void put_hexadecimal(std::uint32_t value) {
+    for (int shift = 28; shift >= 0; shift -= 4) put("0123456789abcdef"[value >> shift & 15]);
+}
+
+void leave(std::uint8_t exit_code) {
+    asm volatile("cli");
+    restore_clock();
+    restore_interrupts();
+    write_message(boot->message, boot->message_size);
+    *boot->exit_code = exit_code;
+    struct [[gnu::packed]] {
+        std::uint32_t offset;
+        std::uint16_t segment;
+    } const there{boot->leave_offset, 0x18};
+    asm volatile("lgdt (%0); ljmp *%1" ::"r"(boot->segments), "m"(there));
+    for (;;) {
+    }
+}
+
+void fail(const Registers& registers) {
+    put("oblong: the processor has stopped the game: interrupt ");
+    put_hexadecimal(registers.number);
+    put(", code ");
+    put_hexadecimal(registers.code);
+    put(", at ");
+    put_hexadecimal(registers.eip);
+    put(":");
+    for (std::uint32_t i = 0; i < 8; ++i) {
+        put(' ');
+        put_hexadecimal(reinterpret_cast<const std::uint8_t*>(registers.eip)[i]);
+    }
+    put("\n");
+    leave(1);
+}
+
+}  // namespace oblong::dos

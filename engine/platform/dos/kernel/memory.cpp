@@ -1,0 +1,93 @@
+#include "engine/platform/dos/kernel/kernel.h"
+#include "engine/platform/dos/kernel/ports.h"
+
+// Without paging an address is a place in memory. The heap grows from the program's end up, pages are given from
+// memory's end down; where they meet, it is full.
+
+namespace oblong::dos {
+namespace {
+
+constexpr std::uint32_t kMegabyte = 1 << 20, kMostMemory = 64 * kMegabyte;
+// Where the heap can't grow, the C library asks for pages of 1 MB together instead.
+constexpr std::uint32_t kHeapReserve = kMegabyte;
+bool is_taken[kMostMemory / kPage];
+std::uint32_t first, heap_end, end, most;
+std::int32_t taken;  // pages beyond those of the program and its archive; fewer than 0 where some of these are free
+
+// The battery-backed clock's memory: kilobytes above 1 MB, as the BIOS found them.
+std::uint32_t kilobytes() {
+    const auto read = [](std::uint8_t cell) {
+        write_port(0x70, cell);
+        return std::uint32_t{read_port(0x71)};
+    };
+    return read(0x30) | read(0x31) << 8;
+}
+
+void note_use() {
+    const std::uint32_t used = heap_end - kMegabyte + static_cast<std::uint32_t>(taken) * kPage;
+    if (used > most) most = used;
+}
+
+// The end of the smallest room of free pages that has this size, neither of the heap nor of the `reserve` behind it; 0:
+// there is none.
+std::uint32_t find_room(std::uint32_t size, std::uint32_t reserve) {
+    std::uint32_t room = 0, best = 0, best_end = 0;
+    for (std::uint32_t at = kPage; at <= end; at += kPage) {
+        const bool is_of_heap = at >= first && at < heap_end + reserve;
+        const bool is_free = at < end && !is_taken[at / kPage] && !is_of_heap;
+        if (is_free) {
+            room += kPage;
+            continue;
+        }
+        if (room >= size && (best == 0 || room < best)) best = room, best_end = at;
+        room = 0;
+    }
+    return best_end;
+}
+
+}  // namespace
+
+void start_memory(std::uint32_t first_free) {
+    end = kMegabyte + kilobytes() * 1024;
+    if (end > kMostMemory) end = kMostMemory;
+    end &= ~(kPage - 1);
+    first = heap_end = whole_pages(first_free);
+    for (std::uint32_t at = 0; at < first; at += kPage) is_taken[at / kPage] = true;
+}
+
+std::uint32_t move_heap_end(std::uint32_t wanted) {
+    if (wanted < first || wanted > end) return heap_end;
+    for (std::uint32_t at = whole_pages(heap_end); at < wanted; at += kPage)
+        if (is_taken[at / kPage]) return heap_end;
+    if (wanted > heap_end) memset(reinterpret_cast<void*>(heap_end), 0, wanted - heap_end);
+    heap_end = wanted;
+    note_use();
+    return heap_end;
+}
+
+void* take_pages(std::uint32_t bytes) {
+    const std::uint32_t size = whole_pages(bytes);
+    std::uint32_t room_end = find_room(size, kHeapReserve);
+    if (room_end == 0) room_end = find_room(size, 0);
+    if (room_end == 0) return nullptr;
+    const std::uint32_t at = room_end - size;
+    for (std::uint32_t page = at; page < at + size; page += kPage) is_taken[page / kPage] = true;
+    taken += static_cast<std::int32_t>(size / kPage);
+    note_use();
+    return memset(reinterpret_cast<void*>(at), 0, size);
+}
+
+void free_pages(const void* bytes, std::uint32_t size) {
+    const std::uint32_t at = reinterpret_cast<std::uint32_t>(bytes);
+    if (at >= end || size > end - at) return;
+    for (std::uint32_t page = whole_pages(at); page + kPage <= at + size; page += kPage) {
+        taken -= is_taken[page / kPage];
+        is_taken[page / kPage] = false;
+    }
+}
+
+MemoryState memory_state() {
+    return {end - kMegabyte, most, emulated_instructions()};
+}
+
+}  // namespace oblong::dos

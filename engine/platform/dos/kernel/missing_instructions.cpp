@@ -1,0 +1,175 @@
+#include "engine/platform/dos/kernel/kernel.h"
+
+// The game is compiled for an i486, but Debian's C library for processors from the Pentium Pro on: that one's CMOV, its
+// comparisons of floating-point numbers that set flags, and long NOPs are done here. They are in few places: a walk of
+// a minute meets some hundreds.
+
+namespace oblong::dos {
+namespace {
+
+std::uint32_t emulated;
+
+constexpr std::uint32_t kCarry = 1 << 0, kParity = 1 << 2, kZero = 1 << 6, kSign = 1 << 7, kOverflow = 1 << 11;
+
+// Registers in the order of the processor's numbers: eax, ecx, edx, ebx, esp, ebp, esi, edi.
+std::uint32_t& register_of(Registers& registers, std::uint32_t number) {
+    return (&registers.edi)[7 - number];
+}
+std::uint32_t value_of(Registers& registers, std::uint32_t number) {
+    constexpr std::uint32_t kStackPointer = 4;
+    return number == kStackPointer ? registers.stack() : register_of(registers, number);
+}
+
+template <class Value>
+Value read(std::uint32_t address) {
+    return *reinterpret_cast<const Value*>(address);
+}
+
+// The operand that a ModR/M byte means: a register, or an address.
+struct Operand {
+    bool is_register = false;
+    std::uint32_t at = 0;    // the register's number, or the address
+    std::uint32_t size = 1;  // of what says so, bytes
+};
+
+Operand operand_at(std::uint32_t at, Registers& registers) {
+    const std::uint8_t modrm = read<std::uint8_t>(at);
+    const std::uint32_t mode = modrm >> 6, number = modrm & 7;
+    if (mode == 3) return {true, number, 1};
+    Operand operand;
+    std::uint32_t base = number;
+    if (number == 4) {  // a byte more: base, index, and by what that is multiplied
+        const std::uint8_t sib = read<std::uint8_t>(at + operand.size++);
+        const std::uint32_t index = sib >> 3 & 7;
+        base = sib & 7;
+        if (index != 4) operand.at += value_of(registers, index) << (sib >> 6);
+    }
+    if (base == 5 && mode == 0) {
+        operand.at += read<std::uint32_t>(at + operand.size);
+        operand.size += 4;
+        return operand;
+    }
+    operand.at += value_of(registers, base);
+    if (mode == 1) operand.at += static_cast<std::uint32_t>(int{read<std::int8_t>(at + operand.size)});
+    if (mode == 2) operand.at += read<std::uint32_t>(at + operand.size);
+    operand.size += mode == 1 ? 1 : mode == 2 ? 4 : 0;
+    return operand;
+}
+
+// Whether a condition holds, by the number that instructions have of it.
+bool holds(std::uint32_t condition, std::uint32_t flags) {
+    const bool is_less = ((flags & kSign) != 0) != ((flags & kOverflow) != 0);
+    bool is_so = false;
+    switch (condition >> 1) {
+        case 0:
+            is_so = (flags & kOverflow) != 0;
+            break;
+        case 1:
+            is_so = (flags & kCarry) != 0;
+            break;
+        case 2:
+            is_so = (flags & kZero) != 0;
+            break;
+        case 3:
+            is_so = (flags & (kCarry | kZero)) != 0;
+            break;
+        case 4:
+            is_so = (flags & kSign) != 0;
+            break;
+        case 5:
+            is_so = (flags & kParity) != 0;
+            break;
+        case 6:
+            is_so = is_less;
+            break;
+        default:
+            is_so = is_less || (flags & kZero) != 0;
+            break;
+    }
+    return is_so != ((condition & 1) != 0);
+}
+
+void move_if(std::uint32_t condition, std::uint32_t at, bool is_wide, Registers& registers) {
+    const Operand from = operand_at(at, registers);
+    if (holds(condition, registers.flags)) {
+        const std::uint32_t value = from.is_register ? value_of(registers, from.at) : read<std::uint32_t>(from.at);
+        std::uint32_t& to = register_of(registers, read<std::uint8_t>(at) >> 3 & 7);
+        to = is_wide ? value : (to & 0xffff0000u) | (value & 0xffff);
+    }
+    registers.eip = at + from.size;
+}
+
+// FUCOMI and its like: compares the top of the floating-point stack with another number there, and pops it perhaps.
+void compare_floats(std::uint32_t number, bool pops, Registers& registers) {
+    std::uint16_t status = 0;
+    switch (number) {
+        case 0:
+            asm volatile("fucom %%st(0); fnstsw %0" : "=a"(status));
+            break;
+        case 1:
+            asm volatile("fucom %%st(1); fnstsw %0" : "=a"(status));
+            break;
+        case 2:
+            asm volatile("fucom %%st(2); fnstsw %0" : "=a"(status));
+            break;
+        case 3:
+            asm volatile("fucom %%st(3); fnstsw %0" : "=a"(status));
+            break;
+        case 4:
+            asm volatile("fucom %%st(4); fnstsw %0" : "=a"(status));
+            break;
+        case 5:
+            asm volatile("fucom %%st(5); fnstsw %0" : "=a"(status));
+            break;
+        case 6:
+            asm volatile("fucom %%st(6); fnstsw %0" : "=a"(status));
+            break;
+        default:
+            asm volatile("fucom %%st(7); fnstsw %0" : "=a"(status));
+            break;
+    }
+    if (pops) asm volatile("fstp %st(0)");
+    // The status' bits 8, 10 and 14 are the flags' 0, 2 and 6.
+    constexpr std::uint32_t kCompared = kCarry | kParity | kZero;
+    registers.flags = (registers.flags & ~(kCompared | kSign | kOverflow)) | (status >> 8 & kCompared);
+    registers.eip += 2;
+}
+
+bool emulate_at(std::uint32_t at, bool is_wide, Registers& registers) {
+    const std::uint8_t first = read<std::uint8_t>(at), second = read<std::uint8_t>(at + 1);
+    if ((first == 0xdb || first == 0xdf) && second >= 0xe8 && second < 0xf8) {
+        compare_floats(second & 7, first == 0xdf, registers);
+        return true;
+    }
+    if (first != 0x0f) return false;
+    if (second >= 0x40 && second < 0x50) {
+        move_if(second & 15, at + 2, is_wide, registers);
+        return true;
+    }
+    if (second != 0x1e && second != 0x1f) return false;  // NOPs; among them ENDBR32
+    registers.eip = at + 2 + operand_at(at + 2, registers).size;
+    return true;
+}
+
+}  // namespace
+
+bool emulate(Registers& registers) {
+    std::uint32_t at = registers.eip;
+    bool is_wide = true;
+    for (;; ++at) {
+        const std::uint8_t prefix = read<std::uint8_t>(at);
+        if (prefix == 0x66)
+            is_wide = false;
+        else if (prefix != 0xf3 && prefix != 0x2e && prefix != 0x3e)
+            break;
+    }
+    if (!emulate_at(at, is_wide, registers)) return false;
+    ++emulated;
+    return true;
+}
+
+std::uint32_t emulated_instructions() {
+    return emulated;
+}
+
+}  // namespace oblong::dos

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+
+#include "engine/platform/dos/calls.h"
+#include "engine/platform/dos/vga.h"
+#include "engine/platform/platform.h"
+
+namespace oblong::dos {
+
+/// A PC without a system: VGA, keyboard, PS/2 mouse, timer.
+class Pc final : public Platform {
+  public:
+    bool is_open() const override { return true; }  ///< until the player leaves
+    PlatformInput poll() override;
+    std::uint64_t now_us() override;
+    /// A monitor of 4:3 whose pixels are square: the picture fills it, and nothing is drawn around it.
+    WindowSize window_size() const override { return {1600, 1200}; }
+    void set_title(const char*) override {}
+    void capture_mouse(bool is_captured) override;
+    void change_window(const WindowSettings& settings) override { settings_ = settings; }
+    void wait_for_input(std::int32_t timeout_ms) override;
+    void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
+
+  private:
+    void take_keys();
+    void take_key(std::uint16_t usage, bool is_released);
+    void take_mouse();
+    void note(InputEvent::Kind kind, Input input);
+
+    Vga vga_;
+    WindowSettings settings_;
+    PlatformInput input_;
+    bool is_extended_ = false;            // the next byte is of a key that the first keyboards had not
+    std::map<std::uint16_t, bool> held_;  // keys, by their usages
+    bool is_captured_ = false;
+    std::uint32_t buttons_ = 0;
+    Pointer pointer_{800, 600, false, false};
+    std::uint64_t shown_us_ = 0;
+};
+
+}  // namespace oblong::dos

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
+
+#include "engine/platform/module_player.h"
+#include "engine/platform/sound.h"
+#include "engine/platform/voice_filter.h"
+
+namespace oblong {
+
+/// Mixes voices and music with integers: the same calls give the same samples on every machine. What plays them asks
+/// for them by mix(), perhaps from another thread.
+class Mixer : public SoundOutput {
+  public:
+    static constexpr std::int32_t kRate_hz = ModulePlayer::kRate_hz, kVoices = 32;
+
+    SoundNumber add_sound(std::span<const std::int16_t> samples, std::int32_t rate_hz) override;
+    VoiceNumber start(SoundNumber sound, bool is_loop, const VoiceLevels& levels) override;
+    bool is_playing(VoiceNumber voice) const override;
+    void adjust(VoiceNumber voice, const VoiceLevels& levels) override;
+    void stop(VoiceNumber voice) override;
+    void hold_voices(bool are_held) override;
+    void play_music(std::span<const std::uint8_t> module_file, std::int32_t volume_256) override;
+    void set_music_volume(std::int32_t volume_256) override;
+    void stop_music() override;
+
+    /// The next samples to be heard, left and right by turns.
+    void mix(std::span<std::int16_t> samples);
+
+  private:
+    struct Recording {
+        std::vector<std::int16_t> samples;
+        std::int32_t rate_hz = kRate_hz;
+    };
+    struct Voice {
+        VoiceNumber number = kNoVoice;  // kNoVoice: none is heard here
+        std::size_t recording = 0;
+        bool is_loop = false, is_held = false, is_stopping = false;
+        std::uint64_t at_32 = 0;  // in the recording, 32 fraction bits
+        VoiceFilter filter;
+    };
+
+    Voice* find(VoiceNumber number);
+    void add_voice(Voice& voice, std::span<std::int32_t> sums) const;
+
+    mutable std::mutex mutex_;
+    std::vector<Recording> recordings_;
+    std::array<Voice, kVoices> voices_;
+    VoiceNumber next_voice_ = 0;
+    std::unique_ptr<ModulePlayer> music_;
+    std::int32_t music_volume_256_ = 0;
+};
+
+}  // namespace oblong

@@ -1,0 +1,347 @@
+#include "engine/platform/module_player.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "engine/base/table.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int32_t kLeastPeriod = 113, kMostPeriod = 856;
+constexpr std::int32_t kLeastBeats = 32;
+constexpr std::int32_t kOwnSide_256 = 192;   // of a channel at first
+constexpr std::int32_t kLoudness_256 = 128;  // of a channel: two on a side are as loud as 16 bits can be
+
+/// What an effect's number means; those of kExtended by the parameter's upper half.
+enum ModuleEffect : std::uint8_t {
+    kArpeggio,
+    kSlideUp,
+    kSlideDown,
+    kSlideToNote,
+    kVibrato,
+    kSlideToNoteAndVolume,
+    kVibratoAndVolume,
+    kTremolo,
+    kPanning,
+    kOffset,
+    kVolumeSlide,
+    kJump,
+    kVolume,
+    kBreak,
+    kExtended,
+    kSpeed
+};
+enum Extended : std::uint8_t {
+    kFineSlideUp = 1,
+    kFineSlideDown,
+    kVibratoForm = 4,
+    kFinetune,
+    kLoop,
+    kTremoloForm,
+    kRetrigger = 9,
+    kFineVolumeUp,
+    kFineVolumeDown,
+    kCut,
+    kDelay,
+    kHold
+};
+
+// 65,536 times 2 to the power of so many 12ths: what a semitone multiplies a rate by.
+constexpr std::array<std::int64_t, 16> kSemitones_16{65'536,  69'433,  73'562,  77'936,  82'570,  87'480,
+                                                     92'682,  98'193,  104'032, 110'218, 116'772, 123'715,
+                                                     131'072, 138'866, 147'123, 155'872};
+// The same of 96ths, from -8 to 7.
+constexpr std::array<std::int64_t, 16> kFinetunes_16{61'858, 62'306, 62'757, 63'212, 63'670, 64'132, 64'596, 65'065,
+                                                     65'536, 66'011, 66'489, 66'971, 67'456, 67'945, 68'438, 68'933};
+// ProTracker's half a sine.
+constexpr std::array<std::int32_t, 32> kSine_255{0,   24,  49,  74,  97,  120, 141, 161, 180, 197, 212,
+                                                 224, 235, 244, 250, 253, 255, 253, 250, 244, 235, 224,
+                                                 212, 197, 180, 161, 141, 120, 97,  74,  49,  24};
+
+std::int32_t upper(const ModuleNote& note) {
+    return note.parameter >> 4;
+}
+std::int32_t lower(const ModuleNote& note) {
+    return note.parameter & 15;
+}
+
+bool slides_to_note(const ModuleNote& note) {
+    return note.effect == kSlideToNote || note.effect == kSlideToNoteAndVolume;
+}
+
+std::int32_t bounded_period(std::int32_t period) {
+    return std::clamp(period, kLeastPeriod, kMostPeriod);
+}
+
+std::int32_t bounded_volume(std::int32_t volume_64) {
+    return std::clamp(volume_64, 0, kMostModuleVolume_64);
+}
+
+}  // namespace
+
+std::int32_t ModulePlayer::Wave::value_255() const {
+    const std::int32_t half = at_64 % 32;
+    const bool is_second = at_64 >= 32;
+    switch (form & 3) {
+        case 0:
+            return is_second ? -item(kSine_255, half) : item(kSine_255, half);
+        case 1:  // a ramp down
+            return is_second ? 255 - half * 8 - 256 : 255 - half * 8;
+        default:
+            return is_second ? -255 : 255;
+    }
+}
+
+void ModulePlayer::Wave::set(std::uint8_t parameter) {
+    if (parameter >> 4 != 0) speed = parameter >> 4;
+    if ((parameter & 15) != 0) depth = parameter & 15;
+}
+
+// The sample after the last one of a loop is its first one.
+std::int32_t ModulePlayer::Channel::level_8() const {
+    const auto at = static_cast<std::size_t>(at_32 >> 32);
+    const auto share_8 = static_cast<std::int32_t>(at_32 >> 24 & 255);
+    std::size_t next = at + 1;
+    if (sample->loop_length > 0 && next == sample->loop_start + sample->loop_length) next = sample->loop_start;
+    const std::int32_t here = sample->samples[at], there = next < sample->samples.size() ? sample->samples[next] : 0;
+    return here * 256 + (there - here) * share_8;
+}
+
+void ModulePlayer::Channel::advance(std::uint64_t step_32) {
+    at_32 += step_32;
+    const std::uint64_t loop_end = sample->loop_start + sample->loop_length;
+    if (sample->loop_length > 0) {
+        if (at_32 >> 32 >= loop_end)
+            at_32 -= ((at_32 >> 32) - sample->loop_start) / sample->loop_length * sample->loop_length << 32;
+    } else if (at_32 >> 32 >= sample->samples.size()) {
+        is_playing = false;
+    }
+}
+
+// Channels are left, right, right, left, as the Amiga has them.
+ModulePlayer::ModulePlayer(TrackerModule module) : module_(std::move(module)), channels_(module_.channels) {
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+        const bool is_right = i % 4 == 1 || i % 4 == 2;
+        channels_[i].right_256 = is_right ? kOwnSide_256 : 256 - kOwnSide_256;
+    }
+    begin_row();
+}
+
+void ModulePlayer::add(std::span<std::int32_t> sums, std::int32_t volume_256) {
+    while (!sums.empty()) {
+        if (samples_left_ == 0) begin_tick();
+        const std::size_t frames = std::min(sums.size() / 2, as_size(samples_left_));
+        if (frames == 0) return;
+        for (Channel& channel : channels_) add_channel(channel, sums.first(2 * frames), volume_256);
+        sums = sums.subspan(2 * frames);
+        samples_left_ -= static_cast<std::int32_t>(frames);
+        if (samples_left_ == 0) go_on();
+    }
+}
+
+void ModulePlayer::add_channel(Channel& channel, std::span<std::int32_t> sums, std::int32_t volume_256) const {
+    if (!channel.is_playing || channel.heard_period <= 0) return;
+    const std::int64_t tuned_16 = item(kFinetunes_16, channel.finetune_8 + 8);
+    const std::int64_t raised_16 = tuned_16 * item(kSemitones_16, channel.semitones) >> 16;
+    const auto step_32 = static_cast<std::uint64_t>((kClock_hz * raised_16 << 16) / (channel.heard_period * kRate_hz));
+    const std::int32_t loudness_256 =
+        volume_256 * channel.heard_volume_64 * kLoudness_256 / (256 * kMostModuleVolume_64);
+    const std::int32_t right_256 = loudness_256 * channel.right_256 / 256, left_256 = loudness_256 - right_256;
+    for (std::size_t at = 0; at < sums.size() && channel.is_playing; at += 2) {
+        const std::int32_t level = channel.level_8();
+        sums[at] += level * left_256 / 256;
+        sums[at + 1] += level * right_256 / 256;
+        channel.advance(step_32);
+    }
+}
+
+// At 125 beats a minute, a 50th of a second.
+void ModulePlayer::begin_tick() {
+    constexpr std::int32_t kSamplesTimesBeats = kRate_hz * 5 / 2;
+    rest_ += kSamplesTimesBeats;
+    samples_left_ = rest_ / beats_;
+    rest_ %= beats_;
+}
+
+void ModulePlayer::go_on() {
+    if (++tick_ < speed_ * (1 + rows_held_)) {
+        for (Channel& channel : channels_) apply_at_tick(channel);
+        return;
+    }
+    tick_ = rows_held_ = 0;
+    if (!std::exchange(is_next_set_, false)) next_ = {place_.order, place_.row + 1};
+    if (next_.row >= kPatternRows) next_ = {next_.order + 1, 0};
+    if (next_.order >= module_.orders.size()) next_.order = module_.restart;
+    place_ = next_;
+    begin_row();
+}
+
+void ModulePlayer::begin_row() {
+    const std::span<const ModuleNote> row = module_.row(module_.orders[place_.order], place_.row);
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+        begin_note(channels_[i], row[i]);
+        apply_at_row(channels_[i]);
+    }
+}
+
+void ModulePlayer::begin_note(Channel& channel, const ModuleNote& note) {
+    channel.note = note;
+    channel.semitones = 0;
+    if (note.sample > 0) {
+        channel.next_sample = &module_.samples[note.sample - std::size_t{1}];
+        channel.volume_64 = channel.next_sample->volume_64;
+        channel.finetune_8 = channel.next_sample->finetune_8;
+    }
+    const bool is_delayed = note.effect == kExtended && upper(note) == kDelay && lower(note) > 0;
+    if (note.period > 0) {
+        channel.target = note.period;
+        if (!slides_to_note(note) && !is_delayed) strike(channel, note.period);
+    }
+    channel.heard_period = channel.period;
+    channel.heard_volume_64 = channel.volume_64;
+}
+
+void ModulePlayer::strike(Channel& channel, std::int32_t period) {
+    channel.period = channel.heard_period = period;
+    channel.at_32 = 0;
+    channel.sample = channel.next_sample;
+    channel.is_playing = channel.sample != nullptr && !channel.sample->samples.empty();
+    if (channel.vibrato.form < 4) channel.vibrato.at_64 = 0;
+    if (channel.tremolo.form < 4) channel.tremolo.at_64 = 0;
+}
+
+void ModulePlayer::apply_at_row(Channel& channel) {
+    const ModuleNote& note = channel.note;
+    switch (note.effect) {
+        case kSlideToNote:
+            if (note.parameter > 0) channel.slide = note.parameter;
+            break;
+        case kVibrato:
+            channel.vibrato.set(note.parameter);
+            break;
+        case kTremolo:
+            channel.tremolo.set(note.parameter);
+            break;
+        case kPanning:
+            channel.right_256 = note.parameter;
+            break;
+        case kOffset:
+            if (note.parameter > 0) channel.offset = std::size_t{note.parameter} * 256;
+            if (note.period == 0 || channel.sample == nullptr) break;
+            channel.at_32 = std::uint64_t{channel.offset} << 32;
+            channel.is_playing = channel.offset < channel.sample->samples.size();
+            break;
+        case kJump:
+            next_ = {note.parameter, 0};
+            is_next_set_ = true;
+            break;
+        case kVolume:
+            channel.volume_64 = channel.heard_volume_64 = bounded_volume(note.parameter);
+            break;
+        case kBreak:
+            next_ = {is_next_set_ ? next_.order : place_.order + 1, as_size(upper(note) * 10 + lower(note))};
+            if (next_.row >= kPatternRows) next_.row = 0;
+            is_next_set_ = true;
+            break;
+        case kExtended:
+            apply_extended_at_row(channel);
+            break;
+        case kSpeed:
+            if (note.parameter >= kLeastBeats)
+                beats_ = note.parameter;
+            else if (note.parameter > 0)
+                speed_ = note.parameter;
+            break;
+        default:
+            break;
+    }
+}
+
+void ModulePlayer::apply_extended_at_row(Channel& channel) {
+    const std::int32_t value = lower(channel.note);
+    switch (upper(channel.note)) {
+        case kFineSlideUp:
+            channel.period = channel.heard_period = bounded_period(channel.period - value);
+            break;
+        case kFineSlideDown:
+            channel.period = channel.heard_period = bounded_period(channel.period + value);
+            break;
+        case kVibratoForm:
+            channel.vibrato.form = value;
+            break;
+        case kTremoloForm:
+            channel.tremolo.form = value;
+            break;
+        case kFinetune:
+            channel.finetune_8 = value < 8 ? value : value - 16;
+            break;
+        case kLoop:
+            if (value == 0) {
+                channel.loop_row = place_.row;
+                break;
+            }
+            channel.loops_left = channel.loops_left == 0 ? value : channel.loops_left - 1;
+            if (channel.loops_left == 0) break;
+            next_ = {place_.order, channel.loop_row};
+            is_next_set_ = true;
+            break;
+        case kFineVolumeUp:
+            channel.volume_64 = channel.heard_volume_64 = bounded_volume(channel.volume_64 + value);
+            break;
+        case kFineVolumeDown:
+            channel.volume_64 = channel.heard_volume_64 = bounded_volume(channel.volume_64 - value);
+            break;
+        case kCut:
+            if (value == 0) channel.volume_64 = channel.heard_volume_64 = 0;
+            break;
+        case kHold:
+            rows_held_ = value;
+            break;
+        default:
+            break;
+    }
+}
+
+// At each tick of a row but its first.
+void ModulePlayer::apply_at_tick(Channel& channel) {
+    const ModuleNote& note = channel.note;
+    const bool has_vibrato = note.effect == kVibrato || note.effect == kVibratoAndVolume;
+    channel.heard_period = channel.period;
+    if (note.effect == kArpeggio) channel.semitones = std::array{0, upper(note), lower(note)}[as_size(tick_ % 3)];
+    if (note.effect == kSlideUp) channel.period = bounded_period(channel.period - note.parameter);
+    if (note.effect == kSlideDown) channel.period = bounded_period(channel.period + note.parameter);
+    if (slides_to_note(note) && channel.period > 0) {
+        const std::int32_t way = channel.target - channel.period;
+        channel.period += std::clamp(way, -channel.slide, channel.slide);
+    }
+    if (!has_vibrato) channel.heard_period = channel.period;
+    if (has_vibrato && channel.period > 0) {
+        Wave& wave = channel.vibrato;
+        channel.heard_period = std::max(channel.period + wave.value_255() * wave.depth / 128, 1);
+        wave.at_64 = (wave.at_64 + wave.speed) % 64;
+    }
+    if (note.effect == kVolumeSlide || note.effect == kSlideToNoteAndVolume || note.effect == kVibratoAndVolume) {
+        const std::int32_t by = upper(note) > 0 ? upper(note) : -lower(note);
+        channel.volume_64 = bounded_volume(channel.volume_64 + by);
+    }
+    channel.heard_volume_64 = channel.volume_64;
+    if (note.effect == kTremolo) {
+        Wave& wave = channel.tremolo;
+        channel.heard_volume_64 = bounded_volume(channel.volume_64 + wave.value_255() * wave.depth / 64);
+        wave.at_64 = (wave.at_64 + wave.speed) % 64;
+    }
+    if (note.effect == kExtended) apply_extended_at_tick(channel);
+}
+
+void ModulePlayer::apply_extended_at_tick(Channel& channel) {
+    const std::int32_t value = lower(channel.note), in_row = tick_ % speed_;
+    const std::int32_t which = upper(channel.note);
+    if (which == kRetrigger && value > 0 && in_row % value == 0) strike(channel, channel.period);
+    if (which == kCut && in_row == value) channel.volume_64 = channel.heard_volume_64 = 0;
+    if (which == kDelay && value > 0 && in_row == value && channel.note.period > 0)
+        strike(channel, channel.note.period);
+}
+
+}  // namespace oblong

@@ -1,0 +1,109 @@
+#include <emscripten.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "engine/platform/crt_mask.h"
+#include "engine/platform/web/web.h"
+
+namespace oblong {
+namespace {
+
+/// What page.js knows when it is asked, as it writes it.
+struct PageState {
+    std::int32_t width_px, height_px, has_focus, is_hidden, changes_full_screen;
+    std::int32_t has_pointer, pointer_x_px, pointer_y_px, has_moved, is_pressed;
+    std::int32_t event_count;
+};
+
+/// An InputEvent, as page.js writes it.
+struct PageEvent {
+    std::int32_t kind, device, code, x, y;
+};
+
+EM_JS(void, page_state, (PageState * state), { Page.state(HEAP32, state >> 2); });
+EM_JS(void, page_events, (PageEvent * events), { Page.takeEvents(HEAP32, events >> 2); });
+EM_JS(void, page_size, (std::int32_t * size), { HEAP32.set([ Page.canvas.width, Page.canvas.height ], size >> 2); });
+EM_JS(void, page_title, (const char* title), { document.title = UTF8ToString(title); });
+EM_JS(void, page_capture, (int is_captured), { Page.capture(is_captured != 0); });
+EM_JS(int, page_letter, (int key), { return Page.letter(key); });
+EM_JS(void, page_fill_screen, (int fills), { Page.fillScreen(fills != 0); });
+EM_JS(void, page_mask, (const std::uint32_t* argb, int width, int height),
+      { Page.screen.setMask(HEAPU8.subarray(argb, argb + 4 * width * height), width, height); });
+EM_JS(void, page_present,
+      (const std::uint8_t* pixels, int width, int height, const Rgb8* colours, const PresentRect* shown), {
+          const rect = HEAP32.subarray(shown >> 2, (shown >> 2) + 6);
+          Page.screen.present(HEAPU8.subarray(pixels, pixels + width * height), width, height,
+                              HEAPU8.subarray(colours, colours + 768), rect, HEAPU8[shown + 24] != 0,
+                              HEAPU8[shown + 32] != 0);
+      });
+static_assert(sizeof(Rgb8) == 3 && offsetof(PresentRect, is_blended) == 24 &&
+              offsetof(PresentRect, has_crt_look) == 32);
+
+class PagePlatform final : public Platform {
+  public:
+    bool is_open() const override { return true; }
+    PlatformInput poll() override;
+    std::uint64_t now_us() override { return static_cast<std::uint64_t>(emscripten_get_now() * 1000); }
+    WindowSize window_size() const override;
+    void set_title(const char* title) override { page_title(title); }
+    void capture_mouse(bool is_captured) override { page_capture(is_captured); }
+    std::string local_name_of(Input input) const override;
+    void change_window(const WindowSettings& settings) override;
+    void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
+
+  private:
+    bool is_full_screen_ = false;
+    std::array<std::int32_t, 3> mask_{};  // width, height, rows
+};
+
+PlatformInput PagePlatform::poll() {
+    PageState state{};
+    page_state(&state);
+    std::vector<PageEvent> events(static_cast<std::size_t>(state.event_count));
+    page_events(events.data());
+    PlatformInput input;
+    for (const PageEvent& event : events) {
+        const Input device{static_cast<Device>(event.device), static_cast<std::uint16_t>(event.code)};
+        input.events.push_back({static_cast<InputEvent::Kind>(event.kind), device, event.x, event.y});
+    }
+    input.has_focus = state.has_focus != 0;
+    input.is_minimised = state.is_hidden != 0;
+    input.changes_full_screen = state.changes_full_screen != 0;
+    if (state.has_pointer != 0)
+        input.pointer = Pointer{state.pointer_x_px, state.pointer_y_px, state.has_moved != 0, state.is_pressed != 0};
+    return input;
+}
+
+WindowSize PagePlatform::window_size() const {
+    std::array<std::int32_t, 2> size{};
+    page_size(size.data());
+    return {size[0], size[1]};
+}
+
+// A letter as the user's keyboard has it, where the browser tells.
+std::string PagePlatform::local_name_of(Input input) const {
+    const int letter = input.device == Device::Key ? page_letter(input.code) : 0;
+    return letter > ' ' && letter <= '~' ? std::string(1, static_cast<char>(letter)) : name_of(input);
+}
+
+void PagePlatform::change_window(const WindowSettings& settings) {
+    if (std::exchange(is_full_screen_, settings.is_full_screen) != settings.is_full_screen)
+        page_fill_screen(settings.is_full_screen);
+}
+
+void PagePlatform::present(Framebuffer picture, const Palette& palette, const PresentRect& shown) {
+    const std::array<std::int32_t, 3> mask{shown.width_px, shown.height_px, picture.height_px};
+    if (shown.has_crt_look && shown.width_px > 0 && std::exchange(mask_, mask) != mask)
+        page_mask(make_crt_mask(mask[0], mask[1], mask[2]).data(), mask[0], mask[1]);
+    page_present(picture.pixels, picture.width_px, picture.height_px, palette.colours.data(), &shown);
+}
+
+}  // namespace
+
+std::unique_ptr<Platform> open_page() {
+    return std::make_unique<PagePlatform>();
+}
+
+}  // namespace oblong

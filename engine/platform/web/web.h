@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+
+#include "engine/platform/platform.h"
+#include "engine/platform/sound.h"
+
+namespace oblong {
+
+/// A web page's canvas, and the keyboard, mouse, gamepads and touches of who looks at it: page.js, by which the page
+/// was loaded, does what only the browser can.
+std::unique_ptr<Platform> open_page();
+
+/// The browser's sound, silent until the first key or click: browsers want that. Throws std::runtime_error where there
+/// is none.
+std::unique_ptr<SoundOutput> open_page_sound();
+
+}  // namespace oblong

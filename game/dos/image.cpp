@@ -1,0 +1,132 @@
+// oblong-dos-image ASSETS BUILT OUT: packs what the DOS build has made in BUILT (kernel.bin, oblong_dos, boot.bin,
+// loader.bin) and the museum of ASSETS into OUT/OBLONG.SYS and OUT/oblong.img. Runs where the game is built, not under
+// DOS.
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/base/little_endian.h"
+#include "engine/files/arguments.h"
+#include "engine/files/command_line.h"
+#include "engine/files/files.h"
+#include "engine/platform/dos/layout.h"
+#include "game/dos/level_models_file.h"
+#include "game/level/load.h"
+
+namespace oblong {
+namespace {
+
+namespace fs = std::filesystem;
+using Bytes = std::vector<std::uint8_t>;
+
+constexpr std::size_t kPage = 4096, kSector = 512;
+
+void append(Bytes& to, const Bytes& bytes) {
+    to.insert(to.end(), bytes.begin(), bytes.end());
+}
+
+// Zeros up to a multiple of `unit`.
+void pad(Bytes& bytes, std::size_t unit) {
+    bytes.resize((bytes.size() + unit - 1) / unit * unit);
+}
+
+void put_number(Bytes& bytes, std::size_t at, std::size_t number) {
+    for (std::size_t byte = 0; byte < 4; ++byte) bytes.at(at + byte) = static_cast<std::uint8_t>(number >> 8 * byte);
+}
+
+struct ArchivedFile {
+    std::string name;
+    Bytes bytes;
+};
+
+// As engine/platform/dos/kernel/files.cpp reads it.
+Bytes archive_of(const std::vector<ArchivedFile>& files) {
+    constexpr std::size_t kHead = 64, kEntry = 64, kName = 56;
+    Bytes archive(kHead + kEntry * files.size());
+    put_number(archive, 0, files.size());
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        pad(archive, 16);
+        const std::size_t entry = kHead + kEntry * i;
+        if (files[i].name.size() >= kName) throw InputError("archive", files[i].name + ": a name that is too long");
+        std::copy(files[i].name.begin(), files[i].name.end(), archive.begin() + static_cast<std::ptrdiff_t>(entry));
+        put_number(archive, entry + kName, archive.size());
+        put_number(archive, entry + kName + 4, files[i].bytes.size());
+        append(archive, files[i].bytes);
+    }
+    put_number(archive, 4, archive.size());
+    return archive;
+}
+
+// A program (ELF, 32 bits) as it lies in memory from PROGRAM_ADDRESS on, with zeros where it has no bytes.
+Bytes loaded_program(const Bytes& elf) {
+    constexpr std::size_t kHeadersOffset = 28, kHeaderCount = 44, kHeader = 32;
+    constexpr std::uint32_t kLoaded = 1;
+    const auto number = [&](std::size_t at) { return LittleEndianReader(elf, at).next<std::uint32_t>(); };
+    Bytes memory;
+    for (std::size_t i = 0; i < LittleEndianReader(elf, kHeaderCount).next<std::uint16_t>(); ++i) {
+        const std::size_t part = number(kHeadersOffset) + kHeader * i;
+        if (number(part) != kLoaded) continue;
+        const std::size_t offset = number(part + 4), at = number(part + 8) - PROGRAM_ADDRESS;
+        const auto bytes = std::span(elf).subspan(offset, number(part + 16));
+        memory.resize(std::max(memory.size(), at + number(part + 20)));
+        std::copy(bytes.begin(), bytes.end(), memory.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+    return memory;
+}
+
+Bytes museum_archive(const fs::path& assets) {
+    LevelFiles files;
+    files.assets = assets.string();
+    files.level = (assets / "demo.bsp").string();
+    std::vector<ArchivedFile> archived{{"assets/demo.models", encode_level_models(load_game(files).models)}};
+    for (const char* name : {"demo.bsp", "palette.lmp", "walk.demo", "game.json"})
+        archived.push_back({std::string("assets/") + name, read_file((assets / name).string())});
+    return archive_of(archived);
+}
+
+// What the loader copies to KERNEL_ADDRESS.
+Bytes system_of(const fs::path& assets, const fs::path& built) {
+    Bytes system = read_file((built / "kernel.bin").string());
+    system.resize(PROGRAM_ADDRESS - KERNEL_ADDRESS);
+    append(system, loaded_program(read_file((built / "oblong_dos").string())));
+    pad(system, kPage);
+    append(system, museum_archive(assets));
+    pad(system, kSector);
+    return system;
+}
+
+Bytes disk_of(const fs::path& built, const Bytes& system) {
+    constexpr std::size_t kLoaderSectors = 7, kCylinder = 16 * 63 * kSector;
+    constexpr std::size_t kEndSector = 440, kPartitionSectors = 458;  // where boot.S has them
+    Bytes disk = read_file((built / "boot.bin").string());
+    append(disk, read_file((built / "loader.bin").string()));
+    if (disk.size() > (1 + kLoaderSectors) * kSector) throw InputError("loader.bin", "more than 7 sectors");
+    disk.resize((1 + kLoaderSectors) * kSector);
+    append(disk, system);
+    put_number(disk, kEndSector, disk.size() / kSector);
+    pad(disk, kCylinder);
+    put_number(disk, kPartitionSectors, disk.size() / kSector - 1);
+    return disk;
+}
+
+int run(int count, const char* const* arguments) {
+    CommandLine line("oblong-dos-image", "Packs the DOS build's parts into OBLONG.SYS and a disk image.");
+    std::string assets, built, out;
+    line.add("assets", assets, "folder of the museum").require();
+    line.add("built", built, "folder of the kernel, the program and the loaders").require();
+    line.add("out", out, "folder of what is written").require();
+    return line.run(count, arguments, [&] {
+        const Bytes system = system_of(assets, built);
+        write_file((fs::path(out) / "OBLONG.SYS").string(), system);
+        write_file((fs::path(out) / "oblong.img").string(), disk_of(built, system));
+    });
+}
+
+}  // namespace
+}  // namespace oblong
+
+int main(int argc, char** argv) {
+    return oblong::run(argc, argv);
+}

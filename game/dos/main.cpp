@@ -1,0 +1,149 @@
+// The game under DOS: OBLONG [NAME=VALUE ...], options by their names on a command line elsewhere ("accuracy=1994").
+// Also replay=FILE; hashes=N, which draws N ticks of the walk as fast as it goes, each with its hash on the serial
+// port; and report=1: pictures a second there, every five seconds.
+#include <malloc.h>
+
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "engine/base/fnv.h"
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
+#include "engine/platform/dos/calls.h"
+#include "engine/platform/dos/pc.h"
+#include "game/lab/timedemo.h"
+#include "game/options/preference_table.h"
+#include "game/program/program.h"
+#include "game/simulation/step.h"
+
+namespace oblong {
+namespace {
+
+constexpr const char* kAssets = "/assets";
+
+struct Arguments {
+    Options options;
+    std::size_t hashed_ticks = 0;
+    bool holds = false;
+};
+
+std::size_t whole_number(const std::string& name, const std::string& text) {
+    if (text.empty() || text.size() > 6 || text.find_first_not_of("0123456789") != std::string::npos)
+        throw UsageError(name + ": '" + text + "', expected a number");
+    return static_cast<std::size_t>(std::stoi(text));
+}
+
+void take(const std::string& name, const std::string& value, Arguments& arguments) {
+    Preferences& preferences = arguments.options.preferences;
+    if (name == "hashes") {
+        arguments.hashed_ticks = whole_number(name, value);
+        return;
+    }
+    if (name == "hold") {
+        arguments.holds = value == "1";
+        return;
+    }
+    if (name == "replay") {
+        arguments.options.replay = value;
+        return;
+    }
+    for (const Preference& preference : all_preferences())
+        if (preference.name == name) return preference.parse(preferences, value);
+    throw UsageError("'" + name + "', expected NAME=VALUE of an option that oblong --help lists, as accuracy=1994");
+}
+
+// DOS has no small letters of its own.
+Arguments read_arguments(int count, char** words) {
+    Arguments arguments;
+    for (int i = 1; i < count; ++i) {
+        std::string word = words[i];
+        for (char& letter : word)
+            if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+        const std::size_t equals = std::min(word.find('='), word.size());
+        take(word.substr(0, equals), word.substr(std::min(equals + 1, word.size())), arguments);
+    }
+    check_view(arguments.options.preferences.mode, arguments.options.preferences.field_of_view);
+    arguments.options.shows_title = arguments.options.replay.empty();
+    return arguments;
+}
+
+void print_memory() {
+    dos::MemoryState memory;
+    call(dos::Call::Memory, &memory);
+    std::fprintf(stderr, "memory: %u of %u KB, %u instructions emulated\n", memory.most / 1024, memory.size / 1024,
+                 memory.emulated);
+}
+
+// What has been read is in memory twice: the archive's bytes make room.
+void empty_read_files() {
+    for (const char* name : {"/demo.bsp", "/demo.models"}) write_file(std::string(kAssets) + name, std::string());
+}
+
+// As tests compare them: the hash of the state after each tick, and of the picture of that.
+void print_hashes(const Options& options, std::size_t ticks, dos::Pc& pc) {
+    const auto now_ms = [&pc] { return static_cast<unsigned>(pc.now_us() / 1000); };
+    const LoadedLevel loaded(level_files_of(options, kAssets));
+    const Demo demo = read_parsed(std::string(kAssets) + "/walk.demo", decode_demo);
+    empty_read_files();
+    std::fprintf(stderr, "read at %u ms\n", now_ms());
+    GameRenderer renderer(loaded.data, loaded.level, options.preferences.mode, nullptr);
+    const Settings settings = settings_of(options.preferences);
+    GameState state = start_of(loaded.level);
+    std::uint64_t drawing_us = 0;
+    ticks = std::min(ticks, demo.ticks.size());
+    for (std::size_t tick = 0; tick < ticks; ++tick) {
+        step(loaded.level, state, demo.ticks[tick].input);
+        const InterpolatedState frame{state, state, 0};
+        const std::uint64_t began_us = pc.now_us();
+        renderer.draw({frame, camera_at(frame, {}, options.preferences.field_of_view)}, settings);
+        drawing_us += pc.now_us() - began_us;
+        const Framebuffer canvas = renderer.canvas();
+        pc.present(canvas, loaded.data.palette, {});
+        if (tick == 0) std::fprintf(stderr, "first picture at %u ms\n", now_ms());
+        Fnv1a hash;
+        for (std::int32_t y = 0; y < canvas.height_px; ++y)
+            for (std::int32_t x = 0; x < canvas.width_px; ++x) hash.add(canvas.row(y)[x]);
+        std::fprintf(stderr, "tick %u state %016llx picture %016llx\n", static_cast<unsigned>(tick + 1),
+                     static_cast<unsigned long long>(hash_of(state)), static_cast<unsigned long long>(hash.value()));
+    }
+    std::fprintf(stderr, "%u pictures, %u us each\n", static_cast<unsigned>(ticks),
+                 static_cast<unsigned>(drawing_us / std::max<std::size_t>(ticks, 1)));
+}
+
+void wait_for_key(dos::Pc& pc) {
+    constexpr std::int32_t kSecond_ms = 1000;
+    while (pc.poll().events.empty()) pc.wait_for_input(kSecond_ms);
+}
+
+void play(const Options& options, dos::Pc& pc) {
+    PreferencesStore store;
+    store.begin_with(options.preferences);
+    ProgramFiles files = load_program_files(options, kAssets);
+    empty_read_files();
+    Program(options, std::move(files), store, pc, nullptr).run();
+}
+
+int run(int count, char** words) {
+    // Large blocks go back at once: memory is scarce.
+    mallopt(M_MMAP_THRESHOLD, 64 * 1024);
+    mallopt(M_TRIM_THRESHOLD, 64 * 1024);
+    return run_program("oblong", [&] {
+        const Arguments arguments = read_arguments(count, words);
+        dos::Pc pc;
+        if (arguments.hashed_ticks > 0) {
+            print_hashes(arguments.options, arguments.hashed_ticks, pc);
+            if (arguments.holds) wait_for_key(pc);
+        } else {
+            play(arguments.options, pc);
+        }
+        print_memory();
+    });
+}
+
+}  // namespace
+}  // namespace oblong
+
+int main(int argc, char** argv) {
+    return oblong::run(argc, argv);
+}

@@ -1,0 +1,172 @@
+#include "game/program/map_watch.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "engine/files/arguments.h"
+#include "engine/files/files.h"
+#include "engine/level/entities.h"
+
+namespace oblong {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kBetweenLooks_us = 200'000;
+
+// The parts of a source in which a difference means different work.
+struct MapParts {
+    std::string brushes;                        // and the classes of entities that have some
+    std::vector<std::string> entities, lights;  // the pairs of each; `lights` of those that may change light
+};
+
+bool may_change_light(const std::string& pairs) {
+    return pairs.find("\"classname\" \"light") != std::string::npos || pairs.find("\"light\"") != std::string::npos ||
+           pairs.find("\"_") != std::string::npos || pairs.find("\"classname\" \"worldspawn\"") != std::string::npos;
+}
+
+MapParts parts_of(const std::string& text) {
+    MapParts parts;
+    std::string pairs, brushes, line;
+    int depth = 0;
+    std::istringstream lines(text);
+    while (std::getline(lines, line)) {
+        line.erase(0, line.find_first_not_of(" \t\r"));
+        if (line.starts_with("//")) continue;
+        if (line.starts_with('{')) ++depth;
+        if (line.starts_with('"'))
+            pairs += line + "\n";
+        else if (depth > 1)
+            brushes += line + "\n";
+        if (!line.starts_with('}') || --depth > 0) continue;
+        std::istringstream each(pairs);
+        if (!brushes.empty())
+            for (std::string pair; std::getline(each, pair);)
+                if (pair.starts_with("\"classname\"") || pair.starts_with("\"_phong")) parts.brushes += pair + "\n";
+        parts.brushes += brushes;
+        parts.entities.push_back(pairs);
+        // The target of a spotlight lies anywhere.
+        if (may_change_light(pairs) || pairs.find("\"targetname\"") != std::string::npos) parts.lights.push_back(pairs);
+        pairs.clear();
+        brushes.clear();
+    }
+    parts.brushes += pairs + brushes + std::to_string(depth);  // of an entity without an end
+    return parts;
+}
+
+std::vector<Vec3<World>> read_points(const std::string& file) {
+    std::vector<Vec3<World>> points;
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) return points;
+    std::istringstream lines(read_text(file));
+    for (std::string line; std::getline(lines, line);) {
+        const auto numbers = parse_decimals(line, World::kFractionBits);
+        if (!numbers || numbers->size() != 3) continue;
+        const auto unit = [&](std::size_t i) { return World::from_raw(static_cast<std::int32_t>((*numbers)[i])); };
+        points.push_back({unit(0), unit(1), unit(2)});
+    }
+    return points;
+}
+
+const char* option_of(MapChange change) {
+    return change == MapChange::Entities ? "entities" : "light";
+}
+
+}  // namespace
+
+MapChange change_between(const std::string& former, const std::string& now) {
+    const MapParts a = parts_of(former), b = parts_of(now);
+    if (a.brushes != b.brushes) return MapChange::All;
+    if (a.lights != b.lights) return MapChange::Light;
+    return a.entities != b.entities ? MapChange::Entities : MapChange::Nothing;
+}
+
+MapWatch::MapWatch(std::string map_file, std::string compiler)
+    : map_file_(std::move(map_file)), compiler_(std::move(compiler)) {
+    const std::string base = fs::path(map_file_).replace_extension().string() + "-draft";
+    level_file_ = base + ".bsp";
+    said_file_ = base + ".log";
+    points_file_ = base + ".pts";
+}
+
+MapWatch::~MapWatch() {
+    if (running_) waitpid(*running_, nullptr, 0);
+}
+
+std::optional<MapWatch::Stamp> MapWatch::stamp() const {
+    std::error_code error;
+    const Stamp now{fs::last_write_time(map_file_, error), error ? 0 : fs::file_size(map_file_, error)};
+    return error ? std::nullopt : std::optional(now);
+}
+
+std::optional<MapWatch::News> MapWatch::poll(std::uint64_t now_us) {
+    if (now_us < looked_us_ + kBetweenLooks_us) return std::nullopt;
+    looked_us_ = now_us;
+    if (running_) {
+        int status = 0;
+        if (waitpid(*running_, &status, WNOHANG) == 0) return std::nullopt;
+        running_.reset();
+        return finish(status);
+    }
+    const std::optional<Stamp> now = stamp();
+    if (!now || now == seen_) return std::nullopt;  // an editor may write it anew just now
+    seen_ = now;
+    tried_text_ = read_text(map_file_);
+    const MapChange change = text_.empty() ? MapChange::All : change_between(text_, tried_text_);
+    if (change != MapChange::Nothing) begin(change);
+    return std::nullopt;
+}
+
+void MapWatch::compile_first() {
+    seen_ = stamp();
+    tried_text_ = read_text(map_file_);
+    begin(MapChange::All);
+    int status = 0;
+    waitpid(*running_, &status, 0);
+    running_.reset();
+    const News news = finish(status);
+    if (!news.has_level) throw FileError(map_file_, "oblong-map", news.fault);
+}
+
+void MapWatch::begin(MapChange change) {
+    std::vector<std::string> words{compiler_, map_file_, "-o", level_file_, "--fast"};
+    if (change != MapChange::All) words.insert(words.end(), {"--only", option_of(change)});
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    std::error_code ignored;
+    fs::remove(points_file_, ignored);
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&files, STDERR_FILENO, said_file_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    pid_t process = 0;
+    const int error = posix_spawn(&process, compiler_.c_str(), &files, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&files);
+    if (error != 0) throw FileError(compiler_, "start", "the compiler does not start, expected oblong-map there");
+    running_ = process;
+}
+
+MapWatch::News MapWatch::finish(int status) {
+    News news;
+    news.has_level = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (news.has_level) {
+        text_ = tried_text_;
+        return news;
+    }
+    std::istringstream lines(read_text(said_file_));
+    for (std::string line; std::getline(lines, line);)
+        if (line.find(": warning: ") == std::string::npos && line.find("% ") == std::string::npos) news.fault = line;
+    const std::string named = "oblong-map: " + map_file_ + ": ";
+    if (news.fault.starts_with(named)) news.fault.erase(0, named.size());
+    if (news.fault.empty()) news.fault = "oblong-map ended without a word";
+    news.leak_path = read_points(points_file_);
+    return news;
+}
+
+}  // namespace oblong

@@ -1,0 +1,130 @@
+// Loads the program and its data, keeps what the player saves, and starts the game. SIZES: bytes of each file.
+const SIZES = {/*@sizes@*/};
+Page.lines = [];  // what the program said last
+
+// The bytes of a file, wherever they are: in this page, packed, or beside it. The bar shows how many have come.
+let loadedBytes = 0;
+const allBytes = Object.values(SIZES).reduce((sum, size) => sum + size, 0);
+const open = async name => {
+  const packed = document.getElementById(name);
+  const response = await fetch(packed ? "data:;base64," + packed.textContent.trim() : name);
+  if (!response.ok) throw new Error(name + ": " + response.status + " " + response.statusText);
+  let stream = response.body;
+  if (packed) stream = stream.pipeThrough(new DecompressionStream("gzip"));
+  return stream.pipeThrough(new TransformStream({
+    transform(bytes, to) {
+      loadedBytes += bytes.length;
+      document.querySelector("#bar div").style.width = 100 * loadedBytes / allBytes + "%";
+      to.enqueue(bytes);
+    },
+  }));
+};
+
+// The data: how long its list is, the list as JSON, {name, size} each, and the files.
+const unpack = bytes => {
+  const length = new DataView(bytes.buffer).getUint32(0, true);
+  let at = 4 + length;
+  for (const {name, size} of JSON.parse(new TextDecoder().decode(bytes.subarray(4, at)))) {
+    const path = "/assets/" + name;
+    FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
+    FS.writeFile(path, bytes.subarray(at, at += size));
+  }
+};
+
+// What is below /save is kept by the browser's database, written soon after it has changed. That takes it some time, which a
+// page that is closed does not get: what it still has to write is kept by its local storage until the next start.
+const RESCUED = "oblong:";
+const keepSaves = () => {
+  let isWriting = false;
+  const changed = new Set();
+  for (const key of Object.keys(localStorage).filter(key => key.startsWith(RESCUED))) {
+    const path = key.slice(RESCUED.length);
+    FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
+    FS.writeFile(path, Uint8Array.from(atob(localStorage[key]), letter => letter.charCodeAt(0)));
+    changed.add(path);
+  }
+  for (const change of ["close", "rename", "unlink"]) {
+    const before = FS[change];
+    FS[change] = function (what, ...more) {
+      const path = typeof what === "string" ? what : what.path || "";
+      const isRead = change === "close" && (what.flags & 3) === 0;
+      if (path.startsWith("/save/") && !isRead) changed.add(path);
+      if (change === "rename" && path.startsWith("/save/")) changed.add(more[0]);
+      return before.call(FS, what, ...more);
+    };
+  }
+  const write = () => {
+    if (changed.size === 0 || isWriting) return;
+    const written = [...changed];
+    isWriting = true;
+    FS.syncfs(false, error => {
+      isWriting = false;
+      if (error) return console.error("not saved: " + error);
+      for (const path of written) {
+        changed.delete(path);
+        localStorage.removeItem(RESCUED + path);
+      }
+    });
+  };
+  const rescue = () => {
+    for (const path of changed)
+      if (FS.analyzePath(path).exists)
+        localStorage[RESCUED + path] = btoa(Array.from(FS.readFile(path), byte => String.fromCharCode(byte)).join(""));
+  };
+  setInterval(write, 500);
+  document.addEventListener("visibilitychange", () => {
+    if (!document.hidden || Page.hasEnded || !Page.whenHidden) return;
+    Page.whenHidden();
+    rescue();
+    write();
+  });
+};
+
+Page.say = text => { document.getElementById("said").textContent = text; };
+Page.end = text => {
+  Page.hasEnded = true;
+  Page.closeSound();
+  if (document.pointerLockElement) document.exitPointerLock();
+  document.body.classList.remove("loads");
+  Page.canvas.hidden = true;
+  Page.say([text, ...Page.lines, "Reload the page to play again."].filter(line => line).join("\n"));
+};
+
+const fail = error => {
+  Page.lines.push(String(error.message || error));
+  Page.end("");
+};
+
+const data = open("oblong.data").then(stream => new Response(stream).arrayBuffer());
+globalThis.Module = {
+  // Of the address: oblong.html?--mode%20640x480
+  arguments: [/*@game@*/...decodeURIComponent(location.search.slice(1)).split(" ").filter(word => word)],
+  print: line => console.log(line),
+  printErr: line => {
+    console.warn(line);
+    Page.lines = [...Page.lines, line].slice(-5);
+  },
+  instantiateWasm(imports, done) {
+    open("oblong.wasm")
+      .then(stream => WebAssembly.instantiateStreaming(new Response(stream, {headers: {"Content-Type": "application/wasm"}}), imports))
+      .then(made => done(made.instance, made.module)).catch(fail);
+    return {};
+  },
+  preRun: [() => {
+    ENV.HOME = "/save";
+    FS.mkdir("/save");
+    FS.mount(IDBFS, {}, "/save");
+    addRunDependency("data");
+    const saves = new Promise(resolve => FS.syncfs(true, error => {
+      if (error) console.warn("saves can't be read, nor kept: " + error);
+      resolve();
+    }));
+    Promise.all([data, saves]).then(([bytes]) => {
+      unpack(new Uint8Array(bytes));
+      keepSaves();
+      Page.start();
+      removeRunDependency("data");
+    }).catch(fail);
+  }],
+  onAbort: fail,
+};

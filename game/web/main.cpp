@@ -1,0 +1,69 @@
+#include <emscripten.h>
+
+#include <memory>
+
+#include "engine/files/arguments.h"
+#include "engine/platform/web/web.h"
+#include "game/options/options.h"
+#include "game/program/headless_run.h"
+#include "game/program/program.h"
+
+namespace oblong {
+namespace {
+
+constexpr const char* kAssets = "/assets";
+
+using Keep = void (*)(void* page);
+
+EM_JS(void, page_when_hidden, (Keep keep, void* page), {
+    const called = wasmTable.get(keep);
+    Page.whenHidden = function() {
+        called(page);
+    };
+});
+EM_JS(void, page_end, (const char* text), { Page.end(UTF8ToString(text)); });
+
+/// The browser calls the game, a picture at a time: it outlives main().
+struct PageGame {
+    Options options;
+    PreferencesStore store;
+    std::unique_ptr<Platform> platform = open_page();
+    Program program{options, load_program_files(options, kAssets), store, *platform, nullptr, open_page_sound};
+};
+
+void step(void* page) {
+    bool goes_on = false;
+    const int code = run_program("oblong", [&] { goes_on = static_cast<PageGame*>(page)->program.step(); });
+    if (goes_on) return;
+    emscripten_cancel_main_loop();
+    page_end(code == 0 ? "The game has ended." : "");
+}
+
+// A tab that is hidden may be closed without a word: the walk is kept then. A step opens the menu.
+void keep(void* page) {
+    Program& program = static_cast<PageGame*>(page)->program;
+    run_program("oblong", [&] {
+        if (program.step()) program.keep();
+    });
+}
+
+void run_game(const Options& options, PreferencesStore& store) {
+    if (options.headless_frames == 0) {
+        PageGame* const page = new PageGame{options, store};
+        page_when_hidden(keep, page);
+        emscripten_set_main_loop_arg(step, page, 0, 0);
+        return;
+    }
+    const auto platform = open_headless(options);
+    Program(options, load_program_files(options, kAssets), store, *platform, nullptr).run();
+    page_end("");
+}
+
+}  // namespace
+}  // namespace oblong
+
+int main(int argc, char** argv) {
+    const int code = oblong::run_with_options(argc, argv, oblong::run_game);
+    if (code != 0) oblong::page_end("");
+    return code;
+}

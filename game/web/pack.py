@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""Makes the page of what was built.      pack.py BUILD ASSETS SITE [GAME]
+SITE gets index.html with oblong.wasm and oblong.data, for a server, and oblong.html: all of it in one file.
+With a game's folder, that of a game.json, it is the page of that game."""
+import base64
+import gzip
+import json
+import os
+import re
+import struct
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+# Of the built game's data, what is played; level sources and lists for tools are not.
+PLAYED = r'(demo\.bsp|walk\.demo|game\.json|palette\.lmp|(models|music|sounds)/.*)'
+
+
+def read(*path):
+    with open(os.path.join(*path), 'rb') as file:
+        return file.read()
+
+
+def write(content, *path):
+    with open(os.path.join(*path), 'wb') as file:
+        file.write(content)
+
+
+def files_below(top):
+    return sorted(os.path.relpath(os.path.join(folder, name), top) for folder, _, found in os.walk(top) for name in found)
+
+
+def packed_data(assets, game):
+    files = [(name, read(assets, name)) for name in files_below(assets) if re.fullmatch(PLAYED, name)]
+    if game:
+        files += [('game/' + name, read(game, name)) for name in files_below(game) if not name.endswith('.map')]
+    names = json.dumps([{'name': name, 'size': len(content)} for name, content in files]).encode()
+    return struct.pack('<I', len(names)) + names + b''.join(content for _, content in files)
+
+
+def main(build, assets, site, game=None):
+    files = {'oblong.wasm': read(build, 'oblong.wasm'), 'oblong.data': packed_data(assets, game)}
+    sizes = ', '.join('"%s": %d' % (name, len(content)) for name, content in files.items())
+    scripts = {'page.js': read(HERE, '../../engine/platform/web/page.js'), 'load.js': read(HERE, 'load.js'),
+               'oblong.js': read(build, 'oblong.js')}
+    page = read(HERE, 'index.html').decode()
+    for name, script in scripts.items():
+        page = page.replace('//@%s@' % name, script.decode())
+    page = page.replace('/*@sizes@*/', sizes).replace('/*@game@*/', '"--game", "/assets/game", ' if game else '')
+    packed = {name: gzip.compress(content, 9, mtime=0) for name, content in files.items()}
+    inlined = ''.join('<script type="text/plain" id="%s">%s</script>\n' % (name, base64.b64encode(content).decode())
+                      for name, content in packed.items())
+    os.makedirs(site, exist_ok=True)
+    for name, content in files.items():
+        write(content, site, name)
+    write(page.encode(), site, 'index.html')
+    write(page.replace('<!--@files@-->', inlined).encode(), site, 'oblong.html')
+    total = sum(map(len, packed.values())) + len(gzip.compress(page.encode(), 9))
+    print('packed: program %d, data %d, all %d bytes' % (len(packed['oblong.wasm']), len(packed['oblong.data']), total))
+
+
+main(*sys.argv[1:])

@@ -1,0 +1,8 @@
+add_executable(walk_hashes ${CMAKE_CURRENT_LIST_DIR}/driver/walk_hashes.cpp)
+target_link_libraries(walk_hashes PRIVATE oblong_game_view)
+# Builds the game for DOS (kept in build/dos), so that only the first run is long. Skipped where the cross compiler or the
+# emulator is not installed.
+foreach(WHAT integers qemu dosbox)
+    add_test(NAME dos.${WHAT} COMMAND python3 -B ${CMAKE_CURRENT_LIST_DIR}/play_under_dos.py ${WHAT} ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR})
+    set_tests_properties(dos.${WHAT} PROPERTIES LABELS slow COST 200 TIMEOUT 36000 SKIP_RETURN_CODE 77 RESOURCE_LOCK dos_build)
+endforeach()

@@ -1,0 +1,236 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "tests/map/bsp_checks.h"
+#include "tests/map/map_source.h"
+
+namespace oblong::test {
+namespace {
+
+// The sample of the face that lies in the plane, at a place that is a whole number of steps of 16 in both directions of
+// its texture; the texture lies as Standard maps lay it. -1: there is none.
+int light_at(const map::BspFile& bsp, const FacingPlane& plane, const Point& place) {
+    for (const auto& face : bsp.faces) {
+        const FacingPlane facing = facing_plane(bsp, face);
+        if (length(facing.normal - plane.normal) > 1e-6 || std::abs(facing.distance - plane.distance) > 1e-6) continue;
+        const auto& axes = bsp.texinfos.at(static_cast<std::size_t>(face.texinfo)).axes;
+        std::array<int, 2> low{99999, 99999}, high{-99999, -99999}, at{};
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto texel = [&](const Point& p) {
+                return dot(map::to_point(axes[i].direction), p) + static_cast<double>(axes[i].offset);
+            };
+            for (const Point& corner : corners_of(bsp, face)) {
+                low[i] = std::min(low[i], static_cast<int>(std::floor(texel(corner) / 16)));
+                high[i] = std::max(high[i], static_cast<int>(std::ceil(texel(corner) / 16)));
+            }
+            at[i] = static_cast<int>(std::lround(texel(place) / 16)) - low[i];
+        }
+        const int width = high[0] - low[0] + 1, height = high[1] - low[1] + 1;
+        if (at[0] < 0 || at[1] < 0 || at[0] >= width || at[1] >= height) continue;
+        if (face.light_offset < 0) return 0;
+        return static_cast<unsigned char>(
+            bsp.lighting.at(static_cast<std::size_t>(face.light_offset + width * at[1] + at[0])));
+    }
+    return -1;
+}
+
+const FacingPlane kFloor{{0, 0, 1}, 0};
+
+std::string world_with(const std::vector<std::array<std::string, 2>>& pairs, const std::string& brushes) {
+    return entity("worldspawn", pairs, brushes);
+}
+
+// A light that is the same everywhere: no fading with distance, and the angle makes the only difference.
+std::string even_lamp(const Whole& place) {
+    return entity_at("light", place, {{"delay", "3"}, {"light", "200"}});
+}
+
+// Over a point of an endless floor with a ceiling at height h, Lambert's mean of 1 - d / D is (1 - h / D)^2: the
+// integral of (1 - h / (D c)) 2 c over cosines c from h / D to 1.
+TEST(HemisphereLight, DirtUnderACeilingIsAsItsIntegralSays) {
+    const auto bsp_of = [](const std::string& depth) {
+        const std::string hall = room({0, 0, 0}, {1024, 1024, 65});
+        return compile(world_with({{"_dirt", "1"}, {"_dirtdepth", depth}}, hall) + even_lamp({512, 512, 60}),
+                       {.is_fast = false});
+    };
+    const int clean = light_at(bsp_of("32"), kFloor, {512, 512, 0});
+    EXPECT_GT(clean, 90);
+    for (const double depth : {96, 128, 256}) {
+        const double dirt = std::pow(1 - 64 / depth, 2);  // samples are 1 unit over the floor
+        EXPECT_NEAR(light_at(bsp_of(std::to_string(static_cast<int>(depth))), kFloor, {512, 512, 0}),
+                    clean * (1 - dirt), 2)
+            << depth;
+    }
+}
+
+TEST(HemisphereLight, DirtsScaleAndGainAreAFactorAndAnExponent) {
+    const auto light_of = [](const std::vector<std::array<std::string, 2>>& pairs) {
+        return light_at(compile(world_with(pairs, room({0, 0, 0}, {1024, 1024, 65})) + even_lamp({512, 512, 60})),
+                        kFloor, {512, 512, 0});
+    };
+    const int clean = light_of({});
+    EXPECT_NEAR(light_of({{"_dirt", "1"}, {"_dirtscale", "2"}}), clean * (1 - 2 * 0.25), 2);
+    EXPECT_NEAR(light_of({{"_dirt", "1"}, {"_dirtgain", "2"}}), clean * (1 - 0.0625), 2);
+}
+
+// From the middle of the floor of an endless trench, w wide and h deep, sky is seen to the share
+// sin(atan(w / 2h)): Hottel's crossed strings.
+TEST(HemisphereLight, SkyLightsATrenchByItsOpening) {
+    for (const int depth : {64, 128, 256}) {
+        const std::string trench = box({0, 0, -16}, {2048, 128, 0}) + box({0, -16, -16}, {2048, 0, depth}) +
+                                   box({0, 128, -16}, {2048, 144, depth}) + box({-16, -16, -16}, {0, 144, depth + 16}) +
+                                   box({2048, -16, -16}, {2064, 144, depth + 16}) +
+                                   box({0, -16, depth}, {2048, 144, depth + 16}, "sky");
+        const std::string start = entity_at("info_player_start", {64, 64, 28});
+        const auto bsp = compile(world_with({{"_sunlight2", "240"}}, trench) + start);
+        const double share = 64 / std::hypot(64, depth - 1);
+        EXPECT_NEAR(light_at(bsp, kFloor, {1024, 64, 0}), 120 * share, 4) << depth;
+        EXPECT_LE(light_at(compile(world_with({{"_sunlight3", "240"}}, trench) + start), kFloor, {1024, 64, 0}), 0)
+            << "nothing comes from below the horizon";
+    }
+}
+
+// In a closed room where all surfaces have the same light L and give back half of it, the first bounce brings L / 2,
+// the second L / 4: whatever the room's shape. A lamp that does not fade lights no face evenly, so that sky all around
+// does.
+TEST(HemisphereLight, BouncesInAClosedRoomAreAGeometricSeries) {
+    const std::string sealed = room({0, 0, 0}, {256, 192, 128}) + box({96, 64, 0}, {160, 96, 64});
+    const std::string start = entity_at("info_player_start", {32, 32, 28});
+    std::string lamps;
+    for (const int z : {16, 64, 112})
+        for (const int y : {16, 64, 128, 176})
+            for (const int x : {16, 64, 128, 192, 240})
+                lamps += entity_at("light", {x, y, z}, {{"delay", "3"}, {"light", "4"}});
+    const auto mean_light = [&](const char* bounces, const char* scale) {
+        const auto bsp = compile(world_with({{"_bounce", bounces}, {"_bouncescale", scale}}, sealed) + start + lamps);
+        double sum = 0;
+        for (const char sample : bsp.lighting) sum += static_cast<unsigned char>(sample);
+        return sum / static_cast<double>(bsp.lighting.size());
+    };
+    const double direct = mean_light("0", "1");
+    EXPECT_GT(direct, 20);
+    EXPECT_NEAR(mean_light("1", "1") / direct, 1.5, 0.06);
+    EXPECT_NEAR(mean_light("2", "1") / direct, 1.75, 0.08);
+    EXPECT_NEAR(mean_light("1", "0.5") / direct, 1.25, 0.04);
+}
+
+// A lamp over a table lights the ceiling and what is around it; under the table no light falls but what was bounced.
+TEST(HemisphereLight, WhatNoLampReachesIsLitByABounce) {
+    const std::string hall = room({0, 0, 0}, {256, 256, 128}) + box({64, 64, 48}, {192, 192, 56});
+    const auto bsp_of = [&](bool has_bounce) {
+        return compile(level(hall, entity_at("light", {128, 128, 96})), {.has_bounce = has_bounce});
+    };
+    EXPECT_LE(light_at(bsp_of(false), kFloor, {128, 128, 0}), 0);
+    EXPECT_GT(light_at(bsp_of(true), kFloor, {128, 128, 0}), 2);
+    EXPECT_GE(light_at(bsp_of(true), kFloor, {16, 16, 0}), light_at(bsp_of(false), kFloor, {16, 16, 0}));
+}
+
+// A round pillar of 12 faces: at the corners the light is that of a cylinder, whose normal points away from the axis.
+TEST(SmoothLight, APillarsEdgesAreLitAsACylinder) {
+    const std::string pillar = prism({256, 256, 0}, 64, 128, 12);
+    const auto bsp_of = [&](const std::vector<std::array<std::string, 2>>& pairs) {
+        return compile(level(room({0, 0, 0}, {512, 512, 128}),
+                             entity("func_detail", pairs, pillar) +
+                                 entity_at("light", {480, 256, 64}, {{"delay", "3"}, {"light", "400"}})),
+                       {.is_fast = true});
+    };
+    const auto steps_at_edges = [&](const map::BspFile& bsp) {  // the largest difference across an upright edge
+        std::map<std::array<int, 2>, std::vector<int>> by_edge;
+        for (const auto& face : bsp.faces) {
+            if (std::abs(facing_plane(bsp, face).normal.z) > 0.1 || face.light_offset < 0) continue;
+            for (const Point& corner : corners_of(bsp, face)) {
+                if (std::hypot(corner.x - 256, corner.y - 256) > 70) continue;
+                const int light = light_at(bsp, facing_plane(bsp, face), {corner.x, corner.y, 64});
+                by_edge[{static_cast<int>(corner.x), static_cast<int>(corner.y)}].push_back(light);
+            }
+        }
+        int most = 0;
+        for (const auto& [edge, lights] : by_edge)
+            most = std::max(most, *std::max_element(lights.begin(), lights.end()) -
+                                      *std::min_element(lights.begin(), lights.end()));
+        return most;
+    };
+    EXPECT_GT(steps_at_edges(bsp_of({})), 20) << "flat faces";
+    EXPECT_LT(steps_at_edges(bsp_of({{"_phong", "1"}})), 14);
+    EXPECT_GT(steps_at_edges(bsp_of({{"_phong", "1"}, {"_phong_angle", "20"}})), 20) << "edges of 30 degrees stay";
+    EXPECT_LT(steps_at_edges(bsp_of({{"_phong_angle", "35"}})), 14);
+}
+
+// A hall, `size` wide and 128 high, of whose ceiling a square in the middle, `width` wide, has the texture "other".
+std::string hall_with_panel(int size, int width) {
+    const int low = (size - width) / 2, high = (size + width) / 2;
+    std::string brushes;
+    for (const auto& [mins, maxs] : {std::pair<Whole, Whole>{{0, 0, -16}, {size, size, 0}},
+                                     {{-16, 0, 0}, {0, size, 128}},
+                                     {{size, 0, 0}, {size + 16, size, 128}},
+                                     {{0, -16, 0}, {size, 0, 128}},
+                                     {{0, size, 0}, {size, size + 16, 128}},
+                                     {{0, 0, 128}, {low, size, 144}},
+                                     {{high, 0, 128}, {size, size, 144}},
+                                     {{low, 0, 128}, {high, low, 144}},
+                                     {{low, high, 128}, {high, size, 144}}})
+        brushes += box(mins, maxs);
+    return brushes + box({low, low, 128}, {high, high, 144}, "other");
+}
+
+constexpr std::array kPlaces{32, 96, 128, 208};
+
+// The lamp of a "_surface" light is at the middle of its face, 2 units before it, and shines as one put there by hand.
+TEST(SurfaceLights, ShineFromTheMiddleOfTheirFaces) {
+    const auto bsp_of = [&](const std::string& light) {
+        return compile(level(hall_with_panel(256, 64), light), {.is_fast = true});
+    };
+    const auto by_hand = bsp_of(entity_at("light", {128, 128, 126}, {{"light", "250"}}));
+    const auto spread = bsp_of(entity_at("light", {16, 16, 16}, {{"light", "250"}, {"_surface", "OTHER"}}));
+    EXPECT_GT(light_at(by_hand, kFloor, {128, 128, 0}), 50);
+    for (const int x : kPlaces) {
+        const Point place{static_cast<double>(x), 128, 0};
+        EXPECT_EQ(light_at(spread, kFloor, place), light_at(by_hand, kFloor, place)) << x;
+    }
+    EXPECT_LE(light_at(bsp_of(entity_at("light", {16, 16, 16}, {{"_surface", "floor"}})), kFloor, {16, 16, 0}), 0)
+        << "no face has it";
+}
+
+// Large faces are lit in pieces: 192 x 192 units by four lamps over the middles of their quarters. As a spotlight of
+// 180 degrees each lights all before its face.
+TEST(SurfaceLights, OfLargeFacesAreCutIntoPieces) {
+    std::string lamps;
+    for (const int x : {208, 304})
+        for (const int y : {208, 304}) lamps += entity_at("light", {x, y, 120}, {{"light", "160"}});
+    const auto by_hand = compile(level(hall_with_panel(512, 192), lamps), {.is_fast = true});
+    const std::string spread_light = entity_at("light", {16, 16, 16},
+                                               {{"light", "160"},
+                                                {"_surface", "other"},
+                                                {"_surface_offset", "8"},
+                                                {"_surface_spotlight", "1"},
+                                                {"angle", "180"}});
+    const auto spread = compile(level(hall_with_panel(512, 192), spread_light), {.is_fast = true});
+    EXPECT_GT(light_at(by_hand, kFloor, {208, 208, 0}), 15);
+    for (const int x : kPlaces) {
+        const Point place{static_cast<double>(x), 192, 0};
+        EXPECT_EQ(light_at(spread, kFloor, place), light_at(by_hand, kFloor, place)) << x;
+    }
+}
+
+// A level has shades, no colours: red, green and blue count 0.299, 0.587 and 0.114 (BT.601).
+TEST(ColouredLight, CountsByItsLuminance) {
+    const auto light_of = [](const std::string& colour) {
+        const auto bsp =
+            compile(level(room({0, 0, 0}, {256, 256, 128}),
+                          entity_at("light", {128, 128, 97}, {{"delay", "3"}, {"light", "200"}, {"_color", colour}})),
+                    {.is_fast = true});
+        return light_at(bsp, kFloor, {128, 128, 0});
+    };
+    const int white = light_of("255 255 255");
+    EXPECT_EQ(light_of("1 1 1"), white);
+    EXPECT_NEAR(light_of("255 0 0"), 0.299 * white, 1);
+    EXPECT_NEAR(light_of("0 1 0"), 0.587 * white, 1);
+    EXPECT_NEAR(light_of("0 128 255"), (0.587 * 128 / 255 + 0.114) * white, 1);
+}
+
+}  // namespace
+}  // namespace oblong::test

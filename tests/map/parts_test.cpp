@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "engine/files/files.h"
+#include "game/program/map_watch.h"
+#include "tests/map/map_source.h"
+#include "tests/support/folders.h"
+#include "tools/map/tree/bsp_read.h"
+
+namespace oblong::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string two_rooms(const std::string& entities) {
+    return level(room({0, 0, 0}, {512, 256, 128}) + box({240, 0, 0}, {256, 96, 128}) +
+                     box({240, 160, 0}, {256, 256, 128}) + box({240, 96, 96}, {256, 160, 128}),
+                 entity_at("info_player_start", {64, 64, 28}) +
+                     entity("func_wall", {}, box({300, 64, 0}, {340, 100, 40})) + entities);
+}
+
+const std::string kLamp = entity_at("light", {64, 200, 100}), kOtherLamp = entity_at("light", {400, 128, 64}),
+                  kLens = entity_at("item_lens", {400, 60, 40}), kOtherLens = entity_at("item_lens", {420, 60, 40});
+
+TEST(Parts, AFileThatIsReadGivesTheSameBytes) {
+    map::BspFile bsp = compile(two_rooms(kLamp + kLens));
+    const std::string bytes = map::to_bytes(bsp);
+    EXPECT_EQ(map::to_bytes(map::from_bytes(bytes)), bytes);
+    bsp.planes.resize(32768, bsp.planes.front());
+    const std::string wide = map::to_bytes(bsp);
+    ASSERT_TRUE(wide.starts_with("BSP2"));
+    EXPECT_EQ(map::to_bytes(map::from_bytes(wide)), wide);
+    EXPECT_THROW(map::from_bytes(bytes + "more"), InputError) << "not written like this";
+    EXPECT_THROW(map::from_bytes(bytes.substr(0, 200)), InputError);
+}
+
+// Each part alone makes of the former level what all together make of the source.
+TEST(Parts, MadeAnewAloneGiveTheWholeLevel) {
+    const auto bytes_of_part = [](map::CompilePart part, const std::string& source, const map::BspFile& former) {
+        return map::to_bytes(compile(source, {.part = part, .former = former}));
+    };
+    const auto whole = [](const std::string& source) { return map::to_bytes(compile(source)); };
+    const std::string before = two_rooms(kLamp + kLens), moved = two_rooms(kLamp + kOtherLens),
+                      lit = two_rooms(kOtherLamp + kOtherLens);
+    const map::BspFile former = compile(before);
+    EXPECT_TRUE(bytes_of_part(map::CompilePart::Entities, moved, former) == whole(moved));
+    EXPECT_TRUE(bytes_of_part(map::CompilePart::Light, lit, former) == whole(lit));
+    EXPECT_NE(bytes_of(lit), whole(moved));
+    map::BspFile dim = former;
+    for (char& sample : dim.lighting) sample = 1;
+    for (map::FileLeaf& leaf : dim.leaves) leaf.visibility_offset = -1;
+    map::BspFile expected = former;
+    expected.lighting = dim.lighting;
+    EXPECT_TRUE(bytes_of_part(map::CompilePart::Visibility, before, dim) == map::to_bytes(expected));
+}
+
+TEST(Parts, OfOtherBrushesAreRefused) {
+    const map::BspFile former = compile(two_rooms(kLamp));
+    const std::string more = two_rooms(kLamp + entity("func_wall", {}, box({400, 64, 0}, {440, 100, 40})));
+    for (const auto part : {map::CompilePart::Entities, map::CompilePart::Light, map::CompilePart::Visibility})
+        EXPECT_THROW(compile(more, {.part = part, .former = former}), InputError);
+}
+
+TEST(MapChanges, SayWhatHasToBeMadeAnew) {
+    const std::string before = two_rooms(kLamp + kLens);
+    EXPECT_EQ(change_between(before, before), MapChange::Nothing);
+    EXPECT_EQ(change_between(before, "// a comment\n" + before), MapChange::Nothing);
+    EXPECT_EQ(change_between(before, two_rooms(kLamp + kOtherLens)), MapChange::Entities);
+    EXPECT_EQ(change_between(before, two_rooms(kOtherLamp + kLens)), MapChange::Light);
+    EXPECT_EQ(change_between(before, two_rooms(kLens)), MapChange::Light);
+    EXPECT_EQ(change_between(before, replaced(before, "( 300 64 0 )", "( 308 64 0 )")), MapChange::All);
+    EXPECT_EQ(change_between(before, replaced(before, "func_wall", "func_door")), MapChange::All);
+    EXPECT_EQ(change_between(before, replaced(before, "\"worldspawn\"", "\"worldspawn\"\n\"_sunlight2\" \"40\"")),
+              MapChange::Light);
+}
+
+// As a mapper saves: a lamp moves, a wall goes, and comes back.
+TEST(MapWatchTest, FollowsTheSource) {
+    const fs::path folder = fs::temp_directory_path() / ("oblong-watch-test-" + std::to_string(getpid()));
+    fs::create_directories(folder);
+    const std::string file = (folder / "my.map").string();
+    const auto source = [&](const std::string& entities) {
+        return replaced(two_rooms(entities), "\"worldspawn\"", "\"worldspawn\"\n\"wad\" \"t.wad\"");
+    };
+    write_file((folder / "t.wad").string(), wad_bytes({"wall"}));
+    write_file(file, source(kLamp));
+    MapWatch watch(file, build_folder() + "/bin/oblong-map");
+    watch.compile_first();
+    std::uint64_t now_us = 0;
+    int saves = 0;
+    const auto news_after = [&](const std::string& text) {
+        write_file(file, text);
+        fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(++saves));
+        for (int tries = 0; tries < 3000; ++tries) {
+            if (auto news = watch.poll(now_us += 300'000)) return *news;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        return MapWatch::News{};
+    };
+    const std::string first = read_text(watch.level_file());
+    EXPECT_TRUE(news_after(source(kOtherLamp)).has_level);
+    const std::string second = read_text(watch.level_file());
+    EXPECT_FALSE(second == first);
+    const auto broken = news_after(source(kOtherLamp) + "{");
+    EXPECT_FALSE(broken.has_level);
+    EXPECT_NE(broken.fault.find("line "), std::string::npos) << broken.fault;
+    EXPECT_TRUE(broken.leak_path.empty());
+    const std::string leaking = level(box({0, 0, 0}, {64, 64, 64}), entity_at("light", {0, 0, 99}));
+    const auto open = news_after(replaced(leaking, "\"worldspawn\"", "\"worldspawn\"\n\"wad\" \"t.wad\""));
+    EXPECT_FALSE(open.has_level);
+    EXPECT_NE(open.fault.find("leaks"), std::string::npos) << open.fault;
+    EXPECT_GE(open.leak_path.size(), 2u);
+    EXPECT_TRUE(news_after(source(kLamp)).has_level);
+    EXPECT_TRUE(read_text(watch.level_file()) == first);
+    fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace oblong::test

@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include "engine/files/files.h"
+#include "engine/level/entity_classes.h"
+#include "tests/map/editor_formats.h"
+#include "tests/support/folders.h"
+#include "tools/map/source/fgd.h"
+
+namespace oblong::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+EditorValue text_of(const std::string& text) {
+    EditorValue value;
+    value.kind = EditorValue::Kind::Text;
+    value.text = text;
+    return value;
+}
+
+// As `oblong-map --install-trenchbroom` writes it.
+class TrenchBroom : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ = fs::temp_directory_path() / ("oblong-editor-test-" + std::to_string(getpid()));
+        fs::remove_all(folder_);
+        ASSERT_EQ(run("'" + program() + "' --install-trenchbroom '" + path("games/Oblong") + "'"), 0);
+    }
+    void TearDown() override { fs::remove_all(folder_); }
+
+    static std::string program() { return build_folder() + "/bin/oblong-map"; }
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string installed(const std::string& name) const { return path("games/Oblong/" + name); }
+    EditorValue config(const std::string& name) const { return evaluate(read_text(installed(name))); }
+    bool is_file(const std::string& name) const { return fs::is_regular_file(installed(name)); }
+
+    int run(const std::string& command) const {
+        fs::create_directories(folder_);
+        return std::system((command + " >'" + path("out.txt") + "' 2>&1").c_str());
+    }
+
+    fs::path folder_;
+};
+
+TEST_F(TrenchBroom, ItsConfigurationNamesFilesThatAreThere) {
+    const EditorValue game = config("GameConfig.cfg");
+    EXPECT_EQ(game.at("version").as_number(), 9);
+    EXPECT_EQ(game.at("name").as_text(), "Oblong");
+    EXPECT_TRUE(is_file(game.at("icon").as_text()));
+    for (const EditorValue& format : game.at("fileformats").as_list()) {
+        EXPECT_TRUE((std::set<std::string>{"Standard", "Valve"}.contains(format.at("format").as_text())));
+        EXPECT_TRUE(!format.map.contains("initialmap") || is_file(format.at("initialmap").as_text()));
+    }
+    EXPECT_EQ(game.at("filesystem").at("packageformat").at("format").as_text(), "idpak");
+    EXPECT_TRUE(is_file("assets/" + game.at("materials").at("palette").as_text()));
+    EXPECT_EQ(game.at("materials").at("attribute").as_text(), "wad");
+    for (const EditorValue& file : game.at("entities").at("definitions").as_list())
+        EXPECT_TRUE(is_file(file.as_text()));
+    EXPECT_EQ(game.at("entities").at("scale").as_list().size(), 1u);
+    std::set<std::string> names;
+    for (const char* const where : {"brush", "brushface"}) {
+        for (const EditorValue& tag : game.at("tags").at(where).as_list()) {
+            EXPECT_TRUE(names.insert(tag.at("name").as_text()).second) << tag.at("name").as_text();
+            EXPECT_EQ(tag.at("match").as_text(), std::string(where) == "brush" ? "classname" : "material");
+            EXPECT_NE(tag.at("pattern").as_text(), "");
+            for (const EditorValue& attribute : tag.at("attribs").as_list())
+                EXPECT_EQ(attribute.as_text(), "transparent");
+        }
+    }
+}
+
+TEST_F(TrenchBroom, EveryWayToCompileMakesALevel) {
+    const EditorValue profiles = config("CompilationProfiles.cfg");
+    EXPECT_EQ(profiles.at("version").as_number(), 1);
+    EditorVariables variables{{"MAP_DIR_PATH", text_of(path("my maps"))}, {"MAP_BASE_NAME", text_of("first room")}};
+    fs::create_directories(path("my maps"));
+    int count = 0;
+    for (const EditorValue& profile : profiles.at("profiles").as_list()) {
+        variables["WORK_DIR_PATH"] = text_of(interpolated(profile.at("workdir").as_text(), variables));
+        const std::string level = path("my maps/first room.bsp");
+        for (const EditorValue& task : profile.at("tasks").as_list()) {
+            EXPECT_EQ(task.at("enabled").as_number(), 1);
+            if (task.at("type").as_text() == "export") {
+                fs::copy_file(installed("initial_valve.map"), interpolated(task.at("target").as_text(), variables),
+                              fs::copy_options::overwrite_existing);
+                continue;
+            }
+            ASSERT_EQ(task.at("type").as_text(), "tool");
+            const std::string tool = interpolated(task.at("tool").as_text(), variables),
+                              parameters = interpolated(task.at("parameters").as_text(), variables);
+            if (tool == program()) {
+                EXPECT_EQ(run("'" + tool + "' " + parameters), 0) << read_text(path("out.txt"));
+            } else {
+                EXPECT_EQ(tool, build_folder() + "/bin/oblong");
+                EXPECT_TRUE(parameters == "\"" + level + "\"" ||
+                            parameters == "--watch \"" + path("my maps/first room.map") + "\"")
+                    << parameters;
+            }
+        }
+        EXPECT_TRUE(fs::is_regular_file(level)) << profile.at("name").as_text();
+        ++count;
+    }
+    EXPECT_EQ(count, 5) << "draft, normal, full, light only, watch";
+}
+
+TEST_F(TrenchBroom, TheGameIsStartedWithTheMapsLevel) {
+    const EditorValue profiles = config("GameEngineProfiles.cfg");
+    EXPECT_EQ(profiles.at("version").as_number(), 1);
+    const EditorVariables variables{{"GAME_DIR_PATH", text_of("/g")}, {"MAP_BASE_NAME", text_of("m")}};
+    for (const EditorValue& profile : profiles.at("profiles").as_list()) {
+        EXPECT_NE(profile.at("id").as_text() + profile.at("name").as_text(), "");
+        EXPECT_EQ(profile.at("path").as_text(), build_folder() + "/bin/oblong");
+        EXPECT_EQ(interpolated(profile.at("parameters").as_text(), variables), "\"/g/maps/m.bsp\"");
+    }
+}
+
+TEST_F(TrenchBroom, AChangedWayToCompileIsKept) {
+    write_file(installed("CompilationProfiles.cfg"), "{ mine }");
+    ASSERT_EQ(run("'" + program() + "' --install-trenchbroom '" + path("games/Oblong") + "'"), 0);
+    EXPECT_EQ(read_text(installed("CompilationProfiles.cfg.old")), "{ mine }");
+    EXPECT_NO_THROW(config("CompilationProfiles.cfg"));
+}
+
+TEST_F(TrenchBroom, ClassesAreReadWithTheirModels) {
+    const std::vector<EditorClass> classes = read_fgd(read_text(installed("Oblong.fgd")));
+    std::set<std::string_view> names, expected;
+    for (const EntityClass& row : entity_classes())
+        if (!row.is_family()) expected.insert(row.name);
+    for (const EditorClass& each : classes) {
+        names.insert(each.name);
+        if (each.model.empty()) continue;
+        const EditorVariables keys{{"model", text_of("models/armillary.obj")}, {"spawnflags", text_of("1")}};
+        const std::string model = evaluate(each.model, keys).at("path").as_text();
+        EXPECT_TRUE(!model.ends_with(".obj") || is_file("assets/" + model)) << each.name << ": " << model;
+        EXPECT_TRUE(model.ends_with(".obj") || model.ends_with(".mdl") || model.ends_with(".bsp")) << model;
+    }
+    EXPECT_EQ(names, expected);
+}
+
+// What the editor's manual says of its expressions, and what its reader says of a wrong file.
+TEST(EditorFormats, AreReadByTheirRules) {
+    const EditorVariables keys{{"spawnflags", text_of("3")}, {"oblong_map", text_of("/bin/x")}};
+    EXPECT_EQ(evaluate(R"({{ spawnflags & 4 -> "a", spawnflags & 2 -> "b", "c" }})", keys).as_text(), "b");
+    EXPECT_EQ(evaluate(R"({{ spawnflags & 4 -> "a", "c" }})", keys).as_text(), "c");
+    EXPECT_EQ(evaluate(R"({ "pattern": "\**", 'a': [ 1, "\"q\"" ] } // end)").at("pattern").as_text(), R"(\**)");
+    EXPECT_EQ(interpolated("${oblong_map} -o", keys), "/bin/x -o");
+    EXPECT_ANY_THROW(interpolated("${oblong-map}", keys)) << "a difference";
+    EXPECT_ANY_THROW(evaluate(R"({ "a": 1, })"));
+    EXPECT_ANY_THROW(evaluate(R"({ "a": 1 } 2)"));
+    EXPECT_ANY_THROW(read_fgd("@PointClass = a : \"x\" [ k(integer) : \"y\" : \"0\" ]")) << "a quoted whole number";
+    EXPECT_ANY_THROW(read_fgd("@SolidClass size(1 2 3, 4 5 6) = a []"));
+    EXPECT_ANY_THROW(read_fgd("@PointClass = a [ k(string) : \"y\" ] @PointClass = a []"));
+    EXPECT_EQ(read_fgd("@PointClass = a [ k(choices) : \"y\" : \"0\" = [ 0 : \"no\" ] ]")[0].keys[0].usual, "0");
+}
+
+}  // namespace
+}  // namespace oblong::test

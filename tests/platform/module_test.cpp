@@ -1,0 +1,237 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/base/input_error.h"
+#include "engine/platform/module_player.h"
+
+namespace oblong {
+namespace {
+
+constexpr std::int32_t kTickFrames = ModulePlayer::kRate_hz / 50;  // at 125 beats a minute
+constexpr std::int32_t kRowFrames = 6 * kTickFrames;
+
+/// A module of four channels as its file has it.
+class ModuleFile {
+  public:
+    explicit ModuleFile(std::vector<std::uint8_t> orders = {0}, std::size_t patterns = 1, std::size_t channels = 4)
+        : channels_(channels), bytes_(1084 + patterns * 64 * 4 * channels) {
+        bytes_[950] = static_cast<std::uint8_t>(orders.size());
+        std::copy(orders.begin(), orders.end(), bytes_.begin() + 952);
+        bytes_[952 + 127] = static_cast<std::uint8_t>(patterns - 1);  // also patterns that are not played are there
+        const std::string signature = channels == 4 ? "M.K." : std::to_string(channels) + "CHN";
+        std::copy(signature.begin(), signature.end(), bytes_.begin() + 1080);
+    }
+
+    /// Samples in the order of their numbers; lengths are even.
+    ModuleFile& sample(const std::vector<int>& values, int finetune = 0, std::size_t loop_start = 0,
+                       std::size_t loop_length = 2) {
+        const std::size_t at = 20 + 30 * samples_++;
+        const auto put_words = [&](std::size_t place, std::size_t count) {
+            bytes_[at + place] = static_cast<std::uint8_t>(count / 2 / 256);
+            bytes_[at + place + 1] = static_cast<std::uint8_t>(count / 2 % 256);
+        };
+        put_words(22, values.size());
+        bytes_[at + 24] = static_cast<std::uint8_t>(finetune & 15);
+        bytes_[at + 25] = 64;
+        put_words(26, loop_start);
+        put_words(28, loop_length);
+        for (const int value : values) bytes_.push_back(static_cast<std::uint8_t>(value));
+        return *this;
+    }
+    ModuleFile& note(std::size_t pattern, std::size_t row, std::size_t channel, int sample, int period,
+                     int effect = 0) {
+        const std::size_t at = 1084 + ((pattern * 64 + row) * channels_ + channel) * 4;
+        bytes_[at] = static_cast<std::uint8_t>((sample & 0xf0) | period >> 8);
+        bytes_[at + 1] = static_cast<std::uint8_t>(period & 255);
+        bytes_[at + 2] = static_cast<std::uint8_t>((sample & 15) << 4 | effect >> 8);
+        bytes_[at + 3] = static_cast<std::uint8_t>(effect & 255);
+        return *this;
+    }
+    const std::vector<std::uint8_t>& bytes() const { return bytes_; }
+
+  private:
+    std::size_t channels_, samples_ = 0;
+    std::vector<std::uint8_t> bytes_;
+};
+
+std::vector<int> square(int length) {
+    std::vector<int> values;
+    for (int i = 0; i < length; ++i) values.push_back(i < length / 2 ? 100 : -100);
+    return values;
+}
+
+/// The left side of what is played next.
+std::vector<std::int32_t> heard(ModulePlayer& player, std::int32_t frames, std::size_t side = 0) {
+    std::vector<std::int32_t> sums(2 * static_cast<std::size_t>(frames)), left;
+    player.add(sums, 256);
+    for (std::size_t i = side; i < sums.size(); i += 2) left.push_back(sums[i]);
+    return left;
+}
+
+int rises(const std::vector<std::int32_t>& wave) {
+    int count = 0;
+    for (std::size_t i = 1; i < wave.size(); ++i) count += wave[i - 1] < 0 && wave[i] >= 0;
+    return count;
+}
+
+// 3,546,895 samples a second through the period, and 2 to the power of so many 96ths for the finetune.
+TEST(Module, PitchFollowsPeriodAndFinetune) {
+    for (const int period : {113, 214, 428, 856}) {
+        for (const int finetune : {-8, 0, 7}) {
+            const ModuleFile file = ModuleFile().sample(square(32), finetune, 0, 32).note(0, 0, 0, 1, period);
+            ModulePlayer player(parse_module(file.bytes()));
+            const double hz = 3'546'895.0 / period / 32 * std::pow(2, finetune / 96.0);
+            EXPECT_NEAR(rises(heard(player, 5 * kRowFrames)), hz * 0.6, 1) << period << ' ' << finetune;
+        }
+    }
+}
+
+TEST(Module, ArpeggioTakesTurnsByTicks) {
+    const ModuleFile file =
+        ModuleFile().sample(square(8), 0, 0, 8).note(0, 0, 1, 0, 0, 0xf20).note(0, 0, 0, 1, 214, 0x047);
+    ModulePlayer player(parse_module(file.bytes()));
+    const int frames = 44'100 * 5 / 2 / 32;  // of a tick at 32 beats a minute
+    const double hz = 3'546'895.0 / 214 / 8;
+    for (const int semitones : {0, 4, 7, 0, 4, 7})
+        EXPECT_NEAR(rises(heard(player, frames)), hz * std::pow(2, semitones / 12.0) * frames / 44'100, 2) << semitones;
+}
+
+TEST(Module, SlidesOfVolumeAndPeriodAreByTicks) {
+    const std::vector<int> flat(64, 64);
+    ModuleFile file = ModuleFile().sample(flat, 0, 0, 64).note(0, 0, 0, 1, 428, 0xa04).note(0, 1, 0, 0, 0, 0xa30);
+    file.note(0, 2, 0, 0, 0, 0xc20).note(0, 3, 0, 0, 0, 0xeb1).note(0, 4, 0, 0, 0, 0xec2);
+    ModulePlayer player(parse_module(file.bytes()));
+    // 64 of 128, half for each of two channels on a side, three quarters of which are left.
+    const auto level = [](int volume_64) { return 64 * 256 * (128 * volume_64 / 64 - 128 * volume_64 / 64 / 4) / 256; };
+    for (const auto& row :
+         {std::array{64, 60, 56, 52, 48, 44}, std::array{44, 47, 50, 53, 56, 59}, std::array{32, 32, 32, 32, 32, 32},
+          std::array{31, 31, 31, 31, 31, 31}, std::array{31, 31, 0, 0, 0, 0}})
+        for (const int volume_64 : row) {
+            const auto tick = heard(player, kTickFrames);
+            EXPECT_EQ(tick.front(), level(volume_64));
+            EXPECT_EQ(tick.back(), level(volume_64));
+        }
+}
+
+TEST(Module, SlideToANoteStopsAtIt) {
+    ModuleFile file = ModuleFile().sample(square(8), 0, 0, 8).note(0, 0, 0, 1, 428);
+    file.note(0, 1, 0, 0, 214, 0x3ff).note(0, 2, 0, 0, 0, 0x101);
+    ModulePlayer player(parse_module(file.bytes()));
+    const auto rate = [](double period) { return 3'546'895 / period / 8; };
+    EXPECT_NEAR(rises(heard(player, kRowFrames)), rate(428) * 0.12, 1);
+    heard(player, kTickFrames);  // the slide begins with the second tick: one step is enough
+    EXPECT_NEAR(rises(heard(player, 5 * kTickFrames)), rate(214) * 0.1, 2);
+    heard(player, 5 * kTickFrames);
+    EXPECT_NEAR(rises(heard(player, kTickFrames)), rate(209) * 0.02, 1);  // five ticks by 1
+}
+
+// A sample without a loop ends; one with a loop never does, nor is what is after the loop heard.
+TEST(Module, LoopsAreWithinTheirPoints) {
+    std::vector<int> values(200, 20);
+    std::fill(values.begin() + 100, values.begin() + 150, 40);
+    std::fill(values.begin() + 150, values.end(), 60);
+    const double frames = 44'100 / (3'546'895.0 / 428);  // a sample
+    for (const bool is_loop : {false, true}) {
+        ModulePlayer player(parse_module(
+            ModuleFile().sample(values, 0, is_loop ? 100 : 0, is_loop ? 50 : 2).note(0, 0, 0, 1, 428).bytes()));
+        const auto wave = heard(player, 2 * kRowFrames);
+        const auto at = [&](double sample) { return wave[static_cast<std::size_t>(sample * frames)] * 4 / 3 / 128; };
+        EXPECT_EQ(at(50), 20);
+        EXPECT_EQ(at(120), 40);
+        EXPECT_EQ(at(170), is_loop ? 40 : 60);
+        EXPECT_EQ(at(202), is_loop ? 40 : 0);
+        EXPECT_EQ(at(1'500), is_loop ? 40 : 0);
+    }
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> places(const ModuleFile& file, int rows) {
+    ModulePlayer player(parse_module(file.bytes()));
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    for (int i = 0; i < rows; ++i) {
+        found.emplace_back(player.place().order, player.place().row);
+        heard(player, kRowFrames);
+    }
+    return found;
+}
+
+TEST(Module, RowsFollowBreaksJumpsAndLoops) {
+    using Places = std::vector<std::pair<std::size_t, std::size_t>>;
+    ModuleFile file({0, 1, 0}, 2);
+    file.note(0, 1, 0, 0, 0, 0xd16).note(1, 17, 2, 0, 0, 0xb02);  // to row 16, written in decimals; to order 2
+    EXPECT_EQ(places(file, 9), (Places{{0, 0}, {0, 1}, {1, 16}, {1, 17}, {2, 0}, {2, 1}, {0, 16}, {0, 17}, {0, 18}}));
+    ModuleFile loop;
+    loop.note(0, 1, 0, 0, 0, 0xe60).note(0, 2, 0, 0, 0, 0xe62).note(0, 4, 0, 0, 0, 0xee1);
+    EXPECT_EQ(places(loop, 11),
+              (Places{{0, 0}, {0, 1}, {0, 2}, {0, 1}, {0, 2}, {0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 4}, {0, 5}}));
+}
+
+// At 144 beats a minute 24 rows take 2.5 s, although no tick is a whole number of samples.
+TEST(Module, BeatsKeepTime) {
+    ModulePlayer player(parse_module(ModuleFile().note(0, 0, 0, 0, 0, 0xf90).bytes()));
+    heard(player, 44'100 * 5 / 2 - 1);
+    EXPECT_EQ(player.place().row, 23u);
+    heard(player, 1);
+    EXPECT_EQ(player.place().row, 24u);
+}
+
+TEST(Module, PannedBetweenTheSides) {
+    const std::vector<int> flat(64, 64);
+    ModuleFile file({0}, 1, 6);
+    file.sample(flat, 0, 0, 64)
+        .note(0, 0, 5, 1, 428, 0x840)
+        .note(0, 1, 5, 0, 0, 0x880);  // 80 is right, where none is more
+    ModulePlayer player(parse_module(file.bytes()));
+    const auto row = heard(player, kRowFrames);
+    const auto next = heard(player, kRowFrames, 1);
+    EXPECT_EQ(row.front(), 64 * 256 / 4);
+    EXPECT_EQ(next.front(), 64 * 256 * (128 * 255 / 256) / 256);
+}
+
+// Whatever the size of the pieces that are asked for.
+TEST(Module, SaysTheSameInPieces) {
+    const ModuleFile file =
+        ModuleFile().sample(square(30), 3, 4, 20).note(0, 0, 0, 1, 300, 0x48f).note(0, 3, 2, 1, 200);
+    ModulePlayer whole(parse_module(file.bytes())), pieces(parse_module(file.bytes()));
+    std::vector<std::int32_t> expected(2 * 30'000), joined;
+    whole.add(expected, 200);
+    for (std::size_t frames = 1; joined.size() < expected.size(); frames = frames * 3 % 1'009) {
+        std::vector<std::int32_t> piece(std::min(2 * frames, expected.size() - joined.size()));
+        pieces.add(piece, 200);
+        joined.insert(joined.end(), piece.begin(), piece.end());
+    }
+    EXPECT_EQ(joined, expected);
+}
+
+TEST(Module, SaysWhatIsWrongAndWhere) {
+    const std::vector<std::uint8_t> good = ModuleFile().sample(square(32)).bytes();
+    const auto place_of_error = [](const std::vector<std::uint8_t>& bytes) -> std::string {
+        try {
+            parse_module(bytes);
+            return "none";
+        } catch (const InputError& error) {
+            return error.where;
+        }
+    };
+    for (std::size_t size = 0; size < 1084 + 1024; ++size)
+        EXPECT_EQ(place_of_error({good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size)}),
+                  "offset " + std::to_string(size));
+    EXPECT_EQ(place_of_error({good.begin(), good.end() - 20}), "none");  // a sample that is cut off is as long as it is
+    const auto changed = [&](std::size_t at, std::uint8_t to) {
+        auto bytes = good;
+        bytes[at] = to;
+        return place_of_error(bytes);
+    };
+    EXPECT_EQ(changed(1081, 'X'), "offset 1080");
+    EXPECT_EQ(changed(950, 0), "offset 950");
+    EXPECT_EQ(changed(950, 129), "offset 950");
+    EXPECT_EQ(changed(1084 + 40, 0xf0), "offset 1124");
+    EXPECT_EQ(changed(952, 1), "offset " + std::to_string(good.size()));
+}
+
+}  // namespace
+}  // namespace oblong

@@ -1,0 +1,152 @@
+#include "tools/map/light/face_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace oblong::map {
+
+namespace {
+
+// Kept in a float, as engines keep it.
+float texel_at(const FileTexAxis& axis, const Floats& point) {
+    return static_cast<float>(dot(to_point(axis.direction), to_point(point)) + static_cast<double>(axis.offset));
+}
+
+Point nearest_on_segment(const Point& point, const Point& from, const Point& to) {
+    const Point along = to - from;
+    const double t = std::clamp(dot(point - from, along) / dot(along, along), 0.0, 1.0);
+    return from + along * t;
+}
+
+// Worked out from the numbers in the file, as a reader does.
+LightGrid light_grid(const BspFile& bsp, const FileFace& face) {
+    const auto corners = face_corners(bsp, face);
+    const FileTexInfo& texinfo = item(bsp.texinfos, face.texinfo);
+    LightGrid grid;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        float low = texel_at(texinfo.axes[axis], corners[0]), high = low;
+        for (const auto& corner : corners) {
+            low = std::min(low, texel_at(texinfo.axes[axis], corner));
+            high = std::max(high, texel_at(texinfo.axes[axis], corner));
+        }
+        grid.first[axis] = static_cast<int>(std::floor(low / LightGrid::kStep));
+        grid.count[axis] = static_cast<int>(std::ceil(high / LightGrid::kStep)) - grid.first[axis] + 1;
+    }
+    return grid;
+}
+
+}  // namespace
+
+std::vector<Floats> face_corners(const BspFile& bsp, const FileFace& face) {
+    std::vector<Floats> corners;
+    for (int i = 0; i < face.edge_count; ++i) {
+        const int edge = item(bsp.surf_edges, face.first_surf_edge + i);
+        const auto& ends = item(bsp.edges, std::abs(edge));
+        corners.push_back(item(bsp.vertices, ends[edge < 0 ? 1 : 0]));
+    }
+    return corners;
+}
+
+Point face_normal(const BspFile& bsp, const FileFace& face) {
+    const Point normal = to_point(item(bsp.planes, face.plane).normal);
+    return face.is_back != 0 ? -normal : normal;
+}
+
+FaceSampler::FaceSampler(const BspFile& bsp, const FileFace& face, std::vector<Point> corner_normals,
+                         const Tracer& tracer)
+    : tracer_(tracer), grid_(light_grid(bsp, face)), corner_normals_(std::move(corner_normals)) {
+    const FilePlane& plane = item(bsp.planes, face.plane);
+    const Point plane_normal = to_point(plane.normal);
+    normal_ = face.is_back != 0 ? -plane_normal : plane_normal;
+    for (const auto& corner : face_corners(bsp, face)) {
+        corners_.push_back(to_point(corner) + normal_ * kLift);
+        centre_ = centre_ + corners_.back();
+    }
+    centre_ = centre_ * (1.0 / static_cast<double>(corners_.size()));
+    for (const Point& corner : corners_) radius_ = std::max(radius_, length(corner - centre_));
+
+    // u = s . p + s0, v = t . p + t0, distance = n . p, solved for p by Cramer's rule.
+    const FileTexInfo& texinfo = item(bsp.texinfos, face.texinfo);
+    const Point s = to_point(texinfo.axes[0].direction), t = to_point(texinfo.axes[1].direction);
+    axes_ = {s, t};
+    offsets_ = {static_cast<double>(texinfo.axes[0].offset), static_cast<double>(texinfo.axes[1].offset)};
+    const double determinant = dot(s, cross(t, plane_normal));
+    const Point per_u = cross(t, plane_normal) * (1 / determinant);
+    const Point per_v = cross(plane_normal, s) * (1 / determinant);
+    const Point per_distance = cross(s, t) * (1 / determinant);
+    const double first_u = LightGrid::kStep * grid_.first[0] - static_cast<double>(texinfo.axes[0].offset);
+    const double first_v = LightGrid::kStep * grid_.first[1] - static_cast<double>(texinfo.axes[1].offset);
+    step_u_ = per_u * LightGrid::kStep;
+    step_v_ = per_v * LightGrid::kStep;
+    base_ = per_u * first_u + per_v * first_v + per_distance * static_cast<double>(plane.distance) + normal_ * kLift;
+}
+
+Point FaceSampler::point_at(double u, double v) const {
+    const Point point = base_ + step_u_ * u + step_v_ * v;
+    const Point over_face = nearest_over_face(point);
+    return tracer_.is_clear(over_face, point) ? point : over_face;
+}
+
+// Linear in each triangle of the middle and an edge.
+Point FaceSampler::normal_at(const Point& point) const {
+    if (corner_normals_.empty()) return normal_;
+    Point sum;
+    for (const Point& normal : corner_normals_) sum = sum + normal;
+    const Point middle_normal = sum * (1.0 / static_cast<double>(corner_normals_.size()));
+    Point best = middle_normal;
+    double most_inside = -1e9;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        const std::size_t next = (i + 1) % corners_.size();
+        const Point a = corners_[i] - centre_, b = corners_[next] - centre_, p = point - centre_;
+        const double area = dot(normal_, cross(a, b));
+        if (area == 0) continue;
+        const double share_a = dot(normal_, cross(p, b)) / area, share_b = dot(normal_, cross(a, p)) / area;
+        const double inside = std::min(share_a, share_b);
+        if (inside <= most_inside) continue;
+        most_inside = inside;
+        const double sum_of_shares = std::max(share_a + share_b, 1.0);  // beyond the edge: on it
+        best = corner_normals_[i] * (std::max(share_a, 0.0) / sum_of_shares) +
+               corner_normals_[next] * (std::max(share_b, 0.0) / sum_of_shares) +
+               middle_normal * (1 - std::clamp(share_a + share_b, 0.0, 1.0));
+    }
+    const double size = length(best);
+    return size > 0 ? best * (1 / size) : normal_;
+}
+
+std::optional<std::size_t> FaceSampler::sample_at(const Point& point) const {
+    constexpr double kSlack = 1.0 / 64;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        const Point along = corners_[(i + 1) % corners_.size()] - corners_[i];
+        if (dot(normal_, cross(along, point - corners_[i])) > kSlack * length(along)) return std::nullopt;
+    }
+    std::array<int, 2> place{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const double texel = dot(axes_[axis], point) + offsets_[axis];
+        place[axis] = std::clamp(static_cast<int>(std::lround(texel / LightGrid::kStep)) - grid_.first[axis], 0,
+                                 grid_.count[axis] - 1);
+    }
+    return as_size(place[1] * grid_.count[0] + place[0]);
+}
+
+// Within the polygon the point itself; else on its nearest edge, and a little inward.
+Point FaceSampler::nearest_over_face(const Point& point) const {
+    Point nearest = point;
+    double nearest_distance = -1;
+    bool is_inside = true;
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        const Point& from = corners_[i];
+        const Point& to = corners_[(i + 1) % corners_.size()];
+        if (dot(normal_, cross(to - from, point - from)) > 0) is_inside = false;
+        const Point candidate = nearest_on_segment(point, from, to);
+        const double distance = length(candidate - point);
+        if (nearest_distance >= 0 && distance >= nearest_distance) continue;
+        nearest = candidate;
+        nearest_distance = distance;
+    }
+    if (is_inside && nearest_distance >= kInset) return point;
+    const Point inward = centre_ - nearest;
+    const double size = length(inward);
+    return size <= kInset ? centre_ : nearest + inward * (kInset / size);
+}
+
+}  // namespace oblong::map

@@ -1,0 +1,60 @@
+#include "tools/map/light/smooth_normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "tools/map/light/face_sampler.h"
+
+namespace oblong::map {
+namespace {
+
+// A face at one of its corners.
+struct FaceCorner {
+    Point normal;
+    double limit_degrees = 0, angle = 0;
+};
+
+double angle_between(const Point& a, const Point& b) {
+    return std::acos(std::clamp(dot(a, b) / (length(a) * length(b)), -1.0, 1.0));
+}
+
+Point mean_normal(const FaceCorner& own, const std::vector<FaceCorner>& at_corner) {
+    Point sum;
+    for (const FaceCorner& other : at_corner) {
+        const double limit = std::min(own.limit_degrees, other.limit_degrees) + 0.01;
+        if (angle_between(own.normal, other.normal) * 180 / std::numbers::pi <= limit)
+            sum = sum + other.normal * other.angle;
+    }
+    const double size = length(sum);
+    return size > 0 ? sum * (1 / size) : own.normal;
+}
+
+}  // namespace
+
+std::vector<std::vector<Point>> smooth_normals(const BspFile& bsp, const std::vector<double>& degrees) {
+    std::map<Floats, std::vector<FaceCorner>> by_place;
+    const auto each_corner = [&](auto use) {
+        for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
+            const FileFace& face = bsp.faces[i];
+            if (static_cast<std::size_t>(face.texinfo) >= degrees.size() || item(degrees, face.texinfo) <= 0) continue;
+            const std::vector<Floats> corners = face_corners(bsp, face);
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                const Point here = to_point(corners[k]), next = to_point(corners[(k + 1) % corners.size()]),
+                            last = to_point(corners[(k + corners.size() - 1) % corners.size()]);
+                use(i, corners[k],
+                    FaceCorner{face_normal(bsp, face), item(degrees, face.texinfo),
+                               angle_between(next - here, last - here)});
+            }
+        }
+    };
+    std::vector<std::vector<Point>> normals(bsp.faces.size());
+    each_corner([&](std::size_t, const Floats& place, const FaceCorner& corner) { by_place[place].push_back(corner); });
+    each_corner([&](std::size_t face, const Floats& place, const FaceCorner& corner) {
+        normals[face].push_back(mean_normal(corner, by_place[place]));
+    });
+    return normals;
+}
+
+}  // namespace oblong::map

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "tools/map/light/sources.h"
+#include "tools/map/tree/bsp_file.h"
+
+namespace oblong::map {
+
+/// Puts a light at the middle of each piece, at most kSurfacePiece units wide, of the faces that have the texture of a
+/// light with the key "_surface", in that light's place; `offset` units over the face.
+void spread_surface_lights(std::vector<LightSource>& sources, const BspFile& bsp);
+
+inline constexpr double kSurfacePiece = 128;
+
+}  // namespace oblong::map

@@ -1,0 +1,70 @@
+#include "tools/map/light/tracer.h"
+
+namespace oblong::map {
+
+Tracer::Tracer(const BspFile& bsp) : root_(bsp.models.front().head_nodes[0]) {
+    for (const FileNode& node : bsp.nodes) {
+        const FilePlane& plane = item(bsp.planes, node.plane);
+        nodes_.push_back({to_point(plane.normal), static_cast<double>(plane.distance), node.children});
+    }
+    for (const FileLeaf& leaf : bsp.leaves) opaque_.push_back(is_opaque(leaf.contents) ? leaf.contents : 0);
+}
+
+int Tracer::leaf_at(const Point& point) const {
+    int child = root_;
+    while (child >= 0) {
+        const TraceNode& node = item(nodes_, child);
+        child = node.children[dot(node.normal, point) < node.distance ? 1 : 0];
+    }
+    return -1 - child;
+}
+
+int Tracer::follow(int child, const Point& from, const Point& to, bool stops_at_sky) const {
+    while (child >= 0) {
+        const TraceNode& node = item(nodes_, child);
+        const double from_height = dot(node.normal, from) - node.distance;
+        const double to_height = dot(node.normal, to) - node.distance;
+        const std::size_t near = from_height < 0 ? 1 : 0, far = to_height < 0 ? 1 : 0;
+        if (near != far) {
+            const Point at = from + (to - from) * (from_height / (from_height - to_height));
+            const int hit = follow(node.children[near], from, at, stops_at_sky);
+            return hit != 0 ? hit : follow(node.children[far], at, to, stops_at_sky);
+        }
+        child = node.children[near];
+    }
+    const int met = item(opaque_, -1 - child);
+    return met == contents::kSky && !stops_at_sky ? 0 : met;
+}
+
+RayHit Tracer::hit(const Point& from, const Point& to) const {
+    RayHit hit;
+    find_hit(root_, from, to, 0, 1, hit);
+    return hit;
+}
+
+// `hit.node` is that of the last plane that was passed: where the space behind it is opaque, the ray ends on it.
+bool Tracer::find_hit(int child, const Point& from, const Point& to, double from_share, double to_share,
+                      RayHit& hit) const {
+    while (child >= 0) {
+        const TraceNode& node = item(nodes_, child);
+        const double from_height = dot(node.normal, from) - node.distance;
+        const double to_height = dot(node.normal, to) - node.distance;
+        const std::size_t near = from_height < 0 ? 1 : 0, far = to_height < 0 ? 1 : 0;
+        if (near != far) {
+            const double part = from_height / (from_height - to_height);
+            const double share = from_share + (to_share - from_share) * part;
+            const Point at = from + (to - from) * part;
+            if (find_hit(node.children[near], from, at, from_share, share, hit)) return true;
+            hit.node = child;
+            return find_hit(node.children[far], at, to, share, to_share, hit);
+        }
+        child = node.children[near];
+    }
+    const int met = item(opaque_, -1 - child);
+    if (met == 0) return false;
+    hit.contents = met;
+    hit.share = from_share;
+    return true;
+}
+
+}  // namespace oblong::map

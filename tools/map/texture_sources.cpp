@@ -1,0 +1,93 @@
+#include "tools/map/texture_sources.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <sstream>
+
+#include "engine/base/input_error.h"
+#include "engine/files/arguments.h"
+#include "engine/files/assets_folder.h"
+#include "engine/files/files.h"
+#include "engine/files/wad.h"
+#include "tools/texture/texture_files.h"
+
+namespace oblong::map {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kPictures{".png", ".tga", ".jpg", ".jpeg", ".bmp"};
+
+bool is_picture(const fs::path& path) {
+    const std::string extension = lookup_name(path.extension().string());
+    return std::find(kPictures.begin(), kPictures.end(), extension) != kPictures.end();
+}
+
+std::vector<std::string> pictures_in(const std::string& folder) {
+    std::vector<std::string> paths;
+    for (const fs::directory_entry& file : fs::directory_iterator(folder))
+        if (file.is_regular_file() && is_picture(file.path())) paths.push_back(file.path().string());
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+std::string palette_of(const TextureSources& sources, const std::string& folder, const char* called_as) {
+    const fs::path own = fs::path(folder) / "palette.lmp";
+    return sources.palette.empty() && fs::exists(own) ? own.string() : palette_file(sources, called_as);
+}
+
+Wad read_source(const TextureSources& sources, const std::string& path, const char* called_as) {
+    if (!fs::is_directory(path)) return naming_file(path, [&] { return Wad(read_text(path)); });
+    const std::vector<std::string> pictures = pictures_in(path);
+    if (pictures.empty()) throw FileError(path, "folder", "has no pictures, expected PNG, TGA, JPEG or BMP files");
+    const Palette palette = read_parsed(palette_of(sources, path, called_as), read_palette);
+    const auto bytes = packed_textures(pictures, sources.glowing, palette, parse_dither(sources.dither));
+    return Wad(std::string(bytes.begin(), bytes.end()));
+}
+
+std::string found_source(const std::string& name, int line, const fs::path& folder, const char* called_as) {
+    const fs::path as_named = folder / name, beside = folder / fs::path(name).filename();  // an absolute one stays
+    for (const fs::path& path : {as_named, beside})
+        if (fs::exists(path)) return path.string();
+    const fs::path own = fs::path(assets_folder(called_as)) / fs::path(name).filename();
+    if (fs::exists(own)) return own.string();
+    throw InputError("line " + std::to_string(line), "\"wad\" names '" + name + "', which is not at " +
+                                                         as_named.string() +
+                                                         ", expected a WAD file or a folder of pictures there (or see "
+                                                         "--wad)");
+}
+
+std::vector<std::string> named_sources(const MapEntity& world, const std::string& map_path, const char* called_as) {
+    std::vector<std::string> paths;
+    for (const MapPair& pair : world.pairs) {
+        if (pair.key != "wad") continue;
+        std::string names = pair.value;
+        std::replace(names.begin(), names.end(), '\\', '/');
+        std::istringstream list(names);
+        for (std::string name; std::getline(list, name, ';');)
+            if (!name.empty())
+                paths.push_back(found_source(name, pair.line, fs::path(map_path).parent_path(), called_as));
+    }
+    return paths;
+}
+
+}  // namespace
+
+std::string palette_file(const TextureSources& sources, const char* called_as) {
+    return sources.palette.empty() ? (fs::path(assets_folder(called_as)) / "palette.lmp").string() : sources.palette;
+}
+
+std::vector<Wad> read_texture_sources(const TextureSources& sources, const MapEntity& world,
+                                      const std::string& map_path, const char* called_as) {
+    std::vector<Wad> wads;
+    for (const std::string& path : sources.wads.empty() ? named_sources(world, map_path, called_as) : sources.wads)
+        wads.push_back(read_source(sources, path, called_as));
+    for (const std::string& name : sources.glowing)
+        if (std::none_of(wads.begin(), wads.end(),
+                         [&](const Wad& wad) { return wad.find(lookup_name(name)) != nullptr; }))
+            throw UsageError("--glow: '" + name + "' is the name of none of the textures");
+    return wads;
+}
+
+}  // namespace oblong::map

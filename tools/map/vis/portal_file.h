@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+namespace oblong::map {
+
+struct VisGraph;
+
+/// The ways between clusters of leaves, as editors show them.
+struct PortalFile {
+    std::size_t count = 0;
+    std::string text;  ///< of a .prt file: "PRT1", the number of clusters and of portals, then a line a portal: number
+                       ///< of points, the two clusters and the points
+};
+
+PortalFile portal_file(const VisGraph& graph);
+
+}  // namespace oblong::map
