@@ -5,8 +5,9 @@
 
 namespace oblong::map {
 
-/// Puts a light at the middle of each piece, at most kSurfacePiece units wide, of the faces that have the texture of a
-/// light with the key "_surface", in that light's place; `offset` units over the face.
+/// Puts a light at the middle of each piece, at most kSurfacePiece units wide, of the surfaces that have the texture of
+/// a light with the key "_surface", in that light's place; `offset` units over the surface. Into how many faces the
+/// compiler cut a surface makes no difference.
 void spread_surface_lights(std::vector<LightSource>& sources, const BspFile& bsp);
 
 inline constexpr double kSurfacePiece = 128;
