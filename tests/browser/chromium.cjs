@@ -45,9 +45,9 @@ const readPng = file => {
 // In the page: what it showed last, and in how many of its pixels, of 1, that differs from another picture.
 const followPictures = () => {
   const screen = Page.screen, present = screen.present;
-  screen.present = function (pixels, width, height, colours, rect, ...more) {
-    globalThis.seen = {pixels: pixels.slice(), width, height, colours: colours.slice(), rect: [...rect]};
-    return present.call(this, pixels, width, height, colours, rect, ...more);
+  screen.present = function (pixels, width, height, rect, ...more) {
+    globalThis.seen = {pixels: new Uint32Array(pixels.slice().buffer), width, height, rect: [...rect]};
+    return present.call(this, pixels, width, height, rect, ...more);
   };
   globalThis.different = (a, b) => a.pixels.reduce((count, pixel, i) => count + (pixel !== b.pixels[i]), 0) / a.pixels.length;
 };

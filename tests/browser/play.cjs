@@ -73,14 +73,13 @@ const replay = async (open, address) => {
 // What the screen shows in the middle of each pixel, of a picture that rests, is that pixel's colour.
 const checkScreen = async (tab, name) => {
   const screen = await tab.shot(file(name));
-  const {pixels, colours, width, height, rect: [left, top, wide, high]} = await tab.evaluate(
-    "({...seen, pixels: [...seen.pixels], colours: [...seen.colours]})");
+  const {pixels, width, height, rect: [left, top, wide, high]} = await tab.evaluate("({...seen, pixels: [...seen.pixels]})");
   let wrong = 0;
   for (let y = 0; y < height; ++y)
     for (let x = 0; x < width; ++x) {
       const at = (top + Math.floor((y + 0.5) * high / height)) * screen.width + left + Math.floor((x + 0.5) * wide / width);
-      const colour = pixels[y * width + x];
-      if ([0, 1, 2].some(i => screen.pixels[at * screen.channels + i] !== colours[3 * colour + i])) ++wrong;
+      const colour = pixels[y * width + x];  // red, green, blue, from the lowest byte
+      if ([0, 1, 2].some(i => screen.pixels[at * screen.channels + i] !== (colour >> 8 * i & 255))) ++wrong;
     }
   assert.strictEqual(wrong, 0, `${name}: ${wrong} pixels of ${width * height} have another colour on the screen, which is in ${file(name)}`);
 };
@@ -155,7 +154,21 @@ const play = async (open, address) => {
     await tab.until(`Page.pads.has(0) && Page.pads.get(0).buttons[9] === ${value} && Page.events.length === 0`, "a gamepad's Start is read as " + value);
   }
   await tab.expect("!Page.isCaptured", "the menu by a gamepad's Start");
+
+  // A menu is not drawn again until something happens, and is still on the screen, also after the browser has lost it.
+  const rest = () => tab.evaluate(`new Promise(resolve => {
+    const shown = Page.screen.shown, after = turns => requestAnimationFrame(() => turns ? after(turns - 1) : resolve(Page.screen.shown - shown));
+    after(20);
+  })`);
+  await rest();
+  assert.strictEqual(await rest(), 0, "pictures of a menu at rest");
   await checkScreen(tab, "menu");
+  await tab.evaluate("Page.screen.lose = Page.screen.gl.getExtension('WEBGL_lose_context'), Page.screen.lose.loseContext()");
+  await tab.until("Page.screen.gl === null", "the browser takes its context away");
+  await tab.evaluate("Page.screen.lose.restoreContext()");
+  await tab.until("Page.screen.gl !== null", "another context");
+  await rest();
+  await checkScreen(tab, "menu again");
   return tab;
 };
 
