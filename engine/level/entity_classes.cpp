@@ -154,7 +154,7 @@ constexpr auto kClasses = std::to_array<EntityClass>({
     {"trigger_multiple", Brush, TriggerMultiple, "fires again and again", {kTurned, kTriggerMultiple, kFires, kNoise}},
     {"trigger_secret", Brush, TriggerSecret, "counts as a secret", {kTriggerOnce, kFires, kNoise}},
     {"trigger_onlyregistered", Brush, TriggerOnlyRegistered, "as `trigger_once`", {kFires, kNoise, kSounds}},
-    {"trigger_relay", Either, TriggerRelay, "passes an activation on", {kFires}},
+    {"trigger_relay", Either, TriggerRelay, "passes an activation on", {kFires, kNoise}},
     {"trigger_counter", Either, TriggerCounter, "fires when it was activated often enough", {kCounter, kFires, kNoise}},
     {"trigger_teleport",
      Brush,

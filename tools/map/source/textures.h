@@ -55,6 +55,9 @@ class Wad {
     /// The miptex's bytes, or null.
     const std::string* find(const std::string& name) const;
 
+    std::string source;  ///< as the map names it, at `line`; 0: it was not the map
+    int line = 0;
+
   private:
     std::map<std::string, std::string> textures_;
 };
