@@ -110,7 +110,7 @@ const start = async () => {
   const browser = await puppeteer.launch({
     executablePath: process.env.CHROMIUM || "/usr/bin/chromium", headless: true, protocolTimeout: LIMIT_ms, timeout: LIMIT_ms,
     args: ["--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-gpu-watchdog",
-           "--autoplay-policy=no-user-gesture-required", "--allow-file-access-from-files"],
+           "--autoplay-policy=no-user-gesture-required"],
   }).catch(error => { throw new Error("Chromium does not start: " + error.message); });
   const open = async (address, size = {width: 1280, height: 960}) => {
     const page = await browser.newPage(), said = [];

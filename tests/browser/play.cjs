@@ -26,9 +26,11 @@ const hashesOf = demo => {
   return Array.from({length: demo.readUInt32LE(24)}, (_, tick) => demo.readBigUInt64LE(HEAD + TICK * tick + 7).toString(16));
 };
 
-// Two thumbs, in the file that needs no server.
+// Two thumbs, in the file that needs no server, nor others beside it.
 const touch = async open => {
-  const tab = await open("file://" + path.resolve(site, "oblong.html") + "?/assets/demo.bsp",
+  const alone = path.resolve(scratch, "oblong.html");
+  fs.copyFileSync(path.join(site, "oblong.html"), alone);
+  const tab = await open("file://" + alone + "?/assets/demo.bsp",
                          {width: 900, height: 500, hasTouch: true, isMobile: true, deviceScaleFactor: 2});
   await tab.shows();
   await tab.until("Page.isCaptured", "a walk without a title");
@@ -118,11 +120,14 @@ const play = async (open, address) => {
   await tab.up("KeyW");
   await tab.shot(file("walk"));
   await tab.until("Page.sound && Page.sound.heard > 0", "sound");
-  const before = (await tab.page.metrics()).TaskDuration;
+  const cdp = await tab.page.createCDPSession();
+  await cdp.send("Performance.enable", {timeDomain: "threadTicks"});  // without what else the machine does
+  const used_s = async () => (await cdp.send("Performance.getMetrics")).metrics.find(metric => metric.name === "TaskDuration").value;
+  const before_s = await used_s();
   const [from, began_ms] = await tab.evaluate("[globalThis.before = Page.screen.shown, performance.now()]");
   await tab.until("Page.screen.shown >= before + 120", "120 pictures");
-  const [to, ended_ms] = await tab.evaluate("[Page.screen.shown, performance.now()]"), used_s = (await tab.page.metrics()).TaskDuration - before;
-  console.log(`pictures a second: ${((to - from) * 1000 / (ended_ms - began_ms)).toFixed(1)}, main thread ms a picture: ${(used_s * 1000 / (to - from)).toFixed(2)}`);
+  const [to, ended_ms] = await tab.evaluate("[Page.screen.shown, performance.now()]"), each_ms = (await used_s() - before_s) * 1000 / (to - from);
+  console.log(`pictures a second: ${((to - from) * 1000 / (ended_ms - began_ms)).toFixed(1)}, main thread ms a picture: ${each_ms.toFixed(2)}`);
 
   // A page that is left keeps the walk, and the title goes on with it; what a key saves is there at once.
   const saved = await savesOf(tab);

@@ -38,10 +38,12 @@ EM_JS(void, page_present, (const std::uint32_t* rgba, int width, int height, con
                         HEAP32.subarray(shown >> 2, (shown >> 2) + 6), HEAPU8[shown + 24] != 0,
                         HEAPU8[shown + 32] != 0);
 });
+EM_JS(void, page_wait, (), { return new Promise(requestAnimationFrame); });
 static_assert(offsetof(PresentRect, is_blended) == 24 && offsetof(PresentRect, has_crt_look) == 32);
 
 class PagePlatform final : public Platform {
   public:
+    explicit PagePlatform(bool waits) : waits_(waits) {}
     bool is_open() const override { return true; }
     PlatformInput poll() override;
     std::uint64_t now_us() override { return static_cast<std::uint64_t>(emscripten_get_now() * 1000); }
@@ -54,6 +56,7 @@ class PagePlatform final : public Platform {
     void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
 
   private:
+    const bool waits_;
     bool is_full_screen_ = false;
     std::array<std::int32_t, 3> mask_{};  // width, height, rows
     std::vector<std::uint32_t> rgba_;     // of the picture: bytes red, green, blue, 255
@@ -108,12 +111,13 @@ void PagePlatform::present(Framebuffer picture, const Palette& palette, const Pr
         to = std::transform(picture.row(y), picture.row(y) + picture.width_px, to,
                             [&](std::uint8_t colour) { return rgba[colour]; });
     page_present(rgba_.data(), picture.width_px, picture.height_px, &shown);
+    if (waits_) page_wait();
 }
 
 }  // namespace
 
-std::unique_ptr<Platform> open_page() {
-    return std::make_unique<PagePlatform>();
+std::unique_ptr<Platform> open_page(bool waits) {
+    return std::make_unique<PagePlatform>(waits);
 }
 
 }  // namespace oblong
