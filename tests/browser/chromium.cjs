@@ -49,6 +49,7 @@ const followPictures = () => {
     globalThis.seen = {pixels: new Uint32Array(pixels.slice().buffer), width, height, rect: [...rect]};
     return present.call(this, pixels, width, height, rect, ...more);
   };
+  screen.isLost = true;  // a menu at rest shows its picture again
   globalThis.different = (a, b) => a.pixels.reduce((count, pixel, i) => count + (pixel !== b.pixels[i]), 0) / a.pixels.length;
 };
 
