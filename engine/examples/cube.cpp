@@ -1,6 +1,6 @@
 // A cube step by step: a corner in the cube's own space, turned and put into the world, seen from an eye there, and on
-// the screen by a division and two multipliers. Arrow keys move the eye. In the texts: the lab's cube and its pipeline;
-// the course notes' matrices; Abrash's "Rotation by Projection"; Muratori's multipliers.
+// the screen by a division (without: P) and two multipliers. Arrow keys move the eye. In the texts: the lab's and
+// Princeton's projections; the notes' matrices; Abrash's "Rotation by Projection"; Muratori's multipliers.
 #include <oblong.h>
 
 #include <array>
@@ -36,11 +36,12 @@ Point to_view(const Point& world, const Point& eye) {
     return view;
 }
 
-PixelPosition to_screen(const Point& view, const ScreenMode& mode) {
-    const auto [width, height] = mode.pixel();  // 5 to 6
+PixelPosition to_screen(const Point& view, const ScreenMode& mode, bool is_parallel) {
+    const int depth = is_parallel ? 5 * kOne : view.z;  // that of the cube's middle
+    const auto [width, height] = mode.pixel();          // 5 to 6
     const std::int64_t across = mode.width_px;  // half of them for what is half as far to the side as away: 53 degrees
-    return {static_cast<int>(mode.width_px / 2 + across * view.x / view.z),
-            static_cast<int>(mode.height_px / 2 - across * width * view.y / (height * view.z))};
+    return {static_cast<int>(mode.width_px / 2 + across * view.x / depth),
+            static_cast<int>(mode.height_px / 2 - across * width * view.y / (height * depth))};
 }
 
 // In hundredths of a unit.
@@ -64,13 +65,12 @@ int main() {
         for (unsigned i = 0; i < 8; ++i) {
             const Point object{i & 1 ? kOne : -kOne, i & 2 ? kOne : -kOne, i & 4 ? kOne : -kOne};
             const Point world = to_world(object, window.time_ms()), view = to_view(world, eye);
-            const PixelPosition at = corners[i] = to_screen(view, window.mode());
+            const PixelPosition at = corners[i] = to_screen(view, window.mode(), window.is_down("P"));
             if (i != kMarked) continue;
             draw_label(canvas, 4, 4, "object" + text_of(object), 2);
             draw_label(canvas, 4, 14, "world " + text_of(world), 2);
             draw_label(canvas, 4, 24, "view  " + text_of(view), 2);
-            const std::string screen = std::to_string(at.column) + " " + std::to_string(at.row);
-            draw_label(canvas, at.column + 4, at.row - 4, screen, 2);
+            draw_label(canvas, at.column + 4, at.row - 4, std::to_string(at.column) + " " + std::to_string(at.row), 2);
         }
         for (unsigned i = 0; i < 8; ++i)
             for (const PixelPosition next : {corners[i | 1], corners[i | 2], corners[i | 4]})

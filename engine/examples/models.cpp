@@ -1,6 +1,7 @@
 // Models without a level: one out of a file, one of triangles of one's own, and light from everywhere and from one
 // side. Which of two is in front is seen at each pixel, in whatever order they are drawn. S saves the picture. In the
-// texts: Abrash on normals and the dot product; Princeton's illumination; the course notes on shading and textures.
+// texts: Abrash on normals, the dot product and faces turned away; Princeton's illumination; the course notes' depth
+// buffer, shading and textures.
 //
 // Usage: example_models [ASSETS]
 #include <oblong.h>

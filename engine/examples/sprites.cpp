@@ -1,5 +1,5 @@
 // Sprites: pictures with transparent pixels, drawn from back to front, some of them turned. Catch the moths: the mouse
-// moves the net, its button closes it.
+// moves the net, its button closes it. In the texts: the course notes' painter's algorithm and filled triangles.
 #include <oblong.h>
 
 #include <array>

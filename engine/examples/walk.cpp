@@ -1,8 +1,9 @@
-// A level to walk: W A S D and the mouse, or a gamepad; Space jumps, F fills the screen, M ends the music, Escape the
-// program. The level says where a body gets that wants to go somewhere; how fast it wants to is the program's. In the
-// texts: all that Princeton's "Polygon Pipeline" names happens in LevelScene::draw().
+// A level to walk: W A S D and the mouse, or a gamepad; Space jumps, E opens doors on hinges, F fills the screen, M
+// ends the music, Escape the program. The level says where a body gets that wants to go somewhere; how fast it wants to
+// is the program's. In the texts: all that Princeton's "Polygon Pipeline" names happens in LevelScene::draw(); Abrash's
+// BSP tree; the course notes' camera of first-person games.
 //
-// Usage: example_walk [ASSETS]
+// Usage: example_walk [ASSETS [LEVEL]]
 #include <oblong.h>
 
 #include <algorithm>
@@ -37,7 +38,7 @@ int main(int argc, char** argv) try {
     const std::string assets = argc > 1 ? argv[1] : "build/assets";
     Window window("Walk");
     const Palette palette = load_palette(assets + "/palette.lmp");
-    LevelScene level(assets + "/demo.bsp", palette, window.mode());
+    LevelScene level(argc > 2 ? argv[2] : assets + "/demo.bsp", palette, window.mode());
     Speaker speaker;
     if (!speaker.problem().empty()) std::fprintf(stderr, "%s\n", speaker.problem().c_str());
     speaker.play_music(assets + "/music/title.mod", 128);
@@ -59,6 +60,8 @@ int main(int argc, char** argv) try {
             rise -= kGravity * 256 * passed_ms / 1000;
         eye = level.walked(eye, moved(eye, ahead, right, rise / 1000 * passed_ms));
 
+        for (int door = -1; (door = level.find_entity("classname", "func_door_rotating", door)) >= 0;)
+            level.turn_entity(door, window.pressure_256("E") * 90);
         if (window.was_pressed("F")) window.set_full_screen(true);
         if (window.was_pressed("M")) speaker.stop_music();
         if (window.was_pressed("Escape")) window.close();

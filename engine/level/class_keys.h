@@ -135,6 +135,14 @@ inline constexpr std::array kWorld{
     number("telealpha", "1", "0 to 1: of liquids with `tele` in their names"),
     numbers("palette_cycle#", 3, 3, "", "colours that take turns: first last steps_per_second"),
 };
+inline constexpr std::array kExternalMap{
+    required({"_external_map", Text, "", "the map source: its path from the folder of this one"}),
+    EntityKey{"_external_map_classname", Text, "func_group",
+              "the class of which its brushes become one entity, with all other keys"},
+    numbers("_external_map_angles", 3, 3, "0 0 0", "turns it: pitch yaw roll, pitch positive is down"),
+    number("_external_map_angle", "0", "turns it: yaw alone"),
+    numbers("_external_map_scale", 1, 3, "1", "a factor of its size, or one for each axis"),
+};
 inline constexpr std::array kLight{
     numbers("light", 1, 4, "300", "brightness; negative takes light away; of a colour only the brightness counts"),
     number("wait", "1", "how fast it fades: a factor of the distance"),

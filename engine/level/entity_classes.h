@@ -92,9 +92,10 @@ enum class ClassRole : std::uint8_t {
     TriangleModel,
     Rotating,  ///< brushes that are shown as a model of triangles, and stop nobody
     Monster,
-    Boss,      ///< whose lightning is Lightning
-    LastBoss,  ///< whose end is the game's
-    Pickup,    ///< of Quake's: weapons, health ...
+    Boss,         ///< whose lightning is Lightning
+    LastBoss,     ///< whose end is the game's
+    Pickup,       ///< of Quake's: weapons, health ...
+    ExternalMap,  ///< another source's brushes; the compiler makes another class of it
 };
 
 constexpr bool is_of_brushes(ClassRole role) {

@@ -41,6 +41,7 @@ struct LevelScene::State {
           level(read_parsed(bsp_file, read_bsp)),
           colormap(make_colormap(its_palette)),
           models(read_level_models(level, its_palette, {bsp_file, ""})),
+          turned(models.models.size()),
           brushes(models_at_rest(level)),
           work(level, mode) {}
 
@@ -50,6 +51,18 @@ struct LevelScene::State {
                             "is not there, expected 0 to " + std::to_string(std::int64_t(level.entities.size()) - 1));
         return item(level.entities, number);
     }
+    ModelIndex brushes_of(std::int32_t number) const {
+        const std::optional<ModelIndex> model = brush_model_of(entity(number), level);
+        if (!model)
+            throw FileError(file, "entity " + std::to_string(number), "has no brushes, expected a door or its like");
+        return *model;
+    }
+    /// The model that shows an entity that turns by turn_entity(), into `models`.
+    std::optional<std::size_t> turning_door(std::int32_t number) const {
+        for (std::size_t i = 0; i < models.models.size(); ++i)
+            if (models.models[i].is_door && models.models[i].entity == as_size(number)) return i;
+        return {};
+    }
     Surroundings surroundings() const { return {level, solid_brushes}; }
 
     std::string file;
@@ -57,7 +70,8 @@ struct LevelScene::State {
     Level level;
     Colormap colormap;
     LevelModels models;
-    std::vector<PlacedModel> brushes;        // all that show
+    std::vector<Angle> turned;               // of each model that is a door
+    std::vector<PlacedModel> brushes;        // all that show, but for those doors
     std::vector<PlacedModel> solid_brushes;  // those that stop a body
     std::vector<PlacedMesh> shown;           // in the next picture
     Settings settings;
@@ -72,6 +86,11 @@ LevelScene::LevelScene(const std::string& bsp_file, const Palette& palette, Scre
         const auto shown = std::find_if(state.brushes.begin(), state.brushes.end(),
                                         [&](const PlacedModel& one) { return model && one.model == *model; });
         if (shown != state.brushes.end() && is_solid(role_of(entity))) state.solid_brushes.push_back(*shown);
+    }
+    for (const LevelModel& model : state.models.models) {
+        if (!model.is_door) continue;
+        const auto door = brush_model_of(state.level.entities[model.entity], state.level);
+        std::erase_if(state.brushes, [&](const PlacedModel& one) { return one.model == *door; });
     }
 }
 
@@ -94,7 +113,7 @@ void LevelScene::draw(const Pose& eye, std::int64_t time_ms, Framebuffer canvas,
     State& state = *state_;
     check_size(canvas, state.mode);
     std::vector<PlacedMesh> meshes;
-    place_models(state.models, time_ms, {}, meshes);
+    place_models(state.models, time_ms, {{}, state.turned}, meshes);
     meshes.insert(meshes.end(), state.shown.begin(), state.shown.end());
     state.shown.clear();
     Scene scene{state.level, state.colormap, state.brushes, std::max<std::int64_t>(time_ms, 0)};
@@ -144,13 +163,24 @@ std::string LevelScene::entity_value(std::int32_t entity, const std::string& key
 
 void LevelScene::move_entity(std::int32_t entity, std::int32_t east_256, std::int32_t north_256, std::int32_t up_256) {
     State& state = *state_;
-    const std::optional<ModelIndex> model = brush_model_of(state.entity(entity), state.level);
-    if (!model)
-        throw FileError(state.file, "entity " + std::to_string(entity), "has no brushes, expected a door or its like");
+    const ModelIndex model = state.brushes_of(entity);
+    if (state.turning_door(entity))
+        throw FileError(state.file, "entity " + std::to_string(entity), "turns, expected a door that moves");
     for (std::vector<PlacedModel>* list : {&state.brushes, &state.solid_brushes})
         for (PlacedModel& placed : *list)
-            if (placed.model == *model)
+            if (placed.model == model)
                 placed.offset = {world_from_256(east_256), world_from_256(north_256), world_from_256(up_256)};
+}
+
+void LevelScene::turn_entity(std::int32_t entity, std::int32_t degrees_256) {
+    State& state = *state_;
+    const ModelIndex model = state.brushes_of(entity);
+    const std::optional<std::size_t> door = state.turning_door(entity);
+    if (!door)
+        throw FileError(state.file, "entity " + std::to_string(entity), "does not turn, expected a func_door_rotating");
+    state.turned[*door] = angle_from_256(degrees_256);
+    std::erase_if(state.solid_brushes, [&](const PlacedModel& one) { return one.model == model; });
+    if (state.turned[*door] == Angle{}) state.solid_brushes.push_back({model, {}});
 }
 
 void LevelScene::set_accuracy(const std::string& preset) {

@@ -264,6 +264,9 @@ class LevelScene {
     std::string entity_value(std::int32_t entity, const std::string& key) const;
     /// Moves the brushes of an entity (a door, a lift) away from where the level has them.
     void move_entity(std::int32_t entity, std::int32_t east_256, std::int32_t north_256, std::int32_t up_256);
+    /// Turns a func_door_rotating about its axis, counter-clockwise where that points to the eye, away from where the
+    /// level has it. It stops nobody then.
+    void turn_entity(std::int32_t entity, std::int32_t degrees_256);
 
     /// The accuracy of pictures: "1991", "1994", "1996", "bounded" or "exact".
     void set_accuracy(const std::string& preset);

@@ -122,9 +122,10 @@ void Session::follow_colours() {
 void Session::play_due_ticks(std::uint64_t elapsed_us) {
     for (int due = clock_.advance(elapsed_us, view_options_.preferences.game_speed_100); due > 0; --due) {
         before_ = after_;
-        warn_of(input_.play_tick(level_, after_));
+        const TickReport report = input_.play_tick(level_, after_);
+        warn_of(report);
         palette_.note_tick(before_, after_);
-        if (settings_.sound) settings_.sound->note_tick(before_, after_);
+        if (settings_.sound) settings_.sound->note_tick(before_, after_, report);
         show_level_message();
     }
 }

@@ -43,6 +43,7 @@ void show(GameState& state, MessageIndex message) {
 }
 
 void Activations::fire(const EntityRef& by) {
+    if (by.kind == Kind::Trigger) report_.fired_triggers.push_back(by.index);
     const Firing& firing = firing_of(level_, by);
     if (firing.is_empty()) return;
     if (firing.delay_ticks == 0) return fire_now(firing);

@@ -9,9 +9,10 @@ namespace oblong {
 /// What a tick did, and what of it was too much for one tick. A tick's work is bounded by counts of operations, never
 /// by time, so that every build leaves the same for later.
 struct TickReport {
-    std::int32_t activations = 0;  ///< entities activated or removed, doors opened, messages shown
-    std::int32_t mover_steps = 0;  ///< movers stepped, and what each looked at that met the player
-    std::int32_t touches = 0;      ///< touch boxes, triggers and items that the player was in
+    std::int32_t activations = 0;               ///< entities activated or removed, doors opened, messages shown
+    std::int32_t mover_steps = 0;               ///< movers stepped, and what each looked at that met the player
+    std::int32_t touches = 0;                   ///< touch boxes, triggers and items that the player was in
+    std::vector<std::uint32_t> fired_triggers;  ///< into GameLevel::triggers, in their order, perhaps repeatedly
 
     // True: there were more.
     bool has_left_activations = false;  ///< they wait in Backlog::waiting

@@ -96,9 +96,9 @@ void GameSound::enter(const GameLevel* level, const LevelSounds* own) {
     keep_what_is_on();
 }
 
-void GameSound::note_tick(const GameState& before, const GameState& after) {
+void GameSound::note_tick(const GameState& before, const GameState& after, const TickReport& report) {
     if (!scene_) return;
-    scene_->note_tick(before, after);
+    scene_->note_tick(before, after, report);
     const std::span<const AudibleSound> sounds = scene_->audible().sounds;
     if (has_sounds()) player_->play(sounds, sounds_256());
     if (captions_) captions_->note_tick(sounds);

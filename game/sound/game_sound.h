@@ -43,7 +43,7 @@ class GameSound {
     /// The level that is heard from now on, in silence at first; it and its own sounds outlive this or are left before.
     /// Null: none.
     void enter(const GameLevel* level, const LevelSounds* own = nullptr);
-    void note_tick(const GameState& before, const GameState& after);
+    void note_tick(const GameState& before, const GameState& after, const TickReport& report);
     /// A pause or a menu over the game: sounds stay where they are, music is softer.
     void hold(bool is_held);
 

@@ -18,10 +18,10 @@ std::int32_t SoundScene::length_ticks(const SoundSource& source) const {
     return static_cast<std::int32_t>(std::min<std::int64_t>(ticks, std::numeric_limits<std::int32_t>::max()));
 }
 
-void SoundScene::note_tick(const GameState& before, const GameState& after) {
+void SoundScene::note_tick(const GameState& before, const GameState& after, const TickReport& report) {
     const Listener listener = listener_of(after.player);
     std::vector<SoundSource> sources;
-    starts_.note_tick(before, after, sources);
+    starts_.note_tick(before, after, report, sources);
     for (const SoundSource& source : sources)
         if (source.serial != 0) one_shots_.push_back({source, length_ticks(source)});
     std::erase_if(sources, [](const SoundSource& source) { return source.serial != 0; });

@@ -16,7 +16,7 @@ class SoundScene {
     explicit SoundScene(const GameLevel& level, const LevelSounds* own = nullptr);
 
     /// Works out what is heard after a tick, by a player as in `after`.
-    void note_tick(const GameState& before, const GameState& after);
+    void note_tick(const GameState& before, const GameState& after, const TickReport& report);
     const Audible& audible() const { return audible_; }
 
   private:

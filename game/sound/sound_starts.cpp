@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "game/simulation/step.h"
 
@@ -37,58 +38,27 @@ std::vector<std::uint32_t> active_in_either(const GameState& before, const GameS
     return active;
 }
 
-bool is_near(const Trigger& trigger, const Player& player) {
-    return trigger.box && trigger.box->grown(kTouching).overlaps(player_box(player.position));
-}
-
-// Whether a trigger has fired, as far as states tell: one that fires once, and is gone then as if it had been removed,
-// where the player has touched it.
-bool has_fired(const GameLevel& level, std::uint32_t i, const GameState& before, const GameState& after) {
-    const Trigger& trigger = level.triggers[i];
-    const TriggerState &from = before.triggers[i], &to = after.triggers[i];
-    switch (trigger.kind) {
-        case TriggerKind::Multiple:
-            if (to.ready_tick != TriggerState::kNever) return to.ready_tick > from.ready_tick;
-            return from.ready_tick != to.ready_tick && trigger.wait_ticks == kForever && is_near(trigger, after.player);
-        case TriggerKind::Counter:
-            return from.left > 0 && to.left <= 0;
-        case TriggerKind::Teleport:
-            return was_teleported(before.player, after.player) && after.progress.respawn == trigger.place &&
-                   is_near(trigger, before.player);
-        case TriggerKind::Exit:
-            return !before.has_ended && after.has_ended && after.exit == static_cast<std::int32_t>(i);
-        case TriggerKind::Relay:
-        case TriggerKind::Push:
-        case TriggerKind::Checkpoint:
-        case TriggerKind::Lightning:
-            return false;
-    }
-    return false;
-}
-
 }  // namespace
 
 SoundStarts::SoundStarts(const GameLevel& level, const LevelSounds* own) : level_(level), own_(own) {
-    for (std::uint32_t i = 0; i < level.triggers.size(); ++i)
-        if (own_of(level.triggers[i].entity) != LevelSounds::kNone) own_triggers_.push_back(i);
     mover_sounds_.reserve(level.movers.size());
     for (const Mover& mover : level.movers) mover_sounds_.push_back(mover_sounds(*level.bsp, mover.model));
 }
 
-void SoundStarts::note_tick(const GameState& before, const GameState& after, std::vector<SoundSource>& sources) {
-    note_player(before, after, sources);
+void SoundStarts::note_tick(const GameState& before, const GameState& after, const TickReport& report,
+                            std::vector<SoundSource>& sources) {
+    note_player(before, after, report, sources);
     note_movers(before, after, sources);
-    note_items(before, after, sources);
+    note_messages(before, after, report, sources);
 }
 
 std::int32_t SoundStarts::own_of(std::size_t entity) const {
     return own_ ? item(own_->by_entity, entity) : LevelSounds::kNone;
 }
 
-std::int32_t SoundStarts::own_of_fired(const GameState& before, const GameState& after) const {
-    for (const std::uint32_t i : own_triggers_)
-        if (has_fired(level_, i, before, after)) return own_of(level_.triggers[i].entity);
-    return LevelSounds::kNone;
+bool SoundStarts::is_own_teleporter(std::uint32_t trigger) const {
+    const Trigger& fired = level_.triggers[trigger];
+    return fired.kind == TriggerKind::Teleport && own_of(fired.entity) != LevelSounds::kNone;
 }
 
 void SoundStarts::add(Sound sound, std::int32_t own, std::vector<SoundSource>& sources) {
@@ -120,10 +90,13 @@ void SoundStarts::add_at(Sound sound, std::uint32_t mover, const GameState& afte
     if (row_of(sound).is_loop()) sources.back().serial = 0;
 }
 
-void SoundStarts::note_player(const GameState& before, const GameState& after, std::vector<SoundSource>& sources) {
+void SoundStarts::note_player(const GameState& before, const GameState& after, const TickReport& report,
+                              std::vector<SoundSource>& sources) {
     if (was_teleported(before.player, after.player)) {
         since_step_ = {};
-        if (own_of_fired(before, after) == LevelSounds::kNone) add(Sound::Teleport, kStandard, sources);
+        const std::vector<std::uint32_t>& fired = report.fired_triggers;
+        if (std::none_of(fired.begin(), fired.end(), [this](std::uint32_t i) { return is_own_teleporter(i); }))
+            add(Sound::Teleport, kStandard, sources);
         return;
     }
     if (!swims(before.player) && swims(after.player)) add(Sound::WaterIn, kStandard, sources);
@@ -171,7 +144,9 @@ void SoundStarts::note_movers(const GameState& before, const GameState& after, s
     were_moving_ = std::move(moving);
 }
 
-void SoundStarts::note_items(const GameState& before, const GameState& after, std::vector<SoundSource>& sources) {
+// A trigger's own sound is heard in place of what the game says then; of several that are the same, one.
+void SoundStarts::note_messages(const GameState& before, const GameState& after, const TickReport& report,
+                                std::vector<SoundSource>& sources) {
     bool is_told = false;
     const auto tell = [&](Sound sound, std::int32_t own) {
         add(sound, own, sources);
@@ -182,8 +157,11 @@ void SoundStarts::note_items(const GameState& before, const GameState& after, st
         const Item& taken = level_.items[i];
         tell(taken.item_class == ItemClass::Lens ? Sound::Lens : Sound::Key, own_of(taken.entity));
     }
-    const std::int32_t own = own_of_fired(before, after);
-    if (own != kStandard) return tell(Sound::Message, own);
+    std::set<std::int32_t> own_of_fired;
+    for (const std::uint32_t i : report.fired_triggers) own_of_fired.insert(own_of(level_.triggers[i].entity));
+    own_of_fired.erase(kStandard);
+    for (const std::int32_t own : own_of_fired) tell(Sound::Message, own);
+    if (!own_of_fired.empty()) return;
     if (!before.has_ended && after.has_ended) tell(Sound::LevelEnd, kStandard);
     if (after.progress.found_secrets > before.progress.found_secrets) tell(Sound::Secret, kStandard);
     if (before.message.tick != after.message.tick && !is_told) add(Sound::Message, kStandard, sources);

@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "game/simulation/game_level.h"
+#include "game/simulation/tick_report.h"
 #include "game/sound/sound_source.h"
 #include "game/sound/surfaces.h"
 
 namespace oblong {
 
-/// What begins to sound in a tick, worked out from the state before it and the state after it.
+/// What begins to sound in a tick, worked out from the states before and after it and the triggers that have fired.
 class SoundStarts {
   public:
     /// The most that movers begin in a tick, as each is held against the others; what comes on top has no sound.
@@ -19,26 +20,27 @@ class SoundStarts {
     explicit SoundStarts(const GameLevel& level, const LevelSounds* own = nullptr);
 
     /// Appends what begins in a tick, and what moves in it as loops.
-    void note_tick(const GameState& before, const GameState& after, std::vector<SoundSource>& sources);
+    void note_tick(const GameState& before, const GameState& after, const TickReport& report,
+                   std::vector<SoundSource>& sources);
 
   private:
-    void note_player(const GameState& before, const GameState& after, std::vector<SoundSource>& sources);
+    void note_player(const GameState& before, const GameState& after, const TickReport& report,
+                     std::vector<SoundSource>& sources);
     void note_way(const GameState& before, const GameState& after, std::vector<SoundSource>& sources);
     void note_movers(const GameState& before, const GameState& after, std::vector<SoundSource>& sources);
-    void note_items(const GameState& before, const GameState& after, std::vector<SoundSource>& sources);
-    /// The first trigger with a sound of its own that has fired in a tick, and that sound; kNone if none has.
-    std::int32_t own_of_fired(const GameState& before, const GameState& after) const;
+    void note_messages(const GameState& before, const GameState& after, const TickReport& report,
+                       std::vector<SoundSource>& sources);
+    bool is_own_teleporter(std::uint32_t trigger) const;
     std::int32_t own_of(std::size_t entity) const;
     void add(Sound sound, std::int32_t own, std::vector<SoundSource>& sources);
     void add_at(Sound sound, std::uint32_t mover, const GameState& after, std::vector<SoundSource>& sources);
 
     const GameLevel& level_;
-    const LevelSounds* own_;                   // null: none
-    std::vector<std::uint32_t> own_triggers_;  // those with sounds of their own
-    std::vector<MoverSounds> mover_sounds_;    // in the order of the level's movers
-    std::vector<std::uint32_t> were_moving_;   // movers, ascending, in the last tick
-    World since_step_;                         // the way walked or swum since the last step or stroke
-    World fall_speed_;                         // the fastest since the player last stood, downward negative
+    const LevelSounds* own_;                  // null: none
+    std::vector<MoverSounds> mover_sounds_;   // in the order of the level's movers
+    std::vector<std::uint32_t> were_moving_;  // movers, ascending, in the last tick
+    World since_step_;                        // the way walked or swum since the last step or stroke
+    World fall_speed_;                        // the fastest since the player last stood, downward negative
     std::uint32_t last_serial_ = 0;
 };
 

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Makes the page of what was built.      pack.py BUILD ASSETS SITE [GAME]
 SITE gets index.html with oblong.wasm and oblong.data, for a server, and oblong.html: all of it in one file.
-With a game's folder, that of a game.json, it is the page of that game."""
+With a game's folder, that of a game.json, it is the page of that game, under its title and icon."""
 import base64
 import gzip
+import html
 import json
+import mimetypes
 import os
 import re
 import struct
@@ -37,12 +39,32 @@ def packed_data(assets, game):
     return struct.pack('<I', len(names)) + names + b''.join(content for _, content in files)
 
 
+def under_own_name(page, game):
+    """The page with a game's title and icon. What else is wrong with the game it says itself."""
+    try:
+        definition = json.loads(read(game, 'game.json'))
+        title, levels, icon = str(definition['title']), list(definition['levels']), definition.get('icon')
+        picture = icon and read(game, icon)
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        sys.exit('pack.py: %s: %s: %s, expected a game' % (os.path.join(game, 'game.json'), type(error).__name__, error))
+    for level in levels:
+        file = os.path.join(game, 'maps', '%s.bsp' % level)
+        if not os.path.isfile(file):
+            sys.exit('pack.py: there is no %s, expected what oblong-map makes of its source' % file)
+    if icon:
+        kind = mimetypes.guess_type(icon)[0]
+        page = page.replace('href="data:,"', 'href="data:%s;base64,%s"' % (kind, base64.b64encode(picture).decode()))
+    return page.replace('<title>Oblong<', '<title>%s<' % html.escape(title))
+
+
 def main(build, assets, site, game=None):
+    page = read(HERE, 'index.html').decode()
+    if game:
+        page = under_own_name(page, game)
     files = {'oblong.wasm': read(build, 'oblong.wasm'), 'oblong.data': packed_data(assets, game)}
     sizes = ', '.join('"%s": %d' % (name, len(content)) for name, content in files.items())
     scripts = {'page.js': read(HERE, '../../engine/platform/web/page.js'), 'load.js': read(HERE, 'load.js'),
                'oblong.js': read(build, 'oblong.js')}
-    page = read(HERE, 'index.html').decode()
     for name, script in scripts.items():
         page = page.replace('//@%s@' % name, script.decode())
     page = page.replace('/*@sizes@*/', sizes).replace('/*@game@*/', '"--game", "/assets/game", ' if game else '')

@@ -102,7 +102,7 @@ TEST_F(RecordedWalk, HearsTheRainUnmuffledInAllOfItsCourt) {
     GameState before = start_of(game_level_);
     int ticks_in_court = 0;
     replay([&](const GameState& state) {
-        scene.note_tick(before, state);
+        scene.note_tick(before, state, {});
         before = state;
         const Position& p = state.player.position;
         if (p.x < World::from_int(1184) || p.y < World::from_int(1408) || p.y > World::from_int(1824) || p.z < World{})

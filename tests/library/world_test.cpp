@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/library/oblong.h"
@@ -170,6 +171,104 @@ TEST(LibraryLevel, BrushesThatTurnAreSeenWhereTheyAreThen) {
         }
         EXPECT_NEAR(units(turning.walk_east(pose_at(-200, 0, 46), 60).x_256), kStop, 0.1) << "stops nobody";
     }
+}
+
+using Point = std::array<double, 3>;
+using SeenBox = std::array<std::array<double, 2>, 8>;  // its corners' columns and rows
+
+// Where a place is seen from (-200, 0, 100) to the east: at 90 degrees 160 columns are as wide as it is far, and rows
+// are 1.2 times as high as columns are wide.
+std::array<double, 2> seen(const Point& place) {
+    const double ahead = place[0] + 200;
+    return {160 - 160 * place[1] / ahead, 100 - 160 * (place[2] - 100) / ahead / 1.2};
+}
+
+// Some three of its corners are around it.
+bool shows(const SeenBox& corners, double x, double y) {
+    const auto are_beside = [&](std::size_t axis, double at) {
+        return std::all_of(corners.begin(), corners.end(), [&](const auto& c) { return c[axis] < at; }) ||
+               std::all_of(corners.begin(), corners.end(), [&](const auto& c) { return c[axis] > at; });
+    };
+    if (are_beside(0, x) || are_beside(1, y)) return false;
+    const auto side = [&](std::size_t a, std::size_t b) {
+        return (corners[b][0] - corners[a][0]) * (y - corners[a][1]) -
+               (corners[b][1] - corners[a][1]) * (x - corners[a][0]);
+    };
+    for (std::size_t a = 0; a < 8; ++a)
+        for (std::size_t b = a + 1; b < 8; ++b)
+            for (std::size_t c = b + 1; c < 8; ++c) {
+                const double ab = side(a, b), bc = side(b, c), ca = side(c, a);
+                if ((ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0)) return true;
+            }
+    return false;
+}
+
+struct Axis {
+    const char* flags;
+    std::size_t first, second;  // of the coordinates that change, the first toward the second
+};
+constexpr Point kDoorMins{-4, -40, 60}, kDoorMaxs{4, 40, 140}, kHinge{-4, 40, 120};
+
+SeenBox seen_door(const Axis& axis, double degrees) {
+    const double angle = degrees * std::acos(-1) / 180;
+    SeenBox corners;
+    for (std::size_t i = 0; i < 8; ++i) {
+        Point way;
+        for (std::size_t along = 0; along < 3; ++along)
+            way[along] = ((i >> along & 1) != 0 ? kDoorMaxs : kDoorMins)[along] - kHinge[along];
+        Point place{kHinge[0] + way[0], kHinge[1] + way[1], kHinge[2] + way[2]};
+        const auto [flags, first, second] = axis;
+        place[first] = kHinge[first] + way[first] * std::cos(angle) - way[second] * std::sin(angle);
+        place[second] = kHinge[second] + way[first] * std::sin(angle) + way[second] * std::cos(angle);
+        corners[i] = seen(place);
+    }
+    return corners;
+}
+
+// But for pixels on its outline.
+TEST(LibraryLevel, TurnedDoorIsSeenWhereDoublesPutIt) {
+    for (const Axis& axis : {Axis{"0", 0, 1}, Axis{"64", 1, 2}, Axis{"128", 2, 0}}) {
+        Hall hall("", entity("func_door_rotating",
+                             {{"origin", "-4 40 120"}, {"spawnflags", axis.flags}, {"_minlight", "100"}},
+                             box({-4, -40, 60}, {4, 40, 140}, "other")));
+        const std::int32_t door = hall.level.find_entity("classname", "func_door_rotating");
+        for (const double degrees : {0.0, 37.5, -20.25, 460.0}) {
+            hall.level.turn_entity(door, static_cast<std::int32_t>(degrees * 256));
+            const SeenBox corners = seen_door(axis, degrees);
+            const std::vector<bool> is_red = red_in(hall, 0);
+            int inside = 0, wrong = 0;
+            for (std::size_t i = 0; i < is_red.size(); ++i) {
+                const double x = static_cast<double>(i % 320) + 0.5, y = static_cast<double>(i / 320) + 0.5;
+                const bool is_shown = shows(corners, x, y);
+                inside += is_shown;
+                if (is_shown == is_red[i]) continue;
+                bool is_outline = false;
+                for (const double away : {-0.6, 0.6})
+                    is_outline |= shows(corners, x + away, y) != is_shown || shows(corners, x, y + away) != is_shown;
+                wrong += !is_outline;
+            }
+            EXPECT_GT(inside, 100) << axis.flags << " by " << degrees;
+            EXPECT_EQ(wrong, 0) << axis.flags << " by " << degrees;
+        }
+    }
+}
+
+TEST(LibraryLevel, TurningDoorIsInTheWayWhileItIsShut) {
+    const std::string brush = box({50, -250, 1}, {60, 250, 250});
+    Hall hall("", entity("func_door_rotating", {{"origin", "50 -250 0"}}, brush) + entity("func_door", {}, brush));
+    const std::int32_t hinged = hall.level.find_entity("classname", "func_door_rotating"),
+                       sliding = hall.level.find_entity("classname", "func_door");
+    hall.level.move_entity(sliding, 0, 0, 400 * 256);
+    const auto walked_to = [&] { return units(hall.walk_east(hall.level.start(), 60).x_256); };
+    EXPECT_NEAR(walked_to(), 50 - 16, 1.1);
+    hall.level.turn_entity(hinged, 5 * 256);
+    EXPECT_NEAR(walked_to(), kStop, 0.1);
+    hall.level.turn_entity(hinged, 360 * 256);
+    EXPECT_NEAR(walked_to(), 50 - 16, 1.1);
+    EXPECT_THROW(hall.level.turn_entity(sliding, 0), std::runtime_error);
+    EXPECT_THROW(hall.level.move_entity(hinged, 0, 0, 0), std::runtime_error);
+    EXPECT_THROW(hall.level.turn_entity(0, 0), std::runtime_error);
+    EXPECT_THROW(hall.level.turn_entity(1000, 0), std::runtime_error);
 }
 
 TEST(LibraryLevel, ErrorsNameTheFile) {

@@ -216,6 +216,53 @@ TEST(SurfaceLights, OfLargeFacesAreCutIntoPieces) {
     }
 }
 
+std::size_t faces_with(const map::BspFile& bsp, const std::string& texture) {
+    return static_cast<std::size_t>(std::count_if(bsp.faces.begin(), bsp.faces.end(), [&](const auto& face) {
+        const auto& texinfo = bsp.texinfos.at(static_cast<std::size_t>(face.texinfo));
+        return bsp.textures.at(static_cast<std::size_t>(texinfo.texture)).starts_with(texture);
+    }));
+}
+
+// A pillar's sides cut the ceiling's panel in several faces, and so does the limit of 240 texels: the lamps are those
+// of the whole panel, each with all of the light.
+TEST(SurfaceLights, DoNotDependOnHowTheCompilerCutsTheirFaces) {
+    struct Case {
+        int size, width;
+        std::vector<int> lamps;  // along both axes
+    };
+    for (const auto& [size, width, lamps] : {Case{256, 64, {128}}, Case{512, 256, {192, 320}}}) {
+        const int middle = size / 2;
+        const std::string hall = hall_with_panel(size, width) + box({middle - 8, 0, 0}, {middle + 8, 24, 128}) +
+                                 box({0, middle - 4, 0}, {24, middle + 12, 128});
+        std::string by_hand;
+        for (const int x : lamps)
+            for (const int y : lamps) by_hand += entity_at("light", {x, y, 126}, {{"light", "200"}});
+        const auto expected = compile(level(hall, by_hand), {.is_fast = true});
+        const auto spread =
+            compile(level(hall, entity_at("light", {32, 32, 16}, {{"light", "200"}, {"_surface", "other"}})),
+                    {.is_fast = true});
+        EXPECT_GT(faces_with(spread, "other"), 1u) << size;
+        EXPECT_GT(light_at(expected, kFloor, {lamps[0] + 0.0, lamps[0] + 0.0, 0}), 30);
+        for (const int x : kPlaces) {
+            const Point place{static_cast<double>(x), 160, 0};
+            EXPECT_EQ(light_at(spread, kFloor, place), light_at(expected, kFloor, place)) << size << ' ' << x;
+        }
+    }
+}
+
+// A panel around a hole: its middle is in the hole, where no lamp belongs.
+TEST(SurfaceLights, StandBeforeAFaceWhereThePanelHasAHole) {
+    const std::string start = entity_at("info_player_start", {32, 32, 28});
+    const auto bsp = compile(level(hall_with_panel(256, 96) + box({112, 112, 100}, {144, 144, 128}),
+                                   start + entity_at("light", {16, 16, 16}, {{"light", "250"}, {"_surface", "other"}})),
+                             {.is_fast = true});
+    int brightest = 0;
+    for (const int x : {64, 96, 128, 160, 192})
+        for (const int y : {64, 96, 128, 160, 192})
+            brightest = std::max(brightest, light_at(bsp, kFloor, {x + 0.0, y + 0.0, 0}));
+    EXPECT_NEAR(brightest, 62, 4) << "(250 - 125) / 2: a whole lamp, in the open";
+}
+
 // A level has shades, no colours: red, green and blue count 0.299, 0.587 and 0.114 (BT.601).
 TEST(ColouredLight, CountsByItsLuminance) {
     const auto light_of = [](const std::string& colour) {

@@ -106,6 +106,27 @@ TEST_F(Program, TexturesComeFromWhatTheWorldspawnNames) {
     EXPECT_EQ(run(path("named.map") + out + " --wad " + path("t.wad")), 0) << said_;
 }
 
+// An external map is looked for from the folder of the map that names it.
+TEST_F(Program, MapsOfOtherFilesAreIncluded) {
+    const auto naming = [](const std::string& name) { return entity("misc_external_map", {{"_external_map", name}}); };
+    const std::string start = entity_at("info_player_start", {32, 32, 28});
+    fs::create_directories(path("sub"));
+    write_file(path("sub/room.map"), level("", naming("../walls.map")));
+    write_file(path("walls.map"), level(room({0, 0, 0}, {64, 64, 64})));
+    const std::string command = path("whole.map") + " -o " + path("whole.bsp") + " --wad " + path("t.wad");
+    write_file(path("whole.map"), level("", naming("sub\\room.map") + start));
+    EXPECT_EQ(run(command + " --strict"), 0) << said_;
+    write_file(path("whole.map"), level("", naming("gone.map") + start));
+    EXPECT_EQ(run(command), 1);
+    EXPECT_EQ(
+        said_.find("oblong-map: " + path("whole.map") + ": line 4: \"_external_map\" names 'gone.map', which is "), 0u)
+        << said_;
+    write_file(path("walls.map"), level("", naming("sub/room.map")));
+    write_file(path("whole.map"), level("", naming("walls.map") + start));
+    EXPECT_EQ(run(command), 1);
+    EXPECT_NE(said_.find("includes itself"), std::string::npos) << said_;
+}
+
 // Colours of the last 32 are taken only for textures that may glow.
 TEST_F(Program, AFolderOfPicturesIsPackedByItself) {
     Palette palette{};

@@ -110,8 +110,8 @@ TEST(GameSound, IsSilentWhereItsFilesAreMissing) {
 void walk(ToyGame& game, GameSound& sound, int ticks) {
     for (int i = 0; i < ticks; ++i) {
         const GameState before = game.state;
-        step(game.level, game.state, test::kAhead);
-        sound.note_tick(before, game.state);
+        const TickReport report = step(game.level, game.state, test::kAhead);
+        sound.note_tick(before, game.state, report);
     }
 }
 

@@ -36,8 +36,8 @@ struct HeardGame {
     void play(int ticks, const TickInput& input) {
         for (int i = 0; i < ticks; ++i) {
             const GameState before = game.state;
-            step(game.level, game.state, input);
-            scene.note_tick(before, game.state);
+            const TickReport report = step(game.level, game.state, input);
+            scene.note_tick(before, game.state, report);
             captions.note_tick(scene.audible().sounds);
             for (const std::string& line : captions.lines()) lines.insert(line);
             for (const AudibleSound& sound : scene.audible().sounds) note(sound);
@@ -84,9 +84,9 @@ TEST(Starts, OfVeryManyMoversAreAFew) {
     std::size_t most = 0;
     for (int tick = 0; tick < 5; ++tick) {
         const GameState before = game.state;
-        step(game.level, game.state, kStand);
+        const TickReport report = step(game.level, game.state, kStand);
         std::vector<SoundSource> sources;
-        starts.note_tick(before, game.state, sources);
+        starts.note_tick(before, game.state, report, sources);
         most = std::max(most, sources.size());
     }
     EXPECT_EQ(most, SoundStarts::kMost);
@@ -276,6 +276,28 @@ TEST(OwnSounds, OfATriggerAreHeardEachTimeItFires) {
     exit.play(100, kAhead);
     EXPECT_EQ(exit.own_begun, 1);
     EXPECT_EQ(exit.count(Sound::LevelEnd), 0);
+}
+
+// However it is fired: one that fires once, a relay, a counter, by what the player walks into.
+TEST(OwnSounds, OfATriggerAreHeardWhereAnotherFiresIt) {
+    using Pairs = std::vector<std::pair<std::string, std::string>>;
+    const std::pair<std::string, std::string> name{"targetname", "next"};
+    for (const auto& [fired, times] :
+         {std::pair<Pairs, int>{{{"classname", "trigger_once"}, {"model", "*2"}, name}, 1},
+          {{{"classname", "trigger_once"}, {"model", "*2"}, name, {"spawnflags", "1"}, {"delay", "60"}}, 1},
+          {{{"classname", "trigger_relay"}, name}, 2},
+          {{{"classname", "trigger_counter"}, name, {"count", "2"}}, 1},
+          {{{"classname", "trigger_counter"}, name, {"count", "3"}}, 0}}) {
+        ToyLevel toy = plain();
+        toy.add_model({{100, -64, 0, 102, 64, 128}}).add_model({{-600, 900, 0, -580, 940, 128}});
+        toy.add_model({{200, -64, 0, 202, 64, 128}});
+        toy.add_entity({{"classname", "trigger_once"}, {"model", "*1"}, {"target", "next"}});
+        toy.add_entity({{"classname", "trigger_once"}, {"model", "*3"}, {"target", "next"}});
+        HeardGame heard(toy.add_entity(fired), 0, "");
+        heard.play(150, kAhead);
+        ASSERT_GT(heard.game.x(), 300) << "through both";
+        EXPECT_EQ(heard.own_begun, times) << fired.front().second;
+    }
 }
 
 TEST(OwnSounds, OfATriggerThatIsRemovedAreNotHeard) {

@@ -10,6 +10,10 @@ if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
         set(CMAKE_UNITY_BUILD_BATCH_SIZE 0)
     endif()
 endif()
+# GCC keeps what it could free, up to 1 GB (it takes 700 MB at most): a tenth of the time.
+if(NOT CMAKE_CXX_COMPILER_LAUNCHER AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    add_compile_options("SHELL:--param ggc-min-heapsize=1000000")
+endif()
 # Programs and libraries have one set of them, if they are compiled alike.
 if(NOT CMAKE_CXX_COMPILER_LAUNCHER AND NOT CMAKE_POSITION_INDEPENDENT_CODE)
     file(CONFIGURE OUTPUT standard_headers.cpp CONTENT "")

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <deque>
 
 #include "engine/level/entity_classes.h"
+#include "tools/map/light/level_checks.h"
 #include "tools/map/light/lightmaps.h"
 #include "tools/map/light/sources.h"
 #include "tools/map/source/entities.h"
@@ -88,22 +90,47 @@ void check_arrivals(const Tree& player_hull, const PlaneList& planes, const std:
     }
 }
 
-CompiledModel compile_world(LevelBrushes& level, const std::vector<MapEntity>& entities) {
+// Places from which the void must not be reached, and whose they are.
+struct Inhabitants {
     std::vector<Point> starts;
     std::vector<const MapEntity*> at_start;
+};
+
+Inhabitants inhabitants_of(const std::vector<MapEntity>& entities) {
+    Inhabitants found;
     for (const MapEntity& entity : entities) {
         const auto origin = origin_of(entity);
         if (!origin || !entity.brushes.empty()) continue;
-        starts.push_back(*origin);
-        at_start.push_back(&entity);
+        found.starts.push_back(*origin);
+        found.at_start.push_back(&entity);
     }
-    ModelResult world = compile_model(level.models.front(), level.planes, level.textures.texinfos(), starts);
+    return found;
+}
+
+void check_world(const ModelResult& world, const Inhabitants& inhabitants, const MapEntity& worldspawn) {
     if (world.leak)
-        throw LeakError(*at_start[world.leak->start], world.leak->path, is_start_inside(*world.leak, at_start));
+        throw LeakError(*inhabitants.at_start[world.leak->start], world.leak->path,
+                        is_start_inside(*world.leak, inhabitants.at_start));
     if (!has_inside(world.model.tree))
-        throw InputError("line " + std::to_string(entities.front().line),
+        throw InputError("line " + std::to_string(worldspawn.line),
                          "the level encloses no space, expected a room around the entities");
-    return std::move(world.model);
+}
+
+// The world first.
+std::vector<CompiledModel> compile_models(LevelBrushes& level, const std::vector<MapEntity>& entities,
+                                          const WorkSharing& sharing) {
+    const Inhabitants inhabitants = inhabitants_of(entities);
+    std::deque<ModelCompiler> compilers;
+    for (const std::vector<Brush>& brushes : level.models)
+        compilers.emplace_back(brushes, level.planes, level.textures.texinfos(),
+                               compilers.empty() ? SealStarts(inhabitants.starts) : std::nullopt);
+    constexpr std::size_t kParts = ModelCompiler::kParts;
+    sharing.begin("tree", kParts * compilers.size());
+    sharing.for_each(kParts * compilers.size(), [&](std::size_t i) { compilers[i / kParts].do_part(i % kParts); });
+    check_world(compilers.front().result(), inhabitants, entities.front());
+    std::vector<CompiledModel> models;
+    for (ModelCompiler& compiler : compilers) models.push_back(std::move(compiler.result().model));
+    return models;
 }
 
 std::string number_text(double value) {
@@ -126,6 +153,7 @@ void check_same_brushes(bool are_same) {
 // Entities, and light if it is asked for, in a level whose brushes stay.
 BspFile changed_level(const std::vector<MapEntity>& entities, const LevelBrushes& brushes,
                       const CompileOptions& options, const WorkSharing& sharing) {
+    sharing.begin("tree", 1);
     BspFile bsp = options.former;
     PlaneList planes = brushes.planes;
     BspFile expected;
@@ -172,7 +200,6 @@ std::string points_text(const std::vector<Point>& path) {
 
 BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wads, const CompileOptions& options) {
     const WorkSharing sharing(options.workers, options.progress);
-    sharing.begin("tree", 1);
     assign_switchable_styles(entities);
     set_smoothing(entities);
     bring_world_forward(entities);
@@ -182,15 +209,19 @@ BspFile compile_map(std::vector<MapEntity> entities, const std::vector<Wad>& wad
         return changed_level(entities, level, options, sharing);
     BspFile bsp;
     bsp.textures = collect_textures(level.textures.names(), wads);
-    const CompiledModel world = compile_world(level, entities);
+    const std::vector<CompiledModel> models = compile_models(level, entities, sharing);
+    const CompiledModel& world = models.front();
     Emitter emitter(bsp, level.planes);
     emitter.add_texinfos(level.textures.texinfos());
     if (options.warnings != nullptr) check_arrivals(world.hulls[0], level.planes, entities, *options.warnings);
     const std::vector<int> leaf_indices = emitter.add_model(world);
-    for (std::size_t i = 1; i < level.models.size(); ++i)
-        emitter.add_model(compile_model(level.models[i], level.planes, level.textures.texinfos(), std::nullopt).model);
+    for (std::size_t i = 1; i < models.size(); ++i) emitter.add_model(models[i]);
     bsp.entities = entities_text(entities);
     check_size(bsp);  // before the passes that take long
+    if (options.warnings != nullptr) {
+        find_unused_wads(wads, level.textures.names(), *options.warnings);
+        find_level_warnings(bsp, entities, level.textures.names(), *options.warnings);
+    }
     add_visibility(bsp, world, leaf_indices, level.planes, options.is_fast, sharing, options.portals);
     if (options.part == CompilePart::Visibility)
         take_light(bsp, options.former);

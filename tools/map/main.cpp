@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <thread>
@@ -11,6 +12,7 @@
 #include "tools/map/compile.h"
 #include "tools/map/progress_line.h"
 #include "tools/map/source/checks.h"
+#include "tools/map/source/external_maps.h"
 #include "tools/map/source/fgd.h"
 #include "tools/map/texture_sources.h"
 #include "tools/map/tree/bsp_read.h"
@@ -108,8 +110,20 @@ map::CompilePart parse_part(const std::string& name) {
     throw UsageError("--only: '" + name + "', expected entities, light or vis");
 }
 
+map::ExternalSource read_external(const std::string& name, const std::string& path, int line) {
+    namespace fs = std::filesystem;
+    std::string with_slashes = name;
+    std::replace(with_slashes.begin(), with_slashes.end(), '\\', '/');
+    const fs::path found = fs::path(path).parent_path() / with_slashes;
+    if (!fs::exists(found))
+        throw InputError("line " + std::to_string(line), "\"_external_map\" names '" + name + "', which is not at " +
+                                                             found.string() + ", expected a map source there");
+    return {fs::weakly_canonical(found).string(), read_text(found.string())};
+}
+
 std::string compile(const Arguments& arguments, const std::string& text, const char* called_as) {
     std::vector<map::MapEntity> entities = map::parse_map(text);
+    map::include_external_maps(entities, std::filesystem::weakly_canonical(arguments.input).string(), read_external);
     const std::vector<map::Wad> wads =
         map::read_texture_sources(arguments.textures, entities.front(), arguments.input, called_as);
     Reporter reporter(arguments);

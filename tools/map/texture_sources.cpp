@@ -58,8 +58,13 @@ std::string found_source(const std::string& name, int line, const fs::path& fold
                                                          "--wad)");
 }
 
-std::vector<std::string> named_sources(const MapEntity& world, const std::string& map_path, const char* called_as) {
-    std::vector<std::string> paths;
+struct NamedSource {
+    std::string path, name;
+    int line = 0;  // 0: the map does not name it
+};
+
+std::vector<NamedSource> named_sources(const MapEntity& world, const std::string& map_path, const char* called_as) {
+    std::vector<NamedSource> sources;
     for (const MapPair& pair : world.pairs) {
         if (pair.key != "wad") continue;
         std::string names = pair.value;
@@ -67,9 +72,10 @@ std::vector<std::string> named_sources(const MapEntity& world, const std::string
         std::istringstream list(names);
         for (std::string name; std::getline(list, name, ';');)
             if (!name.empty())
-                paths.push_back(found_source(name, pair.line, fs::path(map_path).parent_path(), called_as));
+                sources.push_back(
+                    {found_source(name, pair.line, fs::path(map_path).parent_path(), called_as), name, pair.line});
     }
-    return paths;
+    return sources;
 }
 
 }  // namespace
@@ -81,8 +87,14 @@ std::string palette_file(const TextureSources& sources, const char* called_as) {
 std::vector<Wad> read_texture_sources(const TextureSources& sources, const MapEntity& world,
                                       const std::string& map_path, const char* called_as) {
     std::vector<Wad> wads;
-    for (const std::string& path : sources.wads.empty() ? named_sources(world, map_path, called_as) : sources.wads)
-        wads.push_back(read_source(sources, path, called_as));
+    std::vector<NamedSource> named;
+    for (const std::string& path : sources.wads) named.push_back({path, path});
+    if (named.empty()) named = named_sources(world, map_path, called_as);
+    for (const NamedSource& each : named) {
+        wads.push_back(read_source(sources, each.path, called_as));
+        wads.back().source = each.name;
+        wads.back().line = each.line;
+    }
     for (const std::string& name : sources.glowing)
         if (std::none_of(wads.begin(), wads.end(),
                          [&](const Wad& wad) { return wad.find(lookup_name(name)) != nullptr; }))

@@ -17,7 +17,10 @@ class Items final : public SharedWork {
             do_item_(item);
         } catch (...) {
             const std::lock_guard lock(mutex_);
-            if (!error_) error_ = std::current_exception();
+            if (!error_ || item < failed_) {
+                error_ = std::current_exception();
+                failed_ = item;
+            }
         }
         ++done_;
         if (worker == 0) tell();
@@ -39,7 +42,8 @@ class Items final : public SharedWork {
     CompileProgress* progress_;
     std::atomic<std::size_t> done_ = 0;
     std::size_t told_ = 0;
-    std::mutex mutex_;  // of error_
+    std::mutex mutex_;  // of the error
+    std::uint32_t failed_ = 0;
     std::exception_ptr error_;
 };
 

@@ -26,8 +26,8 @@ class WorkSharing {
         if (progress_ != nullptr) progress_->begin(stage, items);
     }
 
-    /// Calls do_item(0) to do_item(count - 1), each once, in any order, several at a time. Throws what one of them
-    /// threw, after all have ended.
+    /// Calls do_item(0) to do_item(count - 1), each once, in any order, several at a time. Throws what the
+    /// first of them in that order threw, after all have ended.
     void for_each(std::size_t count, const std::function<void(std::size_t)>& do_item) const;
 
   private:

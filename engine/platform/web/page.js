@@ -174,7 +174,7 @@ const Page = globalThis.Page = {
   changesFullScreen: false,
   fillsScreen: false,
   letters: null,  // the keyboard's layout, where the browser tells
-  hasTouch: false,
+  hasTouch: !matchMedia("(any-pointer: fine)").matches,  // thumbs, not a mouse, were used last
 
   start() {
     this.screen = new Screen(this.canvas);
@@ -303,7 +303,8 @@ const Page = globalThis.Page = {
     canvas.addEventListener("pointerdown", event => {
       event.preventDefault();
       canvas.focus();
-      if (event.pointerType === "touch") return this.touch.begin(event);
+      this.hasTouch = event.pointerType === "touch";
+      if (this.hasTouch) return this.touch.begin(event);
       if (this.isCaptured) {
         if (document.pointerLockElement !== canvas) return this.lockPointer();
         return this.note(Kind.Press, Device.MouseButton, BUTTONS[event.button]);
@@ -333,7 +334,7 @@ const Page = globalThis.Page = {
     }, {passive: false});
     canvas.addEventListener("contextmenu", event => event.preventDefault());
     document.addEventListener("pointerlockchange", () => {
-      if (document.pointerLockElement || !this.isCaptured || this.isSecondEscape()) return;
+      if (document.pointerLockElement || !this.isCaptured || this.hasTouch || this.isSecondEscape()) return;
       for (const kind of [Kind.Press, Kind.Release]) this.note(kind, Device.Key, KEYS.Escape);
     });
     for (const [id, key] of [["menu", KEYS.Escape], ["jump", KEYS.Space]]) {
@@ -348,14 +349,13 @@ const Page = globalThis.Page = {
   touch: {
     thumbs: new Map(),
     begin(event) {
-      Page.hasTouch = true;
+      if (document.pointerLockElement) document.exitPointerLock();  // it would take the touches
       document.body.classList.add("touched");
       if (!Page.isCaptured) {
         const [x, y] = Page.place(event);
         Page.pointer = {x, y, hasMoved: true, isPressed: true};
         return Page.note(Kind.Click, Device.MouseButton, 1);
       }
-      Page.canvas.setPointerCapture(event.pointerId);
       const isStick = event.clientX < innerWidth / 2;
       this.thumbs.set(event.pointerId, {isStick, x: event.clientX, y: event.clientY});
     },

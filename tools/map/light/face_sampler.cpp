@@ -18,6 +18,8 @@ Point nearest_on_segment(const Point& point, const Point& from, const Point& to)
     return from + along * t;
 }
 
+}  // namespace
+
 // Worked out from the numbers in the file, as a reader does.
 LightGrid light_grid(const BspFile& bsp, const FileFace& face) {
     const auto corners = face_corners(bsp, face);
@@ -34,8 +36,6 @@ LightGrid light_grid(const BspFile& bsp, const FileFace& face) {
     }
     return grid;
 }
-
-}  // namespace
 
 std::vector<Floats> face_corners(const BspFile& bsp, const FileFace& face) {
     std::vector<Floats> corners;

@@ -19,6 +19,7 @@ struct LightGrid {
     std::array<int, 2> first{};  ///< in steps: texel / kStep
     std::array<int, 2> count{};
 };
+LightGrid light_grid(const BspFile& bsp, const FileFace& face);
 
 /// Where light is measured for the samples of a face's lightmap.
 class FaceSampler {

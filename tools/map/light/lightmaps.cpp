@@ -1,8 +1,10 @@
 #include "tools/map/light/lightmaps.h"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "engine/files/wad.h"
 #include "engine/surface/palette.h"
@@ -18,7 +20,8 @@ namespace {
 constexpr double kRangeScale = 0.5;
 constexpr std::size_t kMaxStyles = 4;
 constexpr double kSkyDistance = 8192;
-constexpr int kNudge = 2;  // units that a lamp in a wall is moved
+constexpr double kLeastShade = 4 / kRangeScale;  // one of the 64 that a level's light is drawn with
+constexpr int kNudge = 2;                        // units that a lamp in a wall is moved
 
 using Samples = std::vector<double>;
 using StyleSamples = std::map<int, Samples>;
@@ -75,13 +78,18 @@ void add_light_at(Samples& sums, const FaceSampler& sampler, const std::vector<s
 }
 
 StyleSamples direct_light(const FaceSampler& sampler, const std::vector<const LightSource*>& sources, const Sun& sun,
-                          const Tracer& tracer, bool is_fast) {
+                          const Tracer& tracer, bool is_fast, const std::function<void(const LightSource&)>& is_seen) {
     StyleSamples styles;
     const auto samples = sample_points(sampler, is_fast);
-    for (const LightSource* source : sources)
+    for (const LightSource* source : sources) {
+        double brightest = 0;
         add_light_at(styles[source->style], sampler, samples, [&](const Point& point, const Point& normal) {
-            return light_from(*source, point, normal, tracer);
+            const double light = light_from(*source, point, normal, tracer);
+            brightest = std::max(brightest, std::abs(light));
+            return light;
         });
+        if (brightest >= kLeastShade) is_seen(*source);
+    }
     if (sun.brightness > 0)
         add_light_at(styles[0], sampler, samples, [&](const Point& point, const Point& normal) {
             return light_from_sun(sun, point, normal, tracer);
@@ -166,7 +174,7 @@ class LightPass {
         : bsp_(bsp), options_(options), sharing_(sharing), lights_(lights_of(entities)), tracer_(bsp) {
         if (options.has_dirt) lights_.hemisphere.has_dirt = true;
         if (options.has_bounce) lights_.hemisphere.bounces = std::max(lights_.hemisphere.bounces, 1);
-        spread_surface_lights(lights_.sources, bsp);
+        spread_surface_lights(lights_.sources, bsp, options.warnings);
         move_out_of_walls(lights_.sources, tracer_, options.warnings);
         auto normals = smooth_normals(bsp, options.smooth_degrees);
         for (std::size_t i = 0; i < bsp.faces.size(); ++i) {
@@ -193,10 +201,25 @@ class LightPass {
 
     void add_direct_light() {
         const LightReach reach(bsp_, tracer_, lights_.sources);
+        std::vector<std::atomic<bool>> seen(lights_.sources.size());
         for_each_face("light", [&](std::size_t i, const FaceSampler& sampler) {
             const auto sources = sources_near(lights_.sources, reach, i, sampler);
-            styles_[i] = direct_light(sampler, sources, lights_.sun, tracer_, options_.is_fast);
+            styles_[i] =
+                direct_light(sampler, sources, lights_.sun, tracer_, options_.is_fast, [&](const LightSource& source) {
+                    seen[static_cast<std::size_t>(&source - lights_.sources.data())] = true;
+                });
         });
+        if (options_.warnings == nullptr) return;
+        std::set<const MapEntity*> shining;
+        for (std::size_t i = 0; i < seen.size(); ++i)
+            if (seen[i]) shining.insert(lights_.sources[i].entity);
+        for (const LightSource& source : lights_.sources)
+            if (shining.insert(source.entity).second && !tracer_.is_solid(source.origin))
+                options_.warnings->add(source.entity->line,
+                                       "the " + source.entity->value("classname") + " at " +
+                                           source.entity->value("origin") +
+                                           " lights no face by a shade that can be seen, expected more \"light\", or "
+                                           "it nearer to what it lights");
     }
 
     // Once for sky and dirt, with the first bounce; and once more for each further bounce.

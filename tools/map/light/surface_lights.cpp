@@ -1,42 +1,89 @@
 #include "tools/map/light/surface_lights.h"
 
-#include <cmath>
+#include <algorithm>
 
-#include "engine/files/wad.h"
 #include "tools/map/light/face_sampler.h"
+#include "tools/map/light/whole_surfaces.h"
 
 namespace oblong::map {
 namespace {
 
+using Windings = std::vector<Winding>;
+
+// Twice the area.
+double doubled_area(const Winding& winding) {
+    return length(area_vector(winding));
+}
+
+// The centre of gravity of its area.
+Point centre_of(const Winding& winding) {
+    Point sum;
+    double areas = 0;
+    for (std::size_t i = 2; i < winding.size(); ++i) {
+        const Winding triangle{winding[0], winding[i - 1], winding[i]};
+        sum = sum + middle(triangle) * doubled_area(triangle);
+        areas += doubled_area(triangle);
+    }
+    return areas > 0 ? sum * (1 / areas) : middle(winding);
+}
+
+// `normal`: the polygon faces it.
+bool is_over(const Winding& winding, const Point& normal, const Point& point) {
+    for (std::size_t i = 0; i < winding.size(); ++i) {
+        const Point along = winding[(i + 1) % winding.size()] - winding[i];
+        if (dot(normal, cross(along, point - winding[i])) > kOnEpsilon * length(along)) return false;
+    }
+    return true;
+}
+
+// The centre of them all; where none of them is there (around a hole), that of the largest.
+Point place_of_lamp(const Windings& windings, const Point& normal) {
+    Point sum;
+    double areas = 0;
+    const Winding* largest = &windings.front();
+    for (const Winding& winding : windings) {
+        sum = sum + centre_of(winding) * doubled_area(winding);
+        areas += doubled_area(winding);
+        if (doubled_area(winding) > doubled_area(*largest)) largest = &winding;
+    }
+    const Point place = areas > 0 ? sum * (1 / areas) : middle(*largest);
+    const bool is_there = std::any_of(windings.begin(), windings.end(),
+                                      [&](const Winding& winding) { return is_over(winding, normal, place); });
+    return is_there ? place : centre_of(*largest);
+}
+
 // Cut in halves until none is wider than a piece.
-void add_pieces(const Winding& winding, std::vector<Winding>& pieces) {
-    const Box box = box_of(winding);
+void add_pieces(const Windings& windings, std::vector<Windings>& pieces) {
+    Box box;
+    for (const Winding& winding : windings) box.add(winding);
     for (int axis = 0; axis < 3; ++axis) {
         if (box.maxs[axis] - box.mins[axis] <= kSurfacePiece) continue;
-        const Point normal = axis_vector(axis);
-        const SplitWinding halves = split(winding, {normal, (box.mins[axis] + box.maxs[axis]) / 2});
-        add_pieces(halves.front, pieces);
-        return add_pieces(halves.back, pieces);
+        const Plane plane{axis_vector(axis), (box.mins[axis] + box.maxs[axis]) / 2};
+        Windings front, back;
+        for (const Winding& winding : windings) {
+            SplitWinding halves = split(winding, plane);
+            if (!halves.front.empty()) front.push_back(std::move(halves.front));
+            if (!halves.back.empty()) back.push_back(std::move(halves.back));
+        }
+        add_pieces(front, pieces);
+        return add_pieces(back, pieces);
     }
-    pieces.push_back(winding);
+    if (!windings.empty()) pieces.push_back(windings);
 }
 
-// The name at the beginning of a miptex: 16 bytes, the rest zero.
-std::string texture_name(const BspFile& bsp, const FileFace& face) {
-    const std::string& miptex = item(bsp.textures, item(bsp.texinfos, face.texinfo).texture);
-    return lookup_name(miptex.substr(0, std::min<std::size_t>(miptex.find('\0'), 16)));
-}
-
-void add_lights_of_face(std::vector<LightSource>& sources, const LightSource& pattern, const BspFile& bsp,
-                        const FileFace& face) {
-    Winding winding;
-    for (const Floats& corner : face_corners(bsp, face)) winding.push_back(to_point(corner));
-    std::vector<Winding> pieces;
-    add_pieces(winding, pieces);
-    for (const Winding& piece : pieces) {
+void add_lights_of_surface(std::vector<LightSource>& sources, const LightSource& pattern, const BspFile& bsp,
+                           const std::vector<int>& faces) {
+    Windings windings;
+    for (const int face : faces) {
+        Winding& winding = windings.emplace_back();
+        for (const Floats& corner : face_corners(bsp, item(bsp.faces, face))) winding.push_back(to_point(corner));
+    }
+    const Point normal = face_normal(bsp, item(bsp.faces, faces.front()));
+    std::vector<Windings> pieces;
+    add_pieces(windings, pieces);
+    for (const Windings& piece : pieces) {
         LightSource& source = sources.emplace_back(pattern);
-        const Point normal = face_normal(bsp, face);
-        source.origin = middle(piece) + normal * pattern.surface_offset;
+        source.origin = place_of_lamp(piece, normal) + normal * pattern.surface_offset;
         if (!pattern.is_surface_spotlight) continue;
         source.direction = normal;
         if (source.cone_cosine < 0) source.cone_cosine = 0;
@@ -45,15 +92,19 @@ void add_lights_of_face(std::vector<LightSource>& sources, const LightSource& pa
 
 }  // namespace
 
-void spread_surface_lights(std::vector<LightSource>& sources, const BspFile& bsp) {
+void spread_surface_lights(std::vector<LightSource>& sources, const BspFile& bsp, Warnings* warnings) {
     std::vector<LightSource> spread;
     for (const LightSource& source : sources) {
         if (source.surface.empty()) {
             spread.push_back(source);
             continue;
         }
-        for (const FileFace& face : bsp.faces)
-            if (texture_name(bsp, face) == source.surface) add_lights_of_face(spread, source, bsp, face);
+        const auto shines = [&](const FileFace& face) { return texture_name(bsp, face) == source.surface; };
+        const auto surfaces = whole_surfaces(bsp, shines);
+        for (const std::vector<int>& faces : surfaces) add_lights_of_surface(spread, source, bsp, faces);
+        if (surfaces.empty() && warnings != nullptr)
+            warnings->add(source.entity->line,
+                          "\"_surface\" is '" + source.surface + "', but no face that can be seen has that texture");
     }
     sources = std::move(spread);
 }

@@ -7,12 +7,6 @@
 namespace oblong::map {
 namespace {
 
-Plane plane_of(const MapSide& side) {
-    Point normal = cross(side.points[0] - side.points[1], side.points[2] - side.points[1]);
-    normal = normal * (1 / length(normal));
-    return {normal, dot(normal, side.points[0])};
-}
-
 // Brushes of many sides and small ones: they would cut the space around them into many leaves.
 constexpr std::size_t kMostStructuralSides = 8;
 constexpr double kLeastStructuralExtent = 64;
@@ -27,7 +21,7 @@ Winding winding_of(const Brush& brush, const BrushSide& side, const PlaneList& p
     Winding winding = whole_plane(planes.facing(side.plane));
     for (const BrushSide& other : brush.sides) {
         if (other.plane.plane == side.plane.plane) continue;
-        winding = clipped_to_back(winding, planes.facing(other.plane));
+        winding = clipped_to_back(std::move(winding), planes.facing(other.plane));
         if (winding.empty()) break;
     }
     return winding;
@@ -96,6 +90,12 @@ class Grower {
 };
 
 }  // namespace
+
+Plane plane_of(const MapSide& side) {
+    Point normal = cross(side.points[0] - side.points[1], side.points[2] - side.points[1]);
+    normal = normal * (1 / length(normal));
+    return {normal, dot(normal, side.points[0])};
+}
 
 Brush make_brush(const MapBrush& source, PlaneList& planes, TextureList& textures) {
     Brush brush;

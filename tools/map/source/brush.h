@@ -29,6 +29,9 @@ struct Brush {
     }
 };
 
+/// The plane through a side's three points; it faces outward.
+Plane plane_of(const MapSide& side);
+
 /// Reads a brush of the map source; throws InputError, with its line, if its sides enclose no volume.
 Brush make_brush(const MapBrush& source, PlaneList& planes, TextureList& textures);
 

@@ -1,6 +1,7 @@
 #include "tools/map/source/geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace oblong::map {
@@ -35,15 +36,33 @@ bool is_same(const Plane& a, const Plane& b) {
            std::max({std::abs(apart.x), std::abs(apart.y), std::abs(apart.z)}) < PlaneList::kNormalEpsilon;
 }
 
-std::vector<double> heights_over(const Winding& winding, const Plane& plane) {
-    std::vector<double> heights;
-    heights.reserve(winding.size());
-    for (const Point& point : winding) {
-        const double height = plane.height_of(point);
-        heights.push_back(std::abs(height) <= kOnEpsilon ? 0 : height);
+// The heights of a polygon's corners over a plane, on the stack for all but the largest.
+class Heights {
+  public:
+    Heights(const Winding& winding, const Plane& plane) {
+        if (winding.size() > few_.size()) {
+            many_.resize(winding.size());
+            heights_ = many_.data();
+        }
+        for (std::size_t i = 0; i < winding.size(); ++i) {
+            const double height = plane.height_of(winding[i]);
+            heights_[i] = std::abs(height) <= kOnEpsilon ? 0 : height;
+            has_front = has_front || heights_[i] > 0;
+            has_back = has_back || heights_[i] < 0;
+        }
     }
-    return heights;
-}
+    Heights(const Heights&) = delete;
+    Heights& operator=(const Heights&) = delete;
+
+    double operator[](std::size_t i) const { return heights_[i]; }
+
+    bool has_front = false, has_back = false;
+
+  private:
+    std::array<double, 16> few_;
+    std::vector<double> many_;
+    double* heights_ = few_.data();
+};
 
 // Always from the point in front to the one behind.
 Point crossing(const Point& front, double front_height, const Point& back, double back_height, const Plane& plane) {
@@ -64,8 +83,10 @@ void add_crossing(SplitWinding& parts, const Point& a, double a_height, const Po
     parts.back.push_back(at);
 }
 
-SplitWinding cut(const Winding& winding, const Plane& plane, const std::vector<double>& heights) {
+SplitWinding cut(const Winding& winding, const Plane& plane, const Heights& heights) {
     SplitWinding parts;
+    parts.front.reserve(winding.size() + 1);
+    parts.back.reserve(winding.size() + 1);
     for (std::size_t i = 0; i < winding.size(); ++i) {
         const std::size_t next = (i + 1) % winding.size();
         if (heights[i] >= 0) parts.front.push_back(winding[i]);
@@ -159,6 +180,7 @@ PlaneSide PlaneList::find_or_add(const Plane& plane) {
     const int known = find(wanted);
     if (known >= 0) return {known, is_back};
     planes_.push_back(wanted);
+    types_.push_back(plane_type(wanted));
     by_distance_[bucket_of(wanted.distance)].push_back(count() - 1);
     return {count() - 1, is_back};
 }
@@ -186,19 +208,19 @@ Winding whole_plane(const Plane& plane) {
     return {centre - right + up, centre + right + up, centre + right - up, centre - right - up};
 }
 
-SplitWinding split(const Winding& winding, const Plane& plane) {
-    const std::vector<double> heights = heights_over(winding, plane);
-    const bool has_front = std::any_of(heights.begin(), heights.end(), [](double height) { return height > 0; });
-    const bool has_back = std::any_of(heights.begin(), heights.end(), [](double height) { return height < 0; });
-    if (!has_front && !has_back) return {{}, {}, true};
-    if (!has_back) return {winding, {}, false};
-    if (!has_front) return {{}, winding, false};
+SplitWinding split(Winding winding, const Plane& plane) {
+    const Heights heights(winding, plane);
+    if (!heights.has_front && !heights.has_back) return {std::move(winding), {}, true};
+    if (!heights.has_back) return {std::move(winding), {}, false};
+    if (!heights.has_front) return {{}, std::move(winding), false};
     return cut(winding, plane, heights);
 }
 
-Winding clipped_to_front(const Winding& winding, const Plane& plane) {
-    SplitWinding parts = split(winding, plane);
-    return parts.is_on ? winding : std::move(parts.front);
+Winding clipped_to_front(Winding winding, const Plane& plane) {
+    const Heights heights(winding, plane);
+    if (!heights.has_back) return winding;
+    if (!heights.has_front) return {};
+    return std::move(cut(winding, plane, heights).front);
 }
 
 Reach reach(const Winding& winding, const Plane& plane) {

@@ -101,6 +101,7 @@ class PlaneList {
     PlaneSide find_or_add(const Plane& plane);
 
     const Plane& operator[](int index) const { return item(planes_, index); }
+    int type(int index) const { return item(types_, index); }  ///< plane_type() of it
     Plane facing(PlaneSide side) const { return side.is_back ? (*this)[side.plane].flipped() : (*this)[side.plane]; }
     int count() const { return static_cast<int>(planes_.size()); }
 
@@ -111,6 +112,7 @@ class PlaneList {
     int find(const Plane& plane) const;
 
     std::vector<Plane> planes_;
+    std::vector<int> types_;
     std::map<long, std::vector<int>> by_distance_;  // whole distance -> planes
 };
 
@@ -128,19 +130,19 @@ Winding whole_plane(const Plane& plane);
 
 struct SplitWinding {
     Winding front, back;
-    bool is_on = false;  ///< every point is on the plane: neither front nor back is set
+    bool is_on = false;  ///< every point is on the plane: `front` is the whole
 };
 
 /// Cuts by a plane. The new points come out the same to the bit for the two polygons at an edge, whichever way they
 /// run.
-SplitWinding split(const Winding& winding, const Plane& plane);
+SplitWinding split(Winding winding, const Plane& plane);
 
 /// What is in front of the plane, or on it.
-Winding clipped_to_front(const Winding& winding, const Plane& plane);
+Winding clipped_to_front(Winding winding, const Plane& plane);
 
 /// What is behind the plane, or on it.
-inline Winding clipped_to_back(const Winding& winding, const Plane& plane) {
-    return clipped_to_front(winding, plane.flipped());
+inline Winding clipped_to_back(Winding winding, const Plane& plane) {
+    return clipped_to_front(std::move(winding), plane.flipped());
 }
 
 /// How far the winding reaches in front of and behind the plane (both at least 0).

@@ -20,21 +20,6 @@ std::array<Point, 2> standard_axes(const Point& normal) {
     return {Point{1, 0, 0}, Point{0, 0, -1}};
 }
 
-struct Turn {
-    double cosine = 1, sine = 0;
-};
-
-// Quarter turns come out exact.
-Turn turn_of(double degrees) {
-    const double quarters = degrees / 90;
-    if (quarters == std::floor(quarters)) {
-        const int quarter = static_cast<int>(quarters) & 3;
-        return {quarter == 0 ? 1.0 : quarter == 2 ? -1.0 : 0.0, quarter == 1 ? 1.0 : quarter == 3 ? -1.0 : 0.0};
-    }
-    const double radians = degrees * std::numbers::pi / 180;
-    return {std::cos(radians), std::sin(radians)};
-}
-
 // The rotation turns the axes in the plane of the two world axes that carry them (x before y before z, except that
 // u's comes first).
 std::array<Point, 2> rotated(const std::array<Point, 2>& axes, double degrees) {
@@ -65,11 +50,25 @@ bool is_animated(const std::string& name) {
 
 }  // namespace
 
+Turn turn_of(double degrees) {
+    const double quarters = degrees / 90;
+    if (quarters == std::floor(quarters)) {
+        const int quarter = static_cast<int>(quarters) & 3;
+        return {quarter == 0 ? 1.0 : quarter == 2 ? -1.0 : 0.0, quarter == 1 ? 1.0 : quarter == 3 ? -1.0 : 0.0};
+    }
+    const double radians = degrees * std::numbers::pi / 180;
+    return {std::cos(radians), std::sin(radians)};
+}
+
+std::array<Point, 2> texture_axes(const TextureFields& fields, const Point& normal) {
+    return fields.has_axes ? fields.axes : rotated(standard_axes(normal), fields.rotation_degrees);
+}
+
 int TextureList::find_or_add(const MapSide& side, const Point& normal) {
     const TextureFields& fields = side.texture;
     if (is_undrawn_texture(fields.name)) return -1;
     TexInfo wanted;
-    wanted.axes = fields.has_axes ? fields.axes : rotated(standard_axes(normal), fields.rotation_degrees);
+    wanted.axes = texture_axes(fields, normal);
     for (std::size_t i = 0; i < 2; ++i) wanted.axes[i] = wanted.axes[i] * (1 / fields.scale[i]);
     wanted.offset = fields.offset;
     wanted.texture = find_or_add_name({fields.name, side.line});

@@ -25,6 +25,16 @@ struct TexInfo {
     }
 };
 
+/// A rotation by an angle.
+struct Turn {
+    double cosine = 1, sine = 0;
+};
+/// Quarter turns come out exact. `degrees` below 2^31 quarter turns.
+Turn turn_of(double degrees);
+
+/// The axes of u and v, before the scale, of a side whose plane has the outward `normal`.
+std::array<Point, 2> texture_axes(const TextureFields& fields, const Point& normal);
+
 struct TextureUse {
     std::string name;
     int line = 0;  ///< of the map source, where it is used first
@@ -54,6 +64,9 @@ class Wad {
 
     /// The miptex's bytes, or null.
     const std::string* find(const std::string& name) const;
+
+    std::string source;  ///< as the map names it, at `line`; 0: it was not the map
+    int line = 0;
 
   private:
     std::map<std::string, std::string> textures_;

@@ -163,10 +163,17 @@ std::array<std::string, kLumpCount> lumps_of(const BspFile& bsp, bool is_bsp2) {
 }  // namespace
 
 std::vector<LumpCount> lump_counts(const BspFile& bsp) {
-    return {{"planes", bsp.planes.size(), kMostI16}, {"vertices", bsp.vertices.size(), kMostU16},
-            {"nodes", bsp.nodes.size(), kMostI16},   {"texinfos", bsp.texinfos.size(), kMostI16},
-            {"faces", bsp.faces.size(), kMostU16},   {"clip nodes", bsp.clip_nodes.size(), kMostI16},
-            {"leaves", bsp.leaves.size(), kMostI16}, {"mark faces", bsp.mark_faces.size(), kMostU16}};
+    const char* const less = "by a smaller level or simpler brushes";
+    const char* const uncut = "by 'func_detail' for what hides nothing";
+    const char* const larger = "by larger texture scales, or a smaller level";
+    return {{"planes", bsp.planes.size(), kMostI16, less},
+            {"vertices", bsp.vertices.size(), kMostU16, less},
+            {"nodes", bsp.nodes.size(), kMostI16, uncut},
+            {"texinfos", bsp.texinfos.size(), kMostI16, "by textures that lie alike"},
+            {"faces", bsp.faces.size(), kMostU16, larger},
+            {"clip nodes", bsp.clip_nodes.size(), kMostI16, "by 'clip' brushes around fine shapes"},
+            {"leaves", bsp.leaves.size(), kMostI16, uncut},
+            {"mark faces", bsp.mark_faces.size(), kMostU16, larger}};
 }
 
 bool needs_bsp2(const BspFile& bsp) {

@@ -99,6 +99,7 @@ struct BspFile {
 struct LumpCount {
     const char* name;
     std::size_t count = 0, most = 0;
+    const char* cure;  ///< what makes fewer
 };
 std::vector<LumpCount> lump_counts(const BspFile& bsp);
 

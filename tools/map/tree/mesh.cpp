@@ -135,9 +135,8 @@ Partition refined(const Partition& rough, const PlaneList& planes, const Box& ou
     return made;
 }
 
-Tree make_hull(const std::vector<Brush>& brushes, const Box& mover, PlaneList& planes, const Box& outer,
-               const SealStarts& starts) {
-    Partition rough = partition_brushes(hull_brushes(brushes, mover, planes), planes, outer);
+Tree make_hull(const std::vector<Brush>& grown, const PlaneList& planes, const Box& outer, const SealStarts& starts) {
+    Partition rough = partition_brushes(grown, planes, outer);
     if (starts) fill_outside(rough.tree, planes, rough.portals, *starts);
     return refined(rough, planes, outer).tree;
 }
@@ -218,25 +217,36 @@ void fix_t_junctions(std::vector<Loop>& loops, const VertexPool& pool) {
     }
 }
 
-ModelResult compile_model(const std::vector<Brush>& brushes, PlaneList& planes, const std::vector<TexInfo>& texinfos,
-                          const SealStarts& starts) {
-    ModelResult result;
-    CompiledModel& model = result.model;
-    model.box = box_of_brushes(brushes);
-    const Box outer = model.box.grown(kMargin);
-    std::vector<Brush> seen = brushes;
+ModelCompiler::ModelCompiler(const std::vector<Brush>& brushes, PlaneList& planes, const std::vector<TexInfo>& texinfos,
+                             SealStarts starts)
+    : brushes_(brushes),
+      grown_{hull_brushes(brushes, kPlayerBox, planes), hull_brushes(brushes, kLargeBox, planes)},
+      planes_(planes),
+      texinfos_(texinfos),
+      starts_(std::move(starts)) {
+    result_.model.box = box_of_brushes(brushes);
+}
+
+void ModelCompiler::do_part(std::size_t part) {
+    const Box outer = result_.model.box.grown(kMargin);
+    if (part == 0)
+        make_drawn(outer);
+    else
+        result_.model.hulls[part - 1] = make_hull(grown_[part - 1], planes_, outer, starts_);
+}
+
+void ModelCompiler::make_drawn(const Box& outer) {
+    CompiledModel& model = result_.model;
+    std::vector<Brush> seen = brushes_;
     std::erase_if(seen, [](const Brush& brush) { return brush.is_clip; });
-    Partition rough = partition_brushes(seen, planes, outer);
-    if (starts) result.leak = fill_outside(rough.tree, planes, rough.portals, *starts);
-    if (result.leak) return result;
-    Partition fine = refined(rough, planes, outer);
-    model.surfaces = subdivided(make_surfaces(fine.tree, planes, fine.portals, seen), texinfos);
+    Partition rough = partition_brushes(seen, planes_, outer);
+    if (starts_) result_.leak = fill_outside(rough.tree, planes_, rough.portals, *starts_);
+    if (result_.leak) return;
+    Partition fine = refined(rough, planes_, outer);
+    model.surfaces = subdivided(make_surfaces(fine.tree, planes_, fine.portals, seen), texinfos_);
     make_mesh(model);
     model.tree = std::move(fine.tree);
     model.portals = std::move(fine.portals);
-    model.hulls = {make_hull(brushes, kPlayerBox, planes, outer, starts),
-                   make_hull(brushes, kLargeBox, planes, outer, starts)};
-    return result;
 }
 
 }  // namespace oblong::map

@@ -61,8 +61,28 @@ struct ModelResult {
     std::optional<Leak> leak;  ///< then the model is not complete
 };
 
-/// Compiles brushes into a model. With `starts`, fills what is outside of the level.
-ModelResult compile_model(const std::vector<Brush>& brushes, PlaneList& planes, const std::vector<TexInfo>& texinfos,
-                          const SealStarts& starts);
+/// Compiles brushes into a model: with `starts`, fills what is outside of the level. What it is given must outlive it.
+class ModelCompiler {
+  public:
+    /// Adds planes. All that it does later only reads them.
+    ModelCompiler(const std::vector<Brush>& brushes, PlaneList& planes, const std::vector<TexInfo>& texinfos,
+                  SealStarts starts);
+
+    static constexpr std::size_t kParts = 3;  ///< what is drawn, and the hulls
+    /// Each once, in any order, several at a time.
+    void do_part(std::size_t part);
+
+    ModelResult& result() { return result_; }
+
+  private:
+    void make_drawn(const Box& outer);
+
+    const std::vector<Brush>& brushes_;
+    std::array<std::vector<Brush>, 2> grown_;  // of the hulls
+    const PlaneList& planes_;
+    const std::vector<TexInfo>& texinfos_;
+    SealStarts starts_;
+    ModelResult result_;
+};
 
 }  // namespace oblong::map

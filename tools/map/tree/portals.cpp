@@ -14,8 +14,9 @@ void cut_down(const Walk& walk, int child, Winding winding, const Plane& plane, 
     while (child >= 0) {
         const TreeNode& node = walk.tree.node(child);
         const Plane& cutter = walk.planes[node.plane];
-        SplitWinding parts = split(winding, cutter);
+        SplitWinding parts = split(std::move(winding), cutter);
         if (parts.is_on) {
+            winding = std::move(parts.front);
             child = node.children[dot(cutter.normal, plane.normal) > 0 ? 0 : 1];
             continue;
         }
@@ -40,7 +41,7 @@ std::array<Plane, 6> inward_sides(const Box& box) {
 Winding clipped_to_all(Winding winding, const std::vector<Plane>& fronts) {
     for (const Plane& front : fronts) {
         if (winding.empty()) break;
-        winding = clipped_to_front(winding, front);
+        winding = clipped_to_front(std::move(winding), front);
     }
     return winding;
 }

@@ -24,8 +24,11 @@ Cover cut_by_brush(const Winding& winding, const Brush& brush, PlaneSide on, con
     Cover cover{winding, {}};
     for (const BrushSide& side : brush.sides) {
         if (side.plane.plane == on.plane) continue;
-        SplitWinding parts = split(cover.inside, planes.facing(side.plane));
-        if (parts.is_on) continue;
+        SplitWinding parts = split(std::move(cover.inside), planes.facing(side.plane));
+        if (parts.is_on) {
+            cover.inside = std::move(parts.front);
+            continue;
+        }
         if (!parts.front.empty()) cover.outside.push_back(std::move(parts.front));
         cover.inside = std::move(parts.back);
         if (cover.inside.empty()) return {{}, {winding}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 
 namespace oblong::map {
 namespace {
@@ -14,14 +15,37 @@ bool hides(const Brush& other, bool is_other_later, const Brush& own, const Brus
     return !other.has_side(side.plane) || is_other_later;
 }
 
+// By brush: the others that touch it, in their order.
+std::vector<std::vector<std::size_t>> touching_brushes(const std::vector<Brush>& brushes) {
+    std::vector<std::size_t> by_low(brushes.size());
+    std::iota(by_low.begin(), by_low.end(), std::size_t{0});
+    std::stable_sort(by_low.begin(), by_low.end(),
+                     [&](std::size_t a, std::size_t b) { return brushes[a].box.mins.x < brushes[b].box.mins.x; });
+    std::vector<std::vector<std::size_t>> touching(brushes.size());
+    for (std::size_t i = 0; i < by_low.size(); ++i) {
+        const Box& box = brushes[by_low[i]].box;
+        for (std::size_t k = i + 1; k < by_low.size(); ++k) {
+            if (brushes[by_low[k]].box.mins.x > box.maxs.x + kOnEpsilon) break;
+            if (!brushes[by_low[k]].box.touches(box, kOnEpsilon)) continue;
+            touching[by_low[i]].push_back(by_low[k]);
+            touching[by_low[k]].push_back(by_low[i]);
+        }
+    }
+    for (std::vector<std::size_t>& others : touching) std::sort(others.begin(), others.end());
+    return touching;
+}
+
 // `winding` without its part inside `brush` or on its surface, in convex pieces; unless nothing is inside, the
 // pieces are new.
 std::vector<Winding> outside_of(const Winding& winding, const Brush& brush, const PlaneList& planes) {
     std::vector<Winding> outside;
     Winding inside = winding;
     for (const BrushSide& side : brush.sides) {
-        SplitWinding parts = split(inside, planes.facing(side.plane));
-        if (parts.is_on) continue;
+        SplitWinding parts = split(std::move(inside), planes.facing(side.plane));
+        if (parts.is_on) {
+            inside = std::move(parts.front);
+            continue;
+        }
         if (!parts.front.empty()) outside.push_back(std::move(parts.front));
         inside = std::move(parts.back);
         if (inside.empty()) return {winding};
@@ -30,11 +54,12 @@ std::vector<Winding> outside_of(const Winding& winding, const Brush& brush, cons
 }
 
 std::vector<Winding> visible_part(const std::vector<Brush>& brushes, std::size_t own, const BrushSide& side,
-                                  const PlaneList& planes) {
+                                  const std::vector<std::size_t>& touching, const PlaneList& planes) {
     std::vector<Winding> pieces{side.winding};
     const Box box = box_of(side.winding);
-    for (std::size_t other = 0; other < brushes.size() && !pieces.empty(); ++other) {
-        if (other == own || !brushes[other].box.touches(box, kOnEpsilon)) continue;
+    for (const std::size_t other : touching) {
+        if (pieces.empty()) break;
+        if (!brushes[other].box.touches(box, kOnEpsilon)) continue;
         if (!hides(brushes[other], other > own, brushes[own], side)) continue;
         std::vector<Winding> left;
         for (const Winding& piece : pieces) {
@@ -61,7 +86,7 @@ Side side_of_reach(double lowest, double highest) {
 Side side_of(const BoundaryPiece& piece, int plane_index, const PlaneList& planes) {
     if (piece.plane.plane == plane_index) return Side::kOn;
     const Plane& plane = planes[plane_index];
-    const int type = plane_type(plane);
+    const int type = planes.type(plane_index);
     if (type < 3) return side_of_reach(piece.box.mins[type] - plane.distance, piece.box.maxs[type] - plane.distance);
     const Reach far = reach(piece.winding, plane);
     return side_of_reach(-far.back, far.front);
@@ -82,7 +107,7 @@ std::vector<int> candidates_of(const std::vector<BoundaryPiece>& pieces, const P
     all.erase(std::unique(all.begin(), all.end()), all.end());
     if (all.size() <= kMaxCandidates) return all;
     const auto slanted =
-        std::stable_partition(all.begin(), all.end(), [&](int plane) { return is_axial(planes[plane]); });
+        std::stable_partition(all.begin(), all.end(), [&](int plane) { return planes.type(plane) < 3; });
     const auto axial_count = static_cast<std::size_t>(slanted - all.begin());
     if (axial_count >= kMaxCandidates / 4) all.resize(axial_count);
     std::vector<int> some;
@@ -101,7 +126,7 @@ long cost_of(int plane, const std::vector<BoundaryPiece>& pieces, const PlaneLis
         if (side == Side::kBoth) ++cuts;
     }
     const long cost = kCutCost * cuts + std::labs(front - back);
-    return is_axial(planes[plane]) ? 2 * cost : 3 * cost + 4;
+    return planes.type(plane) < 3 ? 2 * cost : 3 * cost + 4;
 }
 
 // The plane to cut these pieces by: one of theirs.
@@ -130,7 +155,7 @@ std::array<std::vector<BoundaryPiece>, 2> parted(std::vector<BoundaryPiece> piec
         const Side side = side_of(piece, plane, planes);
         if (side == Side::kOn) continue;
         if (side == Side::kBoth) {
-            SplitWinding parts = split(piece.winding, planes[plane]);
+            SplitWinding parts = split(std::move(piece.winding), planes[plane]);
             add_piece(sides[0], piece, std::move(parts.front));
             add_piece(sides[1], piece, std::move(parts.back));
             continue;
@@ -158,10 +183,11 @@ int build(Tree& tree, std::vector<BoundaryPiece> pieces, const PlaneList& planes
 }  // namespace
 
 std::vector<BoundaryPiece> outline(const std::vector<Brush>& brushes, const PlaneList& planes) {
+    const auto touching = touching_brushes(brushes);
     std::vector<BoundaryPiece> pieces;
     for (std::size_t own = 0; own < brushes.size(); ++own) {
         for (const BrushSide& side : brushes[own].sides) {
-            for (Winding& part : visible_part(brushes, own, side, planes)) {
+            for (Winding& part : visible_part(brushes, own, side, touching[own], planes)) {
                 const Box box = box_of(part);
                 pieces.push_back({side.plane, std::move(part), box, brushes[own].is_detail});
             }

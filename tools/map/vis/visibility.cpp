@@ -65,9 +65,16 @@ bool has_point_in_front(const Winding& winding, const Plane& plane) {
                        [&](const Point& point) { return plane.height_of(point) > kFrontEpsilon; });
 }
 
+// The same for a portal, at once where its middle or all of it is clearly on a side.
+bool has_point_in_front(const VisPortal& portal, const Plane& plane) {
+    const double height = plane.height_of(portal.centre);
+    if (height > 1) return true;
+    return height > -portal.radius - 1 && has_point_in_front(portal.winding, plane);
+}
+
 // Whether a line of sight that passes `first` forwards may then pass `next` forwards.
 bool may_follow(const VisPortal& first, const VisPortal& next) {
-    return has_point_in_front(next.winding, first.plane) && has_point_in_front(first.winding, next.plane.flipped());
+    return has_point_in_front(next, first.plane) && has_point_in_front(first, next.plane.flipped());
 }
 
 // `cluster`: that of the detail node above, or -1.

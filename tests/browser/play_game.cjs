@@ -1,0 +1,27 @@
+// Opens the page that pack.py made of game/example, as a file, in headless Chromium: it is that game's, and is played.
+//   node play_game.cjs SITE GAME SCRATCH      SITE: the page's folder; GAME: the game's; SCRATCH: for pictures to look at
+"use strict";
+const assert = require("assert"), fs = require("fs"), path = require("path"), {run} = require("./chromium.cjs");
+
+const [site, game, scratch] = process.argv.slice(2);
+const MOVED = 0.3;  // of the pixels that differ
+
+run(async open => {
+  const tab = await open("file://" + path.resolve(site, "oblong.html"));
+  await tab.expect("document.title.startsWith('Three Rooms')", "the game's title");
+  const [kind, bytes] = (await tab.evaluate("document.querySelector('link[rel=icon]').href")).split(",");
+  assert.strictEqual(kind, "data:image/png;base64", "the icon");
+  assert.ok(Buffer.from(bytes, "base64").equals(fs.readFileSync(path.join(game, "icon.png"))), "another icon than the game's");
+  await tab.shows();
+  await tab.shot(path.join(scratch, "game-title.png"));
+  // Questions before the first walk are answered as they stand.
+  for (let i = 0; i < 6 && !await tab.evaluate("Page.isCaptured"); ++i) await tab.press("Enter");
+  await tab.until("Page.isCaptured", "a walk by Enter");
+  await tab.until("document.title === 'Three Rooms - first'", "the first of its levels");
+  await tab.evaluate("globalThis.before = seen");
+  await tab.down("KeyW");
+  await tab.until(`different(seen, before) > ${MOVED}`, "W walks");
+  await tab.up("KeyW");
+  await tab.shot(path.join(scratch, "game-walk.png"));
+  assert.deepStrictEqual(tab.said, [], "on the console");
+});

@@ -1,0 +1,149 @@
+#include "tools/map/light/level_checks.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/map/map_source.h"
+
+namespace oblong::test {
+namespace {
+
+// What is said while a source is compiled, "line N: WHAT" each.
+std::vector<std::string> said_of(const std::string& source) {
+    map::Warnings warnings;
+    compile(source, {.is_fast = true, .warnings = &warnings});
+    std::vector<std::string> said;
+    for (const map::Warning& warning : warnings.take())
+        said.push_back("line " + std::to_string(warning.line) + ": " + warning.what);
+    return said;
+}
+
+using Said = std::vector<std::string>;
+
+int line_of(const std::string& source, const std::string& part) {
+    const auto end = source.begin() + static_cast<std::ptrdiff_t>(source.find(part));
+    return 1 + static_cast<int>(std::count(source.begin(), end, '\n'));
+}
+
+std::string at_line(const std::string& source, const std::string& part, const std::string& what) {
+    return "line " + std::to_string(line_of(source, part)) + ": " + what;
+}
+
+const std::string kStart = entity_at("info_player_start", {64, 64, 24});
+
+std::string laid(const std::string& brushes, const std::string& tail) {
+    return replaced(brushes, " 0 0 0 1 1", " " + tail);
+}
+
+TEST(LevelChecks, AreSilentAboutAPlainRoom) {
+    EXPECT_EQ(said_of(level(room({0, 0, 0}, {256, 256, 128}), kStart + entity_at("light", {128, 128, 64}))), Said{});
+}
+
+TEST(LevelChecks, NameATextureThatNoFaceShows) {
+    const std::string inside_of_a_wall = box({-12, 8, 8}, {-4, 16, 16}, "other");
+    const std::string source = level(room({0, 0, 0}, {128, 128, 128}) + inside_of_a_wall, kStart);
+    EXPECT_EQ(
+        said_of(source),
+        Said{at_line(source, " other ",
+                     "no face that can be seen has the texture 'other', which is 380 bytes of the level: expected "
+                     "'skip' on its sides, or one that is seen")});
+    const std::string seen = level(room({0, 0, 0}, {128, 128, 128}) + box({8, 8, 8}, {16, 16, 16}, "other"), kStart);
+    EXPECT_EQ(said_of(seen), Said{});
+}
+
+// 128 units at a scale of 1/20 are 2560 texels, which is 11 times the 240 of a face; at 1/16 they are 2048.
+TEST(LevelChecks, NameASurfaceThatIsTooLargeForACache) {
+    const auto source_of = [](const std::string& scale) {
+        const std::string floor = laid(box({0, 0, -16}, {128, 128, 0}, "floor"), "0 0 0 " + scale + " " + scale);
+        return level(room({0, 0, 0}, {128, 128, 128}) + floor, kStart);
+    };
+    const std::vector<std::string> said = said_of(source_of("0.05"));
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].find(": a surface of 'floor' has 6553600 texels in 121 faces, more than a cache of surfaces has "
+                           "room for (4194304): expected scales 2 times as large, or less of it"),
+              std::string::npos)
+        << said[0];
+    EXPECT_GE(std::stoi(said[0].substr(5)), line_of(source_of("0.05"), " floor "));
+    EXPECT_EQ(said_of(source_of("0.0625")), Said{});
+}
+
+// Each side of 32 x 128 units needs 3 x 9 samples, and takes 4 x 10 half a step off the grid; the ends 3 x 3 and 4 x 4.
+TEST(LevelChecks, NameTexturesThatLieOffTheGridOfLight) {
+    const auto source_of = [](const std::string& tail) {
+        return level(laid(room({0, 0, 0}, {32, 32, 128}), tail), entity_at("info_null", {16, 16, 24}));
+    };
+    const std::vector<std::string> said = said_of(source_of("8 8 0 1 1"));
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].find(": 66 of 192 samples of light lie beyond their faces"), std::string::npos) << said[0];
+    EXPECT_GT(std::stoi(said[0].substr(5)), 1) << "the line of a side";
+    EXPECT_EQ(said_of(source_of("16 32 0 1 1")), Said{});
+}
+
+TEST(LevelChecks, NameALampThatIsTooDarkToBeSeen) {
+    const auto said_with = [](const std::string& light) {
+        return said_of(level(room({0, 0, 0}, {256, 256, 256}), kStart + light));
+    };
+    const auto lamp = [](const std::string& brightness) {
+        return entity_at("light", {128, 128, 128}, {{"light", brightness}});
+    };
+    // 127 units from the nearest samples, which are a unit over the walls; a shade is 4 of 255, and light is halved.
+    for (const char* dark : {"100", "134", "-134"}) {
+        const auto said = said_with(lamp(dark));
+        ASSERT_EQ(said.size(), 1u) << dark;
+        EXPECT_NE(said[0].find("the light at 128 128 128 lights no face by a shade that can be seen, expected more "
+                               "\"light\", or it nearer to what it lights"),
+                  std::string::npos)
+            << said[0];
+    }
+    for (const char* bright : {"140", "-140", "300"}) EXPECT_EQ(said_with(lamp(bright)), Said{}) << bright;
+}
+
+TEST(LevelChecks, NameASurfaceOfLightThatIsNotThere) {
+    const auto said = said_of(
+        level(room({0, 0, 0}, {256, 256, 256}), kStart + entity_at("light", {128, 128, 128}, {{"_surface", "gone"}})));
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].find("\"_surface\" is 'gone', but no face that can be seen has that texture"), std::string::npos)
+        << said[0];
+}
+
+// Version 29 counts clip nodes with 15 bits.
+TEST(LevelChecks, NameListsThatAreNearlyFull) {
+    const auto said_with = [](std::size_t count) {
+        map::BspFile bsp;
+        bsp.clip_nodes.resize(count);
+        map::Warnings warnings;
+        map::find_level_warnings(bsp, map::parse_map("{\n\"classname\" \"worldspawn\"\n}\n"), {}, warnings);
+        return warnings.take();
+    };
+    EXPECT_TRUE(said_with(29000).empty());
+    ASSERT_EQ(said_with(30000).size(), 1u);
+    EXPECT_EQ(said_with(30000)[0].what,
+              "30000 of 32767 clip nodes: beyond these it becomes BSP2; expected fewer, by 'clip' brushes around fine "
+              "shapes");
+    EXPECT_EQ(
+        said_with(32768)[0].what,
+        "32768 of 32767 clip nodes: it becomes BSP2, which fewer programs read; expected fewer, by 'clip' brushes "
+        "around fine shapes");
+}
+
+TEST(LevelChecks, NameWadsOfWhichNothingIsUsed) {
+    using Names = std::vector<std::string>;
+    std::vector<map::Wad> wads;
+    for (const Names& names : {Names{"wall"}, Names{"wall", "other"}, Names{"other"}})
+        wads.emplace_back(wad_bytes(names));
+    for (map::Wad& wad : wads) wad.source = "w" + std::to_string(wad.line = 7 + static_cast<int>(&wad - wads.data()));
+    const auto said_of_use = [&](const std::vector<map::TextureUse>& names) {
+        map::Warnings warnings;
+        map::find_unused_wads(wads, names, warnings);
+        std::string lines;
+        for (const map::Warning& warning : warnings.take()) lines += std::to_string(warning.line) + warning.what + ";";
+        return lines;
+    };
+    EXPECT_EQ(said_of_use({{"wall", 1}, {"other", 1}}),
+              "9no texture of 'w9' is used, expected it left out of \"wad\";");
+    EXPECT_EQ(said_of_use({{"other", 1}}).substr(0, 23), "7no texture of 'w7' is ");
+    wads[2].line = 0;
+    EXPECT_EQ(said_of_use({{"wall", 1}, {"other", 1}}), "") << "it was named on the command line";
+}
+
+}  // namespace
+}  // namespace oblong::test

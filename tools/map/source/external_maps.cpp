@@ -1,0 +1,162 @@
+#include "tools/map/source/external_maps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/base/input_error.h"
+#include "engine/files/files.h"
+#include "engine/level/entity_classes.h"
+#include "tools/map/source/brush.h"
+#include "tools/map/source/entities.h"
+
+namespace oblong::map {
+namespace {
+
+constexpr double kFarthestOrigin = 65536, kMostScale = 1024;
+constexpr std::size_t kMostBrushes = 65536;
+
+[[noreturn]] void refuse(const MapEntity& entity, const std::string& what) {
+    throw InputError("line " + std::to_string(entity.line), what);
+}
+
+// The columns of a rotation: where the axes go.
+struct Rotation {
+    std::array<Point, 3> axes{axis_vector(0), axis_vector(1), axis_vector(2)};
+
+    Point operator()(const Point& point) const { return axes[0] * point.x + axes[1] * point.y + axes[2] * point.z; }
+};
+
+// About x (roll), then y (pitch, positive down), then z (yaw).
+Rotation rotation_of(const std::vector<double>& pitch_yaw_roll) {
+    const Turn pitch = turn_of(std::fmod(pitch_yaw_roll[0], 360)), yaw = turn_of(std::fmod(pitch_yaw_roll[1], 360)),
+               roll = turn_of(std::fmod(pitch_yaw_roll[2], 360));
+    Rotation rotation;
+    for (Point& axis : rotation.axes) {
+        axis = {axis.x, axis.y * roll.cosine - axis.z * roll.sine, axis.y * roll.sine + axis.z * roll.cosine};
+        axis = {axis.x * pitch.cosine + axis.z * pitch.sine, axis.y, axis.z * pitch.cosine - axis.x * pitch.sine};
+        axis = {axis.x * yaw.cosine - axis.y * yaw.sine, axis.x * yaw.sine + axis.y * yaw.cosine, axis.z};
+    }
+    return rotation;
+}
+
+// Where an external map goes.
+struct Placement {
+    explicit Placement(const MapEntity& entity) : origin(origin_of(entity).value_or(Point{})) {
+        for (int axis = 0; axis < 3; ++axis)
+            if (!(std::abs(origin[axis]) <= kFarthestOrigin)) refuse(entity, "\"origin\" is too far, expected 65536");
+        rotation = rotation_of(entity.has("_external_map_angles")
+                                   ? numbers_of(entity, "_external_map_angles", 3)
+                                   : std::vector<double>{0, number_of(entity, "_external_map_angle", 0), 0});
+        const bool is_one = count_words(entity.value("_external_map_scale")) < 3;
+        const auto scales = is_one ? std::vector<double>(3, number_of(entity, "_external_map_scale", 1))
+                                   : numbers_of(entity, "_external_map_scale", 3);
+        scale = {scales[0], scales[1], scales[2]};
+        for (const double each : scales)
+            if (!(each >= 1 / kMostScale && each <= kMostScale))
+                refuse(entity, "\"_external_map_scale\" is '" + entity.value("_external_map_scale") +
+                                   "', expected 1/1024 to 1024");
+    }
+
+    Point point(const Point& p) const { return rotation({p.x * scale.x, p.y * scale.y, p.z * scale.z}) + origin; }
+
+    // u' . point(p) + offset' = u . p + offset, for texture axes u.
+    Point axis(const Point& u) const { return rotation({u.x / scale.x, u.y / scale.y, u.z / scale.z}); }
+
+    Point origin, scale{1, 1, 1};
+    Rotation rotation;
+};
+
+MapSide placed(MapSide side, const Placement& place) {
+    TextureFields& texture = side.texture;
+    texture.axes = texture_axes(texture, plane_of(side).normal);
+    texture.has_axes = true;
+    for (Point& point : side.points) point = place.point(point);
+    for (std::size_t i = 0; i < 2; ++i) {
+        texture.axes[i] = place.axis(texture.axes[i]);
+        texture.offset[i] -= dot(texture.axes[i], place.origin) / texture.scale[i];
+    }
+    return side;
+}
+
+void check_brush(const MapBrush& brush) {
+    for (const MapSide& side : brush.sides) {
+        const auto& [a, b, c] = side.points;
+        if (length(cross(a - b, c - b)) < 1e-6)
+            throw InputError("line " + std::to_string(side.line), "the three points of a plane are one in this scale");
+    }
+    PlaneList planes;
+    TextureList textures;
+    make_brush(brush, planes, textures);
+}
+
+// Reads sources within sources.
+class Includer {
+  public:
+    explicit Includer(const ReadExternalSource& read) : read_(read) {}
+
+    void include(std::vector<MapEntity>& entities, const std::string& path) {
+        paths_.push_back(path);
+        for (MapEntity& entity : entities)
+            if (role_of(entity) == ClassRole::ExternalMap) fill(entity, path);
+        paths_.pop_back();
+    }
+
+  private:
+    void fill(MapEntity& entity, const std::string& path) {
+        const std::string name = entity.value("_external_map");
+        if (name.empty()) refuse(entity, "a misc_external_map without '_external_map', expected a map source");
+        if (!entity.brushes.empty()) refuse(entity, "a misc_external_map with brushes, expected an origin");
+        const ExternalSource source = read_(name, path, entity.line);
+        if (std::find(paths_.begin(), paths_.end(), source.path) != paths_.end())
+            refuse(entity, "'" + name + "' includes itself, expected another map source");
+        if (++count_ > kMostExternal)
+            refuse(entity, "more than " + std::to_string(kMostExternal) + " map sources are included, expected fewer");
+        const Placement place(entity);
+        for (MapBrush& brush : naming_file(source.path, [&] { return brushes_of(source, place); })) {
+            brush.line = entity.line;
+            for (MapSide& side : brush.sides) side.line = entity.line;
+            entity.brushes.push_back(std::move(brush));
+        }
+        become_its_class(entity);
+    }
+
+    std::vector<MapBrush> brushes_of(const ExternalSource& source, const Placement& place) {
+        std::vector<MapEntity> entities = parse_map(source.text);
+        include(entities, source.path);
+        std::vector<MapBrush> brushes;
+        for (MapEntity& entity : entities) {
+            for (MapBrush& brush : entity.brushes) {
+                for (MapSide& side : brush.sides) side = placed(std::move(side), place);
+                check_brush(brush);
+                if (++brush_count_ > kMostBrushes)
+                    throw InputError("line " + std::to_string(brush.line), "more than " + std::to_string(kMostBrushes) +
+                                                                               " brushes are included, expected fewer");
+                brushes.push_back(std::move(brush));
+            }
+        }
+        if (brushes.empty()) throw InputError("line 1", "no brushes, expected some to include");
+        return brushes;
+    }
+
+    static void become_its_class(MapEntity& entity) {
+        const std::string its_class =
+            entity.value("_external_map_classname", usual_text(entity.value("classname"), "_external_map_classname"));
+        std::erase_if(entity.pairs, [](const MapPair& pair) {
+            return pair.key == "classname" || pair.key == "origin" || pair.key.starts_with("_external_map");
+        });
+        entity.pairs.insert(entity.pairs.begin(), {"classname", its_class, entity.line});
+    }
+
+    const ReadExternalSource& read_;
+    std::vector<std::string> paths_;  // that include one another
+    int count_ = 0;
+    std::size_t brush_count_ = 0;
+};
+
+}  // namespace
+
+void include_external_maps(std::vector<MapEntity>& entities, const std::string& path, const ReadExternalSource& read) {
+    Includer(read).include(entities, path);
+}
+
+}  // namespace oblong::map
