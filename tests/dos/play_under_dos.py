@@ -7,6 +7,7 @@ qemu: a 486 of 16 MB, started from the disk image: the walk's ticks and pictures
     VGA shows is the last picture; a walk begins by keys and turns by the mouse; the game ends.
 dosbox: OBLONG.COM and its way back to DOS: the same hashes.
 """
+import contextlib
 import os
 import re
 import shutil
@@ -14,7 +15,6 @@ import socket
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 
 TICKS = 300
@@ -271,7 +271,7 @@ def check_dosbox(build_dir):
         for name in ("OBLONG.COM", "OBLONG.SYS"):
             shutil.copy(os.path.join(build_dir, "dos", name), folder)
         with socket.create_server(("127.0.0.1", 0)) as server:
-            server.settimeout(120)
+            server.settimeout(1)
             config = os.path.join(folder, "dosbox.conf")
             with open(config, "w") as file:
                 file.write(DOSBOX.format(cycles=200000, port=server.getsockname()[1], folder=folder, words=f"hashes={TICKS}"))
@@ -289,29 +289,35 @@ def run_dosbox(config, home, server):
     try:
         with os.fdopen(read_end) as pipe:
             display = ":" + pipe.readline().strip()
-        dosbox = subprocess.Popen(["dosbox", "-conf", config], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                  env=dict(os.environ, DISPLAY=display, HOME=home, SDL_AUDIODRIVER="dummy"))
-        try:
-            return listen(server, dosbox)
-        finally:
-            dosbox.kill()
-            dosbox.wait()
+        with open(os.path.join(home, "dosbox.log"), "w+") as log:
+            dosbox = subprocess.Popen(["dosbox", "-conf", config], stdout=log, stderr=log,
+                                      env=dict(os.environ, DISPLAY=display, HOME=home, SDL_AUDIODRIVER="dummy"))
+            try:
+                said = listen(server, dosbox)
+            finally:
+                dosbox.kill()
+                dosbox.wait()
+            log.seek(0)
+            expect(said, f"DOSBox has ended without a word of the game: {log.read()}")
+            return said
     finally:
         screen.kill()
         screen.wait()
 
 
 def listen(server, dosbox):
-    connection, _ = server.accept()
+    """What comes until DOSBox ends, which may take as long as something comes now and then."""
+    connection = None
+    while connection is None and dosbox.poll() is None:
+        with contextlib.suppress(TimeoutError):
+            connection, _ = server.accept()
+    if connection is None:
+        return ""
     said = []
-
-    def read():
-        while data := connection.recv(4096):
-            said.append(data)
-    reader = threading.Thread(target=read, daemon=True)
-    reader.start()
-    dosbox.wait(timeout=3000)
-    reader.join(5)
+    connection.settimeout(SILENCE_S)
+    while data := connection.recv(4096):
+        said.append(data)
+    dosbox.wait(timeout=SILENCE_S)
     return b"".join(said).decode("latin1")
 
 
