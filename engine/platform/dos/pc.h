@@ -10,7 +10,7 @@
 namespace oblong::dos {
 
 /// A PC without a system: VGA, keyboard, PS/2 mouse, timer.
-class Pc final : public Platform {
+class Pc : public Platform {
   public:
     bool is_open() const override { return true; }  ///< until the player leaves
     PlatformInput poll() override;
