@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <map>
+#include <memory>
 #include <optional>
 
 #include "engine/effects/palette_effects.h"
@@ -74,6 +74,7 @@ struct LevelScene::State {
     std::vector<PlacedModel> brushes;        // all that show, but for those doors
     std::vector<PlacedModel> solid_brushes;  // those that stop a body
     std::vector<PlacedMesh> shown;           // in the next picture
+    std::vector<std::shared_ptr<const Mesh>> shown_meshes;
     Settings settings;
     FrameWorkspace work;  // of the level above
 };
@@ -115,10 +116,11 @@ void LevelScene::draw(const Pose& eye, std::int64_t time_ms, Framebuffer canvas,
     std::vector<PlacedMesh> meshes;
     place_models(state.models, time_ms, {{}, state.turned}, meshes);
     meshes.insert(meshes.end(), state.shown.begin(), state.shown.end());
-    state.shown.clear();
     Scene scene{state.level, state.colormap, state.brushes, std::max<std::int64_t>(time_ms, 0)};
     scene.meshes = meshes;
     draw_frame(scene, camera_of(eye, field_of_view), state.mode, state.settings, state.work, canvas);
+    state.shown.clear();
+    state.shown_meshes.clear();
 }
 
 Palette LevelScene::palette_at(const Pose& eye, std::int64_t time_ms) const {
@@ -131,7 +133,8 @@ Palette LevelScene::palette_at(const Pose& eye, std::int64_t time_ms) const {
 }
 
 void LevelScene::show(const Model& model, const Pose& pose, std::int32_t frame) {
-    state_->shown.push_back(placed_at(model.state_->mesh, pose, frame));
+    state_->shown.push_back(placed_at(*model.state_->mesh, pose, frame));
+    state_->shown_meshes.push_back(model.state_->mesh);
 }
 
 Pose LevelScene::walked(const Pose& eye, const Pose& wanted) const {

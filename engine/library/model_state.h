@@ -1,12 +1,14 @@
 #pragma once
 
+#include <memory>
+
 #include "engine/library/oblong.h"
 #include "engine/mesh/placed_mesh.h"
 
 namespace oblong {
 
 struct Model::State {
-    Mesh mesh;
+    std::shared_ptr<Mesh> mesh;  ///< never null; shared with pictures that are still to show it
 };
 
 /// A mesh as a pose and a frame of its motion say.

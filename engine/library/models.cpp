@@ -45,25 +45,25 @@ PlacedMesh placed_at(const Mesh& mesh, const Pose& pose, std::int32_t frame) {
     return placed;
 }
 
-Model::Model() : state_(new State) {
-    state_->mesh.frames.emplace_back();
+Model::Model() : state_(new State{std::make_shared<Mesh>()}) {
+    state_->mesh->frames.emplace_back();
 }
 
 Model::Model(const std::string& file, const Palette& palette, std::int32_t scale_256)
-    : state_(new State{read_mesh(file, palette, scale_256)}) {}
+    : state_(new State{std::make_shared<Mesh>(read_mesh(file, palette, scale_256))}) {}
 
 Model::~Model() {
     delete state_;
 }
 
 std::int32_t Model::add_picture(const Picture& picture) {
-    std::vector<Skin>& skins = state_->mesh.skins;
+    std::vector<Skin>& skins = state_->mesh->skins;
     skins.push_back({"picture", picture.width_px, picture.height_px, picture.pixels});
     return static_cast<std::int32_t>(skins.size()) - 1;
 }
 
 void Model::add_triangle(const Corner& a, const Corner& b, const Corner& c, std::int32_t picture) {
-    Mesh& mesh = state_->mesh;
+    Mesh& mesh = *state_->mesh;
     if (picture < 0 || as_size(picture) >= mesh.skins.size())
         throw InputError("model", "picture " + std::to_string(picture) + ", expected 0 to " +
                                       std::to_string(std::int64_t(mesh.skins.size()) - 1) + ", from add_picture()");
@@ -80,7 +80,7 @@ void Model::add_triangle(const Corner& a, const Corner& b, const Corner& c, std:
 }
 
 std::int32_t Model::frame_count() const {
-    return static_cast<std::int32_t>(state_->mesh.frames.size());
+    return static_cast<std::int32_t>(state_->mesh->frames.size());
 }
 
 struct Stage::State {
@@ -129,7 +129,7 @@ void Stage::draw(const Model& model, const Pose& pose, Framebuffer canvas, std::
     State& state = *state_;
     check_size(canvas, state.mode);
     const MeshDrawing drawing{state.view, state.colormap, state.light, nullptr, false};
-    draw_mesh(placed_at(model.state_->mesh, pose, frame), drawing,
+    draw_mesh(placed_at(*model.state_->mesh, pose, frame), drawing,
               {state.depth, canvas, {0, canvas.width_px, 0, canvas.height_px}}, state.scratch);
 }
 

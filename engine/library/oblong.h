@@ -250,7 +250,7 @@ class LevelScene {
     void draw(const Pose& eye, std::int64_t time_ms, Framebuffer canvas, std::int32_t field_of_view = 90);
     /// The colours for a picture from there: the level's own cycles, the tint under water.
     Palette palette_at(const Pose& eye, std::int64_t time_ms) const;
-    /// Shows a model in the next picture. It is kept by reference until then.
+    /// Shows a model in the next picture, also if it is gone by then.
     void show(const Model& model, const Pose& pose, std::int32_t frame = 0);
 
     /// Where a body gets whose eye is at `eye` and wants to be at `wanted` (see moved()): it slides along walls and

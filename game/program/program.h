@@ -8,30 +8,14 @@
 #include "game/input/input_mapper.h"
 #include "game/level/level_search.h"
 #include "game/menu/menu_pages.h"
-#include "game/options/options.h"
 #include "game/program/gallery.h"
-#include "game/program/map_watch.h"
+#include "game/program/program_files.h"
 #include "game/program/session.h"
 #include "game/program/title.h"
 #include "game/program/walk_saves.h"
 #include "game/sound/game_sound.h"
 
 namespace oblong {
-
-/// The files of the level that the options name. Throws FileError where --map names none.
-LevelFiles level_files_of(const Options& options, const std::string& assets_folder);
-
-/// What a program reads before it opens a window.
-struct ProgramFiles {
-    std::string assets_folder;
-    std::shared_ptr<const LoadedLevel> loaded;
-    TickInputSource input;                      ///< of the first game in it
-    std::shared_ptr<MapWatch> watch = nullptr;  ///< makes `loaded` anew, if not null
-};
-
-/// Reads the level and the demo that the options name, and checks that what they record can be written. Throws
-/// FileError.
-ProgramFiles load_program_files(const Options& options, const std::string& assets_folder);
 
 /// "3:12"
 std::string time_text(std::int64_t ticks);

@@ -293,6 +293,31 @@ void add_square(Model& model, std::int32_t at, std::int32_t half, std::uint8_t c
     model.add_triangle(left_up, right_down, left_down, skin);
 }
 
+TEST(LibraryLevel, ModelIsShownOnceAlsoIfItIsGoneByThen) {
+    Hall hall;
+    const Pose eye = pose_at(-100, 0, 46), place = pose_at(100, 0, 46);
+    const auto drawn = [&] {
+        Picture picture = Picture::of_size(320, 200);
+        hall.level.draw(eye, 0, picture.canvas());
+        return checksum(picture.canvas());
+    };
+    const std::uint32_t empty = drawn();
+    Model square;
+    add_square(square, 0, 30, 3);
+    hall.level.show(square, place);
+    const std::uint32_t expected = drawn();
+    {
+        Model gone;
+        add_square(gone, 0, 30, 3);
+        hall.level.show(gone, place);
+    }
+    Model other;  // where the other one was
+    add_square(other, 0, 10, 200);
+    EXPECT_NE(expected, empty);
+    EXPECT_EQ(drawn(), expected);
+    EXPECT_EQ(drawn(), empty);
+}
+
 TEST(LibraryStage, SquareIsSquareOnTheDisplayAndNearerOnesHideIt) {
     Stage stage(test::grey_palette());
     Model far_square, near_square;
