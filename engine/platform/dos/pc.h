@@ -20,7 +20,7 @@ class Pc : public Platform {
     void set_title(const char*) override {}
     void capture_mouse(bool is_captured) override;
     void change_window(const WindowSettings& settings) override { settings_ = settings; }
-    void wait_for_input(std::int32_t timeout_ms) override;
+    bool wait_for_input(std::int32_t timeout_ms) override;
     void present(Framebuffer picture, const Palette& palette, const PresentRect& shown) override;
 
   private:
